@@ -1,0 +1,26 @@
+# Float flags stand here and nowhere else: every target of this project is built with them, so that
+# the same scene gives the same bits at any optimisation level.
+add_library(ratchet_sieve_flags INTERFACE)
+target_compile_features(ratchet_sieve_flags INTERFACE cxx_std_17)
+target_compile_options(ratchet_sieve_flags INTERFACE -Wall -Wextra -Wpedantic -ffp-contract=off)
+if(RATCHET_SIEVE_SANITIZE)
+  target_compile_options(ratchet_sieve_flags INTERFACE -fsanitize=${RATCHET_SIEVE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(ratchet_sieve_flags INTERFACE -fsanitize=${RATCHET_SIEVE_SANITIZE})
+endif()
+
+# ratchet_sieve_layer(NAME SOURCES ... LINK ...): the target ratchet_sieve_NAME. It sees its own
+# public headers and those of the layers it links, and no other: each layer's headers are
+# reached through a directory of their own, so that a wrong include does not compile.
+function(ratchet_sieve_layer layer)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  set(target ratchet_sieve_${layer})
+  set(view ${PROJECT_BINARY_DIR}/layers/${layer})
+  file(MAKE_DIRECTORY ${view}/ratchet_sieve)
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/include/ratchet_sieve/${layer} ${view}/ratchet_sieve/${layer} SYMBOLIC)
+  add_library(${target} ${ARG_SOURCES})
+  target_include_directories(${target}
+    PUBLIC $<BUILD_INTERFACE:${view}> $<INSTALL_INTERFACE:include>
+    PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE ratchet_sieve_flags ${ARG_PRIVATE_LINK})
+  target_compile_features(${target} PUBLIC cxx_std_17)
+endfunction()

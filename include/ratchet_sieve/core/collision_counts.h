@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace ratchet_sieve
+{
+
+/// What a disk has hit.
+enum class CollisionKind
+{
+  DISK_DISK,
+  LEFT_SLOPE,
+  RIGHT_SLOPE,
+  APEX,  ///< an apex of a tooth, or the outermost foot of an open base
+  WALL
+};
+
+/// The name used in summaries and collision files: disk_disk, left_slope, right_slope, apex, wall.
+const char* name(CollisionKind kind);
+
+/// How often each kind of collision happened.
+struct CollisionCounts
+{
+  std::uint64_t disk_disk = 0;
+  std::uint64_t left_slope = 0;
+  std::uint64_t right_slope = 0;
+  std::uint64_t apex = 0;
+  std::uint64_t wall = 0;
+
+  void add(CollisionKind kind);
+  std::uint64_t total() const { return disk_disk + left_slope + right_slope + apex + wall; }
+
+  /// Contacts with the shorter slope over contacts with the longer one (a < 0.5: left over right);
+  /// nothing if the longer one was never hit or if the slopes are equally long (a = 0.5).
+  std::optional<double> shortToLong(double asymmetry) const;
+};
+
+}  // namespace ratchet_sieve

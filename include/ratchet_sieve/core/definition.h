@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ratchet_sieve
+{
+
+/// What happens at the two ends of the base.
+enum class Boundary
+{
+  PERIODIC,  ///< What leaves one end enters at the other; displacements are counted unwrapped.
+  OPEN,      ///< A disk whose centre passes an end falls into that end's bin and leaves the machine.
+  WALLED     ///< Two smooth walls stand at the ends, normal to the base, and move with it.
+};
+
+/// The sawtooth base and its drive. Tooth k spans s in [k w, (k+1) w] along the base, its apex at
+/// s = (k + a) w, n = h. The whole base oscillates vertically in the world: Y(t) = A sin(phi(t)).
+struct BaseDefinition
+{
+  int teeth = 20;
+  double tooth_width = 0.020;   ///< w [m]
+  double tooth_height = 0.006;  ///< h [m]; 0 is a flat base
+  double asymmetry = 0.3;       ///< a in [0, 1]; the left slope spans a w
+  double inclination = 0.0;     ///< theta [rad]; > 0 raises the right end, about the foot at s = 0
+  double amplitude = 0.002;     ///< A [m]
+  double frequency = 23.0;      ///< f [Hz]
+  double phase = 0.0;           ///< phi at t = 0 [rad]
+
+  double width() const { return teeth * tooth_width; }  ///< W = L w [m]
+};
+
+/// The coefficients of the collision law for one kind of contact.
+struct ContactCoefficients
+{
+  double restitution = 0.6;             ///< e in [0, 1]
+  double friction = 0.1;                ///< Coulomb mu >= 0
+  double tangential_restitution = 0.4;  ///< beta in [-1, 1]
+};
+
+/// One kind of disk.
+struct SpeciesDefinition
+{
+  std::string name = "A";
+  int count = 0;                ///< disks that are poured at the start
+  double share = 1.0;           ///< weight in the split of a density or of a feed
+  double radius = 0.001;        ///< [m]
+  double mass = 0.001;          ///< [kg]
+  ContactCoefficients contact;  ///< with the base, and with disks of its own kind
+  double inertia_factor = 0.5;  ///< alpha = I / (m r^2); 1/2 for a uniform disk
+
+  double inertia() const { return inertia_factor * mass * radius * radius; }  ///< I [kg m^2]
+};
+
+/// Coefficients of one pair of different species, where they are not the mean of the two's own.
+struct PairDefinition
+{
+  std::size_t first = 0;   ///< index into SceneDefinition::species
+  std::size_t second = 0;  ///< index into SceneDefinition::species
+  ContactCoefficients contact;
+};
+
+/// Which contacts are modelled and how the inelastic collapse is avoided.
+struct ContactDefinition
+{
+  bool pair_collisions = true;      ///< false: an ensemble of disks that do not see each other
+  double min_rebound_speed = 0.05;  ///< v_min [m/s], Farkas et al., Phys. Rev. E 60, 7022 (1999); 0: none
+  double contact_duration = 0.0;    ///< t_c [s], Luding & McNamara, Granular Matter 1, 113 (1998); 0: none
+};
+
+/// How the disks start: spatially uniform along the base, without overlap.
+struct PourDefinition
+{
+  double drop_height = 0.02;  ///< of the lowest disks' undersides above the base's highest reach [m]
+  double speed = 0.0;         ///< downwards [m/s]
+};
+
+/// Disks poured on while the machine runs.
+struct FeedDefinition
+{
+  double rate = 0.0;  ///< [1/s], species drawn by their shares; 0: none
+};
+
+/// A disk placed by hand, instead of the pour; world frame at t = 0.
+struct InitialDisk
+{
+  std::size_t species = 0;  ///< index into SceneDefinition::species
+  double x = 0.0;           ///< [m]
+  double y = 0.0;           ///< [m]
+  double vx = 0.0;          ///< [m/s]
+  double vy = 0.0;          ///< [m/s]
+  double spin = 0.0;        ///< counter-clockwise [rad/s]
+};
+
+/// All that decides a run. A plain description: the scene layer reads and validates it.
+struct SceneDefinition
+{
+  BaseDefinition base;
+  Boundary boundary = Boundary::PERIODIC;
+  double gravity = 9.81;  ///< downwards [m/s^2]
+  std::vector<SpeciesDefinition> species;
+  std::vector<PairDefinition> pairs;
+  ContactDefinition contact;
+  PourDefinition pour;
+  FeedDefinition feed;
+  std::vector<InitialDisk> initial;
+  double duration = 100.0;  ///< [s]
+  double settle = 0.0;      ///< first seconds of the duration that no mean counts [s]
+  std::uint64_t seed = 1;
+};
+
+/// Contact coefficients between two species: the pair's own, or else the mean of the two species'.
+ContactCoefficients contactBetween(const SceneDefinition& scene, std::size_t first, std::size_t second);
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ratchet_sieve
+{
+
+/// Where the disks of one species are.
+struct SpeciesBins
+{
+  std::uint64_t left = 0;     ///< fallen into the left bin
+  std::uint64_t right = 0;    ///< fallen into the right bin
+  std::uint64_t on_base = 0;  ///< still in the machine
+
+  std::uint64_t counted() const { return left + right; }
+};
+
+/// Q of one pair of species, eq. (2) of the paper:
+/// max(a_l/N_a + b_r/N_b, a_r/N_a + b_l/N_b) - 1, in [0, 1].
+/// Nothing until at least one disk of each species was counted.
+std::optional<double> segregationQuality(const SpeciesBins& a, const SpeciesBins& b);
+
+/// Q of one pair among several species.
+struct PairQuality
+{
+  std::size_t first = 0;
+  std::size_t second = 0;
+  std::optional<double> quality;
+};
+
+/// Q of every pair of species, first < second, in order.
+std::vector<PairQuality> pairQualities(const std::vector<SpeciesBins>& bins);
+
+/// The quality of the whole: of the one pair, or with more species the best pair's. Nothing while
+/// no pair has one.
+std::optional<double> bestQuality(const std::vector<SpeciesBins>& bins);
+
+/// P, eq. (3) of the paper: counted disks over all disks. Nothing until one disk was counted.
+std::optional<double> processedRatio(const std::vector<SpeciesBins>& bins);
+
+}  // namespace ratchet_sieve

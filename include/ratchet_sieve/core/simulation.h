@@ -1,0 +1,140 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ratchet_sieve/core/collision_counts.h"
+#include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/segregation.h"
+
+namespace ratchet_sieve
+{
+
+/// One disk at the simulation's time, world frame.
+struct DiskState
+{
+  std::uint32_t id = 0;
+  std::uint32_t species = 0;
+  double x = 0.0;             ///< [m], wrapped into the machine where the boundary is periodic
+  double y = 0.0;             ///< [m]
+  double angle = 0.0;         ///< counter-clockwise, in [-pi, pi) [rad]
+  double vx = 0.0;            ///< [m/s]
+  double vy = 0.0;            ///< [m/s]
+  double spin = 0.0;          ///< counter-clockwise [rad/s]
+  double displacement = 0.0;  ///< world x travelled since the disk entered, unwrapped [m]
+};
+
+/// The base at the simulation's time.
+struct BaseState
+{
+  double inclination = 0.0;  ///< applied [rad]
+  double frequency = 0.0;    ///< applied [Hz]
+  double amplitude = 0.0;    ///< applied [m]
+  double commanded_inclination = 0.0;
+  double commanded_frequency = 0.0;
+  double commanded_amplitude = 0.0;
+  double phase = 0.0;         ///< of the drive, in [0, 2 pi) [rad]
+  double displacement = 0.0;  ///< Y, upwards in the world [m]
+  double velocity = 0.0;      ///< dY/dt [m/s]
+};
+
+/// How fast the base follows its setpoints.
+struct SlewRates
+{
+  double inclination = 0.1;  ///< [rad/s]
+  double frequency = 10.0;   ///< [Hz/s]
+  double amplitude = 0.002;  ///< [m/s]
+};
+
+/// One executed collision.
+struct CollisionRecord
+{
+  double time = 0.0;  ///< [s]
+  CollisionKind kind = CollisionKind::DISK_DISK;
+  std::uint32_t i = 0;
+  std::optional<std::uint32_t> j;   ///< empty for the base
+  double normal_speed = 0.0;        ///< of approach, > 0 [m/s]
+  double normal_impulse = 0.0;      ///< J_n >= 0 [N s]
+  double tangential_impulse = 0.0;  ///< J_t on disk i along its tangent (normal turned by +90 deg) [N s]
+};
+
+/// Means over the disks of one species and over the time since `settle`.
+struct SpeciesMeans
+{
+  std::optional<double> mean_vx;                ///< sum of displacements / sum of times [m/s]
+  std::optional<double> mean_vx_stderr;         ///< over disks; nothing for fewer than two [m/s]
+  std::optional<double> kinetic_translational;  ///< [J], mean over disks and time
+  std::optional<double> kinetic_rotational;     ///< [J], mean over disks and time
+};
+
+/// Time has all but stopped: more events per disk and drive period than EVENTS_PER_DISK_AND_PERIOD.
+struct StallError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// The vibrating-ratchet feeder: hard disks over an inclined, shaken sawtooth base, advanced from
+/// collision to collision. The same definition gives the same bits, however often it is looked at
+/// and in whatever strides it is advanced.
+class Simulation
+{
+public:
+  using CollisionObserver = std::function<void(const CollisionRecord&)>;
+
+  /// Pours the scene. @throws std::invalid_argument if disks of `initial` overlap each other or
+  /// the base, or lie outside the machine; the message names them.
+  explicit Simulation(const SceneDefinition& scene);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  const SceneDefinition& scene() const;
+
+  /// Simulated time [s], as last asked for.
+  double time() const;
+
+  /// Executes every event up to and including `time` [s]; earlier times do nothing.
+  /// @throws StallError
+  void advanceTo(double time);
+
+  /// Commands take effect at time(): the base moves there at its slew rates. The caller has
+  /// checked them to be finite and legal (f, A >= 0).
+  void commandInclination(double inclination);
+  void commandFrequency(double frequency);
+  void commandAmplitude(double amplitude);
+  void setSlewRates(const SlewRates& rates);
+
+  /// Pours `count` more disks of a species on at time(), where there is room.
+  void pour(std::size_t species, std::size_t count);
+
+  BaseState base() const;
+  std::size_t activeDisks() const;           ///< disks in the machine
+  std::vector<DiskState> disks() const;      ///< disks in the machine, by id, at time()
+  std::vector<SpeciesBins> bins() const;     ///< per species
+  const CollisionCounts& collisions() const; ///< since the start
+  std::uint64_t events() const;              ///< all processed since the start
+  std::vector<SpeciesMeans> means() const;   ///< per species, since `settle`
+  double baseImpulseX() const;               ///< given by the base to the disks since `settle` [N s]
+  double baseImpulseY() const;
+  double energy() const;      ///< kinetic + potential of the disks in the machine at time() [J]
+  double maxOverlap() const;  ///< largest ever seen at a collision or by auditOverlaps() [m]
+
+  /// Looks at every disk and every near pair at time(): takes overlaps into maxOverlap() and
+  /// returns how many disks are behind the base's surface (always 0, or the engine is wrong).
+  std::size_t auditOverlaps();
+
+  /// Calls `observer` after each collision, in the order of time. Empty: nobody watches.
+  void observeCollisions(CollisionObserver observer);
+
+private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+#include "ratchet_sieve/recording/frame_sink.h"
+
+namespace ratchet_sieve
+{
+
+/// How often each kind of frame is taken [1/s of simulated time]; 0: only first and last.
+struct FrameRates
+{
+  double particles = 60.0;
+  double bins = 60.0;
+  double base = 60.0;
+  double statistics = 10.0;
+};
+
+/// Takes frames at the exact times start + k / rate, so that no rounding adds up, and a last one of each kind.
+class FrameSampler
+{
+public:
+  FrameSampler(const FrameRates& rates, double start_time);
+
+  /// The next time at which a frame is due [s]; infinity if every rate is 0. Advance the simulation no further than this.
+  double nextTime() const;
+
+  /// Hands every frame that is due at simulation.time() to the sink; the first call also the scene.
+  void takeDue(const Simulation& simulation, FrameSink& sink);
+
+  /// Hands a last frame of every kind to the sink, where none was taken at this very time.
+  void takeLast(const Simulation& simulation, FrameSink& sink);
+
+private:
+  struct Stream
+  {
+    double rate = 0.0;
+    std::uint64_t next_index = 0;
+    std::optional<double> last_time;
+  };
+  double dueTime(const Stream& stream) const;
+
+  double start_time_;
+  bool scene_taken_ = false;
+  Stream particles_, bins_, base_, statistics_;
+  std::optional<StatisticsFrame> last_statistics_;
+  std::chrono::steady_clock::time_point last_statistics_wall_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <yaml-cpp/yaml.h>
+
+#include "ratchet_sieve/core/definition.h"
+
+namespace ratchet_sieve
+{
+
+/// A scene that cannot be: one line that names file, line (where there is one), key, value and
+/// what is allowed.
+struct SceneError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// A validated scene and what its author should know about it.
+struct Scene
+{
+  SceneDefinition definition;         ///< resolved: every count is set, a density is split up
+  std::vector<std::string> warnings;  ///< such as "count is ignored where a density is given"
+};
+
+/// Reads a scene from a file.
+/// @param overrides `KEY=VALUE`, KEY a dotted path (base.inclination=0.105, species.0.radius=0.004)
+/// @throws SceneError
+Scene loadSceneFile(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// Reads a scene from a YAML tree, wherever it came from: the one way in for files, the parameter
+/// server and bags.
+/// @param source named in errors: a path, or "parameter /sieve/scene"
+/// @throws SceneError
+Scene sceneFromYaml(const YAML::Node& root, const std::string& source);
+
+/// Reads a scene from YAML text, as a recorded SceneFrame carries it. @throws SceneError
+Scene sceneFromText(const std::string& text, const std::string& source);
+
+/// Sets KEY=VALUE in a YAML tree. @throws SceneError
+void applyOverride(YAML::Node& root, const std::string& assignment);
+
+}  // namespace ratchet_sieve
