@@ -1,0 +1,44 @@
+# Sourced by the scripts beside it: where things are, how to speak, and ROS's environment.
+# shellcheck shell=bash disable=SC2034
+
+project_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build_dir=$project_dir/build
+
+# A python that comes first on PATH (pyenv, conda) knows nothing of ROS's modules in /usr.
+export PATH=/usr/bin:$PATH
+
+# Everything runs on this machine: no name of it has to resolve but localhost.
+export ROS_HOSTNAME=localhost
+unset ROS_IP
+
+say()
+{
+  printf '\n== %s\n' "$*"
+}
+
+fail()
+{
+  printf '%s: %s\n' "$(basename "$0")" "$*" >&2
+  exit 1
+}
+
+# Sources a setup file of ROS, which does not stand up to `set -u`.
+source_ros()
+{
+  set +u
+  # shellcheck disable=SC1090
+  . "$1"
+  set -u
+}
+
+# True where ROS comes as Noetic under /opt/ros, and not from the distribution's archive.
+is_noetic()
+{
+  [ -e /opt/ros/noetic/setup.bash ] || grep -qs '^VERSION_CODENAME=focal' /etc/os-release
+}
+
+# Puts ROS on the paths; where it comes from Debian's archive it is there already.
+enter_ros()
+{
+  if [ -e /opt/ros/noetic/setup.bash ]; then source_ros /opt/ros/noetic/setup.bash; fi
+}
