@@ -114,13 +114,13 @@ public:
   void pour(std::size_t species, std::size_t count);
 
   BaseState base() const;
-  std::size_t activeDisks() const;           ///< disks in the machine
-  std::vector<DiskState> disks() const;      ///< disks in the machine, by id, at time()
-  std::vector<SpeciesBins> bins() const;     ///< per species
-  const CollisionCounts& collisions() const; ///< since the start
-  std::uint64_t events() const;              ///< all processed since the start
-  std::vector<SpeciesMeans> means() const;   ///< per species, since `settle`
-  double baseImpulseX() const;               ///< given by the base to the disks since `settle` [N s]
+  std::size_t activeDisks() const;            ///< disks in the machine
+  std::vector<DiskState> disks() const;       ///< disks in the machine, by id, at time()
+  std::vector<SpeciesBins> bins() const;      ///< per species
+  const CollisionCounts& collisions() const;  ///< since the start
+  std::uint64_t events() const;               ///< all processed since the start
+  std::vector<SpeciesMeans> means() const;    ///< per species, since `settle`
+  double baseImpulseX() const;                ///< given by the base to the disks since `settle` [N s]
   double baseImpulseY() const;
   double energy() const;      ///< kinetic + potential of the disks in the machine at time() [J]
   double maxOverlap() const;  ///< largest ever seen at a collision or by auditOverlaps() [m]

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <optional>
+
+#include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/simulation.h"
+
+namespace ratchet_sieve
+{
+
+/// Where the base is at an instant, and how it moves.
+struct BaseKinematics
+{
+  double inclination = 0.0;       ///< theta [rad]
+  double inclination_rate = 0.0;  ///< d theta / dt [rad/s]
+  double cosine = 1.0;            ///< of theta
+  double sine = 0.0;              ///< of theta
+  double displacement = 0.0;      ///< Y [m]
+  double velocity = 0.0;          ///< dY/dt [m/s]
+};
+
+/// The base's motion over time: theta, f and A each stand still or follow their setpoint at a
+/// constant rate; the phase of the drive is continuous. Piecewise: within a segment nothing changes
+/// its rate; nextChange() ends it. Times are local to the engine's present epoch [s].
+class BaseMotion
+{
+public:
+  /// @param max_turn the largest change of theta within one segment [rad]
+  BaseMotion(const BaseDefinition& base, double max_turn);
+
+  BaseKinematics at(double time) const;
+  BaseState state(double time) const;
+
+  double segmentStart() const { return segment_start_; }
+
+  /// When the present segment ends; nothing while the base stands at its setpoints.
+  std::optional<double> nextChange() const;
+
+  /// Begins a new segment at `time`: at nextChange(), or earlier, with setpoints changed.
+  void beginSegment(double time);
+
+  /// Makes `length` the new time zero; length is a power of two so that the phase stays exact.
+  void rebase(double length);
+
+  void commandInclination(double target, double time);
+  void commandFrequency(double target, double time);
+  void commandAmplitude(double target, double time);
+  void setSlewRates(const SlewRates& rates, double time);
+
+  bool turning() const { return inclination_.rate != 0.0; }
+
+  /// d theta / dt over the present segment [rad/s].
+  double inclinationRate() const { return inclination_.rate; }
+
+  /// sup |d2Y/dt2| over the present segment [m/s^2].
+  double accelerationBound() const { return acceleration_bound_; }
+
+  /// How high the drive throws a disk that leaves it at its highest speed [m]; infinity without gravity.
+  double throwHeight(double gravity) const;
+
+  /// sup |Y| over the present segment [m].
+  double displacementBound() const { return displacement_bound_; }
+
+private:
+  /// A quantity that moves from `start` at `rate` until it reaches `target`.
+  struct Ramp
+  {
+    double start = 0.0;
+    double rate = 0.0;
+    double target = 0.0;
+
+    double at(double elapsed) const { return start + rate * elapsed; }
+    std::optional<double> remaining() const;
+    void advance(double elapsed);
+  };
+
+  double turns(double elapsed) const;
+  void advanceTo(double time);  ///< moves the segment's start to `time`, on the rates so far
+  void plan();                  ///< sets the rates from the setpoints, and when they end
+  void updateBounds();
+
+  Ramp inclination_;
+  Ramp frequency_;
+  Ramp amplitude_;
+  SlewRates slew_rates_;
+  double max_turn_;
+  double segment_start_ = 0.0;
+  double turns_ = 0.0;  ///< phase of the drive at segment_start_ over 2 pi, in [0, 1)
+  double cosine_ = 1.0;
+  double sine_ = 0.0;
+  std::optional<double> next_change_;
+  double acceleration_bound_ = 0.0;
+  double displacement_bound_ = 0.0;
+};
+
+}  // namespace ratchet_sieve

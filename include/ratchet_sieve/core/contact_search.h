@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+
+#include "ratchet_sieve/core/base_motion.h"
+#include "ratchet_sieve/core/disk.h"
+#include "ratchet_sieve/core/sawtooth.h"
+
+namespace ratchet_sieve
+{
+
+/// What a disk's flight will meet of the base.
+struct BaseEvent
+{
+  double time = 0.0;                   ///< of the contact; without one, free until then
+  std::optional<BaseFeature> feature;  ///< nothing: search again from `time` on
+};
+
+/// Finds when a flying disk first meets the moving base, with certainty: it never steps further
+/// than no feature can have come. In the base's frame a disk's acceleration is bounded by K, so
+/// that a gap g with rate g' stays free as long as g + g' t - K t^2 / 2 > 0; this holds for the
+/// distance to a line and for the distance to a point alike. Stepping from bound to bound comes to
+/// the first contact from the free side, and quadratically (conservative advancement). The same
+/// search serves a base that turns, with a K that takes the turning in.
+class ContactSearch
+{
+public:
+  ContactSearch(const Sawtooth& sawtooth, const BaseMotion& motion, double gravity, double time_resolution)
+      : sawtooth_(sawtooth), motion_(motion), gravity_(gravity), time_resolution_(time_resolution)
+  {
+  }
+
+  /// The first contact in [from, until], or how far the flight is free for certain (which may be
+  /// beyond `until`, or before it where a search took too many steps).
+  /// @pre from >= disk.time, until <= the end of the motion's present segment
+  BaseEvent find(const Disk& disk, double radius, double from, double until) const;
+
+  /// The disk as seen from the base's frame at `time`. Velocities are relative to the base.
+  BasePoint seenFromBase(const Disk& disk, double time) const;
+
+private:
+  class Step;
+
+  double nearTime(const Disk& disk, double radius, double from) const;
+  double relativeAccelerationBound(const BasePoint& point, double span) const;
+  double longestSpan() const;
+  void lookAtEnds(Step& step) const;
+  void lookAtTeeth(Step& step) const;
+  void lookAtTooth(std::int32_t tooth, Step& step) const;
+
+  const Sawtooth& sawtooth_;
+  const BaseMotion& motion_;
+  double gravity_;
+  double time_resolution_;
+};
+
+/// A point of the world in the frame of the base as it stands at `k`, with its velocity relative to the base
+/// there.
+BasePoint toBase(const BaseKinematics& k, double x, double y, double vx, double vy);
+
+}  // namespace ratchet_sieve

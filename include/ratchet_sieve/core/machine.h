@@ -1,0 +1,128 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "ratchet_sieve/core/base_motion.h"
+#include "ratchet_sieve/core/collision_law.h"
+#include "ratchet_sieve/core/contact_search.h"
+#include "ratchet_sieve/core/disk.h"
+#include "ratchet_sieve/core/sawtooth.h"
+#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/core/tally.h"
+
+namespace ratchet_sieve
+{
+
+/// The run's time zero, moved on by whole epochs: times within an epoch are small, so that a double
+/// holds them as finely after 10^6 s as at the start. A power of two [s], so that nothing rounds.
+struct Epoch
+{
+  double start = 0.0;   ///< [s]
+  double length = 1.0;  ///< [s]
+};
+
+/// Another place at which a disk appears: moved along the base by a periodic boundary.
+struct Image
+{
+  double dx = 0.0;   ///< [m]
+  double dy = 0.0;   ///< [m]
+  double dvx = 0.0;  ///< [m/s]; nonzero only while the base turns
+  double dvy = 0.0;  ///< [m/s]
+};
+
+/// The machine and the disks in it: what an event does, not when. Times are local to the epoch.
+class Machine
+{
+public:
+  explicit Machine(const SceneDefinition& scene);
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+
+  const SceneDefinition& scene() const { return scene_; }
+  const Sawtooth& sawtooth() const { return sawtooth_; }
+  const BaseMotion& motion() const { return motion_; }
+  BaseMotion& motion() { return motion_; }
+  const ContactSearch& search() const { return search_; }
+  const Epoch& epoch() const { return epoch_; }
+  double drivePeriod() const { return drive_period_; }  ///< or what takes its place at rest [s]
+  double largestDiameter() const { return largest_diameter_; }
+
+  const std::vector<Disk>& disks() const { return disks_; }
+  const Disk& disk(std::uint32_t id) const { return disks_[id]; }
+  double radius(std::uint32_t id) const { return scene_.species[disks_[id].species].radius; }
+  bool active(std::uint32_t id) const { return active_[id] != 0; }
+  std::size_t activeCount() const { return active_count_; }
+
+  /// Where the image `shift` widths to the right appears at `time`, relative to the disk itself.
+  Image image(int shift, double time) const;
+
+  /// Puts a disk in; its id is the number of disks before.
+  std::uint32_t add(const Disk& disk);
+
+  /// A disk meets the base, or passes its end and leaves. A contact that opens is left alone.
+  void meetBase(std::uint32_t id, const BaseFeature& feature, double time);
+
+  /// Disk i meets the image of disk j that lies `shift` widths to the right of j.
+  void meetPair(std::uint32_t i, std::uint32_t j, int shift, double time);
+
+  /// Takes the disk to its image, on the same flight.
+  void wrap(std::uint32_t id, int shift, double time);
+
+  void rebase();
+  void restartMeans(double time);
+
+  std::vector<SpeciesBins> bins() const;
+  std::vector<SpeciesMeans> means(double time) const;
+  double displacement(std::uint32_t id, double x) const { return tally_.displacement(id, x); }
+  const CollisionCounts& collisions() const { return collisions_; }
+  double baseImpulseX() const { return base_impulse_x_; }
+  double baseImpulseY() const { return base_impulse_y_; }
+  double maxOverlap() const { return max_overlap_; }
+  void noteOverlap(double overlap) { max_overlap_ = overlap > max_overlap_ ? overlap : max_overlap_; }
+  void observeCollisions(Simulation::CollisionObserver observer) { observer_ = std::move(observer); }
+
+private:
+  /// The surfaces at a contact: unit normal on disk i, and relative velocity.
+  struct Contact
+  {
+    double nx, ny;
+    double normal_velocity;
+    double tangential_velocity;
+  };
+
+  Disk& fly(std::uint32_t id, double time);
+  void leave(std::uint32_t id, bool to_the_right, double time);
+  bool lossless(std::uint32_t id, double time) const;
+  void touched(std::uint32_t id, double time);
+  void push(Disk& disk, const Contact& contact, const Impulse& impulse, double sign) const;
+  void report(double time, CollisionKind kind, std::uint32_t i, const std::uint32_t* j,
+              const Contact& contact, const Impulse& impulse);
+
+  SceneDefinition scene_;
+  Sawtooth sawtooth_;
+  double largest_diameter_;
+  double drive_period_;
+  Epoch epoch_;
+  BaseMotion motion_;
+  ContactSearch search_;
+
+  std::vector<ContactCoefficients> pair_coefficients_;  ///< per (species, species)
+  std::vector<ContactMasses> pair_masses_;              ///< per (species, species)
+  std::vector<ContactMasses> base_masses_;              ///< per species
+
+  std::vector<Disk> disks_;
+  std::vector<std::uint8_t> active_;
+  std::vector<double> last_contacts_;  ///< per disk, only where t_c > 0
+  std::size_t active_count_ = 0;
+  std::vector<SpeciesBins> bins_;
+  Tally tally_;
+  CollisionCounts collisions_;
+  double base_impulse_x_ = 0.0;
+  double base_impulse_y_ = 0.0;
+  double max_overlap_ = 0.0;
+  Simulation::CollisionObserver observer_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+namespace ratchet_sieve
+{
+
+/// When a gap that follows gap + rate t + accel t^2 / 2 is next used up while closing: the smallest
+/// t >= 0. A gap that is used up already and closes is due at once; one that opens is left alone
+/// until it has come back (Bannerman et al., Comput. Part. Mech. 1, 191 (2014), arXiv 1211.6718).
+inline std::optional<double> firstClosingTime(double gap, double rate, double accel)
+{
+  if (gap <= 0.0)
+  {
+    if (rate < 0.0)
+      return 0.0;
+    if (accel >= 0.0)
+      return std::nullopt;
+    return 2.0 * rate / -accel;
+  }
+  const double discriminant = rate * rate - 2.0 * accel * gap;
+  if (rate < 0.0)
+  {
+    if (discriminant < 0.0)
+      return std::nullopt;
+    return 2.0 * gap / (std::sqrt(discriminant) - rate);
+  }
+  if (accel >= 0.0)
+    return std::nullopt;
+  return (rate + std::sqrt(discriminant)) / -accel;
+}
+
+/// How long a gap stays free for certain, if its second derivative never falls below -bound
+/// (bound > 0): the time at which gap + rate t - bound t^2 / 2 is used up. 0 where the gap is used
+/// up and closes. A used-up gap that opens is free until it can have come back.
+inline double guaranteedFreeTime(double gap, double rate, double bound)
+{
+  const double discriminant = rate * rate + 2.0 * bound * gap;
+  if (gap > 0.0)
+  {
+    const double root = std::sqrt(discriminant);
+    return rate < 0.0 ? 2.0 * gap / (root - rate) : (rate + root) / bound;
+  }
+  if (rate < 0.0)
+    return 0.0;
+  return discriminant > 0.0 ? (rate + std::sqrt(discriminant)) / bound : rate / bound;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+namespace ratchet_sieve
+{
+
+/// Random numbers that are the same with every compiler and library: the standard fixes
+/// mt19937_64's bits, but not its distributions'.
+class Random
+{
+public:
+  explicit Random(std::uint64_t seed) : generator_(seed) {}
+
+  /// In [0, 1), 53 bits.
+  double uniform() { return static_cast<double>(generator_() >> 11) * 0x1.0p-53; }
+
+  /// In [0, count), count > 0; biased by less than count / 2^64.
+  std::uint64_t below(std::uint64_t count) { return generator_() % count; }
+
+private:
+  std::mt19937_64 generator_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+
+#include "ratchet_sieve/core/definition.h"
+
+namespace ratchet_sieve
+{
+
+/// The parts of the base that a disk can meet.
+enum class BaseFeatureKind : std::uint8_t
+{
+  LEFT_SLOPE,
+  RIGHT_SLOPE,
+  APEX,
+  END_FOOT,  ///< the outermost foot of an open base: where it ends, a corner stands free
+  LEFT_WALL,
+  RIGHT_WALL,
+  LEFT_END,  ///< not a body: the line s = 0 of an open base, behind which the bin lies
+  RIGHT_END  ///< the line s = W
+};
+
+struct BaseFeature
+{
+  BaseFeatureKind kind = BaseFeatureKind::LEFT_SLOPE;
+  std::int32_t tooth = 0;  ///< for slopes and apices; for END_FOOT 0 or the number of teeth
+};
+
+/// A point's place and speed in the base's own frame (s along, n normal).
+struct BasePoint
+{
+  double s = 0.0;   ///< [m]
+  double n = 0.0;   ///< [m]
+  double vs = 0.0;  ///< [m/s]
+  double vn = 0.0;  ///< [m/s]
+};
+
+/// A disk before one feature of the base.
+struct Approach
+{
+  double gap = 0.0;       ///< from the disk's rim to the feature, < 0 where they overlap [m]
+  double rate = 0.0;      ///< of change of the gap [m/s]
+  double normal_s = 0.0;  ///< unit normal from the feature to the disk's centre
+  double normal_n = 1.0;
+};
+
+/// The shape of the base, in its own frame: pure geometry, at rest.
+class Sawtooth
+{
+public:
+  /// One slope, relative to its tooth's left foot.
+  struct Slope
+  {
+    bool present = true;   ///< false where it has no length (h = 0 with a = 0 or 1)
+    double foot_s = 0.0;   ///< the lower end, n = 0
+    double along_s = 0.0;  ///< unit vector from foot to apex
+    double along_n = 1.0;
+    double normal_s = 0.0;  ///< unit normal, out of the base
+    double normal_n = 1.0;
+    double length = 0.0;  ///< [m]
+  };
+
+  Sawtooth(const BaseDefinition& base, Boundary boundary);
+
+  Boundary boundary() const { return boundary_; }
+  double width() const { return width_; }
+  double toothWidth() const { return tooth_width_; }
+  double height() const { return height_; }
+  const Slope& left() const { return left_; }
+  const Slope& right() const { return right_; }
+  std::int32_t teeth() const { return teeth_; }
+  double toothStart(std::int32_t tooth) const { return tooth * tooth_width_; }
+  double apexOffset() const { return apex_offset_; }
+
+  /// The tooth over which s lies; on a periodic base any integer, else clamped to the teeth there are.
+  std::int32_t toothAt(double s) const;
+
+  /// Whether there is such a tooth: a periodic base never ends.
+  bool hasTooth(std::int32_t tooth) const
+  {
+    return boundary_ == Boundary::PERIODIC || (tooth >= 0 && tooth < teeth_);
+  }
+
+  /// A slope's window, widened by this much beyond its ends so that rounding leaves no slit between
+  /// neighbours. What lies within it is so near the corner that the gap is off by no more than
+  /// slack^2 / (2 r).
+  double windowSlack() const { return window_slack_; }
+
+  /// The disk (centre `point`, radius) before a feature.
+  Approach approach(const BaseFeature& feature, const BasePoint& point, double radius) const;
+
+  /// Signed distance from a point to the base's surface, > 0 above it. By looking at every feature
+  /// that could be nearest: for audits and tests.
+  double heightAbove(double s, double n) const;
+
+private:
+  Boundary boundary_;
+  std::int32_t teeth_;
+  double tooth_width_;
+  double height_;
+  double width_;
+  double apex_offset_;
+  double window_slack_;
+  Slope left_;
+  Slope right_;
+};
+
+}  // namespace ratchet_sieve

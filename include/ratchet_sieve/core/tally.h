@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "ratchet_sieve/core/disk.h"
+#include "ratchet_sieve/core/simulation.h"
+
+namespace ratchet_sieve
+{
+
+/// Means over disks and time: displacements, and kinetic energies integrated exactly along every
+/// flight. Times are the run's (not local to an epoch) unless said otherwise.
+class Tally
+{
+public:
+  Tally(const std::vector<SpeciesDefinition>& species, double gravity);
+
+  void entered(const Disk& disk, double time);
+  void left(std::uint32_t id, const Disk& disk, double time);
+
+  /// Takes in the part of a disk's flight from its own time to `time`, both local.
+  void flew(std::uint32_t id, const Disk& disk, double time);
+
+  /// The disk was moved by -dx in the world by a periodic boundary, and no displacement comes of it.
+  void wrapped(std::uint32_t id, double dx) { passages_[id].offset += dx; }
+
+  /// Forgets all that was counted before: the end of `settle`.
+  /// @param local_time `time` in the epoch of the disks' own times
+  void restart(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
+               double local_time);
+
+  /// World x travelled since the disk entered, unwrapped [m].
+  double displacement(std::uint32_t id, double x) const
+  {
+    return x + passages_[id].offset - passages_[id].entered_x;
+  }
+
+  std::vector<SpeciesMeans> means(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active,
+                                  double time, double local_time) const;
+
+private:
+  /// One disk's stay in the machine.
+  struct Passage
+  {
+    double entered_x = 0.0;     ///< [m]
+    double offset = 0.0;        ///< unwraps x [m]
+    double counted_x = 0.0;     ///< unwrapped x where the counting began [m]
+    double counted_from = 0.0;  ///< [s]
+    double translation = 0.0;   ///< integral of v^2 / 2 [m^2/s]
+    double rotation = 0.0;      ///< integral of spin^2 / 2 [1/s]
+  };
+
+  /// Sums over the passages of one species.
+  struct Sums
+  {
+    double disks = 0.0;
+    double displacement = 0.0;
+    double time = 0.0;
+    double displacement_squared = 0.0;
+    double displacement_time = 0.0;
+    double time_squared = 0.0;
+    double translation = 0.0;
+    double rotation = 0.0;
+
+    void add(const Passage& passage, double x, double time);
+    SpeciesMeans means(const SpeciesDefinition& species) const;
+  };
+
+  void integrate(Passage& passage, const Disk& disk, double local_time) const;
+
+  std::vector<SpeciesDefinition> species_;
+  double gravity_;
+  std::vector<Passage> passages_;  ///< per disk
+  std::vector<Sums> departed_;     ///< per species
+};
+
+}  // namespace ratchet_sieve

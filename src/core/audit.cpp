@@ -1,0 +1,133 @@
+#include "ratchet_sieve/core/audit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "ratchet_sieve/core/cell_grid.h"
+#include "ratchet_sieve/core/machine.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// Disks that touch are legal: an overlap below this share of the radius is rounding.
+constexpr double TOUCHING = 1e-12;
+
+/// Where every disk is, in the frame of the base, wrapped into [0, W) where it is periodic.
+std::vector<BasePoint> placesOnBase(const Machine& machine, double time)
+{
+  const BaseKinematics base = machine.motion().at(time);
+  const double width = machine.sawtooth().width();
+  std::vector<BasePoint> points;
+  points.reserve(machine.disks().size());
+  for (const Disk& disk : machine.disks())
+  {
+    const Disk now = flown(disk, time, machine.scene().gravity);
+    BasePoint point = toBase(base, now.x, now.y, now.vx, now.vy);
+    if (machine.sawtooth().boundary() == Boundary::PERIODIC)
+      point.s -= width * std::floor(point.s / width);
+    points.push_back(point);
+  }
+  return points;
+}
+
+/// How far a disk is from the base and from the walls, < 0 where it overlaps them.
+double gapToBase(const Machine& machine, const BasePoint& point, double radius)
+{
+  const Sawtooth& sawtooth = machine.sawtooth();
+  double gap = point.n - sawtooth.height();
+  if (gap < radius)
+    gap = sawtooth.heightAbove(point.s, point.n);
+  if (sawtooth.boundary() == Boundary::WALLED)
+    gap = std::min({gap, point.s, sawtooth.width() - point.s});
+  return gap - radius;
+}
+
+using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overlap)>;
+
+/// Every pair of disks that is near enough to overlap, each once or twice.
+void forEachNearPair(const Machine& machine, const std::vector<BasePoint>& points, const VisitPair& visit)
+{
+  const double width = machine.sawtooth().width();
+  const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
+  double top = machine.largestDiameter();
+  for (std::uint32_t id = 0; id < points.size(); ++id)
+    if (machine.active(id))
+      top = std::max(top, points[id].n);
+  CellGrid grid(width, top, machine.largestDiameter(), points.size(), periodic);
+  for (std::uint32_t id = 0; id < points.size(); ++id)
+    if (machine.active(id))
+      grid.add(id, grid.cellAt(points[id].s, points[id].n));
+  for (std::uint32_t id = 0; id < points.size(); ++id)
+    if (machine.active(id))
+      grid.visit(grid.cellOf(id), -1, 1, -1, 1,
+                 [&](std::uint32_t other, int shift)
+                 {
+                   if (other >= id)
+                     return;
+                   const double ds = points[id].s - points[other].s - shift * width;
+                   const double dn = points[id].n - points[other].n;
+                   visit(other, id,
+                         machine.radius(id) + machine.radius(other) - std::sqrt(ds * ds + dn * dn));
+                 });
+}
+}  // namespace
+
+Audit audit(const Machine& machine, double time)
+{
+  Audit result;
+  const auto points = placesOnBase(machine, time);
+  for (std::uint32_t id = 0; id < points.size(); ++id)
+  {
+    if (!machine.active(id))
+      continue;
+    const double gap = gapToBase(machine, points[id], machine.radius(id));
+    result.largest_overlap = std::max(result.largest_overlap, -gap);
+    if (gap <= -machine.radius(id))
+      ++result.behind_surface;
+  }
+  if (machine.scene().contact.pair_collisions)
+    forEachNearPair(machine, points,
+                    [&](std::uint32_t, std::uint32_t, double overlap)
+                    { result.largest_overlap = std::max(result.largest_overlap, overlap); });
+  return result;
+}
+
+void refuseBadStart(const Machine& machine)
+{
+  std::ostringstream message;
+  const auto points = placesOnBase(machine, 0.0);
+  for (std::uint32_t id = 0; id < points.size(); ++id)
+  {
+    const double s = points[id].s;
+    if (s < 0.0 || s > machine.sawtooth().width())
+    {
+      message << "initial." << id << " is outside the machine: its centre is at s = " << s
+              << " m along the base, allowed is 0 to " << machine.sawtooth().width() << " m";
+      throw std::invalid_argument(message.str());
+    }
+    const double gap = gapToBase(machine, points[id], machine.radius(id));
+    if (gap < -TOUCHING * machine.radius(id))
+    {
+      message << "initial." << id << " is buried: it overlaps the base or a wall by " << -gap << " m";
+      throw std::invalid_argument(message.str());
+    }
+  }
+  if (!machine.scene().contact.pair_collisions)
+    return;
+  forEachNearPair(machine, points,
+                  [&](std::uint32_t first, std::uint32_t second, double overlap)
+                  {
+                    if (overlap <= TOUCHING * machine.radius(first))
+                      return;
+                    message << "initial." << first << " and initial." << second << " overlap by " << overlap
+                            << " m";
+                    throw std::invalid_argument(message.str());
+                  });
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,195 @@
+#include "ratchet_sieve/core/base_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ratchet_sieve/core/sine.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double TWO_PI = 6.283185307179586476925;
+
+/// Ramps whose ends differ by less than this share of the remaining time end together: without it
+/// the rounding of one would leave a segment too short to be told from nothing.
+constexpr double SAME_END = 1e-12;
+
+double fraction(double x)
+{
+  return x - std::floor(x);
+}
+}  // namespace
+
+std::optional<double> BaseMotion::Ramp::remaining() const
+{
+  if (rate == 0.0)
+    return std::nullopt;
+  return (target - start) / rate;
+}
+
+void BaseMotion::Ramp::advance(double elapsed)
+{
+  const auto end = remaining();
+  start = end && *end <= elapsed * (1.0 + SAME_END) ? target : at(elapsed);
+}
+
+BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn) : max_turn_(max_turn)
+{
+  inclination_ = {base.inclination, 0.0, base.inclination};
+  frequency_ = {base.frequency, 0.0, base.frequency};
+  amplitude_ = {base.amplitude, 0.0, base.amplitude};
+  turns_ = fraction(base.phase / TWO_PI);
+  plan();
+}
+
+double BaseMotion::turns(double elapsed) const
+{
+  return turns_ + elapsed * (frequency_.start + 0.5 * frequency_.rate * elapsed);
+}
+
+BaseKinematics BaseMotion::at(double time) const
+{
+  const double elapsed = time - segment_start_;
+  const double amplitude = amplitude_.at(elapsed);
+  const double phase_rate = TWO_PI * frequency_.at(elapsed);
+  const auto phase = sineCosineOfTurns(turns(elapsed));
+
+  BaseKinematics k;
+  k.inclination_rate = inclination_.rate;
+  k.displacement = amplitude * phase.sine;
+  k.velocity = amplitude * phase_rate * phase.cosine + amplitude_.rate * phase.sine;
+  if (turning())
+  {
+    k.inclination = inclination_.at(elapsed);
+    const auto angle = sineCosineOfTurns(k.inclination / TWO_PI);
+    k.cosine = angle.cosine;
+    k.sine = angle.sine;
+  }
+  else
+  {
+    k.inclination = inclination_.start;
+    k.cosine = cosine_;
+    k.sine = sine_;
+  }
+  return k;
+}
+
+BaseState BaseMotion::state(double time) const
+{
+  const double elapsed = time - segment_start_;
+  const auto k = at(time);
+  BaseState state;
+  state.inclination = k.inclination;
+  state.frequency = frequency_.at(elapsed);
+  state.amplitude = amplitude_.at(elapsed);
+  state.commanded_inclination = inclination_.target;
+  state.commanded_frequency = frequency_.target;
+  state.commanded_amplitude = amplitude_.target;
+  state.phase = TWO_PI * fraction(turns(elapsed));
+  state.displacement = k.displacement;
+  state.velocity = k.velocity;
+  return state;
+}
+
+std::optional<double> BaseMotion::nextChange() const
+{
+  return next_change_;
+}
+
+void BaseMotion::advanceTo(double time)
+{
+  const double elapsed = time - segment_start_;
+  turns_ = fraction(turns(elapsed));
+  for (Ramp* ramp : {&inclination_, &frequency_, &amplitude_})
+    ramp->advance(elapsed);
+  segment_start_ = time;
+}
+
+void BaseMotion::plan()
+{
+  const auto pursue = [](Ramp& ramp, double slew_rate)
+  { ramp.rate = ramp.start == ramp.target ? 0.0 : std::copysign(slew_rate, ramp.target - ramp.start); };
+  pursue(inclination_, slew_rates_.inclination);
+  pursue(frequency_, slew_rates_.frequency);
+  pursue(amplitude_, slew_rates_.amplitude);
+
+  const auto angle = sineCosineOfTurns(inclination_.start / TWO_PI);
+  cosine_ = angle.cosine;
+  sine_ = angle.sine;
+
+  next_change_.reset();
+  for (const Ramp* ramp : {&inclination_, &frequency_, &amplitude_})
+    if (const auto remaining = ramp->remaining())
+    {
+      const double end = segment_start_ + *remaining;
+      next_change_ = std::min(next_change_.value_or(end), end);
+    }
+  if (turning())
+    next_change_ = std::min(*next_change_, segment_start_ + max_turn_ / std::abs(inclination_.rate));
+  updateBounds();
+}
+
+void BaseMotion::beginSegment(double time)
+{
+  advanceTo(time);
+  plan();
+}
+
+void BaseMotion::rebase(double length)
+{
+  if (next_change_)
+    beginSegment(length);
+  else
+    turns_ = fraction(turns_ + fraction((length - segment_start_) * frequency_.start));
+  segment_start_ = 0.0;
+  if (next_change_)
+    next_change_ = *next_change_ - length;
+}
+
+void BaseMotion::commandInclination(double target, double time)
+{
+  advanceTo(time);
+  inclination_.target = target;
+  plan();
+}
+
+void BaseMotion::commandFrequency(double target, double time)
+{
+  advanceTo(time);
+  frequency_.target = target;
+  plan();
+}
+
+void BaseMotion::commandAmplitude(double target, double time)
+{
+  advanceTo(time);
+  amplitude_.target = target;
+  plan();
+}
+
+void BaseMotion::setSlewRates(const SlewRates& rates, double time)
+{
+  advanceTo(time);
+  slew_rates_ = rates;
+  plan();
+}
+
+double BaseMotion::throwHeight(double gravity) const
+{
+  const double speed = TWO_PI * frequency_.start * amplitude_.start;
+  return gravity > 0.0 ? 0.5 * speed * speed / gravity : std::numeric_limits<double>::infinity();
+}
+
+void BaseMotion::updateBounds()
+{
+  const double length = next_change_ ? *next_change_ - segment_start_ : 0.0;
+  const double amplitude = std::max(amplitude_.start, amplitude_.at(length));
+  const double phase_rate = TWO_PI * std::max(frequency_.start, frequency_.at(length));
+  acceleration_bound_ = amplitude * phase_rate * phase_rate + 2.0 * std::abs(amplitude_.rate) * phase_rate +
+                        amplitude * TWO_PI * std::abs(frequency_.rate);
+  displacement_bound_ = amplitude;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,57 @@
+#include "ratchet_sieve/core/collision_counts.h"
+
+namespace ratchet_sieve
+{
+
+const char* name(CollisionKind kind)
+{
+  switch (kind)
+  {
+    case CollisionKind::DISK_DISK:
+      return "disk_disk";
+    case CollisionKind::LEFT_SLOPE:
+      return "left_slope";
+    case CollisionKind::RIGHT_SLOPE:
+      return "right_slope";
+    case CollisionKind::APEX:
+      return "apex";
+    case CollisionKind::WALL:
+      return "wall";
+  }
+  return "unknown";
+}
+
+void CollisionCounts::add(CollisionKind kind)
+{
+  switch (kind)
+  {
+    case CollisionKind::DISK_DISK:
+      ++disk_disk;
+      break;
+    case CollisionKind::LEFT_SLOPE:
+      ++left_slope;
+      break;
+    case CollisionKind::RIGHT_SLOPE:
+      ++right_slope;
+      break;
+    case CollisionKind::APEX:
+      ++apex;
+      break;
+    case CollisionKind::WALL:
+      ++wall;
+      break;
+  }
+}
+
+std::optional<double> CollisionCounts::shortToLong(double asymmetry) const
+{
+  if (asymmetry == 0.5)
+    return std::nullopt;
+  const std::uint64_t shorter = asymmetry < 0.5 ? left_slope : right_slope;
+  const std::uint64_t longer = asymmetry < 0.5 ? right_slope : left_slope;
+  if (longer == 0)
+    return std::nullopt;
+  return static_cast<double>(shorter) / static_cast<double>(longer);
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,155 @@
+#include "ratchet_sieve/core/machine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// An epoch is at least this many drive periods long: rare enough to cost nothing, short enough
+/// that times within it are exact to 2^-46 of a period.
+constexpr double PERIODS_PER_EPOCH = 64.0;
+
+/// The finest step in time that is told from none, in units of a double's resolution at an epoch's end.
+constexpr double RESOLUTION_STEPS = 4.0;
+
+/// On a periodic base that turns, the lattice turns against the cells by no more than their margin;
+/// see CELL_MARGIN in pair_loop.cpp. [share of the largest diameter per width]
+constexpr double LATTICE_MARGIN = 0.04;
+
+/// The drive's period, or at rest the time scale of a fall over a tooth.
+double drivePeriod(const SceneDefinition& scene)
+{
+  if (scene.base.frequency > 0.0)
+    return 1.0 / scene.base.frequency;
+  return scene.gravity > 0.0 ? std::sqrt(scene.base.tooth_width / scene.gravity) : 1.0;
+}
+
+double epochLength(double drive_period)
+{
+  return std::exp2(std::ceil(std::log2(PERIODS_PER_EPOCH * drive_period)));
+}
+
+double largestDiameter(const SceneDefinition& scene)
+{
+  double largest = 0.0;
+  for (const auto& species : scene.species)
+    largest = std::max(largest, 2.0 * species.radius);
+  return largest;
+}
+
+double maxTurn(const SceneDefinition& scene, double largest_diameter)
+{
+  const bool lattice = scene.boundary == Boundary::PERIODIC && scene.contact.pair_collisions;
+  return lattice ? LATTICE_MARGIN * largest_diameter / scene.base.width()
+                 : std::numeric_limits<double>::infinity();
+}
+}  // namespace
+
+Machine::Machine(const SceneDefinition& scene)
+    : scene_(scene),
+      sawtooth_(scene.base, scene.boundary),
+      largest_diameter_(ratchet_sieve::largestDiameter(scene)),
+      drive_period_(ratchet_sieve::drivePeriod(scene)),
+      epoch_{0.0, epochLength(drive_period_)},
+      motion_(scene.base, maxTurn(scene, largest_diameter_)),
+      search_(sawtooth_, motion_, scene.gravity,
+              RESOLUTION_STEPS * std::numeric_limits<double>::epsilon() * epoch_.length),
+      bins_(scene.species.size()),
+      tally_(scene.species, scene.gravity)
+{
+  for (std::size_t i = 0; i < scene_.species.size(); ++i)
+  {
+    base_masses_.push_back(contactMasses(scene_.species[i], nullptr));
+    for (std::size_t j = 0; j < scene_.species.size(); ++j)
+    {
+      pair_coefficients_.push_back(contactBetween(scene_, i, j));
+      pair_masses_.push_back(contactMasses(scene_.species[i], &scene_.species[j]));
+    }
+  }
+}
+
+Image Machine::image(int shift, double time) const
+{
+  if (shift == 0)
+    return {};
+  const double length = shift * sawtooth_.width();
+  const BaseKinematics k = motion_.at(time);
+  return {length * k.cosine, length * k.sine, -length * k.inclination_rate * k.sine,
+          length * k.inclination_rate * k.cosine};
+}
+
+std::uint32_t Machine::add(const Disk& disk)
+{
+  const auto id = static_cast<std::uint32_t>(disks_.size());
+  disks_.push_back(disk);
+  active_.push_back(1);
+  ++active_count_;
+  ++bins_[disk.species].on_base;
+  tally_.entered(disk, epoch_.start + disk.time);
+  if (scene_.contact.contact_duration > 0.0)
+    last_contacts_.push_back(-std::numeric_limits<double>::infinity());
+  return id;
+}
+
+Disk& Machine::fly(std::uint32_t id, double time)
+{
+  Disk& disk = disks_[id];
+  tally_.flew(id, disk, time);
+  disk = flown(disk, time, scene_.gravity);
+  ++disk.flights;
+  return disk;
+}
+
+void Machine::leave(std::uint32_t id, bool to_the_right, double time)
+{
+  SpeciesBins& bins = bins_[disks_[id].species];
+  --bins.on_base;
+  ++(to_the_right ? bins.right : bins.left);
+  active_[id] = 0;
+  --active_count_;
+  tally_.left(id, disks_[id], epoch_.start + time);
+}
+
+void Machine::wrap(std::uint32_t id, int shift, double time)
+{
+  Disk& disk = fly(id, time);
+  const Image to = image(shift, time);
+  disk.x += to.dx;
+  disk.y += to.dy;
+  disk.vx += to.dvx;
+  disk.vy += to.dvy;
+  tally_.wrapped(id, -to.dx);
+}
+
+void Machine::rebase()
+{
+  const double length = epoch_.length;
+  motion_.rebase(length);
+  for (Disk& disk : disks_)
+    disk.time -= length;
+  for (double& time : last_contacts_)
+    time -= length;
+  epoch_.start += length;
+}
+
+void Machine::restartMeans(double time)
+{
+  tally_.restart(disks_, active_, epoch_.start + time, time);
+  base_impulse_x_ = 0.0;
+  base_impulse_y_ = 0.0;
+}
+
+std::vector<SpeciesBins> Machine::bins() const
+{
+  return bins_;
+}
+
+std::vector<SpeciesMeans> Machine::means(double time) const
+{
+  return tally_.means(disks_, active_, epoch_.start + time, time);
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,136 @@
+#include <cmath>
+
+#include "ratchet_sieve/core/machine.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+CollisionKind collisionKind(BaseFeatureKind kind)
+{
+  switch (kind)
+  {
+    case BaseFeatureKind::LEFT_SLOPE:
+      return CollisionKind::LEFT_SLOPE;
+    case BaseFeatureKind::RIGHT_SLOPE:
+      return CollisionKind::RIGHT_SLOPE;
+    case BaseFeatureKind::LEFT_WALL:
+    case BaseFeatureKind::RIGHT_WALL:
+      return CollisionKind::WALL;
+    default:
+      return CollisionKind::APEX;
+  }
+}
+}  // namespace
+
+void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time)
+{
+  Disk& disk = fly(id, time);
+  if (feature.kind == BaseFeatureKind::LEFT_END || feature.kind == BaseFeatureKind::RIGHT_END)
+    return leave(id, feature.kind == BaseFeatureKind::RIGHT_END, time);
+
+  const SpeciesDefinition& species = scene_.species[disk.species];
+  const BaseKinematics k = motion_.at(time);
+  const BasePoint point = toBase(k, disk.x, disk.y, disk.vx, disk.vy);
+  const Approach approach = sawtooth_.approach(feature, point, species.radius);
+  noteOverlap(-approach.gap);
+  if (approach.rate >= 0.0)
+    return;
+
+  Contact contact;
+  contact.nx = k.cosine * approach.normal_s - k.sine * approach.normal_n;
+  contact.ny = k.sine * approach.normal_s + k.cosine * approach.normal_n;
+  contact.normal_velocity = approach.rate;
+  // The base's surface turns with it: at the contact, r below the centre, it differs by r d theta/dt.
+  contact.tangential_velocity = approach.normal_s * point.vn - approach.normal_n * point.vs -
+                                species.radius * (disk.spin - k.inclination_rate);
+
+  const CollisionKind kind = collisionKind(feature.kind);
+  ContactCoefficients coefficients = lossless(id, time) ? LOSSLESS : species.contact;
+  if (kind == CollisionKind::WALL)
+    coefficients.friction = 0.0;
+  const Impulse impulse = collide(coefficients, base_masses_[disk.species], contact.normal_velocity,
+                                  contact.tangential_velocity, scene_.contact.min_rebound_speed);
+  push(disk, contact, impulse, 1.0);
+  base_impulse_x_ += impulse.normal * contact.nx - impulse.tangential * contact.ny;
+  base_impulse_y_ += impulse.normal * contact.ny + impulse.tangential * contact.nx;
+  touched(id, time);
+  report(time, kind, id, nullptr, contact, impulse);
+}
+
+void Machine::meetPair(std::uint32_t i, std::uint32_t j, int shift, double time)
+{
+  Disk& a = fly(i, time);
+  Disk& b = fly(j, time);
+  const Image there = image(shift, time);
+  const double dx = a.x - b.x - there.dx;
+  const double dy = a.y - b.y - there.dy;
+  const double distance = std::sqrt(dx * dx + dy * dy);
+  noteOverlap(radius(i) + radius(j) - distance);
+  if (distance == 0.0)
+    return;
+
+  Contact contact;
+  contact.nx = dx / distance;
+  contact.ny = dy / distance;
+  const double dvx = a.vx - b.vx - there.dvx;
+  const double dvy = a.vy - b.vy - there.dvy;
+  contact.normal_velocity = dvx * contact.nx + dvy * contact.ny;
+  if (contact.normal_velocity >= 0.0)
+    return;
+  contact.tangential_velocity =
+      dvy * contact.nx - dvx * contact.ny - (radius(i) * a.spin + radius(j) * b.spin);
+
+  const std::size_t pair = a.species * scene_.species.size() + b.species;
+  const bool no_loss = lossless(i, time) || lossless(j, time);
+  const Impulse impulse =
+      collide(no_loss ? LOSSLESS : pair_coefficients_[pair], pair_masses_[pair], contact.normal_velocity,
+              contact.tangential_velocity, scene_.contact.min_rebound_speed);
+  push(a, contact, impulse, 1.0);
+  push(b, contact, impulse, -1.0);
+  touched(i, time);
+  touched(j, time);
+  report(time, CollisionKind::DISK_DISK, i, &j, contact, impulse);
+}
+
+/// Gives a partner its share of the impulse. The contact lies on the normal's other side for the
+/// second partner, so that the torque of the tangential impulse has the same sign on both.
+void Machine::push(Disk& disk, const Contact& contact, const Impulse& impulse, double sign) const
+{
+  const SpeciesDefinition& species = scene_.species[disk.species];
+  const double per_mass = sign / species.mass;
+  disk.vx += per_mass * (impulse.normal * contact.nx - impulse.tangential * contact.ny);
+  disk.vy += per_mass * (impulse.normal * contact.ny + impulse.tangential * contact.nx);
+  disk.spin -= species.radius * impulse.tangential / species.inertia();
+}
+
+bool Machine::lossless(std::uint32_t id, double time) const
+{
+  return !last_contacts_.empty() && time - last_contacts_[id] < scene_.contact.contact_duration;
+}
+
+void Machine::touched(std::uint32_t id, double time)
+{
+  if (!last_contacts_.empty())
+    last_contacts_[id] = time;
+}
+
+void Machine::report(double time, CollisionKind kind, std::uint32_t i, const std::uint32_t* j,
+                     const Contact& contact, const Impulse& impulse)
+{
+  collisions_.add(kind);
+  if (!observer_)
+    return;
+  CollisionRecord record;
+  record.time = epoch_.start + time;
+  record.kind = kind;
+  record.i = i;
+  if (j)
+    record.j = *j;
+  record.normal_speed = -contact.normal_velocity;
+  record.normal_impulse = impulse.normal;
+  record.tangential_impulse = impulse.tangential;
+  observer_(record);
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,310 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "ratchet_sieve/core/cell_grid.h"
+#include "ratchet_sieve/core/event_loop.h"
+#include "ratchet_sieve/core/event_queue.h"
+#include "ratchet_sieve/core/machine.h"
+#include "ratchet_sieve/core/pair_search.h"
+#include "ratchet_sieve/core/quadratic.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Cells are wider than the largest diameter by this share, which leaves room for rounding and for
+/// the lattice of a turning periodic base (LATTICE_MARGIN in machine.cpp is smaller).
+constexpr double CELL_MARGIN = 0.05;
+
+/// One event a disk, its earliest: with a pair, with the base, or with a cell's edge. A predicted
+/// pair whose partner has changed its flight since is found stale when it is due, and the disk
+/// looks for pairs again (Lubachevsky, J. Comput. Phys. 94, 255 (1991)). Ties within a disk go to the
+/// pair, then to the base's feature, then to the cell; ties between disks to the smaller id.
+///
+/// The base is searched lazily: no further than the disk's next other event, for most flights end
+/// in a pair before they come to the base.
+class PairLoop : public EventLoop
+{
+public:
+  explicit PairLoop(Machine& machine) : machine_(machine), grid_(makeGrid()) {}
+
+  void advanceTo(double time) override
+  {
+    while (queue_.topTime() <= time)
+      process(queue_.top());
+  }
+
+  void added(std::uint32_t id, double time) override
+  {
+    predictions_.resize(id + 1);
+    watches_.resize(id + 1);
+    if (id + 1 > grid_capacity_)
+    {
+      grid_capacity_ = 2 * (id + 1);
+      queue_.resize(grid_capacity_);
+      grid_.resize(grid_capacity_);
+    }
+    grid_.add(id, cellNow(id, time));
+    predict(id, time);
+  }
+
+  void motionChanged(double time) override
+  {
+    grid_ = makeGrid();
+    grid_.resize(grid_capacity_);
+    forEachActive([&](std::uint32_t id) { grid_.add(id, cellNow(id, time)); });
+    forEachActive([&](std::uint32_t id) { predict(id, time); });
+  }
+
+  void rebase(double length) override
+  {
+    for (Prediction& p : predictions_)
+    {
+      p.pair_time -= length;
+      p.base.time -= length;
+      p.cell_time -= length;
+    }
+    for (StallWatch& watch : watches_)
+      watch.rebase(length);
+    queue_.rebase(length);
+  }
+
+private:
+  enum class Edge : std::uint8_t
+  {
+    LEFT,
+    RIGHT,
+    LOWER,
+    UPPER
+  };
+
+  /// What a disk's present flight will meet first, of each sort.
+  struct Prediction
+  {
+    double pair_time = EventQueue::NEVER;
+    std::uint32_t partner = 0;
+    std::uint32_t partner_flights = 0;  ///< the partner's count when this was predicted
+    int shift = 0;                      ///< which image of the partner
+    Edge edge = Edge::LEFT;
+    double cell_time = EventQueue::NEVER;
+    BaseEvent base;
+  };
+
+  CellGrid makeGrid()
+  {
+    const SceneDefinition& scene = machine_.scene();
+    frame_ = machine_.motion().at(machine_.motion().segmentStart());
+    const double count = std::max<double>(1.0, static_cast<double>(machine_.activeCount()));
+    const double diameter = machine_.largestDiameter();
+    const double layers = count * diameter * diameter / scene.base.width();
+    const double height = scene.base.tooth_height + scene.pour.drop_height + 2.0 * layers +
+                          std::min(machine_.motion().throwHeight(scene.gravity), scene.base.width());
+    return CellGrid(scene.base.width(), height, diameter * (1.0 + CELL_MARGIN),
+                    static_cast<std::size_t>(count), scene.boundary == Boundary::PERIODIC);
+  }
+
+  template <typename Visit>
+  void forEachActive(Visit&& visit) const
+  {
+    for (std::uint32_t id = 0; id < predictions_.size(); ++id)
+      if (machine_.active(id))
+        visit(id);
+  }
+
+  /// A disk in the frame of the cells, which stands still.
+  BasePoint inGrid(std::uint32_t id, double time) const
+  {
+    const Disk now = flown(machine_.disk(id), time, machine_.scene().gravity);
+    BasePoint p;
+    p.s = frame_.cosine * now.x + frame_.sine * now.y;
+    p.n = frame_.cosine * now.y - frame_.sine * now.x;
+    p.vs = frame_.cosine * now.vx + frame_.sine * now.vy;
+    p.vn = frame_.cosine * now.vy - frame_.sine * now.vx;
+    return p;
+  }
+
+  CellGrid::Cell cellNow(std::uint32_t id, double time) const
+  {
+    const BasePoint p = inGrid(id, time);
+    return grid_.cellAt(p.s, p.n);
+  }
+
+  void process(std::uint32_t id)
+  {
+    ++events_;
+    Prediction& p = predictions_[id];
+    const double now = queue_.topTime();
+    watches_[id].count(id, now, machine_.drivePeriod());
+    if (p.pair_time <= now)
+      processPair(id, now);
+    else if (p.base.feature && p.base.time <= now)
+      processBase(id, now);
+    else if (p.cell_time <= now)
+      crossEdge(id, now);
+    else
+      refresh(id);
+  }
+
+  void processPair(std::uint32_t id, double now)
+  {
+    const Prediction p = predictions_[id];
+    if (!machine_.active(p.partner) || machine_.disk(p.partner).flights != p.partner_flights)
+    {
+      searchPairs(id, now);
+      refresh(id);
+      return;
+    }
+    machine_.meetPair(id, p.partner, p.shift, now);
+    predict(id, now);
+    predict(p.partner, now);
+  }
+
+  void processBase(std::uint32_t id, double now)
+  {
+    machine_.meetBase(id, *predictions_[id].base.feature, now);
+    if (machine_.active(id))
+      return predict(id, now);
+    grid_.remove(id);
+    predictions_[id] = Prediction();
+    queue_.update(id, EventQueue::NEVER);
+  }
+
+  void crossEdge(std::uint32_t id, double now)
+  {
+    CellGrid::Cell cell = grid_.cellOf(id);
+    const Edge edge = predictions_[id].edge;
+    grid_.remove(id);
+    cell.column += edge == Edge::RIGHT ? 1 : edge == Edge::LEFT ? -1 : 0;
+    cell.row += edge == Edge::UPPER ? 1 : edge == Edge::LOWER ? -1 : 0;
+    const int laps = cell.column < 0 ? -1 : cell.column >= grid_.columns() ? 1 : 0;
+    if (laps != 0)
+    {
+      machine_.wrap(id, -laps, now);
+      cell.column -= laps * grid_.columns();
+      cell.row = cellNow(id, now).row;
+      grid_.add(id, cell);
+      predict(id, now);
+      return;
+    }
+    grid_.add(id, cell);
+    searchNewPairs(id, edge, now);
+    searchEdge(id, now);
+    refresh(id);
+  }
+
+  /// A new flight: everything is predicted anew.
+  void predict(std::uint32_t id, double now)
+  {
+    searchPairs(id, now);
+    searchEdge(id, now);
+    predictions_[id].base = {now, std::nullopt};
+    refresh(id);
+  }
+
+  void searchPairs(std::uint32_t id, double now)
+  {
+    predictions_[id].pair_time = EventQueue::NEVER;
+    searchPairsIn(id, -1, 1, -1, 1, now);
+  }
+
+  /// After an edge was crossed: only the three cells that have come near.
+  void searchNewPairs(std::uint32_t id, Edge edge, double now)
+  {
+    switch (edge)
+    {
+      case Edge::LEFT:
+        return searchPairsIn(id, -1, -1, -1, 1, now);
+      case Edge::RIGHT:
+        return searchPairsIn(id, 1, 1, -1, 1, now);
+      case Edge::LOWER:
+        return searchPairsIn(id, -1, 1, -1, -1, now);
+      case Edge::UPPER:
+        return searchPairsIn(id, -1, 1, 1, 1, now);
+    }
+  }
+
+  void searchPairsIn(std::uint32_t id, int first_column, int last_column, int first_row, int last_row,
+                     double now)
+  {
+    Prediction& p = predictions_[id];
+    grid_.visit(grid_.cellOf(id), first_column, last_column, first_row, last_row,
+                [&](std::uint32_t other, int shift)
+                {
+                  if (other == id)
+                    return;
+                  const auto time = findPairContact(machine_, id, other, shift, now, pairHorizon());
+                  if (!time || *time > p.pair_time || (*time == p.pair_time && other > p.partner))
+                    return;
+                  p.pair_time = *time;
+                  p.partner = other;
+                  p.partner_flights = machine_.disk(other).flights;
+                  p.shift = shift;
+                });
+  }
+
+  /// When the disk leaves its cell, and by which edge.
+  void searchEdge(std::uint32_t id, double now)
+  {
+    Prediction& p = predictions_[id];
+    const CellGrid::Cell cell = grid_.cellOf(id);
+    const BasePoint at = inGrid(id, now);
+    const double fall_s = -machine_.scene().gravity * frame_.sine;
+    const double fall_n = -machine_.scene().gravity * frame_.cosine;
+    p.cell_time = EventQueue::NEVER;
+    const auto leave = [&](Edge edge, double gap, double rate, double accel)
+    {
+      const auto wait = firstClosingTime(gap, rate, accel);
+      if (!wait || now + *wait >= p.cell_time)
+        return;
+      p.cell_time = now + *wait;
+      p.edge = edge;
+    };
+    if (grid_.periodic() || cell.column > 0)
+      leave(Edge::LEFT, at.s - grid_.columnStart(cell.column), at.vs, fall_s);
+    if (grid_.periodic() || cell.column + 1 < grid_.columns())
+      leave(Edge::RIGHT, grid_.columnStart(cell.column + 1) - at.s, -at.vs, -fall_s);
+    if (cell.row > 0)
+      leave(Edge::LOWER, at.n - grid_.rowStart(cell.row), at.vn, fall_n);
+    if (cell.row + 1 < grid_.rows())
+      leave(Edge::UPPER, grid_.rowStart(cell.row + 1) - at.n, -at.vn, -fall_n);
+  }
+
+  /// Carries the search of the base on to the disk's next other event, and queues the earliest.
+  void refresh(std::uint32_t id)
+  {
+    Prediction& p = predictions_[id];
+    const double others = std::min(p.pair_time, p.cell_time);
+    if (!p.base.feature && p.base.time < others)
+      p.base = machine_.search().find(machine_.disk(id), machine_.radius(id), p.base.time,
+                                      std::min(others, horizon(p.base.time)));
+    queue_.update(id, std::min(others, p.base.time));
+  }
+
+  /// A pair is remembered however late it is; on a turning base until all is predicted anew.
+  double pairHorizon() const { return machine_.motion().nextChange().value_or(EventQueue::NEVER); }
+
+  double horizon(double from) const
+  {
+    const double far = from + machine_.epoch().length;
+    return std::min(far, machine_.motion().nextChange().value_or(far));
+  }
+
+  Machine& machine_;
+  BaseKinematics frame_;  ///< of the cells: the base's when the grid was laid
+  CellGrid grid_;
+  std::size_t grid_capacity_ = 0;
+  EventQueue queue_;
+  std::vector<Prediction> predictions_;  ///< per disk
+  std::vector<StallWatch> watches_;      ///< per disk
+};
+
+}  // namespace
+
+std::unique_ptr<EventLoop> makePairLoop(Machine& machine)
+{
+  return std::make_unique<PairLoop>(machine);
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,379 @@
+#include "ratchet_sieve/core/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "ratchet_sieve/core/audit.h"
+#include "ratchet_sieve/core/event_loop.h"
+#include "ratchet_sieve/core/machine.h"
+#include "ratchet_sieve/core/pour.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double PI = 3.14159265358979323846;
+
+double wrappedAngle(double angle)
+{
+  const double turns = angle / (2.0 * PI);
+  return 2.0 * PI * (turns - std::floor(turns + 0.5));
+}
+}  // namespace
+
+/// What happens to all of the machine at once stands here; what happens to one disk, in the loop.
+class Simulation::Implementation
+{
+public:
+  explicit Implementation(const SceneDefinition& scene) : machine_(scene), random_(scene.seed)
+  {
+    if (scene.initial.empty())
+      place(pourOrder(scene.species, random_));
+    else
+      placeInitial();
+    loop_ = scene.contact.pair_collisions ? makePairLoop(machine_) : makeEnsembleLoop(machine_);
+    announce(0);
+  }
+
+  const Machine& machine() const { return machine_; }
+  double now() const { return now_; }
+  double time() const { return machine_.epoch().start + now_; }
+  std::uint64_t events() const { return loop_->events(); }
+
+  void advanceTo(double time)
+  {
+    while (true)
+    {
+      const double target = time - machine_.epoch().start;
+      const double next = std::min(target, nextGlobalEvent());
+      if (next < now_)
+        return;
+      runDisks(next);
+      now_ = next;
+      if (!handleGlobalEvent() && next == target)
+        return;
+    }
+  }
+
+  template <typename Command>
+  void changeMotion(Command&& command)
+  {
+    command(machine_.motion(), now_);
+    loop_->motionChanged(now_);
+  }
+
+  void pour(std::size_t species, std::size_t count)
+  {
+    const auto before = static_cast<std::uint32_t>(machine_.disks().size());
+    place(std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)));
+    announce(before);
+  }
+
+  void observeCollisions(CollisionObserver observer)
+  {
+    observer_ = std::move(observer);
+    if (!observer_)
+      machine_.observeCollisions(nullptr);
+    else if (machine_.scene().contact.pair_collisions)
+      machine_.observeCollisions(observer_);
+    else
+      machine_.observeCollisions([this](const CollisionRecord& record) { unsorted_.push_back(record); });
+  }
+
+  std::size_t auditOverlaps()
+  {
+    const Audit found = audit(machine_, now_);
+    machine_.noteOverlap(found.largest_overlap);
+    return found.behind_surface;
+  }
+
+private:
+  double nextGlobalEvent() const
+  {
+    const double epoch_start = machine_.epoch().start;
+    double next = machine_.epoch().length;
+    next = std::min(next, machine_.motion().nextChange().value_or(next));
+    if (!settled_)
+      next = std::min(next, machine_.scene().settle - epoch_start);
+    if (machine_.scene().feed.rate > 0.0)
+      next = std::min(next, nextFeedTime() - epoch_start);
+    return std::max(next, now_);
+  }
+
+  double nextFeedTime() const { return static_cast<double>(fed_ + 1) / machine_.scene().feed.rate; }
+
+  /// Handles one of the events that concern all disks, if one is due, in a fixed order.
+  bool handleGlobalEvent()
+  {
+    const double epoch_start = machine_.epoch().start;
+    if (!settled_ && machine_.scene().settle - epoch_start <= now_)
+    {
+      settled_ = true;
+      machine_.restartMeans(now_);
+      return true;
+    }
+    const auto change = machine_.motion().nextChange();
+    if (change && *change <= now_)
+    {
+      changeMotion([](BaseMotion& motion, double now) { motion.beginSegment(now); });
+      return true;
+    }
+    if (machine_.scene().feed.rate > 0.0 && nextFeedTime() - epoch_start <= now_)
+    {
+      ++fed_;
+      pour(drawSpecies(machine_.scene().species, random_), 1);
+      return true;
+    }
+    if (now_ >= machine_.epoch().length)
+    {
+      rebase();
+      return true;
+    }
+    return false;
+  }
+
+  void rebase()
+  {
+    const bool moving = machine_.motion().nextChange().has_value();
+    machine_.rebase();
+    loop_->rebase(machine_.epoch().length);
+    now_ -= machine_.epoch().length;
+    if (moving)
+      loop_->motionChanged(now_);
+  }
+
+  void runDisks(double local_time)
+  {
+    loop_->advanceTo(local_time);
+    if (unsorted_.empty())
+      return;
+    std::stable_sort(unsorted_.begin(), unsorted_.end(),
+                     [](const CollisionRecord& a, const CollisionRecord& b)
+                     { return std::tie(a.time, a.i) < std::tie(b.time, b.i); });
+    for (const CollisionRecord& record : unsorted_)
+      observer_(record);
+    unsorted_.clear();
+  }
+
+  void announce(std::uint32_t first)
+  {
+    for (std::uint32_t id = first; id < machine_.disks().size(); ++id)
+      loop_->added(id, now_);
+  }
+
+  /// Pours one disk of each species in the list, beside and above those that are there.
+  void place(const std::vector<std::uint32_t>& species)
+  {
+    const SceneDefinition& scene = machine_.scene();
+    const BaseKinematics base = machine_.motion().at(now_);
+    BaseDefinition shape = scene.base;
+    shape.amplitude = machine_.motion().displacementBound();
+    Pour pour(shape, scene.boundary, scene.pour.drop_height, machine_.largestDiameter(),
+              scene.contact.pair_collisions);
+    for (std::uint32_t id = 0; id < machine_.disks().size(); ++id)
+      if (machine_.active(id))
+        pour.occupy(placed(id, base));
+    for (const std::uint32_t kind : species)
+    {
+      const PlacedDisk room = pour.place(scene.species[kind].radius, random_);
+      Disk disk;
+      disk.x = base.cosine * room.s - base.sine * room.n;
+      disk.y = base.sine * room.s + base.cosine * room.n;
+      disk.vy = -scene.pour.speed;
+      disk.time = now_;
+      disk.species = kind;
+      machine_.add(disk);
+    }
+  }
+
+  PlacedDisk placed(std::uint32_t id, const BaseKinematics& base) const
+  {
+    const Disk disk = flown(machine_.disk(id), now_, machine_.scene().gravity);
+    const double width = machine_.sawtooth().width();
+    double s = base.cosine * disk.x + base.sine * disk.y;
+    if (machine_.scene().boundary == Boundary::PERIODIC)
+      s -= width * std::floor(s / width);
+    return {s, base.cosine * disk.y - base.sine * disk.x, machine_.radius(id)};
+  }
+
+  void placeInitial()
+  {
+    for (const InitialDisk& initial : machine_.scene().initial)
+    {
+      Disk disk;
+      disk.x = initial.x;
+      disk.y = initial.y;
+      disk.vx = initial.vx;
+      disk.vy = initial.vy;
+      disk.spin = initial.spin;
+      disk.species = static_cast<std::uint32_t>(initial.species);
+      machine_.add(disk);
+    }
+    refuseBadStart(machine_);
+  }
+
+  Machine machine_;
+  Random random_;
+  std::unique_ptr<EventLoop> loop_;
+  double now_ = 0.0;  ///< local to the epoch [s]
+  bool settled_ = false;
+  std::uint64_t fed_ = 0;
+  CollisionObserver observer_;
+  std::vector<CollisionRecord> unsorted_;  ///< an ensemble's, disk by disk
+};
+
+Simulation::Simulation(const SceneDefinition& scene)
+    : implementation_(std::make_unique<Implementation>(scene))
+{
+}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+const SceneDefinition& Simulation::scene() const
+{
+  return implementation_->machine().scene();
+}
+
+double Simulation::time() const
+{
+  return implementation_->time();
+}
+
+void Simulation::advanceTo(double time)
+{
+  implementation_->advanceTo(time);
+}
+
+void Simulation::commandInclination(double inclination)
+{
+  implementation_->changeMotion([=](BaseMotion& m, double now) { m.commandInclination(inclination, now); });
+}
+
+void Simulation::commandFrequency(double frequency)
+{
+  implementation_->changeMotion([=](BaseMotion& m, double now) { m.commandFrequency(frequency, now); });
+}
+
+void Simulation::commandAmplitude(double amplitude)
+{
+  implementation_->changeMotion([=](BaseMotion& m, double now) { m.commandAmplitude(amplitude, now); });
+}
+
+void Simulation::setSlewRates(const SlewRates& rates)
+{
+  implementation_->changeMotion([=](BaseMotion& m, double now) { m.setSlewRates(rates, now); });
+}
+
+void Simulation::pour(std::size_t species, std::size_t count)
+{
+  implementation_->pour(species, count);
+}
+
+BaseState Simulation::base() const
+{
+  return implementation_->machine().motion().state(implementation_->now());
+}
+
+std::size_t Simulation::activeDisks() const
+{
+  return implementation_->machine().activeCount();
+}
+
+std::vector<DiskState> Simulation::disks() const
+{
+  const Machine& machine = implementation_->machine();
+  const double now = implementation_->now();
+  const BaseKinematics base = machine.motion().at(now);
+  const double width = machine.sawtooth().width();
+  std::vector<DiskState> states;
+  states.reserve(machine.activeCount());
+  for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
+  {
+    if (!machine.active(id))
+      continue;
+    const Disk disk = flown(machine.disk(id), now, machine.scene().gravity);
+    DiskState state;
+    state.id = id;
+    state.species = disk.species;
+    state.displacement = machine.displacement(id, disk.x);
+    const BasePoint point = toBase(base, disk.x, disk.y, disk.vx, disk.vy);
+    const bool periodic = machine.scene().boundary == Boundary::PERIODIC;
+    const Image image =
+        periodic ? machine.image(-static_cast<int>(std::floor(point.s / width)), now) : Image();
+    state.x = disk.x + image.dx;
+    state.y = disk.y + image.dy;
+    state.vx = disk.vx + image.dvx;
+    state.vy = disk.vy + image.dvy;
+    state.angle = wrappedAngle(disk.angle);
+    state.spin = disk.spin;
+    states.push_back(state);
+  }
+  return states;
+}
+
+std::vector<SpeciesBins> Simulation::bins() const
+{
+  return implementation_->machine().bins();
+}
+
+const CollisionCounts& Simulation::collisions() const
+{
+  return implementation_->machine().collisions();
+}
+
+std::uint64_t Simulation::events() const
+{
+  return implementation_->events();
+}
+
+std::vector<SpeciesMeans> Simulation::means() const
+{
+  return implementation_->machine().means(implementation_->now());
+}
+
+double Simulation::baseImpulseX() const
+{
+  return implementation_->machine().baseImpulseX();
+}
+
+double Simulation::baseImpulseY() const
+{
+  return implementation_->machine().baseImpulseY();
+}
+
+double Simulation::energy() const
+{
+  const Machine& machine = implementation_->machine();
+  double energy = 0.0;
+  for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
+  {
+    if (!machine.active(id))
+      continue;
+    const Disk disk = flown(machine.disk(id), implementation_->now(), machine.scene().gravity);
+    const SpeciesDefinition& species = machine.scene().species[disk.species];
+    energy += 0.5 * species.mass * (disk.vx * disk.vx + disk.vy * disk.vy) +
+              0.5 * species.inertia() * disk.spin * disk.spin +
+              species.mass * machine.scene().gravity * disk.y;
+  }
+  return energy;
+}
+
+double Simulation::maxOverlap() const
+{
+  return implementation_->machine().maxOverlap();
+}
+
+std::size_t Simulation::auditOverlaps()
+{
+  return implementation_->auditOverlaps();
+}
+
+void Simulation::observeCollisions(CollisionObserver observer)
+{
+  implementation_->observeCollisions(std::move(observer));
+}
+
+}  // namespace ratchet_sieve

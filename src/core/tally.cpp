@@ -1,0 +1,112 @@
+#include "ratchet_sieve/core/tally.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ratchet_sieve
+{
+
+Tally::Tally(const std::vector<SpeciesDefinition>& species, double gravity)
+    : species_(species), gravity_(gravity), departed_(species.size())
+{
+}
+
+void Tally::entered(const Disk& disk, double time)
+{
+  Passage passage;
+  passage.entered_x = disk.x;
+  passage.counted_x = disk.x;
+  passage.counted_from = time;
+  passages_.push_back(passage);
+}
+
+void Tally::left(std::uint32_t id, const Disk& disk, double time)
+{
+  departed_[disk.species].add(passages_[id], disk.x, time);
+}
+
+void Tally::integrate(Passage& passage, const Disk& disk, double local_time) const
+{
+  const double span = local_time - disk.time;
+  const double fall = gravity_ * span;
+  passage.translation +=
+      0.5 * span * (disk.vx * disk.vx + disk.vy * disk.vy - disk.vy * fall + fall * fall / 3.0);
+  passage.rotation += 0.5 * span * disk.spin * disk.spin;
+}
+
+void Tally::flew(std::uint32_t id, const Disk& disk, double time)
+{
+  integrate(passages_[id], disk, time);
+}
+
+void Tally::restart(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
+                    double local_time)
+{
+  std::fill(departed_.begin(), departed_.end(), Sums());
+  for (std::uint32_t id = 0; id < disks.size(); ++id)
+  {
+    if (!active[id])
+      continue;
+    Passage& passage = passages_[id];
+    // What the present flight brought before now will be taken in at its end: taken off beforehand.
+    Passage before;
+    integrate(before, disks[id], local_time);
+    passage.translation = -before.translation;
+    passage.rotation = -before.rotation;
+    passage.counted_x = flown(disks[id], local_time, gravity_).x + passage.offset;
+    passage.counted_from = time;
+  }
+}
+
+void Tally::Sums::add(const Passage& passage, double x, double until)
+{
+  const double dx = x + passage.offset - passage.counted_x;
+  const double dt = until - passage.counted_from;
+  disks += 1.0;
+  displacement += dx;
+  time += dt;
+  displacement_squared += dx * dx;
+  displacement_time += dx * dt;
+  time_squared += dt * dt;
+  translation += passage.translation;
+  rotation += passage.rotation;
+}
+
+SpeciesMeans Tally::Sums::means(const SpeciesDefinition& species) const
+{
+  SpeciesMeans means;
+  if (time <= 0.0)
+    return means;
+  const double vx = displacement / time;
+  means.mean_vx = vx;
+  means.kinetic_translational = species.mass * translation / time;
+  means.kinetic_rotational = species.inertia() * rotation / time;
+  if (disks > 1.0)
+  {
+    // The ratio estimator's error: the scatter of what each disk travelled about vx times its time.
+    const double scatter = displacement_squared - 2.0 * vx * displacement_time + vx * vx * time_squared;
+    means.mean_vx_stderr = std::sqrt(std::max(0.0, scatter) * disks / (disks - 1.0)) / time;
+  }
+  return means;
+}
+
+std::vector<SpeciesMeans> Tally::means(const std::vector<Disk>& disks,
+                                       const std::vector<std::uint8_t>& active, double time,
+                                       double local_time) const
+{
+  std::vector<Sums> sums = departed_;
+  for (std::uint32_t id = 0; id < disks.size(); ++id)
+  {
+    if (!active[id])
+      continue;
+    Passage passage = passages_[id];
+    integrate(passage, disks[id], local_time);
+    sums[disks[id].species].add(passage, flown(disks[id], local_time, gravity_).x, time);
+  }
+  std::vector<SpeciesMeans> means;
+  for (std::size_t s = 0; s < species_.size(); ++s)
+    means.push_back(sums[s].means(species_[s]));
+  return means;
+}
+
+}  // namespace ratchet_sieve
