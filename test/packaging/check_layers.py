@@ -1,0 +1,69 @@
+#!/usr/bin/python3
+"""Checks that no layer includes a header of a layer above it, and no ROS below the ROS layer."""
+
+import re
+import sys
+from pathlib import Path
+
+# Each layer may include itself and these.
+BELOW = {
+    'core': [],
+    'scene': ['core'],
+    'recording': ['core', 'scene'],
+    'analysis': ['core', 'scene', 'recording'],
+    'ros': ['core', 'scene', 'recording', 'analysis'],
+    'nodes': ['core', 'scene', 'recording', 'analysis', 'ros'],
+}
+# The libraries from outside that a layer may use, by the first folder or name of the include; None: any.
+LIBRARIES = {
+    'core': ['Eigen'],
+    'scene': ['Eigen', 'yaml-cpp'],
+    'recording': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt'],
+    'analysis': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt'],
+    'ros': None,
+    'nodes': None,
+}
+# C++'s own headers have no dot and no slash, POSIX's are these.
+POSIX = {'unistd.h', 'signal.h', 'fcntl.h', 'sys'}
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+
+
+def errors_in(layer, path):
+    """Yields what is wrong with the includes of one file of a layer."""
+    for quote, header in INCLUDE.findall(path.read_text()):
+        own = re.match(r'ratchet_sieve/(\w+)/', header)
+        if own and own.group(1) in BELOW:
+            if own.group(1) != layer and own.group(1) not in BELOW[layer]:
+                yield f'{path}: {layer} includes {header} of a layer above it'
+            continue
+        library = re.split(r'[/.]', header)[0]
+        known = LIBRARIES[layer]
+        is_local = quote == '"' and (path.parent / header).exists()
+        is_standard = re.fullmatch(r'\w+', header) or header.split('/')[0] in POSIX
+        if known is not None and not is_local and not is_standard and library not in known:
+            yield f'{path}: {layer} includes {header}, allowed are {", ".join(known)}'
+
+
+def layer_files(root, layer):
+    """All sources and headers of a layer."""
+    for directory in (root / 'src' / layer, root / 'include/ratchet_sieve' / layer):
+        yield from sorted(p for p in directory.rglob('*') if p.suffix in ('.h', '.cpp'))
+
+
+def main(root):
+    """Checks the source tree `root`; returns the exit status."""
+    files = [(layer, path) for layer in BELOW for path in layer_files(root, layer)]
+    unknown = [p.name for p in (root / 'src').iterdir() if p.is_dir() and p.name not in BELOW]
+    errors = [f'src/{name} is no known layer' for name in unknown]
+    errors += [error for layer, path in files for error in errors_in(layer, path)]
+    for error in errors:
+        print(error, file=sys.stderr)
+    if not files:
+        print(f'{root}: no sources found', file=sys.stderr)
+        return 2
+    print(f'{len(files)} files checked, {len(errors)} errors')
+    return 1 if errors else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(Path(sys.argv[1])))
