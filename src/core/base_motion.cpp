@@ -76,11 +76,11 @@ BaseKinematics BaseMotion::at(double time) const
   return k;
 }
 
-BaseState BaseMotion::state(double time) const
+DriveState BaseMotion::state(double time) const
 {
   const double elapsed = time - segment_start_;
   const auto k = at(time);
-  BaseState state;
+  DriveState state;
   state.inclination = k.inclination;
   state.frequency = frequency_.at(elapsed);
   state.amplitude = amplitude_.at(elapsed);

@@ -272,7 +272,7 @@ void Simulation::pour(std::size_t species, std::size_t count)
   implementation_->pour(species, count);
 }
 
-BaseState Simulation::base() const
+DriveState Simulation::base() const
 {
   return implementation_->machine().motion().state(implementation_->now());
 }

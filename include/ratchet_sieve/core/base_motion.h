@@ -29,7 +29,7 @@ public:
   BaseMotion(const BaseDefinition& base, double max_turn);
 
   BaseKinematics at(double time) const;
-  BaseState state(double time) const;
+  DriveState state(double time) const;
 
   double segmentStart() const { return segment_start_; }
 

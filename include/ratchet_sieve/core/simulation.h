@@ -31,7 +31,7 @@ struct DiskState
 };
 
 /// The base at the simulation's time.
-struct BaseState
+struct DriveState
 {
   double inclination = 0.0;  ///< applied [rad]
   double frequency = 0.0;    ///< applied [Hz]
@@ -113,7 +113,7 @@ public:
   /// Pours `count` more disks of a species on at time(), where there is room.
   void pour(std::size_t species, std::size_t count);
 
-  BaseState base() const;
+  DriveState base() const;
   std::size_t activeDisks() const;            ///< disks in the machine
   std::vector<DiskState> disks() const;       ///< disks in the machine, by id, at time()
   std::vector<SpeciesBins> bins() const;      ///< per species

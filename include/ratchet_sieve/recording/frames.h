@@ -45,7 +45,7 @@ struct BinFrame
 struct BaseFrame
 {
   double time = 0.0;
-  BaseState base;
+  DriveState base;
 };
 
 /// Means and rates since the end of `settle`, and counts since the start.
@@ -61,6 +61,11 @@ struct StatisticsFrame
   double real_time_factor = 0.0;              ///< achieved since the last frame; 0 before the second frame
   double max_overlap = 0.0;                   ///< [m]
 };
+
+/// Granular temperature of each species: half its mass times the variance of its disks' velocities
+/// [J], over both directions; 0 without disks.
+/// @param masses of the disks of each species [kg]
+std::vector<double> granularTemperatures(const std::vector<DiskState>& disks, const std::vector<double>& masses);
 
 SceneFrame makeSceneFrame(const Simulation& simulation);
 ParticleFrame makeParticleFrame(const Simulation& simulation);

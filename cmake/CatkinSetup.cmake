@@ -1,0 +1,34 @@
+# catkin, the messages and services, and the target ratchet_sieve_messages that a layer links to see
+# them together with the ROS libraries.
+
+# ROS from Debian's archive has its Python modules for the system's interpreter only: another that
+# comes first on PATH (pyenv, conda) finds no catkin_pkg.
+if(EXISTS /usr/lib/python3/dist-packages/catkin_pkg)
+  set(PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python that has ROS's modules")
+  set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python that has ROS's modules")
+endif()
+
+set(ROS_MESSAGE_PACKAGES geometry_msgs rosgraph_msgs sensor_msgs std_msgs std_srvs visualization_msgs)
+set(ROS_LIBRARY_PACKAGES diagnostic_updater rosbag roscpp tf2_ros)
+find_package(catkin REQUIRED COMPONENTS message_generation ${ROS_LIBRARY_PACKAGES} ${ROS_MESSAGE_PACKAGES})
+
+add_message_files(FILES
+  BaseState.msg
+  BinCounts.msg
+  ParticleStates.msg
+  SceneDescription.msg
+  SieveStatistics.msg
+  SpeciesStatistics.msg)
+add_service_files(FILES PourDisks.srv ResetSimulation.srv StepSimulation.srv)
+generate_messages(DEPENDENCIES std_msgs)
+
+catkin_package(
+  INCLUDE_DIRS include
+  LIBRARIES ratchet_sieve_core ratchet_sieve_scene ratchet_sieve_recording ratchet_sieve_analysis ratchet_sieve_ros
+  CATKIN_DEPENDS message_runtime ${ROS_LIBRARY_PACKAGES} ${ROS_MESSAGE_PACKAGES})
+
+add_library(ratchet_sieve_messages INTERFACE)
+target_include_directories(ratchet_sieve_messages SYSTEM INTERFACE
+  ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_INCLUDE_DESTINATION} ${catkin_INCLUDE_DIRS})
+target_link_libraries(ratchet_sieve_messages INTERFACE ${catkin_LIBRARIES})
+add_dependencies(ratchet_sieve_messages ${PROJECT_NAME}_generate_messages_cpp)
