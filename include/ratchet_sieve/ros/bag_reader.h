@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "ratchet_sieve/recording/frame_sink.h"
+#include "ratchet_sieve/ros/bag_error.h"
+
+namespace ratchet_sieve
+{
+
+/// Hands a recorded run to the sink, in the order of the frames' own times (which a bag made by
+/// `rosbag record` does not quite keep), frames of one time in a fixed order, the scene first.
+/// Topics are known by their types, whatever the node was called.
+/// @throws BagError where the file is missing, no bag, damaged, not closed, from another version of
+/// the messages, or does not hold exactly one run
+void readBag(const std::string& path, FrameSink& sink);
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+
+#include <rosbag/bag.h>
+
+#include "ratchet_sieve/recording/frame_sink.h"
+#include "ratchet_sieve/ros/bag_error.h"
+
+namespace ratchet_sieve
+{
+
+/// Records a run into a bag (lz4), on the topics on which the node publishes it. Needs no ROS
+/// master. Bag time is the header's stamp; at time 0, which no bag holds, the earliest there is.
+/// The file appears under its name when the bag is closed; until then it is FILE.active.
+class BagWriter : public FrameSink
+{
+public:
+  /// @param topic_prefix the node's name: topics are /sieve/particles and so on
+  /// @throws BagError where the file cannot be written
+  explicit BagWriter(const std::string& path, const std::string& topic_prefix = "/sieve");
+  ~BagWriter() override;
+  BagWriter(const BagWriter&) = delete;
+  BagWriter& operator=(const BagWriter&) = delete;
+
+  void take(const SceneFrame& frame) override;
+  void take(const ParticleFrame& frame) override;
+  void take(const BinFrame& frame) override;
+  void take(const BaseFrame& frame) override;
+  void take(const StatisticsFrame& frame) override;
+
+  /// Records a command as it was taken. @param topic such as inclination_setpoint
+  /// @param time simulated, at which it was applied [s]
+  void takeSetpoint(const std::string& topic, double value, double time);
+
+  /// Writes the index and gives the file its name. What is taken afterwards is an error.
+  /// @throws BagError
+  void close();
+
+  const std::string& path() const { return path_; }
+
+private:
+  template <typename Message>
+  void write(const char* topic, double time, const Message& message);
+
+  std::string path_;
+  std::string active_path_;
+  std::string topic_prefix_;
+  rosbag::Bag bag_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <ros/time.h>
+
+#include "ratchet_sieve/BaseState.h"
+#include "ratchet_sieve/BinCounts.h"
+#include "ratchet_sieve/ParticleStates.h"
+#include "ratchet_sieve/SceneDescription.h"
+#include "ratchet_sieve/SieveStatistics.h"
+#include "ratchet_sieve/recording/frames.h"
+
+/// Frames as messages and back. Nothing is lost on the way: a frame that goes there and back is the
+/// same bit for bit.
+namespace ratchet_sieve
+{
+
+/// The frame in which everything is given: x to the right, z up (the plane's y).
+constexpr const char* WORLD_FRAME_ID = "world";
+
+/// Simulated time as a stamp, to the nearest nanosecond. @param time [s], >= 0
+ros::Time stampOf(double time);
+
+SceneDescription toMessage(const SceneFrame& frame);
+ParticleStates toMessage(const ParticleFrame& frame);
+BinCounts toMessage(const BinFrame& frame);
+BaseState toMessage(const BaseFrame& frame);
+SieveStatistics toMessage(const StatisticsFrame& frame);
+
+/// @throws std::invalid_argument where arrays of one message differ in length
+SceneFrame toFrame(const SceneDescription& message);
+ParticleFrame toFrame(const ParticleStates& message);
+BinFrame toFrame(const BinCounts& message);
+BaseFrame toFrame(const BaseState& message);
+StatisticsFrame toFrame(const SieveStatistics& message);
+
+}  // namespace ratchet_sieve

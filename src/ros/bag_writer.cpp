@@ -1,0 +1,103 @@
+#include "ratchet_sieve/ros/bag_writer.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include <ros/console.h>
+#include <std_msgs/Float64.h>
+
+#include "ratchet_sieve/ros/conversions.h"
+
+namespace ratchet_sieve
+{
+
+BagWriter::BagWriter(const std::string& path, const std::string& topic_prefix)
+    : path_(path), active_path_(path + ".active"), topic_prefix_(topic_prefix)
+{
+  try
+  {
+    bag_.open(active_path_, rosbag::bagmode::Write);
+    bag_.setCompression(rosbag::compression::LZ4);
+  }
+  catch (const rosbag::BagException& error)
+  {
+    throw BagError(path_ + ": cannot be written: " + error.what());
+  }
+}
+
+BagWriter::~BagWriter()
+{
+  try
+  {
+    close();
+  }
+  catch (const BagError& error)
+  {
+    ROS_ERROR("%s", error.what());
+  }
+}
+
+void BagWriter::close()
+{
+  if (!bag_.isOpen())
+    return;
+  try
+  {
+    bag_.close();
+  }
+  catch (const rosbag::BagException& error)
+  {
+    throw BagError(path_ + ": cannot be closed: " + error.what());
+  }
+  if (std::rename(active_path_.c_str(), path_.c_str()) != 0)
+    throw BagError(path_ + ": cannot be named so: " + std::strerror(errno) + "; the bag is " + active_path_);
+}
+
+template <typename Message>
+void BagWriter::write(const char* topic, double time, const Message& message)
+{
+  try
+  {
+    bag_.write(topic_prefix_ + "/" + topic, std::max(stampOf(time), ros::TIME_MIN), message);
+  }
+  catch (const rosbag::BagException& error)
+  {
+    throw BagError(path_ + ": cannot be written: " + error.what());
+  }
+}
+
+void BagWriter::take(const SceneFrame& frame)
+{
+  write("scene", frame.time, toMessage(frame));
+}
+
+void BagWriter::take(const ParticleFrame& frame)
+{
+  write("particles", frame.time, toMessage(frame));
+}
+
+void BagWriter::take(const BinFrame& frame)
+{
+  write("bins", frame.time, toMessage(frame));
+}
+
+void BagWriter::take(const BaseFrame& frame)
+{
+  write("base", frame.time, toMessage(frame));
+}
+
+void BagWriter::take(const StatisticsFrame& frame)
+{
+  write("statistics", frame.time, toMessage(frame));
+}
+
+void BagWriter::takeSetpoint(const std::string& topic, double value, double time)
+{
+  std_msgs::Float64 message;
+  message.data = value;
+  write(topic.c_str(), time, message);
+}
+
+}  // namespace ratchet_sieve
