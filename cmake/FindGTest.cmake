@@ -1,0 +1,11 @@
+# CMake's own module, with the target names that it has given since CMake 3.20.
+include(${CMAKE_ROOT}/Modules/FindGTest.cmake)
+foreach(pair gtest=GTest gtest_main=Main)
+  string(REPLACE "=" ";" pair ${pair})
+  list(GET pair 0 new_name)
+  list(GET pair 1 old_name)
+  if(TARGET GTest::${old_name} AND NOT TARGET GTest::${new_name})
+    add_library(GTest::${new_name} INTERFACE IMPORTED)
+    target_link_libraries(GTest::${new_name} INTERFACE GTest::${old_name})
+  endif()
+endforeach()
