@@ -63,9 +63,7 @@ private:
 
   BaseEvent search(std::uint32_t id, double from) const
   {
-    const double horizon = from + machine_.epoch().length;
-    const double until = std::min(horizon, machine_.motion().nextChange().value_or(horizon));
-    return machine_.search().find(machine_.disk(id), machine_.radius(id), from, until);
+    return machine_.nextBaseEvent(id, from, std::numeric_limits<double>::infinity());
   }
 
   /// Keeps a disk on a periodic base near the origin, where a double is fine.

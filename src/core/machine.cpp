@@ -71,6 +71,19 @@ Machine::Machine(const SceneDefinition& scene)
   }
 }
 
+BaseEvent Machine::nextBaseEvent(std::uint32_t id, double from, double until) const
+{
+  // Nothing may come for very long where nothing falls; an epoch at a time is enough.
+  double end = std::min(until, from + epoch_.length);
+  const auto change = motion_.nextChange();
+  if (change)
+    end = std::min(end, *change);
+  BaseEvent event = search_.find(disks_[id], radius(id), from, end);
+  if (!event.feature && change && event.time >= *change)
+    event.time = std::numeric_limits<double>::infinity();
+  return event;
+}
+
 Image Machine::image(int shift, double time) const
 {
   if (shift == 0)

@@ -277,19 +277,12 @@ private:
     Prediction& p = predictions_[id];
     const double others = std::min(p.pair_time, p.cell_time);
     if (!p.base.feature && p.base.time < others)
-      p.base = machine_.search().find(machine_.disk(id), machine_.radius(id), p.base.time,
-                                      std::min(others, horizon(p.base.time)));
+      p.base = machine_.nextBaseEvent(id, p.base.time, others);
     queue_.update(id, std::min(others, p.base.time));
   }
 
   /// A pair is remembered however late it is; on a turning base until all is predicted anew.
   double pairHorizon() const { return machine_.motion().nextChange().value_or(EventQueue::NEVER); }
-
-  double horizon(double from) const
-  {
-    const double far = from + machine_.epoch().length;
-    return std::min(far, machine_.motion().nextChange().value_or(far));
-  }
 
   Machine& machine_;
   BaseKinematics frame_;  ///< of the cells: the base's when the grid was laid

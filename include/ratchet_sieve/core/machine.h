@@ -55,6 +55,11 @@ public:
   bool active(std::uint32_t id) const { return active_[id] != 0; }
   std::size_t activeCount() const { return active_count_; }
 
+  /// What the disk's flight meets of the base first, searched from `from` and no further than needed
+  /// to know of all before `until`. Nothing for ever, if it meets nothing before the base's motion
+  /// changes: then all is searched anew.
+  BaseEvent nextBaseEvent(std::uint32_t id, double from, double until) const;
+
   /// Where the image `shift` widths to the right appears at `time`, relative to the disk itself.
   Image image(int shift, double time) const;
 

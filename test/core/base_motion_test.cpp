@@ -1,0 +1,123 @@
+#include "ratchet_sieve/core/base_motion.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double PI = 3.14159265358979323846;
+constexpr double UNLIMITED = 10.0;
+
+BaseDefinition figureThree()
+{
+  return BaseDefinition();
+}
+
+TEST(BaseMotion, IsTheSineOfTheDefinition)
+{
+  BaseDefinition base = figureThree();
+  base.phase = 0.7;
+  const BaseMotion motion(base, UNLIMITED);
+  for (const double t : {0.0, 0.01, 0.1234, 1.7})
+  {
+    const double phase = 2.0 * PI * 23.0 * t + 0.7;
+    EXPECT_NEAR(motion.at(t).displacement, 0.002 * std::sin(phase), 1e-15);
+    EXPECT_NEAR(motion.at(t).velocity, 0.002 * 2.0 * PI * 23.0 * std::cos(phase), 1e-12);
+  }
+  EXPECT_FALSE(motion.nextChange());
+}
+
+TEST(BaseMotion, VelocityIsTheDerivativeWhileEverythingSlews)
+{
+  BaseMotion motion(figureThree(), UNLIMITED);
+  motion.commandInclination(0.2, 0.0);
+  motion.commandFrequency(30.0, 0.0);
+  motion.commandAmplitude(0.003, 0.0);
+  ASSERT_TRUE(motion.turning());
+  const double step = 1e-6;
+  for (const double t : {0.01, 0.1, 0.3})
+  {
+    const double slope = (motion.at(t + step).displacement - motion.at(t - step).displacement) / (2.0 * step);
+    EXPECT_NEAR(motion.at(t).velocity, slope, 1e-6);
+    const double curvature = (motion.at(t + step).velocity - motion.at(t - step).velocity) / (2.0 * step);
+    EXPECT_LE(std::abs(curvature), motion.accelerationBound());
+    EXPECT_NEAR(motion.at(t).inclination, 0.1 * t, 1e-15);
+  }
+}
+
+TEST(BaseMotion, ComesToItsSetpointsExactlyAndStops)
+{
+  BaseMotion motion(figureThree(), UNLIMITED);
+  motion.commandInclination(0.0523, 0.25);
+  motion.commandFrequency(11.1, 0.25);
+  int segments = 0;
+  double before = motion.at(0.25).displacement;
+  double time = 0.25;
+  while (const auto change = motion.nextChange())
+  {
+    before = motion.at(*change).displacement;
+    time = *change;
+    motion.beginSegment(time);
+    EXPECT_NEAR(motion.at(time).displacement, before, 1e-15) << "the phase is continuous";
+    ASSERT_LT(++segments, 10);
+  }
+  EXPECT_EQ(motion.state(time).inclination, 0.0523);
+  EXPECT_EQ(motion.state(time).frequency, 11.1);
+  EXPECT_NEAR(time, 0.25 + (23.0 - 11.1) / 10.0, 1e-12);
+}
+
+TEST(BaseMotion, ANewCommandTurnsARunningSlewAround)
+{
+  BaseMotion motion(figureThree(), UNLIMITED);
+  motion.commandInclination(0.2, 0.0);
+  motion.commandInclination(-0.2, 1.0);
+  EXPECT_NEAR(motion.state(1.0).inclination, 0.1, 1e-15);
+  EXPECT_NEAR(motion.state(2.0).inclination, 0.0, 1e-15);
+  EXPECT_EQ(motion.state(2.0).commanded_inclination, -0.2);
+}
+
+TEST(BaseMotion, SegmentsOfATurnAreNoLongerThanAllowed)
+{
+  BaseMotion motion(figureThree(), 0.001);
+  motion.commandInclination(0.01, 0.0);
+  int segments = 0;
+  while (const auto change = motion.nextChange())
+  {
+    motion.beginSegment(*change);
+    ++segments;
+  }
+  EXPECT_NEAR(segments, 10, 1);
+  EXPECT_EQ(motion.state(1.0).inclination, 0.01);
+}
+
+TEST(BaseMotion, ThePhaseIsAsGoodAfterAMillionSecondsAsAtTheStart)
+{
+  BaseDefinition base = figureThree();
+  base.frequency = 23.0;
+  BaseMotion motion(base, UNLIMITED);
+  const BaseMotion fresh(base, UNLIMITED);
+  for (int epoch = 0; epoch < 250000; ++epoch)
+    motion.rebase(4.0);
+  for (const double t : {0.0, 0.3, 3.7})
+    EXPECT_EQ(motion.at(t).displacement, fresh.at(t).displacement);
+}
+
+TEST(BaseMotion, APhaseThatDoesNotDivideTheEpochStaysExactToo)
+{
+  BaseDefinition base = figureThree();
+  base.frequency = 22.7;
+  BaseMotion motion(base, UNLIMITED);
+  for (int epoch = 0; epoch < 250000; ++epoch)
+    motion.rebase(4.0);
+  // 22.7 as a double times 10^6 s, its fraction taken in long double.
+  const long double turns = static_cast<long double>(22.7) * 1.0e6L;
+  const double phase = 2.0 * PI * static_cast<double>(turns - std::floor(turns));
+  // 250,000 roundings of at most 2^-54 turns each: 2 pi 250,000 / 2^54 = 9e-11 if all went one way.
+  EXPECT_NEAR(std::remainder(motion.state(0.0).phase - phase, 2.0 * PI), 0.0, 9e-11);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

@@ -1,0 +1,83 @@
+#include "ratchet_sieve/core/cell_grid.h"
+
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+namespace ratchet_sieve
+{
+namespace
+{
+struct Point
+{
+  double s, n;
+};
+
+using Sighting = std::tuple<std::uint32_t, int>;
+
+TEST(CellGrid, SeesEveryDiskWithinReachAsAllPairsDo)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        const double width = *rc::gen::element(0.05, 0.1, 1.0);
+        const double reach = 0.04;
+        const bool periodic = *rc::gen::arbitrary<bool>();
+        const auto cells = *rc::gen::container<std::vector<std::pair<int, int>>>(
+            rc::gen::pair(rc::gen::inRange(0, 1000), rc::gen::inRange(-100, 1500)));
+        std::vector<Point> points;
+        for (const auto& [s, n] : cells)
+          points.push_back({width * s / 1000.0, 0.5 * n / 1000.0});
+
+        CellGrid grid(width, 0.5, reach, points.size(), periodic);
+        for (std::uint32_t id = 0; id < points.size(); ++id)
+          grid.add(id, grid.cellAt(points[id].s, points[id].n));
+        for (std::uint32_t id = 0; id < points.size(); ++id)
+        {
+          std::set<Sighting> seen;
+          grid.visit(grid.cellOf(id), -1, 1, -1, 1,
+                     [&](std::uint32_t other, int shift) { RC_ASSERT(seen.emplace(other, shift).second); });
+          for (std::uint32_t other = 0; other < points.size(); ++other)
+            for (int shift = periodic ? -1 : 0; shift <= (periodic ? 1 : 0); ++shift)
+            {
+              const double ds = points[other].s + shift * width - points[id].s;
+              const double dn = points[other].n - points[id].n;
+              if (ds * ds + dn * dn < reach * reach)
+                RC_ASSERT(seen.count({other, shift}) == 1);
+            }
+        }
+      }));
+}
+
+TEST(CellGrid, RemovedDisksAreGone)
+{
+  CellGrid grid(1.0, 1.0, 0.1, 3, false);
+  for (std::uint32_t id = 0; id < 3; ++id)
+    grid.add(id, grid.cellAt(0.5, 0.5));
+  grid.remove(1);
+  std::set<std::uint32_t> seen;
+  grid.visit(grid.cellOf(0), 0, 0, 0, 0, [&](std::uint32_t id, int) { seen.insert(id); });
+  EXPECT_EQ(seen, (std::set<std::uint32_t>{0, 2}));
+}
+
+TEST(CellGrid, CellsAreNeverSmallerThanAskedFor)
+{
+  for (const double side : {0.01, 0.3, 0.9, 1.0})
+  {
+    const CellGrid grid(1.0, 2.0, side, 100000, true);
+    EXPECT_GE(grid.columnStart(1), side);
+    EXPECT_GE(grid.rowStart(1), side);
+  }
+}
+
+TEST(CellGrid, NumberOfCellsIsInProportionToTheDisks)
+{
+  const CellGrid grid(1000.0, 1000.0, 1e-6, 10, true);
+  EXPECT_LE(static_cast<double>(grid.columns()) * grid.rows(), 64.0);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

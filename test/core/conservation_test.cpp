@@ -1,0 +1,107 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// A mixture of 200 disks over a base at rest that loses no energy.
+SceneDefinition lossless(double friction, double tangential_restitution)
+{
+  SceneDefinition scene = test::mixture(100);
+  scene.base.amplitude = 0.0;
+  scene.contact.min_rebound_speed = 0.0;
+  for (auto& species : scene.species)
+    species.contact = {1.0, friction, tangential_restitution};
+  scene.pour.drop_height = 0.05;
+  return scene;
+}
+
+double relativeDrift(const SceneDefinition& scene, double duration, std::uint64_t at_least)
+{
+  Simulation simulation(scene);
+  const double start = simulation.energy();
+  simulation.advanceTo(duration);
+  EXPECT_GE(simulation.collisions().total(), at_least);
+  return std::abs(simulation.energy() / start - 1.0);
+}
+
+TEST(Conservation, ElasticDisksKeepTheirEnergy)
+{
+  EXPECT_LT(relativeDrift(lossless(0.0, 0.0), 250.0, 1000000), 1e-10);
+}
+
+TEST(Conservation, PerfectlyRoughDisksKeepTheirEnergyWithTheirSpins)
+{
+  EXPECT_LT(relativeDrift(lossless(1e9, 1.0), 250.0, 1000000), 1e-10);
+}
+
+TEST(Conservation, TheBaseCarriesTheWeight)
+{
+  // Stationary: the vertical impulse from the base is N m g T but for the change of momentum
+  // between the two ends, which is below N m times the typical speed of 0.3 m/s.
+  SceneDefinition scene = test::mixture(131);
+  scene.base.teeth = 10;
+  scene.settle = 2.0;
+  Simulation simulation(scene);
+  simulation.advanceTo(12.0);
+  const double weight = 131 * (0.010 + 0.001) * 9.81;
+  EXPECT_NEAR(simulation.baseImpulseY() / (weight * 10.0), 1.0, 0.01);
+}
+
+TEST(Conservation, OneBallOnAFlatPlateHitsAtThePhaseOfItsPeriodOneOrbit)
+{
+  // Take-off speed relative to the plate needed for a flight of one period: g T / 2 = v; momentum
+  // balance at the hit gives cos(phase) = g (1 - e) / (2 f A w (1 + e)), w = 2 pi f (e.g.
+  // Luck & Mehta, Phys. Rev. E 48, 3988 (1993), doi:10.1103/PhysRevE.48.3988). A w^2 / g = 1.11
+  // lies where it is stable, between pi (1 - e) / (1 + e) = 0.79 and 1.32.
+  SceneDefinition scene = test::singleParticles(0);
+  scene.base.tooth_height = 0.0;
+  scene.base.amplitude = 0.00011;
+  scene.base.frequency = 50.0;
+  scene.species[0].contact = {0.6, 0.0, 0.0};
+  scene.contact.min_rebound_speed = 0.0;
+  const double pi = 3.14159265358979323846;
+  const double omega = 2.0 * pi * 50.0;
+  const double cosine = 9.81 * 0.4 / (2.0 * 50.0 * 0.00011 * omega * 1.6);
+  ASSERT_LT(cosine, 1.0);
+  const double phase = std::acos(cosine);
+  scene.base.phase = phase - 0.05;
+  // Starts a little off the orbit, so that it has to find it.
+  scene.initial = {{0, 0.1, 0.001 + 0.00011 * std::sin(scene.base.phase) + 1e-6, 0.0, 9.81 * 0.01, 0.0}};
+  Simulation simulation(scene);
+  std::vector<double> times;
+  simulation.observeCollisions([&](const CollisionRecord& record) { times.push_back(record.time); });
+  simulation.advanceTo(30.0);
+  ASSERT_GT(times.size(), 1000u);
+  for (std::size_t k = times.size() - 100; k < times.size(); ++k)
+  {
+    EXPECT_NEAR(times[k] - times[k - 1], 1.0 / 50.0, 1e-10);
+    EXPECT_NEAR(std::remainder(omega * times[k] + scene.base.phase - phase, 2.0 * pi), 0.0, 1e-8);
+  }
+}
+
+TEST(Conservation, MirroredMachineRunsTheOtherWay)
+{
+  SceneDefinition scene = test::singleParticles(300);
+  scene.base.inclination = 0.05;
+  scene.settle = 1.0;
+  SceneDefinition mirrored = scene;
+  mirrored.base.asymmetry = 1.0 - scene.base.asymmetry;
+  mirrored.base.inclination = -scene.base.inclination;
+  Simulation one(scene), other(mirrored);
+  one.advanceTo(20.0);
+  other.advanceTo(20.0);
+  const auto a = one.means()[0];
+  const auto b = other.means()[0];
+  EXPECT_NEAR(*a.mean_vx + *b.mean_vx, 0.0, 4.0 * std::hypot(*a.mean_vx_stderr, *b.mean_vx_stderr));
+  EXPECT_GT(*a.mean_vx, 10.0 * *a.mean_vx_stderr);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

@@ -1,0 +1,226 @@
+#include "ratchet_sieve/core/contact_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double GRAVITY = 9.81;
+constexpr double RESOLUTION = 1e-14;
+constexpr double HORIZON = 0.4;
+
+double drawn(double low, double high)
+{
+  return low + (high - low) * (*rc::gen::inRange(0, 1000001) * 1e-6);
+}
+
+/// One of the shapes that bite: plain, vertical faces, flat, needles, fine and coarse teeth.
+BaseDefinition drawnBase()
+{
+  BaseDefinition base;
+  base.teeth = 5;
+  base.asymmetry = *rc::gen::element(0.0, 0.1, 0.3, 0.5, 0.9, 1.0);
+  base.tooth_height = *rc::gen::element(0.0, 0.001, 0.006, 0.06);
+  base.inclination = *rc::gen::element(0.0, 0.209, -0.1, 1.2);
+  base.amplitude = *rc::gen::element(0.0, 0.002, 0.01);
+  base.phase = drawn(0.0, 6.28);
+  return base;
+}
+
+struct Thrown
+{
+  Disk disk;
+  double radius;
+};
+
+/// A disk that starts anywhere clear of the base, in any direction.
+Thrown drawnDisk(const BaseMotion& motion, const Sawtooth& sawtooth)
+{
+  const double radius = *rc::gen::element(1e-5, 0.001, 0.004, 0.02, 0.3);
+  const BaseKinematics base = motion.at(0.0);
+  const double s = drawn(radius, 0.1 - radius * (radius < 0.05));
+  double n = radius + drawn(0.0, 0.03);
+  while (sawtooth.heightAbove(s, n) < radius)
+    n += 0.1 * radius;
+  Thrown thrown;
+  thrown.radius = radius;
+  thrown.disk.x = base.cosine * s - base.sine * n;
+  thrown.disk.y = base.sine * s + base.cosine * n + base.displacement;
+  thrown.disk.vx = drawn(-2.0, 2.0);
+  thrown.disk.vy = drawn(-2.0, 2.0);
+  return thrown;
+}
+
+double gapAt(const ContactSearch& search, const Sawtooth& sawtooth, const Thrown& thrown, double time)
+{
+  const BasePoint point = search.seenFromBase(thrown.disk, time);
+  double gap = sawtooth.heightAbove(point.s, point.n) - thrown.radius;
+  if (sawtooth.boundary() == Boundary::WALLED)
+    gap = std::min({gap, point.s - thrown.radius, sawtooth.width() - point.s - thrown.radius});
+  return gap;
+}
+
+/// Searches from event to event until a contact is certain, as the loops do.
+BaseEvent searchOn(const ContactSearch& search, const Thrown& thrown)
+{
+  BaseEvent event{0.0, std::nullopt};
+  for (int i = 0; i < 1000 && !event.feature && event.time < HORIZON; ++i)
+    event = search.find(thrown.disk, thrown.radius, event.time, HORIZON);
+  return event;
+}
+
+/// Brute force: nothing touches at any of many instants before the contact, and at the contact the
+/// rim touches and closes.
+void checkAgainstScan(const BaseMotion& motion, const Sawtooth& sawtooth, const Thrown& thrown)
+{
+  const ContactSearch search(sawtooth, motion, GRAVITY, RESOLUTION);
+  const BaseEvent event = searchOn(search, thrown);
+  const double tolerance = 1e-12 * (1.0 + thrown.radius);
+  const double end = std::min(event.time, HORIZON);
+  for (int i = 0; i < 2000; ++i)
+    RC_ASSERT(gapAt(search, sawtooth, thrown, end * i / 2000.0) > -tolerance);
+  RC_CLASSIFY(!event.feature.has_value(), "no contact");
+  if (!event.feature)
+    return;
+  const BasePoint point = search.seenFromBase(thrown.disk, event.time);
+  const Approach approach = sawtooth.approach(*event.feature, point, thrown.radius);
+  RC_ASSERT(std::abs(approach.gap) < tolerance);
+  RC_ASSERT(approach.rate < 0.0);
+  RC_ASSERT(std::abs(gapAt(search, sawtooth, thrown, event.time)) < tolerance);
+}
+
+TEST(ContactSearch, FindsTheFirstContactOfRandomFlights)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        const BaseDefinition base = drawnBase();
+        const Sawtooth sawtooth(base, Boundary::PERIODIC);
+        const BaseMotion motion(base, 10.0);
+        checkAgainstScan(motion, sawtooth, drawnDisk(motion, sawtooth));
+      }));
+}
+
+TEST(ContactSearch, FindsTheFirstContactOnABaseThatTurns)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        const BaseDefinition base = drawnBase();
+        const Sawtooth sawtooth(base, Boundary::PERIODIC);
+        BaseMotion motion(base, 10.0);
+        motion.setSlewRates({*rc::gen::element(0.01, 0.3, 2.0), 10.0, 0.002}, 0.0);
+        motion.commandInclination(base.inclination + *rc::gen::element(-1.0, 1.0), 0.0);
+        motion.commandFrequency(60.0, 0.0);
+        RC_PRE(*motion.nextChange() > HORIZON);
+        checkAgainstScan(motion, sawtooth, drawnDisk(motion, sawtooth));
+      }));
+}
+
+TEST(ContactSearch, FindsTheFirstContactBetweenWalls)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        const BaseDefinition base = drawnBase();
+        const Sawtooth sawtooth(base, Boundary::WALLED);
+        const BaseMotion motion(base, 10.0);
+        const Thrown thrown = drawnDisk(motion, sawtooth);
+        RC_PRE(thrown.radius < 0.05);
+        checkAgainstScan(motion, sawtooth, thrown);
+      }));
+}
+
+/// Throws a disk so that it passes an apex of a base at rest at `miss` from touching.
+std::optional<BaseFeatureKind> passApex(double miss)
+{
+  BaseDefinition base;
+  base.amplitude = 0.0;
+  base.tooth_height = 0.02;
+  const Sawtooth sawtooth(base, Boundary::PERIODIC);
+  const BaseMotion motion(base, 10.0);
+  const ContactSearch search(sawtooth, motion, GRAVITY, RESOLUTION);
+  // The top of its parabola is over the apex, so that it grazes it with its underside.
+  const double flight = 0.002;
+  Thrown thrown;
+  thrown.radius = 0.001;
+  thrown.disk.vx = 3.0;
+  thrown.disk.vy = GRAVITY * flight;
+  thrown.disk.x = 0.106 - thrown.disk.vx * flight;
+  thrown.disk.y = 0.02 + thrown.radius + miss - 0.5 * GRAVITY * flight * flight;
+  BaseEvent event{0.0, std::nullopt};
+  while (!event.feature && event.time < 2.0 * flight)
+    event = search.find(thrown.disk, thrown.radius, event.time, 2.0 * flight);
+  return event.feature ? std::optional<BaseFeatureKind>(event.feature->kind) : std::nullopt;
+}
+
+TEST(ContactSearch, TellsAGrazeFromAMiss)
+{
+  for (const double miss : {1e-6, 1e-9, 1e-12})
+  {
+    EXPECT_FALSE(passApex(miss)) << miss;
+    ASSERT_TRUE(passApex(-miss)) << -miss;
+    EXPECT_EQ(*passApex(-miss), BaseFeatureKind::APEX);
+  }
+}
+
+TEST(ContactSearch, ADiskBehindASlopeMeetsItWhenItComesInFront)
+{
+  // It starts to the right of an apex, behind the left slope's line, flies over the apex to the
+  // left and comes down on that very slope.
+  BaseDefinition base;
+  base.amplitude = 0.0;
+  base.asymmetry = 0.5;
+  base.tooth_height = 0.02;
+  const Sawtooth sawtooth(base, Boundary::PERIODIC);
+  const BaseMotion motion(base, 10.0);
+  const ContactSearch search(sawtooth, motion, GRAVITY, RESOLUTION);
+  Thrown thrown;
+  thrown.radius = 0.0005;
+  thrown.disk.x = 0.1125;
+  thrown.disk.y = 0.018;
+  thrown.disk.vx = -0.06;
+  thrown.disk.vy = 0.5;
+  const BaseEvent event = searchOn(search, thrown);
+  ASSERT_TRUE(event.feature);
+  EXPECT_EQ(event.feature->kind, BaseFeatureKind::LEFT_SLOPE);
+  EXPECT_EQ(event.feature->tooth, 5);
+}
+
+TEST(ContactSearch, AboveTheBandItWaitsInClosedForm)
+{
+  const BaseDefinition base;
+  const Sawtooth sawtooth(base, Boundary::PERIODIC);
+  const BaseMotion motion(base, 10.0);
+  const ContactSearch search(sawtooth, motion, GRAVITY, RESOLUTION);
+  Disk disk;
+  disk.x = 0.1;
+  disk.y = 1.0;
+  const BaseEvent event = search.find(disk, 0.001, 0.0, 0.1);
+  EXPECT_FALSE(event.feature);
+  EXPECT_NEAR(event.time, std::sqrt(2.0 * (1.0 - 0.006 - 0.002 - 0.001) / GRAVITY), 1e-12);
+}
+
+TEST(ContactSearch, ADiskThatLeavesAnOpenBaseIsSeenAtItsEnd)
+{
+  const BaseDefinition base;
+  const Sawtooth sawtooth(base, Boundary::OPEN);
+  const BaseMotion motion(base, 10.0);
+  const ContactSearch search(sawtooth, motion, GRAVITY, RESOLUTION);
+  Disk disk;
+  disk.x = 0.399;
+  disk.y = 0.1;
+  disk.vx = 0.5;
+  const BaseEvent event = search.find(disk, 0.001, 0.0, 0.1);
+  ASSERT_TRUE(event.feature);
+  EXPECT_EQ(event.feature->kind, BaseFeatureKind::RIGHT_END);
+  EXPECT_NEAR(event.time, 0.002, 1e-14);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

@@ -1,0 +1,42 @@
+#include <gtest/gtest.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+#include "state_hash.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// The bits of a run, the same on every machine, with every compiler and at every optimisation
+/// level. A change of the engine that changes them is a change of results: say so in the CHANGELOG.
+TEST(Golden, Ensemble)
+{
+  Simulation simulation(test::singleParticles(50));
+  simulation.advanceTo(10.0);
+  EXPECT_EQ(test::stateHash(simulation), 14365491511905512082ull);
+}
+
+TEST(Golden, Mixture)
+{
+  SceneDefinition scene = test::mixture(60);
+  scene.base.teeth = 5;
+  scene.base.inclination = 0.052;
+  Simulation simulation(scene);
+  simulation.advanceTo(2.0);
+  EXPECT_EQ(test::stateHash(simulation), 2520585639658054277ull);
+}
+
+TEST(Golden, SetpointsWhileItRuns)
+{
+  Simulation simulation(test::openMixture(30));
+  simulation.advanceTo(1.0);
+  simulation.commandInclination(0.1);
+  simulation.commandFrequency(26.0);
+  simulation.advanceTo(4.0);
+  EXPECT_EQ(test::stateHash(simulation), 13384834556356159497ull);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "ratchet_sieve/core/definition.h"
+
+/// Scenes that several tests of the core use.
+namespace ratchet_sieve::test
+{
+
+/// The disk of Fig. 3: r = 1 mm, m = 1 g, e = 0.6, mu = 0.1, beta = 0.4.
+inline SpeciesDefinition smallDisk(int count)
+{
+  SpeciesDefinition species;
+  species.name = "A";
+  species.count = count;
+  return species;
+}
+
+/// Fig. 3: single particles on a periodic base.
+inline SceneDefinition singleParticles(int count)
+{
+  SceneDefinition scene;
+  scene.species = {smallDisk(count)};
+  scene.contact.pair_collisions = false;
+  return scene;
+}
+
+/// Fig. 8: A (1 mm, 10 g) and B (2 mm, 1 g), 1:1; `count` of each.
+inline SceneDefinition mixture(int count)
+{
+  SceneDefinition scene;
+  scene.species = {smallDisk(count), smallDisk(count)};
+  scene.species[0].mass = 0.010;
+  scene.species[1].name = "B";
+  scene.species[1].radius = 0.002;
+  return scene;
+}
+
+/// Fig. 9: A (1 mm, 10 g) and B (5 mm, 1 g) on a = 0.1, open ends.
+inline SceneDefinition openMixture(int count)
+{
+  SceneDefinition scene = mixture(count);
+  scene.base.asymmetry = 0.1;
+  scene.species[1].radius = 0.005;
+  scene.boundary = Boundary::OPEN;
+  return scene;
+}
+
+}  // namespace ratchet_sieve::test

@@ -1,0 +1,239 @@
+#include "ratchet_sieve/core/simulation.h"
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+#include "state_hash.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+std::uint64_t hashAfter(const SceneDefinition& scene, double end, int strides)
+{
+  Simulation simulation(scene);
+  for (int k = 1; k <= strides; ++k)
+  {
+    simulation.advanceTo(end * k / strides);
+    simulation.disks();
+    simulation.auditOverlaps();
+  }
+  return test::stateHash(simulation);
+}
+
+TEST(Simulation, SameBitsInWhateverStrides)
+{
+  for (SceneDefinition scene : {test::mixture(20), test::singleParticles(20), test::openMixture(10)})
+  {
+    scene.feed.rate = 30.0;
+    EXPECT_EQ(hashAfter(scene, 6.0, 1), hashAfter(scene, 6.0, 997));
+  }
+}
+
+TEST(Simulation, AnotherSeedIsAnotherRun)
+{
+  SceneDefinition scene = test::mixture(20);
+  const auto first = hashAfter(scene, 0.5, 1);
+  scene.seed = 2;
+  EXPECT_NE(hashAfter(scene, 0.5, 1), first);
+}
+
+TEST(Simulation, EveryDiskOfAnOpenSieveIsSomewhere)
+{
+  SceneDefinition scene = test::openMixture(60);
+  scene.feed.rate = 20.0;
+  Simulation simulation(scene);
+  simulation.advanceTo(8.0);
+  std::uint64_t all = 0, counted = 0, on_base = 0;
+  for (const SpeciesBins& bins : simulation.bins())
+  {
+    all += bins.counted() + bins.on_base;
+    counted += bins.counted();
+    on_base += bins.on_base;
+  }
+  EXPECT_EQ(all, 120u + 160u);
+  EXPECT_GT(counted, 50u);
+  EXPECT_EQ(on_base, simulation.activeDisks());
+  EXPECT_EQ(simulation.disks().size(), simulation.activeDisks());
+}
+
+TEST(Simulation, WallsHoldAndAreCounted)
+{
+  SceneDefinition scene = test::mixture(60);
+  scene.base.teeth = 5;
+  scene.boundary = Boundary::WALLED;
+  Simulation simulation(scene);
+  simulation.advanceTo(5.0);
+  EXPECT_GT(simulation.collisions().wall, 0u);
+  EXPECT_EQ(simulation.activeDisks(), 120u);
+  EXPECT_EQ(simulation.auditOverlaps(), 0u);
+  EXPECT_LT(simulation.maxOverlap(), 1e-12);
+}
+
+TEST(Simulation, DisplacementIsUnwrappedAndPlacesAreNot)
+{
+  SceneDefinition scene = test::singleParticles(50);
+  scene.base.teeth = 2;
+  Simulation simulation(scene);
+  simulation.advanceTo(20.0);
+  double farthest = 0.0;
+  for (const DiskState& disk : simulation.disks())
+  {
+    EXPECT_GE(disk.x, 0.0);
+    EXPECT_LE(disk.x, 0.04);
+    farthest = std::max(farthest, disk.displacement);
+  }
+  EXPECT_GT(farthest, 0.5);
+}
+
+TEST(Simulation, MeanVelocityIsDisplacementOverTimeSinceSettle)
+{
+  SceneDefinition scene = test::singleParticles(30);
+  scene.settle = 2.0;
+  Simulation simulation(scene);
+  simulation.advanceTo(2.0);
+  std::vector<double> before;
+  for (const DiskState& disk : simulation.disks())
+    before.push_back(disk.displacement);
+  simulation.advanceTo(7.0);
+  double sum = 0.0;
+  for (const DiskState& disk : simulation.disks())
+    sum += disk.displacement - before[disk.id];
+  EXPECT_NEAR(*simulation.means()[0].mean_vx, sum / 30.0 / 5.0, 1e-14);
+  EXPECT_GT(*simulation.means()[0].mean_vx_stderr, 0.0);
+}
+
+TEST(Simulation, KineticMeansAreExactIntegralsOverFreeFall)
+{
+  SceneDefinition scene = test::singleParticles(1);
+  scene.species[0].count = 0;
+  scene.initial = {{0, 0.1, 5.0, 0.3, 0.0, 7.0}};
+  Simulation simulation(scene);
+  simulation.advanceTo(0.5);
+  // <v^2> = vx^2 + (g T)^2 / 3
+  EXPECT_NEAR(*simulation.means()[0].kinetic_translational,
+              0.5 * 0.001 * (0.09 + std::pow(9.81 * 0.5, 2) / 3.0), 1e-15);
+  EXPECT_NEAR(*simulation.means()[0].kinetic_rotational, 0.5 * 0.5 * 0.001 * 1e-6 * 49.0, 1e-20);
+  EXPECT_FALSE(simulation.means()[0].mean_vx_stderr);
+}
+
+TEST(Simulation, TheBaseFollowsItsSetpointsAndCarriesTheDisksAlong)
+{
+  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED})
+    for (const bool pairs : {true, false})
+    {
+      SceneDefinition scene = test::mixture(40);
+      scene.base.teeth = 8;
+      scene.boundary = boundary;
+      scene.contact.pair_collisions = pairs;
+      Simulation simulation(scene);
+      simulation.advanceTo(0.5);
+      simulation.commandInclination(0.15);
+      simulation.commandFrequency(28.0);
+      simulation.commandAmplitude(0.0015);
+      for (int k = 1; k <= 200; ++k)
+      {
+        simulation.advanceTo(0.5 + 0.01 * k);
+        ASSERT_EQ(simulation.auditOverlaps(), 0u);
+      }
+      EXPECT_EQ(simulation.base().inclination, 0.15);
+      EXPECT_EQ(simulation.base().frequency, 28.0);
+      EXPECT_EQ(simulation.base().amplitude, 0.0015);
+      EXPECT_LT(simulation.maxOverlap(), 1e-9 * 0.001) << static_cast<int>(boundary) << pairs;
+      EXPECT_GT(simulation.collisions().total(), 1000u);
+    }
+}
+
+TEST(Simulation, PourAddsDisksWhereThereIsRoom)
+{
+  Simulation simulation(test::mixture(30));
+  simulation.advanceTo(1.0);
+  simulation.pour(1, 50);
+  EXPECT_EQ(simulation.activeDisks(), 110u);
+  EXPECT_EQ(simulation.bins()[1].on_base, 80u);
+  EXPECT_EQ(simulation.auditOverlaps(), 0u);
+  EXPECT_EQ(simulation.maxOverlap() > 1e-15, false);
+  simulation.advanceTo(2.0);
+  EXPECT_EQ(simulation.auditOverlaps(), 0u);
+  EXPECT_LT(simulation.maxOverlap(), 1e-12);
+}
+
+TEST(Simulation, CollisionsAreReportedInOrderOfTime)
+{
+  for (const SceneDefinition& scene : {test::mixture(20), test::singleParticles(20)})
+  {
+    Simulation simulation(scene);
+    std::uint64_t seen = 0;
+    double last = 0.0;
+    simulation.observeCollisions(
+        [&](const CollisionRecord& record)
+        {
+          EXPECT_GE(record.time, last);
+          EXPECT_GT(record.normal_speed, 0.0);
+          EXPECT_GT(record.normal_impulse, 0.0);
+          EXPECT_EQ(record.j.has_value(), record.kind == CollisionKind::DISK_DISK);
+          last = record.time;
+          ++seen;
+        });
+    simulation.advanceTo(1.0);
+    EXPECT_EQ(seen, simulation.collisions().total());
+    EXPECT_GT(seen, 100u);
+  }
+}
+
+std::string refusal(const SceneDefinition& scene)
+{
+  try
+  {
+    Simulation simulation(scene);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Simulation, RefusesABadStartAndNamesTheDisks)
+{
+  SceneDefinition scene = test::mixture(0);
+  scene.initial = {{0, 0.1, 0.05, 0, 0, 0}, {1, 0.2, 0.05, 0, 0, 0}, {1, 0.1025, 0.05, 0, 0, 0}};
+  EXPECT_EQ(refusal(scene), "initial.0 and initial.2 overlap by 0.0005 m");
+  scene.initial = {{0, 0.1, 0.0005, 0, 0, 0}};
+  EXPECT_NE(refusal(scene).find("initial.0 is buried"), std::string::npos);
+  scene.initial = {{0, 0.1, 0.05, 0, 0, 0}, {0, 0.5, 0.05, 0, 0, 0}};
+  scene.boundary = Boundary::OPEN;
+  EXPECT_NE(refusal(scene).find("initial.1 is outside"), std::string::npos);
+  scene.initial = {{0, 0.1, 0.007, 0, 0, 0}};
+  EXPECT_EQ(refusal(scene), "");
+}
+
+TEST(Simulation, AnEmptyMachineRuns)
+{
+  SceneDefinition scene = test::mixture(0);
+  for (const bool pairs : {true, false})
+  {
+    scene.contact.pair_collisions = pairs;
+    Simulation simulation(scene);
+    simulation.advanceTo(10.0);
+    EXPECT_EQ(simulation.time(), 10.0);
+    EXPECT_FALSE(simulation.means()[0].mean_vx);
+  }
+}
+
+TEST(Simulation, ACollapseIsSaidAndNotAFreeze)
+{
+  SceneDefinition scene = test::singleParticles(1);
+  scene.base.amplitude = 0.0;
+  scene.base.tooth_height = 0.0;
+  scene.contact.min_rebound_speed = 0.0;
+  Simulation simulation(scene);
+  EXPECT_THROW(simulation.advanceTo(10.0), StallError);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
