@@ -18,13 +18,15 @@ struct FrameRates
   double statistics = 10.0;
 };
 
-/// Takes frames at the exact times start + k / rate, so that no rounding adds up, and a last one of each kind.
+/// Takes frames at the exact times start + k / rate, so that no rounding adds up, and a last one of each
+/// kind.
 class FrameSampler
 {
 public:
   FrameSampler(const FrameRates& rates, double start_time);
 
-  /// The next time at which a frame is due [s]; infinity if every rate is 0. Advance the simulation no further than this.
+  /// The next time at which a frame is due [s]; infinity if every rate is 0. Advance the simulation no
+  /// further than this.
   double nextTime() const;
 
   /// Hands every frame that is due at simulation.time() to the sink; the first call also the scene.
@@ -41,6 +43,8 @@ private:
     std::optional<double> last_time;
   };
   double dueTime(const Stream& stream) const;
+  bool takeIfDue(Stream& stream, double time) const;
+  void takeStatistics(const Simulation& simulation, FrameSink& sink);
 
   double start_time_;
   bool scene_taken_ = false;

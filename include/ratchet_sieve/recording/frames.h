@@ -36,9 +36,9 @@ struct BinFrame
 {
   double time = 0.0;
   std::vector<std::string> species;
-  std::vector<SpeciesBins> bins;   ///< per species
-  std::optional<double> quality;   ///< Q
-  std::optional<double> processed; ///< P
+  std::vector<SpeciesBins> bins;    ///< per species
+  std::optional<double> quality;    ///< Q
+  std::optional<double> processed;  ///< P
 };
 
 /// The base and its drive.
@@ -53,19 +53,21 @@ struct StatisticsFrame
 {
   double time = 0.0;
   std::vector<std::string> species;
-  std::vector<SpeciesMeans> means;            ///< per species
-  std::vector<double> granular_temperature;   ///< per species, now: half the velocity variance times m [J]; 0 without disks
-  CollisionCounts collisions;                 ///< since the start
-  std::uint64_t events = 0;                   ///< since the start
-  double collision_rate = 0.0;                ///< since the last frame [1/s of simulated time]
-  double real_time_factor = 0.0;              ///< achieved since the last frame; 0 before the second frame
-  double max_overlap = 0.0;                   ///< [m]
+  std::vector<SpeciesMeans> means;  ///< per species
+  std::vector<double>
+      granular_temperature;     ///< per species, now: half the velocity variance times m [J]; 0 without disks
+  CollisionCounts collisions;   ///< since the start
+  std::uint64_t events = 0;     ///< since the start
+  double collision_rate = 0.0;  ///< since the last frame [1/s of simulated time]
+  double real_time_factor = 0.0;  ///< achieved since the last frame; 0 before the second frame
+  double max_overlap = 0.0;       ///< [m]
 };
 
 /// Granular temperature of each species: half its mass times the variance of its disks' velocities
 /// [J], over both directions; 0 without disks.
 /// @param masses of the disks of each species [kg]
-std::vector<double> granularTemperatures(const std::vector<DiskState>& disks, const std::vector<double>& masses);
+std::vector<double> granularTemperatures(const std::vector<DiskState>& disks,
+                                         const std::vector<double>& masses);
 
 SceneFrame makeSceneFrame(const Simulation& simulation);
 ParticleFrame makeParticleFrame(const Simulation& simulation);

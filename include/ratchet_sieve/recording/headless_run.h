@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/recording/frame_sampler.h"
+#include "ratchet_sieve/recording/frame_sink.h"
+
+namespace ratchet_sieve
+{
+
+/// How a run came to its end.
+enum class RunEnd
+{
+  COMPLETED,  ///< the scene's duration
+  STOPPED,    ///< as asked
+  STALLED     ///< time all but stopped (StallError)
+};
+
+/// What a run leaves behind besides the simulation's state.
+struct RunOutcome
+{
+  RunEnd end = RunEnd::COMPLETED;
+  double wall_time = 0.0;             ///< [s]
+  double energy_start = 0.0;          ///< of the disks at time 0 [J]
+  std::size_t through_base = 0;       ///< disks found behind the base's surface, the most at one audit
+  std::vector<std::string> warnings;  ///< one line each
+};
+
+/// Who looks on while a run goes; each may be empty.
+struct RunWatchers
+{
+  FrameSink* frames = nullptr;  ///< takes frames at `rates`
+  FrameRates rates;
+  std::function<void(const Simulation&)> progress;  ///< several times a second of wall time
+  std::function<bool()> stop_wanted;                ///< looked at several times a second
+};
+
+/// Audits of all disks for overlaps, spread evenly over a run.
+constexpr int AUDITS_PER_RUN = 100;
+
+/// Runs the simulation to its scene's duration, as fast as it goes. In which strides does not
+/// matter to its course.
+RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers);
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/recording/headless_run.h"
+
+namespace ratchet_sieve
+{
+
+/// The run in one JSON object: scene_hash, seed, version, times, counts, means, Q and P, energies,
+/// overlaps, warnings. SI units; what is not defined is null.
+nlohmann::ordered_json summarize(const Simulation& simulation, const RunOutcome& outcome);
+
+/// A number, or null where there is none.
+nlohmann::ordered_json numberOrNull(const std::optional<double>& value);
+
+}  // namespace ratchet_sieve

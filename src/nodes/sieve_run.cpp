@@ -1,0 +1,211 @@
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "bag_output.h"
+#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/recording/collision_file.h"
+#include "ratchet_sieve/recording/headless_run.h"
+#include "ratchet_sieve/recording/progress_bar.h"
+#include "ratchet_sieve/recording/summary.h"
+#include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/scene/scene_file.h"
+
+namespace
+{
+
+using namespace ratchet_sieve;
+
+// Exit status.
+constexpr int DONE = 0;
+constexpr int FAILED = 1;
+constexpr int REFUSED = 2;
+
+volatile std::sig_atomic_t stop_signal = 0;
+
+void onSignal(int signal)
+{
+  stop_signal = signal;
+}
+
+/// Bad arguments or a bad scene: nothing was written.
+struct Refusal : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+struct Arguments
+{
+  std::string scene;
+  std::vector<std::string> overrides;
+  std::string seed;
+  std::string duration;
+  std::string bag;
+  std::string collisions;
+  std::string summary;
+
+  /// --seed and --duration are overrides too: the scene's own rules check them.
+  std::vector<std::string> allOverrides() const
+  {
+    std::vector<std::string> all = overrides;
+    if (!seed.empty())
+      all.push_back("seed=" + seed);
+    if (!duration.empty())
+      all.push_back("duration=" + duration);
+    return all;
+  }
+};
+
+void describe(CLI::App& app, Arguments& arguments)
+{
+  app.add_option("SCENE", arguments.scene, "The scene, a YAML file")->required()->type_name("FILE");
+  app.add_option("--set", arguments.overrides,
+                 "Set a key of the scene, such as base.inclination=0.105 or "
+                 "species.0.radius=0.004; may be given again")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--seed", arguments.seed, "Seed, instead of the scene's")->type_name("N");
+  app.add_option("--duration", arguments.duration, "Simulated time [s], instead of the scene's")
+      ->type_name("S");
+  app.add_option("--bag", arguments.bag, "Record the run into a ROS bag")->type_name("FILE");
+  app.add_option("--collisions", arguments.collisions, "Write every collision as CSV")->type_name("FILE");
+  app.add_option("--summary", arguments.summary, "Write the summary there, not to standard output")
+      ->type_name("FILE");
+  app.set_version_flag("--version", version());
+  app.footer("Exit status: 0 done; 2 bad arguments or bad scene, nothing written; 1 anything else.");
+}
+
+/// What the run writes, each opened before it starts.
+class Outputs
+{
+public:
+  explicit Outputs(const Arguments& arguments)
+  {
+    try
+    {
+      if (!arguments.summary.empty())
+        summary_ = std::make_unique<AtomicFile>(arguments.summary);
+      if (!arguments.collisions.empty())
+        collisions_ = std::make_unique<CollisionFile>(arguments.collisions);
+      if (!arguments.bag.empty())
+        bag_ = std::make_unique<BagOutput>(arguments.bag);
+    }
+    catch (const std::exception& error)
+    {
+      throw Refusal(error.what());
+    }
+  }
+
+  void watch(Simulation& simulation, RunWatchers& watchers)
+  {
+    if (collisions_)
+      simulation.observeCollisions([this](const CollisionRecord& record) { collisions_->take(record); });
+    if (bag_)
+      watchers.frames = &bag_->sink();
+  }
+
+  void finish(const nlohmann::ordered_json& summary)
+  {
+    if (bag_)
+      bag_->close();
+    if (collisions_)
+      collisions_->commit();
+    const std::string text = summary.dump(2) + "\n";
+    if (summary_)
+    {
+      summary_->stream() << text;
+      summary_->commit();
+    }
+    else if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+      throw std::runtime_error("the summary could not be written to standard output");
+  }
+
+private:
+  std::unique_ptr<AtomicFile> summary_;
+  std::unique_ptr<CollisionFile> collisions_;
+  std::unique_ptr<BagOutput> bag_;
+};
+
+Simulation makeSimulation(const SceneDefinition& scene, const std::string& path)
+{
+  try
+  {
+    return Simulation(scene);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw Refusal(path + ": " + error.what());
+  }
+}
+
+int run(const Arguments& arguments)
+{
+  const Scene scene = loadSceneFile(arguments.scene, arguments.allOverrides());
+  Simulation simulation = makeSimulation(scene.definition, arguments.scene);
+  Outputs outputs(arguments);
+  for (const std::string& warning : scene.warnings)
+    std::fprintf(stderr, "sieve_run: warning: %s\n", warning.c_str());
+
+  std::signal(SIGINT, onSignal);
+  std::signal(SIGTERM, onSignal);
+  RunWatchers watchers;
+  outputs.watch(simulation, watchers);
+  watchers.stop_wanted = [] { return stop_signal != 0; };
+  RunOutcome outcome;
+  {
+    ProgressBar progress(scene.definition.duration);
+    watchers.progress = [&progress](const Simulation& now) { progress.show(now); };
+    outcome = runToEnd(simulation, watchers);
+  }
+  for (const std::string& warning : outcome.warnings)
+    std::fprintf(stderr, "sieve_run: warning: %s\n", warning.c_str());
+  outcome.warnings.insert(outcome.warnings.begin(), scene.warnings.begin(), scene.warnings.end());
+  outputs.finish(summarize(simulation, outcome));
+  return outcome.end == RunEnd::COMPLETED ? DONE : FAILED;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  Arguments arguments;
+  CLI::App app("Runs a scene of the ratchet sieve as fast as it goes and sums it up in JSON.", "sieve_run");
+  describe(app, arguments);
+  try
+  {
+    app.parse(argc, argv);
+    return run(arguments);
+  }
+  catch (const CLI::Success& request)
+  {
+    return app.exit(request);
+  }
+  catch (const CLI::Error& error)
+  {
+    std::fprintf(stderr, "sieve_run: %s; see --help\n", error.what());
+    return REFUSED;
+  }
+  catch (const SceneError& error)
+  {
+    std::fprintf(stderr, "sieve_run: %s\n", error.what());
+    return REFUSED;
+  }
+  catch (const Refusal& error)
+  {
+    std::fprintf(stderr, "sieve_run: %s\n", error.what());
+    return REFUSED;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "sieve_run: %s\n", error.what());
+    return FAILED;
+  }
+}

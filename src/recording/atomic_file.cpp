@@ -1,0 +1,66 @@
+#include "ratchet_sieve/recording/atomic_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+std::string writtenPath(const std::string& path)
+{
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return path;
+  return path + ".part" + std::to_string(getpid());
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& reason)
+{
+  throw OutputError(path + ": cannot be written: " + reason);
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(const std::string& path) : path_(path), written_path_(writtenPath(path))
+{
+  errno = 0;
+  stream_.open(written_path_, std::ios::binary | std::ios::trunc);
+  if (!stream_)
+    refuse(path_, std::strerror(errno));
+}
+
+AtomicFile::~AtomicFile()
+{
+  if (committed_ || written_path_ == path_)
+    return;
+  stream_.close();
+  std::error_code ignored;
+  fs::remove(written_path_, ignored);
+}
+
+void AtomicFile::commit()
+{
+  errno = 0;
+  stream_.close();
+  if (!stream_)
+    refuse(path_, errno != 0 ? std::strerror(errno) : "not all of it was taken");
+  if (written_path_ != path_)
+  {
+    std::error_code error;
+    fs::rename(written_path_, path_, error);
+    if (error)
+      refuse(path_, error.message());
+  }
+  committed_ = true;
+}
+
+}  // namespace ratchet_sieve

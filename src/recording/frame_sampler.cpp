@@ -1,0 +1,84 @@
+#include "ratchet_sieve/recording/frame_sampler.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ratchet_sieve
+{
+
+FrameSampler::FrameSampler(const FrameRates& rates, double start_time)
+    : start_time_(start_time), last_statistics_wall_(std::chrono::steady_clock::now())
+{
+  particles_.rate = rates.particles;
+  bins_.rate = rates.bins;
+  base_.rate = rates.base;
+  statistics_.rate = rates.statistics;
+}
+
+double FrameSampler::dueTime(const Stream& stream) const
+{
+  if (stream.next_index == 0)
+    return start_time_;
+  if (stream.rate <= 0.0)
+    return std::numeric_limits<double>::infinity();
+  return start_time_ + static_cast<double>(stream.next_index) / stream.rate;
+}
+
+double FrameSampler::nextTime() const
+{
+  return std::min({dueTime(particles_), dueTime(bins_), dueTime(base_), dueTime(statistics_)});
+}
+
+bool FrameSampler::takeIfDue(Stream& stream, double time) const
+{
+  if (dueTime(stream) > time)
+    return false;
+  while (dueTime(stream) <= time)
+    ++stream.next_index;
+  stream.last_time = time;
+  return true;
+}
+
+void FrameSampler::takeStatistics(const Simulation& simulation, FrameSink& sink)
+{
+  const auto now = std::chrono::steady_clock::now();
+  const double wall_seconds = std::chrono::duration<double>(now - last_statistics_wall_).count();
+  last_statistics_ =
+      makeStatisticsFrame(simulation, last_statistics_ ? &*last_statistics_ : nullptr, wall_seconds);
+  last_statistics_wall_ = now;
+  sink.take(*last_statistics_);
+}
+
+void FrameSampler::takeDue(const Simulation& simulation, FrameSink& sink)
+{
+  if (!scene_taken_)
+    sink.take(makeSceneFrame(simulation));
+  scene_taken_ = true;
+  const double time = simulation.time();
+  if (takeIfDue(base_, time))
+    sink.take(makeBaseFrame(simulation));
+  if (takeIfDue(particles_, time))
+    sink.take(makeParticleFrame(simulation));
+  if (takeIfDue(bins_, time))
+    sink.take(makeBinFrame(simulation));
+  if (takeIfDue(statistics_, time))
+    takeStatistics(simulation, sink);
+}
+
+void FrameSampler::takeLast(const Simulation& simulation, FrameSink& sink)
+{
+  takeDue(simulation, sink);
+  const double time = simulation.time();
+  if (base_.last_time != time)
+    sink.take(makeBaseFrame(simulation));
+  if (particles_.last_time != time)
+    sink.take(makeParticleFrame(simulation));
+  if (bins_.last_time != time)
+    sink.take(makeBinFrame(simulation));
+  if (statistics_.last_time != time)
+    takeStatistics(simulation, sink);
+  for (Stream* stream : {&base_, &particles_, &bins_, &statistics_})
+    stream->last_time = time;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,91 @@
+#include "ratchet_sieve/recording/summary.h"
+
+#include "ratchet_sieve/core/segregation.h"
+#include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json collisionCounts(const CollisionCounts& counts)
+{
+  Json json;
+  json["disk_disk"] = counts.disk_disk;
+  json["left_slope"] = counts.left_slope;
+  json["right_slope"] = counts.right_slope;
+  json["apex"] = counts.apex;
+  json["wall"] = counts.wall;
+  return json;
+}
+
+Json speciesResults(const Simulation& simulation)
+{
+  const std::vector<SpeciesBins> bins = simulation.bins();
+  const std::vector<SpeciesMeans> means = simulation.means();
+  Json list = Json::array();
+  for (std::size_t i = 0; i < bins.size(); ++i)
+  {
+    Json json;
+    json["name"] = simulation.scene().species[i].name;
+    json["count"] = bins[i].counted() + bins[i].on_base;
+    json["mean_vx"] = numberOrNull(means[i].mean_vx);
+    json["mean_vx_stderr"] = numberOrNull(means[i].mean_vx_stderr);
+    json["left"] = bins[i].left;
+    json["right"] = bins[i].right;
+    json["kinetic_translational"] = numberOrNull(means[i].kinetic_translational);
+    json["kinetic_rotational"] = numberOrNull(means[i].kinetic_rotational);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json pairResults(const Simulation& simulation)
+{
+  Json list = Json::array();
+  for (const PairQuality& pair : pairQualities(simulation.bins()))
+  {
+    const auto& species = simulation.scene().species;
+    list.push_back({{"species", {species[pair.first].name, species[pair.second].name}},
+                    {"quality", numberOrNull(pair.quality)}});
+  }
+  return list;
+}
+
+}  // namespace
+
+Json numberOrNull(const std::optional<double>& value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json summarize(const Simulation& simulation, const RunOutcome& outcome)
+{
+  const SceneDefinition& scene = simulation.scene();
+  Json json;
+  json["scene_hash"] = sceneHash(scene);
+  json["seed"] = scene.seed;
+  json["version"] = version();
+  json["simulated_time"] = simulation.time();
+  json["wall_time"] = outcome.wall_time;
+  json["events"] = simulation.events();
+  json["collisions"] = collisionCounts(simulation.collisions());
+  json["short_to_long"] = numberOrNull(simulation.collisions().shortToLong(scene.base.asymmetry));
+  json["species"] = speciesResults(simulation);
+  json["quality"] = numberOrNull(bestQuality(simulation.bins()));
+  if (scene.species.size() > 2)
+    json["pair_qualities"] = pairResults(simulation);
+  json["processed"] = numberOrNull(processedRatio(simulation.bins()));
+  json["base_impulse"] = {simulation.baseImpulseX(), simulation.baseImpulseY()};
+  json["energy_start"] = outcome.energy_start;
+  json["energy_end"] = simulation.energy();
+  json["max_overlap"] = simulation.maxOverlap();
+  json["through_base"] = outcome.through_base;
+  json["warnings"] = outcome.warnings;
+  return json;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,116 @@
+#include "ratchet_sieve/scene/canonical_scene.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <sstream>
+
+#include "schema.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Writes a flow map's values: `name: text, name: text`.
+class FlowWriter
+{
+public:
+  explicit FlowWriter(std::ostream& out) : out_(out) {}
+
+  void operator()(const char* name, const std::string& text)
+  {
+    out_ << (first_ ? "" : ", ") << name << ": " << text;
+    first_ = false;
+  }
+
+private:
+  std::ostream& out_;
+  bool first_ = true;
+};
+
+template <typename Part>
+void writeRoot(std::ostream& out, const Keys<Part>& keys, const Part& part)
+{
+  writeValues(keys, part,
+              [&out](const char* name, const std::string& text) { out << name << ": " << text << '\n'; });
+}
+
+template <typename Part>
+void writeSection(std::ostream& out, const char* name, const Keys<Part>& keys, const Part& part)
+{
+  out << name << ": {";
+  writeValues(keys, part, FlowWriter(out));
+  out << "}\n";
+}
+
+/// `name:` and an entry a line, each written by writeEntry(entry, flow); `name: []` for none.
+template <typename Entry, typename WriteEntry>
+void writeList(std::ostream& out, const char* name, const std::vector<Entry>& entries,
+               WriteEntry&& writeEntry)
+{
+  out << name << (entries.empty() ? ": []\n" : ":\n");
+  for (const Entry& entry : entries)
+  {
+    out << "  - {";
+    writeEntry(entry, FlowWriter(out));
+    out << "}\n";
+  }
+}
+
+std::string motionYaml(const SceneDefinition& scene)
+{
+  std::ostringstream out;
+  writeSection(out, "base", baseKeys(), scene.base);
+  writeRoot(out, motionKeys(), scene);
+  writeList(out, "species", scene.species,
+            [](const SpeciesDefinition& species, FlowWriter flow)
+            {
+              writeValues(speciesKeys(), species, std::ref(flow));
+              writeValues(coefficientKeys(), species.contact, std::ref(flow));
+            });
+  writeList(out, "pairs", scene.pairs,
+            [&scene](const PairDefinition& pair, FlowWriter flow)
+            {
+              flow("species", '[' + scalarText(scene.species[pair.first].name) + ", " +
+                                  scalarText(scene.species[pair.second].name) + ']');
+              writeValues(coefficientKeys(), pair.contact, std::ref(flow));
+            });
+  writeSection(out, "contact", contactKeys(), scene.contact);
+  writeSection(out, "pour", pourKeys(), scene.pour);
+  writeSection(out, "feed", feedKeys(), scene.feed);
+  writeList(out, "initial", scene.initial,
+            [&scene](const InitialDisk& disk, FlowWriter flow)
+            {
+              flow("species", scalarText(scene.species[disk.species].name));
+              writeValues(initialKeys(), disk, std::ref(flow));
+            });
+  return out.str();
+}
+
+/// FNV-1a, 64 bits (draft-eastlake-fnv).
+std::uint64_t fnv1a(const std::string& text)
+{
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const unsigned char c : text)
+    hash = (hash ^ c) * 0x100000001b3u;
+  return hash;
+}
+
+}  // namespace
+
+std::string canonicalYaml(const SceneDefinition& scene)
+{
+  std::ostringstream out;
+  out << motionYaml(scene);
+  writeRoot(out, runKeys(), scene);
+  return out.str();
+}
+
+std::string sceneHash(const SceneDefinition& scene)
+{
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(fnv1a(motionYaml(scene))));
+  return digits;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,117 @@
+#include "entry.h"
+
+#include <algorithm>
+
+#include "nearest_word.h"
+#include "ratchet_sieve/scene/scene_file.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Longer values are cut in errors, which have one line. [characters]
+constexpr std::size_t LONGEST_VALUE = 60;
+
+std::string valueText(const YAML::Node& node)
+{
+  if (node.IsMap())
+    return "a map";
+  if (node.IsSequence())
+    return "a list";
+  if (!node.IsScalar())
+    return "nothing";
+  std::string text = node.Scalar();
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  if (text.size() > LONGEST_VALUE)
+    text = text.substr(0, LONGEST_VALUE) + "...";
+  return node.Tag() == "!" ? '"' + text + '"' : text;
+}
+
+}  // namespace
+
+bool Entry::has(const std::string& name) const
+{
+  return node_[name].IsDefined();
+}
+
+Entry Entry::at(const std::string& name) const
+{
+  return child(node_[name], name);
+}
+
+Entry Entry::child(const YAML::Node& node, const std::string& name) const
+{
+  Entry entry(node, source_);
+  entry.key_ = keyOf(name);
+  return entry;
+}
+
+std::string Entry::keyOf(const std::string& name) const
+{
+  return key_.empty() ? name : key_ + "." + name;
+}
+
+std::vector<Entry> Entry::list() const
+{
+  if (!node_.IsSequence())
+    refuseValue("must be a list");
+  std::vector<Entry> entries;
+  for (const YAML::Node& node : node_)
+    entries.push_back(child(node, std::to_string(entries.size())));
+  return entries;
+}
+
+std::vector<std::string> Entry::keys() const
+{
+  if (!node_.IsMap())
+    refuseValue("must be a map");
+  std::vector<std::string> names;
+  std::set<std::string> seen;
+  for (const auto& item : node_)
+  {
+    if (!item.first.IsScalar())
+      refuse("a key must be a word");
+    const std::string& name = item.first.Scalar();
+    if (!seen.insert(name).second)
+      child(item.first, name).refuse("stands there twice");
+    names.push_back(name);
+  }
+  return names;
+}
+
+void Entry::requireKeys(const std::set<std::string>& known, const std::set<std::string>& required) const
+{
+  const std::vector<std::string> names = keys();
+  for (const auto& item : node_)
+  {
+    const std::string& name = item.first.Scalar();
+    if (known.count(name) == 0)
+      child(item.first, name).refuse("unknown key; did you mean " + nearestWord(name, known) + "?");
+  }
+  for (const std::string& name : required)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      child(node_, name).refuse("missing");
+}
+
+std::string Entry::place() const
+{
+  const YAML::Mark mark = node_.IsDefined() ? node_.Mark() : YAML::Mark::null_mark();
+  std::string text = source_;
+  if (!mark.is_null())
+    text += ":" + std::to_string(mark.line + 1);
+  return text + ": ";
+}
+
+void Entry::refuseValue(const std::string& allowed) const
+{
+  throw SceneError(place() + (key_.empty() ? "scene" : key_) + " = " + valueText(node_) + ": " + allowed);
+}
+
+void Entry::refuse(const std::string& reason) const
+{
+  throw SceneError(place() + (key_.empty() ? "scene" : key_) + ": " + reason);
+}
+
+}  // namespace ratchet_sieve

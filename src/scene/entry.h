@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <yaml-cpp/yaml.h>
+
+namespace ratchet_sieve
+{
+
+/// A place in a scene's YAML tree: the node, and what an error has to say about where it is.
+class Entry
+{
+public:
+  /// @param source a file, or a parameter, as an error names it
+  Entry(YAML::Node node, std::string source) : node_(std::move(node)), source_(std::move(source)) {}
+
+  const YAML::Node& node() const { return node_; }
+  const std::string& key() const { return key_; }
+
+  /// Whether a map has the key. @pre keys() was asked for
+  bool has(const std::string& name) const;
+
+  /// The entry of a map. @pre has(name)
+  Entry at(const std::string& name) const;
+
+  /// The entries of a list, in order. @throws SceneError if it is none
+  std::vector<Entry> list() const;
+
+  /// The keys of a map, in order. @throws SceneError if it is none, or if a key stands there twice
+  std::vector<std::string> keys() const;
+
+  /// The keys of a map. @throws SceneError as keys(), or if a key is not among `known` (naming the nearest
+  /// known one), or if one of `required` is missing
+  void requireKeys(const std::set<std::string>& known, const std::set<std::string>& required) const;
+
+  /// "FILE:LINE: KEY = VALUE: ALLOWED". @throws SceneError always
+  [[noreturn]] void refuseValue(const std::string& allowed) const;
+
+  /// "FILE:LINE: KEY: REASON". @throws SceneError always
+  [[noreturn]] void refuse(const std::string& reason) const;
+
+  /// KEY.name, or name at the root.
+  std::string keyOf(const std::string& name) const;
+
+private:
+  Entry child(const YAML::Node& node, const std::string& name) const;
+  std::string place() const;
+
+  YAML::Node node_;
+  std::string source_;
+  std::string key_;  ///< dotted path from the root, whose own is empty
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,93 @@
+#include <cstddef>
+#include <sstream>
+
+#include "depth_limiter.h"
+#include "ratchet_sieve/scene/scene_file.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+[[noreturn]] void refuse(const std::string& assignment, const std::string& reason)
+{
+  throw SceneError("override " + assignment + ": " + reason);
+}
+
+std::vector<std::string> splitPath(const std::string& path)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(path);
+  for (std::string part; std::getline(stream, part, '.');)
+    parts.push_back(part);
+  return parts;
+}
+
+/// A copy that claims no line of the file it is put into.
+YAML::Node withoutMarks(const YAML::Node& node)
+{
+  YAML::Node copy(node.Type());
+  if (node.IsScalar())
+  {
+    copy = node.Scalar();
+    copy.SetTag(node.Tag());
+  }
+  for (const auto& item : node)
+  {
+    if (node.IsMap())
+      copy.force_insert(withoutMarks(item.first), withoutMarks(item.second));
+    else
+      copy.push_back(withoutMarks(item));
+  }
+  return copy;
+}
+
+YAML::Node parseValue(const std::string& text, const std::string& assignment)
+{
+  try
+  {
+    requireShallow(text);
+    return withoutMarks(YAML::Load(text));
+  }
+  catch (const YAML::Exception& error)
+  {
+    refuse(assignment, "the value is not YAML: " + error.msg);
+  }
+}
+
+std::size_t listIndex(const std::string& part, std::size_t size, const std::string& assignment)
+{
+  const bool digits =
+      !part.empty() && part.size() <= 9 && part.find_first_not_of("0123456789") == std::string::npos;
+  if (!digits || std::stoul(part) >= size)
+    refuse(assignment, part + " is no index of a list of " + std::to_string(size));
+  return std::stoul(part);
+}
+
+/// The child named by a part of the path; a map that does not have it gets it.
+YAML::Node childOf(YAML::Node parent, const std::string& part, const std::string& assignment)
+{
+  if (parent.IsSequence())
+    return parent[listIndex(part, parent.size(), assignment)];
+  if (parent.IsScalar())
+    refuse(assignment, "there is no key below " + part + "'s parent, which is a single value");
+  return parent[part];
+}
+
+}  // namespace
+
+void applyOverride(YAML::Node& root, const std::string& assignment)
+{
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0)
+    refuse(assignment, "must be KEY=VALUE, such as base.inclination=0.105");
+  const std::vector<std::string> path = splitPath(assignment.substr(0, equals));
+  const YAML::Node value = parseValue(assignment.substr(equals + 1), assignment);
+  YAML::Node place;
+  place.reset(root);
+  for (const std::string& part : path)
+    place.reset(childOf(place, part, assignment));
+  place = value;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,155 @@
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "entry.h"
+#include "ratchet_sieve/scene/scene_file.h"
+#include "scene_rules.h"
+#include "schema.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+using SpeciesIndex = std::map<std::string, std::size_t>;
+
+template <typename Part>
+void readSection(const Entry& root, const std::string& name, const Keys<Part>& keys, Part& part)
+{
+  if (!root.has(name))
+    return;
+  const Entry section = root.at(name);
+  section.requireKeys(namesOf(keys), requiredOf(keys));
+  readValues(section, keys, part);
+}
+
+SpeciesDefinition readSpecies(const Entry& entry, bool count_required)
+{
+  std::set<std::string> required = requiredOf(speciesKeys());
+  if (count_required)
+    required.insert("count");
+  entry.requireKeys(namesOf(speciesKeys(), namesOf(coefficientKeys())), required);
+  SpeciesDefinition species;
+  readValues(entry, speciesKeys(), species);
+  readValues(entry, coefficientKeys(), species.contact);
+  return species;
+}
+
+SpeciesIndex readAllSpecies(const Entry& root, bool count_required, SceneDefinition& scene)
+{
+  SpeciesIndex index;
+  for (const Entry& entry : root.at("species").list())
+  {
+    scene.species.push_back(readSpecies(entry, count_required));
+    if (!index.emplace(scene.species.back().name, index.size()).second)
+      entry.at("name").refuseValue("another species has this name already");
+  }
+  if (index.empty())
+    root.at("species").refuse("must have one species or more");
+  return index;
+}
+
+std::size_t readSpeciesName(const Entry& entry, const SpeciesIndex& index)
+{
+  std::string name;
+  readScalar(entry, {}, name);
+  const auto found = index.find(name);
+  if (found != index.end())
+    return found->second;
+  std::string known;
+  for (const auto& item : index)
+    known += (known.empty() ? "" : ", ") + item.first;
+  entry.refuseValue("unknown species; must be one of " + known);
+}
+
+PairDefinition readPair(const Entry& entry, const SpeciesIndex& index, const SceneDefinition& scene)
+{
+  entry.requireKeys(namesOf(coefficientKeys(), {"species"}), {"species"});
+  const std::vector<Entry> names = entry.at("species").list();
+  if (names.size() != 2)
+    entry.at("species").refuse("must be a list of two species");
+  PairDefinition pair;
+  pair.first = readSpeciesName(names[0], index);
+  pair.second = readSpeciesName(names[1], index);
+  if (pair.first == pair.second)
+    entry.at("species").refuse(
+        "must be two different species; disks of one kind have that species' own coefficients");
+  pair.contact = contactBetween(scene, pair.first, pair.second);
+  readValues(entry, coefficientKeys(), pair.contact);
+  return pair;
+}
+
+void readPairs(const Entry& root, const SpeciesIndex& index, SceneDefinition& scene)
+{
+  std::vector<PairDefinition> pairs;
+  std::set<std::pair<std::size_t, std::size_t>> seen;
+  if (root.has("pairs"))
+    for (const Entry& entry : root.at("pairs").list())
+    {
+      pairs.push_back(readPair(entry, index, scene));
+      if (!seen.insert(std::minmax(pairs.back().first, pairs.back().second)).second)
+        entry.at("species").refuse("another pair has these two species already");
+    }
+  scene.pairs = std::move(pairs);
+}
+
+void readInitial(const Entry& root, const SpeciesIndex& index, SceneDefinition& scene)
+{
+  if (!root.has("initial"))
+    return;
+  const std::set<std::string> known = namesOf(initialKeys(), {"species"});
+  const std::set<std::string> required = requiredOf(initialKeys(), {"species"});
+  for (const Entry& entry : root.at("initial").list())
+  {
+    entry.requireKeys(known, required);
+    InitialDisk disk;
+    disk.species = readSpeciesName(entry.at("species"), index);
+    readValues(entry, initialKeys(), disk);
+    scene.initial.push_back(disk);
+  }
+}
+
+bool placesDisks(const Entry& root)
+{
+  return root.has("initial") && !root.at("initial").list().empty();
+}
+
+void readRoot(const Entry& root, SceneDefinition& scene)
+{
+  root.requireKeys(namesOf(motionKeys(), namesOf(runKeys(), {"base", "species", "pairs", "density", "contact",
+                                                             "pour", "feed", "initial"})),
+                   {"species"});
+  readValues(root, motionKeys(), scene);
+  readValues(root, runKeys(), scene);
+  readSection(root, "base", baseKeys(), scene.base);
+  readSection(root, "contact", contactKeys(), scene.contact);
+  readSection(root, "pour", pourKeys(), scene.pour);
+  readSection(root, "feed", feedKeys(), scene.feed);
+}
+
+}  // namespace
+
+Scene sceneFromYaml(const YAML::Node& node, const std::string& source)
+{
+  try
+  {
+    Scene scene;
+    const Entry root(node, source);
+    readRoot(root, scene.definition);
+    const bool count_required = !root.has("density") && !placesDisks(root);
+    const SpeciesIndex index = readAllSpecies(root, count_required, scene.definition);
+    readPairs(root, index, scene.definition);
+    readInitial(root, index, scene.definition);
+    resolveCounts(root, scene);
+    checkRules(root, scene.definition);
+    return scene;
+  }
+  catch (const YAML::Exception& error)
+  {
+    throw SceneError(source + ": not a scene: " + error.msg);
+  }
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,108 @@
+#include "scene_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "schema.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+double sumOfShares(const SceneDefinition& scene)
+{
+  return std::accumulate(scene.species.begin(), scene.species.end(), 0.0,
+                         [](double sum, const SpeciesDefinition& species) { return sum + species.share; });
+}
+
+void warnOfCounts(const Entry& root, const std::string& winner, Scene& scene)
+{
+  for (const Entry& species : root.at("species").list())
+    if (species.has("count"))
+      scene.warnings.push_back(species.keyOf("count") + " is ignored where " + winner);
+}
+
+void splitDensity(const Entry& entry, SceneDefinition& scene)
+{
+  double density = 0.0;
+  readScalar(entry, densityRange(), density);
+  double diameters = 0.0;
+  for (const SpeciesDefinition& species : scene.species)
+    diameters += species.share * 2.0 * species.radius;
+  if (density > 0.0 && diameters <= 0.0)
+    entry.refuseValue("cannot be split up: needs a species with a share above 0");
+  for (SpeciesDefinition& species : scene.species)
+  {
+    const double count =
+        density > 0.0 ? std::round(species.share * density * scene.base.width() / diameters) : 0.0;
+    if (count > MOST_DISKS)
+      entry.refuseValue("too dense: species " + species.name + " would have more than " +
+                        std::to_string(MOST_DISKS) + " disks");
+    species.count = static_cast<int>(count);
+  }
+}
+
+void settleWithinDuration(const Entry& root, const SceneDefinition& scene)
+{
+  if (scene.settle > scene.duration)
+    root.at("settle").refuseValue("must be at most the duration, " + scalarText(scene.duration) + " s");
+}
+
+void feedHasSpecies(const Entry& root, const SceneDefinition& scene)
+{
+  if (scene.feed.rate > 0.0 && sumOfShares(scene) <= 0.0)
+    root.at("feed").at("rate").refuseValue("needs a species with a share above 0");
+}
+
+/// A disk wider than a periodic machine would meet itself; one wider than a machine with ends has
+/// no place to be poured.
+void disksFitMachine(const Entry& root, const SceneDefinition& scene)
+{
+  const bool poured =
+      scene.feed.rate > 0.0 || std::any_of(scene.species.begin(), scene.species.end(),
+                                           [](const auto& species) { return species.count > 0; });
+  int disks = scene.initial.size() > 1 || scene.feed.rate > 0.0 ? 2 : static_cast<int>(scene.initial.size());
+  for (const SpeciesDefinition& species : scene.species)
+    disks += std::min(species.count, 2);
+  const bool matters =
+      scene.boundary == Boundary::PERIODIC ? scene.contact.pair_collisions && disks > 1 : poured;
+  if (!matters)
+    return;
+  const std::vector<Entry> entries = root.at("species").list();
+  for (std::size_t i = 0; i < scene.species.size(); ++i)
+    if (2.0 * scene.species[i].radius > scene.base.width())
+      entries[i].at("radius").refuseValue(
+          "the diameter must be at most the base's width (teeth times tooth_width), " +
+          scalarText(scene.base.width()) + " m");
+}
+
+}  // namespace
+
+void resolveCounts(const Entry& root, Scene& scene)
+{
+  SceneDefinition& definition = scene.definition;
+  if (!definition.initial.empty())
+  {
+    if (root.has("density"))
+      root.at("density").refuse("must be absent where initial places the disks");
+    warnOfCounts(root, "initial places the disks", scene);
+    for (SpeciesDefinition& species : definition.species)
+      species.count = 0;
+  }
+  else if (root.has("density"))
+  {
+    warnOfCounts(root, "a density is given", scene);
+    splitDensity(root.at("density"), definition);
+  }
+}
+
+void checkRules(const Entry& root, const SceneDefinition& scene)
+{
+  settleWithinDuration(root, scene);
+  feedHasSpecies(root, scene);
+  disksFitMachine(root, scene);
+}
+
+}  // namespace ratchet_sieve
