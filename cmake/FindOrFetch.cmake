@@ -1,10 +1,10 @@
 include(FetchContent)
 
-# ratchet_sieve_find_or_fetch(NAME REPOSITORY TAG), for a find module: the library that is installed,
-# or else built from its sources: Ubuntu 20.04 has no package of some. A macro, so that NAME_FOUND
-# reaches the caller of find_package.
-macro(ratchet_sieve_find_or_fetch name repository tag)
-  find_package(${name} CONFIG QUIET)
+# ratchet_sieve_find_or_fetch(NAME VERSION REPOSITORY TAG), for a find module: the library that is
+# installed in VERSION or a later one, or else built from its sources at TAG: Ubuntu 20.04 has no
+# package of some. A macro, so that NAME_FOUND reaches the caller of find_package.
+macro(ratchet_sieve_find_or_fetch name version repository tag)
+  find_package(${name} ${version} CONFIG QUIET)
   if(NOT ${name}_FOUND)
     FetchContent_Declare(${name} GIT_REPOSITORY ${repository} GIT_TAG ${tag})
     string(TOLOWER ${name} lower_name)

@@ -1,0 +1,3 @@
+# Gives the target nlohmann_json::nlohmann_json. Objects that keep their order came with 3.9.
+include(${CMAKE_CURRENT_LIST_DIR}/FindOrFetch.cmake)
+ratchet_sieve_find_or_fetch(nlohmann_json 3.9 https://github.com/nlohmann/json.git v3.11.2)
