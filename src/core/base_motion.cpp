@@ -93,11 +93,6 @@ DriveState BaseMotion::state(double time) const
   return state;
 }
 
-std::optional<double> BaseMotion::nextChange() const
-{
-  return next_change_;
-}
-
 void BaseMotion::advanceTo(double time)
 {
   const double elapsed = time - segment_start_;

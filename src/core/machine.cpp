@@ -62,6 +62,7 @@ Machine::Machine(const SceneDefinition& scene)
 {
   for (std::size_t i = 0; i < scene_.species.size(); ++i)
   {
+    radii_.push_back(scene_.species[i].radius);
     base_masses_.push_back(contactMasses(scene_.species[i], nullptr));
     for (std::size_t j = 0; j < scene_.species.size(); ++j)
     {

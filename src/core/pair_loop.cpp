@@ -46,7 +46,7 @@ public:
       queue_.resize(grid_capacity_);
       grid_.resize(grid_capacity_);
     }
-    grid_.add(id, cellNow(id, time));
+    place(id, time);
     predict(id, time);
   }
 
@@ -54,7 +54,7 @@ public:
   {
     grid_ = makeGrid();
     grid_.resize(grid_capacity_);
-    forEachActive([&](std::uint32_t id) { grid_.add(id, cellNow(id, time)); });
+    forEachActive([&](std::uint32_t id) { place(id, time); });
     forEachActive([&](std::uint32_t id) { predict(id, time); });
   }
 
@@ -123,6 +123,18 @@ private:
     p.vs = frame_.cosine * now.vx + frame_.sine * now.vy;
     p.vn = frame_.cosine * now.vy - frame_.sine * now.vx;
     return p;
+  }
+
+  /// Puts a disk into its cell, once it is within the ring: cells that were laid anew may have left
+  /// it outside.
+  void place(std::uint32_t id, double time)
+  {
+    const double s = inGrid(id, time).s;
+    if (grid_.periodic() && s < 0.0)
+      machine_.wrap(id, 1, time);
+    else if (grid_.periodic() && s >= machine_.sawtooth().width())
+      machine_.wrap(id, -1, time);
+    grid_.add(id, cellNow(id, time));
   }
 
   CellGrid::Cell cellNow(std::uint32_t id, double time) const
@@ -229,12 +241,13 @@ private:
                      double now)
   {
     Prediction& p = predictions_[id];
+    const PairSearch search(machine_, id, now);
     grid_.visit(grid_.cellOf(id), first_column, last_column, first_row, last_row,
                 [&](std::uint32_t other, int shift)
                 {
                   if (other == id)
                     return;
-                  const auto time = findPairContact(machine_, id, other, shift, now, pairHorizon());
+                  const auto time = search.contactWith(other, shift);
                   if (!time || *time > p.pair_time || (*time == p.pair_time && other > p.partner))
                     return;
                   p.pair_time = *time;
@@ -280,9 +293,6 @@ private:
       p.base = machine_.nextBaseEvent(id, p.base.time, others);
     queue_.update(id, std::min(others, p.base.time));
   }
-
-  /// A pair is remembered however late it is; on a turning base until all is predicted anew.
-  double pairHorizon() const { return machine_.motion().nextChange().value_or(EventQueue::NEVER); }
 
   Machine& machine_;
   BaseKinematics frame_;  ///< of the cells: the base's when the grid was laid

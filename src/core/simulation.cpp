@@ -169,6 +169,7 @@ private:
     const SceneDefinition& scene = machine_.scene();
     const BaseKinematics base = machine_.motion().at(now_);
     BaseDefinition shape = scene.base;
+    shape.inclination = base.inclination;
     shape.amplitude = machine_.motion().displacementBound();
     Pour pour(shape, scene.boundary, scene.pour.drop_height, machine_.largestDiameter(),
               scene.contact.pair_collisions);

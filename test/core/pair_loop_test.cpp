@@ -79,7 +79,7 @@ private:
         take({base.time, i, i, 0, base.feature});
       for (std::uint32_t j = 0; j < i; ++j)
         for (int shift = -images; shift <= images && machine_.active(j); ++shift)
-          if (const auto time = findPairContact(machine_, i, j, shift, now_, 1e9))
+          if (const auto time = PairSearch(machine_, i, now_).contactWith(j, shift))
             take({*time, i, j, shift, std::nullopt});
     }
     return best;

@@ -34,7 +34,7 @@ public:
   double segmentStart() const { return segment_start_; }
 
   /// When the present segment ends; nothing while the base stands at its setpoints.
-  std::optional<double> nextChange() const;
+  std::optional<double> nextChange() const { return next_change_; }
 
   /// Begins a new segment at `time`: at nextChange(), or earlier, with setpoints changed.
   void beginSegment(double time);

@@ -51,7 +51,7 @@ public:
 
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t id) const { return disks_[id]; }
-  double radius(std::uint32_t id) const { return scene_.species[disks_[id].species].radius; }
+  double radius(std::uint32_t id) const { return radii_[disks_[id].species]; }
   bool active(std::uint32_t id) const { return active_[id] != 0; }
   std::size_t activeCount() const { return active_count_; }
 
@@ -113,6 +113,7 @@ private:
   BaseMotion motion_;
   ContactSearch search_;
 
+  std::vector<double> radii_;                           ///< per species
   std::vector<ContactCoefficients> pair_coefficients_;  ///< per (species, species)
   std::vector<ContactMasses> pair_masses_;              ///< per (species, species)
   std::vector<ContactMasses> base_masses_;              ///< per species

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "ratchet_sieve/core/machine.h"
@@ -26,10 +28,52 @@ inline std::optional<double> timeToTouch(double dx, double dy, double dvx, doubl
   return excess / (std::sqrt(discriminant) - closing);
 }
 
-/// When disk i touches the image of disk j that lies `shift` widths to the right of j, in
-/// [from, until]. On a base that turns the image moves on an arc, and the search is the base's:
-/// steps for which the distance is free for certain.
-std::optional<double> findPairContact(const Machine& machine, std::uint32_t i, std::uint32_t j, int shift,
-                                      double from, double until);
+/// When one disk, flying on from a given time, touches others.
+class PairSearch
+{
+public:
+  PairSearch(const Machine& machine, std::uint32_t id, double from)
+      : machine_(machine),
+        from_(from),
+        radius_(machine.radius(id)),
+        disk_(flown(machine.disk(id), from, machine.scene().gravity)),
+        until_(machine.motion().nextChange().value_or(std::numeric_limits<double>::infinity()))
+  {
+  }
+
+  /// When it touches the image of the other disk that lies `shift` widths to the right of that disk.
+  /// However late it is; but on a base that moves to its setpoints, only until all is predicted anew.
+  std::optional<double> contactWith(std::uint32_t other, int shift) const
+  {
+    const Disk& disk = machine_.disk(other);
+    const double distance = radius_ + machine_.radius(other);
+    if (shift != 0)
+      return contactAcrossSeam(disk, shift, distance);
+    return contact(disk, Image(), distance);
+  }
+
+private:
+  std::optional<double> contact(const Disk& other, const Image& image, double distance) const
+  {
+    // Under one gravity the parabolas differ by a straight line, but the two states are of different times.
+    const double elapsed = from_ - other.time;
+    const double fall = machine_.scene().gravity * elapsed;
+    const double dx = disk_.x - other.x - other.vx * elapsed - image.dx;
+    const double dy = disk_.y - other.y - (other.vy - 0.5 * fall) * elapsed - image.dy;
+    const auto wait = timeToTouch(dx, dy, disk_.vx - other.vx, disk_.vy - other.vy + fall, distance);
+    if (!wait || from_ + *wait >= until_)
+      return std::nullopt;
+    return from_ + *wait;
+  }
+
+  std::optional<double> contactAcrossSeam(const Disk& other, int shift, double distance) const;
+  std::optional<double> contactAcrossTurningSeam(const Disk& other, int shift, double distance) const;
+
+  const Machine& machine_;
+  double from_;
+  double radius_;
+  Disk disk_;  ///< as it is at `from`
+  double until_;
+};
 
 }  // namespace ratchet_sieve

@@ -24,6 +24,7 @@ struct PlacedDisk
 class Pour
 {
 public:
+  /// @param base as it stands now: its amplitude and inclination bound how far it reaches
   /// @param see_each_other false where disks do not collide: they may then lie over each other
   Pour(const BaseDefinition& base, Boundary boundary, double drop_height, double largest_diameter,
        bool see_each_other);
@@ -40,6 +41,7 @@ private:
 
   double width_;
   double lowest_underside_;
+  double side_margin_;  ///< how far the ends may swing along s, A |sin theta| <= A |theta|
   bool periodic_;
   bool see_each_other_;
   double bucket_width_;
