@@ -1,6 +1,7 @@
 #include "entry.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "nearest_word.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -29,6 +30,16 @@ std::string valueText(const YAML::Node& node)
   return node.Tag() == "!" ? '"' + text + '"' : text;
 }
 
+std::string suggestion(const std::string& name, const std::set<std::string>& known)
+{
+  if (const std::optional<std::string> nearest = nearestWord(name, known))
+    return "did you mean " + *nearest + "?";
+  std::string list;
+  for (const std::string& word : known)
+    list += (list.empty() ? "known are " : ", ") + word;
+  return list;
+}
+
 }  // namespace
 
 bool Entry::has(const std::string& name) const
@@ -38,13 +49,21 @@ bool Entry::has(const std::string& name) const
 
 Entry Entry::at(const std::string& name) const
 {
-  return child(node_[name], name);
+  Entry entry = child(node_[name], name);
+  // Nothing has no place in the text: YAML gives it that of whatever follows.
+  if (entry.node_.IsDefined() && entry.node_.IsNull())
+    for (const auto& item : node_)
+      if (item.first.Scalar() == name)
+        entry.mark_ = item.first.Mark();
+  return entry;
 }
 
 Entry Entry::child(const YAML::Node& node, const std::string& name) const
 {
   Entry entry(node, source_);
   entry.key_ = keyOf(name);
+  if (node.IsDefined())
+    entry.mark_ = node.Mark();
   return entry;
 }
 
@@ -72,7 +91,11 @@ std::vector<std::string> Entry::keys() const
   for (const auto& item : node_)
   {
     if (!item.first.IsScalar())
-      refuse("a key must be a word");
+    {
+      Entry here = *this;
+      here.mark_ = item.first.Mark();
+      here.refuse("a key must be a word");
+    }
     const std::string& name = item.first.Scalar();
     if (!seen.insert(name).second)
       child(item.first, name).refuse("stands there twice");
@@ -88,7 +111,7 @@ void Entry::requireKeys(const std::set<std::string>& known, const std::set<std::
   {
     const std::string& name = item.first.Scalar();
     if (known.count(name) == 0)
-      child(item.first, name).refuse("unknown key; did you mean " + nearestWord(name, known) + "?");
+      child(item.first, name).refuse("unknown key; " + suggestion(name, known));
   }
   for (const std::string& name : required)
     if (std::find(names.begin(), names.end(), name) == names.end())
@@ -97,10 +120,9 @@ void Entry::requireKeys(const std::set<std::string>& known, const std::set<std::
 
 std::string Entry::place() const
 {
-  const YAML::Mark mark = node_.IsDefined() ? node_.Mark() : YAML::Mark::null_mark();
   std::string text = source_;
-  if (!mark.is_null())
-    text += ":" + std::to_string(mark.line + 1);
+  if (!mark_.is_null())
+    text += ":" + std::to_string(mark_.line + 1);
   return text + ": ";
 }
 

@@ -52,6 +52,7 @@ private:
   YAML::Node node_;
   std::string source_;
   std::string key_;  ///< dotted path from the root, whose own is empty
+  YAML::Mark mark_ = YAML::Mark::null_mark();
 };
 
 }  // namespace ratchet_sieve

@@ -30,11 +30,17 @@ std::size_t editDistance(const std::string& a, const std::string& b)
 
 }  // namespace
 
-std::string nearestWord(const std::string& word, const std::set<std::string>& known)
+std::optional<std::string> nearestWord(const std::string& word, const std::set<std::string>& known)
 {
-  return *std::min_element(known.begin(), known.end(),
-                           [&word](const std::string& a, const std::string& b)
-                           { return editDistance(word, a) < editDistance(word, b); });
+  std::optional<std::string> nearest;
+  std::size_t least = word.size() / 2 + 1;
+  for (const std::string& candidate : known)
+    if (const std::size_t distance = editDistance(word, candidate); distance < least)
+    {
+      least = distance;
+      nearest = candidate;
+    }
+  return nearest;
 }
 
 }  // namespace ratchet_sieve

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -7,7 +8,7 @@ namespace ratchet_sieve
 {
 
 /// The known word that takes the fewest letters put in, left out or changed to come to `word`
-/// (Levenshtein's distance). @pre known is not empty
-std::string nearestWord(const std::string& word, const std::set<std::string>& known);
+/// (Levenshtein's distance); nothing if that is more than half of them.
+std::optional<std::string> nearestWord(const std::string& word, const std::set<std::string>& known);
 
 }  // namespace ratchet_sieve

@@ -14,12 +14,16 @@ namespace
   throw SceneError("override " + assignment + ": " + reason);
 }
 
-std::vector<std::string> splitPath(const std::string& path)
+std::vector<std::string> splitPath(const std::string& path, const std::string& assignment)
 {
   std::vector<std::string> parts;
-  std::istringstream stream(path);
+  std::istringstream stream(path + '.');
   for (std::string part; std::getline(stream, part, '.');)
+  {
+    if (part.empty())
+      refuse(assignment, "the path has an empty part");
     parts.push_back(part);
+  }
   return parts;
 }
 
@@ -55,23 +59,19 @@ YAML::Node parseValue(const std::string& text, const std::string& assignment)
   }
 }
 
-std::size_t listIndex(const std::string& part, std::size_t size, const std::string& assignment)
-{
-  const bool digits =
-      !part.empty() && part.size() <= 9 && part.find_first_not_of("0123456789") == std::string::npos;
-  if (!digits || std::stoul(part) >= size)
-    refuse(assignment, part + " is no index of a list of " + std::to_string(size));
-  return std::stoul(part);
-}
-
 /// The child named by a part of the path; a map that does not have it gets it.
-YAML::Node childOf(YAML::Node parent, const std::string& part, const std::string& assignment)
+/// @param name of the parent, for errors
+YAML::Node childOf(YAML::Node parent, const std::string& name, const std::string& part,
+                   const std::string& assignment)
 {
-  if (parent.IsSequence())
-    return parent[listIndex(part, parent.size(), assignment)];
   if (parent.IsScalar())
-    refuse(assignment, "there is no key below " + part + "'s parent, which is a single value");
-  return parent[part];
+    refuse(assignment, name + " is a single value and has no key " + part);
+  if (!parent.IsSequence())
+    return parent[part];
+  const bool digits = part.size() <= 9 && part.find_first_not_of("0123456789") == std::string::npos;
+  if (!digits || std::stoul(part) >= parent.size())
+    refuse(assignment, part + " is no index of " + name + ", a list of " + std::to_string(parent.size()));
+  return parent[std::stoul(part)];
 }
 
 }  // namespace
@@ -81,12 +81,16 @@ void applyOverride(YAML::Node& root, const std::string& assignment)
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0)
     refuse(assignment, "must be KEY=VALUE, such as base.inclination=0.105");
-  const std::vector<std::string> path = splitPath(assignment.substr(0, equals));
+  const std::vector<std::string> path = splitPath(assignment.substr(0, equals), assignment);
   const YAML::Node value = parseValue(assignment.substr(equals + 1), assignment);
   YAML::Node place;
   place.reset(root);
+  std::string name = "scene";
   for (const std::string& part : path)
-    place.reset(childOf(place, part, assignment));
+  {
+    place.reset(childOf(place, name, part, assignment));
+    name = part;
+  }
   place = value;
 }
 

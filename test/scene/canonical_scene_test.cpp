@@ -1,0 +1,188 @@
+#include "ratchet_sieve/scene/canonical_scene.h"
+
+#include <cstring>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "scene_texts.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Whether two structs of doubles, or two doubles, have the same bits.
+bool sameBits(double a, double b)
+{
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+bool same(const ContactCoefficients& a, const ContactCoefficients& b)
+{
+  return sameBits(a.restitution, b.restitution) && sameBits(a.friction, b.friction) &&
+         sameBits(a.tangential_restitution, b.tangential_restitution);
+}
+
+bool same(const BaseDefinition& a, const BaseDefinition& b)
+{
+  return a.teeth == b.teeth && sameBits(a.tooth_width, b.tooth_width) &&
+         sameBits(a.tooth_height, b.tooth_height) && sameBits(a.asymmetry, b.asymmetry) &&
+         sameBits(a.inclination, b.inclination) && sameBits(a.amplitude, b.amplitude) &&
+         sameBits(a.frequency, b.frequency) && sameBits(a.phase, b.phase);
+}
+
+bool same(const SpeciesDefinition& a, const SpeciesDefinition& b)
+{
+  return a.name == b.name && a.count == b.count && sameBits(a.share, b.share) &&
+         sameBits(a.radius, b.radius) && sameBits(a.mass, b.mass) && same(a.contact, b.contact) &&
+         sameBits(a.inertia_factor, b.inertia_factor);
+}
+
+bool same(const PairDefinition& a, const PairDefinition& b)
+{
+  return a.first == b.first && a.second == b.second && same(a.contact, b.contact);
+}
+
+bool same(const InitialDisk& a, const InitialDisk& b)
+{
+  return a.species == b.species && sameBits(a.x, b.x) && sameBits(a.y, b.y) && sameBits(a.vx, b.vx) &&
+         sameBits(a.vy, b.vy) && sameBits(a.spin, b.spin);
+}
+
+template <typename T>
+bool same(const std::vector<T>& a, const std::vector<T>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const T& x, const T& y) { return same(x, y); });
+}
+
+bool same(const SceneDefinition& a, const SceneDefinition& b)
+{
+  return same(a.base, b.base) && a.boundary == b.boundary && sameBits(a.gravity, b.gravity) &&
+         same(a.species, b.species) && same(a.pairs, b.pairs) &&
+         a.contact.pair_collisions == b.contact.pair_collisions &&
+         sameBits(a.contact.min_rebound_speed, b.contact.min_rebound_speed) &&
+         sameBits(a.contact.contact_duration, b.contact.contact_duration) &&
+         sameBits(a.pour.drop_height, b.pour.drop_height) && sameBits(a.pour.speed, b.pour.speed) &&
+         sameBits(a.feed.rate, b.feed.rate) && same(a.initial, b.initial) &&
+         sameBits(a.duration, b.duration) && sameBits(a.settle, b.settle) && a.seed == b.seed;
+}
+
+/// Any double of an interval, with all its digits.
+double number(double lowest, double highest)
+{
+  const auto steps = *rc::gen::inRange<std::uint64_t>(0, (1ull << 53) + 1);
+  const double fraction = static_cast<double>(steps) / static_cast<double>(1ull << 53);
+  return std::min(highest, lowest + fraction * (highest - lowest));
+}
+
+ContactCoefficients coefficients()
+{
+  return {number(0.0, 1.0), number(0.0, 10.0), number(-1.0, 1.0)};
+}
+
+std::vector<SpeciesDefinition> someSpecies(bool counted)
+{
+  const std::string names[] = {"A", "b-2", "true", "1e3", "null", "~"};
+  std::vector<SpeciesDefinition> all;
+  const int size = *rc::gen::inRange(1, 6);
+  for (int i = 0; i < size; ++i)
+  {
+    SpeciesDefinition species;
+    species.name = names[i];
+    species.count = counted ? *rc::gen::inRange(0, 1000) : 0;
+    species.share = number(0.001, 5.0);
+    species.radius = number(1e-4, 1e-2);
+    species.mass = number(1e-6, 1.0);
+    species.contact = coefficients();
+    species.inertia_factor = number(1e-3, 1.0);
+    all.push_back(species);
+  }
+  return all;
+}
+
+std::vector<InitialDisk> someDisks(std::size_t species)
+{
+  std::vector<InitialDisk> disks(*rc::gen::inRange<std::size_t>(1, 5));
+  for (InitialDisk& disk : disks)
+    disk = {*rc::gen::inRange<std::size_t>(0, species),
+            number(-1.0, 1.0),
+            number(-1.0, 1.0),
+            number(-1.0, 1.0),
+            number(-1.0, 1.0),
+            number(-99.0, 99.0)};
+  return disks;
+}
+
+SceneDefinition anyScene()
+{
+  SceneDefinition scene;
+  scene.base = {*rc::gen::inRange(1, 100), number(0.1, 1.0), number(0.0, 1.0),  number(0.0, 1.0),
+                number(-1.5, 1.5),         number(0.0, 0.1), number(0.0, 99.0), number(-9.0, 9.0)};
+  scene.boundary = *rc::gen::element(Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED);
+  scene.gravity = number(0.0, 20.0);
+  const bool placed = *rc::gen::arbitrary<bool>();
+  scene.species = someSpecies(!placed);
+  if (placed)
+    scene.initial = someDisks(scene.species.size());
+  if (scene.species.size() > 1 && *rc::gen::arbitrary<bool>())
+    scene.pairs.push_back({scene.species.size() - 1, 0, coefficients()});
+  scene.contact = {*rc::gen::arbitrary<bool>(), number(0.0, 1.0), number(0.0, 1e-3)};
+  scene.pour = {number(0.0, 1.0), number(0.0, 1.0)};
+  scene.feed.rate = number(0.0, 100.0);
+  scene.duration = number(10.0, 1e4);
+  scene.settle = number(0.0, 10.0);
+  scene.seed = *rc::gen::arbitrary<std::uint64_t>();
+  return scene;
+}
+
+RC_GTEST_PROP(CanonicalScene, ReadsBackBitForBit, ())
+{
+  const SceneDefinition scene = anyScene();
+  const Scene back = sceneFromText(canonicalYaml(scene), "canonical");
+  RC_ASSERT(same(back.definition, scene));
+  RC_ASSERT(canonicalYaml(back.definition) == canonicalYaml(scene));
+}
+
+TEST(CanonicalScene, KeepsTheSignOfZeroAndTheSmallestNumbers)
+{
+  SceneDefinition scene = sceneFromText(GOOD_SCENE, "s.yaml").definition;
+  scene.base.inclination = -0.0;
+  scene.base.amplitude = 4.9406564584124654e-324;
+  scene.base.phase = 0.1 + 0.2;
+  EXPECT_TRUE(same(sceneFromText(canonicalYaml(scene), "s.yaml").definition, scene));
+}
+
+TEST(CanonicalScene, WritesNumbersAsTheyAreSpelled)
+{
+  const std::string yaml = canonicalYaml(sceneFromText(GOOD_SCENE, "s.yaml").definition);
+  EXPECT_NE(yaml.find("tooth_width: 0.02,"), std::string::npos) << yaml;
+  EXPECT_NE(yaml.find("gravity: 9.81\n"), std::string::npos) << yaml;
+}
+
+TEST(SceneHash, IsThatOfTheMotionAlone)
+{
+  const SceneDefinition scene = sceneFromText(GOOD_SCENE, "s.yaml").definition;
+  SceneDefinition run = scene;
+  run.seed = 99;
+  run.duration = 55.0;
+  run.settle = 5.0;
+  EXPECT_EQ(sceneHash(run), sceneHash(scene));
+  EXPECT_EQ(sceneHash(scene).size(), 16u);
+
+  SceneDefinition motion = scene;
+  motion.base.frequency = std::nextafter(motion.base.frequency, 99.0);
+  EXPECT_NE(sceneHash(motion), sceneHash(scene));
+}
+
+TEST(SceneHash, IsTheSameForADensityAndItsCounts)
+{
+  const char* const counts = "species: [{name: A, count: 200, radius: 0.001, mass: 0.01}]\n";
+  const char* const density = "species: [{name: A, radius: 0.001, mass: 0.01}]\ndensity: 1.0\n";
+  EXPECT_EQ(sceneHash(sceneFromText(counts, "c").definition),
+            sceneHash(sceneFromText(density, "d").definition));
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

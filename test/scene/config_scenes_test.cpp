@@ -1,0 +1,65 @@
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/scene/scene_file.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+Scene configScene(const std::string& name)
+{
+  return loadSceneFile(std::string(CONFIG_DIRECTORY) + "/" + name);
+}
+
+TEST(ConfigScenes, AllLoadWithoutAWarning)
+{
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(CONFIG_DIRECTORY))
+  {
+    if (entry.path().filename() != "demo.yaml" && entry.path().filename().string().rfind("paper_", 0) != 0)
+      continue;
+    SCOPED_TRACE(entry.path().filename());
+    const Scene scene = loadSceneFile(entry.path().string());
+    EXPECT_TRUE(scene.warnings.empty());
+    ++count;
+  }
+  EXPECT_GE(count, 7u);
+}
+
+TEST(ConfigScenes, OfSingleParticlesAreEnsembles)
+{
+  for (const char* name : {"paper_fig3.yaml", "paper_fig4.yaml", "paper_fig5.yaml", "paper_fig7.yaml"})
+    EXPECT_FALSE(configScene(name).definition.contact.pair_collisions) << name;
+}
+
+TEST(ConfigScenes, Figure4IsFigure3Tilted)
+{
+  SceneDefinition scene = configScene("paper_fig3.yaml").definition;
+  scene.base.inclination = 0.209;
+  EXPECT_EQ(sceneHash(scene), sceneHash(configScene("paper_fig4.yaml").definition));
+}
+
+TEST(ConfigScenes, Figure8HasItsDensity)
+{
+  const SceneDefinition scene = configScene("paper_fig8.yaml").definition;
+  double diameters = 0.0;
+  for (const SpeciesDefinition& species : scene.species)
+    diameters += species.count * 2.0 * species.radius;
+  EXPECT_NEAR(diameters / scene.base.width(), 3.93, 0.01);
+  EXPECT_EQ(scene.species[0].count, scene.species[1].count);
+}
+
+TEST(ConfigScenes, TheDemoIsFigure9AtItsStart)
+{
+  SceneDefinition demo = configScene("demo.yaml").definition;
+  EXPECT_EQ(demo.base.inclination, 0.0);
+  demo.base.inclination = configScene("paper_fig9.yaml").definition.base.inclination;
+  EXPECT_EQ(sceneHash(demo), sceneHash(configScene("paper_fig9.yaml").definition));
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

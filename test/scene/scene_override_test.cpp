@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include "scene_texts.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+SceneDefinition overridden(const std::vector<std::string>& assignments)
+{
+  YAML::Node root = YAML::Load(GOOD_SCENE);
+  for (const std::string& assignment : assignments)
+    applyOverride(root, assignment);
+  return sceneFromYaml(root, "s.yaml").definition;
+}
+
+std::string refusalOfOverride(const std::string& assignment)
+{
+  try
+  {
+    overridden({assignment});
+    return "";
+  }
+  catch (const SceneError& error)
+  {
+    return error.what();
+  }
+}
+
+TEST(SceneOverride, SetsAKeyOfASection)
+{
+  EXPECT_EQ(overridden({"base.inclination=0.105"}).base.inclination, 0.105);
+}
+
+TEST(SceneOverride, SetsAKeyOfAListEntryAndLeavesTheOthers)
+{
+  const SceneDefinition scene = overridden({"species.1.radius=0.004"});
+  EXPECT_EQ(scene.species[0].radius, 0.001);
+  EXPECT_EQ(scene.species[1].radius, 0.004);
+  EXPECT_EQ(scene.species[1].name, "B");
+}
+
+TEST(SceneOverride, MakesASectionThatIsNotThere)
+{
+  EXPECT_EQ(overridden({"pour.drop_height=0.1"}).pour.drop_height, 0.1);
+}
+
+TEST(SceneOverride, ReplacesAWholeList)
+{
+  const SceneDefinition scene = overridden({"species=[{name: C, count: 3, radius: 0.005, mass: 0.01}]"});
+  ASSERT_EQ(scene.species.size(), 1u);
+  EXPECT_EQ(scene.species[0].name, "C");
+}
+
+TEST(SceneOverride, OfTwoTheLaterWins)
+{
+  EXPECT_EQ(overridden({"seed=5", "seed=6"}).seed, 6u);
+}
+
+TEST(SceneOverride, MayHoldAnEqualsSignInItsValue)
+{
+  EXPECT_EQ(refusalOfOverride("boundary=a=b"), "s.yaml: boundary = a=b: must be periodic, open or walled");
+}
+
+TEST(SceneOverride, OfABadValueNamesNoLineOfTheFile)
+{
+  EXPECT_EQ(refusalOfOverride("species.0.radius=-1"),
+            "s.yaml: species.0.radius = -1: must be a number from 1e-09 to 1000 m");
+}
+
+TEST(SceneOverride, KeepsQuotesApartFromNumbers)
+{
+  EXPECT_EQ(refusalOfOverride("settle=\"1\""),
+            "s.yaml: settle = \"1\": must be a number from 0 to 1000000000 s");
+}
+
+TEST(SceneOverride, OfAnUnknownKeyIsRefused)
+{
+  EXPECT_EQ(refusalOfOverride("base.inclinatoin=0.1"),
+            "s.yaml: base.inclinatoin: unknown key; did you mean inclination?");
+}
+
+TEST(SceneOverride, OfAnUnknownSectionIsRefused)
+{
+  EXPECT_EQ(refusalOfOverride("basis.teeth=2"), "s.yaml: basis: unknown key; did you mean base?");
+}
+
+TEST(SceneOverride, ThatIsNoAssignmentIsRefused)
+{
+  EXPECT_EQ(refusalOfOverride("seed"), "override seed: must be KEY=VALUE, such as base.inclination=0.105");
+  EXPECT_EQ(refusalOfOverride("=3"), "override =3: must be KEY=VALUE, such as base.inclination=0.105");
+}
+
+TEST(SceneOverride, BeyondAListIsRefused)
+{
+  EXPECT_EQ(refusalOfOverride("species.2.radius=0.1"),
+            "override species.2.radius=0.1: 2 is no index of species, a list of 2");
+  EXPECT_EQ(refusalOfOverride("species.A.radius=0.1"),
+            "override species.A.radius=0.1: A is no index of species, a list of 2");
+}
+
+TEST(SceneOverride, BelowASingleValueIsRefused)
+{
+  EXPECT_EQ(refusalOfOverride("seed.low=0.1"),
+            "override seed.low=0.1: seed is a single value and has no key low");
+}
+
+TEST(SceneOverride, WithAnEmptyPartIsRefused)
+{
+  EXPECT_EQ(refusalOfOverride("base..teeth=3"), "override base..teeth=3: the path has an empty part");
+}
+
+TEST(SceneOverride, WhoseValueIsNoYamlIsRefused)
+{
+  EXPECT_EQ(refusalOfOverride("species=[{"),
+            "override species=[{: the value is not YAML: end of map flow not found");
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

@@ -1,0 +1,196 @@
+#include <gtest/gtest.h>
+
+#include "scene_texts.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+Scene read(const std::string& text)
+{
+  return sceneFromText(text, "s.yaml");
+}
+
+const char* const ONE_SPECIES = "species: [{name: A, count: 3, radius: 0.001, mass: 0.002}]\n";
+
+TEST(SceneReader, FillsInTheDefaults)
+{
+  const SceneDefinition scene = read(ONE_SPECIES).definition;
+  EXPECT_EQ(scene.base.teeth, 20);
+  EXPECT_EQ(scene.base.tooth_width, 0.020);
+  EXPECT_EQ(scene.base.tooth_height, 0.006);
+  EXPECT_EQ(scene.base.asymmetry, 0.3);
+  EXPECT_EQ(scene.base.frequency, 23.0);
+  EXPECT_EQ(scene.boundary, Boundary::PERIODIC);
+  EXPECT_EQ(scene.gravity, 9.81);
+  EXPECT_TRUE(scene.contact.pair_collisions);
+  EXPECT_EQ(scene.contact.min_rebound_speed, 0.05);
+  EXPECT_EQ(scene.pour.drop_height, 0.02);
+  EXPECT_EQ(scene.duration, 100.0);
+  EXPECT_EQ(scene.seed, 1u);
+  ASSERT_EQ(scene.species.size(), 1u);
+  EXPECT_EQ(scene.species[0].contact.restitution, 0.6);
+  EXPECT_EQ(scene.species[0].contact.tangential_restitution, 0.4);
+  EXPECT_EQ(scene.species[0].inertia_factor, 0.5);
+}
+
+TEST(SceneReader, TakesEveryKey)
+{
+  const SceneDefinition scene = read(R"(
+base: {teeth: 3, tooth_width: 0.01, tooth_height: 0.002, asymmetry: 0.7, inclination: -0.2, amplitude: 0.001,
+       frequency: 30, phase: 1.5}
+boundary: walled
+gravity: 1.62
+species:
+  - {name: A, count: 5, share: 2, radius: 0.0005, mass: 0.003, restitution: 0.9, friction: 0.3,
+     tangential_restitution: -0.5, inertia_factor: 0.4}
+  - {name: B, count: 0, radius: 0.001, mass: 0.001}
+pairs: [{species: [B, A], restitution: 0.1, friction: 0.2, tangential_restitution: 0.3}]
+contact: {pair_collisions: false, min_rebound_speed: 0.01, contact_duration: 0.0001}
+pour: {drop_height: 0.05, speed: 0.5}
+feed: {rate: 3.5}
+duration: 7
+settle: 2
+seed: 18446744073709551615
+)")
+                                    .definition;
+  EXPECT_EQ(scene.base.teeth, 3);
+  EXPECT_EQ(scene.base.asymmetry, 0.7);
+  EXPECT_EQ(scene.base.inclination, -0.2);
+  EXPECT_EQ(scene.base.amplitude, 0.001);
+  EXPECT_EQ(scene.base.phase, 1.5);
+  EXPECT_EQ(scene.boundary, Boundary::WALLED);
+  EXPECT_EQ(scene.gravity, 1.62);
+  EXPECT_EQ(scene.species[0].count, 5);
+  EXPECT_EQ(scene.species[0].share, 2.0);
+  EXPECT_EQ(scene.species[0].contact.friction, 0.3);
+  EXPECT_EQ(scene.species[0].contact.tangential_restitution, -0.5);
+  EXPECT_EQ(scene.species[0].inertia_factor, 0.4);
+  ASSERT_EQ(scene.pairs.size(), 1u);
+  EXPECT_EQ(scene.pairs[0].first, 1u);
+  EXPECT_EQ(scene.pairs[0].second, 0u);
+  EXPECT_EQ(scene.pairs[0].contact.friction, 0.2);
+  EXPECT_FALSE(scene.contact.pair_collisions);
+  EXPECT_EQ(scene.contact.contact_duration, 0.0001);
+  EXPECT_EQ(scene.pour.speed, 0.5);
+  EXPECT_EQ(scene.feed.rate, 3.5);
+  EXPECT_EQ(scene.settle, 2.0);
+  EXPECT_EQ(scene.seed, 18446744073709551615u);
+}
+
+TEST(SceneReader, TakesTheLegalExtremes)
+{
+  for (const char* base : {"asymmetry: 0", "asymmetry: 1", "tooth_height: 0", "amplitude: 0", "frequency: 0",
+                           "inclination: 1.5", "inclination: -1.5", "teeth: 1"})
+    EXPECT_EQ(refusalOf(goodSceneWith("teeth: 20", base)), "") << base;
+  for (const char* species :
+       {"restitution: 0", "restitution: 1", "tangential_restitution: -1", "tangential_restitution: 1",
+        "friction: 0", "friction: 1e6", "inertia_factor: 1"})
+    EXPECT_EQ(refusalOf(goodSceneWith("mass: 0.001", "mass: 0.001, " + std::string(species))), "") << species;
+  for (const char* root : {"gravity: 0", "contact: {min_rebound_speed: 0}", "initial: []"})
+    EXPECT_EQ(refusalOf(ONE_SPECIES + std::string(root)), "") << root;
+  EXPECT_EQ(refusalOf(goodSceneWith("count: 10", "count: 0")), "");
+  EXPECT_EQ(refusalOf(goodSceneWith("settle: 0.0", "settle: 10.0")), "");
+}
+
+TEST(SceneReader, GivesAPairTheMeanOfItsSpeciesWhereItSaysNothing)
+{
+  const SceneDefinition scene = read(R"(
+species:
+  - {name: A, count: 1, radius: 0.001, mass: 0.001, friction: 0.1, restitution: 0.4}
+  - {name: B, count: 1, radius: 0.001, mass: 0.001, friction: 0.3, restitution: 0.8}
+pairs: [{species: [A, B], restitution: 0.25}]
+)")
+                                    .definition;
+  EXPECT_EQ(scene.pairs[0].contact.restitution, 0.25);
+  EXPECT_DOUBLE_EQ(scene.pairs[0].contact.friction, 0.2);
+}
+
+TEST(SceneReader, SplitsADensityIntoEqualNumbers)
+{
+  // The mixture of Fig. 8: W = 0.4 m, d = 3.93, diameters of 2 mm and 4 mm: 1.572 m / 6 mm = 262 of each.
+  const Scene scene = read(R"(
+species:
+  - {name: A, radius: 0.001, mass: 0.010}
+  - {name: B, radius: 0.002, mass: 0.001}
+density: 3.93
+)");
+  EXPECT_EQ(scene.definition.species[0].count, 262);
+  EXPECT_EQ(scene.definition.species[1].count, 262);
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(SceneReader, SplitsADensityByShares)
+{
+  // S = 0.4 m; three A of 2 mm to one B of 4 mm: 0.4 / 0.010 = 40 times that.
+  const Scene scene = read(R"(
+species:
+  - {name: A, share: 3, radius: 0.001, mass: 0.010}
+  - {name: B, share: 1, radius: 0.002, mass: 0.001}
+density: 1.0
+)");
+  EXPECT_EQ(scene.definition.species[0].count, 120);
+  EXPECT_EQ(scene.definition.species[1].count, 40);
+}
+
+TEST(SceneReader, WarnsOfACountBesideADensity)
+{
+  const Scene scene = read(R"(
+species:
+  - {name: A, count: 7, radius: 0.001, mass: 0.010}
+density: 1.0
+)");
+  EXPECT_EQ(scene.definition.species[0].count, 200);
+  EXPECT_EQ(scene.warnings, std::vector<std::string>{"species.0.count is ignored where a density is given"});
+}
+
+TEST(SceneReader, PoursNothingWhereInitialPlacesTheDisks)
+{
+  const Scene scene = read(R"(
+species:
+  - {name: A, count: 7, radius: 0.001, mass: 0.010}
+  - {name: B, radius: 0.001, mass: 0.010}
+initial:
+  - {species: B, x: 0.1, y: 0.05, vx: -1, vy: 2, spin: 3}
+  - {species: A, x: 0.2, y: 0.05}
+)");
+  EXPECT_EQ(scene.definition.species[0].count, 0);
+  EXPECT_EQ(scene.warnings,
+            std::vector<std::string>{"species.0.count is ignored where initial places the disks"});
+  ASSERT_EQ(scene.definition.initial.size(), 2u);
+  EXPECT_EQ(scene.definition.initial[0].species, 1u);
+  EXPECT_EQ(scene.definition.initial[0].vx, -1.0);
+  EXPECT_EQ(scene.definition.initial[0].spin, 3.0);
+  EXPECT_EQ(scene.definition.initial[1].vy, 0.0);
+}
+
+TEST(SceneReader, TakesATreeThatNoTextStandsBehind)
+{
+  YAML::Node species;
+  species["name"] = "A";
+  species["count"] = 4;
+  species["radius"] = 0.001;
+  species["mass"] = 0.25;
+  YAML::Node root;
+  root["species"].push_back(species);
+  root["contact"]["pair_collisions"] = false;
+  const Scene scene = sceneFromYaml(root, "parameter /sieve/scene");
+  EXPECT_EQ(scene.definition.species[0].mass, 0.25);
+  EXPECT_FALSE(scene.definition.contact.pair_collisions);
+
+  root["gravity"] = "heavy";
+  try
+  {
+    sceneFromYaml(root, "parameter /sieve/scene");
+    FAIL();
+  }
+  catch (const SceneError& error)
+  {
+    EXPECT_STREQ(error.what(),
+                 "parameter /sieve/scene: gravity = heavy: must be a number from 0 to 10000 m/s^2");
+  }
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

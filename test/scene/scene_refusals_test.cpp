@@ -1,0 +1,248 @@
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "scene_texts.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+struct Refusal
+{
+  const char* rule;
+  const char* from;  ///< a piece of the good scene
+  const char* to;    ///< what spoils it
+  const char* message;
+};
+
+void PrintTo(const Refusal& refusal, std::ostream* out)
+{
+  *out << refusal.rule;
+}
+
+class SceneRefusals : public testing::TestWithParam<Refusal>
+{
+};
+
+TEST_P(SceneRefusals, NameFileLineKeyValueAndWhatIsAllowed)
+{
+  EXPECT_EQ(refusalOf(goodSceneWith(GetParam().from, GetParam().to)), GetParam().message);
+}
+
+std::string ruleName(const testing::TestParamInfo<Refusal>& info)
+{
+  return info.param.rule;
+}
+
+const Refusal SHAPES[] = {
+    {"UnknownKeyAtTheRoot",
+     "boundary:", "bondary:", "s.yaml:2: bondary: unknown key; did you mean boundary?"},
+    {"UnknownKeyInASection",
+     "tooth_width:", "tooth_witdh:", "s.yaml:1: base.tooth_witdh: unknown key; did you mean tooth_width?"},
+    {"UnknownKeyInAList", "mass: 0.002", "weight: 0.002",
+     "s.yaml:5: species.1.weight: unknown key; known are count, friction, inertia_factor, mass, name, "
+     "radius, "
+     "restitution, share, tangential_restitution"},
+    {"MissingName", "name: A, ", "", "s.yaml:4: species.0.name: missing"},
+    {"MissingRadius", "radius: 0.002, ", "", "s.yaml:5: species.1.radius: missing"},
+    {"MissingMass", ", mass: 0.001", "", "s.yaml:4: species.0.mass: missing"},
+    {"MissingCount", "count: 10, ", "", "s.yaml:4: species.0.count: missing"},
+    {"KeyTwiceInAMap", "teeth: 20", "teeth: 20, teeth: 21", "s.yaml:1: base.teeth: stands there twice"},
+    {"KeyTwiceAtTheRoot", "seed: 1", "seed: 1\nseed: 2", "s.yaml:12: seed: stands there twice"},
+    {"ListForAMap", "{teeth: 20, tooth_width: 0.02}", "[1, 2]", "s.yaml:1: base = a list: must be a map"},
+    {"ValueForAMap", "{teeth: 20, tooth_width: 0.02}", "20", "s.yaml:1: base = 20: must be a map"},
+    {"NothingForAMap", "{teeth: 20, tooth_width: 0.02}", "", "s.yaml:1: base = nothing: must be a map"},
+    {"MapForAList", "[]", "{}", "s.yaml:6: pairs = a map: must be a list"},
+    {"MapForANumber", "10.0", "{s: 10}",
+     "s.yaml:9: duration = a map: must be a number from 0 to 1000000000 s"},
+    {"KeyThatIsNoWord", "seed: 1", "[a]: 1", "s.yaml:11: scene: a key must be a word"},
+};
+INSTANTIATE_TEST_SUITE_P(Shapes, SceneRefusals, testing::ValuesIn(SHAPES), ruleName);
+
+const Refusal VALUES[] = {
+    {"TextForANumber", "radius: 0.001", "radius: wide",
+     "s.yaml:4: species.0.radius = wide: must be a number from 1e-09 to 1000 m"},
+    {"QuotedNumber", "radius: 0.001", "radius: \"0.001\"",
+     "s.yaml:4: species.0.radius = \"0.001\": must be a number from 1e-09 to 1000 m"},
+    {"TruthForANumber", "radius: 0.001", "radius: true",
+     "s.yaml:4: species.0.radius = true: must be a number from 1e-09 to 1000 m"},
+    {"NotANumber", "radius: 0.001", "radius: .nan",
+     "s.yaml:4: species.0.radius = .nan: must be a number from 1e-09 to 1000 m"},
+    {"InfiniteNumber", "10.0", ".inf", "s.yaml:9: duration = .inf: must be a number from 0 to 1000000000 s"},
+    {"OverflowingNumber", "10.0", "1e999",
+     "s.yaml:9: duration = 1e999: must be a number from 0 to 1000000000 s"},
+    {"NumberWithATail", "10.0", "10s", "s.yaml:9: duration = 10s: must be a number from 0 to 1000000000 s"},
+    {"NumberOutOfRange", "mass: 0.001", "mass: -0.001",
+     "s.yaml:4: species.0.mass = -0.001: must be a number from 1e-18 to 1000000 kg"},
+    {"ZeroRadius", "radius: 0.001", "radius: 0",
+     "s.yaml:4: species.0.radius = 0: must be a number from 1e-09 to 1000 m"},
+    {"Restitution", "mass: 0.001", "mass: 0.001, restitution: 1.01",
+     "s.yaml:4: species.0.restitution = 1.01: must be a number from 0 to 1"},
+    {"TangentialRestitution", "mass: 0.001", "mass: 0.001, tangential_restitution: -1.01",
+     "s.yaml:4: species.0.tangential_restitution = -1.01: must be a number from -1 to 1"},
+    {"InertiaFactor", "mass: 0.001", "mass: 0.001, inertia_factor: 0",
+     "s.yaml:4: species.0.inertia_factor = 0: must be a number from 1e-06 to 1"},
+    {"Asymmetry", "teeth: 20", "asymmetry: -0.1",
+     "s.yaml:1: base.asymmetry = -0.1: must be a number from 0 to 1"},
+    {"Inclination", "teeth: 20", "inclination: 1.6",
+     "s.yaml:1: base.inclination = 1.6: must be a number from -1.5 to 1.5 rad"},
+    {"FractionForAnInteger", "count: 10", "count: 1.5",
+     "s.yaml:4: species.0.count = 1.5: must be an integer from 0 to 10000000"},
+    {"NegativeCount", "count: 10", "count: -1",
+     "s.yaml:4: species.0.count = -1: must be an integer from 0 to 10000000"},
+    {"HugeCount", "count: 10", "count: 99999999999",
+     "s.yaml:4: species.0.count = 99999999999: must be an integer from 0 to 10000000"},
+    {"NoTeeth", "teeth: 20", "teeth: 0", "s.yaml:1: base.teeth = 0: must be an integer from 1 to 1000000"},
+    {"NegativeSeed", "seed: 1", "seed: -1",
+     "s.yaml:11: seed = -1: must be an integer from 0 to 18446744073709551615"},
+    {"HugeSeed", "seed: 1", "seed: 18446744073709551616",
+     "s.yaml:11: seed = 18446744073709551616: must be an integer from 0 to 18446744073709551615"},
+    {"NumberForATruth", "pair_collisions: true", "pair_collisions: 1",
+     "s.yaml:7: contact.pair_collisions = 1: must be true or false"},
+    {"UnknownBoundary", "periodic", "closed",
+     "s.yaml:2: boundary = closed: must be periodic, open or walled"},
+    {"NameWithAComma", "name: A", "name: 'A,B'",
+     "s.yaml:4: species.0.name = \"A,B\": must be a name of 1 to 64 letters, digits, '_', '-' or '.'"},
+    {"EmptyName", "name: A", "name: ''",
+     "s.yaml:4: species.0.name = \"\": must be a name of 1 to 64 letters, digits, '_', '-' or '.'"},
+    {"LongValueIsCut", "periodic",
+     "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa",
+     "s.yaml:2: boundary = aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa...: must be "
+     "periodic, open "
+     "or walled"},
+    {"ValueOfTwoLinesTakesOne", "periodic", "\"a\\nb\"",
+     "s.yaml:2: boundary = \"a b\": must be periodic, open or walled"},
+};
+INSTANTIATE_TEST_SUITE_P(Values, SceneRefusals, testing::ValuesIn(VALUES), ruleName);
+
+const Refusal RULES[] = {
+    {"SpeciesNameTwice", "name: B", "name: A",
+     "s.yaml:5: species.1.name = A: another species has this name already"},
+    {"PairOfAnUnknownSpecies", "[]", "[{species: [A, C]}]",
+     "s.yaml:6: pairs.0.species.1 = C: unknown species; must be one of A, B"},
+    {"PairOfOneSpecies", "[]", "[{species: [A]}]",
+     "s.yaml:6: pairs.0.species: must be a list of two species"},
+    {"PairWithItself", "[]", "[{species: [A, A]}]",
+     "s.yaml:6: pairs.0.species: must be two different species; disks of one kind have that species' own "
+     "coefficients"},
+    {"PairTwice", "[]", "[{species: [A, B]}, {species: [B, A]}]",
+     "s.yaml:6: pairs.1.species: another pair has these two species already"},
+    {"PairWithoutSpecies", "[]", "[{friction: 0.1}]", "s.yaml:6: pairs.0.species: missing"},
+    {"InitialOfAnUnknownSpecies", "pairs: []", "initial: [{species: C, x: 0, y: 0.1}]",
+     "s.yaml:6: initial.0.species = C: unknown species; must be one of A, B"},
+    {"InitialWithoutAPlace", "pairs: []", "initial: [{species: A, x: 0}]", "s.yaml:6: initial.0.y: missing"},
+    {"InitialAndDensity", "pairs: []", "initial: [{species: A, x: 0, y: 0.1}]\ndensity: 1.0",
+     "s.yaml:7: density: must be absent where initial places the disks"},
+    {"SettleLongerThanDuration", "settle: 0.0", "settle: 10.5",
+     "s.yaml:10: settle = 10.5: must be at most the duration, 10 s"},
+    {"NegativeDensity", "pairs: []", "density: -1",
+     "s.yaml:6: density = -1: must be a number from 0 to 1000000"},
+    {"DensityOfTooManyDisks", "pairs: []", "density: 1000000",
+     "s.yaml:6: density = 1000000: too dense: species A would have more than 10000000 disks"},
+    {"DiskWiderThanAPeriodicBase", "radius: 0.002", "radius: 0.21",
+     "s.yaml:5: species.1.radius = 0.21: the diameter must be at most the base's width (teeth times "
+     "tooth_width), 0.4 m"},
+};
+INSTANTIATE_TEST_SUITE_P(Rules, SceneRefusals, testing::ValuesIn(RULES), ruleName);
+
+TEST(SceneText, ThatIsNoYamlIsRefusedWithItsLine)
+{
+  EXPECT_EQ(refusalOf("base: {teeth: 20\nspecies: ]\n"), "s.yaml:2: not YAML: end of map flow not found");
+}
+
+TEST(SceneText, ThatIsEmptyIsRefused)
+{
+  EXPECT_EQ(refusalOf(""), "s.yaml: scene = nothing: must be a map");
+}
+
+TEST(SceneText, WithoutSpeciesIsRefused)
+{
+  EXPECT_EQ(refusalOf("seed: 2\n"), "s.yaml:1: species: missing");
+  EXPECT_EQ(refusalOf("species: []\n"), "s.yaml:1: species: must have one species or more");
+}
+
+TEST(SceneText, OfTwoDocumentsIsRefused)
+{
+  EXPECT_EQ(refusalOf(std::string(GOOD_SCENE) + "---\nseed: 2\n"),
+            "s.yaml:12: not YAML: a second document; a scene is one");
+}
+
+TEST(SceneText, ThatNestsWithoutEndIsRefused)
+{
+  EXPECT_EQ(refusalOf(std::string(100000, '[')), "s.yaml:1: not YAML: lists and maps nest deeper than 16");
+}
+
+TEST(SceneText, OfAliasesThatMultiplyIsRefusedAtOnce)
+{
+  std::string bomb = "a: &a [x, x, x, x, x, x, x, x, x]\n";
+  for (char c = 'b'; c <= 'k'; ++c)
+  {
+    const std::string previous = std::string("*") + static_cast<char>(c - 1);
+    bomb += std::string(1, c) + ": &" + c + " [" + previous;
+    for (int i = 0; i < 8; ++i)
+      bomb += ", " + previous;
+    bomb += "]\n";
+  }
+  EXPECT_EQ(refusalOf(bomb + "species: *k\n"),
+            "s.yaml:1: a: unknown key; known are base, boundary, contact, density, duration, feed, gravity, "
+            "initial, "
+            "pairs, pour, seed, settle, species");
+}
+
+TEST(SceneText, ThatIsHugeIsRefused)
+{
+  EXPECT_EQ(refusalOf(std::string((64u << 20) + 1, '\n')),
+            "s.yaml: has 67108865 bytes; a scene has at most 67108864");
+}
+
+TEST(SceneFile, ThatIsMissingIsRefused)
+{
+  try
+  {
+    loadSceneFile("no_such_scene.yaml");
+    FAIL();
+  }
+  catch (const SceneError& error)
+  {
+    EXPECT_STREQ(error.what(), "no_such_scene.yaml: cannot be read as a scene file");
+  }
+}
+
+TEST(SceneRules, AFeedNeedsASpeciesToDrawFrom)
+{
+  const std::string text =
+      "species: [{name: A, count: 0, share: 0, radius: 0.001, mass: 0.001}]\n"
+      "feed: {rate: 2.0}\n";
+  EXPECT_EQ(refusalOf(text), "s.yaml:2: feed.rate = 2.0: needs a species with a share above 0");
+}
+
+TEST(SceneRules, ADensityNeedsASpeciesToSplitInto)
+{
+  const std::string text =
+      "species: [{name: A, share: 0, radius: 0.001, mass: 0.001}]\n"
+      "density: 1.0\n";
+  EXPECT_EQ(refusalOf(text),
+            "s.yaml:2: density = 1.0: cannot be split up: needs a species with a share above 0");
+}
+
+TEST(SceneRules, AWideDiskIsRefusedOnlyWhereItMatters)
+{
+  const auto scene = [](const std::string& rest)
+  { return "base: {teeth: 1, tooth_width: 0.02}\nspecies: [{name: A, radius: 0.011, mass: 0.001, " + rest; };
+  const std::string refusal =
+      "s.yaml:2: species.0.radius = 0.011: the diameter must be at most the base's width (teeth times "
+      "tooth_width), "
+      "0.02 m";
+  EXPECT_EQ(refusalOf(scene("count: 1}]\n")), "");  // alone on its ring
+  EXPECT_EQ(refusalOf(scene("count: 2}]\n")), refusal);
+  EXPECT_EQ(refusalOf(scene("count: 2}]\ncontact: {pair_collisions: false}\n")), "");
+  EXPECT_EQ(refusalOf(scene("count: 1}]\nboundary: open\n")), refusal);
+  EXPECT_EQ(refusalOf(scene("count: 0}]\nboundary: walled\nfeed: {rate: 1}\n")), refusal);
+  EXPECT_EQ(refusalOf(scene("count: 0}]\nboundary: open\n")), "");
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
