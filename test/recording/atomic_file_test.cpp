@@ -1,0 +1,87 @@
+#include "ratchet_sieve/recording/atomic_file.h"
+
+#include <gtest/gtest.h>
+
+#include "small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+TEST(AtomicFile, AppearsWholeAtItsCommit)
+{
+  const ScratchDirectory directory;
+  const std::string path = directory / "out.txt";
+  AtomicFile file(path);
+  file.stream() << "whole";
+  EXPECT_FALSE(std::filesystem::exists(path));
+  file.commit();
+  EXPECT_EQ(contents(path), "whole");
+}
+
+TEST(AtomicFile, LeavesNothingWithoutACommit)
+{
+  const ScratchDirectory directory;
+  {
+    AtomicFile file(directory / "out.txt");
+    file.stream() << "half";
+  }
+  EXPECT_TRUE(directory.empty());
+}
+
+TEST(AtomicFile, KeepsAnOlderFileUntilItsCommit)
+{
+  const ScratchDirectory directory;
+  const std::string path = directory / "out.txt";
+  std::ofstream(path) << "old";
+  {
+    AtomicFile file(path);
+    file.stream() << "half";
+  }
+  EXPECT_EQ(contents(path), "old");
+  AtomicFile file(path);
+  file.stream() << "new";
+  file.commit();
+  EXPECT_EQ(contents(path), "new");
+}
+
+TEST(AtomicFile, RefusesAPathThatCannotBe)
+{
+  const ScratchDirectory directory;
+  const std::string path = directory / "none/out.txt";
+  try
+  {
+    AtomicFile file(path);
+    FAIL();
+  }
+  catch (const OutputError& error)
+  {
+    EXPECT_EQ(error.what(), path + ": cannot be written: No such file or directory");
+  }
+}
+
+TEST(AtomicFile, RefusesADirectory)
+{
+  const ScratchDirectory directory;
+  std::filesystem::create_directory(directory / "sub");
+  EXPECT_THROW(AtomicFile file(directory / "sub"), OutputError);
+}
+
+TEST(AtomicFile, WritesToADeviceAndDoesNotReplaceIt)
+{
+  AtomicFile file("/dev/null");
+  file.stream() << "gone";
+  file.commit();
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST(AtomicFile, SaysWhenTheDiskIsFull)
+{
+  AtomicFile file("/dev/full");
+  file.stream() << std::string(1 << 20, 'x');
+  EXPECT_THROW(file.commit(), OutputError);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

@@ -1,0 +1,78 @@
+#include "ratchet_sieve/recording/collision_file.h"
+
+#include <cstdlib>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);)
+    parts.push_back(part);
+  return parts;
+}
+
+std::vector<std::string> linesOf(const std::vector<CollisionRecord>& records)
+{
+  const ScratchDirectory directory;
+  CollisionFile file(directory / "collisions.csv");
+  for (const CollisionRecord& record : records)
+    file.take(record);
+  file.commit();
+  return split(contents(directory / "collisions.csv"), '\n');
+}
+
+TEST(CollisionFile, HasItsHeaderWithoutCollisions)
+{
+  EXPECT_EQ(linesOf({}),
+            std::vector<std::string>{"time,kind,i,j,normal_speed,normal_impulse,tangential_impulse"});
+}
+
+TEST(CollisionFile, LeavesThePartnerEmptyForTheBase)
+{
+  const std::vector<std::string> lines =
+      linesOf({{0.25, CollisionKind::DISK_DISK, 1, 2, 0.5, 0.125, -0.0625},
+               {0.5, CollisionKind::LEFT_SLOPE, 3, std::nullopt, 1.5, 2.0, 0.0}});
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[1], "0.25,disk_disk,1,2,0.5,0.125,-0.0625");
+  EXPECT_EQ(split(lines[2], ',')[1], "left_slope");
+  EXPECT_EQ(split(lines[2], ',')[3], "");
+}
+
+RC_GTEST_PROP(CollisionFile, HoldsNumbersThatReadBackBitForBit, (const std::vector<double>& numbers))
+{
+  std::vector<CollisionRecord> records;
+  for (const double number : numbers)
+    if (std::isfinite(number))
+      records.push_back({number, CollisionKind::APEX, 0, std::nullopt, number / 3.0, number * 0.1, -number});
+  const std::vector<std::string> lines = linesOf(records);
+  RC_ASSERT(lines.size() == records.size() + 1);
+  for (std::size_t i = 0; i < records.size(); ++i)
+  {
+    const std::vector<std::string> fields = split(lines[i + 1], ',');
+    RC_ASSERT(std::strtod(fields[0].c_str(), nullptr) == records[i].time);
+    RC_ASSERT(std::strtod(fields[4].c_str(), nullptr) == records[i].normal_speed);
+    RC_ASSERT(std::strtod(fields[5].c_str(), nullptr) == records[i].normal_impulse);
+    RC_ASSERT(std::strtod(fields[6].c_str(), nullptr) == records[i].tangential_impulse);
+  }
+}
+
+TEST(CollisionFile, KeepsEveryCollisionOfARunThatOutgrowsItsBuffer)
+{
+  const std::vector<CollisionRecord> records(
+      40000, {1.0 / 3.0, CollisionKind::WALL, 7, std::nullopt, 0.1, 0.2, 0.3});
+  EXPECT_EQ(linesOf(records).size(), 40001u);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

@@ -1,0 +1,104 @@
+#include "ratchet_sieve/recording/frame_sampler.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "collecting_sink.h"
+#include "small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Samples a run to `end`.
+CollectingSink sampled(const FrameRates& rates, double start, double end)
+{
+  SceneDefinition scene = smallRing();
+  Simulation simulation(scene);
+  simulation.advanceTo(start);
+  FrameSampler sampler(rates, start);
+  CollectingSink sink;
+  sampler.takeDue(simulation, sink);
+  while (sampler.nextTime() <= end)
+  {
+    simulation.advanceTo(sampler.nextTime());
+    sampler.takeDue(simulation, sink);
+  }
+  simulation.advanceTo(end);
+  sampler.takeLast(simulation, sink);
+  return sink;
+}
+
+TEST(FrameSampler, TakesFramesExactlyOnTheirTimes)
+{
+  const CollectingSink sink = sampled({60.0, 30.0, 7.0, 10.0}, 0.0, 1.0);
+  ASSERT_EQ(sink.particles.size(), 61u);
+  for (std::size_t k = 0; k < sink.particles.size(); ++k)
+    EXPECT_EQ(sink.particles[k].time, static_cast<double>(k) / 60.0);
+  ASSERT_EQ(sink.bases.size(), 8u);
+  for (std::size_t k = 0; k < sink.bases.size(); ++k)
+    EXPECT_EQ(sink.bases[k].time, static_cast<double>(k) / 7.0);
+  EXPECT_EQ(sink.bins.size(), 31u);
+  EXPECT_EQ(sink.statistics.size(), 11u);
+  EXPECT_EQ(sink.scenes.size(), 1u);
+}
+
+TEST(FrameSampler, CountsFromWhereItStarts)
+{
+  const CollectingSink sink = sampled({10.0, 0.0, 0.0, 0.0}, 0.3, 0.65);
+  std::vector<double> times;
+  for (const ParticleFrame& frame : sink.particles)
+    times.push_back(frame.time);
+  EXPECT_EQ(times, (std::vector<double>{0.3, 0.3 + 0.1, 0.3 + 0.2, 0.3 + 3 / 10.0, 0.65}));
+}
+
+TEST(FrameSampler, AtRateZeroTakesFirstAndLast)
+{
+  const CollectingSink sink = sampled({0.0, 0.0, 0.0, 0.0}, 0.0, 0.7);
+  ASSERT_EQ(sink.particles.size(), 2u);
+  EXPECT_EQ(sink.particles[0].time, 0.0);
+  EXPECT_EQ(sink.particles[1].time, 0.7);
+  EXPECT_EQ(sink.statistics.size(), 2u);
+}
+
+TEST(FrameSampler, IsNeverDueAgainWhereEveryRateIsZero)
+{
+  Simulation simulation(smallRing());
+  FrameSampler sampler({0.0, 0.0, 0.0, 0.0}, 0.0);
+  CollectingSink sink;
+  EXPECT_EQ(sampler.nextTime(), 0.0);
+  sampler.takeDue(simulation, sink);
+  EXPECT_TRUE(std::isinf(sampler.nextTime()));
+}
+
+TEST(FrameSampler, TakesNoLastFrameTwice)
+{
+  const CollectingSink sink = sampled({4.0, 4.0, 4.0, 4.0}, 0.0, 1.0);
+  EXPECT_EQ(sink.particles.size(), 5u);
+  EXPECT_EQ(sink.bins.size(), 5u);
+
+  Simulation simulation(smallRing());
+  FrameSampler sampler({0.0, 0.0, 0.0, 0.0}, 0.0);
+  CollectingSink twice;
+  sampler.takeLast(simulation, twice);
+  sampler.takeLast(simulation, twice);
+  EXPECT_EQ(twice.particles.size(), 1u);
+}
+
+TEST(FrameSampler, TakesOneFrameForTimesThatWerePassedOver)
+{
+  Simulation simulation(smallRing());
+  FrameSampler sampler({10.0, 10.0, 10.0, 10.0}, 0.0);
+  CollectingSink sink;
+  sampler.takeDue(simulation, sink);
+  simulation.advanceTo(0.55);
+  sampler.takeDue(simulation, sink);
+  ASSERT_EQ(sink.particles.size(), 2u);
+  EXPECT_EQ(sink.particles[1].time, 0.55);
+  EXPECT_EQ(sampler.nextTime(), 6 / 10.0);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

@@ -1,0 +1,97 @@
+#include "ratchet_sieve/recording/headless_run.h"
+
+#include <gtest/gtest.h>
+
+#include "collecting_sink.h"
+#include "small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+TEST(HeadlessRun, GoesToTheScenesDuration)
+{
+  Simulation simulation(smallRing());
+  const double energy = simulation.energy();
+  const RunOutcome outcome = runToEnd(simulation, {});
+  EXPECT_EQ(outcome.end, RunEnd::COMPLETED);
+  EXPECT_EQ(simulation.time(), 1.0);
+  EXPECT_EQ(outcome.energy_start, energy);
+  EXPECT_EQ(outcome.through_base, 0u);
+  EXPECT_TRUE(outcome.warnings.empty());
+}
+
+TEST(HeadlessRun, IsTheSameRunWhoeverWatches)
+{
+  Simulation alone(smallRing());
+  alone.advanceTo(1.0);
+
+  Simulation watched(smallRing());
+  CollectingSink sink;
+  int looks = 0;
+  RunWatchers watchers;
+  watchers.frames = &sink;
+  watchers.progress = [&looks](const Simulation&) { ++looks; };
+  runToEnd(watched, watchers);
+  EXPECT_GT(looks, 60);
+  EXPECT_EQ(sink.particles.size(), 61u);
+  ASSERT_EQ(watched.events(), alone.events());
+  const std::vector<DiskState> expected = alone.disks();
+  const std::vector<DiskState> actual = watched.disks();
+  ASSERT_EQ(actual.size(), expected.size());
+  for (std::size_t i = 0; i < actual.size(); ++i)
+  {
+    EXPECT_EQ(actual[i].x, expected[i].x);
+    EXPECT_EQ(actual[i].vy, expected[i].vy);
+    EXPECT_EQ(actual[i].spin, expected[i].spin);
+  }
+}
+
+TEST(HeadlessRun, StopsWhenAskedAndSaysWhere)
+{
+  Simulation simulation(smallRing());
+  CollectingSink sink;
+  RunWatchers watchers;
+  watchers.frames = &sink;
+  watchers.stop_wanted = [&simulation] { return simulation.time() >= 0.25; };
+  const RunOutcome outcome = runToEnd(simulation, watchers);
+  EXPECT_EQ(outcome.end, RunEnd::STOPPED);
+  EXPECT_LT(simulation.time(), 1.0);
+  ASSERT_EQ(outcome.warnings.size(), 1u);
+  EXPECT_EQ(outcome.warnings[0].rfind("stopped at 0.", 0), 0u) << outcome.warnings[0];
+  EXPECT_EQ(sink.particles.back().time, simulation.time());
+}
+
+TEST(HeadlessRun, ReportsAStallAndKeepsWhatWas)
+{
+  // A lone disk without a rebound floor or a contact duration settles on a base at rest: inelastic collapse.
+  SceneDefinition scene = smallRing();
+  scene.base.tooth_height = 0.0;
+  scene.base.amplitude = 0.0;
+  scene.contact.min_rebound_speed = 0.0;
+  scene.species[1].count = 0;
+  scene.species[0].count = 1;
+  scene.duration = 100.0;
+  Simulation simulation(scene);
+  const RunOutcome outcome = runToEnd(simulation, {});
+  EXPECT_EQ(outcome.end, RunEnd::STALLED);
+  EXPECT_EQ(outcome.warnings.size(), 1u);
+  EXPECT_LT(simulation.time(), 100.0);
+}
+
+TEST(HeadlessRun, OfNoDurationTakesOneFrame)
+{
+  SceneDefinition scene = smallRing();
+  scene.duration = 0.0;
+  Simulation simulation(scene);
+  CollectingSink sink;
+  RunWatchers watchers;
+  watchers.frames = &sink;
+  EXPECT_EQ(runToEnd(simulation, watchers).end, RunEnd::COMPLETED);
+  EXPECT_EQ(sink.scenes.size(), 1u);
+  EXPECT_EQ(sink.particles.size(), 1u);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

@@ -1,0 +1,189 @@
+// The program as its users run it: arguments in, exit status, standard output and error, and files out.
+#include <algorithm>
+#include <cstdlib>
+
+#include <sys/wait.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "ratchet_sieve/recording/version.h"
+#include "small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+using Json = nlohmann::json;
+
+struct Result
+{
+  int status = -1;
+  std::string output;
+  std::string errors;
+};
+
+class SieveRun : public testing::Test
+{
+protected:
+  Result run(const std::string& arguments) const
+  {
+    const std::string output = streams_ / "output";
+    const std::string errors = streams_ / "errors";
+    const std::string command =
+        std::string(std::getenv("SIEVE_RUN")) + " " + arguments + " >" + output + " 2>" + errors;
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(output), contents(errors)};
+  }
+
+  static std::string config(const std::string& name)
+  {
+    return std::string(std::getenv("CONFIG_DIRECTORY")) + "/" + name;
+  }
+
+  std::string scene(const std::string& text) const
+  {
+    std::ofstream(streams_ / "scene.yaml") << text;
+    return streams_ / "scene.yaml";
+  }
+
+  /// Refused with this one line, and nothing written.
+  void expectRefusal(const std::string& arguments, const std::string& line) const
+  {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_EQ(result.errors, "sieve_run: " + line + "\n");
+    EXPECT_EQ(result.output, "");
+    EXPECT_TRUE(written_.empty());
+  }
+
+  ScratchDirectory streams_;
+  ScratchDirectory written_;
+};
+
+TEST_F(SieveRun, SumsUpOnStandardOutput)
+{
+  const Result result = run(config("demo.yaml") + " --duration 0.5 --seed 7 --set base.inclination=0.1");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(result.errors, "");
+  const Json json = Json::parse(result.output);
+  EXPECT_EQ(json["seed"], 7);
+  EXPECT_EQ(json["simulated_time"], 0.5);
+  EXPECT_EQ(json["through_base"], 0);
+}
+
+TEST_F(SieveRun, WritesWhatItIsAskedFor)
+{
+  const Result result = run(config("demo.yaml") + " --duration 0.5 --summary " + (written_ / "s.json") +
+                            " --collisions " + (written_ / "c.csv"));
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(result.output, "");
+  const Json json = Json::parse(contents(written_ / "s.json"));
+  std::size_t collisions = 0;
+  for (const auto& [kind, count] : json["collisions"].items())
+    collisions += count.get<std::size_t>();
+  const std::string csv = contents(written_ / "c.csv");
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), collisions + 1);
+}
+
+TEST_F(SieveRun, GivesTheSameCollisionsForTheSameSeed)
+{
+  for (const char* name : {"a", "b"})
+    ASSERT_EQ(run(config("demo.yaml") + " --duration 0.5 --seed 3 --collisions " + (written_ / name)).status,
+              0);
+  ASSERT_EQ(run(config("demo.yaml") + " --duration 0.5 --seed 4 --collisions " + (written_ / "c")).status, 0);
+  EXPECT_EQ(contents(written_ / "a"), contents(written_ / "b"));
+  EXPECT_NE(contents(written_ / "a"), contents(written_ / "c"));
+}
+
+TEST_F(SieveRun, ShowsItsHelpAndVersion)
+{
+  const Result help = run("--help");
+  EXPECT_EQ(help.status, 0);
+  for (const char* option :
+       {"--set", "--seed", "--duration", "--bag", "--collisions", "--summary", "--version"})
+    EXPECT_NE(help.output.find(option), std::string::npos) << option;
+  const Result version_result = run("--version");
+  EXPECT_EQ(version_result.status, 0);
+  EXPECT_EQ(version_result.output, std::string(version()) + "\n");
+}
+
+TEST_F(SieveRun, RefusesBadArguments)
+{
+  expectRefusal("", "SCENE is required; see --help");
+  const Result unknown = run(config("demo.yaml") + " --colour red");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.errors.find("--colour"), std::string::npos) << unknown.errors;
+  EXPECT_EQ(std::count(unknown.errors.begin(), unknown.errors.end(), '\n'), 1);
+  expectRefusal(config("demo.yaml") + " --set seed",
+                "override seed: must be KEY=VALUE, such as base.inclination=0.105");
+}
+
+TEST_F(SieveRun, RefusesABadScene)
+{
+  const std::string bad = scene("species: [{name: A, count: 1, radius: -1, mass: 0.001}]\n");
+  expectRefusal(bad + " --summary " + (written_ / "s.json"),
+                bad + ":1: species.0.radius = -1: must be a number from 1e-09 to 1000 m");
+  expectRefusal("none.yaml", "none.yaml: cannot be read as a scene file");
+  expectRefusal(config("demo.yaml") + " --duration abc",
+                config("demo.yaml") + ": duration = abc: must be a number from 0 to 1000000000 s");
+  expectRefusal(config("demo.yaml") + " --seed=-1",
+                config("demo.yaml") + ": seed = -1: must be an integer from 0 to 18446744073709551615");
+}
+
+TEST_F(SieveRun, RefusesDisksThatOverlapAndNamesThem)
+{
+  const std::string bad = scene(
+      "species: [{name: A, radius: 0.002, mass: 0.001}]\n"
+      "initial:\n"
+      "  - {species: A, x: 0.1, y: 0.05}\n"
+      "  - {species: A, x: 0.2, y: 0.05}\n"
+      "  - {species: A, x: 0.203, y: 0.05}\n");
+  const Result result = run(bad + " --summary " + (written_ / "s.json"));
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.errors.find("initial.1 and initial.2 overlap by 0.001"), std::string::npos)
+      << result.errors;
+  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1);
+  EXPECT_TRUE(written_.empty());
+}
+
+TEST_F(SieveRun, RefusesAPathThatCannotBeWrittenBeforeItRuns)
+{
+  const std::string path = written_ / "none/s.json";
+  expectRefusal(config("paper_fig3.yaml") + " --duration 100000000 --collisions " + (written_ / "c.csv") +
+                    " --summary " + path,
+                path + ": cannot be written: No such file or directory");
+}
+
+TEST_F(SieveRun, ReportsAStall)
+{
+  const std::string stalls = scene(
+      "base: {tooth_height: 0, amplitude: 0}\n"
+      "contact: {min_rebound_speed: 0}\n"
+      "species: [{name: A, count: 1, radius: 0.002, mass: 0.001}]\n");
+  const Result result = run(stalls);
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.errors.rfind("sieve_run: warning: ", 0), 0u) << result.errors;
+  EXPECT_EQ(Json::parse(result.output)["warnings"].size(), 1u);
+}
+
+TEST_F(SieveRun, EndsCleanlyWhenInterrupted)
+{
+  // The signal comes as soon as the run has written its first collisions.
+  const std::string script = std::string(std::getenv("SIEVE_RUN")) + " " + config("paper_fig3.yaml") +
+                             " --duration 100000000 --summary " + (written_ / "s.json") + " --collisions " +
+                             (written_ / "c.csv") +
+                             " 2>/dev/null & run=$!; while kill -0 $run && [ -z \"$(find " + (written_ / "") +
+                             " -name c.csv.part\\* -size +1)\" ]; do :; done; kill -INT $run; wait $run";
+  const int status = std::system(("bash -c '" + script + "'").c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  const Json json = Json::parse(contents(written_ / "s.json"));
+  ASSERT_EQ(json["warnings"].size(), 1u);
+  EXPECT_EQ(json["warnings"][0].get<std::string>().rfind("stopped at ", 0), 0u);
+  EXPECT_EQ(contents(written_ / "c.csv").back(), '\n');
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <unistd.h>
+
+#include "ratchet_sieve/core/definition.h"
+
+namespace ratchet_sieve
+{
+
+/// Two species on a base with open ends, of which some fall into the bins within a second or two.
+inline SceneDefinition smallMixture()
+{
+  SceneDefinition scene;
+  scene.base.teeth = 4;
+  scene.base.asymmetry = 0.1;
+  scene.boundary = Boundary::OPEN;
+  scene.species.resize(2);
+  scene.species[0].name = "A";
+  scene.species[0].count = 6;
+  scene.species[0].mass = 0.010;
+  scene.species[1].name = "B";
+  scene.species[1].count = 6;
+  scene.species[1].radius = 0.003;
+  scene.duration = 2.0;
+  return scene;
+}
+
+/// Four disks on a ring that never leave.
+inline SceneDefinition smallRing()
+{
+  SceneDefinition scene = smallMixture();
+  scene.boundary = Boundary::PERIODIC;
+  scene.species[0].count = 2;
+  scene.species[1].count = 2;
+  scene.duration = 1.0;
+  return scene;
+}
+
+/// An empty directory for one test, gone with it.
+class ScratchDirectory
+{
+public:
+  ScratchDirectory()
+  {
+    std::string path = (std::filesystem::temp_directory_path() / "ratchet_sieve_XXXXXX").string();
+    if (mkdtemp(path.data()) == nullptr)
+      throw std::runtime_error("no scratch directory");
+    path_ = path;
+  }
+  ~ScratchDirectory() { std::filesystem::remove_all(path_); }
+  ScratchDirectory(const ScratchDirectory&) = delete;
+  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
+
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  bool empty() const { return std::filesystem::is_empty(path_); }
+
+private:
+  std::filesystem::path path_;
+};
+
+inline std::string contents(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace ratchet_sieve

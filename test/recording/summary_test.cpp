@@ -1,0 +1,83 @@
+#include "ratchet_sieve/recording/summary.h"
+
+#include <gtest/gtest.h>
+
+#include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json summaryOf(const SceneDefinition& scene)
+{
+  Simulation simulation(scene);
+  const RunOutcome outcome = runToEnd(simulation, {});
+  return summarize(simulation, outcome);
+}
+
+TEST(Summary, HasEveryFieldOthersRelyOn)
+{
+  const Json json = summaryOf(smallMixture());
+  for (const char* key : {"scene_hash", "seed", "version", "simulated_time", "wall_time", "events",
+                          "collisions", "short_to_long", "species", "quality", "processed", "base_impulse",
+                          "energy_start", "energy_end", "max_overlap", "through_base", "warnings"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  for (const char* key : {"disk_disk", "left_slope", "right_slope", "apex", "wall"})
+    EXPECT_TRUE(json["collisions"].contains(key)) << key;
+  ASSERT_EQ(json["species"].size(), 2u);
+  for (const char* key : {"name", "count", "mean_vx", "mean_vx_stderr", "left", "right",
+                          "kinetic_translational", "kinetic_rotational"})
+    EXPECT_TRUE(json["species"][0].contains(key)) << key;
+}
+
+TEST(Summary, TellsWhatTheSimulationKnows)
+{
+  const SceneDefinition scene = smallMixture();
+  Simulation simulation(scene);
+  const RunOutcome outcome = runToEnd(simulation, {});
+  const Json json = summarize(simulation, outcome);
+  EXPECT_EQ(json["scene_hash"], sceneHash(scene));
+  EXPECT_EQ(json["version"], version());
+  EXPECT_EQ(json["simulated_time"], 2.0);
+  EXPECT_EQ(json["events"], simulation.events());
+  EXPECT_EQ(json["collisions"]["apex"], simulation.collisions().apex);
+  EXPECT_EQ(json["species"][1]["name"], "B");
+  EXPECT_EQ(json["species"][1]["count"], 6);
+  EXPECT_EQ(json["species"][0]["mean_vx"].get<double>(), simulation.means()[0].mean_vx.value());
+  EXPECT_EQ(json["base_impulse"][1].get<double>(), simulation.baseImpulseY());
+  EXPECT_EQ(json["energy_end"].get<double>(), simulation.energy());
+}
+
+TEST(Summary, SaysNullForWhatIsNotDefined)
+{
+  SceneDefinition scene = smallRing();
+  scene.duration = 0.0;
+  scene.species[0].count = 0;
+  scene.species[1].count = 0;
+  const Json json = summaryOf(scene);
+  EXPECT_TRUE(json["quality"].is_null());
+  EXPECT_TRUE(json["processed"].is_null());
+  EXPECT_TRUE(json["short_to_long"].is_null());
+  EXPECT_TRUE(json["species"][0]["mean_vx"].is_null());
+  EXPECT_EQ(json.dump().find("nan"), std::string::npos);
+}
+
+TEST(Summary, ListsPairsOnlyWhereThereAreSeveral)
+{
+  SceneDefinition scene = smallRing();
+  EXPECT_FALSE(summaryOf(scene).contains("pair_qualities"));
+  scene.species.push_back(scene.species[1]);
+  scene.species[2].name = "C";
+  const Json pairs = summaryOf(scene)["pair_qualities"];
+  ASSERT_EQ(pairs.size(), 3u);
+  EXPECT_EQ(pairs[2]["species"], Json({"B", "C"}));
+  EXPECT_TRUE(pairs[2]["quality"].is_null());
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
