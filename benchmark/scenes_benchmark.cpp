@@ -1,0 +1,54 @@
+#include <benchmark/benchmark.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Advances a running scene by `stride` [s] of simulated time per iteration; counts collisions and
+/// simulated seconds per second of wall time.
+void advance(benchmark::State& state, const SceneDefinition& scene, double stride)
+{
+  Simulation simulation(scene);
+  simulation.advanceTo(1.0);
+  const auto before = simulation.collisions().total();
+  const double start = simulation.time();
+  for (auto _ : state)
+    simulation.advanceTo(simulation.time() + stride);
+  using benchmark::Counter;
+  const auto collisions = static_cast<double>(simulation.collisions().total() - before);
+  state.counters["collisions"] = Counter(collisions, Counter::kIsRate);
+  state.counters["simulated_seconds"] = Counter(simulation.time() - start, Counter::kIsRate);
+}
+
+/// Fig. 3, a thousand single disks.
+void singleParticles(benchmark::State& state)
+{
+  advance(state, test::singleParticles(1000), 0.1);
+}
+BENCHMARK(singleParticles)->Unit(benchmark::kMillisecond);
+
+/// Fig. 8, 13.1 disks of each species to a tooth; the argument is the number of teeth.
+void mixture(benchmark::State& state)
+{
+  const auto teeth = static_cast<int>(state.range(0));
+  SceneDefinition scene = test::mixture(teeth * 131 / 10);
+  scene.base.teeth = teeth;
+  advance(state, scene, 2.0 / teeth);
+}
+BENCHMARK(mixture)->Arg(20)->Arg(382)->Unit(benchmark::kMillisecond);
+
+/// The same disks that do not see each other: what the pairs cost.
+void mixtureWithoutPairs(benchmark::State& state)
+{
+  SceneDefinition scene = test::mixture(262);
+  scene.contact.pair_collisions = false;
+  advance(state, scene, 0.1);
+}
+BENCHMARK(mixtureWithoutPairs)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace ratchet_sieve
