@@ -8,8 +8,9 @@ if(EXISTS /usr/lib/python3/dist-packages/catkin_pkg)
   set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python that has ROS's modules")
 endif()
 
-set(ROS_MESSAGE_PACKAGES geometry_msgs rosgraph_msgs sensor_msgs std_msgs std_srvs visualization_msgs)
-set(ROS_LIBRARY_PACKAGES diagnostic_updater rosbag roscpp tf2_ros)
+set(ROS_MESSAGE_PACKAGES
+  diagnostic_msgs geometry_msgs rosgraph_msgs sensor_msgs std_msgs std_srvs tf2_msgs visualization_msgs)
+set(ROS_LIBRARY_PACKAGES diagnostic_updater rosbag roscpp)
 find_package(catkin REQUIRED COMPONENTS message_generation ${ROS_LIBRARY_PACKAGES} ${ROS_MESSAGE_PACKAGES})
 
 add_message_files(FILES

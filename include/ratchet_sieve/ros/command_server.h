@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <ros/node_handle.h>
+#include <std_msgs/Float64.h>
+#include <std_srvs/Empty.h>
+
+#include "ratchet_sieve/PourDisks.h"
+#include "ratchet_sieve/ResetSimulation.h"
+#include "ratchet_sieve/StepSimulation.h"
+#include "ratchet_sieve/ros/diagnostics.h"
+#include "ratchet_sieve/ros/run_control.h"
+
+namespace ratchet_sieve
+{
+
+/// Takes the node's services and setpoint topics to the run.
+class CommandServer
+{
+public:
+  /// @param stride of a step between which `keep_going` is asked [s of simulated time]
+  struct Stepping
+  {
+    std::function<double()> stride;
+    std::function<bool()> keep_going;
+  };
+
+  /// @param time_changed called where simulated time has leapt or the run has stopped or gone on;
+  /// control and diagnostics outlive this
+  CommandServer(ros::NodeHandle private_node, const NodeParameters& parameters, RunControl& control,
+                Diagnostics& diagnostics, Stepping stepping, std::function<void()> time_changed);
+
+private:
+  void takeSetpoint(const Setpoint& setpoint, const std_msgs::Float64& message);
+  bool pause(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
+  bool unpause(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
+  bool resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
+  bool reset(ResetSimulation::Request& request, ResetSimulation::Response& response);
+  bool step(StepSimulation::Request& request, StepSimulation::Response& response);
+  bool pour(PourDisks::Request& request, PourDisks::Response& response);
+
+  RunControl& control_;
+  Diagnostics& diagnostics_;
+  Stepping stepping_;
+  std::function<void()> time_changed_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::vector<ros::ServiceServer> services_;
+};
+
+}  // namespace ratchet_sieve

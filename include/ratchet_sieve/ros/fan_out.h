@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "ratchet_sieve/recording/frame_sink.h"
+
+namespace ratchet_sieve
+{
+
+/// Hands every frame to several sinks, in the order in which they were added.
+class FanOut : public FrameSink
+{
+public:
+  /// @param sink outlives this
+  void add(FrameSink& sink) { sinks_.push_back(&sink); }
+
+  void take(const SceneFrame& frame) override { pass(frame); }
+  void take(const ParticleFrame& frame) override { pass(frame); }
+  void take(const BinFrame& frame) override { pass(frame); }
+  void take(const BaseFrame& frame) override { pass(frame); }
+  void take(const StatisticsFrame& frame) override { pass(frame); }
+
+private:
+  template <typename Frame>
+  void pass(const Frame& frame)
+  {
+    for (FrameSink* sink : sinks_)
+      sink->take(frame);
+  }
+
+  std::vector<FrameSink*> sinks_;
+};
+
+}  // namespace ratchet_sieve

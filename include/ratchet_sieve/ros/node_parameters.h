@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include <ros/node_handle.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/recording/frame_sampler.h"
+#include "ratchet_sieve/ros/parameter_reader.h"
+#include "ratchet_sieve/ros/setpoint.h"
+
+namespace ratchet_sieve
+{
+
+/// Everything that the node can be told but the scene. Names in comments are those of the parameters.
+struct NodeParameters
+{
+  double real_time_factor = 1.0;  ///< ~real_time_factor: simulated over wall time; 0: as fast as it goes
+  bool start_paused = false;      ///< ~start_paused
+  bool publish_clock = true;      ///< ~publish_clock: this node is the clock
+  bool exit_at_end = true;        ///< ~exit_at_end: end with the scene's duration, or else pause there
+  std::string record;             ///< ~record: bag to record into; empty: none
+  FrameRates rates;               ///< ~rates/particles, bins, base, statistics [1/s of simulated time]
+  double display_rate = 30.0;     ///< ~rates/display: markers and cloud, at most [1/s of wall time]
+  double clock_rate = 100.0;      ///< ~rates/clock [1/s of wall time]
+
+  /// ~limits/inclination/min, max and so on for frequency and amplitude
+  std::array<Setpoint, 3> setpoints = {Setpoint{SetpointKind::INCLINATION, "inclination", "rad", {-0.5, 0.5}},
+                                       Setpoint{SetpointKind::FREQUENCY, "frequency", "Hz", {0.0, 100.0}},
+                                       Setpoint{SetpointKind::AMPLITUDE, "amplitude", "m", {0.0, 0.01}}};
+
+  SlewRates slew_rates;  ///< ~limits/inclination/slew_rate and so on [unit/s]
+};
+
+/// Reads the node's private parameters; warns of those that nobody knows. @throws ParameterError
+NodeParameters readNodeParameters(const ros::NodeHandle& private_node);
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include <ros/node_handle.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+namespace ratchet_sieve
+{
+
+/// A parameter that cannot be: one line that names it, its value and what is allowed.
+struct ParameterError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads a node's parameters, checks them, and remembers which there are.
+class ParameterReader
+{
+public:
+  explicit ParameterReader(const ros::NodeHandle& node) : node_(node) {}
+
+  /// A finite number in [least, most]; `fallback` where the parameter is not set.
+  /// @throws ParameterError
+  double number(const std::string& name, double fallback, double least, double most);
+
+  /// @throws ParameterError
+  bool flag(const std::string& name, bool fallback);
+
+  /// @throws ParameterError
+  std::string text(const std::string& name, const std::string& fallback);
+
+  /// Parameters under the node that nobody has asked for, but for those under `ignored`: most likely
+  /// misspelt.
+  std::set<std::string> unknown(const std::set<std::string>& ignored) const;
+
+private:
+  bool get(const std::string& name, XmlRpc::XmlRpcValue& value);
+  [[noreturn]] void refuse(const std::string& name, const XmlRpc::XmlRpcValue& value,
+                           const std::string& allowed) const;
+
+  ros::NodeHandle node_;
+  std::set<std::string> asked_;
+};
+
+}  // namespace ratchet_sieve

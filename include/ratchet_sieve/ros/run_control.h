@@ -1,0 +1,81 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ratchet_sieve/ros/fan_out.h"
+#include "ratchet_sieve/ros/live_run.h"
+#include "ratchet_sieve/ros/node_parameters.h"
+#include "ratchet_sieve/ros/recorder.h"
+#include "ratchet_sieve/scene/scene_file.h"
+
+namespace ratchet_sieve
+{
+
+/// How a request went.
+struct Outcome
+{
+  bool success = true;
+  std::string message;  ///< on failure: why
+};
+
+/// A run under command: paused, stepped, reset, poured on, driven by setpoints. Knows frames and
+/// sinks, but neither topics nor wall time; LiveRun advances, this decides.
+class RunControl
+{
+public:
+  /// @param scene YAML of the scene, kept for resets; @param source named in errors
+  /// @param recorder takes frames and setpoints; outlives this
+  /// @throws SceneError, std::invalid_argument where the disks of the scene overlap
+  RunControl(const YAML::Node& scene, const std::string& source, const NodeParameters& parameters,
+             Recorder& recorder);
+
+  /// Another sink for the frames; outlives this.
+  void addSink(FrameSink& sink) { sinks_.add(sink); }
+
+  /// Hands the first frames to the sinks.
+  void begin() { run_->takeDue(sinks_); }
+
+  /// Hands the last frames to the sinks and closes the recording. @throws BagError
+  void end();
+
+  const LiveRun& run() const { return *run_; }
+  const std::vector<std::string>& sceneWarnings() const { return scene_warnings_; }
+  bool paused() const { return paused_; }
+  void pause();
+  void unpause() { paused_ = false; }
+
+  /// Advances to an elapsed time, but no further than to the next frame or the end.
+  void advanceTo(double elapsed) { run_->advanceTo(elapsed, sinks_); }
+
+  /// Advances by `duration` [s] or to the end, in strides between which `keep_going` is asked.
+  Outcome step(double duration, double stride, const std::function<bool()>& keep_going);
+
+  /// Begins anew at time 0. @param seed 0: the scene's own
+  Outcome reset(std::uint64_t seed, const std::vector<std::string>& overrides);
+
+  /// Pours the disks anew, over a base that goes on as it moves; time goes on.
+  void resetWorld();
+
+  Outcome pour(const std::string& species, std::size_t count);
+
+  /// Commands the base at the present time; a value that is refused changes nothing.
+  Outcome command(const Setpoint& setpoint, double value);
+
+private:
+  Scene readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const;
+  void begin(std::unique_ptr<LiveRun> run);
+
+  YAML::Node scene_;
+  std::string source_;
+  NodeParameters parameters_;
+  Recorder& recorder_;
+  FanOut sinks_;
+  std::vector<std::string> scene_warnings_;
+  std::unique_ptr<LiveRun> run_;
+  bool paused_;
+};
+
+}  // namespace ratchet_sieve

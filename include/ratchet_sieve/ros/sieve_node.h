@@ -1,0 +1,55 @@
+#pragma once
+
+#include <atomic>
+
+#include <ros/node_handle.h>
+
+#include "ratchet_sieve/ros/clock_publisher.h"
+#include "ratchet_sieve/ros/command_server.h"
+#include "ratchet_sieve/ros/display.h"
+#include "ratchet_sieve/ros/pacer.h"
+#include "ratchet_sieve/ros/scene_parameters.h"
+#include "ratchet_sieve/ros/topic_publisher.h"
+
+namespace ratchet_sieve
+{
+
+/// The node: one loop in one thread, which serves callbacks, advances the run to the next instant at
+/// which something is due, publishes, and keeps in step with wall time.
+class SieveNode
+{
+public:
+  /// Reads the private parameters and pours the scene.
+  /// @param stop set by a signal handler to end the run; outlives this
+  /// @throws SceneError, ParameterError, BagError, std::invalid_argument where disks overlap
+  SieveNode(const ros::NodeHandle& private_node, const std::atomic<bool>& stop);
+
+  /// Runs until the scene's end, a shutdown or `stop`; the bag is then closed.
+  /// @throws StallError, BagError
+  void run();
+
+private:
+  SieveNode(const ros::NodeHandle& private_node, const SceneParameter& scene, const std::atomic<bool>& stop);
+
+  bool stopped() const;
+  bool ended() const;
+  void advance();
+  void keepAlive();
+  void end();
+  CommandServer::Stepping stepping();
+
+  ros::NodeHandle node_;
+  const std::atomic<bool>& stop_;
+  NodeParameters parameters_;
+  Recorder recorder_;
+  RunControl control_;
+  Pacer pacer_;
+  ClockPublisher clock_;
+  TransformPublisher transforms_;
+  TopicPublisher topics_;
+  Display display_;
+  Diagnostics diagnostics_;
+  CommandServer commands_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/single_subscriber_publisher.h>
+
+#include "ratchet_sieve/recording/frame_sink.h"
+#include "ratchet_sieve/ros/live_run.h"
+#include "ratchet_sieve/ros/transform_publisher.h"
+
+namespace ratchet_sieve
+{
+
+/// Publishes frames on ~particles, ~bins, ~base, ~statistics and, latched, ~scene; the base on /tf
+/// as well. Converts nothing for a topic that nobody subscribes to. A subscriber that comes gets the
+/// present state at once, so that it need not wait while the run stands still.
+class TopicPublisher : public FrameSink
+{
+public:
+  /// @param current gives the run, also after a reset
+  TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
+                 TransformPublisher& transforms);
+
+  void take(const SceneFrame& frame) override;
+  void take(const ParticleFrame& frame) override;
+  void take(const BinFrame& frame) override;
+  void take(const BaseFrame& frame) override;
+  void take(const StatisticsFrame& frame) override;
+
+private:
+  TransformPublisher& transforms_;
+  ros::Publisher scene_;
+  ros::Publisher particles_;
+  ros::Publisher bins_;
+  ros::Publisher base_;
+  ros::Publisher statistics_;
+};
+
+}  // namespace ratchet_sieve

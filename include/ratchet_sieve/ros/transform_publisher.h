@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include <geometry_msgs/TransformStamped.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/single_subscriber_publisher.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include "ratchet_sieve/ros/live_run.h"
+
+namespace ratchet_sieve
+{
+
+/// The base's foot at s = 0, at rest, turned with the base: the frame in which the drive is a
+/// vertical displacement of the world.
+constexpr const char* MOUNT_FRAME_ID = "sieve_mount";
+
+/// The base itself: x along it (s), z normal to it (n).
+constexpr const char* BASE_FRAME_ID = "sieve_base";
+
+/// The transforms world -> sieve_mount -> sieve_base at one instant.
+tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame);
+
+/// Publishes them on /tf, no instant twice. A subscriber that comes while the run stands still gets
+/// the present ones.
+class TransformPublisher
+{
+public:
+  /// @param current gives the run, also after a reset
+  TransformPublisher(ros::NodeHandle node, std::function<const LiveRun&()> current);
+
+  void publish(const BaseFrame& frame);
+
+private:
+  ros::Publisher publisher_;
+  std::optional<double> last_time_;
+};
+
+}  // namespace ratchet_sieve

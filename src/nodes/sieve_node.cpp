@@ -1,0 +1,61 @@
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <memory>
+
+#include <ros/ros.h>
+
+#include "node_options.h"
+#include "ratchet_sieve/ros/sieve_node.h"
+
+namespace
+{
+constexpr const char* HELP =
+    "The ROS node: runs a sieve, takes setpoints and services, publishes and records.\n"
+    "\n"
+    "Usage: rosrun ratchet_sieve sieve_node [--help | --version] [ROS ARGUMENT...]\n"
+    "\n"
+    "Everything is told by parameters, the scene under ~scene: see launch/sieve.launch.\n"
+    "Exit status: 0 at the scene's end or when stopped; 2 for a bad scene or parameter; 1 else.\n";
+
+std::atomic<bool> stop{false};
+
+void requestStop(int)
+{
+  stop = true;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  using namespace ratchet_sieve;
+  if (answerOptions(argc, argv, "sieve_node", HELP))
+    return 0;
+  // Not ROS's own handler, which shuts the topics before the last messages are out. Until there is
+  // a master, which the node handle waits for, a signal simply ends the program.
+  ros::init(argc, argv, "sieve", ros::init_options::NoSigintHandler);
+  const ros::NodeHandle private_node("~");
+  std::signal(SIGINT, requestStop);
+  std::signal(SIGTERM, requestStop);
+  std::unique_ptr<SieveNode> node;
+  try
+  {
+    node = std::make_unique<SieveNode>(private_node, stop);
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "sieve_node: %s\n", error.what());
+    return 2;
+  }
+  try
+  {
+    node->run();
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "sieve_node: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

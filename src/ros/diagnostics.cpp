@@ -1,0 +1,91 @@
+#include "ratchet_sieve/ros/diagnostics.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+using diagnostic_msgs::DiagnosticStatus;
+
+constexpr std::chrono::duration<double> PERIOD(1.0);
+
+/// Overlaps below this are rounding: it is far below any disk's size [m].
+constexpr double TOLERATED_OVERLAP = 1e-9;
+
+/// Below this share of the real-time factor that was asked for, the machine is too slow.
+constexpr double TOLERATED_SPEED = 0.9;
+}  // namespace
+
+Diagnostics::Diagnostics(const RunControl& control, const NodeParameters& parameters,
+                         const Recorder& recorder)
+    : control_(control), parameters_(parameters), recorder_(recorder)
+{
+  updater_.setHardwareID("ratchet_sieve");
+  updater_.add("simulation", this, &Diagnostics::reportRun);
+  updater_.add("setpoints", this, &Diagnostics::reportSetpoints);
+  updater_.add("recording", this, &Diagnostics::reportRecording);
+}
+
+void Diagnostics::setpointTaken(const Setpoint& setpoint)
+{
+  refusals_.erase(setpoint.name);
+}
+
+void Diagnostics::setpointRefused(const Setpoint& setpoint, const std::string& why)
+{
+  refusals_[setpoint.name] = why;
+  updater_.force_update();
+}
+
+void Diagnostics::updateDue()
+{
+  if (Clock::now() - last_update_ >= PERIOD)
+    updater_.force_update();
+}
+
+void Diagnostics::reportRun(Status& status)
+{
+  const auto now = Clock::now();
+  const LiveRun& run = control_.run();
+  const double wall = std::chrono::duration<double>(now - last_update_).count();
+  const double achieved = wall > 0.0 ? (run.time() - last_time_) / wall : 0.0;
+  const double asked = parameters_.real_time_factor;
+  const double overlap = run.simulation().maxOverlap();
+  last_update_ = now;
+  last_time_ = run.time();
+
+  if (overlap > TOLERATED_OVERLAP)
+    status.summaryf(DiagnosticStatus::ERROR, "disks overlapped by %.3g m", overlap);
+  else if (control_.paused())
+    status.summary(DiagnosticStatus::OK, run.finished() ? "at its end" : "paused");
+  else if (asked > 0.0 && wall >= PERIOD.count() && achieved < TOLERATED_SPEED * asked)
+    status.summaryf(DiagnosticStatus::WARN, "too slow: %.3g times real time instead of %.3g", achieved,
+                    asked);
+  else
+    status.summary(DiagnosticStatus::OK, "running");
+  status.add("simulated time [s]", run.time());
+  status.add("end [s]", run.endTime());
+  status.add("real-time factor", achieved);
+  status.add("disks in the machine", run.simulation().activeDisks());
+  status.add("events", run.simulation().events());
+  status.add("largest overlap [m]", overlap);
+}
+
+void Diagnostics::reportSetpoints(Status& status)
+{
+  status.summary(DiagnosticStatus::OK, "all setpoints taken");
+  for (const auto& [name, why] : refusals_)
+    status.mergeSummary(DiagnosticStatus::WARN, why);
+  const DriveState base = control_.run().simulation().base();
+  status.add("inclination, commanded [rad]", base.commanded_inclination);
+  status.add("frequency, commanded [Hz]", base.commanded_frequency);
+  status.add("amplitude, commanded [m]", base.commanded_amplitude);
+}
+
+void Diagnostics::reportRecording(Status& status)
+{
+  const std::string path = recorder_.path();
+  status.summary(DiagnosticStatus::OK, path.empty() ? "off" : "on");
+  status.add("file", path);
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,67 @@
+#include "ratchet_sieve/ros/live_run.h"
+
+#include <algorithm>
+
+#include "shifted_sink.h"
+
+namespace ratchet_sieve
+{
+
+LiveRun::LiveRun(const SceneDefinition& scene, const FrameRates& rates, const SlewRates& slew_rates,
+                 double start_time, double end_time)
+    : simulation_(scene), sampler_(rates, 0.0), start_time_(start_time), end_time_(end_time)
+{
+  simulation_.setSlewRates(slew_rates);
+}
+
+double LiveRun::nextTime() const
+{
+  return std::min(sampler_.nextTime(), end_time_ - start_time_);
+}
+
+void LiveRun::advanceTo(double elapsed, FrameSink& sink)
+{
+  simulation_.advanceTo(std::min(elapsed, nextTime()));
+  takeDue(sink);
+}
+
+void LiveRun::takeDue(FrameSink& sink)
+{
+  ShiftedSink shifted(sink, start_time_);
+  sampler_.takeDue(simulation_, shifted);
+}
+
+void LiveRun::takeAll(FrameSink& sink)
+{
+  ShiftedSink shifted(sink, start_time_);
+  sampler_.takeLast(simulation_, shifted);
+}
+
+template <typename Frame>
+Frame LiveRun::published(Frame frame) const
+{
+  frame.time += start_time_;
+  return frame;
+}
+
+ParticleFrame LiveRun::particles() const
+{
+  return published(makeParticleFrame(simulation_));
+}
+
+BinFrame LiveRun::bins() const
+{
+  return published(makeBinFrame(simulation_));
+}
+
+BaseFrame LiveRun::base() const
+{
+  return published(makeBaseFrame(simulation_));
+}
+
+StatisticsFrame LiveRun::statistics() const
+{
+  return published(makeStatisticsFrame(simulation_, nullptr, 0.0));
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,62 @@
+#include "ratchet_sieve/ros/node_parameters.h"
+
+#include <ros/console.h>
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// Beyond these no feeder is driven, and a slip of a unit (degrees, millimetres) shows.
+constexpr double MAX_INCLINATION = 1.5;  // rad, as in a scene
+constexpr double MAX_FREQUENCY = 1e4;    // Hz
+constexpr double MAX_AMPLITUDE = 1.0;    // m
+
+/// Fastest and slowest slew, as multiples of the quantity's largest value per second.
+constexpr double MAX_SLEW = 10.0;
+constexpr double MIN_SLEW = 1e-9;
+
+constexpr double MAX_RATE = 1e5;  // 1/s
+constexpr double MAX_REAL_TIME_FACTOR = 1e6;
+
+void readLimits(ParameterReader& reader, double least, double most, Setpoint& setpoint, double& slew_rate)
+{
+  const std::string prefix = "limits/" + setpoint.name + "/";
+  setpoint.limits.min = reader.number(prefix + "min", setpoint.limits.min, least, most);
+  setpoint.limits.max = reader.number(prefix + "max", setpoint.limits.max, setpoint.limits.min, most);
+  slew_rate = reader.number(prefix + "slew_rate", slew_rate, MIN_SLEW * most, MAX_SLEW * most);
+}
+
+void readRates(ParameterReader& reader, NodeParameters& parameters)
+{
+  FrameRates& rates = parameters.rates;
+  rates.particles = reader.number("rates/particles", rates.particles, 0.0, MAX_RATE);
+  rates.bins = reader.number("rates/bins", rates.bins, 0.0, MAX_RATE);
+  rates.base = reader.number("rates/base", rates.base, 0.0, MAX_RATE);
+  rates.statistics = reader.number("rates/statistics", rates.statistics, 0.0, MAX_RATE);
+  parameters.display_rate = reader.number("rates/display", parameters.display_rate, 0.0, 1e3);
+  parameters.clock_rate = reader.number("rates/clock", parameters.clock_rate, 1.0, 1e3);
+}
+}  // namespace
+
+NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
+{
+  NodeParameters parameters;
+  ParameterReader reader(private_node);
+  parameters.real_time_factor =
+      reader.number("real_time_factor", parameters.real_time_factor, 0.0, MAX_REAL_TIME_FACTOR);
+  parameters.start_paused = reader.flag("start_paused", parameters.start_paused);
+  parameters.publish_clock = reader.flag("publish_clock", parameters.publish_clock);
+  parameters.exit_at_end = reader.flag("exit_at_end", parameters.exit_at_end);
+  parameters.record = reader.text("record", parameters.record);
+  readRates(reader, parameters);
+  auto& [inclination, frequency, amplitude] = parameters.setpoints;
+  SlewRates& slew = parameters.slew_rates;
+  readLimits(reader, -MAX_INCLINATION, MAX_INCLINATION, inclination, slew.inclination);
+  readLimits(reader, 0.0, MAX_FREQUENCY, frequency, slew.frequency);
+  readLimits(reader, 0.0, MAX_AMPLITUDE, amplitude, slew.amplitude);
+  for (const std::string& name : reader.unknown({"scene", "diagnostic_period"}))
+    ROS_WARN("parameter %s: not known, and ignored", name.c_str());
+  return parameters;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,81 @@
+#include "ratchet_sieve/ros/parameter_reader.h"
+
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace ratchet_sieve
+{
+
+bool ParameterReader::get(const std::string& name, XmlRpc::XmlRpcValue& value)
+{
+  asked_.insert(name);
+  return node_.getParam(name, value);
+}
+
+void ParameterReader::refuse(const std::string& name, const XmlRpc::XmlRpcValue& value,
+                             const std::string& allowed) const
+{
+  std::ostringstream text;
+  text << "parameter " << node_.resolveName(name) << ": " << value << ": must be " << allowed;
+  throw ParameterError(text.str());
+}
+
+double ParameterReader::number(const std::string& name, double fallback, double least, double most)
+{
+  XmlRpc::XmlRpcValue value;
+  if (!get(name, value))
+    return fallback;
+  std::ostringstream allowed;
+  allowed << "a number from " << least << " to " << most;
+  double number = 0.0;
+  if (value.getType() == XmlRpc::XmlRpcValue::TypeDouble)
+    number = static_cast<double&>(value);
+  else if (value.getType() == XmlRpc::XmlRpcValue::TypeInt)
+    number = static_cast<int&>(value);
+  else
+    refuse(name, value, allowed.str());
+  if (!std::isfinite(number) || number < least || number > most)
+    refuse(name, value, allowed.str());
+  return number;
+}
+
+bool ParameterReader::flag(const std::string& name, bool fallback)
+{
+  XmlRpc::XmlRpcValue value;
+  if (!get(name, value))
+    return fallback;
+  if (value.getType() != XmlRpc::XmlRpcValue::TypeBoolean)
+    refuse(name, value, "true or false");
+  return static_cast<bool&>(value);
+}
+
+std::string ParameterReader::text(const std::string& name, const std::string& fallback)
+{
+  XmlRpc::XmlRpcValue value;
+  if (!get(name, value))
+    return fallback;
+  if (value.getType() != XmlRpc::XmlRpcValue::TypeString)
+    refuse(name, value, "text");
+  return static_cast<std::string&>(value);
+}
+
+std::set<std::string> ParameterReader::unknown(const std::set<std::string>& ignored) const
+{
+  const std::string prefix = node_.getNamespace() + "/";
+  std::vector<std::string> names;
+  node_.getParamNames(names);
+  std::set<std::string> unknown;
+  for (const std::string& full_name : names)
+  {
+    if (full_name.compare(0, prefix.size(), prefix) != 0)
+      continue;
+    const std::string name = full_name.substr(prefix.size());
+    const std::string first = name.substr(0, name.find('/'));
+    if (asked_.count(name) == 0 && ignored.count(first) == 0)
+      unknown.insert(full_name);
+  }
+  return unknown;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,57 @@
+#include "ratchet_sieve/ros/schedule.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ratchet_sieve/ros/parameter_reader.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+double finiteNumber(const YAML::Node& node, const std::string& source)
+{
+  double number = 0.0;
+  if (!node.IsScalar() || !YAML::convert<double>::decode(node, number) || !std::isfinite(number))
+    throw ParameterError(source + ": must be a finite number");
+  return number;
+}
+
+ScheduleEntry entryFromYaml(const YAML::Node& node, const std::string& source)
+{
+  if (!node.IsMap() || !node["time"])
+    throw ParameterError(source + ": must be a map with the key time");
+  ScheduleEntry entry;
+  for (const auto& item : node)
+  {
+    const auto key = item.first.as<std::string>();
+    const double value = finiteNumber(item.second, source + "/" + key);
+    const auto* const found = std::find(SCHEDULED.begin(), SCHEDULED.end(), key);
+    if (key == "time")
+      entry.time = value;
+    else if (found != SCHEDULED.end())
+      entry.values[static_cast<std::size_t>(found - SCHEDULED.begin())] = value;
+    else
+      throw ParameterError(source + "/" + key +
+                           ": not known: must be time, inclination, frequency or amplitude");
+  }
+  return entry;
+}
+}  // namespace
+
+std::vector<ScheduleEntry> scheduleFromYaml(const YAML::Node& list, const std::string& source)
+{
+  if (!list.IsSequence())
+    throw ParameterError(source + ": must be a list of {time, inclination, frequency, amplitude}");
+  std::vector<ScheduleEntry> schedule;
+  for (std::size_t k = 0; k < list.size(); ++k)
+  {
+    const std::string entry_source = source + "/" + std::to_string(k);
+    schedule.push_back(entryFromYaml(list[k], entry_source));
+    if (k > 0 && schedule[k].time < schedule[k - 1].time)
+      throw ParameterError(entry_source + "/time: must not be before that of the entry above");
+  }
+  return schedule;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,122 @@
+#include "ratchet_sieve/ros/sieve_node.h"
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// What was published last leaves through a thread of roscpp's: the time that it gets before the
+/// node ends [s of wall time].
+constexpr double FAREWELL = 0.25;
+
+void serveCallbacks(double wait)
+{
+  ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(wait));
+}
+}  // namespace
+
+SieveNode::SieveNode(const ros::NodeHandle& private_node, const std::atomic<bool>& stop)
+    : SieveNode(private_node, readSceneParameter(private_node), stop)
+{
+}
+
+SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& scene,
+                     const std::atomic<bool>& stop)
+    : node_(private_node),
+      stop_(stop),
+      parameters_(readNodeParameters(private_node)),
+      recorder_(parameters_.record, private_node.getNamespace()),
+      control_(scene.root, scene.source, parameters_, recorder_),
+      pacer_(parameters_.real_time_factor),
+      clock_(node_, parameters_.clock_rate, parameters_.publish_clock),
+      transforms_(node_, [this]() -> const LiveRun& { return control_.run(); }),
+      topics_(
+          node_, [this]() -> const LiveRun& { return control_.run(); }, transforms_),
+      display_(node_, parameters_.display_rate, transforms_),
+      diagnostics_(control_, parameters_, recorder_),
+      commands_(node_, parameters_, control_, diagnostics_, stepping(),
+                [this]
+                {
+                  pacer_.anchor(control_.run().elapsed(), Pacer::Clock::now());
+                  clock_.publish(control_.run().time());
+                })
+{
+  for (const std::string& warning : control_.sceneWarnings())
+    ROS_WARN("%s: %s", scene.source.c_str(), warning.c_str());
+  if (parameters_.publish_clock && !ros::Time::isSimTime())
+    ROS_WARN("this node is the clock, but /use_sim_time is not set: other nodes go by wall time");
+  control_.addSink(topics_);
+}
+
+CommandServer::Stepping SieveNode::stepping()
+{
+  return {[this] { return pacer_.stride(); },
+          [this]
+          {
+            keepAlive();
+            return !stopped();
+          }};
+}
+
+bool SieveNode::stopped() const
+{
+  return stop_ || !ros::ok();
+}
+
+bool SieveNode::ended() const
+{
+  return control_.run().finished() && parameters_.exit_at_end;
+}
+
+void SieveNode::keepAlive()
+{
+  clock_.publishDue(control_.run().time());
+  display_.show(control_.run());
+  diagnostics_.updateDue();
+}
+
+void SieveNode::advance()
+{
+  const auto begin = Pacer::Clock::now();
+  const double elapsed = control_.run().elapsed();
+  control_.advanceTo(pacer_.allowed(elapsed, begin));
+  const std::chrono::duration<double> wall = Pacer::Clock::now() - begin;
+  pacer_.advanced(control_.run().elapsed() - elapsed, wall.count());
+  if (control_.run().finished())
+    control_.pause();
+}
+
+void SieveNode::run()
+{
+  const LiveRun& run = control_.run();
+  ROS_INFO("%zu disks, %g s, seed %lu%s%s", run.simulation().activeDisks(), run.endTime(),
+           static_cast<unsigned long>(run.simulation().scene().seed),
+           recorder_.path().empty() ? "" : ", recorded into ", recorder_.path().c_str());
+  control_.begin();
+  pacer_.anchor(0.0, Pacer::Clock::now());
+  while (!stopped() && !ended())
+  {
+    const bool paused = control_.paused();
+    serveCallbacks(paused ? Pacer::LONGEST_WAIT
+                          : pacer_.wait(control_.run().nextTime(), Pacer::Clock::now()));
+    if (!control_.paused() && !stopped())
+      advance();
+    keepAlive();
+  }
+  end();
+}
+
+void SieveNode::end()
+{
+  const std::string path = recorder_.path();
+  control_.end();
+  clock_.publish(control_.run().time());
+  ROS_INFO("ended at %.3f s%s%s", control_.run().time(), path.empty() ? "" : ", recorded in ", path.c_str());
+  const auto until = Pacer::Clock::now() + std::chrono::duration<double>(FAREWELL);
+  while (ros::ok() && Pacer::Clock::now() < until)
+    serveCallbacks(Pacer::LONGEST_WAIT);
+}
+
+}  // namespace ratchet_sieve

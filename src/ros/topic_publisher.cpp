@@ -1,0 +1,67 @@
+#include "ratchet_sieve/ros/topic_publisher.h"
+
+#include "ratchet_sieve/ros/conversions.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// Half a second of frames at the default rates: a subscriber that is slower than that loses some.
+constexpr std::uint32_t QUEUE_SIZE = 30;
+
+template <typename Frame>
+ros::Publisher advertise(ros::NodeHandle& node, const std::string& topic,
+                         const std::function<const LiveRun&()>& current, Frame (LiveRun::*state)() const)
+{
+  using Message = decltype(toMessage(std::declval<Frame>()));
+  return node.advertise<Message>(topic, QUEUE_SIZE,
+                                 [current, state](const ros::SingleSubscriberPublisher& subscriber)
+                                 { subscriber.publish(toMessage((current().*state)())); });
+}
+
+template <typename Frame>
+void publish(const ros::Publisher& publisher, const Frame& frame)
+{
+  if (publisher.getNumSubscribers() > 0)
+    publisher.publish(toMessage(frame));
+}
+}  // namespace
+
+TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
+                               TransformPublisher& transforms)
+    : transforms_(transforms),
+      scene_(private_node.advertise<SceneDescription>("scene", 1, true)),
+      particles_(advertise(private_node, "particles", current, &LiveRun::particles)),
+      bins_(advertise(private_node, "bins", current, &LiveRun::bins)),
+      base_(advertise(private_node, "base", current, &LiveRun::base)),
+      statistics_(advertise(private_node, "statistics", current, &LiveRun::statistics))
+{
+}
+
+void TopicPublisher::take(const SceneFrame& frame)
+{
+  scene_.publish(toMessage(frame));
+}
+
+void TopicPublisher::take(const ParticleFrame& frame)
+{
+  publish(particles_, frame);
+}
+
+void TopicPublisher::take(const BinFrame& frame)
+{
+  publish(bins_, frame);
+}
+
+void TopicPublisher::take(const BaseFrame& frame)
+{
+  publish(base_, frame);
+  transforms_.publish(frame);
+}
+
+void TopicPublisher::take(const StatisticsFrame& frame)
+{
+  publish(statistics_, frame);
+}
+
+}  // namespace ratchet_sieve

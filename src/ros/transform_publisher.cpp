@@ -1,0 +1,54 @@
+#include "ratchet_sieve/ros/transform_publisher.h"
+
+#include <cmath>
+
+#include "ratchet_sieve/ros/conversions.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr std::uint32_t QUEUE_SIZE = 100;
+}
+
+tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame)
+{
+  const double inclination = frame.base.inclination;
+  geometry_msgs::TransformStamped mount;
+  mount.header.stamp = stampOf(frame.time);
+  mount.header.frame_id = WORLD_FRAME_ID;
+  mount.child_frame_id = MOUNT_FRAME_ID;
+  // y of the world points away from the viewer: a turn that raises the right end is negative about it.
+  mount.transform.rotation.w = std::cos(0.5 * inclination);
+  mount.transform.rotation.y = -std::sin(0.5 * inclination);
+
+  geometry_msgs::TransformStamped base;
+  base.header.stamp = mount.header.stamp;
+  base.header.frame_id = MOUNT_FRAME_ID;
+  base.child_frame_id = BASE_FRAME_ID;
+  base.transform.rotation.w = 1.0;
+  base.transform.translation.x = frame.base.displacement * std::sin(inclination);
+  base.transform.translation.z = frame.base.displacement * std::cos(inclination);
+
+  tf2_msgs::TFMessage message;
+  message.transforms = {mount, base};
+  return message;
+}
+
+TransformPublisher::TransformPublisher(ros::NodeHandle node, std::function<const LiveRun&()> current)
+    : publisher_(
+          node.advertise<tf2_msgs::TFMessage>("/tf", QUEUE_SIZE,
+                                              [current](const ros::SingleSubscriberPublisher& subscriber)
+                                              { subscriber.publish(baseTransforms(current().base())); }))
+{
+}
+
+void TransformPublisher::publish(const BaseFrame& frame)
+{
+  if (last_time_ == frame.time)
+    return;
+  last_time_ = frame.time;
+  publisher_.publish(baseTransforms(frame));
+}
+
+}  // namespace ratchet_sieve
