@@ -11,17 +11,6 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-Json collisionCounts(const CollisionCounts& counts)
-{
-  Json json;
-  json["disk_disk"] = counts.disk_disk;
-  json["left_slope"] = counts.left_slope;
-  json["right_slope"] = counts.right_slope;
-  json["apex"] = counts.apex;
-  json["wall"] = counts.wall;
-  return json;
-}
-
 Json speciesResults(const Simulation& simulation)
 {
   const std::vector<SpeciesBins> bins = simulation.bins();
@@ -56,6 +45,17 @@ Json pairResults(const Simulation& simulation)
 }
 
 }  // namespace
+
+Json collisionCounts(const CollisionCounts& counts)
+{
+  Json json;
+  json["disk_disk"] = counts.disk_disk;
+  json["left_slope"] = counts.left_slope;
+  json["right_slope"] = counts.right_slope;
+  json["apex"] = counts.apex;
+  json["wall"] = counts.wall;
+  return json;
+}
 
 Json numberOrNull(const std::optional<double>& value)
 {

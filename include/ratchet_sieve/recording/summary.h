@@ -14,6 +14,9 @@ namespace ratchet_sieve
 /// overlaps, warnings. SI units; what is not defined is null.
 nlohmann::ordered_json summarize(const Simulation& simulation, const RunOutcome& outcome);
 
+/// Collisions of each kind: disk_disk, left_slope, right_slope, apex, wall.
+nlohmann::ordered_json collisionCounts(const CollisionCounts& counts);
+
 /// A number, or null where there is none.
 nlohmann::ordered_json numberOrNull(const std::optional<double>& value);
 

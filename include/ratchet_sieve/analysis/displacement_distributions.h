@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "ratchet_sieve/recording/frames.h"
+
+namespace ratchet_sieve
+{
+
+/// How the displacements of one species' disks in the machine, each since it entered, are
+/// distributed at one time.
+struct DisplacementDistribution
+{
+  double time = 0.0;  ///< [s]
+  std::size_t species = 0;
+  double first_edge = 0.0;  ///< of the first bin [m]
+  double bin_width = 0.0;   ///< [m]
+  std::vector<std::uint64_t> counts;
+
+  std::uint64_t total() const;
+  double edge(std::size_t bin) const { return first_edge + static_cast<double>(bin) * bin_width; }
+  double density(std::size_t bin) const;  ///< [1/m]; integrates to 1
+};
+
+/// Distributions at several times of a run.
+class DisplacementDistributions
+{
+public:
+  /// @param times at which to take them, ascending [s]: the first frame at or after each is taken
+  DisplacementDistributions(std::size_t species_count, std::vector<double> times);
+
+  void take(const ParticleFrame& frame);
+
+  /// By time, then by species; those without a disk are left out. The last is that of the last
+  /// frame, when ever that was. All have the same bins, for them to be compared.
+  std::vector<DisplacementDistribution> distributions() const;
+
+private:
+  struct Snapshot
+  {
+    double time = 0.0;
+    std::vector<std::vector<double>> displacements;  ///< per species [m]
+  };
+
+  Snapshot snapshot(const ParticleFrame& frame) const;
+
+  std::size_t species_count_;
+  std::vector<double> times_;
+  std::size_t next_ = 0;
+  std::vector<Snapshot> snapshots_;
+  Snapshot last_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ratchet_sieve/analysis/displacement_distributions.h"
+#include "ratchet_sieve/analysis/displacement_tracker.h"
+#include "ratchet_sieve/analysis/thinned_series.h"
+#include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/recording/frame_sink.h"
+
+namespace ratchet_sieve
+{
+
+/// Frames that do not fit together: no scene before them, or species that the scene does not have.
+struct AnalysisError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// What came of a run, from its frames alone. Series are thinned (ThinnedSeries), but for the bins,
+/// of which every change is kept.
+struct RunResult
+{
+  SceneFrame scene_frame;
+  SceneDefinition scene;
+  double start = 0.0;  ///< of the first frame [s]
+  double end = 0.0;    ///< of the last frame [s]
+  std::size_t particle_frames = 0;
+
+  std::vector<std::string> species;
+  std::vector<DriftVelocity> velocities;                     ///< per species, after `settle`
+  std::vector<std::optional<double>> granular_temperatures;  ///< per species, mean after `settle` [J]
+  std::vector<DisplacementDistribution> displacement_distributions;
+
+  std::vector<BinFrame> bins;  ///< first, every change, last
+  std::vector<BaseFrame> base;
+  std::vector<StatisticsFrame> statistics;
+
+  /// Contacts with the shorter slope over those with the longer one, since the start.
+  std::optional<double> shortToLong() const;
+  const BinFrame* lastBins() const { return bins.empty() ? nullptr : &bins.back(); }
+  const StatisticsFrame* lastStatistics() const { return statistics.empty() ? nullptr : &statistics.back(); }
+};
+
+/// Analyses a run while its frames go by: its memory grows with the disks, not with the frames.
+/// A scene frame begins a new analysis and drops what was before.
+class RunAnalysis : public FrameSink
+{
+public:
+  RunAnalysis();
+  ~RunAnalysis() override;
+
+  /// @throws SceneError if the scene's YAML is none
+  void take(const SceneFrame& frame) override;
+  /// The others: @throws AnalysisError for frames that do not fit the scene
+  void take(const ParticleFrame& frame) override;
+  void take(const BinFrame& frame) override;
+  void take(const BaseFrame& frame) override;
+  void take(const StatisticsFrame& frame) override;
+
+  /// @throws AnalysisError if no scene was taken
+  RunResult result() const;
+
+private:
+  struct Run;
+  Run& run(const char* kind, double time);
+
+  std::unique_ptr<Run> run_;
+};
+
+}  // namespace ratchet_sieve

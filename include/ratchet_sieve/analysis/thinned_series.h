@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace ratchet_sieve
+{
+
+/// A series of samples of which, however many come, no more than a fixed number is kept: every
+/// 2^k-th, and the last.
+template <typename Sample>
+class ThinnedSeries
+{
+public:
+  /// @param capacity how many to keep; even, 2 at least
+  explicit ThinnedSeries(std::size_t capacity = 4096) : capacity_(capacity) {}
+
+  void take(Sample sample)
+  {
+    if (taken_++ % stride_ != 0)
+    {
+      last_ = std::move(sample);
+      return;
+    }
+    last_.reset();
+    kept_.push_back(std::move(sample));
+    if (kept_.size() > capacity_)
+      thin();
+  }
+
+  /// In the order in which they came.
+  std::vector<Sample> samples() const
+  {
+    std::vector<Sample> all = kept_;
+    if (last_)
+      all.push_back(*last_);
+    return all;
+  }
+
+private:
+  /// Keeps every other one. @pre an odd number of them, so that the last stays
+  void thin()
+  {
+    for (std::size_t i = 0; 2 * i < kept_.size(); ++i)
+      kept_[i] = std::move(kept_[2 * i]);
+    kept_.resize((kept_.size() + 1) / 2);
+    stride_ *= 2;
+  }
+
+  std::size_t capacity_;
+  std::size_t taken_ = 0;
+  std::size_t stride_ = 1;
+  std::vector<Sample> kept_;
+  std::optional<Sample> last_;  ///< where it is not among those kept
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,129 @@
+#include "ratchet_sieve/analysis/displacement_distributions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+constexpr double FEWEST_BINS = 10.0;
+constexpr double MOST_BINS = 200.0;
+
+/// The bins that all distributions share.
+struct Bins
+{
+  double first_edge = 0.0;
+  double width = 1.0;
+  std::size_t count = 1;
+
+  std::size_t binOf(double value) const
+  {
+    const double bin = std::floor((value - first_edge) / width);
+    return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(count - 1)));
+  }
+};
+
+/// The least of 1, 2, 5, 10, ... times a power of ten that is not below `width`.
+double roundedUp(double width)
+{
+  const double power = std::pow(10.0, std::floor(std::log10(width)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (step * power >= width)
+      return step * power;
+  return 10.0 * power;
+}
+
+/// Round edges, and twice as many bins as Rice's rule has for the most numerous sample (2 n^(1/3)),
+/// as the early distributions are narrow beside the late ones.
+Bins commonBins(double lowest, double highest, std::size_t largest_sample)
+{
+  const double wanted =
+      std::clamp(4.0 * std::cbrt(static_cast<double>(largest_sample)), FEWEST_BINS, MOST_BINS);
+  const double range = highest - lowest;
+  Bins bins;
+  bins.width = roundedUp(range > 0.0 ? range / wanted : std::max(std::abs(highest), 1e-3));
+  bins.first_edge = std::floor(lowest / bins.width) * bins.width;
+  bins.count = static_cast<std::size_t>(std::floor((highest - bins.first_edge) / bins.width)) + 1;
+  return bins;
+}
+
+}  // namespace
+
+std::uint64_t DisplacementDistribution::total() const
+{
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+double DisplacementDistribution::density(std::size_t bin) const
+{
+  return static_cast<double>(counts[bin]) / (static_cast<double>(total()) * bin_width);
+}
+
+DisplacementDistributions::DisplacementDistributions(std::size_t species_count, std::vector<double> times)
+    : species_count_(species_count), times_(std::move(times))
+{
+}
+
+DisplacementDistributions::Snapshot DisplacementDistributions::snapshot(const ParticleFrame& frame) const
+{
+  Snapshot snapshot;
+  snapshot.time = frame.time;
+  snapshot.displacements.resize(species_count_);
+  for (const DiskState& disk : frame.disks)
+    snapshot.displacements[disk.species].push_back(disk.displacement);
+  return snapshot;
+}
+
+void DisplacementDistributions::take(const ParticleFrame& frame)
+{
+  last_ = snapshot(frame);
+  if (next_ == times_.size() || frame.time < times_[next_])
+    return;
+  while (next_ < times_.size() && frame.time >= times_[next_])
+    ++next_;
+  snapshots_.push_back(last_);
+}
+
+std::vector<DisplacementDistribution> DisplacementDistributions::distributions() const
+{
+  std::vector<Snapshot> snapshots = snapshots_;
+  if (snapshots.empty() || last_.time > snapshots.back().time)
+    snapshots.push_back(last_);
+
+  double lowest = std::numeric_limits<double>::max();
+  double highest = std::numeric_limits<double>::lowest();
+  std::size_t largest_sample = 0;
+  for (const Snapshot& snapshot : snapshots)
+    for (const std::vector<double>& sample : snapshot.displacements)
+    {
+      largest_sample = std::max(largest_sample, sample.size());
+      for (const double value : sample)
+      {
+        lowest = std::min(lowest, value);
+        highest = std::max(highest, value);
+      }
+    }
+  std::vector<DisplacementDistribution> distributions;
+  if (largest_sample == 0)
+    return distributions;
+
+  const Bins bins = commonBins(lowest, highest, largest_sample);
+  for (const Snapshot& snapshot : snapshots)
+    for (std::size_t species = 0; species < snapshot.displacements.size(); ++species)
+    {
+      if (snapshot.displacements[species].empty())
+        continue;
+      DisplacementDistribution distribution{snapshot.time, species, bins.first_edge, bins.width,
+                                            std::vector<std::uint64_t>(bins.count)};
+      for (const double value : snapshot.displacements[species])
+        ++distribution.counts[bins.binOf(value)];
+      distributions.push_back(std::move(distribution));
+    }
+  return distributions;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,94 @@
+#include "ratchet_sieve/analysis/displacement_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Sums over the disks of one species.
+struct Sums
+{
+  std::size_t disks = 0;
+  double displacement = 0.0;
+  double time = 0.0;
+  double displacement_squared = 0.0;
+  double displacement_time = 0.0;
+  double time_squared = 0.0;
+
+  void add(double dx, double dt)
+  {
+    ++disks;
+    displacement += dx;
+    time += dt;
+    displacement_squared += dx * dx;
+    displacement_time += dx * dt;
+    time_squared += dt * dt;
+  }
+
+  DriftVelocity velocity() const
+  {
+    DriftVelocity velocity;
+    velocity.disks = disks;
+    if (disks == 0)
+      return velocity;
+    const double mean = displacement / time;
+    velocity.mean = mean;
+    if (disks > 1)
+    {
+      // The ratio estimator's error: the scatter of what each disk travelled about its share of the mean.
+      const double count = static_cast<double>(disks);
+      const double scatter =
+          displacement_squared - 2.0 * mean * displacement_time + mean * mean * time_squared;
+      velocity.mean_stderr = std::sqrt(std::max(0.0, scatter) * count / (count - 1.0)) / time;
+    }
+    return velocity;
+  }
+};
+
+}  // namespace
+
+DisplacementTracker::DisplacementTracker(std::size_t species_count, double settle)
+    : species_count_(species_count), settle_(settle)
+{
+}
+
+void DisplacementTracker::take(const ParticleFrame& frame)
+{
+  if (frame.time < settle_)
+    return;
+  for (const DiskState& disk : frame.disks)
+  {
+    const auto [place, is_new] = tracks_.try_emplace(disk.id);
+    Track& track = place->second;
+    if (is_new)
+      track = {disk.species, frame.time, disk.displacement, frame.time, disk.displacement};
+    track.last_time = frame.time;
+    track.last_displacement = disk.displacement;
+  }
+}
+
+std::vector<DriftVelocity> DisplacementTracker::velocities() const
+{
+  // Summed in the order of the ids, so that the same frames give the same bits.
+  std::vector<std::uint32_t> ids;
+  for (const auto& item : tracks_)
+    ids.push_back(item.first);
+  std::sort(ids.begin(), ids.end());
+  std::vector<Sums> sums(species_count_);
+  for (const std::uint32_t id : ids)
+  {
+    const Track& track = tracks_.at(id);
+    if (track.last_time > track.first_time)
+      sums[track.species].add(track.last_displacement - track.first_displacement,
+                              track.last_time - track.first_time);
+  }
+  std::vector<DriftVelocity> velocities;
+  for (const Sums& sum : sums)
+    velocities.push_back(sum.velocity());
+  return velocities;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,157 @@
+#include "ratchet_sieve/analysis/run_analysis.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "ratchet_sieve/scene/scene_file.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Displacements are distributed at the ends of this many equal parts of the duration.
+constexpr int DISTRIBUTION_TIMES = 4;
+
+std::vector<double> distributionTimes(double duration)
+{
+  std::vector<double> times;
+  for (int k = 1; k <= DISTRIBUTION_TIMES; ++k)
+    times.push_back(duration * k / DISTRIBUTION_TIMES);
+  return times;
+}
+
+bool sameBins(const BinFrame& a, const BinFrame& b)
+{
+  return std::equal(a.bins.begin(), a.bins.end(), b.bins.begin(), b.bins.end(),
+                    [](const SpeciesBins& x, const SpeciesBins& y)
+                    { return x.left == y.left && x.right == y.right && x.on_base == y.on_base; });
+}
+
+}  // namespace
+
+/// All that is kept of one run.
+struct RunAnalysis::Run
+{
+  Run(const SceneFrame& frame, SceneDefinition definition)
+      : scene_frame(frame),
+        scene(std::move(definition)),
+        start(frame.time),
+        end(frame.time),
+        tracker(scene.species.size(), scene.settle),
+        distributions(scene.species.size(), distributionTimes(scene.duration)),
+        temperature_sums(scene.species.size())
+  {
+  }
+
+  void requireSpecies(std::size_t count, const char* kind) const
+  {
+    if (count != scene.species.size())
+      throw AnalysisError(fmt::format("a {} frame of {} species does not fit the scene, which has {}", kind,
+                                      count, scene.species.size()));
+  }
+
+  SceneFrame scene_frame;
+  SceneDefinition scene;
+  double start;
+  double end;
+  std::size_t particle_frames = 0;
+  DisplacementTracker tracker;
+  DisplacementDistributions distributions;
+  std::vector<BinFrame> bins;
+  std::optional<BinFrame> last_bins;
+  ThinnedSeries<BaseFrame> base;
+  ThinnedSeries<StatisticsFrame> statistics;
+  std::vector<double> temperature_sums;  ///< per species, over `temperature_frames` [J]
+  std::size_t temperature_frames = 0;
+};
+
+RunAnalysis::RunAnalysis() = default;
+RunAnalysis::~RunAnalysis() = default;
+
+RunAnalysis::Run& RunAnalysis::run(const char* kind, double time)
+{
+  if (!run_)
+    throw AnalysisError(fmt::format("a {} frame at {} s comes before any scene", kind, time));
+  run_->end = std::max(run_->end, time);
+  return *run_;
+}
+
+void RunAnalysis::take(const SceneFrame& frame)
+{
+  run_ = std::make_unique<Run>(frame, sceneFromText(frame.yaml, "recorded scene").definition);
+}
+
+void RunAnalysis::take(const ParticleFrame& frame)
+{
+  Run& run = this->run("particle", frame.time);
+  for (const DiskState& disk : frame.disks)
+    if (disk.species >= run.scene.species.size())
+      throw AnalysisError(fmt::format("disk {} at {} s has species {}, and the scene {} of them", disk.id,
+                                      frame.time, disk.species, run.scene.species.size()));
+  ++run.particle_frames;
+  run.tracker.take(frame);
+  run.distributions.take(frame);
+}
+
+void RunAnalysis::take(const BinFrame& frame)
+{
+  Run& run = this->run("bin", frame.time);
+  run.requireSpecies(frame.bins.size(), "bin");
+  if (run.bins.empty() || !sameBins(run.bins.back(), frame))
+    run.bins.push_back(frame);
+  run.last_bins = frame;
+}
+
+void RunAnalysis::take(const BaseFrame& frame)
+{
+  run("base", frame.time).base.take(frame);
+}
+
+void RunAnalysis::take(const StatisticsFrame& frame)
+{
+  Run& run = this->run("statistics", frame.time);
+  run.requireSpecies(frame.means.size(), "statistics");
+  run.requireSpecies(frame.granular_temperature.size(), "statistics");
+  run.statistics.take(frame);
+  if (frame.time < run.scene.settle)
+    return;
+  ++run.temperature_frames;
+  for (std::size_t i = 0; i < run.temperature_sums.size(); ++i)
+    run.temperature_sums[i] += frame.granular_temperature[i];
+}
+
+RunResult RunAnalysis::result() const
+{
+  if (!run_)
+    throw AnalysisError("no scene was recorded");
+  const Run& run = *run_;
+  RunResult result;
+  result.scene_frame = run.scene_frame;
+  result.scene = run.scene;
+  result.start = run.start;
+  result.end = run.end;
+  result.particle_frames = run.particle_frames;
+  for (const SpeciesDefinition& species : run.scene.species)
+    result.species.push_back(species.name);
+  result.velocities = run.tracker.velocities();
+  result.displacement_distributions = run.distributions.distributions();
+  result.bins = run.bins;
+  if (run.last_bins && run.last_bins->time > run.bins.back().time)
+    result.bins.push_back(*run.last_bins);
+  result.base = run.base.samples();
+  result.statistics = run.statistics.samples();
+  for (const double sum : run.temperature_sums)
+    result.granular_temperatures.push_back(
+        run.temperature_frames > 0 ? std::optional<double>(sum / static_cast<double>(run.temperature_frames))
+                                   : std::nullopt);
+  return result;
+}
+
+std::optional<double> RunResult::shortToLong() const
+{
+  return statistics.empty() ? std::nullopt : statistics.back().collisions.shortToLong(scene.base.asymmetry);
+}
+
+}  // namespace ratchet_sieve
