@@ -21,8 +21,8 @@ constexpr double LINE_WIDTH = 0.001;
 constexpr double BIN_WIDTH = 0.14;
 constexpr double BIN_HEIGHT = 0.20;
 constexpr double BIN_GAP = 0.02;  // between the base's end and a bin
-constexpr double LETTER = 0.018;
-constexpr double CAPTION_HEIGHT = 0.27;  // above the middle of the base
+constexpr double LETTER = 0.024;
+constexpr double CAPTION_HEIGHT = 0.25;  // above the middle of the base
 
 void addTooth(const BaseDefinition& base, int tooth, Marker& triangles, Marker& outline)
 {
@@ -71,7 +71,7 @@ void addBin(const SceneDefinition& scene, const BinFrame& frame, const BinPlace&
     addRectangle(fill, place.x + column * (k + 0.15), place.y, 0.7 * column, level * height);
     markers.markers.push_back(fill);
     markers.markers.push_back(text(frame.time, std::string(place.name) + "_count", id,
-                                   place.x + column * (k + 0.5), place.y - 1.2 * LETTER * scale,
+                                   place.x + column * (k + 0.5), place.y - 1.3 * LETTER * scale,
                                    LETTER * scale, fmt::format("{} {}", frame.species[k], bins.*side)));
   }
 }
@@ -128,10 +128,10 @@ MarkerArray binMarkers(const SceneDefinition& scene, const BinFrame& frame, cons
 MarkerArray captionMarkers(const SceneDefinition& scene, const BinFrame& frame, const DriveState& base)
 {
   const double width = scene.base.width();
-  std::string words = fmt::format("t = {:.2f} s     theta = {:+.3f} rad     f = {:.1f} Hz     A = {:.2f} mm",
+  std::string words = fmt::format("t = {:.2f} s    theta = {:+.3f} rad    f = {:.1f} Hz    A = {:.2f} mm",
                                   frame.time, base.inclination, base.frequency, 1e3 * base.amplitude);
   if (scene.boundary == Boundary::OPEN)
-    words += fmt::format("\nQ = {}     P = {}", orUndefined(frame.quality), orUndefined(frame.processed));
+    words += fmt::format("\nQ = {}    P = {}", orUndefined(frame.quality), orUndefined(frame.processed));
   const double x = 0.5 * width * std::cos(base.inclination);
   const double y = 0.5 * width * std::sin(base.inclination) + CAPTION_HEIGHT * width;
   MarkerArray markers;
