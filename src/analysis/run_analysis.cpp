@@ -29,6 +29,25 @@ bool sameBins(const BinFrame& a, const BinFrame& b)
                     { return x.left == y.left && x.right == y.right && x.on_base == y.on_base; });
 }
 
+/// A granular temperature over those frames in which there was one: two disks at least.
+struct TemperatureMean
+{
+  double sum = 0.0;  ///< [J]
+  std::size_t frames = 0;
+
+  void take(double temperature)
+  {
+    if (temperature <= 0.0)
+      return;
+    sum += temperature;
+    ++frames;
+  }
+  std::optional<double> mean() const
+  {
+    return frames > 0 ? std::optional<double>(sum / static_cast<double>(frames)) : std::nullopt;
+  }
+};
+
 }  // namespace
 
 /// All that is kept of one run.
@@ -41,7 +60,7 @@ struct RunAnalysis::Run
         end(frame.time),
         tracker(scene.species.size(), scene.settle),
         distributions(scene.species.size(), distributionTimes(scene.duration)),
-        temperature_sums(scene.species.size())
+        temperatures(scene.species.size())
   {
   }
 
@@ -63,8 +82,7 @@ struct RunAnalysis::Run
   std::optional<BinFrame> last_bins;
   ThinnedSeries<BaseFrame> base;
   ThinnedSeries<StatisticsFrame> statistics;
-  std::vector<double> temperature_sums;  ///< per species, over `temperature_frames` [J]
-  std::size_t temperature_frames = 0;
+  std::vector<TemperatureMean> temperatures;  ///< per species
 };
 
 RunAnalysis::RunAnalysis() = default;
@@ -117,9 +135,8 @@ void RunAnalysis::take(const StatisticsFrame& frame)
   run.statistics.take(frame);
   if (frame.time < run.scene.settle)
     return;
-  ++run.temperature_frames;
-  for (std::size_t i = 0; i < run.temperature_sums.size(); ++i)
-    run.temperature_sums[i] += frame.granular_temperature[i];
+  for (std::size_t i = 0; i < run.temperatures.size(); ++i)
+    run.temperatures[i].take(frame.granular_temperature[i]);
 }
 
 RunResult RunAnalysis::result() const
@@ -142,10 +159,8 @@ RunResult RunAnalysis::result() const
     result.bins.push_back(*run.last_bins);
   result.base = run.base.samples();
   result.statistics = run.statistics.samples();
-  for (const double sum : run.temperature_sums)
-    result.granular_temperatures.push_back(
-        run.temperature_frames > 0 ? std::optional<double>(sum / static_cast<double>(run.temperature_frames))
-                                   : std::nullopt);
+  for (const TemperatureMean& temperature : run.temperatures)
+    result.granular_temperatures.push_back(temperature.mean());
   return result;
 }
 

@@ -1,0 +1,93 @@
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "plot_script.h"
+#include "ratchet_sieve/analysis/analysis_report.h"
+#include "ratchet_sieve/analysis/analysis_tables.h"
+#include "ratchet_sieve/analysis/run_analysis.h"
+#include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/ros/bag_reader.h"
+
+namespace
+{
+
+using namespace ratchet_sieve;
+
+// Exit status.
+constexpr int DONE = 0;
+constexpr int FAILED = 1;
+constexpr int REFUSED = 2;
+
+struct Arguments
+{
+  std::string bag;
+  std::string summary;
+  std::string directory;
+};
+
+void describe(CLI::App& app, Arguments& arguments)
+{
+  app.add_option("BAG", arguments.bag, "A recorded run")->required()->type_name("FILE");
+  app.add_option("--summary", arguments.summary, "Write the results as JSON")->type_name("FILE");
+  app.add_option("--out", arguments.directory, "Write tables (CSV) and plots (PNG) there")->type_name("DIR");
+  app.set_version_flag("--version", version());
+  app.footer("Exit status: 0 done; 2 bad arguments; 1 anything else, such as a bag that cannot be read.");
+}
+
+int analyze(const Arguments& arguments)
+{
+  std::unique_ptr<AtomicFile> summary;
+  if (!arguments.summary.empty())
+    summary = std::make_unique<AtomicFile>(arguments.summary);
+  RunAnalysis analysis;
+  readBag(arguments.bag, analysis);
+  const RunResult result = analysis.result();
+  std::fputs(reportText(result).c_str(), stdout);
+  if (summary)
+  {
+    summary->stream() << reportJson(result).dump(2) << '\n';
+    summary->commit();
+  }
+  if (!arguments.directory.empty())
+  {
+    std::puts("\nTables and plots:");
+    for (const std::string& path : writeTables(result, arguments.directory))
+      std::puts(path.c_str());
+    std::fflush(stdout);
+    plotTables(arguments.directory);
+  }
+  return DONE;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  Arguments arguments;
+  CLI::App app("Analyses a recorded run: Q, P, mean velocities, displacements, contacts.", "sieve_analyze");
+  describe(app, arguments);
+  try
+  {
+    app.parse(argc, argv);
+    return analyze(arguments);
+  }
+  catch (const CLI::Success& request)
+  {
+    return app.exit(request);
+  }
+  catch (const CLI::Error& error)
+  {
+    std::fprintf(stderr, "sieve_analyze: %s; see --help\n", error.what());
+    return REFUSED;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "sieve_analyze: %s\n", error.what());
+    return FAILED;
+  }
+}
