@@ -8,6 +8,12 @@ if(EXISTS /usr/lib/python3/dist-packages/catkin_pkg)
   set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python that has ROS's modules")
 endif()
 
+# rosrun looks for programs below the package, but never below its build/: what is built there has its
+# devel space beside it.
+if(NOT CATKIN_DEVEL_PREFIX AND PROJECT_BINARY_DIR STREQUAL "${PROJECT_SOURCE_DIR}/build")
+  set(CATKIN_DEVEL_PREFIX ${PROJECT_SOURCE_DIR}/devel)
+endif()
+
 set(ROS_MESSAGE_PACKAGES
   diagnostic_msgs geometry_msgs rosgraph_msgs sensor_msgs std_msgs std_srvs tf2_msgs visualization_msgs)
 set(ROS_LIBRARY_PACKAGES diagnostic_updater rosbag roscpp)

@@ -3,6 +3,7 @@
 
 project_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=$project_dir/build
+devel_dir=$project_dir/devel
 
 # A python that comes first on PATH (pyenv, conda) knows nothing of ROS's modules in /usr.
 export PATH=/usr/bin:$PATH
