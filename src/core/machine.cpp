@@ -156,6 +156,11 @@ void Machine::restartMeans(double time)
   base_impulse_y_ = 0.0;
 }
 
+void Machine::endPieceOfMeans(double time)
+{
+  tally_.endPiece(disks_, active_, epoch_.start + time, time);
+}
+
 std::vector<SpeciesBins> Machine::bins() const
 {
   return bins_;

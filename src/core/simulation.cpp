@@ -76,7 +76,7 @@ public:
     observer_ = std::move(observer);
     if (!observer_)
       machine_.observeCollisions(nullptr);
-    else if (machine_.scene().contact.pair_collisions)
+    else if (scenePairs())
       machine_.observeCollisions(observer_);
     else
       machine_.observeCollisions([this](const CollisionRecord& record) { unsorted_.push_back(record); });
@@ -97,12 +97,23 @@ private:
     next = std::min(next, machine_.motion().nextChange().value_or(next));
     if (!settled_)
       next = std::min(next, machine_.scene().settle - epoch_start);
+    else if (scenePairs())
+      next = std::min(next, nextPieceEnd() - epoch_start);
     if (machine_.scene().feed.rate > 0.0)
       next = std::min(next, nextFeedTime() - epoch_start);
     return std::max(next, now_);
   }
 
   double nextFeedTime() const { return static_cast<double>(fed_ + 1) / machine_.scene().feed.rate; }
+
+  bool scenePairs() const { return machine_.scene().contact.pair_collisions; }
+
+  /// The series from which the errors of the means are found goes by drive periods. Disks that do
+  /// not see each other are independent, and need none.
+  double nextPieceEnd() const
+  {
+    return machine_.scene().settle + static_cast<double>(pieces_ + 1) * machine_.drivePeriod();
+  }
 
   /// Handles one of the events that concern all disks, if one is due, in a fixed order.
   bool handleGlobalEvent()
@@ -112,6 +123,12 @@ private:
     {
       settled_ = true;
       machine_.restartMeans(now_);
+      return true;
+    }
+    if (settled_ && scenePairs() && nextPieceEnd() - epoch_start <= now_)
+    {
+      ++pieces_;
+      machine_.endPieceOfMeans(now_);
       return true;
     }
     const auto change = machine_.motion().nextChange();
@@ -220,6 +237,7 @@ private:
   std::unique_ptr<EventLoop> loop_;
   double now_ = 0.0;  ///< local to the epoch [s]
   bool settled_ = false;
+  std::uint64_t pieces_ = 0;  ///< of the series of means that have ended
   std::uint64_t fed_ = 0;
   CollisionObserver observer_;
   std::vector<CollisionRecord> unsorted_;  ///< an ensemble's, disk by disk

@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ratchet_sieve
 {
 
 Tally::Tally(const std::vector<SpeciesDefinition>& species, double gravity)
-    : species_(species), gravity_(gravity), departed_(species.size())
+    : species_(species),
+      gravity_(gravity),
+      departed_(species.size()),
+      at_piece_end_(species.size()),
+      blocks_(species.size())
 {
 }
 
@@ -43,6 +48,8 @@ void Tally::restart(const std::vector<Disk>& disks, const std::vector<std::uint8
                     double local_time)
 {
   std::fill(departed_.begin(), departed_.end(), Sums());
+  std::fill(at_piece_end_.begin(), at_piece_end_.end(), Sums());
+  std::fill(blocks_.begin(), blocks_.end(), BlockAverages());
   for (std::uint32_t id = 0; id < disks.size(); ++id)
   {
     if (!active[id])
@@ -90,9 +97,8 @@ SpeciesMeans Tally::Sums::means(const SpeciesDefinition& species) const
   return means;
 }
 
-std::vector<SpeciesMeans> Tally::means(const std::vector<Disk>& disks,
-                                       const std::vector<std::uint8_t>& active, double time,
-                                       double local_time) const
+std::vector<Tally::Sums> Tally::sums(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active,
+                                     double time, double local_time) const
 {
   std::vector<Sums> sums = departed_;
   for (std::uint32_t id = 0; id < disks.size(); ++id)
@@ -103,9 +109,32 @@ std::vector<SpeciesMeans> Tally::means(const std::vector<Disk>& disks,
     integrate(passage, disks[id], local_time);
     sums[disks[id].species].add(passage, flown(disks[id], local_time, gravity_).x, time);
   }
+  return sums;
+}
+
+void Tally::endPiece(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
+                     double local_time)
+{
+  std::vector<Sums> now = sums(disks, active, time, local_time);
+  for (std::size_t s = 0; s < species_.size(); ++s)
+    blocks_[s].add(now[s].displacement - at_piece_end_[s].displacement, now[s].time - at_piece_end_[s].time);
+  at_piece_end_ = std::move(now);
+}
+
+std::vector<SpeciesMeans> Tally::means(const std::vector<Disk>& disks,
+                                       const std::vector<std::uint8_t>& active, double time,
+                                       double local_time) const
+{
+  const std::vector<Sums> all = sums(disks, active, time, local_time);
   std::vector<SpeciesMeans> means;
   for (std::size_t s = 0; s < species_.size(); ++s)
-    means.push_back(sums[s].means(species_[s]));
+  {
+    means.push_back(all[s].means(species_[s]));
+    // Whichever sees more: disks that differ among each other, or a layer that moves as a whole.
+    const auto over_time = blocks_[s].standardError();
+    if (over_time && means[s].mean_vx)
+      means[s].mean_vx_stderr = std::max(means[s].mean_vx_stderr.value_or(0.0), *over_time);
+  }
   return means;
 }
 

@@ -77,6 +77,7 @@ public:
 
   void rebase();
   void restartMeans(double time);
+  void endPieceOfMeans(double time);
 
   std::vector<SpeciesBins> bins() const;
   std::vector<SpeciesMeans> means(double time) const;

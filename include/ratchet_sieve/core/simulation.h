@@ -68,7 +68,7 @@ struct CollisionRecord
 struct SpeciesMeans
 {
   std::optional<double> mean_vx;                ///< sum of displacements / sum of times [m/s]
-  std::optional<double> mean_vx_stderr;         ///< over disks; nothing for fewer than two [m/s]
+  std::optional<double> mean_vx_stderr;         ///< standard error [m/s]; see BlockAverages
   std::optional<double> kinetic_translational;  ///< [J], mean over disks and time
   std::optional<double> kinetic_rotational;     ///< [J], mean over disks and time
 };

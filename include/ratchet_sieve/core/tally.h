@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/disk.h"
 #include "ratchet_sieve/core/simulation.h"
 
@@ -30,6 +31,10 @@ public:
   /// @param local_time `time` in the epoch of the disks' own times
   void restart(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
                double local_time);
+
+  /// Ends a piece of the series from which the errors of the means are found; see BlockAverages.
+  void endPiece(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
+                double local_time);
 
   /// World x travelled since the disk entered, unwrapped [m].
   double displacement(std::uint32_t id, double x) const
@@ -69,11 +74,15 @@ private:
   };
 
   void integrate(Passage& passage, const Disk& disk, double local_time) const;
+  std::vector<Sums> sums(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
+                         double local_time) const;
 
   std::vector<SpeciesDefinition> species_;
   double gravity_;
-  std::vector<Passage> passages_;  ///< per disk
-  std::vector<Sums> departed_;     ///< per species
+  std::vector<Passage> passages_;      ///< per disk
+  std::vector<Sums> departed_;         ///< per species
+  std::vector<Sums> at_piece_end_;     ///< per species, when the last piece ended
+  std::vector<BlockAverages> blocks_;  ///< per species
 };
 
 }  // namespace ratchet_sieve
