@@ -240,7 +240,7 @@ def main():
                 plt.close(figure)
                 print(directory / name)
     except OSError as error:
-        sys.exit(f'plot_analysis.py: {error}')
+        sys.exit(f'plot_analysis.py: {error.filename}: {error.strerror}')
 
 
 if __name__ == '__main__':

@@ -50,8 +50,8 @@ struct Sums
 
 }  // namespace
 
-DisplacementTracker::DisplacementTracker(std::size_t species_count, double settle)
-    : species_count_(species_count), settle_(settle)
+DisplacementTracker::DisplacementTracker(std::size_t species_count, double settle, bool independent)
+    : settle_(settle), independent_(independent), blocks_(species_count)
 {
 }
 
@@ -59,15 +59,21 @@ void DisplacementTracker::take(const ParticleFrame& frame)
 {
   if (frame.time < settle_)
     return;
+  std::vector<Sums> steps(blocks_.size());  // since the frame before
   for (const DiskState& disk : frame.disks)
   {
     const auto [place, is_new] = tracks_.try_emplace(disk.id);
     Track& track = place->second;
     if (is_new)
       track = {disk.species, frame.time, disk.displacement, frame.time, disk.displacement};
+    else
+      steps[track.species].add(disk.displacement - track.last_displacement, frame.time - track.last_time);
     track.last_time = frame.time;
     track.last_displacement = disk.displacement;
   }
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    if (!independent_ && steps[i].time > 0.0)
+      blocks_[i].add(steps[i].displacement, steps[i].time);
 }
 
 std::vector<DriftVelocity> DisplacementTracker::velocities() const
@@ -77,7 +83,7 @@ std::vector<DriftVelocity> DisplacementTracker::velocities() const
   for (const auto& item : tracks_)
     ids.push_back(item.first);
   std::sort(ids.begin(), ids.end());
-  std::vector<Sums> sums(species_count_);
+  std::vector<Sums> sums(blocks_.size());
   for (const std::uint32_t id : ids)
   {
     const Track& track = tracks_.at(id);
@@ -86,8 +92,14 @@ std::vector<DriftVelocity> DisplacementTracker::velocities() const
                               track.last_time - track.first_time);
   }
   std::vector<DriftVelocity> velocities;
-  for (const Sums& sum : sums)
-    velocities.push_back(sum.velocity());
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    velocities.push_back(sums[i].velocity());
+    // A layer that moves as a whole, now faster, now slower, is not seen by an average over its disks.
+    const std::optional<double> error = blocks_[i].standardError();
+    if (velocities[i].mean && error && *error > velocities[i].mean_stderr.value_or(0.0))
+      velocities[i].mean_stderr = error;
+  }
   return velocities;
 }
 

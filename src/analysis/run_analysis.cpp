@@ -58,7 +58,7 @@ struct RunAnalysis::Run
         scene(std::move(definition)),
         start(frame.time),
         end(frame.time),
-        tracker(scene.species.size(), scene.settle),
+        tracker(scene.species.size(), scene.settle, !scene.contact.pair_collisions),
         distributions(scene.species.size(), distributionTimes(scene.duration)),
         temperatures(scene.species.size())
   {

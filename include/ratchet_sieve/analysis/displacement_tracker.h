@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/recording/frames.h"
 
 namespace ratchet_sieve
@@ -14,9 +15,11 @@ namespace ratchet_sieve
 /// <V_x> of one species.
 struct DriftVelocity
 {
-  std::size_t disks = 0;              ///< that were seen for some time
-  std::optional<double> mean;         ///< sum of displacements / sum of times [m/s], world x
-  std::optional<double> mean_stderr;  ///< of that ratio, over disks; nothing for fewer than two [m/s]
+  std::size_t disks = 0;       ///< that were seen for some time
+  std::optional<double> mean;  ///< sum of displacements / sum of times [m/s], world x
+  std::optional<double>
+      mean_stderr;  ///< standard error of that ratio [m/s]: the larger one of that over disks
+                    ///< (two at least) and that over blocks of time (see BlockAverages)
 };
 
 /// How far each disk came between its first frame after `settle` and its last.
@@ -24,8 +27,10 @@ class DisplacementTracker
 {
 public:
   /// @param settle time before which nothing counts [s]
-  DisplacementTracker(std::size_t species_count, double settle);
+  /// @param independent disks do not see each other: what they scatter is the whole error
+  DisplacementTracker(std::size_t species_count, double settle, bool independent);
 
+  /// Frames come at even intervals, as a FrameSampler takes them.
   void take(const ParticleFrame& frame);
 
   /// Per species.
@@ -41,9 +46,10 @@ private:
     double last_displacement = 0.0;
   };
 
-  std::size_t species_count_;
   double settle_;
+  bool independent_;
   std::unordered_map<std::uint32_t, Track> tracks_;  ///< by id
+  std::vector<BlockAverages> blocks_;                ///< per species, from frame to frame
 };
 
 }  // namespace ratchet_sieve

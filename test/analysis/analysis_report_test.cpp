@@ -1,0 +1,73 @@
+#include "ratchet_sieve/analysis/analysis_report.h"
+
+#include <gtest/gtest.h>
+
+#include "hand_made_result.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+TEST(ReportText, IsATableToRead)
+{
+  EXPECT_EQ(reportText(handMadeResult()),
+            "scene 0123456789abcdef, seed 7, version 1.2.3: 0 s to 2.5 s, 151 frames of particles\n"
+            "\n"
+            "species     disks    left   right  on base         <V_x> [mm/s]   T_g [uJ]\n"
+            "A              10       1       3        6       +12.50 +- 0.50        150\n"
+            "long-name       1       1       0        0 -250.00 +- undefined  undefined\n"
+            "\n"
+            "Q = 0.750, P = 0.500\n"
+            "contacts: 100 disk-disk, 20 left slope, 40 right slope, 3 apex, 0 wall\n"
+            "short to long slope: 0.500\n");
+}
+
+TEST(ReportText, SaysWhatIsNotDefined)
+{
+  RunResult result = handMadeResult();
+  result.bins.clear();
+  result.statistics.clear();
+  const std::string text = reportText(result);
+  EXPECT_NE(text.find("Q = undefined, P = undefined\ncontacts: not recorded\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+}
+
+TEST(ReportText, ListsPairsOfMoreThanTwoSpecies)
+{
+  RunResult result = handMadeResult();
+  result.species = {"A", "B", "C"};
+  result.velocities.resize(3);
+  result.granular_temperatures.resize(3);
+  result.bins = {{1.0, result.species, {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, 1.0, 2.0 / 3.0}};
+  const std::string text = reportText(result);
+  EXPECT_NE(text.find("  Q of A and B = 1.000\n  Q of A and C = undefined\n"), std::string::npos) << text;
+}
+
+TEST(ReportJson, NamesThingsAsTheSummaryDoes)
+{
+  const auto json = reportJson(handMadeResult());
+  EXPECT_EQ(json["scene_hash"], "0123456789abcdef");
+  EXPECT_EQ(json["seed"], 7);
+  EXPECT_EQ(json["simulated_time"], 2.5);
+  EXPECT_EQ(json["quality"], 0.75);
+  EXPECT_EQ(json["processed"], 0.5);
+  EXPECT_EQ(json["short_to_long"], 0.5);
+  EXPECT_EQ(json["collisions"]["disk_disk"], 100);
+  EXPECT_EQ(json["species"][0]["mean_vx"], 0.0125);
+  EXPECT_EQ(json["species"][0]["right"], 3);
+  EXPECT_TRUE(json["species"][1]["mean_vx_stderr"].is_null());
+}
+
+TEST(ReportJson, SaysNullForWhatIsNotDefined)
+{
+  RunResult result = handMadeResult();
+  result.bins.clear();
+  result.statistics.clear();
+  const auto json = reportJson(result);
+  for (const char* key : {"quality", "processed", "short_to_long", "collisions", "max_overlap"})
+    EXPECT_TRUE(json[key].is_null()) << key;
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

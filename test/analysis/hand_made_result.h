@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ratchet_sieve/analysis/run_analysis.h"
+
+namespace ratchet_sieve
+{
+
+/// A small result with every part filled in by hand.
+inline RunResult handMadeResult()
+{
+  RunResult result;
+  result.scene_frame.scene_hash = "0123456789abcdef";
+  result.scene_frame.seed = 7;
+  result.scene_frame.version = "1.2.3";
+  result.scene.base.asymmetry = 0.25;
+  result.end = 2.5;
+  result.particle_frames = 151;
+  result.species = {"A", "long-name"};
+  result.velocities = {{10, 0.0125, 0.0005}, {1, -0.25, std::nullopt}};
+  result.granular_temperatures = {1.5e-4, std::nullopt};
+  result.displacement_distributions = {{2.5, 1, -0.5, 0.25, {1, 3}}};
+  result.bins = {{0.0, result.species, {{0, 0, 10}, {0, 0, 1}}, std::nullopt, std::nullopt},
+                 {2.5, result.species, {{1, 3, 6}, {1, 0, 0}}, 0.75, 0.5}};
+  BaseFrame base;
+  base.time = 0.5;
+  base.base.inclination = 0.125;
+  base.base.commanded_inclination = 0.25;
+  base.base.frequency = 23.0;
+  base.base.commanded_frequency = 30.0;
+  base.base.amplitude = 0.002;
+  base.base.commanded_amplitude = 0.003;
+  result.base = {base};
+  StatisticsFrame statistics;
+  statistics.time = 2.5;
+  statistics.species = result.species;
+  statistics.means.resize(2);
+  statistics.means[0].mean_vx = 0.5;
+  statistics.granular_temperature = {0.25, 0.0};
+  statistics.collisions = {100, 20, 40, 3, 0};
+  statistics.collision_rate = 65.5;
+  statistics.max_overlap = 1e-16;
+  result.statistics = {statistics};
+  return result;
+}
+
+}  // namespace ratchet_sieve

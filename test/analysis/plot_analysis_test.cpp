@@ -1,0 +1,75 @@
+// The script that draws the tables, on the tables as they are written.
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "hand_made_result.h"
+#include "ratchet_sieve/analysis/analysis_tables.h"
+#include "recording/small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+int draw(const std::string& directory, const std::string& output)
+{
+  return std::system(
+      (std::string(std::getenv("PLOT_ANALYSIS")) + " " + directory + " >" + output + " 2>&1").c_str());
+}
+
+/// Whether a file is a PNG of a fair size: its signature, and its width and height as its header has them.
+bool isPicture(const std::string& path)
+{
+  const std::string bytes = contents(path);
+  if (bytes.size() < 24 || bytes.substr(0, 8) != "\x89PNG\r\n\x1a\n")
+    return false;
+  const auto number = [&bytes](std::size_t at)
+  {
+    unsigned value = 0;
+    for (std::size_t i = at; i < at + 4; ++i)
+      value = 256 * value + static_cast<unsigned char>(bytes[i]);
+    return value;
+  };
+  return number(16) > 500 && number(20) > 300;
+}
+
+void expectPictures(const RunResult& result)
+{
+  const ScratchDirectory directory;
+  writeTables(result, directory / "");
+  ASSERT_EQ(draw(directory / "", directory / "output"), 0) << contents(directory / "output");
+  for (const char* name : {"segregation.png", "displacements.png", "velocities.png", "temperature.png"})
+  {
+    EXPECT_TRUE(isPicture(directory / name)) << name;
+    EXPECT_NE(contents(directory / "output").find(name), std::string::npos);
+  }
+}
+
+TEST(PlotAnalysis, DrawsAResult)
+{
+  expectPictures(handMadeResult());
+}
+
+TEST(PlotAnalysis, DrawsARunInWhichNothingIsDefined)
+{
+  RunResult result = handMadeResult();
+  result.velocities = {{}, {}};
+  result.displacement_distributions.clear();
+  result.bins.clear();
+  result.base.clear();
+  result.statistics.clear();
+  expectPictures(result);
+}
+
+TEST(PlotAnalysis, SaysWhichTableIsMissing)
+{
+  const ScratchDirectory directory;
+  EXPECT_NE(draw(directory / "none", directory / "output"), 0);
+  const std::string output = contents(directory / "output");
+  EXPECT_NE(output.find(".csv"), std::string::npos) << output;
+  EXPECT_EQ(output.find("Traceback"), std::string::npos) << output;
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

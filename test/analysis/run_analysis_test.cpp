@@ -1,0 +1,175 @@
+#include "ratchet_sieve/analysis/run_analysis.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "hand_made_frames.h"
+#include "ratchet_sieve/recording/headless_run.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/scene/scene_file.h"
+#include "recording/small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Runs a scene to its end under the analysis' eyes.
+RunResult analyzed(Simulation& simulation)
+{
+  RunAnalysis analysis;
+  RunWatchers watchers;
+  watchers.frames = &analysis;
+  runToEnd(simulation, watchers);
+  return analysis.result();
+}
+
+SceneFrame sceneFrame(const SceneDefinition& scene)
+{
+  return makeSceneFrame(Simulation(scene));
+}
+
+TEST(RunAnalysis, KnowsTheSceneThatRan)
+{
+  Simulation simulation(smallRing());
+  const RunResult result = analyzed(simulation);
+  EXPECT_EQ(canonicalYaml(result.scene), canonicalYaml(smallRing()));
+  EXPECT_EQ(result.species, (std::vector<std::string>{"A", "B"}));
+  EXPECT_EQ(result.start, 0.0);
+  EXPECT_EQ(result.end, 1.0);
+  EXPECT_EQ(result.particle_frames, 61u);
+}
+
+TEST(RunAnalysis, FindsTheEnginesVelocitiesFromDisplacementsAlone)
+{
+  SceneDefinition scene = smallRing();
+  scene.settle = 0.25;                    // a time at which a frame falls
+  scene.contact.pair_collisions = false;  // errors over disks alone; blocks of time are not the engine's
+  Simulation simulation(scene);
+  const RunResult result = analyzed(simulation);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    EXPECT_NEAR(result.velocities[i].mean.value(), simulation.means()[i].mean_vx.value(), 1e-12);
+    EXPECT_NEAR(result.velocities[i].mean_stderr.value(), simulation.means()[i].mean_vx_stderr.value(),
+                1e-12);
+    EXPECT_EQ(result.velocities[i].disks, 2u);
+  }
+}
+
+TEST(RunAnalysis, EndsWithTheEnginesBinsAndContacts)
+{
+  Simulation simulation(smallMixture());
+  const RunResult result = analyzed(simulation);
+  const std::vector<SpeciesBins> bins = simulation.bins();
+  ASSERT_GT(bins[0].counted() + bins[1].counted(), 0u);
+  ASSERT_NE(result.lastBins(), nullptr);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    EXPECT_EQ(result.lastBins()->bins[i].left, bins[i].left);
+    EXPECT_EQ(result.lastBins()->bins[i].right, bins[i].right);
+    EXPECT_EQ(result.lastBins()->bins[i].on_base, bins[i].on_base);
+  }
+  EXPECT_EQ(result.lastBins()->quality, bestQuality(bins));
+  EXPECT_EQ(result.lastBins()->processed, processedRatio(bins));
+  EXPECT_EQ(result.lastStatistics()->collisions.right_slope, simulation.collisions().right_slope);
+  EXPECT_EQ(result.shortToLong(), simulation.collisions().shortToLong(0.1));
+}
+
+TEST(RunAnalysis, KeepsBinsWhereTheyChange)
+{
+  Simulation simulation(smallMixture());
+  const RunResult result = analyzed(simulation);
+  EXPECT_EQ(result.bins.front().time, 0.0);
+  EXPECT_EQ(result.bins.back().time, 2.0);
+  ASSERT_LE(result.bins.size(), 2u + 12u);
+  for (std::size_t i = 1; i + 1 < result.bins.size(); ++i)
+    EXPECT_LT(result.bins[i].bins[0].on_base + result.bins[i].bins[1].on_base,
+              result.bins[i - 1].bins[0].on_base + result.bins[i - 1].bins[1].on_base);
+}
+
+StatisticsFrame temperaturesAt(double time, std::vector<double> temperatures)
+{
+  StatisticsFrame frame;
+  frame.time = time;
+  frame.means.resize(temperatures.size());
+  frame.granular_temperature = std::move(temperatures);
+  return frame;
+}
+
+TEST(RunAnalysis, AveragesTemperaturesWhereThereWereDisksAndAfterSettle)
+{
+  SceneDefinition scene = smallMixture();
+  scene.settle = 1.0;
+  RunAnalysis analysis;
+  analysis.take(sceneFrame(scene));
+  analysis.take(temperaturesAt(0.5, {100.0, 100.0}));
+  analysis.take(temperaturesAt(1.0, {1.0, 0.0}));
+  analysis.take(temperaturesAt(2.0, {3.0, 0.0}));
+  analysis.take(temperaturesAt(3.0, {0.0, 0.0}));
+  const RunResult result = analysis.result();
+  EXPECT_DOUBLE_EQ(result.granular_temperatures[0].value(), 2.0);
+  EXPECT_FALSE(result.granular_temperatures[1]);
+}
+
+TEST(RunAnalysis, BeginsAnewWithANewScene)
+{
+  RunAnalysis analysis;
+  analysis.take(sceneFrame(smallMixture()));
+  analysis.take(particlesAt(1.0, {diskAt(0, 0, 1.0)}));
+  analysis.take(sceneFrame(smallRing()));
+  EXPECT_EQ(analysis.result().particle_frames, 0u);
+  EXPECT_EQ(analysis.result().end, 0.0);
+}
+
+/// The message of the AnalysisError that an action throws.
+template <typename Action>
+std::string refusal(Action&& action)
+{
+  try
+  {
+    action();
+    return "";
+  }
+  catch (const AnalysisError& error)
+  {
+    return error.what();
+  }
+}
+
+TEST(RunAnalysis, RefusesFramesThatDoNotFitTogether)
+{
+  RunAnalysis analysis;
+  EXPECT_EQ(refusal([&] { analysis.result(); }), "no scene was recorded");
+  EXPECT_EQ(refusal([&] { analysis.take(particlesAt(0.5, {})); }),
+            "a particle frame at 0.5 s comes before any scene");
+  analysis.take(sceneFrame(smallMixture()));
+  EXPECT_EQ(refusal([&] { analysis.take(particlesAt(0.5, {diskAt(3, 2, 0.0)})); }),
+            "disk 3 at 0.5 s has species 2, and the scene 2 of them");
+  EXPECT_EQ(refusal([&] { analysis.take(BinFrame{}); }),
+            "a bin frame of 0 species does not fit the scene, which has 2");
+  EXPECT_EQ(refusal([&] { analysis.take(temperaturesAt(0.0, {1.0})); }),
+            "a statistics frame of 1 species does not fit the scene, which has 2");
+}
+
+TEST(RunAnalysis, RefusesASceneThatIsNone)
+{
+  RunAnalysis analysis;
+  SceneFrame frame;
+  frame.yaml = "species: 3";
+  EXPECT_THROW(analysis.take(frame), SceneError);
+}
+
+TEST(RunAnalysis, LeavesUndefinedWhatARunOfNothingDoesNotHave)
+{
+  RunAnalysis analysis;
+  analysis.take(sceneFrame(smallMixture()));
+  const RunResult result = analysis.result();
+  EXPECT_FALSE(result.velocities[0].mean);
+  EXPECT_FALSE(result.shortToLong());
+  EXPECT_EQ(result.lastBins(), nullptr);
+  EXPECT_EQ(result.lastStatistics(), nullptr);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

@@ -1,0 +1,112 @@
+// sieve_analyze as its users run it, on a bag that sieve_run has recorded.
+#include <algorithm>
+#include <cstdlib>
+
+#include <sys/wait.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "recording/small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+using Json = nlohmann::json;
+
+class SieveAnalyze : public testing::Test
+{
+protected:
+  /// Runs a program that an environment variable names. @return its exit status
+  int run(const char* program, const std::string& arguments) const
+  {
+    const std::string command = std::string(std::getenv(program)) + " " + arguments + " >" +
+                                (directory_ / "output") + " 2>" + (directory_ / "errors");
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  std::string record(const std::string& arguments) const
+  {
+    const std::string bag = directory_ / "run.bag";
+    const std::string scene = std::string(std::getenv("CONFIG_DIRECTORY")) + "/paper_fig9.yaml";
+    EXPECT_EQ(run("SIEVE_RUN",
+                  scene + " --bag " + bag + " --summary " + (directory_ / "run.json") + " " + arguments),
+              0)
+        << contents(directory_ / "errors");
+    return bag;
+  }
+
+  std::string output() const { return contents(directory_ / "output"); }
+  std::string errors() const { return contents(directory_ / "errors"); }
+  Json json(const std::string& name) const { return Json::parse(contents(directory_ / name)); }
+
+  ScratchDirectory directory_;
+};
+
+TEST_F(SieveAnalyze, FindsInTheBagWhatTheRunSummedUp)
+{
+  const std::string bag = record("--duration 10");
+  ASSERT_EQ(run("SIEVE_ANALYZE", bag + " --summary " + (directory_ / "bag.json")), 0) << errors();
+  const Json summary = json("run.json");
+  const Json analysis = json("bag.json");
+  ASSERT_FALSE(summary["quality"].is_null());
+  for (const char* key : {"scene_hash", "seed", "version", "simulated_time", "quality", "processed",
+                          "collisions", "short_to_long", "max_overlap"})
+    EXPECT_EQ(analysis[key], summary[key]) << key;
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    for (const char* key : {"name", "count", "left", "right"})
+      EXPECT_EQ(analysis["species"][i][key], summary["species"][i][key]) << key;
+    // Disks that left are last seen up to a frame before they did.
+    EXPECT_NEAR(analysis["species"][i]["mean_vx"].get<double>(),
+                summary["species"][i]["mean_vx"].get<double>(),
+                summary["species"][i]["mean_vx_stderr"].get<double>());
+  }
+}
+
+TEST_F(SieveAnalyze, PrintsATableAndThePathsOfTheFiles)
+{
+  const std::string bag = record("--duration 1");
+  ASSERT_EQ(run("SIEVE_ANALYZE", bag + " --out " + (directory_ / "out")), 0) << errors();
+  EXPECT_NE(output().find("<V_x> [mm/s]"), std::string::npos) << output();
+  const std::string text = output();
+  std::istringstream lines(text.substr(text.find("Tables and plots:\n")));
+  std::size_t files = 0;
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line))
+  {
+    EXPECT_TRUE(std::filesystem::is_regular_file(line)) << line;
+    ++files;
+  }
+  EXPECT_EQ(files, 11u);
+}
+
+TEST_F(SieveAnalyze, RefusesWhatIsNoBag)
+{
+  std::ofstream(directory_ / "no.bag") << "not a bag";
+  for (const std::string& bag : {directory_ / "no.bag", directory_ / "missing.bag"})
+  {
+    EXPECT_EQ(run("SIEVE_ANALYZE", bag + " --summary " + (directory_ / "bag.json")), 1);
+    EXPECT_EQ(errors().rfind("sieve_analyze: " + bag, 0), 0u) << errors();
+    EXPECT_EQ(output(), "");
+    const std::string text = errors();
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
+    EXPECT_FALSE(std::filesystem::exists(directory_ / "bag.json"));
+  }
+}
+
+TEST_F(SieveAnalyze, RefusesBadArguments)
+{
+  EXPECT_EQ(run("SIEVE_ANALYZE", ""), 2);
+  EXPECT_EQ(errors(), "sieve_analyze: BAG is required; see --help\n");
+  EXPECT_EQ(run("SIEVE_ANALYZE", "--help"), 0);
+  EXPECT_NE(output().find("--out"), std::string::npos);
+  EXPECT_EQ(run("SIEVE_ANALYZE", "--version"), 0);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
