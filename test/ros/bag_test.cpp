@@ -1,0 +1,224 @@
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rosbag/view.h>
+#include <std_msgs/Float64.h>
+
+#include "collecting_sink.h"
+#include "random_frames.h"
+#include "ratchet_sieve/recording/frame_sampler.h"
+#include "ratchet_sieve/ros/bag_reader.h"
+#include "ratchet_sieve/ros/bag_writer.h"
+#include "ratchet_sieve/ros/conversions.h"
+#include "same_bits.h"
+#include "small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// A short run into the sink.
+void showRun(FrameSink& sink)
+{
+  Simulation simulation(smallMixture());
+  FrameSampler sampler({60.0, 30.0, 120.0, 10.0}, 0.0);
+  sampler.takeDue(simulation, sink);
+  while (simulation.time() < 1.0)
+  {
+    simulation.advanceTo(std::min(sampler.nextTime(), 1.0));
+    sampler.takeDue(simulation, sink);
+  }
+  sampler.takeLast(simulation, sink);
+}
+
+std::string refusalOf(const std::string& path)
+{
+  CollectingSink sink;
+  try
+  {
+    readBag(path, sink);
+  }
+  catch (const BagError& error)
+  {
+    return error.what();
+  }
+  return "read";
+}
+
+/// Takes a run twice: into a bag, and to compare with.
+class Both : public CollectingSink
+{
+public:
+  explicit Both(FrameSink& bag) : bag_(bag) {}
+  void take(const SceneFrame& frame) override { pass(frame); }
+  void take(const ParticleFrame& frame) override { pass(frame); }
+  void take(const BinFrame& frame) override { pass(frame); }
+  void take(const BaseFrame& frame) override { pass(frame); }
+  void take(const StatisticsFrame& frame) override { pass(frame); }
+
+private:
+  template <typename Frame>
+  void pass(const Frame& frame)
+  {
+    bag_.take(frame);
+    CollectingSink::take(frame);
+  }
+
+  FrameSink& bag_;
+};
+
+void expectSame(const CollectingSink& read, const CollectingSink& written)
+{
+  EXPECT_TRUE(sameBits(read.scenes, written.scenes));
+  EXPECT_TRUE(sameBits(read.particles, written.particles));
+  EXPECT_TRUE(sameBits(read.bins, written.bins));
+  EXPECT_TRUE(sameBits(read.bases, written.bases));
+  EXPECT_TRUE(sameBits(read.statistics, written.statistics));
+}
+
+TEST(Bag, givesARunBackBitForBit)
+{
+  const ScratchDirectory scratch;
+  BagWriter bag(scratch / "run.bag");
+  Both written(bag);
+  showRun(written);
+  bag.close();
+  CollectingSink read;
+  readBag(scratch / "run.bag", read);
+  EXPECT_EQ(read.particles.size(), 61u);
+  expectSame(read, written);
+}
+
+TEST(Bag, appearsUnderItsNameOnceClosed)
+{
+  const ScratchDirectory scratch;
+  {
+    BagWriter bag(scratch / "run.bag");
+    showRun(bag);
+    EXPECT_FALSE(std::filesystem::exists(scratch / "run.bag"));
+    EXPECT_TRUE(std::filesystem::exists(scratch / "run.bag.active"));
+  }
+  EXPECT_TRUE(std::filesystem::exists(scratch / "run.bag"));
+  EXPECT_FALSE(std::filesystem::exists(scratch / "run.bag.active"));
+}
+
+TEST(Bag, holdsStampsAsBagTimeAndSetpoints)
+{
+  const ScratchDirectory scratch;
+  BagWriter bag(scratch / "run.bag", "/other");
+  showRun(bag);
+  bag.takeSetpoint("inclination_setpoint", 0.125, 0.75);
+  bag.close();
+
+  rosbag::Bag file(scratch / "run.bag");
+  rosbag::View all(file);
+  EXPECT_EQ(all.getBeginTime(), ros::TIME_MIN);
+  EXPECT_EQ(all.getEndTime(), ros::Time(1.0));
+  rosbag::View setpoints(file, rosbag::TopicQuery("/other/inclination_setpoint"));
+  ASSERT_EQ(setpoints.size(), 1u);
+  EXPECT_EQ(setpoints.begin()->getTime(), ros::Time(0.75));
+  EXPECT_EQ(setpoints.begin()->instantiate<std_msgs::Float64>()->data, 0.125);
+}
+
+TEST(Bag, isReadInTheOrderOfTheFramesOwnTimes)
+{
+  const ScratchDirectory scratch;
+  rosbag::Bag file(scratch / "late.bag", rosbag::bagmode::Write);
+  BaseFrame base;
+  BinFrame bins;
+  // As `rosbag record` may have it: quantised bag times, the topics one behind the other.
+  file.write("/sieve/scene", ros::Time(5.0), toMessage(SceneFrame()));
+  for (const double time : {1.0, 2.0, 3.0})
+  {
+    base.time = time;
+    file.write("/sieve/base", ros::Time(5.0), toMessage(base));
+  }
+  for (const double time : {0.5, 1.0, 2.5})
+  {
+    bins.time = time;
+    file.write("/sieve/bins", ros::Time(5.5), toMessage(bins));
+  }
+  file.close();
+
+  struct Order : CollectingSink
+  {
+    void take(const SceneFrame&) override { text += "scene "; }
+    void take(const BaseFrame& frame) override
+    {
+      text += "base" + std::to_string(frame.time).substr(0, 3) + " ";
+    }
+    void take(const BinFrame& frame) override
+    {
+      text += "bins" + std::to_string(frame.time).substr(0, 3) + " ";
+    }
+    std::string text;
+  } order;
+  readBag(scratch / "late.bag", order);
+  EXPECT_EQ(order.text, "scene bins0.5 base1.0 bins1.0 base2.0 bins2.5 base3.0 ");
+}
+
+TEST(Bag, refusesWhatIsNoBagOfARun)
+{
+  const ScratchDirectory scratch;
+  const std::string missing = scratch / "missing.bag";
+  EXPECT_EQ(refusalOf(missing), missing + ": cannot be read as a bag: Error opening file: " + missing);
+
+  const std::string text = scratch / "text.bag";
+  std::ofstream(text) << "no bag\nat all\n";
+  EXPECT_EQ(refusalOf(text).rfind(text + ": cannot be read as a bag: ", 0), 0u) << refusalOf(text);
+
+  const std::string foreign = scratch / "foreign.bag";
+  {
+    rosbag::Bag file(foreign, rosbag::bagmode::Write);
+    file.write("/number", ros::Time(1.0), std_msgs::Float64());
+  }
+  EXPECT_EQ(refusalOf(foreign), foreign + ": holds no run: no topic of type ratchet_sieve/SceneDescription");
+}
+
+TEST(Bag, refusesSeveralRunsInOne)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "two.bag";
+  {
+    rosbag::Bag file(path, rosbag::bagmode::Write);
+    file.write("/left/scene", ros::Time(1.0), toMessage(SceneFrame()));
+    file.write("/right/scene", ros::Time(1.0), toMessage(SceneFrame()));
+  }
+  EXPECT_EQ(refusalOf(path).rfind(path + ": holds several runs: ", 0), 0u) << refusalOf(path);
+}
+
+TEST(Bag, refusesWhatWasNotClosedOrIsCutOff)
+{
+  const ScratchDirectory scratch;
+  const std::string whole = scratch / "whole.bag";
+  {
+    BagWriter bag(whole);
+    showRun(bag);
+  }
+  const std::string cut = scratch / "cut.bag";
+  const std::string bytes = contents(whole);
+  for (const double part : {0.999, 0.6, 0.01})
+  {
+    std::ofstream(cut, std::ios::binary) << bytes.substr(0, static_cast<std::size_t>(part * bytes.size()));
+    EXPECT_EQ(refusalOf(cut).rfind(cut + ": ", 0), 0u) << part << ": " << refusalOf(cut);
+  }
+}
+
+TEST(Bag, saysThatItCannotBeWritten)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "nowhere/run.bag";
+  try
+  {
+    BagWriter bag(path);
+    FAIL() << "opened";
+  }
+  catch (const BagError& error)
+  {
+    EXPECT_EQ(std::string(error.what()).rfind(path + ": cannot be written: ", 0), 0u) << error.what();
+  }
+}
+}  // namespace
+}  // namespace ratchet_sieve

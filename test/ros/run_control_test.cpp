@@ -1,0 +1,204 @@
+#include "ratchet_sieve/ros/run_control.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "collecting_sink.h"
+#include "ratchet_sieve/ros/bag_reader.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "same_bits.h"
+#include "small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double STRIDE = 0.01;
+
+bool keepGoing()
+{
+  return true;
+}
+
+NodeParameters pausedParameters()
+{
+  NodeParameters parameters;
+  parameters.start_paused = true;
+  return parameters;
+}
+
+/// A run of the small mixture under control, nothing of ROS around it.
+class Controlled
+{
+public:
+  explicit Controlled(const std::string& bag = "")
+      : recorder(bag, "/sieve"),
+        control(YAML::Load(canonicalYaml(smallMixture())), "scene", pausedParameters(), recorder)
+  {
+    control.addSink(seen);
+    control.begin();
+  }
+
+  const Setpoint& inclination() const { return parameters.setpoints[0]; }
+
+  NodeParameters parameters = pausedParameters();
+  Recorder recorder;
+  CollectingSink seen;
+  RunControl control;
+};
+
+std::vector<DiskState> disksAt(double time, const SceneDefinition& scene)
+{
+  Simulation simulation(scene);
+  simulation.advanceTo(time);
+  return simulation.disks();
+}
+
+TEST(RunControl, stepsExactlyAndShowsTheEnd)
+{
+  Controlled run;
+  EXPECT_TRUE(run.control.step(0.123456, STRIDE, keepGoing).success);
+  EXPECT_EQ(run.control.run().time(), 0.123456);
+  EXPECT_EQ(run.seen.particles.back().time, 0.123456);
+  EXPECT_TRUE(sameBits(run.seen.particles.back().disks, disksAt(0.123456, smallMixture())));
+  EXPECT_EQ(run.seen.bases.back().time, 0.123456);
+  EXPECT_EQ(run.seen.bins.back().time, 0.123456);
+  EXPECT_EQ(run.seen.statistics.back().time, 0.123456);
+}
+
+TEST(RunControl, stepsNoFurtherThanTheEnd)
+{
+  Controlled run;
+  EXPECT_TRUE(run.control.step(100.0, 10.0, keepGoing).success);
+  EXPECT_TRUE(run.control.run().finished());
+  EXPECT_EQ(run.control.run().time(), smallMixture().duration);
+  EXPECT_EQ(run.control.step(1.0, STRIDE, keepGoing).message, "the scene's end is reached: reset first");
+}
+
+TEST(RunControl, refusesStepsThatMakeNoSense)
+{
+  Controlled run;
+  EXPECT_FALSE(run.control.step(0.0, STRIDE, keepGoing).success);
+  EXPECT_FALSE(run.control.step(-1.0, STRIDE, keepGoing).success);
+  EXPECT_FALSE(run.control.step(std::numeric_limits<double>::quiet_NaN(), STRIDE, keepGoing).success);
+  run.control.unpause();
+  EXPECT_EQ(run.control.step(1.0, STRIDE, keepGoing).message, "the simulation is not paused: pause it first");
+  EXPECT_EQ(run.control.run().time(), 0.0);
+}
+
+TEST(RunControl, interruptsALongStep)
+{
+  Controlled run;
+  int strides = 0;
+  EXPECT_EQ(run.control.step(1.0, STRIDE, [&] { return ++strides <= 3; }).message, "interrupted");
+  EXPECT_LE(run.control.run().time(), 3.0 * STRIDE);
+}
+
+TEST(RunControl, commandsAtThePresentTimeAndShowsIt)
+{
+  Controlled run;
+  run.control.step(0.1, STRIDE, keepGoing);
+  EXPECT_TRUE(run.control.command(run.inclination(), 0.05).success);
+  EXPECT_EQ(run.seen.bases.back().time, 0.1);
+  EXPECT_EQ(run.seen.bases.back().base.commanded_inclination, 0.05);
+  EXPECT_EQ(run.seen.bases.back().base.inclination, 0.0);
+  run.control.step(0.2, STRIDE, keepGoing);
+  EXPECT_NEAR(run.seen.bases.back().base.inclination, 0.2 * run.parameters.slew_rates.inclination, 1e-12);
+}
+
+TEST(RunControl, keepsTheLastGoodSetpoint)
+{
+  Controlled run;
+  run.control.command(run.inclination(), 0.05);
+  const std::size_t shown = run.seen.bases.size();
+  EXPECT_FALSE(run.control.command(run.inclination(), 0.6).success);
+  EXPECT_FALSE(run.control.command(run.inclination(), std::numeric_limits<double>::quiet_NaN()).success);
+  EXPECT_EQ(run.seen.bases.size(), shown);
+  EXPECT_EQ(run.control.run().base().base.commanded_inclination, 0.05);
+}
+
+TEST(RunControl, resetsToTheSameRun)
+{
+  Controlled run;
+  run.control.step(0.5, STRIDE, keepGoing);
+  const auto first = run.seen.particles.back();
+  run.control.command(run.inclination(), 0.3);
+  run.control.step(0.5, STRIDE, keepGoing);
+  EXPECT_TRUE(run.control.reset(0, {}).success);
+  EXPECT_EQ(run.control.run().time(), 0.0);
+  run.control.step(0.5, STRIDE, keepGoing);
+  EXPECT_TRUE(sameBits(run.seen.particles.back(), first));
+}
+
+TEST(RunControl, resetsWithASeedAndOverrides)
+{
+  Controlled run;
+  EXPECT_TRUE(run.control.reset(5, {"base.inclination=0.1"}).success);
+  SceneDefinition scene = smallMixture();
+  scene.seed = 5;
+  scene.base.inclination = 0.1;
+  run.control.step(0.5, STRIDE, keepGoing);
+  EXPECT_TRUE(sameBits(run.seen.particles.back().disks, disksAt(0.5, scene)));
+  EXPECT_EQ(run.seen.scenes.back().seed, 5u);
+}
+
+TEST(RunControl, goesOnAfterABadReset)
+{
+  Controlled run;
+  run.control.step(0.25, STRIDE, keepGoing);
+  const Outcome outcome = run.control.reset(0, {"base.asymmetry=3"});
+  EXPECT_FALSE(outcome.success);
+  EXPECT_NE(outcome.message.find("base.asymmetry"), std::string::npos) << outcome.message;
+  EXPECT_EQ(run.control.run().time(), 0.25);
+}
+
+TEST(RunControl, poursTheDisksAnewWhileTimeAndBaseGoOn)
+{
+  Controlled run;
+  run.control.command(run.inclination(), 0.2);
+  run.control.step(0.75, STRIDE, keepGoing);
+  const BaseFrame before = run.control.run().base();
+  run.control.resetWorld();
+  const BaseFrame after = run.control.run().base();
+  EXPECT_EQ(after.time, 0.75);
+  EXPECT_EQ(after.base.inclination, before.base.inclination);
+  EXPECT_EQ(after.base.commanded_inclination, 0.2);
+  EXPECT_NEAR(after.base.displacement, before.base.displacement, 1e-12);
+  EXPECT_EQ(run.seen.particles.back().time, 0.75);
+  EXPECT_EQ(run.seen.particles.back().disks.size(), 12u);
+  run.control.step(0.5, STRIDE, keepGoing);
+  EXPECT_EQ(run.seen.particles.back().time, 1.25);
+  run.control.step(10.0, 10.0, keepGoing);
+  EXPECT_EQ(run.control.run().time(), smallMixture().duration);
+}
+
+TEST(RunControl, poursMoreOn)
+{
+  Controlled run;
+  EXPECT_TRUE(run.control.pour("B", 3).success);
+  EXPECT_EQ(run.seen.bins.back().bins[1].on_base, 9u);
+  EXPECT_EQ(run.control.pour("C", 1).message, "species C: there is none of that name");
+}
+
+TEST(RunControl, recordsEachRunIntoABagOfItsOwn)
+{
+  const ScratchDirectory scratch;
+  Controlled run(scratch / "run.bag");
+  run.control.step(0.5, STRIDE, keepGoing);
+  run.control.reset(2, {});
+  run.control.step(0.25, STRIDE, keepGoing);
+  run.control.end();
+
+  CollectingSink first;
+  CollectingSink second;
+  readBag(scratch / "run.bag", first);
+  readBag(scratch / "run_2.bag", second);
+  EXPECT_EQ(first.scenes.at(0).seed, 1u);
+  EXPECT_EQ(first.particles.front().time, 0.0);
+  EXPECT_EQ(first.particles.back().time, 0.5);
+  EXPECT_EQ(second.scenes.at(0).seed, 2u);
+  EXPECT_EQ(second.particles.back().time, 0.25);
+}
+}  // namespace
+}  // namespace ratchet_sieve
