@@ -1,0 +1,226 @@
+#include <limits>
+#include <map>
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gtest/gtest.h>
+#include <rosgraph_msgs/Clock.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include "ratchet_sieve/PourDisks.h"
+#include "ratchet_sieve/ros/scene_parameters.h"
+#include "ratchet_sieve/ros/transform_publisher.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "same_bits.h"
+#include "sieve_client.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// A sieve that roslaunch has started paused, begun anew for each test; and its scene, to run beside.
+class Node : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    ASSERT_TRUE(sieve.connect());
+    sieve.resetAndSee();
+  }
+
+  static SceneDefinition sceneOfNode()
+  {
+    const SceneParameter parameter = readSceneParameter(ros::NodeHandle("/sieve"));
+    return sceneFromYaml(parameter.root, parameter.source).definition;
+  }
+
+  /// Commands and waits until the sieve shows it.
+  void command(const std::string& quantity, double value, double DriveState::*commanded)
+  {
+    sieve.publish(quantity, value);
+    ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().base.*commanded == value; }));
+  }
+
+  SieveClient sieve{"/sieve"};
+};
+
+TEST_F(Node, latchesItsScene)
+{
+  const SceneFrame& frame = sieve.scene.frames.back();
+  EXPECT_EQ(frame.yaml, canonicalYaml(sceneOfNode()));
+  EXPECT_EQ(frame.scene_hash, sceneHash(sceneOfNode()));
+  EXPECT_EQ(frame.seed, sceneOfNode().seed);
+}
+
+TEST_F(Node, stepsAsTheSimulationDoesBitForBit)
+{
+  Simulation simulation(sceneOfNode());
+  for (const double duration : {0.25, 0.1234567, 0.5})
+    sieve.stepAndSee(duration);
+  EXPECT_EQ(sieve.particles.frames.back().time, 0.25 + 0.1234567 + 0.5);
+  ASSERT_GT(sieve.particles.frames.size(), 50u);
+  for (std::size_t k = 0; k < sieve.particles.frames.size(); ++k)
+  {
+    const ParticleFrame& frame = sieve.particles.frames[k];
+    simulation.advanceTo(frame.time);
+    ASSERT_TRUE(sameBits(frame.disks, simulation.disks())) << "at " << frame.time << " s";
+    ASSERT_EQ(sieve.particles.stamps[k], ros::Time(frame.time));
+  }
+}
+
+TEST_F(Node, publishesAtExactTimes)
+{
+  sieve.stepAndSee(0.5);
+  ASSERT_EQ(sieve.particles.frames.size(), 30u);
+  for (std::size_t k = 0; k < 30; ++k)
+    EXPECT_EQ(sieve.particles.frames[k].time, static_cast<double>(k + 1) / 60.0);
+}
+
+TEST_F(Node, followsASetpointAtItsSlewRate)
+{
+  command("inclination", 0.1, &DriveState::commanded_inclination);
+  command("frequency", 25.0, &DriveState::commanded_frequency);
+  command("amplitude", 0.0015, &DriveState::commanded_amplitude);
+  sieve.stepAndSee(0.1);
+  const DriveState moving = sieve.base.frames.back().base;
+  EXPECT_NEAR(moving.inclination, 0.02, 1e-12);  // limits/inclination/slew_rate: 0.2
+  EXPECT_NEAR(moving.frequency, 24.0, 1e-12);
+  EXPECT_NEAR(moving.amplitude, 0.0018, 1e-15);
+  sieve.stepAndSee(0.9);
+  const DriveState there = sieve.base.frames.back().base;
+  EXPECT_EQ(there.inclination, 0.1);
+  EXPECT_EQ(there.frequency, 25.0);
+  EXPECT_EQ(there.amplitude, 0.0015);
+}
+
+TEST_F(Node, appliesASetpointAtThePresentTime)
+{
+  sieve.stepAndSee(0.3);
+  command("inclination", 0.1, &DriveState::commanded_inclination);
+  EXPECT_EQ(sieve.base.frames.back().time, 0.3);
+  sieve.stepAndSee(0.5);
+
+  Simulation simulation(sceneOfNode());
+  SlewRates slew_rates;
+  slew_rates.inclination = 0.2;
+  simulation.setSlewRates(slew_rates);
+  simulation.advanceTo(0.3);
+  simulation.commandInclination(0.1);
+  simulation.advanceTo(0.8);
+  EXPECT_TRUE(sameBits(sieve.particles.frames.back().disks, simulation.disks()));
+}
+
+TEST_F(Node, refusesASetpointAndSaysWhy)
+{
+  std::map<std::string, diagnostic_msgs::DiagnosticStatus> statuses;
+  const ros::Subscriber diagnostics = sieve.node.subscribe<diagnostic_msgs::DiagnosticArray>(
+      "/diagnostics", 100,
+      [&](const diagnostic_msgs::DiagnosticArray::ConstPtr& array)
+      {
+        for (const auto& status : array->status)
+          statuses[status.name] = status;
+      });
+  command("inclination", 0.05, &DriveState::commanded_inclination);
+  for (const double bad :
+       {0.31, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    sieve.publish("inclination", bad);
+  ASSERT_TRUE(waitFor(
+      [&]
+      {
+        const auto& status = statuses["sieve: setpoints"];
+        return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
+               status.message == "inclination_setpoint inf rad refused: must be from -0.3 to 0.3 rad";
+      }));
+  EXPECT_EQ(sieve.base.frames.back().base.commanded_inclination, 0.05);
+  sieve.stepAndSee(1.0);
+  EXPECT_EQ(sieve.base.frames.back().base.inclination, 0.05);
+
+  command("inclination", 0.06, &DriveState::commanded_inclination);
+  EXPECT_TRUE(
+      waitFor([&] { return statuses["sieve: setpoints"].level == diagnostic_msgs::DiagnosticStatus::OK; }));
+}
+
+TEST_F(Node, refusesAStepThatMakesNoSense)
+{
+  const StepSimulation::Response answer = sieve.step(-1.0);
+  EXPECT_FALSE(answer.success);
+  EXPECT_EQ(answer.message, "duration -1.000000 s: must be > 0 and finite");
+  EXPECT_EQ(answer.time, 0.0);
+}
+
+TEST_F(Node, resetGivesTheSameRun)
+{
+  sieve.stepAndSee(1.0);
+  const ParticleFrame first = sieve.particles.frames.back();
+  sieve.resetAndSee();
+  sieve.stepAndSee(1.0);
+  EXPECT_TRUE(sameBits(sieve.particles.frames.back(), first));
+}
+
+TEST_F(Node, refusesAResetToABadScene)
+{
+  sieve.stepAndSee(0.5);
+  const ResetSimulation::Response answer = sieve.reset(0, {"base.asymmetry=3"});
+  EXPECT_FALSE(answer.success);
+  EXPECT_EQ(answer.message.rfind("parameter /sieve/scene", 0), 0u) << answer.message;
+  EXPECT_EQ(sieve.step(0.5).time, 1.0);
+}
+
+TEST_F(Node, poursOnAndAnew)
+{
+  const std::size_t poured = sieve.bins.frames.back().bins.at(0).on_base;
+  PourDisks pour;
+  pour.request.species = "A";
+  pour.request.count = 5;
+  ASSERT_TRUE(ros::service::call("/sieve/pour", pour));
+  EXPECT_TRUE(pour.response.success);
+  ASSERT_TRUE(waitFor([&] { return sieve.bins.frames.back().bins.at(0).on_base == poured + 5; }));
+
+  sieve.stepAndSee(0.25);
+  ASSERT_TRUE(sieve.call("reset_world"));
+  ASSERT_TRUE(waitFor([&] { return sieve.bins.frames.back().bins.at(0).on_base == poured; }));
+  EXPECT_EQ(sieve.bins.frames.back().time, 0.25);
+}
+
+TEST_F(Node, runsUntilItIsPausedAndThenStandsStill)
+{
+  ASSERT_TRUE(sieve.call("unpause_physics"));
+  ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().time > 0.1; }));
+  EXPECT_FALSE(sieve.step(0.1).success);
+  ASSERT_TRUE(sieve.call("pause_physics"));
+  const double start = sieve.step(0.125).time;
+  EXPECT_EQ(sieve.step(0.125).time, start + 0.125);
+}
+
+TEST_F(Node, isTheClockAlsoWhilePaused)
+{
+  sieve.stepAndSee(0.75);
+  std::vector<ros::Time> clocks;
+  const ros::Subscriber clock = sieve.node.subscribe<rosgraph_msgs::Clock>(
+      "/clock", 100,
+      [&](const rosgraph_msgs::Clock::ConstPtr& message) { clocks.push_back(message->clock); });
+  ASSERT_TRUE(waitFor([&] { return clocks.size() >= 5; }));
+  for (const ros::Time& time : clocks)
+    EXPECT_EQ(time, ros::Time(0.75));
+}
+
+TEST_F(Node, broadcastsWhereTheBaseIs)
+{
+  tf2_msgs::TFMessage last;
+  const ros::Subscriber transforms = sieve.node.subscribe<tf2_msgs::TFMessage>(
+      "/tf", 1000, [&](const tf2_msgs::TFMessage::ConstPtr& message) { last = *message; });
+  ASSERT_TRUE(waitFor([&] { return !last.transforms.empty(); }));
+  command("inclination", 0.1, &DriveState::commanded_inclination);
+  sieve.stepAndSee(0.7);
+  ASSERT_TRUE(waitFor([&] { return last.transforms.at(0).header.stamp == ros::Time(0.7); }));
+  EXPECT_EQ(last.transforms, baseTransforms(sieve.base.frames.back()).transforms);
+}
+}  // namespace
+}  // namespace ratchet_sieve
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "node_rostest");
+  const ros::NodeHandle node;
+  return RUN_ALL_TESTS();
+}
