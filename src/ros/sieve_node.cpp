@@ -75,6 +75,7 @@ void SieveNode::keepAlive()
   clock_.publishDue(control_.run().time());
   display_.show(control_.run());
   diagnostics_.updateDue();
+  progress_.update(control_.run());
 }
 
 void SieveNode::advance()

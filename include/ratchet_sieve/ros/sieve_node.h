@@ -8,6 +8,7 @@
 #include "ratchet_sieve/ros/command_server.h"
 #include "ratchet_sieve/ros/display.h"
 #include "ratchet_sieve/ros/pacer.h"
+#include "ratchet_sieve/ros/progress_log.h"
 #include "ratchet_sieve/ros/scene_parameters.h"
 #include "ratchet_sieve/ros/topic_publisher.h"
 
@@ -49,6 +50,7 @@ private:
   TopicPublisher topics_;
   Display display_;
   Diagnostics diagnostics_;
+  ProgressLog progress_;
   CommandServer commands_;
 };
 
