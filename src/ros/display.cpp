@@ -9,8 +9,17 @@ namespace
 {
 using visualization_msgs::MarkerArray;
 
-constexpr std::uint32_t QUEUE_SIZE = 1;
+constexpr std::uint32_t QUEUE_SIZE = 2;
 constexpr double STILL_PERIOD = 1.0;  // between pictures of a run that stands still [s]
+
+/// Takes away what was drawn of an earlier run.
+MarkerArray nothing()
+{
+  MarkerArray all;
+  all.markers.resize(1);
+  all.markers[0].action = visualization_msgs::Marker::DELETEALL;
+  return all;
+}
 
 void append(MarkerArray& all, MarkerArray part)
 {
@@ -39,6 +48,10 @@ void Display::show(const LiveRun& run)
     return;
   last_shown_ = Clock::now();
   last_time_ = run.time();
+  const bool begun_anew = run.elapsed() < last_elapsed_;
+  last_elapsed_ = run.elapsed();
+  if (begun_anew)
+    markers_.publish(nothing());
   if (markers_.getNumSubscribers() > 0)
     showMarkers(run);
   if (cloud_.getNumSubscribers() > 0)

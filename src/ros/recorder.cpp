@@ -18,17 +18,16 @@ std::string numbered(const std::string& path, int number)
 Recorder::Recorder(const std::string& path, const std::string& topic_prefix)
     : first_path_(path), topic_prefix_(topic_prefix)
 {
-  if (!path.empty())
-    bag_ = std::make_unique<BagWriter>(path, topic_prefix);
 }
 
-void Recorder::beginNext()
+void Recorder::open()
 {
-  if (!bag_)
+  if (first_path_.empty())
     return;
   close();
-  ++number_;
-  bag_ = std::make_unique<BagWriter>(numbered(first_path_, number_), topic_prefix_);
+  ++opened_;
+  const std::string path = opened_ == 1 ? first_path_ : numbered(first_path_, opened_);
+  bag_ = std::make_unique<BagWriter>(path, topic_prefix_);
 }
 
 void Recorder::close()

@@ -9,6 +9,9 @@ namespace ratchet_sieve
 {
 namespace
 {
+/// More at once is a slip, and would take the machine's memory.
+constexpr std::size_t MOST_POURED = 1000000;
+
 Outcome failure(const std::string& message)
 {
   return {false, message};
@@ -84,11 +87,18 @@ Outcome RunControl::step(double duration, double stride, const std::function<boo
   if (run_->finished())
     return failure("the scene's end is reached: reset first");
   const double target = run_->elapsed() + duration;
-  while (run_->elapsed() < target && !run_->finished())
+  try
   {
-    if (!keep_going())
-      return failure("interrupted");
-    advanceTo(std::min(target, run_->elapsed() + stride));
+    while (run_->elapsed() < target && !run_->finished())
+    {
+      if (!keep_going())
+        return failure("interrupted");
+      advanceTo(std::min(target, run_->elapsed() + stride));
+    }
+  }
+  catch (const StallError& error)
+  {
+    return failure(error.what());
   }
   run_->takeAll(sinks_);
   return {};
@@ -97,7 +107,7 @@ Outcome RunControl::step(double duration, double stride, const std::function<boo
 void RunControl::begin(std::unique_ptr<LiveRun> run)
 {
   run_->takeAll(sinks_);
-  recorder_.beginNext();
+  recorder_.open();
   run_ = std::move(run);
   begin();
 }
@@ -137,6 +147,8 @@ void RunControl::resetWorld()
 
 Outcome RunControl::pour(const std::string& species, std::size_t count)
 {
+  if (count < 1 || count > MOST_POURED)
+    return failure("count " + std::to_string(count) + ": must be from 1 to " + std::to_string(MOST_POURED));
   const auto& all = run_->simulation().scene().species;
   const auto found = std::find_if(
       all.begin(), all.end(), [&](const SpeciesDefinition& candidate) { return candidate.name == species; });

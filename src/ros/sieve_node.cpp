@@ -1,5 +1,7 @@
 #include "ratchet_sieve/ros/sieve_node.h"
 
+#include <algorithm>
+
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
@@ -48,6 +50,8 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
   if (parameters_.publish_clock && !ros::Time::isSimTime())
     ROS_WARN("this node is the clock, but /use_sim_time is not set: other nodes go by wall time");
   control_.addSink(topics_);
+  // Not before the scene is known to be good: a run that cannot begin leaves no bag.
+  recorder_.open();
 }
 
 CommandServer::Stepping SieveNode::stepping()
@@ -78,6 +82,12 @@ void SieveNode::keepAlive()
   progress_.update(control_.run());
 }
 
+double SieveNode::waitUntilDue() const
+{
+  const LiveRun& run = control_.run();
+  return pacer_.wait(std::min(run.nextTime(), run.elapsed() + pacer_.stride()), Pacer::Clock::now());
+}
+
 void SieveNode::advance()
 {
   const auto begin = Pacer::Clock::now();
@@ -99,9 +109,7 @@ void SieveNode::run()
   pacer_.anchor(0.0, Pacer::Clock::now());
   while (!stopped() && !ended())
   {
-    const bool paused = control_.paused();
-    serveCallbacks(paused ? Pacer::LONGEST_WAIT
-                          : pacer_.wait(control_.run().nextTime(), Pacer::Clock::now()));
+    serveCallbacks(control_.paused() ? Pacer::LONGEST_WAIT : waitUntilDue());
     if (!control_.paused() && !stopped())
       advance();
     keepAlive();

@@ -45,10 +45,11 @@ TransformPublisher::TransformPublisher(ros::NodeHandle node, std::function<const
 
 void TransformPublisher::publish(const BaseFrame& frame)
 {
-  if (last_time_ == frame.time)
+  const tf2_msgs::TFMessage message = baseTransforms(frame);
+  if (message == last_)
     return;
-  last_time_ = frame.time;
-  publisher_.publish(baseTransforms(frame));
+  last_ = message;
+  publisher_.publish(message);
 }
 
 }  // namespace ratchet_sieve

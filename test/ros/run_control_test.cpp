@@ -36,6 +36,7 @@ public:
       : recorder(bag, "/sieve"),
         control(YAML::Load(canonicalYaml(smallMixture())), "scene", pausedParameters(), recorder)
   {
+    recorder.open();
     control.addSink(seen);
     control.begin();
   }
@@ -179,6 +180,7 @@ TEST(RunControl, poursMoreOn)
   EXPECT_TRUE(run.control.pour("B", 3).success);
   EXPECT_EQ(run.seen.bins.back().bins[1].on_base, 9u);
   EXPECT_EQ(run.control.pour("C", 1).message, "species C: there is none of that name");
+  EXPECT_EQ(run.control.pour("B", 4000000000).message, "count 4000000000: must be from 1 to 1000000");
 }
 
 TEST(RunControl, recordsEachRunIntoABagOfItsOwn)

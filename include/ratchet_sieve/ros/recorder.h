@@ -13,11 +13,11 @@ namespace ratchet_sieve
 class Recorder : public FrameSink
 {
 public:
-  /// Opens the first bag. @param path empty: nothing is recorded @throws BagError
+  /// @param path of the first bag; empty: nothing is recorded
   Recorder(const std::string& path, const std::string& topic_prefix);
 
-  /// Closes the bag and opens the next one. @throws BagError
-  void beginNext();
+  /// Opens the bag of the run that begins; closes that of the run before. @throws BagError
+  void open();
 
   /// Closes the bag. What comes afterwards is not recorded. @throws BagError
   void close();
@@ -42,7 +42,7 @@ private:
 
   std::string first_path_;
   std::string topic_prefix_;
-  int number_ = 1;
+  int opened_ = 0;  ///< bags so far
   std::unique_ptr<BagWriter> bag_;
 };
 

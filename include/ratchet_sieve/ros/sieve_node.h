@@ -34,6 +34,7 @@ private:
 
   bool stopped() const;
   bool ended() const;
+  double waitUntilDue() const;
   void advance();
   void keepAlive();
   void end();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
@@ -24,7 +23,7 @@ constexpr const char* BASE_FRAME_ID = "sieve_base";
 /// The transforms world -> sieve_mount -> sieve_base at one instant.
 tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame);
 
-/// Publishes them on /tf, no instant twice. A subscriber that comes while the run stands still gets
+/// Publishes them on /tf, the same never twice. A subscriber that comes while the run stands still gets
 /// the present ones.
 class TransformPublisher
 {
@@ -36,7 +35,7 @@ public:
 
 private:
   ros::Publisher publisher_;
-  std::optional<double> last_time_;
+  tf2_msgs::TFMessage last_;
 };
 
 }  // namespace ratchet_sieve

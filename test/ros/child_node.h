@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+namespace ratchet_sieve
+{
+
+/// A program of this package, started beside the test, its errors caught. Ended with the test.
+class ChildNode
+{
+public:
+  explicit ChildNode(const std::string& program, const std::vector<std::string>& arguments = {})
+  {
+    // Programs of one package stand in one folder.
+    const std::string path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / program;
+    if (pipe(errors_.data()) != 0)
+      throw std::runtime_error("no pipe");
+    process_ = fork();
+    if (process_ == 0)
+      become(path, arguments);
+    close(errors_[1]);
+  }
+
+  ~ChildNode()
+  {
+    if (process_ > 0)
+    {
+      kill(process_, SIGKILL);
+      waitpid(process_, nullptr, 0);
+    }
+    close(errors_[0]);
+  }
+  ChildNode(const ChildNode&) = delete;
+  ChildNode& operator=(const ChildNode&) = delete;
+
+  void interrupt() { kill(process_, SIGINT); }
+
+  /// Waits until it ends. @return its exit status; -1 where a signal ended it
+  int wait()
+  {
+    std::array<char, 4096> chunk{};
+    ssize_t got = 0;
+    while ((got = read(errors_[0], chunk.data(), chunk.size())) > 0)
+      errors_text_.append(chunk.data(), static_cast<std::size_t>(got));
+    int status = 0;
+    waitpid(process_, &status, 0);
+    process_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  /// What it wrote to stderr, after wait().
+  const std::string& errors() const { return errors_text_; }
+
+private:
+  [[noreturn]] void become(const std::string& path, const std::vector<std::string>& arguments)
+  {
+    dup2(errors_[1], STDERR_FILENO);
+    close(errors_[0]);
+    close(errors_[1]);
+    std::vector<char*> argv = {const_cast<char*>(path.c_str())};
+    for (const std::string& argument : arguments)
+      argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    execv(path.c_str(), argv.data());
+    _exit(127);
+  }
+
+  pid_t process_ = -1;
+  std::array<int, 2> errors_{};
+  std::string errors_text_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,42 @@
+#include <gtest/gtest.h>
+
+#include "sieve_client.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// The first time at which the base shows a command; nothing if it never does.
+std::optional<double> commandedAt(const std::vector<BaseFrame>& frames, double DriveState::*commanded,
+                                  double value)
+{
+  for (const BaseFrame& frame : frames)
+    if (frame.base.*commanded == value)
+      return frame.time;
+  return std::nullopt;
+}
+
+/// The sieve was started paused, and it is the schedule that sets it going.
+TEST(Schedule, commandsTheRunningSieveInTime)
+{
+  SieveClient sieve("/sieve");
+  ASSERT_TRUE(waitFor([&] { return !sieve.base.frames.empty() && sieve.base.frames.back().time >= 2.0; }));
+  const auto tilted = commandedAt(sieve.base.frames, &DriveState::commanded_inclination, 0.05);
+  const auto slowed = commandedAt(sieve.base.frames, &DriveState::commanded_frequency, 20.0);
+  const auto shrunk = commandedAt(sieve.base.frames, &DriveState::commanded_amplitude, 0.0015);
+  ASSERT_TRUE(tilted && slowed && shrunk);
+  EXPECT_GE(*tilted, 0.5);
+  EXPECT_LT(*tilted, *slowed);
+  EXPECT_GE(*slowed, 1.0);
+  EXPECT_GE(*shrunk, 1.0);
+}
+}  // namespace
+}  // namespace ratchet_sieve
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "schedule_rostest");
+  const ros::NodeHandle node;
+  return RUN_ALL_TESTS();
+}
