@@ -1,7 +1,7 @@
 #include "ratchet_sieve/scene/scene_file.h"
 
+#include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "depth_limiter.h"
 
@@ -13,20 +13,22 @@ namespace
 /// A scene that places a hundred thousand disks one by one has some ten megabytes.
 constexpr std::size_t LARGEST_TEXT = 64u << 20;  ///< [bytes]
 
+/// The file's text, or so much of it that it is seen to be too large.
 std::string readText(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf()))
+  if (!file || std::filesystem::is_directory(path))
     throw SceneError(path + ": cannot be read as a scene file");
-  return text.str();
+  std::string text(LARGEST_TEXT + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
 }
 
 YAML::Node parseText(const std::string& text, const std::string& source)
 {
   if (text.size() > LARGEST_TEXT)
-    throw SceneError(source + ": has " + std::to_string(text.size()) + " bytes; a scene has at most " +
-                     std::to_string(LARGEST_TEXT));
+    throw SceneError(source + ": too large; a scene has at most " + std::to_string(LARGEST_TEXT) + " bytes");
   try
   {
     requireShallow(text);

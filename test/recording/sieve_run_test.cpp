@@ -156,6 +156,21 @@ TEST_F(SieveRun, RefusesAPathThatCannotBeWrittenBeforeItRuns)
                 path + ": cannot be written: No such file or directory");
 }
 
+#ifdef SIEVE_RUN_HAS_ROS
+TEST_F(SieveRun, RecordsABag)
+{
+  EXPECT_EQ(run(config("demo.yaml") + " --duration 0.5 --bag " + (written_ / "run.bag")).status, 0);
+  EXPECT_EQ(contents(written_ / "run.bag").substr(0, 13), "#ROSBAG V2.0\n");
+}
+#else
+TEST_F(SieveRun, RefusesABagWithoutRos)
+{
+  const std::string bag = written_ / "run.bag";
+  expectRefusal(config("demo.yaml") + " --bag " + bag,
+                "--bag " + bag + ": this build has no ROS, which bags need");
+}
+#endif
+
 TEST_F(SieveRun, ReportsAStall)
 {
   const std::string stalls = scene(

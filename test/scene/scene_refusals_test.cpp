@@ -1,4 +1,3 @@
-#include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -195,19 +194,34 @@ TEST(SceneText, OfAliasesThatMultiplyIsRefusedAtOnce)
 TEST(SceneText, ThatIsHugeIsRefused)
 {
   EXPECT_EQ(refusalOf(std::string((64u << 20) + 1, '\n')),
-            "s.yaml: has 67108865 bytes; a scene has at most 67108864");
+            "s.yaml: too large; a scene has at most 67108864 bytes");
 }
 
-TEST(SceneFile, ThatIsMissingIsRefused)
+TEST(SceneFile, ThatCannotBeReadIsRefused)
 {
+  for (const std::string path : {"no_such_scene.yaml", "/"})
+    try
+    {
+      loadSceneFile(path);
+      FAIL();
+    }
+    catch (const SceneError& error)
+    {
+      EXPECT_EQ(error.what(), path + ": cannot be read as a scene file");
+    }
+}
+
+TEST(SceneFile, ThatIsEmptyOrEndlessIsRefused)
+{
+  EXPECT_THROW(loadSceneFile("/dev/null"), SceneError);
   try
   {
-    loadSceneFile("no_such_scene.yaml");
+    loadSceneFile("/dev/zero");
     FAIL();
   }
   catch (const SceneError& error)
   {
-    EXPECT_STREQ(error.what(), "no_such_scene.yaml: cannot be read as a scene file");
+    EXPECT_STREQ(error.what(), "/dev/zero: too large; a scene has at most 67108864 bytes");
   }
 }
 
