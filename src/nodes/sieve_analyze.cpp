@@ -64,9 +64,13 @@ int analyze(const Arguments& arguments)
   return DONE;
 }
 
-}  // namespace
+int complain(const std::exception& error, int status)
+{
+  std::fprintf(stderr, "sieve_analyze: %s\n", error.what());
+  return status;
+}
 
-int main(int argc, char** argv)
+int parseAndRun(int argc, char** argv)
 {
   Arguments arguments;
   CLI::App app("Analyses a recorded run: Q, P, mean velocities, displacements, contacts.", "sieve_analyze");
@@ -74,7 +78,6 @@ int main(int argc, char** argv)
   try
   {
     app.parse(argc, argv);
-    return analyze(arguments);
   }
   catch (const CLI::Success& request)
   {
@@ -85,9 +88,19 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "sieve_analyze: %s; see --help\n", error.what());
     return REFUSED;
   }
+  return analyze(arguments);
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    return parseAndRun(argc, argv);
+  }
   catch (const std::exception& error)
   {
-    std::fprintf(stderr, "sieve_analyze: %s\n", error.what());
-    return FAILED;
+    return complain(error, FAILED);
   }
 }

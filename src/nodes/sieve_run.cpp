@@ -172,9 +172,13 @@ int run(const Arguments& arguments)
   return outcome.end == RunEnd::COMPLETED ? DONE : FAILED;
 }
 
-}  // namespace
+int complain(const std::exception& error, int status)
+{
+  std::fprintf(stderr, "sieve_run: %s\n", error.what());
+  return status;
+}
 
-int main(int argc, char** argv)
+int parseAndRun(int argc, char** argv)
 {
   Arguments arguments;
   CLI::App app("Runs a scene of the ratchet sieve as fast as it goes and sums it up in JSON.", "sieve_run");
@@ -182,7 +186,6 @@ int main(int argc, char** argv)
   try
   {
     app.parse(argc, argv);
-    return run(arguments);
   }
   catch (const CLI::Success& request)
   {
@@ -193,19 +196,27 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "sieve_run: %s; see --help\n", error.what());
     return REFUSED;
   }
+  return run(arguments);
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    return parseAndRun(argc, argv);
+  }
   catch (const SceneError& error)
   {
-    std::fprintf(stderr, "sieve_run: %s\n", error.what());
-    return REFUSED;
+    return complain(error, REFUSED);
   }
   catch (const Refusal& error)
   {
-    std::fprintf(stderr, "sieve_run: %s\n", error.what());
-    return REFUSED;
+    return complain(error, REFUSED);
   }
   catch (const std::exception& error)
   {
-    std::fprintf(stderr, "sieve_run: %s\n", error.what());
-    return FAILED;
+    return complain(error, FAILED);
   }
 }

@@ -1,6 +1,7 @@
 #include "ratchet_sieve/recording/progress_bar.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ constexpr int BAR_WIDTH = 24;  ///< [characters]
 
 std::string clockText(double seconds)
 {
-  const long whole = static_cast<long>(std::min(seconds, 1e9) + 0.5);
+  const long whole = std::lround(std::min(seconds, 1e9));
   if (whole >= 3600)
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
   return fmt::format("{}:{:02}", whole / 60, whole % 60);

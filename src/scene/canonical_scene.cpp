@@ -43,16 +43,16 @@ void writeSection(std::ostream& out, const char* name, const Keys<Part>& keys, c
   out << "}\n";
 }
 
-/// `name:` and an entry a line, each written by writeEntry(entry, flow); `name: []` for none.
+/// `name:` and an entry a line, each written by write_entry(entry, flow); `name: []` for none.
 template <typename Entry, typename WriteEntry>
 void writeList(std::ostream& out, const char* name, const std::vector<Entry>& entries,
-               WriteEntry&& writeEntry)
+               WriteEntry&& write_entry)
 {
   out << name << (entries.empty() ? ": []\n" : ":\n");
   for (const Entry& entry : entries)
   {
     out << "  - {";
-    writeEntry(entry, FlowWriter(out));
+    write_entry(entry, FlowWriter(out));
     out << "}\n";
   }
 }

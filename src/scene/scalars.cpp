@@ -133,7 +133,7 @@ std::string scalarText(double value)
   // Every double comes back from 17 digits; most do from fewer, which are easier to read.
   for (int digits = 15; digits < 17; ++digits)
   {
-    const std::string text = formatted(value, digits);
+    std::string text = formatted(value, digits);
     if (parsed<double>(text) == value)
       return text;
   }
