@@ -15,6 +15,8 @@ from matplotlib.ticker import MaxNLocator  # noqa: E402
 MM = 1e3  # per m
 UJ = 1e6  # per J
 
+FEWEST_DISKS = 5  # of which a distribution is drawn
+
 # Okabe and Ito's colours, which colour-blind readers tell apart.
 COLOURS = ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9']
 GREY = '#555555'
@@ -140,16 +142,20 @@ def draw_displacements(directory):
         part = table.where('species', species)
         for index, time in enumerate(times):
             histogram = part.where('time', time)
-            if not histogram.rows:
+            disks = int(sum(histogram.numbers('count')))
+            if disks < FEWEST_DISKS:
                 continue
             edges = histogram.numbers('from', MM) + histogram.numbers('to', MM)[-1:]
             row.step(edges, histogram.numbers('density', 1.0 / MM) + [0.0], where='post',
-                     color=shades(0.15 + 0.8 * index / max(len(times) - 1, 1)), label=f'{float(time):g} s')
+                     color=shades(0.15 + 0.8 * index / max(len(times) - 1, 1)), label=f'{float(time):g} s ({disks})')
         row.axvline(0.0, color=GREY, linewidth=0.8)
         row.set_ylabel('density [1/mm]')
         row.set_ylim(bottom=0.0)
         row.set_title(f'Species {species}', loc='left')
-        beside(row, title='after')
+        if row.get_legend_handles_labels()[0]:
+            beside(row, title='after (disks)')
+        else:
+            say_undefined(row, 'too few disks in the machine')
     if not names:
         say_undefined(axes[0, 0], 'no disk was recorded in the machine')
     axes[-1, 0].set_xlabel('displacement of the disks in the machine, since each entered [mm]')
@@ -240,7 +246,8 @@ def main():
                 plt.close(figure)
                 print(directory / name)
     except OSError as error:
-        sys.exit(f'plot_analysis.py: {error.filename}: {error.strerror}')
+        where = f'{error.filename}: ' if error.filename else ''
+        sys.exit(f'plot_analysis.py: {where}{error.strerror}')
 
 
 if __name__ == '__main__':
