@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -14,8 +15,15 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Disks that touch are legal: an overlap below this share of the radius is rounding.
+/// Disks that touch are legal: an overlap below this share of the radius, or of how finely a double
+/// holds where the disk is, is rounding.
 constexpr double TOUCHING = 1e-12;
+constexpr double ROUNDING = 8.0 * std::numeric_limits<double>::epsilon();
+
+double toleratedOverlap(const BasePoint& point, double radius)
+{
+  return TOUCHING * radius + ROUNDING * (std::abs(point.s) + std::abs(point.n));
+}
 
 /// Where every disk is, in the frame of the base, wrapped into [0, W) where it is periodic.
 std::vector<BasePoint> placesOnBase(const Machine& machine, double time)
@@ -111,7 +119,7 @@ void refuseBadStart(const Machine& machine)
       throw std::invalid_argument(message.str());
     }
     const double gap = gapToBase(machine, points[id], machine.radius(id));
-    if (gap < -TOUCHING * machine.radius(id))
+    if (-gap > toleratedOverlap(points[id], machine.radius(id)))
     {
       message << "initial." << id << " is buried: it overlaps the base or a wall by " << -gap << " m";
       throw std::invalid_argument(message.str());
@@ -122,7 +130,7 @@ void refuseBadStart(const Machine& machine)
   forEachNearPair(machine, points,
                   [&](std::uint32_t first, std::uint32_t second, double overlap)
                   {
-                    if (overlap <= TOUCHING * machine.radius(first))
+                    if (overlap <= toleratedOverlap(points[first], machine.radius(first)))
                       return;
                     message << "initial." << first << " and initial." << second << " overlap by " << overlap
                             << " m";

@@ -102,10 +102,19 @@ void BaseMotion::advanceTo(double time)
   segment_start_ = time;
 }
 
+void BaseMotion::pursue(Ramp& ramp, double slew_rate) const
+{
+  ramp.rate = ramp.start == ramp.target ? 0.0 : std::copysign(slew_rate, ramp.target - ramp.start);
+  const auto remaining = ramp.remaining();
+  if (!remaining || segment_start_ + *remaining > segment_start_)
+    return;
+  // So near that a double cannot tell the end of the ramp from now: it is there.
+  ramp.start = ramp.target;
+  ramp.rate = 0.0;
+}
+
 void BaseMotion::plan()
 {
-  const auto pursue = [](Ramp& ramp, double slew_rate)
-  { ramp.rate = ramp.start == ramp.target ? 0.0 : std::copysign(slew_rate, ramp.target - ramp.start); };
   pursue(inclination_, slew_rates_.inclination);
   pursue(frequency_, slew_rates_.frequency);
   pursue(amplitude_, slew_rates_.amplitude);

@@ -15,9 +15,10 @@ constexpr double PERIODS_PER_EPOCH = 64.0;
 /// The finest step in time that is told from none, in units of a double's resolution at an epoch's end.
 constexpr double RESOLUTION_STEPS = 4.0;
 
-/// On a periodic base that turns, the lattice turns against the cells by no more than their margin;
-/// see CELL_MARGIN in pair_loop.cpp. [share of the largest diameter per width]
-constexpr double LATTICE_MARGIN = 0.04;
+/// On a periodic base that turns, the lattice turns against the cells by no more than their margin
+/// before all is laid anew; see TURNING_CELL_MARGIN in pair_loop.cpp, which is larger.
+/// [share of the largest diameter per width]
+constexpr double LATTICE_MARGIN = 0.45;
 
 /// The drive's period, or at rest the time scale of a fall over a tooth.
 double drivePeriod(const SceneDefinition& scene)

@@ -14,9 +14,12 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Cells are wider than the largest diameter by this share, which leaves room for rounding and for
-/// the lattice of a turning periodic base (LATTICE_MARGIN in machine.cpp is smaller).
+/// Cells are wider than the largest diameter by this share, which leaves room for rounding.
 constexpr double CELL_MARGIN = 0.05;
+
+/// While a periodic base turns, its lattice turns against the cells: they are wider then, so that
+/// they need not be laid anew at every other collision (LATTICE_MARGIN in machine.cpp).
+constexpr double TURNING_CELL_MARGIN = 0.5;
 
 /// One event a disk, its earliest: with a pair, with the base, or with a cell's edge. A predicted
 /// pair whose partner has changed its flight since is found stale when it is due, and the disk
@@ -101,8 +104,10 @@ private:
     const double layers = count * diameter * diameter / scene.base.width();
     const double height = scene.base.tooth_height + scene.pour.drop_height + 2.0 * layers +
                           std::min(machine_.motion().throwHeight(scene.gravity), scene.base.width());
-    return CellGrid(scene.base.width(), height, diameter * (1.0 + CELL_MARGIN),
-                    static_cast<std::size_t>(count), scene.boundary == Boundary::PERIODIC);
+    const bool periodic = scene.boundary == Boundary::PERIODIC;
+    const double margin = periodic && machine_.motion().turning() ? TURNING_CELL_MARGIN : CELL_MARGIN;
+    return CellGrid(scene.base.width(), height, diameter * (1.0 + margin), static_cast<std::size_t>(count),
+                    periodic);
   }
 
   template <typename Visit>

@@ -17,7 +17,6 @@ Pour::Pour(const BaseDefinition& base, Boundary boundary, double drop_height, do
            bool see_each_other)
     : width_(base.width()),
       lowest_underside_(base.tooth_height + base.amplitude + drop_height),
-      side_margin_(base.amplitude * std::abs(base.inclination)),
       periodic_(boundary == Boundary::PERIODIC),
       see_each_other_(see_each_other)
 {
@@ -43,7 +42,7 @@ PlacedDisk Pour::place(double radius, Random& random)
 {
   PlacedDisk disk;
   disk.radius = radius;
-  const double margin = periodic_ ? 0.0 : radius + side_margin_;
+  const double margin = periodic_ ? 0.0 : radius;
   disk.s = margin + random.uniform() * std::max(0.0, width_ - 2.0 * margin);
   disk.n = lowestFree(disk.s, radius, lowest_underside_ + radius);
   occupy(disk);

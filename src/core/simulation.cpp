@@ -186,7 +186,6 @@ private:
     const SceneDefinition& scene = machine_.scene();
     const BaseKinematics base = machine_.motion().at(now_);
     BaseDefinition shape = scene.base;
-    shape.inclination = base.inclination;
     shape.amplitude = machine_.motion().displacementBound();
     Pour pour(shape, scene.boundary, scene.pour.drop_height, machine_.largestDiameter(),
               scene.contact.pair_collisions);
@@ -197,8 +196,9 @@ private:
     {
       const PlacedDisk room = pour.place(scene.species[kind].radius, random_);
       Disk disk;
-      disk.x = base.cosine * room.s - base.sine * room.n;
-      disk.y = base.sine * room.s + base.cosine * room.n;
+      const double s = room.s + base.displacement * base.sine;
+      disk.x = base.cosine * s - base.sine * room.n;
+      disk.y = base.sine * s + base.cosine * room.n;
       disk.vy = -scene.pour.speed;
       disk.time = now_;
       disk.species = kind;
@@ -210,7 +210,7 @@ private:
   {
     const Disk disk = flown(machine_.disk(id), now_, machine_.scene().gravity);
     const double width = machine_.sawtooth().width();
-    double s = base.cosine * disk.x + base.sine * disk.y;
+    double s = base.cosine * disk.x + base.sine * (disk.y - base.displacement);
     if (machine_.scene().boundary == Boundary::PERIODIC)
       s -= width * std::floor(s / width);
     return {s, base.cosine * disk.y - base.sine * disk.x, machine_.radius(id)};

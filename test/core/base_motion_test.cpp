@@ -69,6 +69,32 @@ TEST(BaseMotion, ComesToItsSetpointsExactlyAndStops)
   EXPECT_NEAR(time, 0.25 + (23.0 - 11.1) / 10.0, 1e-12);
 }
 
+TEST(BaseMotion, ASetpointAHairAwayIsReachedAtOnce)
+{
+  BaseMotion motion(figureThree(), UNLIMITED);
+  motion.commandFrequency(23.000000000000004, 31.5);
+  EXPECT_FALSE(motion.nextChange());
+  EXPECT_EQ(motion.state(31.5).frequency, 23.000000000000004);
+}
+
+TEST(BaseMotion, RandomCommandsAreFollowedWithoutEnd)
+{
+  BaseMotion motion(figureThree(), UNLIMITED);
+  double time = 0.0;
+  for (int k = 0; k < 2000; ++k)
+  {
+    motion.commandInclination(0.01 * (k * 7919 % 13), time);
+    motion.commandFrequency(0.1 * (k * 104729 % 300), time);
+    time += 0.0173 * (k % 5);
+    int segments = 0;
+    while (motion.nextChange() && *motion.nextChange() <= time)
+    {
+      motion.beginSegment(*motion.nextChange());
+      ASSERT_LT(++segments, 10);
+    }
+  }
+}
+
 TEST(BaseMotion, ANewCommandTurnsARunningSlewAround)
 {
   BaseMotion motion(figureThree(), UNLIMITED);

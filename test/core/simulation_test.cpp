@@ -212,6 +212,17 @@ TEST(Simulation, RefusesABadStartAndNamesTheDisks)
   EXPECT_EQ(refusal(scene), "");
 }
 
+TEST(Simulation, DisksThatTouchAreALegalStartEvenFarFromTheOrigin)
+{
+  SceneDefinition scene = test::mixture(0);
+  scene.base.teeth = 500;
+  for (int k = 0; k < 1000; ++k)
+    scene.initial.push_back({0, 0.002 * k + 4.0, 0.05, 0.0, 0.0, 0.0});
+  EXPECT_EQ(refusal(scene), "");
+  scene.initial.push_back({0, 5.9979, 0.05, 0.0, 0.0, 0.0});
+  EXPECT_NE(refusal(scene).find("initial.1000 overlap by 0.0019 m"), std::string::npos) << refusal(scene);
+}
+
 TEST(Simulation, AnEmptyMachineRuns)
 {
   SceneDefinition scene = test::mixture(0);

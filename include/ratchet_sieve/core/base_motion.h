@@ -76,7 +76,8 @@ private:
 
   double turns(double elapsed) const;
   void advanceTo(double time);  ///< moves the segment's start to `time`, on the rates so far
-  void plan();                  ///< sets the rates from the setpoints, and when they end
+  void pursue(Ramp& ramp, double slew_rate) const;
+  void plan();  ///< sets the rates from the setpoints, and when they end
   void updateBounds();
 
   Ramp inclination_;

@@ -11,7 +11,8 @@
 namespace ratchet_sieve
 {
 
-/// A disk's place along and over the base, where the base stands in the middle of its oscillation.
+/// A disk's place: s along the base as it stands now, for its ends and walls swing along with it; n
+/// over the middle of its oscillation.
 struct PlacedDisk
 {
   double s = 0.0;  ///< [m]
@@ -24,7 +25,7 @@ struct PlacedDisk
 class Pour
 {
 public:
-  /// @param base as it stands now: its amplitude and inclination bound how far it reaches
+  /// @param base with the amplitude it has now, which bounds how high it reaches
   /// @param see_each_other false where disks do not collide: they may then lie over each other
   Pour(const BaseDefinition& base, Boundary boundary, double drop_height, double largest_diameter,
        bool see_each_other);
@@ -41,7 +42,6 @@ private:
 
   double width_;
   double lowest_underside_;
-  double side_margin_;  ///< how far the ends may swing along s, A |sin theta| <= A |theta|
   bool periodic_;
   bool see_each_other_;
   double bucket_width_;

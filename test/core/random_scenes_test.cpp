@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Between low and high, each order of magnitude as likely as the others.
+double drawnMagnitude(double low, double high)
+{
+  const double share = *rc::gen::inRange(0, 1001) * 1e-3;
+  return low * std::pow(high / low, share);
+}
+
+ContactCoefficients drawnCoefficients()
+{
+  return {*rc::gen::element(0.0, 0.3, 0.6, 0.95, 1.0), *rc::gen::element(0.0, 0.1, 1.0, 1000.0),
+          *rc::gen::element(-1.0, 0.0, 0.4, 1.0)};
+}
+
+/// Any machine that the scene layer would let pass, small enough to run in a blink.
+SceneDefinition drawnScene()
+{
+  SceneDefinition scene = test::mixture(*rc::gen::inRange(0, 20));
+  scene.base.teeth = *rc::gen::inRange(1, 8);
+  scene.base.asymmetry = *rc::gen::element(0.0, 0.1, 0.3, 0.5, 1.0);
+  scene.base.tooth_height = *rc::gen::element(0.0, 0.001, 0.006, 0.04);
+  scene.base.inclination = *rc::gen::element(0.0, 0.2, -0.2, 1.2);
+  scene.base.amplitude = *rc::gen::element(0.0, 0.0005, 0.002, 0.02);
+  scene.base.frequency = *rc::gen::element(0.0, 5.0, 23.0, 120.0);
+  scene.boundary = *rc::gen::element(Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED);
+  scene.gravity = *rc::gen::element(0.0, 1.6, 9.81, 9.81);
+  scene.contact.pair_collisions = *rc::gen::element(true, true, false);
+  scene.contact.min_rebound_speed = *rc::gen::element(0.02, 0.05, 0.5);
+  scene.contact.contact_duration = *rc::gen::element(0.0, 0.0, 1e-4);
+  scene.feed.rate = *rc::gen::element(0.0, 0.0, 40.0);
+  scene.pour.speed = *rc::gen::element(0.0, 1.0);
+  scene.seed = *rc::gen::arbitrary<std::uint64_t>();
+  const double largest = 0.45 * scene.base.width();
+  for (SpeciesDefinition& species : scene.species)
+  {
+    species.radius = std::min(largest, drawnMagnitude(1e-4, 2e-2));
+    species.mass = drawnMagnitude(1e-4, 1e-1);
+    species.contact = drawnCoefficients();
+    species.inertia_factor = *rc::gen::element(0.01, 0.4, 0.5, 1.0);
+  }
+  return scene;
+}
+
+void commandSomething(Simulation& simulation)
+{
+  switch (*rc::gen::inRange(0, 6))
+  {
+    case 0:
+      return simulation.commandInclination(*rc::gen::element(0.0, 0.15, -0.3));
+    case 1:
+      return simulation.commandFrequency(*rc::gen::element(0.0, 10.0, 40.0));
+    case 2:
+      return simulation.commandAmplitude(*rc::gen::element(0.0, 0.001, 0.004));
+    case 3:
+      return simulation.pour(*rc::gen::inRange(0, 2), 3);
+    default:
+      return;
+  }
+}
+
+void checkState(Simulation& simulation)
+{
+  RC_ASSERT(simulation.auditOverlaps() == 0u);
+  double smallest = 1.0;
+  for (const SpeciesDefinition& species : simulation.scene().species)
+    smallest = std::min(smallest, species.radius);
+  RC_ASSERT(simulation.maxOverlap() <= 1e-9 * smallest);
+  std::uint64_t on_base = 0;
+  for (const SpeciesBins& bins : simulation.bins())
+    on_base += bins.on_base;
+  RC_ASSERT(on_base == simulation.activeDisks());
+  for (const DiskState& disk : simulation.disks())
+    for (const double value : {disk.x, disk.y, disk.vx, disk.vy, disk.angle, disk.spin, disk.displacement})
+      RC_ASSERT(std::isfinite(value));
+  RC_ASSERT(std::isfinite(simulation.energy()));
+}
+
+TEST(RandomScenes, NothingLeaksOverlapsOrGetsLost)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        Simulation simulation(drawnScene());
+        simulation.setSlewRates({*rc::gen::element(0.05, 0.5), 20.0, 0.01});
+        try
+        {
+          for (int k = 1; k <= 20; ++k)
+          {
+            simulation.advanceTo(0.05 * k);
+            checkState(simulation);
+            commandSomething(simulation);
+          }
+        }
+        catch (const StallError&)
+        {
+          // A jam, such as a disk wedged between two faces, is said and not hidden.
+          RC_CLASSIFY(true, "stalled");
+        }
+      }));
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
