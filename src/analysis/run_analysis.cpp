@@ -1,6 +1,7 @@
 #include "ratchet_sieve/analysis/run_analysis.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -117,9 +118,13 @@ void RunAnalysis::take(const BinFrame& frame)
 {
   Run& run = this->run("bin", frame.time);
   run.requireSpecies(frame.bins.size(), "bin");
-  if (run.bins.empty() || !sameBins(run.bins.back(), frame))
-    run.bins.push_back(frame);
-  run.last_bins = frame;
+  // Q and P from the counts, not as the frame says: the analysis is to stand on its own.
+  BinFrame counted = frame;
+  counted.quality = bestQuality(frame.bins);
+  counted.processed = processedRatio(frame.bins);
+  if (run.bins.empty() || !sameBins(run.bins.back(), counted))
+    run.bins.push_back(counted);
+  run.last_bins = std::move(counted);
 }
 
 void RunAnalysis::take(const BaseFrame& frame)
