@@ -8,6 +8,7 @@
 #include "ratchet_sieve/core/audit.h"
 #include "ratchet_sieve/core/event_loop.h"
 #include "ratchet_sieve/core/machine.h"
+#include "ratchet_sieve/core/placement.h"
 #include "ratchet_sieve/core/pour.h"
 
 namespace ratchet_sieve
@@ -30,9 +31,9 @@ public:
   explicit Implementation(const SceneDefinition& scene) : machine_(scene), random_(scene.seed)
   {
     if (scene.initial.empty())
-      place(pourOrder(scene.species, random_));
+      pourDisks(machine_, pourOrder(scene.species, random_), now_, random_);
     else
-      placeInitial();
+      placeInitialDisks(machine_);
     loop_ = scene.contact.pair_collisions ? makePairLoop(machine_) : makeEnsembleLoop(machine_);
     announce(0);
   }
@@ -67,7 +68,8 @@ public:
   void pour(std::size_t species, std::size_t count)
   {
     const auto before = static_cast<std::uint32_t>(machine_.disks().size());
-    place(std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)));
+    pourDisks(machine_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), now_,
+              random_);
     announce(before);
   }
 
@@ -178,58 +180,6 @@ private:
   {
     for (std::uint32_t id = first; id < machine_.disks().size(); ++id)
       loop_->added(id, now_);
-  }
-
-  /// Pours one disk of each species in the list, beside and above those that are there.
-  void place(const std::vector<std::uint32_t>& species)
-  {
-    const SceneDefinition& scene = machine_.scene();
-    const BaseKinematics base = machine_.motion().at(now_);
-    BaseDefinition shape = scene.base;
-    shape.amplitude = machine_.motion().displacementBound();
-    Pour pour(shape, scene.boundary, scene.pour.drop_height, machine_.largestDiameter(),
-              scene.contact.pair_collisions);
-    for (std::uint32_t id = 0; id < machine_.disks().size(); ++id)
-      if (machine_.active(id))
-        pour.occupy(placed(id, base));
-    for (const std::uint32_t kind : species)
-    {
-      const PlacedDisk room = pour.place(scene.species[kind].radius, random_);
-      Disk disk;
-      const double s = room.s + base.displacement * base.sine;
-      disk.x = base.cosine * s - base.sine * room.n;
-      disk.y = base.sine * s + base.cosine * room.n;
-      disk.vy = -scene.pour.speed;
-      disk.time = now_;
-      disk.species = kind;
-      machine_.add(disk);
-    }
-  }
-
-  PlacedDisk placed(std::uint32_t id, const BaseKinematics& base) const
-  {
-    const Disk disk = flown(machine_.disk(id), now_, machine_.scene().gravity);
-    const double width = machine_.sawtooth().width();
-    double s = base.cosine * disk.x + base.sine * (disk.y - base.displacement);
-    if (machine_.scene().boundary == Boundary::PERIODIC)
-      s -= width * std::floor(s / width);
-    return {s, base.cosine * disk.y - base.sine * disk.x, machine_.radius(id)};
-  }
-
-  void placeInitial()
-  {
-    for (const InitialDisk& initial : machine_.scene().initial)
-    {
-      Disk disk;
-      disk.x = initial.x;
-      disk.y = initial.y;
-      disk.vx = initial.vx;
-      disk.vy = initial.vy;
-      disk.spin = initial.spin;
-      disk.species = static_cast<std::uint32_t>(initial.species);
-      machine_.add(disk);
-    }
-    refuseBadStart(machine_);
   }
 
   Machine machine_;

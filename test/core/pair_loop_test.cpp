@@ -6,6 +6,7 @@
 #include "ratchet_sieve/core/event_loop.h"
 #include "ratchet_sieve/core/machine.h"
 #include "ratchet_sieve/core/pair_search.h"
+#include "ratchet_sieve/core/placement.h"
 #include "ratchet_sieve/core/pour.h"
 #include "scenes.h"
 
@@ -16,19 +17,8 @@ namespace
 
 void fill(Machine& machine)
 {
-  const SceneDefinition& scene = machine.scene();
-  Random random(scene.seed);
-  Pour pour(scene.base, scene.boundary, scene.pour.drop_height, machine.largestDiameter(), true);
-  const BaseKinematics base = machine.motion().at(0.0);
-  for (const std::uint32_t species : pourOrder(scene.species, random))
-  {
-    const PlacedDisk room = pour.place(scene.species[species].radius, random);
-    Disk disk;
-    disk.x = base.cosine * room.s - base.sine * room.n;
-    disk.y = base.sine * room.s + base.cosine * room.n;
-    disk.species = species;
-    machine.add(disk);
-  }
+  Random random(machine.scene().seed);
+  pourDisks(machine, pourOrder(machine.scene().species, random), 0.0, random);
 }
 
 /// The slow reference: before every event it looks at every pair, all images, and at every disk

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ratchet_sieve/core/machine.h"
+#include "ratchet_sieve/core/random.h"
+
+namespace ratchet_sieve
+{
+
+/// Pours disks into a machine at `time` (local to the epoch), one of each species in the list,
+/// beside and above those that are there.
+void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, double time, Random& random);
+
+/// Puts the disks of the scene's `initial` into a machine that is empty yet.
+/// @throws std::invalid_argument if they overlap each other or the base, or lie outside; names them
+void placeInitialDisks(Machine& machine);
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,67 @@
+#include "ratchet_sieve/core/placement.h"
+
+#include <cmath>
+
+#include "ratchet_sieve/core/audit.h"
+#include "ratchet_sieve/core/pour.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// A disk where it is at `time`, as the pour sees it.
+PlacedDisk placed(const Machine& machine, std::uint32_t id, const BaseKinematics& base, double time)
+{
+  const Disk disk = flown(machine.disk(id), time, machine.scene().gravity);
+  const double width = machine.sawtooth().width();
+  double s = base.cosine * disk.x + base.sine * (disk.y - base.displacement);
+  if (machine.scene().boundary == Boundary::PERIODIC)
+    s -= width * std::floor(s / width);
+  return {s, base.cosine * disk.y - base.sine * disk.x, machine.radius(id)};
+}
+
+}  // namespace
+
+void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, double time, Random& random)
+{
+  const SceneDefinition& scene = machine.scene();
+  const BaseKinematics base = machine.motion().at(time);
+  BaseDefinition shape = scene.base;
+  shape.amplitude = machine.motion().displacementBound();
+  Pour pour(shape, scene.boundary, scene.pour.drop_height, machine.largestDiameter(),
+            scene.contact.pair_collisions);
+  for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
+    if (machine.active(id))
+      pour.occupy(placed(machine, id, base, time));
+  for (const std::uint32_t kind : species)
+  {
+    const PlacedDisk room = pour.place(scene.species[kind].radius, random);
+    const double s = room.s + base.displacement * base.sine;
+    Disk disk;
+    disk.x = base.cosine * s - base.sine * room.n;
+    disk.y = base.sine * s + base.cosine * room.n;
+    disk.vy = -scene.pour.speed;
+    disk.time = time;
+    disk.species = kind;
+    machine.add(disk);
+  }
+}
+
+void placeInitialDisks(Machine& machine)
+{
+  for (const InitialDisk& initial : machine.scene().initial)
+  {
+    Disk disk;
+    disk.x = initial.x;
+    disk.y = initial.y;
+    disk.vx = initial.vx;
+    disk.vy = initial.vy;
+    disk.spin = initial.spin;
+    disk.species = static_cast<std::uint32_t>(initial.species);
+    machine.add(disk);
+  }
+  refuseBadStart(machine);
+}
+
+}  // namespace ratchet_sieve
