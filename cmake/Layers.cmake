@@ -3,6 +3,11 @@
 add_library(ratchet_sieve_flags INTERFACE)
 target_compile_features(ratchet_sieve_flags INTERFACE cxx_std_17)
 target_compile_options(ratchet_sieve_flags INTERFACE -Wall -Wextra -Wpedantic -ffp-contract=off)
+# GCC's vectorizer of straight-line code joins products and sums into one rounding all the same, where
+# the processor it builds for can.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(ratchet_sieve_flags INTERFACE -fno-tree-slp-vectorize)
+endif()
 if(RATCHET_SIEVE_SANITIZE)
   target_compile_options(ratchet_sieve_flags INTERFACE -fsanitize=${RATCHET_SIEVE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(ratchet_sieve_flags INTERFACE -fsanitize=${RATCHET_SIEVE_SANITIZE})

@@ -50,12 +50,12 @@ private:
     while (next.time <= time && machine_.active(id))
     {
       ++events_;
-      watches_[id].count(id, next.time, machine_.drivePeriod());
+      watches_[id].count(id, next.time, machine_.timeScale());
       const double now = next.time;
       if (next.feature)
       {
         machine_.meetBase(id, *next.feature, now);
-        bringHome(id, now);
+        machine_.bringHome(id, machine_.search().seenFromBase(machine_.disk(id), now).s, now);
       }
       next = search(id, now);
     }
@@ -64,18 +64,6 @@ private:
   BaseEvent search(std::uint32_t id, double from) const
   {
     return machine_.nextBaseEvent(id, from, std::numeric_limits<double>::infinity());
-  }
-
-  /// Keeps a disk on a periodic base near the origin, where a double is fine.
-  void bringHome(std::uint32_t id, double time)
-  {
-    if (machine_.sawtooth().boundary() != Boundary::PERIODIC)
-      return;
-    const double s = machine_.search().seenFromBase(machine_.disk(id), time).s;
-    if (s < 0.0)
-      machine_.wrap(id, 1, time);
-    else if (s >= machine_.sawtooth().width())
-      machine_.wrap(id, -1, time);
   }
 
   Machine& machine_;

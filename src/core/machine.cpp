@@ -10,27 +10,21 @@ namespace
 {
 /// An epoch is at least this many drive periods long: rare enough to cost nothing, short enough
 /// that times within it are exact to 2^-46 of a period.
-constexpr double PERIODS_PER_EPOCH = 64.0;
+constexpr double SCALES_PER_EPOCH = 64.0;
 
 /// The finest step in time that is told from none, in units of a double's resolution at an epoch's end.
 constexpr double RESOLUTION_STEPS = 4.0;
 
-/// On a periodic base that turns, the lattice turns against the cells by no more than their margin
-/// before all is laid anew; see TURNING_CELL_MARGIN in pair_loop.cpp, which is larger.
-/// [share of the largest diameter per width]
-constexpr double LATTICE_MARGIN = 0.45;
-
-/// The drive's period, or at rest the time scale of a fall over a tooth.
-double drivePeriod(const SceneDefinition& scene)
+/// See Machine::timeScale().
+double timeScale(const SceneDefinition& scene)
 {
-  if (scene.base.frequency > 0.0)
-    return 1.0 / scene.base.frequency;
-  return scene.gravity > 0.0 ? std::sqrt(scene.base.tooth_width / scene.gravity) : 1.0;
+  const double fall = scene.gravity > 0.0 ? std::sqrt(scene.base.tooth_width / scene.gravity) : 1.0;
+  return scene.base.frequency > 0.0 ? std::min(1.0 / scene.base.frequency, fall) : fall;
 }
 
-double epochLength(double drive_period)
+double epochLength(double time_scale)
 {
-  return std::exp2(std::ceil(std::log2(PERIODS_PER_EPOCH * drive_period)));
+  return std::exp2(std::ceil(std::log2(SCALES_PER_EPOCH * time_scale)));
 }
 
 double largestDiameter(const SceneDefinition& scene)
@@ -44,7 +38,7 @@ double largestDiameter(const SceneDefinition& scene)
 double maxTurn(const SceneDefinition& scene, double largest_diameter)
 {
   const bool lattice = scene.boundary == Boundary::PERIODIC && scene.contact.pair_collisions;
-  return lattice ? LATTICE_MARGIN * largest_diameter / scene.base.width()
+  return lattice ? Machine::LATTICE_MARGIN * largest_diameter / scene.base.width()
                  : std::numeric_limits<double>::infinity();
 }
 }  // namespace
@@ -53,8 +47,8 @@ Machine::Machine(const SceneDefinition& scene)
     : scene_(scene),
       sawtooth_(scene.base, scene.boundary),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
-      drive_period_(ratchet_sieve::drivePeriod(scene)),
-      epoch_{0.0, epochLength(drive_period_)},
+      time_scale_(ratchet_sieve::timeScale(scene)),
+      epoch_{0.0, epochLength(time_scale_)},
       motion_(scene.base, maxTurn(scene, largest_diameter_)),
       search_(sawtooth_, motion_, scene.gravity,
               RESOLUTION_STEPS * std::numeric_limits<double>::epsilon() * epoch_.length),
@@ -86,9 +80,9 @@ BaseEvent Machine::nextBaseEvent(std::uint32_t id, double from, double until) co
   return event;
 }
 
-Image Machine::image(int shift, double time) const
+Image Machine::image(double shift, double time) const
 {
-  if (shift == 0)
+  if (shift == 0.0)
     return {};
   const double length = shift * sawtooth_.width();
   const BaseKinematics k = motion_.at(time);
@@ -128,7 +122,7 @@ void Machine::leave(std::uint32_t id, bool to_the_right, double time)
   tally_.left(id, disks_[id], epoch_.start + time);
 }
 
-void Machine::wrap(std::uint32_t id, int shift, double time)
+void Machine::wrap(std::uint32_t id, double shift, double time)
 {
   Disk& disk = fly(id, time);
   const Image to = image(shift, time);
@@ -137,6 +131,13 @@ void Machine::wrap(std::uint32_t id, int shift, double time)
   disk.vx += to.dvx;
   disk.vy += to.dvy;
   tally_.wrapped(id, -to.dx);
+}
+
+void Machine::bringHome(std::uint32_t id, double s, double time)
+{
+  const double laps = std::floor(s / sawtooth_.width());
+  if (scene_.boundary == Boundary::PERIODIC && laps != 0.0)
+    wrap(id, -laps, time);
 }
 
 void Machine::rebase()
@@ -153,8 +154,6 @@ void Machine::rebase()
 void Machine::restartMeans(double time)
 {
   tally_.restart(disks_, active_, epoch_.start + time, time);
-  base_impulse_x_ = 0.0;
-  base_impulse_y_ = 0.0;
 }
 
 void Machine::endPieceOfMeans(double time)

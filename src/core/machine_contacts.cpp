@@ -52,8 +52,8 @@ void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time
   const Impulse impulse = collide(coefficients, base_masses_[disk.species], contact.normal_velocity,
                                   contact.tangential_velocity, scene_.contact.min_rebound_speed);
   push(disk, contact, impulse, 1.0);
-  base_impulse_x_ += impulse.normal * contact.nx - impulse.tangential * contact.ny;
-  base_impulse_y_ += impulse.normal * contact.ny + impulse.tangential * contact.nx;
+  tally_.pushed(id, impulse.normal * contact.nx - impulse.tangential * contact.ny,
+                impulse.normal * contact.ny + impulse.tangential * contact.nx);
   touched(id, time);
   report(time, kind, id, nullptr, contact, impulse);
 }

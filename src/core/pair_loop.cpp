@@ -17,9 +17,9 @@ namespace
 /// Cells are wider than the largest diameter by this share, which leaves room for rounding.
 constexpr double CELL_MARGIN = 0.05;
 
-/// While a periodic base turns, its lattice turns against the cells: they are wider then, so that
-/// they need not be laid anew at every other collision (LATTICE_MARGIN in machine.cpp).
-constexpr double TURNING_CELL_MARGIN = 0.5;
+/// While a periodic base turns, its lattice turns against the cells: they are wider then by more
+/// than it may, so that they need not be laid anew at every other collision.
+constexpr double TURNING_CELL_MARGIN = Machine::LATTICE_MARGIN + CELL_MARGIN;
 
 /// One event a disk, its earliest: with a pair, with the base, or with a cell's edge. A predicted
 /// pair whose partner has changed its flight since is found stale when it is due, and the disk
@@ -31,7 +31,10 @@ constexpr double TURNING_CELL_MARGIN = 0.5;
 class PairLoop : public EventLoop
 {
 public:
-  explicit PairLoop(Machine& machine) : machine_(machine), grid_(makeGrid()) {}
+  explicit PairLoop(Machine& machine)
+      : machine_(machine), grid_(makeGrid()), laid_for_(machine.disks().size())
+  {
+  }
 
   void advanceTo(double time) override
   {
@@ -49,15 +52,16 @@ public:
       queue_.resize(grid_capacity_);
       grid_.resize(grid_capacity_);
     }
+    // Cells that were laid for far fewer disks would hold too many each.
+    if (predictions_.size() > 2 * laid_for_)
+      return motionChanged(time);
     place(id, time);
     predict(id, time);
   }
 
   void motionChanged(double time) override
   {
-    grid_ = makeGrid();
-    grid_.resize(grid_capacity_);
-    forEachActive([&](std::uint32_t id) { place(id, time); });
+    layCells(time);
     forEachActive([&](std::uint32_t id) { predict(id, time); });
   }
 
@@ -94,6 +98,15 @@ private:
     double cell_time = EventQueue::NEVER;
     BaseEvent base;
   };
+
+  /// Cells for the disks there are now, on the base as it stands.
+  void layCells(double time)
+  {
+    grid_ = makeGrid();
+    grid_.resize(grid_capacity_);
+    laid_for_ = predictions_.size();
+    forEachActive([&](std::uint32_t id) { place(id, time); });
+  }
 
   CellGrid makeGrid()
   {
@@ -134,11 +147,7 @@ private:
   /// it outside.
   void place(std::uint32_t id, double time)
   {
-    const double s = inGrid(id, time).s;
-    if (grid_.periodic() && s < 0.0)
-      machine_.wrap(id, 1, time);
-    else if (grid_.periodic() && s >= machine_.sawtooth().width())
-      machine_.wrap(id, -1, time);
+    machine_.bringHome(id, inGrid(id, time).s, time);
     grid_.add(id, cellNow(id, time));
   }
 
@@ -153,7 +162,7 @@ private:
     ++events_;
     Prediction& p = predictions_[id];
     const double now = queue_.topTime();
-    watches_[id].count(id, now, machine_.drivePeriod());
+    watches_[id].count(id, now, machine_.timeScale());
     if (p.pair_time <= now)
       processPair(id, now);
     else if (p.base.feature && p.base.time <= now)
@@ -303,6 +312,7 @@ private:
   BaseKinematics frame_;  ///< of the cells: the base's when the grid was laid
   CellGrid grid_;
   std::size_t grid_capacity_ = 0;
+  std::size_t laid_for_ = 0;  ///< disks that had entered when the cells were laid
   EventQueue queue_;
   std::vector<Prediction> predictions_;  ///< per disk
   std::vector<StallWatch> watches_;      ///< per disk

@@ -8,9 +8,9 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Steps after which a search across the seam of a turning base settles for where it is: short of
-/// the contact by less than rounding, for even grazing steps shrink by a third each time.
-constexpr int MAX_STEPS = 200;
+/// Steps after which a search across the seam of a turning base takes the disks to touch: even where
+/// they graze the steps shrink by a third each time, so that rounding is all that is left of the gap.
+constexpr int MAX_SEAM_STEPS = 200;
 
 /// Two instants nearer than this share of an epoch are one.
 constexpr double TIME_RESOLUTION = 1e-15;
@@ -33,7 +33,7 @@ std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, in
   const double acceleration = machine_.sawtooth().width() * rate * rate;
   const double resolution = TIME_RESOLUTION * machine_.epoch().length;
   double time = from_;
-  for (int step = 0; time < until_ && step < MAX_STEPS; ++step)
+  for (int step = 0; time < until_; ++step)
   {
     const Disk a = flown(disk_, time, gravity);
     const Disk b = flown(other, time, gravity);
@@ -43,7 +43,7 @@ std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, in
     const double length = std::sqrt(dx * dx + dy * dy);
     const double opening = (dx * (a.vx - b.vx - there.dvx) + dy * (a.vy - b.vy - there.dvy)) / length;
     const double wait = guaranteedFreeTime(length - distance, opening, acceleration);
-    if (opening < 0.0 && wait <= resolution)
+    if (opening < 0.0 && (wait <= resolution || step > MAX_SEAM_STEPS))
       return time;
     time += std::max(wait, resolution);
   }

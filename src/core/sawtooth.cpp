@@ -69,8 +69,10 @@ Sawtooth::Sawtooth(const BaseDefinition& base, Boundary boundary)
 
 std::int32_t Sawtooth::toothAt(double s) const
 {
-  const auto tooth = static_cast<std::int32_t>(std::floor(s / tooth_width_));
-  return boundary_ == Boundary::PERIODIC ? tooth : std::clamp(tooth, 0, teeth_ - 1);
+  double tooth = std::floor(s / tooth_width_);
+  if (boundary_ != Boundary::PERIODIC)
+    tooth = std::clamp(tooth, 0.0, teeth_ - 1.0);
+  return static_cast<std::int32_t>(tooth);
 }
 
 Approach Sawtooth::approach(const BaseFeature& feature, const BasePoint& point, double radius) const
@@ -103,6 +105,9 @@ Approach Sawtooth::approach(const BaseFeature& feature, const BasePoint& point, 
 
 double Sawtooth::heightAbove(double s, double n) const
 {
+  // Far below, all that is asked is how deep.
+  if (n < -(height_ + tooth_width_))
+    return n;
   const std::int32_t here = toothAt(s);
   const double local = s - toothStart(here);
   const double surface = local < apex_offset_ ? height_ * local / apex_offset_

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "ratchet_sieve/core/audit.h"
@@ -42,15 +43,16 @@ public:
   double now() const { return now_; }
   double time() const { return machine_.epoch().start + now_; }
   std::uint64_t events() const { return loop_->events(); }
+  bool settled() const { return settled_; }
 
   void advanceTo(double time)
   {
+    if (!(time >= this->time()))
+      return;
     while (true)
     {
       const double target = time - machine_.epoch().start;
       const double next = std::min(target, nextGlobalEvent());
-      if (next < now_)
-        return;
       runDisks(next);
       now_ = next;
       if (!handleGlobalEvent() && next == target)
@@ -67,6 +69,12 @@ public:
 
   void pour(std::size_t species, std::size_t count)
   {
+    const SceneDefinition& scene = machine_.scene();
+    if (species >= scene.species.size())
+      throw std::invalid_argument("there is no species " + std::to_string(species));
+    if (2.0 * scene.species[species].radius > scene.base.width())
+      throw std::invalid_argument("disks of species " + scene.species[species].name +
+                                  " are wider than the machine: there is no room for them");
     const auto before = static_cast<std::uint32_t>(machine_.disks().size());
     pourDisks(machine_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), now_,
               random_);
@@ -103,6 +111,9 @@ private:
       next = std::min(next, nextPieceEnd() - epoch_start);
     if (machine_.scene().feed.rate > 0.0)
       next = std::min(next, nextFeedTime() - epoch_start);
+    // Records of an ensemble wait until they are sorted: not too many of them.
+    if (observer_ && !scenePairs())
+      next = std::min(next, now_ + machine_.timeScale());
     return std::max(next, now_);
   }
 
@@ -110,11 +121,11 @@ private:
 
   bool scenePairs() const { return machine_.scene().contact.pair_collisions; }
 
-  /// The series from which the errors of the means are found goes by drive periods. Disks that do
+  /// The series from which the errors of the means are found goes by the machine's time scale. Disks that do
   /// not see each other are independent, and need none.
   double nextPieceEnd() const
   {
-    return machine_.scene().settle + static_cast<double>(pieces_ + 1) * machine_.drivePeriod();
+    return machine_.scene().settle + static_cast<double>(pieces_ + 1) * machine_.timeScale();
   }
 
   /// Handles one of the events that concern all disks, if one is due, in a fixed order.
@@ -165,9 +176,20 @@ private:
 
   void runDisks(double local_time)
   {
-    loop_->advanceTo(local_time);
-    if (unsorted_.empty())
-      return;
+    try
+    {
+      loop_->advanceTo(local_time);
+    }
+    catch (const StallError&)
+    {
+      reportSorted();
+      throw;
+    }
+    reportSorted();
+  }
+
+  void reportSorted()
+  {
     std::stable_sort(unsorted_.begin(), unsorted_.end(),
                      [](const CollisionRecord& a, const CollisionRecord& b)
                      { return std::tie(a.time, a.i) < std::tie(b.time, b.i); });
@@ -270,8 +292,7 @@ std::vector<DiskState> Simulation::disks() const
     state.displacement = machine.displacement(id, disk.x);
     const BasePoint point = toBase(base, disk.x, disk.y, disk.vx, disk.vy);
     const bool periodic = machine.scene().boundary == Boundary::PERIODIC;
-    const Image image =
-        periodic ? machine.image(-static_cast<int>(std::floor(point.s / width)), now) : Image();
+    const Image image = periodic ? machine.image(-std::floor(point.s / width), now) : Image();
     state.x = disk.x + image.dx;
     state.y = disk.y + image.dy;
     state.vx = disk.vx + image.dvx;
@@ -300,32 +321,29 @@ std::uint64_t Simulation::events() const
 
 std::vector<SpeciesMeans> Simulation::means() const
 {
+  if (!implementation_->settled())
+    return std::vector<SpeciesMeans>(scene().species.size());
   return implementation_->machine().means(implementation_->now());
 }
 
 double Simulation::baseImpulseX() const
 {
-  return implementation_->machine().baseImpulseX();
+  return implementation_->settled() ? implementation_->machine().baseImpulseX() : 0.0;
 }
 
 double Simulation::baseImpulseY() const
 {
-  return implementation_->machine().baseImpulseY();
+  return implementation_->settled() ? implementation_->machine().baseImpulseY() : 0.0;
 }
 
 double Simulation::energy() const
 {
-  const Machine& machine = implementation_->machine();
   double energy = 0.0;
-  for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
+  for (const DiskState& disk : disks())
   {
-    if (!machine.active(id))
-      continue;
-    const Disk disk = flown(machine.disk(id), implementation_->now(), machine.scene().gravity);
-    const SpeciesDefinition& species = machine.scene().species[disk.species];
+    const SpeciesDefinition& species = scene().species[disk.species];
     energy += 0.5 * species.mass * (disk.vx * disk.vx + disk.vy * disk.vy) +
-              0.5 * species.inertia() * disk.spin * disk.spin +
-              species.mass * machine.scene().gravity * disk.y;
+              0.5 * species.inertia() * disk.spin * disk.spin + species.mass * scene().gravity * disk.y;
   }
   return energy;
 }

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace ratchet_sieve
 {
 
 Tally::Tally(const std::vector<SpeciesDefinition>& species, double gravity)
-    : species_(species),
-      gravity_(gravity),
-      departed_(species.size()),
-      at_piece_end_(species.size()),
-      blocks_(species.size())
+    : species_(species), gravity_(gravity), at_piece_end_(species.size()), blocks_(species.size())
 {
 }
 
@@ -27,7 +24,8 @@ void Tally::entered(const Disk& disk, double time)
 
 void Tally::left(std::uint32_t id, const Disk& disk, double time)
 {
-  departed_[disk.species].add(passages_[id], disk.x, time);
+  passages_[id].left_x = disk.x;
+  passages_[id].left_when = time;
 }
 
 void Tally::integrate(Passage& passage, const Disk& disk, double local_time) const
@@ -44,17 +42,37 @@ void Tally::flew(std::uint32_t id, const Disk& disk, double time)
   integrate(passages_[id], disk, time);
 }
 
+void Tally::pushed(std::uint32_t id, double x, double y)
+{
+  passages_[id].impulse_x += x;
+  passages_[id].impulse_y += y;
+}
+
+double Tally::impulseX() const
+{
+  return std::accumulate(passages_.begin(), passages_.end(), 0.0,
+                         [](double sum, const Passage& passage) { return sum + passage.impulse_x; });
+}
+
+double Tally::impulseY() const
+{
+  return std::accumulate(passages_.begin(), passages_.end(), 0.0,
+                         [](double sum, const Passage& passage) { return sum + passage.impulse_y; });
+}
+
 void Tally::restart(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
                     double local_time)
 {
-  std::fill(departed_.begin(), departed_.end(), Sums());
   std::fill(at_piece_end_.begin(), at_piece_end_.end(), Sums());
   std::fill(blocks_.begin(), blocks_.end(), BlockAverages());
   for (std::uint32_t id = 0; id < disks.size(); ++id)
   {
-    if (!active[id])
-      continue;
     Passage& passage = passages_[id];
+    passage.impulse_x = 0.0;
+    passage.impulse_y = 0.0;
+    passage.counted = active[id] != 0;
+    if (!passage.counted)
+      continue;
     // What the present flight brought before now will be taken in at its end: taken off beforehand.
     Passage before;
     integrate(before, disks[id], local_time);
@@ -100,14 +118,18 @@ SpeciesMeans Tally::Sums::means(const SpeciesDefinition& species) const
 std::vector<Tally::Sums> Tally::sums(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active,
                                      double time, double local_time) const
 {
-  std::vector<Sums> sums = departed_;
+  std::vector<Sums> sums(species_.size());
   for (std::uint32_t id = 0; id < disks.size(); ++id)
   {
-    if (!active[id])
-      continue;
     Passage passage = passages_[id];
-    integrate(passage, disks[id], local_time);
-    sums[disks[id].species].add(passage, flown(disks[id], local_time, gravity_).x, time);
+    Sums& sum = sums[disks[id].species];
+    if (active[id])
+    {
+      integrate(passage, disks[id], local_time);
+      sum.add(passage, flown(disks[id], local_time, gravity_).x, time);
+    }
+    else if (passage.counted)
+      sum.add(passage, passage.left_x, passage.left_when);
   }
   return sums;
 }

@@ -154,7 +154,14 @@ Outcome RunControl::pour(const std::string& species, std::size_t count)
       all.begin(), all.end(), [&](const SpeciesDefinition& candidate) { return candidate.name == species; });
   if (found == all.end())
     return failure("species " + species + ": there is none of that name");
-  run_->simulation().pour(static_cast<std::size_t>(found - all.begin()), count);
+  try
+  {
+    run_->simulation().pour(static_cast<std::size_t>(found - all.begin()), count);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return failure(error.what());
+  }
   sinks_.take(run_->particles());
   sinks_.take(run_->bins());
   return {};

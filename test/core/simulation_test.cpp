@@ -25,13 +25,161 @@ std::uint64_t hashAfter(const SceneDefinition& scene, double end, int strides)
   return test::stateHash(simulation);
 }
 
+/// All that a run has summed up, to the last bit.
+std::vector<double> sumsAfter(const SceneDefinition& scene, int strides)
+{
+  Simulation simulation(scene);
+  std::vector<double> sums;
+  for (int half = 0; half < 2; ++half)
+  {
+    for (int k = 1; k <= strides; ++k)
+      simulation.advanceTo(3.0 * half + 3.0 * k / strides);
+    simulation.commandInclination(0.1);
+    simulation.commandFrequency(27.0);
+    simulation.pour(0, 3);
+  }
+  for (const SpeciesMeans& means : simulation.means())
+    for (const auto& mean :
+         {means.mean_vx, means.mean_vx_stderr, means.kinetic_translational, means.kinetic_rotational})
+      sums.push_back(mean.value_or(-1.0));
+  sums.insert(sums.end(), {simulation.baseImpulseX(), simulation.baseImpulseY(), simulation.energy(),
+                           static_cast<double>(test::stateHash(simulation) >> 12)});
+  return sums;
+}
+
 TEST(Simulation, SameBitsInWhateverStrides)
 {
   for (SceneDefinition scene : {test::mixture(20), test::singleParticles(20), test::openMixture(10)})
   {
     scene.feed.rate = 30.0;
     EXPECT_EQ(hashAfter(scene, 6.0, 1), hashAfter(scene, 6.0, 997));
+    scene.settle = 1.5;
+    EXPECT_EQ(sumsAfter(scene, 1), sumsAfter(scene, 333));
+    scene.contact.pair_collisions = !scene.contact.pair_collisions;
+    EXPECT_EQ(sumsAfter(scene, 1), sumsAfter(scene, 333));
   }
+}
+
+TEST(Simulation, NothingIsCountedBeforeSettle)
+{
+  SceneDefinition scene = test::mixture(20);
+  scene.settle = 5.0;
+  Simulation simulation(scene);
+  simulation.advanceTo(4.9);
+  EXPECT_FALSE(simulation.means()[0].mean_vx);
+  EXPECT_EQ(simulation.baseImpulseY(), 0.0);
+  simulation.advanceTo(5.1);
+  EXPECT_TRUE(simulation.means()[0].mean_vx);
+  EXPECT_GT(simulation.baseImpulseY(), 0.0);
+}
+
+TEST(Simulation, TimesThatAreNoneOrEarlierDoNothing)
+{
+  Simulation simulation(test::mixture(5));
+  simulation.advanceTo(1.0);
+  const auto hash = test::stateHash(simulation);
+  simulation.advanceTo(0.5);
+  simulation.advanceTo(std::nan(""));
+  EXPECT_EQ(simulation.time(), 1.0);
+  EXPECT_EQ(test::stateHash(simulation), hash);
+}
+
+TEST(Simulation, EnergyIsThatOfTheDisksAsTheyAreShown)
+{
+  for (const bool pairs : {true, false})
+  {
+    SceneDefinition scene = test::mixture(10);
+    scene.base.teeth = 2;
+    scene.base.inclination = 0.2;
+    scene.contact.pair_collisions = pairs;
+    Simulation simulation(scene);
+    for (int k = 1; k <= 200; ++k)
+    {
+      simulation.advanceTo(0.05 * k);
+      double potential = 0.0;
+      for (const DiskState& disk : simulation.disks())
+      {
+        EXPECT_LE(std::hypot(disk.x, 0.0), 0.05) << "shown within the machine";
+        potential += scene.species[disk.species].mass * 9.81 * disk.y;
+      }
+      EXPECT_GE(simulation.energy(), potential);
+    }
+  }
+}
+
+TEST(Simulation, DisksThatStartManyLapsAwayMeetAllTheSame)
+{
+  for (const int laps : {0, 1, -1, 2, 5, -3})
+  {
+    SceneDefinition scene = test::mixture(0);
+    scene.base.amplitude = 0.0;
+    const double x = 0.1 + laps * scene.base.width();
+    scene.initial = {{0, x, 0.05, 0, 0, 0}, {0, 0.1, 0.08, 0, -1.0, 0}};
+    Simulation simulation(scene);
+    simulation.advanceTo(0.05);
+    EXPECT_EQ(simulation.collisions().disk_disk, 1u) << laps;
+    simulation.auditOverlaps();
+    EXPECT_LT(simulation.maxOverlap(), 1e-14) << laps;
+  }
+}
+
+TEST(Simulation, ContactsWithinTheContactDurationLoseNothing)
+{
+  // A disk dropped on a flat base at rest rebounds with e; within t_c of that contact a second one,
+  // with a disk above it, is elastic and smooth, and later it is neither.
+  for (const double duration : {0.0, 0.05})
+  {
+    SceneDefinition scene = test::mixture(0);
+    scene.base.amplitude = 0.0;
+    scene.base.tooth_height = 0.0;
+    scene.gravity = 0.0;
+    scene.contact.min_rebound_speed = 0.0;
+    scene.contact.contact_duration = duration;
+    scene.species[1] = scene.species[0];
+    scene.initial = {{0, 0.1, 0.002, 0.0, -1.0, 1.0}, {1, 0.1, 0.006, 0.0, 0.0, 0.0}};
+    Simulation simulation(scene);
+    std::vector<CollisionRecord> records;
+    simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
+    simulation.advanceTo(0.007);
+    ASSERT_EQ(records.size(), 2u);
+    EXPECT_NEAR(records[0].normal_impulse, 1.6 * 0.010, 1e-12);
+    EXPECT_NE(records[0].tangential_impulse, 0.0);
+    const double e = duration > 0.0 ? 1.0 : 0.6;
+    EXPECT_EQ(records[1].kind, CollisionKind::DISK_DISK);
+    EXPECT_NEAR(records[1].normal_impulse, (1.0 + e) * 0.005 * 0.6, 1e-6) << duration;
+    EXPECT_EQ(records[1].tangential_impulse == 0.0, duration > 0.0);
+  }
+}
+
+TEST(Simulation, ASlowDriveIsNoCollapse)
+{
+  SceneDefinition scene = test::singleParticles(1);
+  scene.base.frequency = 1e-4;
+  Simulation simulation(scene);
+  simulation.advanceTo(9000.0);
+  EXPECT_GT(simulation.collisions().total(), 100000u);
+}
+
+TEST(Simulation, PouringWhereThereIsNoRoomIsRefused)
+{
+  SceneDefinition scene = test::mixture(0);
+  scene.base.teeth = 1;
+  scene.species[1].radius = 0.015;
+  Simulation simulation(scene);
+  EXPECT_THROW(simulation.pour(1, 1), std::invalid_argument);
+  EXPECT_THROW(simulation.pour(2, 1), std::invalid_argument);
+  EXPECT_EQ(simulation.activeDisks(), 0u);
+}
+
+TEST(Simulation, ManyDisksPouredOntoAnEmptyMachineAreFoundByFineCells)
+{
+  SceneDefinition scene = test::mixture(0);
+  Simulation simulation(scene);
+  simulation.pour(0, 600);
+  simulation.advanceTo(0.3);
+  EXPECT_EQ(simulation.auditOverlaps(), 0u);
+  EXPECT_LT(simulation.maxOverlap(), 1e-12);
+  EXPECT_GT(simulation.collisions().disk_disk, 1000u);
 }
 
 TEST(Simulation, AnotherSeedIsAnotherRun)

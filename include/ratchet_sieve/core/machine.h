@@ -36,6 +36,10 @@ struct Image
 class Machine
 {
 public:
+  /// While a periodic base turns, its lattice turns against whatever stands still by no more than
+  /// this share of the largest diameter before the motion begins a new segment.
+  static constexpr double LATTICE_MARGIN = 0.45;
+
   explicit Machine(const SceneDefinition& scene);
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
@@ -46,7 +50,10 @@ public:
   BaseMotion& motion() { return motion_; }
   const ContactSearch& search() const { return search_; }
   const Epoch& epoch() const { return epoch_; }
-  double drivePeriod() const { return drive_period_; }  ///< or what takes its place at rest [s]
+
+  /// The shorter of the scene's drive period and of a fall over a tooth [s]: what is short against it
+  /// is short for this machine.
+  double timeScale() const { return time_scale_; }
   double largestDiameter() const { return largest_diameter_; }
 
   const std::vector<Disk>& disks() const { return disks_; }
@@ -61,7 +68,7 @@ public:
   BaseEvent nextBaseEvent(std::uint32_t id, double from, double until) const;
 
   /// Where the image `shift` widths to the right appears at `time`, relative to the disk itself.
-  Image image(int shift, double time) const;
+  Image image(double shift, double time) const;
 
   /// Puts a disk in; its id is the number of disks before.
   std::uint32_t add(const Disk& disk);
@@ -72,8 +79,11 @@ public:
   /// Disk i meets the image of disk j that lies `shift` widths to the right of j.
   void meetPair(std::uint32_t i, std::uint32_t j, int shift, double time);
 
-  /// Takes the disk to its image, on the same flight.
-  void wrap(std::uint32_t id, int shift, double time);
+  /// Takes the disk to its image `shift` widths to the right, on the same flight.
+  void wrap(std::uint32_t id, double shift, double time);
+
+  /// Wraps a disk on a periodic base by as many widths as bring `s`, its place along the base, into [0, W).
+  void bringHome(std::uint32_t id, double s, double time);
 
   void rebase();
   void restartMeans(double time);
@@ -83,8 +93,8 @@ public:
   std::vector<SpeciesMeans> means(double time) const;
   double displacement(std::uint32_t id, double x) const { return tally_.displacement(id, x); }
   const CollisionCounts& collisions() const { return collisions_; }
-  double baseImpulseX() const { return base_impulse_x_; }
-  double baseImpulseY() const { return base_impulse_y_; }
+  double baseImpulseX() const { return tally_.impulseX(); }
+  double baseImpulseY() const { return tally_.impulseY(); }
   double maxOverlap() const { return max_overlap_; }
   void noteOverlap(double overlap) { max_overlap_ = overlap > max_overlap_ ? overlap : max_overlap_; }
   void observeCollisions(Simulation::CollisionObserver observer) { observer_ = std::move(observer); }
@@ -109,7 +119,7 @@ private:
   SceneDefinition scene_;
   Sawtooth sawtooth_;
   double largest_diameter_;
-  double drive_period_;
+  double time_scale_;
   Epoch epoch_;
   BaseMotion motion_;
   ContactSearch search_;
@@ -126,8 +136,6 @@ private:
   std::vector<SpeciesBins> bins_;
   Tally tally_;
   CollisionCounts collisions_;
-  double base_impulse_x_ = 0.0;
-  double base_impulse_y_ = 0.0;
   double max_overlap_ = 0.0;
   Simulation::CollisionObserver observer_;
 };

@@ -110,7 +110,9 @@ public:
   void commandAmplitude(double amplitude);
   void setSlewRates(const SlewRates& rates);
 
-  /// Pours `count` more disks of a species on at time(), where there is room.
+  /// Pours `count` more disks of a species on at time(), as low as there is room.
+  /// @throws std::invalid_argument if there is no such species, or if its disks are wider than the
+  /// machine; nothing has changed then
   void pour(std::size_t species, std::size_t count);
 
   DriveState base() const;
@@ -119,10 +121,13 @@ public:
   std::vector<SpeciesBins> bins() const;      ///< per species
   const CollisionCounts& collisions() const;  ///< since the start
   std::uint64_t events() const;               ///< all processed since the start
-  std::vector<SpeciesMeans> means() const;    ///< per species, since `settle`
-  double baseImpulseX() const;                ///< given by the base to the disks since `settle` [N s]
+  std::vector<SpeciesMeans> means() const;    ///< per species, since `settle`; nothing before
+  double baseImpulseX() const;  ///< given by the base to the disks since `settle`, 0 before [N s]
   double baseImpulseY() const;
-  double energy() const;      ///< kinetic + potential of the disks in the machine at time() [J]
+
+  /// Kinetic + potential energy of disks() [J]. On an inclined periodic base a disk that is wrapped by
+  /// a width W changes its potential energy by m g W sin(theta).
+  double energy() const;
   double maxOverlap() const;  ///< largest ever seen at a collision or by auditOverlaps() [m]
 
   /// Looks at every disk and every near pair at time(): takes overlaps into maxOverlap() and

@@ -12,7 +12,8 @@ namespace ratchet_sieve
 {
 
 /// Means over disks and time: displacements, and kinetic energies integrated exactly along every
-/// flight. Times are the run's (not local to an epoch) unless said otherwise.
+/// flight. Sums go by disk, whatever the order of events was: so a sum has the same bits in whatever
+/// strides a run was advanced. Times are the run's (not local to an epoch) unless said otherwise.
 class Tally
 {
 public:
@@ -23,6 +24,13 @@ public:
 
   /// Takes in the part of a disk's flight from its own time to `time`, both local.
   void flew(std::uint32_t id, const Disk& disk, double time);
+
+  /// The base gave the disk an impulse [N s].
+  void pushed(std::uint32_t id, double x, double y);
+
+  /// Impulse given by the base to all disks [N s].
+  double impulseX() const;
+  double impulseY() const;
 
   /// The disk was moved by -dx in the world by a periodic boundary, and no displacement comes of it.
   void wrapped(std::uint32_t id, double dx) { passages_[id].offset += dx; }
@@ -55,6 +63,11 @@ private:
     double counted_from = 0.0;  ///< [s]
     double translation = 0.0;   ///< integral of v^2 / 2 [m^2/s]
     double rotation = 0.0;      ///< integral of spin^2 / 2 [1/s]
+    double impulse_x = 0.0;     ///< given by the base [N s]
+    double impulse_y = 0.0;     ///< given by the base [N s]
+    bool counted = true;        ///< false for what had left before the counting began
+    double left_x = 0.0;        ///< where it left [m]
+    double left_when = 0.0;     ///< [s]
   };
 
   /// Sums over the passages of one species.
@@ -80,7 +93,6 @@ private:
   std::vector<SpeciesDefinition> species_;
   double gravity_;
   std::vector<Passage> passages_;      ///< per disk
-  std::vector<Sums> departed_;         ///< per species
   std::vector<Sums> at_piece_end_;     ///< per species, when the last piece ended
   std::vector<BlockAverages> blocks_;  ///< per species
 };
