@@ -78,7 +78,9 @@ void checkState(Simulation& simulation)
   double smallest = 1.0;
   for (const SpeciesDefinition& species : simulation.scene().species)
     smallest = std::min(smallest, species.radius);
-  RC_ASSERT(simulation.maxOverlap() <= 1e-9 * smallest);
+  // A double holds places of up to some metres, at speeds of up to some ten m/s, no finer than this.
+  const double rounding = 1e-13;
+  RC_ASSERT(simulation.maxOverlap() <= 1e-9 * smallest + rounding);
   std::uint64_t on_base = 0;
   for (const SpeciesBins& bins : simulation.bins())
     on_base += bins.on_base;
