@@ -15,8 +15,9 @@ namespace ratchet_sieve
 class BlockAverages
 {
 public:
-  /// The next piece of the series: the displacement [m] summed over the disks, and the time [s]
-  /// summed over the disks. All pieces are of one length.
+  /// The next piece of the series: the displacement [m] and the time [s], each summed over the disks
+  /// that were there. All pieces are of one length in time; with disks that come and go they weigh by
+  /// how many there were.
   void add(double displacement, double time);
 
   /// Of the sum of displacements over the sum of times [m/s]; nothing for fewer than MIN_BLOCKS pieces.

@@ -1,0 +1,75 @@
+#include "ratchet_sieve/core/pair_search.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+double drawn(double low, double high)
+{
+  return low + (high - low) * (*rc::gen::inRange(0, 1000001) * 1e-6);
+}
+
+TEST(TimeToTouch, KnownAnswers)
+{
+  EXPECT_DOUBLE_EQ(*timeToTouch(3.0, 0.0, -1.0, 0.0, 1.0), 2.0);
+  EXPECT_FALSE(timeToTouch(3.0, 0.0, 1.0, 0.0, 1.0));      // part
+  EXPECT_FALSE(timeToTouch(3.0, 1.1, -1.0, 0.0, 1.0));     // pass
+  EXPECT_EQ(*timeToTouch(0.9, 0.0, -1.0, 0.0, 1.0), 0.0);  // overlap and close: now
+  EXPECT_FALSE(timeToTouch(0.9, 0.0, 1.0, 0.0, 1.0));      // overlap and part: left alone
+}
+
+double gapAt(const Machine& machine, int shift, double time)
+{
+  const double gravity = machine.scene().gravity;
+  const Disk a = flown(machine.disk(0), time, gravity);
+  const Disk b = flown(machine.disk(1), time, gravity);
+  const Image there = machine.image(shift, time);
+  return std::hypot(a.x - b.x - there.dx, a.y - b.y - there.dy) - machine.radius(0) - machine.radius(1);
+}
+
+/// Two disks at either end of a ring that turns fast, thrown at each other across the seam.
+TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        SceneDefinition scene = test::mixture(0);
+        scene.base.teeth = 4;
+        Machine machine(scene);
+        machine.motion().setSlewRates({*rc::gen::element(0.1, 1.0, 5.0), 10.0, 0.002}, 0.0);
+        machine.motion().commandInclination(*rc::gen::element(-1.0, 1.0), 0.0);
+        const double until = *machine.motion().nextChange();
+        Disk left, right;
+        left.x = drawn(0.002, 0.006);
+        right.x = 0.08 - drawn(0.002, 0.006);
+        left.y = 0.02 + drawn(0.0, 0.005);
+        right.y = 0.02 + drawn(0.0, 0.005);
+        left.vx = -drawn(0.0, 2.0);
+        right.vx = drawn(0.0, 2.0);
+        left.vy = drawn(-1.0, 1.0);
+        right.vy = drawn(-1.0, 1.0);
+        right.species = 1;
+        machine.add(left);
+        machine.add(right);
+        const int shift = -1;  // the right disk's image one width to the left
+
+        const auto found = PairSearch(machine, 0, 0.0).contactWith(1, shift);
+        const double end = found.value_or(until);
+        for (int i = 0; i < 2000; ++i)
+          RC_ASSERT(gapAt(machine, shift, end * i / 2000.0) > -1e-15);
+        RC_CLASSIFY(!found.has_value(), "no contact");
+        if (found)
+          RC_ASSERT(std::abs(gapAt(machine, shift, *found)) < 1e-14);
+      }));
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
