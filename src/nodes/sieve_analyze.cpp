@@ -3,8 +3,7 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "command_line.h"
 #include "plot_script.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
 #include "ratchet_sieve/analysis/analysis_tables.h"
@@ -17,11 +16,6 @@ namespace
 {
 
 using namespace ratchet_sieve;
-
-// Exit status.
-constexpr int DONE = 0;
-constexpr int FAILED = 1;
-constexpr int REFUSED = 2;
 
 struct Arguments
 {
@@ -64,43 +58,12 @@ int analyze(const Arguments& arguments)
   return DONE;
 }
 
-int complain(const std::exception& error, int status)
-{
-  std::fprintf(stderr, "sieve_analyze: %s\n", error.what());
-  return status;
-}
-
-int parseAndRun(int argc, char** argv)
-{
-  Arguments arguments;
-  CLI::App app("Analyses a recorded run: Q, P, mean velocities, displacements, contacts.", "sieve_analyze");
-  describe(app, arguments);
-  try
-  {
-    app.parse(argc, argv);
-  }
-  catch (const CLI::Success& request)
-  {
-    return app.exit(request);
-  }
-  catch (const CLI::Error& error)
-  {
-    std::fprintf(stderr, "sieve_analyze: %s; see --help\n", error.what());
-    return REFUSED;
-  }
-  return analyze(arguments);
-}
-
 }  // namespace
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    return parseAndRun(argc, argv);
-  }
-  catch (const std::exception& error)
-  {
-    return complain(error, FAILED);
-  }
+  Arguments arguments;
+  CLI::App app("Analyses a recorded run: Q, P, mean velocities, displacements, contacts.", "sieve_analyze");
+  describe(app, arguments);
+  return runProgram(app, argc, argv, [&] { return analyze(arguments); });
 }

@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "bag_output.h"
+#include "command_line.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/collision_file.h"
@@ -24,23 +23,12 @@ namespace
 
 using namespace ratchet_sieve;
 
-// Exit status.
-constexpr int DONE = 0;
-constexpr int FAILED = 1;
-constexpr int REFUSED = 2;
-
 volatile std::sig_atomic_t stop_signal = 0;
 
 void onSignal(int signal)
 {
   stop_signal = signal;
 }
-
-/// Bad arguments or a bad scene: nothing was written.
-struct Refusal : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
 
 struct Arguments
 {
@@ -134,6 +122,18 @@ private:
   std::unique_ptr<BagOutput> bag_;
 };
 
+Scene loadScene(const Arguments& arguments)
+{
+  try
+  {
+    return loadSceneFile(arguments.scene, arguments.allOverrides());
+  }
+  catch (const SceneError& error)
+  {
+    throw Refusal(error.what());
+  }
+}
+
 Simulation makeSimulation(const SceneDefinition& scene, const std::string& path)
 {
   try
@@ -148,7 +148,7 @@ Simulation makeSimulation(const SceneDefinition& scene, const std::string& path)
 
 int run(const Arguments& arguments)
 {
-  const Scene scene = loadSceneFile(arguments.scene, arguments.allOverrides());
+  const Scene scene = loadScene(arguments);
   Simulation simulation = makeSimulation(scene.definition, arguments.scene);
   Outputs outputs(arguments);
   for (const std::string& warning : scene.warnings)
@@ -172,51 +172,12 @@ int run(const Arguments& arguments)
   return outcome.end == RunEnd::COMPLETED ? DONE : FAILED;
 }
 
-int complain(const std::exception& error, int status)
-{
-  std::fprintf(stderr, "sieve_run: %s\n", error.what());
-  return status;
-}
-
-int parseAndRun(int argc, char** argv)
-{
-  Arguments arguments;
-  CLI::App app("Runs a scene of the ratchet sieve as fast as it goes and sums it up in JSON.", "sieve_run");
-  describe(app, arguments);
-  try
-  {
-    app.parse(argc, argv);
-  }
-  catch (const CLI::Success& request)
-  {
-    return app.exit(request);
-  }
-  catch (const CLI::Error& error)
-  {
-    std::fprintf(stderr, "sieve_run: %s; see --help\n", error.what());
-    return REFUSED;
-  }
-  return run(arguments);
-}
-
 }  // namespace
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    return parseAndRun(argc, argv);
-  }
-  catch (const SceneError& error)
-  {
-    return complain(error, REFUSED);
-  }
-  catch (const Refusal& error)
-  {
-    return complain(error, REFUSED);
-  }
-  catch (const std::exception& error)
-  {
-    return complain(error, FAILED);
-  }
+  Arguments arguments;
+  CLI::App app("Runs a scene of the ratchet sieve as fast as it goes and sums it up in JSON.", "sieve_run");
+  describe(app, arguments);
+  return runProgram(app, argc, argv, [&] { return run(arguments); });
 }
