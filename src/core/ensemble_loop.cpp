@@ -76,8 +76,9 @@ private:
 void StallWatch::stalled(std::uint32_t id)
 {
   throw StallError("disk " + std::to_string(id) + " met more than " +
-                   std::to_string(EVENTS_PER_DISK_AND_PERIOD) +
-                   " events within one drive period (inelastic collapse); contact.min_rebound_speed above 0 "
+                   std::to_string(MAX_EVENTS_PER_TIME_SCALE) +
+                   " events within the time of a drive period or of a fall over a tooth (inelastic "
+                   "collapse); contact.min_rebound_speed above 0 "
                    "or a larger one avoids it");
 }
 

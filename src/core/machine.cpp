@@ -8,8 +8,8 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// An epoch is at least this many drive periods long: rare enough to cost nothing, short enough
-/// that times within it are exact to 2^-46 of a period.
+/// An epoch is at least this many of the machine's time scales long: rare enough to cost nothing,
+/// short enough that times within it are exact to 2^-45 of one.
 constexpr double SCALES_PER_EPOCH = 64.0;
 
 /// The finest step in time that is told from none, in units of a double's resolution at an epoch's end.

@@ -42,18 +42,18 @@ protected:
 class StallWatch
 {
 public:
-  /// More events than this of one disk within a drive period are a collapse.
-  static constexpr std::uint32_t EVENTS_PER_DISK_AND_PERIOD = 1000000;
+  /// More events than this of one disk within the machine's time scale are a collapse.
+  static constexpr std::uint32_t MAX_EVENTS_PER_TIME_SCALE = 1000000;
 
   /// @throws StallError at the event that is one too many
-  void count(std::uint32_t id, double time, double period)
+  void count(std::uint32_t id, double time, double time_scale)
   {
     if (time >= window_end_)
     {
-      window_end_ = time + period;
+      window_end_ = time + time_scale;
       events_ = 0;
     }
-    if (++events_ > EVENTS_PER_DISK_AND_PERIOD)
+    if (++events_ > MAX_EVENTS_PER_TIME_SCALE)
       stalled(id);
   }
 

@@ -73,7 +73,7 @@ struct SpeciesMeans
   std::optional<double> kinetic_rotational;     ///< [J], mean over disks and time
 };
 
-/// Time has all but stopped: more events per disk and drive period than EVENTS_PER_DISK_AND_PERIOD.
+/// Time has all but stopped for a disk: an inelastic collapse, or a jam; see StallWatch.
 struct StallError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
