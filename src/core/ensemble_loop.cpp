@@ -15,16 +15,17 @@ class EnsembleLoop : public EventLoop
 public:
   explicit EnsembleLoop(Machine& machine) : machine_(machine) {}
 
-  void advanceTo(double time) override
+  /// A collapse does not keep the other disks from coming as far: all have to be at one time.
+  double advanceTo(double time) override
   {
     for (std::uint32_t id = 0; id < next_.size(); ++id)
       advanceDisk(id, time);
+    return time;
   }
 
   void added(std::uint32_t id, double time) override
   {
     next_.resize(id + 1);
-    watches_.resize(id + 1);
     next_[id] = search(id, time);
   }
 
@@ -39,8 +40,12 @@ public:
   {
     for (BaseEvent& event : next_)
       event.time -= length;
-    for (StallWatch& watch : watches_)
-      watch.rebase(length);
+  }
+
+  void archive(StateArchive& state) override
+  {
+    EventLoop::archive(state);
+    state(next_);
   }
 
 private:
@@ -49,9 +54,10 @@ private:
     BaseEvent& next = next_[id];
     while (next.time <= time && machine_.active(id))
     {
-      ++events_;
-      watches_[id].count(id, next.time, machine_.timeScale());
       const double now = next.time;
+      if (machine_.collapseWatch().count(id, now) && machine_.collapseWatch().hopeless())
+        return;
+      ++events_;
       if (next.feature)
       {
         machine_.meetBase(id, *next.feature, now);
@@ -67,20 +73,10 @@ private:
   }
 
   Machine& machine_;
-  std::vector<BaseEvent> next_;      ///< per disk
-  std::vector<StallWatch> watches_;  ///< per disk
+  std::vector<BaseEvent> next_;  ///< per disk
 };
 
 }  // namespace
-
-void StallWatch::stalled(std::uint32_t id)
-{
-  throw StallError("disk " + std::to_string(id) + " met more than " +
-                   std::to_string(MAX_EVENTS_PER_TIME_SCALE) +
-                   " events within the time of a drive period or of a fall over a tooth (inelastic "
-                   "collapse); contact.min_rebound_speed above 0 "
-                   "or a larger one avoids it");
-}
 
 std::unique_ptr<EventLoop> makeEnsembleLoop(Machine& machine)
 {

@@ -22,6 +22,13 @@ double timeScale(const SceneDefinition& scene)
   return scene.base.frequency > 0.0 ? std::min(1.0 / scene.base.frequency, fall) : fall;
 }
 
+/// Of a fall over a tooth, or where nothing falls, over a tooth within the time scale [m/s].
+double speedScale(const SceneDefinition& scene, double time_scale)
+{
+  const double width = scene.base.tooth_width;
+  return scene.gravity > 0.0 ? std::sqrt(scene.gravity * width) : width / time_scale;
+}
+
 double epochLength(double time_scale)
 {
   return std::exp2(std::ceil(std::log2(SCALES_PER_EPOCH * time_scale)));
@@ -52,6 +59,7 @@ Machine::Machine(const SceneDefinition& scene)
       motion_(scene.base, maxTurn(scene, largest_diameter_)),
       search_(sawtooth_, motion_, scene.gravity,
               RESOLUTION_STEPS * std::numeric_limits<double>::epsilon() * epoch_.length),
+      collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_)),
       bins_(scene.species.size()),
       tally_(scene.species, scene.gravity)
 {
@@ -97,6 +105,7 @@ std::uint32_t Machine::add(const Disk& disk)
   active_.push_back(1);
   ++active_count_;
   ++bins_[disk.species].on_base;
+  collapse_watch_.added();
   tally_.entered(disk, epoch_.start + disk.time);
   if (scene_.contact.contact_duration > 0.0)
     last_contacts_.push_back(-std::numeric_limits<double>::infinity());
@@ -140,6 +149,17 @@ void Machine::bringHome(std::uint32_t id, double s, double time)
     wrap(id, -laps, time);
 }
 
+void Machine::archive(StateArchive& state)
+{
+  state(epoch_, motion_, disks_, active_, last_contacts_, active_count_, collapse_watch_, bins_, tally_,
+        collisions_, max_overlap_);
+  const bool of_this_scene = bins_.size() == scene_.species.size() && active_.size() == disks_.size() &&
+                             std::all_of(disks_.begin(), disks_.end(),
+                                         [this](const Disk& disk) { return disk.species < bins_.size(); });
+  if (!of_this_scene)
+    throw StateError("it is of another scene");
+}
+
 void Machine::rebase()
 {
   const double length = epoch_.length;
@@ -149,6 +169,7 @@ void Machine::rebase()
   for (double& time : last_contacts_)
     time -= length;
   epoch_.start += length;
+  collapse_watch_.rebase(length, epoch_.start);
 }
 
 void Machine::restartMeans(double time)

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "ratchet_sieve/core/machine.h"
@@ -50,7 +51,7 @@ void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time
   if (kind == CollisionKind::WALL)
     coefficients.friction = 0.0;
   const Impulse impulse = collide(coefficients, base_masses_[disk.species], contact.normal_velocity,
-                                  contact.tangential_velocity, scene_.contact.min_rebound_speed);
+                                  contact.tangential_velocity, reboundFloor(id));
   push(disk, contact, impulse, 1.0);
   tally_.pushed(id, impulse.normal * contact.nx - impulse.tangential * contact.ny,
                 impulse.normal * contact.ny + impulse.tangential * contact.nx);
@@ -75,9 +76,11 @@ void Machine::meetPair(std::uint32_t i, std::uint32_t j, int shift, double time)
   contact.ny = dy / distance;
   const double dvx = a.vx - b.vx - there.dvx;
   const double dvy = a.vy - b.vy - there.dvy;
-  contact.normal_velocity = dvx * contact.nx + dvy * contact.ny;
-  if (contact.normal_velocity >= 0.0)
+  // The very sum that the prediction looks at (timeToTouch): were it another, rounding could have a
+  // contact predicted here and left alone there, again and again.
+  if (dx * dvx + dy * dvy >= 0.0)
     return;
+  contact.normal_velocity = std::min(0.0, dvx * contact.nx + dvy * contact.ny);
   contact.tangential_velocity =
       dvy * contact.nx - dvx * contact.ny - (radius(i) * a.spin + radius(j) * b.spin);
 
@@ -85,7 +88,7 @@ void Machine::meetPair(std::uint32_t i, std::uint32_t j, int shift, double time)
   const bool no_loss = lossless(i, time) || lossless(j, time);
   const Impulse impulse =
       collide(no_loss ? LOSSLESS : pair_coefficients_[pair], pair_masses_[pair], contact.normal_velocity,
-              contact.tangential_velocity, scene_.contact.min_rebound_speed);
+              contact.tangential_velocity, std::max(reboundFloor(i), reboundFloor(j)));
   push(a, contact, impulse, 1.0);
   push(b, contact, impulse, -1.0);
   touched(i, time);
@@ -106,7 +109,14 @@ void Machine::push(Disk& disk, const Contact& contact, const Impulse& impulse, d
 
 bool Machine::lossless(std::uint32_t id, double time) const
 {
+  if (collapse_watch_.loosened(id))
+    return true;
   return !last_contacts_.empty() && time - last_contacts_[id] < scene_.contact.contact_duration;
+}
+
+double Machine::reboundFloor(std::uint32_t id) const
+{
+  return collapse_watch_.loosened(id) ? collapse_watch_.floorSpeed(id) : scene_.contact.min_rebound_speed;
 }
 
 void Machine::touched(std::uint32_t id, double time)

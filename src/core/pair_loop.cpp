@@ -36,16 +36,20 @@ public:
   {
   }
 
-  void advanceTo(double time) override
+  double advanceTo(double time) override
   {
     while (queue_.topTime() <= time)
+    {
+      if (machine_.collapseWatch().stops())
+        return queue_.topTime();
       process(queue_.top());
+    }
+    return time;
   }
 
   void added(std::uint32_t id, double time) override
   {
     predictions_.resize(id + 1);
-    watches_.resize(id + 1);
     if (id + 1 > grid_capacity_)
     {
       grid_capacity_ = 2 * (id + 1);
@@ -73,9 +77,13 @@ public:
       p.base.time -= length;
       p.cell_time -= length;
     }
-    for (StallWatch& watch : watches_)
-      watch.rebase(length);
     queue_.rebase(length);
+  }
+
+  void archive(StateArchive& state) override
+  {
+    EventLoop::archive(state);
+    state(frame_, grid_, grid_capacity_, laid_for_, queue_, predictions_);
   }
 
 private:
@@ -97,6 +105,11 @@ private:
     Edge edge = Edge::LEFT;
     double cell_time = EventQueue::NEVER;
     BaseEvent base;
+
+    void archive(StateArchive& state)
+    {
+      state(pair_time, partner, partner_flights, shift, edge, cell_time, base);
+    }
   };
 
   /// Cells for the disks there are now, on the base as it stands.
@@ -159,10 +172,11 @@ private:
 
   void process(std::uint32_t id)
   {
+    const double now = queue_.topTime();
+    if (machine_.collapseWatch().count(id, now) && machine_.collapseWatch().stops())
+      return;
     ++events_;
     Prediction& p = predictions_[id];
-    const double now = queue_.topTime();
-    watches_[id].count(id, now, machine_.timeScale());
     if (p.pair_time <= now)
       processPair(id, now);
     else if (p.base.feature && p.base.time <= now)
@@ -315,7 +329,6 @@ private:
   std::size_t laid_for_ = 0;  ///< disks that had entered when the cells were laid
   EventQueue queue_;
   std::vector<Prediction> predictions_;  ///< per disk
-  std::vector<StallWatch> watches_;      ///< per disk
 };
 
 }  // namespace

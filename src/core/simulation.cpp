@@ -35,9 +35,19 @@ public:
       pourDisks(machine_, pourOrder(scene.species, random_), now_, random_);
     else
       placeInitialDisks(machine_);
-    loop_ = scene.contact.pair_collisions ? makePairLoop(machine_) : makeEnsembleLoop(machine_);
+    loop_ = makeLoop();
     announce(0);
   }
+
+  Implementation(const SceneDefinition& scene, std::string_view saved_state)
+      : machine_(scene), random_(scene.seed), loop_(makeLoop())
+  {
+    StateArchive state(saved_state);
+    archive(state);
+    state.requireEnd();
+  }
+
+  void archive(StateArchive& state) { state(machine_, random_, *loop_, now_, settled_, pieces_, fed_); }
 
   const Machine& machine() const { return machine_; }
   double now() const { return now_; }
@@ -53,8 +63,10 @@ public:
     {
       const double target = time - machine_.epoch().start;
       const double next = std::min(target, nextGlobalEvent());
-      runDisks(next);
-      now_ = next;
+      now_ = loop_->advanceTo(next);
+      reportSorted();
+      if (hasToStop())
+        throw StallError(machine_.collapseWatch().text());
       if (!handleGlobalEvent() && next == target)
         return;
     }
@@ -100,6 +112,11 @@ public:
   }
 
 private:
+  std::unique_ptr<EventLoop> makeLoop()
+  {
+    return scenePairs() ? makePairLoop(machine_) : makeEnsembleLoop(machine_);
+  }
+
   double nextGlobalEvent() const
   {
     const double epoch_start = machine_.epoch().start;
@@ -174,18 +191,12 @@ private:
       loop_->motionChanged(now_);
   }
 
-  void runDisks(double local_time)
+  /// An ensemble's disks do not come to a collapse in the order of time: it is stopped at the end of an
+  /// epoch, in whatever strides it is advanced.
+  bool hasToStop() const
   {
-    try
-    {
-      loop_->advanceTo(local_time);
-    }
-    catch (const StallError&)
-    {
-      reportSorted();
-      throw;
-    }
-    reportSorted();
+    const CollapseWatch& watch = machine_.collapseWatch();
+    return watch.stops() && (scenePairs() || watch.hopeless() || now_ >= machine_.epoch().length);
   }
 
   void reportSorted()
@@ -219,6 +230,10 @@ Simulation::Simulation(const SceneDefinition& scene)
     : implementation_(std::make_unique<Implementation>(scene))
 {
 }
+Simulation::Simulation(const SceneDefinition& scene, std::string_view saved_state)
+    : implementation_(std::make_unique<Implementation>(scene, saved_state))
+{
+}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -231,6 +246,11 @@ const SceneDefinition& Simulation::scene() const
 double Simulation::time() const
 {
   return implementation_->time();
+}
+
+double Simulation::timeScale() const
+{
+  return implementation_->machine().timeScale();
 }
 
 void Simulation::advanceTo(double time)
@@ -348,6 +368,22 @@ double Simulation::energy() const
   return energy;
 }
 
+bool Simulation::stalled() const
+{
+  return implementation_->machine().collapseWatch().stops();
+}
+
+const CollapseCounts& Simulation::collapses() const
+{
+  return implementation_->machine().collapseWatch().counts();
+}
+
+std::string Simulation::collapseText() const
+{
+  const CollapseWatch& watch = implementation_->machine().collapseWatch();
+  return watch.counts().count > 0 ? watch.text() : std::string();
+}
+
 double Simulation::maxOverlap() const
 {
   return implementation_->machine().maxOverlap();
@@ -356,6 +392,13 @@ double Simulation::maxOverlap() const
 std::size_t Simulation::auditOverlaps()
 {
   return implementation_->auditOverlaps();
+}
+
+std::string Simulation::saveState() const
+{
+  StateArchive state;
+  implementation_->archive(state);
+  return state.takeBytes();
 }
 
 void Simulation::observeCollisions(CollisionObserver observer)

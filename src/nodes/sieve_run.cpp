@@ -1,16 +1,19 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bag_output.h"
 #include "command_line.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/recording/checkpoint.h"
 #include "ratchet_sieve/recording/collision_file.h"
 #include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/progress_bar.h"
@@ -39,6 +42,9 @@ struct Arguments
   std::string bag;
   std::string collisions;
   std::string summary;
+  std::string checkpoint;
+  double checkpoint_every = 60.0;
+  std::string resume;
 
   /// --seed and --duration are overrides too: the scene's own rules check them.
   std::vector<std::string> allOverrides() const
@@ -66,6 +72,18 @@ void describe(CLI::App& app, Arguments& arguments)
   app.add_option("--bag", arguments.bag, "Record the run into a ROS bag")->type_name("FILE");
   app.add_option("--collisions", arguments.collisions, "Write every collision as CSV")->type_name("FILE");
   app.add_option("--summary", arguments.summary, "Write the summary there, not to standard output")
+      ->type_name("FILE");
+  app.add_option("--checkpoint", arguments.checkpoint,
+                 "Save the run there at its end, when it is stopped, and now and then")
+      ->type_name("FILE");
+  app.add_option("--checkpoint-every", arguments.checkpoint_every,
+                 "Save it so often, in seconds of wall time")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option(
+         "--resume", arguments.resume,
+         "Go on, bit for bit, from there to the scene's duration, which alone of the scene may differ")
       ->type_name("FILE");
   app.set_version_flag("--version", version());
   app.footer("Exit status: 0 done; 2 bad arguments or bad scene, nothing written; 1 anything else.");
@@ -146,11 +164,65 @@ Simulation makeSimulation(const SceneDefinition& scene, const std::string& path)
   }
 }
 
+Checkpoint resume(const SceneDefinition& scene, const std::string& path)
+{
+  try
+  {
+    return readCheckpoint(path, scene);
+  }
+  catch (const CheckpointError& error)
+  {
+    throw Refusal(error.what());
+  }
+}
+
+/// Saves the run as it goes. A disk that is full for a while does not end it.
+class Saver
+{
+public:
+  explicit Saver(const std::string& path) : path_(path) {}
+
+  void operator()(const Simulation& simulation, const RunProgress& progress)
+  {
+    try
+    {
+      writeCheckpoint(path_, simulation, progress);
+      failure_.clear();
+    }
+    catch (const OutputError& error)
+    {
+      if (!saved_once_)
+        throw Refusal(error.what());
+      if (failure_ != error.what())
+        std::fprintf(stderr, "sieve_run: warning: %s\n", error.what());
+      failure_ = error.what();
+    }
+    saved_once_ = true;
+  }
+
+  /// Why the last one was not saved; empty if it was.
+  const std::string& failure() const { return failure_; }
+
+private:
+  std::string path_;
+  std::string failure_;
+  bool saved_once_ = false;
+};
+
 int run(const Arguments& arguments)
 {
   const Scene scene = loadScene(arguments);
-  Simulation simulation = makeSimulation(scene.definition, arguments.scene);
+  std::optional<RunProgress> so_far;
+  Simulation simulation = [&]
+  {
+    if (arguments.resume.empty())
+      return makeSimulation(scene.definition, arguments.scene);
+    Checkpoint checkpoint = resume(scene.definition, arguments.resume);
+    so_far = checkpoint.progress;
+    return std::move(checkpoint.simulation);
+  }();
   Outputs outputs(arguments);
+  Saver saver(arguments.checkpoint);
   for (const std::string& warning : scene.warnings)
     std::fprintf(stderr, "sieve_run: warning: %s\n", warning.c_str());
 
@@ -159,17 +231,20 @@ int run(const Arguments& arguments)
   RunWatchers watchers;
   outputs.watch(simulation, watchers);
   watchers.stop_wanted = [] { return stop_signal != 0; };
+  if (!arguments.checkpoint.empty())
+    watchers.save = std::ref(saver);
+  watchers.save_period = arguments.checkpoint_every;
   RunOutcome outcome;
   {
-    ProgressBar progress(scene.definition.duration);
+    ProgressBar progress(simulation);
     watchers.progress = [&progress](const Simulation& now) { progress.show(now); };
-    outcome = runToEnd(simulation, watchers);
+    outcome = runToEnd(simulation, watchers, so_far);
   }
   for (const std::string& warning : outcome.warnings)
     std::fprintf(stderr, "sieve_run: warning: %s\n", warning.c_str());
   outcome.warnings.insert(outcome.warnings.begin(), scene.warnings.begin(), scene.warnings.end());
   outputs.finish(summarize(simulation, outcome));
-  return outcome.end == RunEnd::COMPLETED ? DONE : FAILED;
+  return outcome.end == RunEnd::COMPLETED && saver.failure().empty() ? DONE : FAILED;
 }
 
 }  // namespace

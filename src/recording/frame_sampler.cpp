@@ -33,6 +33,10 @@ bool FrameSampler::takeIfDue(Stream& stream, double time) const
 {
   if (dueTime(stream) > time)
     return false;
+  // A run may be taken up long after the times began: no step for each that was missed.
+  const double missed = (time - start_time_) * std::max(stream.rate, 0.0) - 1.0;
+  if (missed > static_cast<double>(stream.next_index))
+    stream.next_index = static_cast<std::uint64_t>(missed);
   while (dueTime(stream) <= time)
     ++stream.next_index;
   stream.last_time = time;

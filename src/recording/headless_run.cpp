@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -17,6 +18,10 @@ constexpr double FIRST_STRIDE = 1e-3;  ///< of simulated time [s]
 constexpr double SHORT_STRIDE = 0.02;  ///< of wall time: shorter ones are lengthened [s]
 constexpr double LONG_STRIDE = 0.08;   ///< of wall time: longer ones are shortened [s]
 
+/// All disks are looked over for overlaps so many time scales of the machine apart: at the same
+/// times for every duration, so that a run that is taken up sees what it would have seen.
+constexpr double SCALES_PER_AUDIT = 16.0;
+
 double secondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -25,30 +30,39 @@ double secondsSince(Clock::time_point start)
 class HeadlessRun
 {
 public:
-  HeadlessRun(Simulation& simulation, const RunWatchers& watchers)
-      : simulation_(simulation), watchers_(watchers), sampler_(watchers.rates, simulation.time())
+  HeadlessRun(Simulation& simulation, const RunWatchers& watchers, const std::optional<RunProgress>& so_far)
+      : simulation_(simulation),
+        watchers_(watchers),
+        sampler_(watchers.rates, 0.0),
+        audit_period_(SCALES_PER_AUDIT * simulation.timeScale())
   {
+    outcome_.progress = so_far.value_or(RunProgress{simulation.energy(), 0});
+    audits_ = so_far ? std::floor(simulation.time() / audit_period_) + 1.0 : 0.0;
   }
 
   RunOutcome run()
   {
     const Clock::time_point start = Clock::now();
-    outcome_.energy_start = simulation_.energy();
     try
     {
       advanceToEnd();
     }
-    catch (const StallError& error)
+    catch (const StallError&)
     {
-      outcome_.end = RunEnd::STALLED;
-      outcome_.warnings.push_back(error.what());
+      // Told below, as for a run that came to its end all the same.
     }
+    if (simulation_.stalled())
+      outcome_.end = RunEnd::STALLED;
+    if (simulation_.collapses().count > 0)
+      outcome_.warnings.push_back(simulation_.collapseText());
+    if (!simulation_.stalled())
+      save();
     audit();
     if (watchers_.frames != nullptr)
       sampler_.takeLast(simulation_, *watchers_.frames);
-    if (outcome_.through_base > 0)
+    if (outcome_.progress.through_base > 0)
       outcome_.warnings.push_back(
-          fmt::format("{} disks were found behind the base's surface", outcome_.through_base));
+          fmt::format("{} disks were found behind the base's surface", outcome_.progress.through_base));
     outcome_.wall_time = secondsSince(start);
     return std::move(outcome_);
   }
@@ -58,6 +72,7 @@ private:
   {
     const double duration = simulation_.scene().duration;
     lookAtDue();
+    save();
     while (simulation_.time() < duration)
     {
       if (watchers_.stop_wanted && watchers_.stop_wanted())
@@ -68,6 +83,8 @@ private:
       }
       stride(std::min({simulation_.time() + stride_, nextAudit(), nextFrame(), duration}));
       lookAtDue();
+      if (secondsSince(last_save_) >= watchers_.save_period)
+        save();
     }
   }
 
@@ -97,28 +114,42 @@ private:
       watchers_.progress(simulation_);
   }
 
-  double nextAudit() const { return simulation_.scene().duration * audits_ / AUDITS_PER_RUN; }
+  double nextAudit() const { return audits_ * audit_period_; }
 
   double nextFrame() const
   {
     return watchers_.frames != nullptr ? sampler_.nextTime() : std::numeric_limits<double>::infinity();
   }
 
-  void audit() { outcome_.through_base = std::max(outcome_.through_base, simulation_.auditOverlaps()); }
+  void audit()
+  {
+    std::size_t& most = outcome_.progress.through_base;
+    most = std::max(most, simulation_.auditOverlaps());
+  }
+
+  void save()
+  {
+    if (watchers_.save)
+      watchers_.save(simulation_, outcome_.progress);
+    last_save_ = Clock::now();
+  }
 
   Simulation& simulation_;
   const RunWatchers& watchers_;
   FrameSampler sampler_;
   RunOutcome outcome_;
   double stride_ = FIRST_STRIDE;
-  int audits_ = 0;
+  double audit_period_;  ///< [s]
+  double audits_ = 0.0;
+  Clock::time_point last_save_;
 };
 
 }  // namespace
 
-RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers)
+RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers,
+                    const std::optional<RunProgress>& so_far)
 {
-  return HeadlessRun(simulation, watchers).run();
+  return HeadlessRun(simulation, watchers, so_far).run();
 }
 
 }  // namespace ratchet_sieve

@@ -25,21 +25,23 @@ std::string clockText(double seconds)
 
 }  // namespace
 
-std::string progressText(double time, double duration, std::uint64_t events, double wall_seconds)
+std::string progressText(double time, double duration, const Progress& progress)
 {
   const double done = duration > 0.0 ? std::min(time / duration, 1.0) : 1.0;
   const int filled = static_cast<int>(done * BAR_WIDTH);
   std::string text = fmt::format("[{}{}] {:5.1f} %  {:.2f} of {:g} s simulated", std::string(filled, '#'),
                                  std::string(BAR_WIDTH - filled, '.'), 100.0 * done, time, duration);
-  if (wall_seconds > 0.0)
-    text += fmt::format("  {:.2f} M events/s", 1e-6 * static_cast<double>(events) / wall_seconds);
-  if (done > 0.0 && done < 1.0)
-    text += fmt::format("  {} to go", clockText(wall_seconds * (1.0 - done) / done));
+  if (progress.wall > 0.0)
+    text += fmt::format("  {:.2f} M events/s", 1e-6 * static_cast<double>(progress.events) / progress.wall);
+  if (progress.simulated > 0.0 && done < 1.0)
+    text += fmt::format("  {} to go", clockText(progress.wall * (duration - time) / progress.simulated));
   return text;
 }
 
-ProgressBar::ProgressBar(double duration)
-    : duration_(duration),
+ProgressBar::ProgressBar(const Simulation& start)
+    : duration_(start.scene().duration),
+      start_time_(start.time()),
+      start_events_(start.events()),
       visible_(isatty(STDERR_FILENO) == 1),
       start_(std::chrono::steady_clock::now()),
       next_(start_)
@@ -52,9 +54,9 @@ void ProgressBar::show(const Simulation& simulation)
   if (!visible_ || now < next_)
     return;
   next_ = now + REDRAW_INTERVAL;
-  const double wall_seconds = std::chrono::duration<double>(now - start_).count();
-  fmt::print(stderr, "\r{}\x1b[K",
-             progressText(simulation.time(), duration_, simulation.events(), wall_seconds));
+  const Progress progress{simulation.time() - start_time_, simulation.events() - start_events_,
+                          std::chrono::duration<double>(now - start_).count()};
+  fmt::print(stderr, "\r{}\x1b[K", progressText(simulation.time(), duration_, progress));
   std::fflush(stderr);
 }
 

@@ -80,10 +80,11 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
     json["pair_qualities"] = pairResults(simulation);
   json["processed"] = numberOrNull(processedRatio(simulation.bins()));
   json["base_impulse"] = {simulation.baseImpulseX(), simulation.baseImpulseY()};
-  json["energy_start"] = outcome.energy_start;
+  json["energy_start"] = outcome.progress.energy_start;
   json["energy_end"] = simulation.energy();
+  json["collapses"] = simulation.collapses().count;
   json["max_overlap"] = simulation.maxOverlap();
-  json["through_base"] = outcome.through_base;
+  json["through_base"] = outcome.progress.through_base;
   json["warnings"] = outcome.warnings;
   return json;
 }

@@ -1,9 +1,9 @@
 #include "ratchet_sieve/scene/canonical_scene.h"
 
-#include <cstdint>
 #include <cstdio>
 #include <sstream>
 
+#include "ratchet_sieve/core/fnv1a.h"
 #include "schema.h"
 
 namespace ratchet_sieve
@@ -85,15 +85,6 @@ std::string motionYaml(const SceneDefinition& scene)
               writeValues(initialKeys(), disk, std::ref(flow));
             });
   return out.str();
-}
-
-/// FNV-1a, 64 bits (draft-eastlake-fnv).
-std::uint64_t fnv1a(const std::string& text)
-{
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const unsigned char c : text)
-    hash = (hash ^ c) * 0x100000001b3u;
-  return hash;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "scalars.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <locale>
@@ -16,8 +17,39 @@ namespace
 /// Longest name of a species [characters].
 constexpr std::size_t LONGEST_NAME = 64;
 
-constexpr std::pair<Boundary, const char*> BOUNDARY_NAMES[] = {
-    {Boundary::PERIODIC, "periodic"}, {Boundary::OPEN, "open"}, {Boundary::WALLED, "walled"}};
+template <typename Choice, std::size_t COUNT>
+using ChoiceNames = std::array<std::pair<Choice, const char*>, COUNT>;
+
+constexpr ChoiceNames<Boundary, 3> BOUNDARY_NAMES = {
+    {{Boundary::PERIODIC, "periodic"}, {Boundary::OPEN, "open"}, {Boundary::WALLED, "walled"}}};
+
+constexpr ChoiceNames<CollapseAction, 2> COLLAPSE_ACTION_NAMES = {
+    {{CollapseAction::STOP, "stop"}, {CollapseAction::REBOUND, "rebound"}}};
+
+template <typename Choice, std::size_t COUNT>
+void readChoice(const Entry& entry, const ChoiceNames<Choice, COUNT>& choices, Choice& value)
+{
+  std::string allowed;
+  for (std::size_t i = 0; i < COUNT; ++i)
+  {
+    if (entry.node().IsScalar() && entry.node().Scalar() == choices[i].second)
+    {
+      value = choices[i].first;
+      return;
+    }
+    allowed += (i == 0 ? "" : i + 1 < COUNT ? ", " : " or ") + std::string(choices[i].second);
+  }
+  entry.refuseValue("must be " + allowed);
+}
+
+template <typename Choice, std::size_t COUNT>
+std::string choiceText(const ChoiceNames<Choice, COUNT>& choices, Choice value)
+{
+  for (const auto& [choice, name] : choices)
+    if (choice == value)
+      return name;
+  return "";
+}
 
 /// The text of a scalar that is not in quotes: YAML's text in quotes is never a number.
 std::optional<std::string> plainText(const Entry& entry)
@@ -119,13 +151,12 @@ void readScalar(const Entry& entry, const Range&, std::string& value)
 
 void readScalar(const Entry& entry, const Range&, Boundary& value)
 {
-  for (const auto& [boundary, name] : BOUNDARY_NAMES)
-    if (entry.node().IsScalar() && entry.node().Scalar() == name)
-    {
-      value = boundary;
-      return;
-    }
-  entry.refuseValue("must be periodic, open or walled");
+  readChoice(entry, BOUNDARY_NAMES, value);
+}
+
+void readScalar(const Entry& entry, const Range&, CollapseAction& value)
+{
+  readChoice(entry, COLLAPSE_ACTION_NAMES, value);
 }
 
 std::string scalarText(double value)
@@ -162,10 +193,12 @@ std::string scalarText(const std::string& value)
 
 std::string scalarText(Boundary value)
 {
-  for (const auto& [boundary, name] : BOUNDARY_NAMES)
-    if (boundary == value)
-      return name;
-  return "";
+  return choiceText(BOUNDARY_NAMES, value);
+}
+
+std::string scalarText(CollapseAction value)
+{
+  return choiceText(COLLAPSE_ACTION_NAMES, value);
 }
 
 }  // namespace ratchet_sieve

@@ -19,6 +19,7 @@ void readScalar(const Entry& entry, const Range& range, std::uint64_t& value);
 void readScalar(const Entry& entry, const Range& range, bool& value);
 void readScalar(const Entry& entry, const Range& range, std::string& value);
 void readScalar(const Entry& entry, const Range& range, Boundary& value);
+void readScalar(const Entry& entry, const Range& range, CollapseAction& value);
 
 /// The text that the readers above take back to the same value, bit for bit.
 std::string scalarText(double value);
@@ -27,5 +28,6 @@ std::string scalarText(std::uint64_t value);
 std::string scalarText(bool value);
 std::string scalarText(const std::string& value);
 std::string scalarText(Boundary value);
+std::string scalarText(CollapseAction value);
 
 }  // namespace ratchet_sieve

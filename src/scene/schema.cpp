@@ -113,6 +113,8 @@ const Keys<ContactDefinition>& contactKeys()
       {"pair_collisions", [](C& c) -> Slot { return &c.pair_collisions; }, ANY},
       {"min_rebound_speed", [](C& c) -> Slot { return &c.min_rebound_speed; }, upTo(LARGEST_SPEED, "m/s")},
       {"contact_duration", [](C& c) -> Slot { return &c.contact_duration; }, upTo(LARGEST_TIME, "s")},
+      {"on_collapse", [](C& c) -> Slot { return &c.on_collapse; }, ANY},
+      {"collapse_events", [](C& c) -> Slot { return &c.collapse_events; }, {1e3, 1e9, ""}},
   };
   return KEYS;
 }

@@ -16,7 +16,7 @@
 namespace ratchet_sieve
 {
 
-using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Boundary*>;
+using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Boundary*, CollapseAction*>;
 
 /// One key of a part of the scene.
 template <typename Part>

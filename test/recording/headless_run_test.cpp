@@ -17,8 +17,8 @@ TEST(HeadlessRun, GoesToTheScenesDuration)
   const RunOutcome outcome = runToEnd(simulation, {});
   EXPECT_EQ(outcome.end, RunEnd::COMPLETED);
   EXPECT_EQ(simulation.time(), 1.0);
-  EXPECT_EQ(outcome.energy_start, energy);
-  EXPECT_EQ(outcome.through_base, 0u);
+  EXPECT_EQ(outcome.progress.energy_start, energy);
+  EXPECT_EQ(outcome.progress.through_base, 0u);
   EXPECT_TRUE(outcome.warnings.empty());
 }
 

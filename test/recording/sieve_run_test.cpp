@@ -101,8 +101,8 @@ TEST_F(SieveRun, ShowsItsHelpAndVersion)
 {
   const Result help = run("--help");
   EXPECT_EQ(help.status, 0);
-  for (const char* option :
-       {"--set", "--seed", "--duration", "--bag", "--collisions", "--summary", "--version"})
+  for (const char* option : {"--set", "--seed", "--duration", "--bag", "--collisions", "--summary",
+                             "--checkpoint", "--checkpoint-every", "--resume", "--version"})
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
   const Result version_result = run("--version");
   EXPECT_EQ(version_result.status, 0);
@@ -181,6 +181,55 @@ TEST_F(SieveRun, ReportsAStall)
   EXPECT_EQ(result.status, 1);
   EXPECT_EQ(result.errors.rfind("sieve_run: warning: ", 0), 0u) << result.errors;
   EXPECT_EQ(Json::parse(result.output)["warnings"].size(), 1u);
+}
+
+TEST_F(SieveRun, GoesOnFromACheckpointToTheSameSummary)
+{
+  const std::string scene = config("demo.yaml");
+  const std::string checkpoint = streams_ / "run.checkpoint";
+  const auto summary = [](const Result& result)
+  {
+    EXPECT_EQ(result.status, 0) << result.errors;
+    Json json = Json::parse(result.output);
+    json.erase("wall_time");
+    return json;
+  };
+  const Json through = summary(run(scene + " --duration 2 --collisions " + (streams_ / "through")));
+  summary(run(scene + " --duration 1 --checkpoint " + checkpoint + " --collisions " + (streams_ / "first")));
+  const std::string resume = scene + " --resume " + checkpoint;
+  EXPECT_EQ(summary(run(resume + " --duration 2 --collisions " + (streams_ / "second"))), through);
+  const std::string second = contents(streams_ / "second");
+  EXPECT_EQ(contents(streams_ / "first") + second.substr(second.find('\n') + 1),
+            contents(streams_ / "through"));
+
+  expectRefusal(resume + " --duration 0.5", checkpoint +
+                                                ": cannot be resumed from: it is at 1.0 s, beyond this "
+                                                "run's duration");
+  expectRefusal(scene + " --resume " + scene, scene + ": cannot be resumed from: it is no checkpoint");
+  const std::string nowhere = written_ / "none/run.checkpoint";
+  expectRefusal(scene + " --duration 100000000 --checkpoint " + nowhere,
+                nowhere + ": cannot be written: No such file or directory");
+}
+
+TEST_F(SieveRun, LeavesAWholeCheckpointWhereverItIsKilled)
+{
+  const std::string checkpoint = streams_ / "run.checkpoint";
+  const std::string program = std::string(std::getenv("SIEVE_RUN")) + " " + config("demo.yaml") +
+                              " --duration 100000000 --checkpoint-every 0 --checkpoint " + checkpoint;
+  for (int kills = 0; kills < 8; ++kills)
+  {
+    // Saved over and over; killed as soon as a writing is seen to have begun beside a checkpoint.
+    const std::string script = program + (kills > 0 ? " --resume " + checkpoint : "") +
+                               " & run=$!; for ((look = 0; look < 1000000; ++look)); do [ -e " + checkpoint +
+                               " ] && [ -e " + checkpoint +
+                               ".part$run ] && break; done; kill -9 $run; wait $run";
+    EXPECT_EQ(WEXITSTATUS(std::system(("bash -c '" + script + "' >/dev/null 2>&1").c_str())), 128 + 9);
+    // Taken up: all that is refused is where the next one should go.
+    const std::string nowhere = written_ / "none/x";
+    expectRefusal(
+        config("demo.yaml") + " --duration 100000000 --resume " + checkpoint + " --checkpoint " + nowhere,
+        nowhere + ": cannot be written: No such file or directory");
+  }
 }
 
 TEST_F(SieveRun, EndsCleanlyWhenInterrupted)

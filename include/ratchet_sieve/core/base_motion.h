@@ -17,6 +17,11 @@ struct BaseKinematics
   double sine = 0.0;              ///< of theta
   double displacement = 0.0;      ///< Y [m]
   double velocity = 0.0;          ///< dY/dt [m/s]
+
+  void archive(StateArchive& state)
+  {
+    state(inclination, inclination_rate, cosine, sine, displacement, velocity);
+  }
 };
 
 /// The base's motion over time: theta, f and A each stand still or follow their setpoint at a
@@ -61,6 +66,12 @@ public:
   /// sup |Y| over the present segment [m].
   double displacementBound() const { return displacement_bound_; }
 
+  void archive(StateArchive& state)
+  {
+    state(inclination_, frequency_, amplitude_, slew_rates_, segment_start_, turns_, cosine_, sine_,
+          next_change_, acceleration_bound_, displacement_bound_);
+  }
+
 private:
   /// A quantity that moves from `start` at `rate` until it reaches `target`.
   struct Ramp
@@ -72,6 +83,7 @@ private:
     double at(double elapsed) const { return start + rate * elapsed; }
     std::optional<double> remaining() const;
     void advance(double elapsed);
+    void archive(StateArchive& state) { state(start, rate, target); }
   };
 
   double turns(double elapsed) const;

@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "ratchet_sieve/core/state_archive.h"
+
 namespace ratchet_sieve
 {
 
@@ -23,6 +25,8 @@ public:
   /// Of the sum of displacements over the sum of times [m/s]; nothing for fewer than MIN_BLOCKS pieces.
   std::optional<double> standardError() const;
 
+  void archive(StateArchive& state) { state(blocks_, open_, pieces_, block_length_); }
+
   /// Fewer blocks than this say nothing of their scatter.
   static constexpr std::size_t MIN_BLOCKS = 16;
 
@@ -31,6 +35,8 @@ private:
   {
     double displacement = 0.0;
     double time = 0.0;
+
+    void archive(StateArchive& state) { state(displacement, time); }
   };
 
   static std::vector<Block> joined(const std::vector<Block>& blocks);

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "ratchet_sieve/core/state_archive.h"
+
 namespace ratchet_sieve
 {
 
@@ -17,6 +19,8 @@ public:
   {
     std::int32_t column = 0;
     std::int32_t row = 0;
+
+    void archive(StateArchive& state) { state(column, row); }
   };
 
   /// Where a neighbouring column's disks stand as seen from here: shifted by this many widths.
@@ -72,6 +76,11 @@ public:
     }
   }
 
+  void archive(StateArchive& state)
+  {
+    state(periodic_, columns_, rows_, side_s_, side_n_, heads_, links_, cells_);
+  }
+
 private:
   static constexpr std::uint32_t NONE = 0xffffffff;
 
@@ -79,6 +88,8 @@ private:
   {
     std::uint32_t next = NONE;
     std::uint32_t previous = NONE;
+
+    void archive(StateArchive& state) { state(next, previous); }
   };
 
   std::size_t index(Cell cell) const { return static_cast<std::size_t>(cell.row) * columns_ + cell.column; }

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "ratchet_sieve/core/state_archive.h"
+
 namespace ratchet_sieve
 {
 
@@ -29,6 +31,8 @@ struct CollisionCounts
   std::uint64_t wall = 0;
 
   void add(CollisionKind kind);
+  void archive(StateArchive& state) { state(disk_disk, left_slope, right_slope, apex, wall); }
+
   std::uint64_t total() const { return disk_disk + left_slope + right_slope + apex + wall; }
 
   /// Contacts with the shorter slope over contacts with the longer one (a < 0.5: left over right);

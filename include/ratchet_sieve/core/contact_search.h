@@ -14,6 +14,8 @@ struct BaseEvent
 {
   double time = 0.0;                   ///< of the contact; without one, free until then
   std::optional<BaseFeature> feature;  ///< nothing: search again from `time` on
+
+  void archive(StateArchive& state) { state(time, feature); }
 };
 
 /// Finds when a flying disk first meets the moving base, with certainty: it never steps further

@@ -62,12 +62,21 @@ struct PairDefinition
   ContactCoefficients contact;
 };
 
+/// What a run does when time all but stops for a disk.
+enum class CollapseAction
+{
+  STOP,    ///< The run ends there and says so.
+  REBOUND  ///< The disk's contacts lose nothing for a while, and the run counts it; see CollapseWatch.
+};
+
 /// Which contacts are modelled and how the inelastic collapse is avoided.
 struct ContactDefinition
 {
   bool pair_collisions = true;      ///< false: an ensemble of disks that do not see each other
   double min_rebound_speed = 0.05;  ///< v_min [m/s], Farkas et al., Phys. Rev. E 60, 7022 (1999); 0: none
   double contact_duration = 0.0;    ///< t_c [s], Luding & McNamara, Granular Matter 1, 113 (1998); 0: none
+  CollapseAction on_collapse = CollapseAction::STOP;
+  int collapse_events = 1000000;  ///< more of one disk within the machine's time scale are a collapse
 };
 
 /// How the disks start: spatially uniform along the base, without overlap.

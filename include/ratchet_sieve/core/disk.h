@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "ratchet_sieve/core/state_archive.h"
+
 namespace ratchet_sieve
 {
 
@@ -18,6 +20,8 @@ struct Disk
   double time = 0.0;   ///< of this state [s]
   std::uint32_t species = 0;
   std::uint32_t flights = 0;  ///< counts changes of the trajectory, to tell stale predictions
+
+  void archive(StateArchive& state) { state(x, y, vx, vy, spin, angle, time, species, flights); }
 };
 
 /// The disk `time` [s] later or earlier on the same parabola.

@@ -19,8 +19,9 @@ class EventLoop
 public:
   virtual ~EventLoop() = default;
 
-  /// Executes every event up to and including `time`. @throws StallError
-  virtual void advanceTo(double time) = 0;
+  /// Executes every event up to and including `time`, unless the machine's CollapseWatch stops the run.
+  /// @return how far it came
+  virtual double advanceTo(double time) = 0;
 
   /// A disk was put into the machine.
   virtual void added(std::uint32_t id, double time) = 0;
@@ -31,39 +32,13 @@ public:
   /// Zero of time moves on by `length`.
   virtual void rebase(double length) = 0;
 
+  virtual void archive(StateArchive& state) { state(events_); }
+
   /// Events processed so far, collisions and all that serves to find them.
   std::uint64_t events() const { return events_; }
 
 protected:
   std::uint64_t events_ = 0;
-};
-
-/// Notices that time has all but stopped for a disk: an inelastic collapse.
-class StallWatch
-{
-public:
-  /// More events than this of one disk within the machine's time scale are a collapse.
-  static constexpr std::uint32_t MAX_EVENTS_PER_TIME_SCALE = 1000000;
-
-  /// @throws StallError at the event that is one too many
-  void count(std::uint32_t id, double time, double time_scale)
-  {
-    if (time >= window_end_)
-    {
-      window_end_ = time + time_scale;
-      events_ = 0;
-    }
-    if (++events_ > MAX_EVENTS_PER_TIME_SCALE)
-      stalled(id);
-  }
-
-  void rebase(double length) { window_end_ -= length; }
-
-private:
-  [[noreturn]] static void stalled(std::uint32_t id);
-
-  double window_end_ = 0.0;
-  std::uint32_t events_ = 0;
 };
 
 /// For disks that do not see each other: every disk is a loop of its own, without a queue.

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "ratchet_sieve/core/state_archive.h"
+
 namespace ratchet_sieve
 {
 
@@ -51,6 +53,8 @@ public:
       time -= length;
     rebuild();
   }
+
+  void archive(StateArchive& state) { state(times_, winners_); }
 
 private:
   std::uint32_t entrant(std::size_t node) const

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/base_motion.h"
+#include "ratchet_sieve/core/collapse_watch.h"
 #include "ratchet_sieve/core/collision_law.h"
 #include "ratchet_sieve/core/contact_search.h"
 #include "ratchet_sieve/core/disk.h"
@@ -21,6 +22,8 @@ struct Epoch
 {
   double start = 0.0;   ///< [s]
   double length = 1.0;  ///< [s]
+
+  void archive(StateArchive& state) { state(start, length); }
 };
 
 /// Another place at which a disk appears: moved along the base by a periodic boundary.
@@ -62,6 +65,9 @@ public:
   bool active(std::uint32_t id) const { return active_[id] != 0; }
   std::size_t activeCount() const { return active_count_; }
 
+  const CollapseWatch& collapseWatch() const { return collapse_watch_; }
+  CollapseWatch& collapseWatch() { return collapse_watch_; }
+
   /// What the disk's flight meets of the base first, searched from `from` and no further than needed
   /// to know of all before `until`. Nothing for ever, if it meets nothing before the base's motion
   /// changes: then all is searched anew.
@@ -99,6 +105,9 @@ public:
   void noteOverlap(double overlap) { max_overlap_ = overlap > max_overlap_ ? overlap : max_overlap_; }
   void observeCollisions(Simulation::CollisionObserver observer) { observer_ = std::move(observer); }
 
+  /// @throws StateError as StateArchive, or if the state is of another number of species
+  void archive(StateArchive& state);
+
 private:
   /// The surfaces at a contact: unit normal on disk i, and relative velocity.
   struct Contact
@@ -111,6 +120,7 @@ private:
   Disk& fly(std::uint32_t id, double time);
   void leave(std::uint32_t id, bool to_the_right, double time);
   bool lossless(std::uint32_t id, double time) const;
+  double reboundFloor(std::uint32_t id) const;
   void touched(std::uint32_t id, double time);
   void push(Disk& disk, const Contact& contact, const Impulse& impulse, double sign) const;
   void report(double time, CollisionKind kind, std::uint32_t i, const std::uint32_t* j,
@@ -133,6 +143,7 @@ private:
   std::vector<std::uint8_t> active_;
   std::vector<double> last_contacts_;  ///< per disk, only where t_c > 0
   std::size_t active_count_ = 0;
+  CollapseWatch collapse_watch_;
   std::vector<SpeciesBins> bins_;
   Tally tally_;
   CollisionCounts collisions_;

@@ -2,6 +2,10 @@
 
 #include <cstdint>
 #include <random>
+#include <sstream>
+#include <string>
+
+#include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
 {
@@ -18,6 +22,18 @@ public:
 
   /// In [0, count), count > 0; biased by less than count / 2^64.
   std::uint64_t below(std::uint64_t count) { return generator_() % count; }
+
+  void archive(StateArchive& state)
+  {
+    // The standard fixes this text, as it does the bits.
+    std::ostringstream out;
+    out << generator_;
+    std::string text = out.str();
+    state(text);
+    std::istringstream in(text);
+    if (state.restoring() && !(in >> generator_))
+      throw StateError("its random numbers are no such state");
+  }
 
 private:
   std::mt19937_64 generator_;

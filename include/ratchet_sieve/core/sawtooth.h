@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
 {
@@ -24,6 +25,8 @@ struct BaseFeature
 {
   BaseFeatureKind kind = BaseFeatureKind::LEFT_SLOPE;
   std::int32_t tooth = 0;  ///< for slopes and apices; for END_FOOT 0 or the number of teeth
+
+  void archive(StateArchive& state) { state(kind, tooth); }
 };
 
 /// A point's place and speed in the base's own frame (s along, n normal).

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ratchet_sieve/core/state_archive.h"
+
 namespace ratchet_sieve
 {
 
@@ -17,6 +19,8 @@ struct SpeciesBins
   std::uint64_t on_base = 0;  ///< still in the machine
 
   std::uint64_t counted() const { return left + right; }
+
+  void archive(StateArchive& state) { state(left, right, on_base); }
 };
 
 /// Q of one pair of species, eq. (2) of the paper:

@@ -7,11 +7,13 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/segregation.h"
+#include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
 {
@@ -50,6 +52,8 @@ struct SlewRates
   double inclination = 0.1;  ///< [rad/s]
   double frequency = 10.0;   ///< [Hz/s]
   double amplitude = 0.002;  ///< [m/s]
+
+  void archive(StateArchive& state) { state(inclination, frequency, amplitude); }
 };
 
 /// One executed collision.
@@ -73,7 +77,17 @@ struct SpeciesMeans
   std::optional<double> kinetic_rotational;     ///< [J], mean over disks and time
 };
 
-/// Time has all but stopped for a disk: an inelastic collapse, or a jam; see StallWatch.
+/// How often time all but stopped for a disk: an inelastic collapse, or a jam; see CollapseWatch.
+struct CollapseCounts
+{
+  std::uint64_t count = 0;
+  double first_time = 0.0;  ///< [s]
+  std::uint32_t first_disk = 0;
+
+  void archive(StateArchive& state) { state(count, first_time, first_disk); }
+};
+
+/// Time has all but stopped for a disk, and the scene says that the run ends there.
 struct StallError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -90,6 +104,12 @@ public:
   /// Pours the scene. @throws std::invalid_argument if disks of `initial` overlap each other or
   /// the base, or lie outside the machine; the message names them.
   explicit Simulation(const SceneDefinition& scene);
+
+  /// Takes up a run where it was saved, and goes on bit for bit.
+  /// @param scene the one that it was saved from; `duration` may differ
+  /// @throws StateError if the bytes are no state of such a scene
+  Simulation(const SceneDefinition& scene, std::string_view saved_state);
+
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -99,8 +119,11 @@ public:
   /// Simulated time [s], as last asked for.
   double time() const;
 
+  /// The shorter of the scene's drive period and of a fall over a tooth [s].
+  double timeScale() const;
+
   /// Executes every event up to and including `time` [s]; earlier times do nothing.
-  /// @throws StallError
+  /// @throws StallError; time() is then when the run came to its end
   void advanceTo(double time);
 
   /// Commands take effect at time(): the base moves there at its slew rates. The caller has
@@ -128,11 +151,17 @@ public:
   /// Kinetic + potential energy of disks() [J]. On an inclined periodic base a disk that is wrapped by
   /// a width W changes its potential energy by m g W sin(theta).
   double energy() const;
-  double maxOverlap() const;  ///< largest ever seen at a collision or by auditOverlaps() [m]
+  bool stalled() const;  ///< whether a collapse ends the run, at the latest when an epoch ends
+  const CollapseCounts& collapses() const;
+  std::string collapseText() const;  ///< one line with the numbers; empty without a collapse
+  double maxOverlap() const;         ///< largest ever seen at a collision or by auditOverlaps() [m]
 
   /// Looks at every disk and every near pair at time(): takes overlaps into maxOverlap() and
   /// returns how many disks are behind the base's surface (always 0, or the engine is wrong).
   std::size_t auditOverlaps();
+
+  /// All that has become of the scene, as bytes; the scene itself is not among them. Saving changes nothing.
+  std::string saveState() const;
 
   /// Calls `observer` after each collision, in the order of time. Empty: nobody watches.
   void observeCollisions(CollisionObserver observer);

@@ -53,6 +53,8 @@ public:
   std::vector<SpeciesMeans> means(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active,
                                   double time, double local_time) const;
 
+  void archive(StateArchive& state) { state(passages_, at_piece_end_, blocks_); }
+
 private:
   /// One disk's stay in the machine.
   struct Passage
@@ -68,6 +70,12 @@ private:
     bool counted = true;        ///< false for what had left before the counting began
     double left_x = 0.0;        ///< where it left [m]
     double left_when = 0.0;     ///< [s]
+
+    void archive(StateArchive& state)
+    {
+      state(entered_x, offset, counted_x, counted_from, translation, rotation, impulse_x, impulse_y, counted,
+            left_x, left_when);
+    }
   };
 
   /// Sums over the passages of one species.
@@ -83,6 +91,11 @@ private:
     double rotation = 0.0;
 
     void add(const Passage& passage, double x, double time);
+    void archive(StateArchive& state)
+    {
+      state(disks, displacement, time, displacement_squared, displacement_time, time_squared, translation,
+            rotation);
+    }
     SpeciesMeans means(const SpeciesDefinition& species) const;
   };
 

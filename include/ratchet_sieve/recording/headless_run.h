@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,13 @@
 
 namespace ratchet_sieve
 {
+
+/// What a run has seen so far that its simulation does not know.
+struct RunProgress
+{
+  double energy_start = 0.0;     ///< of the disks at time 0 [J]
+  std::size_t through_base = 0;  ///< disks found behind the base's surface, the most at one audit
+};
 
 /// How a run came to its end.
 enum class RunEnd
@@ -24,9 +32,8 @@ enum class RunEnd
 struct RunOutcome
 {
   RunEnd end = RunEnd::COMPLETED;
-  double wall_time = 0.0;             ///< [s]
-  double energy_start = 0.0;          ///< of the disks at time 0 [J]
-  std::size_t through_base = 0;       ///< disks found behind the base's surface, the most at one audit
+  double wall_time = 0.0;  ///< [s]
+  RunProgress progress;
   std::vector<std::string> warnings;  ///< one line each
 };
 
@@ -37,13 +44,15 @@ struct RunWatchers
   FrameRates rates;
   std::function<void(const Simulation&)> progress;  ///< several times a second of wall time
   std::function<bool()> stop_wanted;                ///< looked at several times a second
+  std::function<void(const Simulation&, const RunProgress&)>
+      save;                   ///< at the start, now and then, at the end
+  double save_period = 60.0;  ///< of wall time [s]
 };
 
-/// Audits of all disks for overlaps, spread evenly over a run.
-constexpr int AUDITS_PER_RUN = 100;
-
 /// Runs the simulation to its scene's duration, as fast as it goes. In which strides does not
-/// matter to its course.
-RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers);
+/// matter to its course. A run that stalls is not saved at its end: it could not go on from there.
+/// @param so_far of a run that is taken up from a checkpoint
+RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers,
+                    const std::optional<RunProgress>& so_far = std::nullopt);
 
 }  // namespace ratchet_sieve

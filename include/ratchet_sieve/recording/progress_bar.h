@@ -9,22 +9,32 @@
 namespace ratchet_sieve
 {
 
+/// What a program has done of a run, which it may have taken up in the middle.
+struct Progress
+{
+  double simulated = 0.0;  ///< [s]
+  std::uint64_t events = 0;
+  double wall = 0.0;  ///< [s]
+};
+
 /// One line of a progress bar: simulated time, percent, events per second of wall time, time to go.
-/// @param wall_seconds since the start [s]
-std::string progressText(double time, double duration, std::uint64_t events, double wall_seconds);
+std::string progressText(double time, double duration, const Progress& progress);
 
 /// A progress bar on standard error, where that is a terminal; else nothing. Redrawn ten times a
 /// second at most, wiped away at its end.
 class ProgressBar
 {
 public:
-  explicit ProgressBar(double duration);
+  /// @param start the run to be shown, as this program begins with it
+  explicit ProgressBar(const Simulation& start);
   ~ProgressBar();
 
   void show(const Simulation& simulation);
 
 private:
   double duration_;
+  double start_time_;
+  std::uint64_t start_events_;
   bool visible_;
   std::chrono::steady_clock::time_point start_;
   std::chrono::steady_clock::time_point next_;

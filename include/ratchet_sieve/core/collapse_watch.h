@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/simulation.h"
+
+namespace ratchet_sieve
+{
+
+/// Notices that time has all but stopped for a disk: it has more events within the machine's time
+/// scale than the scene allows. That is an inelastic collapse (McNamara & Young, Phys. Fluids A 4,
+/// 496 (1992), doi:10.1063/1.858323), or a disk that is wedged between bodies.
+///
+/// Where the scene says that the run goes on, the disk is loosened until it has gone through a whole
+/// time scale without a collapse: its contacts lose nothing, which lets a wedged disk press its way
+/// out, and part no slower than a floor, which lets a resting one hop. The floor doubles with every
+/// collapse that follows another.
+class CollapseWatch
+{
+public:
+  /// @param time_scale of the machine [s]; @param speed_scale of a fall over a tooth [m/s]
+  CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale);
+
+  void added() { disks_.emplace_back(); }
+
+  /// Counts an event of a disk. @return whether it is one too many; from then on the disk is loosened
+  bool count(std::uint32_t id, double time)
+  {
+    Window& window = disks_[id];
+    if (time >= window.end)
+      open(window, time);
+    if (++window.events <= limit_)
+      return false;
+    collapse(id, time);
+    return true;
+  }
+
+  /// Whether the disk's contacts lose nothing for now.
+  bool loosened(std::uint32_t id) const { return counts_.count > 0 && disks_[id].level > 0; }
+
+  /// How slowly a loosened disk's contacts may part [m/s].
+  double floorSpeed(std::uint32_t id) const;
+
+  /// Whether the run has to end: the scene says so, or it is hopeless.
+  bool stops() const { return stops_; }
+
+  /// Whether loosening a disk again and again did not help.
+  bool hopeless() const { return hopeless_; }
+
+  const CollapseCounts& counts() const { return counts_; }
+
+  /// What happened, in one line with its numbers. @pre counts().count > 0
+  std::string text() const;
+
+  /// Zero of time moves on; @param epoch_start the new one [s]
+  void rebase(double length, double epoch_start);
+
+  void archive(StateArchive& state) { state(epoch_start_, disks_, counts_, stops_, hopeless_); }
+
+private:
+  /// The events of one disk since its present window was opened.
+  struct Window
+  {
+    double end = 0.0;  ///< local to the epoch [s]
+    std::uint32_t events = 0;
+    std::uint32_t level = 0;  ///< collapses in a row
+
+    void archive(StateArchive& state) { state(end, events, level); }
+  };
+
+  /// Where the run ends, the disk stays loosened on the way there.
+  void open(Window& window, double time) const
+  {
+    window = {time + time_scale_, 0, stops_ ? window.level : 0};
+  }
+  void collapse(std::uint32_t id, double time);
+
+  ContactDefinition contact_;
+  std::uint32_t limit_;
+  double time_scale_;
+  double speed_scale_;
+  double epoch_start_ = 0.0;
+  std::vector<Window> disks_;
+  CollapseCounts counts_;
+  bool stops_ = false;
+  bool hopeless_ = false;
+};
+
+}  // namespace ratchet_sieve

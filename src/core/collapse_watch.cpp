@@ -1,0 +1,70 @@
+#include "ratchet_sieve/core/collapse_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// The first floor under a loosened disk's contacts, as a share of the speed of a fall over a tooth:
+/// hops as low as that come some hundred to the time scale.
+constexpr double FIRST_FLOOR = 1e-3;
+
+/// After as many collapses in a row the floor is beyond any speed of the machine: nothing helps.
+constexpr std::uint32_t MAX_LEVEL = 16;
+}  // namespace
+
+CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale)
+    : contact_(contact),
+      limit_(static_cast<std::uint32_t>(contact.collapse_events)),
+      time_scale_(time_scale),
+      speed_scale_(speed_scale)
+{
+}
+
+double CollapseWatch::floorSpeed(std::uint32_t id) const
+{
+  const double floor = std::ldexp(FIRST_FLOOR * speed_scale_, static_cast<int>(disks_[id].level) - 1);
+  return std::max(floor, contact_.min_rebound_speed);
+}
+
+void CollapseWatch::collapse(std::uint32_t id, double time)
+{
+  Window& window = disks_[id];
+  window = {time + time_scale_, 0, window.level + 1};
+  // Disks that do not see each other are advanced one by one: the first is the earliest of them.
+  if (counts_.count == 0 || epoch_start_ + time < counts_.first_time)
+  {
+    counts_.first_time = epoch_start_ + time;
+    counts_.first_disk = id;
+  }
+  ++counts_.count;
+  hopeless_ = hopeless_ || window.level > MAX_LEVEL;
+  stops_ = hopeless_ || contact_.on_collapse == CollapseAction::STOP;
+}
+
+std::string CollapseWatch::text() const
+{
+  std::ostringstream text;
+  text << "time all but stopped (inelastic collapse): disk " << counts_.first_disk << " had more than "
+       << limit_ << " events within " << time_scale_ << " s at " << counts_.first_time << " s";
+  if (hopeless_)
+    text << ", and losing nothing at its contacts did not help";
+  else if (stops_)
+    text << "; contact.min_rebound_speed above 0 or a larger one avoids it, contact.on_collapse: rebound "
+            "goes on";
+  else
+    text << ", the first of " << counts_.count << " times; its contacts lost nothing for a while";
+  return text.str();
+}
+
+void CollapseWatch::rebase(double length, double epoch_start)
+{
+  epoch_start_ = epoch_start;
+  for (Window& window : disks_)
+    window.end -= length;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,116 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+#include "state_hash.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// What is done to a simulation while it runs, a piece of it each time.
+using Course = void (*)(Simulation&, double from, double to);
+
+void undisturbed(Simulation& simulation, double, double to)
+{
+  simulation.advanceTo(to);
+}
+
+void commanded(Simulation& simulation, double from, double to)
+{
+  simulation.advanceTo(0.5 * (from + to));
+  simulation.commandInclination(0.02 + 0.01 * from);
+  simulation.commandFrequency(20.0 + from);
+  simulation.pour(0, 3);
+  simulation.advanceTo(to);
+}
+
+/// A run that was saved in its middle and taken up has the same state at its end, to the last bit of
+/// all that it holds, as the run that went through.
+void expectTheSameEnd(const SceneDefinition& scene, Course course)
+{
+  constexpr double MIDDLE = 1.37;
+  constexpr double END = 3.1;
+  Simulation through(scene);
+  course(through, 0.0, MIDDLE);
+  const std::string saved = through.saveState();
+  Simulation taken_up(scene, saved);
+  EXPECT_EQ(taken_up.saveState(), saved);
+  course(through, MIDDLE, END);
+  course(taken_up, MIDDLE, END);
+  EXPECT_GT(through.collisions().total(), 100u);
+  EXPECT_EQ(test::stateHash(taken_up), test::stateHash(through));
+  EXPECT_EQ(taken_up.saveState(), through.saveState());
+}
+
+SceneDefinition shortMixture()
+{
+  SceneDefinition scene = test::mixture(40);
+  scene.base.teeth = 5;
+  return scene;
+}
+
+TEST(SavedState, GoesOnBitForBit)
+{
+  expectTheSameEnd(shortMixture(), undisturbed);
+}
+
+TEST(SavedState, OfAnEnsembleGoesOnBitForBit)
+{
+  expectTheSameEnd(test::singleParticles(20), undisturbed);
+}
+
+TEST(SavedState, GoesOnUnderCommandsWhileTheBaseTurns)
+{
+  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED})
+  {
+    SceneDefinition scene = shortMixture();
+    scene.boundary = boundary;
+    scene.base.teeth = 10;
+    expectTheSameEnd(scene, commanded);
+  }
+}
+
+TEST(SavedState, GoesOnFeedingAndSettlingWithLosslessContacts)
+{
+  SceneDefinition scene = shortMixture();
+  scene.boundary = Boundary::OPEN;
+  scene.feed.rate = 30.0;
+  scene.settle = 2.0;
+  scene.contact.contact_duration = 1e-4;
+  expectTheSameEnd(scene, undisturbed);
+}
+
+TEST(SavedState, GoesOnThroughACollapse)
+{
+  SceneDefinition scene = shortMixture();
+  scene.contact.min_rebound_speed = 0.0;
+  scene.contact.on_collapse = CollapseAction::REBOUND;
+  scene.contact.collapse_events = 1000;
+  expectTheSameEnd(scene, undisturbed);
+}
+
+TEST(SavedState, CutShortOrTooLongIsRefused)
+{
+  const SceneDefinition scene = shortMixture();
+  Simulation simulation(scene);
+  simulation.advanceTo(0.1);
+  const std::string saved = simulation.saveState();
+  for (std::size_t size = 0; size < saved.size(); size += 1 + size / 50)
+    EXPECT_THROW(Simulation(scene, saved.substr(0, size)), StateError) << size;
+  EXPECT_THROW(Simulation(scene, saved + '\0'), StateError);
+}
+
+TEST(SavedState, OfAnotherSceneIsRefused)
+{
+  Simulation simulation(shortMixture());
+  SceneDefinition other = shortMixture();
+  other.species.pop_back();
+  EXPECT_THROW(Simulation(other, simulation.saveState()), StateError);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

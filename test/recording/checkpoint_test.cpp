@@ -1,0 +1,121 @@
+#include "ratchet_sieve/recording/checkpoint.h"
+
+#include <gtest/gtest.h>
+
+#include "ratchet_sieve/recording/summary.h"
+#include "small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// The summary but for how long it took.
+nlohmann::ordered_json resultOf(Simulation& simulation, const std::optional<RunProgress>& so_far,
+                                const RunWatchers& watchers = {})
+{
+  nlohmann::ordered_json summary = summarize(simulation, runToEnd(simulation, watchers, so_far));
+  summary.erase("wall_time");
+  return summary;
+}
+
+class CheckpointFile : public testing::Test
+{
+protected:
+  /// Saves a run of the scene at its end.
+  void save(const SceneDefinition& scene) const
+  {
+    Simulation simulation(scene);
+    RunWatchers watchers;
+    watchers.save = [this](const Simulation& now, const RunProgress& progress)
+    { writeCheckpoint(path_, now, progress); };
+    runToEnd(simulation, watchers);
+  }
+
+  void expectRefusal(const SceneDefinition& scene, const std::string& reason) const
+  {
+    try
+    {
+      readCheckpoint(path_, scene);
+      FAIL() << "not refused";
+    }
+    catch (const CheckpointError& error)
+    {
+      EXPECT_EQ(std::string(error.what()), path_ + ": cannot be resumed from: " + reason);
+    }
+  }
+
+  ScratchDirectory directory_;
+  std::string path_ = directory_ / "run.checkpoint";
+};
+
+TEST_F(CheckpointFile, TwiceTheTimeIsTheTimeAndAsMuchAgain)
+{
+  SceneDefinition scene = smallRing();
+  SceneDefinition half = scene;
+  half.duration = 0.5 * scene.duration;
+  Simulation through(scene);
+  const auto expected = resultOf(through, std::nullopt);
+  save(half);
+  Checkpoint checkpoint = readCheckpoint(path_, scene);
+  EXPECT_EQ(checkpoint.simulation.time(), half.duration);
+  EXPECT_EQ(resultOf(checkpoint.simulation, checkpoint.progress), expected);
+  EXPECT_EQ(checkpoint.simulation.saveState(), through.saveState());
+}
+
+TEST_F(CheckpointFile, IsWrittenAtTheStartAndTheEndWithoutChangingTheRun)
+{
+  Simulation alone(smallRing()), saved(smallRing());
+  std::vector<double> times;
+  RunWatchers watchers;
+  watchers.save_period = 0.0;
+  watchers.save = [&times](const Simulation& now, const RunProgress&) { times.push_back(now.time()); };
+  EXPECT_EQ(resultOf(saved, std::nullopt, watchers), resultOf(alone, std::nullopt));
+  EXPECT_GT(times.size(), 2u);
+  EXPECT_EQ(times.front(), 0.0);
+  EXPECT_EQ(times.back(), saved.scene().duration);
+}
+
+TEST_F(CheckpointFile, OfAnotherRunIsRefused)
+{
+  save(smallRing());
+  SceneDefinition scene = smallRing();
+  scene.seed = 77;
+  expectRefusal(scene, "its seed is " + std::to_string(smallRing().seed) + ", but this run's is 77");
+  scene = smallRing();
+  scene.settle = 0.25;
+  expectRefusal(scene, "its settle is 0.0, but this run's is 0.25");
+  scene = smallRing();
+  scene.duration = 0.75;
+  expectRefusal(scene, "it is at 1.0 s, beyond this run's duration");
+  scene = smallRing();
+  scene.base.inclination = 0.1;
+  EXPECT_THROW(readCheckpoint(path_, scene), CheckpointError);
+}
+
+TEST_F(CheckpointFile, ThatIsNoneIsRefused)
+{
+  expectRefusal(smallRing(), "it cannot be read");
+  std::ofstream(path_) << "base: {teeth: 3}\n";
+  expectRefusal(smallRing(), "it is no checkpoint");
+  std::ofstream(path_) << "ratchet_sieve checkpoint 7\nabc";
+  expectRefusal(smallRing(), "it is of another format than ratchet_sieve checkpoint 1");
+}
+
+TEST_F(CheckpointFile, ThatIsDamagedAnywhereIsRefused)
+{
+  save(smallRing());
+  const std::string whole = contents(path_);
+  for (std::size_t place = whole.find('\n') + 1; place < whole.size(); place += 1 + whole.size() / 200)
+  {
+    std::string damaged = whole;
+    damaged[place] = static_cast<char>(damaged[place] ^ 0x10);
+    std::ofstream(path_, std::ios::binary) << damaged;
+    expectRefusal(smallRing(), "it is damaged");
+    std::ofstream(path_, std::ios::binary) << whole.substr(0, place);
+    expectRefusal(smallRing(), "it is damaged");
+  }
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
