@@ -1,5 +1,7 @@
 #include "ratchet_sieve/ros/diagnostics.h"
 
+#include <algorithm>
+
 namespace ratchet_sieve
 {
 namespace
@@ -8,11 +10,19 @@ using diagnostic_msgs::DiagnosticStatus;
 
 constexpr std::chrono::duration<double> PERIOD(1.0);
 
-/// Overlaps below this are rounding: it is far below any disk's size [m].
+/// Overlaps below this share of the smallest radius are rounding.
 constexpr double TOLERATED_OVERLAP = 1e-9;
 
 /// Below this share of the real-time factor that was asked for, the machine is too slow.
 constexpr double TOLERATED_SPEED = 0.9;
+
+double smallestRadius(const SceneDefinition& scene)
+{
+  double smallest = scene.species.front().radius;
+  for (const SpeciesDefinition& species : scene.species)
+    smallest = std::min(smallest, species.radius);
+  return smallest;
+}
 }  // namespace
 
 Diagnostics::Diagnostics(const RunControl& control, const NodeParameters& parameters,
@@ -49,12 +59,17 @@ void Diagnostics::reportRun(Status& status)
   const double wall = std::chrono::duration<double>(now - last_update_).count();
   const double achieved = wall > 0.0 ? (run.time() - last_time_) / wall : 0.0;
   const double asked = parameters_.real_time_factor;
-  const double overlap = run.simulation().maxOverlap();
+  const Simulation& simulation = run.simulation();
+  const double overlap = simulation.maxOverlap();
   last_update_ = now;
   last_time_ = run.time();
 
-  if (overlap > TOLERATED_OVERLAP)
+  if (simulation.stalled())
+    status.summary(DiagnosticStatus::ERROR, simulation.collapseText());
+  else if (overlap > TOLERATED_OVERLAP * smallestRadius(simulation.scene()))
     status.summaryf(DiagnosticStatus::ERROR, "disks overlapped by %.3g m", overlap);
+  else if (simulation.collapses().count > 0)
+    status.summary(DiagnosticStatus::WARN, simulation.collapseText());
   else if (control_.paused())
     status.summary(DiagnosticStatus::OK, run.finished() ? "at its end" : "paused");
   else if (asked > 0.0 && wall >= PERIOD.count() && achieved < TOLERATED_SPEED * asked)
@@ -65,8 +80,9 @@ void Diagnostics::reportRun(Status& status)
   status.add("simulated time [s]", run.time());
   status.add("end [s]", run.endTime());
   status.add("real-time factor", achieved);
-  status.add("disks in the machine", run.simulation().activeDisks());
-  status.add("events", run.simulation().events());
+  status.add("disks in the machine", simulation.activeDisks());
+  status.add("events", simulation.events());
+  status.add("inelastic collapses", simulation.collapses().count);
   status.add("largest overlap [m]", overlap);
 }
 

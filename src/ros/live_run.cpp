@@ -21,7 +21,14 @@ double LiveRun::nextTime() const
 
 void LiveRun::advanceTo(double elapsed, FrameSink& sink)
 {
-  simulation_.advanceTo(std::min(elapsed, nextTime()));
+  try
+  {
+    simulation_.advanceTo(std::min(elapsed, nextTime()));
+  }
+  catch (const StallError&)
+  {
+    // finished() tells, and the simulation keeps what there is to say.
+  }
   takeDue(sink);
 }
 

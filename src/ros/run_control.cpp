@@ -85,23 +85,17 @@ Outcome RunControl::step(double duration, double stride, const std::function<boo
   if (!std::isfinite(duration) || duration <= 0.0)
     return failure("duration " + std::to_string(duration) + " s: must be > 0 and finite");
   if (run_->finished())
-    return failure("the scene's end is reached: reset first");
+    return failure(run_->simulation().stalled() ? run_->simulation().collapseText()
+                                                : "the scene's end is reached: reset first");
   const double target = run_->elapsed() + duration;
-  try
+  while (run_->elapsed() < target && !run_->finished())
   {
-    while (run_->elapsed() < target && !run_->finished())
-    {
-      if (!keep_going())
-        return failure("interrupted");
-      advanceTo(std::min(target, run_->elapsed() + stride));
-    }
-  }
-  catch (const StallError& error)
-  {
-    return failure(error.what());
+    if (!keep_going())
+      return failure("interrupted");
+    advanceTo(std::min(target, run_->elapsed() + stride));
   }
   run_->takeAll(sinks_);
-  return {};
+  return run_->simulation().stalled() ? failure(run_->simulation().collapseText()) : Outcome{};
 }
 
 void RunControl::begin(std::unique_ptr<LiveRun> run)

@@ -96,7 +96,15 @@ void SieveNode::advance()
   const std::chrono::duration<double> wall = Pacer::Clock::now() - begin;
   pacer_.advanced(control_.run().elapsed() - elapsed, wall.count());
   if (control_.run().finished())
-    control_.pause();
+    finish();
+}
+
+void SieveNode::finish()
+{
+  control_.pause();
+  const Simulation& simulation = control_.run().simulation();
+  if (simulation.stalled())
+    ROS_ERROR("stopped at %.6f s: %s", control_.run().time(), simulation.collapseText().c_str());
 }
 
 void SieveNode::run()
@@ -115,6 +123,8 @@ void SieveNode::run()
     keepAlive();
   }
   end();
+  if (ended() && control_.run().simulation().stalled())
+    throw StallError(control_.run().simulation().collapseText());
 }
 
 void SieveNode::end()

@@ -109,16 +109,68 @@ TEST_F(Node, appliesASetpointAtThePresentTime)
   EXPECT_TRUE(sameBits(sieve.particles.frames.back().disks, simulation.disks()));
 }
 
+/// The last of each status on /diagnostics.
+class Statuses
+{
+public:
+  explicit Statuses(ros::NodeHandle& node)
+      : subscriber_(node.subscribe<diagnostic_msgs::DiagnosticArray>(
+            "/diagnostics", 100,
+            [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& array)
+            {
+              for (const auto& status : array->status)
+                last_[status.name] = status;
+            }))
+  {
+  }
+
+  const diagnostic_msgs::DiagnosticStatus& operator[](const std::string& name) { return last_[name]; }
+
+private:
+  std::map<std::string, diagnostic_msgs::DiagnosticStatus> last_;
+  ros::Subscriber subscriber_;
+};
+
+TEST_F(Node, saysThatACollapseStoppedIt)
+{
+  Statuses statuses(sieve.node);
+  ASSERT_TRUE(sieve.reset(0, {"contact.min_rebound_speed=0", "contact.collapse_events=10000"}).success);
+  const StepSimulation::Response answer = sieve.step(5.0);
+  EXPECT_FALSE(answer.success);
+  EXPECT_NE(answer.message.find("inelastic collapse"), std::string::npos) << answer.message;
+  EXPECT_LT(answer.time, 5.0);
+  ASSERT_TRUE(waitFor(
+      [&]
+      {
+        const auto& status = statuses["sieve: simulation"];
+        return status.level == diagnostic_msgs::DiagnosticStatus::ERROR && status.message == answer.message;
+      }));
+  // Not before it is begun anew does it go on.
+  EXPECT_EQ(sieve.step(1.0).message, answer.message);
+  sieve.resetAndSee();
+  EXPECT_TRUE(sieve.step(1.0).success);
+}
+
+TEST_F(Node, goesOnThroughACollapseAndWarns)
+{
+  Statuses statuses(sieve.node);
+  ASSERT_TRUE(sieve
+                  .reset(0, {"contact.min_rebound_speed=0", "contact.collapse_events=1000",
+                             "contact.on_collapse=rebound"})
+                  .success);
+  EXPECT_TRUE(sieve.step(1.0).success);
+  EXPECT_TRUE(waitFor(
+      [&]
+      {
+        const auto& status = statuses["sieve: simulation"];
+        return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
+               status.message.find("inelastic collapse") != std::string::npos;
+      }));
+}
+
 TEST_F(Node, refusesASetpointAndSaysWhy)
 {
-  std::map<std::string, diagnostic_msgs::DiagnosticStatus> statuses;
-  const ros::Subscriber diagnostics = sieve.node.subscribe<diagnostic_msgs::DiagnosticArray>(
-      "/diagnostics", 100,
-      [&](const diagnostic_msgs::DiagnosticArray::ConstPtr& array)
-      {
-        for (const auto& status : array->status)
-          statuses[status.name] = status;
-      });
+  Statuses statuses(sieve.node);
   command("inclination", 0.05, &DriveState::commanded_inclination);
   for (const double bad :
        {0.31, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})

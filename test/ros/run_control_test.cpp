@@ -77,6 +77,21 @@ TEST(RunControl, stepsNoFurtherThanTheEnd)
   EXPECT_EQ(run.control.step(1.0, STRIDE, keepGoing).message, "the scene's end is reached: reset first");
 }
 
+TEST(RunControl, isFinishedByACollapseUntilItIsBegunAnew)
+{
+  Controlled run;
+  ASSERT_TRUE(run.control.reset(0, {"contact.min_rebound_speed=0", "contact.collapse_events=10000"}).success);
+  const Outcome outcome = run.control.step(2.0, STRIDE, keepGoing);
+  EXPECT_FALSE(outcome.success);
+  EXPECT_NE(outcome.message.find("inelastic collapse"), std::string::npos) << outcome.message;
+  EXPECT_TRUE(run.control.run().finished());
+  EXPECT_LT(run.control.run().time(), smallMixture().duration);
+  EXPECT_EQ(run.seen.particles.back().time, run.control.run().time());
+  EXPECT_EQ(run.control.step(1.0, STRIDE, keepGoing).message, outcome.message);
+  ASSERT_TRUE(run.control.reset(0, {}).success);
+  EXPECT_TRUE(run.control.step(1.0, STRIDE, keepGoing).success);
+}
+
 TEST(RunControl, refusesStepsThatMakeNoSense)
 {
   Controlled run;

@@ -19,7 +19,9 @@ public:
   double elapsed() const { return simulation_.time(); }
   double time() const { return start_time_ + elapsed(); }
   double endTime() const { return end_time_; }
-  bool finished() const { return elapsed() >= end_time_ - start_time_; }
+
+  /// At its end, or stopped by an inelastic collapse, as the simulation says.
+  bool finished() const { return elapsed() >= end_time_ - start_time_ || simulation_.stalled(); }
 
   /// Elapsed time of the next frame, or of the end where that is earlier [s].
   double nextTime() const;

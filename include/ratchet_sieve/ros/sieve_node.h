@@ -36,6 +36,7 @@ private:
   bool ended() const;
   double waitUntilDue() const;
   void advance();
+  void finish();
   void keepAlive();
   void end();
   CommandServer::Stepping stepping();
