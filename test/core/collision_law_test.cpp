@@ -1,5 +1,6 @@
 #include "ratchet_sieve/core/collision_law.h"
 
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -260,8 +261,32 @@ TEST(CollisionByHand, BetweenWallsTheContactDurationDecides)
     EXPECT_NEAR(records[1].normal_impulse, (1.0 + e) * 0.6 * 0.002, 1e-15);
     EXPECT_NEAR(records[2].time, 0.039 + 0.03 / e, 1e-15);
     EXPECT_NEAR(records[2].normal_speed, 0.6 * e, 1e-13);
+    EXPECT_NEAR(records[2].normal_impulse, (1.0 + e) * 0.6 * e * 0.002, 1e-15);
     EXPECT_EQ(simulation.disks()[0].spin, 100.0);
   }
+}
+
+TEST(CollisionByHand, APairLosesNothingIfEitherPartnerHasJustMet)
+{
+  // A rebounds from a flat base with 0.6 m/s at 0.2 ms, and meets B at rest 0.5 mm higher, 5/6 ms later.
+  // With e = 0.7 or 1 and no friction: J_n = (1 + e) * 0.6 * 0.0012.
+  for (const bool a_first : {true, false})
+    for (const double duration : {0.0008, 0.0009})
+    {
+      SceneDefinition scene = weightless();
+      scene.base.tooth_height = 0.0;
+      scene.contact.contact_duration = duration;
+      scene.initial = {{0, 0.1, 0.0012, 0.0, -1.0, 0.0}, {1, 0.1, 0.0045, 0.0, 0.0, 0.0}};
+      if (!a_first)
+        std::swap(scene.initial[0], scene.initial[1]);
+      Simulation simulation(scene);
+      simulation.advanceTo(0.003);
+      EXPECT_EQ(simulation.collisions().total(), 2u);
+      const double e = duration < 0.00083 ? 0.7 : 1.0;
+      const auto disks = simulation.disks();
+      expectVelocity(disks[a_first ? 0 : 1], 0.0, 0.6 - (1.0 + e) * 0.36, 0.0);
+      expectVelocity(disks[a_first ? 1 : 0], 0.0, (1.0 + e) * 0.24, 0.0);
+    }
 }
 
 }  // namespace
