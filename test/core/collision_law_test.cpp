@@ -266,27 +266,47 @@ TEST(CollisionByHand, BetweenWallsTheContactDurationDecides)
   }
 }
 
+/// A meets the flat base at 0.6 times its speed, and B a little later, counted from then.
+struct SecondContact
+{
+  double a_height, a_speed;  // [m], [m/s] downwards
+  double b_height, b_speed;
+  double closing;  // of the two [m/s]
+  double later;    // [s]
+};
+
 TEST(CollisionByHand, APairLosesNothingIfEitherPartnerHasJustMet)
 {
-  // A rebounds from a flat base with 0.6 m/s at 0.2 ms, and meets B at rest 0.5 mm higher, 5/6 ms later.
-  // With e = 0.7 or 1 and no friction: J_n = (1 + e) * 0.6 * 0.0012.
-  for (const bool a_first : {true, false})
-    for (const double duration : {0.0008, 0.0009})
-    {
-      SceneDefinition scene = weightless();
-      scene.base.tooth_height = 0.0;
-      scene.contact.contact_duration = duration;
-      scene.initial = {{0, 0.1, 0.0012, 0.0, -1.0, 0.0}, {1, 0.1, 0.0045, 0.0, 0.0, 0.0}};
-      if (!a_first)
-        std::swap(scene.initial[0], scene.initial[1]);
-      Simulation simulation(scene);
-      simulation.advanceTo(0.003);
-      EXPECT_EQ(simulation.collisions().total(), 2u);
-      const double e = duration < 0.00083 ? 0.7 : 1.0;
-      const auto disks = simulation.disks();
-      expectVelocity(disks[a_first ? 0 : 1], 0.0, 0.6 - (1.0 + e) * 0.36, 0.0);
-      expectVelocity(disks[a_first ? 1 : 0], 0.0, (1.0 + e) * 0.24, 0.0);
-    }
+  // First A goes up with 0.6 m/s, and B hangs 0.5 mm higher: met after 5/6 ms. Then A hardly rebounds, with 6
+  // mm/s after 1 ms, while B comes from afar with 1 m/s: they are 49 - 1 - 3 mm apart then, 44.7316 ms
+  // at 1.006 m/s. With e = 0.7 or 1: J_n = (1 + e) v_n * 0.0012.
+  const SecondContact cases[] = {{0.0012, 1.0, 0.0045, 0.0, 0.6, 0.000833333},
+                                 {0.00101, 0.01, 0.050, 1.0, 1.006, 0.0447316}};
+  for (const SecondContact& c : cases)
+    for (const bool a_first : {true, false})
+      for (const double share : {0.99, 1.01})
+      {
+        SceneDefinition scene = weightless();
+        scene.base.tooth_height = 0.0;
+        scene.contact.contact_duration = share * c.later;
+        scene.initial = {{0, 0.1, c.a_height, 0.0, -c.a_speed, 0.0},
+                         {1, 0.1, c.b_height, 0.0, -c.b_speed, 0.0}};
+        if (!a_first)
+          std::swap(scene.initial[0], scene.initial[1]);
+        // Onlookers make the cells small, so that it is B that finds A when it comes from afar, not A that
+        // finds B when it rebounds.
+        for (int k = 0; k < 200; ++k)
+          scene.initial.push_back({0, 0.0075 * (k % 50) + 0.01, 0.10 + 0.01 * (k / 50), 0.0, 0.0, 0.0});
+        Simulation simulation(scene);
+        std::vector<CollisionRecord> records;
+        simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
+        simulation.advanceTo(0.05);
+        ASSERT_GE(records.size(), 2u);
+        EXPECT_EQ(records[1].kind, CollisionKind::DISK_DISK);
+        EXPECT_NEAR(records[1].time - records[0].time, c.later, 1e-6 * c.later);  // as it is printed above
+        const double e = share < 1.0 ? 0.7 : 1.0;
+        EXPECT_NEAR(records[1].normal_impulse, (1.0 + e) * c.closing * 0.0012, 1e-15);
+      }
 }
 
 }  // namespace
