@@ -55,9 +55,9 @@ std::vector<CollisionRecord> firstCollisions(const SceneDefinition& scene, std::
   return records;
 }
 
-/// Rounding, 1e-17 s of the first contacts' times and 1e-15 m/s of speeds, grows from contact to contact:
-/// where it was measured, to 1e-11 after the contacts that are compared (see COMPARED), and to 1e-6 after
-/// three times as many. In s, m/s, and N s per kg of the first species.
+/// Rounding, 1e-17 s of the first contacts' times and 1e-15 m/s of speeds, grows from contact to contact: to
+/// 2e-11 at most after as many contacts as are compared (see COMPARED), and to 1e-8 and more after three
+/// times as many. In s, m/s, and N s per kg of the first species.
 constexpr double GROWN_ROUNDING = 1e-10;
 
 void expectSame(const std::vector<CollisionRecord>& ones, const std::vector<CollisionRecord>& others,
