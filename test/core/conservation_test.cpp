@@ -54,38 +54,6 @@ TEST(Conservation, TheBaseCarriesTheWeight)
   EXPECT_NEAR(simulation.baseImpulseY() / (weight * 10.0), 1.0, 0.01);
 }
 
-TEST(Conservation, OneBallOnAFlatPlateHitsAtThePhaseOfItsPeriodOneOrbit)
-{
-  // Take-off speed relative to the plate needed for a flight of one period: g T / 2 = v; momentum
-  // balance at the hit gives cos(phase) = g (1 - e) / (2 f A w (1 + e)), w = 2 pi f (e.g.
-  // Luck & Mehta, Phys. Rev. E 48, 3988 (1993), doi:10.1103/PhysRevE.48.3988). A w^2 / g = 1.11
-  // lies where it is stable, between pi (1 - e) / (1 + e) = 0.79 and 1.32.
-  SceneDefinition scene = test::singleParticles(0);
-  scene.base.tooth_height = 0.0;
-  scene.base.amplitude = 0.00011;
-  scene.base.frequency = 50.0;
-  scene.species[0].contact = {0.6, 0.0, 0.0};
-  scene.contact.min_rebound_speed = 0.0;
-  const double pi = 3.14159265358979323846;
-  const double omega = 2.0 * pi * 50.0;
-  const double cosine = 9.81 * 0.4 / (2.0 * 50.0 * 0.00011 * omega * 1.6);
-  ASSERT_LT(cosine, 1.0);
-  const double phase = std::acos(cosine);
-  scene.base.phase = phase - 0.05;
-  // Starts a little off the orbit, so that it has to find it.
-  scene.initial = {{0, 0.1, 0.001 + 0.00011 * std::sin(scene.base.phase) + 1e-6, 0.0, 9.81 * 0.01, 0.0}};
-  Simulation simulation(scene);
-  std::vector<double> times;
-  simulation.observeCollisions([&](const CollisionRecord& record) { times.push_back(record.time); });
-  simulation.advanceTo(30.0);
-  ASSERT_GT(times.size(), 1000u);
-  for (std::size_t k = times.size() - 100; k < times.size(); ++k)
-  {
-    EXPECT_NEAR(times[k] - times[k - 1], 1.0 / 50.0, 1e-10);
-    EXPECT_NEAR(std::remainder(omega * times[k] + scene.base.phase - phase, 2.0 * pi), 0.0, 1e-8);
-  }
-}
-
 TEST(Conservation, MirroredMachineRunsTheOtherWay)
 {
   SceneDefinition scene = test::singleParticles(300);
