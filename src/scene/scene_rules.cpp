@@ -17,11 +17,14 @@ double sumOfShares(const SceneDefinition& scene)
                          [](double sum, const SpeciesDefinition& species) { return sum + species.share; });
 }
 
-void warnOfCounts(const Entry& root, const std::string& winner, Scene& scene)
+/// A count of none is not worth a word where there will be none: so stands every count of a scene that has
+/// been read and written out again.
+void warnOfCounts(const Entry& root, const std::string& winner, bool none_poured, Scene& scene)
 {
-  for (const Entry& species : root.at("species").list())
-    if (species.has("count"))
-      scene.warnings.push_back(species.keyOf("count") + " is ignored where " + winner);
+  const std::vector<Entry> entries = root.at("species").list();
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (entries[i].has("count") && !(none_poured && scene.definition.species[i].count == 0))
+      scene.warnings.push_back(entries[i].keyOf("count") + " is ignored where " + winner);
 }
 
 void splitDensity(const Entry& entry, SceneDefinition& scene)
@@ -87,13 +90,13 @@ void resolveCounts(const Entry& root, Scene& scene)
   {
     if (root.has("density"))
       root.at("density").refuse("must be absent where initial places the disks");
-    warnOfCounts(root, "initial places the disks", scene);
+    warnOfCounts(root, "initial places the disks", true, scene);
     for (SpeciesDefinition& species : definition.species)
       species.count = 0;
   }
   else if (root.has("density"))
   {
-    warnOfCounts(root, "a density is given", scene);
+    warnOfCounts(root, "a density is given", false, scene);
     splitDensity(root.at("density"), definition);
   }
 }

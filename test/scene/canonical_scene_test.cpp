@@ -154,6 +154,14 @@ TEST(CanonicalScene, KeepsTheSignOfZeroAndTheSmallestNumbers)
   EXPECT_TRUE(same(sceneFromText(canonicalYaml(scene), "s.yaml").definition, scene));
 }
 
+TEST(CanonicalScene, OfPlacedDisksReadsBackWithoutAWarning)
+{
+  const std::string text = goodSceneWith("pairs: []", "initial: [{species: A, x: 0.01, y: 0.1}]");
+  const Scene scene = sceneFromText(text, "s.yaml");
+  EXPECT_EQ(scene.warnings.size(), 2u);
+  EXPECT_TRUE(sceneFromText(canonicalYaml(scene.definition), "canonical").warnings.empty());
+}
+
 TEST(CanonicalScene, WritesNumbersAsTheyAreSpelled)
 {
   const std::string yaml = canonicalYaml(sceneFromText(GOOD_SCENE, "s.yaml").definition);

@@ -1,0 +1,81 @@
+#include <cmath>
+#include <utility>
+
+#include "draws.h"
+#include "scene_spelling.h"
+#include "scene_spoilers.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Moves a disk along the base and away from it.
+void move(const SceneDefinition& scene, InitialDisk& disk, double ds, double dn)
+{
+  const double cosine = std::cos(scene.base.inclination);
+  const double sine = std::sin(scene.base.inclination);
+  disk.x += cosine * ds - sine * dn;
+  disk.y += sine * ds + cosine * dn;
+}
+
+/// A disk's place in the frame of the base: along it, and over the line of the teeth's feet.
+std::pair<double, double> onBase(const SceneDefinition& scene, const InitialDisk& disk)
+{
+  const double y = disk.y - scene.base.amplitude * std::sin(scene.base.phase);
+  const double cosine = std::cos(scene.base.inclination);
+  const double sine = std::sin(scene.base.inclination);
+  return {cosine * disk.x + sine * y, cosine * y - sine * disk.x};
+}
+
+/// A place beyond an end of the base that is still a legal number.
+double drawnOutside(const SceneDefinition& scene)
+{
+  constexpr double FARTHEST = 4e8;  ///< [m]
+  const double width = scene.base.width();
+  const double beyond = std::min(FARTHEST, width * drawnMagnitude(1e-6, 1e3));
+  return width > FARTHEST || drawnChance(50) ? -beyond : width + beyond;
+}
+
+std::string nameOf(std::size_t disk)
+{
+  return "initial." + std::to_string(disk);
+}
+
+}  // namespace
+
+MisplacedScene drawnMisplacedScene(Misplaced how)
+{
+  std::vector<std::string> words;
+  SceneDefinition scene = drawnPlacedScene().definition;
+  const auto at = drawnIndex<std::size_t>(0, scene.initial.size());
+  InitialDisk& disk = scene.initial[at];
+  const double radius = scene.species[disk.species].radius;
+  switch (how)
+  {
+    case Misplaced::OVERLAPPING:
+    {
+      // Only the new one overlaps any other.
+      scene.contact.pair_collisions = true;
+      InitialDisk other = disk;
+      move(scene, other, 0.0, radius * drawnMagnitude(1e-3, 1.9));
+      scene.initial.push_back(other);
+      words = {nameOf(scene.initial.size() - 1), " overlap by "};
+      break;
+    }
+    case Misplaced::BURIED:
+      move(scene, disk, 0.0, -onBase(scene, disk).second - radius * drawnMagnitude(1e-3, 1e3));
+      words = {nameOf(at) + " is buried"};
+      break;
+    case Misplaced::OUTSIDE:
+      // Walls might be in the way of the other disks.
+      if (scene.boundary == Boundary::PERIODIC)
+        scene.boundary = Boundary::OPEN;
+      move(scene, disk, drawnOutside(scene) - onBase(scene, disk).first, 0.0);
+      words = {nameOf(at) + " is outside"};
+      break;
+  }
+  return {{scene, spelled(scene, std::nullopt)}, words};
+}
+
+}  // namespace ratchet_sieve

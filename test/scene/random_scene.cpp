@@ -1,0 +1,290 @@
+#include "random_scene.h"
+
+#include <limits>
+#include <numeric>
+
+#include "draws.h"
+#include "scene_spelling.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+constexpr double PI = 3.14159265358979323846;
+
+constexpr double LARGEST_LENGTH = 1e3;    ///< [m]
+constexpr double SMALLEST_LENGTH = 1e-9;  ///< [m]
+constexpr double LARGEST_SPEED = 1e4;     ///< [m/s]
+constexpr double LARGEST_SPIN = 1e9;      ///< [rad/s]
+constexpr int MOST_TEETH = 1000000;
+
+constexpr double LARGEST_PER_TOOTH = 20.0;  ///< radius and tooth height
+constexpr double AMPLITUDE_PER_TOOTH = 10.0;
+constexpr double DROP_PER_TOOTH = 100.0;
+constexpr double SCALES_PER_FALL = 1000.0;
+constexpr double TEETH_PER_FALL = 300.0;
+constexpr double TEETH_PER_RUN = 10.0;
+constexpr double REST_PER_TIME_SCALE = 0.01;
+constexpr double RADIUS_PER_TOOTH = 1e-3;
+constexpr double FITTING = 0.499;  ///< of the width: radii that leave room to be placed between walls
+constexpr double RADIUS_PER_WIDTH = 1e-8;
+constexpr double SURFACE_PER_SPEED = 10.0;
+constexpr double MASS_RATIO = 1e4;
+constexpr double MOST_DISKS = 30.0;
+
+/// The default, where it is within the bounds, or another value.
+template <typename Draw>
+double defaultOr(double default_value, double low, double high, Draw&& draw)
+{
+  return default_value >= low && default_value <= high && !drawnChance(60) ? default_value : draw();
+}
+
+double zeroOrMagnitude(double low, double high)
+{
+  return drawnChance(85) ? drawnMagnitude(low, high) : 0.0;
+}
+
+ContactCoefficients drawnCoefficients()
+{
+  return {drawnNumber(0.0, 1.0), drawnNumber(0.0, 1e9), drawnNumber(-1.0, 1.0)};
+}
+
+void drawBase(SceneDefinition& scene)
+{
+  BaseDefinition& base = scene.base;
+  base.teeth = !drawnChance(80) ? base.teeth : drawnCount(1, drawnChance(20) ? MOST_TEETH : 20);
+  base.tooth_width = defaultOr(base.tooth_width, 0.0, 1.0,
+                               [&]
+                               {
+                                 // A disk as small as may be must still fit, beside another.
+                                 return drawnMagnitude(4.0 * SMALLEST_LENGTH, LARGEST_LENGTH);
+                               });
+  const double w = base.tooth_width;
+  const double tallest = std::min(LARGEST_LENGTH, LARGEST_PER_TOOTH * w);
+  base.tooth_height =
+      defaultOr(base.tooth_height, 0.0, tallest, [&] { return zeroOrMagnitude(1e-6 * w, tallest); });
+  base.asymmetry = drawnNumber(0.0, 1.0);
+  base.inclination = drawnChance(60) ? drawnNumber(-1.5, 1.5) : 0.0;
+  const double widest = std::min(LARGEST_LENGTH, AMPLITUDE_PER_TOOTH * w);
+  base.amplitude = defaultOr(base.amplitude, 0.0, widest, [&] { return zeroOrMagnitude(1e-6 * w, widest); });
+  base.frequency = defaultOr(base.frequency, 0.0, 1e6, [] { return zeroOrMagnitude(1e-3, 1e6); });
+  base.phase = drawnNumber(-1e6, 1e6);
+}
+
+/// @return the smallest radius that is told apart on this base
+double smallestRadius(const BaseDefinition& base)
+{
+  return std::max({SMALLEST_LENGTH, RADIUS_PER_TOOTH * base.tooth_width, RADIUS_PER_WIDTH * base.width()});
+}
+
+void drawSpecies(SceneDefinition& scene)
+{
+  const BaseDefinition& base = scene.base;
+  const double largest =
+      std::min({LARGEST_LENGTH, LARGEST_PER_TOOTH * base.tooth_width, FITTING * base.width()});
+  const double smallest = std::min(largest, smallestRadius(base));
+  const double lightest = drawnMagnitude(1e-18, 1e6 / MASS_RATIO);
+  const char* const names[] = {"A", "b-2", "true", "1e3"};
+  scene.species.resize(drawnIndex<std::size_t>(1, 5));
+  for (std::size_t i = 0; i < scene.species.size(); ++i)
+  {
+    SpeciesDefinition& species = scene.species[i];
+    species.name = names[i];
+    species.count = drawnCount(0, static_cast<int>(MOST_DISKS) / static_cast<int>(scene.species.size()));
+    species.share = drawnChance(50) ? drawnNumber(0.0, 1e9) : 1.0;
+    species.radius = drawnMagnitude(smallest, largest);
+    species.mass = drawnMagnitude(lightest, MASS_RATIO * lightest);
+    if (drawnChance(70))
+      species.contact = drawnCoefficients();
+    if (drawnChance(50))
+      species.inertia_factor = drawnMagnitude(1e-6, 1.0);
+  }
+}
+
+void drawPairs(SceneDefinition& scene)
+{
+  for (std::size_t i = 0; i < scene.species.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (drawnChance(30))
+      {
+        PairDefinition pair{i, j, contactBetween(scene, i, j)};
+        const ContactCoefficients drawn = drawnCoefficients();
+        if (drawnChance(60) && scene.contact.min_rebound_speed > 0.0)
+          pair.contact.restitution = drawn.restitution;
+        if (drawnChance(60))
+          pair.contact.friction = drawn.friction;
+        if (drawnChance(60))
+          pair.contact.tangential_restitution = drawn.tangential_restitution;
+        if (drawnChance(50))
+          std::swap(pair.first, pair.second);
+        scene.pairs.push_back(pair);
+      }
+}
+
+/// The sharpest that anything is accelerated against the base [m/s^2].
+double acceleration(const SceneDefinition& scene)
+{
+  const double pulse = 2.0 * PI * scene.base.frequency;
+  return scene.gravity + scene.base.amplitude * pulse * pulse;
+}
+
+/// Nothing moves the disks but what they have, and no contact makes energy. What would come to rest in
+/// endless contacts is kept from it: by restitution, or by contacts that lose nothing where they follow each
+/// other.
+void bringToRest(SceneDefinition& scene)
+{
+  (drawnChance(50) ? scene.base.amplitude : scene.base.frequency) = 0.0;
+  scene.contact.min_rebound_speed = 0.0;
+  if (drawnChance(50))
+    scene.contact.contact_duration = timeScaleOf(scene) * drawnMagnitude(REST_PER_TIME_SCALE, 1.0);
+  const double least = scene.contact.contact_duration > 0.0 ? 0.5 : 1.0;
+  for (SpeciesDefinition& species : scene.species)
+    species.contact.restitution = std::max(least, species.contact.restitution);
+}
+
+void drawContact(SceneDefinition& scene)
+{
+  ContactDefinition& contact = scene.contact;
+  contact.pair_collisions = !drawnChance(30);
+  contact.contact_duration = drawnChance(30) ? drawnNumber(0.0, 1e9) : 0.0;
+  const double least =
+      std::min(LARGEST_SPEED, std::max(1e-9, REST_PER_TIME_SCALE * acceleration(scene) * timeScaleOf(scene)));
+  contact.min_rebound_speed =
+      defaultOr(contact.min_rebound_speed, least, LARGEST_SPEED,
+                [&] { return drawnMagnitude(least, std::min(LARGEST_SPEED, 1e4 * least)); });
+  if (drawnChance(15))
+    bringToRest(scene);
+}
+
+void drawPour(SceneDefinition& scene)
+{
+  const double length = scene.base.tooth_width;
+  const double highest = std::min(LARGEST_LENGTH, DROP_PER_TOOTH * length);
+  scene.pour.drop_height = defaultOr(scene.pour.drop_height, 0.0, highest,
+                                     [&] { return zeroOrMagnitude(1e-3 * length, highest); });
+  scene.pour.speed = drawnChance(50) ? drawnNumber(0.0, LARGEST_SPEED) : 0.0;
+}
+
+/// In the frame of the base, one above the other, so that none overlaps another or the base.
+void drawInitial(SceneDefinition& scene, double speed)
+{
+  const BaseDefinition& base = scene.base;
+  const double cosine = std::cos(base.inclination);
+  const double sine = std::sin(base.inclination);
+  double n = base.tooth_height;
+  scene.initial.resize(drawnIndex<std::size_t>(1, 7));
+  for (InitialDisk& disk : scene.initial)
+  {
+    disk.species = drawnIndex<std::size_t>(0, scene.species.size());
+    const double radius = scene.species[disk.species].radius;
+    const double margin = scene.boundary == Boundary::PERIODIC ? 1e-6 * base.width() : radius;
+    n += radius * (1.001 + zeroOrMagnitude(1e-3, 10.0));
+    const double s = margin + (base.width() - 2.0 * margin) * (0.001 + 0.998 * drawnFraction());
+    disk.x = cosine * s - sine * n;
+    disk.y = sine * s + cosine * n + base.amplitude * std::sin(base.phase);
+    n += radius;
+    disk.vx = drawnSigned(-speed, speed);
+    disk.vy = drawnSigned(-speed, speed);
+    const double spin = std::min(LARGEST_SPIN, SURFACE_PER_SPEED * speed / radius);
+    disk.spin = drawnSigned(-spin, spin);
+  }
+  for (SpeciesDefinition& species : scene.species)
+    species.count = 0;
+}
+
+/// The fall from the pour to the base, and a few teeth at the fastest speed there is.
+void drawDuration(SceneDefinition& scene)
+{
+  const double time_scale = timeScaleOf(scene);
+  const double drop = scene.pour.drop_height;
+  const double impact = std::sqrt(scene.pour.speed * scene.pour.speed + 2.0 * scene.gravity * drop);
+  const double fall = impact > 0.0 && scene.initial.empty() ? 2.0 * drop / (impact + scene.pour.speed) : 0.0;
+  double fastest = std::max({impact, 2.0 * PI * scene.base.frequency * scene.base.amplitude,
+                             scene.contact.min_rebound_speed, scene.base.tooth_width / time_scale});
+  for (const InitialDisk& disk : scene.initial)
+    fastest = std::max(fastest, std::hypot(disk.vx, disk.vy));
+  // A long fall between fast strokes would be nothing but turns of the drive, and one beside walls, rebounds.
+  const double longest =
+      std::min(SCALES_PER_FALL * time_scale,
+               TEETH_PER_FALL * scene.base.tooth_width / std::max(impact, scene.contact.min_rebound_speed));
+  scene.duration = std::min(
+      1e9, std::min(fall, longest) + TEETH_PER_RUN * drawnFraction() * scene.base.tooth_width / fastest);
+  scene.settle = drawnOf({0.0, 0.0, 0.5, 1.0}) * scene.duration;
+  if (scene.duration > 0.0 && drawnChance(20))
+    scene.feed.rate = std::min(1e6, 0.5 * MOST_DISKS * drawnFraction() / scene.duration);
+}
+
+double sumOfShares(const SceneDefinition& scene)
+{
+  return std::accumulate(scene.species.begin(), scene.species.end(), 0.0,
+                         [](double sum, const SpeciesDefinition& species) { return sum + species.share; });
+}
+
+/// Counts out of a density. @return the density @pre a species has a share
+double drawDensity(SceneDefinition& scene)
+{
+  double diameters = 0.0;
+  double largest_share = 0.0;
+  for (const SpeciesDefinition& species : scene.species)
+  {
+    diameters += species.share * 2.0 * species.radius;
+    largest_share = std::max(largest_share, species.share);
+  }
+  const double count = drawnFraction() * MOST_DISKS / static_cast<double>(scene.species.size());
+  const double density = std::min(1e6, count * diameters / (largest_share * scene.base.width()));
+  for (SpeciesDefinition& species : scene.species)
+    species.count = static_cast<int>(std::round(species.share * density * scene.base.width() / diameters));
+  return density;
+}
+
+/// Where the disks come from.
+enum class Placing
+{
+  COUNTS,
+  DENSITY,
+  INITIAL
+};
+
+RandomScene drawnScene(Placing placing)
+{
+  SceneDefinition scene;
+  drawBase(scene);
+  scene.boundary = drawnOf({Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED});
+  scene.gravity = drawnChance(50) ? zeroOrMagnitude(1e-6, 1e4) : scene.gravity;
+  drawSpecies(scene);
+  drawContact(scene);
+  drawPairs(scene);
+  drawPour(scene);
+  if (placing == Placing::INITIAL)
+    drawInitial(scene, std::min(LARGEST_SPEED,
+                                scene.base.tooth_width / timeScaleOf(scene) * drawnMagnitude(1e-3, 1e3)));
+  std::optional<double> density;
+  if (placing == Placing::DENSITY && sumOfShares(scene) > 0.0)
+    density = drawDensity(scene);
+  drawDuration(scene);
+  if (sumOfShares(scene) <= 0.0)
+    scene.feed.rate = 0.0;
+  scene.seed = *rc::gen::arbitrary<std::uint64_t>();
+  return {scene, spelled(scene, density)};
+}
+
+}  // namespace
+
+double timeScaleOf(const SceneDefinition& scene)
+{
+  const double fall = scene.gravity > 0.0 ? std::sqrt(scene.base.tooth_width / scene.gravity) : 1.0;
+  return scene.base.frequency > 0.0 ? std::min(1.0 / scene.base.frequency, fall) : fall;
+}
+
+RandomScene drawnRunnableScene()
+{
+  return drawnScene(drawnOf({Placing::COUNTS, Placing::COUNTS, Placing::DENSITY, Placing::INITIAL}));
+}
+
+RandomScene drawnPlacedScene()
+{
+  return drawnScene(Placing::INITIAL);
+}
+
+}  // namespace ratchet_sieve
