@@ -47,13 +47,30 @@ BasePoint ContactSearch::seenFromBase(const Disk& disk, double time) const
   return toBase(motion_.at(time), now.x, now.y, now.vx, now.vy);
 }
 
+/// The line along which a disk is accelerated as seen from the base; any while the base turns.
+struct ContactSearch::Direction
+{
+  bool any = true;
+  double s = 0.0;
+  double n = 0.0;
+
+  /// How much of it shows along a unit normal.
+  double share(double normal_s, double normal_n) const
+  {
+    return any ? 1.0 : std::abs(s * normal_s + n * normal_n);
+  }
+};
+
 /// One step of the search: the disk as it is, and the shortest time any feature guarantees.
 class ContactSearch::Step
 {
 public:
-  Step(const BasePoint& point, double radius, double acceleration, double span, double resolution)
+  /// @param acceleration bounds the relative one; it points along `forced` or against it
+  Step(const BasePoint& point, double radius, double acceleration, const Direction& forced, double span,
+       double resolution)
       : point(point),
         radius(radius),
+        forced_(forced),
         acceleration_(acceleration),
         resolution_(resolution),
         free_time_(span),
@@ -62,14 +79,27 @@ public:
     updateReach();
   }
 
+  /// How fast the distance to a line with this normal can be accelerated.
+  double accelerationAlong(double normal_s, double normal_n) const
+  {
+    return acceleration_ * forced_.share(normal_s, normal_n);
+  }
+
+  /// A point: the distance to it is accelerated whatever its direction.
+  void meet(const BaseFeature& feature, double gap, double rate)
+  {
+    meet(feature, gap, rate, acceleration_, 0.0, 0.0);
+  }
+
   /// A feature that is met where `gap` is used up while `window` holds (window <= 0). Each of the
   /// two alone keeps the disk free, so the longer guarantee counts.
-  void meet(const BaseFeature& feature, double gap, double rate, double window, double window_rate)
+  void meet(const BaseFeature& feature, double gap, double rate, double acceleration, double window,
+            double window_rate)
   {
     if (gap > reach_ || window > reach_)
       return;
     const bool within = window <= 0.0;
-    double time = guaranteedFreeTime(gap, rate, acceleration_);
+    double time = guaranteedFreeTime(gap, rate, acceleration);
     const bool touches = within && rate < 0.0 && time <= resolution_;
     if (!within)
       time = std::max(time, guaranteedFreeTime(window, window_rate, acceleration_));
@@ -99,6 +129,7 @@ public:
 private:
   void updateReach() { reach_ = (speed_ + 0.5 * acceleration_ * free_time_) * free_time_; }
 
+  Direction forced_;
   double acceleration_;
   double resolution_;
   double free_time_;
@@ -110,6 +141,7 @@ private:
 
 BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, double until) const
 {
+  const Direction forced = forcedDirection();
   double time = nearTime(disk, radius, from);
   for (int i = 0; i < MAX_STEPS; ++i)
   {
@@ -120,7 +152,7 @@ BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, doub
     const double acceleration = relativeAccelerationBound(point, span);
     const double far = MAX_TEETH_PER_STEP * sawtooth_.toothWidth() + radius;
     const double within_far = guaranteedFreeTime(far, -speed(point), acceleration);
-    Step step(point, radius, acceleration, std::min(span, within_far), time_resolution_);
+    Step step(point, radius, acceleration, forced, std::min(span, within_far), time_resolution_);
     lookAtEnds(step);
     lookAtTeeth(step);
     if (step.contact())
@@ -184,28 +216,43 @@ double ContactSearch::relativeAccelerationBound(const BasePoint& point, double s
     bound = (plain + 2.0 * w * speed(point) + w * w * (distance + speed(point) * span)) /
             (1.0 - 2.0 * turn - turn * turn);
   }
-  return std::max(bound, std::numeric_limits<double>::min());
+  return bound;
+}
+
+/// Gravity and the drive are both vertical in the world.
+ContactSearch::Direction ContactSearch::forcedDirection() const
+{
+  if (motion_.turning())
+    return {};
+  const BaseKinematics mount = motion_.at(motion_.segmentStart());
+  return {false, mount.sine, mount.cosine};
 }
 
 void ContactSearch::lookAtEnds(Step& step) const
 {
-  const auto meet = [&](BaseFeatureKind kind, std::int32_t tooth)
+  const auto meet = [&](BaseFeatureKind kind)
   {
-    const BaseFeature feature{kind, tooth};
+    const BaseFeature feature{kind, 0};
     const Approach a = sawtooth_.approach(feature, step.point, step.radius);
-    step.meet(feature, a.gap, a.rate, 0.0, 0.0);
+    step.meet(feature, a.gap, a.rate, step.accelerationAlong(a.normal_s, a.normal_n), 0.0, 0.0);
+  };
+  const auto meet_foot = [&](std::int32_t tooth)
+  {
+    const BaseFeature feature{BaseFeatureKind::END_FOOT, tooth};
+    const Approach a = sawtooth_.approach(feature, step.point, step.radius);
+    step.meet(feature, a.gap, a.rate);
   };
   if (sawtooth_.boundary() == Boundary::WALLED)
   {
-    meet(BaseFeatureKind::LEFT_WALL, 0);
-    meet(BaseFeatureKind::RIGHT_WALL, 0);
+    meet(BaseFeatureKind::LEFT_WALL);
+    meet(BaseFeatureKind::RIGHT_WALL);
   }
   else if (sawtooth_.boundary() == Boundary::OPEN)
   {
-    meet(BaseFeatureKind::LEFT_END, 0);
-    meet(BaseFeatureKind::RIGHT_END, 0);
-    meet(BaseFeatureKind::END_FOOT, 0);
-    meet(BaseFeatureKind::END_FOOT, sawtooth_.teeth());
+    meet(BaseFeatureKind::LEFT_END);
+    meet(BaseFeatureKind::RIGHT_END);
+    meet_foot(0);
+    meet_foot(sawtooth_.teeth());
   }
 }
 
@@ -255,13 +302,14 @@ void ContactSearch::lookAtTooth(std::int32_t tooth, Step& step) const
       window = along - slope.length - slack;
       window_rate = along_rate;
     }
-    step.meet({kind, tooth}, distance - step.radius, rate, window, window_rate);
+    step.meet({kind, tooth}, distance - step.radius, rate,
+              step.accelerationAlong(slope.normal_s, slope.normal_n), window, window_rate);
   };
   meet_slope(sawtooth_.left(), BaseFeatureKind::LEFT_SLOPE);
   meet_slope(sawtooth_.right(), BaseFeatureKind::RIGHT_SLOPE);
   const BaseFeature apex{BaseFeatureKind::APEX, tooth};
   const Approach a = sawtooth_.approach(apex, p, step.radius);
-  step.meet(apex, a.gap, a.rate, 0.0, 0.0);
+  step.meet(apex, a.gap, a.rate);
 }
 
 }  // namespace ratchet_sieve

@@ -9,8 +9,8 @@ namespace ratchet_sieve
 namespace
 {
 /// An epoch is at least this many of the machine's time scales long: rare enough to cost nothing,
-/// short enough that times within it are exact to 2^-45 of one.
-constexpr double SCALES_PER_EPOCH = 64.0;
+/// short enough that times within it are exact to 2^-48 of one.
+constexpr double SCALES_PER_EPOCH = 8.0;
 
 /// The finest step in time that is told from none, in units of a double's resolution at an epoch's end.
 constexpr double RESOLUTION_STEPS = 4.0;
@@ -164,8 +164,16 @@ void Machine::rebase()
 {
   const double length = epoch_.length;
   motion_.rebase(length);
-  for (Disk& disk : disks_)
-    disk.time -= length;
+  for (std::uint32_t id = 0; id < disks_.size(); ++id)
+  {
+    // A state that is older than an epoch is renewed on its flight: over a long one its rounding would grow.
+    if (active(id) && disks_[id].time < 0.0)
+    {
+      tally_.flew(id, disks_[id], length);
+      disks_[id] = flown(disks_[id], length, scene_.gravity);
+    }
+    disks_[id].time -= length;
+  }
   for (double& time : last_contacts_)
     time -= length;
   epoch_.start += length;

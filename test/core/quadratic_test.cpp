@@ -72,6 +72,10 @@ TEST(GuaranteedFreeTime, UsedUpAndClosingIsNow)
   EXPECT_EQ(guaranteedFreeTime(-1e-18, -1.0, 10.0), 0.0);
   EXPECT_EQ(guaranteedFreeTime(0.0, -1.0, 10.0), 0.0);
   EXPECT_DOUBLE_EQ(guaranteedFreeTime(0.0, 1.0, 10.0), 0.2);
+  EXPECT_DOUBLE_EQ(guaranteedFreeTime(3.0, -2.0, 0.0), 1.5);
+  for (const double gap : {-1e-18, 0.0, 1.0})
+    for (const double rate : {0.0, 1.0})
+      EXPECT_EQ(guaranteedFreeTime(gap, rate, 0.0), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

@@ -41,10 +41,12 @@ public:
   BasePoint seenFromBase(const Disk& disk, double time) const;
 
 private:
+  struct Direction;
   class Step;
 
   double nearTime(const Disk& disk, double radius, double from) const;
   double relativeAccelerationBound(const BasePoint& point, double span) const;
+  Direction forcedDirection() const;
   double longestSpan() const;
   void lookAtEnds(Step& step) const;
   void lookAtTeeth(Step& step) const;

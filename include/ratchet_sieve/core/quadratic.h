@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace ratchet_sieve
@@ -32,10 +33,13 @@ inline std::optional<double> firstClosingTime(double gap, double rate, double ac
 }
 
 /// How long a gap stays free for certain, if its second derivative never falls below -bound
-/// (bound > 0): the time at which gap + rate t - bound t^2 / 2 is used up. 0 where the gap is used
-/// up and closes. A used-up gap that opens is free until it can have come back.
+/// (bound >= 0): the time at which gap + rate t - bound t^2 / 2 is used up. 0 where the gap is used
+/// up and closes. A used-up gap that opens is free until it can have come back; infinity where
+/// nothing brings it back.
 inline double guaranteedFreeTime(double gap, double rate, double bound)
 {
+  if (rate >= 0.0 && bound <= 0.0)
+    return std::numeric_limits<double>::infinity();
   const double discriminant = rate * rate + 2.0 * bound * gap;
   if (gap > 0.0)
   {
