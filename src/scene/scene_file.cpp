@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "depth_limiter.h"
+#include "shown_text.h"
 
 namespace ratchet_sieve
 {
@@ -19,9 +20,10 @@ std::string readText(const std::string& path)
   std::ifstream file(path, std::ios::binary);
   if (!file || std::filesystem::is_directory(path))
     throw SceneError(path + ": cannot be read as a scene file");
-  std::string text(LARGEST_TEXT + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
+  std::string text;
+  char part[4096];
+  while (text.size() <= LARGEST_TEXT && (file.read(part, sizeof part), file.gcount() > 0))
+    text.append(part, static_cast<std::size_t>(file.gcount()));
   return text;
 }
 
@@ -31,12 +33,13 @@ YAML::Node parseText(const std::string& text, const std::string& source)
     throw SceneError(source + ": too large; a scene has at most " + std::to_string(LARGEST_TEXT) + " bytes");
   try
   {
-    requireShallow(text);
+    requireShallow(text, Aliases::ALLOWED);
     return YAML::Load(text);
   }
   catch (const YAML::Exception& error)
   {
-    throw SceneError(source + ":" + std::to_string(error.mark.line + 1) + ": not YAML: " + error.msg);
+    throw SceneError(source + ":" + std::to_string(error.mark.line + 1) +
+                     ": not YAML: " + shownText(error.msg));
   }
 }
 
