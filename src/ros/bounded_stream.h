@@ -35,6 +35,14 @@ public:
     ros::serialization::deserialize(*this, array);
   }
 
+  /// ROS steps beyond the end before it looks where that is.
+  std::uint8_t* advance(std::uint32_t length)
+  {
+    if (length > getLength())
+      ros::serialization::throwStreamOverrun();
+    return Stream::advance(length);
+  }
+
 private:
   /// @param element_size the least that an entry of the array that follows takes [bytes]
   void requireRoom(std::uint32_t element_size)

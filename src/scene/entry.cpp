@@ -5,7 +5,7 @@
 
 #include "nearest_word.h"
 #include "ratchet_sieve/scene/scene_file.h"
-#include "shown_text.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {

@@ -4,15 +4,16 @@
 #include <fstream>
 
 #include "depth_limiter.h"
-#include "shown_text.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
 
-/// A scene that places a hundred thousand disks one by one has some ten megabytes.
-constexpr std::size_t LARGEST_TEXT = 64u << 20;  ///< [bytes]
+/// A scene that places a hundred thousand disks one by one has some ten megabytes. yaml-cpp takes up to
+/// 250 times as much memory for its tokens and nodes.
+constexpr std::size_t LARGEST_TEXT = 16u << 20;  ///< [bytes]
 
 /// The file's text, or so much of it that it is seen to be too large.
 std::string readText(const std::string& path)

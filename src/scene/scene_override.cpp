@@ -3,7 +3,7 @@
 
 #include "depth_limiter.h"
 #include "ratchet_sieve/scene/scene_file.h"
-#include "shown_text.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {

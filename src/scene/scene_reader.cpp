@@ -6,9 +6,9 @@
 
 #include "entry.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/scene/shown_text.h"
 #include "scene_rules.h"
 #include "schema.h"
-#include "shown_text.h"
 
 namespace ratchet_sieve
 {

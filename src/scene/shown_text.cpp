@@ -1,4 +1,4 @@
-#include "shown_text.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 #include <algorithm>
 
@@ -7,17 +7,14 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Longer texts are cut [characters].
-constexpr std::size_t LONGEST_SHOWN = 60;
-
 constexpr unsigned char DELETE = 0x7f;
 
 }  // namespace
 
-std::string shownText(std::string text)
+std::string shownText(std::string text, std::size_t longest)
 {
-  if (text.size() > LONGEST_SHOWN)
-    text = text.substr(0, LONGEST_SHOWN) + "...";
+  if (text.size() > longest)
+    text = text.substr(0, longest) + "...";
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == DELETE; }, ' ');
   return text;

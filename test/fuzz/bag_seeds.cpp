@@ -1,13 +1,17 @@
 #include <cstdio>
+#include <fstream>
 #include <string>
+#include <vector>
 
 #include <rosbag/bag.h>
 
+#include "message_kinds.h"
 #include "ratchet_sieve/recording/frame_sampler.h"
 #include "ratchet_sieve/ros/conversions.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
-/// Writes small bags of one run into a directory, one for each way in which rosbag packs.
+/// Writes what the fuzzers of bags and messages begin with: one small run as bags, one for each way in
+/// which rosbag packs, and as the messages alone.
 namespace ratchet_sieve
 {
 namespace
@@ -51,18 +55,56 @@ private:
   rosbag::Bag bag_;
 };
 
-void writeSeed(const std::string& path, rosbag::CompressionType compression)
+/// As message_fuzz takes them.
+class SeedMessages : public FrameSink
+{
+public:
+  explicit SeedMessages(const std::string& path) : file_(path, std::ios::binary) {}
+
+  void take(const SceneFrame& frame) override { write(MessageKind::SCENE, toMessage(frame)); }
+  void take(const ParticleFrame& frame) override { write(MessageKind::PARTICLES, toMessage(frame)); }
+  void take(const BinFrame& frame) override { write(MessageKind::BINS, toMessage(frame)); }
+  void take(const BaseFrame& frame) override { write(MessageKind::BASE, toMessage(frame)); }
+  void take(const StatisticsFrame& frame) override { write(MessageKind::STATISTICS, toMessage(frame)); }
+
+private:
+  template <typename Message>
+  void write(MessageKind kind, const Message& message)
+  {
+    std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+    ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+    ros::serialization::serialize(stream, message);
+    file_.put(static_cast<char>(kind));
+    file_.put(static_cast<char>(bytes.size() % 256)).put(static_cast<char>(bytes.size() / 256));
+    file_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  }
+
+  std::ofstream file_;
+};
+
+void showRun(FrameSink& sink)
 {
   Simulation simulation(sceneFromText(SCENE, "seed").definition);
-  SeedBag bag(path, compression);
   FrameSampler sampler({40.0, 20.0, 20.0, 20.0}, 0.0);
-  sampler.takeDue(simulation, bag);
+  sampler.takeDue(simulation, sink);
   while (simulation.time() < simulation.scene().duration)
   {
     simulation.advanceTo(std::min(sampler.nextTime(), simulation.scene().duration));
-    sampler.takeDue(simulation, bag);
+    sampler.takeDue(simulation, sink);
   }
-  sampler.takeLast(simulation, bag);
+  sampler.takeLast(simulation, sink);
+}
+
+void writeBag(const std::string& path, rosbag::CompressionType compression)
+{
+  SeedBag bag(path, compression);
+  showRun(bag);
+}
+
+void writeMessages(const std::string& path)
+{
+  SeedMessages messages(path);
+  showRun(messages);
 }
 
 }  // namespace
@@ -70,14 +112,20 @@ void writeSeed(const std::string& path, rosbag::CompressionType compression)
 
 int main(int argc, char** argv)
 {
-  if (argc != 2)
+  const std::string what = argc == 3 ? argv[1] : "";
+  const std::string directory = argc == 3 ? argv[2] : "";
+  if (what == "bags")
   {
-    std::fputs("Usage: bag_seeds DIRECTORY\n", stderr);
-    return 2;
+    ratchet_sieve::writeBag(directory + "/none.bag", rosbag::compression::Uncompressed);
+    ratchet_sieve::writeBag(directory + "/bz2.bag", rosbag::compression::BZ2);
+    ratchet_sieve::writeBag(directory + "/lz4.bag", rosbag::compression::LZ4);
+    return 0;
   }
-  const std::string directory = argv[1];
-  ratchet_sieve::writeSeed(directory + "/none.bag", rosbag::compression::Uncompressed);
-  ratchet_sieve::writeSeed(directory + "/bz2.bag", rosbag::compression::BZ2);
-  ratchet_sieve::writeSeed(directory + "/lz4.bag", rosbag::compression::LZ4);
-  return 0;
+  if (what == "messages")
+  {
+    ratchet_sieve::writeMessages(directory + "/run");
+    return 0;
+  }
+  std::fputs("Usage: bag_seeds bags|messages DIRECTORY\n", stderr);
+  return 2;
 }

@@ -193,8 +193,8 @@ TEST(SceneText, OfAliasesThatMultiplyIsRefusedAtOnce)
 
 TEST(SceneText, ThatIsHugeIsRefused)
 {
-  EXPECT_EQ(refusalOf(std::string((64u << 20) + 1, '\n')),
-            "s.yaml: too large; a scene has at most 67108864 bytes");
+  EXPECT_EQ(refusalOf(std::string((16u << 20) + 1, '\n')),
+            "s.yaml: too large; a scene has at most 16777216 bytes");
 }
 
 TEST(SceneFile, ThatCannotBeReadIsRefused)
@@ -221,7 +221,7 @@ TEST(SceneFile, ThatIsEmptyOrEndlessIsRefused)
   }
   catch (const SceneError& error)
   {
-    EXPECT_STREQ(error.what(), "/dev/zero: too large; a scene has at most 67108864 bytes");
+    EXPECT_STREQ(error.what(), "/dev/zero: too large; a scene has at most 16777216 bytes");
   }
 }
 
