@@ -1,5 +1,6 @@
 #include "bag_chunk.h"
 
+#include <memory>
 #include <vector>
 
 #include <bzlib.h>
@@ -16,19 +17,17 @@ constexpr std::size_t INDEX_ENTRY_SIZE = 12;
 constexpr std::uint32_t INDEX_VERSION = 1;
 constexpr std::uint32_t NANOSECONDS = 1'000'000'000;
 
-/// Fills `to` with what is packed in `from`. Returns whether that is sound and fills it exactly.
+/// Unpacks `from` into `to`. Returns whether it is sound and gives `to_size` bytes exactly.
 /// The two libraries read through pointers that are not const.
-bool unpack(std::string_view compression, std::string_view from, std::vector<char>& to)
+bool unpack(std::string_view compression, std::string_view from, char* to, unsigned int to_size)
 {
-  unsigned int size = static_cast<unsigned int>(to.size());
+  unsigned int size = to_size;
   char* source = const_cast<char*>(from.data());
   const auto source_size = static_cast<unsigned int>(from.size());
   if (compression == "lz4")
-    return roslz4_buffToBuffDecompress(source, source_size, to.data(), &size) == ROSLZ4_OK &&
-           size == to.size();
+    return roslz4_buffToBuffDecompress(source, source_size, to, &size) == ROSLZ4_OK && size == to_size;
   if (compression == "bz2")
-    return BZ2_bzBuffToBuffDecompress(to.data(), &size, source, source_size, 0, 0) == BZ_OK &&
-           size == to.size();
+    return BZ2_bzBuffToBuffDecompress(to, &size, source, source_size, 0, 0) == BZ_OK && size == to_size;
   throw DamagedBag("a chunk is packed in an unknown way");
 }
 
@@ -37,7 +36,7 @@ bool unpack(std::string_view compression, std::string_view from, std::vector<cha
 BagChunk::BagChunk(const BagRecord& record)
 {
   record.requireOp(BagOp::CHUNK);
-  const std::size_t size = claimedSize(record);
+  const std::uint32_t size = claimedSize(record);
   const std::string_view compression = record.fields.text("compression");
   if (compression == "none")
   {
@@ -46,10 +45,11 @@ BagChunk::BagChunk(const BagRecord& record)
     readMessages(record.bytes);
     return;
   }
-  std::vector<char> unpacked(size);
-  if (!unpack(compression, record.bytes, unpacked))
+  // Not filled, so that a claim that does not hold costs no memory but what is written.
+  const std::unique_ptr<char[]> unpacked(new char[size]);
+  if (!unpack(compression, record.bytes, unpacked.get(), size))
     throw DamagedBag("a chunk does not unpack");
-  readMessages({unpacked.data(), unpacked.size()});
+  readMessages({unpacked.get(), size});
 }
 
 void BagChunk::readMessages(std::string_view unpacked)

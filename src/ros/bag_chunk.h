@@ -19,7 +19,7 @@ public:
   explicit BagChunk(const BagRecord& record);
 
   /// The size that a chunk claims to unpack to [bytes].
-  static std::size_t claimedSize(const BagRecord& record) { return record.fields.number("size"); }
+  static std::uint32_t claimedSize(const BagRecord& record) { return record.fields.number("size"); }
 
   /// Takes an index record of this chunk.
   /// @throws DamagedBag where it names what is no message of its connection, or one that was named before

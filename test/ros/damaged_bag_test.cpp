@@ -135,6 +135,38 @@ TEST(DamagedBag, WhoseIndexLeadsAstrayIsRefused)
             damage + "an index has a time that is none");
 }
 
+TEST(DamagedBag, WhoseIndexNamesAMessageTwiceIsRefused)
+{
+  const std::string whole = bagBytes(rosbag::compression::LZ4);
+  // The second index record is that of the particles, of which the first chunk has several.
+  const std::size_t record = whole.find("ver=", whole.find("ver=") + 1);
+  const std::size_t first_offset = record + 4 + 4 + 4 + 8;
+  EXPECT_EQ(refusalOf(std::string(whole).replace(first_offset + 12, 4, whole, first_offset, 4)),
+            "cannot be read as a bag: an index does not lead to a message");
+}
+
+template <typename T>
+T valueAt(const std::string& bytes, std::size_t at)
+{
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+TEST(DamagedBag, WhoseIndexLeavesAMessageOutIsRefused)
+{
+  std::string bag = bagBytes(rosbag::compression::LZ4);
+  const auto index_position = valueAt<std::uint64_t>(bag, bag.find("index_pos=") + 10);
+  // The last entry of the last index record goes, and everything that counts it.
+  const std::size_t length = bag.rfind("ver=", index_position) + 8;
+  const std::size_t count = bag.rfind("count=", length) + 6;
+  bag.replace(count, 4, bytesOf(valueAt<std::uint32_t>(bag, count) - 1));
+  bag.replace(length, 4, bytesOf(valueAt<std::uint32_t>(bag, length) - 12));
+  bag.erase(index_position - 12, 12);
+  EXPECT_EQ(refusalOf(withField(bag, "index_pos", bytesOf(index_position - 12))),
+            "cannot be read as a bag: messages are missing from an index");
+}
+
 /// Chunks of nothing, each a few bytes that claim to unpack to a megabyte and do.
 TEST(DamagedBag, ThatUnpacksToFarMoreThanItsSizeIsRefused)
 {
