@@ -21,7 +21,7 @@ constexpr std::string_view VERSION_LINE = "#ROSBAG V2.0\n";
 constexpr std::size_t MOST_RATIO = 255;
 /// ... and this besides, so that a short run of disks at rest is not refused in bz2 [bytes].
 constexpr std::size_t UNPACKED_ANYWAY = std::size_t{16} << 20;
-/// rosbag doubles a buffer of 32-bit size until a chunk fits [bytes].
+/// More than anything writes; rosbag doubles a buffer of 32-bit size until a chunk fits [bytes].
 constexpr std::size_t LARGEST_CHUNK = std::size_t{1} << 30;
 
 constexpr std::uint32_t CHUNK_INFO_VERSION = 1;
