@@ -12,6 +12,10 @@ if(RATCHET_SIEVE_SANITIZE)
   target_compile_options(ratchet_sieve_flags INTERFACE -fsanitize=${RATCHET_SIEVE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(ratchet_sieve_flags INTERFACE -fsanitize=${RATCHET_SIEVE_SANITIZE})
 endif()
+# What a fuzzer sees of the code that it drives.
+if(RATCHET_SIEVE_FUZZ)
+  target_compile_options(ratchet_sieve_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 
 # ratchet_sieve_layer(NAME SOURCES ... LINK ...): the target ratchet_sieve_NAME. It sees its own
 # public headers and those of the layers it links, and no other: each layer's headers are

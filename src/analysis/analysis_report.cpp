@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ratchet_sieve/recording/summary.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
@@ -106,8 +107,9 @@ Json speciesJson(const RunResult& result)
 std::string reportText(const RunResult& result)
 {
   return fmt::format("scene {}, seed {}, version {}: {:.6g} s to {:.6g} s, {} frames of particles\n\n",
-                     result.scene_frame.scene_hash, result.scene_frame.seed, result.scene_frame.version,
-                     result.start, result.end, result.particle_frames) +
+                     shownText(result.scene_frame.scene_hash), result.scene_frame.seed,
+                     shownText(result.scene_frame.version), result.start, result.end,
+                     result.particle_frames) +
          speciesTable(result) + "\n" + segregationText(result) + contactText(result);
 }
 

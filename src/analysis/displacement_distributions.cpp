@@ -13,6 +13,12 @@ namespace
 constexpr double FEWEST_BINS = 10.0;
 constexpr double MOST_BINS = 200.0;
 
+/// Where displacements differ by hardly more than their rounding, bins any finer would have edges that
+/// round to each other: width over displacement, ...
+constexpr double FINEST = 1e-12;
+/// ... and in itself, far below an atom [m].
+constexpr double SMALLEST_WIDTH = 1e-15;
+
 /// The bins that all distributions share.
 struct Bins
 {
@@ -45,9 +51,12 @@ Bins commonBins(double lowest, double highest, std::size_t largest_sample)
       std::clamp(4.0 * std::cbrt(static_cast<double>(largest_sample)), FEWEST_BINS, MOST_BINS);
   const double range = highest - lowest;
   Bins bins;
-  bins.width = roundedUp(range > 0.0 ? range / wanted : std::max(std::abs(highest), 1e-3));
+  const double magnitude = std::max(std::abs(lowest), std::abs(highest));
+  bins.width = roundedUp(range > 0.0 ? std::max({range / wanted, FINEST * magnitude, SMALLEST_WIDTH})
+                                     : std::max(magnitude, 1e-3));
   bins.first_edge = std::floor(lowest / bins.width) * bins.width;
-  bins.count = static_cast<std::size_t>(std::floor((highest - bins.first_edge) / bins.width)) + 1;
+  bins.count =
+      static_cast<std::size_t>(std::max(0.0, std::floor((highest - bins.first_edge) / bins.width))) + 1;
   return bins;
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "frame_rules.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
@@ -65,13 +66,6 @@ struct RunAnalysis::Run
   {
   }
 
-  void requireSpecies(std::size_t count, const char* kind) const
-  {
-    if (count != scene.species.size())
-      throw AnalysisError(fmt::format("a {} frame of {} species does not fit the scene, which has {}", kind,
-                                      count, scene.species.size()));
-  }
-
   SceneFrame scene_frame;
   SceneDefinition scene;
   double start;
@@ -105,10 +99,7 @@ void RunAnalysis::take(const SceneFrame& frame)
 void RunAnalysis::take(const ParticleFrame& frame)
 {
   Run& run = this->run("particle", frame.time);
-  for (const DiskState& disk : frame.disks)
-    if (disk.species >= run.scene.species.size())
-      throw AnalysisError(fmt::format("disk {} at {} s has species {}, and the scene {} of them", disk.id,
-                                      frame.time, disk.species, run.scene.species.size()));
+  requireSound(frame, run.scene);
   ++run.particle_frames;
   run.tracker.take(frame);
   run.distributions.take(frame);
@@ -117,7 +108,7 @@ void RunAnalysis::take(const ParticleFrame& frame)
 void RunAnalysis::take(const BinFrame& frame)
 {
   Run& run = this->run("bin", frame.time);
-  run.requireSpecies(frame.bins.size(), "bin");
+  requireSound(frame, run.scene);
   // Q and P from the counts, not as the frame says: the analysis is to stand on its own.
   BinFrame counted = frame;
   counted.quality = bestQuality(frame.bins);
@@ -129,14 +120,15 @@ void RunAnalysis::take(const BinFrame& frame)
 
 void RunAnalysis::take(const BaseFrame& frame)
 {
-  run("base", frame.time).base.take(frame);
+  Run& run = this->run("base", frame.time);
+  requireSound(frame, run.scene);
+  run.base.take(frame);
 }
 
 void RunAnalysis::take(const StatisticsFrame& frame)
 {
   Run& run = this->run("statistics", frame.time);
-  run.requireSpecies(frame.means.size(), "statistics");
-  run.requireSpecies(frame.granular_temperature.size(), "statistics");
+  requireSound(frame, run.scene);
   run.statistics.take(frame);
   if (frame.time < run.scene.settle)
     return;

@@ -17,6 +17,9 @@ namespace
 
 using namespace ratchet_sieve;
 
+/// What a bag calls its version or scene may be no text at all.
+constexpr auto REPLACE = nlohmann::ordered_json::error_handler_t::replace;
+
 struct Arguments
 {
   std::string bag;
@@ -44,7 +47,7 @@ int analyze(const Arguments& arguments)
   std::fputs(reportText(result).c_str(), stdout);
   if (summary)
   {
-    summary->stream() << reportJson(result).dump(2) << '\n';
+    summary->stream() << reportJson(result).dump(2, ' ', false, REPLACE) << '\n';
     summary->commit();
   }
   if (!arguments.directory.empty())

@@ -8,12 +8,21 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include "bag_structure.h"
+#include "bounded_stream.h"
 #include "ratchet_sieve/ros/conversions.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
+/// What a stamp of ROS can say: 32 bits of seconds [s].
+constexpr double LATEST_TIME = 4294967295.0;
+
+/// Of an error, which may name a topic [characters].
+constexpr std::size_t LONGEST_REASON = 300;
+
 /// One topic's frames, the next one read ahead.
 class Stream
 {
@@ -49,10 +58,18 @@ private:
   {
     if (done())
       return;
-    const typename Message::ConstPtr message = position_->instantiate<Message>();
-    if (!message)
+    if (!position_->isType<Message>())
       throw std::invalid_argument(position_->getTopic() + " is not what its type says");
-    frame_ = toFrame(*message);
+    std::vector<std::uint8_t> bytes(position_->size());
+    if (bytes.empty())
+      throw std::invalid_argument(position_->getTopic() + " has an empty message");
+    ros::serialization::OStream filled(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+    position_->write(filled);
+    Message message;
+    BoundedStream(bytes).next(message);
+    frame_ = toFrame(message);
+    if (!(frame_.time >= 0.0 && frame_.time <= LATEST_TIME))
+      throw std::invalid_argument(position_->getTopic() + " has a message at a time that is none");
   }
 
   rosbag::View view_;
@@ -120,6 +137,7 @@ void readBag(const std::string& path, FrameSink& sink)
 {
   try
   {
+    requireSoundBag(path);
     rosbag::Bag bag;
     bag.open(path, rosbag::bagmode::Read);
     readOpened(bag, sink);
@@ -130,11 +148,11 @@ void readBag(const std::string& path, FrameSink& sink)
   }
   catch (const ros::Exception& error)
   {
-    throw BagError(path + ": cannot be read as a bag: " + error.what());
+    throw BagError(path + ": cannot be read as a bag: " + shownText(error.what(), LONGEST_REASON));
   }
   catch (const std::invalid_argument& error)
   {
-    throw BagError(path + ": " + error.what());
+    throw BagError(path + ": " + shownText(error.what(), LONGEST_REASON));
   }
 }
 

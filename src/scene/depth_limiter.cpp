@@ -13,6 +13,8 @@ namespace
 class DepthLimiter : public YAML::EventHandler
 {
 public:
+  explicit DepthLimiter(Aliases aliases) : aliases_(aliases) {}
+
   void OnDocumentStart(const YAML::Mark& mark) override
   {
     if (++documents_ > 1)
@@ -20,7 +22,11 @@ public:
   }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override
+  {
+    if (aliases_ == Aliases::REFUSED)
+      throw YAML::ParserException(mark, "an alias, which has no place here");
+  }
   void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
   void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
                        YAML::EmitterStyle::value) override
@@ -42,17 +48,18 @@ private:
       throw YAML::ParserException(mark, "lists and maps nest deeper than " + std::to_string(DEEPEST_NESTING));
   }
 
+  Aliases aliases_;
   int depth_ = 0;
   int documents_ = 0;
 };
 
 }  // namespace
 
-void requireShallow(const std::string& text)
+void requireShallow(const std::string& text, Aliases aliases)
 {
   std::istringstream stream(text);
   YAML::Parser parser(stream);
-  DepthLimiter limiter;
+  DepthLimiter limiter(aliases);
   while (parser.HandleNextDocument(limiter))
   {
   }

@@ -5,14 +5,12 @@
 
 #include "nearest_word.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-
-/// Longer values are cut in errors, which have one line. [characters]
-constexpr std::size_t LONGEST_VALUE = 60;
 
 std::string valueText(const YAML::Node& node)
 {
@@ -22,11 +20,7 @@ std::string valueText(const YAML::Node& node)
     return "a list";
   if (!node.IsScalar())
     return "nothing";
-  std::string text = node.Scalar();
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
-  if (text.size() > LONGEST_VALUE)
-    text = text.substr(0, LONGEST_VALUE) + "...";
+  const std::string text = shownText(node.Scalar());
   return node.Tag() == "!" ? '"' + text + '"' : text;
 }
 
@@ -126,14 +120,19 @@ std::string Entry::place() const
   return text + ": ";
 }
 
+std::string Entry::shownKey() const
+{
+  return key_.empty() ? "scene" : shownText(key_);
+}
+
 void Entry::refuseValue(const std::string& allowed) const
 {
-  throw SceneError(place() + (key_.empty() ? "scene" : key_) + " = " + valueText(node_) + ": " + allowed);
+  throw SceneError(place() + shownKey() + " = " + valueText(node_) + ": " + allowed);
 }
 
 void Entry::refuse(const std::string& reason) const
 {
-  throw SceneError(place() + (key_.empty() ? "scene" : key_) + ": " + reason);
+  throw SceneError(place() + shownKey() + ": " + reason);
 }
 
 }  // namespace ratchet_sieve

@@ -48,6 +48,7 @@ public:
 private:
   Entry child(const YAML::Node& node, const std::string& name) const;
   std::string place() const;
+  std::string shownKey() const;
 
   YAML::Node node_;
   std::string source_;

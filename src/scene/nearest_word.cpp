@@ -35,11 +35,16 @@ std::optional<std::string> nearestWord(const std::string& word, const std::set<s
   std::optional<std::string> nearest;
   std::size_t least = word.size() / 2 + 1;
   for (const std::string& candidate : known)
-    if (const std::size_t distance = editDistance(word, candidate); distance < least)
-    {
-      least = distance;
-      nearest = candidate;
-    }
+  {
+    // So many letters have to be left out at least; a word may be megabytes long.
+    if (word.size() >= candidate.size() + least)
+      continue;
+    const std::size_t distance = editDistance(word, candidate);
+    if (distance >= least)
+      continue;
+    least = distance;
+    nearest = candidate;
+  }
   return nearest;
 }
 

@@ -4,14 +4,16 @@
 #include <fstream>
 
 #include "depth_limiter.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
 
-/// A scene that places a hundred thousand disks one by one has some ten megabytes.
-constexpr std::size_t LARGEST_TEXT = 64u << 20;  ///< [bytes]
+/// A scene that places a hundred thousand disks one by one has some ten megabytes. yaml-cpp takes up to
+/// 250 times as much memory for its tokens and nodes.
+constexpr std::size_t LARGEST_TEXT = 16u << 20;  ///< [bytes]
 
 /// The file's text, or so much of it that it is seen to be too large.
 std::string readText(const std::string& path)
@@ -19,9 +21,10 @@ std::string readText(const std::string& path)
   std::ifstream file(path, std::ios::binary);
   if (!file || std::filesystem::is_directory(path))
     throw SceneError(path + ": cannot be read as a scene file");
-  std::string text(LARGEST_TEXT + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
+  std::string text;
+  char part[4096];
+  while (text.size() <= LARGEST_TEXT && (file.read(part, sizeof part), file.gcount() > 0))
+    text.append(part, static_cast<std::size_t>(file.gcount()));
   return text;
 }
 
@@ -31,12 +34,13 @@ YAML::Node parseText(const std::string& text, const std::string& source)
     throw SceneError(source + ": too large; a scene has at most " + std::to_string(LARGEST_TEXT) + " bytes");
   try
   {
-    requireShallow(text);
+    requireShallow(text, Aliases::ALLOWED);
     return YAML::Load(text);
   }
   catch (const YAML::Exception& error)
   {
-    throw SceneError(source + ":" + std::to_string(error.mark.line + 1) + ": not YAML: " + error.msg);
+    throw SceneError(source + ":" + std::to_string(error.mark.line + 1) +
+                     ": not YAML: " + shownText(error.msg));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "depth_limiter.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
@@ -11,7 +12,7 @@ namespace
 
 [[noreturn]] void refuse(const std::string& assignment, const std::string& reason)
 {
-  throw SceneError("override " + assignment + ": " + reason);
+  throw SceneError("override " + shownText(assignment) + ": " + reason);
 }
 
 std::vector<std::string> splitPath(const std::string& path, const std::string& assignment)
@@ -50,12 +51,12 @@ YAML::Node parseValue(const std::string& text, const std::string& assignment)
 {
   try
   {
-    requireShallow(text);
+    requireShallow(text, Aliases::REFUSED);
     return withoutMarks(YAML::Load(text));
   }
   catch (const YAML::Exception& error)
   {
-    refuse(assignment, "the value is not YAML: " + error.msg);
+    refuse(assignment, "the value is not YAML: " + shownText(error.msg));
   }
 }
 
@@ -65,12 +66,13 @@ YAML::Node childOf(YAML::Node parent, const std::string& name, const std::string
                    const std::string& assignment)
 {
   if (parent.IsScalar())
-    refuse(assignment, name + " is a single value and has no key " + part);
+    refuse(assignment, shownText(name) + " is a single value and has no key " + shownText(part));
   if (!parent.IsSequence())
     return parent[part];
   const bool digits = part.size() <= 9 && part.find_first_not_of("0123456789") == std::string::npos;
   if (!digits || std::stoul(part) >= parent.size())
-    refuse(assignment, part + " is no index of " + name + ", a list of " + std::to_string(parent.size()));
+    refuse(assignment, shownText(part) + " is no index of " + shownText(name) + ", a list of " +
+                           std::to_string(parent.size()));
   return parent[std::stoul(part)];
 }
 

@@ -6,6 +6,7 @@
 
 #include "entry.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/scene/shown_text.h"
 #include "scene_rules.h"
 #include "schema.h"
 
@@ -41,7 +42,10 @@ SpeciesDefinition readSpecies(const Entry& entry, bool count_required)
 SpeciesIndex readAllSpecies(const Entry& root, bool count_required, SceneDefinition& scene)
 {
   SpeciesIndex index;
-  for (const Entry& entry : root.at("species").list())
+  const std::vector<Entry> entries = root.at("species").list();
+  if (entries.size() > MOST_SPECIES)
+    root.at("species").refuse("must have at most " + std::to_string(MOST_SPECIES) + " species");
+  for (const Entry& entry : entries)
   {
     scene.species.push_back(readSpecies(entry, count_required));
     if (!index.emplace(scene.species.back().name, index.size()).second)
@@ -149,7 +153,7 @@ Scene sceneFromYaml(const YAML::Node& node, const std::string& source)
   }
   catch (const YAML::Exception& error)
   {
-    throw SceneError(source + ": not a scene: " + error.msg);
+    throw SceneError(source + ": not a scene: " + shownText(error.msg));
   }
 }
 

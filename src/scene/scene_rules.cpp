@@ -59,6 +59,15 @@ void feedHasSpecies(const Entry& root, const SceneDefinition& scene)
     root.at("feed").at("rate").refuseValue("needs a species with a share above 0");
 }
 
+void disksCountable(const Entry& root, const SceneDefinition& scene)
+{
+  std::size_t disks = scene.initial.size();
+  for (const SpeciesDefinition& species : scene.species)
+    disks += static_cast<std::size_t>(species.count);
+  if (disks > MOST_DISKS)
+    root.at("species").refuse("must have at most " + std::to_string(MOST_DISKS) + " disks, all together");
+}
+
 /// A disk wider than a periodic machine would meet itself; one wider than a machine with ends has
 /// no place to be poured.
 void disksFitMachine(const Entry& root, const SceneDefinition& scene)
@@ -105,6 +114,7 @@ void checkRules(const Entry& root, const SceneDefinition& scene)
 {
   settleWithinDuration(root, scene);
   feedHasSpecies(root, scene);
+  disksCountable(root, scene);
   disksFitMachine(root, scene);
 }
 

@@ -47,6 +47,9 @@ Range densityRange();
 /// Most disks that a scene may have.
 constexpr int MOST_DISKS = 10'000'000;
 
+/// Most species that a scene may have: tables of their pairs grow with the square.
+constexpr std::size_t MOST_SPECIES = 256;
+
 /// The names of the keys, after those given.
 template <typename Part>
 std::set<std::string> namesOf(const Keys<Part>& keys, std::set<std::string> names = {})

@@ -1,6 +1,7 @@
 #include "ratchet_sieve/analysis/displacement_distributions.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -42,6 +43,22 @@ TEST(DisplacementDistributions, TakeOneFrameForTimesThatWerePassedOver)
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].time, 2.5);
   EXPECT_EQ(all[1].time, 3.5);
+}
+
+TEST(DisplacementDistributions, HaveFewBinsHoweverNearOrFarTheDisplacements)
+{
+  for (const auto& [low, high] :
+       {std::pair(-1e15, 1e15), std::pair(1e15, 1e15 + 0.125), std::pair(0.0, 5e-324),
+        std::pair(-5e-324, 5e-324), std::pair(0.1, std::nextafter(0.1, 1.0))})
+  {
+    DisplacementDistributions distributions(1, {0.0});
+    distributions.take(particlesAt(0.0, {diskAt(0, 0, low), diskAt(1, 0, high)}));
+    const Distributions all = distributions.distributions();
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_EQ(all[0].total(), 2u);
+    EXPECT_LE(all[0].counts.size(), 202u);
+    EXPECT_GT(all[0].bin_width, 0.0);
+  }
 }
 
 TEST(DisplacementDistributions, PutEachDiskIntoItsBin)

@@ -152,6 +152,30 @@ TEST(RunAnalysis, RefusesFramesThatDoNotFitTogether)
             "a statistics frame of 1 species does not fit the scene, which has 2");
 }
 
+TEST(RunAnalysis, RefusesNumbersThatNoRunHas)
+{
+  RunAnalysis analysis;
+  analysis.take(sceneFrame(smallRing()));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double displacement : {nan, 1e300, -std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(analysis.take(particlesAt(0.5, {diskAt(0, 0, displacement)})), AnalysisError)
+        << displacement;
+  BinFrame bins;
+  bins.bins.resize(2);
+  bins.bins[1].left = std::uint64_t{1} << 63;
+  EXPECT_THROW(analysis.take(bins), AnalysisError);
+  BaseFrame base;
+  base.base.frequency = nan;
+  EXPECT_THROW(analysis.take(base), AnalysisError);
+  StatisticsFrame statistics;
+  statistics.means.resize(2);
+  statistics.granular_temperature = {0.0, nan};
+  EXPECT_THROW(analysis.take(statistics), AnalysisError);
+  statistics.granular_temperature = {0.0, 0.0};
+  statistics.means[0].mean_vx = nan;
+  EXPECT_THROW(analysis.take(statistics), AnalysisError);
+}
+
 TEST(RunAnalysis, RefusesASceneThatIsNone)
 {
   RunAnalysis analysis;

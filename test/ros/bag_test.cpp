@@ -163,7 +163,7 @@ TEST(Bag, refusesWhatIsNoBagOfARun)
 {
   const ScratchDirectory scratch;
   const std::string missing = scratch / "missing.bag";
-  EXPECT_EQ(refusalOf(missing), missing + ": cannot be read as a bag: Error opening file: " + missing);
+  EXPECT_EQ(refusalOf(missing), missing + ": cannot be read as a bag: No such file or directory");
 
   const std::string text = scratch / "text.bag";
   std::ofstream(text) << "no bag\nat all\n";

@@ -117,5 +117,25 @@ TEST(SceneOverride, WhoseValueIsNoYamlIsRefused)
             "override species=[{: the value is not YAML: end of map flow not found");
 }
 
+TEST(SceneOverride, ThatHoldsItselfOrMultipliesIsRefused)
+{
+  const std::string alias = "the value is not YAML: an alias, which has no place here";
+  EXPECT_EQ(refusalOfOverride("base=&a [*a]"), "override base=&a [*a]: " + alias);
+  std::string bomb = "base=[&a0 [1, 1]";
+  for (int i = 1; i < 40; ++i)
+  {
+    const std::string last = std::to_string(i - 1);
+    bomb += ", &a" + std::to_string(i) + " [*a" + last + ", *a" + last + "]";
+  }
+  EXPECT_EQ(refusalOfOverride(bomb + "]"), "override " + bomb.substr(0, 60) + "...: " + alias);
+}
+
+TEST(SceneOverride, IsShownInOneLine)
+{
+  EXPECT_EQ(refusalOfOverride("a\nb"), "override a b: must be KEY=VALUE, such as base.inclination=0.105");
+  EXPECT_EQ(refusalOfOverride("seed.a\nb=1"),
+            "override seed.a b=1: seed is a single value and has no key a b");
+}
+
 }  // namespace
 }  // namespace ratchet_sieve

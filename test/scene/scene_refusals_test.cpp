@@ -193,8 +193,8 @@ TEST(SceneText, OfAliasesThatMultiplyIsRefusedAtOnce)
 
 TEST(SceneText, ThatIsHugeIsRefused)
 {
-  EXPECT_EQ(refusalOf(std::string((64u << 20) + 1, '\n')),
-            "s.yaml: too large; a scene has at most 67108864 bytes");
+  EXPECT_EQ(refusalOf(std::string((16u << 20) + 1, '\n')),
+            "s.yaml: too large; a scene has at most 16777216 bytes");
 }
 
 TEST(SceneFile, ThatCannotBeReadIsRefused)
@@ -221,8 +221,31 @@ TEST(SceneFile, ThatIsEmptyOrEndlessIsRefused)
   }
   catch (const SceneError& error)
   {
-    EXPECT_STREQ(error.what(), "/dev/zero: too large; a scene has at most 67108864 bytes");
+    EXPECT_STREQ(error.what(), "/dev/zero: too large; a scene has at most 16777216 bytes");
   }
+}
+
+TEST(SceneText, IsShownInOneLineAndCut)
+{
+  EXPECT_EQ(refusalOf(goodSceneWith("seed:", "\"se\\ned\\x7f\":")),
+            "s.yaml:11: se ed : unknown key; did you mean seed?");
+  const std::string refusal = refusalOf(goodSceneWith("seed:", std::string(1000, 'x') + ":"));
+  EXPECT_EQ(refusal.rfind("s.yaml:11: " + std::string(60, 'x') + "...: unknown key; known are ", 0), 0u)
+      << refusal;
+}
+
+TEST(SceneRules, SpeciesAndDisksHaveALimit)
+{
+  std::string species = "species:\n";
+  for (int i = 0; i < 256; ++i)
+    species += "  - {name: S" + std::to_string(i) + ", count: 39062, radius: 0.001, mass: 1}\n";
+  EXPECT_EQ(refusalOf(species), "");
+  EXPECT_EQ(refusalOf(species + "  - {name: X, count: 1, radius: 0.001, mass: 1}\n"),
+            "s.yaml:2: species: must have at most 256 species");
+  EXPECT_EQ(refusalOf("species:\n"
+                      "  - {name: A, count: 10000000, radius: 0.001, mass: 1}\n"
+                      "  - {name: B, count: 1, radius: 0.001, mass: 1}\n"),
+            "s.yaml:2: species: must have at most 10000000 disks, all together");
 }
 
 TEST(SceneRules, AFeedNeedsASpeciesToDrawFrom)

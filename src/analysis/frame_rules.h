@@ -1,0 +1,17 @@
+#pragma once
+
+#include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/recording/frames.h"
+
+/// What a frame has to be for an analysis to take it: a bag may hold anything.
+namespace ratchet_sieve
+{
+
+/// All throw AnalysisError: a number that is not finite, a count or a place beyond any machine, or species
+/// that are not the scene's.
+void requireSound(const ParticleFrame& frame, const SceneDefinition& scene);
+void requireSound(const BinFrame& frame, const SceneDefinition& scene);
+void requireSound(const BaseFrame& frame, const SceneDefinition& scene);
+void requireSound(const StatisticsFrame& frame, const SceneDefinition& scene);
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ratchet_sieve
+{
+
+/// A file's bytes to be read in place, however many they are.
+class MappedFile
+{
+public:
+  /// @throws BagError where there is no such file, or it cannot be read
+  explicit MappedFile(const std::string& path);
+  ~MappedFile();
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+
+  std::string_view bytes() const { return bytes_; }
+
+private:
+  std::string_view bytes_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+namespace ratchet_sieve
+{
+
+/// What stands before each message in an input of message_fuzz.
+enum class MessageKind : std::uint8_t
+{
+  SCENE,
+  PARTICLES,
+  BINS,
+  BASE,
+  STATISTICS
+};
+
+constexpr int MESSAGE_KINDS = 5;
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "findings.h"
+#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/scene/scene_file.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// A legal scene is written out so that it reads back the same.
+void requireCanonical(const SceneDefinition& scene)
+{
+  const std::string yaml = canonicalYaml(scene);
+  try
+  {
+    const SceneDefinition again = sceneFromText(yaml, "canonical").definition;
+    if (canonicalYaml(again) != yaml || sceneHash(again) != sceneHash(scene))
+      finding("reads back as another scene", yaml);
+  }
+  catch (const SceneError& error)
+  {
+    finding(error.what(), yaml);
+  }
+}
+
+/// Whether a moment of the run costs little: few disks, and no motion that takes a step a nanometre.
+bool isTame(const SceneDefinition& scene)
+{
+  std::size_t disks = scene.initial.size();
+  for (const SpeciesDefinition& species : scene.species)
+  {
+    if (species.radius < 1e-4 || species.radius > 1.0 || species.count > 10)
+      return false;
+    disks += static_cast<std::size_t>(species.count);
+  }
+  const auto slow = [](const InitialDisk& disk) {
+    return std::max({disk.vx, -disk.vx, disk.vy, -disk.vy, disk.spin, -disk.spin}) < 100.0;
+  };
+  return disks <= 20 && std::all_of(scene.initial.begin(), scene.initial.end(), slow) &&
+         scene.base.teeth <= 100 && scene.base.tooth_width >= 1e-3 && scene.base.amplitude <= 0.1 &&
+         scene.base.frequency <= 100.0 && scene.pour.speed <= 10.0 && scene.feed.rate <= 100.0 &&
+         scene.gravity <= 100.0;
+}
+
+void runBriefly(const SceneDefinition& scene)
+{
+  constexpr double MOMENT = 0.02;  // [s]; a few contacts
+  try
+  {
+    Simulation simulation(scene);
+    simulation.advanceTo(std::min(MOMENT, scene.duration));
+    simulation.disks();
+    simulation.means();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    requireOneLine(error.what());
+  }
+  catch (const StallError& error)
+  {
+    requireOneLine(error.what());
+  }
+}
+
+void readScene(const std::string& text)
+{
+  try
+  {
+    const Scene scene = sceneFromText(text, "scene.yaml");
+    for (const std::string& warning : scene.warnings)
+      requireOneLine(warning);
+    requireCanonical(scene.definition);
+    if (isTame(scene.definition))
+      runBriefly(scene.definition);
+  }
+  catch (const SceneError& error)
+  {
+    requireOneLine(error.what());
+  }
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
+
+/// The text of a scene file.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
+{
+  ratchet_sieve::readScene(std::string(bytes, bytes + size));
+  return 0;
+}

@@ -1,0 +1,212 @@
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <rosbag/bag.h>
+
+#include "collecting_sink.h"
+#include "ratchet_sieve/recording/frame_sampler.h"
+#include "ratchet_sieve/ros/bag_reader.h"
+#include "ratchet_sieve/ros/conversions.h"
+#include "small_scenes.h"
+
+/// Bags whose bytes were changed by hand: each is refused with one line, whatever it claims of itself.
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// The bytes of a bag of one scene and some particles, in two chunks.
+std::string bagBytes(rosbag::CompressionType compression)
+{
+  const ScratchDirectory scratch;
+  const Simulation simulation(smallMixture());
+  {
+    rosbag::Bag bag(scratch / "run.bag", rosbag::bagmode::Write);
+    bag.setCompression(compression);
+    bag.setChunkThreshold(5000);
+    bag.write("/sieve/scene", ros::Time(1.0), toMessage(makeSceneFrame(simulation)));
+    for (int k = 0; k < 5; ++k)
+      bag.write("/sieve/particles", ros::Time(1.0 + k), toMessage(makeParticleFrame(simulation)));
+  }
+  return contents(scratch / "run.bag");
+}
+
+/// Empty where the bytes are read as a run.
+std::string refusalOf(const std::string& bytes)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "b";
+  std::ofstream(path, std::ios::binary) << bytes;
+  CollectingSink sink;
+  try
+  {
+    readBag(path, sink);
+  }
+  catch (const BagError& error)
+  {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    return std::string(error.what()).substr(path.size() + 2);
+  }
+  return "";
+}
+
+template <typename T>
+std::string bytesOf(T value)
+{
+  return {reinterpret_cast<const char*>(&value), sizeof value};
+}
+
+/// The bag with the value of a field written over; the first of that name, or the last.
+std::string withField(std::string bag, const std::string& name, const std::string& value, bool last = false)
+{
+  const std::size_t at = last ? bag.rfind(name + "=") : bag.find(name + "=");
+  return bag.replace(at + name.size() + 1, value.size(), value);
+}
+
+constexpr std::uint32_t HUGE_NUMBER = 0xfffffff0;
+
+TEST(DamagedBag, IsReadAsLongAsItIsNone)
+{
+  for (const auto compression :
+       {rosbag::compression::Uncompressed, rosbag::compression::BZ2, rosbag::compression::LZ4})
+    EXPECT_EQ(refusalOf(bagBytes(compression)), "");
+}
+
+TEST(DamagedBag, ThatBeginsAsAnotherFileIsRefused)
+{
+  const std::string whole = bagBytes(rosbag::compression::LZ4);
+  const std::string none = "cannot be read as a bag: it does not begin as a bag of format 2.0";
+  EXPECT_EQ(refusalOf(""), none);
+  EXPECT_EQ(refusalOf("#ROSBAG V1.2\n" + whole.substr(13)), none);
+  EXPECT_EQ(refusalOf("#ROS" + std::string(1000, 'x') + " V2.0\n"), none);
+}
+
+TEST(DamagedBag, WhoseHeaderPointsNowhereIsRefused)
+{
+  const std::string whole = bagBytes(rosbag::compression::LZ4);
+  const std::string unclosed = "was not closed, or is damaged: try `rosbag reindex`";
+  EXPECT_EQ(refusalOf(withField(whole, "index_pos", bytesOf<std::uint64_t>(0))), unclosed);
+  EXPECT_EQ(refusalOf(withField(whole, "index_pos", bytesOf<std::uint64_t>(whole.size() + 1))), unclosed);
+  EXPECT_NE(refusalOf(withField(whole, "index_pos", bytesOf<std::uint64_t>(5000))), "");
+  EXPECT_NE(refusalOf(withField(whole, "chunk_count", bytesOf(HUGE_NUMBER))), "");
+  EXPECT_NE(refusalOf(withField(whole, "chunk_count", bytesOf(1u))), "");
+  EXPECT_NE(refusalOf(withField(whole, "conn_count", bytesOf(HUGE_NUMBER))), "");
+  EXPECT_NE(refusalOf(withField(whole, "conn_count", bytesOf(1u))), "");
+  EXPECT_NE(refusalOf(whole + "more"), "");
+}
+
+TEST(DamagedBag, WhoseChunkIsNotWhatItSaysIsRefused)
+{
+  const std::string damage = "cannot be read as a bag: ";
+  for (const auto compression : {rosbag::compression::BZ2, rosbag::compression::LZ4})
+  {
+    const std::string whole = bagBytes(compression);
+    EXPECT_EQ(refusalOf(withField(whole, "size", bytesOf(HUGE_NUMBER))),
+              damage + "it claims to unpack to far more than its size");
+    EXPECT_EQ(refusalOf(withField(whole, "size", bytesOf(1u << 20))), damage + "a chunk does not unpack");
+    EXPECT_EQ(refusalOf(withField(whole, "size", bytesOf(100u))), damage + "a chunk does not unpack");
+    EXPECT_EQ(refusalOf(withField(whole, "compression", "xyz")),
+              damage + "a chunk is packed in an unknown way");
+  }
+  EXPECT_EQ(refusalOf(withField(bagBytes(rosbag::compression::Uncompressed), "size", bytesOf(HUGE_NUMBER))),
+            damage + "it claims to unpack to far more than its size");
+  EXPECT_EQ(refusalOf(withField(bagBytes(rosbag::compression::Uncompressed), "size", bytesOf(100u))),
+            damage + "a chunk has another size than it says");
+}
+
+TEST(DamagedBag, WhoseIndexLeadsAstrayIsRefused)
+{
+  const std::string whole = bagBytes(rosbag::compression::LZ4);
+  const std::string damage = "cannot be read as a bag: ";
+  EXPECT_EQ(refusalOf(withField(whole, "ver", bytesOf(7u))), damage + "an index is of an unknown version");
+  EXPECT_EQ(refusalOf(withField(whole, "chunk_pos", bytesOf<std::uint64_t>(1), true)),
+            damage + "what it says of a chunk does not fit it");
+  // An index record: its header's last field, the data's length, and then seconds, nanoseconds, offset.
+  const std::size_t entry = whole.find("ver=") + 4 + 4 + 4;
+  for (const std::uint32_t offset : {1u, HUGE_NUMBER})
+    EXPECT_EQ(refusalOf(std::string(whole).replace(entry + 8, 4, bytesOf(offset))),
+              damage + "an index does not lead to a message");
+  EXPECT_EQ(refusalOf(std::string(whole).replace(entry + 4, 4, bytesOf(HUGE_NUMBER))),
+            damage + "an index has a time that is none");
+  EXPECT_EQ(refusalOf(std::string(whole).replace(entry, 8, 8, '\0')),
+            damage + "an index has a time that is none");
+}
+
+TEST(DamagedBag, WhoseIndexNamesAMessageTwiceIsRefused)
+{
+  const std::string whole = bagBytes(rosbag::compression::LZ4);
+  // The second index record is that of the particles, of which the first chunk has several.
+  const std::size_t record = whole.find("ver=", whole.find("ver=") + 1);
+  const std::size_t first_offset = record + 4 + 4 + 4 + 8;
+  EXPECT_EQ(refusalOf(std::string(whole).replace(first_offset + 12, 4, whole, first_offset, 4)),
+            "cannot be read as a bag: an index does not lead to a message");
+}
+
+template <typename T>
+T valueAt(const std::string& bytes, std::size_t at)
+{
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+TEST(DamagedBag, WhoseIndexLeavesAMessageOutIsRefused)
+{
+  std::string bag = bagBytes(rosbag::compression::LZ4);
+  const auto index_position = valueAt<std::uint64_t>(bag, bag.find("index_pos=") + 10);
+  // The last entry of the last index record goes, and everything that counts it.
+  const std::size_t length = bag.rfind("ver=", index_position) + 8;
+  const std::size_t count = bag.rfind("count=", length) + 6;
+  bag.replace(count, 4, bytesOf(valueAt<std::uint32_t>(bag, count) - 1));
+  bag.replace(length, 4, bytesOf(valueAt<std::uint32_t>(bag, length) - 12));
+  bag.erase(index_position - 12, 12);
+  EXPECT_EQ(refusalOf(withField(bag, "index_pos", bytesOf(index_position - 12))),
+            "cannot be read as a bag: messages are missing from an index");
+}
+
+/// Chunks of nothing, each a few bytes that claim to unpack to a megabyte and do.
+TEST(DamagedBag, ThatUnpacksToFarMoreThanItsSizeIsRefused)
+{
+  const ScratchDirectory scratch;
+  {
+    rosbag::Bag bag(scratch / "bomb.bag", rosbag::bagmode::Write);
+    bag.setCompression(rosbag::compression::BZ2);
+    SceneFrame scene;
+    scene.yaml.assign(1 << 20, ' ');
+    for (int k = 0; k < 40; ++k)
+      bag.write("/sieve/scene", ros::Time(1.0), toMessage(scene));
+  }
+  const std::string bytes = contents(scratch / "bomb.bag");
+  EXPECT_LT(bytes.size(), 50'000u);
+  EXPECT_EQ(refusalOf(bytes), "cannot be read as a bag: it claims to unpack to far more than its size");
+}
+
+TEST(DamagedBag, WithAFrameAtNoTimeIsRefused)
+{
+  for (const double time : {-1.0, 1e10, std::numeric_limits<double>::quiet_NaN()})
+  {
+    SceneDescription scene;
+    scene.time = time;
+    const ScratchDirectory scratch;
+    rosbag::Bag bag(scratch / "b", rosbag::bagmode::Write);
+    bag.write("/sieve/scene", ros::Time(1.0), scene);
+    bag.close();
+    EXPECT_EQ(refusalOf(contents(scratch / "b")), "/sieve/scene has a message at a time that is none");
+  }
+}
+
+RC_GTEST_PROP(DamagedBag, IsReadOrRefusedWhereverItsBytesAreChanged, ())
+{
+  static const std::string BAGS[] = {bagBytes(rosbag::compression::Uncompressed),
+                                     bagBytes(rosbag::compression::BZ2), bagBytes(rosbag::compression::LZ4)};
+  std::string bag = BAGS[*rc::gen::inRange(0, 3)];
+  const auto at = static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(bag.size()) - 4));
+  bag.replace(at, 4, bytesOf(*rc::gen::element(0u, 1u, 0x20000001u, 0x7fffffffu, 0x80000000u, HUGE_NUMBER)));
+  refusalOf(bag);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
