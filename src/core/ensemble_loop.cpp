@@ -59,10 +59,9 @@ private:
         return;
       ++events_;
       if (next.feature)
-      {
         machine_.meetBase(id, *next.feature, now);
-        machine_.bringHome(id, machine_.search().seenFromBase(machine_.disk(id), now).s, now);
-      }
+      // Also where a long flight comes down, far from home: the next contact is found on a finer place.
+      machine_.bringHome(id, machine_.search().seenFromBase(machine_.disk(id), now).s, now);
       next = search(id, now);
     }
   }

@@ -4,34 +4,17 @@
 #include <cmath>
 #include <limits>
 
+#include "ratchet_sieve/core/resolution.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
-/// An epoch is at least this many of the machine's time scales long: rare enough to cost nothing,
-/// short enough that times within it are exact to 2^-48 of one.
-constexpr double SCALES_PER_EPOCH = 8.0;
-
-/// The finest step in time that is told from none, in units of a double's resolution at an epoch's end.
-constexpr double RESOLUTION_STEPS = 4.0;
-
-/// See Machine::timeScale().
-double timeScale(const SceneDefinition& scene)
-{
-  const double fall = scene.gravity > 0.0 ? std::sqrt(scene.base.tooth_width / scene.gravity) : 1.0;
-  return scene.base.frequency > 0.0 ? std::min(1.0 / scene.base.frequency, fall) : fall;
-}
-
 /// Of a fall over a tooth, or where nothing falls, over a tooth within the time scale [m/s].
 double speedScale(const SceneDefinition& scene, double time_scale)
 {
   const double width = scene.base.tooth_width;
   return scene.gravity > 0.0 ? std::sqrt(scene.gravity * width) : width / time_scale;
-}
-
-double epochLength(double time_scale)
-{
-  return std::exp2(std::ceil(std::log2(SCALES_PER_EPOCH * time_scale)));
 }
 
 double largestDiameter(const SceneDefinition& scene)
@@ -57,8 +40,7 @@ Machine::Machine(const SceneDefinition& scene)
       time_scale_(ratchet_sieve::timeScale(scene)),
       epoch_{0.0, epochLength(time_scale_)},
       motion_(scene.base, maxTurn(scene, largest_diameter_)),
-      search_(sawtooth_, motion_, scene.gravity,
-              RESOLUTION_STEPS * std::numeric_limits<double>::epsilon() * epoch_.length),
+      search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length)),
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_)),
       bins_(scene.species.size()),
       tally_(scene.species, scene.gravity)

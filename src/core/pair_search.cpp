@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ratchet_sieve/core/quadratic.h"
+#include "ratchet_sieve/core/resolution.h"
 
 namespace ratchet_sieve
 {
@@ -11,9 +12,6 @@ namespace
 /// Steps after which a search across the seam of a turning base takes the disks to touch: even where
 /// they graze the steps shrink by a third each time, so that rounding is all that is left of the gap.
 constexpr int MAX_SEAM_STEPS = 200;
-
-/// Two instants nearer than this share of an epoch are one.
-constexpr double TIME_RESOLUTION = 1e-15;
 }  // namespace
 
 std::optional<double> PairSearch::contactAcrossSeam(const Disk& other, int shift, double distance) const
@@ -31,7 +29,7 @@ std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, in
   const double gravity = machine_.scene().gravity;
   const double rate = machine_.motion().inclinationRate();
   const double acceleration = machine_.sawtooth().width() * rate * rate;
-  const double resolution = TIME_RESOLUTION * machine_.epoch().length;
+  const double resolution = timeResolution(machine_.epoch().length);
   double time = from_;
   for (int step = 0; time < until_; ++step)
   {

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ratchet_sieve
 {
 namespace
 {
-/// Share of a tooth's width by which slopes reach beyond their ends; see Sawtooth::windowSlack().
-constexpr double WINDOW_SLACK_PER_WIDTH = 1e-9;
+/// By how many resolutions of the farthest place slopes reach beyond their ends; see
+/// Sawtooth::windowSlack().
+constexpr double WINDOW_SLACK = 64.0 * std::numeric_limits<double>::epsilon();
 
 Sawtooth::Slope makeSlope(double foot_s, double apex_s, double height, double outward_sign)
 {
@@ -61,7 +63,7 @@ Sawtooth::Sawtooth(const BaseDefinition& base, Boundary boundary)
       height_(base.tooth_height),
       width_(base.width()),
       apex_offset_(base.asymmetry * base.tooth_width),
-      window_slack_(WINDOW_SLACK_PER_WIDTH * base.tooth_width),
+      window_slack_(WINDOW_SLACK * std::max(width_, height_)),
       left_(makeSlope(0.0, apex_offset_, base.tooth_height, 1.0)),
       right_(makeSlope(base.tooth_width, apex_offset_, base.tooth_height, -1.0))
 {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "ratchet_sieve/core/resolution.h"
 #include "schema.h"
 
 namespace ratchet_sieve
@@ -90,6 +91,19 @@ void disksFitMachine(const Entry& root, const SceneDefinition& scene)
           scalarText(scene.base.width()) + " m");
 }
 
+/// No disk so small that the scene's places and times are too coarse for it.
+void disksFineEnough(const Entry& root, const SceneDefinition& scene)
+{
+  const FinestDisk finest = finestDisk(scene);
+  const std::vector<Entry> entries = root.at("species").list();
+  for (std::size_t i = 0; i < scene.species.size(); ++i)
+    if (scene.species[i].radius < finest.radius)
+      entries[i].at("radius").refuseValue(
+          "must be at least " + scalarText(finest.radius) + " m here, for " + finest.reason +
+          ": at double precision smaller disks would overlap by more than a 1e-9 part "
+          "of their radius");
+}
+
 }  // namespace
 
 void resolveCounts(const Entry& root, Scene& scene)
@@ -116,6 +130,7 @@ void checkRules(const Entry& root, const SceneDefinition& scene)
   feedHasSpecies(root, scene);
   disksCountable(root, scene);
   disksFitMachine(root, scene);
+  disksFineEnough(root, scene);
 }
 
 }  // namespace ratchet_sieve

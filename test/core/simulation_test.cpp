@@ -371,6 +371,49 @@ TEST(Simulation, DisksThatTouchAreALegalStartEvenFarFromTheOrigin)
   EXPECT_NE(refusal(scene).find("initial.1000 overlap by 0.0019 m"), std::string::npos) << refusal(scene);
 }
 
+TEST(Simulation, DisksThatRestAgainstAWallAreFree)
+{
+  // Nothing moves them towards the wall that they touch: no event comes of it.
+  SceneDefinition scene = test::mixture(0);
+  scene.boundary = Boundary::WALLED;
+  scene.base.amplitude = 0.0;
+  scene.initial = {{0, 0.001, 1.0, 0.0, 0.0, 0.0}, {1, 0.398, 1.0, 0.0, 0.0, 0.0}};
+  Simulation falling(scene);
+  falling.advanceTo(0.4);
+  EXPECT_EQ(falling.collisions().total(), 0u);
+  EXPECT_LT(falling.events(), 100u);
+  scene.gravity = 0.0;
+  scene.initial[0].y = scene.base.tooth_height + 0.001;
+  scene.initial[0].x = scene.base.asymmetry * scene.base.tooth_width;
+  Simulation floating(scene);
+  floating.advanceTo(10.0);
+  EXPECT_EQ(floating.collisions().total(), 0u);
+  EXPECT_LT(floating.events(), 1000u);
+}
+
+TEST(Simulation, FlightsThatGoFarAndHighComeDownWhereTheBaseIs)
+{
+  // 10^4 g by its amplitude: disks fly for minutes, over hundreds of kilometres.
+  SceneDefinition scene = test::singleParticles(20);
+  scene.base.amplitude = 4.7;
+  Simulation simulation(scene);
+  simulation.advanceTo(1000.0);
+  EXPECT_GT(simulation.collisions().total(), 1000u);
+  EXPECT_EQ(simulation.auditOverlaps(), 0u);
+  EXPECT_LT(simulation.maxOverlap(), 1e-9 * 0.001);
+}
+
+TEST(Simulation, SmallDisksFarFromEachOtherTouchAsExactlyAsNearOnes)
+{
+  SceneDefinition scene = test::mixture(60);
+  scene.species[0].radius = 1e-6;
+  scene.species[1].radius = 2e-6;
+  Simulation simulation(scene);
+  simulation.advanceTo(20.0);
+  EXPECT_GT(simulation.collisions().disk_disk, 10u);
+  EXPECT_LT(simulation.maxOverlap(), 1e-9 * 1e-6);
+}
+
 TEST(Simulation, AnEmptyMachineRuns)
 {
   SceneDefinition scene = test::mixture(0);

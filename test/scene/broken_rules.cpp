@@ -115,6 +115,45 @@ Expected tooWide(SceneTree& root)
   return {"species." + std::to_string(at) + ".radius", text, ""};
 }
 
+/// Disks of one size are poured over the default base, as slowly as they can be.
+void requirePlainMachine(SceneTree& root, double radius)
+{
+  requireCounts(root, "1");
+  root["gravity"] = SceneTree("9.81");
+  root["settle"] = SceneTree("0");
+  for (const char* section : {"base", "pour", "feed"})
+    root[section] = SceneTree::map();
+  root.mapAt("contact")["min_rebound_speed"] = SceneTree("0.05");
+  setAll(root, "radius", spelledNumber(radius));
+}
+
+/// Makes one species too small for the rest of the scene.
+Expected tooSmall(SceneTree& root, double radius, const std::string& hint)
+{
+  const auto at = drawnIndex<std::size_t>(0, speciesCount(root));
+  const std::string text = spelledNumber(radius);
+  speciesAt(root, at)["radius"] = SceneTree(text);
+  return {"species." + std::to_string(at) + ".radius", text, hint};
+}
+
+Expected tooFine(SceneTree& root)
+{
+  const double width = drawnMagnitude(1.0, 1e2);
+  requirePlainMachine(root, 0.1 * width);
+  root.mapAt("base")["teeth"] = SceneTree("10");
+  root.mapAt("base")["tooth_width"] = SceneTree(spelledNumber(0.1 * width));
+  return tooSmall(root, std::max(1e-9, width * drawnMagnitude(1e-8, 5e-7)), "the base's width is");
+}
+
+Expected tooFast(SceneTree& root)
+{
+  requirePlainMachine(root, 0.01);
+  // A drive of 1 m at 1000 Hz: 6283 m/s, in times that are held to 1.4e-17 s.
+  root.mapAt("base")["amplitude"] = SceneTree("1");
+  root.mapAt("base")["frequency"] = SceneTree("1000");
+  return tooSmall(root, drawnMagnitude(1e-6, 3e-5), "the drive's speed is");
+}
+
 Expected speciesTwice(SceneTree& root)
 {
   const auto at = drawnIndex<std::size_t>(0, speciesCount(root));
@@ -238,6 +277,8 @@ void addBrokenRules(std::vector<Spoiler>& spoilers)
   spoilers.push_back({"density of too many", densityOfTooMany});
   spoilers.push_back({"density with initial", densityWithInitial});
   spoilers.push_back({"disk too wide", tooWide});
+  spoilers.push_back({"disk too fine", tooFine});
+  spoilers.push_back({"disks too fast", tooFast});
   spoilers.push_back({"species twice", speciesTwice});
   spoilers.push_back({"no species", noSpecies});
   spoilers.push_back({"pair twice", pairTwice});

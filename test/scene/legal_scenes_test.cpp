@@ -6,6 +6,7 @@
 
 #include "draws.h"
 #include "random_scene.h"
+#include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -61,7 +62,7 @@ private:
   {
     constexpr double ROUNDINGS = 8.0;
     constexpr double SCALES_PER_EPOCH = 128.0;
-    const double epoch = SCALES_PER_EPOCH * timeScaleOf(scene_);
+    const double epoch = SCALES_PER_EPOCH * timeScale(scene_);
     return ROUNDINGS * std::numeric_limits<double>::epsilon() * (farthest_ + fastest_ * epoch);
   }
 

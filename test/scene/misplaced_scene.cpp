@@ -33,7 +33,7 @@ double drawnOutside(const SceneDefinition& scene)
 {
   constexpr double FARTHEST = 4e8;  ///< [m]
   const double width = scene.base.width();
-  const double beyond = std::min(FARTHEST, width * drawnMagnitude(1e-6, 1e3));
+  const double beyond = std::min(FARTHEST, width * drawnMagnitude(1e-6, 1.0));
   return width > FARTHEST || drawnChance(50) ? -beyond : width + beyond;
 }
 
@@ -64,7 +64,7 @@ MisplacedScene drawnMisplacedScene(Misplaced how)
       break;
     }
     case Misplaced::BURIED:
-      move(scene, disk, 0.0, -onBase(scene, disk).second - radius * drawnMagnitude(1e-3, 1e3));
+      move(scene, disk, 0.0, -onBase(scene, disk).second - radius * drawnMagnitude(1e-3, 1e1));
       words = {nameOf(at) + " is buried"};
       break;
     case Misplaced::OUTSIDE:

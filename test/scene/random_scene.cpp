@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "draws.h"
+#include "ratchet_sieve/core/resolution.h"
 #include "scene_spelling.h"
 
 namespace ratchet_sieve
@@ -28,10 +29,26 @@ constexpr double TEETH_PER_RUN = 10.0;
 constexpr double REST_PER_TIME_SCALE = 0.01;
 constexpr double RADIUS_PER_TOOTH = 1e-3;
 constexpr double FITTING = 0.499;  ///< of the width: radii that leave room to be placed between walls
-constexpr double RADIUS_PER_WIDTH = 1e-8;
+constexpr double RADIUS_PER_WIDTH = 4e-6;
+constexpr double RADII_PER_HEIGHT = 2e5;
+constexpr double RADII_PER_TIME_SCALE = 2e4;
 constexpr double SURFACE_PER_SPEED = 10.0;
 constexpr double MASS_RATIO = 1e4;
 constexpr double MOST_DISKS = 30.0;
+
+double smallestRadius(const SceneDefinition& scene)
+{
+  double radius = LARGEST_LENGTH;
+  for (const SpeciesDefinition& species : scene.species)
+    radius = std::min(radius, species.radius);
+  return radius;
+}
+
+/// The fastest that the smallest disk is told apart at [m/s].
+double fastestSpeed(const SceneDefinition& scene)
+{
+  return std::min(LARGEST_SPEED, RADII_PER_TIME_SCALE * smallestRadius(scene) / timeScale(scene));
+}
 
 /// The default, where it is within the bounds, or another value.
 template <typename Draw>
@@ -137,7 +154,7 @@ void bringToRest(SceneDefinition& scene)
   (drawnChance(50) ? scene.base.amplitude : scene.base.frequency) = 0.0;
   scene.contact.min_rebound_speed = 0.0;
   if (drawnChance(50))
-    scene.contact.contact_duration = timeScaleOf(scene) * drawnMagnitude(REST_PER_TIME_SCALE, 1.0);
+    scene.contact.contact_duration = timeScale(scene) * drawnMagnitude(REST_PER_TIME_SCALE, 1.0);
   const double least = scene.contact.contact_duration > 0.0 ? 0.5 : 1.0;
   for (SpeciesDefinition& species : scene.species)
     species.contact.restitution = std::max(least, species.contact.restitution);
@@ -149,10 +166,10 @@ void drawContact(SceneDefinition& scene)
   contact.pair_collisions = !drawnChance(30);
   contact.contact_duration = drawnChance(30) ? drawnNumber(0.0, 1e9) : 0.0;
   const double least =
-      std::min(LARGEST_SPEED, std::max(1e-9, REST_PER_TIME_SCALE * acceleration(scene) * timeScaleOf(scene)));
-  contact.min_rebound_speed =
-      defaultOr(contact.min_rebound_speed, least, LARGEST_SPEED,
-                [&] { return drawnMagnitude(least, std::min(LARGEST_SPEED, 1e4 * least)); });
+      std::min(LARGEST_SPEED, std::max(1e-9, REST_PER_TIME_SCALE * acceleration(scene) * timeScale(scene)));
+  contact.min_rebound_speed = defaultOr(
+      contact.min_rebound_speed, least, LARGEST_SPEED,
+      [&] { return drawnMagnitude(least, std::max(least, std::min(fastestSpeed(scene), 1e4 * least))); });
   if (drawnChance(15))
     bringToRest(scene);
 }
@@ -163,7 +180,7 @@ void drawPour(SceneDefinition& scene)
   const double highest = std::min(LARGEST_LENGTH, DROP_PER_TOOTH * length);
   scene.pour.drop_height = defaultOr(scene.pour.drop_height, 0.0, highest,
                                      [&] { return zeroOrMagnitude(1e-3 * length, highest); });
-  scene.pour.speed = drawnChance(50) ? drawnNumber(0.0, LARGEST_SPEED) : 0.0;
+  scene.pour.speed = drawnChance(50) ? drawnNumber(0.0, fastestSpeed(scene)) : 0.0;
 }
 
 /// In the frame of the base, one above the other, so that none overlaps another or the base.
@@ -173,9 +190,11 @@ void drawInitial(SceneDefinition& scene, double speed)
   const double cosine = std::cos(base.inclination);
   const double sine = std::sin(base.inclination);
   double n = base.tooth_height;
-  scene.initial.resize(drawnIndex<std::size_t>(1, 7));
-  for (InitialDisk& disk : scene.initial)
+  const double highest = RADII_PER_HEIGHT * smallestRadius(scene);
+  for (auto count = drawnIndex<std::size_t>(1, 7); count > 0 && (scene.initial.empty() || n < highest);
+       --count)
   {
+    InitialDisk& disk = scene.initial.emplace_back();
     disk.species = drawnIndex<std::size_t>(0, scene.species.size());
     const double radius = scene.species[disk.species].radius;
     const double margin = scene.boundary == Boundary::PERIODIC ? 1e-6 * base.width() : radius;
@@ -196,7 +215,7 @@ void drawInitial(SceneDefinition& scene, double speed)
 /// The fall from the pour to the base, and a few teeth at the fastest speed there is.
 void drawDuration(SceneDefinition& scene)
 {
-  const double time_scale = timeScaleOf(scene);
+  const double time_scale = timeScale(scene);
   const double drop = scene.pour.drop_height;
   const double impact = std::sqrt(scene.pour.speed * scene.pour.speed + 2.0 * scene.gravity * drop);
   const double fall = impact > 0.0 && scene.initial.empty() ? 2.0 * drop / (impact + scene.pour.speed) : 0.0;
@@ -257,8 +276,8 @@ RandomScene drawnScene(Placing placing)
   drawPairs(scene);
   drawPour(scene);
   if (placing == Placing::INITIAL)
-    drawInitial(scene, std::min(LARGEST_SPEED,
-                                scene.base.tooth_width / timeScaleOf(scene) * drawnMagnitude(1e-3, 1e3)));
+    drawInitial(scene, std::min(fastestSpeed(scene),
+                                scene.base.tooth_width / timeScale(scene) * drawnMagnitude(1e-3, 1e3)));
   std::optional<double> density;
   if (placing == Placing::DENSITY && sumOfShares(scene) > 0.0)
     density = drawDensity(scene);
@@ -270,12 +289,6 @@ RandomScene drawnScene(Placing placing)
 }
 
 }  // namespace
-
-double timeScaleOf(const SceneDefinition& scene)
-{
-  const double fall = scene.gravity > 0.0 ? std::sqrt(scene.base.tooth_width / scene.gravity) : 1.0;
-  return scene.base.frequency > 0.0 ? std::min(1.0 / scene.base.frequency, fall) : fall;
-}
 
 RandomScene drawnRunnableScene()
 {

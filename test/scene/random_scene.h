@@ -35,13 +35,11 @@ SceneTree drawnWideScene();
 /// it;
 /// - spins whose surface is up to 10 times as fast as the disk.
 /// What double precision cannot tell apart is bounded by these:
-/// - radii of at least 1/1000 w, and of at least 1e-8 of the base's width.
+/// - radii of at least 1/1000 w, and of at least 4e-6 of the base's width;
+/// - speeds of up to 20,000 of the smallest radii in the machine's time scale.
 RandomScene drawnRunnableScene();
 
 /// The same, its disks placed by hand.
 RandomScene drawnPlacedScene();
-
-/// Shorter of the drive's period and of a fall over a tooth [s].
-double timeScaleOf(const SceneDefinition& scene);
 
 }  // namespace ratchet_sieve

@@ -2,6 +2,7 @@
 
 #include "draws.h"
 #include "random_scene.h"
+#include "ratchet_sieve/scene/scene_file.h"
 #include "scene_keys.h"
 #include "scene_spelling.h"
 
@@ -93,6 +94,51 @@ void drawPlacing(SceneTree& root)
       item.second["count"] = SceneTree(std::to_string(drawnIndex(0, 1000)));
 }
 
+void limit(SceneTree& root, const char* section, const char* key, double highest)
+{
+  SceneTree& map = root.mapAt(section);
+  if (std::abs(valueOf(map, key, 0.0)) > highest)
+    map[key] = SceneTree(spelledNumber(highest * drawnFraction()));
+}
+
+/// Nothing so large or so fast that places and times would be too coarse for the smallest disk: by simpler
+/// and narrower bounds than the rule's.
+void obeyResolution(SceneTree& root, double width)
+{
+  double radius = 1e3;
+  for (auto& item : root.listAt("species").items())
+  {
+    const double least = 1e-6 * width;
+    if (valueOf(item.second, "radius", 0.0) < least)
+      item.second["radius"] = SceneTree(spelledNumber(std::min(1e3, least * drawnMagnitude(1.0, 1e3))));
+    radius = std::min(radius, valueOf(item.second, "radius", 0.0));
+  }
+  const double fall = std::sqrt(valueOf(root.mapAt("base"), "tooth_width", 0.02) /
+                                std::max(1e-300, valueOf(root, "gravity", 9.81)));
+  const double frequency = valueOf(root.mapAt("base"), "frequency", 23.0);
+  const double time_scale = std::min({1.0, fall, frequency > 0.0 ? 1.0 / frequency : 1.0});
+  // A fall from as high as this comes as fast: v = sqrt(2 g h).
+  const double speed = std::min(1e4, 1e4 * radius / std::max(time_scale, fall > 1.0 ? fall : 0.0));
+  const double height =
+      std::min({1e3, 1e5 * radius, speed * speed / (2.0 * std::max(1e-300, valueOf(root, "gravity", 9.81)))});
+  limit(root, "base", "tooth_height", std::min(1e3, 1e6 * radius));
+  limit(root, "base", "amplitude", std::min(1e3, 1e3 * radius));
+  if (!root.mapAt("base").has("amplitude"))
+    root.mapAt("base")["amplitude"] = SceneTree(spelledNumber(std::min(0.002, 1e3 * radius)));
+  limit(root, "contact", "min_rebound_speed", speed);
+  limit(root, "pour", "speed", 0.5 * speed);
+  limit(root, "pour", "drop_height", 0.5 * height);
+  for (auto& item : root.listAt("initial").items())
+  {
+    for (const char* key : {"vx", "vy"})
+      if (std::abs(valueOf(item.second, key, 0.0)) > 0.5 * speed)
+        item.second[key] = SceneTree(spelledNumber(0.5 * speed * drawnFraction()));
+    for (const char* key : {"x", "y"})
+      if (std::abs(valueOf(item.second, key, 0.0)) > 0.5 * height)
+        item.second[key] = SceneTree(spelledNumber(0.5 * height * drawnFraction()));
+  }
+}
+
 /// The rules that join several keys.
 void obeyRules(SceneTree& root)
 {
@@ -117,11 +163,10 @@ void obeyRules(SceneTree& root)
   const double duration = valueOf(root, "duration", 100.0);
   if (valueOf(root, "settle", 0.0) > duration)
     root["settle"] = SceneTree(spelledNumber(duration * drawnFraction()));
+  obeyResolution(root, width);
 }
 
-}  // namespace
-
-SceneTree drawnWideScene()
+SceneTree drawnTree()
 {
   SceneTree root = drawnPart("");
   for (const char* section : {"base", "contact", "pour", "feed"})
@@ -132,6 +177,32 @@ SceneTree drawnWideScene()
   drawPairs(root, count);
   drawPlacing(root);
   obeyRules(root);
+  return root;
+}
+
+/// Whether all of it together is too much, though each number is legal: too fine, or too many disks.
+bool tooMuch(const SceneTree& root)
+{
+  try
+  {
+    sceneFromText(root.text(), "wide");
+    return false;
+  }
+  catch (const SceneError& error)
+  {
+    const std::string refusal = error.what();
+    return refusal.find("double precision") != std::string::npos ||
+           refusal.find("all together") != std::string::npos;
+  }
+}
+
+}  // namespace
+
+SceneTree drawnWideScene()
+{
+  SceneTree root = drawnTree();
+  while (tooMuch(root))
+    root = drawnTree();
   return root;
 }
 

@@ -54,8 +54,7 @@ public:
   const ContactSearch& search() const { return search_; }
   const Epoch& epoch() const { return epoch_; }
 
-  /// The shorter of the scene's drive period and of a fall over a tooth [s]: what is short against it
-  /// is short for this machine.
+  /// See ratchet_sieve::timeScale().
   double timeScale() const { return time_scale_; }
   double largestDiameter() const { return largest_diameter_; }
 

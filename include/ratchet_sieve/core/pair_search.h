@@ -21,8 +21,10 @@ inline std::optional<double> timeToTouch(double dx, double dy, double dvx, doubl
   const double excess = dx * dx + dy * dy - distance * distance;
   if (excess <= 0.0)
     return 0.0;
-  const double speed_squared = dvx * dvx + dvy * dvy;
-  const double discriminant = closing * closing - speed_squared * excess;
+  // The distance at which they would pass comes from the cross product: as a difference of squares it
+  // would lose to rounding what is small against how far apart they are.
+  const double passing = dx * dvy - dy * dvx;
+  const double discriminant = (dvx * dvx + dvy * dvy) * distance * distance - passing * passing;
   if (discriminant < 0.0)
     return std::nullopt;
   return excess / (std::sqrt(discriminant) - closing);

@@ -119,7 +119,7 @@ public:
   /// Simulated time [s], as last asked for.
   double time() const;
 
-  /// The shorter of the scene's drive period and of a fall over a tooth [s].
+  /// See ratchet_sieve::timeScale() [s].
   double timeScale() const;
 
   /// Executes every event up to and including `time` [s]; earlier times do nothing.

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "ratchet_sieve/core/definition.h"
+
+/// How finely double precision holds the times and places of a scene.
+namespace ratchet_sieve
+{
+
+/// The shortest of the drive's period, of a fall over a tooth and of the way over a tooth at the speed of
+/// the pour, of an initial disk or of the rebound floor [s]: what is short against it is short for this
+/// machine. 1 s where nothing moves.
+double timeScale(const SceneDefinition& scene);
+
+/// Times are counted from the start of an epoch, so that they are as fine at the end of a long run as at
+/// its start. A power of two [s], so that nothing rounds.
+double epochLength(double time_scale);
+
+/// The finest step in time that is told from none [s].
+double timeResolution(double epoch_length);
+
+/// The smallest disks that a scene may have.
+struct FinestDisk
+{
+  double radius = 0.0;  ///< [m]
+  std::string reason;   ///< what it takes it from: "the base is 0.4 m wide"
+};
+
+/// Smaller disks would overlap by more than a 1e-9 part of their radius: by how finely places as large
+/// as the scene's are held, or by how far its fastest disks go within the finest step in time.
+FinestDisk finestDisk(const SceneDefinition& scene);
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,121 @@
+#include "ratchet_sieve/core/resolution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double TWO_PI = 6.283185307179586476925;
+
+/// An epoch is at least this many of the machine's time scales long: rare enough to cost nothing,
+/// short enough that times within it are exact to 2^-48 of one.
+constexpr double SCALES_PER_EPOCH = 8.0;
+
+/// In units of a double's resolution at an epoch's end.
+constexpr double RESOLUTION_STEPS = 4.0;
+
+/// Of a disk's radius; the aim of the whole engine.
+constexpr double LARGEST_OVERLAP = 1e-9;
+
+/// A gap is worked out of places in a few steps, each of which rounds: so many resolutions of the largest.
+constexpr double ROUNDINGS_PER_GAP = 4.0;
+
+/// Keeps the smallest radius that the scene allows, and why.
+class Finest
+{
+public:
+  void length(double length, const char* what)
+  {
+    const double step = ROUNDINGS_PER_GAP * std::numeric_limits<double>::epsilon() * length;
+    take(step, what, length, "m");
+  }
+
+  void speed(double speed, double time_resolution, const char* what)
+  {
+    take(speed * time_resolution, what, speed, "m/s");
+  }
+
+  FinestDisk result() const { return finest_; }
+
+private:
+  void take(double step, const char* what, double value, const char* unit)
+  {
+    const double radius = step / LARGEST_OVERLAP;
+    if (!(radius > finest_.radius))
+      return;
+    std::ostringstream reason;
+    reason << what << ' ' << value << ' ' << unit;
+    finest_ = {radius, reason.str()};
+  }
+
+  FinestDisk finest_;
+};
+
+double speedOf(const InitialDisk& disk)
+{
+  return std::sqrt(disk.vx * disk.vx + disk.vy * disk.vy);
+}
+
+/// The fastest that the scene itself makes a disk [m/s].
+double startSpeed(const SceneDefinition& scene)
+{
+  double speed = std::max(scene.pour.speed, scene.contact.min_rebound_speed);
+  for (const InitialDisk& disk : scene.initial)
+    speed = std::max(speed, speedOf(disk));
+  return speed;
+}
+}  // namespace
+
+double timeScale(const SceneDefinition& scene)
+{
+  const BaseDefinition& base = scene.base;
+  double scale = std::numeric_limits<double>::infinity();
+  if (base.frequency > 0.0)
+    scale = 1.0 / base.frequency;
+  if (scene.gravity > 0.0)
+    scale = std::min(scale, std::sqrt(base.tooth_width / scene.gravity));
+  if (const double speed = startSpeed(scene); speed > 0.0)
+    scale = std::min(scale, base.tooth_width / speed);
+  return std::isfinite(scale) ? scale : 1.0;
+}
+
+double epochLength(double time_scale)
+{
+  return std::exp2(std::ceil(std::log2(SCALES_PER_EPOCH * time_scale)));
+}
+
+double timeResolution(double epoch_length)
+{
+  return RESOLUTION_STEPS * std::numeric_limits<double>::epsilon() * epoch_length;
+}
+
+FinestDisk finestDisk(const SceneDefinition& scene)
+{
+  const double resolution = timeResolution(epochLength(timeScale(scene)));
+  const auto after_fall = [&](double speed, double height)
+  { return std::sqrt(speed * speed + 2.0 * scene.gravity * std::max(0.0, height)); };
+
+  Finest finest;
+  finest.length(scene.base.width(), "the base's width is");
+  finest.length(scene.base.tooth_height, "base.tooth_height is");
+  finest.length(scene.base.amplitude, "base.amplitude is");
+  finest.speed(TWO_PI * scene.base.frequency * scene.base.amplitude, resolution, "the drive's speed is");
+  if (scene.initial.empty() || scene.feed.rate > 0.0)
+  {
+    finest.length(scene.pour.drop_height, "pour.drop_height is");
+    finest.speed(after_fall(scene.pour.speed, scene.pour.drop_height), resolution,
+                 "the poured disks come at");
+  }
+  for (const InitialDisk& disk : scene.initial)
+  {
+    finest.length(std::max(std::abs(disk.x), std::abs(disk.y)), "a disk of initial is placed at");
+    finest.speed(after_fall(speedOf(disk), disk.y), resolution, "a disk of initial comes at");
+  }
+  return finest.result();
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,59 @@
+#include "ratchet_sieve/core/resolution.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+TEST(Resolution, TimeScaleIsTheShortestThatTheSceneHas)
+{
+  SceneDefinition scene = test::mixture(1);
+  scene.contact.min_rebound_speed = 0.0;
+  EXPECT_DOUBLE_EQ(timeScale(scene), 1.0 / 23.0);
+  scene.base.frequency = 1.0;
+  EXPECT_DOUBLE_EQ(timeScale(scene), std::sqrt(0.020 / 9.81));
+  scene.pour.speed = 2.0;
+  EXPECT_DOUBLE_EQ(timeScale(scene), 0.010);
+  scene.initial = {{0, 0.1, 0.1, 3.0, -4.0, 0.0}};
+  EXPECT_DOUBLE_EQ(timeScale(scene), 0.004);
+}
+
+TEST(Resolution, OfASceneInWhichNothingMovesIsASecond)
+{
+  SceneDefinition scene = test::mixture(1);
+  scene.contact.min_rebound_speed = 0.0;
+  scene.base.frequency = 0.0;
+  scene.gravity = 0.0;
+  EXPECT_EQ(timeScale(scene), 1.0);
+}
+
+TEST(Resolution, AnEpochIsAPowerOfTwoOfEightTimeScalesOrMore)
+{
+  EXPECT_EQ(epochLength(1.0), 8.0);
+  EXPECT_EQ(epochLength(1.01), 16.0);
+  EXPECT_EQ(epochLength(1.0 / 23.0), 0.5);
+}
+
+TEST(Resolution, TheFinestDiskComesOfTheLargestPlaceOrTheFastestSpeed)
+{
+  SceneDefinition scene = test::mixture(1);
+  // Four roundings of 2^-52, to a 1e-9 part: 8.9e-7 of the width.
+  scene.base.teeth = 5000;
+  EXPECT_NEAR(finestDisk(scene).radius, 8.88e-7 * 100.0, 1e-6);
+  EXPECT_EQ(finestDisk(scene).reason, "the base's width is 100 m");
+  // 6283 m/s, within four roundings of 1/64 s.
+  scene.base.teeth = 5;
+  scene.base.frequency = 1000.0;
+  scene.base.amplitude = 1.0;
+  EXPECT_NEAR(finestDisk(scene).radius, 6283.2 * 8.88e-16 / 64.0 / 1e-9, 1e-7);
+  EXPECT_EQ(finestDisk(scene).reason, "the drive's speed is 6283.19 m/s");
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
