@@ -1,7 +1,6 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -10,10 +9,10 @@
 #include <vector>
 
 #include "bag_output.h"
+#include "checkpoint_saver.h"
 #include "command_line.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/atomic_file.h"
-#include "ratchet_sieve/recording/checkpoint.h"
 #include "ratchet_sieve/recording/collision_file.h"
 #include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/progress_bar.h"
@@ -176,53 +175,35 @@ Checkpoint resume(const SceneDefinition& scene, const std::string& path)
   }
 }
 
-/// Saves the run as it goes. A disk that is full for a while does not end it.
-class Saver
+std::unique_ptr<CheckpointSaver> makeSaver(const Arguments& arguments, const Simulation& simulation,
+                                           const RunProgress& progress)
 {
-public:
-  explicit Saver(const std::string& path) : path_(path) {}
-
-  void operator()(const Simulation& simulation, const RunProgress& progress)
+  if (arguments.checkpoint.empty())
+    return nullptr;
+  try
   {
-    try
-    {
-      writeCheckpoint(path_, simulation, progress);
-      failure_.clear();
-    }
-    catch (const OutputError& error)
-    {
-      if (!saved_once_)
-        throw Refusal(error.what());
-      if (failure_ != error.what())
-        std::fprintf(stderr, "sieve_run: warning: %s\n", error.what());
-      failure_ = error.what();
-    }
-    saved_once_ = true;
+    return std::make_unique<CheckpointSaver>(arguments.checkpoint, simulation, progress);
   }
+  catch (const OutputError& error)
+  {
+    throw Refusal(error.what());
+  }
+}
 
-  /// Why the last one was not saved; empty if it was.
-  const std::string& failure() const { return failure_; }
-
-private:
-  std::string path_;
-  std::string failure_;
-  bool saved_once_ = false;
-};
+Checkpoint begin(const SceneDefinition& scene, const std::string& path)
+{
+  Simulation simulation = makeSimulation(scene, path);
+  const RunProgress progress = firstProgress(simulation);
+  return {progress, std::move(simulation)};
+}
 
 int run(const Arguments& arguments)
 {
   const Scene scene = loadScene(arguments);
-  std::optional<RunProgress> so_far;
-  Simulation simulation = [&]
-  {
-    if (arguments.resume.empty())
-      return makeSimulation(scene.definition, arguments.scene);
-    Checkpoint checkpoint = resume(scene.definition, arguments.resume);
-    so_far = checkpoint.progress;
-    return std::move(checkpoint.simulation);
-  }();
+  auto [so_far, simulation] = arguments.resume.empty() ? begin(scene.definition, arguments.scene)
+                                                       : resume(scene.definition, arguments.resume);
+  const std::unique_ptr<CheckpointSaver> saver = makeSaver(arguments, simulation, so_far);
   Outputs outputs(arguments);
-  Saver saver(arguments.checkpoint);
   for (const std::string& warning : scene.warnings)
     std::fprintf(stderr, "sieve_run: warning: %s\n", warning.c_str());
 
@@ -231,8 +212,9 @@ int run(const Arguments& arguments)
   RunWatchers watchers;
   outputs.watch(simulation, watchers);
   watchers.stop_wanted = [] { return stop_signal != 0; };
-  if (!arguments.checkpoint.empty())
-    watchers.save = std::ref(saver);
+  if (saver)
+    watchers.save = [&saver](const Simulation& now, const RunProgress& progress)
+    { saver->save(now, progress); };
   watchers.save_period = arguments.checkpoint_every;
   RunOutcome outcome;
   {
@@ -244,7 +226,8 @@ int run(const Arguments& arguments)
     std::fprintf(stderr, "sieve_run: warning: %s\n", warning.c_str());
   outcome.warnings.insert(outcome.warnings.begin(), scene.warnings.begin(), scene.warnings.end());
   outputs.finish(summarize(simulation, outcome));
-  return outcome.end == RunEnd::COMPLETED && saver.failure().empty() ? DONE : FAILED;
+  const bool all_saved = !saver || saver->saved();
+  return outcome.end == RunEnd::COMPLETED && all_saved ? DONE : FAILED;
 }
 
 }  // namespace

@@ -30,14 +30,14 @@ double secondsSince(Clock::time_point start)
 class HeadlessRun
 {
 public:
-  HeadlessRun(Simulation& simulation, const RunWatchers& watchers, const std::optional<RunProgress>& so_far)
+  HeadlessRun(Simulation& simulation, const RunWatchers& watchers, const RunProgress& so_far)
       : simulation_(simulation),
         watchers_(watchers),
         sampler_(watchers.rates, 0.0),
         audit_period_(SCALES_PER_AUDIT * simulation.timeScale())
   {
-    outcome_.progress = so_far.value_or(RunProgress{simulation.energy(), 0});
-    audits_ = so_far ? std::floor(simulation.time() / audit_period_) + 1.0 : 0.0;
+    outcome_.progress = so_far;
+    audits_ = std::floor(simulation.time() / audit_period_) + 1.0;
   }
 
   RunOutcome run()
@@ -72,7 +72,6 @@ private:
   {
     const double duration = simulation_.scene().duration;
     lookAtDue();
-    save();
     while (simulation_.time() < duration)
     {
       if (watchers_.stop_wanted && watchers_.stop_wanted())
@@ -141,13 +140,12 @@ private:
   double stride_ = FIRST_STRIDE;
   double audit_period_;  ///< [s]
   double audits_ = 0.0;
-  Clock::time_point last_save_;
+  Clock::time_point last_save_ = Clock::now();
 };
 
 }  // namespace
 
-RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers,
-                    const std::optional<RunProgress>& so_far)
+RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers, const RunProgress& so_far)
 {
   return HeadlessRun(simulation, watchers, so_far).run();
 }

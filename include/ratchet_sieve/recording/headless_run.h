@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,12 @@ struct RunProgress
   double energy_start = 0.0;     ///< of the disks at time 0 [J]
   std::size_t through_base = 0;  ///< disks found behind the base's surface, the most at one audit
 };
+
+/// Of a run that begins.
+inline RunProgress firstProgress(Simulation& simulation)
+{
+  return {simulation.energy(), simulation.auditOverlaps()};
+}
 
 /// How a run came to its end.
 enum class RunEnd
@@ -42,17 +47,20 @@ struct RunWatchers
 {
   FrameSink* frames = nullptr;  ///< takes frames at `rates`
   FrameRates rates;
-  std::function<void(const Simulation&)> progress;  ///< several times a second of wall time
-  std::function<bool()> stop_wanted;                ///< looked at several times a second
-  std::function<void(const Simulation&, const RunProgress&)>
-      save;                   ///< at the start, now and then, at the end
-  double save_period = 60.0;  ///< of wall time [s]
+  std::function<void(const Simulation&)> progress;                  ///< several times a second of wall time
+  std::function<bool()> stop_wanted;                                ///< looked at several times a second
+  std::function<void(const Simulation&, const RunProgress&)> save;  ///< now and then, and at the end
+  double save_period = 60.0;                                        ///< of wall time [s]
 };
 
 /// Runs the simulation to its scene's duration, as fast as it goes. In which strides does not
 /// matter to its course. A run that stalls is not saved at its end: it could not go on from there.
-/// @param so_far of a run that is taken up from a checkpoint
-RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers,
-                    const std::optional<RunProgress>& so_far = std::nullopt);
+RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers, const RunProgress& so_far);
+
+/// Of a run that begins here.
+inline RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers)
+{
+  return runToEnd(simulation, watchers, firstProgress(simulation));
+}
 
 }  // namespace ratchet_sieve
