@@ -25,9 +25,9 @@ void LiveRun::advanceTo(double elapsed, FrameSink& sink)
   {
     simulation_.advanceTo(std::min(elapsed, nextTime()));
   }
-  catch (const StallError&)
+  catch (const StallError& error)
   {
-    // finished() tells, and the simulation keeps what there is to say.
+    stop_reason_ = error.what();
   }
   takeDue(sink);
 }

@@ -85,8 +85,7 @@ Outcome RunControl::step(double duration, double stride, const std::function<boo
   if (!std::isfinite(duration) || duration <= 0.0)
     return failure("duration " + std::to_string(duration) + " s: must be > 0 and finite");
   if (run_->finished())
-    return failure(run_->simulation().stalled() ? run_->simulation().collapseText()
-                                                : "the scene's end is reached: reset first");
+    return failure(run_->stopReason().value_or("the scene's end is reached: reset first"));
   const double target = run_->elapsed() + duration;
   while (run_->elapsed() < target && !run_->finished())
   {
@@ -95,7 +94,7 @@ Outcome RunControl::step(double duration, double stride, const std::function<boo
     advanceTo(std::min(target, run_->elapsed() + stride));
   }
   run_->takeAll(sinks_);
-  return run_->simulation().stalled() ? failure(run_->simulation().collapseText()) : Outcome{};
+  return run_->stopped() ? failure(*run_->stopReason()) : Outcome{};
 }
 
 void RunControl::begin(std::unique_ptr<LiveRun> run)

@@ -102,9 +102,9 @@ void SieveNode::advance()
 void SieveNode::finish()
 {
   control_.pause();
-  const Simulation& simulation = control_.run().simulation();
-  if (simulation.stalled())
-    ROS_ERROR("stopped at %.6f s: %s", control_.run().time(), simulation.collapseText().c_str());
+  const LiveRun& run = control_.run();
+  if (run.stopped())
+    ROS_ERROR("stopped at %.6f s: %s", run.time(), run.stopReason()->c_str());
 }
 
 void SieveNode::run()
@@ -123,8 +123,8 @@ void SieveNode::run()
     keepAlive();
   }
   end();
-  if (ended() && control_.run().simulation().stalled())
-    throw StallError(control_.run().simulation().collapseText());
+  if (ended() && control_.run().stopped())
+    throw StallError(*control_.run().stopReason());
 }
 
 void SieveNode::end()

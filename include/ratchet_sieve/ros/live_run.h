@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/frame_sampler.h"
 
@@ -19,9 +22,11 @@ public:
   double elapsed() const { return simulation_.time(); }
   double time() const { return start_time_ + elapsed(); }
   double endTime() const { return end_time_; }
+  bool finished() const { return elapsed() >= end_time_ - start_time_ || stopped(); }
 
-  /// At its end, or stopped by an inelastic collapse, as the simulation says.
-  bool finished() const { return elapsed() >= end_time_ - start_time_ || simulation_.stalled(); }
+  /// Why it goes no further: an inelastic collapse; nothing if it does.
+  const std::optional<std::string>& stopReason() const { return stop_reason_; }
+  bool stopped() const { return stop_reason_.has_value(); }
 
   /// Elapsed time of the next frame, or of the end where that is earlier [s].
   double nextTime() const;
@@ -52,6 +57,7 @@ private:
   FrameSampler sampler_;
   double start_time_;
   double end_time_;
+  std::optional<std::string> stop_reason_;
 };
 
 }  // namespace ratchet_sieve
