@@ -1,7 +1,6 @@
 #include "bag_chunk.h"
 
 #include <memory>
-#include <vector>
 
 #include <bzlib.h>
 #include <roslz4/lz4s.h>
@@ -95,6 +94,7 @@ void BagChunk::takeIndex(const BagRecord& record)
     if (message == unindexed_.end() || message->second != connection)
       throw DamagedBag("an index does not lead to a message");
     unindexed_.erase(message);
+    times_.push_back(std::uint64_t{seconds} * NANOSECONDS + nanoseconds);
   }
 }
 

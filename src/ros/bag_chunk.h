@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string_view>
+#include <vector>
 
 #include "bag_record.h"
 
@@ -30,11 +31,15 @@ public:
 
   std::size_t indexRecords() const { return index_records_; }
 
+  /// When each message was recorded, in the order of the index [ns].
+  const std::vector<std::uint64_t>& times() const { return times_; }
+
 private:
   void readMessages(std::string_view unpacked);
 
   std::map<std::size_t, std::size_t> entries_;      ///< offsets that lead to a message, and its own offset
   std::map<std::size_t, std::uint32_t> unindexed_;  ///< messages not named yet, by offset: connection
+  std::vector<std::uint64_t> times_;
   std::size_t index_records_ = 0;
 };
 

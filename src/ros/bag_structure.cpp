@@ -1,8 +1,11 @@
 #include "bag_structure.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
+#include <vector>
 
 #include "bag_chunk.h"
 #include "bag_record.h"
@@ -21,6 +24,9 @@ constexpr std::string_view VERSION_LINE = "#ROSBAG V2.0\n";
 constexpr std::size_t MOST_RATIO = 255;
 /// ... and this besides, so that a short run of disks at rest is not refused in bz2 [bytes].
 constexpr std::size_t UNPACKED_ANYWAY = std::size_t{16} << 20;
+/// How often its chunks may have to be unpacked, all together, for its messages to come in the order of
+/// time: more than a recorder's delays ever bring about.
+constexpr std::size_t MOST_UNPACKINGS = 16;
 /// More than anything writes; rosbag doubles a buffer of 32-bit size until a chunk fits [bytes].
 constexpr std::size_t LARGEST_CHUNK = std::size_t{1} << 30;
 
@@ -46,6 +52,7 @@ public:
     readChunkInfos();
     if (!rest_.atEnd())
       throw DamagedBag("it goes on behind its index");
+    requireOrder();
   }
 
 private:
@@ -68,13 +75,15 @@ private:
   void readChunks()
   {
     std::optional<BagChunk> chunk;
-    std::size_t chunk_position = 0;
+    ChunkSize chunk_size;
     const auto finishChunk = [&]
     {
       if (!chunk)
         return;
       chunk->requireIndexed();
-      index_records_[chunk_position] = chunk->indexRecords();
+      for (const std::uint64_t time : chunk->times())
+        messages_.push_back({time, chunk_size});
+      index_records_[chunk_size.position] = chunk->indexRecords();
     };
     while (rest_.position() < index_position_)
     {
@@ -88,9 +97,9 @@ private:
       }
       finishChunk();
       record.requireOp(BagOp::CHUNK);
-      requirePlausible(BagChunk::claimedSize(record));
+      chunk_size = {position, BagChunk::claimedSize(record)};
+      requirePlausible(chunk_size.bytes);
       chunk.emplace(record);
-      chunk_position = position;
     }
     finishChunk();
     if (rest_.position() != index_position_)
@@ -103,6 +112,22 @@ private:
     unpacked_size_ += chunk_size;
     if (chunk_size > LARGEST_CHUNK || unpacked_size_ > MOST_RATIO * rest_.size() + UNPACKED_ANYWAY)
       throw DamagedBag("it claims to unpack to far more than its size");
+  }
+
+  /// rosbag keeps one chunk unpacked, and reads in the order of time: chunks whose messages alternate are
+  /// unpacked again for each of them.
+  void requireOrder()
+  {
+    std::sort(messages_.begin(), messages_.end(),
+              [](const Message& a, const Message& b)
+              { return std::tie(a.time, a.chunk.position) < std::tie(b.time, b.chunk.position); });
+    std::size_t unpacked = 0;
+    for (std::size_t i = 0; i < messages_.size(); ++i)
+      if (i == 0 || messages_[i].chunk.position != messages_[i - 1].chunk.position)
+        unpacked += messages_[i].chunk.bytes;
+    if (unpacked > MOST_UNPACKINGS * unpacked_size_ + UNPACKED_ANYWAY)
+      throw DamagedBag(
+          "its messages alternate between chunks; `rosbag filter IN OUT True` puts them in order");
   }
 
   void readConnections()
@@ -136,7 +161,20 @@ private:
       throw DamagedBag("a chunk is missing from its index");
   }
 
+  struct ChunkSize
+  {
+    std::size_t position = 0;  ///< in the bag
+    std::uint32_t bytes = 0;   ///< unpacked
+  };
+
+  struct Message
+  {
+    std::uint64_t time;  ///< [ns]
+    ChunkSize chunk;
+  };
+
   BagBytes rest_;
+  std::vector<Message> messages_;
   std::size_t index_position_ = 0;
   std::uint32_t connections_ = 0;
   std::uint32_t chunk_infos_ = 0;

@@ -184,6 +184,29 @@ TEST(DamagedBag, ThatUnpacksToFarMoreThanItsSizeIsRefused)
   EXPECT_EQ(refusalOf(bytes), "cannot be read as a bag: it claims to unpack to far more than its size");
 }
 
+/// Two chunks of some hundred kilobytes whose messages alternate in time.
+TEST(DamagedBag, WhoseMessagesAlternateBetweenChunksIsRefused)
+{
+  const ScratchDirectory scratch;
+  const Simulation simulation(smallMixture());
+  const auto bag_of = [&](std::uint32_t step)
+  {
+    {
+      rosbag::Bag bag(scratch / "run.bag", rosbag::bagmode::Write);
+      bag.write("/sieve/scene", ros::Time(1.0), toMessage(makeSceneFrame(simulation)));
+      bag.setChunkThreshold(300'000);
+      // Messages of even times first, then those of odd times: or, with step 1, all in order.
+      for (std::uint32_t part = 0; part < step; ++part)
+        for (std::uint32_t k = part; k < 800; k += step)
+          bag.write("/sieve/particles", ros::Time(2 + k, 0), toMessage(makeParticleFrame(simulation)));
+    }
+    return contents(scratch / "run.bag");
+  };
+  EXPECT_EQ(refusalOf(bag_of(1)), "");
+  EXPECT_EQ(refusalOf(bag_of(2)).rfind("cannot be read as a bag: its messages alternate between chunks; ", 0),
+            0u);
+}
+
 TEST(DamagedBag, WithAFrameAtNoTimeIsRefused)
 {
   for (const double time : {-1.0, 1e10, std::numeric_limits<double>::quiet_NaN()})
