@@ -30,27 +30,36 @@ double CollapseWatch::floorSpeed(std::uint32_t id) const
   return std::max(floor, contact_.min_rebound_speed);
 }
 
+bool CollapseWatch::stuck(std::uint32_t id) const
+{
+  return disks_[id].level > MAX_LEVEL;
+}
+
 void CollapseWatch::collapse(std::uint32_t id, double time)
 {
   Window& window = disks_[id];
   window = {time + time_scale_, 0, window.level + 1};
   // Disks that do not see each other are advanced one by one: the first is the earliest of them.
-  if (counts_.count == 0 || epoch_start_ + time < counts_.first_time)
+  const double run_time = epoch_start_ + time;
+  if (counts_.count == 0 || run_time < counts_.first_time)
   {
-    counts_.first_time = epoch_start_ + time;
+    counts_.first_time = run_time;
     counts_.first_disk = id;
   }
   ++counts_.count;
-  hopeless_ = hopeless_ || window.level > MAX_LEVEL;
-  stops_ = hopeless_ || contact_.on_collapse == CollapseAction::STOP;
+  if (stuck(id) && (!first_stuck_ || run_time < first_stuck_->time))
+    first_stuck_ = Stuck{run_time, id};
+  stops_ = first_stuck_ || contact_.on_collapse == CollapseAction::STOP;
 }
 
 std::string CollapseWatch::text() const
 {
   std::ostringstream text;
-  text << "time all but stopped (inelastic collapse): disk " << counts_.first_disk << " had more than "
-       << limit_ << " events within " << time_scale_ << " s at " << counts_.first_time << " s";
-  if (hopeless_)
+  text << "time all but stopped (inelastic collapse): disk "
+       << (first_stuck_ ? first_stuck_->disk : counts_.first_disk) << " had more than " << limit_
+       << " events within " << time_scale_ << " s at "
+       << (first_stuck_ ? first_stuck_->time : counts_.first_time) << " s";
+  if (first_stuck_)
     text << ", and losing nothing at its contacts did not help";
   else if (stops_)
     text << "; contact.min_rebound_speed above 0 or a larger one avoids it, contact.on_collapse: rebound "

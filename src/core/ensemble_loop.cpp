@@ -55,8 +55,9 @@ private:
     while (next.time <= time && machine_.active(id))
     {
       const double now = next.time;
-      if (machine_.collapseWatch().count(id, now) && machine_.collapseWatch().hopeless())
-        return;
+      // For a disk that is stuck there is no later time. The others go on to where the run is stopped.
+      if (machine_.collapseWatch().count(id, now) && machine_.collapseWatch().stuck(id))
+        return machine_.takeOut(id, now);
       ++events_;
       if (next.feature)
         machine_.meetBase(id, *next.feature, now);

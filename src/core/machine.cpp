@@ -108,6 +108,17 @@ void Machine::leave(std::uint32_t id, bool to_the_right, double time)
   SpeciesBins& bins = bins_[disks_[id].species];
   --bins.on_base;
   ++(to_the_right ? bins.right : bins.left);
+  endPassage(id, time);
+}
+
+void Machine::takeOut(std::uint32_t id, double time)
+{
+  fly(id, time);
+  endPassage(id, time);
+}
+
+void Machine::endPassage(std::uint32_t id, double time)
+{
   active_[id] = 0;
   --active_count_;
   tally_.left(id, disks_[id], epoch_.start + time);

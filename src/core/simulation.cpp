@@ -196,7 +196,7 @@ private:
   bool hasToStop() const
   {
     const CollapseWatch& watch = machine_.collapseWatch();
-    return watch.stops() && (scenePairs() || watch.hopeless() || now_ >= machine_.epoch().length);
+    return watch.stops() && (scenePairs() || now_ >= machine_.epoch().length);
   }
 
   void reportSorted()

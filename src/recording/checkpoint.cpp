@@ -62,11 +62,16 @@ Json identity(const SceneDefinition& scene)
 
 std::string readAll(const std::string& path)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (!file)
-    refuse(path, "it cannot be read");
-  return bytes;
+  try
+  {
+    if (std::ifstream file(path, std::ios::binary); file)
+      return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+  catch (const std::ios_base::failure&)
+  {
+    // A directory can be opened, but not read.
+  }
+  refuse(path, "it cannot be read");
 }
 
 /// What follows the checksum, which is right.

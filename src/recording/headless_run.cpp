@@ -55,8 +55,7 @@ public:
       outcome_.end = RunEnd::STALLED;
     if (simulation_.collapses().count > 0)
       outcome_.warnings.push_back(simulation_.collapseText());
-    if (!simulation_.stalled())
-      save();
+    save();
     audit();
     if (watchers_.frames != nullptr)
       sampler_.takeLast(simulation_, *watchers_.frames);
@@ -126,9 +125,11 @@ private:
     most = std::max(most, simulation_.auditOverlaps());
   }
 
+  /// A run that stalls could not go on from there: what was saved before is worth more. An ensemble is
+  /// stalled for a while before it is stopped.
   void save()
   {
-    if (watchers_.save)
+    if (watchers_.save && !simulation_.stalled())
       watchers_.save(simulation_, outcome_.progress);
     last_save_ = Clock::now();
   }

@@ -115,6 +115,40 @@ TEST(Collapse, OfOneDiskLetsTheOthersOfAnEnsembleBe)
   EXPECT_NEAR(energy / (9.81 * 0.052), 1.0, 1e-10);
 }
 
+/// Disk 1 fits exactly between two walls: once it has been pushed to a side there is no time between its
+/// contacts. Disk 2 comes to rest before that, disk 0 later.
+SceneDefinition jammed()
+{
+  SceneDefinition scene = collapsing(false);
+  scene.boundary = Boundary::WALLED;
+  scene.base.teeth = 1;
+  scene.base.tooth_width = 0.004;
+  scene.base.tooth_height = 0.0005;
+  scene.species[0].radius = 0.0005;
+  scene.species[1].radius = 0.002;
+  scene.initial = {{0, 0.001, 0.2}, {1, 0.002, 0.04}, {0, 0.003, 0.01}};
+  scene.contact.on_collapse = CollapseAction::REBOUND;
+  scene.contact.collapse_events = 1000;
+  return scene;
+}
+
+TEST(Collapse, OfADiskThatNothingFreesStopsAnEnsembleInOrder)
+{
+  Simulation at_once(jammed());
+  EXPECT_THROW(at_once.advanceTo(3.0), StallError);
+  EXPECT_EQ(at_once.auditOverlaps(), 0u);
+  EXPECT_LT(at_once.maxOverlap(), 1e-12);
+  EXPECT_EQ(at_once.activeDisks(), 2u);
+  EXPECT_EQ(at_once.collapses().first_disk, 2u);
+  EXPECT_NE(at_once.collapseText().find("disk 1 had"), std::string::npos) << at_once.collapseText();
+
+  Simulation in_strides(jammed());
+  EXPECT_THROW(for (int k = 1; k <= 3000; ++k) in_strides.advanceTo(0.001 * k), StallError);
+  in_strides.auditOverlaps();
+  EXPECT_EQ(in_strides.saveState(), at_once.saveState());
+  EXPECT_EQ(in_strides.collapseText(), at_once.collapseText());
+}
+
 TEST(Collapse, IsNotSeenWhereARestingDiskHopsAtTheFloor)
 {
   SceneDefinition scene = collapsing(true);

@@ -75,6 +75,26 @@ TEST_F(CheckpointFile, IsWrittenNowAndThenAndAtTheEndWithoutChangingTheRun)
   EXPECT_EQ(times.back(), saved.scene().duration);
 }
 
+TEST_F(CheckpointFile, IsNotWrittenOfAnEnsembleThatHasStalledAndGoesOnToAnEpochsEnd)
+{
+  SceneDefinition scene = smallRing();
+  scene.base.amplitude = 0.0;
+  scene.contact.pair_collisions = false;
+  scene.contact.min_rebound_speed = 0.0;
+  scene.contact.collapse_events = 1000;
+  RunWatchers watchers;
+  watchers.save_period = 0.0;
+  int saves = 0;
+  watchers.save = [&saves](const Simulation& now, const RunProgress&)
+  {
+    ++saves;
+    EXPECT_FALSE(now.stalled()) << now.time();
+  };
+  Simulation simulation(scene);
+  EXPECT_EQ(runToEnd(simulation, watchers).end, RunEnd::STALLED);
+  EXPECT_GT(saves, 1);
+}
+
 TEST_F(CheckpointFile, OfAnotherRunIsRefused)
 {
   save(smallRing());
@@ -94,6 +114,7 @@ TEST_F(CheckpointFile, OfAnotherRunIsRefused)
 
 TEST_F(CheckpointFile, ThatIsNoneIsRefused)
 {
+  EXPECT_THROW(readCheckpoint(std::filesystem::temp_directory_path().string(), smallRing()), CheckpointError);
   expectRefusal(smallRing(), "it cannot be read");
   std::ofstream(path_) << "base: {teeth: 3}\n";
   expectRefusal(smallRing(), "it is no checkpoint");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace ratchet_sieve
 /// Where the scene says that the run goes on, the disk is loosened until it has gone through a whole
 /// time scale without a collapse: its contacts lose nothing, which lets a wedged disk press its way
 /// out, and part no slower than a floor, which lets a resting one hop. The floor doubles with every
-/// collapse that follows another.
+/// collapse that follows another. A disk that even that does not free is stuck.
 class CollapseWatch
 {
 public:
@@ -44,11 +45,11 @@ public:
   /// How slowly a loosened disk's contacts may part [m/s].
   double floorSpeed(std::uint32_t id) const;
 
-  /// Whether the run has to end: the scene says so, or it is hopeless.
-  bool stops() const { return stops_; }
+  /// Whether loosening the disk again and again did not help.
+  bool stuck(std::uint32_t id) const;
 
-  /// Whether loosening a disk again and again did not help.
-  bool hopeless() const { return hopeless_; }
+  /// Whether the run has to end: the scene says so, or a disk is stuck.
+  bool stops() const { return stops_; }
 
   const CollapseCounts& counts() const { return counts_; }
 
@@ -58,7 +59,7 @@ public:
   /// Zero of time moves on; @param epoch_start the new one [s]
   void rebase(double length, double epoch_start);
 
-  void archive(StateArchive& state) { state(epoch_start_, disks_, counts_, stops_, hopeless_); }
+  void archive(StateArchive& state) { state(epoch_start_, disks_, counts_, first_stuck_, stops_); }
 
 private:
   /// The events of one disk since its present window was opened.
@@ -71,10 +72,19 @@ private:
     void archive(StateArchive& state) { state(end, events, level); }
   };
 
-  /// Where the run ends, the disk stays loosened on the way there.
+  /// A disk at the end of its hope.
+  struct Stuck
+  {
+    double time = 0.0;  ///< of the run [s]
+    std::uint32_t disk = 0;
+
+    void archive(StateArchive& state) { state(time, disk); }
+  };
+
+  /// Where a collapse ends the run, the disk stays loosened on the way there.
   void open(Window& window, double time) const
   {
-    window = {time + time_scale_, 0, stops_ ? window.level : 0};
+    window = {time + time_scale_, 0, contact_.on_collapse == CollapseAction::STOP ? window.level : 0};
   }
   void collapse(std::uint32_t id, double time);
 
@@ -85,8 +95,8 @@ private:
   double epoch_start_ = 0.0;
   std::vector<Window> disks_;
   CollapseCounts counts_;
+  std::optional<Stuck> first_stuck_;
   bool stops_ = false;
-  bool hopeless_ = false;
 };
 
 }  // namespace ratchet_sieve

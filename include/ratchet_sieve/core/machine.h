@@ -90,6 +90,9 @@ public:
   /// Wraps a disk on a periodic base by as many widths as bring `s`, its place along the base, into [0, W).
   void bringHome(std::uint32_t id, double s, double time);
 
+  /// Takes a disk out where it is, into no bin: it is in the machine still, but has no course to follow.
+  void takeOut(std::uint32_t id, double time);
+
   void rebase();
   void restartMeans(double time);
   void endPieceOfMeans(double time);
@@ -118,6 +121,7 @@ private:
 
   Disk& fly(std::uint32_t id, double time);
   void leave(std::uint32_t id, bool to_the_right, double time);
+  void endPassage(std::uint32_t id, double time);
   bool lossless(std::uint32_t id, double time) const;
   double reboundFloor(std::uint32_t id) const;
   void touched(std::uint32_t id, double time);
