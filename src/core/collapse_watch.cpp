@@ -55,6 +55,7 @@ void CollapseWatch::collapse(std::uint32_t id, double time)
 std::string CollapseWatch::text() const
 {
   std::ostringstream text;
+  text.precision(12);
   text << "time all but stopped (inelastic collapse): disk "
        << (first_stuck_ ? first_stuck_->disk : counts_.first_disk) << " had more than " << limit_
        << " events within " << time_scale_ << " s at "
@@ -62,8 +63,8 @@ std::string CollapseWatch::text() const
   if (first_stuck_)
     text << ", and losing nothing at its contacts did not help";
   else if (stops_)
-    text << "; contact.min_rebound_speed above 0 or a larger one avoids it, contact.on_collapse: rebound "
-            "goes on";
+    text << "; contact.min_rebound_speed above 0 or a larger one may avoid it, contact.on_collapse: rebound "
+            "may go on";
   else
     text << ", the first of " << counts_.count << " times; its contacts lost nothing for a while";
   return text.str();

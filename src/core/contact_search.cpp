@@ -224,8 +224,7 @@ ContactSearch::Direction ContactSearch::forcedDirection() const
 {
   if (motion_.turning())
     return {};
-  const BaseKinematics mount = motion_.at(motion_.segmentStart());
-  return {false, mount.sine, mount.cosine};
+  return {false, motion_.sine(), motion_.cosine()};
 }
 
 void ContactSearch::lookAtEnds(Step& step) const

@@ -46,6 +46,7 @@ public:
   {
     EventLoop::archive(state);
     state(next_);
+    requireDisks(next_.size(), machine_);
   }
 
 private:
@@ -61,10 +62,16 @@ private:
       ++events_;
       if (next.feature)
         machine_.meetBase(id, *next.feature, now);
-      // Also where a long flight comes down, far from home: the next contact is found on a finer place.
-      machine_.bringHome(id, machine_.search().seenFromBase(machine_.disk(id), now).s, now);
+      bringHome(id, now);
       next = search(id, now);
     }
+  }
+
+  /// Also where a long flight comes down, far from home: the next contact is found on a finer place.
+  void bringHome(std::uint32_t id, double now)
+  {
+    if (machine_.scene().boundary == Boundary::PERIODIC)
+      machine_.bringHome(id, machine_.search().seenFromBase(machine_.disk(id), now).s, now);
   }
 
   BaseEvent search(std::uint32_t id, double from) const

@@ -146,7 +146,11 @@ void Machine::archive(StateArchive& state)
 {
   state(epoch_, motion_, disks_, active_, last_contacts_, active_count_, collapse_watch_, bins_, tally_,
         collisions_, max_overlap_);
-  const bool of_this_scene = bins_.size() == scene_.species.size() && active_.size() == disks_.size() &&
+  const std::size_t count = disks_.size();
+  const std::size_t contacts = scene_.contact.contact_duration > 0.0 ? count : 0;
+  const bool of_this_scene = bins_.size() == scene_.species.size() && active_.size() == count &&
+                             last_contacts_.size() == contacts && collapse_watch_.disks() == count &&
+                             tally_.disks() == count &&
                              std::all_of(disks_.begin(), disks_.end(),
                                          [this](const Disk& disk) { return disk.species < bins_.size(); });
   if (!of_this_scene)

@@ -84,6 +84,7 @@ public:
   {
     EventLoop::archive(state);
     state(frame_, grid_, grid_capacity_, laid_for_, queue_, predictions_);
+    requireDisks(predictions_.size(), machine_);
   }
 
 private:

@@ -38,6 +38,10 @@ public:
 
   double segmentStart() const { return segment_start_; }
 
+  /// Of theta at the segment's start: while the base does not turn, of theta as it is.
+  double cosine() const { return cosine_; }
+  double sine() const { return sine_; }
+
   /// When the present segment ends; nothing while the base stands at its setpoints.
   std::optional<double> nextChange() const { return next_change_; }
 

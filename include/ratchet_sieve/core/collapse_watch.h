@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -39,7 +40,9 @@ public:
     return true;
   }
 
-  /// Whether the disk's contacts lose nothing for now.
+  std::size_t disks() const { return disks_.size(); }
+
+  /// Whether the disk's contacts lose nothing for now. As long as none collapsed, without a look at it.
   bool loosened(std::uint32_t id) const { return counts_.count > 0 && disks_[id].level > 0; }
 
   /// How slowly a loosened disk's contacts may part [m/s].

@@ -32,12 +32,16 @@ public:
   /// Zero of time moves on by `length`.
   virtual void rebase(double length) = 0;
 
+  /// @throws StateError
   virtual void archive(StateArchive& state) { state(events_); }
 
   /// Events processed so far, collisions and all that serves to find them.
   std::uint64_t events() const { return events_; }
 
 protected:
+  /// @throws StateError if what was restored is of another number of disks than the machine's
+  static void requireDisks(std::size_t count, const Machine& machine);
+
   std::uint64_t events_ = 0;
 };
 

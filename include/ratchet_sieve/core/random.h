@@ -30,8 +30,10 @@ public:
     out << generator_;
     std::string text = out.str();
     state(text);
+    if (!state.restoring())
+      return;
     std::istringstream in(text);
-    if (state.restoring() && !(in >> generator_))
+    if (!(in >> generator_))
       throw StateError("its random numbers are no such state");
   }
 

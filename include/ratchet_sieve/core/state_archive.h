@@ -104,9 +104,12 @@ private:
 
   void one(std::string& text)
   {
-    std::vector<char> characters(text.begin(), text.end());
-    one(characters);
-    text.assign(characters.begin(), characters.end());
+    std::uint64_t size = text.size();
+    one(size);
+    if (restoring_ && size > rest_.size())
+      throw StateError("it is cut short");
+    text.resize(size);
+    bytes(text.data(), size);
   }
 
   void bytes(void* place, std::size_t count)

@@ -19,6 +19,8 @@ class Tally
 public:
   Tally(const std::vector<SpeciesDefinition>& species, double gravity);
 
+  std::size_t disks() const { return passages_.size(); }
+
   void entered(const Disk& disk, double time);
   void left(std::uint32_t id, const Disk& disk, double time);
 

@@ -23,7 +23,7 @@ struct Checkpoint
 };
 
 /// Writes a run into a file: whole or not at all, so that what was there before survives whatever
-/// interrupts the writing. @throws OutputError
+/// ends the program. @throws OutputError
 void writeCheckpoint(const std::string& path, const Simulation& simulation, const RunProgress& progress);
 
 /// Takes up a run from a file, to go on bit for bit. `duration` may differ from the one it was saved

@@ -1,0 +1,14 @@
+#include "ratchet_sieve/core/event_loop.h"
+
+#include "ratchet_sieve/core/machine.h"
+
+namespace ratchet_sieve
+{
+
+void EventLoop::requireDisks(std::size_t count, const Machine& machine)
+{
+  if (count != machine.disks().size())
+    throw StateError("it is of another number of disks");
+}
+
+}  // namespace ratchet_sieve
