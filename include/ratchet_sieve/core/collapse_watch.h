@@ -78,8 +78,8 @@ private:
   /// A disk at the end of its hope.
   struct Stuck
   {
-    double time = 0.0;  ///< of the run [s]
-    std::uint32_t disk = 0;
+    double time;  ///< of the run [s]
+    std::uint32_t disk;
 
     void archive(StateArchive& state) { state(time, disk); }
   };
