@@ -70,17 +70,21 @@ void forEachNearPair(const Machine& machine, const std::vector<BasePoint>& point
   for (std::uint32_t id = 0; id < points.size(); ++id)
     if (machine.active(id))
       grid.add(id, grid.cellAt(points[id].s, points[id].n));
+  std::vector<std::uint32_t> list;
   for (std::uint32_t id = 0; id < points.size(); ++id)
     if (machine.active(id))
-      grid.visit(grid.cellOf(id), -1, 1, -1, 1,
-                 [&](std::uint32_t other, int shift)
+      grid.visit(grid.cellOf(id), {}, list,
+                 [&](const std::uint32_t* ids, std::size_t count, int shift)
                  {
-                   if (other >= id)
-                     return;
-                   const double ds = points[id].s - points[other].s - shift * width;
-                   const double dn = points[id].n - points[other].n;
-                   visit(other, id,
-                         machine.radius(id) + machine.radius(other) - std::sqrt(ds * ds + dn * dn));
+                   for (const std::uint32_t* other = ids; other != ids + count; ++other)
+                   {
+                     if (*other >= id)
+                       continue;
+                     const double ds = points[id].s - points[*other].s - shift * width;
+                     const double dn = points[id].n - points[*other].n;
+                     visit(*other, id,
+                           machine.radius(id) + machine.radius(*other) - std::sqrt(ds * ds + dn * dn));
+                   }
                  });
 }
 }  // namespace
@@ -127,15 +131,19 @@ void refuseBadStart(const Machine& machine)
   }
   if (!machine.scene().contact.pair_collisions)
     return;
+  double worst = 0.0;
   forEachNearPair(machine, points,
                   [&](std::uint32_t first, std::uint32_t second, double overlap)
                   {
-                    if (overlap <= toleratedOverlap(points[first], machine.radius(first)))
+                    if (overlap <= std::max(worst, toleratedOverlap(points[first], machine.radius(first))))
                       return;
+                    worst = overlap;
+                    message.str("");
                     message << "initial." << first << " and initial." << second << " overlap by " << overlap
                             << " m";
-                    throw std::invalid_argument(message.str());
                   });
+  if (worst > 0.0)
+    throw std::invalid_argument(message.str());
 }
 
 }  // namespace ratchet_sieve

@@ -21,35 +21,68 @@ CellGrid::CellGrid(double width, double height, double smallest_side, std::size_
   rows_ = static_cast<std::int32_t>(std::clamp(std::floor(height / side), 1.0, limit));
   side_s_ = width / columns_;
   side_n_ = std::max(side, height / rows_);
-  heads_.assign(static_cast<std::size_t>(columns_) * rows_, NONE);
+  blocks_.resize(static_cast<std::size_t>(columns_) * rows_);
   resize(count);
 }
 
 void CellGrid::resize(std::size_t count)
 {
-  links_.resize(count);
   cells_.resize(count);
 }
 
 void CellGrid::add(std::uint32_t id, Cell cell)
 {
   cells_[id] = cell;
-  std::uint32_t& head = heads_[index(cell)];
-  links_[id] = {head, NONE};
-  if (head != NONE)
-    links_[head].previous = id;
-  head = id;
+  const std::size_t at = index(cell);
+  if (blocks_[at].count == Block::CAPACITY)
+    handOn(at);
+  Block& block = blocks_[at];
+  block.ids[block.count++] = id;
 }
 
 void CellGrid::remove(std::uint32_t id)
 {
-  const Link link = links_[id];
-  if (link.next != NONE)
-    links_[link.next].previous = link.previous;
-  if (link.previous != NONE)
-    links_[link.previous].next = link.next;
+  const std::size_t at = index(cells_[id]);
+  if (blocks_[at].count == 0)
+    takeBack(at);
+  Block& first = blocks_[at];
+  const std::uint32_t last = first.ids[--first.count];
+  if (last == id)
+    return;
+  // The hole that it leaves is filled by the last one: all blocks but the first stay full.
+  for (Block* block = &first;; block = &blocks_[block->next])
+  {
+    const auto end = block->ids.begin() + block->count;
+    const auto hole = std::find(block->ids.begin(), end, id);
+    if (hole == end)
+      continue;
+    *hole = last;
+    return;
+  }
+}
+
+/// The cell's full block moves to a place of its own.
+void CellGrid::handOn(std::size_t cell)
+{
+  std::size_t place = blocks_.size();
+  if (free_.empty())
+    blocks_.emplace_back();
   else
-    heads_[index(cells_[id])] = link.next;
+  {
+    place = free_.back();
+    free_.pop_back();
+  }
+  blocks_[place] = blocks_[cell];
+  blocks_[cell] = Block();
+  blocks_[cell].next = static_cast<std::uint32_t>(place);
+}
+
+/// An empty cell takes the last block back that it handed on.
+void CellGrid::takeBack(std::size_t cell)
+{
+  const std::uint32_t place = blocks_[cell].next;
+  blocks_[cell] = blocks_[place];
+  free_.push_back(place);
 }
 
 CellGrid::Cell CellGrid::cellAt(double s, double n) const

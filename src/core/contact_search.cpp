@@ -14,6 +14,9 @@ namespace
 /// rest up. Quadratic convergence needs about six; only grazing flights need more.
 constexpr int MAX_STEPS = 64;
 
+/// Newton's method takes three or four steps, and one more where it starts badly.
+constexpr int MAX_POLISHING = 12;
+
 /// While the base turns, a step spans no more than this angle [rad]: it keeps the bound on the
 /// relative acceleration tight.
 constexpr double MAX_TURN_PER_STEP = 0.05;
@@ -23,9 +26,10 @@ constexpr double MAX_TEETH_PER_STEP = 16.0;
 
 constexpr double INFINITE_TIME = std::numeric_limits<double>::infinity();
 
-double speed(const BasePoint& point)
+/// No less than the speed: where only a bound is needed, that saves the root.
+double speedBound(const BasePoint& point)
 {
-  return std::sqrt(point.vs * point.vs + point.vn * point.vn);
+  return std::abs(point.vs) + std::abs(point.vn);
 }
 }  // namespace
 
@@ -41,10 +45,10 @@ BasePoint toBase(const BaseKinematics& k, double x, double y, double vx, double 
   return p;
 }
 
-BasePoint ContactSearch::seenFromBase(const Disk& disk, double time) const
+BasePoint ContactSearch::seenFromBase(const Disk& disk, const BaseKinematics& base, double time) const
 {
   const Disk now = flown(disk, time, gravity_);
-  return toBase(motion_.at(time), now.x, now.y, now.vx, now.vy);
+  return toBase(base, now.x, now.y, now.vx, now.vy);
 }
 
 /// The line along which a disk is accelerated as seen from the base; any while the base turns.
@@ -61,7 +65,8 @@ struct ContactSearch::Direction
   }
 };
 
-/// One step of the search: the disk as it is, and the shortest time any feature guarantees.
+/// One step of the search: the disk as it is, the shortest time any feature guarantees, and whether one
+/// feature is sure to be met before any other.
 class ContactSearch::Step
 {
 public:
@@ -74,44 +79,42 @@ public:
         acceleration_(acceleration),
         resolution_(resolution),
         free_time_(span),
-        speed_(speed(point))
+        horizon_(span),
+        others_free_time_(span),
+        speed_(speedBound(point))
   {
     updateReach();
   }
 
-  /// How fast the distance to a line with this normal can be accelerated.
-  double accelerationAlong(double normal_s, double normal_n) const
+  /// Ends the step before anything can have come as near as this.
+  void noFurtherThan(double distance)
   {
-    return acceleration_ * forced_.share(normal_s, normal_n);
-  }
-
-  /// A point: the distance to it is accelerated whatever its direction.
-  void meet(const BaseFeature& feature, double gap, double rate)
-  {
-    meet(feature, gap, rate, acceleration_, 0.0, 0.0);
-  }
-
-  /// A feature that is met where `gap` is used up while `window` holds (window <= 0). Each of the
-  /// two alone keeps the disk free, so the longer guarantee counts.
-  void meet(const BaseFeature& feature, double gap, double rate, double acceleration, double window,
-            double window_rate)
-  {
-    if (gap > reach_ || window > reach_)
+    if (reach_ <= distance)
       return;
-    const bool within = window <= 0.0;
-    double time = guaranteedFreeTime(gap, rate, acceleration);
-    const bool touches = within && rate < 0.0 && time <= resolution_;
-    if (!within)
-      time = std::max(time, guaranteedFreeTime(window, window_rate, acceleration_));
-    if (time >= free_time_ && !touches)
-      return;
-    if (touches && (!contact_ || gap < contact_gap_))
-    {
-      contact_ = feature;
-      contact_gap_ = gap;
-    }
-    free_time_ = std::min(free_time_, time);
+    free_time_ = horizon_ = others_free_time_ = guaranteedFreeTime(distance, -speed_, acceleration_);
     updateReach();
+  }
+
+  /// A slope or a wall, met where `gap` is used up; what a slope is met through besides comes as `window`.
+  /// @param normal_s, normal_n of the line
+  template <typename FindWindow>
+  void meetLine(const BaseFeature& feature, double gap, double rate, double normal_s, double normal_n,
+                FindWindow&& find_window)
+  {
+    // How fast the distance to the line can be accelerated.
+    const double acceleration = acceleration_ * forced_.share(normal_s, normal_n);
+    if (!staysFree(gap, rate, acceleration))
+      meet(feature, {gap, rate}, acceleration, acceleration, find_window());
+  }
+
+  /// A corner. The distance to it is accelerated whatever its direction, and by passing, too.
+  void meetPoint(const BaseFeature& feature, const Approach& approach)
+  {
+    if (staysFree(approach.gap, approach.rate, acceleration_))
+      return;
+    const double top_speed = speed_ + acceleration_ * horizon_;
+    const double parting = acceleration_ + top_speed * top_speed / radius;
+    meet(feature, {approach.gap, approach.rate}, acceleration_, parting, ALWAYS);
   }
 
   bool canReach(double distance_squared) const
@@ -120,48 +123,166 @@ public:
     return distance_squared <= reach * reach;
   }
 
+  /// Whether the disk is higher over the base than this all through the step.
+  bool staysOver(double height) const
+  {
+    return staysFree(point.n - height - radius, point.vn, acceleration_);
+  }
+
   double freeTime() const { return std::max(free_time_, resolution_); }
+
+  /// What the disk touches now.
   const std::optional<BaseFeature>& contact() const { return contact_; }
+
+  /// What the disk will meet for certain, and before anything else.
+  const SureContact* sureContact() const
+  {
+    return sure_.latest <= others_free_time_ ? &sure_ : nullptr;
+  }
 
   const BasePoint point;
   const double radius;
 
+  struct Gap
+  {
+    double size;
+    double rate;
+  };
+  static constexpr Gap ALWAYS{-INFINITE_TIME, 0.0};
+
 private:
-  void updateReach() { reach_ = (speed_ + 0.5 * acceleration_ * free_time_) * free_time_; }
+  /// A feature that is met where `gap` is used up while `window` holds (window <= 0). Each of the
+  /// two alone keeps the disk free, so the longer guarantee counts.
+  /// @param approaching, parting bound the gap's acceleration towards the feature and away from it
+  void meet(const BaseFeature& feature, const Gap& gap, double approaching, double parting, const Gap& window)
+  {
+    if (staysFree(window.size, window.rate, acceleration_))
+      return;
+    const bool within = window.size <= 0.0;
+    double time = guaranteedFreeTime(gap.size, gap.rate, approaching);
+    if (!within)
+      time = std::max(time, guaranteedFreeTime(window.size, window.rate, acceleration_));
+    else if (gap.rate < 0.0 && time <= resolution_ && (!contact_ || gap.size < contact_gap_))
+    {
+      contact_ = feature;
+      contact_gap_ = gap.size;
+    }
+    const double latest = within ? latestContact(gap, parting, window) : INFINITE_TIME;
+    if (latest < sure_.latest)
+    {
+      others_free_time_ = std::min(others_free_time_, sure_.earliest);
+      sure_ = {feature, gap.size, gap.rate, time, latest, parting};
+    }
+    else
+      others_free_time_ = std::min(others_free_time_, time);
+    free_time_ = std::min(free_time_, time);
+    horizon_ = std::min(horizon_, std::isfinite(latest) ? latest : time);
+    updateReach();
+  }
+
+  /// By when a gap that closes is used up for certain, the window open all the time; else never.
+  double latestContact(const Gap& gap, double parting, const Gap& window) const
+  {
+    const double discriminant = gap.rate * gap.rate - 2.0 * parting * gap.size;
+    if (gap.rate >= 0.0 || gap.size <= 0.0 || discriminant <= 0.0)
+      return INFINITE_TIME;
+    const double latest = 2.0 * gap.size / (std::sqrt(discriminant) - gap.rate);
+    const bool stays_open = window.size + (speed_ + 0.5 * acceleration_ * latest) * latest <= 0.0;
+    return stays_open ? latest : INFINITE_TIME;
+  }
+
+  void updateReach() { reach_ = (speed_ + 0.5 * acceleration_ * horizon_) * horizon_; }
+
+  /// Whether a gap is open for as long as matters: a comparison, where the time itself takes a root.
+  bool staysFree(double gap, double rate, double acceleration) const
+  {
+    const double span = std::max(horizon_, resolution_);
+    return gap > 0.0 && gap + (rate - 0.5 * acceleration * span) * span > 0.0;
+  }
 
   Direction forced_;
   double acceleration_;
   double resolution_;
   double free_time_;
+  double horizon_;           ///< what is free until then does not matter
+  double others_free_time_;  ///< guaranteed by all features but the sure one
   double speed_;
-  double reach_ = 0.0;  ///< how far anything can come to the disk within free_time_
+  double reach_ = 0.0;  ///< how far anything can come to the disk within the horizon
   std::optional<BaseFeature> contact_;
   double contact_gap_ = 0.0;
+  SureContact sure_;
 };
 
-BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, double until) const
+BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, double until,
+                              BaseInstant& base) const
 {
+  if (staysAbove(disk, radius, from, until))
+    return {until, std::nullopt};
   const Direction forced = forcedDirection();
   double time = nearTime(disk, radius, from);
   for (int i = 0; i < MAX_STEPS; ++i)
   {
     if (time >= until)
       return {time, std::nullopt};
-    const BasePoint point = seenFromBase(disk, time);
+    const BasePoint point = seenFromBase(disk, i == 0 ? base.at(time) : motion_.at(time), time);
     const double span = std::min(until - time, longestSpan());
     const double acceleration = relativeAccelerationBound(point, span);
-    const double far = MAX_TEETH_PER_STEP * sawtooth_.toothWidth() + radius;
-    const double within_far = guaranteedFreeTime(far, -speed(point), acceleration);
-    Step step(point, radius, acceleration, forced, std::min(span, within_far), time_resolution_);
-    lookAtEnds(step);
-    lookAtTeeth(step);
+    Step step(point, radius, acceleration, forced, span, time_resolution_);
+    step.noFurtherThan(MAX_TEETH_PER_STEP * sawtooth_.toothWidth() + radius);
+    if (sawtooth_.boundary() != Boundary::PERIODIC)
+      lookAtEnds(step);
+    if (!step.staysOver(sawtooth_.height()))
+      lookAtTeeth(step);
     if (step.contact())
       return {time, step.contact()};
+    if (const SureContact* sure = step.sureContact())
+      if (const auto contact = polish(disk, radius, *sure, time))
+        return {*contact, sure->feature};
     time += step.freeTime();
     if (point.n > sawtooth_.height() + radius)
       time = nearTime(disk, radius, time);
   }
   return {time, std::nullopt};
+}
+
+/// Newton's method on the gap to the one feature that is to be met: it falls all the way, so that there is one
+/// root between the bounds. Nothing if that does not come to an end.
+std::optional<double> ContactSearch::polish(const Disk& disk, double radius, const SureContact& sure,
+                                            double time) const
+{
+  const double earliest = time + sure.earliest;
+  const double latest = time + sure.latest;
+  double at = std::clamp(time - sure.gap / sure.rate, earliest, latest);
+  for (int i = 0; i < MAX_POLISHING; ++i)
+  {
+    const Approach now =
+        sawtooth_.approach(sure.feature, seenFromBase(disk, motion_.at(at), at), radius);
+    if (!(now.rate < 0.0))
+      return std::nullopt;
+    const double step = -now.gap / now.rate;
+    at = std::clamp(at + step, earliest, latest);
+    // The next step would be no longer than K step^2 / (2 |rate|).
+    if (0.5 * sure.acceleration * step * step <= -now.rate * time_resolution_)
+      return at;
+  }
+  return std::nullopt;
+}
+
+/// Whether the disk is out of the base's reach, wherever that is in its oscillation, at both ends of a time: then
+/// it is in between, for it falls. A comparison, where nearTime() takes a root. May say no where it is.
+bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, double until) const
+{
+  if (motion_.turning() || sawtooth_.boundary() != Boundary::PERIODIC)
+    return false;
+  const double top = sawtooth_.height() + radius + motion_.displacementBound() * motion_.cosine();
+  const auto above = [&](double time)
+  {
+    const double elapsed = time - disk.time;
+    const double x = disk.x + disk.vx * elapsed;
+    const double y = disk.y + (disk.vy - 0.5 * gravity_ * elapsed) * elapsed;
+    return motion_.cosine() * y - motion_.sine() * x > top;
+  };
+  return above(until) && above(from);
 }
 
 /// The first time from `from` on at which the base, wherever it is in its oscillation, could reach
@@ -171,9 +292,9 @@ double ContactSearch::nearTime(const Disk& disk, double radius, double from) con
   if (motion_.turning())
     return from;
   const Disk now = flown(disk, from, gravity_);
-  BaseKinematics mount = motion_.at(from);
-  mount.displacement = 0.0;
-  mount.velocity = 0.0;
+  BaseKinematics mount;
+  mount.cosine = motion_.cosine();
+  mount.sine = motion_.sine();
   const BasePoint p = toBase(mount, now.x, now.y, now.vx, now.vy);
   const double along = motion_.displacementBound() * std::abs(mount.sine);
   const double across = motion_.displacementBound() * mount.cosine;
@@ -213,7 +334,7 @@ double ContactSearch::relativeAccelerationBound(const BasePoint& point, double s
     const double w = std::abs(motion_.inclinationRate());
     const double distance = std::sqrt(point.s * point.s + point.n * point.n);
     const double turn = w * span;
-    bound = (plain + 2.0 * w * speed(point) + w * w * (distance + speed(point) * span)) /
+    bound = (plain + 2.0 * w * speedBound(point) + w * w * (distance + speedBound(point) * span)) /
             (1.0 - 2.0 * turn - turn * turn);
   }
   return bound;
@@ -233,13 +354,12 @@ void ContactSearch::lookAtEnds(Step& step) const
   {
     const BaseFeature feature{kind, 0};
     const Approach a = sawtooth_.approach(feature, step.point, step.radius);
-    step.meet(feature, a.gap, a.rate, step.accelerationAlong(a.normal_s, a.normal_n), 0.0, 0.0);
+    step.meetLine(feature, a.gap, a.rate, a.normal_s, a.normal_n, [] { return Step::ALWAYS; });
   };
   const auto meet_foot = [&](std::int32_t tooth)
   {
     const BaseFeature feature{BaseFeatureKind::END_FOOT, tooth};
-    const Approach a = sawtooth_.approach(feature, step.point, step.radius);
-    step.meet(feature, a.gap, a.rate);
+    step.meetPoint(feature, sawtooth_.approach(feature, step.point, step.radius));
   };
   if (sawtooth_.boundary() == Boundary::WALLED)
   {
@@ -278,7 +398,6 @@ void ContactSearch::lookAtTooth(std::int32_t tooth, Step& step) const
 {
   const BasePoint& p = step.point;
   const double s = p.s - sawtooth_.toothStart(tooth);
-  const double slack = sawtooth_.windowSlack();
   const auto meet_slope = [&](const Sawtooth::Slope& slope, BaseFeatureKind kind)
   {
     if (!slope.present)
@@ -286,29 +405,28 @@ void ContactSearch::lookAtTooth(std::int32_t tooth, Step& step) const
     const double ds = s - slope.foot_s;
     const double distance = ds * slope.normal_s + p.n * slope.normal_n;
     const double rate = p.vs * slope.normal_s + p.vn * slope.normal_n;
-    const double along = ds * slope.along_s + p.n * slope.along_n;
-    const double along_rate = p.vs * slope.along_s + p.vn * slope.along_n;
     // The slope can be met only from in front and between its ends.
-    double window = -distance - slack;
-    double window_rate = -rate;
-    if (-along - slack > window)
+    const auto window = [&]
     {
-      window = -along - slack;
-      window_rate = -along_rate;
-    }
-    if (along - slope.length - slack > window)
-    {
-      window = along - slope.length - slack;
-      window_rate = along_rate;
-    }
-    step.meet({kind, tooth}, distance - step.radius, rate,
-              step.accelerationAlong(slope.normal_s, slope.normal_n), window, window_rate);
+      const double along = ds * slope.along_s + p.n * slope.along_n;
+      const double along_rate = p.vs * slope.along_s + p.vn * slope.along_n;
+      const double slack = sawtooth_.windowSlack();
+      Step::Gap latest{-distance - slack, -rate};
+      if (-along - slack > latest.size)
+        latest = {-along - slack, -along_rate};
+      if (along - slope.length - slack > latest.size)
+        latest = {along - slope.length - slack, along_rate};
+      return latest;
+    };
+    step.meetLine({kind, tooth}, distance - step.radius, rate, slope.normal_s, slope.normal_n, window);
   };
   meet_slope(sawtooth_.left(), BaseFeatureKind::LEFT_SLOPE);
   meet_slope(sawtooth_.right(), BaseFeatureKind::RIGHT_SLOPE);
   const BaseFeature apex{BaseFeatureKind::APEX, tooth};
-  const Approach a = sawtooth_.approach(apex, p, step.radius);
-  step.meet(apex, a.gap, a.rate);
+  const double ds = s - sawtooth_.apexOffset();
+  const double dn = p.n - sawtooth_.height();
+  if (step.canReach(ds * ds + dn * dn))
+    step.meetPoint(apex, sawtooth_.approach(apex, p, step.radius));
 }
 
 }  // namespace ratchet_sieve

@@ -13,7 +13,7 @@ namespace
 class EnsembleLoop : public EventLoop
 {
 public:
-  explicit EnsembleLoop(Machine& machine) : machine_(machine) {}
+  explicit EnsembleLoop(Machine& machine) : machine_(machine), base_(machine.motion()) {}
 
   /// A collapse does not keep the other disks from coming as far: all have to be at one time.
   double advanceTo(double time) override
@@ -31,6 +31,7 @@ public:
 
   void motionChanged(double time) override
   {
+    base_.forget();
     for (std::uint32_t id = 0; id < next_.size(); ++id)
       if (machine_.active(id))
         next_[id] = search(id, time);
@@ -38,6 +39,7 @@ public:
 
   void rebase(double length) override
   {
+    base_.forget();
     for (BaseEvent& event : next_)
       event.time -= length;
   }
@@ -61,7 +63,7 @@ private:
         return machine_.takeOut(id, now);
       ++events_;
       if (next.feature)
-        machine_.meetBase(id, *next.feature, now);
+        machine_.meetBase(id, *next.feature, now, base_);
       bringHome(id, now);
       next = search(id, now);
     }
@@ -71,15 +73,16 @@ private:
   void bringHome(std::uint32_t id, double now)
   {
     if (machine_.scene().boundary == Boundary::PERIODIC)
-      machine_.bringHome(id, machine_.search().seenFromBase(machine_.disk(id), now).s, now);
+      machine_.bringHome(id, machine_.search().seenFromBase(machine_.disk(id), base_.at(now), now).s, now);
   }
 
-  BaseEvent search(std::uint32_t id, double from) const
+  BaseEvent search(std::uint32_t id, double from)
   {
-    return machine_.nextBaseEvent(id, from, std::numeric_limits<double>::infinity());
+    return machine_.nextBaseEvent(id, from, std::numeric_limits<double>::infinity(), base_);
   }
 
   Machine& machine_;
+  BaseInstant base_;
   std::vector<BaseEvent> next_;  ///< per disk
 };
 

@@ -49,6 +49,7 @@ Machine::Machine(const SceneDefinition& scene)
   {
     radii_.push_back(scene_.species[i].radius);
     base_masses_.push_back(contactMasses(scene_.species[i], nullptr));
+    responses_.push_back({1.0 / scene_.species[i].mass, scene_.species[i].radius / scene_.species[i].inertia()});
     for (std::size_t j = 0; j < scene_.species.size(); ++j)
     {
       pair_coefficients_.push_back(contactBetween(scene_, i, j));
@@ -57,14 +58,14 @@ Machine::Machine(const SceneDefinition& scene)
   }
 }
 
-BaseEvent Machine::nextBaseEvent(std::uint32_t id, double from, double until) const
+BaseEvent Machine::nextBaseEvent(std::uint32_t id, double from, double until, BaseInstant& base) const
 {
   // Nothing may come for very long where nothing falls; an epoch at a time is enough.
   double end = std::min(until, from + epoch_.length);
   const auto change = motion_.nextChange();
   if (change)
     end = std::min(end, *change);
-  BaseEvent event = search_.find(disks_[id], radius(id), from, end);
+  BaseEvent event = search_.find(disks_[id], radius(id), from, end, base);
   if (!event.feature && change && event.time >= *change)
     event.time = std::numeric_limits<double>::infinity();
   return event;

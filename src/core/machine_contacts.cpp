@@ -24,14 +24,14 @@ CollisionKind collisionKind(BaseFeatureKind kind)
 }
 }  // namespace
 
-void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time)
+void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time, BaseInstant& base)
 {
   Disk& disk = fly(id, time);
   if (feature.kind == BaseFeatureKind::LEFT_END || feature.kind == BaseFeatureKind::RIGHT_END)
     return leave(id, feature.kind == BaseFeatureKind::RIGHT_END, time);
 
   const SpeciesDefinition& species = scene_.species[disk.species];
-  const BaseKinematics k = motion_.at(time);
+  const BaseKinematics& k = base.at(time);
   const BasePoint point = toBase(k, disk.x, disk.y, disk.vx, disk.vy);
   const Approach approach = sawtooth_.approach(feature, point, species.radius);
   noteOverlap(-approach.gap);
@@ -64,8 +64,8 @@ void Machine::meetPair(std::uint32_t i, std::uint32_t j, int shift, double time)
   Disk& a = fly(i, time);
   Disk& b = fly(j, time);
   const Image there = image(shift, time);
-  const double dx = a.x - b.x - there.dx;
-  const double dy = a.y - b.y - there.dy;
+  const double dx = a.x - there.dx - b.x;
+  const double dy = a.y - there.dy - b.y;
   const double distance = std::sqrt(dx * dx + dy * dy);
   noteOverlap(radius(i) + radius(j) - distance);
   if (distance == 0.0)
@@ -100,11 +100,11 @@ void Machine::meetPair(std::uint32_t i, std::uint32_t j, int shift, double time)
 /// second partner, so that the torque of the tangential impulse has the same sign on both.
 void Machine::push(Disk& disk, const Contact& contact, const Impulse& impulse, double sign) const
 {
-  const SpeciesDefinition& species = scene_.species[disk.species];
-  const double per_mass = sign / species.mass;
+  const Response& response = responses_[disk.species];
+  const double per_mass = sign * response.velocity;
   disk.vx += per_mass * (impulse.normal * contact.nx - impulse.tangential * contact.ny);
   disk.vy += per_mass * (impulse.normal * contact.ny + impulse.tangential * contact.nx);
-  disk.spin -= species.radius * impulse.tangential / species.inertia();
+  disk.spin -= response.spin * impulse.tangential;
 }
 
 bool Machine::lossless(std::uint32_t id, double time) const

@@ -32,7 +32,7 @@ class PairLoop : public EventLoop
 {
 public:
   explicit PairLoop(Machine& machine)
-      : machine_(machine), grid_(makeGrid()), laid_for_(machine.disks().size())
+      : machine_(machine), base_(machine.motion()), grid_(makeGrid()), laid_for_(machine.disks().size())
   {
   }
 
@@ -65,15 +65,17 @@ public:
 
   void motionChanged(double time) override
   {
+    base_.forget();
     layCells(time);
     forEachActive([&](std::uint32_t id) { predict(id, time); });
   }
 
   void rebase(double length) override
   {
+    base_.forget();
     for (Prediction& p : predictions_)
     {
-      p.pair_time -= length;
+      p.pair.time -= length;
       p.base.time -= length;
       p.cell_time -= length;
     }
@@ -90,6 +92,7 @@ public:
 private:
   enum class Edge : std::uint8_t
   {
+    NONE,
     LEFT,
     RIGHT,
     LOWER,
@@ -99,17 +102,15 @@ private:
   /// What a disk's present flight will meet first, of each sort.
   struct Prediction
   {
-    double pair_time = EventQueue::NEVER;
-    std::uint32_t partner = 0;
+    PairContact pair;
     std::uint32_t partner_flights = 0;  ///< the partner's count when this was predicted
-    int shift = 0;                      ///< which image of the partner
-    Edge edge = Edge::LEFT;
-    double cell_time = EventQueue::NEVER;
+    Edge edge = Edge::NONE;
+    double cell_time = EventQueue::NEVER;  ///< when it leaves its cell; without an edge: not before
     BaseEvent base;
 
     void archive(StateArchive& state)
     {
-      state(pair_time, partner, partner_flights, shift, edge, cell_time, base);
+      state(pair, partner_flights, edge, cell_time, base);
     }
   };
 
@@ -178,11 +179,11 @@ private:
       return;
     ++events_;
     Prediction& p = predictions_[id];
-    if (p.pair_time <= now)
+    if (p.pair.time <= now)
       processPair(id, now);
     else if (p.base.feature && p.base.time <= now)
       processBase(id, now);
-    else if (p.cell_time <= now)
+    else if (p.edge != Edge::NONE && p.cell_time <= now)
       crossEdge(id, now);
     else
       refresh(id);
@@ -191,20 +192,20 @@ private:
   void processPair(std::uint32_t id, double now)
   {
     const Prediction p = predictions_[id];
-    if (!machine_.active(p.partner) || machine_.disk(p.partner).flights != p.partner_flights)
+    if (!machine_.active(p.pair.partner) || machine_.disk(p.pair.partner).flights != p.partner_flights)
     {
       searchPairs(id, now);
       refresh(id);
       return;
     }
-    machine_.meetPair(id, p.partner, p.shift, now);
+    machine_.meetPair(id, p.pair.partner, p.pair.shift, now);
     predict(id, now);
-    predict(p.partner, now);
+    predict(p.pair.partner, now);
   }
 
   void processBase(std::uint32_t id, double now)
   {
-    machine_.meetBase(id, *predictions_[id].base.feature, now);
+    machine_.meetBase(id, *predictions_[id].base.feature, now, base_);
     if (machine_.active(id))
       return predict(id, now);
     grid_.remove(id);
@@ -231,7 +232,8 @@ private:
     }
     grid_.add(id, cell);
     searchNewPairs(id, edge, now);
-    searchEdge(id, now);
+    predictions_[id].edge = Edge::NONE;
+    predictions_[id].cell_time = now;
     refresh(id);
   }
 
@@ -239,64 +241,74 @@ private:
   void predict(std::uint32_t id, double now)
   {
     searchPairs(id, now);
-    searchEdge(id, now);
-    predictions_[id].base = {now, std::nullopt};
+    Prediction& p = predictions_[id];
+    p.edge = Edge::NONE;
+    p.cell_time = now;
+    p.base = {now, std::nullopt};
     refresh(id);
   }
 
   void searchPairs(std::uint32_t id, double now)
   {
-    predictions_[id].pair_time = EventQueue::NEVER;
-    searchPairsIn(id, -1, 1, -1, 1, now);
+    predictions_[id].pair = PairContact();
+    searchPairsIn(id, {}, now);
   }
 
   /// After an edge was crossed: only the three cells that have come near.
   void searchNewPairs(std::uint32_t id, Edge edge, double now)
   {
+    CellGrid::Surroundings around;
     switch (edge)
     {
       case Edge::LEFT:
-        return searchPairsIn(id, -1, -1, -1, 1, now);
+        around.last_column = -1;
+        break;
       case Edge::RIGHT:
-        return searchPairsIn(id, 1, 1, -1, 1, now);
+        around.first_column = 1;
+        break;
       case Edge::LOWER:
-        return searchPairsIn(id, -1, 1, -1, -1, now);
+        around.last_row = -1;
+        break;
       case Edge::UPPER:
-        return searchPairsIn(id, -1, 1, 1, 1, now);
+        around.first_row = 1;
+        break;
+      case Edge::NONE:
+        return;
     }
+    searchPairsIn(id, around, now);
   }
 
-  void searchPairsIn(std::uint32_t id, int first_column, int last_column, int first_row, int last_row,
-                     double now)
+  void searchPairsIn(std::uint32_t id, const CellGrid::Surroundings& around, double now)
   {
     Prediction& p = predictions_[id];
     const PairSearch search(machine_, id, now);
-    grid_.visit(grid_.cellOf(id), first_column, last_column, first_row, last_row,
-                [&](std::uint32_t other, int shift)
+    grid_.visit(grid_.cellOf(id), around, near_,
+                [&](const std::uint32_t* others, std::size_t count, int shift)
                 {
-                  if (other == id)
+                  const PairContact found = search.firstAmong(others, count, shift);
+                  if (!earlier(found, p.pair))
                     return;
-                  const auto time = search.contactWith(other, shift);
-                  if (!time || *time > p.pair_time || (*time == p.pair_time && other > p.partner))
-                    return;
-                  p.pair_time = *time;
-                  p.partner = other;
-                  p.partner_flights = machine_.disk(other).flights;
-                  p.shift = shift;
+                  p.pair = found;
+                  p.partner_flights = machine_.disk(found.partner).flights;
                 });
   }
 
-  /// When the disk leaves its cell, and by which edge.
-  void searchEdge(std::uint32_t id, double now)
+  /// When the disk leaves its cell after p.cell_time, and by which edge, if it does so before `until`.
+  void searchEdge(std::uint32_t id, Prediction& p, double until) const
   {
-    Prediction& p = predictions_[id];
+    const double now = p.cell_time;
     const CellGrid::Cell cell = grid_.cellOf(id);
     const BasePoint at = inGrid(id, now);
     const double fall_s = -machine_.scene().gravity * frame_.sine;
     const double fall_n = -machine_.scene().gravity * frame_.cosine;
-    p.cell_time = EventQueue::NEVER;
+    p.cell_time = until;
     const auto leave = [&](Edge edge, double gap, double rate, double accel)
     {
+      // Most edges are not met, which takes no root to see: open at both ends, a gap that bends inwards
+      // is open in between.
+      const double span = p.cell_time - now;
+      if (gap > 0.0 && accel <= 0.0 && gap + (rate + 0.5 * accel * span) * span > 0.0)
+        return;
       const auto wait = firstClosingTime(gap, rate, accel);
       if (!wait || now + *wait >= p.cell_time)
         return;
@@ -313,23 +325,28 @@ private:
       leave(Edge::UPPER, grid_.rowStart(cell.row + 1) - at.n, -at.vn, -fall_n);
   }
 
-  /// Carries the search of the base on to the disk's next other event, and queues the earliest.
+  /// Carries the searches of the cell's edges and of the base on to the disk's next other event, and
+  /// queues the earliest.
   void refresh(std::uint32_t id)
   {
     Prediction& p = predictions_[id];
-    const double others = std::min(p.pair_time, p.cell_time);
+    if (p.edge == Edge::NONE && p.cell_time < p.pair.time)
+      searchEdge(id, p, p.pair.time);
+    const double others = std::min(p.pair.time, p.cell_time);
     if (!p.base.feature && p.base.time < others)
-      p.base = machine_.nextBaseEvent(id, p.base.time, others);
+      p.base = machine_.nextBaseEvent(id, p.base.time, others, base_);
     queue_.update(id, std::min(others, p.base.time));
   }
 
   Machine& machine_;
+  BaseInstant base_;
   BaseKinematics frame_;  ///< of the cells: the base's when the grid was laid
   CellGrid grid_;
   std::size_t grid_capacity_ = 0;
   std::size_t laid_for_ = 0;  ///< disks that had entered when the cells were laid
   EventQueue queue_;
   std::vector<Prediction> predictions_;  ///< per disk
+  std::vector<std::uint32_t> near_;      ///< the disks that a search looks at
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "ratchet_sieve/core/quadratic.h"
 #include "ratchet_sieve/core/resolution.h"
+#include "ratchet_sieve/core/two.h"
 
 namespace ratchet_sieve
 {
@@ -13,6 +14,83 @@ namespace
 /// they graze the steps shrink by a third each time, so that rounding is all that is left of the gap.
 constexpr int MAX_SEAM_STEPS = 200;
 }  // namespace
+
+PairContact PairSearch::firstAmong(const std::uint32_t* others, std::size_t count, int shift) const
+{
+  PairContact first;
+  if (shift != 0 && machine_.motion().turning())
+  {
+    for (std::size_t i = 0; i < count; ++i)
+      if (const auto time = others[i] == id_ ? std::nullopt : contactWith(others[i], shift))
+        first = std::min(first, {*time, others[i], shift}, earlier);
+    return first;
+  }
+  const Image image = machine_.image(shift, from_);
+  for (std::size_t i = 0; i < count; i += LANES)
+  {
+    first = std::min(first, firstOfLanes(others + i, std::min(LANES, count - i), shift, image), earlier);
+  }
+  return first;
+}
+
+/// The arithmetic of contact() and timeToTouch(), step by step, for two disks at once and without a branch.
+PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
+                                     const Image& image) const
+{
+  constexpr double NEVER = std::numeric_limits<double>::infinity();
+  const double gravity = machine_.scene().gravity;
+  const Two place{disk_.x - image.dx, disk_.y - image.dy};
+  const Two velocity{disk_.vx, disk_.vy};
+  Two waits[LANES / 2];
+
+  struct Relative
+  {
+    Two place;
+    Two velocity;
+    double distance;
+  };
+  const auto relative = [&](std::uint32_t id) -> Relative
+  {
+    // Flown as this disk was: beside itself it is at rest, to the last bit, and meets nothing.
+    const Disk& other = machine_.disk(id);
+    const double elapsed = from_ - other.time;
+    const Two fall{0.0, gravity * elapsed};
+    const Two before{other.vx, other.vy};
+    const Two at = Two{other.x, other.y} + (before - 0.5 * fall) * elapsed;
+    return {place - at, velocity - (before - fall), radius_ + machine_.radius(id)};
+  };
+  for (std::size_t k = 0; k < count; k += 2)
+  {
+    // An odd one out is looked at twice.
+    const Relative a = relative(others[k]);
+    const Relative b = relative(others[std::min(k + 1, count - 1)]);
+    const Two dx{a.place[0], b.place[0]};
+    const Two dy{a.place[1], b.place[1]};
+    const Two dvx{a.velocity[0], b.velocity[0]};
+    const Two dvy{a.velocity[1], b.velocity[1]};
+    const Two distance{a.distance, b.distance};
+    const Two closing = dx * dvx + dy * dvy;
+    const Two excess = dx * dx + dy * dy - distance * distance;
+    const Two passing = dx * dvy - dy * dvx;
+    const Two discriminant = (dvx * dvx + dvy * dvy) * distance * distance - passing * passing;
+    const Two time = excess / (rootOrZero(discriminant) - closing);
+    const Two never{NEVER, NEVER};
+    const Two free = discriminant < 0.0 ? never : time;
+    const Two due = excess <= 0.0 ? Two{} : free;
+    waits[k / 2] = closing >= 0.0 ? never : due;
+  }
+  Two least{NEVER, NEVER};
+  for (std::size_t k = 0; k < count; k += 2)
+    least = waits[k / 2] < least ? waits[k / 2] : least;
+  const double shortest = std::min(least[0], least[1]);
+  PairContact first;
+  if (from_ + shortest >= until_)
+    return first;
+  for (std::size_t k = 0; k < count; ++k)
+    if (waits[k / 2][k % 2] == shortest)
+      first = std::min(first, {from_ + shortest, others[k], shift}, earlier);
+  return first;
+}
 
 std::optional<double> PairSearch::contactAcrossSeam(const Disk& other, int shift, double distance) const
 {

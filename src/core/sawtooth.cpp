@@ -60,6 +60,7 @@ Sawtooth::Sawtooth(const BaseDefinition& base, Boundary boundary)
     : boundary_(boundary),
       teeth_(base.teeth),
       tooth_width_(base.tooth_width),
+      teeth_per_length_(1.0 / base.tooth_width),
       height_(base.tooth_height),
       width_(base.width()),
       apex_offset_(base.asymmetry * base.tooth_width),
@@ -71,7 +72,7 @@ Sawtooth::Sawtooth(const BaseDefinition& base, Boundary boundary)
 
 std::int32_t Sawtooth::toothAt(double s) const
 {
-  double tooth = std::floor(s / tooth_width_);
+  double tooth = std::floor(s * teeth_per_length_);
   if (boundary_ != Boundary::PERIODIC)
     tooth = std::clamp(tooth, 0.0, teeth_ - 1.0);
   return static_cast<std::int32_t>(tooth);

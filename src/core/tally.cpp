@@ -7,6 +7,10 @@
 
 namespace ratchet_sieve
 {
+namespace
+{
+constexpr double THIRD = 1.0 / 3.0;
+}  // namespace
 
 Tally::Tally(const std::vector<SpeciesDefinition>& species, double gravity)
     : species_(species), gravity_(gravity), at_piece_end_(species.size()), blocks_(species.size())
@@ -33,7 +37,7 @@ void Tally::integrate(Passage& passage, const Disk& disk, double local_time) con
   const double span = local_time - disk.time;
   const double fall = gravity_ * span;
   passage.translation +=
-      0.5 * span * (disk.vx * disk.vx + disk.vy * disk.vy - disk.vy * fall + fall * fall / 3.0);
+      0.5 * span * (disk.vx * disk.vx + disk.vy * disk.vy - disk.vy * fall + fall * fall * THIRD);
   passage.rotation += 0.5 * span * disk.spin * disk.spin;
 }
 

@@ -1,8 +1,10 @@
 #include "ratchet_sieve/core/cell_grid.h"
 
 #include <cmath>
+#include <map>
 #include <set>
 #include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -17,6 +19,20 @@ struct Point
 };
 
 using Sighting = std::tuple<std::uint32_t, int>;
+
+/// Every disk around a cell with its shift; each is seen once.
+std::set<Sighting> sightings(const CellGrid& grid, CellGrid::Cell cell, const CellGrid::Surroundings& around)
+{
+  std::set<Sighting> seen;
+  std::vector<std::uint32_t> list;
+  grid.visit(cell, around, list,
+             [&](const std::uint32_t* ids, std::size_t count, int shift)
+             {
+               for (std::size_t i = 0; i < count; ++i)
+                 EXPECT_TRUE(seen.emplace(ids[i], shift).second);
+             });
+  return seen;
+}
 
 TEST(CellGrid, SeesEveryDiskWithinReachAsAllPairsDo)
 {
@@ -37,9 +53,7 @@ TEST(CellGrid, SeesEveryDiskWithinReachAsAllPairsDo)
           grid.add(id, grid.cellAt(points[id].s, points[id].n));
         for (std::uint32_t id = 0; id < points.size(); ++id)
         {
-          std::set<Sighting> seen;
-          grid.visit(grid.cellOf(id), -1, 1, -1, 1,
-                     [&](std::uint32_t other, int shift) { RC_ASSERT(seen.emplace(other, shift).second); });
+          const std::set<Sighting> seen = sightings(grid, grid.cellOf(id), {});
           for (std::uint32_t other = 0; other < points.size(); ++other)
             for (int shift = periodic ? -1 : 0; shift <= (periodic ? 1 : 0); ++shift)
             {
@@ -58,9 +72,39 @@ TEST(CellGrid, RemovedDisksAreGone)
   for (std::uint32_t id = 0; id < 3; ++id)
     grid.add(id, grid.cellAt(0.5, 0.5));
   grid.remove(1);
-  std::set<std::uint32_t> seen;
-  grid.visit(grid.cellOf(0), 0, 0, 0, 0, [&](std::uint32_t id, int) { seen.insert(id); });
-  EXPECT_EQ(seen, (std::set<std::uint32_t>{0, 2}));
+  EXPECT_EQ(sightings(grid, grid.cellOf(0), {0, 0, 0, 0}), (std::set<Sighting>{{0, 0}, {2, 0}}));
+}
+
+/// One cell takes in far more than its block holds, and lets them go in any order.
+TEST(CellGrid, FollowsASetThroughRandomComingAndGoing)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        constexpr std::uint32_t COUNT = 40;
+        CellGrid grid(1.0, 1.0, 0.3, COUNT, false);
+        std::map<std::uint32_t, int> reference;
+        const auto moves = *rc::gen::container<std::vector<std::pair<std::uint32_t, int>>>(
+            200, rc::gen::pair(rc::gen::inRange<std::uint32_t>(0, COUNT), rc::gen::inRange(0, 2)));
+        for (const auto& [id, column] : moves)
+        {
+          if (reference.count(id) > 0)
+            grid.remove(id);
+          if (reference.erase(id) == 0)
+          {
+            grid.add(id, {column, 0});
+            reference[id] = column;
+          }
+          for (int at : {0, 1})
+          {
+            std::set<Sighting> expected;
+            for (const auto& [there, where] : reference)
+              if (where == at)
+                expected.emplace(there, 0);
+            RC_ASSERT(sightings(grid, {at, 0}, {0, 0, 0, 0}) == expected);
+          }
+        }
+      }));
 }
 
 TEST(CellGrid, CellsAreNeverSmallerThanAskedFor)

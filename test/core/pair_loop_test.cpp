@@ -34,7 +34,10 @@ public:
     {
       now_ = next->time;
       if (next->feature)
-        machine_.meetBase(next->i, *next->feature, now_);
+      {
+        BaseInstant base(machine_.motion());
+        machine_.meetBase(next->i, *next->feature, now_, base);
+      }
       else
         machine_.meetPair(next->i, next->j, next->shift, now_);
     }

@@ -1,6 +1,8 @@
 #include "ratchet_sieve/core/pair_search.h"
 
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -68,6 +70,42 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
         RC_CLASSIFY(!found.has_value(), "no contact");
         if (found)
           RC_ASSERT(std::abs(gapAt(machine, shift, *found)) < 1e-14);
+      }));
+}
+
+/// Many disks side by side give what each alone gives, to the last bit.
+TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        SceneDefinition scene = test::mixture(0);
+        scene.base.inclination = *rc::gen::element(0.0, 0.1);
+        Machine machine(scene);
+        const auto count = *rc::gen::inRange<std::uint32_t>(1, 40);
+        for (std::uint32_t id = 0; id < count; ++id)
+        {
+          Disk disk;
+          disk.x = drawn(0.0, 0.05);
+          disk.y = drawn(0.01, 0.05);
+          disk.vx = drawn(-0.5, 0.5);
+          disk.vy = drawn(-0.5, 0.5);
+          disk.time = drawn(0.0, 0.01);
+          disk.species = *rc::gen::inRange(0U, 2U);
+          machine.add(disk);
+        }
+        std::vector<std::uint32_t> all(count);
+        std::iota(all.begin(), all.end(), 0);
+        const int shift = *rc::gen::inRange(-1, 2);
+        const PairSearch search(machine, 0, 0.01);
+        PairContact expected;
+        for (std::uint32_t id = 1; id < count; ++id)
+          if (const auto time = search.contactWith(id, shift))
+            expected = std::min(expected, {*time, id, shift}, earlier);
+        const PairContact found = search.firstAmong(all.data(), all.size(), shift);
+        RC_CLASSIFY(found.time < 1.0, "contact");
+        RC_ASSERT(found.time == expected.time);
+        RC_ASSERT(found.partner == expected.partner);
       }));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "ratchet_sieve/core/definition.h"
@@ -108,6 +109,28 @@ private:
   std::optional<double> next_change_;
   double acceleration_bound_ = 0.0;
   double displacement_bound_ = 0.0;
+};
+
+/// The base at the instant that was last asked for: what happens at one time asks several times.
+class BaseInstant
+{
+public:
+  explicit BaseInstant(const BaseMotion& motion) : motion_(motion) {}
+
+  const BaseKinematics& at(double time)
+  {
+    if (!(time == time_))
+      base_ = motion_.at(time_ = time);
+    return base_;
+  }
+
+  /// The motion, or the zero of time, has changed.
+  void forget() { time_ = std::numeric_limits<double>::quiet_NaN(); }
+
+private:
+  const BaseMotion& motion_;
+  double time_ = std::numeric_limits<double>::quiet_NaN();
+  BaseKinematics base_;
 };
 
 }  // namespace ratchet_sieve

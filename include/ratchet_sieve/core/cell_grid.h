@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "ratchet_sieve/core/state_archive.h"
@@ -23,13 +26,6 @@ public:
     void archive(StateArchive& state) { state(column, row); }
   };
 
-  /// Where a neighbouring column's disks stand as seen from here: shifted by this many widths.
-  struct Neighbour
-  {
-    std::size_t cell = 0;
-    int shift = 0;
-  };
-
   /// @param width of the machine [m]; @param height over which to lay rows [m]
   /// @param smallest_side of a cell: the largest diameter, with its margin [m]
   /// @param count of disks, to keep the number of cells in proportion
@@ -48,60 +44,93 @@ public:
   double columnStart(std::int32_t column) const { return column * side_s_; }
   double rowStart(std::int32_t row) const { return row * side_n_; }
 
-  /// Calls visit(id, shift) for every disk in the cells from (column + first_column, row + first_row)
-  /// to (column + last_column, row + last_row) around `cell`, each offset in [-1, 1]. `shift` is how
-  /// many widths the disk's image lies to the right of the disk.
-  template <typename Visit>
-  void visit(Cell cell, int first_column, int last_column, int first_row, int last_row, Visit&& visit) const
+  /// Which cells around one: from (column + first_column, row + first_row) to (column + last_column,
+  /// row + last_row), each offset in [-1, 1].
+  struct Surroundings
   {
-    for (int dc = first_column; dc <= last_column; ++dc)
+    int first_column = -1;
+    int last_column = 1;
+    int first_row = -1;
+    int last_row = 1;
+  };
+
+  /// Collects the disks in the cells around `cell` and calls visit(ids, count, shift) for as many lists of them
+  /// as there are shifts: how many widths the disk's image lies to the right of the disk.
+  /// @param list holds them meanwhile, and grows as needed
+  template <typename Visit>
+  void visit(Cell cell, const Surroundings& around, std::vector<std::uint32_t>& list, Visit&& visit) const
+  {
+    const int first_row = std::max(cell.row + around.first_row, 0);
+    const int last_row = std::min(cell.row + around.last_row, rows_ - 1);
+    const int first_column = cell.column + around.first_column;
+    const int last_column = cell.column + around.last_column;
+    const auto look = [&](int first, int last, int shift)
     {
-      std::int32_t column = cell.column + dc;
-      int shift = 0;
-      if (column < 0 || column >= columns_)
-      {
-        if (!periodic_)
-          continue;
-        shift = column < 0 ? -1 : 1;
-        column -= shift * columns_;
-      }
-      for (int dr = first_row; dr <= last_row; ++dr)
-      {
-        const std::int32_t row = cell.row + dr;
-        if (row < 0 || row >= rows_)
-          continue;
-        for (std::uint32_t id = heads_[index({column, row})]; id != NONE; id = links_[id].next)
-          visit(id, shift);
-      }
-    }
+      std::size_t count = 0;
+      for (int row = first_row; row <= last_row; ++row)
+        for (int column = first; column <= last; ++column)
+          count = collect(index({column, row}), list, count);
+      visit(list.data(), count, shift);
+    };
+    look(std::max(first_column, 0), std::min(last_column, columns_ - 1), 0);
+    if (!periodic_)
+      return;
+    if (first_column < 0)
+      look(columns_ - 1, columns_ - 1, -1);
+    if (last_column >= columns_)
+      look(0, 0, 1);
   }
 
   void archive(StateArchive& state)
   {
-    state(periodic_, columns_, rows_, side_s_, side_n_, heads_, links_, cells_);
+    state(periodic_, columns_, rows_, side_s_, side_n_, blocks_, free_, cells_);
   }
 
 private:
   static constexpr std::uint32_t NONE = 0xffffffff;
 
-  struct Link
+  /// Disks of one cell, side by side, so that a search reads them without a chain of loads. A cell with
+  /// more hands its full block on to one of its own, and begins again.
+  struct Block
   {
-    std::uint32_t next = NONE;
-    std::uint32_t previous = NONE;
+    static constexpr std::size_t CAPACITY = 6;
+    std::array<std::uint32_t, CAPACITY> ids{};
+    std::uint32_t count = 0;
+    std::uint32_t next = NONE;  ///< the block that was handed on, full
 
-    void archive(StateArchive& state) { state(next, previous); }
+    void archive(StateArchive& state) { state(ids, count, next); }
   };
 
   std::size_t index(Cell cell) const { return static_cast<std::size_t>(cell.row) * columns_ + cell.column; }
+
+  /// Appends the disks of a cell to the first `count` of the list. @return the new count
+  std::size_t collect(std::size_t cell, std::vector<std::uint32_t>& list, std::size_t count) const
+  {
+    const Block* block = &blocks_[cell];
+    while (true)
+    {
+      if (list.size() < count + Block::CAPACITY)
+        list.resize(2 * (count + Block::CAPACITY));
+      // All of them whatever the count: that takes no branch.
+      std::memcpy(list.data() + count, block->ids.data(), sizeof block->ids);
+      count += block->count;
+      if (block->next == NONE)
+        return count;
+      block = &blocks_[block->next];
+    }
+  }
+
+  void handOn(std::size_t cell);
+  void takeBack(std::size_t cell);
 
   bool periodic_;
   std::int32_t columns_ = 1;
   std::int32_t rows_ = 1;
   double side_s_ = 0.0;
   double side_n_ = 0.0;
-  std::vector<std::uint32_t> heads_;  ///< per cell
-  std::vector<Link> links_;           ///< per disk
-  std::vector<Cell> cells_;           ///< per disk
+  std::vector<Block> blocks_;        ///< per cell; then those that cells handed on
+  std::vector<std::uint32_t> free_;  ///< of those, the ones no longer used
+  std::vector<Cell> cells_;          ///< per disk
 };
 
 }  // namespace ratchet_sieve

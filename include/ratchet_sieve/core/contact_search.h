@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "ratchet_sieve/core/base_motion.h"
@@ -35,15 +36,38 @@ public:
   /// The first contact in [from, until], or how far the flight is free for certain (which may be
   /// beyond `until`, or before it where a search took too many steps).
   /// @pre from >= disk.time, until <= the end of the motion's present segment
-  BaseEvent find(const Disk& disk, double radius, double from, double until) const;
+  /// @param base as the caller has looked at it last, most often at `from`
+  BaseEvent find(const Disk& disk, double radius, double from, double until, BaseInstant& base) const;
+  BaseEvent find(const Disk& disk, double radius, double from, double until) const
+  {
+    BaseInstant base(motion_);
+    return find(disk, radius, from, until, base);
+  }
 
   /// The disk as seen from the base's frame at `time`. Velocities are relative to the base.
-  BasePoint seenFromBase(const Disk& disk, double time) const;
+  BasePoint seenFromBase(const Disk& disk, const BaseKinematics& base, double time) const;
+  BasePoint seenFromBase(const Disk& disk, double time) const
+  {
+    return seenFromBase(disk, motion_.at(time), time);
+  }
 
 private:
   struct Direction;
   class Step;
 
+  /// A feature that will be met between two times from now, its gap closing all the while.
+  struct SureContact
+  {
+    BaseFeature feature;
+    double gap = 0.0;           ///< [m]
+    double rate = 0.0;          ///< < 0 [m/s]
+    double earliest = std::numeric_limits<double>::infinity();  ///< [s]
+    double latest = std::numeric_limits<double>::infinity();  ///< [s]
+    double acceleration = 0.0;  ///< bounds that of the gap [m/s^2]
+  };
+
+  bool staysAbove(const Disk& disk, double radius, double from, double until) const;
+  std::optional<double> polish(const Disk& disk, double radius, const SureContact& sure, double time) const;
   double nearTime(const Disk& disk, double radius, double from) const;
   double relativeAccelerationBound(const BasePoint& point, double span) const;
   Direction forcedDirection() const;

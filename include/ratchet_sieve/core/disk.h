@@ -9,7 +9,7 @@ namespace ratchet_sieve
 
 /// A disk in free flight: its state at its own time, not at the simulation's (delayed states).
 /// World frame; times are local to the engine's present epoch.
-struct Disk
+struct alignas(64) Disk
 {
   double x = 0.0;      ///< [m]
   double y = 0.0;      ///< [m]

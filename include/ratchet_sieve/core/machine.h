@@ -70,7 +70,7 @@ public:
   /// What the disk's flight meets of the base first, searched from `from` and no further than needed
   /// to know of all before `until`. Nothing for ever, if it meets nothing before the base's motion
   /// changes: then all is searched anew.
-  BaseEvent nextBaseEvent(std::uint32_t id, double from, double until) const;
+  BaseEvent nextBaseEvent(std::uint32_t id, double from, double until, BaseInstant& base) const;
 
   /// Where the image `shift` widths to the right appears at `time`, relative to the disk itself.
   Image image(double shift, double time) const;
@@ -79,7 +79,7 @@ public:
   std::uint32_t add(const Disk& disk);
 
   /// A disk meets the base, or passes its end and leaves. A contact that opens is left alone.
-  void meetBase(std::uint32_t id, const BaseFeature& feature, double time);
+  void meetBase(std::uint32_t id, const BaseFeature& feature, double time, BaseInstant& base);
 
   /// Disk i meets the image of disk j that lies `shift` widths to the right of j.
   void meetPair(std::uint32_t i, std::uint32_t j, int shift, double time);
@@ -119,6 +119,13 @@ private:
     double tangential_velocity;
   };
 
+  /// What a unit impulse changes.
+  struct Response
+  {
+    double velocity;  ///< 1 / m [1/kg]
+    double spin;      ///< r / I, of a tangential one [1/(kg m)]
+  };
+
   Disk& fly(std::uint32_t id, double time);
   void leave(std::uint32_t id, bool to_the_right, double time);
   void endPassage(std::uint32_t id, double time);
@@ -141,6 +148,7 @@ private:
   std::vector<ContactCoefficients> pair_coefficients_;  ///< per (species, species)
   std::vector<ContactMasses> pair_masses_;              ///< per (species, species)
   std::vector<ContactMasses> base_masses_;              ///< per species
+  std::vector<Response> responses_;                     ///< per species
 
   std::vector<Disk> disks_;
   std::vector<std::uint8_t> active_;

@@ -30,12 +30,29 @@ inline std::optional<double> timeToTouch(double dx, double dy, double dvx, doubl
   return excess / (std::sqrt(discriminant) - closing);
 }
 
+/// What a disk's flight meets first of other disks.
+struct PairContact
+{
+  double time = std::numeric_limits<double>::infinity();  ///< [s]
+  std::uint32_t partner = 0;
+  int shift = 0;  ///< which image of the partner: so many widths to the right of it
+
+  void archive(StateArchive& state) { state(time, partner, shift); }
+};
+
+/// Ties go to the smaller id.
+inline bool earlier(const PairContact& a, const PairContact& b)
+{
+  return a.time < b.time || (a.time == b.time && a.partner < b.partner);
+}
+
 /// When one disk, flying on from a given time, touches others.
 class PairSearch
 {
 public:
   PairSearch(const Machine& machine, std::uint32_t id, double from)
       : machine_(machine),
+        id_(id),
         from_(from),
         radius_(machine.radius(id)),
         disk_(flown(machine.disk(id), from, machine.scene().gravity)),
@@ -43,8 +60,12 @@ public:
   {
   }
 
-  /// When it touches the image of the other disk that lies `shift` widths to the right of that disk.
-  /// However late it is; but on a base that moves to its setpoints, only until all is predicted anew.
+  /// The first contact with any of the images of these disks that lie `shift` widths to the right of them.
+  /// However late it is; but on a base that moves to its setpoints, only until all is predicted anew. The
+  /// disk itself may be among them, and does not count.
+  PairContact firstAmong(const std::uint32_t* others, std::size_t count, int shift) const;
+
+  /// The same for one other disk: without its lanes, and so the reference for it.
   std::optional<double> contactWith(std::uint32_t other, int shift) const
   {
     const Disk& disk = machine_.disk(other);
@@ -55,14 +76,19 @@ public:
   }
 
 private:
+  /// How many disks are looked at side by side.
+  static constexpr std::size_t LANES = 16;
+
+  PairContact firstOfLanes(const std::uint32_t* others, std::size_t count, int shift, const Image& image) const;
+
   std::optional<double> contact(const Disk& other, const Image& image, double distance) const
   {
     // Under one gravity the parabolas differ by a straight line, but the two states are of different times.
     const double elapsed = from_ - other.time;
     const double fall = machine_.scene().gravity * elapsed;
-    const double dx = disk_.x - other.x - other.vx * elapsed - image.dx;
-    const double dy = disk_.y - other.y - (other.vy - 0.5 * fall) * elapsed - image.dy;
-    const auto wait = timeToTouch(dx, dy, disk_.vx - other.vx, disk_.vy - other.vy + fall, distance);
+    const double dx = disk_.x - image.dx - (other.x + other.vx * elapsed);
+    const double dy = disk_.y - image.dy - (other.y + (other.vy - 0.5 * fall) * elapsed);
+    const auto wait = timeToTouch(dx, dy, disk_.vx - other.vx, disk_.vy - (other.vy - fall), distance);
     if (!wait || from_ + *wait >= until_)
       return std::nullopt;
     return from_ + *wait;
@@ -72,6 +98,7 @@ private:
   std::optional<double> contactAcrossTurningSeam(const Disk& other, int shift, double distance) const;
 
   const Machine& machine_;
+  std::uint32_t id_;
   double from_;
   double radius_;
   Disk disk_;  ///< as it is at `from`

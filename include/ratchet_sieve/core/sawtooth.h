@@ -100,6 +100,7 @@ private:
   Boundary boundary_;
   std::int32_t teeth_;
   double tooth_width_;
+  double teeth_per_length_;
   double height_;
   double width_;
   double apex_offset_;

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cmath>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace ratchet_sieve
+{
+
+/// Two doubles side by side in one register, as every 64-bit processor has them. Each is worked on as a double
+/// alone would be, to the last bit.
+using Two = double __attribute__((vector_size(16)));
+
+/// Of what is not negative the square roots, of what is 0.
+inline Two rootOrZero(Two x)
+{
+#if defined(__SSE2__)
+  return _mm_sqrt_pd(_mm_max_pd(x, Two{}));
+#else
+  return Two{std::sqrt(x[0] > 0.0 ? x[0] : 0.0), std::sqrt(x[1] > 0.0 ? x[1] : 0.0)};
+#endif
+}
+
+/// Bit 0 and bit 1: which are no greater than `limit`.
+inline unsigned whichUpTo(Two x, double limit)
+{
+#if defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_pd(_mm_cmple_pd(x, Two{limit, limit})));
+#else
+  return (x[0] <= limit ? 1U : 0U) | (x[1] <= limit ? 2U : 0U);
+#endif
+}
+
+}  // namespace ratchet_sieve
