@@ -126,7 +126,8 @@ void print(const Outcome& outcome, const RunOptions& options, const Watch& watch
   line["settle"] = options.settle;
   line["duration"] = options.duration;
   line["wall_seconds"] = outcome.wall_seconds;
-  line["collisions"] = outcome.collisions ? nlohmann::json(*outcome.collisions) : nlohmann::json();
+  line["processor_seconds"] = outcome.processor_seconds;
+  line["collisions"] = outcome.collisions;
   line["lost"] = outcome.lost;
   line["behind_base"] = watch.mostBehindBase();
   line["overlap"] = watch.largestOverlap();

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <cstdint>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -24,19 +23,32 @@ struct RunOptions
   double step = 1e-4;     ///< of the programs that step through time [s]
 };
 
-/// Adds up the wall time between start() and stop().
+/// Adds up the time between start() and stop().
 class StopWatch
 {
 public:
-  void start() { started_ = Clock::now(); }
-  void stop() { seconds_ += std::chrono::duration<double>(Clock::now() - started_).count(); }
-  void clear() { seconds_ = 0.0; }
-  double seconds() const { return seconds_; }
+  void start()
+  {
+    wall_start_ = Clock::now();
+    processor_start_ = std::clock();
+  }
+  void stop()
+  {
+    wall_ += std::chrono::duration<double>(Clock::now() - wall_start_).count();
+    processor_ += static_cast<double>(std::clock() - processor_start_) / CLOCKS_PER_SEC;
+  }
+  void clear() { wall_ = processor_ = 0.0; }
+  double wallSeconds() const { return wall_; }
+
+  /// Less than the wall time where other programs wanted the processor, too.
+  double processorSeconds() const { return processor_; }
 
 private:
   using Clock = std::chrono::steady_clock;
-  Clock::time_point started_;
-  double seconds_ = 0.0;
+  Clock::time_point wall_start_;
+  std::clock_t processor_start_ = 0;
+  double wall_ = 0.0;
+  double processor_ = 0.0;
 };
 
 /// What is looked at from outside, with the clock stopped, at fixed times: the same for every program.
@@ -94,9 +106,10 @@ struct Outcome
   std::string program;
   std::string version;
   std::string configuration;
-  std::optional<double> step;  ///< [s]
-  double wall_seconds = 0.0;   ///< of the counted time
-  std::optional<double> collisions;
+  std::optional<double> step = {};  ///< [s]
+  double wall_seconds = 0.0;        ///< of the counted time
+  double processor_seconds = 0.0;   ///< of the counted time
+  double collisions = 0.0;
   std::size_t lost = 0;  ///< disks that fell through the base
 };
 void print(const Outcome& outcome, const RunOptions& options, const Watch& watch);

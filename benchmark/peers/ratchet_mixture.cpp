@@ -29,9 +29,10 @@ void look(Simulation& simulation, peers::Watch& watch, bool restart)
     x.push_back(disk.displacement);
     places.push_back({disk.x, disk.y});
   }
-  watch.look(simulation.time(), simulation.base().displacement, x, places);
   if (restart)
     watch.restart(simulation.time(), x);
+  else
+    watch.look(simulation.time(), simulation.base().displacement, x, places);
 }
 
 void run(const SceneDefinition& scene, const peers::RunOptions& options, const std::string& configuration)
@@ -55,7 +56,8 @@ void run(const SceneDefinition& scene, const peers::RunOptions& options, const s
   peers::Outcome outcome;
   outcome.program = "ratchet_sieve";
   outcome.configuration = configuration;
-  outcome.wall_seconds = clock.seconds();
+  outcome.wall_seconds = clock.wallSeconds();
+  outcome.processor_seconds = clock.processorSeconds();
   outcome.collisions = static_cast<double>(simulation.collisions().total() - before);
   peers::print(outcome, options, watch);
 }

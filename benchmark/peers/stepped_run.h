@@ -61,7 +61,8 @@ public:
   void print(Outcome outcome) const
   {
     outcome.step = options_.step;
-    outcome.wall_seconds = clock_.seconds();
+    outcome.wall_seconds = clock_.wallSeconds();
+    outcome.processor_seconds = clock_.processorSeconds();
     outcome.collisions = static_cast<double>(world_.contacts() - contacts_at_start_);
     outcome.lost = lost_;
     peers::print(outcome, options_, watch_);

@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+"""Runs the mixture of Fig. 8 in LAMMPS, and prints one line of JSON as the other programs of the comparison do."""
+import argparse
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+INPUT = pathlib.Path(__file__).resolve().parent / "peers" / "mixture.lmp"
+
+# The scene: peers/mixture_scene.cpp.
+TEETH, TOOTH_WIDTH, TOOTH_HEIGHT, ASYMMETRY = 20, 0.020, 0.006, 0.3
+AMPLITUDE, OMEGA, GRAVITY = 0.002, 2.0 * math.pi * 23.0, 9.81
+RADII, MASSES = (0.001, 0.002), (0.010, 0.001)
+RESTITUTION, FRICTION = 0.6, 0.1
+WIDTH = TEETH * TOOTH_WIDTH
+APEX_RADIUS = 1e-5   # of the particles that stand in the apices, which walls of regions do not have [m]
+TOP = 0.5            # of the box [m]
+COLUMN = 2           # teeth that are one wall
+NEAR = 0.010         # centres below this can touch the base before their groups are looked at again [m]
+LOW_EVERY = 25       # steps between two such looks
+
+CONTACT_TIME = 2e-4  # soft enough for overlaps of a few per cent of a radius [s]
+STEPS_PER_CONTACT = 40
+TANGENTIAL_RATIO = 2.0  # of tangential to normal damping: a contact that sticks has stopped its sliding by its end
+LOOK, BLOCK = 0.01, 0.5      # [s], as in peers/mixture_run.h
+
+
+def contact(mass):
+    """A linear contact of that effective mass: e and the contact time exactly, by the solved oscillator."""
+    damping = -2.0 * math.log(RESTITUTION) / CONTACT_TIME  # per mass [1/s]
+    stiffness = mass * ((math.pi / CONTACT_TIME) ** 2 + damping ** 2 / 4.0)
+    return (f"hooke {stiffness:.9g} {damping:.9g} tangential linear_nohistory "
+            f"{TANGENTIAL_RATIO} {FRICTION} damping mass_velocity")
+
+
+def contacts():
+    a, b = MASSES
+    pairs = {"1 1": a / 2, "1 2": a * b / (a + b), "2 2": b / 2, "1 3": a, "2 3": b, "3 3": a}
+    return "".join(f"pair_coeff {pair} {contact(mass)}\n" for pair, mass in pairs.items())
+
+
+def tooth(k):
+    """What lies below both slopes of tooth k."""
+    apex = (k + ASYMMETRY) * TOOTH_WIDTH
+    left, right = ASYMMETRY * TOOTH_WIDTH, (1.0 - ASYMMETRY) * TOOTH_WIDTH
+    name = f"t{k + 1}"
+    return [f"region {name}l plane {apex:.9g} {TOOTH_HEIGHT} 0 {TOOTH_HEIGHT} {-left:.9g} 0",
+            f"region {name}r plane {apex:.9g} {TOOTH_HEIGHT} 0 {-TOOTH_HEIGHT} {-right:.9g} 0",
+            f"region {name} intersect 2 {name}l {name}r"]
+
+
+def base():
+    """The walls. A and B have theirs apart, for their masses differ; and so that not every disk asks every tooth,
+    each column of teeth is a wall for those disks only that are low over it."""
+    lines = [f"group kind{kind} type {kind}" for kind in range(1, len(MASSES) + 1)]
+    for k in range(-1, TEETH + 1):
+        lines += tooth(k)
+    for column, first in enumerate(range(0, TEETH, COLUMN)):
+        begin = first * TOOTH_WIDTH if first else "INF"
+        end = (first + COLUMN) * TOOTH_WIDTH if first + COLUMN < TEETH else "INF"
+        lines.append(f"region over{column} block {begin} {end} INF {NEAR} INF INF")
+        names = " ".join(f"t{k + 1}" for k in range(first - 1, first + COLUMN + 1))
+        lines.append(f"region base{column} union {COLUMN + 2} {names} side out")
+        for kind, mass in enumerate(MASSES, 1):
+            group = f"low{kind}at{column}"
+            lines.append(f"group {group} dynamic kind{kind} region over{column} every {LOW_EVERY}")
+            lines.append(f"fix wall{group} {group} wall/gran/region granular {contact(mass)} region base{column}")
+    return "\n".join(lines) + "\n"
+
+
+def start(disks):
+    apices = [((k + ASYMMETRY) * TOOTH_WIDTH, TOOTH_HEIGHT - APEX_RADIUS) for k in range(TEETH)]
+    lines = ["the mixture of Fig. 8\n", f"{len(disks) + len(apices)} atoms", "3 atom types",
+             f"0 {WIDTH} xlo xhi", f"-0.02 {TOP} ylo yhi", "-0.004 0.004 zlo zhi\n", "Atoms # sphere\n"]
+    for number, (kind, x, y) in enumerate(disks, 1):
+        lines.append(f"{number} {kind + 1} {2 * RADII[kind]} 1000 {x % WIDTH:.12g} {y:.12g} 0")
+    for number, (x, y) in enumerate(apices, len(disks) + 1):
+        lines.append(f"{number} 3 {2 * APEX_RADIUS} 1000 {x:.12g} {y:.12g} 0")
+    return "\n".join(lines) + "\n"
+
+
+def frames(path):
+    """Per frame of the dump: the disks as (type, unwrapped x, y)."""
+    frame = None
+    for line in path.read_text().splitlines():
+        if line.startswith("ITEM: ATOMS"):
+            frame = []
+        elif line.startswith("ITEM: TIMESTEP"):
+            if frame:
+                yield frame
+            frame = None
+        elif frame is not None:
+            _, kind, x, y = line.split()
+            frame.append((int(kind) - 1, float(x), float(y)))
+    if frame:
+        yield frame
+
+
+def height_above(x, y):
+    """Distance from a point to the lines of the slopes of its tooth, > 0 above them."""
+    s = x % TOOTH_WIDTH
+    apex, rest = ASYMMETRY * TOOTH_WIDTH, (1.0 - ASYMMETRY) * TOOTH_WIDTH
+    if s < apex:
+        return (y * apex - TOOTH_HEIGHT * s) / math.hypot(apex, TOOTH_HEIGHT)
+    return (y * rest - TOOTH_HEIGHT * (TOOTH_WIDTH - s)) / math.hypot(rest, TOOTH_HEIGHT)
+
+
+def overlap(frame):
+    disks = sorted((x % WIDTH, y, RADII[kind]) for kind, x, y in frame)
+    most = 0.0
+    for i, (x, y, radius) in enumerate(disks):
+        for other_x, other_y, other_radius in disks[i + 1:]:
+            if other_x - x > 2.0 * max(RADII):
+                break
+            most = max(most, radius + other_radius - math.hypot(other_x - x, other_y - y))
+    return most
+
+
+def drift(earlier, later, seconds):
+    return [sum(b[1] - a[1] for a, b in zip(earlier, later) if a[0] == kind)
+            / sum(a[0] == kind for a in earlier) / seconds for kind in range(len(RADII))]
+
+
+def run(arguments, directory):
+    step = CONTACT_TIME / STEPS_PER_CONTACT
+    disks = json.loads(subprocess.run([arguments.start, "--print", "start", "--seed", str(arguments.seed)],
+                                      capture_output=True, text=True, check=True).stdout)
+    (directory / "start.data").write_text(start(disks))
+    (directory / "base.lmp").write_text(base())
+    (directory / "contacts.lmp").write_text(contacts())
+    variables = {"amplitude": AMPLITUDE, "omega": OMEGA, "gravity": GRAVITY, "step": step,
+                 "settle_steps": round(arguments.settle / step), "count_steps": round(arguments.duration / step),
+                 "look_steps": round(LOOK / step)}
+    command = [arguments.lammps, "-in", str(INPUT), "-screen", "none", "-log", "log"]
+    for name, value in variables.items():
+        command += ["-var", name, repr(value)]
+    ran = subprocess.run(command, cwd=directory, capture_output=True, text=True, check=False)
+    log = (directory / "log").read_text()
+    if ran.returncode != 0:
+        said = [line for line in log.splitlines() if line.startswith("ERROR")]
+        sys.exit(f"lammps: {said[0] if said else ran.stderr.strip()}")
+    return disks, log, step
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--start", required=True, help="ratchet_mixture, which says where the disks start")
+    parser.add_argument("--lammps", default="lmp", help="LAMMPS's program")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--settle", type=float, default=2.0, help="simulated before anything is counted [s]")
+    parser.add_argument("--duration", type=float, default=8.0, help="simulated after that [s]")
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as name:
+        disks, log, step = run(arguments, pathlib.Path(name))
+        looks = list(frames(pathlib.Path(name) / "look.dump"))
+    stride = round(BLOCK / LOOK)
+    wall, percent = (float(re.findall(pattern, log)[-1])
+                     for pattern in (r"Loop time of (\S+)", r"([\d.]+)% CPU use"))
+    print(json.dumps({
+        "program": "lammps", "version": log.split("(", 1)[1].split(")", 1)[0],
+        "configuration": f"contact time {CONTACT_TIME} s", "step": step, "seed": arguments.seed,
+        "settle": arguments.settle, "duration": arguments.duration, "wall_seconds": wall,
+        "processor_seconds": wall * percent / 100.0, "collisions": None,
+        "lost": len(disks) - len(looks[-1]),
+        "behind_base": max(sum(height_above(x, y) < 0.0 for _, x, y in look) for look in looks),
+        "overlap": max(map(overlap, looks)),
+        "base_overlap": max(RADII[kind] - height_above(x, y) for look in looks for kind, x, y in look),
+        "drift_blocks": [drift(a, b, BLOCK) for a, b in zip(looks[::stride], looks[stride::stride])]}))
+
+
+if __name__ == "__main__":
+    main()
