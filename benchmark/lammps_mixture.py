@@ -4,7 +4,7 @@ import argparse
 import json
 import math
 import pathlib
-import re
+import resource
 import subprocess
 import sys
 import tempfile
@@ -19,9 +19,9 @@ RESTITUTION, FRICTION = 0.6, 0.1
 WIDTH = TEETH * TOOTH_WIDTH
 APEX_RADIUS = 1e-5   # of the particles that stand in the apices, which walls of regions do not have [m]
 TOP = 0.5            # of the box [m]
-COLUMN = 2           # teeth that are one wall
+COLUMN = 4           # teeth that are one wall
 NEAR = 0.010         # centres below this can touch the base before their groups are looked at again [m]
-LOW_EVERY = 25       # steps between two such looks
+LOW_EVERY = 50       # steps between two such looks
 
 CONTACT_TIME = 2e-4  # soft enough for overlaps of a few per cent of a radius [s]
 STEPS_PER_CONTACT = 40
@@ -44,13 +44,13 @@ def contacts():
 
 
 def tooth(k):
-    """What lies below both slopes of tooth k."""
+    """What does not lie below both slopes of tooth k."""
     apex = (k + ASYMMETRY) * TOOTH_WIDTH
     left, right = ASYMMETRY * TOOTH_WIDTH, (1.0 - ASYMMETRY) * TOOTH_WIDTH
     name = f"t{k + 1}"
     return [f"region {name}l plane {apex:.9g} {TOOTH_HEIGHT} 0 {TOOTH_HEIGHT} {-left:.9g} 0",
             f"region {name}r plane {apex:.9g} {TOOTH_HEIGHT} 0 {-TOOTH_HEIGHT} {-right:.9g} 0",
-            f"region {name} intersect 2 {name}l {name}r"]
+            f"region {name} intersect 2 {name}l {name}r side out"]
 
 
 def base():
@@ -64,11 +64,25 @@ def base():
         end = (first + COLUMN) * TOOTH_WIDTH if first + COLUMN < TEETH else "INF"
         lines.append(f"region over{column} block {begin} {end} INF {NEAR} INF INF")
         names = " ".join(f"t{k + 1}" for k in range(first - 1, first + COLUMN + 1))
-        lines.append(f"region base{column} union {COLUMN + 2} {names} side out")
+        lines.append(f"region base{column} intersect {COLUMN + 2} {names}")
         for kind, mass in enumerate(MASSES, 1):
             group = f"low{kind}at{column}"
-            lines.append(f"group {group} dynamic kind{kind} region over{column} every {LOW_EVERY}")
+            lines += [f"group {group} empty", *find_low(group, kind, column)]
             lines.append(f"fix wall{group} {group} wall/gran/region granular {contact(mass)} region base{column}")
+    return "\n".join(lines) + "\n"
+
+
+def find_low(group, kind, column):
+    return [f"group {group} clear", f"group {group}at region over{column}",
+            f"group {group} intersect kind{kind} {group}at", f"group {group}at delete"]
+
+
+def low():
+    """Run every LOW_EVERY steps."""
+    lines = []
+    for column in range(TEETH // COLUMN):
+        for kind in range(1, len(MASSES) + 1):
+            lines += find_low(f"low{kind}at{column}", kind, column)
     return "\n".join(lines) + "\n"
 
 
@@ -101,12 +115,19 @@ def frames(path):
 
 
 def height_above(x, y):
-    """Distance from a point to the lines of the slopes of its tooth, > 0 above them."""
+    """Distance from a point to the base's surface, > 0 above it."""
     s = x % TOOTH_WIDTH
-    apex, rest = ASYMMETRY * TOOTH_WIDTH, (1.0 - ASYMMETRY) * TOOTH_WIDTH
-    if s < apex:
-        return (y * apex - TOOTH_HEIGHT * s) / math.hypot(apex, TOOTH_HEIGHT)
-    return (y * rest - TOOTH_HEIGHT * (TOOTH_WIDTH - s)) / math.hypot(rest, TOOTH_HEIGHT)
+    feet_and_apices = [((k + part) * TOOTH_WIDTH, n) for k in (-1, 0, 1, 2) for part, n in
+                       ((0.0, 0.0), (ASYMMETRY, TOOTH_HEIGHT))]
+    nearest, surface = math.inf, 0.0
+    for (s1, n1), (s2, n2) in zip(feet_and_apices, feet_and_apices[1:]):
+        along_s, along_n = s2 - s1, n2 - n1
+        part = ((s - s1) * along_s + (y - n1) * along_n) / (along_s ** 2 + along_n ** 2)
+        part = min(1.0, max(0.0, part))
+        nearest = min(nearest, math.hypot(s - s1 - part * along_s, y - n1 - part * along_n))
+        if s1 <= s <= s2:
+            surface = n1 + (s - s1) / along_s * along_n
+    return math.copysign(nearest, y - surface)
 
 
 def overlap(frame):
@@ -131,10 +152,11 @@ def run(arguments, directory):
                                       capture_output=True, text=True, check=True).stdout)
     (directory / "start.data").write_text(start(disks))
     (directory / "base.lmp").write_text(base())
+    (directory / "low.lmp").write_text(low())
     (directory / "contacts.lmp").write_text(contacts())
     variables = {"amplitude": AMPLITUDE, "omega": OMEGA, "gravity": GRAVITY, "step": step,
                  "settle_steps": round(arguments.settle / step), "count_steps": round(arguments.duration / step),
-                 "look_steps": round(LOOK / step)}
+                 "look_steps": round(LOOK / step), "low_every": LOW_EVERY}
     command = [arguments.lammps, "-in", str(INPUT), "-screen", "none", "-log", "log"]
     for name, value in variables.items():
         command += ["-var", name, repr(value)]
@@ -143,7 +165,10 @@ def run(arguments, directory):
     if ran.returncode != 0:
         said = [line for line in log.splitlines() if line.startswith("ERROR")]
         sys.exit(f"lammps: {said[0] if said else ran.stderr.strip()}")
-    return disks, log, step
+    begun, settled, ended = (float((directory / name).read_text()) for name in ("begun", "settled", "ended"))
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    share = min(1.0, (used.ru_utime + used.ru_stime) / (ended - begun))
+    return disks, log, step, ended - settled, (ended - settled) * share
 
 
 def main():
@@ -155,16 +180,14 @@ def main():
     parser.add_argument("--duration", type=float, default=8.0, help="simulated after that [s]")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
-        disks, log, step = run(arguments, pathlib.Path(name))
+        disks, log, step, wall, processor = run(arguments, pathlib.Path(name))
         looks = list(frames(pathlib.Path(name) / "look.dump"))
     stride = round(BLOCK / LOOK)
-    wall, percent = (float(re.findall(pattern, log)[-1])
-                     for pattern in (r"Loop time of (\S+)", r"([\d.]+)% CPU use"))
     print(json.dumps({
         "program": "lammps", "version": log.split("(", 1)[1].split(")", 1)[0],
         "configuration": f"contact time {CONTACT_TIME} s", "step": step, "seed": arguments.seed,
         "settle": arguments.settle, "duration": arguments.duration, "wall_seconds": wall,
-        "processor_seconds": wall * percent / 100.0, "collisions": None,
+        "processor_seconds": processor, "collisions": None,
         "lost": len(disks) - len(looks[-1]),
         "behind_base": max(sum(height_above(x, y) < 0.0 for _, x, y in look) for look in looks),
         "overlap": max(map(overlap, looks)),

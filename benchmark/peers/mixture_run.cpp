@@ -120,6 +120,7 @@ void print(const Outcome& outcome, const RunOptions& options, const Watch& watch
   nlohmann::json line;
   line["program"] = outcome.program;
   line["version"] = outcome.version;
+  line["compiler"] = __VERSION__;
   line["configuration"] = outcome.configuration;
   line["step"] = outcome.step ? nlohmann::json(*outcome.step) : nlohmann::json();
   line["seed"] = options.seed;
