@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Runs one scene in this project and in what else there is, one program after another, and writes the table.
 
 The scene is the mixture of Fig. 8 at theta = 0: peers/mixture_scene.cpp. What is not installed is left out, and the
@@ -26,7 +26,12 @@ def read_arguments():
     parser.add_argument("--short", action="store_true", help="only whether it runs: its figures mean nothing")
     parser.add_argument("--from", type=pathlib.Path, metavar="FILE", dest="source",
                         help="run nothing: take the runs of a peers.json")
-    return parser.parse_args()
+    arguments = parser.parse_args()
+    if not (arguments.programs / "ratchet_mixture").exists() and not arguments.source:
+        parser.error(f"{arguments.programs} holds no ratchet_mixture: build with -DRATCHET_SIEVE_BENCHMARKS=ON")
+    if arguments.write and not table.has_place(arguments.write):
+        parser.error(f"{arguments.write} has no lines {table.BEGIN} and {table.END}")
+    return arguments
 
 
 def take_runs(arguments):

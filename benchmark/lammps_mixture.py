@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Runs the mixture of Fig. 8 in LAMMPS, and prints one line of JSON as the other programs of the comparison do."""
 import argparse
 import json

@@ -35,7 +35,7 @@ class Case:
     repeated: bool = True   # false: too slow to be repeated
 
     def arguments(self, seed, short):
-        settle, duration = (0.1, 1.0) if short else (self.settle, self.duration)
+        settle, duration = (0.1, 0.5) if short else (self.settle, self.duration)
         return [*self.command, "--seed", str(seed), "--settle", str(settle), "--duration", str(duration)]
 
 

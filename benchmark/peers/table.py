@@ -39,7 +39,7 @@ def render(taken):
     compiler = next(run["compiler"] for run in runs if run["program"] == cases.OURS)
     repetitions = max(map(len, by_row.values()))
     lines = [f"{machine['date']}, {machine['processor']}, {machine['cores']} virtual cores, {machine['system']}, "
-             f"GCC or clang {compiler}. {repetitions} runs of each row in turns (LAMMPS: one), on one core; "
+             f"{compiler}. {repetitions} runs of each row in turns (LAMMPS: one), on one core; "
              f"medians. {shared(runs)}\n"]
     lines += [f"- {library}\n" for library in taken["libraries"]]
     if taken["missing"]:
@@ -47,6 +47,11 @@ def render(taken):
     lines += ["\n", HEAD]
     lines += [row(name, of_row, ours) for name, of_row in by_row.items()]
     return "".join(lines)
+
+
+def has_place(path):
+    document = path.read_text(encoding="utf-8") if path.exists() else ""
+    return END in document.partition(BEGIN)[2]
 
 
 def replace(path, text):
