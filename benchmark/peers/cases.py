@@ -11,7 +11,7 @@ BOX2D_CLOCK = 1000.0 ** 0.5
 
 MAIN_STEP = 1e-4                      # where the drift has converged [s]
 BOX2D_STEP = 1.0 / 60.0 / BOX2D_CLOCK  # its manual's 1/60 s, of its own clock [s]
-CHIPMUNK_STEPS = (1.0 / 60.0, 1.0 / 240.0)  # between these, its manual says [s]
+CHIPMUNK_STEPS = (1.0 / 60.0, 1.0 / 240.0)  # as it is commonly run [s]
 
 # Below this a disk moves less than half its radius within a step: then looking for contacts within a step, which
 # costs Box2D time, finds nothing more [s].

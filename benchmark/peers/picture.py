@@ -8,9 +8,12 @@ from matplotlib.ticker import NullFormatter  # noqa: E402
 from peers import cases, measure  # noqa: E402
 
 MM = 1e3  # per m
+MS = 1e3  # per s
 # Okabe and Ito's colours, which colour-blind readers tell apart.
-LOOKS = {"chipmunk": ("Chipmunk", "#0072B2", "o"), "box2d": ("Box2D", "#D55E00", "s"),
-         "lammps": ("LAMMPS", "#009E73", "^")}
+# Which steps are written beside their points [ms]: all of them would lie over each other.
+LOOKS = {"chipmunk": ("Chipmunk", "#0072B2", "o", (17, 10, 4.2, 2, 1, 0.1, 0.03)),
+         "box2d": ("Box2D", "#D55E00", "s", (10, 4.2, 0.53, 0.1, 0.03)),
+         "lammps": ("LAMMPS", "#009E73", "^", (0.005,))}
 OURS = "#111111"
 SPECIES = ("A (1 mm, 10 g)", "B (2 mm, 1 g)")
 CLIP = (-5.0, 75.0)  # what is farther off is drawn at the edge [mm/s]
@@ -28,12 +31,17 @@ def by_step(runs, program):
     return sorted(steps.items())
 
 
-def step_text(step):
-    return f"{step * 1e3:.2g} ms" if step >= 1e-5 else f"{step * 1e6:.2g} µs"
+def write_step(axes, program, step, place):
+    colour, _, written = LOOKS[program][1:]
+    milliseconds = float(f"{step * MS:.2g}")
+    if milliseconds in written:
+        below = milliseconds == 0.53 or (program == "chipmunk" and milliseconds < 0.5)
+        axes.annotate(f"{milliseconds:g} ms", place, textcoords="offset points", ha="center", fontsize=6.5,
+                      xytext=(0, -14 if below else 8), color=colour)
 
 
 def draw_program(axes, runs, program, species):
-    name, colour, marker = LOOKS[program]
+    name, colour, marker, _ = LOOKS[program]
     points = [(step, measure.speed(of_step), *measure.drift(of_step)[species], any(r["lost"] for r in of_step))
               for step, of_step in by_step(runs, program)]
     if not points:
@@ -45,9 +53,7 @@ def draw_program(axes, runs, program, species):
     for (step, time, *_, lost), drift in zip(points, drifts):
         axes.plot(time, drift, marker, color=colour, markersize=5, zorder=3,
                   markerfacecolor="white" if lost else colour, label="_")
-        above = program != "box2d"
-        axes.annotate(step_text(step), (time, drift), textcoords="offset points", ha="center", fontsize=6.5,
-                      xytext=(0, 7 if above else -12), color=colour)
+        write_step(axes, program, step, (time, drift))
     axes.plot([], [], marker + "-", color=colour, markersize=5, label=name)
 
 
