@@ -35,7 +35,7 @@ def write_step(axes, program, step, place):
     colour, _, written = LOOKS[program][1:]
     milliseconds = float(f"{step * MS:.2g}")
     if milliseconds in written:
-        below = milliseconds == 0.53 or (program == "chipmunk" and milliseconds < 0.5)
+        below = milliseconds == 0.53 or (program == "chipmunk" and milliseconds < 0.05)
         axes.annotate(f"{milliseconds:g} ms", place, textcoords="offset points", ha="center", fontsize=6.5,
                       xytext=(0, -14 if below else 8), color=colour)
 

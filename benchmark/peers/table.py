@@ -16,7 +16,7 @@ def row(name, runs, ours):
               for mean, error in measure.drift(runs)]
     lost = sum(run["lost"] for run in runs) / sum(run["duration"] for run in runs)
     overlaps = [max(0.0, max(run[key] for run in runs)) for key in ("overlap", "base_overlap")]
-    cells = [name, f"{speed:.3g}", f"{speed / ours:.1f}", "—" if rate is None else f"{rate:,.0f}", *drifts,
+    cells = [name, f"{speed:.3g}", f"{speed / ours:.3g}", "—" if rate is None else f"{rate:,.0f}", *drifts,
              "0" if not lost else f"{lost:.2g} per s", ", ".join(f"{MM * o:.2g}" if o else "0" for o in overlaps)]
     return "| " + " | ".join(cells) + " |\n"
 
