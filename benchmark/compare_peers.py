@@ -1,0 +1,66 @@
+#!/usr/bin/python3
+"""Runs one scene in this project and in what else there is, one program after another, and writes the table.
+
+The scene is the mixture of Fig. 8 at theta = 0: peers/mixture_scene.cpp. What is not installed is left out, and the
+table says so. In full it takes less than ten minutes. Drawing needs matplotlib.
+"""
+import argparse
+import json
+import pathlib
+import sys
+
+from peers import cases, machine, measure, table
+
+
+def read_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("programs", type=pathlib.Path, metavar="DIR",
+                        help="where ratchet_mixture and the others are: devel/lib/ratchet_sieve after scripts/build")
+    parser.add_argument("--repetitions", type=int, default=3, help="of each row, taken in turns (default: 3)")
+    parser.add_argument("--lammps", default="lmp", help="LAMMPS's program (default: lmp)")
+    parser.add_argument("--write", type=pathlib.Path, metavar="FILE",
+                        help=f"put the table between {table.BEGIN} and {table.END} of this document")
+    parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="write every run as JSON into DIR/peers.json")
+    parser.add_argument("--picture", type=pathlib.Path, metavar="FILE",
+                        help="draw drift over time for many steps: some minutes more")
+    parser.add_argument("--short", action="store_true", help="only whether it runs: its figures mean nothing")
+    parser.add_argument("--from", type=pathlib.Path, metavar="FILE", dest="source",
+                        help="run nothing: take the runs of a peers.json")
+    arguments = parser.parse_args()
+    if not (arguments.programs / "ratchet_mixture").exists() and not arguments.source:
+        parser.error(f"{arguments.programs} holds no ratchet_mixture: build with -DRATCHET_SIEVE_BENCHMARKS=ON")
+    if arguments.write and not table.has_place(arguments.write):
+        parser.error(f"{arguments.write} has no lines {table.BEGIN} and {table.END}")
+    return arguments
+
+
+def take_runs(arguments):
+    if arguments.source:
+        return json.loads(arguments.source.read_text())
+    found, missing = cases.rows(arguments.programs, arguments.lammps)
+    runs = measure.in_turns(found, 1 if arguments.short else arguments.repetitions, arguments.short)
+    if arguments.picture:
+        runs += measure.in_turns(cases.sweep(arguments.programs), 1, arguments.short)
+    return {"machine": machine.describe(), "missing": missing, "runs": runs,
+            "libraries": machine.libraries(arguments.programs, arguments.lammps, runs)}
+
+
+def main():
+    arguments = read_arguments()
+    taken = take_runs(arguments)
+    if arguments.out:
+        arguments.out.mkdir(parents=True, exist_ok=True)
+        (arguments.out / "peers.json").write_text(json.dumps(taken, indent=1) + "\n")
+    text = table.render(taken)
+    if arguments.write:
+        table.replace(arguments.write, text)
+    print(text)
+    if arguments.picture:
+        from peers import picture
+        picture.draw(taken["runs"], arguments.picture)
+    if any(run["program"] == cases.OURS and (run["lost"] or run["behind_base"]) for run in taken["runs"]):
+        sys.exit("this project has lost a disk")
+
+
+if __name__ == "__main__":
+    main()

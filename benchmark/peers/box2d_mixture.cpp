@@ -1,0 +1,139 @@
+#include <box2d/box2d.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "stepped_run.h"
+
+namespace
+{
+
+using namespace ratchet_sieve;
+using peers::Point;
+
+/// A millimetre is a unit, so that disks are 1 and 2 units: Box2D is made for 0.1 to 10. Its clock runs
+/// by the root of that faster, so that gravity keeps its number and speeds stay in the range it expects.
+constexpr double PER_METRE = 1000.0;
+const double PER_SECOND = std::sqrt(PER_METRE);
+
+/// As the manual advises.
+constexpr int VELOCITY_ITERATIONS = 8;
+constexpr int POSITION_ITERATIONS = 3;
+
+class World : public b2ContactListener
+{
+public:
+  World(const SceneDefinition& scene, const std::vector<DiskState>& start, double step, bool continuous)
+      : scene_(scene), step_(step), world_(b2Vec2(0.0F, static_cast<float>(-scene.gravity)))
+  {
+    world_.SetAllowSleeping(false);
+    world_.SetContinuousPhysics(continuous);
+    world_.SetContactListener(this);
+    addBase();
+    for (const DiskState& disk : start)
+      addDisk(disk);
+  }
+
+  void step(long long k)
+  {
+    // It takes the base to the place where it has to be at the step's end.
+    const double y = peers::baseAt(scene_.base, static_cast<double>(k + 1) * step_).y * PER_METRE;
+    const double dt = step_ * PER_SECOND;
+    const double speed = (y - static_cast<double>(base_->GetPosition().y)) / dt;
+    base_->SetLinearVelocity(b2Vec2(0.0F, static_cast<float>(speed)));
+    world_.Step(static_cast<float>(dt), VELOCITY_ITERATIONS, POSITION_ITERATIONS);
+  }
+
+  Point place(std::size_t i) const
+  {
+    const b2Vec2 at = disks_[i]->GetPosition();
+    return {static_cast<double>(at.x) / PER_METRE, static_cast<double>(at.y) / PER_METRE};
+  }
+
+  void moveTo(std::size_t i, const Point& to, bool stop)
+  {
+    disks_[i]->SetTransform(inUnits(to), disks_[i]->GetAngle());
+    if (stop)
+      disks_[i]->SetLinearVelocity(b2Vec2_zero);
+  }
+
+  std::uint64_t contacts() const { return contacts_; }
+
+  void BeginContact(b2Contact*) override { ++contacts_; }
+
+private:
+  static b2Vec2 inUnits(const Point& point)
+  {
+    return {static_cast<float>(point.x * PER_METRE), static_cast<float>(point.y * PER_METRE)};
+  }
+
+  /// Box2D takes the larger e of two and the root of the product of two mu: both are the scene's.
+  b2FixtureDef fixture(const b2Shape& shape) const
+  {
+    b2FixtureDef definition;
+    definition.shape = &shape;
+    definition.friction = static_cast<float>(peers::contactOf(scene_).friction);
+    definition.restitution = static_cast<float>(peers::contactOf(scene_).restitution);
+    definition.restitutionThreshold = 0.0F;  // The default, 1 unit/s, is 0.03 m/s here.
+    return definition;
+  }
+
+  /// A chain is solid on one side and smooth where its edges join.
+  void addBase()
+  {
+    b2BodyDef definition;
+    definition.type = b2_kinematicBody;
+    base_ = world_.CreateBody(&definition);
+    const std::vector<Point> outline = peers::outline(scene_.base);
+    std::vector<b2Vec2> points;
+    for (auto point = outline.rbegin(); point != outline.rend(); ++point)
+      points.push_back(inUnits(*point));  // From right to left: the free side is on the right hand.
+    b2ChainShape chain;
+    chain.CreateChain(points.data(), static_cast<int32>(points.size()), points.front() + b2Vec2(1.0F, 0.0F),
+                      points.back() - b2Vec2(1.0F, 0.0F));
+    const b2FixtureDef definition_of_chain = fixture(chain);
+    base_->CreateFixture(&definition_of_chain);
+  }
+
+  void addDisk(const DiskState& disk)
+  {
+    const SpeciesDefinition& kind = scene_.species[disk.species];
+    b2BodyDef definition;
+    definition.type = b2_dynamicBody;
+    definition.position = inUnits({disk.x, disk.y});
+    b2CircleShape circle;
+    circle.m_radius = static_cast<float>(kind.radius * PER_METRE);
+    b2FixtureDef definition_of_circle = fixture(circle);
+    const auto mass = static_cast<float>(kind.mass * 1000.0);  // in grams
+    definition_of_circle.density = mass / (b2_pi * circle.m_radius * circle.m_radius);
+    disks_.push_back(world_.CreateBody(&definition));
+    disks_.back()->CreateFixture(&definition_of_circle);
+  }
+
+  const SceneDefinition& scene_;
+  double step_;
+  b2World world_;
+  b2Body* base_ = nullptr;
+  std::vector<b2Body*> disks_;
+  std::uint64_t contacts_ = 0;
+};
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  std::vector<std::string> chosen;
+  const peers::RunOptions options = peers::readOptions(
+      argc, argv, "Box2D", {{"--continuous", {"on", "off"}, "whether contacts within a step are looked for"}},
+      &chosen);
+  const SceneDefinition scene = peers::mixtureScene(options.seed);
+  const std::vector<DiskState> start = peers::startOf(scene);
+  World world(scene, start, options.step, chosen[0] == "on");
+  peers::SteppedRun<World> run(world, scene, options, start);
+  run.run();
+  const std::string version = std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) +
+                              "." + std::to_string(b2_version.revision);
+  run.print({"box2d", version, "continuous " + chosen[0]});
+}

@@ -1,0 +1,86 @@
+"""What is run: the rows of the table, and the steps of the picture."""
+import dataclasses
+import pathlib
+import shutil
+import sys
+
+OURS = "ratchet_sieve"
+
+# Box2D's clock runs faster than the scene's by the root of the scale of its lengths: see box2d_mixture.cpp.
+BOX2D_CLOCK = 1000.0 ** 0.5
+
+MAIN_STEP = 1e-4                      # where the drift has converged [s]
+BOX2D_STEP = 1.0 / 60.0 / BOX2D_CLOCK  # its manual's 1/60 s, of its own clock [s]
+CHIPMUNK_STEPS = (1.0 / 60.0, 1.0 / 240.0)  # as it is commonly run [s]
+
+# Below this a disk moves less than half its radius within a step: then looking for contacts within a step, which
+# costs Box2D time, finds nothing more [s].
+NO_TUNNELLING = 3e-4
+
+# Below this a disk cannot pass through teeth made of segments, which are cheaper than solid ones; above it solid
+# teeth lose fewer [s].
+THIN_BASE = 2e-3
+
+SWEEP = (1e-2, 1.0 / 240.0, 2e-3, 1e-3, BOX2D_STEP, 2e-4, MAIN_STEP, 3e-5)  # [s]
+FINE = 5e-5  # what steps finer than this is run for a shorter time [s]
+
+
+@dataclasses.dataclass
+class Case:
+    """One program with one set of options."""
+    row: str       # "" for what is only in the picture
+    command: list
+    settle: float = 2.0     # [s]
+    duration: float = 8.0   # [s]
+    repeated: bool = True   # false: too slow to be repeated
+
+    def arguments(self, seed, short):
+        settle, duration = (0.1, 0.5) if short else (self.settle, self.duration)
+        return [*self.command, "--seed", str(seed), "--settle", str(settle), "--duration", str(duration)]
+
+
+def chipmunk(programs, step, row="", **more):
+    base = "segments" if step < THIN_BASE else "solid"
+    return Case(row, [str(programs / "chipmunk_mixture"), "--step", repr(step), "--base", base], **more)
+
+
+def box2d(programs, step, row="", **more):
+    continuous = "off" if step < NO_TUNNELLING else "on"
+    return Case(row, [str(programs / "box2d_mixture"), "--step", repr(step), "--continuous", continuous], **more)
+
+
+def rows(programs, lammps):
+    """The table's rows, and the names of the programs that are not there."""
+    ours = str(programs / "ratchet_mixture")
+    found = [Case("this project", [ours], duration=40.0),
+             Case("this project, β = 0 as the others", [ours, "--tangential", "none"], duration=40.0)]
+    missing = []
+    if (programs / "chipmunk_mixture").exists():
+        found.append(chipmunk(programs, MAIN_STEP, "Chipmunk, 0.1 ms"))
+        found += [chipmunk(programs, step, f"Chipmunk, 1/{round(1 / step)} s") for step in CHIPMUNK_STEPS]
+    else:
+        missing.append("Chipmunk")
+    if (programs / "box2d_mixture").exists():
+        found.append(box2d(programs, MAIN_STEP, "Box2D, 0.1 ms"))
+        found.append(box2d(programs, BOX2D_STEP, "Box2D, 1/60 s of its clock: 0.53 ms"))
+    else:
+        missing.append("Box2D")
+    if shutil.which(lammps):
+        script = pathlib.Path(__file__).resolve().parent.parent / "lammps_mixture.py"
+        found.append(Case("LAMMPS, 5 µs", [sys.executable, str(script), "--start", ours, "--lammps", lammps],
+                          settle=1.0, duration=3.0, repeated=False))
+    else:
+        missing.append("LAMMPS")
+    return found, missing
+
+
+def sweep(programs):
+    """The steps of the picture that are no row of the table."""
+    cases = []
+    for step in SWEEP:
+        length = {"settle": 1.0, "duration": 5.0} if step < FINE else {}
+        if (programs / "chipmunk_mixture").exists() and step not in (MAIN_STEP, *CHIPMUNK_STEPS):
+            cases.append(chipmunk(programs, step, **length))
+        if (programs / "box2d_mixture").exists() and step not in (MAIN_STEP, BOX2D_STEP):
+            cases.append(box2d(programs, step, **length))
+    return cases

@@ -1,0 +1,175 @@
+#include <chipmunk/chipmunk.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "stepped_run.h"
+
+namespace
+{
+
+using namespace ratchet_sieve;
+using peers::Point;
+
+/// Millimetres, so that the disks are larger than the library's length tolerances (1e-5).
+constexpr double PER_METRE = 1000.0;
+
+/// Penetration that the solver leaves alone: a hundredth of the smallest radius. The default, 0.1, would be a
+/// tenth.
+constexpr double SLOP = 0.01;
+
+/// Width and number of the cells: the largest diameter was the fastest of 2, 3, 4 and 6 mm; ten times the
+/// disks.
+constexpr double HASH_CELL = 4.0;
+constexpr int HASH_CELLS = 5240;
+
+/// Depth of a tooth's foot, where teeth are solid [mm].
+constexpr double SOLID_DEPTH = 20.0;
+
+struct Choices
+{
+  bool hash = false;
+  bool solid = false;
+};
+
+class World
+{
+public:
+  World(const SceneDefinition& scene, const std::vector<DiskState>& start, double step,
+        const Choices& choices)
+      : scene_(scene), step_(step), space_(cpSpaceNew())
+  {
+    cpSpaceSetGravity(space_, cpv(0.0, -scene.gravity * PER_METRE));
+    cpSpaceSetCollisionSlop(space_, SLOP);
+    if (choices.hash)
+      cpSpaceUseSpatialHash(space_, HASH_CELL, HASH_CELLS);
+    addBase(choices.solid);
+    for (const DiskState& disk : start)
+      addDisk(disk);
+    cpCollisionHandler* handler = cpSpaceAddDefaultCollisionHandler(space_);
+    handler->beginFunc = &World::onBegin;
+    handler->userData = this;
+  }
+
+  ~World() { cpSpaceFree(space_); }
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  void step(long long k)
+  {
+    next_ = peers::baseAt(scene_.base, static_cast<double>(k + 1) * step_);
+    cpBodySetVelocity(base_, cpv(0.0, next_.vy * PER_METRE));
+    cpSpaceStep(space_, step_);
+  }
+
+  Point place(std::size_t i) const
+  {
+    const cpVect at = cpBodyGetPosition(disks_[i]);
+    return {at.x / PER_METRE, at.y / PER_METRE};
+  }
+
+  void moveTo(std::size_t i, const Point& to, bool stop)
+  {
+    cpBodySetPosition(disks_[i], cpv(to.x * PER_METRE, to.y * PER_METRE));
+    if (stop)
+      cpBodySetVelocity(disks_[i], cpvzero);
+  }
+
+  std::uint64_t contacts() const { return contacts_; }
+
+private:
+  /// Two coefficients are multiplied: each side has the root.
+  void setContact(cpShape* shape) const
+  {
+    cpShapeSetElasticity(shape, std::sqrt(peers::contactOf(scene_).restitution));
+    cpShapeSetFriction(shape, std::sqrt(peers::contactOf(scene_).friction));
+    cpSpaceAddShape(space_, shape);
+  }
+
+  void addBase(bool solid)
+  {
+    base_ = cpSpaceAddBody(space_, cpBodyNewKinematic());
+    cpBodySetUserData(base_, this);
+    cpBodySetPositionUpdateFunc(base_, &World::followDrive);
+    std::vector<cpVect> points;
+    for (const Point& point : peers::outline(scene_.base))
+      points.push_back(cpv(point.x * PER_METRE, point.y * PER_METRE));
+    if (solid)
+      addTeeth(points);
+    else
+      addSegments(points);
+  }
+
+  void addSegments(const std::vector<cpVect>& points)
+  {
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    {
+      cpShape* segment = cpSegmentShapeNew(base_, points[i], points[i + 1], 0.0);
+      cpSegmentShapeSetNeighbors(segment, points[i == 0 ? 0 : i - 1],
+                                 points[std::min(i + 2, points.size() - 1)]);
+      setContact(segment);
+    }
+  }
+
+  void addTeeth(const std::vector<cpVect>& points)
+  {
+    for (std::size_t i = 0; i + 2 < points.size(); i += 2)
+    {
+      const cpVect corners[] = {points[i], cpv(points[i].x, -SOLID_DEPTH), cpv(points[i + 2].x, -SOLID_DEPTH),
+                                points[i + 2], points[i + 1]};
+      setContact(cpPolyShapeNewRaw(base_, 5, corners, 0.0));
+    }
+  }
+
+  void addDisk(const DiskState& disk)
+  {
+    const SpeciesDefinition& kind = scene_.species[disk.species];
+    const double radius = kind.radius * PER_METRE;
+    cpBody* body =
+        cpSpaceAddBody(space_, cpBodyNew(kind.mass, cpMomentForCircle(kind.mass, 0.0, radius, cpvzero)));
+    cpBodySetPosition(body, cpv(disk.x * PER_METRE, disk.y * PER_METRE));
+    setContact(cpCircleShapeNew(body, radius, cpvzero));
+    disks_.push_back(body);
+  }
+
+  /// The base is where the drive says, to the last bit, and not where its velocity has added up to.
+  static void followDrive(cpBody* body, cpFloat)
+  {
+    const World& world = *static_cast<World*>(cpBodyGetUserData(body));
+    cpBodySetPosition(body, cpv(0.0, world.next_.y * PER_METRE));
+  }
+
+  static cpBool onBegin(cpArbiter*, cpSpace*, cpDataPointer data)
+  {
+    ++static_cast<World*>(data)->contacts_;
+    return cpTrue;
+  }
+
+  const SceneDefinition& scene_;
+  double step_;
+  cpSpace* space_;
+  cpBody* base_ = nullptr;
+  std::vector<cpBody*> disks_;
+  peers::BaseState next_;
+  std::uint64_t contacts_ = 0;
+};
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  std::vector<std::string> chosen;
+  const peers::RunOptions options =
+      peers::readOptions(argc, argv, "Chipmunk",
+                         {{"--index", {"hash", "tree"}, "how neighbours are found"},
+                          {"--base", {"segments", "solid"}, "what a tooth is made of"}},
+                         &chosen);
+  const SceneDefinition scene = peers::mixtureScene(options.seed);
+  const std::vector<DiskState> start = peers::startOf(scene);
+  World world(scene, start, options.step, {chosen[0] == "hash", chosen[1] == "solid"});
+  peers::SteppedRun<World> run(world, scene, options, start);
+  run.run();
+  run.print({"chipmunk", cpVersionString, chosen[0] + ", " + chosen[1]});
+}

@@ -1,0 +1,60 @@
+"""Runs programs one after another on one core, and takes means over their runs."""
+import json
+import shutil
+import os
+import statistics
+import subprocess
+import sys
+
+TIMEOUT = 900.0  # of wall time [s]: what takes longer has hung
+
+
+def pinned(command):
+    """On the last core this process may use: the first has the machine's own work to do."""
+    if not shutil.which("taskset"):
+        return command
+    return ["taskset", "-c", str(max(os.sched_getaffinity(0))), *command]
+
+
+def run(case, seed, short):
+    ran = subprocess.run(pinned(case.arguments(seed, short)), capture_output=True, text=True, timeout=TIMEOUT,
+                         check=False)
+    if ran.returncode != 0:
+        sys.exit(f"{' '.join(case.command)}: exit status {ran.returncode}: {ran.stderr.strip()}")
+    *said, line = ran.stdout.strip().splitlines()
+    result = json.loads(line)
+    result["row"] = case.row
+    result["debug"] = any("Debug Enabled" in text for text in (*said, ran.stderr))  # Chipmunk says so
+    return result
+
+
+def in_turns(cases, repetitions, short):
+    """Every case once, then every case again: what slows the machine for a while slows them all. Each time with
+    another seed, so that the drift's scatter is seen, too."""
+    runs = []
+    for repetition in range(repetitions):
+        for case in cases:
+            if repetition and not case.repeated:
+                continue
+            print(f"{repetition + 1}/{repetitions}: {' '.join(case.command)}", file=sys.stderr, flush=True)
+            runs.append(run(case, repetition + 1, short))
+    return runs
+
+
+def speed(runs, key="processor_seconds"):
+    """Median of the seconds per simulated second."""
+    return statistics.median(run[key] / run["duration"] for run in runs)
+
+
+def collision_rate(runs):
+    """Per simulated second; None where the program does not count."""
+    if runs[0]["collisions"] is None:
+        return None
+    return statistics.median(run["collisions"] / run["duration"] for run in runs)
+
+
+def drift(runs):
+    """Per species: the mean over all blocks of time of all runs, and its standard error (None of one block) [m/s]."""
+    blocks = [block for run in runs for block in run["drift_blocks"]]
+    return [(statistics.mean(values), statistics.stdev(values) / len(values) ** 0.5 if len(values) > 1 else None)
+            for values in zip(*blocks)]
