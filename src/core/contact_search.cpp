@@ -426,7 +426,7 @@ void ContactSearch::lookAtTooth(std::int32_t tooth, Step& step) const
   const double ds = s - sawtooth_.apexOffset();
   const double dn = p.n - sawtooth_.height();
   if (step.canReach(ds * ds + dn * dn))
-    step.meetPoint(apex, sawtooth_.approach(apex, p, step.radius));
+    step.meetPoint(apex, approachToPoint(ds, dn, p, step.radius));
 }
 
 }  // namespace ratchet_sieve

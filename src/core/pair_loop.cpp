@@ -130,7 +130,8 @@ private:
     const double count = std::max<double>(1.0, static_cast<double>(machine_.activeCount()));
     const double diameter = machine_.largestDiameter();
     const double layers = count * diameter * diameter / scene.base.width();
-    const double height = scene.base.tooth_height + scene.pour.drop_height + 2.0 * layers +
+    // As high as the shaken layer: what is poured from above it, or thrown out of it, is in the topmost row.
+    const double height = scene.base.tooth_height + layers +
                           std::min(machine_.motion().throwHeight(scene.gravity), scene.base.width());
     const bool periodic = scene.boundary == Boundary::PERIODIC;
     const double margin = periodic && machine_.motion().turning() ? TURNING_CELL_MARGIN : CELL_MARGIN;

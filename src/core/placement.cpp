@@ -1,6 +1,8 @@
 #include "ratchet_sieve/core/placement.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "ratchet_sieve/core/audit.h"
 #include "ratchet_sieve/core/pour.h"
@@ -34,9 +36,20 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
     if (machine.active(id))
       pour.occupy(placed(machine, id, base, time));
-  for (const std::uint32_t kind : species)
+  struct Poured
   {
-    const PlacedDisk room = pour.place(scene.species[kind].radius, random);
+    PlacedDisk room;
+    std::uint32_t species;
+  };
+  std::vector<Poured> poured;
+  poured.reserve(species.size());
+  for (const std::uint32_t kind : species)
+    poured.push_back({pour.place(scene.species[kind].radius, random), kind});
+  // Numbered along the base: neighbours there are neighbours in memory.
+  std::stable_sort(poured.begin(), poured.end(),
+                   [](const Poured& a, const Poured& b) { return a.room.s < b.room.s; });
+  for (const auto& [room, kind] : poured)
+  {
     const double s = room.s + base.displacement * base.sine;
     Disk disk;
     disk.x = base.cosine * s - base.sine * room.n;

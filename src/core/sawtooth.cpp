@@ -27,20 +27,6 @@ Sawtooth::Slope makeSlope(double foot_s, double apex_s, double height, double ou
   return slope;
 }
 
-Approach approachToPoint(double ds, double dn, const BasePoint& point, double radius)
-{
-  const double distance = std::sqrt(ds * ds + dn * dn);
-  Approach a;
-  if (distance > 0.0)
-  {
-    a.normal_s = ds / distance;
-    a.normal_n = dn / distance;
-  }
-  a.gap = distance - radius;
-  a.rate = a.normal_s * point.vs + a.normal_n * point.vn;
-  return a;
-}
-
 Approach approachToLine(double distance, double normal_s, double normal_n, const BasePoint& point,
                         double radius)
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "ratchet_sieve/core/definition.h"
@@ -46,6 +47,21 @@ struct Approach
   double normal_s = 0.0;  ///< unit normal from the feature to the disk's centre
   double normal_n = 1.0;
 };
+
+/// Before a corner that lies (-ds, -dn) from the disk's centre [m].
+inline Approach approachToPoint(double ds, double dn, const BasePoint& point, double radius)
+{
+  const double distance = std::sqrt(ds * ds + dn * dn);
+  Approach a;
+  if (distance > 0.0)
+  {
+    a.normal_s = ds / distance;
+    a.normal_n = dn / distance;
+  }
+  a.gap = distance - radius;
+  a.rate = a.normal_s * point.vs + a.normal_n * point.vn;
+  return a;
+}
 
 /// The shape of the base, in its own frame: pure geometry, at rest.
 class Sawtooth
