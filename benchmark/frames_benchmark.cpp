@@ -72,7 +72,7 @@ void recordedParticleFrame(benchmark::State& state)
   bag.close();
   std::remove(path.c_str());
 }
-BENCHMARK(recordedParticleFrame)->Unit(benchmark::kMicrosecond)->Iterations(300);
+BENCHMARK(recordedParticleFrame)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace ratchet_sieve

@@ -4,16 +4,16 @@ a table. Each is a ratio to sieve_run without a bag in the same round, as rounds
 else runs on it. Exit status 1 where a message was lost. Needs ROS on the path, but no master: it starts its own.
 """
 import argparse
+import dataclasses
 import datetime
+import json
 import os
 import pathlib
 import platform
 import statistics
-import subprocess
 import sys
 import tempfile
 
-import json
 import rosbag
 import yaml
 
@@ -33,14 +33,11 @@ SUBSCRIBED = '`sieve_node`, one subscriber to `~particles`'
 EVERYTHING = '`sieve_node`, one to each of its topics, those for RViz too'
 RECORD = '`sieve_node` with `~record`'
 
-TOPICS = ['particles', 'bins', 'base', 'statistics', 'markers', 'cloud']
+FOR_EYES = ['markers', 'cloud']
+TOPICS = ['particles', 'bins', 'base', 'statistics', *FOR_EYES]
 LISTENED = {IDLE: [], SUBSCRIBED: TOPICS[:1], EVERYTHING: TOPICS, RECORD: []}
 TARGETS = {BAG: 75, IDLE: 95, SUBSCRIBED: 85, RECORD: 75}  # percent of the headless rate
 START_TARGET = 30.0  # ms
-
-
-class Lost(Exception):
-    """Messages that should have come and did not."""
 
 
 def mixture(teeth, duration):
@@ -71,20 +68,21 @@ class Bench:
     def expected(self, rate):
         return [k / rate for k in range(int(self.duration * rate + 1e-9) + 1)]
 
-    def check_times(self, topic, times):
-        rate = {'statistics': STATISTICS_RATE}.get(topic, RATE)
-        missing = set(self.expected(rate)) - set(times)
-        if missing:
-            raise Lost(f'{topic}: {len(missing)} of {len(self.expected(rate))} messages, such as at {min(missing)} s')
+    def lost_on(self, topic, heard):
+        """How many of the messages that are due on a topic a listener did not get. Those for RViz come when there
+        is time: one is due."""
+        if topic in FOR_EYES:
+            return 0 if heard['bytes'] else 1
+        return len(set(self.expected(STATISTICS_RATE if topic == 'statistics' else RATE)) - set(heard['times']))
 
-    def check_bag(self):
+    def lost_in_bag(self):
+        """How many of the messages that are due the bag does not hold."""
         with rosbag.Bag(str(self.bag)) as bag:
             counts = {topic: info.message_count for topic, info in bag.get_type_and_topic_info().topics.items()}
         wanted = {f'/sieve/{topic}': len(self.expected(RATE)) for topic in ('particles', 'bins', 'base')}
         wanted.update({'/sieve/statistics': len(self.expected(STATISTICS_RATE)), '/sieve/scene': 1})
-        if counts != wanted:
-            raise Lost(f'the bag holds {counts}, not {wanted}')
         self.bag.unlink()
+        return sum(abs(counts.get(topic, 0) - count) for topic, count in wanted.items())
 
     def headless(self):
         """@return the run alone, and the program with its start"""
@@ -94,33 +92,34 @@ class Bench:
 
     def recorded(self):
         finished = ros_processes.run([self.programs / 'sieve_run', self.scene_file, '--bag', self.bag])
-        self.check_bag()
-        return finished
+        return finished, self.lost_in_bag()
 
     def node(self, case):
         topics = [f'/sieve/{topic}' for topic in LISTENED[case]]
         parameters = {'scene': self.scene, 'record': str(self.bag) if case == RECORD else ''}
         finished, received = ros_processes.run_node(self.client, self.programs / 'sieve_node', parameters, topics)
-        for topic, heard in received.items():
-            if heard['times']:
-                self.check_times(topic.rpartition('/')[2], heard['times'])
-            elif not heard['bytes']:
-                raise Lost(f'{topic}: no message at all')
-        if case == RECORD:
-            self.check_bag()
-        return finished
+        lost = sum(self.lost_on(topic.rpartition('/')[2], heard) for topic, heard in received.items())
+        return finished, lost + (self.lost_in_bag() if case == RECORD else 0)
 
     def round(self):
-        """@return of each case its rate and its CPU time, both as parts of those of sieve_run in this round"""
+        """@return the wall time of sieve_run, and each case beside it"""
         alone, with_start = self.headless()
-        ratios = {BAG: compare(with_start, self.recorded())}
+        compared = {BAG: compare(with_start, *self.recorded())}
         for case in LISTENED:
-            ratios[case] = compare(alone, self.node(case))
-        return alone.wall, ratios
+            compared[case] = compare(alone, *self.node(case))
+        return alone.wall, compared
 
 
-def compare(headless, other):
-    return headless.wall / other.wall, other.cpu / headless.cpu
+@dataclasses.dataclass
+class Compared:
+    """A case beside sieve_run of the same round."""
+    rate: float  # simulated over wall time, as a part of that of sieve_run
+    cpu: float   # CPU time, as a multiple of that of sieve_run
+    lost: int    # messages
+
+
+def compare(headless, other, lost):
+    return Compared(headless.wall / other.wall, other.cpu / headless.cpu, lost)
 
 
 def measure_start(programs, scratch, repetitions):
@@ -154,12 +153,13 @@ def tables(benches, rounds, start):
         yield (f'{bench.disks()} disks, {bench.duration:g} simulated seconds, which `sieve_run` takes '
                f'{statistics.median(walls):.2f} s for ({min(walls):.2f} to {max(walls):.2f}), {len(walls)} rounds:')
         yield ''
-        yield f'| | rate, % of `sieve_run`\'s | wanted | CPU time, % of `sieve_run`\'s |'
-        yield '|---|---|---|---|'
+        yield '| | rate, % of `sieve_run`\'s | wanted | CPU time, % of `sieve_run`\'s | messages lost |'
+        yield '|---|---|---|---|---|'
         for case in (BAG, *LISTENED):
-            rate, cpu = zip(*(ratios[case] for _, ratios in measured))
+            cases = [compared[case] for _, compared in measured]
+            rates, times = percent([one.rate for one in cases]), percent([one.cpu for one in cases])
             wanted = f'≥ {TARGETS[case]}' if case in TARGETS else ''
-            yield f'| {case} | {percent(rate)} | {wanted} | {percent(cpu)} |'
+            yield f'| {case} | {rates} | {wanted} | {times} | {sum(one.lost for one in cases)} |'
 
 
 def machine():
@@ -195,22 +195,19 @@ def main():
     description = machine()
     sizes, rounds, starts = [(382, 3.0), (20, 60.0)], arguments.rounds, 50
     if arguments.short:
-        sizes, rounds, starts = [(4, 1.0)], 1, 2
+        # No more messages than a publisher's queue holds: a slow machine loses none.
+        sizes, rounds, starts = [(4, 0.4)], 1, 2
     with tempfile.TemporaryDirectory() as directory:
         scratch = pathlib.Path(directory)
         start = measure_start(arguments.programs, scratch, starts)
         with ros_processes.master(scratch) as client:
             benches = [Bench(arguments.programs, scratch, client, *size) for size in sizes]
-            try:
-                measured = [[bench.round() for _ in range(rounds)] for bench in benches]
-            except Lost as lost:
-                print(f'lost: {lost}', file=sys.stderr)
-                return 1
+            measured = [[bench.round() for _ in range(rounds)] for bench in benches]
     lines = [description + '. Medians, in brackets the range.', '', *tables(benches, measured, start)]
     print('\n'.join(lines))
     if arguments.write:
         write(arguments.write, lines)
-    return 0
+    return 1 if any(one.lost for rounds in measured for _, compared in rounds for one in compared.values()) else 0
 
 
 if __name__ == '__main__':

@@ -38,7 +38,7 @@ def finish(process, begin, cpu_before=0.0):
     """Waits for a program and takes its times."""
     output = process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
+    process.returncode = os.WEXITSTATUS(status) if os.WIFEXITED(status) else -os.WTERMSIG(status)
     wall = time.time() - begin
     if process.returncode != 0:
         raise RuntimeError(f'{process.args}: exit status {process.returncode}: {output}')
