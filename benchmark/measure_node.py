@@ -104,22 +104,25 @@ class Bench:
     def round(self):
         """@return the wall time of sieve_run, and each case beside it"""
         alone, with_start = self.headless()
-        compared = {BAG: compare(with_start, *self.recorded())}
+        compared = {BAG: Compared(with_start, *self.recorded())}
         for case in LISTENED:
-            compared[case] = compare(alone, *self.node(case))
+            compared[case] = Compared(alone, *self.node(case))
         return alone.wall, compared
 
 
 @dataclasses.dataclass
 class Compared:
     """A case beside sieve_run of the same round."""
-    rate: float  # simulated over wall time, as a part of that of sieve_run
-    cpu: float   # CPU time, as a multiple of that of sieve_run
-    lost: int    # messages
+    headless: ros_processes.Finished
+    other: ros_processes.Finished
+    lost: int  # messages
 
 
-def compare(headless, other, lost):
-    return Compared(headless.wall / other.wall, other.cpu / headless.cpu, lost)
+def rates(cases):
+    """Simulated over wall time, as a part of that of sieve_run: of the best rounds of both, which nobody else
+    disturbed, and the median and the range of the rounds."""
+    best = min(one.headless.wall for one in cases) / min(one.other.wall for one in cases)
+    return f'{100 * best:.1f}', percent([one.headless.wall / one.other.wall for one in cases])
 
 
 def measure_start(programs, scratch, repetitions):
@@ -153,13 +156,14 @@ def tables(benches, rounds, start):
         yield (f'{bench.disks()} disks, {bench.duration:g} simulated seconds, which `sieve_run` takes '
                f'{statistics.median(walls):.2f} s for ({min(walls):.2f} to {max(walls):.2f}), {len(walls)} rounds:')
         yield ''
-        yield '| | rate, % of `sieve_run`\'s | wanted | CPU time, % of `sieve_run`\'s | messages lost |'
-        yield '|---|---|---|---|---|'
+        yield '| | rate, best rounds, % of `sieve_run`\'s | wanted | every round | CPU time, % | messages lost |'
+        yield '|---|---|---|---|---|---|'
         for case in (BAG, *LISTENED):
             cases = [compared[case] for _, compared in measured]
-            rates, times = percent([one.rate for one in cases]), percent([one.cpu for one in cases])
+            best, every = rates(cases)
+            times = percent([one.other.cpu / one.headless.cpu for one in cases])
             wanted = f'≥ {TARGETS[case]}' if case in TARGETS else ''
-            yield f'| {case} | {rates} | {wanted} | {times} | {sum(one.lost for one in cases)} |'
+            yield f'| {case} | {best} | {wanted} | {every} | {times} | {sum(one.lost for one in cases)} |'
 
 
 def machine():
@@ -193,7 +197,7 @@ def parse_arguments():
 def main():
     arguments = parse_arguments()
     description = machine()
-    sizes, rounds, starts = [(382, 3.0), (20, 60.0)], arguments.rounds, 50
+    sizes, rounds, starts = [(382, 1.0), (20, 15.0)], arguments.rounds, 50
     if arguments.short:
         # No more messages than a publisher's queue holds: a slow machine loses none.
         sizes, rounds, starts = [(4, 0.4)], 1, 2

@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import re
+import select
 import socket
 import subprocess
 import sys
@@ -84,12 +85,15 @@ def master(scratch):
 
 @contextlib.contextmanager
 def listener(topic):
-    """Another process that is subscribed to a topic; gives a function that ends it and says what came."""
+    """Another process that is subscribed to a topic of a node that runs, and has had its first message: a sieve
+    greets who comes. Gives a function that ends it and says what came."""
     command = [sys.executable, str(pathlib.Path(__file__).with_name('topic_listener.py')), topic]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
         def received():
             return json.loads(process.communicate('end\n')[0])
         try:
+            if not select.select([process.stdout], [], [], PATIENCE)[0] or not process.stdout.readline():
+                raise RuntimeError(f'{topic}: no message within {PATIENCE:g} s')
             yield received
         finally:
             if process.poll() is None:
@@ -106,12 +110,9 @@ def run_node(client, program, parameters, topics):
         process = stack.enter_context(
             subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True))
         stack.callback(lambda: process.poll() is None and process.kill())
-        received = {topic: stack.enter_context(listener(topic)) for topic in topics}
         unpause = '/sieve/unpause_physics'
         wait_for(lambda: any(name == unpause for name, _ in client.getSystemState()[2]), 'the node is up')
-        wait_for(lambda: all(subscribed(client, topic) for topic in topics), 'listeners are there')
-        if topics:
-            time.sleep(1.0)  # a listener that the master knows may not be connected to the node yet
+        received = {topic: stack.enter_context(listener(topic)) for topic in topics}
         cpu_before = cpu_time(process)
         begin = time.time()
         rospy.ServiceProxy(unpause, Empty)()
@@ -119,7 +120,3 @@ def run_node(client, program, parameters, topics):
         # The node lingers a little after its end, for its last messages to go out.
         finished.wall = float(re.search(r'([\d.]+) ended at', finished.output).group(1)) - begin
         return finished, {topic: end() for topic, end in received.items()}
-
-
-def subscribed(client, topic):
-    return any(name == topic and nodes for name, nodes in client.getSystemState()[1])

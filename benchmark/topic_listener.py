@@ -1,12 +1,15 @@
 #!/usr/bin/python3
-"""Subscribes to a topic of a sieve until a line comes on standard input; prints, as JSON, the length in bytes
-of all messages, and their simulated times where the message has a header and a time. Unpacks nothing else."""
+"""Subscribes to a topic of a sieve; prints a line when the first message is there. When a line comes on standard
+input it prints, as JSON, the length in bytes of all messages, and their simulated times where they have a header
+and a time. Unpacks nothing else."""
 import json
 import struct
 import sys
+import time
 
 import rospy
 
+PATIENCE = 5.0  # for the connection to end [s]
 BUFFER = 1 << 24  # bytes: more than a message of very many disks
 
 
@@ -19,9 +22,18 @@ def time_of(message):
 def main():
     messages = []
     rospy.init_node('listener', anonymous=True, disable_signals=True)
-    rospy.Subscriber(sys.argv[1], rospy.AnyMsg,
-                     lambda message: messages.append((len(message._buff), message._buff[:64])), buff_size=BUFFER)
+
+    def take(message):
+        if not messages:
+            print('there', flush=True)
+        messages.append((len(message._buff), message._buff[:64]))
+
+    subscriber = rospy.Subscriber(sys.argv[1], rospy.AnyMsg, take, buff_size=BUFFER)
     sys.stdin.readline()
+    # What the sieve sent before it ended may not have been read yet.
+    deadline = time.monotonic() + PATIENCE
+    while subscriber.get_num_connections() > 0 and time.monotonic() < deadline:
+        time.sleep(0.01)
     with_times = sys.argv[1].rpartition('/')[2] not in ('markers', 'cloud')
     json.dump({'bytes': sum(size for size, _ in messages),
                'times': [time_of(start) for _, start in messages] if with_times else []}, sys.stdout)
