@@ -32,4 +32,8 @@ function(ratchet_sieve_layer layer)
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE ratchet_sieve_flags ${ARG_PRIVATE_LINK})
   target_compile_features(${target} PUBLIC cxx_std_17)
+  # Static ones go into the library that sieve_run loads to write a bag.
+  if(RATCHET_SIEVE_ROS)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
 endfunction()

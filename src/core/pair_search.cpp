@@ -1,6 +1,7 @@
 #include "ratchet_sieve/core/pair_search.h"
 
 #include <algorithm>
+#include <array>
 
 #include "ratchet_sieve/core/quadratic.h"
 #include "ratchet_sieve/core/resolution.h"
@@ -41,7 +42,9 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
   const double gravity = machine_.scene().gravity;
   const Two place{disk_.x - image.dx, disk_.y - image.dy};
   const Two velocity{disk_.vx, disk_.vy};
-  Two waits[LANES / 2];
+  std::array<Two, LANES / 2> waits;
+  waits.fill(Two{NEVER, NEVER});
+  Two least{NEVER, NEVER};
 
   struct Relative
   {
@@ -77,18 +80,22 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
     const Two never{NEVER, NEVER};
     const Two free = discriminant < 0.0 ? never : time;
     const Two due = excess <= 0.0 ? Two{} : free;
-    waits[k / 2] = closing >= 0.0 ? never : due;
+    const Two wait = closing >= 0.0 ? never : due;
+    least = wait < least ? wait : least;
+    waits[k / 2] = wait;
   }
-  Two least{NEVER, NEVER};
-  for (std::size_t k = 0; k < count; k += 2)
-    least = waits[k / 2] < least ? waits[k / 2] : least;
   const double shortest = std::min(least[0], least[1]);
   PairContact first;
   if (from_ + shortest >= until_)
     return first;
-  for (std::size_t k = 0; k < count; ++k)
-    if (waits[k / 2][k % 2] == shortest)
-      first = std::min(first, {from_ + shortest, others[k], shift}, earlier);
+  unsigned found = 0;
+  for (std::size_t k = 0; k < LANES; k += 2)
+    found |= whichUpTo(waits[k / 2], shortest) << k;
+  for (; found != 0; found &= found - 1)
+  {
+    const std::size_t k = std::min<std::size_t>(__builtin_ctz(found), count - 1);
+    first = std::min(first, {from_ + shortest, others[k], shift}, earlier);
+  }
   return first;
 }
 

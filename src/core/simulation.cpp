@@ -295,11 +295,18 @@ std::size_t Simulation::activeDisks() const
 
 std::vector<DiskState> Simulation::disks() const
 {
+  std::vector<DiskState> states;
+  disks(states);
+  return states;
+}
+
+void Simulation::disks(std::vector<DiskState>& states) const
+{
   const Machine& machine = implementation_->machine();
   const double now = implementation_->now();
   const BaseKinematics base = machine.motion().at(now);
   const double width = machine.sawtooth().width();
-  std::vector<DiskState> states;
+  states.clear();
   states.reserve(machine.activeCount());
   for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
   {
@@ -321,7 +328,6 @@ std::vector<DiskState> Simulation::disks() const
     state.spin = disk.spin;
     states.push_back(state);
   }
-  return states;
 }
 
 std::vector<SpeciesBins> Simulation::bins() const

@@ -1,27 +1,45 @@
 #include "bag_output.h"
 
-#include "ratchet_sieve/ros/bag_writer.h"
+#include <stdexcept>
+
+#include <dlfcn.h>
+
+#include "bag_plugin.h"
 
 namespace ratchet_sieve
 {
+namespace
+{
+
+/// Loads the library for good: what ROS's libraries leave behind does not stand to be unloaded.
+std::unique_ptr<BagPlugin> openBag(const std::string& path)
+{
+  void* library = dlopen(BAG_PLUGIN_FILE, RTLD_NOW | RTLD_LOCAL);
+  void* function = library != nullptr ? dlsym(library, BAG_PLUGIN_FUNCTION) : nullptr;
+  if (function == nullptr)
+    throw std::runtime_error("--bag " + path + ": " + dlerror());
+  return std::unique_ptr<BagPlugin>(reinterpret_cast<OpenBagPlugin*>(function)(path.c_str()));
+}
+
+}  // namespace
 
 struct BagOutput::Implementation
 {
-  BagWriter writer;
+  std::unique_ptr<BagPlugin> bag;
 };
 
-BagOutput::BagOutput(const std::string& path) : implementation_(new Implementation{BagWriter(path)}) {}
+BagOutput::BagOutput(const std::string& path) : implementation_(new Implementation{openBag(path)}) {}
 
 BagOutput::~BagOutput() = default;
 
 FrameSink& BagOutput::sink()
 {
-  return implementation_->writer;
+  return implementation_->bag->sink();
 }
 
 void BagOutput::close()
 {
-  implementation_->writer.close();
+  implementation_->bag->close();
 }
 
 }  // namespace ratchet_sieve

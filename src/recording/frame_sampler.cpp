@@ -29,7 +29,7 @@ double FrameSampler::nextTime() const
   return std::min({dueTime(particles_), dueTime(bins_), dueTime(base_), dueTime(statistics_)});
 }
 
-bool FrameSampler::takeIfDue(Stream& stream, double time) const
+bool FrameSampler::passIfDue(Stream& stream, double time) const
 {
   if (dueTime(stream) > time)
     return false;
@@ -43,12 +43,43 @@ bool FrameSampler::takeIfDue(Stream& stream, double time) const
   return true;
 }
 
+const std::vector<DiskState>& FrameSampler::presentDisks(const Simulation& simulation)
+{
+  if (!disks_are_present_)
+    simulation.disks(particle_frame_.disks);
+  disks_are_present_ = true;
+  return particle_frame_.disks;
+}
+
+void FrameSampler::takeBase(const Simulation& simulation, FrameSink& sink)
+{
+  if (sink.wants(FrameKind::BASE))
+    sink.take(makeBaseFrame(simulation));
+}
+
+void FrameSampler::takeParticles(const Simulation& simulation, FrameSink& sink)
+{
+  if (!sink.wants(FrameKind::PARTICLES))
+    return;
+  presentDisks(simulation);
+  particle_frame_.time = simulation.time();
+  sink.take(particle_frame_);
+}
+
+void FrameSampler::takeBins(const Simulation& simulation, FrameSink& sink)
+{
+  if (sink.wants(FrameKind::BINS))
+    sink.take(makeBinFrame(simulation));
+}
+
 void FrameSampler::takeStatistics(const Simulation& simulation, FrameSink& sink)
 {
+  if (!sink.wants(FrameKind::STATISTICS))
+    return;
   const auto now = std::chrono::steady_clock::now();
   const double wall_seconds = std::chrono::duration<double>(now - last_statistics_wall_).count();
-  last_statistics_ =
-      makeStatisticsFrame(simulation, last_statistics_ ? &*last_statistics_ : nullptr, wall_seconds);
+  last_statistics_ = makeStatisticsFrame(simulation, presentDisks(simulation),
+                                         last_statistics_ ? &*last_statistics_ : nullptr, wall_seconds);
   last_statistics_wall_ = now;
   sink.take(*last_statistics_);
 }
@@ -58,14 +89,16 @@ void FrameSampler::takeDue(const Simulation& simulation, FrameSink& sink)
   if (!scene_taken_)
     sink.take(makeSceneFrame(simulation));
   scene_taken_ = true;
+  // Disks may have been poured on since they were last looked at, though no time has passed.
+  disks_are_present_ = false;
   const double time = simulation.time();
-  if (takeIfDue(base_, time))
-    sink.take(makeBaseFrame(simulation));
-  if (takeIfDue(particles_, time))
-    sink.take(makeParticleFrame(simulation));
-  if (takeIfDue(bins_, time))
-    sink.take(makeBinFrame(simulation));
-  if (takeIfDue(statistics_, time))
+  if (passIfDue(base_, time))
+    takeBase(simulation, sink);
+  if (passIfDue(particles_, time))
+    takeParticles(simulation, sink);
+  if (passIfDue(bins_, time))
+    takeBins(simulation, sink);
+  if (passIfDue(statistics_, time))
     takeStatistics(simulation, sink);
 }
 
@@ -74,11 +107,11 @@ void FrameSampler::takeLast(const Simulation& simulation, FrameSink& sink)
   takeDue(simulation, sink);
   const double time = simulation.time();
   if (base_.last_time != time)
-    sink.take(makeBaseFrame(simulation));
+    takeBase(simulation, sink);
   if (particles_.last_time != time)
-    sink.take(makeParticleFrame(simulation));
+    takeParticles(simulation, sink);
   if (bins_.last_time != time)
-    sink.take(makeBinFrame(simulation));
+    takeBins(simulation, sink);
   if (statistics_.last_time != time)
     takeStatistics(simulation, sink);
   for (Stream* stream : {&base_, &particles_, &bins_, &statistics_})

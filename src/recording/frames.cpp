@@ -66,8 +66,8 @@ BaseFrame makeBaseFrame(const Simulation& simulation)
   return {simulation.time(), simulation.base()};
 }
 
-StatisticsFrame makeStatisticsFrame(const Simulation& simulation, const StatisticsFrame* previous,
-                                    double wall_seconds)
+StatisticsFrame makeStatisticsFrame(const Simulation& simulation, const std::vector<DiskState>& disks,
+                                    const StatisticsFrame* previous, double wall_seconds)
 {
   StatisticsFrame frame;
   frame.time = simulation.time();
@@ -76,7 +76,7 @@ StatisticsFrame makeStatisticsFrame(const Simulation& simulation, const Statisti
   std::vector<double> masses;
   for (const SpeciesDefinition& species : simulation.scene().species)
     masses.push_back(species.mass);
-  frame.granular_temperature = granularTemperatures(simulation.disks(), masses);
+  frame.granular_temperature = granularTemperatures(disks, masses);
   frame.collisions = simulation.collisions();
   frame.events = simulation.events();
   frame.max_overlap = simulation.maxOverlap();

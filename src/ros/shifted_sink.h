@@ -11,6 +11,7 @@ class ShiftedSink : public FrameSink
 public:
   ShiftedSink(FrameSink& sink, double shift) : sink_(sink), shift_(shift) {}
 
+  bool wants(FrameKind kind) const override { return sink_.wants(kind); }
   void take(const SceneFrame& frame) override { pass(frame); }
   void take(const ParticleFrame& frame) override { pass(frame); }
   void take(const BinFrame& frame) override { pass(frame); }

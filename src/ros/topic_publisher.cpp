@@ -38,6 +38,22 @@ TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function
 {
 }
 
+bool TopicPublisher::wants(FrameKind kind) const
+{
+  switch (kind)
+  {
+    case FrameKind::PARTICLES:
+      return particles_.getNumSubscribers() > 0;
+    case FrameKind::BINS:
+      return bins_.getNumSubscribers() > 0;
+    case FrameKind::BASE:
+      return true;  // a few numbers: the transforms have to know what they last showed
+    case FrameKind::STATISTICS:
+      return statistics_.getNumSubscribers() > 0;
+  }
+  return true;
+}
+
 void TopicPublisher::take(const SceneFrame& frame)
 {
   scene_.publish(toMessage(frame));

@@ -9,7 +9,14 @@ namespace ratchet_sieve
 namespace
 {
 constexpr std::uint32_t QUEUE_SIZE = 100;
+
+/// Of all that makes up the transforms.
+bool sameTransforms(const BaseFrame& a, const BaseFrame& b)
+{
+  return stampOf(a.time) == stampOf(b.time) && a.base.inclination == b.base.inclination &&
+         a.base.displacement == b.base.displacement;
 }
+}  // namespace
 
 tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame)
 {
@@ -45,11 +52,11 @@ TransformPublisher::TransformPublisher(ros::NodeHandle node, std::function<const
 
 void TransformPublisher::publish(const BaseFrame& frame)
 {
-  const tf2_msgs::TFMessage message = baseTransforms(frame);
-  if (message == last_)
+  if (last_ && sameTransforms(frame, *last_))
     return;
-  last_ = message;
-  publisher_.publish(message);
+  last_ = frame;
+  if (publisher_.getNumSubscribers() > 0)
+    publisher_.publish(baseTransforms(frame));
 }
 
 }  // namespace ratchet_sieve

@@ -100,5 +100,61 @@ TEST(FrameSampler, TakesOneFrameForTimesThatWerePassedOver)
   EXPECT_EQ(sampler.nextTime(), 6 / 10.0);
 }
 
+/// Wants particles and statistics at some times only.
+class ChoosySink : public CollectingSink
+{
+public:
+  bool wants(FrameKind kind) const override
+  {
+    return choosy ? kind == FrameKind::BASE || kind == FrameKind::BINS : true;
+  }
+
+  bool choosy = true;
+};
+
+TEST(FrameSampler, MakesNothingThatIsNotWanted)
+{
+  Simulation simulation(smallRing());
+  FrameSampler sampler({10.0, 10.0, 10.0, 10.0}, 0.0);
+  ChoosySink sink;
+  sampler.takeDue(simulation, sink);
+  simulation.advanceTo(0.1);
+  sampler.takeDue(simulation, sink);
+  EXPECT_EQ(sink.bases.size(), 2u);
+  EXPECT_EQ(sink.bins.size(), 2u);
+  EXPECT_TRUE(sink.particles.empty());
+  EXPECT_TRUE(sink.statistics.empty());
+
+  // Who comes later begins with the next frame; what was missed is not made up for.
+  sink.choosy = false;
+  sampler.takeDue(simulation, sink);
+  EXPECT_TRUE(sink.particles.empty());
+  EXPECT_EQ(sampler.nextTime(), 2 / 10.0);
+  simulation.advanceTo(0.2);
+  sampler.takeDue(simulation, sink);
+  ASSERT_EQ(sink.particles.size(), 1u);
+  EXPECT_EQ(sink.particles[0].time, 0.2);
+  ASSERT_EQ(sink.statistics.size(), 1u);
+  EXPECT_EQ(sink.statistics[0].real_time_factor, 0.0);
+}
+
+TEST(FrameSampler, TakesTheTemperatureOfTheDisksAsTheyAre)
+{
+  const SceneDefinition scene = smallRing();
+  Simulation simulation(scene);
+  FrameSampler sampler({60.0, 60.0, 60.0, 10.0}, 0.0);
+  CollectingSink sink;
+  while (simulation.time() < 0.5)
+  {
+    simulation.advanceTo(sampler.nextTime());
+    sampler.takeDue(simulation, sink);
+    if (sink.statistics.empty() || sink.statistics.back().time != simulation.time())
+      continue;
+    const std::vector<double> masses = {scene.species[0].mass, scene.species[1].mass};
+    ASSERT_EQ(sink.statistics.back().granular_temperature, granularTemperatures(simulation.disks(), masses));
+  }
+  ASSERT_EQ(sink.statistics.size(), 6u);
+}
+
 }  // namespace
 }  // namespace ratchet_sieve

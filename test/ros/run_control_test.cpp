@@ -68,6 +68,48 @@ TEST(RunControl, stepsExactlyAndShowsTheEnd)
   EXPECT_EQ(run.seen.statistics.back().time, 0.123456);
 }
 
+/// Wants nothing, whatever it is given.
+class IdleSink : public CollectingSink
+{
+public:
+  bool wants(FrameKind) const override { return false; }
+};
+
+TEST(RunControl, makesOnlyWhatSomebodyWants)
+{
+  Recorder off("", "/sieve");
+  RunControl control(YAML::Load(canonicalYaml(smallMixture())), "scene", pausedParameters(), off);
+  IdleSink idle;
+  control.addSink(idle);
+  control.begin();
+  EXPECT_TRUE(control.step(0.5, STRIDE, keepGoing).success);
+  EXPECT_EQ(idle.scenes.size(), 1u);
+  EXPECT_TRUE(idle.particles.empty() && idle.bins.empty() && idle.bases.empty() && idle.statistics.empty());
+
+  CollectingSink eager;
+  control.addSink(eager);
+  control.resetWorld();
+  EXPECT_TRUE(control.step(0.5, STRIDE, keepGoing).success);
+  EXPECT_EQ(eager.particles.size(), 31u);  // of the new run
+}
+
+TEST(RunControl, recordsWhatNobodyElseWants)
+{
+  ScratchDirectory scratch;
+  Recorder recorder(scratch / "run.bag", "/sieve");
+  RunControl control(YAML::Load(canonicalYaml(smallMixture())), "scene", pausedParameters(), recorder);
+  recorder.open();
+  IdleSink idle;
+  control.addSink(idle);
+  control.begin();
+  EXPECT_TRUE(control.step(0.5, STRIDE, keepGoing).success);
+  control.end();
+  CollectingSink recorded;
+  readBag(scratch / "run.bag", recorded);
+  EXPECT_EQ(recorded.particles.size(), 31u);
+  EXPECT_EQ(recorded.statistics.size(), 6u);
+}
+
 TEST(RunControl, stepsNoFurtherThanTheEnd)
 {
   Controlled run;

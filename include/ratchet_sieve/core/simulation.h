@@ -148,6 +148,9 @@ public:
   double baseImpulseX() const;  ///< given by the base to the disks since `settle`, 0 before [N s]
   double baseImpulseY() const;
 
+  /// disks() into a buffer that is used again and again.
+  void disks(std::vector<DiskState>& states) const;
+
   /// Kinetic + potential energy of disks() [J]. On an inclined periodic base a disk that is wrapped by
   /// a width W changes its potential energy by m g W sin(theta).
   double energy() const;

@@ -19,7 +19,7 @@ struct FrameRates
 };
 
 /// Takes frames at the exact times start + k / rate, so that no rounding adds up, and a last one of each
-/// kind.
+/// kind. What the sink does not want is not made; its times go by all the same.
 class FrameSampler
 {
 public:
@@ -43,12 +43,18 @@ private:
     std::optional<double> last_time;
   };
   double dueTime(const Stream& stream) const;
-  bool takeIfDue(Stream& stream, double time) const;
+  bool passIfDue(Stream& stream, double time) const;  ///< its time has then come and gone
+  void takeBase(const Simulation& simulation, FrameSink& sink);
+  void takeParticles(const Simulation& simulation, FrameSink& sink);
+  void takeBins(const Simulation& simulation, FrameSink& sink);
   void takeStatistics(const Simulation& simulation, FrameSink& sink);
+  const std::vector<DiskState>& presentDisks(const Simulation& simulation);
 
   double start_time_;
   bool scene_taken_ = false;
   Stream particles_, bins_, base_, statistics_;
+  ParticleFrame particle_frame_;    ///< one buffer for all
+  bool disks_are_present_ = false;  ///< whether it holds the disks as they are
   std::optional<StatisticsFrame> last_statistics_;
   std::chrono::steady_clock::time_point last_statistics_wall_;
 };

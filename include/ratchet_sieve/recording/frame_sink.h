@@ -10,6 +10,10 @@ class FrameSink
 {
 public:
   virtual ~FrameSink() = default;
+
+  /// Whether frames of a kind are of any use now. One that nobody wants need not be made.
+  virtual bool wants(FrameKind) const { return true; }
+
   virtual void take(const SceneFrame& frame) = 0;
   virtual void take(const ParticleFrame& frame) = 0;
   virtual void take(const BinFrame& frame) = 0;

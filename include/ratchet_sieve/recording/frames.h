@@ -14,6 +14,15 @@
 namespace ratchet_sieve
 {
 
+/// The kinds of frames that are taken again and again.
+enum class FrameKind
+{
+  PARTICLES,
+  BINS,
+  BASE,
+  STATISTICS
+};
+
 /// The scene as it runs.
 struct SceneFrame
 {
@@ -74,9 +83,17 @@ ParticleFrame makeParticleFrame(const Simulation& simulation);
 BinFrame makeBinFrame(const Simulation& simulation);
 BaseFrame makeBaseFrame(const Simulation& simulation);
 
+/// @param disks simulation.disks()
 /// @param previous the last frame, for the rates; nothing for the first
 /// @param wall_seconds wall time since that frame [s]
-StatisticsFrame makeStatisticsFrame(const Simulation& simulation, const StatisticsFrame* previous,
-                                    double wall_seconds);
+StatisticsFrame makeStatisticsFrame(const Simulation& simulation, const std::vector<DiskState>& disks,
+                                    const StatisticsFrame* previous, double wall_seconds);
+
+/// The same where nobody has asked for the disks yet.
+inline StatisticsFrame makeStatisticsFrame(const Simulation& simulation, const StatisticsFrame* previous,
+                                           double wall_seconds)
+{
+  return makeStatisticsFrame(simulation, simulation.disks(), previous, wall_seconds);
+}
 
 }  // namespace ratchet_sieve

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "ratchet_sieve/recording/frame_sink.h"
@@ -14,6 +15,11 @@ public:
   /// @param sink outlives this
   void add(FrameSink& sink) { sinks_.push_back(&sink); }
 
+  bool wants(FrameKind kind) const override
+  {
+    return std::any_of(sinks_.begin(), sinks_.end(),
+                       [kind](const FrameSink* sink) { return sink->wants(kind); });
+  }
   void take(const SceneFrame& frame) override { pass(frame); }
   void take(const ParticleFrame& frame) override { pass(frame); }
   void take(const BinFrame& frame) override { pass(frame); }

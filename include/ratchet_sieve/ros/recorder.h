@@ -25,6 +25,7 @@ public:
   /// The bag that is being written; empty if none is.
   std::string path() const { return bag_ ? bag_->path() : std::string(); }
 
+  bool wants(FrameKind) const override { return bag_ != nullptr; }
   void take(const SceneFrame& frame) override { pass(frame); }
   void take(const ParticleFrame& frame) override { pass(frame); }
   void take(const BinFrame& frame) override { pass(frame); }

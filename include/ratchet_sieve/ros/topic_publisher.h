@@ -23,6 +23,7 @@ public:
   TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
                  TransformPublisher& transforms);
 
+  bool wants(FrameKind kind) const override;
   void take(const SceneFrame& frame) override;
   void take(const ParticleFrame& frame) override;
   void take(const BinFrame& frame) override;

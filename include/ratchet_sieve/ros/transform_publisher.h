@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
@@ -23,8 +24,8 @@ constexpr const char* BASE_FRAME_ID = "sieve_base";
 /// The transforms world -> sieve_mount -> sieve_base at one instant.
 tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame);
 
-/// Publishes them on /tf, the same never twice. A subscriber that comes while the run stands still gets
-/// the present ones.
+/// Publishes them on /tf, the same never twice; converts nothing where nobody listens. A subscriber that
+/// comes while the run stands still gets the present ones.
 class TransformPublisher
 {
 public:
@@ -35,7 +36,7 @@ public:
 
 private:
   ros::Publisher publisher_;
-  tf2_msgs::TFMessage last_;
+  std::optional<BaseFrame> last_;
 };
 
 }  // namespace ratchet_sieve

@@ -1,0 +1,218 @@
+#!/usr/bin/python3
+"""Measures what the live node, the recording and the start of the programs cost beside the engine, and prints
+a table. Each is a ratio to sieve_run without a bag in the same round, as rounds share the machine with whatever
+else runs on it. Exit status 1 where a message was lost. Needs ROS on the path, but no master: it starts its own.
+"""
+import argparse
+import dataclasses
+import datetime
+import json
+import os
+import pathlib
+import platform
+import statistics
+import sys
+import tempfile
+
+import rosbag
+import yaml
+
+import ros_processes
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+RATE = 60  # frames of each kind per simulated second, the node's default
+STATISTICS_RATE = 10
+
+TITLE = '## The node, the recording and the start'
+BEGIN, END = '<!-- node -->', '<!-- end -->'
+
+HEADLESS = '`sieve_run`'
+BAG = '`sieve_run --bag`'
+IDLE = '`sieve_node`, nobody subscribed'
+SUBSCRIBED = '`sieve_node`, one subscriber to `~particles`'
+EVERYTHING = '`sieve_node`, one to each of its topics, those for RViz too'
+RECORD = '`sieve_node` with `~record`'
+
+FOR_EYES = ['markers', 'cloud']
+TOPICS = ['particles', 'bins', 'base', 'statistics', *FOR_EYES]
+LISTENED = {IDLE: [], SUBSCRIBED: TOPICS[:1], EVERYTHING: TOPICS, RECORD: []}
+TARGETS = {BAG: 75, IDLE: 95, SUBSCRIBED: 85, RECORD: 75}  # percent of the headless rate
+START_TARGET = 30.0  # ms
+
+
+def mixture(teeth, duration):
+    """The scene of Fig. 8 on so many teeth."""
+    scene = yaml.safe_load((ROOT / 'config/paper_fig8.yaml').read_text())
+    scene['base']['teeth'] = teeth
+    scene.update(duration=duration, settle=0.0)
+    return scene
+
+
+class Bench:
+    """The mixture of Fig. 8 on so many teeth, run for so long by one program after the other."""
+
+    def __init__(self, programs, scratch, client, teeth, duration):
+        self.programs, self.scratch, self.client = programs, scratch, client
+        self.duration = duration
+        self.scene = scene = mixture(teeth, duration)
+        self.scene_file = scratch / f'{teeth}.yaml'
+        self.scene_file.write_text(yaml.safe_dump(scene))
+        self.bag = scratch / 'run.bag'
+
+    def disks(self):
+        base = self.scene['base']
+        diameters = sum(2 * species['radius'] for species in self.scene['species'])
+        each = round(self.scene['density'] * base['teeth'] * base['tooth_width'] / diameters)
+        return each * len(self.scene['species'])
+
+    def expected(self, rate):
+        return [k / rate for k in range(int(self.duration * rate + 1e-9) + 1)]
+
+    def lost_on(self, topic, heard):
+        """How many of the messages that are due on a topic a listener did not get. Those for RViz come when there
+        is time: one is due."""
+        if topic in FOR_EYES:
+            return 0 if heard['bytes'] else 1
+        return len(set(self.expected(STATISTICS_RATE if topic == 'statistics' else RATE)) - set(heard['times']))
+
+    def lost_in_bag(self):
+        """How many of the messages that are due the bag does not hold."""
+        with rosbag.Bag(str(self.bag)) as bag:
+            counts = {topic: info.message_count for topic, info in bag.get_type_and_topic_info().topics.items()}
+        wanted = {f'/sieve/{topic}': len(self.expected(RATE)) for topic in ('particles', 'bins', 'base')}
+        wanted.update({'/sieve/statistics': len(self.expected(STATISTICS_RATE)), '/sieve/scene': 1})
+        self.bag.unlink()
+        return sum(abs(counts.get(topic, 0) - count) for topic, count in wanted.items())
+
+    def headless(self):
+        """@return the run alone, and the program with its start"""
+        finished = ros_processes.run([self.programs / 'sieve_run', self.scene_file])
+        alone = ros_processes.Finished(json.loads(finished.output)['wall_time'], finished.cpu, '')
+        return alone, finished
+
+    def recorded(self):
+        finished = ros_processes.run([self.programs / 'sieve_run', self.scene_file, '--bag', self.bag])
+        return finished, self.lost_in_bag()
+
+    def node(self, case):
+        topics = [f'/sieve/{topic}' for topic in LISTENED[case]]
+        parameters = {'scene': self.scene, 'record': str(self.bag) if case == RECORD else ''}
+        finished, received = ros_processes.run_node(self.client, self.programs / 'sieve_node', parameters, topics)
+        lost = sum(self.lost_on(topic.rpartition('/')[2], heard) for topic, heard in received.items())
+        return finished, lost + (self.lost_in_bag() if case == RECORD else 0)
+
+    def round(self):
+        """@return the wall time of sieve_run, and each case beside it"""
+        alone, with_start = self.headless()
+        compared = {BAG: Compared(with_start, *self.recorded())}
+        for case in LISTENED:
+            compared[case] = Compared(alone, *self.node(case))
+        return alone.wall, compared
+
+
+@dataclasses.dataclass
+class Compared:
+    """A case beside sieve_run of the same round."""
+    headless: ros_processes.Finished
+    other: ros_processes.Finished
+    lost: int  # messages
+
+
+def rates(cases):
+    """Simulated over wall time, as a part of that of sieve_run: of the best rounds of both, which nobody else
+    disturbed, and the median and the range of the rounds."""
+    best = min(one.headless.wall for one in cases) / min(one.other.wall for one in cases)
+    return f'{100 * best:.1f}', percent([one.headless.wall / one.other.wall for one in cases])
+
+
+def measure_start(programs, scratch, repetitions):
+    """Wall time from exec to exit [ms], medians over interleaved starts: sieve_run on ten disks, /bin/true."""
+    scene = scratch / 'ten.yaml'
+    ten = mixture(2, 0.001)
+    del ten['density']
+    for species in ten['species']:
+        species['count'] = 5
+    scene.write_text(yaml.safe_dump(ten))
+    commands = {'sieve_run': [programs / 'sieve_run', scene], 'true': ['/bin/true']}
+    taken = {name: [] for name in commands}
+    for _ in range(repetitions):
+        for name, command in commands.items():
+            taken[name].append(1e3 * ros_processes.run(command).wall)
+    return {name: statistics.median(times) for name, times in taken.items()}
+
+
+def percent(values):
+    """The median and, in brackets, the range."""
+    values = [100 * value for value in values]
+    return f'{statistics.median(values):.1f} ({min(values):.1f} to {max(values):.1f})'
+
+
+def tables(benches, rounds, start):
+    yield (f'`sieve_run` on ten disks takes {start["sieve_run"]:.1f} ms from start to end (wanted: at most '
+           f'{START_TARGET:g}), `/bin/true` {start["true"]:.1f} ms.')
+    for bench, measured in zip(benches, rounds):
+        walls = [wall for wall, _ in measured]
+        yield ''
+        yield (f'{bench.disks()} disks, {bench.duration:g} simulated seconds, which `sieve_run` takes '
+               f'{statistics.median(walls):.2f} s for ({min(walls):.2f} to {max(walls):.2f}), {len(walls)} rounds:')
+        yield ''
+        yield '| | rate, best rounds, % of `sieve_run`\'s | wanted | every round | CPU time, % | messages lost |'
+        yield '|---|---|---|---|---|---|'
+        for case in (BAG, *LISTENED):
+            cases = [compared[case] for _, compared in measured]
+            best, every = rates(cases)
+            times = percent([one.other.cpu / one.headless.cpu for one in cases])
+            wanted = f'≥ {TARGETS[case]}' if case in TARGETS else ''
+            yield f'| {case} | {best} | {wanted} | {every} | {times} | {sum(one.lost for one in cases)} |'
+
+
+def machine():
+    names = [line.partition(':')[2].strip() for line in pathlib.Path('/proc/cpuinfo').read_text().splitlines()
+             if line.startswith('model name')]
+    processor = names[0] if names else platform.machine()
+    return (f'{datetime.date.today()}, {processor}, {os.cpu_count()} cores, Linux {platform.release()}, load '
+            f'{os.getloadavg()[1]:.1f} before the first round')
+
+
+def write(path, lines):
+    """Puts the lines between the two marks, with the section around them if there is none."""
+    text = path.read_text() if path.exists() else '# Performance\n'
+    if BEGIN not in text:
+        text += f'\n{TITLE}\n\n{BEGIN}\n{END}\n'
+    before, _, rest = text.partition(BEGIN)
+    after = rest.partition(END)[2]
+    path.write_text(before + BEGIN + '\n' + '\n'.join(lines) + '\n' + END + after)
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve',
+                        metavar='DIR', help='where sieve_run and sieve_node are')
+    parser.add_argument('--rounds', type=int, default=7, help='repetitions of every case, one after the other')
+    parser.add_argument('--write', type=pathlib.Path, metavar='FILE', help='put the tables into this document')
+    parser.add_argument('--short', action='store_true', help='few disks, one round: only that nothing is lost')
+    return parser.parse_args()
+
+
+def main():
+    arguments = parse_arguments()
+    description = machine()
+    sizes, rounds, starts = [(382, 1.0), (20, 15.0)], arguments.rounds, 50
+    if arguments.short:
+        # No more messages than a publisher's queue holds: a slow machine loses none.
+        sizes, rounds, starts = [(4, 0.4)], 1, 2
+    with tempfile.TemporaryDirectory() as directory:
+        scratch = pathlib.Path(directory)
+        start = measure_start(arguments.programs, scratch, starts)
+        with ros_processes.master(scratch) as client:
+            benches = [Bench(arguments.programs, scratch, client, *size) for size in sizes]
+            measured = [[bench.round() for _ in range(rounds)] for bench in benches]
+    lines = [description + '. Medians, in brackets the range.', '', *tables(benches, measured, start)]
+    print('\n'.join(lines))
+    if arguments.write:
+        write(arguments.write, lines)
+    return 1 if any(one.lost for rounds in measured for _, compared in rounds for one in compared.values()) else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,122 @@
+"""Starts a ROS master of its own, nodes and listeners, and takes the time of programs."""
+import contextlib
+import dataclasses
+import json
+import os
+import pathlib
+import re
+import select
+import socket
+import subprocess
+import sys
+import time
+
+import rosgraph
+import rospy
+from std_srvs.srv import Empty
+
+PATIENCE = 60.0  # for a program to come up [s]
+TICKS = os.sysconf('SC_CLK_TCK')
+
+
+@dataclasses.dataclass
+class Finished:
+    """A program that has ended well."""
+    wall: float    # [s]
+    cpu: float     # of all its threads [s]
+    output: str
+
+
+def wait_for(condition, what):
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        if time.monotonic() > deadline:
+            raise RuntimeError(f'{what} within {PATIENCE:g} s: no')
+        time.sleep(0.01)
+
+
+def finish(process, begin, cpu_before=0.0):
+    """Waits for a program and takes its times."""
+    output = process.stdout.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.WEXITSTATUS(status) if os.WIFEXITED(status) else -os.WTERMSIG(status)
+    wall = time.time() - begin
+    if process.returncode != 0:
+        raise RuntimeError(f'{process.args}: exit status {process.returncode}: {output}')
+    return Finished(wall, usage.ru_utime + usage.ru_stime - cpu_before, output)
+
+
+def run(command):
+    """Runs a program to its end."""
+    begin = time.time()
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        return finish(process, begin)
+
+
+def cpu_time(process):
+    """What a running program has used so far, all its threads [s]."""
+    fields = pathlib.Path(f'/proc/{process.pid}/stat').read_text().rpartition(')')[2].split()
+    return (int(fields[11]) + int(fields[12])) / TICKS
+
+
+def free_port():
+    with socket.socket() as listener:
+        listener.bind(('localhost', 0))
+        return listener.getsockname()[1]
+
+
+@contextlib.contextmanager
+def master(scratch):
+    """A roscore that ends with the block; its logs go into the scratch directory."""
+    uri = f'http://localhost:{free_port()}'
+    os.environ.update(ROS_MASTER_URI=uri, ROS_HOSTNAME='localhost', ROS_HOME=str(scratch),
+                      ROS_LOG_DIR=str(scratch / 'log'), ROSCONSOLE_FORMAT='${walltime} ${message}')
+    os.environ.pop('ROS_IP', None)
+    core = subprocess.Popen(['roscore', '-p', uri.rpartition(':')[2]],
+                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        client = rosgraph.Master('/measure_node')
+        wait_for(lambda: core.poll() is None and client.is_online(), 'roscore answers')
+        yield client
+    finally:
+        core.terminate()
+        core.wait()
+
+
+@contextlib.contextmanager
+def listener(topic):
+    """Another process that is subscribed to a topic of a node that runs, and has had its first message: a sieve
+    greets who comes. Gives a function that ends it and says what came."""
+    command = [sys.executable, str(pathlib.Path(__file__).with_name('topic_listener.py')), topic]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+        def received():
+            return json.loads(process.communicate('end\n')[0])
+        try:
+            if not select.select([process.stdout], [], [], PATIENCE)[0] or not process.stdout.readline():
+                raise RuntimeError(f'{topic}: no message within {PATIENCE:g} s')
+            yield received
+        finally:
+            if process.poll() is None:
+                process.kill()
+
+
+def run_node(client, program, parameters, topics):
+    """Runs a sieve_node, with a listener on each topic, from its unpausing to its scene's end.
+    @return what it took, and the times of the messages of each listener"""
+    client.setParam('/use_sim_time', True)
+    client.setParam('/sieve', dict(parameters, start_paused=True, real_time_factor=0.0))
+    command = [program, '__name:=sieve']
+    with contextlib.ExitStack() as stack:
+        process = stack.enter_context(
+            subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True))
+        stack.callback(lambda: process.poll() is None and process.kill())
+        unpause = '/sieve/unpause_physics'
+        wait_for(lambda: any(name == unpause for name, _ in client.getSystemState()[2]), 'the node is up')
+        received = {topic: stack.enter_context(listener(topic)) for topic in topics}
+        cpu_before = cpu_time(process)
+        begin = time.time()
+        rospy.ServiceProxy(unpause, Empty)()
+        finished = finish(process, begin, cpu_before)
+        # The node lingers a little after its end, for its last messages to go out.
+        finished.wall = float(re.search(r'([\d.]+) ended at', finished.output).group(1)) - begin
+        return finished, {topic: end() for topic, end in received.items()}
