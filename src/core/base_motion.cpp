@@ -52,11 +52,21 @@ double BaseMotion::turns(double elapsed) const
 BaseKinematics BaseMotion::at(double time) const
 {
   const double elapsed = time - segment_start_;
+  BaseKinematics k;
+  if (!next_change_)
+  {
+    // At its setpoints: the same to the last bit, without the ramps.
+    const auto phase = sineCosineOfTurns(turns_ + elapsed * frequency_.start);
+    k.inclination = inclination_.start;
+    k.cosine = cosine_;
+    k.sine = sine_;
+    k.displacement = amplitude_.start * phase.sine;
+    k.velocity = amplitude_.start * (TWO_PI * frequency_.start) * phase.cosine;
+    return k;
+  }
   const double amplitude = amplitude_.at(elapsed);
   const double phase_rate = TWO_PI * frequency_.at(elapsed);
   const auto phase = sineCosineOfTurns(turns(elapsed));
-
-  BaseKinematics k;
   k.inclination_rate = inclination_.rate;
   k.displacement = amplitude * phase.sine;
   k.velocity = amplitude * phase_rate * phase.cosine + amplitude_.rate * phase.sine;

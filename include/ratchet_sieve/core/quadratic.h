@@ -20,6 +20,8 @@ inline std::optional<double> firstClosingTime(double gap, double rate, double ac
       return std::nullopt;
     return 2.0 * rate / -accel;
   }
+  if (accel == 0.0)
+    return rate < 0.0 ? std::optional<double>(gap / -rate) : std::nullopt;
   const double discriminant = rate * rate - 2.0 * accel * gap;
   if (rate < 0.0)
   {
@@ -27,7 +29,7 @@ inline std::optional<double> firstClosingTime(double gap, double rate, double ac
       return std::nullopt;
     return 2.0 * gap / (std::sqrt(discriminant) - rate);
   }
-  if (accel >= 0.0)
+  if (accel > 0.0)
     return std::nullopt;
   return (rate + std::sqrt(discriminant)) / -accel;
 }
