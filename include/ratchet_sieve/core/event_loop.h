@@ -35,6 +35,9 @@ public:
   /// @throws StateError
   virtual void archive(StateArchive& state) { state(events_); }
 
+  /// On how many threads it may run; what comes out does not depend on it.
+  virtual void setThreads(int /*threads*/) {}
+
   /// Events processed so far, collisions and all that serves to find them.
   std::uint64_t events() const { return events_; }
 
