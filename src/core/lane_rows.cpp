@@ -12,10 +12,7 @@ namespace
 constexpr double TWO_PI = 6.283185307179586476925;
 
 /// In radians of the drive: a look at the acceleration as it is bounds it for so long better than its bound.
-#ifndef LT
-#define LT 1.0
-#endif
-constexpr double LONGEST_TRIAL = LT;
+constexpr double LONGEST_TRIAL = 1.5;
 
 struct LaneContact
 {
@@ -93,14 +90,26 @@ std::optional<LaneScene> laneScene(const Machine& machine)
   scene.drive = scene.speed * w;
   scene.jerk = scene.drive * w;
   scene.acceleration = definition.gravity + scene.drive;
+  scene.highest = scene.amplitude * std::abs(scene.cosine);
+  scene.fall = std::max(0.0, scene.gravity_n);
   scene.turns = motion.startTurns();
   scene.frequency = motion.frequency();
   scene.segment_start = motion.segmentStart();
   scene.longest_search = machine.epoch().length;
   scene.resolution = timeResolution(machine.epoch().length);
-  scene.longest_trial = w > 0.0 ? LONGEST_TRIAL / w : scene.longest_search;
   scene.min_rebound_speed = definition.contact.min_rebound_speed;
   setTeeth(machine.sawtooth(), scene);
+  LaneBounds& bounds = scene.bounds;
+  bounds.gravity = static_cast<float>(scene.gravity);
+  bounds.fall = static_cast<float>(std::max(0.0, scene.gravity_n));
+  bounds.amplitude = static_cast<float>(scene.amplitude);
+  bounds.highest = static_cast<float>(scene.amplitude * std::abs(scene.cosine));
+  bounds.speed = static_cast<float>(scene.speed);
+  bounds.third_of_jerk = static_cast<float>(scene.jerk / 3.0);
+  bounds.acceleration = static_cast<float>(scene.acceleration);
+  bounds.drift = static_cast<float>(0.5 * std::abs(scene.sine) * scene.acceleration);
+  bounds.longest = static_cast<float>(scene.longest_search);
+  bounds.longest_trial = w > 0.0 ? static_cast<float>(LONGEST_TRIAL / w) : bounds.longest;
   return scene;
 }
 

@@ -26,9 +26,17 @@ void LaneRun::takeAccount(std::size_t rows)
   for (std::size_t row = 0; row < rows; ++row)
   {
     outcome_.max_overlap = std::max(outcome_.max_overlap, batch_.overlap[row]);
-    if (batch_.normal_velocity[row] < 0.0)
-      outcome_.collisions.add(collisionKind(batch_.feature[row]));
+    met_[static_cast<std::int32_t>(batch_.feature[row])] += batch_.normal_velocity[row] < 0.0 ? 1 : 0;
   }
+}
+
+LaneRun::Outcome LaneRun::takeOutcome()
+{
+  outcome_.collisions.right_slope = met_[LANE_RIGHT_SLOPE];
+  outcome_.collisions.left_slope = met_[LANE_LEFT_SLOPE];
+  outcome_.collisions.apex = met_[LANE_APEX];
+  met_ = {};
+  return std::exchange(outcome_, Outcome());
 }
 
 void LaneRun::record(const Machine& machine, std::size_t rows)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -73,7 +74,8 @@ public:
     }
   }
 
-  Outcome takeOutcome() { return std::exchange(outcome_, Outcome()); }
+  /// What has come of it since the last time.
+  Outcome takeOutcome();
 
 private:
   /// Counts the event, if it is an ordinary one.
@@ -90,6 +92,7 @@ private:
 
   LaneBatch batch_;
   std::uint32_t ids_[LaneBatch::ROWS];
+  std::array<std::uint64_t, LANE_APEX + 1> met_{};  ///< contacts, by LaneFeature
   Outcome outcome_;
 };
 

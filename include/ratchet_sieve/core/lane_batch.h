@@ -27,6 +27,21 @@ struct LaneFlank
   double normal_n;
 };
 
+/// For bounds, which need not be fine: the same in single precision.
+struct LaneBounds
+{
+  float gravity;        ///< g
+  float fall;           ///< how gravity pulls towards the base: g cos(theta), or 0
+  float amplitude;      ///< A
+  float highest;        ///< A |cos(theta)|
+  float speed;          ///< A w
+  float third_of_jerk;  ///< A w^3 / 3
+  float acceleration;   ///< g + A w^2
+  float drift;          ///< half of what accelerates along the base
+  float longest_trial;  ///< how far a step looks with the acceleration as it is now [s]
+  float longest;        ///< how far a step looks [s]
+};
+
 /// What all disks of a machine share while its base stands at its setpoints.
 struct LaneScene
 {
@@ -40,7 +55,8 @@ struct LaneScene
   double drive;              ///< A w^2 [m/s^2]
   double jerk;               ///< A w^3 [m/s^3]
   double acceleration;       ///< g + A w^2 [m/s^2]
-  double longest_trial;      ///< how far a step looks with the acceleration as it is now [s]
+  double highest;            ///< A |cos(theta)|: how high the base comes along its normal [m]
+  double fall;               ///< how gravity pulls towards the base: g cos(theta), or 0 [m/s^2]
   double turns;              ///< the drive's phase over 2 pi at segment_start
   double frequency;          ///< [Hz]
   double segment_start;      ///< [s]
@@ -57,6 +73,7 @@ struct LaneScene
   double beyond_right;
   double most_beyond_left;   ///< as far as it is true however large the disk is [m]
   double most_beyond_right;  ///< [m]
+  LaneBounds bounds;
   LaneFlank left;            ///< of the valley: the right slope of the tooth before
   LaneFlank right;           ///< of the valley: its tooth's left slope
 };
@@ -66,32 +83,35 @@ struct LaneBatch
 {
   static constexpr std::size_t ROWS = 128;
 
-  alignas(64) double x[ROWS], y[ROWS], vx[ROWS], vy[ROWS], spin[ROWS], angle[ROWS];
-  alignas(64) double time[ROWS];  ///< of the state [s]
+  /// Some longer than the rows: at powers of two apart, a row's numbers would drive each other out of the cache.
+  using Column = double[ROWS + 8];
+
+  alignas(64) Column x, y, vx, vy, spin, angle;
+  alignas(64) Column time;  ///< of the state [s]
 
   // Of the species.
-  alignas(64) double radius[ROWS], restitution[ROWS], friction[ROWS];
-  alignas(64) double normal_mass[ROWS];       ///< m_n [kg]
-  alignas(64) double sticking_mass[ROWS];     ///< (1 + beta) m_t [kg]
-  alignas(64) double per_mass[ROWS];          ///< [1/kg]
-  alignas(64) double radius_by_inertia[ROWS]; ///< r / I
+  alignas(64) Column radius, restitution, friction;
+  alignas(64) Column normal_mass;       ///< m_n [kg]
+  alignas(64) Column sticking_mass;     ///< (1 + beta) m_t [kg]
+  alignas(64) Column per_mass;          ///< [1/kg]
+  alignas(64) Column radius_by_inertia; ///< r / I
 
   // Running sums: see Tally.
-  alignas(64) double translation[ROWS], rotation[ROWS], impulse_x[ROWS], impulse_y[ROWS], offset[ROWS];
+  alignas(64) Column translation, rotation, impulse_x, impulse_y, offset;
 
   // The next event.
-  alignas(64) double due[ROWS];      ///< [s]
-  alignas(64) double valley[ROWS];   ///< whose foot is at s = valley w
-  alignas(64) double feature[ROWS];  ///< a LaneFeature
+  alignas(64) Column due;      ///< [s]
+  alignas(64) Column valley;   ///< whose foot is at s = valley w
+  alignas(64) Column feature;  ///< a LaneFeature
 
   // The flight, in the base's frame as it stands at Y = 0, at `time`.
-  alignas(64) double s[ROWS], n[ROWS], vs[ROWS], vn[ROWS];
+  alignas(64) Column s, n, vs, vn;
 
   // What the last contact was: all 0 where none was made.
-  alignas(64) double overlap[ROWS];             ///< [m]
-  alignas(64) double normal_velocity[ROWS];     ///< v_n, 0 where the contact opened [m/s]
-  alignas(64) double normal_impulse[ROWS];      ///< [N s]
-  alignas(64) double tangential_impulse[ROWS];  ///< [N s]
+  alignas(64) Column overlap;             ///< [m]
+  alignas(64) Column normal_velocity;     ///< v_n, 0 where the contact opened [m/s]
+  alignas(64) Column normal_impulse;      ///< [N s]
+  alignas(64) Column tangential_impulse;  ///< [N s]
 };
 
 /// The code for one width of register.
