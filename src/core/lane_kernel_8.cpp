@@ -2,6 +2,10 @@
 #include "lane_kernels.h"
 
 #if defined(__x86_64__)
+// gcc's own header leaves a register undefined where its value does not matter, and warns of it.
+#if !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <immintrin.h>
 
 // For what stands below, and nothing of the headers above.

@@ -1,4 +1,4 @@
-#include "lane_rows.h"
+#include "ratchet_sieve/core/lane_rows.h"
 
 #include <algorithm>
 #include <cmath>

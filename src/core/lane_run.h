@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lane_rows.h"
+#include "ratchet_sieve/core/lane_rows.h"
 
 namespace ratchet_sieve
 {
@@ -18,7 +18,6 @@ public:
   struct Outcome
   {
     std::uint64_t events = 0;
-    std::uint64_t looks = 0;
     CollisionCounts collisions;
     double max_overlap = 0.0;
     std::vector<CollisionRecord> records;     ///< only where somebody watches
@@ -54,7 +53,7 @@ public:
       takeAccount(rows);
       if (watched)
         record(machine, rows);
-      outcome_.looks += kernel.search(scene, batch_, rows);
+      kernel.search(scene, batch_, rows);
       for (std::size_t row = 0; row < rows;)
       {
         if (batch_.due[row] <= time && admit(machine, ids_[row], batch_.due[row]))
