@@ -1,5 +1,5 @@
-#include "ratchet_sieve/core/lane_batch.h"
 #include "lane_kernels.h"
+#include "ratchet_sieve/core/lane_batch.h"
 
 namespace ratchet_sieve
 {

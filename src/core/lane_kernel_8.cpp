@@ -1,5 +1,5 @@
-#include "ratchet_sieve/core/lane_batch.h"
 #include "lane_kernels.h"
+#include "ratchet_sieve/core/lane_batch.h"
 
 #if defined(__x86_64__)
 // gcc's own header leaves a register undefined where its value does not matter, and warns of it.

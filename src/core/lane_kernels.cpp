@@ -29,7 +29,8 @@ const LaneKernel* laneKernel(int lanes)
     case 4:
       return __builtin_cpu_supports("avx2") ? &KERNEL_OF_FOUR_LANES : nullptr;
     case 8:
-      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") ? &KERNEL_OF_EIGHT_LANES : nullptr;
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") ? &KERNEL_OF_EIGHT_LANES
+                                                                                     : nullptr;
 #endif
     default:
       return nullptr;

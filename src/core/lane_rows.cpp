@@ -119,7 +119,8 @@ BaseEvent rowEvent(const LaneBatch& batch, std::size_t row)
                                       static_cast<std::int32_t>(batch.valley[row]))};
 }
 
-void loadRow(const Machine& machine, std::uint32_t id, const BaseEvent& next, LaneBatch& batch, std::size_t row)
+void loadRow(const Machine& machine, std::uint32_t id, const BaseEvent& next, LaneBatch& batch,
+             std::size_t row)
 {
   const Disk& disk = machine.disk(id);
   batch.x[row] = disk.x;
@@ -167,11 +168,19 @@ void storeRow(const LaneBatch& batch, std::size_t row, Machine& machine, std::ui
 
 void copyRow(LaneBatch& batch, std::size_t from, std::size_t to)
 {
-  for (double* column :
-       {batch.x, batch.y, batch.vx, batch.vy, batch.spin, batch.angle, batch.time, batch.radius,
-        batch.restitution, batch.friction, batch.normal_mass, batch.sticking_mass, batch.per_mass,
-        batch.radius_by_inertia, batch.translation, batch.rotation, batch.impulse_x, batch.impulse_y,
-        batch.offset, batch.due, batch.valley, batch.feature, batch.s, batch.n, batch.vs, batch.vn})
+  for (double* column : {batch.x,           batch.y,
+                         batch.vx,          batch.vy,
+                         batch.spin,        batch.angle,
+                         batch.time,        batch.radius,
+                         batch.restitution, batch.friction,
+                         batch.normal_mass, batch.sticking_mass,
+                         batch.per_mass,    batch.radius_by_inertia,
+                         batch.translation, batch.rotation,
+                         batch.impulse_x,   batch.impulse_y,
+                         batch.offset,      batch.due,
+                         batch.valley,      batch.feature,
+                         batch.s,           batch.n,
+                         batch.vs,          batch.vn})
     column[to] = column[from];
 }
 

@@ -10,8 +10,8 @@
 namespace ratchet_sieve
 {
 
-/// One thread's share in advancing an ensemble: disks are taken up into the rows of a batch, and put back when
-/// their next event is later than asked for.
+/// One thread's share in advancing an ensemble: disks are taken up into the rows of a batch, and put back
+/// when their next event is later than asked for.
 class LaneRun
 {
 public:
@@ -20,7 +20,7 @@ public:
     std::uint64_t events = 0;
     CollisionCounts collisions;
     double max_overlap = 0.0;
-    std::vector<CollisionRecord> records;     ///< only where somebody watches
+    std::vector<CollisionRecord> records;      ///< only where somebody watches
     std::vector<std::uint32_t> not_for_lanes;  ///< disks whose next event is due, and not an ordinary one
   };
 
@@ -28,7 +28,8 @@ public:
 
   /// Advances the disks that `take` hands out, until it has no more: bool take(std::uint32_t& id).
   template <typename Take>
-  void advance(Machine& machine, std::vector<BaseEvent>& next, const LaneScene& scene, double time, Take&& take)
+  void advance(Machine& machine, std::vector<BaseEvent>& next, const LaneScene& scene, double time,
+               Take&& take)
   {
     const LaneKernel& kernel = presentLaneKernel();
     const bool watched = static_cast<bool>(machine.collisionObserver());

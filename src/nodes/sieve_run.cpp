@@ -85,9 +85,10 @@ void describe(CLI::App& app, Arguments& arguments)
          "--resume", arguments.resume,
          "Go on, bit for bit, from there to the scene's duration, which alone of the scene may differ")
       ->type_name("FILE");
-  app.add_option("--threads", arguments.threads,
-                 "Run on so many threads, 0: as many as there are processors; used by disks that do not see each "
-                 "other, and for the same results")
+  app.add_option(
+         "--threads", arguments.threads,
+         "Run on so many threads, 0: as many as there are processors; used by disks that do not see each "
+         "other, and for the same results")
       ->type_name("N")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();

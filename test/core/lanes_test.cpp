@@ -138,8 +138,8 @@ TEST(Lanes, WhoeverWatchesIsToldInTheSameOrder)
   }
 }
 
-/// The same scene, for the machine's own code and not for the lanes: with a contact duration that no two contacts
-/// come within.
+/// The same scene, for the machine's own code and not for the lanes: with a contact duration that no two
+/// contacts come within.
 SceneDefinition withoutLanes(SceneDefinition scene)
 {
   scene.contact.contact_duration = 1e-300;
@@ -177,9 +177,9 @@ TEST(Lanes, GoTheSameWayAsTheMachine)
     const std::vector<DiskState> other = without.disks();
     int apart = 0;
     for (std::size_t i = 0; i < one.size(); ++i)
-      if (!(std::abs(one[i].displacement - other[i].displacement) < 1e-9 && std::abs(one[i].y - other[i].y) < 1e-9 &&
-            std::abs(one[i].vx - other[i].vx) < 1e-7 && std::abs(one[i].vy - other[i].vy) < 1e-7 &&
-            std::abs(one[i].angle - other[i].angle) < 1e-6 &&
+      if (!(std::abs(one[i].displacement - other[i].displacement) < 1e-9 &&
+            std::abs(one[i].y - other[i].y) < 1e-9 && std::abs(one[i].vx - other[i].vx) < 1e-7 &&
+            std::abs(one[i].vy - other[i].vy) < 1e-7 && std::abs(one[i].angle - other[i].angle) < 1e-6 &&
             std::abs(one[i].spin - other[i].spin) < 1e-5 + 1e-9 / scene.species[one[i].species].radius))
         ++apart;
     // A flight that all but grazes an apex, and then does or does not, parts the two.
@@ -204,10 +204,12 @@ TEST(Lanes, GiveTheSameMeansAsTheMachine)
   EXPECT_NEAR(*one.kinetic_translational / *other.kinetic_translational, 1.0, 0.02);
   EXPECT_NEAR(*one.kinetic_rotational / *other.kinetic_rotational, 1.0, 0.03);
   EXPECT_NEAR(*in_lanes.collisions().shortToLong(0.3) / *without.collisions().shortToLong(0.3), 1.0, 0.03);
-  EXPECT_NEAR(static_cast<double>(in_lanes.collisions().apex) / static_cast<double>(without.collisions().apex), 1.0,
-              0.06);
-  EXPECT_NEAR(static_cast<double>(in_lanes.collisions().total()) / static_cast<double>(without.collisions().total()),
-              1.0, 0.01);
+  EXPECT_NEAR(
+      static_cast<double>(in_lanes.collisions().apex) / static_cast<double>(without.collisions().apex), 1.0,
+      0.06);
+  EXPECT_NEAR(
+      static_cast<double>(in_lanes.collisions().total()) / static_cast<double>(without.collisions().total()),
+      1.0, 0.01);
   EXPECT_NEAR(in_lanes.baseImpulseY() / without.baseImpulseY(), 1.0, 0.01);
 }
 
@@ -272,6 +274,14 @@ BaseEvent searchInLanes(const Machine& machine)
   return event;
 }
 
+bool isClear(const Machine& machine, const BaseEvent& event)
+{
+  if (!event.feature || event.time >= HORIZON)
+    return false;
+  const BasePoint point = machine.search().seenFromBase(machine.disk(0), event.time);
+  return machine.sawtooth().approach(*event.feature, point, machine.radius(0)).rate < -1e-2;
+}
+
 BaseEvent searchInMachine(const Machine& machine)
 {
   BaseEvent event{0.0, std::nullopt};
@@ -314,14 +324,12 @@ TEST(Lanes, FindTheFirstContactOfRandomFlights)
         const BaseEvent found = searchInLanes(machine);
         checkAgainstScan(machine, found);
         const BaseEvent expected = searchInMachine(machine);
-        RC_CLASSIFY(!expected.feature, "no contact");
-        if (!expected.feature || expected.time >= HORIZON)
-          return;
-        const BasePoint point = machine.search().seenFromBase(machine.disk(0), expected.time);
-        const Approach approach = machine.sawtooth().approach(*expected.feature, point, machine.radius(0));
-        RC_ASSERT(found.feature);
-        // Where the two come to the same gap at another time, the gap all but stands still.
-        RC_ASSERT(std::abs(found.time - expected.time) * std::max(-approach.rate, 1e-3) < 1e-12);
+        // Whether a graze is one hangs on the last bit.
+        const bool clear = isClear(machine, found) && isClear(machine, expected);
+        RC_CLASSIFY(!clear, "no contact, or a graze");
+        RC_ASSERT(found.feature.has_value() || !isClear(machine, expected));
+        if (clear)
+          RC_ASSERT(std::abs(found.time - expected.time) < 1e-12);
       }));
 }
 

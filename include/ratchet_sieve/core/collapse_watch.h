@@ -40,8 +40,8 @@ public:
     return true;
   }
 
-  /// Counts an event of a disk, unless it would be one too many or the disk is loosened: then nothing is done.
-  /// Of different disks at the same time from several threads.
+  /// Counts an event of a disk, unless it would be one too many or the disk is loosened: then nothing is
+  /// done. Of different disks at the same time from several threads.
   /// @return whether it was counted
   bool countOrdinary(std::uint32_t id, double time)
   {

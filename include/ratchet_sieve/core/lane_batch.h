@@ -69,13 +69,14 @@ struct LaneScene
   double valley_start;       ///< share of a tooth that lies left of a valley's foot: 1 - a
   double height;             ///< of the apices [m]
   double min_rebound_speed;  ///< [m/s]
-  double beyond_left;        ///< so many radii beyond an apex nothing but the apex is touched: sine of the next slope
+  double
+      beyond_left;  ///< so many radii beyond an apex nothing but the apex is touched: sine of the next slope
   double beyond_right;
   double most_beyond_left;   ///< as far as it is true however large the disk is [m]
   double most_beyond_right;  ///< [m]
   LaneBounds bounds;
-  LaneFlank left;            ///< of the valley: the right slope of the tooth before
-  LaneFlank right;           ///< of the valley: its tooth's left slope
+  LaneFlank left;   ///< of the valley: the right slope of the tooth before
+  LaneFlank right;  ///< of the valley: its tooth's left slope
 };
 
 /// Rows of disks, one to a lane.
@@ -83,7 +84,8 @@ struct LaneBatch
 {
   static constexpr std::size_t ROWS = 128;
 
-  /// Some longer than the rows: at powers of two apart, a row's numbers would drive each other out of the cache.
+  /// Some longer than the rows: at powers of two apart, a row's numbers would drive each other out of the
+  /// cache.
   using Column = double[ROWS + 8];
 
   alignas(64) Column x, y, vx, vy, spin, angle;
@@ -91,10 +93,10 @@ struct LaneBatch
 
   // Of the species.
   alignas(64) Column radius, restitution, friction;
-  alignas(64) Column normal_mass;       ///< m_n [kg]
-  alignas(64) Column sticking_mass;     ///< (1 + beta) m_t [kg]
-  alignas(64) Column per_mass;          ///< [1/kg]
-  alignas(64) Column radius_by_inertia; ///< r / I
+  alignas(64) Column normal_mass;        ///< m_n [kg]
+  alignas(64) Column sticking_mass;      ///< (1 + beta) m_t [kg]
+  alignas(64) Column per_mass;           ///< [1/kg]
+  alignas(64) Column radius_by_inertia;  ///< r / I
 
   // Running sums: see Tally.
   alignas(64) Column translation, rotation, impulse_x, impulse_y, offset;
