@@ -62,12 +62,6 @@ void setTeeth(const Sawtooth& sawtooth, LaneScene& scene)
   scene.height = sawtooth.height();
   scene.left = {a - w, sawtooth.right().normal_s, sawtooth.right().normal_n};
   scene.right = {a, sawtooth.left().normal_s, sawtooth.left().normal_n};
-  // Beyond an apex: a slope is touched no nearer to it than r times the sine of its angle, and where the disk
-  // is too large to touch it, whatever it touches, no nearer than half the way to the next foot.
-  scene.beyond_left = std::abs(scene.right.normal_s);
-  scene.beyond_right = std::abs(scene.left.normal_s);
-  scene.most_beyond_left = 0.5 * a;
-  scene.most_beyond_right = 0.5 * (w - a);
 }
 }  // namespace
 
@@ -107,7 +101,6 @@ std::optional<LaneScene> laneScene(const Machine& machine)
   bounds.speed = static_cast<float>(scene.speed);
   bounds.third_of_jerk = static_cast<float>(scene.jerk / 3.0);
   bounds.acceleration = static_cast<float>(scene.acceleration);
-  bounds.drift = static_cast<float>(0.5 * std::abs(scene.sine) * scene.acceleration);
   bounds.longest = static_cast<float>(scene.longest_search);
   bounds.longest_trial = w > 0.0 ? static_cast<float>(LONGEST_TRIAL / w) : bounds.longest;
   return scene;

@@ -15,7 +15,7 @@ TEST(Golden, Ensemble)
 {
   Simulation simulation(test::singleParticles(50));
   simulation.advanceTo(10.0);
-  EXPECT_EQ(test::stateHash(simulation), 8460073383845974950ull);
+  EXPECT_EQ(test::stateHash(simulation), 1416911061922926389ull);
 }
 
 TEST(Golden, Mixture)

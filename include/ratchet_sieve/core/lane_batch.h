@@ -37,7 +37,6 @@ struct LaneBounds
   float speed;          ///< A w
   float third_of_jerk;  ///< A w^3 / 3
   float acceleration;   ///< g + A w^2
-  float drift;          ///< half of what accelerates along the base
   float longest_trial;  ///< how far a step looks with the acceleration as it is now [s]
   float longest;        ///< how far a step looks [s]
 };
@@ -69,11 +68,6 @@ struct LaneScene
   double valley_start;       ///< share of a tooth that lies left of a valley's foot: 1 - a
   double height;             ///< of the apices [m]
   double min_rebound_speed;  ///< [m/s]
-  double
-      beyond_left;  ///< so many radii beyond an apex nothing but the apex is touched: sine of the next slope
-  double beyond_right;
-  double most_beyond_left;   ///< as far as it is true however large the disk is [m]
-  double most_beyond_right;  ///< [m]
   LaneBounds bounds;
   LaneFlank left;   ///< of the valley: the right slope of the tooth before
   LaneFlank right;  ///< of the valley: its tooth's left slope
