@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include "ratchet_sieve/core/lane_batch.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 
@@ -10,9 +11,10 @@ namespace
 
 /// Advances a running scene by `stride` [s] of simulated time per iteration; counts collisions and
 /// simulated seconds per second of wall time.
-void advance(benchmark::State& state, const SceneDefinition& scene, double stride)
+void advance(benchmark::State& state, const SceneDefinition& scene, double stride, std::size_t threads = 1)
 {
   Simulation simulation(scene);
+  simulation.setThreads(threads);
   simulation.advanceTo(1.0);
   const auto before = simulation.collisions().total();
   const double start = simulation.time();
@@ -30,6 +32,23 @@ void singleParticles(benchmark::State& state)
   advance(state, test::singleParticles(1000), 0.1);
 }
 BENCHMARK(singleParticles)->Unit(benchmark::kMillisecond);
+
+/// The same in so many lanes of the processor's registers; see lane_batch.h.
+void singleParticlesInLanes(benchmark::State& state)
+{
+  if (!useLanes(static_cast<int>(state.range(0))))
+    return state.SkipWithError("this processor has no registers as wide");
+  advance(state, test::singleParticles(1000), 0.5);
+  useLanes(0);
+}
+BENCHMARK(singleParticlesInLanes)->Arg(1)->Arg(2)->Arg(4)->Arg(8)->Unit(benchmark::kMillisecond);
+
+/// Ten thousand single disks on so many threads.
+void singleParticlesOnThreads(benchmark::State& state)
+{
+  advance(state, test::singleParticles(10000), 0.5, static_cast<std::size_t>(state.range(0)));
+}
+BENCHMARK(singleParticlesOnThreads)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// Fig. 8, 13.1 disks of each species to a tooth; the argument is the number of teeth.
 void mixture(benchmark::State& state)

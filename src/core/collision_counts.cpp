@@ -43,6 +43,15 @@ void CollisionCounts::add(CollisionKind kind)
   }
 }
 
+void CollisionCounts::add(const CollisionCounts& more)
+{
+  disk_disk += more.disk_disk;
+  left_slope += more.left_slope;
+  right_slope += more.right_slope;
+  apex += more.apex;
+  wall += more.wall;
+}
+
 std::optional<double> CollisionCounts::shortToLong(double asymmetry) const
 {
   if (asymmetry == 0.5)

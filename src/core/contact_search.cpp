@@ -297,7 +297,7 @@ double ContactSearch::nearTime(const Disk& disk, double radius, double from) con
   mount.sine = motion_.sine();
   const BasePoint p = toBase(mount, now.x, now.y, now.vx, now.vy);
   const double along = motion_.displacementBound() * std::abs(mount.sine);
-  const double across = motion_.displacementBound() * mount.cosine;
+  const double across = motion_.displacementBound() * std::abs(mount.cosine);
 
   double wait = INFINITE_TIME;
   const auto approach = [&wait](double gap, double rate, double accel)

@@ -1,25 +1,49 @@
-#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "lane_run.h"
 #include "ratchet_sieve/core/event_loop.h"
 #include "ratchet_sieve/core/machine.h"
+#include "worker_pool.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
+/// So many disks are handed to a thread at a time: few enough that all come to an end together.
+constexpr std::size_t DISKS_AT_A_TIME = 16;
 
+/// With fewer due disks for each, threads cost more than they bring.
+constexpr std::size_t DISKS_PER_THREAD = 64;
+
+/// Every disk is a loop of its own. The ordinary contacts of all disks are executed many at a time, in the
+/// lanes of the processor's registers (LaneRun), on several threads; what is not ordinary is left to the
+/// machine: see laneScene() for scenes, and CollapseWatch for disks. Which of the two it is depends on the
+/// scene and on the disk's own past alone.
 class EnsembleLoop : public EventLoop
 {
 public:
-  explicit EnsembleLoop(Machine& machine) : machine_(machine), base_(machine.motion()) {}
+  explicit EnsembleLoop(Machine& machine) : machine_(machine), base_(machine.motion()) { setThreads(1); }
 
   /// A collapse does not keep the other disks from coming as far: all have to be at one time.
   double advanceTo(double time) override
   {
+    due_.clear();
     for (std::uint32_t id = 0; id < next_.size(); ++id)
-      advanceDisk(id, time);
+      if (isDue(id, time))
+        due_.push_back(id);
+    if (const std::optional<LaneScene> scene = laneScene(machine_))
+      advanceInLanes(*scene, time);
+    else
+      for (const std::uint32_t id : due_)
+        while (isDue(id, time))
+          executeNext(id);
     return time;
   }
 
@@ -44,6 +68,15 @@ public:
       event.time -= length;
   }
 
+  void setThreads(std::size_t threads) override
+  {
+    pool_ = threads > 1 ? std::make_unique<WorkerPool>(threads) : nullptr;
+    runs_.resize(threads);
+    for (std::unique_ptr<LaneRun>& run : runs_)
+      if (!run)
+        run = std::make_unique<LaneRun>();
+  }
+
   void archive(StateArchive& state) override
   {
     EventLoop::archive(state);
@@ -52,21 +85,82 @@ public:
   }
 
 private:
-  void advanceDisk(std::uint32_t id, double time)
+  bool isDue(std::uint32_t id, double time) const { return next_[id].time <= time && machine_.active(id); }
+
+  /// Advances the disks in due_; in turns with the machine, where it comes to what is not ordinary.
+  void advanceInLanes(const LaneScene& scene, double time)
+  {
+    while (!due_.empty())
+    {
+      runLanes(scene, time);
+      due_.clear();
+      for (const std::unique_ptr<LaneRun>& run : runs_)
+        takeIn(run->takeOutcome(), time);
+    }
+  }
+
+  void runLanes(const LaneScene& scene, double time)
+  {
+    std::atomic<std::size_t> handed_out{0};
+    const auto work = [&](std::size_t worker)
+    {
+      std::size_t next = 0;
+      std::size_t end = 0;
+      runs_[worker]->advance(machine_, next_, scene, time,
+                             [&](std::uint32_t& id)
+                             {
+                               if (next == end)
+                               {
+                                 next = handed_out.fetch_add(DISKS_AT_A_TIME, std::memory_order_relaxed);
+                                 end = next + DISKS_AT_A_TIME;
+                               }
+                               if (next >= due_.size())
+                                 return false;
+                               id = due_[next++];
+                               return true;
+                             });
+    };
+    if (pool_ && due_.size() >= DISKS_PER_THREAD * pool_->workers())
+      pool_->run(work);
+    else
+      work(0);
+  }
+
+  /// What one thread did. Leaves in due_ the disks that have not come to `time`.
+  void takeIn(const LaneRun::Outcome& outcome, double time)
+  {
+    events_ += outcome.events;
+    machine_.noteOverlap(outcome.max_overlap);
+    machine_.collisionCounts().add(outcome.collisions);
+    for (const CollisionRecord& record : outcome.records)
+      machine_.collisionObserver()(record);
+    for (const std::uint32_t id : outcome.not_for_lanes)
+      if (advanceAlone(id, time))
+        due_.push_back(id);
+  }
+
+  /// Executes an event that is not an ordinary one, and more until they are again.
+  /// @return whether there is still something due
+  bool advanceAlone(std::uint32_t id, double time)
+  {
+    do
+      executeNext(id);
+    while (isDue(id, time) && machine_.collapseWatch().loosened(id));
+    return isDue(id, time);
+  }
+
+  void executeNext(std::uint32_t id)
   {
     BaseEvent& next = next_[id];
-    while (next.time <= time && machine_.active(id))
-    {
-      const double now = next.time;
-      // For a disk that is stuck there is no later time. The others go on to where the run is stopped.
-      if (machine_.collapseWatch().count(id, now) && machine_.collapseWatch().stuck(id))
-        return machine_.takeOut(id, now);
-      ++events_;
-      if (next.feature)
-        machine_.meetBase(id, *next.feature, now, base_);
-      bringHome(id, now);
-      next = search(id, now);
-    }
+    const double now = next.time;
+    // For a disk that is stuck there is no later time. The others go on to where the run is stopped.
+    if (machine_.collapseWatch().count(id, now) && machine_.collapseWatch().stuck(id))
+      return machine_.takeOut(id, now);
+    ++events_;
+    if (next.feature)
+      machine_.meetBase(id, *next.feature, now, base_);
+    bringHome(id, now);
+    next = search(id, now);
   }
 
   /// Also where a long flight comes down, far from home: the next contact is found on a finer place.
@@ -83,7 +177,10 @@ private:
 
   Machine& machine_;
   BaseInstant base_;
-  std::vector<BaseEvent> next_;  ///< per disk
+  std::vector<BaseEvent> next_;                 ///< per disk
+  std::vector<std::uint32_t> due_;              ///< disks that have not come as far as they are asked to
+  std::vector<std::unique_ptr<LaneRun>> runs_;  ///< per thread
+  std::unique_ptr<WorkerPool> pool_;            ///< nothing where one thread is enough
 };
 
 }  // namespace

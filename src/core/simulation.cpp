@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -91,6 +92,11 @@ public:
     pourDisks(machine_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), now_,
               random_);
     announce(before);
+  }
+
+  void setThreads(std::size_t threads)
+  {
+    loop_->setThreads(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency()));
   }
 
   void observeCollisions(CollisionObserver observer)
@@ -328,6 +334,11 @@ void Simulation::disks(std::vector<DiskState>& states) const
     state.spin = disk.spin;
     states.push_back(state);
   }
+}
+
+void Simulation::setThreads(std::size_t threads)
+{
+  implementation_->setThreads(threads);
 }
 
 std::vector<SpeciesBins> Simulation::bins() const

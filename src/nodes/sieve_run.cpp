@@ -44,6 +44,7 @@ struct Arguments
   std::string checkpoint;
   double checkpoint_every = 60.0;
   std::string resume;
+  std::size_t threads = 1;
 
   /// --seed and --duration are overrides too: the scene's own rules check them.
   std::vector<std::string> allOverrides() const
@@ -84,6 +85,13 @@ void describe(CLI::App& app, Arguments& arguments)
          "--resume", arguments.resume,
          "Go on, bit for bit, from there to the scene's duration, which alone of the scene may differ")
       ->type_name("FILE");
+  app.add_option(
+         "--threads", arguments.threads,
+         "Run on so many threads, 0: as many as there are processors; used by disks that do not see each "
+         "other, and for the same results")
+      ->type_name("N")
+      ->check(CLI::Range(0, 256))
+      ->capture_default_str();
   app.set_version_flag("--version", version());
   app.footer("Exit status: 0 done; 2 bad arguments or bad scene, nothing written; 1 anything else.");
 }
@@ -202,6 +210,7 @@ int run(const Arguments& arguments)
   const Scene scene = loadScene(arguments);
   auto [so_far, simulation] = arguments.resume.empty() ? begin(scene.definition, arguments.scene)
                                                        : resume(scene.definition, arguments.resume);
+  simulation.setThreads(arguments.threads);
   const std::unique_ptr<CheckpointSaver> saver = makeSaver(arguments, simulation, so_far);
   Outputs outputs(arguments);
   for (const std::string& warning : scene.warnings)

@@ -43,6 +43,11 @@ public:
   double cosine() const { return cosine_; }
   double sine() const { return sine_; }
 
+  /// A, f and the phase over 2 pi at the segment's start: while nothing changes, of the drive as it is.
+  double amplitude() const { return amplitude_.start; }
+  double frequency() const { return frequency_.start; }
+  double startTurns() const { return turns_; }
+
   /// When the present segment ends; nothing while the base stands at its setpoints.
   std::optional<double> nextChange() const { return next_change_; }
 

@@ -40,6 +40,22 @@ public:
     return true;
   }
 
+  /// Counts an event of a disk, unless it would be one too many or the disk is loosened: then nothing is
+  /// done. Of different disks at the same time from several threads.
+  /// @return whether it was counted
+  bool countOrdinary(std::uint32_t id, double time)
+  {
+    Window window = disks_[id];
+    if (loosened(id))
+      return false;
+    if (time >= window.end)
+      open(window, time);
+    if (++window.events > limit_)
+      return false;
+    disks_[id] = window;
+    return true;
+  }
+
   std::size_t disks() const { return disks_.size(); }
 
   /// Whether the disk's contacts lose nothing for now. As long as none collapsed, without a look at it.

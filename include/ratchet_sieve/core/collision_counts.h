@@ -31,6 +31,7 @@ struct CollisionCounts
   std::uint64_t wall = 0;
 
   void add(CollisionKind kind);
+  void add(const CollisionCounts& more);
   void archive(StateArchive& state) { state(disk_disk, left_slope, right_slope, apex, wall); }
 
   std::uint64_t total() const { return disk_disk + left_slope + right_slope + apex + wall; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -34,6 +35,10 @@ public:
 
   /// @throws StateError
   virtual void archive(StateArchive& state) { state(events_); }
+
+  /// On how many threads it may run; what comes out does not depend on it.
+  /// @pre threads >= 1
+  virtual void setThreads(std::size_t /*threads*/) {}
 
   /// Events processed so far, collisions and all that serves to find them.
   std::uint64_t events() const { return events_; }

@@ -107,6 +107,15 @@ public:
   void noteOverlap(double overlap) { max_overlap_ = overlap > max_overlap_ ? overlap : max_overlap_; }
   void observeCollisions(Simulation::CollisionObserver observer) { observer_ = std::move(observer); }
 
+  /// For a loop that flies disks and executes contacts with the base by itself. Of different disks at the
+  /// same time from several threads.
+  Disk& ownDisk(std::uint32_t id) { return disks_[id]; }
+  Tally& tally() { return tally_; }
+  const Tally& tally() const { return tally_; }
+  const ContactMasses& baseMasses(std::uint32_t species) const { return base_masses_[species]; }
+  CollisionCounts& collisionCounts() { return collisions_; }
+  const Simulation::CollisionObserver& collisionObserver() const { return observer_; }
+
   /// @throws StateError as StateArchive, or if the state is of another number of species
   void archive(StateArchive& state);
 

@@ -126,6 +126,10 @@ public:
   /// @throws StallError; time() is then when the run came to its end
   void advanceTo(double time);
 
+  /// On how many threads it runs from now on; 0: as many as there are processors. Used by disks that do not
+  /// see each other; results do not depend on it.
+  void setThreads(std::size_t threads);
+
   /// Commands take effect at time(): the base moves there at its slew rates. The caller has
   /// checked them to be finite and legal (f, A >= 0).
   void commandInclination(double inclination);

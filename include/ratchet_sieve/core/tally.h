@@ -34,6 +34,32 @@ public:
   double impulseX() const;
   double impulseY() const;
 
+  /// What grows with every flight and contact of a disk, for who adds to it elsewhere.
+  struct Running
+  {
+    double offset;
+    double translation;
+    double rotation;
+    double impulse_x;
+    double impulse_y;
+  };
+
+  Running running(std::uint32_t id) const
+  {
+    const Passage& p = passages_[id];
+    return {p.offset, p.translation, p.rotation, p.impulse_x, p.impulse_y};
+  }
+
+  void setRunning(std::uint32_t id, const Running& running)
+  {
+    Passage& p = passages_[id];
+    p.offset = running.offset;
+    p.translation = running.translation;
+    p.rotation = running.rotation;
+    p.impulse_x = running.impulse_x;
+    p.impulse_y = running.impulse_y;
+  }
+
   /// The disk was moved by -dx in the world by a periodic boundary, and no displacement comes of it.
   void wrapped(std::uint32_t id, double dx) { passages_[id].offset += dx; }
 

@@ -1,0 +1,13 @@
+#include "lane_kernels.h"
+#include "ratchet_sieve/core/lane_batch.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+#define LANES 1
+#include "lane_kernel.inc"
+}  // namespace
+
+const LaneKernel KERNEL_OF_ONE_LANE{LANES, meet, search, launch};
+}  // namespace ratchet_sieve

@@ -1,0 +1,17 @@
+#include "lane_kernels.h"
+#include "ratchet_sieve/core/lane_batch.h"
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace ratchet_sieve
+{
+namespace
+{
+#define LANES 2
+#include "lane_kernel.inc"
+}  // namespace
+
+const LaneKernel KERNEL_OF_TWO_LANES{LANES, meet, search, launch};
+}  // namespace ratchet_sieve

@@ -1,0 +1,180 @@
+#include "ratchet_sieve/core/lane_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ratchet_sieve/core/resolution.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double TWO_PI = 6.283185307179586476925;
+
+/// In radians of the drive: a look at the acceleration as it is bounds it for so long better than its bound.
+constexpr double LONGEST_TRIAL = 1.5;
+
+struct LaneContact
+{
+  LaneFeature feature;
+  std::int32_t valley;
+};
+
+LaneContact laneContact(const std::optional<BaseFeature>& feature)
+{
+  if (!feature)
+    return {LANE_NOTHING, 0};
+  switch (feature->kind)
+  {
+    case BaseFeatureKind::LEFT_SLOPE:
+      return {LANE_LEFT_SLOPE, feature->tooth};
+    case BaseFeatureKind::RIGHT_SLOPE:
+      return {LANE_RIGHT_SLOPE, feature->tooth + 1};
+    default:
+      return {LANE_APEX, feature->tooth};
+  }
+}
+
+std::optional<BaseFeature> baseFeature(LaneFeature feature, std::int32_t valley)
+{
+  switch (feature)
+  {
+    case LANE_LEFT_SLOPE:
+      return BaseFeature{BaseFeatureKind::LEFT_SLOPE, valley};
+    case LANE_RIGHT_SLOPE:
+      return BaseFeature{BaseFeatureKind::RIGHT_SLOPE, valley - 1};
+    case LANE_APEX:
+      return BaseFeature{BaseFeatureKind::APEX, valley};
+    default:
+      return std::nullopt;
+  }
+}
+
+void setTeeth(const Sawtooth& sawtooth, LaneScene& scene)
+{
+  const double w = sawtooth.toothWidth();
+  const double a = sawtooth.apexOffset();
+  scene.tooth_width = w;
+  scene.per_tooth_width = 1.0 / w;
+  scene.width = sawtooth.width();
+  scene.per_width = 1.0 / scene.width;
+  scene.valley_start = (w - a) / w;
+  scene.height = sawtooth.height();
+  scene.left = {a - w, sawtooth.right().normal_s, sawtooth.right().normal_n};
+  scene.right = {a, sawtooth.left().normal_s, sawtooth.left().normal_n};
+}
+}  // namespace
+
+std::optional<LaneScene> laneScene(const Machine& machine)
+{
+  const SceneDefinition& definition = machine.scene();
+  const BaseMotion& motion = machine.motion();
+  if (definition.boundary != Boundary::PERIODIC || definition.contact.contact_duration > 0.0 ||
+      motion.nextChange())
+    return std::nullopt;
+  LaneScene scene{};
+  const double w = TWO_PI * motion.frequency();
+  scene.gravity = definition.gravity;
+  scene.gravity_s = definition.gravity * motion.sine();
+  scene.gravity_n = definition.gravity * motion.cosine();
+  scene.sine = motion.sine();
+  scene.cosine = motion.cosine();
+  scene.amplitude = motion.amplitude();
+  scene.speed = motion.amplitude() * w;
+  scene.drive = scene.speed * w;
+  scene.jerk = scene.drive * w;
+  scene.acceleration = definition.gravity + scene.drive;
+  scene.highest = scene.amplitude * std::abs(scene.cosine);
+  scene.fall = std::max(0.0, scene.gravity_n);
+  scene.turns = motion.startTurns();
+  scene.frequency = motion.frequency();
+  scene.segment_start = motion.segmentStart();
+  scene.longest_search = machine.epoch().length;
+  scene.resolution = timeResolution(machine.epoch().length);
+  scene.min_rebound_speed = definition.contact.min_rebound_speed;
+  setTeeth(machine.sawtooth(), scene);
+  LaneBounds& bounds = scene.bounds;
+  bounds.gravity = static_cast<float>(scene.gravity);
+  bounds.fall = static_cast<float>(std::max(0.0, scene.gravity_n));
+  bounds.amplitude = static_cast<float>(scene.amplitude);
+  bounds.highest = static_cast<float>(scene.amplitude * std::abs(scene.cosine));
+  bounds.speed = static_cast<float>(scene.speed);
+  bounds.third_of_jerk = static_cast<float>(scene.jerk / 3.0);
+  bounds.acceleration = static_cast<float>(scene.acceleration);
+  bounds.longest = static_cast<float>(scene.longest_search);
+  bounds.longest_trial = w > 0.0 ? static_cast<float>(LONGEST_TRIAL / w) : bounds.longest;
+  return scene;
+}
+
+BaseEvent rowEvent(const LaneBatch& batch, std::size_t row)
+{
+  return {batch.due[row], baseFeature(static_cast<LaneFeature>(static_cast<std::int32_t>(batch.feature[row])),
+                                      static_cast<std::int32_t>(batch.valley[row]))};
+}
+
+void loadRow(const Machine& machine, std::uint32_t id, const BaseEvent& next, LaneBatch& batch,
+             std::size_t row)
+{
+  const Disk& disk = machine.disk(id);
+  batch.x[row] = disk.x;
+  batch.y[row] = disk.y;
+  batch.vx[row] = disk.vx;
+  batch.vy[row] = disk.vy;
+  batch.spin[row] = disk.spin;
+  batch.angle[row] = disk.angle;
+  batch.time[row] = disk.time;
+  const SpeciesDefinition& species = machine.scene().species[disk.species];
+  const ContactMasses& masses = machine.baseMasses(disk.species);
+  batch.radius[row] = species.radius;
+  batch.restitution[row] = species.contact.restitution;
+  batch.friction[row] = species.contact.friction;
+  batch.normal_mass[row] = masses.normal;
+  batch.sticking_mass[row] = (1.0 + species.contact.tangential_restitution) * masses.tangential;
+  batch.per_mass[row] = 1.0 / species.mass;
+  batch.radius_by_inertia[row] = species.radius / species.inertia();
+  const Tally::Running running = machine.tally().running(id);
+  batch.offset[row] = running.offset;
+  batch.translation[row] = running.translation;
+  batch.rotation[row] = running.rotation;
+  batch.impulse_x[row] = running.impulse_x;
+  batch.impulse_y[row] = running.impulse_y;
+  const LaneContact contact = laneContact(next.feature);
+  batch.due[row] = next.time;
+  batch.feature[row] = contact.feature;
+  batch.valley[row] = contact.valley;
+}
+
+void storeRow(const LaneBatch& batch, std::size_t row, Machine& machine, std::uint32_t id, BaseEvent& next)
+{
+  Disk& disk = machine.ownDisk(id);
+  disk.x = batch.x[row];
+  disk.y = batch.y[row];
+  disk.vx = batch.vx[row];
+  disk.vy = batch.vy[row];
+  disk.spin = batch.spin[row];
+  disk.angle = batch.angle[row];
+  disk.time = batch.time[row];
+  machine.tally().setRunning(id, {batch.offset[row], batch.translation[row], batch.rotation[row],
+                                  batch.impulse_x[row], batch.impulse_y[row]});
+  next = rowEvent(batch, row);
+}
+
+void copyRow(LaneBatch& batch, std::size_t from, std::size_t to)
+{
+  for (double* column : {batch.x,           batch.y,
+                         batch.vx,          batch.vy,
+                         batch.spin,        batch.angle,
+                         batch.time,        batch.radius,
+                         batch.restitution, batch.friction,
+                         batch.normal_mass, batch.sticking_mass,
+                         batch.per_mass,    batch.radius_by_inertia,
+                         batch.translation, batch.rotation,
+                         batch.impulse_x,   batch.impulse_y,
+                         batch.offset,      batch.due,
+                         batch.valley,      batch.feature,
+                         batch.s,           batch.n,
+                         batch.vs,          batch.vn})
+    column[to] = column[from];
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace ratchet_sieve
+{
+
+/// A few threads that are kept for work that comes again and again.
+class WorkerPool
+{
+public:
+  /// @param workers how many work at a time, the caller's own thread among them
+  explicit WorkerPool(std::size_t workers);
+  ~WorkerPool();
+  WorkerPool(const WorkerPool&) = delete;
+  WorkerPool& operator=(const WorkerPool&) = delete;
+
+  std::size_t workers() const { return threads_.size() + 1; }
+
+  /// Calls work(worker) for every worker at the same time, and comes back when all are done. An error of one
+  /// of them is thrown here.
+  void run(const std::function<void(std::size_t worker)>& work);
+
+private:
+  void serve(std::size_t worker);
+  void call(const std::function<void(std::size_t)>& work, std::size_t worker);
+
+  std::mutex mutex_;
+  std::condition_variable begin_;
+  std::condition_variable end_;
+  const std::function<void(std::size_t)>* work_ = nullptr;
+  std::size_t round_ = 0;  ///< counts what was given to run()
+  std::size_t at_work_ = 0;
+  bool closing_ = false;
+  std::exception_ptr error_;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,337 @@
+#include "ratchet_sieve/core/lane_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double HORIZON = 0.4;
+
+/// Has simulations use so many lanes for a while.
+class Lanes
+{
+public:
+  explicit Lanes(int lanes) : present_(useLanes(lanes)) {}
+  ~Lanes() { useLanes(0); }
+  Lanes(const Lanes&) = delete;
+  Lanes& operator=(const Lanes&) = delete;
+
+  bool present() const { return present_; }
+
+private:
+  bool present_;
+};
+
+/// Fig. 3, and what is different from it in each respect that the lanes know.
+std::vector<SceneDefinition> scenes()
+{
+  std::vector<SceneDefinition> scenes(7, test::singleParticles(150));
+  scenes[1] = test::mixture(90);
+  scenes[1].contact.pair_collisions = false;
+  scenes[1].species[1].radius = 0.012;
+  scenes[1].base.inclination = 0.2;
+  scenes[1].base.teeth = 3;
+  scenes[2].base.asymmetry = 0.0;
+  scenes[2].base.inclination = -0.1;
+  scenes[3].base.tooth_height = 0.0;
+  scenes[4].base.tooth_width = 0.0008;
+  scenes[4].base.tooth_height = 0.0004;
+  scenes[4].base.teeth = 400;
+  scenes[5].base.asymmetry = 1.0;
+  scenes[5].gravity = 0.0;
+  scenes[5].pour.speed = 1.0;
+  scenes[5].contact.min_rebound_speed = 0.2;
+  // Disks that come to rest again and again.
+  scenes[6].species[0].count = 20;
+  scenes[6].base.amplitude = 2e-5;
+  scenes[6].contact.min_rebound_speed = 0.0;
+  scenes[6].contact.collapse_events = 1000;
+  scenes[6].contact.on_collapse = CollapseAction::REBOUND;
+  return scenes;
+}
+
+/// All that a run holds at its end, to the last bit.
+std::string stateAfter(const SceneDefinition& scene, int strides, std::size_t threads)
+{
+  constexpr double END = 1.9;
+  Simulation simulation(scene);
+  simulation.setThreads(threads);
+  for (int k = 1; k <= strides; ++k)
+    simulation.advanceTo(END * k / strides);
+  EXPECT_GT(simulation.collisions().total(), 200u);
+  EXPECT_EQ(simulation.auditOverlaps(), 0u);
+  return simulation.saveState();
+}
+
+TEST(Lanes, AnyNumberOfThemGivesTheSameBits)
+{
+  for (const SceneDefinition& scene : scenes())
+  {
+    const std::string widest = stateAfter(scene, 1, 1);
+    for (const int count : {1, 2, 4, 8})
+    {
+      const Lanes lanes(count);
+      if (lanes.present())
+      {
+        EXPECT_TRUE(stateAfter(scene, 1, 1) == widest) << count;
+      }
+    }
+  }
+}
+
+TEST(Lanes, ThreadsAndStridesGiveTheSameBits)
+{
+  for (const SceneDefinition& scene : scenes())
+  {
+    const std::string at_once = stateAfter(scene, 1, 1);
+    EXPECT_TRUE(stateAfter(scene, 1, 2) == at_once);
+    EXPECT_TRUE(stateAfter(scene, 37, 1) == at_once);
+    EXPECT_TRUE(stateAfter(scene, 400, 3) == at_once);
+  }
+}
+
+TEST(Lanes, OneAndTwoAreInEveryMachine)
+{
+  EXPECT_TRUE(useLanes(1));
+  EXPECT_EQ(presentLaneKernel().lanes, 1);
+  EXPECT_TRUE(useLanes(2));
+  EXPECT_FALSE(useLanes(3));
+  EXPECT_EQ(presentLaneKernel().lanes, 2);
+  EXPECT_TRUE(useLanes(0));
+}
+
+std::vector<CollisionRecord> recordsOf(std::size_t threads)
+{
+  Simulation simulation(test::singleParticles(300));
+  simulation.setThreads(threads);
+  std::vector<CollisionRecord> records;
+  simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
+  simulation.advanceTo(1.0);
+  EXPECT_EQ(records.size(), simulation.collisions().total());
+  return records;
+}
+
+TEST(Lanes, WhoeverWatchesIsToldInTheSameOrder)
+{
+  const std::vector<CollisionRecord> alone = recordsOf(1);
+  const std::vector<CollisionRecord> together = recordsOf(3);
+  ASSERT_EQ(alone.size(), together.size());
+  for (std::size_t k = 0; k < alone.size(); ++k)
+  {
+    EXPECT_EQ(alone[k].time, together[k].time);
+    EXPECT_EQ(alone[k].kind, together[k].kind);
+    EXPECT_EQ(alone[k].i, together[k].i);
+    EXPECT_FALSE(together[k].j);
+    EXPECT_EQ(alone[k].normal_speed, together[k].normal_speed);
+    EXPECT_EQ(alone[k].normal_impulse, together[k].normal_impulse);
+    EXPECT_EQ(alone[k].tangential_impulse, together[k].tangential_impulse);
+  }
+}
+
+/// The same scene, for the machine's own code and not for the lanes: with a contact duration that no two
+/// contacts come within.
+SceneDefinition withoutLanes(SceneDefinition scene)
+{
+  scene.contact.contact_duration = 1e-300;
+  return scene;
+}
+
+TEST(Lanes, OnlyForScenesThatTheyKnow)
+{
+  SceneDefinition scene = test::singleParticles(1);
+  EXPECT_TRUE(laneScene(Machine(scene)));
+  EXPECT_FALSE(laneScene(Machine(withoutLanes(scene))));
+  scene.boundary = Boundary::OPEN;
+  EXPECT_FALSE(laneScene(Machine(scene)));
+  scene.boundary = Boundary::PERIODIC;
+  Machine machine(scene);
+  machine.motion().commandFrequency(30.0, 0.1);
+  EXPECT_FALSE(laneScene(machine));
+}
+
+/// Before chaos takes over, each disk goes the same way in both; every contact's outcome is among it.
+TEST(Lanes, GoTheSameWayAsTheMachine)
+{
+  std::vector<SceneDefinition> all = scenes();
+  // Where disks come to rest, the last bits are all that is left of their ways.
+  all.pop_back();
+  for (SceneDefinition& scene : all)
+  {
+    scene.species[0].contact.restitution = 0.3;
+    constexpr double FIRST_CONTACTS = 0.12;
+    Simulation in_lanes(scene);
+    Simulation without(withoutLanes(scene));
+    in_lanes.advanceTo(FIRST_CONTACTS);
+    without.advanceTo(FIRST_CONTACTS);
+    const std::vector<DiskState> one = in_lanes.disks();
+    const std::vector<DiskState> other = without.disks();
+    int apart = 0;
+    for (std::size_t i = 0; i < one.size(); ++i)
+      if (!(std::abs(one[i].displacement - other[i].displacement) < 1e-9 &&
+            std::abs(one[i].y - other[i].y) < 1e-9 && std::abs(one[i].vx - other[i].vx) < 1e-7 &&
+            std::abs(one[i].vy - other[i].vy) < 1e-7 && std::abs(one[i].angle - other[i].angle) < 1e-6 &&
+            std::abs(one[i].spin - other[i].spin) < 1e-5 + 1e-9 / scene.species[one[i].species].radius))
+        ++apart;
+    // A flight that all but grazes an apex, and then does or does not, parts the two.
+    EXPECT_LE(apart, static_cast<int>(one.size()) / 50) << &scene - all.data();
+    EXPECT_NEAR(in_lanes.energy(), without.energy(), 1e-2 * std::abs(without.energy()));
+  }
+}
+
+TEST(Lanes, GiveTheSameMeansAsTheMachine)
+{
+  SceneDefinition scene = test::singleParticles(400);
+  scene.settle = 2.0;
+  Simulation in_lanes(scene);
+  scene.seed = 2;
+  Simulation without(withoutLanes(scene));
+  in_lanes.advanceTo(32.0);
+  without.advanceTo(32.0);
+  const SpeciesMeans one = in_lanes.means()[0];
+  const SpeciesMeans other = without.means()[0];
+  EXPECT_NEAR(*one.mean_vx, *other.mean_vx, 4.0 * std::hypot(*one.mean_vx_stderr, *other.mean_vx_stderr));
+  // Some 200,000 contacts each.
+  EXPECT_NEAR(*one.kinetic_translational / *other.kinetic_translational, 1.0, 0.02);
+  EXPECT_NEAR(*one.kinetic_rotational / *other.kinetic_rotational, 1.0, 0.03);
+  EXPECT_NEAR(*in_lanes.collisions().shortToLong(0.3) / *without.collisions().shortToLong(0.3), 1.0, 0.03);
+  EXPECT_NEAR(
+      static_cast<double>(in_lanes.collisions().apex) / static_cast<double>(without.collisions().apex), 1.0,
+      0.06);
+  EXPECT_NEAR(
+      static_cast<double>(in_lanes.collisions().total()) / static_cast<double>(without.collisions().total()),
+      1.0, 0.01);
+  EXPECT_NEAR(in_lanes.baseImpulseY() / without.baseImpulseY(), 1.0, 0.01);
+}
+
+double drawn(double low, double high)
+{
+  return low + (high - low) * (*rc::gen::inRange(0, 1000001) * 1e-6);
+}
+
+SceneDefinition drawnScene()
+{
+  SceneDefinition scene = test::singleParticles(0);
+  BaseDefinition& base = scene.base;
+  base.teeth = 5;
+  base.tooth_width = *rc::gen::element(0.02, 0.02, 0.0005, 0.2);
+  base.tooth_height = *rc::gen::element(0.0, 0.05, 0.3, 3.0) * base.tooth_width;
+  base.asymmetry = *rc::gen::element(0.0, 0.1, 0.3, 0.5, 0.9, 1.0);
+  base.inclination = *rc::gen::element(0.0, 0.209, -0.1, 1.2, -1.5, 2.5);
+  base.amplitude = *rc::gen::element(0.0, 0.002, 0.01);
+  base.frequency = *rc::gen::element(0.0, 5.0, 23.0, 200.0);
+  base.phase = drawn(0.0, 6.28);
+  scene.gravity = *rc::gen::element(0.0, 9.81, 9.81);
+  scene.species[0].radius = *rc::gen::element(1e-5, 0.001, 0.004, 0.009, 0.03);
+  return scene;
+}
+
+/// A disk that starts anywhere clear of the base, or where it touches it, in any direction.
+Disk drawnDisk(const Machine& machine)
+{
+  const double radius = machine.scene().species[0].radius;
+  const BaseKinematics base = machine.motion().at(0.0);
+  const double s = drawn(0.0, machine.sawtooth().width());
+  double n = radius + drawn(0.0, 0.03);
+  while (machine.sawtooth().heightAbove(s, n) < radius)
+    n += 0.1 * radius;
+  // Down to the surface.
+  if (*rc::gen::inRange(0, 3) == 0)
+    while (machine.sawtooth().heightAbove(s, n) > radius * (1.0 + 1e-9))
+      n -= machine.sawtooth().heightAbove(s, n) - radius;
+  const double speed = *rc::gen::element(0.05, 0.5, 5.0);
+  Disk disk;
+  disk.x = base.cosine * s - base.sine * n;
+  disk.y = base.sine * s + base.cosine * n + base.displacement;
+  disk.vx = drawn(-speed, speed);
+  disk.vy = drawn(-speed, speed);
+  return disk;
+}
+
+/// Searches from event to event until a contact is certain, as the loop does.
+BaseEvent searchInLanes(const Machine& machine)
+{
+  const LaneScene scene = *laneScene(machine);
+  const LaneKernel& kernel = presentLaneKernel();
+  LaneBatch batch{};
+  BaseEvent event{0.0, std::nullopt};
+  loadRow(machine, 0, event, batch, 0);
+  kernel.launch(scene, batch, 1);
+  for (int i = 0; i < 2000 && !event.feature && event.time < HORIZON; ++i)
+  {
+    kernel.search(scene, batch, 1);
+    event = rowEvent(batch, 0);
+  }
+  return event;
+}
+
+bool isClear(const Machine& machine, const BaseEvent& event)
+{
+  if (!event.feature || event.time >= HORIZON)
+    return false;
+  const BasePoint point = machine.search().seenFromBase(machine.disk(0), event.time);
+  return machine.sawtooth().approach(*event.feature, point, machine.radius(0)).rate < -1e-2;
+}
+
+BaseEvent searchInMachine(const Machine& machine)
+{
+  BaseEvent event{0.0, std::nullopt};
+  for (int i = 0; i < 2000 && !event.feature && event.time < HORIZON; ++i)
+    event = machine.search().find(machine.disk(0), machine.radius(0), event.time, HORIZON);
+  return event;
+}
+
+/// Nothing touches at any of many instants before the contact; at the contact the rim touches and closes.
+void checkAgainstScan(const Machine& machine, const BaseEvent& event)
+{
+  const double radius = machine.radius(0);
+  const auto gapAt = [&](double time)
+  {
+    const BasePoint point = machine.search().seenFromBase(machine.disk(0), time);
+    return machine.sawtooth().heightAbove(point.s, point.n) - radius;
+  };
+  // What a disk of this size overlapped at its start is rounding; places of up to a few metres are seen.
+  const double tolerance = 1e-9 * radius + 1e-14;
+  const double end = std::min(event.time, HORIZON);
+  for (int i = 0; i < 1000; ++i)
+    RC_ASSERT(gapAt(end * i / 1000.0) > -tolerance);
+  if (!event.feature)
+    return;
+  const BasePoint point = machine.search().seenFromBase(machine.disk(0), event.time);
+  const Approach approach = machine.sawtooth().approach(*event.feature, point, radius);
+  RC_ASSERT(std::abs(approach.gap) < tolerance);
+  RC_ASSERT(approach.rate < 1e-9);
+  RC_ASSERT(std::abs(gapAt(event.time)) < tolerance);
+}
+
+TEST(Lanes, FindTheFirstContactOfRandomFlights)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        Machine machine(drawnScene());
+        machine.add(drawnDisk(machine));
+        const Lanes lanes(*rc::gen::element(1, 2, 0));
+        const BaseEvent found = searchInLanes(machine);
+        checkAgainstScan(machine, found);
+        const BaseEvent expected = searchInMachine(machine);
+        // Whether a graze is one hangs on the last bit.
+        const bool clear = isClear(machine, found) && isClear(machine, expected);
+        RC_CLASSIFY(!clear, "no contact, or a graze");
+        RC_ASSERT(found.feature.has_value() || !isClear(machine, expected));
+        if (clear)
+          RC_ASSERT(std::abs(found.time - expected.time) < 1e-12);
+      }));
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
