@@ -15,7 +15,7 @@ TEST(Golden, Ensemble)
 {
   Simulation simulation(test::singleParticles(50));
   simulation.advanceTo(10.0);
-  EXPECT_EQ(test::stateHash(simulation), 7584438699526257775ull);
+  EXPECT_EQ(test::stateHash(simulation), 9181331720100110990ull);
 }
 
 TEST(Golden, Mixture)
