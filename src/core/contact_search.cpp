@@ -47,8 +47,8 @@ BasePoint toBase(const BaseKinematics& k, double x, double y, double vx, double 
 
 BasePoint ContactSearch::seenFromBase(const Disk& disk, const BaseKinematics& base, double time) const
 {
-  const Disk now = flown(disk, time, gravity_);
-  return toBase(base, now.x, now.y, now.vx, now.vy);
+  const Course now = courseAt(disk, time, gravity_);
+  return toBase(base, now.place[0], now.place[1], now.velocity[0], now.velocity[1]);
 }
 
 /// The line along which a disk is accelerated as seen from the base; any while the base turns.
@@ -277,10 +277,8 @@ bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, dou
   const double top = sawtooth_.height() + radius + motion_.displacementBound() * motion_.cosine();
   const auto above = [&](double time)
   {
-    const double elapsed = time - disk.time;
-    const double x = disk.x + disk.vx * elapsed;
-    const double y = disk.y + (disk.vy - 0.5 * gravity_ * elapsed) * elapsed;
-    return motion_.cosine() * y - motion_.sine() * x > top;
+    const Two place = courseAt(disk, time, gravity_).place;
+    return motion_.cosine() * place[1] - motion_.sine() * place[0] > top;
   };
   return above(until) && above(from);
 }
@@ -291,11 +289,10 @@ double ContactSearch::nearTime(const Disk& disk, double radius, double from) con
 {
   if (motion_.turning())
     return from;
-  const Disk now = flown(disk, from, gravity_);
   BaseKinematics mount;
   mount.cosine = motion_.cosine();
   mount.sine = motion_.sine();
-  const BasePoint p = toBase(mount, now.x, now.y, now.vx, now.vy);
+  const BasePoint p = seenFromBase(disk, mount, from);
   const double along = motion_.displacementBound() * std::abs(mount.sine);
   const double across = motion_.displacementBound() * std::abs(mount.cosine);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "ratchet_sieve/core/machine.h"
 
@@ -102,8 +103,11 @@ void Machine::push(Disk& disk, const Contact& contact, const Impulse& impulse, d
 {
   const Response& response = responses_[disk.species];
   const double per_mass = sign * response.velocity;
-  disk.vx += per_mass * (impulse.normal * contact.nx - impulse.tangential * contact.ny);
-  disk.vy += per_mass * (impulse.normal * contact.ny + impulse.tangential * contact.nx);
+  const Two normal{contact.nx, contact.ny};
+  const Two tangent{-contact.ny, contact.nx};
+  const Two velocity =
+      Two{disk.vx, disk.vy} + per_mass * (impulse.normal * normal + impulse.tangential * tangent);
+  std::memcpy(&disk.vx, &velocity, sizeof velocity);
   disk.spin -= response.spin * impulse.tangential;
 }
 

@@ -150,13 +150,11 @@ private:
   /// A disk in the frame of the cells, which stands still.
   BasePoint inGrid(std::uint32_t id, double time) const
   {
-    const Disk now = flown(machine_.disk(id), time, machine_.scene().gravity);
-    BasePoint p;
-    p.s = frame_.cosine * now.x + frame_.sine * now.y;
-    p.n = frame_.cosine * now.y - frame_.sine * now.x;
-    p.vs = frame_.cosine * now.vx + frame_.sine * now.vy;
-    p.vn = frame_.cosine * now.vy - frame_.sine * now.vx;
-    return p;
+    const Course now = courseAt(machine_.disk(id), time, machine_.scene().gravity);
+    const Two s{frame_.cosine, frame_.sine};
+    const Two n{-frame_.sine, frame_.cosine};
+    const auto dot = [](Two a, Two b) { return a[0] * b[0] + a[1] * b[1]; };
+    return {dot(s, now.place), dot(n, now.place), dot(s, now.velocity), dot(n, now.velocity)};
   }
 
   /// Puts a disk into its cell, once it is within the ring: cells that were laid anew may have left
@@ -287,7 +285,7 @@ private:
                 [&](const std::uint32_t* others, std::size_t count, int shift)
                 {
                   const PairContact found = search.firstAmong(others, count, shift);
-                  if (!earlier(found, p.pair))
+                  if (!found.isBefore(p.pair))
                     return;
                   p.pair = found;
                   p.partner_flights = machine_.disk(found.partner).flights;

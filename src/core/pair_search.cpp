@@ -23,13 +23,13 @@ PairContact PairSearch::firstAmong(const std::uint32_t* others, std::size_t coun
   {
     for (std::size_t i = 0; i < count; ++i)
       if (const auto time = others[i] == id_ ? std::nullopt : contactWith(others[i], shift))
-        first = std::min(first, {*time, others[i], shift}, earlier);
+        first.take({*time, others[i], shift});
     return first;
   }
   const Image image = machine_.image(shift, from_);
   for (std::size_t i = 0; i < count; i += LANES)
   {
-    first = std::min(first, firstOfLanes(others + i, std::min(LANES, count - i), shift, image), earlier);
+    first.take(firstOfLanes(others + i, std::min(LANES, count - i), shift, image));
   }
   return first;
 }
@@ -40,8 +40,7 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
 {
   constexpr double NEVER = std::numeric_limits<double>::infinity();
   const double gravity = machine_.scene().gravity;
-  const Two place{disk_.x - image.dx, disk_.y - image.dy};
-  const Two velocity{disk_.vx, disk_.vy};
+  const Two place = course_.place - Two{image.dx, image.dy};
   std::array<Two, LANES / 2> waits;
   waits.fill(Two{NEVER, NEVER});
   Two least{NEVER, NEVER};
@@ -54,13 +53,9 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
   };
   const auto relative = [&](std::uint32_t id) -> Relative
   {
-    // Flown as this disk was: beside itself it is at rest, to the last bit, and meets nothing.
-    const Disk& other = machine_.disk(id);
-    const double elapsed = from_ - other.time;
-    const Two fall{0.0, gravity * elapsed};
-    const Two before{other.vx, other.vy};
-    const Two at = Two{other.x, other.y} + (before - 0.5 * fall) * elapsed;
-    return {place - at, velocity - (before - fall), radius_ + machine_.radius(id)};
+    // Beside itself a disk is at rest, to the last bit, and meets nothing.
+    const Course other = courseAt(machine_.disk(id), from_, gravity);
+    return {place - other.place, course_.velocity - other.velocity, radius_ + machine_.radius(id)};
   };
   for (std::size_t k = 0; k < count; k += 2)
   {
@@ -94,7 +89,7 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
   for (; found != 0; found &= found - 1)
   {
     const std::size_t k = std::min<std::size_t>(__builtin_ctz(found), count - 1);
-    first = std::min(first, {from_ + shortest, others[k], shift}, earlier);
+    first.take({from_ + shortest, others[k], shift});
   }
   return first;
 }
@@ -118,13 +113,13 @@ std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, in
   double time = from_;
   for (int step = 0; time < until_; ++step)
   {
-    const Disk a = flown(disk_, time, gravity);
-    const Disk b = flown(other, time, gravity);
+    const Course a = courseAt(machine_.disk(id_), time, gravity);
+    const Course b = courseAt(other, time, gravity);
     const Image there = machine_.image(shift, time);
-    const double dx = a.x - b.x - there.dx;
-    const double dy = a.y - b.y - there.dy;
+    const double dx = a.place[0] - there.dx - b.place[0];
+    const double dy = a.place[1] - there.dy - b.place[1];
     const double length = std::sqrt(dx * dx + dy * dy);
-    const double opening = (dx * (a.vx - b.vx - there.dvx) + dy * (a.vy - b.vy - there.dvy)) / length;
+    const double opening = (dx * (a.velocity[0] - b.velocity[0] - there.dvx) + dy * (a.velocity[1] - b.velocity[1] - there.dvy)) / length;
     const double wait = guaranteedFreeTime(length - distance, opening, acceleration);
     if (opening < 0.0 && (wait <= resolution || step > MAX_SEAM_STEPS))
       return time;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 
 #include "ratchet_sieve/core/state_archive.h"
+#include "ratchet_sieve/core/two.h"
 
 namespace ratchet_sieve
 {
@@ -24,15 +26,31 @@ struct alignas(64) Disk
   void archive(StateArchive& state) { state(x, y, vx, vy, spin, angle, time, species, flights); }
 };
 
-/// The disk `time` [s] later or earlier on the same parabola.
-inline Disk flown(const Disk& disk, double time, double gravity)
+/// Where a disk is and how it moves: (x, y) and (vx, vy).
+struct Course
+{
+  Two place;     ///< [m]
+  Two velocity;  ///< [m/s]
+};
+
+/// The disk's course `time`, on its parabola. Whoever needs it gets it from here, to the last bit.
+inline Course courseAt(const Disk& disk, double time, double gravity)
 {
   const double elapsed = time - disk.time;
+  const Two fall{0.0, gravity * elapsed};
+  const Two velocity{disk.vx, disk.vy};
+  return {Two{disk.x, disk.y} + (velocity - 0.5 * fall) * elapsed, velocity - fall};
+}
+
+/// The disk later or earlier on the same parabola.
+inline Disk flown(const Disk& disk, double time, double gravity)
+{
+  const Course course = courseAt(disk, time, gravity);
   Disk later = disk;
-  later.x += disk.vx * elapsed;
-  later.y += (disk.vy - 0.5 * gravity * elapsed) * elapsed;
-  later.vy -= gravity * elapsed;
-  later.angle += disk.spin * elapsed;
+  // In one piece each, as they are read: a processor waits where it reads together what was written apart.
+  std::memcpy(&later.x, &course.place, sizeof course.place);
+  std::memcpy(&later.vx, &course.velocity, sizeof course.velocity);
+  later.angle += disk.spin * (time - disk.time);
   later.time = time;
   return later;
 }

@@ -37,14 +37,24 @@ struct PairContact
   std::uint32_t partner = 0;
   int shift = 0;  ///< which image of the partner: so many widths to the right of it
 
+  /// Ties go to the smaller id.
+  bool isBefore(const PairContact& other) const
+  {
+    return time < other.time || (time == other.time && partner < other.partner);
+  }
+
+  /// Becomes the other where that is earlier.
+  void take(const PairContact& other)
+  {
+    if (!other.isBefore(*this))
+      return;
+    time = other.time;
+    partner = other.partner;
+    shift = other.shift;
+  }
+
   void archive(StateArchive& state) { state(time, partner, shift); }
 };
-
-/// Ties go to the smaller id.
-inline bool earlier(const PairContact& a, const PairContact& b)
-{
-  return a.time < b.time || (a.time == b.time && a.partner < b.partner);
-}
 
 /// When one disk, flying on from a given time, touches others.
 class PairSearch
@@ -55,7 +65,7 @@ public:
         id_(id),
         from_(from),
         radius_(machine.radius(id)),
-        disk_(flown(machine.disk(id), from, machine.scene().gravity)),
+        course_(courseAt(machine.disk(id), from, machine.scene().gravity)),
         until_(machine.motion().nextChange().value_or(std::numeric_limits<double>::infinity()))
   {
   }
@@ -84,11 +94,10 @@ private:
   std::optional<double> contact(const Disk& other, const Image& image, double distance) const
   {
     // Under one gravity the parabolas differ by a straight line, but the two states are of different times.
-    const double elapsed = from_ - other.time;
-    const double fall = machine_.scene().gravity * elapsed;
-    const double dx = disk_.x - image.dx - (other.x + other.vx * elapsed);
-    const double dy = disk_.y - image.dy - (other.y + (other.vy - 0.5 * fall) * elapsed);
-    const auto wait = timeToTouch(dx, dy, disk_.vx - other.vx, disk_.vy - (other.vy - fall), distance);
+    const Course course = courseAt(other, from_, machine_.scene().gravity);
+    const Two place = course_.place - Two{image.dx, image.dy} - course.place;
+    const Two velocity = course_.velocity - course.velocity;
+    const auto wait = timeToTouch(place[0], place[1], velocity[0], velocity[1], distance);
     if (!wait || from_ + *wait >= until_)
       return std::nullopt;
     return from_ + *wait;
@@ -101,7 +110,7 @@ private:
   std::uint32_t id_;
   double from_;
   double radius_;
-  Disk disk_;  ///< as it is at `from`
+  Course course_;  ///< at `from`
   double until_;
 };
 
