@@ -49,20 +49,20 @@ double BaseMotion::turns(double elapsed) const
   return turns_ + elapsed * (frequency_.start + 0.5 * frequency_.rate * elapsed);
 }
 
-BaseKinematics BaseMotion::at(double time) const
+void BaseMotion::lookAt(double time, BaseKinematics& k) const
 {
   const double elapsed = time - segment_start_;
-  BaseKinematics k;
   if (!next_change_)
   {
     // At its setpoints: the same to the last bit, without the ramps.
     const auto phase = sineCosineOfTurns(turns_ + elapsed * frequency_.start);
     k.inclination = inclination_.start;
+    k.inclination_rate = 0.0;
     k.cosine = cosine_;
     k.sine = sine_;
     k.displacement = amplitude_.start * phase.sine;
     k.velocity = amplitude_.start * (TWO_PI * frequency_.start) * phase.cosine;
-    return k;
+    return;
   }
   const double amplitude = amplitude_.at(elapsed);
   const double phase_rate = TWO_PI * frequency_.at(elapsed);
@@ -70,20 +70,14 @@ BaseKinematics BaseMotion::at(double time) const
   k.inclination_rate = inclination_.rate;
   k.displacement = amplitude * phase.sine;
   k.velocity = amplitude * phase_rate * phase.cosine + amplitude_.rate * phase.sine;
-  if (turning())
-  {
-    k.inclination = inclination_.at(elapsed);
-    const auto angle = sineCosineOfTurns(k.inclination / TWO_PI);
-    k.cosine = angle.cosine;
-    k.sine = angle.sine;
-  }
-  else
-  {
-    k.inclination = inclination_.start;
-    k.cosine = cosine_;
-    k.sine = sine_;
-  }
-  return k;
+  k.inclination = inclination_.at(elapsed);
+  k.cosine = cosine_;
+  k.sine = sine_;
+  if (!turning())
+    return;
+  const auto angle = sineCosineOfTurns(k.inclination / TWO_PI);
+  k.cosine = angle.cosine;
+  k.sine = angle.sine;
 }
 
 DriveState BaseMotion::state(double time) const

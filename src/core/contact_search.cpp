@@ -140,7 +140,7 @@ public:
     return sure_.latest <= others_free_time_ ? &sure_ : nullptr;
   }
 
-  const BasePoint point;
+  const BasePoint& point;
   const double radius;
 
   struct Gap
@@ -200,7 +200,7 @@ private:
     return gap > 0.0 && gap + (rate - 0.5 * acceleration * span) * span > 0.0;
   }
 
-  Direction forced_;
+  const Direction& forced_;
   double acceleration_;
   double resolution_;
   double free_time_;
@@ -272,7 +272,7 @@ std::optional<double> ContactSearch::polish(const Disk& disk, double radius, con
 /// it is in between, for it falls. A comparison, where nearTime() takes a root. May say no where it is.
 bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, double until) const
 {
-  if (motion_.turning() || sawtooth_.boundary() != Boundary::PERIODIC)
+  if (motion_.turning() || motion_.cosine() <= 0.0 || sawtooth_.boundary() != Boundary::PERIODIC)
     return false;
   const double top = sawtooth_.height() + radius + motion_.displacementBound() * motion_.cosine();
   const auto above = [&](double time)

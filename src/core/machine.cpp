@@ -81,6 +81,14 @@ Image Machine::image(double shift, double time) const
           length * k.inclination_rate * k.cosine};
 }
 
+void Machine::reserve(std::size_t count)
+{
+  disks_.reserve(count);
+  active_.reserve(count);
+  collapse_watch_.reserve(count);
+  tally_.reserve(count);
+}
+
 std::uint32_t Machine::add(const Disk& disk)
 {
   const auto id = static_cast<std::uint32_t>(disks_.size());
@@ -122,7 +130,7 @@ void Machine::endPassage(std::uint32_t id, double time)
 {
   active_[id] = 0;
   --active_count_;
-  tally_.left(id, disks_[id], epoch_.start + time);
+  tally_.left(id, epoch_.start + time);
 }
 
 void Machine::wrap(std::uint32_t id, double shift, double time)

@@ -34,6 +34,9 @@ public:
   explicit PairLoop(Machine& machine)
       : machine_(machine), base_(machine.motion()), grid_(makeGrid()), laid_for_(machine.disks().size())
   {
+    predictions_.reserve(laid_for_);
+    grid_capacity_ = laid_for_;
+    queue_.resize(laid_for_);
   }
 
   double advanceTo(double time) override

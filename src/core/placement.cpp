@@ -48,6 +48,7 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   // Numbered along the base: neighbours there are neighbours in memory.
   std::stable_sort(poured.begin(), poured.end(),
                    [](const Poured& a, const Poured& b) { return a.room.s < b.room.s; });
+  machine.reserve(machine.disks().size() + poured.size());
   for (const auto& [room, kind] : poured)
   {
     const double s = room.s + base.displacement * base.sine;

@@ -26,12 +26,6 @@ void Tally::entered(const Disk& disk, double time)
   passages_.push_back(passage);
 }
 
-void Tally::left(std::uint32_t id, const Disk& disk, double time)
-{
-  passages_[id].left_x = disk.x;
-  passages_[id].left_when = time;
-}
-
 void Tally::integrate(Passage& passage, const Disk& disk, double local_time) const
 {
   const double span = local_time - disk.time;
@@ -74,8 +68,8 @@ void Tally::restart(const std::vector<Disk>& disks, const std::vector<std::uint8
     Passage& passage = passages_[id];
     passage.impulse_x = 0.0;
     passage.impulse_y = 0.0;
-    passage.counted = active[id] != 0;
-    if (!passage.counted)
+    passage.counted_from = NEVER;
+    if (!active[id])
       continue;
     // What the present flight brought before now will be taken in at its end: taken off beforehand.
     Passage before;
@@ -132,8 +126,8 @@ std::vector<Tally::Sums> Tally::sums(const std::vector<Disk>& disks, const std::
       integrate(passage, disks[id], local_time);
       sum.add(passage, flown(disks[id], local_time, gravity_).x, time);
     }
-    else if (passage.counted)
-      sum.add(passage, passage.left_x, passage.left_when);
+    else if (passage.counted_from < NEVER)
+      sum.add(passage, disks[id].x, passage.left_when);
   }
   return sums;
 }

@@ -34,7 +34,15 @@ public:
   /// @param max_turn the largest change of theta within one segment [rad]
   BaseMotion(const BaseDefinition& base, double max_turn);
 
-  BaseKinematics at(double time) const;
+  BaseKinematics at(double time) const
+  {
+    BaseKinematics k;
+    lookAt(time, k);
+    return k;
+  }
+
+  /// The same, put straight where it is wanted.
+  void lookAt(double time, BaseKinematics& k) const;
   DriveState state(double time) const;
 
   double segmentStart() const { return segment_start_; }
@@ -125,7 +133,10 @@ public:
   const BaseKinematics& at(double time)
   {
     if (!(time == time_))
-      base_ = motion_.at(time_ = time);
+    {
+      time_ = time;
+      motion_.lookAt(time, base_);
+    }
     return base_;
   }
 

@@ -26,6 +26,7 @@ public:
   /// @param time_scale of the machine [s]; @param speed_scale of a fall over a tooth [m/s]
   CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale);
 
+  void reserve(std::size_t count) { disks_.reserve(count); }
   void added() { disks_.emplace_back(); }
 
   /// Counts an event of a disk. @return whether it is one too many; from then on the disk is loosened

@@ -75,6 +75,9 @@ public:
   /// Where the image `shift` widths to the right appears at `time`, relative to the disk itself.
   Image image(double shift, double time) const;
 
+  /// Makes room for so many disks: nothing but memory.
+  void reserve(std::size_t count);
+
   /// Puts a disk in; its id is the number of disks before.
   std::uint32_t add(const Disk& disk);
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "ratchet_sieve/core/block_averages.h"
@@ -22,7 +23,10 @@ public:
   std::size_t disks() const { return passages_.size(); }
 
   void entered(const Disk& disk, double time);
-  void left(std::uint32_t id, const Disk& disk, double time);
+  void left(std::uint32_t id, double time) { passages_[id].left_when = time; }
+
+  /// Makes room for so many disks.
+  void reserve(std::size_t count) { passages_.reserve(count); }
 
   /// Takes in the part of a disk's flight from its own time to `time`, both local.
   void flew(std::uint32_t id, const Disk& disk, double time);
@@ -84,25 +88,24 @@ public:
   void archive(StateArchive& state) { state(passages_, at_piece_end_, blocks_); }
 
 private:
-  /// One disk's stay in the machine.
+  static constexpr double NEVER = std::numeric_limits<double>::infinity();
+
+  /// One disk's stay in the machine. Where it left, the disk itself still is.
   struct Passage
   {
     double entered_x = 0.0;     ///< [m]
     double offset = 0.0;        ///< unwraps x [m]
     double counted_x = 0.0;     ///< unwrapped x where the counting began [m]
-    double counted_from = 0.0;  ///< [s]
+    double counted_from = 0.0;  ///< [s]; NEVER for what had left before the counting began
     double translation = 0.0;   ///< integral of v^2 / 2 [m^2/s]
     double rotation = 0.0;      ///< integral of spin^2 / 2 [1/s]
     double impulse_x = 0.0;     ///< given by the base [N s]
     double impulse_y = 0.0;     ///< given by the base [N s]
-    bool counted = true;        ///< false for what had left before the counting began
-    double left_x = 0.0;        ///< where it left [m]
     double left_when = 0.0;     ///< [s]
 
     void archive(StateArchive& state)
     {
-      state(entered_x, offset, counted_x, counted_from, translation, rotation, impulse_x, impulse_y, counted,
-            left_x, left_when);
+      state(entered_x, offset, counted_x, counted_from, translation, rotation, impulse_x, impulse_y, left_when);
     }
   };
 
