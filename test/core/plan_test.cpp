@@ -189,21 +189,23 @@ TEST(Plan, WaitsAboveTheBandForTheSameContacts)
 {
   constexpr double ROUNDING = 1e-10;  // s and m/s, over three or four bounces
   for (const Boundary boundary : {Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED})
-  {
-    SceneDefinition scene = test::singleParticles(30);
-    scene.boundary = boundary;
-    scene.base.inclination = 0.1;
-    const auto lean = collisionsOf(Simulation(scene));
-    const auto full = collisionsOf(Simulation(scene, fullPlan(scene)));
-    ASSERT_GT(lean.size(), 60u);
-    ASSERT_EQ(lean.size(), full.size());
-    for (std::size_t k = 0; k < lean.size(); ++k)
+    for (const bool pairs : {true, false})
     {
-      EXPECT_EQ(lean[k].i, full[k].i);
-      EXPECT_NEAR(lean[k].time, full[k].time, ROUNDING);
-      EXPECT_NEAR(lean[k].normal_speed, full[k].normal_speed, ROUNDING);
+      SceneDefinition scene = test::singleParticles(30);
+      scene.boundary = boundary;
+      scene.base.inclination = 0.1;
+      scene.contact.pair_collisions = pairs;
+      const auto lean = collisionsOf(Simulation(scene));
+      const auto full = collisionsOf(Simulation(scene, fullPlan(scene)));
+      ASSERT_GT(lean.size(), 60u);
+      ASSERT_EQ(lean.size(), full.size());
+      for (std::size_t k = 0; k < lean.size(); ++k)
+      {
+        EXPECT_EQ(lean[k].i, full[k].i);
+        EXPECT_NEAR(lean[k].time, full[k].time, ROUNDING);
+        EXPECT_NEAR(lean[k].normal_speed, full[k].normal_speed, ROUNDING);
+      }
     }
-  }
 }
 
 }  // namespace
