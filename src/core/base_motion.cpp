@@ -35,7 +35,8 @@ void BaseMotion::Ramp::advance(double elapsed)
   start = end && *end <= elapsed * (1.0 + SAME_END) ? target : at(elapsed);
 }
 
-BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn) : max_turn_(max_turn)
+BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn, bool always_drive)
+    : max_turn_(max_turn), always_drive_(always_drive)
 {
   inclination_ = {base.inclination, 0.0, base.inclination};
   frequency_ = {base.frequency, 0.0, base.frequency};
@@ -52,27 +53,27 @@ double BaseMotion::turns(double elapsed) const
 void BaseMotion::lookAt(double time, BaseKinematics& k) const
 {
   const double elapsed = time - segment_start_;
-  if (!next_change_)
+  k.inclination = inclination_.at(elapsed);
+  k.inclination_rate = inclination_.rate;
+  k.cosine = cosine_;
+  k.sine = sine_;
+  k.displacement = standstill_;
+  k.velocity = 0.0;
+  if (oscillates_ && !next_change_)
   {
     // At its setpoints: the same to the last bit, without the ramps.
     const auto phase = sineCosineOfTurns(turns_ + elapsed * frequency_.start);
-    k.inclination = inclination_.start;
-    k.inclination_rate = 0.0;
-    k.cosine = cosine_;
-    k.sine = sine_;
     k.displacement = amplitude_.start * phase.sine;
     k.velocity = amplitude_.start * (TWO_PI * frequency_.start) * phase.cosine;
-    return;
   }
-  const double amplitude = amplitude_.at(elapsed);
-  const double phase_rate = TWO_PI * frequency_.at(elapsed);
-  const auto phase = sineCosineOfTurns(turns(elapsed));
-  k.inclination_rate = inclination_.rate;
-  k.displacement = amplitude * phase.sine;
-  k.velocity = amplitude * phase_rate * phase.cosine + amplitude_.rate * phase.sine;
-  k.inclination = inclination_.at(elapsed);
-  k.cosine = cosine_;
-  k.sine = sine_;
+  else if (oscillates_)
+  {
+    const double amplitude = amplitude_.at(elapsed);
+    const double phase_rate = TWO_PI * frequency_.at(elapsed);
+    const auto phase = sineCosineOfTurns(turns(elapsed));
+    k.displacement = amplitude * phase.sine;
+    k.velocity = amplitude * phase_rate * phase.cosine + amplitude_.rate * phase.sine;
+  }
   if (!turning())
     return;
   const auto angle = sineCosineOfTurns(k.inclination / TWO_PI);
@@ -137,6 +138,7 @@ void BaseMotion::plan()
   if (turning())
     next_change_ = std::min(*next_change_, segment_start_ + max_turn_ / std::abs(inclination_.rate));
   updateBounds();
+  noteStandstill();
 }
 
 void BaseMotion::beginSegment(double time)
@@ -198,6 +200,16 @@ void BaseMotion::updateBounds()
   acceleration_bound_ = amplitude * phase_rate * phase_rate + 2.0 * std::abs(amplitude_.rate) * phase_rate +
                         amplitude * TWO_PI * std::abs(frequency_.rate);
   displacement_bound_ = amplitude;
+}
+
+/// Without amplitude, or with a phase that stands still, the drive gives the same displacement over all of
+/// the segment, to the last bit.
+void BaseMotion::noteStandstill()
+{
+  const bool flat = amplitude_.start == 0.0 && amplitude_.rate == 0.0;
+  const bool halted = frequency_.start == 0.0 && frequency_.rate == 0.0 && amplitude_.rate == 0.0;
+  oscillates_ = always_drive_ || !(flat || halted);
+  standstill_ = flat ? 0.0 : amplitude_.start * sineCosineOfTurns(turns_).sine;
 }
 
 }  // namespace ratchet_sieve

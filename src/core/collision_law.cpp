@@ -19,12 +19,17 @@ ContactMasses contactMasses(const SpeciesDefinition& species, const SpeciesDefin
   return {1.0 / inverse_normal, 1.0 / inverse_tangential};
 }
 
+Impulse collideSmooth(const ContactCoefficients& coefficients, const ContactMasses& masses,
+                      double normal_velocity, double min_rebound_speed)
+{
+  const double rebound_speed = std::max(-coefficients.restitution * normal_velocity, min_rebound_speed);
+  return {(rebound_speed - normal_velocity) * masses.normal, 0.0};
+}
+
 Impulse collide(const ContactCoefficients& coefficients, const ContactMasses& masses, double normal_velocity,
                 double tangential_velocity, double min_rebound_speed)
 {
-  const double rebound_speed = std::max(-coefficients.restitution * normal_velocity, min_rebound_speed);
-  Impulse impulse;
-  impulse.normal = (rebound_speed - normal_velocity) * masses.normal;
+  Impulse impulse = collideSmooth(coefficients, masses, normal_velocity, min_rebound_speed);
   const double sticking =
       (1.0 + coefficients.tangential_restitution) * masses.tangential * std::abs(tangential_velocity);
   const double sliding = coefficients.friction * impulse.normal;

@@ -272,7 +272,8 @@ std::optional<double> ContactSearch::polish(const Disk& disk, double radius, con
 /// it is in between, for it falls. A comparison, where nearTime() takes a root. May say no where it is.
 bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, double until) const
 {
-  if (motion_.turning() || motion_.cosine() <= 0.0 || sawtooth_.boundary() != Boundary::PERIODIC)
+  if (search_above_band_ || motion_.turning() || motion_.cosine() <= 0.0 ||
+      sawtooth_.boundary() != Boundary::PERIODIC)
     return false;
   const double top = sawtooth_.height() + radius + motion_.displacementBound() * motion_.cosine();
   const auto above = [&](double time)
@@ -287,7 +288,7 @@ bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, dou
 /// the disk: closed form, as long as the base does not turn.
 double ContactSearch::nearTime(const Disk& disk, double radius, double from) const
 {
-  if (motion_.turning())
+  if (search_above_band_ || motion_.turning())
     return from;
   BaseKinematics mount;
   mount.cosine = motion_.cosine();

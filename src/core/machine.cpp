@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "ratchet_sieve/core/resolution.h"
 
@@ -31,19 +32,27 @@ double maxTurn(const SceneDefinition& scene, double largest_diameter)
   return lattice ? Machine::LATTICE_MARGIN * largest_diameter / scene.base.width()
                  : std::numeric_limits<double>::infinity();
 }
+
+const Plan& covering(const Plan& plan, const SceneDefinition& scene)
+{
+  if (!covers(plan, scene))
+    throw std::invalid_argument("the plan does not cover the scene: " + planText(plan));
+  return plan;
+}
 }  // namespace
 
-Machine::Machine(const SceneDefinition& scene)
+Machine::Machine(const SceneDefinition& scene, const Plan& plan)
     : scene_(scene),
+      plan_(covering(plan, scene)),
       sawtooth_(scene.base, scene.boundary),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
       time_scale_(ratchet_sieve::timeScale(scene)),
       epoch_{0.0, epochLength(time_scale_)},
-      motion_(scene.base, maxTurn(scene, largest_diameter_)),
-      search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length)),
+      motion_(scene.base, maxTurn(scene, largest_diameter_), plan.drive && !planOf(scene).drive),
+      search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_)),
       bins_(scene.species.size()),
-      tally_(scene.species, scene.gravity)
+      tally_(scene.species, scene.gravity, plan.spin)
 {
   for (std::size_t i = 0; i < scene_.species.size(); ++i)
   {
@@ -98,7 +107,7 @@ std::uint32_t Machine::add(const Disk& disk)
   ++bins_[disk.species].on_base;
   collapse_watch_.added();
   tally_.entered(disk, epoch_.start + disk.time);
-  if (scene_.contact.contact_duration > 0.0)
+  if (plan_.contact_times)
     last_contacts_.push_back(-std::numeric_limits<double>::infinity());
   return id;
 }
@@ -156,7 +165,7 @@ void Machine::archive(StateArchive& state)
   state(epoch_, motion_, disks_, active_, last_contacts_, active_count_, collapse_watch_, bins_, tally_,
         collisions_, max_overlap_);
   const std::size_t count = disks_.size();
-  const std::size_t contacts = scene_.contact.contact_duration > 0.0 ? count : 0;
+  const std::size_t contacts = plan_.contact_times ? count : 0;
   const bool of_this_scene = bins_.size() == scene_.species.size() && active_.size() == count &&
                              last_contacts_.size() == contacts && collapse_watch_.disks() == count &&
                              tally_.disks() == count &&

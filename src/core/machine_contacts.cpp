@@ -44,15 +44,15 @@ void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time
   contact.ny = k.sine * approach.normal_s + k.cosine * approach.normal_n;
   contact.normal_velocity = approach.rate;
   // The base's surface turns with it: at the contact, r below the centre, it differs by r d theta/dt.
-  contact.tangential_velocity = approach.normal_s * point.vn - approach.normal_n * point.vs -
-                                species.radius * (disk.spin - k.inclination_rate);
+  if (plan_.spin)
+    contact.tangential_velocity = approach.normal_s * point.vn - approach.normal_n * point.vs -
+                                  species.radius * (disk.spin - k.inclination_rate);
 
   const CollisionKind kind = collisionKind(feature.kind);
   ContactCoefficients coefficients = lossless(id, time) ? LOSSLESS : species.contact;
   if (kind == CollisionKind::WALL)
     coefficients.friction = 0.0;
-  const Impulse impulse = collide(coefficients, base_masses_[disk.species], contact.normal_velocity,
-                                  contact.tangential_velocity, reboundFloor(id));
+  const Impulse impulse = respond(coefficients, base_masses_[disk.species], contact, reboundFloor(id));
   push(disk, contact, impulse, 1.0);
   tally_.pushed(id, impulse.normal * contact.nx - impulse.tangential * contact.ny,
                 impulse.normal * contact.ny + impulse.tangential * contact.nx);
@@ -82,19 +82,27 @@ void Machine::meetPair(std::uint32_t i, std::uint32_t j, int shift, double time)
   if (dx * dvx + dy * dvy >= 0.0)
     return;
   contact.normal_velocity = std::min(0.0, dvx * contact.nx + dvy * contact.ny);
-  contact.tangential_velocity =
-      dvy * contact.nx - dvx * contact.ny - (radius(i) * a.spin + radius(j) * b.spin);
+  if (plan_.spin)
+    contact.tangential_velocity =
+        dvy * contact.nx - dvx * contact.ny - (radius(i) * a.spin + radius(j) * b.spin);
 
   const std::size_t pair = a.species * scene_.species.size() + b.species;
   const bool no_loss = lossless(i, time) || lossless(j, time);
-  const Impulse impulse =
-      collide(no_loss ? LOSSLESS : pair_coefficients_[pair], pair_masses_[pair], contact.normal_velocity,
-              contact.tangential_velocity, std::max(reboundFloor(i), reboundFloor(j)));
+  const Impulse impulse = respond(no_loss ? LOSSLESS : pair_coefficients_[pair], pair_masses_[pair], contact,
+                                  std::max(reboundFloor(i), reboundFloor(j)));
   push(a, contact, impulse, 1.0);
   push(b, contact, impulse, -1.0);
   touched(i, time);
   touched(j, time);
   report(time, CollisionKind::DISK_DISK, i, &j, contact, impulse);
+}
+
+Impulse Machine::respond(const ContactCoefficients& coefficients, const ContactMasses& masses,
+                         const Contact& contact, double floor) const
+{
+  return plan_.spin
+             ? collide(coefficients, masses, contact.normal_velocity, contact.tangential_velocity, floor)
+             : collideSmooth(coefficients, masses, contact.normal_velocity, floor);
 }
 
 /// Gives a partner its share of the impulse. The contact lies on the normal's other side for the

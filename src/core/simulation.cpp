@@ -30,7 +30,7 @@ double wrappedAngle(double angle)
 class Simulation::Implementation
 {
 public:
-  explicit Implementation(const SceneDefinition& scene) : machine_(scene), random_(scene.seed)
+  Implementation(const SceneDefinition& scene, const Plan& plan) : machine_(scene, plan), random_(scene.seed)
   {
     if (scene.initial.empty())
       pourDisks(machine_, pourOrder(scene.species, random_), now_, random_);
@@ -142,7 +142,7 @@ private:
 
   double nextFeedTime() const { return static_cast<double>(fed_ + 1) / machine_.scene().feed.rate; }
 
-  bool scenePairs() const { return machine_.scene().contact.pair_collisions; }
+  bool scenePairs() const { return machine_.plan().pairs; }
 
   /// The series from which the errors of the means are found goes by the machine's time scale. Disks that do
   /// not see each other are independent, and need none.
@@ -232,8 +232,9 @@ private:
   std::vector<CollisionRecord> unsorted_;  ///< an ensemble's, disk by disk
 };
 
-Simulation::Simulation(const SceneDefinition& scene)
-    : implementation_(std::make_unique<Implementation>(scene))
+Simulation::Simulation(const SceneDefinition& scene) : Simulation(scene, planOf(scene)) {}
+Simulation::Simulation(const SceneDefinition& scene, const Plan& plan)
+    : implementation_(std::make_unique<Implementation>(scene, plan))
 {
 }
 Simulation::Simulation(const SceneDefinition& scene, std::string_view saved_state)
@@ -247,6 +248,11 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 const SceneDefinition& Simulation::scene() const
 {
   return implementation_->machine().scene();
+}
+
+const Plan& Simulation::plan() const
+{
+  return implementation_->machine().plan();
 }
 
 double Simulation::time() const

@@ -12,8 +12,12 @@ namespace
 constexpr double THIRD = 1.0 / 3.0;
 }  // namespace
 
-Tally::Tally(const std::vector<SpeciesDefinition>& species, double gravity)
-    : species_(species), gravity_(gravity), at_piece_end_(species.size()), blocks_(species.size())
+Tally::Tally(const std::vector<SpeciesDefinition>& species, double gravity, bool spin)
+    : species_(species),
+      gravity_(gravity),
+      spin_(spin),
+      at_piece_end_(species.size()),
+      blocks_(species.size())
 {
 }
 
@@ -32,7 +36,8 @@ void Tally::integrate(Passage& passage, const Disk& disk, double local_time) con
   const double fall = gravity_ * span;
   passage.translation +=
       0.5 * span * (disk.vx * disk.vx + disk.vy * disk.vy - disk.vy * fall + fall * fall * THIRD);
-  passage.rotation += 0.5 * span * disk.spin * disk.spin;
+  if (spin_)
+    passage.rotation += 0.5 * span * disk.spin * disk.spin;
 }
 
 void Tally::flew(std::uint32_t id, const Disk& disk, double time)

@@ -213,6 +213,7 @@ int run(const Arguments& arguments)
   simulation.setThreads(arguments.threads);
   const std::unique_ptr<CheckpointSaver> saver = makeSaver(arguments, simulation, so_far);
   Outputs outputs(arguments);
+  std::fprintf(stderr, "sieve_run: plan: %s\n", planText(simulation.plan()).c_str());
   for (const std::string& warning : scene.warnings)
     std::fprintf(stderr, "sieve_run: warning: %s\n", warning.c_str());
 

@@ -32,6 +32,17 @@ Json speciesResults(const Simulation& simulation)
   return list;
 }
 
+Json planParts(const Plan& plan)
+{
+  Json json;
+  json["pairs"] = plan.pairs;
+  json["spin"] = plan.spin;
+  json["drive"] = plan.drive;
+  json["contact_times"] = plan.contact_times;
+  json["search_above_band"] = plan.search_above_band;
+  return json;
+}
+
 Json pairResults(const Simulation& simulation)
 {
   Json list = Json::array();
@@ -69,6 +80,7 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
   json["scene_hash"] = sceneHash(scene);
   json["seed"] = scene.seed;
   json["version"] = version();
+  json["plan"] = planParts(simulation.plan());
   json["simulated_time"] = simulation.time();
   json["wall_time"] = outcome.wall_time;
   json["events"] = simulation.events();

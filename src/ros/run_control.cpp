@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <ros/console.h>
+
 namespace ratchet_sieve
 {
 namespace
@@ -64,6 +66,12 @@ Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& 
   if (seed != 0)
     root["seed"] = seed;
   return sceneFromYaml(root, source_);
+}
+
+void RunControl::begin()
+{
+  ROS_INFO_STREAM("plan: " << planText(run_->simulation().plan()));
+  run_->takeDue(sinks_);
 }
 
 void RunControl::end()

@@ -28,6 +28,14 @@ void commanded(Simulation& simulation, double from, double to)
   simulation.advanceTo(to);
 }
 
+/// A base that stands still is set going by a setpoint, which has been reached when the run is saved.
+void setGoing(Simulation& simulation, double from, double to)
+{
+  if (from == 0.0)
+    simulation.commandAmplitude(0.001);
+  simulation.advanceTo(to);
+}
+
 /// A run that was saved in its middle and taken up has the same state at its end, to the last bit of
 /// all that it holds, as the run that went through.
 void expectTheSameEnd(const SceneDefinition& scene, Course course)
@@ -72,6 +80,13 @@ TEST(SavedState, GoesOnUnderCommandsWhileTheBaseTurns)
     scene.base.teeth = 10;
     expectTheSameEnd(scene, commanded);
   }
+}
+
+TEST(SavedState, GoesOnWhereTheSceneHasNoDriveButTheBaseMoves)
+{
+  SceneDefinition scene = shortMixture();
+  scene.base.amplitude = 0.0;
+  expectTheSameEnd(scene, setGoing);
 }
 
 TEST(SavedState, GoesOnFeedingAndSettlingWithLosslessContacts)

@@ -59,9 +59,11 @@ TEST(ProgramScenes, ThatAreLegalRun)
                                const Result result = run(streams, random.tree.text(), false);
                                RC_LOG() << result.errors;
                                const nlohmann::json json = nlohmann::json::parse(result.output);
-                               const bool stalled = result.status == 1 && json["warnings"].size() > 0 &&
-                                                    result.errors.find("sieve_run: warning: ") == 0;
+                               const bool stalled =
+                                   result.status == 1 && json["warnings"].size() > 0 &&
+                                   result.errors.find("\nsieve_run: warning: ") != std::string::npos;
                                RC_ASSERT(result.status == 0 || stalled);
+                               RC_ASSERT(result.errors.rfind("sieve_run: plan: ", 0) == 0u);
                                RC_ASSERT(json["through_base"] == 0);
                                RC_ASSERT(stalled || json["simulated_time"] == random.definition.duration);
                              }));

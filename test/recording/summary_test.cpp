@@ -23,12 +23,14 @@ Json summaryOf(const SceneDefinition& scene)
 TEST(Summary, HasEveryFieldOthersRelyOn)
 {
   const Json json = summaryOf(smallMixture());
-  for (const char* key : {"scene_hash", "seed", "version", "simulated_time", "wall_time", "events",
+  for (const char* key : {"scene_hash", "seed", "version", "plan", "simulated_time", "wall_time", "events",
                           "collisions", "short_to_long", "species", "quality", "processed", "base_impulse",
                           "energy_start", "energy_end", "max_overlap", "through_base", "warnings"})
     EXPECT_TRUE(json.contains(key)) << key;
   for (const char* key : {"disk_disk", "left_slope", "right_slope", "apex", "wall"})
     EXPECT_TRUE(json["collisions"].contains(key)) << key;
+  for (const char* key : {"pairs", "spin", "drive", "contact_times", "search_above_band"})
+    EXPECT_TRUE(json["plan"][key].is_boolean()) << key;
   ASSERT_EQ(json["species"].size(), 2u);
   for (const char* key : {"name", "count", "mean_vx", "mean_vx_stderr", "left", "right",
                           "kinetic_translational", "kinetic_rotational"})
@@ -51,6 +53,19 @@ TEST(Summary, TellsWhatTheSimulationKnows)
   EXPECT_EQ(json["species"][0]["mean_vx"].get<double>(), simulation.means()[0].mean_vx.value());
   EXPECT_EQ(json["base_impulse"][1].get<double>(), simulation.baseImpulseY());
   EXPECT_EQ(json["energy_end"].get<double>(), simulation.energy());
+}
+
+TEST(Summary, HasThePlan)
+{
+  SceneDefinition scene = smallMixture();
+  scene.base.amplitude = 0.0;
+  scene.contact.contact_duration = 1e-4;
+  scene.duration = 0.0;
+  EXPECT_EQ(summaryOf(scene)["plan"], Json({{"pairs", true},
+                                            {"spin", true},
+                                            {"drive", false},
+                                            {"contact_times", true},
+                                            {"search_above_band", false}}));
 }
 
 TEST(Summary, SaysNullForWhatIsNotDefined)

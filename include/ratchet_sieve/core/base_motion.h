@@ -32,7 +32,8 @@ class BaseMotion
 {
 public:
   /// @param max_turn the largest change of theta within one segment [rad]
-  BaseMotion(const BaseDefinition& base, double max_turn);
+  /// @param always_drive works out the drive even where it does not move the base; see Plan
+  BaseMotion(const BaseDefinition& base, double max_turn, bool always_drive = false);
 
   BaseKinematics at(double time) const
   {
@@ -88,6 +89,7 @@ public:
   {
     state(inclination_, frequency_, amplitude_, slew_rates_, segment_start_, turns_, cosine_, sine_,
           next_change_, acceleration_bound_, displacement_bound_);
+    noteStandstill();
   }
 
 private:
@@ -109,12 +111,14 @@ private:
   void pursue(Ramp& ramp, double slew_rate) const;
   void plan();  ///< sets the rates from the setpoints, and when they end
   void updateBounds();
+  void noteStandstill();
 
   Ramp inclination_;
   Ramp frequency_;
   Ramp amplitude_;
   SlewRates slew_rates_;
   double max_turn_;
+  bool always_drive_;
   double segment_start_ = 0.0;
   double turns_ = 0.0;  ///< phase of the drive at segment_start_ over 2 pi, in [0, 1)
   double cosine_ = 1.0;
@@ -122,6 +126,8 @@ private:
   std::optional<double> next_change_;
   double acceleration_bound_ = 0.0;
   double displacement_bound_ = 0.0;
+  bool oscillates_ = true;   ///< over the present segment
+  double standstill_ = 0.0;  ///< Y where the base does not oscillate [m]
 };
 
 /// The base at the instant that was last asked for: what happens at one time asks several times.

@@ -30,6 +30,10 @@ struct Impulse
 Impulse collide(const ContactCoefficients& coefficients, const ContactMasses& masses, double normal_velocity,
                 double tangential_velocity, double min_rebound_speed);
 
+/// The same without friction: no tangential impulse.
+Impulse collideSmooth(const ContactCoefficients& coefficients, const ContactMasses& masses,
+                      double normal_velocity, double min_rebound_speed);
+
 /// A contact that loses no energy: e = 1 and smooth. The TC model's, for a contact that follows
 /// another within t_c (Luding & McNamara, Granular Matter 1, 113 (1998), doi:10.1007/s100350050017).
 constexpr ContactCoefficients LOSSLESS{1.0, 0.0, 0.0};

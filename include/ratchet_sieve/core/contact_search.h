@@ -28,8 +28,14 @@ struct BaseEvent
 class ContactSearch
 {
 public:
-  ContactSearch(const Sawtooth& sawtooth, const BaseMotion& motion, double gravity, double time_resolution)
-      : sawtooth_(sawtooth), motion_(motion), gravity_(gravity), time_resolution_(time_resolution)
+  /// @param search_above_band steps even where the base cannot reach; see Plan
+  ContactSearch(const Sawtooth& sawtooth, const BaseMotion& motion, double gravity, double time_resolution,
+                bool search_above_band = false)
+      : sawtooth_(sawtooth),
+        motion_(motion),
+        gravity_(gravity),
+        time_resolution_(time_resolution),
+        search_above_band_(search_above_band)
   {
   }
 
@@ -80,6 +86,7 @@ private:
   const BaseMotion& motion_;
   double gravity_;
   double time_resolution_;
+  bool search_above_band_;
 };
 
 /// A point of the world in the frame of the base as it stands at `k`, with its velocity relative to the base

@@ -9,6 +9,7 @@
 #include "ratchet_sieve/core/collision_law.h"
 #include "ratchet_sieve/core/contact_search.h"
 #include "ratchet_sieve/core/disk.h"
+#include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/sawtooth.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/core/tally.h"
@@ -43,11 +44,15 @@ public:
   /// this share of the largest diameter before the motion begins a new segment.
   static constexpr double LATTICE_MARGIN = 0.45;
 
-  explicit Machine(const SceneDefinition& scene);
+  explicit Machine(const SceneDefinition& scene) : Machine(scene, planOf(scene)) {}
+
+  /// @throws std::invalid_argument unless the plan covers the scene
+  Machine(const SceneDefinition& scene, const Plan& plan);
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
 
   const SceneDefinition& scene() const { return scene_; }
+  const Plan& plan() const { return plan_; }
   const Sawtooth& sawtooth() const { return sawtooth_; }
   const BaseMotion& motion() const { return motion_; }
   BaseMotion& motion() { return motion_; }
@@ -128,7 +133,7 @@ private:
   {
     double nx, ny;
     double normal_velocity;
-    double tangential_velocity;
+    double tangential_velocity = 0.0;  ///< only where there is spin
   };
 
   /// What a unit impulse changes.
@@ -144,11 +149,14 @@ private:
   bool lossless(std::uint32_t id, double time) const;
   double reboundFloor(std::uint32_t id) const;
   void touched(std::uint32_t id, double time);
+  Impulse respond(const ContactCoefficients& coefficients, const ContactMasses& masses,
+                  const Contact& contact, double floor) const;
   void push(Disk& disk, const Contact& contact, const Impulse& impulse, double sign) const;
   void report(double time, CollisionKind kind, std::uint32_t i, const std::uint32_t* j,
               const Contact& contact, const Impulse& impulse);
 
   SceneDefinition scene_;
+  Plan plan_;
   Sawtooth sawtooth_;
   double largest_diameter_;
   double time_scale_;
@@ -164,7 +172,7 @@ private:
 
   std::vector<Disk> disks_;
   std::vector<std::uint8_t> active_;
-  std::vector<double> last_contacts_;  ///< per disk, only where t_c > 0
+  std::vector<double> last_contacts_;  ///< per disk, only where the plan has contact times
   std::size_t active_count_ = 0;
   CollapseWatch collapse_watch_;
   std::vector<SpeciesBins> bins_;

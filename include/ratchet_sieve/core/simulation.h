@@ -12,6 +12,7 @@
 
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/state_archive.h"
 
@@ -105,6 +106,10 @@ public:
   /// the base, or lie outside the machine; the message names them.
   explicit Simulation(const SceneDefinition& scene);
 
+  /// The same with more worked out than the scene needs, to see what that costs.
+  /// @throws std::invalid_argument also if the plan does not cover the scene
+  Simulation(const SceneDefinition& scene, const Plan& plan);
+
   /// Takes up a run where it was saved, and goes on bit for bit.
   /// @param scene the one that it was saved from; `duration` may differ
   /// @throws StateError if the bytes are no state of such a scene
@@ -115,6 +120,9 @@ public:
   Simulation& operator=(Simulation&&) noexcept;
 
   const SceneDefinition& scene() const;
+
+  /// What of the model the run works out from its start on.
+  const Plan& plan() const;
 
   /// Simulated time [s], as last asked for.
   double time() const;

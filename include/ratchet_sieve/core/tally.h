@@ -18,7 +18,8 @@ namespace ratchet_sieve
 class Tally
 {
 public:
-  Tally(const std::vector<SpeciesDefinition>& species, double gravity);
+  /// @param spin whether disks can spin; see Plan
+  Tally(const std::vector<SpeciesDefinition>& species, double gravity, bool spin);
 
   std::size_t disks() const { return passages_.size(); }
 
@@ -136,6 +137,7 @@ private:
 
   std::vector<SpeciesDefinition> species_;
   double gravity_;
+  bool spin_;
   std::vector<Passage> passages_;      ///< per disk
   std::vector<Sums> at_piece_end_;     ///< per species, when the last piece ended
   std::vector<BlockAverages> blocks_;  ///< per species

@@ -10,7 +10,7 @@
 namespace ratchet_sieve
 {
 
-/// The run in one JSON object: scene_hash, seed, version, times, counts, means, Q and P, energies,
+/// The run in one JSON object: scene_hash, seed, version, plan, times, counts, means, Q and P, energies,
 /// overlaps, warnings. SI units; what is not defined is null.
 nlohmann::ordered_json summarize(const Simulation& simulation, const RunOutcome& outcome);
 

@@ -35,8 +35,8 @@ public:
   /// Another sink for the frames; outlives this.
   void addSink(FrameSink& sink) { sinks_.add(sink); }
 
-  /// Hands the first frames to the sinks.
-  void begin() { run_->takeDue(sinks_); }
+  /// Says what of the model the run works out, and hands the first frames to the sinks.
+  void begin();
 
   /// Hands the last frames to the sinks and closes the recording. @throws BagError
   void end();

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "ratchet_sieve/core/definition.h"
+
+namespace ratchet_sieve
+{
+
+/// What of the model a run works out. What a scene does not need changes no result: it would only cost time.
+struct Plan
+{
+  bool pairs = true;  ///< disks see each other: cells, a queue, pair search
+  bool spin = true;   ///< tangential impulses, and the rotation they leave
+  bool drive = true;  ///< a phase and a sine wherever the base is looked at, even where it stands still
+  bool contact_times = true;      ///< when each disk touched last, which t_c asks for
+  bool search_above_band = true;  ///< step by step towards the base even from where it cannot reach
+};
+
+/// The least that gives the scene's results. A setpoint that sets a standing base going while the plan has no
+/// `drive`, or turns it, is followed all the same: BaseMotion notices in each of its segments.
+Plan planOf(const SceneDefinition& scene);
+
+/// All that can be modelled without another result, to measure and test planOf() against. Whether disks see
+/// each other is the scene's to say.
+Plan fullPlan(const SceneDefinition& scene);
+
+/// Whether `plan` gives the results of the scene.
+bool covers(const Plan& plan, const SceneDefinition& scene);
+
+/// One line for a human: what is modelled, and what is not and why.
+std::string planText(const Plan& plan);
+
+}  // namespace ratchet_sieve

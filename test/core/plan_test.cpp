@@ -1,0 +1,212 @@
+#include "ratchet_sieve/core/plan.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+#include "state_hash.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+SceneDefinition smallMixture()
+{
+  SceneDefinition scene = test::mixture(20);
+  scene.base.teeth = 5;
+  return scene;
+}
+
+SceneDefinition smooth(SceneDefinition scene)
+{
+  for (SpeciesDefinition& species : scene.species)
+    species.contact.friction = 0.0;
+  return scene;
+}
+
+/// All but the search above the band, which comes to a contact by other steps and rounds otherwise.
+Plan exactFullPlan(const SceneDefinition& scene)
+{
+  Plan plan = fullPlan(scene);
+  plan.search_above_band = false;
+  return plan;
+}
+
+TEST(Plan, OfThePapersScenesHasAllButContactTimesAndNeedlessSearch)
+{
+  const Plan mixture = planOf(test::mixture(10));
+  EXPECT_TRUE(mixture.pairs && mixture.spin && mixture.drive);
+  EXPECT_FALSE(mixture.contact_times || mixture.search_above_band);
+  EXPECT_FALSE(planOf(test::singleParticles(10)).pairs);
+}
+
+TEST(Plan, HasSpinOnlyWhereFrictionTurnsADiskOrOneStartsWithIt)
+{
+  SceneDefinition scene = smooth(smallMixture());
+  EXPECT_FALSE(planOf(scene).spin);
+
+  SceneDefinition rough = scene;
+  rough.species[1].contact.friction = 0.1;
+  EXPECT_TRUE(planOf(rough).spin);
+  for (SpeciesDefinition& species : rough.species)
+    species.contact.tangential_restitution = -1.0;
+  EXPECT_FALSE(planOf(rough).spin) << "a contact that keeps all of the tangential velocity is smooth";
+  rough.species[0].contact.tangential_restitution = 0.4;
+  EXPECT_TRUE(planOf(rough).spin) << "the mean of the two has friction and gives back";
+  rough.contact.pair_collisions = false;
+  EXPECT_FALSE(planOf(rough).spin);
+
+  SceneDefinition rough_pair = scene;
+  rough_pair.pairs = {{0, 1, {0.6, 0.1, 0.4}}};
+  EXPECT_TRUE(planOf(rough_pair).spin);
+
+  SceneDefinition spinning = scene;
+  spinning.initial = {{0, 0.01, 0.02, 0.0, 0.0, -3.0}};
+  EXPECT_TRUE(planOf(spinning).spin);
+  spinning.initial[0].spin = 0.0;
+  EXPECT_FALSE(planOf(spinning).spin);
+}
+
+TEST(Plan, HasADriveOnlyWhereTheBaseMoves)
+{
+  SceneDefinition scene = smallMixture();
+  scene.base.amplitude = 0.0;
+  EXPECT_FALSE(planOf(scene).drive);
+  scene = smallMixture();
+  scene.base.frequency = 0.0;
+  EXPECT_FALSE(planOf(scene).drive);
+}
+
+TEST(Plan, HasContactTimesOnlyWithAContactDuration)
+{
+  SceneDefinition scene = smallMixture();
+  scene.contact.contact_duration = 1e-4;
+  EXPECT_TRUE(planOf(scene).contact_times);
+}
+
+TEST(Plan, SaysWhatItIs)
+{
+  EXPECT_EQ(
+      planText(planOf(smallMixture())),
+      "pairs, spin, drive, no contact times (contact_duration is 0), no base search above the base's reach");
+  SceneDefinition scene = smooth(test::singleParticles(5));
+  scene.base.amplitude = 0.0;
+  scene.contact.contact_duration = 1e-4;
+  EXPECT_EQ(
+      planText(planOf(scene)),
+      "no pairs (disks do not see each other), no spin (no friction turns a disk), no drive (the base stands "
+      "still), contact times, no base search above the base's reach");
+}
+
+TEST(Plan, ThatLeavesOutWhatTheSceneNeedsIsRefused)
+{
+  SceneDefinition scene = smallMixture();
+  scene.contact.contact_duration = 1e-4;
+  for (bool Plan::*needed : {&Plan::pairs, &Plan::spin, &Plan::drive, &Plan::contact_times})
+  {
+    Plan plan = planOf(scene);
+    plan.*needed = false;
+    EXPECT_THROW(Simulation(scene, plan), std::invalid_argument);
+  }
+  const SceneDefinition singles = test::singleParticles(5);
+  EXPECT_THROW(Simulation(singles, Plan()), std::invalid_argument) << "they would collide";
+}
+
+/// With commands that set a standing base going, turn it and bring it to rest again.
+void runThrough(Simulation& simulation)
+{
+  simulation.setSlewRates({0.3, 40.0, 0.004});
+  simulation.advanceTo(0.7);
+  simulation.commandAmplitude(0.001);
+  simulation.commandFrequency(20.0);
+  simulation.advanceTo(1.5);
+  simulation.commandInclination(0.05);
+  simulation.pour(0, 3);
+  simulation.advanceTo(2.0);
+  simulation.commandAmplitude(0.0);
+  simulation.advanceTo(3.0);
+  simulation.commandFrequency(0.0);
+  simulation.commandAmplitude(0.0015);
+  simulation.advanceTo(4.5);
+}
+
+void expectTheSameBits(const SceneDefinition& scene)
+{
+  Simulation lean(scene);
+  Simulation full(scene, exactFullPlan(scene));
+  runThrough(lean);
+  runThrough(full);
+  EXPECT_GT(lean.collisions().total(), 100u);
+  EXPECT_EQ(lean.events(), full.events());
+  EXPECT_EQ(test::stateHash(lean), test::stateHash(full));
+  EXPECT_EQ(lean.baseImpulseX(), full.baseImpulseX());
+  for (std::size_t i = 0; i < scene.species.size(); ++i)
+  {
+    EXPECT_EQ(lean.means()[i].mean_vx, full.means()[i].mean_vx);
+    EXPECT_EQ(lean.means()[i].kinetic_translational, full.means()[i].kinetic_translational);
+    EXPECT_EQ(lean.means()[i].kinetic_rotational, full.means()[i].kinetic_rotational);
+  }
+}
+
+/// Every scene of this test has something that its plan leaves out.
+TEST(Plan, LeavesOutWhatChangesNoBit)
+{
+  for (const bool pairs : {true, false})
+    for (const Boundary boundary : {Boundary::PERIODIC, Boundary::WALLED})
+    {
+      SceneDefinition scene = smallMixture();
+      scene.boundary = boundary;
+      scene.contact.pair_collisions = pairs;
+      scene.contact.min_rebound_speed = 0.1;
+      expectTheSameBits(scene);
+      expectTheSameBits(smooth(scene));
+      SceneDefinition still = scene;
+      still.base.amplitude = 0.0;
+      expectTheSameBits(still);
+      still = smooth(scene);
+      still.base.frequency = 0.0;
+      still.base.phase = 1.0;
+      expectTheSameBits(still);
+    }
+}
+
+std::vector<CollisionRecord> collisionsOf(Simulation simulation)
+{
+  std::vector<CollisionRecord> records;
+  simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
+  simulation.advanceTo(0.25);
+  return records;
+}
+
+/// The two come to a contact by other steps, each to the resolution of time; what rounding makes of that
+/// grows with every collision, so that only the first ones can be set beside each other.
+TEST(Plan, WaitsAboveTheBandForTheSameContacts)
+{
+  constexpr double ROUNDING = 1e-10;  // s and m/s, over three or four bounces
+  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED})
+    for (const bool pairs : {true, false})
+    {
+      SceneDefinition scene = test::singleParticles(30);
+      scene.boundary = boundary;
+      scene.base.inclination = 0.1;
+      scene.contact.pair_collisions = pairs;
+      const auto lean = collisionsOf(Simulation(scene));
+      const auto full = collisionsOf(Simulation(scene, fullPlan(scene)));
+      ASSERT_GT(lean.size(), 60u);
+      ASSERT_EQ(lean.size(), full.size());
+      for (std::size_t k = 0; k < lean.size(); ++k)
+      {
+        EXPECT_EQ(lean[k].i, full[k].i);
+        EXPECT_NEAR(lean[k].time, full[k].time, ROUNDING);
+        EXPECT_NEAR(lean[k].normal_speed, full[k].normal_speed, ROUNDING);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
