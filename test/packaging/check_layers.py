@@ -23,8 +23,9 @@ LIBRARIES = {
     'ros': None,
     'nodes': None,
 }
-# C++'s own headers have no dot and no slash, POSIX's are these.
+# C++'s own headers have no dot and no slash, POSIX's and the compilers' own are these.
 POSIX = {'unistd.h', 'signal.h', 'fcntl.h', 'sys'}
+COMPILER = {'emmintrin.h', 'immintrin.h'}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -39,7 +40,7 @@ def errors_in(layer, path):
         library = re.split(r'[/.]', header)[0]
         known = LIBRARIES[layer]
         is_local = quote == '"' and (path.parent / header).exists()
-        is_standard = re.fullmatch(r'\w+', header) or header.split('/')[0] in POSIX
+        is_standard = re.fullmatch(r'\w+', header) or header.split('/')[0] in POSIX | COMPILER
         if known is not None and not is_local and not is_standard and library not in known:
             yield f'{path}: {layer} includes {header}, allowed are {", ".join(known)}'
 
