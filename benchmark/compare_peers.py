@@ -9,6 +9,7 @@ import json
 import pathlib
 import sys
 
+import document
 from peers import cases, machine, measure, table
 
 
@@ -19,7 +20,7 @@ def read_arguments():
     parser.add_argument("--repetitions", type=int, default=3, help="of each row, taken in turns (default: 3)")
     parser.add_argument("--lammps", default="lmp", help="LAMMPS's program (default: lmp)")
     parser.add_argument("--write", type=pathlib.Path, metavar="FILE",
-                        help=f"put the table between {table.BEGIN} and {table.END} of this document")
+                        help="put the table between the marks of this document")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="write every run as JSON into DIR/peers.json")
     parser.add_argument("--picture", type=pathlib.Path, metavar="FILE",
                         help="draw drift over time for many steps: some minutes more")
@@ -29,8 +30,8 @@ def read_arguments():
     arguments = parser.parse_args()
     if not (arguments.programs / "ratchet_mixture").exists() and not arguments.source:
         parser.error(f"{arguments.programs} holds no ratchet_mixture: build with -DRATCHET_SIEVE_BENCHMARKS=ON")
-    if arguments.write and not table.has_place(arguments.write):
-        parser.error(f"{arguments.write} has no lines {table.BEGIN} and {table.END}")
+    if arguments.write:
+        document.require_place(parser, arguments.write, "peers")
     return arguments
 
 
@@ -53,7 +54,7 @@ def main():
         (arguments.out / "peers.json").write_text(json.dumps(taken, indent=1) + "\n")
     text = table.render(taken)
     if arguments.write:
-        table.replace(arguments.write, text)
+        document.put(arguments.write, "peers", text)
     print(text)
     if arguments.picture:
         from peers import picture

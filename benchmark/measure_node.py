@@ -5,11 +5,9 @@ else runs on it. Exit status 1 where a message was lost. Needs ROS on the path, 
 """
 import argparse
 import dataclasses
-import datetime
 import json
 import os
 import pathlib
-import platform
 import statistics
 import sys
 import tempfile
@@ -17,14 +15,14 @@ import tempfile
 import rosbag
 import yaml
 
+import document
 import ros_processes
+from peers import machine
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 RATE = 60  # frames of each kind per simulated second, the node's default
 STATISTICS_RATE = 10
 
-TITLE = '## The node, the recording and the start'
-BEGIN, END = '<!-- node -->', '<!-- end -->'
 
 HEADLESS = '`sieve_run`'
 BAG = '`sieve_run --bag`'
@@ -166,22 +164,10 @@ def tables(benches, rounds, start):
             yield f'| {case} | {best} | {wanted} | {every} | {times} | {sum(one.lost for one in cases)} |'
 
 
-def machine():
-    names = [line.partition(':')[2].strip() for line in pathlib.Path('/proc/cpuinfo').read_text().splitlines()
-             if line.startswith('model name')]
-    processor = names[0] if names else platform.machine()
-    return (f'{datetime.date.today()}, {processor}, {os.cpu_count()} cores, Linux {platform.release()}, load '
+def description():
+    about = machine.describe()
+    return (f'{about["date"]}, {about["processor"]}, {about["cores"]} cores, {about["system"]}, load '
             f'{os.getloadavg()[1]:.1f} before the first round')
-
-
-def write(path, lines):
-    """Puts the lines between the two marks, with the section around them if there is none."""
-    text = path.read_text() if path.exists() else '# Performance\n'
-    if BEGIN not in text:
-        text += f'\n{TITLE}\n\n{BEGIN}\n{END}\n'
-    before, _, rest = text.partition(BEGIN)
-    after = rest.partition(END)[2]
-    path.write_text(before + BEGIN + '\n' + '\n'.join(lines) + '\n' + END + after)
 
 
 def parse_arguments():
@@ -191,12 +177,15 @@ def parse_arguments():
     parser.add_argument('--rounds', type=int, default=7, help='repetitions of every case, one after the other')
     parser.add_argument('--write', type=pathlib.Path, metavar='FILE', help='put the tables into this document')
     parser.add_argument('--short', action='store_true', help='few disks, one round: only that nothing is lost')
-    return parser.parse_args()
+    arguments = parser.parse_args()
+    if arguments.write:
+        document.require_place(parser, arguments.write, 'node')
+    return arguments
 
 
 def main():
     arguments = parse_arguments()
-    description = machine()
+    about = description()
     sizes, rounds, starts = [(382, 1.0), (20, 15.0)], arguments.rounds, 50
     if arguments.short:
         # No more messages than a publisher's queue holds: a slow machine loses none.
@@ -207,10 +196,10 @@ def main():
         with ros_processes.master(scratch) as client:
             benches = [Bench(arguments.programs, scratch, client, *size) for size in sizes]
             measured = [[bench.round() for _ in range(rounds)] for bench in benches]
-    lines = [description + '. Medians, in brackets the range.', '', *tables(benches, measured, start)]
+    lines = [about + '. Medians, in brackets the range.', '', *tables(benches, measured, start)]
     print('\n'.join(lines))
     if arguments.write:
-        write(arguments.write, lines)
+        document.put(arguments.write, 'node', '\n'.join(lines))
     return 1 if any(one.lost for rounds in measured for _, compared in rounds for one in compared.values()) else 0
 
 

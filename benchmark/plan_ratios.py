@@ -8,10 +8,10 @@ import pathlib
 import statistics
 import subprocess
 
+import document
 from peers import machine
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-BEGIN, END = '<!-- plan -->', '<!-- end of plan -->'
 
 
 def measure(program, rounds):
@@ -39,25 +39,20 @@ def lines(times, rounds):
         yield f'| {choice} | {full:.3g} | {lean:.3g} | {full / lean:.2f} ({median:.2f}) |'
 
 
-def write(path, text):
-    before, _, rest = path.read_text().partition(BEGIN)
-    path.write_text(f'{before}{BEGIN}\n{text}\n{END}{rest.partition(END)[2]}')
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--program', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve/engine_benchmark',
                         metavar='FILE', help='the benchmark of the engine')
     parser.add_argument('--rounds', type=int, default=15, help='of all choices, one after the other')
     parser.add_argument('--write', type=pathlib.Path, metavar='FILE',
-                        help=f'put the table between {BEGIN} and {END} of this document')
+                        help='put the table between the marks of this document')
     arguments = parser.parse_args()
-    if arguments.write and END not in arguments.write.read_text().partition(BEGIN)[2]:
-        parser.error(f'{arguments.write} has no lines {BEGIN} and {END}')
+    if arguments.write:
+        document.require_place(parser, arguments.write, 'plan')
     text = '\n'.join(lines(measure(arguments.program, arguments.rounds), arguments.rounds))
     print(text)
     if arguments.write:
-        write(arguments.write, text)
+        document.put(arguments.write, 'plan', text)
 
 
 if __name__ == '__main__':

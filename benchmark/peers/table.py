@@ -1,7 +1,6 @@
 """The runs as Markdown."""
 from peers import cases, measure
 
-BEGIN, END = "<!-- peers -->", "<!-- end of peers -->"
 MM = 1e3  # per m
 BUSY = 0.95  # a run that had less of the processor than this shared it
 
@@ -47,15 +46,3 @@ def render(taken):
     lines += ["\n", HEAD]
     lines += [row(name, of_row, ours) for name, of_row in by_row.items()]
     return "".join(lines)
-
-
-def has_place(path):
-    document = path.read_text(encoding="utf-8") if path.exists() else ""
-    return END in document.partition(BEGIN)[2]
-
-
-def replace(path, text):
-    document = path.read_text(encoding="utf-8")
-    before, rest = document.split(BEGIN, 1)
-    after = rest.split(END, 1)[1]
-    path.write_text(before + BEGIN + "\n" + text + END + after, encoding="utf-8")

@@ -1,0 +1,117 @@
+#!/usr/bin/python3
+"""Measures the engine against what it is meant to reach: collisions per second of processor time of layers of many
+sizes and of single disks, and the memory that a disk takes. Prints a Markdown table.
+"""
+import argparse
+import dataclasses
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+
+import document
+from peers import machine
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+LARGE = 38168  # teeth: a million disks
+LARGE_SCENE = '''
+base: {{teeth: {teeth}}}
+species:
+  - {{name: A, count: {count}, radius: 0.001, mass: 0.010}}
+  - {{name: B, count: {count}, radius: 0.002, mass: 0.001}}
+duration: 0.07
+'''
+
+
+@dataclasses.dataclass
+class Row:
+    what: str
+    target: str
+    stretch: str
+    measured: str
+
+
+def collisions(program, rounds):
+    """@return per benchmark the collisions per second of its best round: what others do on the machine takes away"""
+    best = {}
+    command = [program, '--benchmark_filter=^(mixture/|singleParticles)', '--benchmark_format=json']
+    for _ in range(rounds):
+        finished = subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        for run in json.loads(finished.stdout)['benchmarks']:
+            if 'collisions' in run:
+                name = run['name'].replace('/real_time', '')
+                best[name] = max(best.get(name, 0.0), run['collisions'])
+    return best
+
+
+def bytes_per_disk(sieve_run, teeth):
+    """Of a run from its start to when the layer has come down, everything included."""
+    count = teeth * 131 // 10
+    with tempfile.TemporaryDirectory() as directory:
+        scene = pathlib.Path(directory) / 'large.yaml'
+        scene.write_text(LARGE_SCENE.format(teeth=teeth, count=count))
+        with subprocess.Popen([sieve_run, scene], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode != 0:
+        raise SystemExit(f'{sieve_run} ended with {process.returncode}')
+    return usage.ru_maxrss * 1024 / (2 * count)
+
+
+def rows(best, memory):
+    def millions(name):
+        return f'{best[name] / 1e6:.2f} M'
+
+    def times(name, other):
+        return f'{best[name] / best[other]:.2f}'
+
+    yield Row('Fig. 8, 524 disks, θ = 0: collisions per second', '1.8 M', '2.5 M', millions('mixture/20'))
+    yield Row('the same layer with 10⁴ disks', '1.2 M', '1.7 M', millions('mixture/382'))
+    yield Row('with 10⁵ disks', '0.8 M', '1.2 M', millions('mixture/3817'))
+    yield Row('cost of a collision among 10⁵ disks, over that among 10³', '≤ 2.5', '≤ 1.6',
+              times('mixture/38', 'mixture/3817'))
+    if memory:
+        yield Row('10⁶ disks: bytes a disk, everything included', '≤ 400', '≤ 250', f'{memory:.0f}')
+    yield Row('single disks (Fig. 3): collisions per second, as many lanes as there are', '8 M', '20 M',
+              millions('singleParticles'))
+    for lanes in (1, 2, 4, 8):
+        if f'singleParticlesInLanes/{lanes}' in best:
+            yield Row(f'in {lanes} lane{"s" if lanes > 1 else ""}, in long strides', '', '',
+                      millions(f'singleParticlesInLanes/{lanes}'))
+    yield Row('10⁴ single disks: two threads over one, wall time', '≥ 1.9', '',
+              times('singleParticlesOnThreads/2', 'singleParticlesOnThreads/1'))
+
+
+def table(best, memory, rounds):
+    about = machine.describe()
+    yield (f'{about["date"]}, {about["processor"]}, {about["cores"]} cores, {about["system"]}; the best of {rounds} '
+           'rounds.')
+    yield ''
+    yield '| | wanted | hoped for | measured |'
+    yield '|---|---|---|---|'
+    for row in rows(best, memory):
+        yield f'| {row.what} | {row.target} | {row.stretch} | {row.measured} |'
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve', metavar='DIR',
+                        help='where engine_benchmark and sieve_run are')
+    parser.add_argument('--rounds', type=int, default=5, help='of everything, one after the other')
+    parser.add_argument('--without-memory', action='store_true', help='leave the million disks out')
+    parser.add_argument('--write', type=pathlib.Path, metavar='FILE',
+                        help='put the table between the marks of this document')
+    arguments = parser.parse_args()
+    if arguments.write:
+        document.require_place(parser, arguments.write, 'engine')
+    memory = None if arguments.without_memory else bytes_per_disk(arguments.programs / 'sieve_run', LARGE)
+    best = collisions(arguments.programs / 'engine_benchmark', arguments.rounds)
+    text = '\n'.join(table(best, memory, arguments.rounds))
+    print(text)
+    if arguments.write:
+        document.put(arguments.write, 'engine', text)
+
+
+if __name__ == '__main__':
+    main()
