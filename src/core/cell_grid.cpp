@@ -8,7 +8,7 @@ namespace ratchet_sieve
 namespace
 {
 /// More cells than this per disk would be empty: memory and crossings for nothing.
-constexpr double MAX_CELLS_PER_DISK = 4.0;
+constexpr double MAX_CELLS_PER_DISK = 1.5;
 constexpr double MIN_CELLS = 64.0;
 }  // namespace
 

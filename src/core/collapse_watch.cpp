@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 namespace ratchet_sieve
 {
@@ -39,15 +40,17 @@ void CollapseWatch::collapse(std::uint32_t id, double time)
 {
   Window& window = disks_[id];
   window = {time + time_scale_, 0, window.level + 1};
-  // Disks that do not see each other are advanced one by one: the first is the earliest of them.
+  // Disks that do not see each other are advanced one by one, on several threads in any order: the first is
+  // the earliest of them, and of several at one time the one with the smallest id.
   const double run_time = epoch_start_ + time;
-  if (counts_.count == 0 || run_time < counts_.first_time)
+  if (counts_.count == 0 || std::tie(run_time, id) < std::tie(counts_.first_time, counts_.first_disk))
   {
     counts_.first_time = run_time;
     counts_.first_disk = id;
   }
   ++counts_.count;
-  if (stuck(id) && (!first_stuck_ || run_time < first_stuck_->time))
+  if (stuck(id) &&
+      (!first_stuck_ || std::tie(run_time, id) < std::tie(first_stuck_->time, first_stuck_->disk)))
     first_stuck_ = Stuck{run_time, id};
   stops_ = first_stuck_ || contact_.on_collapse == CollapseAction::STOP;
 }

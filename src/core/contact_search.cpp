@@ -135,10 +135,7 @@ public:
   const std::optional<BaseFeature>& contact() const { return contact_; }
 
   /// What the disk will meet for certain, and before anything else.
-  const SureContact* sureContact() const
-  {
-    return sure_.latest <= others_free_time_ ? &sure_ : nullptr;
-  }
+  const SureContact* sureContact() const { return sure_.latest <= others_free_time_ ? &sure_ : nullptr; }
 
   const BasePoint& point;
   const double radius;
@@ -245,8 +242,8 @@ BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, doub
   return {time, std::nullopt};
 }
 
-/// Newton's method on the gap to the one feature that is to be met: it falls all the way, so that there is one
-/// root between the bounds. Nothing if that does not come to an end.
+/// Newton's method on the gap to the one feature that is to be met: it falls all the way, so that there is
+/// one root between the bounds. Nothing if that does not come to an end.
 std::optional<double> ContactSearch::polish(const Disk& disk, double radius, const SureContact& sure,
                                             double time) const
 {
@@ -255,8 +252,7 @@ std::optional<double> ContactSearch::polish(const Disk& disk, double radius, con
   double at = std::clamp(time - sure.gap / sure.rate, earliest, latest);
   for (int i = 0; i < MAX_POLISHING; ++i)
   {
-    const Approach now =
-        sawtooth_.approach(sure.feature, seenFromBase(disk, motion_.at(at), at), radius);
+    const Approach now = sawtooth_.approach(sure.feature, seenFromBase(disk, motion_.at(at), at), radius);
     if (!(now.rate < 0.0))
       return std::nullopt;
     const double step = -now.gap / now.rate;
@@ -268,8 +264,9 @@ std::optional<double> ContactSearch::polish(const Disk& disk, double radius, con
   return std::nullopt;
 }
 
-/// Whether the disk is out of the base's reach, wherever that is in its oscillation, at both ends of a time: then
-/// it is in between, for it falls. A comparison, where nearTime() takes a root. May say no where it is.
+/// Whether the disk is out of the base's reach, wherever that is in its oscillation, at both ends of a time:
+/// then it is in between, for it falls towards the base: not where that hangs upside down. A comparison,
+/// where nearTime() takes a root. May say no where it is.
 bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, double until) const
 {
   if (search_above_band_ || motion_.turning() || motion_.cosine() <= 0.0 ||

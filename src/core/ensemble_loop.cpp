@@ -71,7 +71,7 @@ public:
   void setThreads(std::size_t threads) override
   {
     pool_ = threads > 1 ? std::make_unique<WorkerPool>(threads) : nullptr;
-    runs_.resize(threads);
+    runs_.resize(pool_ ? pool_->workers() : 1);
     for (std::unique_ptr<LaneRun>& run : runs_)
       if (!run)
         run = std::make_unique<LaneRun>();

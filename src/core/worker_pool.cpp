@@ -1,6 +1,7 @@
 #include "worker_pool.h"
 
 #include <exception>
+#include <system_error>
 #include <utility>
 
 namespace ratchet_sieve
@@ -8,8 +9,15 @@ namespace ratchet_sieve
 
 WorkerPool::WorkerPool(std::size_t workers)
 {
-  for (std::size_t worker = 1; worker < workers; ++worker)
-    threads_.emplace_back([this, worker] { serve(worker); });
+  try
+  {
+    for (std::size_t worker = 1; worker < workers; ++worker)
+      threads_.emplace_back([this, worker] { serve(worker); });
+  }
+  catch (const std::system_error&)
+  {
+    // The system gives no more threads: those that there are do all of the work.
+  }
 }
 
 WorkerPool::~WorkerPool()

@@ -15,7 +15,8 @@ namespace ratchet_sieve
 class WorkerPool
 {
 public:
-  /// @param workers how many work at a time, the caller's own thread among them
+  /// @param workers how many work at a time, the caller's own thread among them; fewer where the system gives
+  /// no more threads
   explicit WorkerPool(std::size_t workers);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;

@@ -1,7 +1,10 @@
 #include <cmath>
+#include <cstdint>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "ratchet_sieve/core/collapse_watch.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 #include "state_hash.h"
@@ -113,6 +116,25 @@ TEST(Collapse, OfOneDiskLetsTheOthersOfAnEnsembleBe)
   const std::vector<DiskState> disks = simulation.disks();
   const double energy = 0.5 * disks[1].vy * disks[1].vy + 9.81 * disks[1].y;
   EXPECT_NEAR(energy / (9.81 * 0.052), 1.0, 1e-10);
+}
+
+/// Threads come to the disks of an ensemble in any order: what is said of the first must not depend on it.
+TEST(Collapse, OfSeveralDisksAtOneTimeTheSmallestIdIsTheFirst)
+{
+  ContactDefinition contact;
+  contact.on_collapse = CollapseAction::REBOUND;
+  contact.collapse_events = 10;
+  CollapseWatch watch(contact, 1.0, 1.0);
+  for (int disk = 0; disk < 3; ++disk)
+    watch.added();
+  for (int k = 0; !watch.stuck(0); ++k)
+    for (const std::uint32_t disk : {1, 2, 0})
+    {
+      watch.count(disk, 0.5);
+      EXPECT_EQ(watch.counts().count > 0, k >= contact.collapse_events);
+    }
+  EXPECT_EQ(watch.counts().first_disk, 0u);
+  EXPECT_NE(watch.text().find("disk 0 had"), std::string::npos) << watch.text();
 }
 
 /// Disk 1 fits exactly between two walls: once it has been pushed to a side there is no time between its

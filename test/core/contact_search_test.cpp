@@ -19,14 +19,14 @@ double drawn(double low, double high)
   return low + (high - low) * (*rc::gen::inRange(0, 1000001) * 1e-6);
 }
 
-/// One of the shapes that bite: plain, vertical faces, flat, needles, fine and coarse teeth.
+/// One of the shapes that bite: plain, vertical faces, flat, needles, fine and coarse teeth, upside down.
 BaseDefinition drawnBase()
 {
   BaseDefinition base;
   base.teeth = 5;
   base.asymmetry = *rc::gen::element(0.0, 0.1, 0.3, 0.5, 0.9, 1.0);
   base.tooth_height = *rc::gen::element(0.0, 0.001, 0.006, 0.06);
-  base.inclination = *rc::gen::element(0.0, 0.209, -0.1, 1.2);
+  base.inclination = *rc::gen::element(0.0, 0.209, -0.1, 1.2, 2.5);
   base.amplitude = *rc::gen::element(0.0, 0.002, 0.01);
   base.phase = drawn(0.0, 6.28);
   return base;
