@@ -20,7 +20,7 @@ CellGrid::CellGrid(double width, double height, double smallest_side, std::size_
   columns_ = static_cast<std::int32_t>(std::clamp(std::floor(width / side), 1.0, limit));
   rows_ = static_cast<std::int32_t>(std::clamp(std::floor(height / side), 1.0, limit));
   side_s_ = width / columns_;
-  side_n_ = std::max(side, height / rows_);
+  side_n_ = side;
   blocks_.resize(static_cast<std::size_t>(columns_) * rows_);
   resize(count);
 }

@@ -15,7 +15,7 @@ namespace
 {
 
 /// Cells are wider than the largest diameter by this share, which leaves room for rounding.
-constexpr double CELL_MARGIN = 0.05;
+constexpr double CELL_MARGIN = 0.005;
 
 /// While a periodic base turns, its lattice turns against the cells: they are wider then by more
 /// than it may, so that they need not be laid anew at every other collision.
