@@ -50,7 +50,7 @@ void CellGrid::remove(std::uint32_t id)
   if (last == id)
     return;
   // The hole that it leaves is filled by the last one: all blocks but the first stay full.
-  for (Block* block = &first;; block = &blocks_[block->next])
+  for (Block* block = &first;; block = &full_[block->next])
   {
     const auto end = block->ids.begin() + block->count;
     const auto hole = std::find(block->ids.begin(), end, id);
@@ -64,15 +64,15 @@ void CellGrid::remove(std::uint32_t id)
 /// The cell's full block moves to a place of its own.
 void CellGrid::handOn(std::size_t cell)
 {
-  std::size_t place = blocks_.size();
+  std::size_t place = full_.size();
   if (free_.empty())
-    blocks_.emplace_back();
+    full_.emplace_back();
   else
   {
     place = free_.back();
     free_.pop_back();
   }
-  blocks_[place] = blocks_[cell];
+  full_[place] = blocks_[cell];
   blocks_[cell] = Block();
   blocks_[cell].next = static_cast<std::uint32_t>(place);
 }
@@ -81,7 +81,7 @@ void CellGrid::handOn(std::size_t cell)
 void CellGrid::takeBack(std::size_t cell)
 {
   const std::uint32_t place = blocks_[cell].next;
-  blocks_[cell] = blocks_[place];
+  blocks_[cell] = full_[place];
   free_.push_back(place);
 }
 

@@ -83,7 +83,7 @@ public:
 
   void archive(StateArchive& state)
   {
-    state(periodic_, columns_, rows_, side_s_, side_n_, blocks_, free_, cells_);
+    state(periodic_, columns_, rows_, side_s_, side_n_, blocks_, full_, free_, cells_);
   }
 
 private:
@@ -116,7 +116,7 @@ private:
       count += block->count;
       if (block->next == NONE)
         return count;
-      block = &blocks_[block->next];
+      block = &full_[block->next];
     }
   }
 
@@ -128,7 +128,8 @@ private:
   std::int32_t rows_ = 1;
   double side_s_ = 0.0;
   double side_n_ = 0.0;
-  std::vector<Block> blocks_;        ///< per cell; then those that cells handed on
+  std::vector<Block> blocks_;        ///< per cell
+  std::vector<Block> full_;          ///< those that cells handed on
   std::vector<std::uint32_t> free_;  ///< of those, the ones no longer used
   std::vector<Cell> cells_;          ///< per disk
 };
