@@ -71,7 +71,9 @@ void run(benchmark::State& state, Choice choice, bool full)
 [[maybe_unused]] const bool REGISTERED = []
 {
   const SceneDefinition layer = test::mixture(262);
-  const SceneDefinition singles = test::singleParticles(1000);
+  // Between walls: on a periodic base they go through the lanes, which work everything out for all at once.
+  SceneDefinition singles = test::singleParticles(1000);
+  singles.boundary = Boundary::WALLED;
   for (const Choice& choice : {
            Choice{"pairs of single disks", &Plan::pairs, hopping(), 0.2},
            Choice{"spin in a layer", &Plan::spin, smooth(layer), 0.1},
