@@ -58,7 +58,8 @@ Machine::Machine(const SceneDefinition& scene, const Plan& plan)
   {
     radii_.push_back(scene_.species[i].radius);
     base_masses_.push_back(contactMasses(scene_.species[i], nullptr));
-    responses_.push_back({1.0 / scene_.species[i].mass, scene_.species[i].radius / scene_.species[i].inertia()});
+    responses_.push_back(
+        {1.0 / scene_.species[i].mass, scene_.species[i].radius / scene_.species[i].inertia()});
     for (std::size_t j = 0; j < scene_.species.size(); ++j)
     {
       pair_coefficients_.push_back(contactBetween(scene_, i, j));

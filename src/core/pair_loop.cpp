@@ -111,10 +111,7 @@ private:
     double cell_time = EventQueue::NEVER;  ///< when it leaves its cell; without an edge: not before
     BaseEvent base;
 
-    void archive(StateArchive& state)
-    {
-      state(pair, partner_flights, edge, cell_time, base);
-    }
+    void archive(StateArchive& state) { state(pair, partner_flights, edge, cell_time, base); }
   };
 
   /// Cells for the disks there are now, on the base as it stands.

@@ -119,7 +119,9 @@ std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, in
     const double dx = a.place[0] - there.dx - b.place[0];
     const double dy = a.place[1] - there.dy - b.place[1];
     const double length = std::sqrt(dx * dx + dy * dy);
-    const double opening = (dx * (a.velocity[0] - b.velocity[0] - there.dvx) + dy * (a.velocity[1] - b.velocity[1] - there.dvy)) / length;
+    const double opening = (dx * (a.velocity[0] - b.velocity[0] - there.dvx) +
+                            dy * (a.velocity[1] - b.velocity[1] - there.dvy)) /
+                           length;
     const double wait = guaranteedFreeTime(length - distance, opening, acceleration);
     if (opening < 0.0 && (wait <= resolution || step > MAX_SEAM_STEPS))
       return time;

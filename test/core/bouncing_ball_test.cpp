@@ -92,8 +92,8 @@ TEST(BouncingBall, HitsAPlateAtRestInAGeometricSeries)
   double time = fall, flight = 2.0 * fall;
   for (std::size_t k = 0; k < 25; ++k)
   {
-    // 4e-5 of 0.4 s are left before the last of these; a double holds the place, 0.001 m, to 2e-19 m, which is
-    // g 2e-19 m / v = 4e-13 m/s of the speed v with which it comes to the plate, 5e-6 m/s or more.
+    // 4e-5 of 0.4 s are left before the last of these; a double holds the place, 0.001 m, to 2e-19 m, which
+    // is g 2e-19 m / v = 4e-13 m/s of the speed v with which it comes to the plate, 5e-6 m/s or more.
     EXPECT_NEAR(records[k].time, time, 1e-13) << k;
     EXPECT_NEAR(records[k].normal_speed, GRAVITY * fall * std::pow(0.6, k), 1e-12) << k;
     flight *= 0.6;

@@ -54,8 +54,8 @@ public:
     int last_row = 1;
   };
 
-  /// Collects the disks in the cells around `cell` and calls visit(ids, count, shift) for as many lists of them
-  /// as there are shifts: how many widths the disk's image lies to the right of the disk.
+  /// Collects the disks in the cells around `cell` and calls visit(ids, count, shift) for as many lists of
+  /// them as there are shifts: how many widths the disk's image lies to the right of the disk.
   /// @param list holds them meanwhile, and grows as needed
   template <typename Visit>
   void visit(Cell cell, const Surroundings& around, std::vector<std::uint32_t>& list, Visit&& visit) const

@@ -65,11 +65,11 @@ private:
   struct SureContact
   {
     BaseFeature feature;
-    double gap = 0.0;           ///< [m]
-    double rate = 0.0;          ///< < 0 [m/s]
+    double gap = 0.0;                                           ///< [m]
+    double rate = 0.0;                                          ///< < 0 [m/s]
     double earliest = std::numeric_limits<double>::infinity();  ///< [s]
-    double latest = std::numeric_limits<double>::infinity();  ///< [s]
-    double acceleration = 0.0;  ///< bounds that of the gap [m/s^2]
+    double latest = std::numeric_limits<double>::infinity();    ///< [s]
+    double acceleration = 0.0;                                  ///< bounds that of the gap [m/s^2]
   };
 
   bool staysAbove(const Disk& disk, double radius, double from, double until) const;

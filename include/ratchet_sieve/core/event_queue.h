@@ -37,17 +37,19 @@ public:
   void update(std::uint32_t id, double time)
   {
     std::size_t place = id;
-    for (Round& round : rounds_)
+    for (std::size_t round = 0;; ++round)
     {
-      Group& group = round[place / GROUP];
+      Group& group = rounds_[round][place / GROUP];
       group.times[place % GROUP] = time;
-      place /= GROUP;
       time = group.earliest();
-      if (&round == &rounds_.back())
-        top_time_ = time;
-      else if (time == (&round)[1][place / GROUP].times[place % GROUP])
+      place /= GROUP;
+      if (round + 1 == rounds_.size())
+        break;
+      // Where the winner of the group stays the same, so does all above.
+      if (rounds_[round + 1][place / GROUP].times[place % GROUP] == time)
         return;
     }
+    top_time_ = time;
   }
 
   /// The id whose event is next. @pre resize() was called
@@ -86,7 +88,8 @@ private:
     {
       const auto& t = times;
       const auto of_two = [](double a, double b) { return a < b ? a : b; };
-      const auto of_four = [&](std::size_t i) { return of_two(of_two(t[i], t[i + 1]), of_two(t[i + 2], t[i + 3])); };
+      const auto of_four = [&](std::size_t i)
+      { return of_two(of_two(t[i], t[i + 1]), of_two(t[i + 2], t[i + 3])); };
       return of_two(of_two(of_four(0), of_four(4)), of_two(of_four(8), of_four(12)));
     }
 
@@ -103,7 +106,10 @@ private:
   };
   using Round = std::vector<Group>;
 
-  static std::size_t groupsFor(std::size_t count) { return std::max<std::size_t>(1, (count + GROUP - 1) / GROUP); }
+  static std::size_t groupsFor(std::size_t count)
+  {
+    return std::max<std::size_t>(1, (count + GROUP - 1) / GROUP);
+  }
 
   void playAll()
   {

@@ -89,7 +89,8 @@ private:
   /// How many disks are looked at side by side.
   static constexpr std::size_t LANES = 16;
 
-  PairContact firstOfLanes(const std::uint32_t* others, std::size_t count, int shift, const Image& image) const;
+  PairContact firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
+                           const Image& image) const;
 
   std::optional<double> contact(const Disk& other, const Image& image, double distance) const
   {

@@ -51,7 +51,8 @@ inline SineCosine sineCosineOfTurns(double turns)
                  zz * (2.48015872894767294178e-05 +
                        zz * (-2.75573143513906633035e-07 +
                              zz * (2.08757232129817482790e-09 + zz * -1.13596475577881948265e-11)))));
-  // The quarter decides which is which, and the signs. Nobody can predict it: bits are moved, without a branch.
+  // The quarter decides which is which, and the signs. Nobody can predict it: bits are moved, without a
+  // branch.
   const auto quarter = static_cast<std::uint64_t>(static_cast<std::int64_t>(quarters));
   const std::uint64_t swap = 0 - (quarter & 1);
   const std::uint64_t s_bits = bitsOf(s);

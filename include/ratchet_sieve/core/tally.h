@@ -106,7 +106,8 @@ private:
 
     void archive(StateArchive& state)
     {
-      state(entered_x, offset, counted_x, counted_from, translation, rotation, impulse_x, impulse_y, left_when);
+      state(entered_x, offset, counted_x, counted_from, translation, rotation, impulse_x, impulse_y,
+            left_when);
     }
   };
 

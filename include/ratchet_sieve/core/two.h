@@ -9,8 +9,8 @@
 namespace ratchet_sieve
 {
 
-/// Two doubles side by side in one register, as every 64-bit processor has them. Each is worked on as a double
-/// alone would be, to the last bit.
+/// Two doubles side by side in one register, as every 64-bit processor has them. Each is worked on as a
+/// double alone would be, to the last bit.
 using Two = double __attribute__((vector_size(16)));
 
 /// Of what is not negative the square roots, of what is 0.
