@@ -10,6 +10,10 @@ namespace ratchet_sieve
 {
 namespace
 {
+/// A way that counts for nothing, as a share of a double's resolution at the base's width: a million of them,
+/// as many as a collapse may have events, come to one resolution.
+constexpr double NEGLIGIBLE_WAY = 0x1p-20 * std::numeric_limits<double>::epsilon();
+
 /// Of a fall over a tooth, or where nothing falls, over a tooth within the time scale [m/s].
 double speedScale(const SceneDefinition& scene, double time_scale)
 {
@@ -38,6 +42,7 @@ Machine::Machine(const SceneDefinition& scene)
       sawtooth_(scene.base, scene.boundary),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
       time_scale_(ratchet_sieve::timeScale(scene)),
+      negligible_way_(NEGLIGIBLE_WAY * sawtooth_.width()),
       epoch_{0.0, epochLength(time_scale_)},
       motion_(scene.base, maxTurn(scene, largest_diameter_)),
       search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length)),
@@ -107,6 +112,7 @@ Disk& Machine::fly(std::uint32_t id, double time)
 void Machine::leave(std::uint32_t id, bool to_the_right, double time)
 {
   SpeciesBins& bins = bins_[disks_[id].species];
+  fly(id, time);
   --bins.on_base;
   ++(to_the_right ? bins.right : bins.left);
   endPassage(id, time);
