@@ -20,31 +20,41 @@ namespace
 constexpr double TOUCHING = 1e-12;
 constexpr double ROUNDING = 8.0 * std::numeric_limits<double>::epsilon();
 
-double toleratedOverlap(const BasePoint& point, double radius)
+/// Pairs are looked for in cells so many times as wide as the largest disk: fewer cells than the engine has
+/// are soon laid, and a million disks need less memory for a moment.
+constexpr double AUDIT_CELL = 2.0;
+
+/// Of a centre, in the frame of the base [m].
+struct Place
+{
+  double s = 0.0;
+  double n = 0.0;
+};
+
+double toleratedOverlap(const Place& point, double radius)
 {
   return TOUCHING * radius + ROUNDING * (std::abs(point.s) + std::abs(point.n));
 }
 
 /// Where every disk is, in the frame of the base, wrapped into [0, W) where it is periodic.
-std::vector<BasePoint> placesOnBase(const Machine& machine, double time)
+std::vector<Place> placesOnBase(const Machine& machine, double time)
 {
   const BaseKinematics base = machine.motion().at(time);
   const double width = machine.sawtooth().width();
-  std::vector<BasePoint> points;
+  std::vector<Place> points;
   points.reserve(machine.disks().size());
   for (const Disk& disk : machine.disks())
   {
     const Disk now = flown(disk, time, machine.scene().gravity);
-    BasePoint point = toBase(base, now.x, now.y, now.vx, now.vy);
-    if (machine.sawtooth().boundary() == Boundary::PERIODIC)
-      point.s -= width * std::floor(point.s / width);
-    points.push_back(point);
+    const BasePoint point = toBase(base, now.x, now.y, now.vx, now.vy);
+    const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
+    points.push_back({periodic ? point.s - width * std::floor(point.s / width) : point.s, point.n});
   }
   return points;
 }
 
 /// How far a disk is from the base and from the walls, < 0 where it overlaps them.
-double gapToBase(const Machine& machine, const BasePoint& point, double radius)
+double gapToBase(const Machine& machine, const Place& point, double radius)
 {
   const Sawtooth& sawtooth = machine.sawtooth();
   double gap = point.n - sawtooth.height();
@@ -58,7 +68,7 @@ double gapToBase(const Machine& machine, const BasePoint& point, double radius)
 using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overlap)>;
 
 /// Every pair of disks that is near enough to overlap, each once or twice.
-void forEachNearPair(const Machine& machine, const std::vector<BasePoint>& points, const VisitPair& visit)
+void forEachNearPair(const Machine& machine, const std::vector<Place>& points, const VisitPair& visit)
 {
   const double width = machine.sawtooth().width();
   const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
@@ -66,7 +76,7 @@ void forEachNearPair(const Machine& machine, const std::vector<BasePoint>& point
   for (std::uint32_t id = 0; id < points.size(); ++id)
     if (machine.active(id))
       top = std::max(top, points[id].n);
-  CellGrid grid(width, top, machine.largestDiameter(), points.size(), periodic);
+  CellGrid grid(width, top, AUDIT_CELL * machine.largestDiameter(), points.size(), periodic);
   for (std::uint32_t id = 0; id < points.size(); ++id)
     if (machine.active(id))
       grid.add(id, grid.cellAt(points[id].s, points[id].n));

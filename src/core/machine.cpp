@@ -11,6 +11,10 @@ namespace ratchet_sieve
 {
 namespace
 {
+/// A way that counts for nothing, as a share of a double's resolution at the base's width: a million of them,
+/// as many as a collapse may have events, come to one resolution.
+constexpr double NEGLIGIBLE_WAY = 0x1p-20 * std::numeric_limits<double>::epsilon();
+
 /// Of a fall over a tooth, or where nothing falls, over a tooth within the time scale [m/s].
 double speedScale(const SceneDefinition& scene, double time_scale)
 {
@@ -47,6 +51,7 @@ Machine::Machine(const SceneDefinition& scene, const Plan& plan)
       sawtooth_(scene.base, scene.boundary),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
       time_scale_(ratchet_sieve::timeScale(scene)),
+      negligible_way_(NEGLIGIBLE_WAY * sawtooth_.width()),
       epoch_{0.0, epochLength(time_scale_)},
       motion_(scene.base, maxTurn(scene, largest_diameter_), plan.drive && !planOf(scene).drive),
       search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
@@ -125,6 +130,7 @@ Disk& Machine::fly(std::uint32_t id, double time)
 void Machine::leave(std::uint32_t id, bool to_the_right, double time)
 {
   SpeciesBins& bins = bins_[disks_[id].species];
+  fly(id, time);
   --bins.on_base;
   ++(to_the_right ? bins.right : bins.left);
   endPassage(id, time);

@@ -27,17 +27,17 @@ CollisionKind collisionKind(BaseFeatureKind kind)
 
 void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time, BaseInstant& base)
 {
-  Disk& disk = fly(id, time);
   if (feature.kind == BaseFeatureKind::LEFT_END || feature.kind == BaseFeatureKind::RIGHT_END)
     return leave(id, feature.kind == BaseFeatureKind::RIGHT_END, time);
 
+  const Disk disk = flown(disks_[id], time, scene_.gravity);
   const SpeciesDefinition& species = scene_.species[disk.species];
   const BaseKinematics& k = base.at(time);
   const BasePoint point = toBase(k, disk.x, disk.y, disk.vx, disk.vy);
   const Approach approach = sawtooth_.approach(feature, point, species.radius);
   noteOverlap(-approach.gap);
   if (approach.rate >= 0.0)
-    return;
+    return push(id, disk, {}, {}, 1.0);
 
   Contact contact;
   contact.nx = k.cosine * approach.normal_s - k.sine * approach.normal_n;
@@ -53,7 +53,7 @@ void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time
   if (kind == CollisionKind::WALL)
     coefficients.friction = 0.0;
   const Impulse impulse = respond(coefficients, base_masses_[disk.species], contact, reboundFloor(id));
-  push(disk, contact, impulse, 1.0);
+  push(id, disk, contact, impulse, 1.0);
   tally_.pushed(id, impulse.normal * contact.nx - impulse.tangential * contact.ny,
                 impulse.normal * contact.ny + impulse.tangential * contact.nx);
   touched(id, time);
@@ -62,25 +62,26 @@ void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time
 
 void Machine::meetPair(std::uint32_t i, std::uint32_t j, int shift, double time)
 {
-  Disk& a = fly(i, time);
-  Disk& b = fly(j, time);
+  const Disk a = flown(disks_[i], time, scene_.gravity);
+  const Disk b = flown(disks_[j], time, scene_.gravity);
   const Image there = image(shift, time);
   const double dx = a.x - there.dx - b.x;
   const double dy = a.y - there.dy - b.y;
   const double distance = std::sqrt(dx * dx + dy * dy);
   noteOverlap(radius(i) + radius(j) - distance);
-  if (distance == 0.0)
-    return;
-
-  Contact contact;
-  contact.nx = dx / distance;
-  contact.ny = dy / distance;
   const double dvx = a.vx - b.vx - there.dvx;
   const double dvy = a.vy - b.vy - there.dvy;
   // The very sum that the prediction looks at (timeToTouch): were it another, rounding could have a
   // contact predicted here and left alone there, again and again.
   if (dx * dvx + dy * dvy >= 0.0)
+  {
+    push(i, a, {}, {}, 1.0);
+    push(j, b, {}, {}, -1.0);
     return;
+  }
+  Contact contact;
+  contact.nx = dx / distance;
+  contact.ny = dy / distance;
   contact.normal_velocity = std::min(0.0, dvx * contact.nx + dvy * contact.ny);
   if (plan_.spin)
     contact.tangential_velocity =
@@ -90,8 +91,8 @@ void Machine::meetPair(std::uint32_t i, std::uint32_t j, int shift, double time)
   const bool no_loss = lossless(i, time) || lossless(j, time);
   const Impulse impulse = respond(no_loss ? LOSSLESS : pair_coefficients_[pair], pair_masses_[pair], contact,
                                   std::max(reboundFloor(i), reboundFloor(j)));
-  push(a, contact, impulse, 1.0);
-  push(b, contact, impulse, -1.0);
+  push(i, a, contact, impulse, 1.0);
+  push(j, b, contact, impulse, -1.0);
   touched(i, time);
   touched(j, time);
   report(time, CollisionKind::DISK_DISK, i, &j, contact, impulse);
@@ -105,11 +106,26 @@ Impulse Machine::respond(const ContactCoefficients& coefficients, const ContactM
              : collideSmooth(coefficients, masses, contact.normal_velocity, floor);
 }
 
-/// Gives a partner its share of the impulse. The contact lies on the normal's other side for the
-/// second partner, so that the torque of the tangential impulse has the same sign on both.
-void Machine::push(Disk& disk, const Contact& contact, const Impulse& impulse, double sign) const
+/// Gives a partner, which is flown to the contact as `now`, its share of the impulse. The contact lies on the
+/// normal's other side for the second partner, so that the torque of the tangential impulse has the same sign
+/// on both.
+///
+/// In an inelastic collapse contacts follow one another sooner than the disk comes a resolution of its place
+/// further: a place that is rounded at each of them stands still or runs ahead, while the partner moves on,
+/// and the overlap grows by that way. So an impulse that changes the place by nothing to speak of if it is
+/// given at the start of the flight is given there, and the place is left as it was written down.
+void Machine::push(std::uint32_t id, const Disk& now, const Contact& contact, const Impulse& impulse,
+                   double sign)
 {
+  Disk& disk = disks_[id];
   const Response& response = responses_[disk.species];
+  const double change = response.velocity * (std::abs(impulse.normal) + std::abs(impulse.tangential));
+  if (change * (now.time - disk.time) > negligible_way_)
+  {
+    tally_.flew(id, disk, now.time);
+    disk = now;
+  }
+  ++disk.flights;
   const double per_mass = sign * response.velocity;
   const Two normal{contact.nx, contact.ny};
   const Two tangent{-contact.ny, contact.nx};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ratchet_sieve
@@ -11,6 +12,8 @@ namespace
 /// Poured disks keep apart by this share of the sum of their radii, so that no rounding makes them
 /// overlap.
 constexpr double SPACING = 1e-6;
+
+constexpr std::uint32_t NONE = std::numeric_limits<std::uint32_t>::max();
 }  // namespace
 
 Pour::Pour(const BaseDefinition& base, Boundary boundary, double drop_height, double largest_diameter,
@@ -22,7 +25,7 @@ Pour::Pour(const BaseDefinition& base, Boundary boundary, double drop_height, do
 {
   // With fewer than three buckets a ring's neighbours on both sides would be the same one.
   const double count = std::floor(width_ / std::max(largest_diameter, width_ * 1e-6));
-  buckets_.resize(count < 3.0 ? 1 : static_cast<std::size_t>(count));
+  buckets_.resize(count < 3.0 ? 1 : static_cast<std::size_t>(count), NONE);
   bucket_width_ = width_ / static_cast<double>(buckets_.size());
 }
 
@@ -32,10 +35,19 @@ std::size_t Pour::bucketAt(double s) const
   return static_cast<std::size_t>(std::clamp(bucket, 0.0, static_cast<double>(buckets_.size() - 1)));
 }
 
-void Pour::occupy(const PlacedDisk& disk)
+void Pour::reserve(std::size_t disks)
 {
   if (see_each_other_)
-    buckets_[bucketAt(disk.s)].push_back(disk);
+    occupied_.reserve(disks);
+}
+
+void Pour::occupy(const PlacedDisk& disk)
+{
+  if (!see_each_other_)
+    return;
+  std::uint32_t& last = buckets_[bucketAt(disk.s)];
+  occupied_.push_back({disk, last});
+  last = static_cast<std::uint32_t>(occupied_.size() - 1);
 }
 
 PlacedDisk Pour::place(double radius, Random& random)
@@ -68,10 +80,11 @@ double Pour::lowestFree(double s, double radius, double lowest) const
   {
     if (!periodic_ && (bucket < 0 || bucket >= count))
       continue;
-    for (const PlacedDisk& other : buckets_[static_cast<std::size_t>((bucket + count) % count)])
+    std::uint32_t at = buckets_[static_cast<std::size_t>((bucket + count) % count)];
+    for (; at != NONE; at = occupied_[at].before)
       for (const double image : {-width_, 0.0, width_})
         if (periodic_ || image == 0.0)
-          forbid(other, s - other.s - image);
+          forbid(occupied_[at].disk, s - occupied_[at].disk.s - image);
   }
   std::sort(forbidden.begin(), forbidden.end());
   double height = lowest;

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "disk_states.h"
 #include "ratchet_sieve/core/audit.h"
 #include "ratchet_sieve/core/event_loop.h"
 #include "ratchet_sieve/core/machine.h"
@@ -15,16 +16,6 @@
 
 namespace ratchet_sieve
 {
-namespace
-{
-constexpr double PI = 3.14159265358979323846;
-
-double wrappedAngle(double angle)
-{
-  const double turns = angle / (2.0 * PI);
-  return 2.0 * PI * (turns - std::floor(turns + 0.5));
-}
-}  // namespace
 
 /// What happens to all of the machine at once stands here; what happens to one disk, in the loop.
 class Simulation::Implementation
@@ -314,32 +305,10 @@ std::vector<DiskState> Simulation::disks() const
 
 void Simulation::disks(std::vector<DiskState>& states) const
 {
-  const Machine& machine = implementation_->machine();
-  const double now = implementation_->now();
-  const BaseKinematics base = machine.motion().at(now);
-  const double width = machine.sawtooth().width();
   states.clear();
-  states.reserve(machine.activeCount());
-  for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
-  {
-    if (!machine.active(id))
-      continue;
-    const Disk disk = flown(machine.disk(id), now, machine.scene().gravity);
-    DiskState state;
-    state.id = id;
-    state.species = disk.species;
-    state.displacement = machine.displacement(id, disk.x);
-    const BasePoint point = toBase(base, disk.x, disk.y, disk.vx, disk.vy);
-    const bool periodic = machine.scene().boundary == Boundary::PERIODIC;
-    const Image image = periodic ? machine.image(-std::floor(point.s / width), now) : Image();
-    state.x = disk.x + image.dx;
-    state.y = disk.y + image.dy;
-    state.vx = disk.vx + image.dvx;
-    state.vy = disk.vy + image.dvy;
-    state.angle = wrappedAngle(disk.angle);
-    state.spin = disk.spin;
-    states.push_back(state);
-  }
+  states.reserve(activeDisks());
+  forEachDiskState(implementation_->machine(), implementation_->now(),
+                   [&](const DiskState& state) { states.push_back(state); });
 }
 
 void Simulation::setThreads(std::size_t threads)
@@ -382,12 +351,14 @@ double Simulation::baseImpulseY() const
 double Simulation::energy() const
 {
   double energy = 0.0;
-  for (const DiskState& disk : disks())
-  {
-    const SpeciesDefinition& species = scene().species[disk.species];
-    energy += 0.5 * species.mass * (disk.vx * disk.vx + disk.vy * disk.vy) +
-              0.5 * species.inertia() * disk.spin * disk.spin + species.mass * scene().gravity * disk.y;
-  }
+  forEachDiskState(implementation_->machine(), implementation_->now(),
+                   [&](const DiskState& disk)
+                   {
+                     const SpeciesDefinition& species = scene().species[disk.species];
+                     energy += 0.5 * species.mass * (disk.vx * disk.vx + disk.vy * disk.vy) +
+                               0.5 * species.inertia() * disk.spin * disk.spin +
+                               species.mass * scene().gravity * disk.y;
+                   });
   return energy;
 }
 

@@ -101,6 +101,30 @@ TEST(Collapse, OfManyDisksGoesOnWhereTheSceneSaysSo)
   }
 }
 
+/// Disks without rebound slide along steep slopes, through collapse after collapse. Their places are tens of
+/// metres from the origin and are not as fine as the way between two of the contacts: rounded at each, they
+/// would stay behind the base by more with every one of them.
+TEST(Collapse, OfSlidingDisksDoesNotPressThemIntoTheBase)
+{
+  SceneDefinition scene = test::mixture(15);
+  scene.base.teeth = 3000;
+  scene.base.tooth_height = 0.04;
+  scene.base.asymmetry = 0.5;
+  scene.base.inclination = 0.5;
+  scene.base.amplitude = 0.02;
+  scene.gravity = 1.6;
+  for (SpeciesDefinition& species : scene.species)
+    species.contact = {0.0, 0.0, 0.0};
+  scene.contact.min_rebound_speed = 0.0;
+  scene.contact.on_collapse = CollapseAction::REBOUND;
+  scene.contact.collapse_events = 20000;
+  Simulation simulation(scene);
+  simulation.advanceTo(0.3);
+  EXPECT_GT(simulation.collapses().count, 10u);
+  EXPECT_EQ(simulation.auditOverlaps(), 0u);
+  EXPECT_LT(simulation.maxOverlap(), 1e-9 * scene.species[0].radius);
+}
+
 TEST(Collapse, OfOneDiskLetsTheOthersOfAnEnsembleBe)
 {
   // The first disk lies on a flat base; the second hops beside it without loss, and is not touched.

@@ -151,7 +151,7 @@ private:
   void touched(std::uint32_t id, double time);
   Impulse respond(const ContactCoefficients& coefficients, const ContactMasses& masses,
                   const Contact& contact, double floor) const;
-  void push(Disk& disk, const Contact& contact, const Impulse& impulse, double sign) const;
+  void push(std::uint32_t id, const Disk& now, const Contact& contact, const Impulse& impulse, double sign);
   void report(double time, CollisionKind kind, std::uint32_t i, const std::uint32_t* j,
               const Contact& contact, const Impulse& impulse);
 
@@ -160,6 +160,7 @@ private:
   Sawtooth sawtooth_;
   double largest_diameter_;
   double time_scale_;
+  double negligible_way_;  ///< [m]
   Epoch epoch_;
   BaseMotion motion_;
   ContactSearch search_;

@@ -30,6 +30,9 @@ public:
   Pour(const BaseDefinition& base, Boundary boundary, double drop_height, double largest_diameter,
        bool see_each_other);
 
+  /// Makes room in memory for so many disks.
+  void reserve(std::size_t disks);
+
   /// A disk that is there already.
   void occupy(const PlacedDisk& disk);
 
@@ -40,12 +43,20 @@ private:
   double lowestFree(double s, double radius, double lowest) const;
   std::size_t bucketAt(double s) const;
 
+  struct Occupied
+  {
+    PlacedDisk disk;
+    std::uint32_t before;  ///< the one that came into the bucket before this one
+  };
+
   double width_;
   double lowest_underside_;
   bool periodic_;
   bool see_each_other_;
   double bucket_width_;
-  std::vector<std::vector<PlacedDisk>> buckets_;  ///< along s, each at least the largest diameter wide
+  std::vector<std::uint32_t>
+      buckets_;  ///< along s, each at least the largest diameter wide: the last to come
+  std::vector<Occupied> occupied_;
 };
 
 /// The order in which a scene's disks are poured: `count` of each species, shuffled.

@@ -1,0 +1,45 @@
+#include "disk_states.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double PI = 3.14159265358979323846;
+
+double wrappedAngle(double angle)
+{
+  const double turns = angle / (2.0 * PI);
+  return 2.0 * PI * (turns - std::floor(turns + 0.5));
+}
+}  // namespace
+
+void forEachDiskState(const Machine& machine, double time, const std::function<void(const DiskState&)>& visit)
+{
+  const BaseKinematics base = machine.motion().at(time);
+  const double width = machine.sawtooth().width();
+  const bool periodic = machine.scene().boundary == Boundary::PERIODIC;
+  for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
+  {
+    if (!machine.active(id))
+      continue;
+    const Disk disk = flown(machine.disk(id), time, machine.scene().gravity);
+    const BasePoint point = toBase(base, disk.x, disk.y, disk.vx, disk.vy);
+    const Image image = periodic ? machine.image(-std::floor(point.s / width), time) : Image();
+    DiskState state;
+    state.id = id;
+    state.species = disk.species;
+    state.displacement = machine.displacement(id, disk.x);
+    state.x = disk.x + image.dx;
+    state.y = disk.y + image.dy;
+    state.vx = disk.vx + image.dvx;
+    state.vy = disk.vy + image.dvy;
+    state.angle = wrappedAngle(disk.angle);
+    state.spin = disk.spin;
+    visit(state);
+  }
+}
+
+}  // namespace ratchet_sieve
