@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ratchet_sieve/core/quadratic.h"
+#include "contact_step.h"
 
 namespace ratchet_sieve
 {
@@ -23,14 +23,6 @@ constexpr double MAX_TURN_PER_STEP = 0.05;
 
 /// A step looks no further than this many teeth, lest a fast disk over fine teeth looks at them all.
 constexpr double MAX_TEETH_PER_STEP = 16.0;
-
-constexpr double INFINITE_TIME = std::numeric_limits<double>::infinity();
-
-/// No less than the speed: where only a bound is needed, that saves the root.
-double speedBound(const BasePoint& point)
-{
-  return std::abs(point.vs) + std::abs(point.vn);
-}
 }  // namespace
 
 BasePoint toBase(const BaseKinematics& k, double x, double y, double vx, double vy)
@@ -50,165 +42,6 @@ BasePoint ContactSearch::seenFromBase(const Disk& disk, const BaseKinematics& ba
   const Course now = courseAt(disk, time, gravity_);
   return toBase(base, now.place[0], now.place[1], now.velocity[0], now.velocity[1]);
 }
-
-/// The line along which a disk is accelerated as seen from the base; any while the base turns.
-struct ContactSearch::Direction
-{
-  bool any = true;
-  double s = 0.0;
-  double n = 0.0;
-
-  /// How much of it shows along a unit normal.
-  double share(double normal_s, double normal_n) const
-  {
-    return any ? 1.0 : std::abs(s * normal_s + n * normal_n);
-  }
-};
-
-/// One step of the search: the disk as it is, the shortest time any feature guarantees, and whether one
-/// feature is sure to be met before any other.
-class ContactSearch::Step
-{
-public:
-  /// @param acceleration bounds the relative one; it points along `forced` or against it
-  Step(const BasePoint& point, double radius, double acceleration, const Direction& forced, double span,
-       double resolution)
-      : point(point),
-        radius(radius),
-        forced_(forced),
-        acceleration_(acceleration),
-        resolution_(resolution),
-        free_time_(span),
-        horizon_(span),
-        others_free_time_(span),
-        speed_(speedBound(point))
-  {
-    updateReach();
-  }
-
-  /// Ends the step before anything can have come as near as this.
-  void noFurtherThan(double distance)
-  {
-    if (reach_ <= distance)
-      return;
-    free_time_ = horizon_ = others_free_time_ = guaranteedFreeTime(distance, -speed_, acceleration_);
-    updateReach();
-  }
-
-  /// A slope or a wall, met where `gap` is used up; what a slope is met through besides comes as `window`.
-  /// @param normal_s, normal_n of the line
-  template <typename FindWindow>
-  void meetLine(const BaseFeature& feature, double gap, double rate, double normal_s, double normal_n,
-                FindWindow&& find_window)
-  {
-    // How fast the distance to the line can be accelerated.
-    const double acceleration = acceleration_ * forced_.share(normal_s, normal_n);
-    if (!staysFree(gap, rate, acceleration))
-      meet(feature, {gap, rate}, acceleration, acceleration, find_window());
-  }
-
-  /// A corner. The distance to it is accelerated whatever its direction, and by passing, too.
-  void meetPoint(const BaseFeature& feature, const Approach& approach)
-  {
-    if (staysFree(approach.gap, approach.rate, acceleration_))
-      return;
-    const double top_speed = speed_ + acceleration_ * horizon_;
-    const double parting = acceleration_ + top_speed * top_speed / radius;
-    meet(feature, {approach.gap, approach.rate}, acceleration_, parting, ALWAYS);
-  }
-
-  bool canReach(double distance_squared) const
-  {
-    const double reach = reach_ + radius;
-    return distance_squared <= reach * reach;
-  }
-
-  /// Whether the disk is higher over the base than this all through the step.
-  bool staysOver(double height) const
-  {
-    return staysFree(point.n - height - radius, point.vn, acceleration_);
-  }
-
-  double freeTime() const { return std::max(free_time_, resolution_); }
-
-  /// What the disk touches now.
-  const std::optional<BaseFeature>& contact() const { return contact_; }
-
-  /// What the disk will meet for certain, and before anything else.
-  const SureContact* sureContact() const { return sure_.latest <= others_free_time_ ? &sure_ : nullptr; }
-
-  const BasePoint& point;
-  const double radius;
-
-  struct Gap
-  {
-    double size;
-    double rate;
-  };
-  static constexpr Gap ALWAYS{-INFINITE_TIME, 0.0};
-
-private:
-  /// A feature that is met where `gap` is used up while `window` holds (window <= 0). Each of the
-  /// two alone keeps the disk free, so the longer guarantee counts.
-  /// @param approaching, parting bound the gap's acceleration towards the feature and away from it
-  void meet(const BaseFeature& feature, const Gap& gap, double approaching, double parting, const Gap& window)
-  {
-    if (staysFree(window.size, window.rate, acceleration_))
-      return;
-    const bool within = window.size <= 0.0;
-    double time = guaranteedFreeTime(gap.size, gap.rate, approaching);
-    if (!within)
-      time = std::max(time, guaranteedFreeTime(window.size, window.rate, acceleration_));
-    else if (gap.rate < 0.0 && time <= resolution_ && (!contact_ || gap.size < contact_gap_))
-    {
-      contact_ = feature;
-      contact_gap_ = gap.size;
-    }
-    const double latest = within ? latestContact(gap, parting, window) : INFINITE_TIME;
-    if (latest < sure_.latest)
-    {
-      others_free_time_ = std::min(others_free_time_, sure_.earliest);
-      sure_ = {feature, gap.size, gap.rate, time, latest, parting};
-    }
-    else
-      others_free_time_ = std::min(others_free_time_, time);
-    free_time_ = std::min(free_time_, time);
-    horizon_ = std::min(horizon_, std::isfinite(latest) ? latest : time);
-    updateReach();
-  }
-
-  /// By when a gap that closes is used up for certain, the window open all the time; else never.
-  double latestContact(const Gap& gap, double parting, const Gap& window) const
-  {
-    const double discriminant = gap.rate * gap.rate - 2.0 * parting * gap.size;
-    if (gap.rate >= 0.0 || gap.size <= 0.0 || discriminant <= 0.0)
-      return INFINITE_TIME;
-    const double latest = 2.0 * gap.size / (std::sqrt(discriminant) - gap.rate);
-    const bool stays_open = window.size + (speed_ + 0.5 * acceleration_ * latest) * latest <= 0.0;
-    return stays_open ? latest : INFINITE_TIME;
-  }
-
-  void updateReach() { reach_ = (speed_ + 0.5 * acceleration_ * horizon_) * horizon_; }
-
-  /// Whether a gap is open for as long as matters: a comparison, where the time itself takes a root.
-  bool staysFree(double gap, double rate, double acceleration) const
-  {
-    const double span = std::max(horizon_, resolution_);
-    return gap > 0.0 && gap + (rate - 0.5 * acceleration * span) * span > 0.0;
-  }
-
-  const Direction& forced_;
-  double acceleration_;
-  double resolution_;
-  double free_time_;
-  double horizon_;           ///< what is free until then does not matter
-  double others_free_time_;  ///< guaranteed by all features but the sure one
-  double speed_;
-  double reach_ = 0.0;  ///< how far anything can come to the disk within the horizon
-  std::optional<BaseFeature> contact_;
-  double contact_gap_ = 0.0;
-  SureContact sure_;
-};
 
 BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, double until,
                               BaseInstant& base) const
