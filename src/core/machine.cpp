@@ -118,6 +118,15 @@ std::uint32_t Machine::add(const Disk& disk)
   return id;
 }
 
+double Machine::startAt(double start)
+{
+  epoch_.start = epoch_.length * std::floor(start / epoch_.length);
+  collapse_watch_.rebase(0.0, epoch_.start);
+  const double local = start - epoch_.start;
+  motion_.startAt(local);
+  return local;
+}
+
 Disk& Machine::fly(std::uint32_t id, double time)
 {
   Disk& disk = disks_[id];

@@ -12,6 +12,24 @@
 
 namespace ratchet_sieve
 {
+namespace
+{
+/// Where a setpoint comes in; null for what is none.
+const char* setpointTopic(CommandKind kind)
+{
+  switch (kind)
+  {
+    case CommandKind::INCLINATION:
+      return "inclination_setpoint";
+    case CommandKind::FREQUENCY:
+      return "frequency_setpoint";
+    case CommandKind::AMPLITUDE:
+      return "amplitude_setpoint";
+    default:
+      return nullptr;
+  }
+}
+}  // namespace
 
 BagWriter::BagWriter(const std::string& path, const std::string& topic_prefix)
     : path_(path), active_path_(path + ".active"), topic_prefix_(topic_prefix)
@@ -93,11 +111,15 @@ void BagWriter::take(const StatisticsFrame& frame)
   write("statistics", frame.time, toMessage(frame));
 }
 
-void BagWriter::takeSetpoint(const std::string& topic, double value, double time)
+void BagWriter::take(const CommandFrame& frame)
 {
+  write("commands", frame.time, toMessage(frame));
+  const char* topic = setpointTopic(frame.kind);
+  if (topic == nullptr)
+    return;
   std_msgs::Float64 message;
-  message.data = value;
-  write(topic.c_str(), time, message);
+  message.data = frame.values.at(0);
+  write(topic, frame.time, message);
 }
 
 }  // namespace ratchet_sieve

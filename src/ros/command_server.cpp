@@ -4,6 +4,8 @@
 
 #include <ros/console.h>
 
+#include "ratchet_sieve/ros/conversions.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -39,6 +41,7 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
                private_node.advertiseService("reset_world", &CommandServer::resetWorld, this),
                private_node.advertiseService("reset", &CommandServer::reset, this),
                private_node.advertiseService("step", &CommandServer::step, this),
+               private_node.advertiseService("lock_step", &CommandServer::lockStep, this),
                private_node.advertiseService("pour", &CommandServer::pour, this)};
 }
 
@@ -80,10 +83,10 @@ bool CommandServer::resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Respo
 
 bool CommandServer::reset(ResetSimulation::Request& request, ResetSimulation::Response& response)
 {
-  answer("reset", control_.reset(request.seed, request.overrides), response);
+  answer("reset", control_.reset(request.seed, request.overrides, request.keep_time), response);
   time_changed_();
   if (response.success)
-    ROS_INFO("begun anew with seed %lu",
+    ROS_INFO("begun anew at %g s with seed %lu", control_.run().time(),
              static_cast<unsigned long>(control_.run().simulation().scene().seed));
   return true;
 }
@@ -93,6 +96,23 @@ bool CommandServer::step(StepSimulation::Request& request, StepSimulation::Respo
   answer("step", control_.step(request.duration, stepping_.stride(), stepping_.keep_going), response);
   time_changed_();
   response.time = control_.run().time();
+  return true;
+}
+
+bool CommandServer::lockStep(LockStep::Request& request, LockStep::Response& response)
+{
+  std::vector<std::pair<std::string, double>> setpoints;
+  for (const BaseSetpoint& setpoint : request.setpoints)
+    setpoints.emplace_back(setpoint.quantity, setpoint.value);
+  answer("lock_step",
+         control_.lockStep(setpoints, request.duration, stepping_.stride(), stepping_.keep_going), response);
+  time_changed_();
+  const LiveRun& run = control_.run();
+  response.time = run.time();
+  response.finished = run.finished();
+  response.base = toMessage(run.base());
+  response.bins = toMessage(run.bins());
+  response.statistics = toMessage(run.statistics());
   return true;
 }
 

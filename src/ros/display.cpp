@@ -47,9 +47,10 @@ void Display::show(const LiveRun& run)
   if (!watched || !due(run.time()))
     return;
   last_shown_ = Clock::now();
+  const double start = run.simulation().startTime();
+  const bool begun_anew = run.time() < last_time_ || start != last_start_;
+  last_start_ = start;
   last_time_ = run.time();
-  const bool begun_anew = run.elapsed() < last_elapsed_;
-  last_elapsed_ = run.elapsed();
   if (begun_anew)
     markers_.publish(nothing());
   if (markers_.getNumSubscribers() > 0)

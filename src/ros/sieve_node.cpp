@@ -41,7 +41,7 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
       commands_(node_, parameters_, control_, diagnostics_, stepping(),
                 [this]
                 {
-                  pacer_.anchor(control_.run().elapsed(), Pacer::Clock::now());
+                  pacer_.anchor(control_.run().time(), Pacer::Clock::now());
                   clock_.publish(control_.run().time());
                 })
 {
@@ -85,16 +85,16 @@ void SieveNode::keepAlive()
 double SieveNode::waitUntilDue() const
 {
   const LiveRun& run = control_.run();
-  return pacer_.wait(std::min(run.nextTime(), run.elapsed() + pacer_.stride()), Pacer::Clock::now());
+  return pacer_.wait(std::min(run.nextTime(), run.time() + pacer_.stride()), Pacer::Clock::now());
 }
 
 void SieveNode::advance()
 {
   const auto begin = Pacer::Clock::now();
-  const double elapsed = control_.run().elapsed();
-  control_.advanceTo(pacer_.allowed(elapsed, begin));
+  const double time = control_.run().time();
+  control_.advanceTo(pacer_.allowed(time, begin));
   const std::chrono::duration<double> wall = Pacer::Clock::now() - begin;
-  pacer_.advanced(control_.run().elapsed() - elapsed, wall.count());
+  pacer_.advanced(control_.run().time() - time, wall.count());
   if (control_.run().finished())
     finish();
 }
@@ -114,7 +114,7 @@ void SieveNode::run()
            static_cast<unsigned long>(run.simulation().scene().seed),
            recorder_.path().empty() ? "" : ", recorded into ", recorder_.path().c_str());
   control_.begin();
-  pacer_.anchor(0.0, Pacer::Clock::now());
+  pacer_.anchor(run.time(), Pacer::Clock::now());
   while (!stopped() && !ended())
   {
     serveCallbacks(control_.paused() ? Pacer::LONGEST_WAIT : waitUntilDue());

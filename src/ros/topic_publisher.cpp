@@ -34,7 +34,8 @@ TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function
       particles_(advertise(private_node, "particles", current, &LiveRun::particles)),
       bins_(advertise(private_node, "bins", current, &LiveRun::bins)),
       base_(advertise(private_node, "base", current, &LiveRun::base)),
-      statistics_(advertise(private_node, "statistics", current, &LiveRun::statistics))
+      statistics_(advertise(private_node, "statistics", current, &LiveRun::statistics)),
+      commands_(private_node.advertise<Command>("commands", QUEUE_SIZE))
 {
 }
 
@@ -78,6 +79,11 @@ void TopicPublisher::take(const BaseFrame& frame)
 void TopicPublisher::take(const StatisticsFrame& frame)
 {
   publish(statistics_, frame);
+}
+
+void TopicPublisher::take(const CommandFrame& frame)
+{
+  publish(commands_, frame);
 }
 
 }  // namespace ratchet_sieve

@@ -7,10 +7,10 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include "ratchet_sieve/PourDisks.h"
+#include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/scene_parameters.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
-#include "same_bits.h"
 #include "sieve_client.h"
 
 namespace ratchet_sieve

@@ -6,8 +6,8 @@
 
 #include "child_node.h"
 #include "collecting_sink.h"
+#include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
-#include "same_bits.h"
 #include "sieve_client.h"
 #include "small_scenes.h"
 

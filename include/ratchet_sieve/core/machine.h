@@ -57,6 +57,11 @@ public:
   const BaseMotion& motion() const { return motion_; }
   BaseMotion& motion() { return motion_; }
   const ContactSearch& search() const { return search_; }
+  /// Time counts from `start` [s], not from 0. @pre nothing has happened yet
+  /// @return the start, local to the epoch: epochs stand where they would, had it all begun at 0, so that
+  /// times since their start are exact
+  double startAt(double start);
+
   const Epoch& epoch() const { return epoch_; }
 
   /// See ratchet_sieve::timeScale().

@@ -29,9 +29,8 @@ public:
   void take(const BaseFrame& frame) override;
   void take(const StatisticsFrame& frame) override;
 
-  /// Records a command as it was taken. @param topic such as inclination_setpoint
-  /// @param time simulated, at which it was applied [s]
-  void takeSetpoint(const std::string& topic, double value, double time);
+  /// A setpoint stands in the bag as it came, too, for whoever plays the bag to a sieve.
+  void take(const CommandFrame& frame) override;
 
   /// Writes the index and gives the file its name. What is taken afterwards is an error.
   /// @throws BagError

@@ -7,6 +7,7 @@
 #include <std_msgs/Float64.h>
 #include <std_srvs/Empty.h>
 
+#include "ratchet_sieve/LockStep.h"
 #include "ratchet_sieve/PourDisks.h"
 #include "ratchet_sieve/ResetSimulation.h"
 #include "ratchet_sieve/StepSimulation.h"
@@ -39,6 +40,7 @@ private:
   bool resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
   bool reset(ResetSimulation::Request& request, ResetSimulation::Response& response);
   bool step(StepSimulation::Request& request, StepSimulation::Response& response);
+  bool lockStep(LockStep::Request& request, LockStep::Response& response);
   bool pour(PourDisks::Request& request, PourDisks::Response& response);
 
   RunControl& control_;

@@ -34,8 +34,8 @@ private:
   ros::Publisher markers_;
   ros::Publisher cloud_;
   Clock::time_point last_shown_;
-  double last_time_ = -1.0;  ///< published [s]
-  double last_elapsed_ = 0.0;
+  double last_time_ = -1.0;  ///< simulated [s]
+  double last_start_ = 0.0;
 };
 
 }  // namespace ratchet_sieve

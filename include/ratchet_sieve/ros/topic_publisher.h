@@ -13,7 +13,7 @@
 namespace ratchet_sieve
 {
 
-/// Publishes frames on ~particles, ~bins, ~base, ~statistics and, latched, ~scene; the base on /tf
+/// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~commands and, latched, ~scene; the base on /tf
 /// as well. Converts nothing for a topic that nobody subscribes to. A subscriber that comes gets the
 /// present state at once, so that it need not wait while the run stands still.
 class TopicPublisher : public FrameSink
@@ -29,6 +29,7 @@ public:
   void take(const BinFrame& frame) override;
   void take(const BaseFrame& frame) override;
   void take(const StatisticsFrame& frame) override;
+  void take(const CommandFrame& frame) override;
 
 private:
   TransformPublisher& transforms_;
@@ -37,6 +38,7 @@ private:
   ros::Publisher bins_;
   ros::Publisher base_;
   ros::Publisher statistics_;
+  ros::Publisher commands_;
 };
 
 }  // namespace ratchet_sieve
