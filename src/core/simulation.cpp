@@ -93,7 +93,8 @@ public:
 
   void setThreads(std::size_t threads)
   {
-    loop_->setThreads(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency()));
+    threads_ = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+    loop_->setThreads(threads_);
   }
 
   void observeCollisions(CollisionObserver observer)
@@ -192,8 +193,21 @@ private:
     machine_.rebase();
     loop_->rebase(machine_.epoch().length);
     now_ -= machine_.epoch().length;
-    if (moving)
+    if (machine_.mostlyLeft())
+      giveUpPlaces();
+    else if (moving)
       loop_->motionChanged(now_);
+  }
+
+  /// A machine that is fed for ever would else need more and more memory, and time to look through it.
+  void giveUpPlaces()
+  {
+    machine_.giveUpPlaces();
+    const std::uint64_t events = loop_->events();
+    loop_ = makeLoop();
+    loop_->setEvents(events);
+    loop_->setThreads(threads_);
+    announce(0);
   }
 
   /// An ensemble's disks do not come to a collapse in the order of time: it is stopped at the end of an
@@ -228,6 +242,7 @@ private:
   bool settled_ = false;
   std::uint64_t pieces_ = 0;  ///< of the series of means that have ended
   std::uint64_t fed_ = 0;
+  std::size_t threads_ = 1;
   CollisionObserver observer_;
   std::vector<CollisionRecord> unsorted_;  ///< an ensemble's, disk by disk
 };
