@@ -42,12 +42,12 @@ geometry_msgs::Point planePoint(double x, double y)
   return point;
 }
 
-visualization_msgs::Marker marker(const std::string& frame_id, double time, const std::string& name, int id,
-                                  int type, const std_msgs::ColorRGBA& color)
+visualization_msgs::Marker marker(double time, const std::string& name, int id, int type,
+                                  const std_msgs::ColorRGBA& color)
 {
   visualization_msgs::Marker marker;
   marker.header.stamp = stampOf(time);
-  marker.header.frame_id = frame_id;
+  marker.header.frame_id = WORLD_FRAME_ID;
   marker.ns = name;
   marker.id = id;
   marker.type = type;
@@ -69,10 +69,10 @@ void addRectangle(visualization_msgs::Marker& triangles, double x, double y, dou
 }
 
 visualization_msgs::Marker text(double time, const std::string& name, int id, double x, double y, double size,
-                                const std::string& words)
+                                const std::string& words, const std_msgs::ColorRGBA& color)
 {
   using visualization_msgs::Marker;
-  Marker words_marker = marker(WORLD_FRAME_ID, time, name, id, Marker::TEXT_VIEW_FACING, grey(0.15f));
+  Marker words_marker = marker(time, name, id, Marker::TEXT_VIEW_FACING, color);
   words_marker.pose.position = planePoint(x, y);
   words_marker.scale.z = size;
   words_marker.text = words;

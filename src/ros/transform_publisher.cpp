@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <ros/single_subscriber_publisher.h>
+
 #include "ratchet_sieve/ros/conversions.h"
 
 namespace ratchet_sieve
@@ -42,11 +44,13 @@ tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame)
   return message;
 }
 
-TransformPublisher::TransformPublisher(ros::NodeHandle node, std::function<const LiveRun&()> current)
-    : publisher_(
-          node.advertise<tf2_msgs::TFMessage>("/tf", QUEUE_SIZE,
-                                              [current](const ros::SingleSubscriberPublisher& subscriber)
-                                              { subscriber.publish(baseTransforms(current().base())); }))
+TransformPublisher::TransformPublisher(ros::NodeHandle node)
+    : publisher_(node.advertise<tf2_msgs::TFMessage>("/tf", QUEUE_SIZE,
+                                                     [this](const ros::SingleSubscriberPublisher& subscriber)
+                                                     {
+                                                       if (last_)
+                                                         subscriber.publish(baseTransforms(*last_));
+                                                     }))
 {
 }
 
