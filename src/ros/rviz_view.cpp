@@ -11,7 +11,7 @@ namespace
 {
 /// What there is to see, in widths of the base: with a bin at each end, and without.
 constexpr double OPEN_WIDTH = 1.36;
-constexpr double CLOSED_WIDTH = 1.20;
+constexpr double CLOSED_WIDTH = 1.25;
 
 /// The middle of the captions above and the bins or the legend below [widths of the base].
 constexpr double OPEN_MIDDLE = 0.05;

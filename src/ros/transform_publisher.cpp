@@ -11,13 +11,6 @@ namespace ratchet_sieve
 namespace
 {
 constexpr std::uint32_t QUEUE_SIZE = 100;
-
-/// Of all that makes up the transforms.
-bool sameTransforms(const BaseFrame& a, const BaseFrame& b)
-{
-  return stampOf(a.time) == stampOf(b.time) && a.base.inclination == b.base.inclination &&
-         a.base.displacement == b.base.displacement;
-}
 }  // namespace
 
 tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame)
@@ -56,10 +49,9 @@ TransformPublisher::TransformPublisher(ros::NodeHandle node)
 
 void TransformPublisher::publish(const BaseFrame& frame)
 {
-  if (last_ && sameTransforms(frame, *last_))
-    return;
+  const bool repeated = last_ && stampOf(last_->time) == stampOf(frame.time);
   last_ = frame;
-  if (publisher_.getNumSubscribers() > 0)
+  if (!repeated && publisher_.getNumSubscribers() > 0)
     publisher_.publish(baseTransforms(frame));
 }
 

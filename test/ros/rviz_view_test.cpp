@@ -37,7 +37,7 @@ TEST(RvizView, showsAllOfTheMachine)
       const double seen = height * 1248.0 / 640.0;
       const double needed = boundary == Boundary::OPEN ? 1.32 * width : width;
       EXPECT_GT(seen, needed);
-      EXPECT_LT(seen, 1.25 * needed);
+      EXPECT_LT(seen, 1.3 * needed);
     }
 }
 

@@ -21,8 +21,8 @@ constexpr const char* BASE_FRAME_ID = "sieve_base";
 /// The transforms world -> sieve_mount -> sieve_base at one instant.
 tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame);
 
-/// Publishes them on /tf, the same never twice; converts nothing where nobody listens. A subscriber that
-/// comes while the run stands still gets the last ones.
+/// Publishes them on /tf, none twice with one stamp, which tf2 ignores and warns of; converts nothing where
+/// nobody listens. A subscriber that comes while the run stands still gets the last ones.
 class TransformPublisher
 {
 public:
