@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""RViz on a screen in memory: shows disks where a sieve runs, and none where none does.
+"""RViz on a screen in memory: shows disks where a sieve runs or is replayed, and none where none does.
 
-Usage: rviz_rostest.py [ROS ARGUMENT...]; part of rviz.test, which has started a master.
+Usage: rviz_rostest.py BAG [ROS ARGUMENT...]; part of rviz.test, which has started a master. BAG is a run of mixture.yaml.
 """
 
 import subprocess
@@ -80,8 +80,14 @@ class Rviz(unittest.TestCase):
         self.assertEqual(disk_pixels(self.screen.pixels()), [0, 0])
 
     def test_shows_the_disks_of_a_sieve(self):
-        goes_on = self.start(['roslaunch', 'ratchet_sieve', 'sieve.launch', 'rviz:=true', 'paused:=true',
-                              f'scene:={PACKAGE / "test/ros/mixture.yaml"}'])
+        self.expect_disks(['sieve.launch', 'rviz:=true', 'paused:=true',
+                           f'scene:={PACKAGE / "test/ros/mixture.yaml"}'])
+
+    def test_shows_the_disks_of_a_recorded_run(self):
+        self.expect_disks(['replay.launch', f'bag:={sys.argv[1]}', 'rate:=0.2', 'loop:=true'])
+
+    def expect_disks(self, launch):
+        goes_on = self.start(['roslaunch', 'ratchet_sieve', *launch])
         wait_for(lambda: goes_on() and min(disk_pixels(self.screen.pixels())) > DISK_PIXELS,
                  f'RViz shows more than {DISK_PIXELS} pixels of each species')
 
