@@ -24,8 +24,7 @@ constexpr double MM_PER_M = 1e3;
 constexpr double G_PER_KG = 1e3;
 
 /// "theta = +0.100 rad"; on its way to a setpoint "theta = +0.100 -> +0.190 rad".
-template <typename Format>
-std::string quantityText(const char* name, const Format& format, double applied, double commanded,
+std::string quantityText(const char* name, const char* format, double applied, double commanded,
                          const char* unit)
 {
   const std::string now = fmt::format(format, applied);
@@ -44,10 +43,9 @@ std::vector<Line> captionLines(const Picture& picture)
   std::vector<Line> lines(1);
   lines[0].words = fmt::format(
       "t = {:.2f} s    {}    {}    {}", picture.base.time,
-      quantityText("theta", FMT_STRING("{:+.3f}"), base.inclination, base.commanded_inclination, "rad"),
-      quantityText("f", FMT_STRING("{:.1f}"), base.frequency, base.commanded_frequency, "Hz"),
-      quantityText("A", FMT_STRING("{:.2f}"), MM_PER_M * base.amplitude, MM_PER_M * base.commanded_amplitude,
-                   "mm"));
+      quantityText("theta", "{:+.3f}", base.inclination, base.commanded_inclination, "rad"),
+      quantityText("f", "{:.1f}", base.frequency, base.commanded_frequency, "Hz"),
+      quantityText("A", "{:.2f}", MM_PER_M * base.amplitude, MM_PER_M * base.commanded_amplitude, "mm"));
   if (picture.scene.boundary == Boundary::OPEN && picture.bins)
     lines.push_back({fmt::format("Q = {}    P = {}", orUndefined(picture.bins->quality),
                                  orUndefined(picture.bins->processed))});
