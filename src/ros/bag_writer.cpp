@@ -29,6 +29,18 @@ const char* setpointTopic(CommandKind kind)
       return nullptr;
   }
 }
+
+/// What makes `rosbag play` latch a topic, as the node does, for those who come late.
+template <typename Message>
+boost::shared_ptr<ros::M_string> latchedHeader()
+{
+  namespace traits = ros::message_traits;
+  const ros::M_string fields = {{"type", traits::datatype<Message>()},
+                                {"md5sum", traits::md5sum<Message>()},
+                                {"message_definition", traits::definition<Message>()},
+                                {"latching", "1"}};
+  return boost::make_shared<ros::M_string>(fields);
+}
 }  // namespace
 
 BagWriter::BagWriter(const std::string& path, const std::string& topic_prefix)
@@ -74,11 +86,13 @@ void BagWriter::close()
 }
 
 template <typename Message>
-void BagWriter::write(const char* topic, double time, const Message& message)
+void BagWriter::write(const char* topic, double time, const Message& message,
+                      const boost::shared_ptr<ros::M_string>& connection_header)
 {
   try
   {
-    bag_.write(topic_prefix_ + "/" + topic, std::max(stampOf(time), ros::TIME_MIN), message);
+    bag_.write(topic_prefix_ + "/" + topic, std::max(stampOf(time), ros::TIME_MIN), message,
+               connection_header);
   }
   catch (const rosbag::BagException& error)
   {
@@ -88,7 +102,7 @@ void BagWriter::write(const char* topic, double time, const Message& message)
 
 void BagWriter::take(const SceneFrame& frame)
 {
-  write("scene", frame.time, toMessage(frame));
+  write("scene", frame.time, toMessage(frame), latchedHeader<SceneDescription>());
 }
 
 void BagWriter::take(const ParticleFrame& frame)

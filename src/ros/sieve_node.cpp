@@ -33,10 +33,10 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
       control_(scene.root, scene.source, parameters_, recorder_),
       pacer_(parameters_.real_time_factor),
       clock_(node_, parameters_.clock_rate, parameters_.publish_clock),
-      transforms_(node_, [this]() -> const LiveRun& { return control_.run(); }),
+      transforms_(node_),
       topics_(
           node_, [this]() -> const LiveRun& { return control_.run(); }, transforms_),
-      display_(node_, parameters_.display_rate, transforms_),
+      display_(node_, parameters_.display_rate),
       diagnostics_(control_, parameters_, recorder_),
       commands_(node_, parameters_, control_, diagnostics_, stepping(),
                 [this]
@@ -77,7 +77,9 @@ bool SieveNode::ended() const
 void SieveNode::keepAlive()
 {
   clock_.publishDue(control_.run().time());
-  display_.show(control_.run());
+  const LiveRun& run = control_.run();
+  if (display_.due(run.time()))
+    display_.show({run.simulation().scene(), run.base(), run.bins(), run.particles()});
   diagnostics_.updateDue();
   progress_.update(control_.run());
 }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <ros/single_subscriber_publisher.h>
+
 #include "ratchet_sieve/ros/conversions.h"
 
 namespace ratchet_sieve
@@ -9,13 +11,6 @@ namespace ratchet_sieve
 namespace
 {
 constexpr std::uint32_t QUEUE_SIZE = 100;
-
-/// Of all that makes up the transforms.
-bool sameTransforms(const BaseFrame& a, const BaseFrame& b)
-{
-  return stampOf(a.time) == stampOf(b.time) && a.base.inclination == b.base.inclination &&
-         a.base.displacement == b.base.displacement;
-}
 }  // namespace
 
 tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame)
@@ -42,20 +37,21 @@ tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame)
   return message;
 }
 
-TransformPublisher::TransformPublisher(ros::NodeHandle node, std::function<const LiveRun&()> current)
-    : publisher_(
-          node.advertise<tf2_msgs::TFMessage>("/tf", QUEUE_SIZE,
-                                              [current](const ros::SingleSubscriberPublisher& subscriber)
-                                              { subscriber.publish(baseTransforms(current().base())); }))
+TransformPublisher::TransformPublisher(ros::NodeHandle node)
+    : publisher_(node.advertise<tf2_msgs::TFMessage>("/tf", QUEUE_SIZE,
+                                                     [this](const ros::SingleSubscriberPublisher& subscriber)
+                                                     {
+                                                       if (last_)
+                                                         subscriber.publish(baseTransforms(*last_));
+                                                     }))
 {
 }
 
 void TransformPublisher::publish(const BaseFrame& frame)
 {
-  if (last_ && sameTransforms(frame, *last_))
-    return;
+  const bool repeated = last_ && stampOf(last_->time) == stampOf(frame.time);
   last_ = frame;
-  if (publisher_.getNumSubscribers() > 0)
+  if (!repeated && publisher_.getNumSubscribers() > 0)
     publisher_.publish(baseTransforms(frame));
 }
 

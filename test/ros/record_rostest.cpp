@@ -123,7 +123,7 @@ TEST_F(Record, refusesABagThatCannotBeWritten)
 
 TEST_F(Record, helpsWithoutBeingANode)
 {
-  for (const char* program : {"sieve_node", "sieve_schedule"})
+  for (const char* program : {"sieve_display", "sieve_node", "sieve_rviz", "sieve_schedule"})
     for (const char* option : {"--help", "--version"})
     {
       ChildNode node(program, {option});

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 
-#include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
-#include <ros/single_subscriber_publisher.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "ratchet_sieve/ros/live_run.h"
+#include "ratchet_sieve/recording/frames.h"
 
 namespace ratchet_sieve
 {
@@ -24,19 +21,20 @@ constexpr const char* BASE_FRAME_ID = "sieve_base";
 /// The transforms world -> sieve_mount -> sieve_base at one instant.
 tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame);
 
-/// Publishes them on /tf, the same never twice; converts nothing where nobody listens. A subscriber that
-/// comes while the run stands still gets the present ones.
+/// Publishes them on /tf, none twice with one stamp, which tf2 ignores and warns of; converts nothing where
+/// nobody listens. A subscriber that comes while the run stands still gets the last ones.
 class TransformPublisher
 {
 public:
-  /// @param current gives the run, also after a reset
-  TransformPublisher(ros::NodeHandle node, std::function<const LiveRun&()> current);
+  explicit TransformPublisher(ros::NodeHandle node);
+  TransformPublisher(const TransformPublisher&) = delete;
+  TransformPublisher& operator=(const TransformPublisher&) = delete;
 
   void publish(const BaseFrame& frame);
 
 private:
-  ros::Publisher publisher_;
   std::optional<BaseFrame> last_;
+  ros::Publisher publisher_;
 };
 
 }  // namespace ratchet_sieve
