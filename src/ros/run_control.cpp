@@ -32,6 +32,19 @@ void apply(SetpointKind kind, double value, Simulation& simulation)
   }
 }
 
+/// A paused run is under way as long as this lives.
+class UnderWay
+{
+public:
+  explicit UnderWay(LiveRun& run) : run_(run) { run_.setUnderWay(true); }
+  ~UnderWay() { run_.setUnderWay(false); }
+  UnderWay(const UnderWay&) = delete;
+  UnderWay& operator=(const UnderWay&) = delete;
+
+private:
+  LiveRun& run_;
+};
+
 /// The scene with its base as it moves now.
 SceneDefinition withBase(SceneDefinition scene, const DriveState& base)
 {
@@ -55,6 +68,7 @@ RunControl::RunControl(const YAML::Node& scene, const std::string& source, const
   scene_warnings_ = read.warnings;
   run_ = std::make_unique<LiveRun>(read.definition, parameters_.rates, parameters_.slew_rates, 0.0,
                                    read.definition.duration);
+  run_->setUnderWay(!paused_);
   sinks_.add(recorder_);
 }
 
@@ -84,6 +98,13 @@ void RunControl::pause()
 {
   paused_ = true;
   run_->takeAll(sinks_);
+  run_->setUnderWay(false);
+}
+
+void RunControl::unpause()
+{
+  paused_ = false;
+  run_->setUnderWay(true);
 }
 
 Outcome RunControl::step(double duration, double stride, const std::function<bool()>& keep_going)
@@ -94,6 +115,7 @@ Outcome RunControl::step(double duration, double stride, const std::function<boo
     return failure("duration " + std::to_string(duration) + " s: must be > 0 and finite");
   if (run_->finished())
     return failure(run_->stopReason().value_or("the scene's end is reached: reset first"));
+  const UnderWay under_way(*run_);
   const double target = run_->elapsed() + duration;
   while (run_->elapsed() < target && !run_->finished())
   {
@@ -110,6 +132,7 @@ void RunControl::begin(std::unique_ptr<LiveRun> run)
   run_->takeAll(sinks_);
   recorder_.open();
   run_ = std::move(run);
+  run_->setUnderWay(!paused_);
   begin();
 }
 

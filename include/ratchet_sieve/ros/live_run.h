@@ -40,6 +40,9 @@ public:
   /// Hands on one of each kind as things stand, where none was taken at this very time.
   void takeAll(FrameSink& sink);
 
+  /// See FrameSampler.
+  void setUnderWay(bool under_way) { sampler_.setUnderWay(under_way); }
+
   Simulation& simulation() { return simulation_; }
   const Simulation& simulation() const { return simulation_; }
 

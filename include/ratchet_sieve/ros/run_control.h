@@ -45,7 +45,7 @@ public:
   const std::vector<std::string>& sceneWarnings() const { return scene_warnings_; }
   bool paused() const { return paused_; }
   void pause();
-  void unpause() { paused_ = false; }
+  void unpause();
 
   /// Advances to an elapsed time, but no further than to the next frame or the end.
   void advanceTo(double elapsed) { run_->advanceTo(elapsed, sinks_); }
