@@ -48,6 +48,7 @@ void Display::show(const LiveRun& run)
     return;
   last_shown_ = Clock::now();
   last_time_ = run.time();
+  transforms_.clock().reach(run.time());
   const bool begun_anew = run.elapsed() < last_elapsed_;
   last_elapsed_ = run.elapsed();
   if (begun_anew)

@@ -34,7 +34,8 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
       real_time_factor_(private_node, parameters_.real_time_factor),
       pacer_(parameters_.real_time_factor),
       clock_(node_, parameters_.clock_rate, parameters_.publish_clock),
-      transforms_(node_, [this]() -> const LiveRun& { return control_.run(); }),
+      transforms_(
+          node_, [this]() -> const LiveRun& { return control_.run(); }, clock_),
       topics_(
           node_, [this]() -> const LiveRun& { return control_.run(); }, transforms_),
       display_(node_, parameters_.display_rate, transforms_),

@@ -14,8 +14,8 @@ namespace ratchet_sieve
 {
 
 /// Publishes frames on ~particles, ~bins, ~base, ~statistics and, latched, ~scene; the base on /tf
-/// as well. Converts nothing for a topic that nobody subscribes to. A subscriber that comes gets the
-/// present state at once, so that it need not wait while the run stands still.
+/// as well, in time for every message of the disks. Converts nothing for a topic that nobody subscribes to. A
+/// subscriber that comes gets the present state at once, so that it need not wait while the run stands still.
 class TopicPublisher : public FrameSink
 {
 public:
@@ -31,6 +31,10 @@ public:
   void take(const StatisticsFrame& frame) override;
 
 private:
+  template <typename Frame>
+  void publish(const ros::Publisher& publisher, const Frame& frame);
+
+  std::function<const LiveRun&()> current_;
   TransformPublisher& transforms_;
   ros::Publisher scene_;
   ros::Publisher particles_;

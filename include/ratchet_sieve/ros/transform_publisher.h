@@ -9,6 +9,7 @@
 #include <ros/single_subscriber_publisher.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include "ratchet_sieve/ros/clock_publisher.h"
 #include "ratchet_sieve/ros/live_run.h"
 
 namespace ratchet_sieve
@@ -30,11 +31,19 @@ class TransformPublisher
 {
 public:
   /// @param current gives the run, also after a reset
-  TransformPublisher(ros::NodeHandle node, std::function<const LiveRun&()> current);
+  /// @param clock is brought to the stamp of whatever is published; outlives this
+  TransformPublisher(ros::NodeHandle node, const std::function<const LiveRun&()>& current,
+                     ClockPublisher& clock);
 
   void publish(const BaseFrame& frame);
 
+  /// Of what is shown beside them, too.
+  ClockPublisher& clock() { return clock_; }
+
 private:
+  void greet(const ros::SingleSubscriberPublisher& subscriber, const BaseFrame& present);
+
+  ClockPublisher& clock_;
   ros::Publisher publisher_;
   std::optional<BaseFrame> last_;
 };
