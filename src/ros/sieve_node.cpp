@@ -138,6 +138,7 @@ void SieveNode::run()
   while (!stopped() && !ended())
   {
     serveCallbacks(control_.paused() ? Pacer::LONGEST_WAIT : waitUntilDue());
+    commands_.deliverSetpoints();
     if (!control_.paused() && !stopped())
       advance();
     keepAlive();

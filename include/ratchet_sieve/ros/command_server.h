@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include <ros/node_handle.h>
@@ -11,7 +13,9 @@
 #include "ratchet_sieve/ResetSimulation.h"
 #include "ratchet_sieve/StepSimulation.h"
 #include "ratchet_sieve/ros/diagnostics.h"
+#include "ratchet_sieve/ros/log_throttle.h"
 #include "ratchet_sieve/ros/run_control.h"
+#include "ratchet_sieve/ros/setpoint_inbox.h"
 
 namespace ratchet_sieve
 {
@@ -32,8 +36,21 @@ public:
   CommandServer(ros::NodeHandle private_node, const NodeParameters& parameters, RunControl& control,
                 Diagnostics& diagnostics, Stepping stepping, std::function<void()> time_changed);
 
+  /// Commands what came over the setpoint topics, and says in the log what is to be said of it. To be called
+  /// whenever callbacks were served.
+  void deliverSetpoints();
+
 private:
+  /// Of one quantity.
+  struct SetpointLog
+  {
+    LogThrottle taken;
+    LogThrottle refused;
+  };
+
   void takeSetpoint(const Setpoint& setpoint, const std_msgs::Float64& message);
+  void command(SetpointKind kind, double value);
+  void commandAll();
   bool pause(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
   bool unpause(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
   bool resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
@@ -45,6 +62,9 @@ private:
   Diagnostics& diagnostics_;
   Stepping stepping_;
   std::function<void()> time_changed_;
+  std::array<Setpoint, 3> setpoints_;  ///< per SetpointKind
+  std::array<SetpointLog, 3> logs_;    ///< per SetpointKind
+  SetpointInbox inbox_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;
 };
