@@ -9,17 +9,6 @@ namespace ratchet_sieve
 namespace
 {
 constexpr std::uint32_t QUEUE_SIZE = 100;
-
-/// Transforms that differ by less are the same [m, rad]: disks that are poured anew lie on a base whose phase
-/// was rounded once more.
-constexpr double ROUNDING = 1e-12;
-
-/// Of all that makes up the transforms.
-bool sameTransforms(const BaseFrame& a, const BaseFrame& b)
-{
-  return stampOf(a.time) == stampOf(b.time) && std::abs(a.base.inclination - b.base.inclination) < ROUNDING &&
-         std::abs(a.base.displacement - b.base.displacement) < ROUNDING;
-}
 }  // namespace
 
 tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame)
@@ -59,7 +48,7 @@ TransformPublisher::TransformPublisher(ros::NodeHandle node, const std::function
 void TransformPublisher::greet(const ros::SingleSubscriberPublisher& subscriber, const BaseFrame& present)
 {
   // To all, unless the others have them: a listener warns of those that come twice.
-  if (last_ && sameTransforms(present, *last_))
+  if (stampOf(present.time) == last_)
     subscriber.publish(baseTransforms(present));
   else
     publish(present);
@@ -67,9 +56,9 @@ void TransformPublisher::greet(const ros::SingleSubscriberPublisher& subscriber,
 
 void TransformPublisher::publish(const BaseFrame& frame)
 {
-  if (last_ && sameTransforms(frame, *last_))
+  if (stampOf(frame.time) == last_)
     return;
-  last_ = frame;
+  last_ = stampOf(frame.time);
   if (publisher_.getNumSubscribers() == 0)
     return;
   clock_.reach(frame.time);

@@ -25,8 +25,9 @@ constexpr const char* BASE_FRAME_ID = "sieve_base";
 /// The transforms world -> sieve_mount -> sieve_base at one instant.
 tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame);
 
-/// Publishes them on /tf, the same never twice; converts nothing where nobody listens. A subscriber that
-/// comes while the run stands still gets the present ones.
+/// Publishes them on /tf, for one stamp never twice: a tf2 listener would warn of the second, and drop it.
+/// Converts nothing where nobody listens. A subscriber that comes while the run stands still gets the present
+/// ones.
 class TransformPublisher
 {
 public:
@@ -45,7 +46,7 @@ private:
 
   ClockPublisher& clock_;
   ros::Publisher publisher_;
-  std::optional<BaseFrame> last_;
+  std::optional<ros::Time> last_;  ///< stamp
 };
 
 }  // namespace ratchet_sieve
