@@ -2,17 +2,33 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace ratchet_sieve
 {
 
-FrameSampler::FrameSampler(const FrameRates& rates, double start_time)
-    : start_time_(start_time), last_statistics_wall_(std::chrono::steady_clock::now())
+FrameSampler::FrameSampler(const FrameRates& rates, double start_time, WallClock wall_clock)
+    : start_time_(start_time), wall_clock_(std::move(wall_clock)), last_statistics_wall_(wall_clock_())
 {
   particles_.rate = rates.particles;
   bins_.rate = rates.bins;
   base_.rate = rates.base;
   statistics_.rate = rates.statistics;
+}
+
+void FrameSampler::setUnderWay(bool under_way)
+{
+  if (under_way && stood_since_)
+    last_statistics_wall_ += wall_clock_() - *stood_since_;
+  if (!under_way)
+    stood_since_ = wallTime();
+  else
+    stood_since_.reset();
+}
+
+std::chrono::steady_clock::time_point FrameSampler::wallTime() const
+{
+  return stood_since_ ? *stood_since_ : wall_clock_();
 }
 
 double FrameSampler::dueTime(const Stream& stream) const
@@ -76,7 +92,7 @@ void FrameSampler::takeStatistics(const Simulation& simulation, FrameSink& sink)
 {
   if (!sink.wants(FrameKind::STATISTICS))
     return;
-  const auto now = std::chrono::steady_clock::now();
+  const auto now = wallTime();
   const double wall_seconds = std::chrono::duration<double>(now - last_statistics_wall_).count();
   last_statistics_ = makeStatisticsFrame(simulation, presentDisks(simulation),
                                          last_statistics_ ? &*last_statistics_ : nullptr, wall_seconds);

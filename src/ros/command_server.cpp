@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <fmt/format.h>
 #include <ros/console.h>
 
 #include "ratchet_sieve/ros/conversions.h"
@@ -21,6 +22,26 @@ void answer(const char* service, const Outcome& outcome, Response& response)
   if (!outcome.success)
     ROS_WARN("%s: %s", service, outcome.message.c_str());
 }
+
+void say(ros::console::levels::Level level, const std::optional<std::string>& line)
+{
+  if (line)
+    ROS_LOG_STREAM(level, ROSCONSOLE_DEFAULT_NAME, *line);
+}
+
+/// @pre kind is that of a setpoint
+double commanded(CommandKind kind, const DriveState& base)
+{
+  switch (kind)
+  {
+    case CommandKind::INCLINATION:
+      return base.commanded_inclination;
+    case CommandKind::FREQUENCY:
+      return base.commanded_frequency;
+    default:
+      return base.commanded_amplitude;
+  }
+}
 }  // namespace
 
 CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters& parameters,
@@ -29,9 +50,10 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
     : control_(control),
       diagnostics_(diagnostics),
       stepping_(std::move(stepping)),
-      time_changed_(std::move(time_changed))
+      time_changed_(std::move(time_changed)),
+      setpoints_(parameters.setpoints)
 {
-  for (const Setpoint& setpoint : parameters.setpoints)
+  for (const Setpoint& setpoint : setpoints_)
     subscribers_.push_back(private_node.subscribe<std_msgs::Float64>(
         setpoint.topic(), QUEUE_SIZE,
         [this, setpoint](const std_msgs::Float64::ConstPtr& message) { takeSetpoint(setpoint, *message); },
@@ -47,20 +69,53 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
 
 void CommandServer::takeSetpoint(const Setpoint& setpoint, const std_msgs::Float64& message)
 {
-  const Outcome outcome = control_.command(setpoint, message.data);
-  if (outcome.success)
+  if (const auto refusal = setpoint.refusal(message.data))
   {
-    ROS_INFO("%s: %g %s from %.3f s on", setpoint.name.c_str(), message.data, setpoint.unit.c_str(),
-             control_.run().time());
-    diagnostics_.setpointTaken(setpoint);
+    LogThrottle& log = logs_[static_cast<std::size_t>(setpoint.kind)].refused;
+    say(ros::console::levels::Warn, log.put(*refusal, LogThrottle::Clock::now()));
+    diagnostics_.setpointRefused(setpoint, *refusal);
     return;
   }
-  ROS_WARN("%s", outcome.message.c_str());
-  diagnostics_.setpointRefused(setpoint, outcome.message);
+  diagnostics_.setpointTaken(setpoint);
+  inbox_.put(setpoint.kind, message.data);
+}
+
+void CommandServer::deliverSetpoints()
+{
+  const auto now = LogThrottle::Clock::now();
+  for (SetpointLog& log : logs_)
+  {
+    say(ros::console::levels::Info, log.taken.due(now));
+    say(ros::console::levels::Warn, log.refused.due(now));
+  }
+  inbox_.deliver(!control_.paused(), [this](CommandKind kind, double value) { command(kind, value); });
+}
+
+void CommandServer::command(CommandKind kind, double value)
+{
+  // A controller that says the same again and again wants nothing new.
+  if (commanded(kind, control_.run().simulation().base()) == value)
+    return;
+  const Setpoint& setpoint = setpoints_[static_cast<std::size_t>(kind)];
+  const Outcome outcome = control_.command(setpoint, value);
+  if (!outcome.success)
+    ROS_WARN("%s", outcome.message.c_str());
+  LogThrottle& log = logs_[static_cast<std::size_t>(kind)].taken;
+  const std::string line =
+      fmt::format("{}: {:g} {} from {:.3f} s on", setpoint.name, value, setpoint.unit, control_.run().time());
+  if (outcome.success)
+    say(ros::console::levels::Info, log.put(line, LogThrottle::Clock::now()));
+}
+
+/// What came before a service was called holds before it.
+void CommandServer::commandAll()
+{
+  inbox_.deliver(false, [this](CommandKind kind, double value) { command(kind, value); });
 }
 
 bool CommandServer::pause(std_srvs::Empty::Request&, std_srvs::Empty::Response&)
 {
+  commandAll();
   control_.pause();
   time_changed_();
   return true;
@@ -68,6 +123,7 @@ bool CommandServer::pause(std_srvs::Empty::Request&, std_srvs::Empty::Response&)
 
 bool CommandServer::unpause(std_srvs::Empty::Request&, std_srvs::Empty::Response&)
 {
+  commandAll();
   control_.unpause();
   time_changed_();
   return true;
@@ -75,6 +131,7 @@ bool CommandServer::unpause(std_srvs::Empty::Request&, std_srvs::Empty::Response
 
 bool CommandServer::resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Response&)
 {
+  commandAll();
   control_.resetWorld();
   time_changed_();
   ROS_INFO("disks poured anew at %.3f s", control_.run().time());
@@ -83,6 +140,7 @@ bool CommandServer::resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Respo
 
 bool CommandServer::reset(ResetSimulation::Request& request, ResetSimulation::Response& response)
 {
+  commandAll();
   answer("reset", control_.reset(request.seed, request.overrides, request.keep_time), response);
   time_changed_();
   if (response.success)
@@ -93,6 +151,7 @@ bool CommandServer::reset(ResetSimulation::Request& request, ResetSimulation::Re
 
 bool CommandServer::step(StepSimulation::Request& request, StepSimulation::Response& response)
 {
+  commandAll();
   answer("step", control_.step(request.duration, stepping_.stride(), stepping_.keep_going), response);
   time_changed_();
   response.time = control_.run().time();
@@ -101,6 +160,7 @@ bool CommandServer::step(StepSimulation::Request& request, StepSimulation::Respo
 
 bool CommandServer::lockStep(LockStep::Request& request, LockStep::Response& response)
 {
+  commandAll();
   std::vector<std::pair<std::string, double>> setpoints;
   for (const BaseSetpoint& setpoint : request.setpoints)
     setpoints.emplace_back(setpoint.quantity, setpoint.value);
@@ -118,6 +178,7 @@ bool CommandServer::lockStep(LockStep::Request& request, LockStep::Response& res
 
 bool CommandServer::pour(PourDisks::Request& request, PourDisks::Response& response)
 {
+  commandAll();
   answer("pour", control_.pour(request.species, request.count), response);
   return true;
 }

@@ -16,7 +16,6 @@ constexpr double MAX_SLEW = 10.0;
 constexpr double MIN_SLEW = 1e-9;
 
 constexpr double MAX_RATE = 1e5;  // 1/s
-constexpr double MAX_REAL_TIME_FACTOR = 1e6;
 
 void readLimits(ParameterReader& reader, double least, double most, Setpoint& setpoint, double& slew_rate)
 {

@@ -27,6 +27,12 @@ void Pacer::anchor(double elapsed, Clock::time_point now)
   anchor_wall_ = now;
 }
 
+void Pacer::setFactor(double real_time_factor, double elapsed, Clock::time_point now)
+{
+  factor_ = real_time_factor;
+  anchor(elapsed, now);
+}
+
 double Pacer::allowed(double elapsed, Clock::time_point now)
 {
   const double longest = elapsed + stride_;
@@ -34,7 +40,10 @@ double Pacer::allowed(double elapsed, Clock::time_point now)
     return longest;
   const double target = anchor_elapsed_ + factor_ * seconds(now - anchor_wall_);
   if (target - elapsed > factor_ * TOLERATED_LAG)
+  {
+    lost_ += (target - elapsed) / factor_;
     anchor(elapsed, now);
+  }
   return std::min(target, longest);
 }
 

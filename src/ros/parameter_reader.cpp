@@ -6,26 +6,21 @@
 
 namespace ratchet_sieve
 {
-
-bool ParameterReader::get(const std::string& name, XmlRpc::XmlRpcValue& value)
+namespace
 {
-  asked_.insert(name);
-  return node_.getParam(name, value);
-}
-
-void ParameterReader::refuse(const std::string& name, const XmlRpc::XmlRpcValue& value,
-                             const std::string& allowed) const
+[[noreturn]] void refuse(const std::string& name, const XmlRpc::XmlRpcValue& value,
+                         const std::string& allowed)
 {
   std::ostringstream text;
-  text << "parameter " << node_.resolveName(name) << ": " << value << ": must be " << allowed;
+  text << "parameter " << name << ": " << value << ": must be " << allowed;
   throw ParameterError(text.str());
 }
+}  // namespace
 
-double ParameterReader::number(const std::string& name, double fallback, double least, double most)
+// The value is a copy, as it gives its content to none but a non-const reference.
+double numberFrom(const std::string& name, const XmlRpc::XmlRpcValue& given, double least, double most)
 {
-  XmlRpc::XmlRpcValue value;
-  if (!get(name, value))
-    return fallback;
+  XmlRpc::XmlRpcValue value = given;
   std::ostringstream allowed;
   allowed << "a number from " << least << " to " << most;
   double number = 0.0;
@@ -40,13 +35,27 @@ double ParameterReader::number(const std::string& name, double fallback, double 
   return number;
 }
 
+bool ParameterReader::get(const std::string& name, XmlRpc::XmlRpcValue& value)
+{
+  asked_.insert(name);
+  return node_.getParam(name, value);
+}
+
+double ParameterReader::number(const std::string& name, double fallback, double least, double most)
+{
+  XmlRpc::XmlRpcValue value;
+  if (!get(name, value))
+    return fallback;
+  return numberFrom(node_.resolveName(name), value, least, most);
+}
+
 bool ParameterReader::flag(const std::string& name, bool fallback)
 {
   XmlRpc::XmlRpcValue value;
   if (!get(name, value))
     return fallback;
   if (value.getType() != XmlRpc::XmlRpcValue::TypeBoolean)
-    refuse(name, value, "true or false");
+    refuse(node_.resolveName(name), value, "true or false");
   return static_cast<bool&>(value);
 }
 
@@ -56,7 +65,7 @@ std::string ParameterReader::text(const std::string& name, const std::string& fa
   if (!get(name, value))
     return fallback;
   if (value.getType() != XmlRpc::XmlRpcValue::TypeString)
-    refuse(name, value, "text");
+    refuse(node_.resolveName(name), value, "text");
   return static_cast<std::string&>(value);
 }
 

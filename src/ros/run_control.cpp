@@ -34,6 +34,19 @@ CommandFrame plainCommand(CommandKind kind)
   return command;
 }
 
+/// A paused run is under way as long as this lives.
+class UnderWay
+{
+public:
+  explicit UnderWay(LiveRun& run) : run_(run) { run_.setUnderWay(true); }
+  ~UnderWay() { run_.setUnderWay(false); }
+  UnderWay(const UnderWay&) = delete;
+  UnderWay& operator=(const UnderWay&) = delete;
+
+private:
+  LiveRun& run_;
+};
+
 /// The scene with its base as it moves now.
 SceneDefinition withBase(SceneDefinition scene, const DriveState& base)
 {
@@ -57,6 +70,7 @@ RunControl::RunControl(const YAML::Node& scene, const std::string& source, const
   scene_warnings_ = read.warnings;
   run_ = std::make_unique<LiveRun>(read.definition, parameters_.rates, std::vector{slewRates()}, 0.0,
                                    read.definition.duration);
+  run_->setUnderWay(!paused_);
   sinks_.add(recorder_);
 }
 
@@ -96,6 +110,7 @@ void RunControl::pause()
     run_->give(plainCommand(CommandKind::PAUSE), sinks_);
   paused_ = true;
   run_->takeAll(sinks_);
+  run_->setUnderWay(false);
 }
 
 void RunControl::unpause()
@@ -103,6 +118,7 @@ void RunControl::unpause()
   if (paused_)
     run_->give(plainCommand(CommandKind::UNPAUSE), sinks_);
   paused_ = false;
+  run_->setUnderWay(true);
 }
 
 std::optional<std::string> RunControl::whyNoStep(double duration) const
@@ -146,6 +162,7 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
 
 Outcome RunControl::advance(double duration, double stride, const std::function<bool()>& keep_going)
 {
+  const UnderWay under_way(*run_);
   const double target = run_->time() + duration;
   while (run_->time() < target && !run_->finished())
   {
@@ -162,6 +179,7 @@ void RunControl::begin(std::unique_ptr<LiveRun> run)
   run_->takeAll(sinks_);
   recorder_.open();
   run_ = std::move(run);
+  run_->setUnderWay(!paused_);
   begin();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <ros/console.h>
+#include <ros/single_subscriber_publisher.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/Empty.h>
 
@@ -25,22 +26,36 @@ std::vector<ScheduleEntry> readSchedule(const ros::NodeHandle& node)
 }
 }  // namespace
 
-ScheduleNode::ScheduleNode(ros::NodeHandle private_node) : schedule_(readSchedule(private_node))
+ScheduleNode::ScheduleNode(ros::NodeHandle private_node)
+    : sieve_(private_node.resolveName(private_node.param<std::string>("sieve", "/sieve"))),
+      schedule_(readSchedule(private_node))
 {
-  const std::string sieve = private_node.param<std::string>("sieve", "/sieve");
-  unpause_ = private_node.serviceClient<std_srvs::Empty>(sieve + "/unpause_physics");
+  unpause_ = private_node.serviceClient<std_srvs::Empty>(sieve_ + "/unpause_physics");
   for (const char* name : SCHEDULED)
     setpoints_.push_back(private_node.advertise<std_msgs::Float64>(
-        sieve + "/" + name + "_setpoint", QUEUE_SIZE,
-        [this](const ros::SingleSubscriberPublisher&) { startOnceConnected(); }));
+        sieve_ + "/" + name + "_setpoint", QUEUE_SIZE,
+        [this](const ros::SingleSubscriberPublisher&) { startOnceConnected(); },
+        [this](const ros::SingleSubscriberPublisher& subscriber) { lose(subscriber.getSubscriberName()); }));
   base_ = private_node.subscribe<BaseState>(
-      sieve + "/base", QUEUE_SIZE, [this](const BaseState::ConstPtr& base) { follow(*base); },
+      sieve_ + "/base", QUEUE_SIZE, [this](const BaseState::ConstPtr& base) { follow(*base); },
       ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+}
+
+void ScheduleNode::lose(const std::string& subscriber)
+{
+  if (subscriber != sieve_ || !started_)
+    return;
+  ROS_WARN("%s is gone: waiting for it to come again", sieve_.c_str());
+  started_ = false;
+  base_seen_ = false;
 }
 
 void ScheduleNode::follow(const BaseState& base)
 {
   base_seen_ = true;
+  if (base.time < last_time_)
+    next_ = 0;
+  last_time_ = base.time;
   startOnceConnected();
   while (started_ && next_ < schedule_.size() && schedule_[next_].time <= base.time)
     command(schedule_[next_++]);

@@ -31,13 +31,14 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
       parameters_(readNodeParameters(private_node)),
       recorder_(parameters_.record, private_node.getNamespace()),
       control_(scene.root, scene.source, parameters_, recorder_),
+      real_time_factor_(private_node, parameters_.real_time_factor),
       pacer_(parameters_.real_time_factor),
       clock_(node_, parameters_.clock_rate, parameters_.publish_clock),
       transforms_(node_),
       topics_(
-          node_, [this]() -> const LiveRun& { return control_.run(); }, transforms_),
+          node_, [this]() -> const LiveRun& { return control_.run(); }, transforms_, clock_),
       display_(node_, parameters_.display_rate),
-      diagnostics_(control_, parameters_, recorder_),
+      diagnostics_(control_, {real_time_factor_, pacer_, speed_}, recorder_),
       commands_(node_, parameters_, control_, diagnostics_, stepping(),
                 [this]
                 {
@@ -79,9 +80,30 @@ void SieveNode::keepAlive()
   clock_.publishDue(control_.run().time());
   const LiveRun& run = control_.run();
   if (display_.due(run.time()))
+  {
+    clock_.reach(run.time());
     display_.show({run.simulation().scene(), run.base(), run.bins(), run.particles()});
+  }
+  watchSpeed();
   diagnostics_.updateDue();
   progress_.update(control_.run());
+}
+
+void SieveNode::watchSpeed()
+{
+  const auto now = Pacer::Clock::now();
+  const LiveRun& run = control_.run();
+  if (const auto factor = real_time_factor_.changed())
+  {
+    pacer_.setFactor(*factor, run.time(), now);
+    speed_.forget();
+    ROS_INFO("real-time factor: %g from %.3f s on%s", *factor, run.time(),
+             *factor > 0.0 ? "" : ": as fast as it goes");
+  }
+  speed_.look(!control_.paused(), run.time(), pacer_.lost(), now);
+  if (const auto line = speed_.line(pacer_.factor(), now))
+    ROS_LOG_STREAM(line->warning ? ros::console::levels::Warn : ros::console::levels::Info,
+                   ROSCONSOLE_DEFAULT_NAME, line->text);
 }
 
 double SieveNode::waitUntilDue() const
@@ -120,6 +142,7 @@ void SieveNode::run()
   while (!stopped() && !ended())
   {
     serveCallbacks(control_.paused() ? Pacer::LONGEST_WAIT : waitUntilDue());
+    commands_.deliverSetpoints();
     if (!control_.paused() && !stopped())
       advance();
     keepAlive();

@@ -6,7 +6,8 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Half a second of frames at the default rates: a subscriber that is slower than that loses some.
+/// Half a second of frames at the default rates: a subscriber that is slower than that loses some. Each has a
+/// queue of its own, so that one that takes nothing costs the others nothing.
 constexpr std::uint32_t QUEUE_SIZE = 30;
 
 template <typename Frame>
@@ -18,18 +19,22 @@ ros::Publisher advertise(ros::NodeHandle& node, const std::string& topic,
                                  [current, state](const ros::SingleSubscriberPublisher& subscriber)
                                  { subscriber.publish(toMessage((current().*state)())); });
 }
-
-template <typename Frame>
-void publish(const ros::Publisher& publisher, const Frame& frame)
-{
-  if (publisher.getNumSubscribers() > 0)
-    publisher.publish(toMessage(frame));
-}
 }  // namespace
 
+template <typename Frame>
+void TopicPublisher::publish(const ros::Publisher& publisher, const Frame& frame)
+{
+  if (publisher.getNumSubscribers() == 0)
+    return;
+  clock_.reach(frame.time);
+  publisher.publish(toMessage(frame));
+}
+
 TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
-                               TransformPublisher& transforms)
-    : transforms_(transforms),
+                               TransformPublisher& transforms, ClockPublisher& clock)
+    : current_(current),
+      transforms_(transforms),
+      clock_(clock),
       scene_(private_node.advertise<SceneDescription>("scene", 1, true)),
       particles_(advertise(private_node, "particles", current, &LiveRun::particles)),
       bins_(advertise(private_node, "bins", current, &LiveRun::bins)),
@@ -57,11 +62,14 @@ bool TopicPublisher::wants(FrameKind kind) const
 
 void TopicPublisher::take(const SceneFrame& frame)
 {
+  clock_.reach(frame.time);
   scene_.publish(toMessage(frame));
 }
 
 void TopicPublisher::take(const ParticleFrame& frame)
 {
+  if (particles_.getNumSubscribers() > 0)
+    showBase(current_().base());
   publish(particles_, frame);
 }
 
@@ -73,6 +81,13 @@ void TopicPublisher::take(const BinFrame& frame)
 void TopicPublisher::take(const BaseFrame& frame)
 {
   publish(base_, frame);
+  showBase(frame);
+}
+
+void TopicPublisher::showBase(const BaseFrame& frame)
+{
+  if (transforms_.heard())
+    clock_.reach(frame.time);
   transforms_.publish(frame);
 }
 

@@ -138,6 +138,61 @@ TEST(FrameSampler, MakesNothingThatIsNotWanted)
   EXPECT_EQ(sink.statistics[0].real_time_factor, 0.0);
 }
 
+/// Wall time as the test has it.
+struct HandClock
+{
+  std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
+
+  void pass(double seconds)
+  {
+    now += std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+        std::chrono::duration<double>(seconds));
+  }
+};
+
+TEST(FrameSampler, LeavesOutOfTheRealTimeFactorWhatTheRunStoodStill)
+{
+  HandClock clock;
+  Simulation simulation(smallRing());
+  FrameSampler sampler({0.0, 0.0, 0.0, 10.0}, 0.0, [&] { return clock.now; });
+  CollectingSink sink;
+  sampler.takeDue(simulation, sink);
+  // Twice as fast as wall time; paused in the midst of the second frame, stepped through the fourth.
+  clock.pass(0.05);
+  simulation.advanceTo(0.1);
+  sampler.takeDue(simulation, sink);
+  clock.pass(0.02);
+  sampler.setUnderWay(false);
+  clock.pass(100.0);
+  sampler.setUnderWay(false);
+  clock.pass(100.0);
+  sampler.setUnderWay(true);
+  sampler.setUnderWay(true);
+  clock.pass(0.03);
+  simulation.advanceTo(0.2);
+  sampler.takeDue(simulation, sink);
+  clock.pass(0.02);
+  simulation.advanceTo(0.25);
+  sampler.setUnderWay(false);
+  clock.pass(100.0);
+  sampler.takeLast(simulation, sink);
+  clock.pass(100.0);
+  sampler.setUnderWay(true);
+  clock.pass(0.01);
+  simulation.advanceTo(0.3);
+  sampler.takeDue(simulation, sink);
+
+  std::vector<double> factors;
+  for (const StatisticsFrame& frame : sink.statistics)
+    factors.push_back(frame.real_time_factor);
+  ASSERT_EQ(factors.size(), 5u);
+  EXPECT_EQ(factors[0], 0.0);
+  EXPECT_NEAR(factors[1], 2.0, 1e-6);
+  EXPECT_NEAR(factors[2], 2.0, 1e-6);
+  EXPECT_NEAR(factors[3], 2.5, 1e-6);  // to the pause: 0.05 s in 0.02 s
+  EXPECT_NEAR(factors[4], 5.0, 1e-6);  // from there: 0.05 s in 0.01 s
+}
+
 TEST(FrameSampler, TakesTheTemperatureOfTheDisksAsTheyAre)
 {
   const SceneDefinition scene = smallRing();

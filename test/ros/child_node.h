@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,6 +26,8 @@ public:
     const std::string path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / program;
     if (pipe(errors_.data()) != 0)
       throw std::runtime_error("no pipe");
+    // Nobody reads before it has ended: what it says must not hold it up.
+    fcntl(errors_[1], F_SETPIPE_SZ, 1 << 20);
     process_ = fork();
     if (process_ == 0)
       become(path, arguments);
@@ -45,13 +48,33 @@ public:
 
   void interrupt() { kill(process_, SIGINT); }
 
+  /// As a crash does, or the kernel where memory runs out.
+  void killAtOnce() { kill(process_, SIGKILL); }
+
+  bool running() const
+  {
+    siginfo_t ended{};
+    return waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           ended.si_pid == 0;
+  }
+
+  pid_t process() const { return process_; }
+
+  /// Reads what it writes to stderr until this is in it. @return false where it ends before
+  bool waitForError(const std::string& text)
+  {
+    while (errors_text_.find(text) == std::string::npos)
+      if (!readErrors())
+        return false;
+    return true;
+  }
+
   /// Waits until it ends. @return its exit status; -1 where a signal ended it
   int wait()
   {
-    std::array<char, 4096> chunk{};
-    ssize_t got = 0;
-    while ((got = read(errors_[0], chunk.data(), chunk.size())) > 0)
-      errors_text_.append(chunk.data(), static_cast<std::size_t>(got));
+    while (readErrors())
+    {
+    }
     int status = 0;
     waitpid(process_, &status, 0);
     process_ = -1;
@@ -62,6 +85,16 @@ public:
   const std::string& errors() const { return errors_text_; }
 
 private:
+  /// Waits for more. @return false at the end
+  bool readErrors()
+  {
+    std::array<char, 4096> chunk{};
+    const ssize_t got = read(errors_[0], chunk.data(), chunk.size());
+    if (got > 0)
+      errors_text_.append(chunk.data(), static_cast<std::size_t>(got));
+    return got > 0;
+  }
+
   [[noreturn]] void become(const std::string& path, const std::vector<std::string>& arguments)
   {
     dup2(errors_[1], STDERR_FILENO);

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <limits>
-#include <map>
 
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tf2_msgs/TFMessage.h>
@@ -14,6 +12,7 @@
 #include "ratchet_sieve/ros/transform_publisher.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "sieve_client.h"
+#include "statuses.h"
 
 namespace ratchet_sieve
 {
@@ -110,28 +109,6 @@ TEST_F(Node, appliesASetpointAtThePresentTime)
   simulation.advanceTo(0.8);
   EXPECT_TRUE(sameBits(sieve.particles.frames.back().disks, simulation.disks()));
 }
-
-/// The last of each status on /diagnostics.
-class Statuses
-{
-public:
-  explicit Statuses(ros::NodeHandle& node)
-      : subscriber_(node.subscribe<diagnostic_msgs::DiagnosticArray>(
-            "/diagnostics", 100,
-            [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& array)
-            {
-              for (const auto& status : array->status)
-                last_[status.name] = status;
-            }))
-  {
-  }
-
-  const diagnostic_msgs::DiagnosticStatus& operator[](const std::string& name) { return last_[name]; }
-
-private:
-  std::map<std::string, diagnostic_msgs::DiagnosticStatus> last_;
-  ros::Subscriber subscriber_;
-};
 
 TEST_F(Node, saysThatACollapseStoppedIt)
 {

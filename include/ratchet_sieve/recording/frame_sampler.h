@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "ratchet_sieve/recording/frame_sink.h"
@@ -23,7 +24,14 @@ struct FrameRates
 class FrameSampler
 {
 public:
-  FrameSampler(const FrameRates& rates, double start_time);
+  using WallClock = std::function<std::chrono::steady_clock::time_point()>;
+
+  FrameSampler(const FrameRates& rates, double start_time,
+               WallClock wall_clock = std::chrono::steady_clock::now);
+
+  /// Whether the run is under way, as it is from the start, or stands still: wall time that it stood still is
+  /// left out of the real-time factor.
+  void setUnderWay(bool under_way);
 
   /// The next time at which a frame is due [s]; infinity if every rate is 0. Advance the simulation no
   /// further than this.
@@ -50,13 +58,17 @@ private:
   void takeStatistics(const Simulation& simulation, FrameSink& sink);
   const std::vector<DiskState>& presentDisks(const Simulation& simulation);
 
+  std::chrono::steady_clock::time_point wallTime() const;
+
   double start_time_;
+  WallClock wall_clock_;
   bool scene_taken_ = false;
   Stream particles_, bins_, base_, statistics_;
   ParticleFrame particle_frame_;    ///< one buffer for all
   bool disks_are_present_ = false;  ///< whether it holds the disks as they are
   std::optional<StatisticsFrame> last_statistics_;
   std::chrono::steady_clock::time_point last_statistics_wall_;
+  std::optional<std::chrono::steady_clock::time_point> stood_since_;  ///< while it is not under way
 };
 
 }  // namespace ratchet_sieve

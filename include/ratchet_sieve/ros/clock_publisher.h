@@ -1,14 +1,17 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
+#include <ros/time.h>
 
 namespace ratchet_sieve
 {
 
-/// Publishes simulated time on /clock, at a rate of wall time, also while it stands still.
+/// Publishes simulated time on /clock, at a rate of wall time, also while it stands still, and before every
+/// message that is stamped later than it: who gets a message knows its time already.
 class ClockPublisher
 {
 public:
@@ -21,11 +24,17 @@ public:
   /// Publishes at once, so that who asks for the time now gets this.
   void publish(double time);
 
+  /// To be called before a message with this stamp is published. Where time has leapt back, others get a
+  /// moment to hear of it first: a transform that came before would be taken for an old one, and thrown away
+  /// with those.
+  void reach(double time);
+
 private:
   std::chrono::duration<double> period_;
   bool enabled_;
   ros::Publisher publisher_;
   std::chrono::steady_clock::time_point last_;
+  std::optional<ros::Time> shown_;
 };
 
 }  // namespace ratchet_sieve

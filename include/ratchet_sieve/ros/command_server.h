@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include <ros/node_handle.h>
@@ -12,7 +14,9 @@
 #include "ratchet_sieve/ResetSimulation.h"
 #include "ratchet_sieve/StepSimulation.h"
 #include "ratchet_sieve/ros/diagnostics.h"
+#include "ratchet_sieve/ros/log_throttle.h"
 #include "ratchet_sieve/ros/run_control.h"
+#include "ratchet_sieve/ros/setpoint_inbox.h"
 
 namespace ratchet_sieve
 {
@@ -33,8 +37,21 @@ public:
   CommandServer(ros::NodeHandle private_node, const NodeParameters& parameters, RunControl& control,
                 Diagnostics& diagnostics, Stepping stepping, std::function<void()> time_changed);
 
+  /// Commands what came over the setpoint topics, and says in the log what is to be said of it. To be called
+  /// whenever callbacks were served.
+  void deliverSetpoints();
+
 private:
+  /// Of one quantity.
+  struct SetpointLog
+  {
+    LogThrottle taken;
+    LogThrottle refused;
+  };
+
   void takeSetpoint(const Setpoint& setpoint, const std_msgs::Float64& message);
+  void command(CommandKind kind, double value);
+  void commandAll();
   bool pause(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
   bool unpause(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
   bool resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
@@ -47,6 +64,9 @@ private:
   Diagnostics& diagnostics_;
   Stepping stepping_;
   std::function<void()> time_changed_;
+  std::array<Setpoint, 3> setpoints_;  ///< per CommandKind
+  std::array<SetpointLog, 3> logs_;    ///< per CommandKind
+  SetpointInbox inbox_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;
 };

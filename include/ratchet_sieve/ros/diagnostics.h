@@ -6,23 +6,34 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 
+#include "ratchet_sieve/ros/pacer.h"
+#include "ratchet_sieve/ros/real_time_factor.h"
 #include "ratchet_sieve/ros/run_control.h"
+#include "ratchet_sieve/ros/speed_watch.h"
 
 namespace ratchet_sieve
 {
 
-/// Says on /diagnostics how the run goes, which setpoints were refused and what is recorded, once a
-/// second of wall time.
+/// What is known of the speed of a run. All outlive who holds this.
+struct Speed
+{
+  const RealTimeFactor& parameter;
+  const Pacer& pacer;
+  const SpeedWatch& watch;
+};
+
+/// Says on /diagnostics how the run goes and how fast, which setpoints were refused and what is recorded,
+/// once a second of wall time.
 class Diagnostics
 {
 public:
   /// All outlive this.
-  Diagnostics(const RunControl& control, const NodeParameters& parameters, const Recorder& recorder);
+  Diagnostics(const RunControl& control, const Speed& speed, const Recorder& recorder);
 
   /// A setpoint was taken: what was wrong with an earlier one is past.
   void setpointTaken(const Setpoint& setpoint);
 
-  /// A setpoint was refused: shown at once, and until one is taken.
+  /// A setpoint was refused: shown soon, and until one is taken.
   void setpointRefused(const Setpoint& setpoint, const std::string& why);
 
   /// Publishes, if it is time to.
@@ -33,15 +44,18 @@ private:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
 
   void reportRun(Status& status);
+  void reportSpeed(Status& status);
   void reportSetpoints(Status& status);
   void reportRecording(Status& status);
 
   const RunControl& control_;
-  const NodeParameters& parameters_;
+  const Speed speed_;
   const Recorder& recorder_;
   std::map<std::string, std::string> refusals_;  ///< per setpoint, the last
+  std::string last_refusal_;                     ///< of the real-time factor, as it was last shown
+  double last_factor_ = 0.0;                     ///< asked for, as it was last shown
+  bool pressing_ = false;                        ///< there is something new to show
   Clock::time_point last_update_ = Clock::now();
-  double last_time_ = 0.0;  ///< simulated, at the last update [s]
   diagnostic_updater::Updater updater_;
 };
 

@@ -44,6 +44,9 @@ public:
   /// Gives the run a command at its present time, and hands it on. @throws std::invalid_argument
   void give(CommandFrame command, FrameSink& sink);
 
+  /// See FrameSampler.
+  void setUnderWay(bool under_way) { sampler_.setUnderWay(under_way); }
+
   const Simulation& simulation() const { return simulation_; }
 
   /// The present state, whether a frame is due or not.

@@ -13,10 +13,13 @@
 namespace ratchet_sieve
 {
 
+/// A simulation that is asked for more than this wants 0, as fast as it goes.
+constexpr double MAX_REAL_TIME_FACTOR = 1e6;
+
 /// Everything that the node can be told but the scene. Names in comments are those of the parameters.
 struct NodeParameters
 {
-  double real_time_factor = 1.0;  ///< ~real_time_factor: simulated over wall time; 0: as fast as it goes
+  double real_time_factor = 1.0;  ///< ~real_time_factor at the start: see RealTimeFactor
   bool start_paused = false;      ///< ~start_paused
   bool publish_clock = true;      ///< ~publish_clock: this node is the clock
   bool exit_at_end = true;        ///< ~exit_at_end: end with the scene's duration, or else pause there

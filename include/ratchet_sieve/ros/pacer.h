@@ -18,12 +18,21 @@ public:
   /// Begins anew: simulated time `elapsed` [s] is now.
   void anchor(double elapsed, Clock::time_point now);
 
-  /// How far simulated time may be by now [s]. Where the simulation has fallen behind, no more than
-  /// one stride; what was lost is then not made up for.
+  /// Another speed from now on, at simulated time `elapsed` [s]: nothing of before is made up for.
+  void setFactor(double real_time_factor, double elapsed, Clock::time_point now);
+
+  /// Simulated over wall time, as it is asked for; 0: as fast as it goes.
+  double factor() const { return factor_; }
+
+  /// How far simulated time may be by now [s], no more than one stride. What the simulation has fallen behind
+  /// by more than a moment is given up: it then goes on at the speed that is asked for, and no faster.
   double allowed(double elapsed, Clock::time_point now);
 
   /// Wall time until simulated time `elapsed` is due, at most LONGEST_WAIT [s].
   double wait(double elapsed, Clock::time_point now) const;
+
+  /// Wall time that was given up so far, as the simulation could not keep up [s].
+  double lost() const { return lost_; }
 
   /// The longest advance that takes about LONGEST_WAIT of wall time [s of simulated time].
   double stride() const { return stride_; }
@@ -39,6 +48,7 @@ private:
   double anchor_elapsed_ = 0.0;
   Clock::time_point anchor_wall_ = Clock::now();
   double stride_ = 1e-3;
+  double lost_ = 0.0;
 };
 
 }  // namespace ratchet_sieve

@@ -16,6 +16,10 @@ struct ParameterError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// A parameter's value, if it is a finite number in [least, most]. @param name in full
+/// @throws ParameterError
+double numberFrom(const std::string& name, const XmlRpc::XmlRpcValue& value, double least, double most);
+
 /// Reads a node's parameters, checks them, and remembers which there are.
 class ParameterReader
 {
@@ -38,9 +42,6 @@ public:
 
 private:
   bool get(const std::string& name, XmlRpc::XmlRpcValue& value);
-  [[noreturn]] void refuse(const std::string& name, const XmlRpc::XmlRpcValue& value,
-                           const std::string& allowed) const;
-
   ros::NodeHandle node_;
   std::set<std::string> asked_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <ros/node_handle.h>
@@ -12,7 +13,8 @@ namespace ratchet_sieve
 
 /// Commands a sieve over its setpoint topics when its simulated time, as ~base of the sieve has it,
 /// comes to the entries of a schedule. Sets a paused sieve going once it is connected, so that no
-/// command is late.
+/// command is late. Where the sieve is begun anew, so is the schedule; where its node has died and comes
+/// again, that one is set going as the first was.
 class ScheduleNode
 {
 public:
@@ -24,10 +26,13 @@ private:
   void follow(const BaseState& base);
   void command(const ScheduleEntry& entry);
   bool connected() const;
+  void lose(const std::string& subscriber);
   void startOnceConnected();
 
+  std::string sieve_;  ///< name of its node
   std::vector<ScheduleEntry> schedule_;
   std::size_t next_ = 0;
+  double last_time_ = 0.0;  ///< of the sieve [s]
   bool base_seen_ = false;
   bool started_ = false;
   ros::ServiceClient unpause_;

@@ -9,7 +9,9 @@
 #include "ratchet_sieve/ros/display.h"
 #include "ratchet_sieve/ros/pacer.h"
 #include "ratchet_sieve/ros/progress_log.h"
+#include "ratchet_sieve/ros/real_time_factor.h"
 #include "ratchet_sieve/ros/scene_parameters.h"
+#include "ratchet_sieve/ros/speed_watch.h"
 #include "ratchet_sieve/ros/topic_publisher.h"
 
 namespace ratchet_sieve
@@ -38,6 +40,7 @@ private:
   void advance();
   void finish();
   void keepAlive();
+  void watchSpeed();
   void end();
   CommandServer::Stepping stepping();
 
@@ -46,7 +49,9 @@ private:
   NodeParameters parameters_;
   Recorder recorder_;
   RunControl control_;
+  RealTimeFactor real_time_factor_;
   Pacer pacer_;
+  SpeedWatch speed_;
   ClockPublisher clock_;
   TransformPublisher transforms_;
   TopicPublisher topics_;

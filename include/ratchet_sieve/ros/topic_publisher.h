@@ -7,6 +7,7 @@
 #include <ros/single_subscriber_publisher.h>
 
 #include "ratchet_sieve/recording/frame_sink.h"
+#include "ratchet_sieve/ros/clock_publisher.h"
 #include "ratchet_sieve/ros/live_run.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
 
@@ -14,14 +15,15 @@ namespace ratchet_sieve
 {
 
 /// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~commands and, latched, ~scene; the base on /tf
-/// as well. Converts nothing for a topic that nobody subscribes to. A subscriber that comes gets the
-/// present state at once, so that it need not wait while the run stands still.
+/// as well, in time for every message of the disks. Converts nothing for a topic that nobody subscribes to. A
+/// subscriber that comes gets the present state at once, so that it need not wait while the run stands still.
 class TopicPublisher : public FrameSink
 {
 public:
   /// @param current gives the run, also after a reset
+  /// @param clock is brought to the stamp of whatever is published; outlives this, as the transforms
   TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
-                 TransformPublisher& transforms);
+                 TransformPublisher& transforms, ClockPublisher& clock);
 
   bool wants(FrameKind kind) const override;
   void take(const SceneFrame& frame) override;
@@ -32,7 +34,13 @@ public:
   void take(const CommandFrame& frame) override;
 
 private:
+  template <typename Frame>
+  void publish(const ros::Publisher& publisher, const Frame& frame);
+  void showBase(const BaseFrame& frame);
+
+  std::function<const LiveRun&()> current_;
   TransformPublisher& transforms_;
+  ClockPublisher& clock_;
   ros::Publisher scene_;
   ros::Publisher particles_;
   ros::Publisher bins_;

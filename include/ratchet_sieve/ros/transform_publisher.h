@@ -32,6 +32,8 @@ public:
 
   void publish(const BaseFrame& frame);
 
+  bool heard() const { return publisher_.getNumSubscribers() > 0; }
+
 private:
   std::optional<BaseFrame> last_;
   ros::Publisher publisher_;

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace ratchet_sieve
+{
+
+/// Measures how fast simulated time goes by while a run is under way, and says when it cannot keep up with
+/// what is asked for. What a paused run is stepped does not count, nor does a leap of time.
+class SpeedWatch
+{
+public:
+  using Clock = std::chrono::steady_clock;
+
+  /// To be told at every turn of the node's loop.
+  /// @param under_way whether it has run since the last time, at its own speed
+  /// @param time simulated [s] @param lost wall time given up so far, as Pacer counts it [s]
+  void look(bool under_way, double time, double lost, Clock::time_point now);
+
+  /// Begins anew: what is asked for has changed.
+  void forget();
+
+  /// Simulated over wall time, over the last full period; nothing before that.
+  std::optional<double> achieved() const { return achieved_; }
+
+  /// Whether wall time was given up within the last full period, or in the present one.
+  bool behind() const { return behind_; }
+
+  /// A line for the log where it begins to fall behind, now and then while it does, and once when it no
+  /// longer does; nothing otherwise. @param asked for, real-time factor
+  struct Line
+  {
+    bool warning = false;
+    std::string text;
+  };
+  std::optional<Line> line(double asked, Clock::time_point now);
+
+  /// Over this much of wall time under way the speed is measured [s].
+  static constexpr double PERIOD = 1.0;
+
+  /// Between two lines of the log that say the same [s of wall time].
+  static constexpr double BETWEEN_LINES = 10.0;
+
+private:
+  std::optional<Clock::time_point> last_look_;
+  double last_time_ = 0.0;
+  double wall_ = 0.0;       ///< of the present period [s]
+  double simulated_ = 0.0;  ///< of the present period [s]
+  std::optional<double> achieved_;
+  double lost_ = 0.0;           ///< at the last look
+  double lost_at_start_ = 0.0;  ///< of the present period
+  bool behind_ = false;
+  bool said_ = false;  ///< that it is behind
+  Clock::time_point last_line_;
+};
+
+}  // namespace ratchet_sieve

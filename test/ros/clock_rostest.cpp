@@ -1,0 +1,243 @@
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <set>
+
+#include <console_bridge/console.h>
+#include <gtest/gtest.h>
+#include <message_filters/subscriber.h>
+#include <rosgraph_msgs/Clock.h>
+#include <tf2_ros/message_filter.h>
+#include <tf2_ros/transform_listener.h>
+
+#include "caught_log.h"
+#include "ratchet_sieve/ros/transform_publisher.h"
+#include "sieve_client.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// What tf2 complains of while this lives. It does not use ROS's log.
+class Complaints : public console_bridge::OutputHandler
+{
+public:
+  Complaints() { console_bridge::useOutputHandler(this); }
+  ~Complaints() override { console_bridge::restorePreviousOutputHandler(); }
+  Complaints(const Complaints&) = delete;
+  Complaints& operator=(const Complaints&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_WARN)
+      lines_.push_back(text);
+  }
+
+  std::vector<std::string> lines() const
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return lines_;
+  }
+
+private:
+  mutable std::mutex mutex_;
+  std::vector<std::string> lines_;
+};
+
+/// A paused sieve, begun anew for each test, with another program's view of time and frames.
+class Clock : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    ASSERT_TRUE(sieve.connect());
+    sieve.resetAndSee();
+    ASSERT_TRUE(waitFor([&] { return buffer.canTransform(WORLD_FRAME_ID, BASE_FRAME_ID, ros::Time(0)); }));
+  }
+
+  /// Where the base was at the stamp of every message of the disks.
+  void expectTransformsOfAllParticles()
+  {
+    ASSERT_FALSE(sieve.particles.stamps.empty());
+    for (const ros::Time& stamp : sieve.particles.stamps)
+      ASSERT_TRUE(waitFor([&] { return knows(stamp); }, 5.0)) << "at " << stamp;
+  }
+
+  /// ros::Time(0) means the latest to tf2: a message of the first instant is then transformed by that.
+  bool knows(const ros::Time& stamp) const
+  {
+    return buffer.canTransform(WORLD_FRAME_ID, BASE_FRAME_ID, stamp);
+  }
+
+  CaughtLog log;
+  Complaints complaints;
+  SieveClient sieve{"/sieve"};
+  tf2_ros::Buffer buffer;
+  tf2_ros::TransformListener listener{buffer};
+};
+
+TEST_F(Clock, ofThisVeryProcessIsTheSieves)
+{
+  EXPECT_TRUE(ros::Time::isSimTime());
+  sieve.stepAndSee(0.75);
+  EXPECT_TRUE(waitFor([] { return ros::Time::now() == ros::Time(0.75); }));
+}
+
+TEST_F(Clock, transformsEveryMessageAtItsStamp)
+{
+  for (int k = 0; k < 4; ++k)
+    sieve.stepAndSee(0.3);
+  EXPECT_GT(sieve.particles.frames.size(), 70u);
+  expectTransformsOfAllParticles();
+  // Of that very instant, not from between two others: A = 2 mm, f = 23 Hz.
+  for (const ros::Time& stamp : sieve.particles.stamps)
+  {
+    const double expected = 0.002 * std::sin(2.0 * M_PI * 23.0 * stamp.toSec());
+    EXPECT_NEAR(buffer.lookupTransform(MOUNT_FRAME_ID, BASE_FRAME_ID, stamp).transform.translation.z,
+                expected, 1e-8)
+        << "at " << stamp;
+  }
+  EXPECT_EQ(complaints.lines(), std::vector<std::string>());
+}
+
+TEST_F(Clock, transformsOnAfterAReset)
+{
+  sieve.stepAndSee(0.3);
+  // Further than the buffer remembers: what is then taken for old is thrown away.
+  sieve.stepAndSee(12.0);
+  for (int k = 0; k < 3; ++k)
+  {
+    // With so many disks that their first message takes a while: the clock does not wait for it.
+    sieve.forget();
+    ASSERT_TRUE(
+        sieve.reset(0, {"boundary=periodic", "contact.pair_collisions=false", "species.0.count=20000"})
+            .success);
+    ASSERT_TRUE(sieve.particles.waitForTime(0.0));
+    ASSERT_TRUE(waitFor([&] { return ros::Time::now() == ros::Time(0); }));
+    ASSERT_TRUE(waitFor([&] { return knows(ros::Time(0)); })) << "after reset " << k;
+    sieve.stepAndSee(0.3);
+    expectTransformsOfAllParticles();
+    EXPECT_TRUE(knows(ros::Time(1e-9))) << "the transforms of time 0 were lost";
+    ASSERT_TRUE(sieve.reset().success);
+    sieve.stepAndSee(11.0);
+  }
+  EXPECT_EQ(complaints.lines(), std::vector<std::string>());
+}
+
+TEST_F(Clock, transformsOnAfterTheWorldWasReset)
+{
+  sieve.stepAndSee(0.1);
+  expectTransformsOfAllParticles();
+  const std::size_t jumps = log.with("jump back").size();  // of the reset before
+  for (int k = 0; k < 5; ++k)
+  {
+    sieve.stepAndSee(0.1234);
+    sieve.particles.forget();
+    const double time = sieve.base.frames.back().time;
+    ASSERT_TRUE(sieve.call("reset_world"));
+    ASSERT_TRUE(sieve.particles.waitForTime(time));
+    sieve.stepAndSee(0.2);
+    expectTransformsOfAllParticles();
+  }
+  EXPECT_EQ(complaints.lines(), std::vector<std::string>());
+  EXPECT_EQ(log.with("jump back").size(), jumps);
+}
+
+TEST_F(Clock, passesAMessageFilter)
+{
+  ros::NodeHandle node;
+  message_filters::Subscriber<ParticleStates> subscriber(node, "/sieve/particles", 1000);
+  tf2_ros::MessageFilter<ParticleStates> filter(subscriber, buffer, BASE_FRAME_ID, 1000, node);
+  std::set<ros::Time> passed;
+  filter.registerCallback(boost::function<void(const ParticleStates::ConstPtr&)>(
+      [&](const ParticleStates::ConstPtr& message) { passed.insert(message->header.stamp); }));
+  for (int round = 0; round < 2; ++round)
+  {
+    sieve.particles.forget();
+    passed.clear();
+    sieve.stepAndSee(0.3);
+    sieve.stepAndSee(0.3);
+    const std::set<ros::Time> sent(sieve.particles.stamps.begin(), sieve.particles.stamps.end());
+    EXPECT_GE(sent.size(), 36u);
+    ASSERT_TRUE(waitFor([&] { return passed == sent; })) << passed.size() << " of " << sent.size();
+    sieve.resetAndSee();
+    ASSERT_TRUE(waitFor([&] { return passed.count(ros::Time(0)) == 1; }));
+  }
+}
+
+/// All that comes on /clock.
+class ClockTopic
+{
+public:
+  explicit ClockTopic(ros::NodeHandle& node)
+      : subscriber_(node.subscribe<rosgraph_msgs::Clock>("/clock", 10000,
+                                                         [this](const rosgraph_msgs::Clock::ConstPtr& message)
+                                                         { times.push_back(message->clock); }))
+  {
+  }
+
+  bool connect()
+  {
+    return waitFor([this] { return !times.empty(); });
+  }
+
+  int leapsBack() const
+  {
+    int leaps = 0;
+    for (std::size_t k = 1; k < times.size(); ++k)
+      leaps += times[k] < times[k - 1] ? 1 : 0;
+    return leaps;
+  }
+
+  std::vector<ros::Time> times;
+
+private:
+  ros::Subscriber subscriber_;
+};
+
+TEST_F(Clock, goesBackAtAResetAndNowhereElse)
+{
+  ClockTopic clock(sieve.node);
+  ASSERT_TRUE(clock.connect());
+  sieve.stepAndSee(0.5);
+  ASSERT_TRUE(sieve.call("unpause_physics"));
+  ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().time > 1.0; }));
+  ASSERT_TRUE(sieve.call("pause_physics"));
+  ASSERT_TRUE(sieve.call("reset_world"));
+  ASSERT_TRUE(sieve.call("unpause_physics"));
+  const double paused = sieve.base.frames.back().time;
+  ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().time > paused + 0.5; }));
+  ASSERT_TRUE(sieve.call("pause_physics"));
+  EXPECT_EQ(clock.leapsBack(), 0);
+  sieve.resetAndSee();
+  sieve.stepAndSee(0.25);
+  ASSERT_TRUE(waitFor([&] { return clock.times.back() == ros::Time(0.25); }));
+  EXPECT_EQ(clock.leapsBack(), 1);
+}
+
+TEST_F(Clock, isThereBeforeAMessageWithALaterStamp)
+{
+  // By itself it comes once a second: here it comes for the sake of the messages.
+  ClockTopic clock(sieve.node);
+  ASSERT_TRUE(clock.connect());
+  ASSERT_TRUE(sieve.call("unpause_physics"));
+  ASSERT_TRUE(
+      waitFor([&] { return !sieve.particles.frames.empty() && sieve.particles.frames.back().time > 2.0; }));
+  ASSERT_TRUE(sieve.call("pause_physics"));
+  const std::set<ros::Time> shown(clock.times.begin(), clock.times.end());
+  const auto known = [&](const ros::Time& stamp) { return shown.count(stamp) > 0; };
+  const auto count = std::count_if(sieve.particles.stamps.begin(), sieve.particles.stamps.end(), known);
+  // Where several come at a time, only the newest is sent.
+  EXPECT_GT(2 * static_cast<std::size_t>(count), sieve.particles.stamps.size());
+}
+}  // namespace
+}  // namespace ratchet_sieve
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "clock_rostest");
+  const ros::NodeHandle node;
+  return RUN_ALL_TESTS();
+}
