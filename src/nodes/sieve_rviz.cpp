@@ -79,7 +79,7 @@ std::string writtenToFile(const std::string& config, const std::string& node_nam
                                               ? std::filesystem::path(ros_home)
                                               : std::filesystem::path(home ? home : "/tmp") / ".ros";
   std::filesystem::create_directories(directory);
-  const std::string path = directory / (node_name.substr(node_name.rfind('/') + 1) + ".rviz");
+  std::string path = directory / (node_name.substr(node_name.rfind('/') + 1) + ".rviz");
   AtomicFile file(path);
   file.stream() << config;
   file.commit();
@@ -92,6 +92,7 @@ int becomeRviz(const std::string& config, const std::vector<std::string>& argume
   std::vector<std::string> words = {"rviz", "-d", config};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words)
     argv.push_back(word.data());
   argv.push_back(nullptr);

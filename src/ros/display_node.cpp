@@ -25,13 +25,13 @@ constexpr double LOOKS = 4.0;
 constexpr double LATEST_TIME = 4294967295.0;
 }  // namespace
 
-DisplayNode::DisplayNode(ros::NodeHandle private_node)
+DisplayNode::DisplayNode(const ros::NodeHandle& private_node)
     : DisplayNode(private_node, ParameterReader(private_node).text("sieve", "/sieve"),
                   ParameterReader(private_node).number("rates/display", 30.0, 1.0, MAX_RATE))
 {
 }
 
-DisplayNode::DisplayNode(ros::NodeHandle private_node, const std::string& sieve, double rate)
+DisplayNode::DisplayNode(const ros::NodeHandle& private_node, const std::string& sieve, double rate)
     : node_(private_node), display_(private_node, rate), transforms_(private_node)
 {
   show_timer_ = node_.createWallTimer(ros::WallDuration(1.0 / (LOOKS * rate)),

@@ -18,10 +18,10 @@ class DisplayNode
 public:
   /// Reads ~sieve, the name of the sieve's node (/sieve by default; empty: the one that there is, or that
   /// comes), and ~rates/display [1/s of wall time]. @throws ParameterError
-  explicit DisplayNode(ros::NodeHandle private_node);
+  explicit DisplayNode(const ros::NodeHandle& private_node);
 
 private:
-  DisplayNode(ros::NodeHandle private_node, const std::string& sieve, double rate);
+  DisplayNode(const ros::NodeHandle& private_node, const std::string& sieve, double rate);
 
   void search();
   void subscribe(const std::string& sieve);
