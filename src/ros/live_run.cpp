@@ -16,7 +16,8 @@ LiveRun::LiveRun(const SceneDefinition& scene, const FrameRates& rates, const Sl
 
 double LiveRun::nextTime() const
 {
-  return std::min(sampler_.nextTime(), end_time_ - start_time_);
+  const double next = std::min(sampler_.nextTime(), end_time_ - start_time_);
+  return recording_ ? std::min(next, recording_->sampler.nextTime()) : next;
 }
 
 void LiveRun::advanceTo(double elapsed, FrameSink& sink)
@@ -36,12 +37,20 @@ void LiveRun::takeDue(FrameSink& sink)
 {
   ShiftedSink shifted(sink, start_time_);
   sampler_.takeDue(simulation_, shifted);
+  if (!recording_)
+    return;
+  ShiftedSink recorder(recording_->sink, start_time_);
+  recording_->sampler.takeDue(simulation_, recorder);
 }
 
 void LiveRun::takeAll(FrameSink& sink)
 {
   ShiftedSink shifted(sink, start_time_);
   sampler_.takeLast(simulation_, shifted);
+  if (!recording_)
+    return;
+  ShiftedSink recorder(recording_->sink, start_time_);
+  recording_->sampler.takeLast(simulation_, recorder);
 }
 
 template <typename Frame>

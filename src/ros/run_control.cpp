@@ -55,7 +55,6 @@ RunControl::RunControl(const YAML::Node& scene, const std::string& source, const
   scene_warnings_ = read.warnings;
   run_ = std::make_unique<LiveRun>(read.definition, parameters_.rates, parameters_.slew_rates, 0.0,
                                    read.definition.duration);
-  sinks_.add(recorder_);
 }
 
 Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const
@@ -71,6 +70,8 @@ Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& 
 void RunControl::begin()
 {
   ROS_INFO_STREAM("plan: " << planText(run_->simulation().plan()));
+  if (recorder_.on())
+    run_->record(recorder_, recorder_.rates());
   run_->takeDue(sinks_);
 }
 
@@ -108,7 +109,7 @@ Outcome RunControl::step(double duration, double stride, const std::function<boo
 void RunControl::begin(std::unique_ptr<LiveRun> run)
 {
   run_->takeAll(sinks_);
-  recorder_.open();
+  recorder_.openNext();
   run_ = std::move(run);
   begin();
 }
@@ -125,14 +126,17 @@ Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& ov
   {
     return failure(error.what());
   }
-  catch (const BagError& error)
-  {
-    return failure(error.what());
-  }
   catch (const std::invalid_argument& error)
   {
     return failure(source_ + ": " + error.what());
   }
+}
+
+template <typename Frame>
+void RunControl::show(const Frame& frame)
+{
+  sinks_.take(frame);
+  recorder_.take(frame);
 }
 
 void RunControl::resetWorld()
@@ -163,8 +167,8 @@ Outcome RunControl::pour(const std::string& species, std::size_t count)
   {
     return failure(error.what());
   }
-  sinks_.take(run_->particles());
-  sinks_.take(run_->bins());
+  show(run_->particles());
+  show(run_->bins());
   return {};
 }
 
@@ -174,7 +178,7 @@ Outcome RunControl::command(const Setpoint& setpoint, double value)
     return failure(*refusal);
   apply(setpoint.kind, value, run_->simulation());
   recorder_.takeSetpoint(setpoint.topic(), value, run_->time());
-  sinks_.take(run_->base());
+  show(run_->base());
   return {};
 }
 

@@ -45,6 +45,9 @@ public:
 
   void interrupt() { kill(process_, SIGINT); }
 
+  /// As `kill -9` does: it gets no chance to finish anything.
+  void killAtOnce() { kill(process_, SIGKILL); }
+
   /// Waits until it ends. @return its exit status; -1 where a signal ended it
   int wait()
   {
@@ -67,6 +70,7 @@ private:
     dup2(errors_[1], STDERR_FILENO);
     close(errors_[0]);
     close(errors_[1]);
+    std::signal(SIGXFSZ, SIG_DFL);  // which a FileSizeLimit of the test ignores
     std::vector<char*> argv = {const_cast<char*>(path.c_str())};
     for (const std::string& argument : arguments)
       argv.push_back(const_cast<char*>(argument.c_str()));

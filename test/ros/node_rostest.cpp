@@ -1,7 +1,5 @@
 #include <limits>
-#include <map>
 
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tf2_msgs/TFMessage.h>
@@ -12,6 +10,7 @@
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "same_bits.h"
 #include "sieve_client.h"
+#include "statuses.h"
 
 namespace ratchet_sieve
 {
@@ -108,28 +107,6 @@ TEST_F(Node, appliesASetpointAtThePresentTime)
   simulation.advanceTo(0.8);
   EXPECT_TRUE(sameBits(sieve.particles.frames.back().disks, simulation.disks()));
 }
-
-/// The last of each status on /diagnostics.
-class Statuses
-{
-public:
-  explicit Statuses(ros::NodeHandle& node)
-      : subscriber_(node.subscribe<diagnostic_msgs::DiagnosticArray>(
-            "/diagnostics", 100,
-            [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& array)
-            {
-              for (const auto& status : array->status)
-                last_[status.name] = status;
-            }))
-  {
-  }
-
-  const diagnostic_msgs::DiagnosticStatus& operator[](const std::string& name) { return last_[name]; }
-
-private:
-  std::map<std::string, diagnostic_msgs::DiagnosticStatus> last_;
-  ros::Subscriber subscriber_;
-};
 
 TEST_F(Node, saysThatACollapseStoppedIt)
 {

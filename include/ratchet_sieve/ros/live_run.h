@@ -28,6 +28,12 @@ public:
   const std::optional<std::string>& stopReason() const { return stop_reason_; }
   bool stopped() const { return stop_reason_.has_value(); }
 
+  /// Hands frames to a recorder as well, at rates of its own. @param recorder outlives this
+  void record(FrameSink& recorder, const FrameRates& rates)
+  {
+    recording_.emplace(Recording{recorder, {rates, 0.0}});
+  }
+
   /// Elapsed time of the next frame, or of the end where that is earlier [s].
   double nextTime() const;
 
@@ -50,11 +56,18 @@ public:
   StatisticsFrame statistics() const;  ///< without rates, which need two frames
 
 private:
+  struct Recording
+  {
+    FrameSink& sink;
+    FrameSampler sampler;
+  };
+
   template <typename Frame>
   Frame published(Frame frame) const;
 
   Simulation simulation_;
   FrameSampler sampler_;
+  std::optional<Recording> recording_;
   double start_time_;
   double end_time_;
   std::optional<std::string> stop_reason_;
