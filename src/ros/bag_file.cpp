@@ -42,19 +42,6 @@ std::string stampBytes(ros::Time time)
   return bytesOf(time.sec) + bytesOf(time.nsec);
 }
 
-/// Nothing where there is no memory for it. The library reads through a pointer that is not const.
-std::string packed(std::string& bytes)
-{
-  const std::size_t blocks =
-      bytes.size() / static_cast<std::size_t>(roslz4_blockSizeFromIndex(BLOCK_SIZE)) + 1;
-  std::string to(bytes.size() + blocks * BLOCK_HEAD + FRAME_HEAD, '\0');
-  auto size = static_cast<unsigned int>(to.size());
-  if (roslz4_buffToBuffCompress(bytes.data(), static_cast<unsigned int>(bytes.size()), to.data(), &size,
-                                BLOCK_SIZE) != ROSLZ4_OK)
-    return {};
-  to.resize(size);
-  return to;
-}
 }  // namespace
 
 BagFile::BagFile(const std::string& path)
@@ -107,6 +94,8 @@ std::uint32_t BagFile::connectionOf(const Connection& connection)
 
 void BagFile::finishMessage(std::uint32_t connection, ros::Time time)
 {
+  chunk_end_ = time;
+  chunk_index_.resize(connections_.size());
   chunk_index_[connection].push_back({time, static_cast<std::uint32_t>(chunk_.size())});
   appendRecord(chunk_,
                FieldText(BagOp::MESSAGE).add("conn", bytesOf(connection)).add("time", stampBytes(time)),
@@ -115,42 +104,74 @@ void BagFile::finishMessage(std::uint32_t connection, ros::Time time)
     endChunk();
 }
 
-void BagFile::endChunk()
+/// chunk_ into packed_. The library reads through a pointer that is not const.
+void BagFile::pack()
 {
-  if (chunk_index_.empty())
-    return;
-  ChunkInfo info{end_, chunk_start_, chunk_start_, {}};
-  std::string index;
-  for (const auto& [connection, entries] : chunk_index_)
+  const std::size_t blocks =
+      chunk_.size() / static_cast<std::size_t>(roslz4_blockSizeFromIndex(BLOCK_SIZE)) + 1;
+  packed_.resize(chunk_.size() + blocks * BLOCK_HEAD + FRAME_HEAD);
+  auto size = static_cast<unsigned int>(packed_.size());
+  if (roslz4_buffToBuffCompress(chunk_.data(), static_cast<unsigned int>(chunk_.size()), packed_.data(),
+                                &size, BLOCK_SIZE) != ROSLZ4_OK)
+    fail(ENOMEM);
+  packed_.resize(size);
+}
+
+/// The records of a chunk's index.
+/// @param counts takes how many messages each connection has in it, as the file's index says it
+/// @return how many connections have some
+std::uint32_t BagFile::appendIndexes(std::string& to, std::string& counts) const
+{
+  std::uint32_t connections = 0;
+  for (std::uint32_t connection = 0; connection < chunk_index_.size(); ++connection)
   {
+    const std::vector<IndexEntry>& entries = chunk_index_[connection];
+    if (entries.empty())
+      continue;
     std::string bytes;
     for (const IndexEntry& entry : entries)
       bytes += stampBytes(entry.time) + bytesOf(entry.offset);
     const auto count = static_cast<std::uint32_t>(entries.size());
-    appendRecord(index,
+    appendRecord(to,
                  FieldText(BagOp::INDEX)
                      .add("ver", bytesOf(INDEX_VERSION))
                      .add("conn", bytesOf(connection))
                      .add("count", bytesOf(count)),
                  bytes);
-    info.counts[connection] = count;
-    info.end = std::max(info.end, entries.back().time);
+    counts += bytesOf(connection) + bytesOf(count);
+    ++connections;
   }
-  const std::string bytes = packed(chunk_);
-  if (bytes.empty())
-    fail(ENOMEM);
-  std::string record;
-  appendRecord(record,
+  return connections;
+}
+
+void BagFile::endChunk()
+{
+  if (chunk_.empty())
+    return;
+  pack();
+  record_.clear();
+  appendRecord(record_,
                FieldText(BagOp::CHUNK)
                    .add("compression", "lz4")
                    .add("size", bytesOf(static_cast<std::uint32_t>(chunk_.size()))),
-               bytes);
+               packed_);
+  std::string counts;
+  const std::uint32_t connections = appendIndexes(record_, counts);
   chunk_.clear();
-  chunk_index_.clear();
-  record += index;
-  writeAt(end_, record);
-  end_ += record.size();
-  chunks_.push_back(std::move(info));
+  for (std::vector<IndexEntry>& entries : chunk_index_)
+    entries.clear();
+  writeAt(end_, record_);
+
+  chunks_.push_back({end_, chunk_end_, chunk_infos_.size()});
+  appendRecord(chunk_infos_,
+               FieldText(BagOp::CHUNK_INFO)
+                   .add("ver", bytesOf(CHUNK_INFO_VERSION))
+                   .add("chunk_pos", bytesOf(end_))
+                   .add("start_time", stampBytes(chunk_start_))
+                   .add("end_time", stampBytes(chunk_end_))
+                   .add("count", bytesOf(connections)),
+               counts);
+  end_ += record_.size();
 }
 
 std::string BagFile::headRecord(std::uint64_t index_position) const
@@ -185,21 +206,7 @@ std::string BagFile::indexOfFile() const
   std::string index;
   for (std::uint32_t id = 0; id < connections_.size(); ++id)
     index += connectionRecord(id);
-  for (const ChunkInfo& chunk : chunks_)
-  {
-    std::string counts;
-    for (const auto& [connection, count] : chunk.counts)
-      counts += bytesOf(connection) + bytesOf(count);
-    appendRecord(index,
-                 FieldText(BagOp::CHUNK_INFO)
-                     .add("ver", bytesOf(CHUNK_INFO_VERSION))
-                     .add("chunk_pos", bytesOf(chunk.position))
-                     .add("start_time", stampBytes(chunk.start))
-                     .add("end_time", stampBytes(chunk.end))
-                     .add("count", bytesOf(std::uint32_t(chunk.counts.size()))),
-                 counts);
-  }
-  return index;
+  return index + chunk_infos_;
 }
 
 void BagFile::writeAt(std::uint64_t position, const std::string& bytes)
@@ -250,6 +257,7 @@ void BagFile::makeIndex()
       if (!isFull(failure_) || chunks_.empty() || chunks_.back().position < least)
         throw;
       end_ = chunks_.back().position;
+      chunk_infos_.resize(chunks_.back().info_offset);
       chunks_.pop_back();
     }
   }

@@ -70,6 +70,8 @@ void BagWriter::close()
   }
   if (std::rename(active_path_.c_str(), path_.c_str()) != 0)
     throw BagError(path_ + ": cannot be named so: " + std::strerror(errno) + "; the bag is " + active_path_);
+  if (loss && loss->end.isZero())
+    throw cannotBeWritten(path_, loss->reason + "; the bag is empty");
   if (loss)
     throw cannotBeWritten(path_,
                           loss->reason + "; the bag ends at " + std::to_string(loss->end.toSec()) + " s");

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -79,17 +78,19 @@ private:
     std::uint32_t offset;  ///< in the chunk, unpacked
   };
 
-  struct ChunkInfo
+  struct Chunk
   {
-    std::uint64_t position = 0;
-    ros::Time start, end;
-    std::map<std::uint32_t, std::uint32_t> counts;  ///< messages of each connection
+    std::uint64_t position;   ///< in the file
+    ros::Time end;            ///< of its last message
+    std::size_t info_offset;  ///< of what chunk_infos_ says of it
   };
 
   void startMessage(ros::Time time);
   std::uint32_t connectionOf(const Connection& connection);
   void finishMessage(std::uint32_t connection, ros::Time time);
   void endChunk();
+  void pack();
+  std::uint32_t appendIndexes(std::string& to, std::string& counts) const;
   std::string headRecord(std::uint64_t index_position) const;
   std::string connectionRecord(std::uint32_t id) const;
   std::string indexOfFile() const;
@@ -101,12 +102,19 @@ private:
   int descriptor_;
   std::uint64_t end_ = 0;  ///< of the last whole chunk
   std::vector<Connection> connections_;
-  std::vector<ChunkInfo> chunks_;
+  std::vector<Chunk> chunks_;
+  std::string chunk_infos_;  ///< records of the file's index, one to a chunk
+
   std::string chunk_;  ///< that is being filled, unpacked
-  ros::Time chunk_start_;
-  std::map<std::uint32_t, std::vector<IndexEntry>> chunk_index_;  ///< of each connection
-  std::vector<std::uint8_t> bytes_;                               ///< of one message
-  int failure_ = 0;                                               ///< errno where nothing more can be written
+  ros::Time chunk_start_, chunk_end_;
+  std::vector<std::vector<IndexEntry>> chunk_index_;  ///< of each connection
+
+  // Kept from chunk to chunk for their memory: taken anew from the heap each time, in sizes that differ, they
+  // leave holes between what stays, and a process of some hundreds of megabytes in an hour.
+  std::vector<std::uint8_t> bytes_;  ///< of a message
+  std::string packed_, record_;      ///< of a chunk
+
+  int failure_ = 0;  ///< errno where nothing more can be written
 };
 
 }  // namespace ratchet_sieve
