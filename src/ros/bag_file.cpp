@@ -58,6 +58,7 @@ BagFile::BagFile(const std::string& path)
   catch (const BagError&)
   {
     ::close(descriptor_);
+    unlink(path.c_str());
     throw;
   }
 }

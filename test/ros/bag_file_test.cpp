@@ -179,6 +179,7 @@ TEST(BagFile, isRefusedWhereNothingFits)
   {
     EXPECT_STREQ(error.what(), "No space left on device");
   }
+  EXPECT_TRUE(scratch.empty());
 }
 }  // namespace
 }  // namespace ratchet_sieve
