@@ -94,7 +94,9 @@ class Bench:
 
     def node(self, case):
         topics = [f'/sieve/{topic}' for topic in LISTENED[case]]
-        parameters = {'scene': self.scene, 'record': str(self.bag) if case == RECORD else ''}
+        # Every frame that sieve_run records, too, for the two to be compared.
+        parameters = {'scene': self.scene, 'record': str(self.bag) if case == RECORD else '',
+                      'recording': {'particles': RATE}}
         finished, received = ros_processes.run_node(self.client, self.programs / 'sieve_node', parameters, topics)
         lost = sum(self.lost_on(topic.rpartition('/')[2], heard) for topic, heard in received.items())
         return finished, lost + (self.lost_in_bag() if case == RECORD else 0)

@@ -71,7 +71,9 @@ def say_undefined(axes, text):
 
 
 def beside(axes, **options):
-    """A legend to the right of the axes, where it covers nothing."""
+    """A legend to the right of the axes, where it covers nothing; none where nothing was recorded."""
+    if not axes.get_legend_handles_labels()[0]:
+        return
     axes.legend(loc='upper left', bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0, **options)
 
 

@@ -1,7 +1,12 @@
 #include "ratchet_sieve/analysis/analysis_report.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -37,9 +42,58 @@ std::string temperatureText(const std::optional<double>& temperature)
   return temperature ? fmt::format("{:.3g}", UJ_PER_J * *temperature) : "undefined";
 }
 
-SpeciesBins binsOf(const RunResult& result, std::size_t species)
+/// A species' disks, all of them, to the left, to the right and on the base, at the end; nothing where the
+/// bins were not recorded.
+std::array<std::optional<std::uint64_t>, 4> countsOf(const RunResult& result, std::size_t species)
 {
-  return result.lastBins() != nullptr ? result.lastBins()->bins[species] : SpeciesBins{};
+  if (result.lastBins() == nullptr)
+    return {};
+  const SpeciesBins& bins = result.lastBins()->bins[species];
+  return {bins.counted() + bins.on_base, bins.left, bins.right, bins.on_base};
+}
+
+std::optional<double> engineVelocity(const RunResult& result, std::size_t species)
+{
+  return result.lastStatistics() != nullptr ? result.lastStatistics()->means[species].mean_vx : std::nullopt;
+}
+
+std::string countText(const std::optional<std::uint64_t>& count)
+{
+  return count ? std::to_string(*count) : "-";
+}
+
+Json countOrNull(const std::optional<std::uint64_t>& count)
+{
+  return count ? Json(*count) : Json(nullptr);
+}
+
+/// <V_x> as the engine has summed it up, if it was recorded: of a disk that falls off, the frames lack the
+/// last stretch.
+std::string engineText(const RunResult& result)
+{
+  if (result.lastStatistics() == nullptr)
+    return "";
+  std::string text = "<V_x> summed up by the engine:";
+  for (std::size_t i = 0; i < result.species.size(); ++i)
+    text +=
+        fmt::format("{} {} {}", i > 0 ? "," : "", result.species[i],
+                    engineVelocity(result, i) ? fmt::format("{:+.2f}", MM_PER_M * *engineVelocity(result, i))
+                                              : "undefined");
+  return text + " mm/s\n";
+}
+
+/// What is missing, and what would have come of it.
+std::string missingText(const RunResult& result)
+{
+  const std::map<std::string, std::string> means = {
+      {"particles", "no <V_x>, no displacements"},
+      {"bins", "no counts, no Q, no P"},
+      {"base", "no course of inclination, frequency and amplitude"},
+      {"statistics", "no temperatures, no contacts"}};
+  std::string text;
+  for (const std::string& kind : result.missing())
+    text += fmt::format("not recorded: {} ({})\n", kind, means.at(kind));
+  return text;
 }
 
 std::string speciesTable(const RunResult& result)
@@ -51,9 +105,9 @@ std::string speciesTable(const RunResult& result)
                                  "left", "right", "on base", "<V_x> [mm/s]", "T_g [uJ]");
   for (std::size_t i = 0; i < result.species.size(); ++i)
   {
-    const SpeciesBins bins = binsOf(result, i);
+    const auto [disks, left, right, on_base] = countsOf(result, i);
     text += fmt::format("{:<{}} {:>7} {:>7} {:>7} {:>8} {:>20} {:>10}\n", result.species[i], width,
-                        bins.counted() + bins.on_base, bins.left, bins.right, bins.on_base,
+                        countText(disks), countText(left), countText(right), countText(on_base),
                         velocityText(result.velocities[i]), temperatureText(result.granular_temperatures[i]));
   }
   return text;
@@ -75,7 +129,7 @@ std::string segregationText(const RunResult& result)
 std::string contactText(const RunResult& result)
 {
   if (result.lastStatistics() == nullptr)
-    return "contacts: not recorded\n";
+    return "contacts: undefined\n";
   const CollisionCounts& counts = result.lastStatistics()->collisions;
   return fmt::format(
       "contacts: {} disk-disk, {} left slope, {} right slope, {} apex, {} wall\n"
@@ -89,14 +143,15 @@ Json speciesJson(const RunResult& result)
   Json list = Json::array();
   for (std::size_t i = 0; i < result.species.size(); ++i)
   {
-    const SpeciesBins bins = binsOf(result, i);
+    const auto [disks, left, right, on_base] = countsOf(result, i);
     list.push_back({{"name", result.species[i]},
-                    {"count", bins.counted() + bins.on_base},
+                    {"count", countOrNull(disks)},
                     {"mean_vx", numberOrNull(result.velocities[i].mean)},
                     {"mean_vx_stderr", numberOrNull(result.velocities[i].mean_stderr)},
-                    {"left", bins.left},
-                    {"right", bins.right},
-                    {"on_base", bins.on_base},
+                    {"engine_mean_vx", numberOrNull(engineVelocity(result, i))},
+                    {"left", countOrNull(left)},
+                    {"right", countOrNull(right)},
+                    {"on_base", countOrNull(on_base)},
                     {"granular_temperature", numberOrNull(result.granular_temperatures[i])}});
   }
   return list;
@@ -110,7 +165,8 @@ std::string reportText(const RunResult& result)
                      shownText(result.scene_frame.scene_hash), result.scene_frame.seed,
                      shownText(result.scene_frame.version), result.start, result.end,
                      result.particle_frames) +
-         speciesTable(result) + "\n" + segregationText(result) + contactText(result);
+         speciesTable(result) + "\n" + segregationText(result) + contactText(result) + engineText(result) +
+         missingText(result);
 }
 
 Json reportJson(const RunResult& result)
@@ -123,6 +179,7 @@ Json reportJson(const RunResult& result)
   json["start_time"] = result.start;
   json["simulated_time"] = result.end;
   json["particle_frames"] = result.particle_frames;
+  json["not_recorded"] = result.missing();
   json["species"] = speciesJson(result);
   json["quality"] = numberOrNull(bins != nullptr ? bins->quality : std::nullopt);
   json["processed"] = numberOrNull(bins != nullptr ? bins->processed : std::nullopt);

@@ -161,6 +161,20 @@ RunResult RunAnalysis::result() const
   return result;
 }
 
+std::vector<std::string> RunResult::missing() const
+{
+  std::vector<std::string> kinds;
+  if (particle_frames == 0)
+    kinds.emplace_back("particles");
+  if (bins.empty())
+    kinds.emplace_back("bins");
+  if (base.empty())
+    kinds.emplace_back("base");
+  if (statistics.empty())
+    kinds.emplace_back("statistics");
+  return kinds;
+}
+
 std::optional<double> RunResult::shortToLong() const
 {
   return statistics.empty() ? std::nullopt : statistics.back().collisions.shortToLong(scene.base.asymmetry);

@@ -2,6 +2,7 @@
 #include <exception>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "command_line.h"
 #include "plot_script.h"
@@ -22,14 +23,16 @@ constexpr auto REPLACE = nlohmann::ordered_json::error_handler_t::replace;
 
 struct Arguments
 {
-  std::string bag;
+  std::vector<std::string> bags;
   std::string summary;
   std::string directory;
 };
 
 void describe(CLI::App& app, Arguments& arguments)
 {
-  app.add_option("BAG", arguments.bag, "A recorded run")->required()->type_name("FILE");
+  app.add_option("BAG", arguments.bags, "A recorded run; all its files, where it was split")
+      ->required()
+      ->type_name("FILE");
   app.add_option("--summary", arguments.summary, "Write the results as JSON")->type_name("FILE");
   app.add_option("--out", arguments.directory, "Write tables (CSV) and plots (PNG) there")->type_name("DIR");
   app.set_version_flag("--version", version());
@@ -42,7 +45,7 @@ int analyze(const Arguments& arguments)
   if (!arguments.summary.empty())
     summary = std::make_unique<AtomicFile>(arguments.summary);
   RunAnalysis analysis;
-  readBag(arguments.bag, analysis);
+  readBags(arguments.bags, analysis);
   const RunResult result = analysis.result();
   std::fputs(reportText(result).c_str(), stdout);
   if (summary)

@@ -38,6 +38,8 @@ int main(int argc, char** argv)
   const ros::NodeHandle private_node("~");
   std::signal(SIGINT, requestStop);
   std::signal(SIGTERM, requestStop);
+  // A file that may grow no further is an error of the recording, not the end of the run.
+  std::signal(SIGXFSZ, SIG_IGN);
   std::unique_ptr<SieveNode> node;
   try
   {

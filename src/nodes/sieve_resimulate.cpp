@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -24,7 +25,7 @@ void warnOfVersion(const Resimulation& resimulation)
                version());
 }
 
-int resimulate(const std::string& bag)
+int resimulate(const std::vector<std::string>& bags)
 {
   std::optional<ProgressBar> progress;
   Resimulation resimulation(
@@ -36,7 +37,7 @@ int resimulate(const std::string& bag)
       });
   try
   {
-    readBag(bag, resimulation);
+    readBags(bags, resimulation);
     resimulation.finish();
   }
   catch (const BagError&)
@@ -45,7 +46,7 @@ int resimulate(const std::string& bag)
   }
   catch (const std::exception& error)
   {
-    throw BagError(bag + ": " + error.what());
+    throw BagError(bags.front() + ": " + error.what());
   }
   progress.reset();
   warnOfVersion(resimulation);
@@ -63,13 +64,15 @@ int resimulate(const std::string& bag)
 
 int main(int argc, char** argv)
 {
-  std::string bag;
+  std::vector<std::string> bags;
   CLI::App app(
       "Runs a recorded run again, from its scene, seed and commands, and says whether every recorded\n"
       "state comes out bit for bit.",
       "sieve_resimulate");
-  app.add_option("BAG", bag, "A recorded run")->required()->type_name("FILE");
+  app.add_option("BAG", bags, "A recorded run: its bag, or all the files of a split one")
+      ->required()
+      ->type_name("FILE");
   app.set_version_flag("--version", version());
   app.footer("Exit status: 0 the same; 1 it differs, or the bag cannot be read; 2 bad arguments.");
-  return runProgram(app, argc, argv, [&] { return resimulate(bag); });
+  return runProgram(app, argc, argv, [&] { return resimulate(bags); });
 }

@@ -1,8 +1,10 @@
 #include "ratchet_sieve/ros/bag_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
 #include <rosbag/bag.h>
@@ -45,6 +47,7 @@ public:
 
   bool done() override { return position_ == view_.end(); }
   double time() const override { return frame_.time; }
+  const auto& frame() const { return frame_; }
 
   void pass(FrameSink& sink) override
   {
@@ -118,13 +121,20 @@ void merge(const std::vector<std::unique_ptr<Stream>>& streams, FrameSink& sink)
   }
 }
 
-void readOpened(const rosbag::Bag& bag, FrameSink& sink)
+void requireScene(rosbag::View& all)
 {
-  rosbag::View all(bag);
   if (topicOf<SceneDescription>(all).empty())
     throw std::invalid_argument("holds no run: no topic of type ratchet_sieve/SceneDescription");
+}
+
+/// @param begins_run whether the scene is to be handed on, with which a run begins
+void readOpened(const rosbag::Bag& bag, bool begins_run, FrameSink& sink)
+{
+  rosbag::View all(bag);
+  requireScene(all);
   std::vector<std::unique_ptr<Stream>> streams;
-  addStream<SceneDescription>(bag, all, streams);
+  if (begins_run)
+    addStream<SceneDescription>(bag, all, streams);
   addStream<Command>(bag, all, streams);
   addStream<BaseState>(bag, all, streams);
   addStream<ParticleStates>(bag, all, streams);
@@ -132,16 +142,55 @@ void readOpened(const rosbag::Bag& bag, FrameSink& sink)
   addStream<SieveStatistics>(bag, all, streams);
   merge(streams, sink);
 }
-}  // namespace
+/// One of the files of a run.
+struct RunPart
+{
+  std::string path;
+  SceneFrame scene;
+  ros::Time start, end;  ///< of its first message and its last, by the bag
+};
 
-void readBag(const std::string& path, FrameSink& sink)
+RunPart partOf(const rosbag::Bag& bag, const std::string& path)
+{
+  rosbag::View all(bag);
+  requireScene(all);
+  TopicStream<SceneDescription> scenes(bag, topicOf<SceneDescription>(all));
+  if (scenes.done())
+    throw std::invalid_argument("holds no scene");
+  return {path, scenes.frame(), all.getBeginTime(), all.getEndTime()};
+}
+
+bool sameRun(const SceneFrame& a, const SceneFrame& b)
+{
+  return a.yaml == b.yaml && a.start_time == b.start_time && a.scene_hash == b.scene_hash && a.seed == b.seed && a.version == b.version;
+}
+
+/// That the files follow one another without a gap: each begins at the very time at which the one
+/// before it ends.
+void requireOneRun(const std::vector<RunPart>& parts)
+{
+  for (std::size_t k = 1; k < parts.size(); ++k)
+  {
+    const RunPart& before = parts[k - 1];
+    const RunPart& part = parts[k];
+    if (!sameRun(before.scene, part.scene))
+      throw BagError(part.path + ": is of another run than " + before.path);
+    if (part.start != before.end)
+      throw BagError(part.path + ": begins at " + std::to_string(part.start.toSec()) +
+                     " s, and does not go on from " + before.path + ", which ends at " +
+                     std::to_string(before.end.toSec()) + " s");
+  }
+}
+
+/// Opens a bag for `read`, and says what is wrong in the words of a BagError.
+template <typename Read>
+void withBag(const std::string& path, const Read& read)
 {
   try
   {
-    requireSoundBag(path);
     rosbag::Bag bag;
     bag.open(path, rosbag::bagmode::Read);
-    readOpened(bag, sink);
+    read(bag);
   }
   catch (const rosbag::BagUnindexedException&)
   {
@@ -155,6 +204,31 @@ void readBag(const std::string& path, FrameSink& sink)
   {
     throw BagError(path + ": " + shownText(error.what(), LONGEST_REASON));
   }
+}
+}  // namespace
+
+void readBag(const std::string& path, FrameSink& sink)
+{
+  requireSoundBag(path);
+  withBag(path, [&](const rosbag::Bag& bag) { readOpened(bag, true, sink); });
+}
+
+void readBags(const std::vector<std::string>& paths, FrameSink& sink)
+{
+  if (paths.size() == 1)
+    return readBag(paths.front(), sink);
+  std::vector<RunPart> parts;
+  for (const std::string& path : paths)
+  {
+    requireSoundBag(path);
+    withBag(path, [&](const rosbag::Bag& bag) { parts.push_back(partOf(bag, path)); });
+  }
+  std::sort(parts.begin(), parts.end(),
+            [](const RunPart& a, const RunPart& b)
+            { return std::tie(a.start, a.end, a.path) < std::tie(b.start, b.end, b.path); });
+  requireOneRun(parts);
+  for (const RunPart& part : parts)
+    withBag(part.path, [&](const rosbag::Bag& bag) { readOpened(bag, &part == &parts.front(), sink); });
 }
 
 }  // namespace ratchet_sieve

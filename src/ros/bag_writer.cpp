@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include <ros/console.h>
 #include <std_msgs/Float64.h>
@@ -30,31 +31,30 @@ const char* setpointTopic(CommandKind kind)
   }
 }
 
-/// What makes `rosbag play` latch a topic, as the node does, for those who come late.
-template <typename Message>
-boost::shared_ptr<ros::M_string> latchedHeader()
+BagError cannotBeWritten(const std::string& path, const std::string& why)
 {
-  namespace traits = ros::message_traits;
-  const ros::M_string fields = {{"type", traits::datatype<Message>()},
-                                {"md5sum", traits::md5sum<Message>()},
-                                {"message_definition", traits::definition<Message>()},
-                                {"latching", "1"}};
-  return boost::make_shared<ros::M_string>(fields);
+  return BagError(path + ": cannot be written: " + why);
+}
+
+std::unique_ptr<BagFile> opened(const std::string& path, const std::string& active_path)
+{
+  try
+  {
+    return std::make_unique<BagFile>(active_path);
+  }
+  catch (const BagError& error)
+  {
+    throw cannotBeWritten(path, error.what());
+  }
 }
 }  // namespace
 
 BagWriter::BagWriter(const std::string& path, const std::string& topic_prefix)
-    : path_(path), active_path_(path + ".active"), topic_prefix_(topic_prefix)
+    : path_(path),
+      active_path_(path + ".active"),
+      topic_prefix_(topic_prefix),
+      file_(opened(path_, active_path_))
 {
-  try
-  {
-    bag_.open(active_path_, rosbag::bagmode::Write);
-    bag_.setCompression(rosbag::compression::LZ4);
-  }
-  catch (const rosbag::BagException& error)
-  {
-    throw BagError(path_ + ": cannot be written: " + error.what());
-  }
 }
 
 BagWriter::~BagWriter()
@@ -71,38 +71,50 @@ BagWriter::~BagWriter()
 
 void BagWriter::close()
 {
-  if (!bag_.isOpen())
+  if (!file_)
     return;
+  const std::unique_ptr<BagFile> file = std::move(file_);
+  std::optional<BagFile::Loss> loss;
   try
   {
-    bag_.close();
+    loss = file->close();
   }
-  catch (const rosbag::BagException& error)
+  catch (const BagError& error)
   {
-    throw BagError(path_ + ": cannot be closed: " + error.what());
+    throw cannotBeWritten(path_, error.what() + ("; the bag is " + active_path_ + ", for `rosbag reindex`"));
   }
   if (std::rename(active_path_.c_str(), path_.c_str()) != 0)
     throw BagError(path_ + ": cannot be named so: " + std::strerror(errno) + "; the bag is " + active_path_);
+  if (loss && loss->end.isZero())
+    throw cannotBeWritten(path_, loss->reason + "; the bag is empty");
+  if (loss)
+    throw cannotBeWritten(path_,
+                          loss->reason + "; the bag ends at " + std::to_string(loss->end.toSec()) + " s");
+}
+
+std::uint64_t BagWriter::size() const
+{
+  return file_ ? file_->size() : 0;
 }
 
 template <typename Message>
-void BagWriter::write(const char* topic, double time, const Message& message,
-                      const boost::shared_ptr<ros::M_string>& connection_header)
+void BagWriter::write(const char* topic, double time, const Message& message, bool latched)
 {
+  if (!file_)
+    throw cannotBeWritten(path_, "it is closed");
   try
   {
-    bag_.write(topic_prefix_ + "/" + topic, std::max(stampOf(time), ros::TIME_MIN), message,
-               connection_header);
+    file_->write(topic_prefix_ + "/" + topic, std::max(stampOf(time), ros::TIME_MIN), message, latched);
   }
-  catch (const rosbag::BagException& error)
+  catch (const BagError& error)
   {
-    throw BagError(path_ + ": cannot be written: " + error.what());
+    throw cannotBeWritten(path_, error.what());
   }
 }
 
 void BagWriter::take(const SceneFrame& frame)
 {
-  write("scene", frame.time, toMessage(frame), latchedHeader<SceneDescription>());
+  write("scene", frame.time, toMessage(frame), true);
 }
 
 void BagWriter::take(const ParticleFrame& frame)

@@ -116,8 +116,12 @@ void Diagnostics::reportSetpoints(Status& status)
 void Diagnostics::reportRecording(Status& status)
 {
   const std::string path = recorder_.path();
-  status.summary(DiagnosticStatus::OK, path.empty() ? "off" : "on");
+  if (recorder_.failure().empty())
+    status.summary(DiagnosticStatus::OK, path.empty() ? "off" : "on");
+  else
+    status.summary(DiagnosticStatus::ERROR, recorder_.failure());
   status.add("file", path);
+  status.add("size of the file [MB]", recorder_.megabytes());
 }
 
 }  // namespace ratchet_sieve

@@ -24,7 +24,8 @@ LiveRun::LiveRun(const SceneDefinition& scene, const FrameRates& rates, std::vec
 
 double LiveRun::nextTime() const
 {
-  return std::min(sampler_.nextTime(), end_time_);
+  const double next = std::min(sampler_.nextTime(), end_time_);
+  return recording_ ? std::min(next, recording_->sampler.nextTime()) : next;
 }
 
 void LiveRun::advanceTo(double time, FrameSink& sink)
@@ -43,20 +44,31 @@ void LiveRun::advanceTo(double time, FrameSink& sink)
 void LiveRun::takeDue(FrameSink& sink)
 {
   sampler_.takeDue(simulation_, sink);
+  if (recording_)
+    recording_->sampler.takeDue(simulation_, recording_->sink);
   for (const CommandFrame& command : std::exchange(opening_, {}))
-    sink.take(command);
+    show(command, sink);
 }
 
 void LiveRun::takeAll(FrameSink& sink)
 {
   sampler_.takeLast(simulation_, sink);
+  if (recording_)
+    recording_->sampler.takeLast(simulation_, recording_->sink);
 }
 
 void LiveRun::give(CommandFrame command, FrameSink& sink)
 {
   command.time = time();
   apply(command, simulation_);
+  show(command, sink);
+}
+
+void LiveRun::show(const CommandFrame& command, FrameSink& sink)
+{
   sink.take(command);
+  if (recording_)
+    recording_->sink.take(command);
 }
 
 }  // namespace ratchet_sieve

@@ -15,7 +15,9 @@ constexpr double MAX_AMPLITUDE = 1.0;    // m
 constexpr double MAX_SLEW = 10.0;
 constexpr double MIN_SLEW = 1e-9;
 
-constexpr double MAX_RATE = 1e5;  // 1/s
+constexpr double MAX_RATE = 1e5;            // 1/s
+constexpr double MAX_SPLIT_SIZE = 1e6;      // MB
+constexpr double MAX_SPLIT_DURATION = 1e9;  // s, as long as a scene lasts at most
 
 void readLimits(ParameterReader& reader, double least, double most, Setpoint& setpoint, double& slew_rate)
 {
@@ -25,13 +27,25 @@ void readLimits(ParameterReader& reader, double least, double most, Setpoint& se
   slew_rate = reader.number(prefix + "slew_rate", slew_rate, MIN_SLEW * most, MAX_SLEW * most);
 }
 
-void readRates(ParameterReader& reader, NodeParameters& parameters)
+void readRates(ParameterReader& reader, const std::string& prefix, FrameRates& rates)
 {
-  FrameRates& rates = parameters.rates;
-  rates.particles = reader.number("rates/particles", rates.particles, 0.0, MAX_RATE);
-  rates.bins = reader.number("rates/bins", rates.bins, 0.0, MAX_RATE);
-  rates.base = reader.number("rates/base", rates.base, 0.0, MAX_RATE);
-  rates.statistics = reader.number("rates/statistics", rates.statistics, 0.0, MAX_RATE);
+  rates.particles = reader.number(prefix + "particles", rates.particles, 0.0, MAX_RATE);
+  rates.bins = reader.number(prefix + "bins", rates.bins, 0.0, MAX_RATE);
+  rates.base = reader.number(prefix + "base", rates.base, 0.0, MAX_RATE);
+  rates.statistics = reader.number(prefix + "statistics", rates.statistics, 0.0, MAX_RATE);
+}
+
+void readRecording(ParameterReader& reader, RecordingParameters& recording)
+{
+  readRates(reader, "recording/", recording.rates);
+  recording.split_size = reader.number("recording/split_size", recording.split_size, 0.0, MAX_SPLIT_SIZE);
+  recording.split_duration =
+      reader.number("recording/split_duration", recording.split_duration, 0.0, MAX_SPLIT_DURATION);
+}
+
+void readAllRates(ParameterReader& reader, NodeParameters& parameters)
+{
+  readRates(reader, "rates/", parameters.rates);
   parameters.display_rate = reader.number("rates/display", parameters.display_rate, 0.0, 1e3);
   parameters.clock_rate = reader.number("rates/clock", parameters.clock_rate, 1.0, 1e3);
 }
@@ -47,7 +61,8 @@ NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
   parameters.publish_clock = reader.flag("publish_clock", parameters.publish_clock);
   parameters.exit_at_end = reader.flag("exit_at_end", parameters.exit_at_end);
   parameters.record = reader.text("record", parameters.record);
-  readRates(reader, parameters);
+  readRecording(reader, parameters.recording);
+  readAllRates(reader, parameters);
   auto& [inclination, frequency, amplitude] = parameters.setpoints;
   SlewRates& slew = parameters.slew_rates;
   readLimits(reader, -MAX_INCLINATION, MAX_INCLINATION, inclination, slew.inclination);

@@ -1,40 +1,170 @@
 #include "ratchet_sieve/ros/recorder.h"
 
+#include <ros/console.h>
+
 namespace ratchet_sieve
 {
 namespace
 {
-/// run.bag, 2 -> run_2.bag
-std::string numbered(const std::string& path, int number)
+constexpr double BYTES_PER_MB = 1e6;
+
+/// run.bag, _2 -> run_2.bag
+std::string withSuffix(const std::string& path, const std::string& suffix)
 {
   const std::size_t slash = path.rfind('/');
   const std::size_t dot = path.rfind('.');
   const bool has_ending = dot != std::string::npos && (slash == std::string::npos || dot > slash + 1);
   const std::size_t stem = has_ending ? dot : path.size();
-  return path.substr(0, stem) + "_" + std::to_string(number) + path.substr(stem);
+  return path.substr(0, stem) + suffix + path.substr(stem);
+}
+
+double rateOf(FrameKind kind, const FrameRates& rates)
+{
+  switch (kind)
+  {
+    case FrameKind::PARTICLES:
+      return rates.particles;
+    case FrameKind::BINS:
+      return rates.bins;
+    case FrameKind::BASE:
+      return rates.base;
+    case FrameKind::STATISTICS:
+      return rates.statistics;
+  }
+  return 0.0;
 }
 }  // namespace
 
-Recorder::Recorder(const std::string& path, const std::string& topic_prefix)
-    : first_path_(path), topic_prefix_(topic_prefix)
+Recorder::Recorder(const std::string& path, const std::string& topic_prefix,
+                   const RecordingParameters& parameters)
+    : base_path_(path), topic_prefix_(topic_prefix), parameters_(parameters)
 {
+}
+
+std::string Recorder::nextPath() const
+{
+  std::string suffix;
+  if (run_ > 1)
+    suffix += "_run" + std::to_string(run_);
+  if (parameters_.splits())
+    suffix += "_" + std::to_string(file_);
+  return withSuffix(base_path_, suffix);
+}
+
+void Recorder::openFile()
+{
+  bag_ = std::make_unique<BagWriter>(nextPath(), topic_prefix_);
 }
 
 void Recorder::open()
 {
-  if (first_path_.empty())
+  if (!on())
     return;
+  ++run_;
+  openFile();
+}
+
+void Recorder::openNext()
+{
   close();
-  ++opened_;
-  const std::string path = opened_ == 1 ? first_path_ : numbered(first_path_, opened_);
-  bag_ = std::make_unique<BagWriter>(path, topic_prefix_);
+  failure_.clear();
+  file_ = 0;
+  try
+  {
+    open();
+  }
+  catch (const BagError& error)
+  {
+    giveUp(error);
+  }
 }
 
 void Recorder::close()
 {
-  if (bag_)
-    bag_->close();
+  try
+  {
+    if (bag_)
+      bag_->close();
+    bag_.reset();
+  }
+  catch (const BagError& error)
+  {
+    giveUp(error);
+  }
+}
+
+/// The error of closing says more than that of writing: where the rest is.
+void Recorder::giveUp(const BagError& error)
+{
+  failure_ = error.what();
+  try
+  {
+    if (bag_)
+      bag_->close();
+  }
+  catch (const BagError& closing)
+  {
+    failure_ = closing.what();
+  }
   bag_.reset();
+  ROS_ERROR("the recording broke off: %s", failure_.c_str());
+}
+
+double Recorder::megabytes() const
+{
+  return bag_ ? static_cast<double>(bag_->size()) / BYTES_PER_MB : 0.0;
+}
+
+bool Recorder::wants(FrameKind kind) const
+{
+  return bag_ != nullptr && rateOf(kind, parameters_.rates) > 0.0;
+}
+
+bool Recorder::full() const
+{
+  return (parameters_.split_size > 0.0 && megabytes() >= parameters_.split_size) ||
+         (parameters_.split_duration > 0.0 && last_time_ >= file_start_ + parameters_.split_duration);
+}
+
+void Recorder::splitBefore(double time)
+{
+  if (!(time > last_time_) || !full())
+    return;
+  bag_->close();
+  ++file_;
+  openFile();
+  scene_.time = last_time_;
+  file_start_ = last_time_;
+  bag_->take(scene_);
+}
+
+void Recorder::write(double time, const std::function<void()>& write)
+{
+  try
+  {
+    splitBefore(time);
+    write();
+    last_time_ = time;
+  }
+  catch (const BagError& error)
+  {
+    giveUp(error);
+  }
+}
+
+void Recorder::take(const SceneFrame& frame)
+{
+  scene_ = frame;
+  file_start_ = frame.time;
+  last_time_ = frame.time;
+  if (bag_)
+    write(frame.time, [&] { bag_->take(frame); });
+}
+
+void Recorder::take(const CommandFrame& frame)
+{
+  if (bag_)
+    write(frame.time, [&] { bag_->take(frame); });
 }
 
 }  // namespace ratchet_sieve

@@ -71,7 +71,6 @@ RunControl::RunControl(const YAML::Node& scene, const std::string& source, const
   run_ = std::make_unique<LiveRun>(read.definition, parameters_.rates, std::vector{slewRates()}, 0.0,
                                    read.definition.duration);
   run_->setUnderWay(!paused_);
-  sinks_.add(recorder_);
 }
 
 CommandFrame RunControl::slewRates() const
@@ -95,6 +94,8 @@ Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& 
 void RunControl::begin()
 {
   ROS_INFO_STREAM("plan: " << planText(run_->simulation().plan()));
+  if (recorder_.on())
+    run_->record(recorder_, recorder_.rates());
   run_->takeDue(sinks_);
 }
 
@@ -177,7 +178,7 @@ Outcome RunControl::advance(double duration, double stride, const std::function<
 void RunControl::begin(std::unique_ptr<LiveRun> run)
 {
   run_->takeAll(sinks_);
-  recorder_.open();
+  recorder_.openNext();
   run_ = std::move(run);
   run_->setUnderWay(!paused_);
   begin();
@@ -197,14 +198,17 @@ Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& ov
   {
     return failure(error.what());
   }
-  catch (const BagError& error)
-  {
-    return failure(error.what());
-  }
   catch (const std::invalid_argument& error)
   {
     return failure(source_ + ": " + error.what());
   }
+}
+
+template <typename Frame>
+void RunControl::show(const Frame& frame)
+{
+  sinks_.take(frame);
+  recorder_.take(frame);
 }
 
 void RunControl::resetWorld()
@@ -238,8 +242,8 @@ Outcome RunControl::pour(const std::string& species, std::size_t count)
   {
     return failure(error.what());
   }
-  sinks_.take(run_->particles());
-  sinks_.take(run_->bins());
+  show(run_->particles());
+  show(run_->bins());
   return {};
 }
 
@@ -248,7 +252,7 @@ Outcome RunControl::command(const Setpoint& setpoint, double value)
   if (const auto refusal = setpoint.refusal(value))
     return failure(*refusal);
   run_->give(setpointOf(setpoint.kind, value), sinks_);
-  sinks_.take(run_->base());
+  show(run_->base());
   return {};
 }
 

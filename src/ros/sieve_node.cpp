@@ -29,7 +29,7 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
     : node_(private_node),
       stop_(stop),
       parameters_(readNodeParameters(private_node)),
-      recorder_(parameters_.record, private_node.getNamespace()),
+      recorder_(parameters_.record, private_node.getNamespace(), parameters_.recording),
       control_(scene.root, scene.source, parameters_, recorder_),
       real_time_factor_(private_node, parameters_.real_time_factor),
       pacer_(parameters_.real_time_factor),
@@ -150,6 +150,8 @@ void SieveNode::run()
   end();
   if (ended() && control_.run().stopped())
     throw StallError(*control_.run().stopReason());
+  if (!recorder_.failure().empty())
+    throw BagError("the run was not recorded to its end: " + recorder_.failure());
 }
 
 void SieveNode::end()

@@ -20,16 +20,27 @@ TEST(ReportText, IsATableToRead)
             "\n"
             "Q = 0.750, P = 0.500\n"
             "contacts: 100 disk-disk, 20 left slope, 40 right slope, 3 apex, 0 wall\n"
-            "short to long slope: 0.500\n");
+            "short to long slope: 0.500\n"
+            "<V_x> summed up by the engine: A +500.00, long-name undefined mm/s\n");
 }
 
 TEST(ReportText, SaysWhatIsNotDefined)
 {
   RunResult result = handMadeResult();
   result.bins.clear();
+  result.base.clear();
   result.statistics.clear();
+  result.particle_frames = 0;
   const std::string text = reportText(result);
-  EXPECT_NE(text.find("Q = undefined, P = undefined\ncontacts: not recorded\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("A               -       -       -        - "), std::string::npos) << text;
+  EXPECT_NE(text.find("Q = undefined, P = undefined\n"
+                      "contacts: undefined\n"
+                      "not recorded: particles (no <V_x>, no displacements)\n"
+                      "not recorded: bins (no counts, no Q, no P)\n"
+                      "not recorded: base (no course of inclination, frequency and amplitude)\n"
+                      "not recorded: statistics (no temperatures, no contacts)\n"),
+            std::string::npos)
+      << text;
   EXPECT_EQ(text.find("nan"), std::string::npos) << text;
 }
 
@@ -55,6 +66,7 @@ TEST(ReportJson, NamesThingsAsTheSummaryDoes)
   EXPECT_EQ(json["short_to_long"], 0.5);
   EXPECT_EQ(json["collisions"]["disk_disk"], 100);
   EXPECT_EQ(json["species"][0]["mean_vx"], 0.0125);
+  EXPECT_EQ(json["species"][0]["engine_mean_vx"], 0.5);
   EXPECT_EQ(json["species"][0]["right"], 3);
   EXPECT_TRUE(json["species"][1]["mean_vx_stderr"].is_null());
 }
@@ -67,6 +79,8 @@ TEST(ReportJson, SaysNullForWhatIsNotDefined)
   const auto json = reportJson(result);
   for (const char* key : {"quality", "processed", "short_to_long", "collisions", "max_overlap"})
     EXPECT_TRUE(json[key].is_null()) << key;
+  EXPECT_TRUE(json["species"][0]["left"].is_null());
+  EXPECT_EQ(json["not_recorded"], (std::vector<std::string>{"bins", "statistics"}));
 }
 
 }  // namespace

@@ -16,10 +16,11 @@ namespace
 {
 
 /// Runs a scene to its end under the analysis' eyes.
-RunResult analyzed(Simulation& simulation)
+RunResult analyzed(Simulation& simulation, double particle_rate = 60.0)
 {
   RunAnalysis analysis;
   RunWatchers watchers;
+  watchers.rates.particles = particle_rate;
   watchers.frames = &analysis;
   runToEnd(simulation, watchers);
   return analysis.result();
@@ -54,6 +55,55 @@ TEST(RunAnalysis, FindsTheEnginesVelocitiesFromDisplacementsAlone)
     EXPECT_NEAR(result.velocities[i].mean_stderr.value(), simulation.means()[i].mean_vx_stderr.value(),
                 1e-12);
     EXPECT_EQ(result.velocities[i].disks, 2u);
+  }
+}
+
+/// A recording holds the disks less often than all else.
+TEST(RunAnalysis, SaysTheSameOfDisksThatAreSeenMoreSeldom)
+{
+  SceneDefinition scene = smallRing();
+  scene.duration = 4.0;
+  Simulation often(scene), seldom(scene);
+  const RunResult full = analyzed(often);
+  const RunResult decimated = analyzed(seldom, 10.0);
+  EXPECT_EQ(full.particle_frames, 241u);
+  EXPECT_EQ(decimated.particle_frames, 41u);
+  EXPECT_EQ(decimated.granular_temperatures, full.granular_temperatures);
+  EXPECT_EQ(decimated.shortToLong(), full.shortToLong());
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    EXPECT_EQ(decimated.velocities[i].mean, full.velocities[i].mean);
+    EXPECT_EQ(decimated.velocities[i].disks, full.velocities[i].disks);
+    EXPECT_GT(decimated.velocities[i].mean_stderr.value(), 0.0);
+  }
+  ASSERT_EQ(decimated.displacement_distributions.size(), full.displacement_distributions.size());
+  for (std::size_t k = 0; k < full.displacement_distributions.size(); ++k)
+  {
+    EXPECT_EQ(decimated.displacement_distributions[k].time, full.displacement_distributions[k].time);
+    EXPECT_EQ(decimated.displacement_distributions[k].counts, full.displacement_distributions[k].counts);
+  }
+}
+
+/// Disks that fall off are last seen up to a frame earlier.
+TEST(RunAnalysis, LosesTheLastStretchOfDisksThatFallOff)
+{
+  SceneDefinition scene = smallMixture();
+  scene.base.teeth = 10;
+  scene.base.inclination = -0.1;
+  scene.species[0].count = scene.species[1].count = 20;
+  scene.duration = 10.0;
+  Simulation often(scene), seldom(scene);
+  const RunResult full = analyzed(often);
+  const RunResult decimated = analyzed(seldom, 10.0);
+  ASSERT_GT(full.lastBins()->processed.value(), 0.5);
+  EXPECT_EQ(decimated.lastBins()->quality, full.lastBins()->quality);
+  EXPECT_EQ(decimated.lastBins()->processed, full.lastBins()->processed);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    // Two of each leave within the first tenth of a second: seen once, they have no velocity.
+    EXPECT_EQ(decimated.velocities[i].disks + 2, full.velocities[i].disks);
+    EXPECT_NEAR(decimated.velocities[i].mean.value(), full.velocities[i].mean.value(),
+                full.velocities[i].mean_stderr.value());
   }
 }
 

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
@@ -6,10 +8,12 @@
 
 #include "child_node.h"
 #include "collecting_sink.h"
+#include "file_size_limit.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 #include "sieve_client.h"
 #include "small_scenes.h"
+#include "statuses.h"
 
 namespace ratchet_sieve
 {
@@ -57,7 +61,7 @@ TEST_F(Record, holdsTheFirstAndTheLastMessageWhenInterrupted)
   EXPECT_EQ(recorded.particles.back().time, 2.4876);
   EXPECT_TRUE(sameBits(recorded.particles.back(), sieve.particles.frames.back()));
   EXPECT_TRUE(sameBits(recorded.bins.back(), sieve.bins.frames.back()));
-  EXPECT_TRUE(sameBits(recorded.statistics.back(), sieve.statistics.frames.back()));
+  EXPECT_TRUE(sameButForSpeed(recorded.statistics.back(), sieve.statistics.frames.back()));
   ASSERT_TRUE(recorded.bins.back().quality);
   EXPECT_EQ(recorded.bins.back().quality, sieve.bins.frames.back().quality);
   EXPECT_EQ(recorded.bins.back().processed, sieve.bins.frames.back().processed);
@@ -88,6 +92,194 @@ TEST_F(Record, endsWithTheSceneAndClosesTheBag)
   EXPECT_EQ(recorded.bins.size(), 20u * 60u + 1u);
   EXPECT_TRUE(sameBits(recorded.bins.back(), sieve.bins.frames.back()));
   EXPECT_TRUE(recorded.bins.back().quality);
+}
+
+/// How many times there are, up to one.
+template <typename Frame>
+std::size_t instantsUpTo(double last, const std::vector<Frame>& frames)
+{
+  std::set<double> times;
+  for (const Frame& frame : frames)
+    if (frame.time <= last)
+      times.insert(frame.time);
+  return times.size();
+}
+
+/// That every recorded frame was published so, and of those up to the last recorded one none is missing.
+template <typename Frame, typename Same>
+void expectPublished(const std::vector<Frame>& recorded, const std::vector<Frame>& published,
+                     const Same& same)
+{
+  ASSERT_FALSE(recorded.empty());
+  const double last = recorded.back().time;
+  EXPECT_EQ(instantsUpTo(last, recorded), instantsUpTo(last, published));
+  for (const Frame& frame : recorded)
+    EXPECT_TRUE(std::any_of(published.begin(), published.end(),
+                            [&](const Frame& candidate) { return same(frame, candidate); }))
+        << frame.time;
+}
+
+void expectPublished(const CollectingSink& recorded, const SieveClient& sieve)
+{
+  const auto same = [](const auto& a, const auto& b) { return sameBits(a, b); };
+  expectPublished(recorded.particles, sieve.particles.frames, same);
+  expectPublished(recorded.bins, sieve.bins.frames, same);
+  expectPublished(recorded.bases, sieve.base.frames, same);
+  // The rates since the last frame are none where nobody had subscribed at that time.
+  const auto same_statistics = [&](const StatisticsFrame& a, const StatisticsFrame& b)
+  {
+    StatisticsFrame published = b;
+    if (published.collision_rate == 0.0)
+      published.collision_rate = a.collision_rate;
+    return sameButForSpeed(a, published);
+  };
+  expectPublished(recorded.statistics, sieve.statistics.frames, same_statistics);
+}
+
+CollectingSink readAll(const std::vector<std::string>& paths)
+{
+  CollectingSink read;
+  readBags(paths, read);
+  return read;
+}
+
+/// Steps in strides of no more frames than a publisher's queue holds, so that none is lost on the way here.
+void stepAndSeeAll(SieveClient& sieve, int quarters)
+{
+  for (int k = 0; k < quarters; ++k)
+    sieve.stepAndSee(0.25);
+}
+
+TEST_F(Record, holdsWhatItIsAskedToInFilesOfItsOwn)
+{
+  prepare("/choosy", 1.0, true);
+  ros::param::set("/choosy/recording/particles", 0);
+  ros::param::set("/choosy/recording/bins", 20.0);
+  ros::param::set("/choosy/recording/base", 0.0);
+  ros::param::set("/choosy/recording/statistics", 5.0);
+  ros::param::set("/choosy/recording/split_duration", 0.5);
+  ChildNode node("sieve_node", named("choosy"));
+  SieveClient sieve("/choosy");
+  ASSERT_TRUE(sieve.connect());
+  sieve.publish("inclination", 0.125);
+  ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().base.commanded_inclination == 0.125; }));
+  sieve.stepAndSee(1.25);
+  node.interrupt();
+  EXPECT_EQ(node.wait(), 0) << node.errors();
+
+  const CollectingSink recorded =
+      readAll({scratch_ / "run_1.bag", scratch_ / "run_0.bag", scratch_ / "run_2.bag"});
+  EXPECT_EQ(recorded.scenes.size(), 1u);
+  EXPECT_TRUE(recorded.particles.empty());
+  EXPECT_TRUE(recorded.bases.empty());
+  EXPECT_EQ(recorded.bins.size(), 26u);
+  EXPECT_EQ(recorded.statistics.size(), 8u);  // that at 1.25 s is the last
+  EXPECT_TRUE(sameBits(recorded.bins.back(), sieve.bins.frames.back()));
+  EXPECT_EQ(recorded.bins.at(1).time, 0.05);
+  EXPECT_FALSE(std::filesystem::exists(scratch_ / "run_3.bag"));
+  EXPECT_FALSE(std::filesystem::exists(bag()));
+}
+
+TEST_F(Record, losesNoMoreThanASecondWhenKilled)
+{
+  prepare("/killed", 1.0, true);
+  ros::param::set("/killed/recording/particles", 60);
+  ChildNode node("sieve_node", named("killed"));
+  SieveClient sieve("/killed");
+  ASSERT_TRUE(sieve.connect());
+  stepAndSeeAll(sieve, 9);
+  sieve.publish("inclination", 0.125);
+  ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().base.commanded_inclination == 0.125; }));
+  stepAndSeeAll(sieve, 12);
+  sieve.stepAndSee(0.1);
+  node.killAtOnce();
+  EXPECT_EQ(node.wait(), -1);
+
+  const std::string active = bag() + ".active";
+  EXPECT_FALSE(std::filesystem::exists(bag()));
+  EXPECT_THROW(readAll({active}), BagError);
+  // The same as it were, had a chunk been half written.
+  const std::string torn = scratch_ / "torn.bag";
+  std::filesystem::copy_file(active, torn);
+  constexpr std::size_t HEAD = 4117;  // bytes before the first chunk
+  std::ofstream(torn, std::ios::binary | std::ios::app) << contents(active).substr(HEAD, 1000);
+  for (const std::string& path : {active, torn})
+  {
+    ASSERT_EQ(std::system(("rosbag reindex --quiet " + path).c_str()), 0);
+    EXPECT_EQ(std::system(("rosbag check " + path).c_str()), 0);
+    const CollectingSink recorded = readAll({path});
+    EXPECT_EQ(recorded.scenes.size(), 1u);
+    EXPECT_GT(recorded.bins.back().time, 5.35 - 1.0 - 1.0 / 60.0);
+    EXPECT_EQ(recorded.particles.back().time, recorded.bins.back().time);
+    expectPublished(recorded, sieve);
+  }
+}
+
+TEST_F(Record, endsOneRunAndBeginsTheNextAtAReset)
+{
+  prepare("/twice", 1.0, true);
+  ros::param::set("/twice/recording/particles", 60);
+  ChildNode node("sieve_node", named("twice"));
+  SieveClient sieve("/twice");
+  ASSERT_TRUE(sieve.connect());
+  stepAndSeeAll(sieve, 6);
+  sieve.publish("frequency", 25.0);
+  ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().base.commanded_frequency == 25.0; }));
+  sieve.stepAndSee(0.321);
+  ASSERT_TRUE(sieve.reset(5).success);
+  // Nothing of the second run has been looked at yet.
+  const CollectingSink first = readAll({bag()});
+  EXPECT_EQ(first.scenes.at(0).seed, 7u);
+  EXPECT_EQ(first.particles.back().time, 1.821);
+  EXPECT_EQ(first.bases.back().base.commanded_frequency, 25.0);
+  expectPublished(first, sieve);
+
+  sieve.forget();
+  stepAndSeeAll(sieve, 3);
+  node.interrupt();
+  EXPECT_EQ(node.wait(), 0) << node.errors();
+  const CollectingSink second = readAll({scratch_ / "run_run2.bag"});
+  EXPECT_EQ(second.scenes.at(0).seed, 5u);
+  EXPECT_EQ(second.particles.front().time, 0.0);
+  EXPECT_EQ(second.particles.back().time, 0.75);
+  expectPublished(second, sieve);
+}
+
+TEST_F(Record, goesOnWhereTheDiskIsFull)
+{
+  prepare("/full", 1.0, true);
+  std::unique_ptr<ChildNode> node;
+  {
+    const FileSizeLimit limit(100'000);
+    node = std::make_unique<ChildNode>("sieve_node", named("full"));
+  }
+  SieveClient sieve("/full");
+  Statuses statuses(sieve.node);
+  ASSERT_TRUE(sieve.connect());
+  sieve.stepAndSee(15.0);
+  const std::string reason = bag() + ": cannot be written: File too large; the bag ends at ";
+  ASSERT_TRUE(waitFor(
+      [&]
+      {
+        const auto& status = statuses["full: recording"];
+        return status.level == diagnostic_msgs::DiagnosticStatus::ERROR &&
+               status.message.rfind(reason, 0) == 0;
+      }));
+  const CollectingSink recorded = readAll({bag()});
+  EXPECT_GT(recorded.bins.back().time, 1.0);
+  EXPECT_LT(recorded.bins.back().time, 15.0);
+  EXPECT_EQ(std::system(("rosbag check " + bag()).c_str()), 0);
+  EXPECT_EQ(recorded.particles.size(), 1 + std::size_t(10.0 * recorded.bins.back().time + 1e-9));
+
+  sieve.stepAndSee(1.0);
+  node->interrupt();
+  EXPECT_EQ(node->wait(), 1);
+  const std::string& said = node->errors();
+  const std::size_t told = said.find("the recording broke off: " + reason);
+  EXPECT_NE(told, std::string::npos) << said;
+  EXPECT_EQ(said.find("the recording broke off", told + 1), std::string::npos) << said;
+  EXPECT_NE(said.find("sieve_node: the run was not recorded to its end"), std::string::npos) << said;
+  EXPECT_TRUE(sameBits(readAll({bag()}).bins, recorded.bins));
 }
 
 TEST_F(Record, refusesABadSceneWithOneLine)

@@ -74,7 +74,7 @@ TEST_F(Resimulate, givesARunUnderCommandAgainBitForBit)
   commandWhileItRuns(sieve, "frequency", 20.0, &DriveState::commanded_frequency);
   node.interrupt();
   EXPECT_EQ(node.wait(), 0) << node.errors();
-  for (const char* name : {"run.bag", "run_2.bag", "run_3.bag"})
+  for (const char* name : {"run.bag", "run_run2.bag", "run_run3.bag"})
     EXPECT_EQ(resimulate(bag(name)), 0) << name;
 }
 

@@ -21,7 +21,8 @@ class RecordedRun
 {
 public:
   explicit RecordedRun(const SceneDefinition& scene, const std::string& bag)
-      : recorder_(bag, "/sieve"), control(YAML::Load(canonicalYaml(scene)), "scene", parameters(), recorder_)
+      : recorder_(bag, "/sieve", everyFrame()),
+        control(YAML::Load(canonicalYaml(scene)), "scene", parameters(), recorder_)
   {
     recorder_.open();
     control.begin();
@@ -70,6 +71,13 @@ private:
     return all;
   }
 
+  static RecordingParameters everyFrame()
+  {
+    RecordingParameters parameters;
+    parameters.rates = FrameRates();
+    return parameters;
+  }
+
   static const Setpoint& setpoint(std::size_t k)
   {
     static const NodeParameters all;
@@ -113,7 +121,7 @@ RC_GTEST_PROP(Resimulation, givesEveryBagOfARunAgain, ())
   run.control.end();
   expectTheSame(scratch / "run.bag");
   for (int bag = 2; bag <= run.bags; ++bag)
-    expectTheSame(scratch / ("run_" + std::to_string(bag) + ".bag"));
+    expectTheSame(scratch / ("run_run" + std::to_string(bag) + ".bag"));
 }
 
 /// A short run, recorded as a list that can be tampered with.

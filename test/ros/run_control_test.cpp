@@ -106,7 +106,9 @@ TEST(RunControl, recordsWhatNobodyElseWants)
   control.end();
   CollectingSink recorded;
   readBag(scratch / "run.bag", recorded);
-  EXPECT_EQ(recorded.particles.size(), 31u);
+  EXPECT_EQ(recorded.particles.size(), 6u);
+  EXPECT_EQ(recorded.bins.size(), 31u);
+  EXPECT_EQ(recorded.bases.size(), 31u);
   EXPECT_EQ(recorded.statistics.size(), 6u);
 }
 
@@ -298,7 +300,7 @@ TEST(RunControl, recordsEachRunIntoABagOfItsOwn)
   CollectingSink first;
   CollectingSink second;
   readBag(scratch / "run.bag", first);
-  readBag(scratch / "run_2.bag", second);
+  readBag(scratch / "run_run2.bag", second);
   EXPECT_EQ(first.scenes.at(0).seed, 1u);
   EXPECT_EQ(first.particles.front().time, 0.0);
   EXPECT_EQ(first.particles.back().time, 0.5);

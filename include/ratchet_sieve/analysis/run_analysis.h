@@ -44,6 +44,8 @@ struct RunResult
 
   /// Contacts with the shorter slope over those with the longer one, since the start.
   std::optional<double> shortToLong() const;
+  /// The kinds of frames that were not recorded: what comes of them is missing, not zero.
+  std::vector<std::string> missing() const;
   const BinFrame* lastBins() const { return bins.empty() ? nullptr : &bins.back(); }
   const StatisticsFrame* lastStatistics() const { return statistics.empty() ? nullptr : &statistics.back(); }
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/ros/bag_error.h"
@@ -14,5 +15,10 @@ namespace ratchet_sieve
 /// @throws BagError where the file is missing, no bag, damaged, not closed, from another version of
 /// the messages, or does not hold exactly one run
 void readBag(const std::string& path, FrameSink& sink);
+
+/// The same of a run whose recording was split: its files, in any order, as if they were one.
+/// @param paths one at least
+/// @throws BagError where one is bad as above, is of another run, or where one between others is missing
+void readBags(const std::vector<std::string>& paths, FrameSink& sink);
 
 }  // namespace ratchet_sieve

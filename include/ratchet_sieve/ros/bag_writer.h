@@ -1,11 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
-#include <rosbag/bag.h>
-
 #include "ratchet_sieve/recording/frame_sink.h"
-#include "ratchet_sieve/ros/bag_error.h"
+#include "ratchet_sieve/ros/bag_file.h"
 
 namespace ratchet_sieve
 {
@@ -33,20 +32,22 @@ public:
   void take(const CommandFrame& frame) override;
 
   /// Writes the index and gives the file its name. What is taken afterwards is an error.
-  /// @throws BagError
+  /// @throws BagError where something was lost, that says where the rest is
   void close();
+
+  /// Bytes so far; what is not packed yet counts as it is.
+  std::uint64_t size() const;
 
   const std::string& path() const { return path_; }
 
 private:
   template <typename Message>
-  void write(const char* topic, double time, const Message& message,
-             const boost::shared_ptr<ros::M_string>& connection_header = {});
+  void write(const char* topic, double time, const Message& message, bool latched = false);
 
   std::string path_;
   std::string active_path_;
   std::string topic_prefix_;
-  rosbag::Bag bag_;
+  std::unique_ptr<BagFile> file_;  ///< nothing once it is closed
 };
 
 }  // namespace ratchet_sieve

@@ -28,6 +28,12 @@ public:
   const std::optional<std::string>& stopReason() const { return stop_reason_; }
   bool stopped() const { return stop_reason_.has_value(); }
 
+  /// Hands frames to a recorder as well, at rates of its own. @param recorder outlives this
+  void record(FrameSink& recorder, const FrameRates& rates)
+  {
+    recording_.emplace(Recording{recorder, {rates, simulation_.startTime()}});
+  }
+
   /// When the next frame is due, or the end where that is earlier [s].
   double nextTime() const;
 
@@ -57,8 +63,17 @@ public:
   StatisticsFrame statistics() const { return makeStatisticsFrame(simulation_, nullptr, 0.0); }
 
 private:
+  struct Recording
+  {
+    FrameSink& sink;
+    FrameSampler sampler;
+  };
+
+  void show(const CommandFrame& command, FrameSink& sink);
+
   Simulation simulation_;
   FrameSampler sampler_;
+  std::optional<Recording> recording_;
   double end_time_;
   std::vector<CommandFrame> opening_;  ///< that nobody was shown yet
   std::optional<std::string> stop_reason_;

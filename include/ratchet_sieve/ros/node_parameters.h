@@ -8,6 +8,7 @@
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/frame_sampler.h"
 #include "ratchet_sieve/ros/parameter_reader.h"
+#include "ratchet_sieve/ros/recorder.h"
 #include "ratchet_sieve/ros/setpoint.h"
 
 namespace ratchet_sieve
@@ -24,6 +25,7 @@ struct NodeParameters
   bool publish_clock = true;      ///< ~publish_clock: this node is the clock
   bool exit_at_end = true;        ///< ~exit_at_end: end with the scene's duration, or else pause there
   std::string record;             ///< ~record: bag to record into; empty: none
+  RecordingParameters recording;  ///< ~recording/: what of the run, how often, in how large files
   FrameRates rates;               ///< ~rates/particles, bins, base, statistics [1/s of simulated time]
   double display_rate = 30.0;     ///< ~rates/display: markers and cloud, at most [1/s of wall time]
   double clock_rate = 100.0;      ///< ~rates/clock [1/s of wall time]

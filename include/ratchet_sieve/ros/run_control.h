@@ -40,7 +40,7 @@ public:
   /// Says what of the model the run works out, and hands the first frames to the sinks.
   void begin();
 
-  /// Hands the last frames to the sinks and closes the recording. @throws BagError
+  /// Hands the last frames to the sinks and closes the recording.
   void end();
 
   const LiveRun& run() const { return *run_; }
@@ -77,6 +77,10 @@ private:
   CommandFrame slewRates() const;
   Scene readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const;
   void begin(std::unique_ptr<LiveRun> run);
+
+  /// Hands a frame to the sinks and the recorder, though none is due.
+  template <typename Frame>
+  void show(const Frame& frame);
 
   YAML::Node scene_;
   std::string source_;

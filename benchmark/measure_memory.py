@@ -1,0 +1,141 @@
+#!/usr/bin/python3
+"""Watches the memory of sieve_node over an hour of simulated time, and prints a table: a machine that is fed, so that
+disks come and go, recorded and not, and one whose disks stay. Needs ROS on the path, but no master: it starts its own.
+Exit status 1 where the memory grows by more than it may.
+"""
+import argparse
+import contextlib
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import rospy
+import yaml
+
+import document
+import ros_processes
+from peers import machine
+from ratchet_sieve.msg import BinCounts
+from ratchet_sieve.srv import StepSimulation
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+FED_RECORDED, FED, STAYING = 'fed, recorded', 'fed, not recorded', 'not fed, recorded'
+
+FEED_RATE = 20.0  # disks per second
+TEETH = 10
+
+# What may be added in the second half [MB]: nothing but what the heap takes for a page here and there, ...
+ALLOWED = 1.0
+# ... and what the engine keeps of a disk that has left, with as much again while its arrays are moved [MB].
+ALLOWED_PER_DISK = 1e-3
+
+
+def scene(case, duration):
+    """The mixture of config/demo.yaml on a short base."""
+    tree = yaml.safe_load((ROOT / 'config/demo.yaml').read_text())
+    tree['base'].update(teeth=TEETH, inclination=0.1)
+    tree['duration'] = duration
+    if case == STAYING:
+        tree['boundary'] = 'periodic'
+    else:
+        tree['feed'] = {'rate': FEED_RATE}
+    return tree
+
+
+def resident(process):
+    """The memory that a process has in the machine [MB]."""
+    status = pathlib.Path(f'/proc/{process.pid}/status').read_text()
+    return int(re.search(r'VmRSS:\s+(\d+) kB', status).group(1)) * 1024 / 1e6
+
+
+def disks_so_far():
+    bins = rospy.wait_for_message('/sieve/bins', BinCounts, ros_processes.PATIENCE)
+    return sum(bins.left) + sum(bins.right) + sum(bins.on_base)
+
+
+def watch(client, program, scratch, case, times):
+    """@return per time, the disks so far and the memory [MB]; and the size of the bag [MB]"""
+    bag = scratch / 'run.bag'
+    client.setParam('/sieve', {'scene': scene(case, times[-1]), 'start_paused': True, 'exit_at_end': False,
+                               'record': str(bag) if 'not recorded' not in case else ''})
+    rows = []
+    with contextlib.ExitStack() as stack:
+        process = stack.enter_context(subprocess.Popen([program, '__name:=sieve'], stdout=subprocess.DEVNULL))
+        stack.callback(lambda: process.poll() is None and process.kill())
+        rospy.wait_for_service('/sieve/step', ros_processes.PATIENCE)
+        step = rospy.ServiceProxy('/sieve/step', StepSimulation)
+        now = 0.0
+        for time in times:
+            answer = step(time - now)
+            if not answer.success:
+                raise RuntimeError(f'{case}: {answer.message}')
+            now = answer.time
+            rows.append((disks_so_far(), resident(process)))
+            print(f'{case}: {now:g} s, {rows[-1][0]} disks so far, {rows[-1][1]:.1f} MB', flush=True)
+        process.terminate()
+        if process.wait() != 0:
+            raise RuntimeError(f'{case}: exit status {process.returncode}')
+    size = bag.stat().st_size / 1e6 if bag.exists() else 0.0
+    bag.unlink(missing_ok=True)
+    return rows, size
+
+
+def grows(case, rows):
+    """Whether the memory grows by more than it may in the second half: at first every buffer finds its size."""
+    (disks_before, before), (disks, after) = rows[len(rows) // 2 - 1], rows[-1]
+    allowed = ALLOWED + ALLOWED_PER_DISK * (disks - disks_before)
+    if after - before <= allowed:
+        return False
+    print(f'{case}: {after - before:.1f} MB more in the second half, {allowed:.1f} MB are allowed', file=sys.stderr)
+    return True
+
+
+def tables(times, watched):
+    cases = list(watched)
+    yield '| simulated time | ' + ' | '.join(f'{case}: MB' for case in cases) + ' | disks fed so far |'
+    yield '|---|' + '---|' * (len(cases) + 1)
+    for k, time in enumerate(times):
+        cells = [f'{watched[case][0][k][1]:.1f}' for case in cases]
+        yield f'| {time / 60:g} min | ' + ' | '.join(cells) + f' | {watched[FED_RECORDED][0][k][0]:,} |'
+    yield ''
+    sizes = ', '.join(f'{size:.0f} MB ({case})' for case, (_, size) in watched.items() if size)
+    yield f'The bags: {sizes}.'
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve',
+                        metavar='DIR', help='where sieve_node is')
+    parser.add_argument('--hours', type=float, default=1.0, help='of simulated time')
+    parser.add_argument('--write', type=pathlib.Path, metavar='FILE', help='put the table into this document')
+    parser.add_argument('--short', action='store_true', help='two minutes instead')
+    arguments = parser.parse_args()
+    if arguments.write:
+        document.require_place(parser, arguments.write, 'memory')
+    return arguments
+
+
+def main():
+    arguments = parse_arguments()
+    duration = 120.0 if arguments.short else 3600.0 * arguments.hours
+    times = [duration * k / 12 for k in range(1, 13)]
+    with tempfile.TemporaryDirectory() as directory:
+        scratch = pathlib.Path(directory)
+        with ros_processes.master(scratch) as client:
+            rospy.init_node('measure_memory', disable_signals=True, disable_rostime=True)
+            watched = {case: watch(client, arguments.programs / 'sieve_node', scratch, case, times)
+                       for case in (FED_RECORDED, FED, STAYING)}
+    about = machine.describe()
+    lines = [f'{about["date"]}, {about["processor"]}, {about["cores"]} cores, {about["system"]}.', '',
+             *tables(times, watched)]
+    print('\n'.join(lines))
+    if arguments.write:
+        document.put(arguments.write, 'memory', '\n'.join(lines))
+    return 1 if any([grows(case, rows) for case, (rows, _) in watched.items()]) else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,278 @@
+#include "ratchet_sieve/ros/recorder.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "collecting_sink.h"
+#include "file_size_limit.h"
+#include "ratchet_sieve/analysis/analysis_report.h"
+#include "ratchet_sieve/ros/bag_reader.h"
+#include "ratchet_sieve/ros/live_run.h"
+#include "ratchet_sieve/recording/same_bits.h"
+#include "small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// The run of the small mixture, from `start` to `end` of published time, recorded; shown to the sink at
+/// the rates of the topics.
+void recordRun(Recorder& recorder, FrameSink& sink, double start = 0.0, double end = 2.0)
+{
+  LiveRun run(smallMixture(), FrameRates(), {}, start, end);
+  run.record(recorder, recorder.rates());
+  run.takeDue(sink);
+  while (!run.finished())
+    run.advanceTo(run.nextTime(), sink);
+  run.takeAll(sink);
+}
+
+CollectingSink readAll(const std::vector<std::string>& paths)
+{
+  CollectingSink read;
+  readBags(paths, read);
+  return read;
+}
+
+std::vector<std::string> filesIn(const std::string& directory)
+{
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+template <typename Frame>
+std::vector<double> timesOf(const std::vector<Frame>& frames)
+{
+  std::vector<double> times;
+  for (const Frame& frame : frames)
+    times.push_back(frame.time);
+  return times;
+}
+
+std::string refusalOf(const std::vector<std::string>& paths)
+{
+  try
+  {
+    readAll(paths);
+  }
+  catch (const BagError& error)
+  {
+    return error.what();
+  }
+  return "read";
+}
+
+void expectSame(const CollectingSink& read, const CollectingSink& whole)
+{
+  EXPECT_TRUE(sameBits(read.scenes, whole.scenes));
+  EXPECT_TRUE(sameBits(read.particles, whole.particles));
+  EXPECT_TRUE(sameBits(read.bins, whole.bins));
+  EXPECT_TRUE(sameBits(read.bases, whole.bases));
+  ASSERT_EQ(read.statistics.size(), whole.statistics.size());
+  for (std::size_t k = 0; k < read.statistics.size(); ++k)
+    EXPECT_TRUE(sameButForSpeed(read.statistics[k], whole.statistics[k]));
+}
+
+RecordingParameters splitBy(double size, double duration)
+{
+  RecordingParameters parameters;
+  parameters.split_size = size;
+  parameters.split_duration = duration;
+  return parameters;
+}
+
+TEST(Recorder, recordsEachKindAtItsOwnRate)
+{
+  const ScratchDirectory scratch;
+  RecordingParameters parameters;
+  parameters.rates = {4.0, 30.0, 0.0, 7.0};
+  Recorder recorder(scratch / "run.bag", "/sieve", parameters);
+  recorder.open();
+  CollectingSink shown;
+  recordRun(recorder, shown, 0.0, 1.3);
+  recorder.close();
+
+  const CollectingSink read = readAll({scratch / "run.bag"});
+  EXPECT_EQ(timesOf(read.particles), (std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.3}));
+  EXPECT_EQ(read.bins.size(), 40u);
+  EXPECT_TRUE(read.bases.empty());
+  EXPECT_EQ(read.statistics.size(), 11u);
+  EXPECT_EQ(read.statistics.back().time, 1.3);
+  EXPECT_EQ(shown.particles.size(), 79u);
+}
+
+TEST(Recorder, recordsOfSixPublishedFramesOne)
+{
+  const ScratchDirectory scratch;
+  Recorder recorder(scratch / "run.bag", "/sieve");
+  recorder.open();
+  CollectingSink shown;
+  recordRun(recorder, shown);
+  recorder.close();
+  const CollectingSink read = readAll({scratch / "run.bag"});
+  ASSERT_EQ(read.particles.size(), 21u);
+  for (std::size_t k = 0; k < read.particles.size(); ++k)
+    EXPECT_TRUE(sameBits(read.particles[k], shown.particles.at(6 * k)));
+  EXPECT_TRUE(sameBits(read.bins, shown.bins));
+  EXPECT_TRUE(sameBits(read.bases, shown.bases));
+}
+
+/// One file, several by time, several by size: the same run.
+TEST(Recorder, splitsARunIntoFilesThatTogetherAreOne)
+{
+  const ScratchDirectory scratch;
+  CollectingSink shown;
+  Recorder one(scratch / "one.bag", "/sieve");
+  one.open();
+  recordRun(one, shown, 10.0, 12.0);
+  one.close();
+  const CollectingSink whole = readAll({scratch / "one.bag"});
+
+  for (const RecordingParameters& parameters : {splitBy(0.0, 0.15), splitBy(0.02, 0.0), splitBy(0.02, 0.1)})
+  {
+    const ScratchDirectory directory;
+    Recorder recorder(directory / "run.bag", "/sieve", parameters);
+    recorder.open();
+    EXPECT_EQ(recorder.path(), directory / "run_0.bag");
+    recordRun(recorder, shown, 10.0, 12.0);
+    recorder.close();
+    std::vector<std::string> paths = filesIn(directory / "");
+    ASSERT_GT(paths.size(), 3u);
+    EXPECT_EQ(recorder.failure(), "");
+
+    expectSame(readAll(paths), whole);
+    std::shuffle(paths.begin(), paths.end(), std::mt19937(1));
+    expectSame(readAll(paths), whole);
+
+    RunAnalysis of_parts, of_whole;
+    readBags(paths, of_parts);
+    readBag(scratch / "one.bag", of_whole);
+    EXPECT_EQ(reportJson(of_parts.result()), reportJson(of_whole.result()));
+  }
+}
+
+TEST(Recorder, beginsEachFileWithTheSceneWhereTheOneBeforeEnds)
+{
+  const ScratchDirectory scratch;
+  Recorder recorder(scratch / "run.bag", "/sieve", splitBy(0.0, 0.5));
+  recorder.open();
+  CollectingSink shown;
+  recordRun(recorder, shown);
+  recorder.close();
+  const std::vector<std::string> paths = filesIn(scratch / "");
+  ASSERT_EQ(paths.size(), 4u);
+  double end = 0.0;
+  for (std::size_t k = 0; k < paths.size(); ++k)
+  {
+    EXPECT_EQ(paths[k], scratch / ("run_" + std::to_string(k) + ".bag"));
+    const CollectingSink part = readAll({paths[k]});
+    ASSERT_EQ(part.scenes.size(), 1u);
+    EXPECT_EQ(part.scenes.front().time, end);
+    EXPECT_EQ(part.scenes.front().yaml, shown.scenes.front().yaml);
+    EXPECT_EQ(part.bins.front().time, k == 0 ? 0.0 : part.bases.front().time);
+    EXPECT_GT(part.bins.front().time, k == 0 ? -1.0 : end);
+    end = part.bins.back().time;
+    EXPECT_EQ(end, 0.5 * static_cast<double>(k + 1));
+    EXPECT_EQ(part.particles.back().time, end);
+    EXPECT_EQ(part.statistics.back().time, end);
+  }
+}
+
+TEST(Recorder, isReadWithoutAHoleAndNotMixedWithAnother)
+{
+  const ScratchDirectory scratch;
+  CollectingSink shown;
+  Recorder recorder(scratch / "run.bag", "/sieve", splitBy(0.0, 0.5));
+  recorder.open();
+  recordRun(recorder, shown);
+  recorder.openNext();
+  recordRun(recorder, shown, 0.0, 0.25);
+  recorder.close();
+  const auto path = [&](const std::string& name) { return scratch / name; };
+  EXPECT_EQ(refusalOf({path("run_1.bag"), path("run_2.bag"), path("run_3.bag")}), "read");
+  EXPECT_EQ(refusalOf({path("run_3.bag"), path("run_1.bag")}),
+            path("run_3.bag") + ": begins at 1.500000 s, and does not go on from " + path("run_1.bag") +
+                ", which ends at 1.000000 s");
+  EXPECT_NE(refusalOf({path("run_0.bag"), path("run_0.bag")}).find("does not go on from"), std::string::npos);
+  EXPECT_NE(refusalOf({path("run_0.bag"), path("run_run2_0.bag")}).find("does not go on from"),
+            std::string::npos);
+
+  SceneFrame other = shown.scenes.front();
+  other.seed = 99;
+  other.time = 0.5;
+  BagWriter bag(path("other.bag"));
+  bag.take(other);
+  bag.close();
+  EXPECT_EQ(refusalOf({path("run_0.bag"), path("other.bag")}),
+            path("other.bag") + ": is of another run than " + path("run_0.bag"));
+}
+
+TEST(Recorder, goesOnWithoutADiskAndSaysSo)
+{
+  const ScratchDirectory scratch;
+  const FileSizeLimit full(60'000);
+  RecordingParameters parameters;
+  parameters.rates.particles = 60.0;
+  Recorder recorder(scratch / "run.bag", "/sieve", parameters);
+  recorder.open();
+  CollectingSink shown;
+  recordRun(recorder, shown, 0.0, 6.0);
+  EXPECT_EQ(shown.particles.size(), 361u);
+  EXPECT_EQ(recorder.path(), "");
+  EXPECT_FALSE(recorder.wants(FrameKind::BINS));
+  const std::string begin = scratch / "run.bag: cannot be written: File too large; the bag ends at ";
+  EXPECT_EQ(recorder.failure().rfind(begin, 0), 0u) << recorder.failure();
+
+  const CollectingSink read = readAll({scratch / "run.bag"});
+  ASSERT_GT(read.particles.size(), 30u);
+  ASSERT_LT(read.particles.size(), 360u);
+  for (std::size_t k = 0; k < read.particles.size(); ++k)
+    EXPECT_TRUE(sameBits(read.particles[k], shown.particles[k]));
+  EXPECT_EQ(recorder.failure(), begin + std::to_string(read.bins.back().time) + " s");
+
+  // The next run finds as much room again.
+  recorder.openNext();
+  EXPECT_EQ(recorder.failure(), "");
+  recordRun(recorder, shown, 0.0, 0.1);
+  recorder.close();
+  EXPECT_EQ(recorder.failure(), "");
+  EXPECT_EQ(readAll({scratch / "run_run2.bag"}).bins.back().time, 0.1);
+}
+
+TEST(Recorder, goesOnWhereTheNextFileCannotBeOpened)
+{
+  const ScratchDirectory scratch;
+  std::filesystem::create_directory(scratch / "run_1.bag.active");
+  Recorder recorder(scratch / "run.bag", "/sieve", splitBy(0.0, 0.5));
+  recorder.open();
+  CollectingSink shown;
+  recordRun(recorder, shown);
+  EXPECT_EQ(recorder.failure(), scratch / "run_1.bag: cannot be written: Is a directory");
+  EXPECT_EQ(readAll({scratch / "run_0.bag"}).bins.back().time, 0.5);
+
+  std::filesystem::create_directory(scratch / "run_run2_0.bag.active");
+  recorder.openNext();
+  EXPECT_EQ(recorder.failure(), scratch / "run_run2_0.bag: cannot be written: Is a directory");
+  recorder.openNext();
+  EXPECT_EQ(recorder.failure(), "");
+  EXPECT_EQ(recorder.path(), scratch / "run_run3_0.bag");
+}
+
+TEST(Recorder, recordsNothingWithoutAName)
+{
+  Recorder recorder("", "/sieve");
+  recorder.open();
+  recorder.openNext();
+  EXPECT_FALSE(recorder.on());
+  CollectingSink shown;
+  recordRun(recorder, shown);
+  EXPECT_EQ(recorder.failure(), "");
+}
+}  // namespace
+}  // namespace ratchet_sieve
