@@ -24,6 +24,7 @@ add_message_files(FILES
   BinCounts.msg
   ParticleStates.msg
   SceneDescription.msg
+  SeekTrial.msg
   SieveStatistics.msg
   SpeciesStatistics.msg)
 add_service_files(FILES PourDisks.srv ResetSimulation.srv StepSimulation.srv)
