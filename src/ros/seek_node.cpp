@@ -131,7 +131,8 @@ void SeekNode::hear(const ros::MessageEvent<const Message>& event,
 {
   if (connection && connection != event.getConnectionHeaderPtr())
   {
-    ROS_INFO("%s was started anew: the trial begins again", parameters_.sieve.c_str());
+    if (&connection == &base_connection_)  // once, of the two topics
+      ROS_INFO("%s was started anew: the trial begins again", parameters_.sieve.c_str());
     control_.interrupt();
   }
   connection = event.getConnectionHeaderPtr();
@@ -173,6 +174,10 @@ void SeekNode::command()
     ROS_WARN("%s is no longer what it was (its Q, drive or scene): the search begins again at %.4f rad",
              parameters_.sieve.c_str(), *control_.setpoint());
   restarts_ = control_.restarts();
+  // A sieve that was reset has forgotten its setpoint: no need to wait for it to be late.
+  if (control_.interruptions() > interruptions_)
+    sent_.reset();
+  interruptions_ = control_.interruptions();
   const std::optional<double> setpoint = control_.setpoint();
   if (!setpoint || control_.followed())
     return;

@@ -22,11 +22,9 @@ constexpr double FINEST = 1e-4;
 /// Where the sieve takes an inclination, as its parameters have it.
 SetpointLimits inclinationLimits(const std::string& sieve)
 {
-  SetpointLimits limits = NodeParameters().setpoints[0].limits;
   ParameterReader reader{ros::NodeHandle(sieve)};
-  limits.min = reader.number("limits/inclination/min", limits.min, -M_PI, M_PI);
-  limits.max = reader.number("limits/inclination/max", limits.max, -M_PI, M_PI);
-  return limits;
+  SlewRates slew_rates;
+  return readSetpoints(reader, slew_rates).front().limits;
 }
 
 void readSearch(ParameterReader& reader, SeekParameters& parameters)

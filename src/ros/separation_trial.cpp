@@ -47,6 +47,7 @@ void SeparationTrial::begin(double inclination)
 
 void SeparationTrial::interrupt()
 {
+  ++interruptions_;
   followed_ = false;
   base_time_.reset();
   standing_since_.reset();

@@ -37,6 +37,9 @@ public:
   /// Begins the trial anew: the sieve was away, or is another one of the same kind.
   void interrupt() { trial_.interrupt(); }
 
+  /// How often that was so, or the sieve's time or counts went back.
+  unsigned interruptions() const { return trial_.interruptions(); }
+
   /// Forgets all that was measured, and seeks again from where it is: the sieve is of another kind. It does
   /// so of itself where somebody changed the frequency or the amplitude, and where Q drops.
   void restart();

@@ -42,13 +42,13 @@ private:
   SeekControl control_;
   boost::shared_ptr<ros::M_string> base_connection_;  ///< by which the base was heard last
   boost::shared_ptr<ros::M_string> bins_connection_;
-  boost::shared_ptr<ros::M_string> statistics_connection_;
   std::optional<std::string> scene_hash_;  ///< of what no setpoint changes
   std::optional<double> sent_;             ///< the last setpoint [rad]
   ros::SteadyTime sent_at_;
   ros::SteadyTime heard_at_;
   bool silent_ = false;
   unsigned restarts_ = 0;
+  unsigned interruptions_ = 0;
   ros::Publisher setpoint_;
   ros::Publisher trials_;
   ros::Subscriber base_;

@@ -41,6 +41,9 @@ public:
   /// Forgets the frames so far: the sieve is another one, or was away.
   void interrupt();
 
+  /// How often that was so, or time or counts went back.
+  unsigned interruptions() const { return interruptions_; }
+
   /// Whether the base, as last heard, is told to go to the inclination.
   bool followed() const { return followed_; }
 
@@ -53,6 +56,7 @@ private:
   TrialOptions options_;
   double inclination_ = 0.0;
   bool followed_ = false;
+  unsigned interruptions_ = 0;
   std::optional<double> base_time_;       ///< of the last frame of the base
   std::optional<double> standing_since_;  ///< of the base's frames
   std::optional<BinFrame> last_;          ///< the bins as last heard
