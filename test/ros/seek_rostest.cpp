@@ -31,6 +31,11 @@ public:
         "/seek/trials", 1000, [this](const SeekTrial::ConstPtr& trial) { trials.push_back(*trial); });
   }
 
+  bool connect()
+  {
+    return waitFor([&] { return subscriber_.getNumPublishers() > 0; });
+  }
+
   bool waitForTrials(std::size_t count)
   {
     return waitFor([&] { return trials.size() >= count; }, PATIENCE);
@@ -49,6 +54,9 @@ TEST(Seek, findsTheBestInclinationFromAPoorOne)
 {
   SeekClient seek;
   SieveClient sieve("/sieve");
+  ASSERT_TRUE(seek.connect());
+  ASSERT_TRUE(sieve.connect());
+  ASSERT_TRUE(sieve.call("unpause_physics"));
   ASSERT_TRUE(seek.waitForTrials(4));
   const SeekTrial first = seek.trials.front();
   EXPECT_EQ(first.trial, 1u);
@@ -59,7 +67,6 @@ TEST(Seek, findsTheBestInclinationFromAPoorOne)
   EXPECT_EQ(first.species, (std::vector<std::string>{"A", "B"}));
 
   // Time goes back, and the base is level: it is told its inclination again, the trial begins anew.
-  ASSERT_TRUE(sieve.connect());
   ASSERT_TRUE(sieve.call("pause_physics"));
   sieve.resetAndSee();
   ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().base.commanded_inclination != 0.0; }));
