@@ -185,7 +185,7 @@ TEST(InclinationSearch, findsTheBestInNoise)
   std::mt19937_64 random(1);
   double loss = 0.0;
   double worst = 0.0;
-  constexpr int SIEVES = 500;
+  constexpr int SIEVES = 5000;
   for (int k = 0; k < SIEVES; ++k)
   {
     KnownSieve sieve;
@@ -199,7 +199,7 @@ TEST(InclinationSearch, findsTheBestInNoise)
     loss += lost / SIEVES;
     worst = std::max(worst, lost);
   }
-  EXPECT_LT(loss, 0.03);
+  EXPECT_LT(loss, 0.015);  // without trials that are repeated: 0.018
   EXPECT_LT(worst, 0.3);
 }
 

@@ -239,6 +239,37 @@ TEST(SeparationTrial, goesByTheTimesInTheFrames)
   }
 }
 
+/// What the bins said while the base, as is heard later, was moved does not count.
+TEST(SeparationTrial, judgesBinsByTheBaseOfTheirTime)
+{
+  SeparationTrial trial(options());
+  trial.begin(ANGLE);
+  for (double time = 0.0; time <= 30.0 && !trial.result(); time += 0.5)
+  {
+    trial.take(baseAt(time, ANGLE, time == 4.5 ? 0.3 : ANGLE));
+    trial.take(binsAt(time + 4.0));
+  }
+  ASSERT_TRUE(trial.result());
+  EXPECT_GE(trial.result()->begin, 7.0);
+}
+
+/// A frame that is left over from before a reset is not waited for, though no count tells it.
+TEST(SeparationTrial, waitsForNoTimeThatWasTakenBack)
+{
+  SeparationTrial trial(options());
+  trial.begin(ANGLE);
+  BinFrame empty = binsAt(0.0);
+  empty.time = 100.0;  // before anything fell
+  trial.take(baseAt(0.0));
+  trial.take(empty);
+  for (double time = 0.5; time <= 6.0; time += 0.5)
+  {
+    trial.take(binsAt(time));
+    trial.take(baseAt(time));
+  }
+  EXPECT_TRUE(trial.result());
+}
+
 TEST(SeparationTrial, tellsTheMeanTemperatureAndPaceOfTheWindow)
 {
   SeparationTrial trial(options());
