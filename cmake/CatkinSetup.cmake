@@ -26,6 +26,7 @@ add_message_files(FILES
   ParticleStates.msg
   SceneDescription.msg
   BaseSetpoint.msg
+  SeekTrial.msg
   SieveStatistics.msg
   SpeciesStatistics.msg)
 add_service_files(FILES LockStep.srv PourDisks.srv ResetSimulation.srv StepSimulation.srv)

@@ -14,9 +14,10 @@ constexpr const char* HELP =
     "Usage: rosrun ratchet_sieve sieve_schedule [--help | --version] [ROS ARGUMENT...]\n"
     "\n"
     "Parameters: ~sieve, the name of the sieve's node; ~schedule, a list of\n"
-    "{time: s, inclination: rad, frequency: Hz, amplitude: m}, times ascending, all but time optional.\n"
+    "{time: s, inclination: rad, frequency: Hz, amplitude: m}, times ascending, one of the three at least;\n"
+    "~exit_at_end (false): end when the last entry was sent, or else play it again after a reset.\n"
     "A sieve that was started paused is set going once this node is connected to it.\n"
-    "Exit status: 0 when it is stopped; 2 for a bad parameter.\n";
+    "Exit status: 0 when it is over or stopped; 2 for a bad parameter.\n";
 }  // namespace
 
 int main(int argc, char** argv)

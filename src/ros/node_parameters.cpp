@@ -51,6 +51,16 @@ void readAllRates(ParameterReader& reader, NodeParameters& parameters)
 }
 }  // namespace
 
+std::array<Setpoint, 3> readSetpoints(ParameterReader& reader, SlewRates& slew_rates)
+{
+  std::array<Setpoint, 3> setpoints = NodeParameters().setpoints;
+  auto& [inclination, frequency, amplitude] = setpoints;
+  readLimits(reader, -MAX_INCLINATION, MAX_INCLINATION, inclination, slew_rates.inclination);
+  readLimits(reader, 0.0, MAX_FREQUENCY, frequency, slew_rates.frequency);
+  readLimits(reader, 0.0, MAX_AMPLITUDE, amplitude, slew_rates.amplitude);
+  return setpoints;
+}
+
 NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
 {
   NodeParameters parameters;
@@ -63,11 +73,7 @@ NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
   parameters.record = reader.text("record", parameters.record);
   readRecording(reader, parameters.recording);
   readAllRates(reader, parameters);
-  auto& [inclination, frequency, amplitude] = parameters.setpoints;
-  SlewRates& slew = parameters.slew_rates;
-  readLimits(reader, -MAX_INCLINATION, MAX_INCLINATION, inclination, slew.inclination);
-  readLimits(reader, 0.0, MAX_FREQUENCY, frequency, slew.frequency);
-  readLimits(reader, 0.0, MAX_AMPLITUDE, amplitude, slew.amplitude);
+  parameters.setpoints = readSetpoints(reader, parameters.slew_rates);
   for (const std::string& name : reader.unknown({"scene", "diagnostic_period"}))
     ROS_WARN("parameter %s: not known, and ignored", name.c_str());
   return parameters;

@@ -35,6 +35,8 @@ ScheduleEntry entryFromYaml(const YAML::Node& node, const std::string& source)
       throw ParameterError(source + "/" + key +
                            ": not known: must be time, inclination, frequency or amplitude");
   }
+  if (std::none_of(entry.values.begin(), entry.values.end(), [](const auto& value) { return value; }))
+    throw ParameterError(source + ": commands nothing: must have inclination, frequency or amplitude");
   return entry;
 }
 }  // namespace

@@ -3,10 +3,13 @@
 #include <algorithm>
 
 #include <ros/console.h>
+#include <ros/init.h>
+#include <ros/names.h>
 #include <ros/single_subscriber_publisher.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/Empty.h>
 
+#include "ratchet_sieve/ros/node_parameters.h"
 #include "ratchet_sieve/ros/parameter_reader.h"
 #include "ratchet_sieve/ros/scene_parameters.h"
 
@@ -16,52 +19,104 @@ namespace
 {
 constexpr std::uint32_t QUEUE_SIZE = 100;
 
+// Both of wall time [s].
+constexpr double PATIENCE = 10.0;  ///< with a sieve that is not there, until it is said
+constexpr double FAREWELL = 0.5;   ///< for the last setpoint to leave, before the node ends
+
+std::string sourceOf(const ros::NodeHandle& node)
+{
+  return "parameter " + node.resolveName("schedule");
+}
+
 std::vector<ScheduleEntry> readSchedule(const ros::NodeHandle& node)
 {
-  const std::string source = "parameter " + node.resolveName("schedule");
   XmlRpc::XmlRpcValue value;
   if (!node.getParam("schedule", value))
-    throw ParameterError(source + ": not set");
-  return scheduleFromYaml(yamlFromParameter(value, source), source);
+    throw ParameterError(sourceOf(node) + ": not set");
+  return scheduleFromYaml(yamlFromParameter(value, sourceOf(node)), sourceOf(node));
+}
+
+/// A sieve that starts later may have other limits: no more than a warning.
+void warnOfRefusals(const std::vector<ScheduleEntry>& schedule, const std::string& source,
+                    const std::string& sieve)
+{
+  ParameterReader reader{ros::NodeHandle(sieve)};
+  SlewRates slew_rates;
+  const auto limited = readSetpoints(reader, slew_rates);
+  for (std::size_t k = 0; k < schedule.size(); ++k)
+    for (std::size_t q = 0; q < limited.size(); ++q)
+      if (const auto refusal = limited[q].refusal(schedule[k].values[q].value_or(limited[q].limits.min)))
+        ROS_WARN("%s/%zu: %s, as the parameters of %s have it", source.c_str(), k, refusal->c_str(),
+                 sieve.c_str());
 }
 }  // namespace
 
 ScheduleNode::ScheduleNode(ros::NodeHandle private_node)
-    : sieve_(private_node.resolveName(private_node.param<std::string>("sieve", "/sieve"))),
-      schedule_(readSchedule(private_node))
+    : node_(private_node), schedule_(readSchedule(private_node))
 {
+  ParameterReader reader(private_node);
+  sieve_ = ros::names::resolve(reader.text("sieve", "/sieve"));
+  exit_at_end_ = reader.flag("exit_at_end", exit_at_end_);
+  for (const std::string& name : reader.unknown({"schedule"}))
+    ROS_WARN("parameter %s: not known, and ignored", name.c_str());
+  warnOfRefusals(schedule_, sourceOf(private_node), sieve_);
   unpause_ = private_node.serviceClient<std_srvs::Empty>(sieve_ + "/unpause_physics");
   for (const char* name : SCHEDULED)
     setpoints_.push_back(private_node.advertise<std_msgs::Float64>(
         sieve_ + "/" + name + "_setpoint", QUEUE_SIZE,
         [this](const ros::SingleSubscriberPublisher&) { startOnceConnected(); },
-        [this](const ros::SingleSubscriberPublisher& subscriber) { lose(subscriber.getSubscriberName()); }));
+        [this](const ros::SingleSubscriberPublisher& subscriber)
+        {
+          // Whoever else listens, such as `rosbag record`, may come and go.
+          if (started_ && subscriber.getSubscriberName() == sieve_)
+            beginAnew();
+        }));
   base_ = private_node.subscribe<BaseState>(
       sieve_ + "/base", QUEUE_SIZE, [this](const BaseState::ConstPtr& base) { follow(*base); },
       ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  timer_ = private_node.createSteadyTimer(ros::WallDuration(PATIENCE),
+                                          [this](const ros::SteadyTimerEvent&)
+                                          {
+                                            if (!started_)
+                                              ROS_WARN("%s is not there: waiting for it", sieve_.c_str());
+                                          });
 }
 
-void ScheduleNode::lose(const std::string& subscriber)
+void ScheduleNode::beginAnew()
 {
-  if (subscriber != sieve_ || !started_)
-    return;
-  ROS_WARN("%s is gone: waiting for it to come again", sieve_.c_str());
-  started_ = false;
-  base_seen_ = false;
+  started_ = base_seen_ = false;
+  next_ = 0;
+  last_time_ = 0.0;
+  ROS_INFO("%s is gone: the schedule begins anew when it is back", sieve_.c_str());
 }
 
 void ScheduleNode::follow(const BaseState& base)
 {
   base_seen_ = true;
-  if (base.time < last_time_)
-    next_ = 0;
-  last_time_ = base.time;
   startOnceConnected();
+  if (base.time < last_time_ && next_ > 0)
+  {
+    ROS_INFO("time went back from %.3f to %.3f s: the schedule begins anew", last_time_, base.time);
+    next_ = 0;
+  }
+  last_time_ = base.time;
   while (started_ && next_ < schedule_.size() && schedule_[next_].time <= base.time)
-    command(schedule_[next_++]);
+  {
+    command(schedule_[next_++], base.time);
+    if (next_ == schedule_.size())
+      end(base.time);
+  }
 }
 
-void ScheduleNode::command(const ScheduleEntry& entry)
+void ScheduleNode::end(double now)
+{
+  ROS_INFO("the schedule is over at %.3f s", now);
+  if (exit_at_end_)
+    timer_ = node_.createSteadyTimer(
+        ros::WallDuration(FAREWELL), [](const ros::SteadyTimerEvent&) { ros::shutdown(); }, true);
+}
+
+void ScheduleNode::command(const ScheduleEntry& entry, double now)
 {
   for (std::size_t k = 0; k < SCHEDULED.size(); ++k)
   {
@@ -70,6 +125,7 @@ void ScheduleNode::command(const ScheduleEntry& entry)
     std_msgs::Float64 message;
     message.data = *entry.values[k];
     setpoints_[k].publish(message);
+    ROS_INFO("%s %g, due at %.3f s, sent at %.3f s", SCHEDULED[k], message.data, entry.time, now);
   }
 }
 

@@ -12,10 +12,11 @@ namespace ratchet_sieve
 namespace
 {
 
-int draw(const std::string& directory, const std::string& output)
+int draw(const std::string& directory, const std::string& output, const char* script = "PLOT_ANALYSIS",
+         const std::string& options = "")
 {
   return std::system(
-      (std::string(std::getenv("PLOT_ANALYSIS")) + " " + directory + " >" + output + " 2>&1").c_str());
+      (std::string(std::getenv(script)) + " " + directory + options + " >" + output + " 2>&1").c_str());
 }
 
 /// Whether a file is a PNG of a fair size: its signature, and its width and height as its header has them.
@@ -64,11 +65,28 @@ TEST(PlotAnalysis, DrawsARunInWhichNothingIsDefined)
 
 TEST(PlotAnalysis, SaysWhichTableIsMissing)
 {
-  const ScratchDirectory directory;
-  EXPECT_NE(draw(directory / "none", directory / "output"), 0);
-  const std::string output = contents(directory / "output");
-  EXPECT_NE(output.find(".csv"), std::string::npos) << output;
-  EXPECT_EQ(output.find("Traceback"), std::string::npos) << output;
+  for (const char* script : {"PLOT_ANALYSIS", "PLOT_SEEK"})
+  {
+    const ScratchDirectory directory;
+    EXPECT_NE(draw(directory / "none", directory / "output", script), 0);
+    const std::string output = contents(directory / "output");
+    EXPECT_NE(output.find(".csv"), std::string::npos) << output;
+    EXPECT_EQ(output.find("Traceback"), std::string::npos) << output;
+  }
+}
+
+TEST(PlotSeek, DrawsASearch)
+{
+  RunResult without_bins = handMadeResult();
+  without_bins.bins.clear();
+  for (const RunResult& result : {handMadeResult(), without_bins})
+  {
+    const ScratchDirectory directory;
+    writeTables(result, directory / "");
+    ASSERT_EQ(draw(directory / "", directory / "output", "PLOT_SEEK", " --window 0.1 --best 0 1 0.1 0.5"), 0)
+        << contents(directory / "output");
+    EXPECT_TRUE(isPicture(directory / "seek.png"));
+  }
 }
 
 }  // namespace

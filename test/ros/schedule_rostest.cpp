@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "sieve_client.h"
@@ -29,6 +31,25 @@ TEST(Schedule, commandsTheRunningSieveInTime)
   EXPECT_LE(*tilted, *slowed);
   EXPECT_GE(*slowed, 1.0);
   EXPECT_GE(*shrunk, 1.0);
+}
+
+/// Time goes back, and the base is as it was at first: it is commanded once more.
+TEST(Schedule, playsAgainAfterAReset)
+{
+  SieveClient sieve("/sieve");
+  ASSERT_TRUE(sieve.connect());
+  sieve.forget();
+  ASSERT_TRUE(sieve.reset().success);
+  ASSERT_TRUE(waitFor(
+      [&] { return commandedAt(sieve.base.frames, &DriveState::commanded_inclination, 0.0).has_value(); }));
+  const auto levelled =
+      std::find_if(sieve.base.frames.begin(), sieve.base.frames.end(),
+                   [](const BaseFrame& frame) { return frame.base.commanded_inclination == 0.0; });
+  sieve.base.frames.erase(sieve.base.frames.begin(), levelled);
+  const auto tilted = [&]
+  { return commandedAt(sieve.base.frames, &DriveState::commanded_inclination, 0.05); };
+  ASSERT_TRUE(waitFor([&] { return tilted().has_value(); }));
+  EXPECT_GE(*tilted(), 0.5);
 }
 }  // namespace
 }  // namespace ratchet_sieve

@@ -68,7 +68,9 @@ TEST(Schedule, refusesWhatItCannotFollow)
   EXPECT_EQ(refusalOf("[{time: soon}]"), "schedule/0/time: must be a finite number");
   EXPECT_EQ(refusalOf("[{time: 1, angle: 2}]"),
             "schedule/0/angle: not known: must be time, inclination, frequency or amplitude");
-  EXPECT_EQ(refusalOf("[{time: 2}, {time: 1}]"),
+  EXPECT_EQ(refusalOf("[{time: 1}]"),
+            "schedule/0: commands nothing: must have inclination, frequency or amplitude");
+  EXPECT_EQ(refusalOf("[{time: 2, frequency: 1}, {time: 1, frequency: 1}]"),
             "schedule/1/time: must not be before that of the entry above");
 }
 }  // namespace

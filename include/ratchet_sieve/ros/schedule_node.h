@@ -13,31 +13,35 @@ namespace ratchet_sieve
 
 /// Commands a sieve over its setpoint topics when its simulated time, as ~base of the sieve has it,
 /// comes to the entries of a schedule. Sets a paused sieve going once it is connected, so that no
-/// command is late. Where the sieve is begun anew, so is the schedule; where its node has died and comes
-/// again, that one is set going as the first was.
+/// command is late. Plays from the beginning again where time goes back (~reset) or the sieve was away.
 class ScheduleNode
 {
 public:
-  /// Reads ~sieve (the name of the sieve's node, /sieve by default) and ~schedule.
+  /// Reads ~sieve (the name of the sieve's node, /sieve by default), ~schedule and ~exit_at_end (false):
+  /// whether to shut ROS down when the last entry was sent. Warns of setpoints that the sieve will refuse.
   /// @throws ParameterError
   explicit ScheduleNode(ros::NodeHandle private_node);
 
 private:
   void follow(const BaseState& base);
-  void command(const ScheduleEntry& entry);
+  void command(const ScheduleEntry& entry, double now);
+  void end(double now);
+  void beginAnew();
   bool connected() const;
-  void lose(const std::string& subscriber);
   void startOnceConnected();
 
-  std::string sieve_;  ///< name of its node
+  ros::NodeHandle node_;
+  std::string sieve_;
+  bool exit_at_end_ = false;
   std::vector<ScheduleEntry> schedule_;
   std::size_t next_ = 0;
-  double last_time_ = 0.0;  ///< of the sieve [s]
+  double last_time_ = 0.0;  ///< simulated, as last heard [s]
   bool base_seen_ = false;
   bool started_ = false;
   ros::ServiceClient unpause_;
   std::vector<ros::Publisher> setpoints_;  ///< per SCHEDULED
   ros::Subscriber base_;
+  ros::SteadyTimer timer_;
 };
 
 }  // namespace ratchet_sieve

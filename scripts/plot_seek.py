@@ -1,0 +1,89 @@
+#!/usr/bin/python3
+"""Draws how sieve_seek went, from the tables that sieve_analyze wrote of the recorded bag: inclination, frequency, and
+Q of the disks that left within the last seconds, over time. Prints the path of the picture."""
+import argparse
+import bisect
+import math
+import pathlib
+import sys
+
+from plot_analysis import (COLOURS, GREY, STYLE, MaxNLocator, Table, any_defined, beside, matplotlib, plot_drive, plt,
+                           say_undefined)
+
+
+def fallen(bins, species):
+    """Times, and the disks that fell into the left and the right bin until then."""
+    part = bins.where('species', species)
+    return part.numbers('time'), part.numbers('left'), part.numbers('right')
+
+
+def share_right(series, begin, end):
+    """Of the disks that left between two entries; nan if there was none."""
+    _, left, right = series
+    count = left[end] - left[begin] + right[end] - right[begin]
+    return (right[end] - right[begin]) / count if count > 0 else math.nan
+
+
+def windowed_quality(bins, window):
+    """Q, eq. (2) of the paper, of the first two species' disks that left within the last `window` seconds."""
+    species = [fallen(bins, name) for name in bins.values('species')[:2]]
+    if len(species) < 2:
+        return [], []
+    times = species[0][0]
+    ends = [k for k, time in enumerate(times) if time >= times[0] + window]
+    begins = [bisect.bisect_right(times, times[end] - window) - 1 for end in ends]
+    shares = [[share_right(series, *pair) for pair in zip(begins, ends)] for series in species]
+    return [times[end] for end in ends], [abs(one - other) for one, other in zip(*shares)]
+
+
+def draw_best(axes, best, column):
+    for k, line in enumerate(best):
+        begin, end = line[:2]
+        axes.plot([begin, end], [line[column]] * 2, color=GREY, linestyle='--', linewidth=1.0,
+                  label='best, by a sweep' if k == 0 else None)
+
+
+def draw(directory, window, best):
+    drive = Table(directory / 'drive.csv')
+    figure, axes = plt.subplots(3, 1, sharex=True, figsize=(7.5, 5.6), gridspec_kw={'height_ratios': (2.2, 2, 1)})
+    draw_best(axes[0], best, 2)
+    plot_drive(axes[0], drive, 'inclination', r'$\theta$ [rad]', COLOURS[4])
+    axes[0].set_title('Inclination', loc='left')
+    times, quality = windowed_quality(Table(directory / 'bins.csv'), window)
+    if any_defined(quality):
+        draw_best(axes[1], best, 3)
+        axes[1].plot(times, quality, color='black', linewidth=1.0, label='$Q$')
+        beside(axes[1])
+    else:
+        say_undefined(axes[1], 'undefined: too few disks left')
+    axes[1].set_ylim(-0.02, None)
+    axes[1].set_ylabel('$Q$')
+    axes[1].set_title(f'Quality of what left within the last {window:g} s', loc='left')
+    plot_drive(axes[2], drive, 'frequency', '$f$ [Hz]', COLOURS[5])
+    axes[2].yaxis.set_major_locator(MaxNLocator(nbins=4, integer=True))
+    axes[2].set_title('Frequency', loc='left')
+    axes[2].set_xlabel('time [s]')
+    figure.subplots_adjust(hspace=0.4)
+    return figure
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('directory', metavar='DIR', type=pathlib.Path, help='with the CSV files of sieve_analyze --out')
+    parser.add_argument('--window', type=float, default=10.0, help='seconds over which Q is taken (10)')
+    parser.add_argument('--best', type=float, nargs=4, action='append', default=[],
+                        metavar=('FROM', 'TO', 'THETA', 'Q'), help='what is known to be best between two times')
+    options = parser.parse_args()
+    try:
+        with matplotlib.rc_context(STYLE):
+            figure = draw(options.directory, options.window, options.best)
+            figure.align_ylabels()
+            path = options.directory / 'seek.png'
+            figure.savefig(path, bbox_inches='tight')
+            print(path)
+    except OSError as error:
+        sys.exit(f'plot_seek.py: {error.filename}: {error.strerror}')
+
+
+if __name__ == '__main__':
+    main()

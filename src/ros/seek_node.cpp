@@ -1,0 +1,217 @@
+#include "ratchet_sieve/ros/seek_node.h"
+
+#include <sstream>
+
+#include <ros/console.h>
+#include <std_msgs/Float64.h>
+
+#include "ratchet_sieve/ros/conversions.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/scene/scene_file.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr std::uint32_t QUEUE_SIZE = 100;
+
+// All of wall time [s].
+constexpr double WATCH_PERIOD = 0.2;   ///< how often it looks whether the sieve follows
+constexpr double REPEAT_AFTER = 0.5;   ///< a setpoint that the sieve has not taken is sent again
+constexpr double SILENT_AFTER = 10.0;  ///< without a message
+constexpr double WARN_EVERY = 10.0;
+
+/// The scene but for what setpoints change and where the disks are.
+SceneDefinition withoutState(SceneDefinition scene)
+{
+  scene.base.inclination = scene.base.frequency = scene.base.amplitude = scene.base.phase = 0.0;
+  for (SpeciesDefinition& species : scene.species)
+    species.count = 0;
+  scene.initial.clear();
+  return scene;
+}
+
+void warnOfScene(const std::string& sieve, const SceneDefinition& scene)
+{
+  if (scene.boundary != Boundary::OPEN)
+    ROS_WARN("the boundary of %s is not open: nothing leaves it, so that there is nothing to go by",
+             sieve.c_str());
+  else if (scene.species.size() < 2)
+    ROS_WARN("%s has one species: there is nothing to separate", sieve.c_str());
+  else if (scene.feed.rate == 0.0)
+    ROS_WARN("%s is not fed: when its base is empty, the search stands still", sieve.c_str());
+}
+
+std::string binsText(const Separation& separation)
+{
+  std::ostringstream text;
+  for (std::size_t k = 0; k < separation.bins.size(); ++k)
+    text << (k > 0 ? ", " : "") << separation.species[k] << " " << separation.bins[k].left << " left "
+         << separation.bins[k].right << " right";
+  return text.str();
+}
+
+void logTrial(const SeekReport& report)
+{
+  const Separation& trial = report.separation;
+  ROS_INFO(
+      "trial %u, %s: %.4f rad, %.1f to %.1f s: Q %.2f +- %.2f (%s; %.0f times real time); best %.4f rad, "
+      "Q %.2f +- %.2f; next %s %.4f rad",
+      report.trial, phaseName(report.phase), trial.inclination, trial.begin, trial.end, report.score.quality,
+      report.score.error, binsText(trial).c_str(), trial.real_time_factor, report.best,
+      report.best_score.quality, report.best_score.error, phaseName(report.next_phase), report.next);
+}
+}  // namespace
+
+SeekTrial toMessage(const SeekReport& report)
+{
+  const Separation& trial = report.separation;
+  SeekTrial message;
+  message.header.stamp = stampOf(trial.end);
+  message.header.frame_id = WORLD_FRAME_ID;
+  message.time = trial.end;
+  message.begin = trial.begin;
+  message.trial = report.trial;
+  message.phase = phaseName(report.phase);
+  message.inclination = trial.inclination;
+  message.species = trial.species;
+  for (const SpeciesBins& bins : trial.bins)
+  {
+    message.left.push_back(bins.left);
+    message.right.push_back(bins.right);
+    message.on_base.push_back(bins.on_base);
+  }
+  message.granular_temperature = trial.granular_temperature;
+  message.quality = report.score.quality;
+  message.quality_error = report.score.error;
+  message.quality_defined = report.score.defined;
+  message.balance = report.score.balance;
+  message.best_inclination = report.best;
+  message.best_quality = report.best_score.quality;
+  message.best_quality_error = report.best_score.error;
+  message.next_phase = phaseName(report.next_phase);
+  message.next_inclination = report.next;
+  return message;
+}
+
+SeekNode::SeekNode(ros::NodeHandle private_node)
+    : parameters_(readSeekParameters(private_node)),
+      control_(parameters_.search, parameters_.trial, parameters_.start),
+      heard_at_(ros::SteadyTime::now())
+{
+  trials_ = private_node.advertise<SeekTrial>("trials", QUEUE_SIZE, true);
+  ros::NodeHandle sieve(parameters_.sieve);
+  setpoint_ = sieve.advertise<std_msgs::Float64>("inclination_setpoint", QUEUE_SIZE);
+  const auto hints = ros::TransportHints().tcpNoDelay();
+  base_ = sieve.subscribe<BaseState>("base", QUEUE_SIZE,
+                                     boost::function<void(const ros::MessageEvent<const BaseState>&)>(
+                                         [this](const auto& event) { hear(event, base_connection_); }),
+                                     ros::VoidConstPtr(), hints);
+  bins_ = sieve.subscribe<BinCounts>("bins", QUEUE_SIZE,
+                                     boost::function<void(const ros::MessageEvent<const BinCounts>&)>(
+                                         [this](const auto& event) { hear(event, bins_connection_); }),
+                                     ros::VoidConstPtr(), hints);
+  statistics_ = sieve.subscribe<SieveStatistics>(
+      "statistics", QUEUE_SIZE,
+      [this](const SieveStatistics::ConstPtr& message) { control_.take(toFrame(*message)); },
+      ros::VoidConstPtr(), hints);
+  scene_ = sieve.subscribe<SceneDescription>(
+      "scene", 1, [this](const SceneDescription::ConstPtr& message) { takeScene(*message); });
+  ROS_INFO("seeking the best inclination of %s from %g to %g rad", parameters_.sieve.c_str(),
+           parameters_.search.min, parameters_.search.max);
+  timer_ = private_node.createSteadyTimer(ros::WallDuration(WATCH_PERIOD),
+                                          [this](const ros::SteadyTimerEvent&) { watch(); });
+}
+
+/// A message that comes by another connection than the last one comes from another process: the sieve was
+/// started anew, even if its time is later than that of the one before.
+template <typename Message>
+void SeekNode::hear(const ros::MessageEvent<const Message>& event,
+                    boost::shared_ptr<ros::M_string>& connection)
+{
+  if (connection && connection != event.getConnectionHeaderPtr())
+  {
+    if (&connection == &base_connection_)  // once, of the two topics
+      ROS_INFO("%s was started anew: the trial begins again", parameters_.sieve.c_str());
+    control_.interrupt();
+  }
+  connection = event.getConnectionHeaderPtr();
+  heard_at_ = ros::SteadyTime::now();
+  if (const auto report = control_.take(toFrame(*event.getMessage())))
+    publish(*report);
+  command();
+}
+
+void SeekNode::publish(const SeekReport& report)
+{
+  logTrial(report);
+  trials_.publish(toMessage(report));
+}
+
+void SeekNode::takeScene(const SceneDescription& message)
+{
+  try
+  {
+    const SceneDefinition scene = sceneFromText(message.yaml, scene_.getTopic()).definition;
+    const std::string hash = sceneHash(withoutState(scene));
+    if (hash != scene_hash_)
+    {
+      warnOfScene(parameters_.sieve, scene);
+      if (scene_hash_)
+        control_.restart();
+    }
+    scene_hash_ = hash;
+  }
+  catch (const SceneError& error)
+  {
+    ROS_WARN("%s", error.what());
+  }
+}
+
+void SeekNode::command()
+{
+  if (control_.restarts() > restarts_)
+    ROS_WARN("%s is no longer what it was (its Q, drive or scene): the search begins again at %.4f rad",
+             parameters_.sieve.c_str(), *control_.setpoint());
+  restarts_ = control_.restarts();
+  // A sieve that was reset has forgotten its setpoint: no need to wait for it to be late.
+  if (control_.interruptions() > interruptions_)
+    sent_.reset();
+  interruptions_ = control_.interruptions();
+  const std::optional<double> setpoint = control_.setpoint();
+  if (!setpoint || control_.followed())
+    return;
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (sent_ == setpoint && (now - sent_at_).toSec() < REPEAT_AFTER)
+    return;
+  std_msgs::Float64 message;
+  message.data = *setpoint;
+  setpoint_.publish(message);
+  if (sent_ == setpoint)
+    ROS_WARN_THROTTLE(WARN_EVERY, "%s does not go to %.4f rad: told again", parameters_.sieve.c_str(),
+                      *setpoint);
+  sent_ = setpoint;
+  sent_at_ = now;
+}
+
+void SeekNode::watch()
+{
+  if (base_.getNumPublishers() == 0)
+    control_.interrupt();
+  else
+    command();
+  warnOfSilence();
+}
+
+void SeekNode::warnOfSilence()
+{
+  const bool silent = (ros::SteadyTime::now() - heard_at_).toSec() > SILENT_AFTER;
+  if (silent && !silent_)
+    ROS_WARN("nothing heard of %s for %g s: it is paused, or not there", parameters_.sieve.c_str(),
+             SILENT_AFTER);
+  if (!silent && silent_)
+    ROS_INFO("%s is heard again", parameters_.sieve.c_str());
+  silent_ = silent;
+}
+
+}  // namespace ratchet_sieve
