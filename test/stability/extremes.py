@@ -92,8 +92,10 @@ def collisions():
     for friction in (0.0, 1e3):
         for tangential in (-1.0, 0.0, 1.0):
             coefficients = {"friction": friction, "tangential_restitution": tangential}
+            # A disk that neither slips nor loses spin wedges between two faces within seconds, in most runs.
+            wedges = friction > 0.0 and tangential == 1.0
             yield ("friction", f"μ = {friction:g}, β = {tangential:g}",
-                   changed(mixture(), species=coefficients, duration=5.0), RUNS)
+                   changed(mixture(), species=coefficients, duration=2.0 if wedges else 5.0), RUNS)
     rough = {"friction": 1e3, "tangential_restitution": 1.0}
     for factor in (1e-3, 1e-2, 1.0):
         yield ("inertia", f"α = {factor:g}, μ = 1000, β = 1",
