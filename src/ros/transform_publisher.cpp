@@ -1,5 +1,6 @@
 #include "ratchet_sieve/ros/transform_publisher.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ratchet_sieve/ros/conversions.h"
@@ -41,17 +42,22 @@ TransformPublisher::TransformPublisher(ros::NodeHandle node, const std::function
       publisher_(node.advertise<tf2_msgs::TFMessage>(
           "/tf", QUEUE_SIZE,
           [this, current](const ros::SingleSubscriberPublisher& subscriber)
-          { greet(subscriber, current().base()); }))
+          { greet(subscriber, current().base()); },
+          [this](const ros::SingleSubscriberPublisher&)
+          {
+            --greeted_;
+            reached_ = std::max(reached_ - 1, 0);
+          }))
 {
 }
 
 void TransformPublisher::greet(const ros::SingleSubscriberPublisher& subscriber, const BaseFrame& present)
 {
-  // To all, unless the others have them: a listener warns of those that come twice.
-  if (stampOf(present.time) == last_)
-    subscriber.publish(baseTransforms(present));
-  else
+  ++greeted_;
+  if (stampOf(present.time) != last_)
     publish(present);
+  else if (greeted_ > reached_)
+    subscriber.publish(baseTransforms(present));
 }
 
 void TransformPublisher::publish(const BaseFrame& frame)
@@ -59,9 +65,11 @@ void TransformPublisher::publish(const BaseFrame& frame)
   if (stampOf(frame.time) == last_)
     return;
   last_ = stampOf(frame.time);
-  if (publisher_.getNumSubscribers() == 0)
+  reached_ = static_cast<int>(publisher_.getNumSubscribers());
+  if (reached_ == 0)
     return;
   clock_.reach(frame.time);
+  clock_.letLeapBeHeard();
   publisher_.publish(baseTransforms(frame));
 }
 

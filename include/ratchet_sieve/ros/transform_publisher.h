@@ -47,6 +47,8 @@ private:
   ClockPublisher& clock_;
   ros::Publisher publisher_;
   std::optional<ros::Time> last_;  ///< stamp
+  int reached_ = 0;                ///< subscribers that got those of this stamp, greeted yet or not
+  int greeted_ = 0;                ///< subscribers that are there, as far as their greeting has come up
 };
 
 }  // namespace ratchet_sieve
