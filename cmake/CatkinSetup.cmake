@@ -22,11 +22,13 @@ find_package(catkin REQUIRED COMPONENTS message_generation ${ROS_LIBRARY_PACKAGE
 add_message_files(FILES
   BaseState.msg
   BinCounts.msg
+  Command.msg
   ParticleStates.msg
   SceneDescription.msg
+  BaseSetpoint.msg
   SieveStatistics.msg
   SpeciesStatistics.msg)
-add_service_files(FILES PourDisks.srv ResetSimulation.srv StepSimulation.srv)
+add_service_files(FILES LockStep.srv PourDisks.srv ResetSimulation.srv StepSimulation.srv)
 generate_messages(DEPENDENCIES std_msgs)
 
 catkin_package(

@@ -119,10 +119,10 @@ Audit audit(const Machine& machine, double time)
   return result;
 }
 
-void refuseBadStart(const Machine& machine)
+void refuseBadStart(const Machine& machine, double time)
 {
   std::ostringstream message;
-  const auto points = placesOnBase(machine, 0.0);
+  const auto points = placesOnBase(machine, time);
   for (std::uint32_t id = 0; id < points.size(); ++id)
   {
     const double s = points[id].s;

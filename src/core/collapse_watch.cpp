@@ -17,8 +17,10 @@ constexpr double FIRST_FLOOR = 1e-3;
 constexpr std::uint32_t MAX_LEVEL = 16;
 }  // namespace
 
-CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale)
+CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale,
+                             const DiskNumbers& numbers)
     : contact_(contact),
+      numbers_(numbers),
       limit_(static_cast<std::uint32_t>(contact.collapse_events)),
       time_scale_(time_scale),
       speed_scale_(speed_scale)
@@ -43,16 +45,22 @@ void CollapseWatch::collapse(std::uint32_t id, double time)
   // Disks that do not see each other are advanced one by one, on several threads in any order: the first is
   // the earliest of them, and of several at one time the one with the smallest id.
   const double run_time = epoch_start_ + time;
-  if (counts_.count == 0 || std::tie(run_time, id) < std::tie(counts_.first_time, counts_.first_disk))
+  const std::uint32_t number = numbers_.of(id);
+  if (counts_.count == 0 || std::tie(run_time, number) < std::tie(counts_.first_time, counts_.first_disk))
   {
     counts_.first_time = run_time;
-    counts_.first_disk = id;
+    counts_.first_disk = number;
   }
   ++counts_.count;
   if (stuck(id) &&
-      (!first_stuck_ || std::tie(run_time, id) < std::tie(first_stuck_->time, first_stuck_->disk)))
-    first_stuck_ = Stuck{run_time, id};
+      (!first_stuck_ || std::tie(run_time, number) < std::tie(first_stuck_->time, first_stuck_->disk)))
+    first_stuck_ = Stuck{run_time, number};
   stops_ = first_stuck_ || contact_.on_collapse == CollapseAction::STOP;
+}
+
+void CollapseWatch::keep(const std::vector<std::uint32_t>& places)
+{
+  keepPlaces(disks_, places);
 }
 
 std::string CollapseWatch::text() const

@@ -29,7 +29,7 @@ void forEachDiskState(const Machine& machine, double time, const std::function<v
     const BasePoint point = toBase(base, disk.x, disk.y, disk.vx, disk.vy);
     const Image image = periodic ? machine.image(-std::floor(point.s / width), time) : Image();
     DiskState state;
-    state.id = id;
+    state.id = machine.number(id);
     state.species = disk.species;
     state.displacement = machine.displacement(id, disk.x);
     state.x = disk.x + image.dx;

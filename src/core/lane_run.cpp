@@ -48,7 +48,7 @@ void LaneRun::record(const Machine& machine, std::size_t rows)
     CollisionRecord record;
     record.time = machine.epoch().start + batch_.due[row];
     record.kind = collisionKind(batch_.feature[row]);
-    record.i = ids_[row];
+    record.i = machine.number(ids_[row]);
     record.normal_speed = -batch_.normal_velocity[row];
     record.normal_impulse = batch_.normal_impulse[row];
     record.tangential_impulse = batch_.tangential_impulse[row];

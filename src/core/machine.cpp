@@ -15,6 +15,10 @@ namespace
 /// as many as a collapse may have events, come to one resolution.
 constexpr double NEGLIGIBLE_WAY = 0x1p-20 * std::numeric_limits<double>::epsilon();
 
+/// Fewer places of disks that have left are not worth giving up: so a run of the usual kind never does, and a
+/// machine that is fed for ever is searched anew once in a while.
+constexpr std::size_t LEAST_GIVEN_UP = 1024;
+
 /// Of a fall over a tooth, or where nothing falls, over a tooth within the time scale [m/s].
 double speedScale(const SceneDefinition& scene, double time_scale)
 {
@@ -55,7 +59,7 @@ Machine::Machine(const SceneDefinition& scene, const Plan& plan)
       epoch_{0.0, epochLength(time_scale_)},
       motion_(scene.base, maxTurn(scene, largest_diameter_), plan.drive && !planOf(scene).drive),
       search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
-      collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_)),
+      collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), numbers_),
       bins_(scene.species.size()),
       tally_(scene.species, scene.gravity, plan.spin)
 {
@@ -111,11 +115,43 @@ std::uint32_t Machine::add(const Disk& disk)
   active_.push_back(1);
   ++active_count_;
   ++bins_[disk.species].on_base;
+  numbers_.added();
   collapse_watch_.added();
   tally_.entered(disk, epoch_.start + disk.time);
   if (plan_.contact_times)
     last_contacts_.push_back(-std::numeric_limits<double>::infinity());
   return id;
+}
+
+double Machine::startAt(double start)
+{
+  epoch_.start = epoch_.length * std::floor(start / epoch_.length);
+  collapse_watch_.rebase(0.0, epoch_.start);
+  const double local = start - epoch_.start;
+  motion_.startAt(local);
+  return local;
+}
+
+bool Machine::mostlyLeft() const
+{
+  const std::size_t left = disks_.size() - active_count_;
+  return left >= LEAST_GIVEN_UP && left > active_count_;
+}
+
+void Machine::giveUpPlaces()
+{
+  std::vector<std::uint32_t> kept;
+  kept.reserve(active_count_);
+  for (std::uint32_t id = 0; id < disks_.size(); ++id)
+    if (active(id))
+      kept.push_back(id);
+  tally_.keep(kept, disks_, active_);
+  collapse_watch_.keep(kept);
+  numbers_.keep(kept);
+  keepPlaces(disks_, kept);
+  keepPlaces(active_, kept);
+  if (plan_.contact_times)
+    keepPlaces(last_contacts_, kept);
 }
 
 Disk& Machine::fly(std::uint32_t id, double time)
@@ -169,13 +205,13 @@ void Machine::bringHome(std::uint32_t id, double s, double time)
 
 void Machine::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, active_, last_contacts_, active_count_, collapse_watch_, bins_, tally_,
-        collisions_, max_overlap_);
+  state(epoch_, motion_, disks_, active_, last_contacts_, active_count_, numbers_, collapse_watch_, bins_,
+        tally_, collisions_, max_overlap_);
   const std::size_t count = disks_.size();
   const std::size_t contacts = plan_.contact_times ? count : 0;
   const bool of_this_scene = bins_.size() == scene_.species.size() && active_.size() == count &&
                              last_contacts_.size() == contacts && collapse_watch_.disks() == count &&
-                             tally_.disks() == count &&
+                             tally_.disks() == count && numbers_.fits(count) &&
                              std::all_of(disks_.begin(), disks_.end(),
                                          [this](const Disk& disk) { return disk.species < bins_.size(); });
   if (!of_this_scene)

@@ -162,9 +162,9 @@ void Machine::report(double time, CollisionKind kind, std::uint32_t i, const std
   CollisionRecord record;
   record.time = epoch_.start + time;
   record.kind = kind;
-  record.i = i;
+  record.i = number(i);
   if (j)
-    record.j = *j;
+    record.j = number(*j);
   record.normal_speed = -contact.normal_velocity;
   record.normal_impulse = impulse.normal;
   record.tangential_impulse = impulse.tangential;

@@ -63,7 +63,7 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   }
 }
 
-void placeInitialDisks(Machine& machine)
+void placeInitialDisks(Machine& machine, double time)
 {
   for (const InitialDisk& initial : machine.scene().initial)
   {
@@ -73,10 +73,11 @@ void placeInitialDisks(Machine& machine)
     disk.vx = initial.vx;
     disk.vy = initial.vy;
     disk.spin = initial.spin;
+    disk.time = time;
     disk.species = static_cast<std::uint32_t>(initial.species);
     machine.add(disk);
   }
-  refuseBadStart(machine);
+  refuseBadStart(machine, time);
 }
 
 }  // namespace ratchet_sieve

@@ -21,12 +21,14 @@ namespace ratchet_sieve
 class Simulation::Implementation
 {
 public:
-  Implementation(const SceneDefinition& scene, const Plan& plan) : machine_(scene, plan), random_(scene.seed)
+  Implementation(const SceneDefinition& scene, const Plan& plan, double start_time)
+      : machine_(scene, plan), random_(scene.seed), start_(start_time)
   {
+    now_ = machine_.startAt(start_);
     if (scene.initial.empty())
       pourDisks(machine_, pourOrder(scene.species, random_), now_, random_);
     else
-      placeInitialDisks(machine_);
+      placeInitialDisks(machine_, now_);
     loop_ = makeLoop();
     announce(0);
   }
@@ -39,10 +41,14 @@ public:
     state.requireEnd();
   }
 
-  void archive(StateArchive& state) { state(machine_, random_, *loop_, now_, settled_, pieces_, fed_); }
+  void archive(StateArchive& state)
+  {
+    state(machine_, random_, *loop_, start_, now_, settled_, pieces_, fed_);
+  }
 
   const Machine& machine() const { return machine_; }
   double now() const { return now_; }
+  double startTime() const { return start_; }
   double time() const { return machine_.epoch().start + now_; }
   std::uint64_t events() const { return loop_->events(); }
   bool settled() const { return settled_; }
@@ -87,7 +93,8 @@ public:
 
   void setThreads(std::size_t threads)
   {
-    loop_->setThreads(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency()));
+    threads_ = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+    loop_->setThreads(threads_);
   }
 
   void observeCollisions(CollisionObserver observer)
@@ -120,7 +127,7 @@ private:
     double next = machine_.epoch().length;
     next = std::min(next, machine_.motion().nextChange().value_or(next));
     if (!settled_)
-      next = std::min(next, machine_.scene().settle - epoch_start);
+      next = std::min(next, settledTime() - epoch_start);
     else if (scenePairs())
       next = std::min(next, nextPieceEnd() - epoch_start);
     if (machine_.scene().feed.rate > 0.0)
@@ -131,7 +138,9 @@ private:
     return std::max(next, now_);
   }
 
-  double nextFeedTime() const { return static_cast<double>(fed_ + 1) / machine_.scene().feed.rate; }
+  double settledTime() const { return start_ + machine_.scene().settle; }
+
+  double nextFeedTime() const { return start_ + static_cast<double>(fed_ + 1) / machine_.scene().feed.rate; }
 
   bool scenePairs() const { return machine_.plan().pairs; }
 
@@ -139,14 +148,14 @@ private:
   /// not see each other are independent, and need none.
   double nextPieceEnd() const
   {
-    return machine_.scene().settle + static_cast<double>(pieces_ + 1) * machine_.timeScale();
+    return settledTime() + static_cast<double>(pieces_ + 1) * machine_.timeScale();
   }
 
   /// Handles one of the events that concern all disks, if one is due, in a fixed order.
   bool handleGlobalEvent()
   {
     const double epoch_start = machine_.epoch().start;
-    if (!settled_ && machine_.scene().settle - epoch_start <= now_)
+    if (!settled_ && settledTime() - epoch_start <= now_)
     {
       settled_ = true;
       machine_.restartMeans(now_);
@@ -184,8 +193,21 @@ private:
     machine_.rebase();
     loop_->rebase(machine_.epoch().length);
     now_ -= machine_.epoch().length;
-    if (moving)
+    if (machine_.mostlyLeft())
+      giveUpPlaces();
+    else if (moving)
       loop_->motionChanged(now_);
+  }
+
+  /// A machine that is fed for ever would else need more and more memory, and time to look through it.
+  void giveUpPlaces()
+  {
+    machine_.giveUpPlaces();
+    const std::uint64_t events = loop_->events();
+    loop_ = makeLoop();
+    loop_->setEvents(events);
+    loop_->setThreads(threads_);
+    announce(0);
   }
 
   /// An ensemble's disks do not come to a collapse in the order of time: it is stopped at the end of an
@@ -215,17 +237,22 @@ private:
   Machine machine_;
   Random random_;
   std::unique_ptr<EventLoop> loop_;
+  double start_ = 0.0;
   double now_ = 0.0;  ///< local to the epoch [s]
   bool settled_ = false;
   std::uint64_t pieces_ = 0;  ///< of the series of means that have ended
   std::uint64_t fed_ = 0;
+  std::size_t threads_ = 1;
   CollisionObserver observer_;
   std::vector<CollisionRecord> unsorted_;  ///< an ensemble's, disk by disk
 };
 
-Simulation::Simulation(const SceneDefinition& scene) : Simulation(scene, planOf(scene)) {}
+Simulation::Simulation(const SceneDefinition& scene, double start_time)
+    : implementation_(std::make_unique<Implementation>(scene, planOf(scene), start_time))
+{
+}
 Simulation::Simulation(const SceneDefinition& scene, const Plan& plan)
-    : implementation_(std::make_unique<Implementation>(scene, plan))
+    : implementation_(std::make_unique<Implementation>(scene, plan, 0.0))
 {
 }
 Simulation::Simulation(const SceneDefinition& scene, std::string_view saved_state)
@@ -244,6 +271,11 @@ const SceneDefinition& Simulation::scene() const
 const Plan& Simulation::plan() const
 {
   return implementation_->machine().plan();
+}
+
+double Simulation::startTime() const
+{
+  return implementation_->startTime();
 }
 
 double Simulation::time() const

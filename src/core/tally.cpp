@@ -16,6 +16,7 @@ Tally::Tally(const std::vector<SpeciesDefinition>& species, double gravity, bool
     : species_(species),
       gravity_(gravity),
       spin_(spin),
+      gone_(species.size()),
       at_piece_end_(species.size()),
       blocks_(species.size())
 {
@@ -51,21 +52,38 @@ void Tally::pushed(std::uint32_t id, double x, double y)
   passages_[id].impulse_y += y;
 }
 
+void Tally::keep(const std::vector<std::uint32_t>& places, const std::vector<Disk>& disks,
+                 const std::vector<std::uint8_t>& active)
+{
+  for (std::uint32_t id = 0; id < disks.size(); ++id)
+  {
+    if (active[id])
+      continue;
+    addLeft(disks[id], passages_[id], gone_);
+    gone_impulse_x_ += passages_[id].impulse_x;
+    gone_impulse_y_ += passages_[id].impulse_y;
+  }
+  keepPlaces(passages_, places);
+}
+
 double Tally::impulseX() const
 {
-  return std::accumulate(passages_.begin(), passages_.end(), 0.0,
+  return std::accumulate(passages_.begin(), passages_.end(), gone_impulse_x_,
                          [](double sum, const Passage& passage) { return sum + passage.impulse_x; });
 }
 
 double Tally::impulseY() const
 {
-  return std::accumulate(passages_.begin(), passages_.end(), 0.0,
+  return std::accumulate(passages_.begin(), passages_.end(), gone_impulse_y_,
                          [](double sum, const Passage& passage) { return sum + passage.impulse_y; });
 }
 
 void Tally::restart(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
                     double local_time)
 {
+  std::fill(gone_.begin(), gone_.end(), Sums());
+  gone_impulse_x_ = 0.0;
+  gone_impulse_y_ = 0.0;
   std::fill(at_piece_end_.begin(), at_piece_end_.end(), Sums());
   std::fill(blocks_.begin(), blocks_.end(), BlockAverages());
   for (std::uint32_t id = 0; id < disks.size(); ++id)
@@ -121,20 +139,25 @@ SpeciesMeans Tally::Sums::means(const SpeciesDefinition& species) const
 std::vector<Tally::Sums> Tally::sums(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active,
                                      double time, double local_time) const
 {
-  std::vector<Sums> sums(species_.size());
+  std::vector<Sums> sums = gone_;
   for (std::uint32_t id = 0; id < disks.size(); ++id)
   {
-    Passage passage = passages_[id];
-    Sums& sum = sums[disks[id].species];
-    if (active[id])
+    if (!active[id])
     {
-      integrate(passage, disks[id], local_time);
-      sum.add(passage, flown(disks[id], local_time, gravity_).x, time);
+      addLeft(disks[id], passages_[id], sums);
+      continue;
     }
-    else if (passage.counted_from < NEVER)
-      sum.add(passage, disks[id].x, passage.left_when);
+    Passage passage = passages_[id];
+    integrate(passage, disks[id], local_time);
+    sums[disks[id].species].add(passage, flown(disks[id], local_time, gravity_).x, time);
   }
   return sums;
+}
+
+void Tally::addLeft(const Disk& disk, const Passage& passage, std::vector<Sums>& sums)
+{
+  if (passage.counted_from < NEVER)
+    sums[disk.species].add(passage, disk.x, passage.left_when);
 }
 
 void Tally::endPiece(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,

@@ -47,7 +47,8 @@ std::vector<double> granularTemperatures(const std::vector<DiskState>& disks,
 SceneFrame makeSceneFrame(const Simulation& simulation)
 {
   const SceneDefinition& scene = simulation.scene();
-  return {simulation.time(), canonicalYaml(scene), sceneHash(scene), scene.seed, version()};
+  return {simulation.time(), simulation.startTime(), canonicalYaml(scene), sceneHash(scene), scene.seed,
+          version()};
 }
 
 ParticleFrame makeParticleFrame(const Simulation& simulation)

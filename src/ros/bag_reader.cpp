@@ -125,6 +125,7 @@ void readOpened(const rosbag::Bag& bag, FrameSink& sink)
     throw std::invalid_argument("holds no run: no topic of type ratchet_sieve/SceneDescription");
   std::vector<std::unique_ptr<Stream>> streams;
   addStream<SceneDescription>(bag, all, streams);
+  addStream<Command>(bag, all, streams);
   addStream<BaseState>(bag, all, streams);
   addStream<ParticleStates>(bag, all, streams);
   addStream<BinCounts>(bag, all, streams);

@@ -12,6 +12,36 @@
 
 namespace ratchet_sieve
 {
+namespace
+{
+/// Where a setpoint comes in; null for what is none.
+const char* setpointTopic(CommandKind kind)
+{
+  switch (kind)
+  {
+    case CommandKind::INCLINATION:
+      return "inclination_setpoint";
+    case CommandKind::FREQUENCY:
+      return "frequency_setpoint";
+    case CommandKind::AMPLITUDE:
+      return "amplitude_setpoint";
+    default:
+      return nullptr;
+  }
+}
+
+/// What makes `rosbag play` latch a topic, as the node does, for those who come late.
+template <typename Message>
+boost::shared_ptr<ros::M_string> latchedHeader()
+{
+  namespace traits = ros::message_traits;
+  const ros::M_string fields = {{"type", traits::datatype<Message>()},
+                                {"md5sum", traits::md5sum<Message>()},
+                                {"message_definition", traits::definition<Message>()},
+                                {"latching", "1"}};
+  return boost::make_shared<ros::M_string>(fields);
+}
+}  // namespace
 
 BagWriter::BagWriter(const std::string& path, const std::string& topic_prefix)
     : path_(path), active_path_(path + ".active"), topic_prefix_(topic_prefix)
@@ -56,11 +86,13 @@ void BagWriter::close()
 }
 
 template <typename Message>
-void BagWriter::write(const char* topic, double time, const Message& message)
+void BagWriter::write(const char* topic, double time, const Message& message,
+                      const boost::shared_ptr<ros::M_string>& connection_header)
 {
   try
   {
-    bag_.write(topic_prefix_ + "/" + topic, std::max(stampOf(time), ros::TIME_MIN), message);
+    bag_.write(topic_prefix_ + "/" + topic, std::max(stampOf(time), ros::TIME_MIN), message,
+               connection_header);
   }
   catch (const rosbag::BagException& error)
   {
@@ -70,7 +102,7 @@ void BagWriter::write(const char* topic, double time, const Message& message)
 
 void BagWriter::take(const SceneFrame& frame)
 {
-  write("scene", frame.time, toMessage(frame));
+  write("scene", frame.time, toMessage(frame), latchedHeader<SceneDescription>());
 }
 
 void BagWriter::take(const ParticleFrame& frame)
@@ -93,11 +125,15 @@ void BagWriter::take(const StatisticsFrame& frame)
   write("statistics", frame.time, toMessage(frame));
 }
 
-void BagWriter::takeSetpoint(const std::string& topic, double value, double time)
+void BagWriter::take(const CommandFrame& frame)
 {
+  write("commands", frame.time, toMessage(frame));
+  const char* topic = setpointTopic(frame.kind);
+  if (topic == nullptr)
+    return;
   std_msgs::Float64 message;
-  message.data = value;
-  write(topic.c_str(), time, message);
+  message.data = frame.values.at(0);
+  write(topic, frame.time, message);
 }
 
 }  // namespace ratchet_sieve

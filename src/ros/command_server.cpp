@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <ros/console.h>
 
+#include "ratchet_sieve/ros/conversions.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -27,18 +29,17 @@ void say(ros::console::levels::Level level, const std::optional<std::string>& li
     ROS_LOG_STREAM(level, ROSCONSOLE_DEFAULT_NAME, *line);
 }
 
-double commanded(SetpointKind kind, const DriveState& base)
+double commanded(CommandKind kind, const DriveState& base)
 {
   switch (kind)
   {
-    case SetpointKind::INCLINATION:
+    case CommandKind::INCLINATION:
       return base.commanded_inclination;
-    case SetpointKind::FREQUENCY:
+    case CommandKind::FREQUENCY:
       return base.commanded_frequency;
-    case SetpointKind::AMPLITUDE:
+    default:
       return base.commanded_amplitude;
   }
-  return 0.0;
 }
 }  // namespace
 
@@ -61,6 +62,7 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
                private_node.advertiseService("reset_world", &CommandServer::resetWorld, this),
                private_node.advertiseService("reset", &CommandServer::reset, this),
                private_node.advertiseService("step", &CommandServer::step, this),
+               private_node.advertiseService("lock_step", &CommandServer::lockStep, this),
                private_node.advertiseService("pour", &CommandServer::pour, this)};
 }
 
@@ -85,10 +87,10 @@ void CommandServer::deliverSetpoints()
     say(ros::console::levels::Info, log.taken.due(now));
     say(ros::console::levels::Warn, log.refused.due(now));
   }
-  inbox_.deliver(!control_.paused(), [this](SetpointKind kind, double value) { command(kind, value); });
+  inbox_.deliver(!control_.paused(), [this](CommandKind kind, double value) { command(kind, value); });
 }
 
-void CommandServer::command(SetpointKind kind, double value)
+void CommandServer::command(CommandKind kind, double value)
 {
   // A controller that says the same again and again wants nothing new.
   if (commanded(kind, control_.run().simulation().base()) == value)
@@ -107,7 +109,7 @@ void CommandServer::command(SetpointKind kind, double value)
 /// What came before a service was called holds before it.
 void CommandServer::commandAll()
 {
-  inbox_.deliver(false, [this](SetpointKind kind, double value) { command(kind, value); });
+  inbox_.deliver(false, [this](CommandKind kind, double value) { command(kind, value); });
 }
 
 bool CommandServer::pause(std_srvs::Empty::Request&, std_srvs::Empty::Response&)
@@ -138,10 +140,10 @@ bool CommandServer::resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Respo
 bool CommandServer::reset(ResetSimulation::Request& request, ResetSimulation::Response& response)
 {
   commandAll();
-  answer("reset", control_.reset(request.seed, request.overrides), response);
+  answer("reset", control_.reset(request.seed, request.overrides, request.keep_time), response);
   time_changed_();
   if (response.success)
-    ROS_INFO("begun anew with seed %lu",
+    ROS_INFO("begun anew at %g s with seed %lu", control_.run().time(),
              static_cast<unsigned long>(control_.run().simulation().scene().seed));
   return true;
 }
@@ -152,6 +154,24 @@ bool CommandServer::step(StepSimulation::Request& request, StepSimulation::Respo
   answer("step", control_.step(request.duration, stepping_.stride(), stepping_.keep_going), response);
   time_changed_();
   response.time = control_.run().time();
+  return true;
+}
+
+bool CommandServer::lockStep(LockStep::Request& request, LockStep::Response& response)
+{
+  commandAll();
+  std::vector<std::pair<std::string, double>> setpoints;
+  for (const BaseSetpoint& setpoint : request.setpoints)
+    setpoints.emplace_back(setpoint.quantity, setpoint.value);
+  answer("lock_step",
+         control_.lockStep(setpoints, request.duration, stepping_.stride(), stepping_.keep_going), response);
+  time_changed_();
+  const LiveRun& run = control_.run();
+  response.time = run.time();
+  response.finished = run.finished();
+  response.base = toMessage(run.base());
+  response.bins = toMessage(run.bins());
+  response.statistics = toMessage(run.statistics());
   return true;
 }
 

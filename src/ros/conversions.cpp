@@ -66,6 +66,7 @@ SceneDescription toMessage(const SceneFrame& frame)
   SceneDescription message;
   message.header = headerAt(frame.time);
   message.time = frame.time;
+  message.start_time = frame.start_time;
   message.yaml = frame.yaml;
   message.scene_hash = frame.scene_hash;
   message.seed = frame.seed;
@@ -75,7 +76,7 @@ SceneDescription toMessage(const SceneFrame& frame)
 
 SceneFrame toFrame(const SceneDescription& message)
 {
-  return {message.time, message.yaml, message.scene_hash, message.seed, message.version};
+  return {message.time, message.start_time, message.yaml, message.scene_hash, message.seed, message.version};
 }
 
 ParticleStates toMessage(const ParticleFrame& frame)
@@ -226,6 +227,26 @@ StatisticsFrame toFrame(const SieveStatistics& message)
   frame.real_time_factor = message.real_time_factor;
   frame.max_overlap = message.max_overlap;
   return frame;
+}
+
+Command toMessage(const CommandFrame& frame)
+{
+  Command message;
+  message.header = headerAt(frame.time);
+  message.time = frame.time;
+  message.kind = static_cast<std::uint8_t>(frame.kind);
+  message.values = frame.values;
+  message.species = frame.species;
+  message.count = frame.count;
+  return message;
+}
+
+CommandFrame toFrame(const Command& message)
+{
+  if (message.kind > Command::UNPAUSE)
+    throw std::invalid_argument("a command has the kind " + std::to_string(message.kind) + ", which is none");
+  return {message.time, static_cast<CommandKind>(message.kind), message.values, message.species,
+          message.count};
 }
 
 }  // namespace ratchet_sieve

@@ -1,29 +1,37 @@
 #include "ratchet_sieve/ros/live_run.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "shifted_sink.h"
+#include "ratchet_sieve/recording/commands.h"
 
 namespace ratchet_sieve
 {
 
-LiveRun::LiveRun(const SceneDefinition& scene, const FrameRates& rates, const SlewRates& slew_rates,
+LiveRun::LiveRun(const SceneDefinition& scene, const FrameRates& rates, std::vector<CommandFrame> opening,
                  double start_time, double end_time)
-    : simulation_(scene), sampler_(rates, 0.0), start_time_(start_time), end_time_(end_time)
+    : simulation_(scene, start_time),
+      sampler_(rates, start_time),
+      end_time_(end_time),
+      opening_(std::move(opening))
 {
-  simulation_.setSlewRates(slew_rates);
+  for (CommandFrame& command : opening_)
+  {
+    command.time = start_time;
+    apply(command, simulation_);
+  }
 }
 
 double LiveRun::nextTime() const
 {
-  return std::min(sampler_.nextTime(), end_time_ - start_time_);
+  return std::min(sampler_.nextTime(), end_time_);
 }
 
-void LiveRun::advanceTo(double elapsed, FrameSink& sink)
+void LiveRun::advanceTo(double time, FrameSink& sink)
 {
   try
   {
-    simulation_.advanceTo(std::min(elapsed, nextTime()));
+    simulation_.advanceTo(std::min(time, nextTime()));
   }
   catch (const StallError& error)
   {
@@ -34,41 +42,21 @@ void LiveRun::advanceTo(double elapsed, FrameSink& sink)
 
 void LiveRun::takeDue(FrameSink& sink)
 {
-  ShiftedSink shifted(sink, start_time_);
-  sampler_.takeDue(simulation_, shifted);
+  sampler_.takeDue(simulation_, sink);
+  for (const CommandFrame& command : std::exchange(opening_, {}))
+    sink.take(command);
 }
 
 void LiveRun::takeAll(FrameSink& sink)
 {
-  ShiftedSink shifted(sink, start_time_);
-  sampler_.takeLast(simulation_, shifted);
+  sampler_.takeLast(simulation_, sink);
 }
 
-template <typename Frame>
-Frame LiveRun::published(Frame frame) const
+void LiveRun::give(CommandFrame command, FrameSink& sink)
 {
-  frame.time += start_time_;
-  return frame;
-}
-
-ParticleFrame LiveRun::particles() const
-{
-  return published(makeParticleFrame(simulation_));
-}
-
-BinFrame LiveRun::bins() const
-{
-  return published(makeBinFrame(simulation_));
-}
-
-BaseFrame LiveRun::base() const
-{
-  return published(makeBaseFrame(simulation_));
-}
-
-StatisticsFrame LiveRun::statistics() const
-{
-  return published(makeStatisticsFrame(simulation_, nullptr, 0.0));
+  command.time = time();
+  apply(command, simulation_);
+  sink.take(command);
 }
 
 }  // namespace ratchet_sieve

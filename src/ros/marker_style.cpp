@@ -13,6 +13,8 @@ constexpr std::array<Rgb, 8> PALETTE = {Rgb{0.000f, 0.447f, 0.698f}, Rgb{0.835f,
                                         Rgb{0.000f, 0.620f, 0.451f}, Rgb{0.902f, 0.624f, 0.000f},
                                         Rgb{0.800f, 0.475f, 0.655f}, Rgb{0.337f, 0.706f, 0.914f},
                                         Rgb{0.941f, 0.894f, 0.259f}, Rgb{0.200f, 0.200f, 0.200f}};
+
+constexpr double LINE_HEIGHT = 1.5;  // in letters
 }  // namespace
 
 std_msgs::ColorRGBA speciesColor(std::size_t species, float opacity)
@@ -42,12 +44,12 @@ geometry_msgs::Point planePoint(double x, double y)
   return point;
 }
 
-visualization_msgs::Marker marker(const std::string& frame_id, double time, const std::string& name, int id,
-                                  int type, const std_msgs::ColorRGBA& color)
+visualization_msgs::Marker marker(double time, const std::string& name, int id, int type,
+                                  const std_msgs::ColorRGBA& color)
 {
   visualization_msgs::Marker marker;
   marker.header.stamp = stampOf(time);
-  marker.header.frame_id = frame_id;
+  marker.header.frame_id = WORLD_FRAME_ID;
   marker.ns = name;
   marker.id = id;
   marker.type = type;
@@ -68,15 +70,18 @@ void addRectangle(visualization_msgs::Marker& triangles, double x, double y, dou
     triangles.points.push_back(corner);
 }
 
-visualization_msgs::Marker text(double time, const std::string& name, int id, double x, double y, double size,
-                                const std::string& words)
+void addLines(double time, const TextPlace& place, double letter, const std::vector<Line>& lines,
+              visualization_msgs::MarkerArray& markers)
 {
-  using visualization_msgs::Marker;
-  Marker words_marker = marker(WORLD_FRAME_ID, time, name, id, Marker::TEXT_VIEW_FACING, grey(0.15f));
-  words_marker.pose.position = planePoint(x, y);
-  words_marker.scale.z = size;
-  words_marker.text = words;
-  return words_marker;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+  {
+    const int id = place.first_id + static_cast<int>(k);
+    auto line = marker(time, place.name, id, visualization_msgs::Marker::TEXT_VIEW_FACING, lines[k].color);
+    line.pose.position = planePoint(place.x, place.y - static_cast<double>(k) * LINE_HEIGHT * letter);
+    line.scale.z = letter;
+    line.text = lines[k].words;
+    markers.markers.push_back(line);
+  }
 }
 
 }  // namespace ratchet_sieve

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <geometry_msgs/Point.h>
 #include <std_msgs/ColorRGBA.h>
-#include <visualization_msgs/Marker.h>
+#include <visualization_msgs/MarkerArray.h>
 
 namespace ratchet_sieve
 {
@@ -17,15 +18,35 @@ std_msgs::ColorRGBA grey(float brightness, float opacity = 1.0f);
 /// A point of the plane. @param x to the right [m] @param y up [m]
 geometry_msgs::Point planePoint(double x, double y);
 
-/// A marker that is drawn anew with each message, of one colour and unit pose.
-visualization_msgs::Marker marker(const std::string& frame_id, double time, const std::string& name, int id,
-                                  int type, const std_msgs::ColorRGBA& color);
+/// A marker in frame world, of one colour and unit pose. @param time of its stamp [s]
+visualization_msgs::Marker marker(double time, const std::string& name, int id, int type,
+                                  const std_msgs::ColorRGBA& color);
 
 /// Adds a rectangle to a TRIANGLE_LIST. @param x, y of its lower left corner [m]
 void addRectangle(visualization_msgs::Marker& triangles, double x, double y, double width, double height);
 
-/// Text that faces the viewer, centred on (x, y). @param size of a capital letter [m]
-visualization_msgs::Marker text(double time, const std::string& name, int id, double x, double y, double size,
-                                const std::string& words);
+/// Of a capital letter, in widths of the base.
+constexpr double LETTER = 0.024;
+
+/// A line of text.
+struct Line
+{
+  std::string words;
+  std_msgs::ColorRGBA color = grey(0.15f);
+};
+
+/// Where lines of text begin.
+struct TextPlace
+{
+  std::string name;  ///< namespace of the markers
+  int first_id;
+  double x;  ///< middle of each line [m]
+  double y;  ///< middle of the first line [m]
+};
+
+/// Adds text that faces the viewer, a marker for each line: RViz spaces the lines within a marker by a length
+/// of its own, of 1 cm, which fits no machine of another size. @param letter its height [m]
+void addLines(double time, const TextPlace& place, double letter, const std::vector<Line>& lines,
+              visualization_msgs::MarkerArray& markers);
 
 }  // namespace ratchet_sieve

@@ -37,10 +37,4 @@ void Recorder::close()
   bag_.reset();
 }
 
-void Recorder::takeSetpoint(const std::string& topic, double value, double time)
-{
-  if (bag_)
-    bag_->takeSetpoint(topic, value, time);
-}
-
 }  // namespace ratchet_sieve

@@ -19,17 +19,19 @@ Outcome failure(const std::string& message)
   return {false, message};
 }
 
-void apply(SetpointKind kind, double value, Simulation& simulation)
+CommandFrame setpointOf(CommandKind kind, double value)
 {
-  switch (kind)
-  {
-    case SetpointKind::INCLINATION:
-      return simulation.commandInclination(value);
-    case SetpointKind::FREQUENCY:
-      return simulation.commandFrequency(value);
-    case SetpointKind::AMPLITUDE:
-      return simulation.commandAmplitude(value);
-  }
+  CommandFrame command;
+  command.kind = kind;
+  command.values = {value};
+  return command;
+}
+
+CommandFrame plainCommand(CommandKind kind)
+{
+  CommandFrame command;
+  command.kind = kind;
+  return command;
 }
 
 /// A paused run is under way as long as this lives.
@@ -66,10 +68,18 @@ RunControl::RunControl(const YAML::Node& scene, const std::string& source, const
 {
   const Scene read = readScene(0, {});
   scene_warnings_ = read.warnings;
-  run_ = std::make_unique<LiveRun>(read.definition, parameters_.rates, parameters_.slew_rates, 0.0,
+  run_ = std::make_unique<LiveRun>(read.definition, parameters_.rates, std::vector{slewRates()}, 0.0,
                                    read.definition.duration);
   run_->setUnderWay(!paused_);
   sinks_.add(recorder_);
+}
+
+CommandFrame RunControl::slewRates() const
+{
+  CommandFrame command = plainCommand(CommandKind::SLEW_RATES);
+  const SlewRates& rates = parameters_.slew_rates;
+  command.values = {rates.inclination, rates.frequency, rates.amplitude};
+  return command;
 }
 
 Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const
@@ -96,6 +106,8 @@ void RunControl::end()
 
 void RunControl::pause()
 {
+  if (!paused_)
+    run_->give(plainCommand(CommandKind::PAUSE), sinks_);
   paused_ = true;
   run_->takeAll(sinks_);
   run_->setUnderWay(false);
@@ -103,25 +115,60 @@ void RunControl::pause()
 
 void RunControl::unpause()
 {
+  if (paused_)
+    run_->give(plainCommand(CommandKind::UNPAUSE), sinks_);
   paused_ = false;
   run_->setUnderWay(true);
 }
 
-Outcome RunControl::step(double duration, double stride, const std::function<bool()>& keep_going)
+std::optional<std::string> RunControl::whyNoStep(double duration) const
 {
   if (!paused_)
-    return failure("the simulation is not paused: pause it first");
+    return "the simulation is not paused: pause it first";
   if (!std::isfinite(duration) || duration <= 0.0)
-    return failure("duration " + std::to_string(duration) + " s: must be > 0 and finite");
+    return "duration " + std::to_string(duration) + " s: must be > 0 and finite";
   if (run_->finished())
-    return failure(run_->stopReason().value_or("the scene's end is reached: reset first"));
+    return run_->stopReason().value_or("the scene's end is reached: reset first");
+  return std::nullopt;
+}
+
+Outcome RunControl::step(double duration, double stride, const std::function<bool()>& keep_going)
+{
+  if (const auto reason = whyNoStep(duration))
+    return failure(*reason);
+  return advance(duration, stride, keep_going);
+}
+
+Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& setpoints, double duration,
+                             double stride, const std::function<bool()>& keep_going)
+{
+  if (const auto reason = whyNoStep(duration))
+    return failure(*reason);
+  std::vector<const Setpoint*> found;
+  for (const auto& [name, value] : setpoints)
+  {
+    const auto setpoint = std::find_if(parameters_.setpoints.begin(), parameters_.setpoints.end(),
+                                       [&name = name](const Setpoint& known) { return known.name == name; });
+    if (setpoint == parameters_.setpoints.end())
+      return failure("setpoint " + name + ": must be inclination, frequency or amplitude");
+    if (const auto refusal = setpoint->refusal(value))
+      return failure(*refusal);
+    found.push_back(&*setpoint);
+  }
+  for (std::size_t k = 0; k < found.size(); ++k)
+    command(*found[k], setpoints[k].second);
+  return advance(duration, stride, keep_going);
+}
+
+Outcome RunControl::advance(double duration, double stride, const std::function<bool()>& keep_going)
+{
   const UnderWay under_way(*run_);
-  const double target = run_->elapsed() + duration;
-  while (run_->elapsed() < target && !run_->finished())
+  const double target = run_->time() + duration;
+  while (run_->time() < target && !run_->finished())
   {
     if (!keep_going())
       return failure("interrupted");
-    advanceTo(std::min(target, run_->elapsed() + stride));
+    advanceTo(std::min(target, run_->time() + stride));
   }
   run_->takeAll(sinks_);
   return run_->stopped() ? failure(*run_->stopReason()) : Outcome{};
@@ -136,12 +183,14 @@ void RunControl::begin(std::unique_ptr<LiveRun> run)
   begin();
 }
 
-Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& overrides)
+Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& overrides, bool keep_time)
 {
   try
   {
     const SceneDefinition scene = readScene(seed, overrides).definition;
-    begin(std::make_unique<LiveRun>(scene, parameters_.rates, parameters_.slew_rates, 0.0, scene.duration));
+    const double start = keep_time ? run_->time() : 0.0;
+    begin(std::make_unique<LiveRun>(scene, parameters_.rates, std::vector{slewRates()}, start,
+                                    start + scene.duration));
     return {};
   }
   catch (const SceneError& error)
@@ -161,12 +210,12 @@ Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& ov
 void RunControl::resetWorld()
 {
   const DriveState base = run_->simulation().base();
-  auto run = std::make_unique<LiveRun>(withBase(run_->simulation().scene(), base), parameters_.rates,
-                                       parameters_.slew_rates, run_->time(), run_->endTime());
-  apply(SetpointKind::INCLINATION, base.commanded_inclination, run->simulation());
-  apply(SetpointKind::FREQUENCY, base.commanded_frequency, run->simulation());
-  apply(SetpointKind::AMPLITUDE, base.commanded_amplitude, run->simulation());
-  begin(std::move(run));
+  const std::vector<CommandFrame> opening = {slewRates(),
+                                             setpointOf(CommandKind::INCLINATION, base.commanded_inclination),
+                                             setpointOf(CommandKind::FREQUENCY, base.commanded_frequency),
+                                             setpointOf(CommandKind::AMPLITUDE, base.commanded_amplitude)};
+  begin(std::make_unique<LiveRun>(withBase(run_->simulation().scene(), base), parameters_.rates, opening,
+                                  run_->time(), run_->endTime()));
 }
 
 Outcome RunControl::pour(const std::string& species, std::size_t count)
@@ -180,7 +229,10 @@ Outcome RunControl::pour(const std::string& species, std::size_t count)
     return failure("species " + species + ": there is none of that name");
   try
   {
-    run_->simulation().pour(static_cast<std::size_t>(found - all.begin()), count);
+    CommandFrame command = plainCommand(CommandKind::POUR);
+    command.species = static_cast<std::uint32_t>(found - all.begin());
+    command.count = static_cast<std::uint32_t>(count);
+    run_->give(command, sinks_);
   }
   catch (const std::invalid_argument& error)
   {
@@ -195,8 +247,7 @@ Outcome RunControl::command(const Setpoint& setpoint, double value)
 {
   if (const auto refusal = setpoint.refusal(value))
     return failure(*refusal);
-  apply(setpoint.kind, value, run_->simulation());
-  recorder_.takeSetpoint(setpoint.topic(), value, run_->time());
+  run_->give(setpointOf(setpoint.kind, value), sinks_);
   sinks_.take(run_->base());
   return {};
 }

@@ -1,12 +1,10 @@
 #include "ratchet_sieve/ros/scene_markers.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
+#include <string>
 
 #include "marker_style.h"
-#include "ratchet_sieve/ros/conversions.h"
-#include "ratchet_sieve/ros/transform_publisher.h"
 
 namespace ratchet_sieve
 {
@@ -18,11 +16,11 @@ using visualization_msgs::MarkerArray;
 /// Proportions of what is only drawn, in widths of the base.
 constexpr double BEAM_HEIGHT = 0.02;
 constexpr double LINE_WIDTH = 0.001;
+constexpr double OUTLINE_WIDTH =
+    0.03;  // of the teeth, at most, in widths of one: on a long base they are small
 constexpr double BIN_WIDTH = 0.14;
-constexpr double BIN_HEIGHT = 0.20;
+constexpr double BIN_HEIGHT = 0.17;
 constexpr double BIN_GAP = 0.02;  // between the base's end and a bin
-constexpr double LETTER = 0.024;
-constexpr double CAPTION_HEIGHT = 0.25;  // above the middle of the base
 
 void addTooth(const BaseDefinition& base, int tooth, Marker& triangles, Marker& outline)
 {
@@ -34,11 +32,6 @@ void addTooth(const BaseDefinition& base, int tooth, Marker& triangles, Marker& 
     triangles.points.push_back(point);
   for (const auto& point : {left, apex, apex, right})
     outline.points.push_back(point);
-}
-
-std::string orUndefined(const std::optional<double>& value)
-{
-  return value ? fmt::format("{:.3f}", *value) : "undefined";
 }
 
 /// One of the two bins: its lower left corner, in a world that stands still.
@@ -55,7 +48,8 @@ void addBin(const SceneDefinition& scene, const BinFrame& frame, const BinPlace&
   const double scale = scene.base.width();
   const double width = BIN_WIDTH * scale;
   const double height = BIN_HEIGHT * scale;
-  Marker box = marker(WORLD_FRAME_ID, frame.time, place.name, 0, Marker::LINE_STRIP, grey(0.35f));
+  const double letter = LETTER * scale;
+  Marker box = marker(frame.time, place.name, 0, Marker::LINE_STRIP, grey(0.35f));
   box.scale.x = 2.0 * LINE_WIDTH * scale;
   box.points = {planePoint(place.x, place.y + height), planePoint(place.x, place.y),
                 planePoint(place.x + width, place.y), planePoint(place.x + width, place.y + height)};
@@ -67,27 +61,34 @@ void addBin(const SceneDefinition& scene, const BinFrame& frame, const BinPlace&
     const double all = static_cast<double>(bins.counted() + bins.on_base);
     const double level = all > 0.0 ? static_cast<double>(bins.*side) / all : 0.0;
     const int id = static_cast<int>(k) + 1;
-    Marker fill = marker(WORLD_FRAME_ID, frame.time, place.name, id, Marker::TRIANGLE_LIST, speciesColor(k));
+    Marker fill = marker(frame.time, place.name, id, Marker::TRIANGLE_LIST, speciesColor(k));
     addRectangle(fill, place.x + column * (k + 0.15), place.y, 0.7 * column, level * height);
     markers.markers.push_back(fill);
-    markers.markers.push_back(text(frame.time, std::string(place.name) + "_count", id,
-                                   place.x + column * (k + 0.5), place.y - 1.3 * LETTER * scale,
-                                   LETTER * scale, fmt::format("{} {}", frame.species[k], bins.*side)));
+    addLines(frame.time,
+             {std::string(place.name) + "_count", 2 * id, place.x + column * (k + 0.5), place.y - letter},
+             letter, {{frame.species[k]}, {std::to_string(bins.*side)}}, markers);
   }
 }
 }  // namespace
 
-MarkerArray baseMarkers(const SceneDefinition& scene, double time)
+MarkerArray baseMarkers(const SceneDefinition& scene, const BaseFrame& base)
 {
   const double width = scene.base.width();
-  Marker body = marker(BASE_FRAME_ID, time, "base", 0, Marker::TRIANGLE_LIST, grey(0.55f));
-  Marker outline = marker(BASE_FRAME_ID, time, "base", 1, Marker::LINE_LIST, grey(0.2f));
-  outline.scale.x = LINE_WIDTH * width;
+  Marker body = marker(base.time, "base", 0, Marker::TRIANGLE_LIST, grey(0.55f));
+  Marker outline = marker(base.time, "base", 1, Marker::LINE_LIST, grey(0.2f));
+  outline.scale.x = std::min(LINE_WIDTH * width, OUTLINE_WIDTH * scene.base.tooth_width);
   for (int tooth = 0; tooth < scene.base.teeth; ++tooth)
     addTooth(scene.base, tooth, body, outline);
   addRectangle(body, 0.0, -BEAM_HEIGHT * width, width, BEAM_HEIGHT * width);
   MarkerArray markers;
   markers.markers = {body, outline};
+  for (Marker& part : markers.markers)
+  {
+    part.pose.position.z = base.base.displacement;
+    // y of the world points away from the viewer: a turn that raises the right end is negative about it.
+    part.pose.orientation.w = std::cos(0.5 * base.base.inclination);
+    part.pose.orientation.y = -std::sin(0.5 * base.base.inclination);
+  }
   return markers;
 }
 
@@ -96,8 +97,7 @@ MarkerArray diskMarkers(const SceneDefinition& scene, const ParticleFrame& frame
   MarkerArray markers;
   for (std::size_t k = 0; k < scene.species.size(); ++k)
   {
-    Marker disks = marker(WORLD_FRAME_ID, frame.time, "disks", static_cast<int>(k), Marker::SPHERE_LIST,
-                          speciesColor(k));
+    Marker disks = marker(frame.time, "disks", static_cast<int>(k), Marker::SPHERE_LIST, speciesColor(k));
     disks.scale.x = disks.scale.y = disks.scale.z = 2.0 * scene.species[k].radius;
     markers.markers.push_back(disks);
   }
@@ -110,33 +110,33 @@ MarkerArray diskMarkers(const SceneDefinition& scene, const ParticleFrame& frame
   return markers;
 }
 
-MarkerArray binMarkers(const SceneDefinition& scene, const BinFrame& frame, const DriveState& base)
+MarkerArray binMarkers(const SceneDefinition& scene, const BinFrame& frame, const BaseFrame& base)
 {
   MarkerArray markers;
   if (scene.boundary != Boundary::OPEN)
     return markers;
   const double width = scene.base.width();
+  const double inclination = base.base.inclination;
   const double drop = (BIN_HEIGHT + 2.0 * BEAM_HEIGHT) * width;
   const BinPlace left{"left_bin", -(BIN_WIDTH + BIN_GAP) * width, -drop};
-  const BinPlace right{"right_bin", width * (std::cos(base.inclination) + BIN_GAP),
-                       width * std::sin(base.inclination) - drop};
+  const BinPlace right{"right_bin", width * (std::cos(inclination) + BIN_GAP),
+                       width * std::sin(inclination) - drop};
   addBin(scene, frame, left, &SpeciesBins::left, markers);
   addBin(scene, frame, right, &SpeciesBins::right, markers);
   return markers;
 }
 
-MarkerArray captionMarkers(const SceneDefinition& scene, const BinFrame& frame, const DriveState& base)
+MarkerArray pictureMarkers(const Picture& picture)
 {
-  const double width = scene.base.width();
-  std::string words = fmt::format("t = {:.2f} s    theta = {:+.3f} rad    f = {:.1f} Hz    A = {:.2f} mm",
-                                  frame.time, base.inclination, base.frequency, 1e3 * base.amplitude);
-  if (scene.boundary == Boundary::OPEN)
-    words += fmt::format("\nQ = {}    P = {}", orUndefined(frame.quality), orUndefined(frame.processed));
-  const double x = 0.5 * width * std::cos(base.inclination);
-  const double y = 0.5 * width * std::sin(base.inclination) + CAPTION_HEIGHT * width;
-  MarkerArray markers;
-  markers.markers.push_back(text(frame.time, "caption", 0, x, y, LETTER * width, words));
-  return markers;
+  MarkerArray all = baseMarkers(picture.scene, picture.base);
+  const auto append = [&all](const MarkerArray& part)
+  { all.markers.insert(all.markers.end(), part.markers.begin(), part.markers.end()); };
+  if (picture.particles)
+    append(diskMarkers(picture.scene, *picture.particles));
+  if (picture.bins)
+    append(binMarkers(picture.scene, *picture.bins, picture.base));
+  append(captionMarkers(picture));
+  return all;
 }
 
 }  // namespace ratchet_sieve

@@ -5,7 +5,7 @@
 namespace ratchet_sieve
 {
 
-void SetpointInbox::deliver(bool wait, const std::function<void(SetpointKind, double)>& command,
+void SetpointInbox::deliver(bool wait, const std::function<void(CommandKind, double)>& command,
                             const std::function<Clock::time_point()>& wall_clock)
 {
   const bool empty =
@@ -17,8 +17,7 @@ void SetpointInbox::deliver(bool wait, const std::function<void(SetpointKind, do
     return;
   const auto values = newest_;
   newest_ = {};
-  for (const SetpointKind kind :
-       {SetpointKind::INCLINATION, SetpointKind::FREQUENCY, SetpointKind::AMPLITUDE})
+  for (const CommandKind kind : {CommandKind::INCLINATION, CommandKind::FREQUENCY, CommandKind::AMPLITUDE})
     if (const auto& value = values[index(kind)])
       command(kind, *value);
   const auto end = wall_clock();

@@ -34,16 +34,15 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
       real_time_factor_(private_node, parameters_.real_time_factor),
       pacer_(parameters_.real_time_factor),
       clock_(node_, parameters_.clock_rate, parameters_.publish_clock),
-      transforms_(
-          node_, [this]() -> const LiveRun& { return control_.run(); }, clock_),
+      transforms_(node_, &clock_),
       topics_(
-          node_, [this]() -> const LiveRun& { return control_.run(); }, transforms_),
-      display_(node_, parameters_.display_rate, transforms_),
+          node_, [this]() -> const LiveRun& { return control_.run(); }, clock_, transforms_),
+      display_(node_, parameters_.display_rate),
       diagnostics_(control_, {real_time_factor_, pacer_, speed_}, recorder_),
       commands_(node_, parameters_, control_, diagnostics_, stepping(),
                 [this]
                 {
-                  pacer_.anchor(control_.run().elapsed(), Pacer::Clock::now());
+                  pacer_.anchor(control_.run().time(), Pacer::Clock::now());
                   clock_.publish(control_.run().time());
                 })
 {
@@ -79,7 +78,12 @@ bool SieveNode::ended() const
 void SieveNode::keepAlive()
 {
   clock_.publishDue(control_.run().time());
-  display_.show(control_.run());
+  const LiveRun& run = control_.run();
+  if (display_.due(run.time()))
+  {
+    clock_.reach(run.time());
+    display_.show({run.simulation().scene(), run.base(), run.bins(), run.particles()});
+  }
   watchSpeed();
   diagnostics_.updateDue();
   progress_.update(control_.run());
@@ -91,7 +95,7 @@ void SieveNode::watchSpeed()
   const LiveRun& run = control_.run();
   if (const auto factor = real_time_factor_.changed())
   {
-    pacer_.setFactor(*factor, run.elapsed(), now);
+    pacer_.setFactor(*factor, run.time(), now);
     speed_.forget();
     ROS_INFO("real-time factor: %g from %.3f s on%s", *factor, run.time(),
              *factor > 0.0 ? "" : ": as fast as it goes");
@@ -105,16 +109,16 @@ void SieveNode::watchSpeed()
 double SieveNode::waitUntilDue() const
 {
   const LiveRun& run = control_.run();
-  return pacer_.wait(std::min(run.nextTime(), run.elapsed() + pacer_.stride()), Pacer::Clock::now());
+  return pacer_.wait(std::min(run.nextTime(), run.time() + pacer_.stride()), Pacer::Clock::now());
 }
 
 void SieveNode::advance()
 {
   const auto begin = Pacer::Clock::now();
-  const double elapsed = control_.run().elapsed();
-  control_.advanceTo(pacer_.allowed(elapsed, begin));
+  const double time = control_.run().time();
+  control_.advanceTo(pacer_.allowed(time, begin));
   const std::chrono::duration<double> wall = Pacer::Clock::now() - begin;
-  pacer_.advanced(control_.run().elapsed() - elapsed, wall.count());
+  pacer_.advanced(control_.run().time() - time, wall.count());
   if (control_.run().finished())
     finish();
 }
@@ -134,7 +138,7 @@ void SieveNode::run()
            static_cast<unsigned long>(run.simulation().scene().seed),
            recorder_.path().empty() ? "" : ", recorded into ", recorder_.path().c_str());
   control_.begin();
-  pacer_.anchor(0.0, Pacer::Clock::now());
+  pacer_.anchor(run.time(), Pacer::Clock::now());
   while (!stopped() && !ended())
   {
     serveCallbacks(control_.paused() ? Pacer::LONGEST_WAIT : waitUntilDue());

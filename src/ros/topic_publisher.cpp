@@ -26,19 +26,21 @@ void TopicPublisher::publish(const ros::Publisher& publisher, const Frame& frame
 {
   if (publisher.getNumSubscribers() == 0)
     return;
-  transforms_.clock().reach(frame.time);
+  clock_.reach(frame.time);
   publisher.publish(toMessage(frame));
 }
 
 TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
-                               TransformPublisher& transforms)
+                               ClockPublisher& clock, TransformPublisher& transforms)
     : current_(current),
+      clock_(clock),
       transforms_(transforms),
       scene_(private_node.advertise<SceneDescription>("scene", 1, true)),
       particles_(advertise(private_node, "particles", current, &LiveRun::particles)),
       bins_(advertise(private_node, "bins", current, &LiveRun::bins)),
       base_(advertise(private_node, "base", current, &LiveRun::base)),
-      statistics_(advertise(private_node, "statistics", current, &LiveRun::statistics))
+      statistics_(advertise(private_node, "statistics", current, &LiveRun::statistics)),
+      commands_(private_node.advertise<Command>("commands", QUEUE_SIZE))
 {
 }
 
@@ -60,7 +62,7 @@ bool TopicPublisher::wants(FrameKind kind) const
 
 void TopicPublisher::take(const SceneFrame& frame)
 {
-  transforms_.clock().reach(frame.time);
+  clock_.reach(frame.time);
   scene_.publish(toMessage(frame));
 }
 
@@ -85,6 +87,11 @@ void TopicPublisher::take(const BaseFrame& frame)
 void TopicPublisher::take(const StatisticsFrame& frame)
 {
   publish(statistics_, frame);
+}
+
+void TopicPublisher::take(const CommandFrame& frame)
+{
+  publish(commands_, frame);
 }
 
 }  // namespace ratchet_sieve

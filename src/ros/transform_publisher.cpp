@@ -36,13 +36,10 @@ tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame)
   return message;
 }
 
-TransformPublisher::TransformPublisher(ros::NodeHandle node, const std::function<const LiveRun&()>& current,
-                                       ClockPublisher& clock)
+TransformPublisher::TransformPublisher(ros::NodeHandle node, ClockPublisher* clock)
     : clock_(clock),
       publisher_(node.advertise<tf2_msgs::TFMessage>(
-          "/tf", QUEUE_SIZE,
-          [this, current](const ros::SingleSubscriberPublisher& subscriber)
-          { greet(subscriber, current().base()); },
+          "/tf", QUEUE_SIZE, [this](const ros::SingleSubscriberPublisher& subscriber) { greet(subscriber); },
           [this](const ros::SingleSubscriberPublisher&)
           {
             --greeted_;
@@ -51,25 +48,27 @@ TransformPublisher::TransformPublisher(ros::NodeHandle node, const std::function
 {
 }
 
-void TransformPublisher::greet(const ros::SingleSubscriberPublisher& subscriber, const BaseFrame& present)
+void TransformPublisher::greet(const ros::SingleSubscriberPublisher& subscriber)
 {
   ++greeted_;
-  if (stampOf(present.time) != last_)
-    publish(present);
-  else if (greeted_ > reached_)
-    subscriber.publish(baseTransforms(present));
+  if (last_ && greeted_ > reached_)
+    subscriber.publish(baseTransforms(*last_));
 }
 
 void TransformPublisher::publish(const BaseFrame& frame)
 {
-  if (stampOf(frame.time) == last_)
+  const bool repeated = last_ && stampOf(last_->time) == stampOf(frame.time);
+  last_ = frame;
+  if (repeated)
     return;
-  last_ = stampOf(frame.time);
   reached_ = static_cast<int>(publisher_.getNumSubscribers());
   if (reached_ == 0)
     return;
-  clock_.reach(frame.time);
-  clock_.letLeapBeHeard();
+  if (clock_ != nullptr)
+  {
+    clock_->reach(frame.time);
+    clock_->letLeapBeHeard();
+  }
   publisher_.publish(baseTransforms(frame));
 }
 

@@ -43,6 +43,7 @@ public:
   void take(const BinFrame& frame) override { write("/sieve/bins", toMessage(frame)); }
   void take(const BaseFrame& frame) override { write("/sieve/base", toMessage(frame)); }
   void take(const StatisticsFrame& frame) override { write("/sieve/statistics", toMessage(frame)); }
+  void take(const CommandFrame& frame) override { write("/sieve/commands", toMessage(frame)); }
 
 private:
   template <typename Message>
@@ -69,6 +70,7 @@ public:
   void take(const BinFrame& frame) override { write(MessageKind::BINS, toMessage(frame)); }
   void take(const BaseFrame& frame) override { write(MessageKind::BASE, toMessage(frame)); }
   void take(const StatisticsFrame& frame) override { write(MessageKind::STATISTICS, toMessage(frame)); }
+  void take(const CommandFrame& frame) override { write(MessageKind::COMMAND, toMessage(frame)); }
 
 private:
   template <typename Message>

@@ -44,6 +44,8 @@ void show(MessageKind kind, Bytes bytes, FrameSink& sink)
         return show<BaseState>(bytes, sink);
       case MessageKind::STATISTICS:
         return show<SieveStatistics>(bytes, sink);
+      case MessageKind::COMMAND:
+        return show<Command>(bytes, sink);
     }
   }
   catch (const std::invalid_argument& error)

@@ -12,9 +12,10 @@ enum class MessageKind : std::uint8_t
   PARTICLES,
   BINS,
   BASE,
-  STATISTICS
+  STATISTICS,
+  COMMAND
 };
 
-constexpr int MESSAGE_KINDS = 5;
+constexpr int MESSAGE_KINDS = 6;
 
 }  // namespace ratchet_sieve

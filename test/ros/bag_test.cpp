@@ -9,10 +9,10 @@
 #include "collecting_sink.h"
 #include "random_frames.h"
 #include "ratchet_sieve/recording/frame_sampler.h"
+#include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 #include "ratchet_sieve/ros/bag_writer.h"
 #include "ratchet_sieve/ros/conversions.h"
-#include "same_bits.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -57,6 +57,7 @@ public:
   void take(const BinFrame& frame) override { pass(frame); }
   void take(const BaseFrame& frame) override { pass(frame); }
   void take(const StatisticsFrame& frame) override { pass(frame); }
+  void take(const CommandFrame& frame) override { pass(frame); }
 
 private:
   template <typename Frame>
@@ -109,7 +110,8 @@ TEST(Bag, holdsStampsAsBagTimeAndSetpoints)
   const ScratchDirectory scratch;
   BagWriter bag(scratch / "run.bag", "/other");
   showRun(bag);
-  bag.takeSetpoint("inclination_setpoint", 0.125, 0.75);
+  const CommandFrame command{0.75, CommandKind::INCLINATION, {0.125}, 0, 0};
+  bag.take(command);
   bag.close();
 
   rosbag::Bag file(scratch / "run.bag");
@@ -120,6 +122,10 @@ TEST(Bag, holdsStampsAsBagTimeAndSetpoints)
   ASSERT_EQ(setpoints.size(), 1u);
   EXPECT_EQ(setpoints.begin()->getTime(), ros::Time(0.75));
   EXPECT_EQ(setpoints.begin()->instantiate<std_msgs::Float64>()->data, 0.125);
+  CollectingSink read;
+  readBag(scratch / "run.bag", read);
+  ASSERT_EQ(read.commands.size(), 1u);
+  EXPECT_TRUE(sameBits(read.commands[0], command));
 }
 
 TEST(Bag, isReadInTheOrderOfTheFramesOwnTimes)

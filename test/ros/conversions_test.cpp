@@ -5,7 +5,7 @@
 #include <ros/serialization.h>
 
 #include "random_frames.h"
-#include "same_bits.h"
+#include "ratchet_sieve/recording/same_bits.h"
 
 namespace ratchet_sieve
 {
@@ -56,6 +56,11 @@ TEST(Conversions, keepEveryBitOfTheBase)
 TEST(Conversions, keepEveryBitOfStatistics)
 {
   expectRoundTrip(anyStatisticsFrame);
+}
+
+TEST(Conversions, keepEveryBitOfACommand)
+{
+  expectRoundTrip(anyCommandFrame);
 }
 
 TEST(Conversions, stampToTheNearestNanosecond)

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
@@ -82,12 +84,24 @@ TEST(SceneMarkers, drawTheBaseWhereTheEngineHasIt)
 {
   const SceneDefinition scene = smallMixture();
   const Sawtooth sawtooth(scene.base, scene.boundary);
-  const auto markers = baseMarkers(scene, 0.0).markers;
+  const auto markers = baseMarkers(scene, BaseFrame()).markers;
   ASSERT_EQ(markers.size(), 2u);
-  EXPECT_EQ(markers[1].header.frame_id, "sieve_base");
   EXPECT_EQ(markers[1].points.size(), 4u * scene.base.teeth);
   for (const auto& point : markers[1].points)
     EXPECT_NEAR(sawtooth.heightAbove(point.x, point.z), 0.0, 1e-12);
+}
+
+TEST(SceneMarkers, moveTheBaseAsTheTransformsDo)
+{
+  const BaseFrame base = inclinedBase(0.2, 0.0017);
+  for (const auto& part : baseMarkers(smallMixture(), base).markers)
+  {
+    EXPECT_EQ(part.header.frame_id, "world");
+    const Vector turned = rotated(part.pose.orientation, {0.07, 0.0, 0.005});
+    const Vector expected = inWorld(baseTransforms(base), {0.07, 0.0, 0.005});
+    EXPECT_NEAR(turned.x + part.pose.position.x, expected.x, 1e-15);
+    EXPECT_NEAR(turned.z + part.pose.position.z, expected.z, 1e-15);
+  }
 }
 
 TEST(SceneMarkers, drawDisksInTrueSizeOneListPerSpecies)
@@ -106,25 +120,61 @@ TEST(SceneMarkers, drawDisksInTrueSizeOneListPerSpecies)
   EXPECT_EQ(markers[1].points[1].z, 0.04);
 }
 
-TEST(SceneMarkers, showBinsOfAnOpenBaseOnly)
+BinFrame someBins()
 {
-  SceneDefinition scene = smallMixture();
   BinFrame frame;
   frame.species = {"A", "B"};
   frame.bins = {{1, 2, 3}, {4, 5, 6}};
-  EXPECT_FALSE(binMarkers(scene, frame, DriveState()).markers.empty());
+  return frame;
+}
+
+TEST(SceneMarkers, showBinsOfAnOpenBaseOnly)
+{
+  SceneDefinition scene = smallMixture();
+  EXPECT_FALSE(binMarkers(scene, someBins(), BaseFrame()).markers.empty());
   scene.boundary = Boundary::PERIODIC;
-  EXPECT_TRUE(binMarkers(scene, frame, DriveState()).markers.empty());
+  EXPECT_TRUE(binMarkers(scene, someBins(), BaseFrame()).markers.empty());
 }
 
 TEST(SceneMarkers, sayUndefinedWhereQualityIsNot)
 {
-  BinFrame frame;
-  frame.processed = 0.5;
-  const auto markers = captionMarkers(smallMixture(), frame, DriveState()).markers;
-  ASSERT_EQ(markers.size(), 1u);
-  EXPECT_NE(markers[0].text.find("Q = undefined"), std::string::npos) << markers[0].text;
-  EXPECT_NE(markers[0].text.find("P = 0.500"), std::string::npos) << markers[0].text;
+  const SceneDefinition scene = smallMixture();
+  Picture picture{scene, BaseFrame(), someBins(), {}};
+  picture.bins->processed = 0.5;
+  const auto markers = captionMarkers(picture).markers;
+  ASSERT_EQ(markers.size(), 4u);
+  EXPECT_EQ(markers[1].text, "Q = undefined    P = 0.500");
+}
+
+TEST(SceneMarkers, sayWhereTheBaseIsAndWhereItIsGoing)
+{
+  const SceneDefinition scene = smallMixture();
+  Picture picture{scene, inclinedBase(0.1, 0.0), {}, {}};
+  DriveState& base = picture.base.base;
+  base.commanded_inclination = 0.19;
+  base.frequency = base.commanded_frequency = 23.0;
+  const std::string words = captionMarkers(picture).markers.at(0).text;
+  EXPECT_NE(words.find("theta = +0.100 -> +0.190 rad"), std::string::npos) << words;
+  EXPECT_NE(words.find("f = 23.0 Hz"), std::string::npos) << words;
+}
+
+TEST(SceneMarkers, nameEachSpeciesInItsColour)
+{
+  const SceneDefinition scene = smallMixture();
+  const auto markers = captionMarkers({scene, BaseFrame(), someBins(), {}}).markers;
+  ASSERT_EQ(markers.size(), 4u);
+  EXPECT_EQ(markers[2].text, "A: r = 1 mm, m = 10 g, 3 on the base");
+  EXPECT_EQ(markers[3].text, "B: r = 3 mm, m = 1 g, 6 on the base");
+  EXPECT_EQ(markers[3].color, diskMarkers(scene, ParticleFrame()).markers.at(1).color);
+}
+
+TEST(SceneMarkers, leaveOutWhatNobodyRecorded)
+{
+  const SceneDefinition scene = smallMixture();
+  std::set<std::string> names;
+  for (const auto& marker : pictureMarkers({scene, BaseFrame(), {}, {}}).markers)
+    names.insert(marker.ns);
+  EXPECT_EQ(names, (std::set<std::string>{"base", "caption", "legend"}));
 }
 
 TEST(ParticleCloud, carriesPlaceRadiusAndSpecies)

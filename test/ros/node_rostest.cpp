@@ -1,14 +1,16 @@
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tf2_msgs/TFMessage.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include "ratchet_sieve/PourDisks.h"
+#include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/scene_parameters.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
-#include "same_bits.h"
 #include "sieve_client.h"
 #include "statuses.h"
 
@@ -242,6 +244,22 @@ TEST_F(Node, broadcastsWhereTheBaseIs)
   sieve.stepAndSee(0.7);
   ASSERT_TRUE(waitFor([&] { return last.transforms.at(0).header.stamp == ros::Time(0.7); }));
   EXPECT_EQ(last.transforms, baseTransforms(sieve.base.frames.back()).transforms);
+}
+
+TEST_F(Node, takesAwayWhatAnotherSceneHasNot)
+{
+  visualization_msgs::MarkerArray last;
+  const ros::Subscriber markers = sieve.node.subscribe<visualization_msgs::MarkerArray>(
+      "markers", 10, [&](const visualization_msgs::MarkerArray::ConstPtr& message) { last = *message; });
+  const auto bins = [&]
+  {
+    return std::count_if(last.markers.begin(), last.markers.end(),
+                         [](const visualization_msgs::Marker& marker) { return marker.ns == "left_bin"; });
+  };
+  ASSERT_TRUE(waitFor([&] { return bins() > 0; }));
+  ASSERT_TRUE(sieve.reset(0, {"boundary=periodic"}).success);
+  ASSERT_TRUE(waitFor([&] { return !last.markers.empty() && bins() == 0; }));
+  EXPECT_EQ(last.markers[0].action, visualization_msgs::Marker::DELETEALL);
 }
 }  // namespace
 }  // namespace ratchet_sieve

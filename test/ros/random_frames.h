@@ -31,8 +31,12 @@ inline std::vector<std::string> anyNames()
 
 inline SceneFrame anySceneFrame()
 {
-  return {anyTime(), *rc::gen::arbitrary<std::string>(), *rc::gen::arbitrary<std::string>(),
-          *rc::gen::arbitrary<std::uint64_t>(), *rc::gen::arbitrary<std::string>()};
+  return {anyTime(),
+          anyTime(),
+          *rc::gen::arbitrary<std::string>(),
+          *rc::gen::arbitrary<std::string>(),
+          *rc::gen::arbitrary<std::uint64_t>(),
+          *rc::gen::arbitrary<std::string>()};
 }
 
 inline ParticleFrame anyParticleFrame()
@@ -89,6 +93,13 @@ inline StatisticsFrame anyStatisticsFrame()
   for (double* value : {&frame.collision_rate, &frame.real_time_factor, &frame.max_overlap})
     *value = anyNumber();
   return frame;
+}
+
+inline CommandFrame anyCommandFrame()
+{
+  return {anyTime(), static_cast<CommandKind>(*rc::gen::inRange(0, 7)),
+          *rc::gen::container<std::vector<double>>(rc::gen::arbitrary<double>()),
+          *rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<std::uint32_t>()};
 }
 
 }  // namespace ratchet_sieve

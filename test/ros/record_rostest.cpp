@@ -6,8 +6,8 @@
 
 #include "child_node.h"
 #include "collecting_sink.h"
+#include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
-#include "same_bits.h"
 #include "sieve_client.h"
 #include "small_scenes.h"
 
@@ -123,7 +123,7 @@ TEST_F(Record, refusesABagThatCannotBeWritten)
 
 TEST_F(Record, helpsWithoutBeingANode)
 {
-  for (const char* program : {"sieve_node", "sieve_schedule"})
+  for (const char* program : {"sieve_display", "sieve_node", "sieve_rviz", "sieve_schedule"})
     for (const char* option : {"--help", "--version"})
     {
       ChildNode node(program, {option});

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "collecting_sink.h"
+#include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
-#include "same_bits.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -122,7 +122,8 @@ TEST(RunControl, stepsNoFurtherThanTheEnd)
 TEST(RunControl, isFinishedByACollapseUntilItIsBegunAnew)
 {
   Controlled run;
-  ASSERT_TRUE(run.control.reset(0, {"contact.min_rebound_speed=0", "contact.collapse_events=10000"}).success);
+  ASSERT_TRUE(
+      run.control.reset(0, {"contact.min_rebound_speed=0", "contact.collapse_events=10000"}, false).success);
   const Outcome outcome = run.control.step(2.0, STRIDE, keepGoing);
   EXPECT_FALSE(outcome.success);
   EXPECT_NE(outcome.message.find("inelastic collapse"), std::string::npos) << outcome.message;
@@ -130,7 +131,7 @@ TEST(RunControl, isFinishedByACollapseUntilItIsBegunAnew)
   EXPECT_LT(run.control.run().time(), smallMixture().duration);
   EXPECT_EQ(run.seen.particles.back().time, run.control.run().time());
   EXPECT_EQ(run.control.step(1.0, STRIDE, keepGoing).message, outcome.message);
-  ASSERT_TRUE(run.control.reset(0, {}).success);
+  ASSERT_TRUE(run.control.reset(0, {}, false).success);
   EXPECT_TRUE(run.control.step(1.0, STRIDE, keepGoing).success);
 }
 
@@ -183,7 +184,7 @@ TEST(RunControl, resetsToTheSameRun)
   const auto first = run.seen.particles.back();
   run.control.command(run.inclination(), 0.3);
   run.control.step(0.5, STRIDE, keepGoing);
-  EXPECT_TRUE(run.control.reset(0, {}).success);
+  EXPECT_TRUE(run.control.reset(0, {}, false).success);
   EXPECT_EQ(run.control.run().time(), 0.0);
   run.control.step(0.5, STRIDE, keepGoing);
   EXPECT_TRUE(sameBits(run.seen.particles.back(), first));
@@ -192,7 +193,7 @@ TEST(RunControl, resetsToTheSameRun)
 TEST(RunControl, resetsWithASeedAndOverrides)
 {
   Controlled run;
-  EXPECT_TRUE(run.control.reset(5, {"base.inclination=0.1"}).success);
+  EXPECT_TRUE(run.control.reset(5, {"base.inclination=0.1"}, false).success);
   SceneDefinition scene = smallMixture();
   scene.seed = 5;
   scene.base.inclination = 0.1;
@@ -205,7 +206,7 @@ TEST(RunControl, goesOnAfterABadReset)
 {
   Controlled run;
   run.control.step(0.25, STRIDE, keepGoing);
-  const Outcome outcome = run.control.reset(0, {"base.asymmetry=3"});
+  const Outcome outcome = run.control.reset(0, {"base.asymmetry=3"}, false);
   EXPECT_FALSE(outcome.success);
   EXPECT_NE(outcome.message.find("base.asymmetry"), std::string::npos) << outcome.message;
   EXPECT_EQ(run.control.run().time(), 0.25);
@@ -231,6 +232,51 @@ TEST(RunControl, poursTheDisksAnewWhileTimeAndBaseGoOn)
   EXPECT_EQ(run.control.run().time(), smallMixture().duration);
 }
 
+TEST(RunControl, beginsAnewWhileTimeGoesOn)
+{
+  Controlled run;
+  run.control.command(run.inclination(), 0.2);
+  run.control.step(0.75, STRIDE, keepGoing);
+  EXPECT_TRUE(run.control.reset(0, {"base.inclination=0.1"}, true).success);
+  EXPECT_EQ(run.control.run().time(), 0.75);
+  EXPECT_EQ(run.seen.scenes.back().start_time, 0.75);
+  EXPECT_EQ(run.seen.bases.back().base.inclination, 0.1);
+  EXPECT_EQ(run.seen.bases.back().base.commanded_inclination, 0.1);
+  run.control.step(100.0, 10.0, keepGoing);
+  EXPECT_EQ(run.control.run().time(), 0.75 + smallMixture().duration);
+}
+
+TEST(RunControl, stepsInLockWithItsSetpoints)
+{
+  Controlled run;
+  EXPECT_TRUE(
+      run.control.lockStep({{"inclination", 0.1}, {"frequency", 30.0}}, 0.25, STRIDE, keepGoing).success);
+  run.control.lockStep({{"inclination", 0.0}}, 0.25, STRIDE, keepGoing);
+  Simulation simulation(smallMixture());
+  simulation.setSlewRates(run.parameters.slew_rates);
+  simulation.commandInclination(0.1);
+  simulation.commandFrequency(30.0);
+  simulation.advanceTo(0.25);
+  simulation.commandInclination(0.0);
+  simulation.advanceTo(0.5);
+  EXPECT_TRUE(sameBits(run.seen.particles.back().disks, simulation.disks()));
+}
+
+TEST(RunControl, takesAllSetpointsOfALockStepOrNone)
+{
+  Controlled run;
+  const auto refusal = [&](const std::string& name, double value) {
+    return run.control.lockStep({{"frequency", 30.0}, {name, value}}, 0.25, STRIDE, keepGoing).message;
+  };
+  EXPECT_EQ(refusal("inclination", 0.6),
+            "inclination_setpoint 0.6 rad refused: must be from -0.5 to 0.5 rad");
+  EXPECT_EQ(refusal("angle", 0.1), "setpoint angle: must be inclination, frequency or amplitude");
+  EXPECT_EQ(run.control.run().time(), 0.0);
+  EXPECT_EQ(run.control.run().base().base.commanded_frequency, smallMixture().base.frequency);
+  run.control.unpause();
+  EXPECT_EQ(refusal("inclination", 0.1), "the simulation is not paused: pause it first");
+}
+
 TEST(RunControl, poursMoreOn)
 {
   Controlled run;
@@ -245,7 +291,7 @@ TEST(RunControl, recordsEachRunIntoABagOfItsOwn)
   const ScratchDirectory scratch;
   Controlled run(scratch / "run.bag");
   run.control.step(0.5, STRIDE, keepGoing);
-  run.control.reset(2, {});
+  run.control.reset(2, {}, false);
   run.control.step(0.25, STRIDE, keepGoing);
   run.control.end();
 

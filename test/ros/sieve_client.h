@@ -102,11 +102,13 @@ public:
     ASSERT_TRUE(statistics.waitForTime(stepped.time));
   }
 
-  ResetSimulation::Response reset(std::uint64_t seed = 0, const std::vector<std::string>& overrides = {})
+  ResetSimulation::Response reset(std::uint64_t seed = 0, const std::vector<std::string>& overrides = {},
+                                  bool keep_time = false)
   {
     ResetSimulation service;
     service.request.seed = seed;
     service.request.overrides = overrides;
+    service.request.keep_time = keep_time;
     EXPECT_TRUE(ros::service::call(node.resolveName("reset"), service));
     return service.response;
   }

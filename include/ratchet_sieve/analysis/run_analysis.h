@@ -63,6 +63,7 @@ public:
   void take(const BinFrame& frame) override;
   void take(const BaseFrame& frame) override;
   void take(const StatisticsFrame& frame) override;
+  void take(const CommandFrame&) override {}
 
   /// @throws AnalysisError if no scene was taken
   RunResult result() const;

@@ -20,6 +20,6 @@ Audit audit(const Machine& machine, double time);
 
 /// @throws std::invalid_argument if a disk overlaps another or the base, or lies outside the
 /// machine; names the entries of `initial`
-void refuseBadStart(const Machine& machine);
+void refuseBadStart(const Machine& machine, double time);
 
 }  // namespace ratchet_sieve

@@ -66,6 +66,9 @@ public:
   /// Makes `length` the new time zero; length is a power of two so that the phase stays exact.
   void rebase(double length);
 
+  /// The motion begins at `time`, not at 0. @pre nothing was commanded
+  void startAt(double time) { segment_start_ = time; }
+
   void commandInclination(double target, double time);
   void commandFrequency(double target, double time);
   void commandAmplitude(double target, double time);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/disk_numbers.h"
 #include "ratchet_sieve/core/simulation.h"
 
 namespace ratchet_sieve
@@ -24,10 +25,15 @@ class CollapseWatch
 {
 public:
   /// @param time_scale of the machine [s]; @param speed_scale of a fall over a tooth [m/s]
-  CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale);
+  /// @param numbers by which disks are named; outlives this
+  CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale,
+                const DiskNumbers& numbers);
 
   void reserve(std::size_t count) { disks_.reserve(count); }
   void added() { disks_.emplace_back(); }
+
+  /// The disks at these places stand one behind the other from now on, the others are gone.
+  void keep(const std::vector<std::uint32_t>& places);
 
   /// Counts an event of a disk. @return whether it is one too many; from then on the disk is loosened
   bool count(std::uint32_t id, double time)
@@ -109,6 +115,7 @@ private:
   void collapse(std::uint32_t id, double time);
 
   ContactDefinition contact_;
+  const DiskNumbers& numbers_;
   std::uint32_t limit_;
   double time_scale_;
   double speed_scale_;

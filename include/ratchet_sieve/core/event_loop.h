@@ -43,6 +43,9 @@ public:
   /// Events processed so far, collisions and all that serves to find them.
   std::uint64_t events() const { return events_; }
 
+  /// Goes on counting where another loop ended.
+  void setEvents(std::uint64_t events) { events_ = events; }
+
 protected:
   /// @throws StateError if what was restored is of another number of disks than the machine's
   static void requireDisks(std::size_t count, const Machine& machine);

@@ -9,6 +9,7 @@
 #include "ratchet_sieve/core/collision_law.h"
 #include "ratchet_sieve/core/contact_search.h"
 #include "ratchet_sieve/core/disk.h"
+#include "ratchet_sieve/core/disk_numbers.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/sawtooth.h"
 #include "ratchet_sieve/core/simulation.h"
@@ -57,6 +58,11 @@ public:
   const BaseMotion& motion() const { return motion_; }
   BaseMotion& motion() { return motion_; }
   const ContactSearch& search() const { return search_; }
+  /// Time counts from `start` [s], not from 0. @pre nothing has happened yet
+  /// @return the start, local to the epoch: epochs stand where they would, had it all begun at 0, so that
+  /// times since their start are exact
+  double startAt(double start);
+
   const Epoch& epoch() const { return epoch_; }
 
   /// See ratchet_sieve::timeScale().
@@ -83,7 +89,16 @@ public:
   /// Makes room for so many disks: nothing but memory.
   void reserve(std::size_t count);
 
-  /// Puts a disk in; its id is the number of disks before.
+  /// Whether most places are those of disks that have left, and worth giving up.
+  bool mostlyLeft() const;
+
+  /// Gives up the places of disks that have left: those of the others, their ids, move up.
+  void giveUpPlaces();
+
+  /// By what a disk is known outside, wherever it stands.
+  std::uint32_t number(std::uint32_t id) const { return numbers_.of(id); }
+
+  /// Puts a disk in; its id is the place behind all others.
   std::uint32_t add(const Disk& disk);
 
   /// A disk meets the base, or passes its end and leaves. A contact that opens is left alone.
@@ -175,6 +190,7 @@ private:
   std::vector<std::uint8_t> active_;
   std::vector<double> last_contacts_;  ///< per disk, only where the plan has contact times
   std::size_t active_count_ = 0;
+  DiskNumbers numbers_;
   CollapseWatch collapse_watch_;
   std::vector<SpeciesBins> bins_;
   Tally tally_;

@@ -15,6 +15,6 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
 
 /// Puts the disks of the scene's `initial` into a machine that is empty yet.
 /// @throws std::invalid_argument if they overlap each other or the base, or lie outside; names them
-void placeInitialDisks(Machine& machine);
+void placeInitialDisks(Machine& machine, double time);
 
 }  // namespace ratchet_sieve

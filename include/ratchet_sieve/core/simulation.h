@@ -104,7 +104,8 @@ public:
 
   /// Pours the scene. @throws std::invalid_argument if disks of `initial` overlap each other or
   /// the base, or lie outside the machine; the message names them.
-  explicit Simulation(const SceneDefinition& scene);
+  /// @param start_time from which time counts [s]; the scene's phase is that of the drive then
+  explicit Simulation(const SceneDefinition& scene, double start_time = 0.0);
 
   /// The same with more worked out than the scene needs, to see what that costs.
   /// @throws std::invalid_argument also if the plan does not cover the scene
@@ -123,6 +124,8 @@ public:
 
   /// What of the model the run works out from its start on.
   const Plan& plan() const;
+
+  double startTime() const;
 
   /// Simulated time [s], as last asked for.
   double time() const;

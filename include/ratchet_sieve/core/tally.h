@@ -7,6 +7,7 @@
 
 #include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/disk.h"
+#include "ratchet_sieve/core/disk_numbers.h"
 #include "ratchet_sieve/core/simulation.h"
 
 namespace ratchet_sieve
@@ -25,6 +26,10 @@ public:
 
   void entered(const Disk& disk, double time);
   void left(std::uint32_t id, double time) { passages_[id].left_when = time; }
+
+  /// Sums up the passages of the disks that are not at these places, and forgets them.
+  void keep(const std::vector<std::uint32_t>& places, const std::vector<Disk>& disks,
+            const std::vector<std::uint8_t>& active);
 
   /// Makes room for so many disks.
   void reserve(std::size_t count) { passages_.reserve(count); }
@@ -86,7 +91,10 @@ public:
   std::vector<SpeciesMeans> means(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active,
                                   double time, double local_time) const;
 
-  void archive(StateArchive& state) { state(passages_, at_piece_end_, blocks_); }
+  void archive(StateArchive& state)
+  {
+    state(passages_, gone_, gone_impulse_x_, gone_impulse_y_, at_piece_end_, blocks_);
+  }
 
 private:
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
@@ -132,6 +140,8 @@ private:
     SpeciesMeans means(const SpeciesDefinition& species) const;
   };
 
+  /// Adds the passage of a disk that has left, where it counts.
+  static void addLeft(const Disk& disk, const Passage& passage, std::vector<Sums>& sums);
   void integrate(Passage& passage, const Disk& disk, double local_time) const;
   std::vector<Sums> sums(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
                          double local_time) const;
@@ -139,7 +149,10 @@ private:
   std::vector<SpeciesDefinition> species_;
   double gravity_;
   bool spin_;
-  std::vector<Passage> passages_;      ///< per disk
+  std::vector<Passage> passages_;  ///< per disk
+  std::vector<Sums> gone_;         ///< per species, of passages that were forgotten
+  double gone_impulse_x_ = 0.0;
+  double gone_impulse_y_ = 0.0;
   std::vector<Sums> at_piece_end_;     ///< per species, when the last piece ended
   std::vector<BlockAverages> blocks_;  ///< per species
 };

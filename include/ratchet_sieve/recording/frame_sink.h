@@ -19,6 +19,7 @@ public:
   virtual void take(const BinFrame& frame) = 0;
   virtual void take(const BaseFrame& frame) = 0;
   virtual void take(const StatisticsFrame& frame) = 0;
+  virtual void take(const CommandFrame& frame) = 0;
 };
 
 }  // namespace ratchet_sieve

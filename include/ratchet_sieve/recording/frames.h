@@ -26,9 +26,10 @@ enum class FrameKind
 /// The scene as it runs.
 struct SceneFrame
 {
-  double time = 0.0;       ///< simulated [s]
-  std::string yaml;        ///< resolved: every key, defaults filled in
-  std::string scene_hash;  ///< of what decides the motion
+  double time = 0.0;        ///< simulated [s]
+  double start_time = 0.0;  ///< when its disks were poured [s]
+  std::string yaml;         ///< resolved: every key, defaults filled in
+  std::string scene_hash;   ///< of what decides the motion
   std::uint64_t seed = 0;
   std::string version;
 };
@@ -70,6 +71,29 @@ struct StatisticsFrame
   double collision_rate = 0.0;  ///< since the last frame [1/s of simulated time]
   double real_time_factor = 0.0;  ///< achieved since the last frame; 0 before the second frame
   double max_overlap = 0.0;       ///< [m]
+};
+
+/// What a run can be told.
+enum class CommandKind : std::uint8_t
+{
+  INCLINATION,
+  FREQUENCY,
+  AMPLITUDE,
+  SLEW_RATES,
+  POUR,
+  PAUSE,
+  UNPAUSE
+};
+
+/// What a run was told, at the time from which on it holds. With the scene and its seed, all that decides
+/// the run.
+struct CommandFrame
+{
+  double time = 0.0;
+  CommandKind kind = CommandKind::PAUSE;
+  std::vector<double> values;  ///< the setpoint [rad, Hz, m]; of SLEW_RATES the three rates [unit/s]
+  std::uint32_t species = 0;   ///< of POUR
+  std::uint32_t count = 0;     ///< of POUR
 };
 
 /// Granular temperature of each species: half its mass times the variance of its disks' velocities

@@ -10,9 +10,9 @@
 namespace ratchet_sieve
 {
 
-/// Records a run into a bag (lz4), on the topics on which the node publishes it. Needs no ROS
-/// master. Bag time is the header's stamp; at time 0, which no bag holds, the earliest there is.
-/// The file appears under its name when the bag is closed; until then it is FILE.active.
+/// Records a run into a bag (lz4), on the topics on which the node publishes it, the scene latched. Needs no
+/// ROS master. Bag time is the header's stamp; at time 0, which no bag holds, the earliest there is. The file
+/// appears under its name when the bag is closed; until then it is FILE.active.
 class BagWriter : public FrameSink
 {
 public:
@@ -29,9 +29,8 @@ public:
   void take(const BaseFrame& frame) override;
   void take(const StatisticsFrame& frame) override;
 
-  /// Records a command as it was taken. @param topic such as inclination_setpoint
-  /// @param time simulated, at which it was applied [s]
-  void takeSetpoint(const std::string& topic, double value, double time);
+  /// A setpoint stands in the bag as it came, too, for whoever plays the bag to a sieve.
+  void take(const CommandFrame& frame) override;
 
   /// Writes the index and gives the file its name. What is taken afterwards is an error.
   /// @throws BagError
@@ -41,7 +40,8 @@ public:
 
 private:
   template <typename Message>
-  void write(const char* topic, double time, const Message& message);
+  void write(const char* topic, double time, const Message& message,
+             const boost::shared_ptr<ros::M_string>& connection_header = {});
 
   std::string path_;
   std::string active_path_;

@@ -9,6 +9,7 @@
 #include <std_msgs/Float64.h>
 #include <std_srvs/Empty.h>
 
+#include "ratchet_sieve/LockStep.h"
 #include "ratchet_sieve/PourDisks.h"
 #include "ratchet_sieve/ResetSimulation.h"
 #include "ratchet_sieve/StepSimulation.h"
@@ -49,21 +50,22 @@ private:
   };
 
   void takeSetpoint(const Setpoint& setpoint, const std_msgs::Float64& message);
-  void command(SetpointKind kind, double value);
+  void command(CommandKind kind, double value);
   void commandAll();
   bool pause(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
   bool unpause(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
   bool resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
   bool reset(ResetSimulation::Request& request, ResetSimulation::Response& response);
   bool step(StepSimulation::Request& request, StepSimulation::Response& response);
+  bool lockStep(LockStep::Request& request, LockStep::Response& response);
   bool pour(PourDisks::Request& request, PourDisks::Response& response);
 
   RunControl& control_;
   Diagnostics& diagnostics_;
   Stepping stepping_;
   std::function<void()> time_changed_;
-  std::array<Setpoint, 3> setpoints_;  ///< per SetpointKind
-  std::array<SetpointLog, 3> logs_;    ///< per SetpointKind
+  std::array<Setpoint, 3> setpoints_;  ///< of inclination, frequency, amplitude
+  std::array<SetpointLog, 3> logs_;    ///< of inclination, frequency, amplitude
   SetpointInbox inbox_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;

@@ -4,6 +4,7 @@
 
 #include "ratchet_sieve/BaseState.h"
 #include "ratchet_sieve/BinCounts.h"
+#include "ratchet_sieve/Command.h"
 #include "ratchet_sieve/ParticleStates.h"
 #include "ratchet_sieve/SceneDescription.h"
 #include "ratchet_sieve/SieveStatistics.h"
@@ -25,12 +26,14 @@ ParticleStates toMessage(const ParticleFrame& frame);
 BinCounts toMessage(const BinFrame& frame);
 BaseState toMessage(const BaseFrame& frame);
 SieveStatistics toMessage(const StatisticsFrame& frame);
+Command toMessage(const CommandFrame& frame);
 
-/// @throws std::invalid_argument where arrays of one message differ in length
+/// @throws std::invalid_argument where arrays of one message differ in length, or a kind is none
 SceneFrame toFrame(const SceneDescription& message);
 ParticleFrame toFrame(const ParticleStates& message);
 BinFrame toFrame(const BinCounts& message);
 BaseFrame toFrame(const BaseState& message);
 StatisticsFrame toFrame(const SieveStatistics& message);
+CommandFrame toFrame(const Command& message);
 
 }  // namespace ratchet_sieve

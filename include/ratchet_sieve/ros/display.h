@@ -1,41 +1,46 @@
 #pragma once
 
 #include <chrono>
+#include <set>
+#include <string>
+#include <utility>
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
-#include "ratchet_sieve/ros/live_run.h"
-#include "ratchet_sieve/ros/transform_publisher.h"
+#include "ratchet_sieve/ros/picture.h"
 
 namespace ratchet_sieve
 {
 
-/// Shows the run on ~markers and ~cloud, at a rate of wall time: what eyes can follow, however fast
-/// the run goes. Converts nothing for a topic that nobody subscribes to.
+/// Shows pictures of a run on ~markers and ~cloud, at a rate of wall time: what eyes can follow, however
+/// fast the run goes. Knows nothing of where the pictures come from.
 class Display
 {
 public:
   /// @param rate at most [1/s of wall time]; 0: nothing is shown
-  Display(ros::NodeHandle private_node, double rate, TransformPublisher& transforms);
+  Display(ros::NodeHandle private_node, double rate);
 
-  /// Shows the run as it stands, if it is time to. A run that stands still is shown once a second,
-  /// for those who come.
-  void show(const LiveRun& run);
+  /// Whether a picture of this time would be shown now; false where nobody watches, so that none need be
+  /// made. A run that stands still is shown once a second, for those who come. @param time simulated [s]
+  bool due(double time) const;
+
+  /// Shows it, and takes away what was drawn before and is no part of it. Converts nothing for a topic
+  /// that nobody subscribes to.
+  void show(const Picture& picture);
 
 private:
   using Clock = std::chrono::steady_clock;
+  using Names = std::set<std::pair<std::string, int>>;
 
-  bool due(double time) const;
-  void showMarkers(const LiveRun& run);
+  void showMarkers(const Picture& picture);
 
   double rate_;
-  TransformPublisher& transforms_;
   ros::Publisher markers_;
   ros::Publisher cloud_;
   Clock::time_point last_shown_;
-  double last_time_ = -1.0;  ///< published [s]
-  double last_elapsed_ = 0.0;
+  double last_time_ = -1.0;  ///< simulated [s]
+  Names last_names_;         ///< namespace and id of every marker that is drawn
 };
 
 }  // namespace ratchet_sieve

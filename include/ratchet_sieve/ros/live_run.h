@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/frame_sampler.h"
@@ -9,32 +10,32 @@
 namespace ratchet_sieve
 {
 
-/// A simulation that shows itself while it runs. Its published time goes on from `start_time` while
-/// its own, elapsed time begins at 0: so that disks can be poured anew without time leaping back.
+/// A simulation that shows itself while it runs. Times are simulated times.
 class LiveRun
 {
 public:
-  /// @param start_time published time at which the run begins [s]
-  /// @param end_time published time at which it ends [s]
-  LiveRun(const SceneDefinition& scene, const FrameRates& rates, const SlewRates& slew_rates,
+  /// @param opening commands that hold from its start on; their own times do not matter
+  /// @param start_time not 0 where disks are poured anew without time leaping back [s]
+  /// @param end_time [s]
+  LiveRun(const SceneDefinition& scene, const FrameRates& rates, std::vector<CommandFrame> opening,
           double start_time, double end_time);
 
-  double elapsed() const { return simulation_.time(); }
-  double time() const { return start_time_ + elapsed(); }
+  double time() const { return simulation_.time(); }
   double endTime() const { return end_time_; }
-  bool finished() const { return elapsed() >= end_time_ - start_time_ || stopped(); }
+  bool finished() const { return time() >= end_time_ || stopped(); }
 
   /// Why it goes no further: an inelastic collapse; nothing if it does.
   const std::optional<std::string>& stopReason() const { return stop_reason_; }
   bool stopped() const { return stop_reason_.has_value(); }
 
-  /// Elapsed time of the next frame, or of the end where that is earlier [s].
+  /// When the next frame is due, or the end where that is earlier [s].
   double nextTime() const;
 
-  /// Advances to an elapsed time, no further than nextTime(), and hands on the frames that are due.
-  void advanceTo(double elapsed, FrameSink& sink);
+  /// Advances no further than nextTime(), and hands on the frames that are due.
+  void advanceTo(double time, FrameSink& sink);
 
-  /// Hands on the frames that are due; at the beginning the scene and the first of each kind.
+  /// Hands on the frames that are due; at the beginning the scene, the first of each kind and the opening
+  /// commands.
   void takeDue(FrameSink& sink);
 
   /// Hands on one of each kind as things stand, where none was taken at this very time.
@@ -43,23 +44,23 @@ public:
   /// See FrameSampler.
   void setUnderWay(bool under_way) { sampler_.setUnderWay(under_way); }
 
-  Simulation& simulation() { return simulation_; }
+  /// Gives the run a command at its present time, and hands it on. @throws std::invalid_argument
+  void give(CommandFrame command, FrameSink& sink);
+
   const Simulation& simulation() const { return simulation_; }
 
   /// The present state, whether a frame is due or not.
-  ParticleFrame particles() const;
-  BinFrame bins() const;
-  BaseFrame base() const;
-  StatisticsFrame statistics() const;  ///< without rates, which need two frames
+  ParticleFrame particles() const { return makeParticleFrame(simulation_); }
+  BinFrame bins() const { return makeBinFrame(simulation_); }
+  BaseFrame base() const { return makeBaseFrame(simulation_); }
+  /// Without rates, which need two frames.
+  StatisticsFrame statistics() const { return makeStatisticsFrame(simulation_, nullptr, 0.0); }
 
 private:
-  template <typename Frame>
-  Frame published(Frame frame) const;
-
   Simulation simulation_;
   FrameSampler sampler_;
-  double start_time_;
   double end_time_;
+  std::vector<CommandFrame> opening_;  ///< that nobody was shown yet
   std::optional<std::string> stop_reason_;
 };
 

@@ -29,9 +29,9 @@ struct NodeParameters
   double clock_rate = 100.0;      ///< ~rates/clock [1/s of wall time]
 
   /// ~limits/inclination/min, max and so on for frequency and amplitude
-  std::array<Setpoint, 3> setpoints = {Setpoint{SetpointKind::INCLINATION, "inclination", "rad", {-0.5, 0.5}},
-                                       Setpoint{SetpointKind::FREQUENCY, "frequency", "Hz", {0.0, 100.0}},
-                                       Setpoint{SetpointKind::AMPLITUDE, "amplitude", "m", {0.0, 0.01}}};
+  std::array<Setpoint, 3> setpoints = {Setpoint{CommandKind::INCLINATION, "inclination", "rad", {-0.5, 0.5}},
+                                       Setpoint{CommandKind::FREQUENCY, "frequency", "Hz", {0.0, 100.0}},
+                                       Setpoint{CommandKind::AMPLITUDE, "amplitude", "m", {0.0, 0.01}}};
 
   SlewRates slew_rates;  ///< ~limits/inclination/slew_rate and so on [unit/s]
 };

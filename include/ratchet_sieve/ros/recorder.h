@@ -31,7 +31,7 @@ public:
   void take(const BinFrame& frame) override { pass(frame); }
   void take(const BaseFrame& frame) override { pass(frame); }
   void take(const StatisticsFrame& frame) override { pass(frame); }
-  void takeSetpoint(const std::string& topic, double value, double time);
+  void take(const CommandFrame& frame) override { pass(frame); }
 
 private:
   template <typename Frame>

@@ -2,7 +2,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ratchet_sieve/ros/fan_out.h"
@@ -47,14 +49,19 @@ public:
   void pause();
   void unpause();
 
-  /// Advances to an elapsed time, but no further than to the next frame or the end.
-  void advanceTo(double elapsed) { run_->advanceTo(elapsed, sinks_); }
+  /// Advances to a time, but no further than to the next frame or the end.
+  void advanceTo(double time) { run_->advanceTo(time, sinks_); }
 
   /// Advances by `duration` [s] or to the end, in strides between which `keep_going` is asked.
   Outcome step(double duration, double stride, const std::function<bool()>& keep_going);
 
-  /// Begins anew at time 0. @param seed 0: the scene's own
-  Outcome reset(std::uint64_t seed, const std::vector<std::string>& overrides);
+  /// Takes setpoints, all or none, and steps.
+  /// @param setpoints names and values
+  Outcome lockStep(const std::vector<std::pair<std::string, double>>& setpoints, double duration,
+                   double stride, const std::function<bool()>& keep_going);
+
+  /// Begins anew, at time 0 or at the present time. @param seed 0: the scene's own
+  Outcome reset(std::uint64_t seed, const std::vector<std::string>& overrides, bool keep_time);
 
   /// Pours the disks anew, over a base that goes on as it moves; time goes on.
   void resetWorld();
@@ -65,6 +72,9 @@ public:
   Outcome command(const Setpoint& setpoint, double value);
 
 private:
+  std::optional<std::string> whyNoStep(double duration) const;
+  Outcome advance(double duration, double stride, const std::function<bool()>& keep_going);
+  CommandFrame slewRates() const;
   Scene readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const;
   void begin(std::unique_ptr<LiveRun> run);
 

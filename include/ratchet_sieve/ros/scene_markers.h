@@ -2,27 +2,28 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/recording/frames.h"
+#include "ratchet_sieve/ros/picture.h"
 
-/// The machine as RViz draws it. All markers stand in the plane y = 0, so that a view along y shows
-/// true sizes and true contacts.
+/// The machine as RViz draws it. All markers stand in frame world, in its plane y = 0, so that a view
+/// along y shows true sizes and true contacts, and so that no transform is needed to draw them.
 namespace ratchet_sieve
 {
 
-/// The base: teeth and the beam that carries them, in frame sieve_base.
-visualization_msgs::MarkerArray baseMarkers(const SceneDefinition& scene, double time);
+/// All of the markers below.
+visualization_msgs::MarkerArray pictureMarkers(const Picture& picture);
 
-/// The disks, in frame world: one SPHERE_LIST a species, in true size.
+/// The base: teeth and the beam that carries them.
+visualization_msgs::MarkerArray baseMarkers(const SceneDefinition& scene, const BaseFrame& base);
+
+/// The disks: one SPHERE_LIST a species, in true size.
 visualization_msgs::MarkerArray diskMarkers(const SceneDefinition& scene, const ParticleFrame& frame);
 
-/// The bins of an open base, in frame world at rest: boxes that fill, with counts. Nothing for other
-/// boundaries.
+/// The bins of an open base, at rest: boxes that fill, with counts. Nothing for other boundaries.
 visualization_msgs::MarkerArray binMarkers(const SceneDefinition& scene, const BinFrame& frame,
-                                           const DriveState& base);
+                                           const BaseFrame& base);
 
-/// Time, theta, f, A, Q and P as text above the machine, in frame world.
-visualization_msgs::MarkerArray captionMarkers(const SceneDefinition& scene, const BinFrame& frame,
-                                               const DriveState& base);
+/// Time, theta, f and A (with their setpoints, while they are on the way), Q and P above the machine; each
+/// species' name, size and number below it, in its colour.
+visualization_msgs::MarkerArray captionMarkers(const Picture& picture);
 
 }  // namespace ratchet_sieve

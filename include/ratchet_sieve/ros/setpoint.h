@@ -3,16 +3,10 @@
 #include <optional>
 #include <string>
 
+#include "ratchet_sieve/recording/frames.h"
+
 namespace ratchet_sieve
 {
-
-/// What can be commanded of the base.
-enum class SetpointKind
-{
-  INCLINATION,
-  FREQUENCY,
-  AMPLITUDE
-};
 
 /// Where a setpoint may lie.
 struct SetpointLimits
@@ -24,7 +18,7 @@ struct SetpointLimits
 /// One quantity of the base that is commanded.
 struct Setpoint
 {
-  SetpointKind kind = SetpointKind::INCLINATION;
+  CommandKind kind = CommandKind::INCLINATION;
   std::string name;  ///< inclination, frequency or amplitude
   std::string unit;  ///< rad, Hz or m
   SetpointLimits limits;

@@ -18,20 +18,20 @@ class SetpointInbox
 public:
   using Clock = std::chrono::steady_clock;
 
-  void put(SetpointKind kind, double value) { newest_[index(kind)] = value; }
+  void put(CommandKind kind, double value) { newest_[index(kind)] = value; }
 
   /// Hands over what is there, if its time has come. @param wait false: at once, as nothing runs that could
   /// suffer
-  void deliver(bool wait, const std::function<void(SetpointKind, double)>& command,
+  void deliver(bool wait, const std::function<void(CommandKind, double)>& command,
                const std::function<Clock::time_point()>& wall_clock = Clock::now);
 
   /// Of all wall time, at most for commands.
   static constexpr double SHARE = 0.1;
 
 private:
-  static constexpr std::size_t index(SetpointKind kind) { return static_cast<std::size_t>(kind); }
+  static constexpr std::size_t index(CommandKind kind) { return static_cast<std::size_t>(kind); }
 
-  std::array<std::optional<double>, 3> newest_;  ///< per SetpointKind
+  std::array<std::optional<double>, 3> newest_;  ///< of inclination, frequency, amplitude
   Clock::time_point next_;                       ///< not before
 };
 

@@ -13,15 +13,17 @@
 namespace ratchet_sieve
 {
 
-/// Publishes frames on ~particles, ~bins, ~base, ~statistics and, latched, ~scene; the base on /tf
-/// as well, in time for every message of the disks. Converts nothing for a topic that nobody subscribes to. A
-/// subscriber that comes gets the present state at once, so that it need not wait while the run stands still.
+/// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~commands and, latched, ~scene; the base
+/// on /tf as well, in time for every message of the disks. Converts nothing for a topic that nobody
+/// subscribes to. A subscriber that comes gets the present state at once, so that it need not wait while the
+/// run stands still.
 class TopicPublisher : public FrameSink
 {
 public:
   /// @param current gives the run, also after a reset
+  /// @param clock is brought to the stamp of every message; outlives this, as transforms do
   TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
-                 TransformPublisher& transforms);
+                 ClockPublisher& clock, TransformPublisher& transforms);
 
   bool wants(FrameKind kind) const override;
   void take(const SceneFrame& frame) override;
@@ -29,18 +31,21 @@ public:
   void take(const BinFrame& frame) override;
   void take(const BaseFrame& frame) override;
   void take(const StatisticsFrame& frame) override;
+  void take(const CommandFrame& frame) override;
 
 private:
   template <typename Frame>
   void publish(const ros::Publisher& publisher, const Frame& frame);
 
   std::function<const LiveRun&()> current_;
+  ClockPublisher& clock_;
   TransformPublisher& transforms_;
   ros::Publisher scene_;
   ros::Publisher particles_;
   ros::Publisher bins_;
   ros::Publisher base_;
   ros::Publisher statistics_;
+  ros::Publisher commands_;
 };
 
 }  // namespace ratchet_sieve

@@ -1,16 +1,14 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 
-#include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <ros/single_subscriber_publisher.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/ros/clock_publisher.h"
-#include "ratchet_sieve/ros/live_run.h"
 
 namespace ratchet_sieve
 {
@@ -25,30 +23,27 @@ constexpr const char* BASE_FRAME_ID = "sieve_base";
 /// The transforms world -> sieve_mount -> sieve_base at one instant.
 tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame);
 
-/// Publishes them on /tf, for one stamp never twice: a tf2 listener would warn of the second, and drop it.
-/// Converts nothing where nobody listens. A subscriber that comes while the run stands still gets the present
-/// ones.
+/// Publishes them on /tf, none twice with one stamp, which tf2 ignores and warns of; converts nothing where
+/// nobody listens. A subscriber that comes while the run stands still gets the last ones.
 class TransformPublisher
 {
 public:
-  /// @param current gives the run, also after a reset
-  /// @param clock is brought to the stamp of whatever is published; outlives this
-  TransformPublisher(ros::NodeHandle node, const std::function<const LiveRun&()>& current,
-                     ClockPublisher& clock);
+  /// @param clock is brought to the stamp of what is published; outlives this. Nothing: another node is the
+  /// clock
+  explicit TransformPublisher(ros::NodeHandle node, ClockPublisher* clock = nullptr);
+  TransformPublisher(const TransformPublisher&) = delete;
+  TransformPublisher& operator=(const TransformPublisher&) = delete;
 
   void publish(const BaseFrame& frame);
 
-  /// Of what is shown beside them, too.
-  ClockPublisher& clock() { return clock_; }
-
 private:
-  void greet(const ros::SingleSubscriberPublisher& subscriber, const BaseFrame& present);
+  void greet(const ros::SingleSubscriberPublisher& subscriber);
 
-  ClockPublisher& clock_;
+  ClockPublisher* clock_;
+  std::optional<BaseFrame> last_;
+  int reached_ = 0;  ///< subscribers that got those of the last stamp, greeted yet or not
+  int greeted_ = 0;  ///< subscribers that are there, as far as their greeting has come up
   ros::Publisher publisher_;
-  std::optional<ros::Time> last_;  ///< stamp
-  int reached_ = 0;                ///< subscribers that got those of this stamp, greeted yet or not
-  int greeted_ = 0;                ///< subscribers that are there, as far as their greeting has come up
 };
 
 }  // namespace ratchet_sieve

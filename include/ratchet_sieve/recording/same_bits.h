@@ -81,10 +81,16 @@ inline bool sameBits(const StatisticsFrame& a, const StatisticsFrame& b)
          sameBits(a.real_time_factor, b.real_time_factor) && sameBits(a.max_overlap, b.max_overlap);
 }
 
+inline bool sameBits(const CommandFrame& a, const CommandFrame& b)
+{
+  return sameBits(a.time, b.time) && a.kind == b.kind && sameBits(a.values, b.values) &&
+         a.species == b.species && a.count == b.count;
+}
+
 inline bool sameBits(const SceneFrame& a, const SceneFrame& b)
 {
-  return sameBits(a.time, b.time) && a.yaml == b.yaml && a.scene_hash == b.scene_hash && a.seed == b.seed &&
-         a.version == b.version;
+  return sameBits(a.time, b.time) && sameBits(a.start_time, b.start_time) && a.yaml == b.yaml &&
+         a.scene_hash == b.scene_hash && a.seed == b.seed && a.version == b.version;
 }
 
 }  // namespace ratchet_sieve

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include <ros/node_handle.h>
+
+#include "ratchet_sieve/ros/display.h"
+#include "ratchet_sieve/ros/seen_run.h"
+#include "ratchet_sieve/ros/transform_publisher.h"
+
+namespace ratchet_sieve
+{
+
+/// Shows a sieve from its topics alone, as the sieve's own node does: ~markers, ~cloud and /tf. The sieve may
+/// be one that was recorded, played by `rosbag play`.
+class DisplayNode
+{
+public:
+  /// Reads ~sieve, the name of the sieve's node (/sieve by default; empty: the one that there is, or that
+  /// comes), and ~rates/display [1/s of wall time]. @throws ParameterError
+  explicit DisplayNode(ros::NodeHandle private_node);
+
+private:
+  DisplayNode(ros::NodeHandle private_node, const std::string& sieve, double rate);
+
+  void search();
+  void subscribe(const std::string& sieve);
+  template <typename Message>
+  void subscribe(const std::string& topic);
+  template <typename Frame>
+  void see(const Frame& frame);
+  void show();
+
+  ros::NodeHandle node_;
+  Display display_;
+  TransformPublisher transforms_;
+  SeenRun seen_;
+  std::vector<ros::Subscriber> subscribers_;
+  ros::WallTimer search_timer_;
+  ros::WallTimer show_timer_;
+};
+
+}  // namespace ratchet_sieve

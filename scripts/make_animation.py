@@ -1,0 +1,148 @@
+#!/usr/bin/python3
+"""Films RViz on a screen in memory while a sieve tilts and its two kinds of disks part: the pictures of the README.
+
+Usage: make_animation.py SCENE OUT [--teeth N] [--duration S] [--rate HZ] [--still S] [--width PIXELS]
+
+Writes OUT.gif, and OUT.png, the whole window at --still. The sieve is stepped from frame to frame, so that the same
+scene gives the same film on a slow machine. Run it where `rosrun ratchet_sieve` works.
+"""
+
+import argparse
+import contextlib
+import os
+import socket
+import subprocess
+import tempfile
+from pathlib import Path
+
+import numpy
+import rosgraph
+import rospy
+import yaml
+from std_msgs.msg import Float64
+
+from ratchet_sieve.srv import StepSimulation
+from virtual_screen import VirtualScreen, wait_for
+
+# What is commanded at the beginning [rad], and how fast the base follows [rad/s].
+INCLINATION = 0.19
+SLEW_RATE = 0.5
+
+# The part of RViz's window, of 1280 by 800 pixels, that shows the scene: rows, columns.
+VIEW = (slice(62, 700), slice(16, 1264))
+
+# The fewest colours that leave text and disks smooth.
+COLOURS = 48
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument('scene', type=Path)
+    parser.add_argument('out', type=Path)
+    parser.add_argument('--teeth', type=int, help="of the base, instead of the scene's")
+    parser.add_argument('--duration', type=float, default=8.0, help='simulated [s]')
+    parser.add_argument('--rate', type=float, default=12.5, help='frames per simulated second')
+    parser.add_argument('--still', type=float, default=4.0, help='when OUT.png is taken [s]')
+    parser.add_argument('--width', type=int, default=760, help='of OUT.gif [pixels]')
+    return parser.parse_args()
+
+
+def free_port():
+    with socket.socket() as listener:
+        listener.bind(('localhost', 0))
+        return listener.getsockname()[1]
+
+
+@contextlib.contextmanager
+def paused_sieve(screen, scene):
+    """A sieve at its beginning, in RViz on the screen, with a master of its own. @param scene: a file"""
+    screen.environment['ROS_MASTER_URI'] = os.environ['ROS_MASTER_URI'] = uri = f'http://localhost:{free_port()}'
+    screen.environment['ROS_HOSTNAME'] = os.environ['ROS_HOSTNAME'] = 'localhost'
+    core = screen.start(['roscore', '-p', uri.rpartition(':')[2]], stdout=subprocess.DEVNULL)
+    master = rosgraph.Master('/film')
+    wait_for(master.is_online, 'roscore answers')
+    master.setParam('/sieve/limits/inclination/slew_rate', SLEW_RATE)
+    launch = screen.start(['roslaunch', 'ratchet_sieve', 'sieve.launch', f'scene:={scene.resolve()}',
+                           'paused:=true', 'rviz:=true', 'exit_at_end:=false'], stdout=subprocess.DEVNULL)
+    rospy.init_node('film', disable_signals=True)
+    try:
+        yield
+    finally:
+        rospy.signal_shutdown('done')
+        screen.end(launch)
+        screen.end(core)
+
+
+class Film:
+    """The pictures of RViz, one after the other."""
+
+    def __init__(self, screen):
+        self.screen = screen
+        self.last = None
+
+    def next(self):
+        """The next picture, once it is another than the last one and stays as it is."""
+        grabbed = [None, self.screen.pixels()]
+
+        def still():
+            grabbed[:] = grabbed[1], self.screen.pixels()
+            before, now = (pixels[VIEW] for pixels in grabbed)
+            return numpy.array_equal(before, now) and (
+                self.last is None or not numpy.array_equal(now, self.last[VIEW]))
+        wait_for(still, 'RViz shows the next picture')
+        self.last = grabbed[1]
+        return self.last
+
+
+def shows_disks(screen):
+    """Whether there is something coloured in the middle of the window."""
+    middle = screen.pixels()[300:500].astype(int)
+    return (middle.max(axis=2) - middle.min(axis=2) > 60).sum() > 500
+
+
+def write(pixels, path):
+    height, width, _ = pixels.shape
+    subprocess.run(['convert', '-size', f'{width}x{height}', '-depth', '8', 'rgb:-', str(path)],
+                   input=pixels.tobytes(), check=True)
+
+
+def chosen_scene(options, directory):
+    """The scene, changed where the options say so, as a file."""
+    scene = yaml.safe_load(options.scene.read_text())
+    if options.teeth:
+        scene['base']['teeth'] = options.teeth
+    path = directory / 'scene.yaml'
+    path.write_text(yaml.safe_dump(scene))
+    return path
+
+
+def take(options, frames):
+    """Steps through the run; writes the still, and every frame into a directory."""
+    with VirtualScreen() as screen, paused_sieve(screen, chosen_scene(options, frames)):
+        setpoint = rospy.Publisher('/sieve/inclination_setpoint', Float64, queue_size=1, latch=True)
+        step = rospy.ServiceProxy('/sieve/step', StepSimulation)
+        step.wait_for_service()
+        wait_for(lambda: setpoint.get_num_connections() > 0, 'the sieve takes setpoints')
+        wait_for(lambda: shows_disks(screen), 'RViz shows the disks')
+        setpoint.publish(INCLINATION)
+        film = Film(screen)
+        for k in range(round(options.duration * options.rate)):
+            write(film.next()[VIEW], frames / f'{k:05}.png')
+            if k == round(options.still * options.rate):
+                write(film.last, options.out.with_suffix('.png'))
+            step(1.0 / options.rate)
+
+
+def main():
+    options = arguments()
+    with tempfile.TemporaryDirectory() as scratch:
+        frames = Path(scratch)
+        take(options, frames)
+        subprocess.run(['convert', '-delay', str(round(100.0 / options.rate)), '-loop', '0',
+                        *map(str, sorted(frames.glob('*.png'))), '-resize', f'{options.width}x', '+dither',
+                        '-colors', str(COLOURS), '-layers', 'optimize', str(options.out.with_suffix('.gif'))],
+                       check=True)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,76 @@
+"""A screen in memory, for programs that draw where there is none, and pictures of it.
+
+Needs xvfb and imagemagick: the group `screen` of packages.txt.
+"""
+
+import os
+import signal
+import subprocess
+import time
+
+import numpy
+
+PATIENCE = 60.0  # for what a slow machine may take long to do [s]
+
+
+def wait_for(condition, what):
+    """Waits until the condition holds."""
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        if time.monotonic() > deadline:
+            raise RuntimeError(f'{what}: not within {PATIENCE:g} s')
+        time.sleep(0.05)
+
+
+class VirtualScreen:
+    """An X server that shows what is drawn on it to nobody. Ends with its `with` block, with all that was
+    started on it."""
+
+    def __init__(self, width=1280, height=800):
+        self.width, self.height = width, height
+        self._programs = []
+
+    def __enter__(self):
+        read_end, write_end = os.pipe()
+        self._server = subprocess.Popen(
+            ['Xvfb', '-displayfd', str(write_end), '-screen', '0', f'{self.width}x{self.height}x24',
+             '-nolisten', 'tcp'],
+            pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write_end)
+        with os.fdopen(read_end) as pipe:
+            number = pipe.readline().strip()
+        if not number:
+            raise RuntimeError('Xvfb does not start')
+        # Drawn without a graphics card, the same everywhere.
+        self.environment = dict(os.environ, DISPLAY=f':{number}', LIBGL_ALWAYS_SOFTWARE='1')
+        return self
+
+    def __exit__(self, *_):
+        for program in reversed(self._programs):
+            self.end(program)
+        self._server.terminate()
+        self._server.wait()
+
+    def start(self, command, **options):
+        """Starts a program on this screen, in a process group of its own."""
+        program = subprocess.Popen(command, env=self.environment, start_new_session=True, **options)
+        self._programs.append(program)
+        return program
+
+    def end(self, program):
+        """Interrupts a program and what it has started, and waits; kills what does not listen."""
+        for request in (signal.SIGINT, signal.SIGKILL):
+            if program.poll() is None:
+                os.killpg(program.pid, request)
+                try:
+                    program.wait(PATIENCE)
+                except subprocess.TimeoutExpired:
+                    continue
+        if program in self._programs:
+            self._programs.remove(program)
+
+    def pixels(self):
+        """What is on the screen: rows of pixels of red, green and blue, 0 to 255."""
+        raw = subprocess.run(['import', '-silent', '-window', 'root', '-depth', '8', 'rgb:-'],
+                             env=self.environment, check=True, stdout=subprocess.PIPE)
+        return numpy.frombuffer(raw.stdout, numpy.uint8).reshape(self.height, self.width, 3)

@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "marker_style.h"
+#include "ratchet_sieve/ros/scene_markers.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+using visualization_msgs::MarkerArray;
+
+/// In widths of the base.
+constexpr double CAPTION_HEIGHT = 0.345;  // above the base's left end, and
+constexpr double CAPTION_GAP = 0.23;      // at least, above its middle
+constexpr double LEGEND_DEPTH = 0.12;     // of its first line, below the lower of both
+
+constexpr double MM_PER_M = 1e3;
+constexpr double G_PER_KG = 1e3;
+
+/// "theta = +0.100 rad"; on its way to a setpoint "theta = +0.100 -> +0.190 rad".
+std::string quantityText(const char* name, const char* format, double applied, double commanded,
+                         const char* unit)
+{
+  const std::string now = fmt::format(format, applied);
+  const std::string then = fmt::format(format, commanded);
+  return fmt::format("{} = {}{}{} {}", name, now, now == then ? "" : " -> ", now == then ? "" : then, unit);
+}
+
+std::string orUndefined(const std::optional<double>& value)
+{
+  return value ? fmt::format("{:.3f}", *value) : "undefined";
+}
+
+std::vector<Line> captionLines(const Picture& picture)
+{
+  const DriveState& base = picture.base.base;
+  std::vector<Line> lines(1);
+  lines[0].words = fmt::format(
+      "t = {:.2f} s    {}    {}    {}", picture.base.time,
+      quantityText("theta", "{:+.3f}", base.inclination, base.commanded_inclination, "rad"),
+      quantityText("f", "{:.1f}", base.frequency, base.commanded_frequency, "Hz"),
+      quantityText("A", "{:.2f}", MM_PER_M * base.amplitude, MM_PER_M * base.commanded_amplitude, "mm"));
+  if (picture.scene.boundary == Boundary::OPEN && picture.bins)
+    lines.push_back({fmt::format("Q = {}    P = {}", orUndefined(picture.bins->quality),
+                                 orUndefined(picture.bins->processed))});
+  return lines;
+}
+
+std::vector<Line> legendLines(const Picture& picture)
+{
+  std::vector<Line> lines;
+  for (std::size_t k = 0; k < picture.scene.species.size(); ++k)
+  {
+    const SpeciesDefinition& species = picture.scene.species[k];
+    std::string words = fmt::format("{}: r = {:g} mm, m = {:g} g", species.name, MM_PER_M * species.radius,
+                                    G_PER_KG * species.mass);
+    if (picture.bins)
+      words += fmt::format(", {} on the base", picture.bins->bins[k].on_base);
+    lines.push_back({words, speciesColor(k)});
+  }
+  return lines;
+}
+
+}  // namespace
+
+MarkerArray captionMarkers(const Picture& picture)
+{
+  const BaseDefinition& base = picture.scene.base;
+  const double inclination = picture.base.base.inclination;
+  const double letter = LETTER * base.width();
+  const double x = 0.5 * base.width();
+  const double middle = 0.5 * base.width() * std::sin(inclination);
+  const double above = std::max(CAPTION_HEIGHT * base.width(), middle + CAPTION_GAP * base.width());
+  const double below = std::min(0.0, middle) - LEGEND_DEPTH * base.width();
+  MarkerArray markers;
+  addLines(picture.base.time, {"caption", 0, x, above}, letter, captionLines(picture), markers);
+  addLines(picture.base.time, {"legend", 0, x, below}, letter, legendLines(picture), markers);
+  return markers;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,101 @@
+#include "ratchet_sieve/ros/display_node.h"
+
+#include <stdexcept>
+#include <type_traits>
+
+#include <ros/console.h>
+
+#include "ratchet_sieve/ros/conversions.h"
+#include "ratchet_sieve/ros/parameter_reader.h"
+#include "ratchet_sieve/ros/sieve_search.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr std::uint32_t QUEUE_SIZE = 100;
+constexpr double SEARCH_PERIOD = 0.2;  // between looks for a sieve [s of wall time]
+constexpr double MAX_RATE = 1e3;       // [1/s]
+
+/// So often in the time of a picture is looked whether it is time for one: a timer that is a little early
+/// does not cost a picture.
+constexpr double LOOKS = 4.0;
+
+/// What a stamp of ROS can say: 32 bits of seconds [s].
+constexpr double LATEST_TIME = 4294967295.0;
+}  // namespace
+
+DisplayNode::DisplayNode(ros::NodeHandle private_node)
+    : DisplayNode(private_node, ParameterReader(private_node).text("sieve", "/sieve"),
+                  ParameterReader(private_node).number("rates/display", 30.0, 1.0, MAX_RATE))
+{
+}
+
+DisplayNode::DisplayNode(ros::NodeHandle private_node, const std::string& sieve, double rate)
+    : node_(private_node), display_(private_node, rate), transforms_(private_node)
+{
+  show_timer_ = node_.createWallTimer(ros::WallDuration(1.0 / (LOOKS * rate)),
+                                      [this](const ros::WallTimerEvent&) { show(); });
+  if (sieve.empty())
+    search_timer_ = node_.createWallTimer(ros::WallDuration(SEARCH_PERIOD),
+                                          [this](const ros::WallTimerEvent&) { search(); });
+  else
+    subscribe(sieve);
+}
+
+void DisplayNode::search()
+{
+  const auto sieve = findSieve();
+  if (!sieve)
+    return;
+  search_timer_.stop();
+  subscribe(*sieve);
+}
+
+void DisplayNode::subscribe(const std::string& sieve)
+{
+  ROS_INFO("shows %s", sieve.c_str());
+  subscribe<SceneDescription>(sieve + "/scene");
+  subscribe<BaseState>(sieve + "/base");
+  subscribe<BinCounts>(sieve + "/bins");
+  subscribe<ParticleStates>(sieve + "/particles");
+}
+
+template <typename Message>
+void DisplayNode::subscribe(const std::string& topic)
+{
+  const auto take = [this, topic](const typename Message::ConstPtr& message)
+  {
+    try
+    {
+      see(toFrame(*message));
+    }
+    catch (const std::invalid_argument& error)
+    {
+      ROS_WARN_THROTTLE(1.0, "%s: ignored: %s", topic.c_str(), error.what());
+    }
+  };
+  subscribers_.push_back(node_.subscribe<Message>(topic, QUEUE_SIZE, take));
+}
+
+template <typename Frame>
+void DisplayNode::see(const Frame& frame)
+{
+  if (!(frame.time >= 0.0 && frame.time <= LATEST_TIME))
+    throw std::invalid_argument("a time that is none");
+  seen_.take(frame);
+  if constexpr (std::is_same_v<Frame, BaseFrame>)
+    transforms_.publish(frame);
+  if constexpr (std::is_same_v<Frame, SceneFrame>)
+    if (seen_.sceneError())
+      ROS_ERROR("the scene cannot be shown: %s", seen_.sceneError()->c_str());
+}
+
+void DisplayNode::show()
+{
+  const auto time = seen_.time();
+  if (time && display_.due(*time))
+    display_.show(seen_.picture());
+}
+
+}  // namespace ratchet_sieve

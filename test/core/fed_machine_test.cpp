@@ -1,0 +1,129 @@
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// Short and open, and fed: thousands of disks come and go.
+SceneDefinition fedSieve(bool pairs)
+{
+  SceneDefinition scene = test::mixture(5);
+  scene.base.teeth = 3;
+  scene.base.inclination = 0.3;
+  scene.boundary = Boundary::OPEN;
+  scene.feed.rate = 400.0;
+  scene.settle = 1.0;
+  scene.contact.pair_collisions = pairs;
+  for (SpeciesDefinition& species : scene.species)
+    species.share = 1.0;
+  return scene;
+}
+
+constexpr double LONG = 25.0;  // s: long enough for places to be given up twice
+
+TEST(FedMachine, ForgetsTheDisksThatHaveLeft)
+{
+  for (const bool pairs : {true, false})
+  {
+    Simulation simulation(fedSieve(pairs));
+    simulation.advanceTo(LONG);
+    const std::size_t state = simulation.saveState().size();
+    const std::size_t poured = 10 + static_cast<std::size_t>(400.0 * LONG);
+    EXPECT_LT(state, poured * 100) << "all places are still there";
+    std::uint64_t counted = 0;
+    for (const SpeciesBins& bins : simulation.bins())
+      counted += bins.left + bins.right + bins.on_base;
+    EXPECT_EQ(counted, poured);
+    EXPECT_EQ(simulation.auditOverlaps(), 0u);
+    EXPECT_LT(simulation.maxOverlap(), 1e-9 * simulation.scene().species[0].radius);
+  }
+}
+
+TEST(FedMachine, NumbersEveryDiskThatEntersOnce)
+{
+  Simulation simulation(fedSieve(true));
+  std::map<std::uint32_t, DiskState> before;
+  std::uint32_t newest = 0;
+  for (double time = 0.0; time < LONG; time += 0.01)
+  {
+    simulation.advanceTo(time);
+    std::map<std::uint32_t, DiskState> now;
+    const std::vector<DiskState> disks = simulation.disks();
+    for (std::size_t k = 0; k < disks.size(); ++k)
+    {
+      const DiskState& disk = disks[k];
+      ASSERT_TRUE(k == 0 || disks[k - 1].id < disk.id);
+      const auto known = before.find(disk.id);
+      if (known == before.end())
+      {
+        ASSERT_TRUE(before.empty() || disk.id > newest) << "a number came back";
+      }
+      else
+      {
+        ASSERT_EQ(known->second.species, disk.species);
+        ASSERT_NEAR(disk.displacement - known->second.displacement, disk.x - known->second.x, 1e-9);
+        ASSERT_LT(std::abs(disk.x - known->second.x), 0.05);
+      }
+      now[disk.id] = disk;
+    }
+    if (!now.empty())
+      newest = std::max(newest, now.rbegin()->first);
+    before = std::move(now);
+  }
+  EXPECT_GT(newest, 5000u);
+}
+
+TEST(FedMachine, SumsUpWhatItForgets)
+{
+  // The means, taken from what was seen of every disk.
+  Simulation simulation(fedSieve(true));
+  simulation.advanceTo(1.0);
+  double displacement = 0.0;
+  double time_sum = 0.0;
+  std::map<std::uint32_t, DiskState> before;
+  const auto look = [&]
+  {
+    std::map<std::uint32_t, DiskState> now;
+    for (const DiskState& disk : simulation.disks())
+      if (disk.species == 0)
+        now[disk.id] = disk;
+    return now;
+  };
+  before = look();
+  constexpr double STEP = 1.0 / 1024.0;
+  for (double time = 1.0 + STEP; time <= LONG; time += STEP)
+  {
+    simulation.advanceTo(time);
+    const auto now = look();
+    for (const auto& [id, disk] : now)
+      if (const auto known = before.find(id); known != before.end())
+      {
+        displacement += disk.displacement - known->second.displacement;
+        time_sum += STEP;
+      }
+    before = now;
+  }
+  const double mean = simulation.means().at(0).mean_vx.value();
+  // Of each disk the last piece of a step, and a piece of the first, are not seen.
+  EXPECT_NEAR(mean, displacement / time_sum, 0.02 * std::abs(mean));
+}
+
+TEST(FedMachine, HasTheSameBitsInWhateverStridesAndWhereItIsTakenUp)
+{
+  const SceneDefinition scene = fedSieve(true);
+  Simulation whole(scene);
+  whole.advanceTo(LONG);
+  Simulation strides(scene);
+  for (double time = 0.0; time < 11.0; time += 0.37)
+    strides.advanceTo(time);
+  Simulation resumed(scene, strides.saveState());
+  resumed.advanceTo(LONG);
+  EXPECT_EQ(resumed.saveState(), whole.saveState());
+}
+}  // namespace
+}  // namespace ratchet_sieve

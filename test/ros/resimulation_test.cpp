@@ -1,0 +1,219 @@
+#include "ratchet_sieve/recording/resimulation.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "collecting_sink.h"
+#include "ratchet_sieve/ros/bag_reader.h"
+#include "ratchet_sieve/ros/run_control.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/scene/scene_file.h"
+#include "small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double STRIDE = 0.01;
+
+/// A recorded run that is told things at random.
+class RecordedRun
+{
+public:
+  explicit RecordedRun(const SceneDefinition& scene, const std::string& bag)
+      : recorder_(bag, "/sieve"), control(YAML::Load(canonicalYaml(scene)), "scene", parameters(), recorder_)
+  {
+    recorder_.open();
+    control.begin();
+  }
+
+  void step(double duration)
+  {
+    control.step(duration, STRIDE, [] { return true; });
+  }
+
+  /// Commands, pours, pauses and begins anew, a little time between all of them.
+  void drawOperation()
+  {
+    step(*rc::gen::inRange(1, 300) / 1237.0);
+    const double share = *rc::gen::inRange(0, 1000) / 999.0;
+    switch (*rc::gen::inRange(0, 7))
+    {
+      case 0:
+        return expect(control.command(setpoint(0), 0.3 * share));
+      case 1:
+        return expect(control.command(setpoint(1), 40.0 * share));
+      case 2:
+        return expect(control.command(setpoint(2), 0.003 * share));
+      case 3:
+        return expect(control.pour(share < 0.5 ? "A" : "B", 1 + static_cast<std::size_t>(3.0 * share)));
+      case 4:
+        control.unpause();
+        return control.pause();
+      case 5:
+        ++bags;
+        return control.resetWorld();
+      default:
+        ++bags;
+        return expect(control.reset(7, {"base.inclination=0.05"}, share < 0.5));
+    }
+  }
+
+  int bags = 1;
+
+private:
+  static NodeParameters parameters()
+  {
+    NodeParameters all;
+    all.start_paused = true;
+    all.slew_rates = {0.3, 20.0, 0.01};
+    return all;
+  }
+
+  static const Setpoint& setpoint(std::size_t k)
+  {
+    static const NodeParameters all;
+    return all.setpoints.at(k);
+  }
+
+  static void expect(const Outcome& outcome) { EXPECT_TRUE(outcome.success) << outcome.message; }
+
+  Recorder recorder_;
+
+public:
+  RunControl control;
+};
+
+void expectTheSame(const std::string& bag)
+{
+  Resimulation resimulation;
+  readBag(bag, resimulation);
+  resimulation.finish();
+  EXPECT_FALSE(resimulation.difference()) << bag << ": " << *resimulation.difference();
+  EXPECT_GT(resimulation.frames(), 0u);
+}
+
+SceneDefinition fedMixture()
+{
+  SceneDefinition scene = smallMixture();
+  scene.duration = 100.0;
+  scene.settle = 0.1;
+  scene.feed.rate = 20.0;
+  return scene;
+}
+
+RC_GTEST_PROP(Resimulation, givesEveryBagOfARunAgain, ())
+{
+  const ScratchDirectory scratch;
+  RecordedRun run(*rc::gen::arbitrary<bool>() ? fedMixture() : smallRing(), scratch / "run.bag");
+  const int operations = *rc::gen::inRange(1, 12);
+  for (int k = 0; k < operations; ++k)
+    run.drawOperation();
+  run.step(0.2);
+  run.control.end();
+  expectTheSame(scratch / "run.bag");
+  for (int bag = 2; bag <= run.bags; ++bag)
+    expectTheSame(scratch / ("run_" + std::to_string(bag) + ".bag"));
+}
+
+/// A short run, recorded as a list that can be tampered with.
+CollectingSink commandedRun()
+{
+  const ScratchDirectory scratch;
+  RecordedRun run(smallRing(), scratch / "run.bag");
+  run.step(0.3);
+  EXPECT_TRUE(run.control.command(NodeParameters().setpoints[0], 0.1).success);
+  run.step(0.3);
+  run.control.end();
+  CollectingSink recorded;
+  readBag(scratch / "run.bag", recorded);
+  return recorded;
+}
+
+/// What a run that was recorded so comes to.
+std::string differenceOf(const CollectingSink& recorded)
+{
+  Resimulation resimulation;
+  resimulation.take(recorded.scenes.at(0));
+  auto command = recorded.commands.begin();
+  for (const ParticleFrame& frame : recorded.particles)
+  {
+    while (command != recorded.commands.end() && command->time <= frame.time)
+      resimulation.take(*command++);
+    resimulation.take(frame);
+  }
+  resimulation.finish();
+  return resimulation.difference().value_or("");
+}
+
+TEST(Resimulation, findsNothingInWhatWasNotTouched)
+{
+  EXPECT_EQ(differenceOf(commandedRun()), "");
+}
+
+TEST(Resimulation, findsALastBitThatWasChanged)
+{
+  CollectingSink recorded = commandedRun();
+  ParticleFrame& frame = recorded.particles.at(20);
+  frame.disks.at(2).vy = std::nextafter(frame.disks.at(2).vy, 10.0);
+  const std::string difference = differenceOf(recorded);
+  EXPECT_EQ(difference.rfind("at 0.33333333333333331 s the disks differ: vy of disk 2 was ", 0), 0u)
+      << difference;
+}
+
+TEST(Resimulation, missesACommand)
+{
+  CollectingSink recorded = commandedRun();
+  ASSERT_EQ(recorded.commands.size(), 2u);  // the slew rates, and the setpoint
+  recorded.commands.pop_back();
+  const std::string difference = differenceOf(recorded);
+  EXPECT_NE(difference.find("the disks differ"), std::string::npos) << difference;
+}
+
+TEST(Resimulation, missesADisk)
+{
+  CollectingSink recorded = commandedRun();
+  recorded.particles.at(10).disks.pop_back();
+  const std::string difference = differenceOf(recorded);
+  EXPECT_NE(difference.find("3 disks were recorded, 4 are there"), std::string::npos) << difference;
+}
+
+TEST(Resimulation, isOfOneRun)
+{
+  CollectingSink recorded = commandedRun();
+  Resimulation resimulation;
+  resimulation.take(recorded.scenes.at(0));
+  resimulation.take(recorded.particles.at(0));
+  SceneFrame scene = recorded.scenes.at(0);
+  scene.time = 0.5;
+  EXPECT_NO_THROW(resimulation.take(scene));
+  scene.start_time = 0.5;
+  EXPECT_THROW(resimulation.take(scene), std::invalid_argument);
+}
+
+TEST(Resimulation, refusesCommandsThatMakeNoSense)
+{
+  const CollectingSink recorded = commandedRun();
+  const auto refuses = [&](CommandKind kind, std::vector<double> values, std::uint32_t species)
+  {
+    Resimulation resimulation;
+    resimulation.take(recorded.scenes.at(0));
+    resimulation.take(CommandFrame{0.0, kind, std::move(values), species, 1});
+    EXPECT_THROW(resimulation.finish(), std::invalid_argument);
+  };
+  refuses(CommandKind::INCLINATION, {}, 0);
+  refuses(CommandKind::INCLINATION, {1.6}, 0);
+  refuses(CommandKind::FREQUENCY, {-1.0}, 0);
+  refuses(CommandKind::AMPLITUDE, {std::nan("")}, 0);
+  refuses(CommandKind::SLEW_RATES, {0.1, 0.0, 0.1}, 0);
+  refuses(CommandKind::SLEW_RATES, {0.1, 0.1}, 0);
+  refuses(CommandKind::POUR, {}, 2);
+}
+
+TEST(Resimulation, needsAScene)
+{
+  Resimulation resimulation;
+  EXPECT_THROW(resimulation.take(BinFrame()), std::invalid_argument);
+}
+}  // namespace
+}  // namespace ratchet_sieve
