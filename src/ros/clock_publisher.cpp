@@ -10,8 +10,9 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A message of /clock is out and taken within a few ms, also on a machine that has much to do.
-constexpr std::chrono::milliseconds LEAP_IS_HEARD(100);
+/// A message of /clock goes through three threads until a tf2 listener knows: a few ms, and some tens for
+/// each thread where the machine has much more to do than it can.
+constexpr std::chrono::milliseconds LEAP_IS_HEARD(250);
 }  // namespace
 
 ClockPublisher::ClockPublisher(ros::NodeHandle node, double rate, bool enabled)
@@ -43,10 +44,14 @@ void ClockPublisher::reach(double time)
   const ros::Time stamp = stampOf(time);
   if (!enabled_ || stamp == shown_)
     return;
-  const bool leaps_back = shown_ && stamp < *shown_;
+  if (shown_ && stamp < *shown_)
+    leapt_ = std::chrono::steady_clock::now();
   publish(time);
-  if (leaps_back)
-    std::this_thread::sleep_for(LEAP_IS_HEARD);
+}
+
+void ClockPublisher::letLeapBeHeard() const
+{
+  std::this_thread::sleep_until(leapt_ + LEAP_IS_HEARD);
 }
 
 }  // namespace ratchet_sieve

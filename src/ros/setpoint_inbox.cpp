@@ -17,8 +17,7 @@ void SetpointInbox::deliver(bool wait, const std::function<void(CommandKind, dou
     return;
   const auto values = newest_;
   newest_ = {};
-  for (const CommandKind kind :
-       {CommandKind::INCLINATION, CommandKind::FREQUENCY, CommandKind::AMPLITUDE})
+  for (const CommandKind kind : {CommandKind::INCLINATION, CommandKind::FREQUENCY, CommandKind::AMPLITUDE})
     if (const auto& value = values[index(kind)])
       command(kind, *value);
   const auto end = wall_clock();

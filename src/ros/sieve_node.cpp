@@ -34,9 +34,9 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
       real_time_factor_(private_node, parameters_.real_time_factor),
       pacer_(parameters_.real_time_factor),
       clock_(node_, parameters_.clock_rate, parameters_.publish_clock),
-      transforms_(node_),
+      transforms_(node_, &clock_),
       topics_(
-          node_, [this]() -> const LiveRun& { return control_.run(); }, transforms_, clock_),
+          node_, [this]() -> const LiveRun& { return control_.run(); }, clock_, transforms_),
       display_(node_, parameters_.display_rate),
       diagnostics_(control_, {real_time_factor_, pacer_, speed_}, recorder_),
       commands_(node_, parameters_, control_, diagnostics_, stepping(),

@@ -31,10 +31,10 @@ void TopicPublisher::publish(const ros::Publisher& publisher, const Frame& frame
 }
 
 TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
-                               TransformPublisher& transforms, ClockPublisher& clock)
+                               ClockPublisher& clock, TransformPublisher& transforms)
     : current_(current),
-      transforms_(transforms),
       clock_(clock),
+      transforms_(transforms),
       scene_(private_node.advertise<SceneDescription>("scene", 1, true)),
       particles_(advertise(private_node, "particles", current, &LiveRun::particles)),
       bins_(advertise(private_node, "bins", current, &LiveRun::bins)),
@@ -69,7 +69,7 @@ void TopicPublisher::take(const SceneFrame& frame)
 void TopicPublisher::take(const ParticleFrame& frame)
 {
   if (particles_.getNumSubscribers() > 0)
-    showBase(current_().base());
+    transforms_.publish(current_().base());
   publish(particles_, frame);
 }
 
@@ -81,13 +81,6 @@ void TopicPublisher::take(const BinFrame& frame)
 void TopicPublisher::take(const BaseFrame& frame)
 {
   publish(base_, frame);
-  showBase(frame);
-}
-
-void TopicPublisher::showBase(const BaseFrame& frame)
-{
-  if (transforms_.heard())
-    clock_.reach(frame.time);
   transforms_.publish(frame);
 }
 

@@ -1,8 +1,7 @@
 #include "ratchet_sieve/ros/transform_publisher.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include <ros/single_subscriber_publisher.h>
 
 #include "ratchet_sieve/ros/conversions.h"
 
@@ -37,22 +36,40 @@ tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame)
   return message;
 }
 
-TransformPublisher::TransformPublisher(ros::NodeHandle node)
-    : publisher_(node.advertise<tf2_msgs::TFMessage>("/tf", QUEUE_SIZE,
-                                                     [this](const ros::SingleSubscriberPublisher& subscriber)
-                                                     {
-                                                       if (last_)
-                                                         subscriber.publish(baseTransforms(*last_));
-                                                     }))
+TransformPublisher::TransformPublisher(ros::NodeHandle node, ClockPublisher* clock)
+    : clock_(clock),
+      publisher_(node.advertise<tf2_msgs::TFMessage>(
+          "/tf", QUEUE_SIZE, [this](const ros::SingleSubscriberPublisher& subscriber) { greet(subscriber); },
+          [this](const ros::SingleSubscriberPublisher&)
+          {
+            --greeted_;
+            reached_ = std::max(reached_ - 1, 0);
+          }))
 {
+}
+
+void TransformPublisher::greet(const ros::SingleSubscriberPublisher& subscriber)
+{
+  ++greeted_;
+  if (last_ && greeted_ > reached_)
+    subscriber.publish(baseTransforms(*last_));
 }
 
 void TransformPublisher::publish(const BaseFrame& frame)
 {
   const bool repeated = last_ && stampOf(last_->time) == stampOf(frame.time);
   last_ = frame;
-  if (!repeated && publisher_.getNumSubscribers() > 0)
-    publisher_.publish(baseTransforms(frame));
+  if (repeated)
+    return;
+  reached_ = static_cast<int>(publisher_.getNumSubscribers());
+  if (reached_ == 0)
+    return;
+  if (clock_ != nullptr)
+  {
+    clock_->reach(frame.time);
+    clock_->letLeapBeHeard();
+  }
+  publisher_.publish(baseTransforms(frame));
 }
 
 }  // namespace ratchet_sieve

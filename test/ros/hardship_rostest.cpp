@@ -13,8 +13,8 @@
 #include "child_node.h"
 #include "collecting_sink.h"
 #include "deaf_subscriber.h"
-#include "ratchet_sieve/ros/bag_reader.h"
 #include "ratchet_sieve/recording/same_bits.h"
+#include "ratchet_sieve/ros/bag_reader.h"
 #include "sieve_client.h"
 #include "small_scenes.h"
 #include "statuses.h"
@@ -218,6 +218,8 @@ TEST_F(Hardship, aThousandSetpointsASecond)
   EXPECT_LE(setpoints.size(), static_cast<std::size_t>(COUNT));
   EXPECT_LE(recorded.bases.size(), setpoints.size() + recorded.particles.size() + 1);
   EXPECT_LT(std::filesystem::file_size(bag), recorded.particles.size() * 3000 + COUNT * 500);
+  ChildNode again("sieve_resimulate", {bag});
+  EXPECT_EQ(again.wait(), 0) << again.errors();
   // A line a second, and some from its start.
   EXPECT_LT(log.lines.size(), 20 + 2 * static_cast<std::size_t>(ended));
 }

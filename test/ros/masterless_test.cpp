@@ -3,9 +3,9 @@
 #include "child_node.h"
 #include "collecting_sink.h"
 #include "own_master.h"
+#include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 #include "ratchet_sieve/ros/scene_parameters.h"
-#include "ratchet_sieve/recording/same_bits.h"
 #include "sieve_client.h"
 #include "small_scenes.h"
 

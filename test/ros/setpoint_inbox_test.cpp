@@ -48,7 +48,7 @@ TEST(SetpointInbox, handsOverTheNewestOfEachQuantityOnce)
   run.deliver(inbox, true);
   run.deliver(inbox, true);
   const std::vector<std::pair<CommandKind, double>> expected = {{CommandKind::INCLINATION, 0.1},
-                                                                 {CommandKind::AMPLITUDE, 0.002}};
+                                                                {CommandKind::AMPLITUDE, 0.002}};
   EXPECT_EQ(run.commands, expected);
 }
 

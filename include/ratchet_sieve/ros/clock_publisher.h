@@ -24,10 +24,12 @@ public:
   /// Publishes at once, so that who asks for the time now gets this.
   void publish(double time);
 
-  /// To be called before a message with this stamp is published. Where time has leapt back, others get a
-  /// moment to hear of it first: a transform that came before would be taken for an old one, and thrown away
-  /// with those.
+  /// To be called before a message with this stamp is published.
   void reach(double time);
+
+  /// Where time has leapt back just now: waits for a moment, in which others hear of it. A transform that
+  /// came to a tf2 listener before would be taken for an old one, and thrown away with those.
+  void letLeapBeHeard() const;
 
 private:
   std::chrono::duration<double> period_;
@@ -35,6 +37,7 @@ private:
   ros::Publisher publisher_;
   std::chrono::steady_clock::time_point last_;
   std::optional<ros::Time> shown_;
+  std::chrono::steady_clock::time_point leapt_;  ///< back, last
 };
 
 }  // namespace ratchet_sieve

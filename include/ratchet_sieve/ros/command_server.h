@@ -64,8 +64,8 @@ private:
   Diagnostics& diagnostics_;
   Stepping stepping_;
   std::function<void()> time_changed_;
-  std::array<Setpoint, 3> setpoints_;  ///< per CommandKind
-  std::array<SetpointLog, 3> logs_;    ///< per CommandKind
+  std::array<Setpoint, 3> setpoints_;  ///< of inclination, frequency, amplitude
+  std::array<SetpointLog, 3> logs_;    ///< of inclination, frequency, amplitude
   SetpointInbox inbox_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;

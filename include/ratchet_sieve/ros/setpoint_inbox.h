@@ -31,7 +31,7 @@ public:
 private:
   static constexpr std::size_t index(CommandKind kind) { return static_cast<std::size_t>(kind); }
 
-  std::array<std::optional<double>, 3> newest_;  ///< per CommandKind
+  std::array<std::optional<double>, 3> newest_;  ///< of inclination, frequency, amplitude
   Clock::time_point next_;                       ///< not before
 };
 

@@ -7,23 +7,23 @@
 #include <ros/single_subscriber_publisher.h>
 
 #include "ratchet_sieve/recording/frame_sink.h"
-#include "ratchet_sieve/ros/clock_publisher.h"
 #include "ratchet_sieve/ros/live_run.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
 
 namespace ratchet_sieve
 {
 
-/// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~commands and, latched, ~scene; the base on /tf
-/// as well, in time for every message of the disks. Converts nothing for a topic that nobody subscribes to. A
-/// subscriber that comes gets the present state at once, so that it need not wait while the run stands still.
+/// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~commands and, latched, ~scene; the base
+/// on /tf as well, in time for every message of the disks. Converts nothing for a topic that nobody
+/// subscribes to. A subscriber that comes gets the present state at once, so that it need not wait while the
+/// run stands still.
 class TopicPublisher : public FrameSink
 {
 public:
   /// @param current gives the run, also after a reset
-  /// @param clock is brought to the stamp of whatever is published; outlives this, as the transforms
+  /// @param clock is brought to the stamp of every message; outlives this, as transforms do
   TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
-                 TransformPublisher& transforms, ClockPublisher& clock);
+                 ClockPublisher& clock, TransformPublisher& transforms);
 
   bool wants(FrameKind kind) const override;
   void take(const SceneFrame& frame) override;
@@ -36,11 +36,10 @@ public:
 private:
   template <typename Frame>
   void publish(const ros::Publisher& publisher, const Frame& frame);
-  void showBase(const BaseFrame& frame);
 
   std::function<const LiveRun&()> current_;
-  TransformPublisher& transforms_;
   ClockPublisher& clock_;
+  TransformPublisher& transforms_;
   ros::Publisher scene_;
   ros::Publisher particles_;
   ros::Publisher bins_;

@@ -4,9 +4,11 @@
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
+#include <ros/single_subscriber_publisher.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include "ratchet_sieve/recording/frames.h"
+#include "ratchet_sieve/ros/clock_publisher.h"
 
 namespace ratchet_sieve
 {
@@ -26,16 +28,21 @@ tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame);
 class TransformPublisher
 {
 public:
-  explicit TransformPublisher(ros::NodeHandle node);
+  /// @param clock is brought to the stamp of what is published; outlives this. Nothing: another node is the
+  /// clock
+  explicit TransformPublisher(ros::NodeHandle node, ClockPublisher* clock = nullptr);
   TransformPublisher(const TransformPublisher&) = delete;
   TransformPublisher& operator=(const TransformPublisher&) = delete;
 
   void publish(const BaseFrame& frame);
 
-  bool heard() const { return publisher_.getNumSubscribers() > 0; }
-
 private:
+  void greet(const ros::SingleSubscriberPublisher& subscriber);
+
+  ClockPublisher* clock_;
   std::optional<BaseFrame> last_;
+  int reached_ = 0;  ///< subscribers that got those of the last stamp, greeted yet or not
+  int greeted_ = 0;  ///< subscribers that are there, as far as their greeting has come up
   ros::Publisher publisher_;
 };
 
