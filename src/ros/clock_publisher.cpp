@@ -13,6 +13,10 @@ namespace
 /// A message of /clock goes through three threads until a tf2 listener knows: a few ms, and some tens for
 /// each thread where the machine has much more to do than it can.
 constexpr std::chrono::milliseconds LEAP_IS_HEARD(250);
+
+/// Frames may come by the ten thousand a second, where a light scene goes as fast as it can: every node would
+/// have its hands full with the time alone. Messages take as long as this on their way.
+constexpr std::chrono::milliseconds SHORTEST_PERIOD(1);
 }  // namespace
 
 ClockPublisher::ClockPublisher(ros::NodeHandle node, double rate, bool enabled)
@@ -44,8 +48,12 @@ void ClockPublisher::reach(double time)
   const ros::Time stamp = stampOf(time);
   if (!enabled_ || stamp == shown_)
     return;
-  if (shown_ && stamp < *shown_)
-    leapt_ = std::chrono::steady_clock::now();
+  const auto now = std::chrono::steady_clock::now();
+  const bool leaps_back = shown_ && stamp < *shown_;
+  if (leaps_back)
+    leapt_ = now;
+  else if (shown_ && now - last_ < SHORTEST_PERIOD)
+    return;
   publish(time);
 }
 

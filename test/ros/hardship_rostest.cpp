@@ -204,20 +204,20 @@ TEST_F(Hardship, aThousandSetpointsASecond)
   node.interrupt();
   EXPECT_EQ(node.wait(), 0) << node.errors();
 
-  // As many frames of the disks as without a setpoint, each in its time.
+  // As many frames of the bins as without a setpoint, each in its time.
   CollectingSink recorded;
   readBag(bag, recorded);
-  const double ended = recorded.particles.back().time;
-  ASSERT_GE(recorded.particles.size(), static_cast<std::size_t>(60.0 * ended));
-  for (std::size_t k = 0; k + 1 < recorded.particles.size(); ++k)
-    ASSERT_EQ(recorded.particles[k].time, static_cast<double>(k) / 60.0);
+  const double ended = recorded.bins.back().time;
+  ASSERT_GE(recorded.bins.size(), static_cast<std::size_t>(60.0 * ended));
+  for (std::size_t k = 0; k + 1 < recorded.bins.size(); ++k)
+    ASSERT_EQ(recorded.bins[k].time, static_cast<double>(k) / 60.0);
   // One setpoint takes some 200 bytes: its own message and one of the base.
   rosbag::Bag file(bag);
   rosbag::View setpoints(file, rosbag::TopicQuery("/flooded/inclination_setpoint"));
   EXPECT_GT(setpoints.size(), 100u);
   EXPECT_LE(setpoints.size(), static_cast<std::size_t>(COUNT));
-  EXPECT_LE(recorded.bases.size(), setpoints.size() + recorded.particles.size() + 1);
-  EXPECT_LT(std::filesystem::file_size(bag), recorded.particles.size() * 3000 + COUNT * 500);
+  EXPECT_LE(recorded.bases.size(), setpoints.size() + recorded.bins.size() + 1);
+  EXPECT_LT(std::filesystem::file_size(bag), recorded.bins.size() * 3000 + COUNT * 500);
   ChildNode again("sieve_resimulate", {bag});
   EXPECT_EQ(again.wait(), 0) << again.errors();
   // A line a second, and some from its start.

@@ -88,11 +88,11 @@ TEST(Masterless, runGoesOnWhereTheMasterGoesAway)
   EXPECT_GT(recorded.particles.back().time, commanded);
   EXPECT_EQ(recorded.bases.back().base.commanded_inclination, 0.125);
   // What came over the air is what is in the bag, to the end.
-  for (const ParticleFrame& seen : sieve.particles.frames)
+  for (const BinFrame& seen : sieve.bins.frames)
   {
-    const auto same = [&](const ParticleFrame& frame) { return frame.time == seen.time; };
-    const auto found = std::find_if(recorded.particles.begin(), recorded.particles.end(), same);
-    ASSERT_NE(found, recorded.particles.end()) << "at " << seen.time;
+    const auto same = [&](const BinFrame& frame) { return frame.time == seen.time; };
+    const auto found = std::find_if(recorded.bins.begin(), recorded.bins.end(), same);
+    ASSERT_NE(found, recorded.bins.end()) << "at " << seen.time;
     ASSERT_TRUE(sameBits(*found, seen));
   }
 }

@@ -24,7 +24,8 @@ public:
   /// Publishes at once, so that who asks for the time now gets this.
   void publish(double time);
 
-  /// To be called before a message with this stamp is published.
+  /// To be called before a message with this stamp is published. Publishes, but no more than a thousand times
+  /// a second of wall time: so much the clock may be behind a stamp.
   void reach(double time);
 
   /// Where time has leapt back just now: waits for a moment, in which others hear of it. A transform that
