@@ -76,6 +76,9 @@ void Resimulation::take(const SceneFrame& frame)
     throw std::invalid_argument("holds several runs: another one begins at " + std::to_string(frame.time) +
                                 " s");
   }
+  if (!(frame.start_time >= 0.0 && frame.start_time <= frame.time))
+    throw std::invalid_argument("a run that began at " + std::to_string(frame.start_time) +
+                                " s is not recorded from " + std::to_string(frame.time) + " s on");
   scene_ = frame;
   simulation_ = std::make_unique<Simulation>(sceneFromText(frame.yaml, "the recorded scene").definition,
                                              frame.start_time);

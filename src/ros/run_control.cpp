@@ -7,13 +7,12 @@
 
 #include <ros/console.h>
 
+#include "ratchet_sieve/recording/commands.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
-/// More at once is a slip, and would take the machine's memory.
-constexpr std::size_t MOST_POURED = 1000000;
-
 Outcome failure(const std::string& message)
 {
   return {false, message};
