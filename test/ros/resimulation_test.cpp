@@ -233,6 +233,27 @@ TEST(Resimulation, refusesARunThatBeganAtATimeThatIsNone)
   }
 }
 
+/// A file of a split recording but the first does not hold what the run was told before.
+TEST(Resimulation, saysWhereTheBeginningOfTheRunIsMissing)
+{
+  CollectingSink recorded = commandedRun();
+  recorded.scenes.at(0).time = 0.45;
+  while (recorded.particles.front().time <= 0.45)
+    recorded.particles.erase(recorded.particles.begin());
+  recorded.commands.clear();
+  const std::string difference = differenceOf(recorded);
+  EXPECT_NE(difference.find("; it is recorded from 0.45 s on, and not what the run was told since 0 s"),
+            std::string::npos)
+      << difference;
+}
+
+TEST(Resimulation, doesNotCallNothingTheSame)
+{
+  CollectingSink recorded = commandedRun();
+  recorded.particles.clear();
+  EXPECT_THROW(differenceOf(recorded), std::invalid_argument);
+}
+
 TEST(Resimulation, needsAScene)
 {
   Resimulation resimulation;
