@@ -243,6 +243,8 @@ TEST(Recorder, goesOnWithoutADiskAndSaysSo)
   recorder.close();
   EXPECT_EQ(recorder.failure(), "");
   EXPECT_EQ(readAll({scratch / "run_run2.bag"}).bins.back().time, 0.1);
+  // What was lost of the first stays lost.
+  EXPECT_EQ(recorder.firstFailure().rfind(begin, 0), 0u) << recorder.firstFailure();
 }
 
 TEST(Recorder, goesOnWhereTheNextFileCannotBeOpened)
