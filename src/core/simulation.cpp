@@ -64,7 +64,10 @@ public:
       now_ = loop_->advanceTo(next);
       reportSorted();
       if (hasToStop())
+      {
+        stopAtATimeOfTheRun();
         throw StallError(machine_.collapseWatch().text());
+      }
       if (!handleGlobalEvent() && next == target)
         return;
     }
@@ -216,6 +219,17 @@ private:
   {
     const CollapseWatch& watch = machine_.collapseWatch();
     return watch.stops() && (scenePairs() || now_ >= machine_.epoch().length);
+  }
+
+  /// An epoch's times are finer than the run's: the run ends at the next of its own, so that another that is
+  /// asked to come to time() comes to the same bits.
+  void stopAtATimeOfTheRun()
+  {
+    const double epoch_start = machine_.epoch().start;
+    double end = time();
+    if (end - epoch_start < now_)
+      end = std::nextafter(end, std::numeric_limits<double>::infinity());
+    now_ = end - epoch_start;
   }
 
   void reportSorted()

@@ -9,7 +9,7 @@
 namespace
 {
 constexpr const char* HELP =
-    "Shows a sieve from its topics alone, live or played from a bag: ~markers, ~cloud and /tf.\n"
+    "Shows a sieve from its topics alone, live or played from a bag: ~markers and ~cloud; for a bag also /tf.\n"
     "\n"
     "Usage: rosrun ratchet_sieve sieve_display [--help | --version] [ROS ARGUMENT...]\n"
     "\n"

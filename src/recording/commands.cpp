@@ -43,6 +43,8 @@ void apply(const CommandFrame& command, Simulation& simulation)
       checked(values, 3, std::numeric_limits<double>::min(), INFINITE);
       return simulation.setSlewRates({values[0], values[1], values[2]});
     case CommandKind::POUR:
+      if (command.count > MOST_POURED)
+        throw std::invalid_argument("a command pours " + std::to_string(command.count) + " disks");
       return simulation.pour(command.species, command.count);
     case CommandKind::PAUSE:
     case CommandKind::UNPAUSE:

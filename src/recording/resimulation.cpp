@@ -76,6 +76,9 @@ void Resimulation::take(const SceneFrame& frame)
     throw std::invalid_argument("holds several runs: another one begins at " + std::to_string(frame.time) +
                                 " s");
   }
+  if (!(frame.start_time >= 0.0 && frame.start_time <= frame.time))
+    throw std::invalid_argument("a run that began at " + std::to_string(frame.start_time) +
+                                " s is not recorded from " + std::to_string(frame.time) + " s on");
   scene_ = frame;
   simulation_ = std::make_unique<Simulation>(sceneFromText(frame.yaml, "the recorded scene").definition,
                                              frame.start_time);
@@ -94,6 +97,12 @@ void Resimulation::comeTo(double time)
 void Resimulation::finish()
 {
   compareInstant();
+  if (!difference_ && frames_ == 0)
+    throw std::invalid_argument("holds no state of the run: there is nothing to compare");
+  // A later file of a split recording, by itself.
+  if (difference_ && scene_->time > scene_->start_time)
+    *difference_ += fmt::format("; it is recorded from {:g} s on, and not what the run was told since {:g} s",
+                                scene_->time, scene_->start_time);
 }
 
 void Resimulation::compareInstant()

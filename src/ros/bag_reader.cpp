@@ -142,6 +142,7 @@ void readOpened(const rosbag::Bag& bag, bool begins_run, FrameSink& sink)
   addStream<SieveStatistics>(bag, all, streams);
   merge(streams, sink);
 }
+
 /// One of the files of a run.
 struct RunPart
 {
@@ -162,7 +163,8 @@ RunPart partOf(const rosbag::Bag& bag, const std::string& path)
 
 bool sameRun(const SceneFrame& a, const SceneFrame& b)
 {
-  return a.yaml == b.yaml && a.start_time == b.start_time && a.scene_hash == b.scene_hash && a.seed == b.seed && a.version == b.version;
+  return a.yaml == b.yaml && a.start_time == b.start_time && a.scene_hash == b.scene_hash &&
+         a.seed == b.seed && a.version == b.version;
 }
 
 /// That the files follow one another without a gap: each begins at the very time at which the one

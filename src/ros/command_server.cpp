@@ -28,20 +28,6 @@ void say(ros::console::levels::Level level, const std::optional<std::string>& li
   if (line)
     ROS_LOG_STREAM(level, ROSCONSOLE_DEFAULT_NAME, *line);
 }
-
-/// @pre kind is that of a setpoint
-double commanded(CommandKind kind, const DriveState& base)
-{
-  switch (kind)
-  {
-    case CommandKind::INCLINATION:
-      return base.commanded_inclination;
-    case CommandKind::FREQUENCY:
-      return base.commanded_frequency;
-    default:
-      return base.commanded_amplitude;
-  }
-}
 }  // namespace
 
 CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters& parameters,
@@ -94,7 +80,7 @@ void CommandServer::deliverSetpoints()
 void CommandServer::command(CommandKind kind, double value)
 {
   // A controller that says the same again and again wants nothing new.
-  if (commanded(kind, control_.run().simulation().base()) == value)
+  if (control_.commanded(kind) == value)
     return;
   const Setpoint& setpoint = setpoints_[static_cast<std::size_t>(kind)];
   const Outcome outcome = control_.command(setpoint, value);

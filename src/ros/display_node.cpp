@@ -4,6 +4,8 @@
 #include <type_traits>
 
 #include <ros/console.h>
+#include <ros/message_event.h>
+#include <ros/names.h>
 
 #include "ratchet_sieve/ros/conversions.h"
 #include "ratchet_sieve/ros/parameter_reader.h"
@@ -54,6 +56,7 @@ void DisplayNode::search()
 
 void DisplayNode::subscribe(const std::string& sieve)
 {
+  sieve_ = ros::names::resolve(sieve);
   ROS_INFO("shows %s", sieve.c_str());
   subscribe<SceneDescription>(sieve + "/scene");
   subscribe<BaseState>(sieve + "/base");
@@ -64,11 +67,11 @@ void DisplayNode::subscribe(const std::string& sieve)
 template <typename Message>
 void DisplayNode::subscribe(const std::string& topic)
 {
-  const auto take = [this, topic](const typename Message::ConstPtr& message)
+  const boost::function<void(const ros::MessageEvent<const Message>&)> take = [this, topic](const auto& event)
   {
     try
     {
-      see(toFrame(*message));
+      see(toFrame(*event.getMessage()), event.getPublisherName());
     }
     catch (const std::invalid_argument& error)
     {
@@ -79,13 +82,15 @@ void DisplayNode::subscribe(const std::string& topic)
 }
 
 template <typename Frame>
-void DisplayNode::see(const Frame& frame)
+void DisplayNode::see(const Frame& frame, const std::string& publisher)
 {
   if (!(frame.time >= 0.0 && frame.time <= LATEST_TIME))
     throw std::invalid_argument("a time that is none");
   seen_.take(frame);
+  // Those of a sieve that runs are there: a listener warns of each that comes twice.
   if constexpr (std::is_same_v<Frame, BaseFrame>)
-    transforms_.publish(frame);
+    if (publisher != sieve_)
+      transforms_.publish(frame);
   if constexpr (std::is_same_v<Frame, SceneFrame>)
     if (seen_.sceneError())
       ROS_ERROR("the scene cannot be shown: %s", seen_.sceneError()->c_str());

@@ -9,9 +9,10 @@ namespace ratchet_sieve
 {
 
 LiveRun::LiveRun(const SceneDefinition& scene, const FrameRates& rates, std::vector<CommandFrame> opening,
-                 double start_time, double end_time)
+                 double start_time, double end_time, FrameSampler::WallClock wall_clock)
     : simulation_(scene, start_time),
-      sampler_(rates, start_time),
+      wall_clock_(std::move(wall_clock)),
+      sampler_(rates, start_time, wall_clock_),
       end_time_(end_time),
       opening_(std::move(opening))
 {
@@ -20,6 +21,20 @@ LiveRun::LiveRun(const SceneDefinition& scene, const FrameRates& rates, std::vec
     command.time = start_time;
     apply(command, simulation_);
   }
+}
+
+void LiveRun::record(FrameSink& recorder, const FrameRates& rates)
+{
+  recording_.emplace(Recording{recorder, {rates, simulation_.startTime(), wall_clock_}});
+  recording_->sampler.setUnderWay(under_way_);
+}
+
+void LiveRun::setUnderWay(bool under_way)
+{
+  under_way_ = under_way;
+  sampler_.setUnderWay(under_way);
+  if (recording_)
+    recording_->sampler.setUnderWay(under_way);
 }
 
 double LiveRun::nextTime() const

@@ -107,6 +107,8 @@ void Recorder::giveUp(const BagError& error)
     failure_ = closing.what();
   }
   bag_.reset();
+  if (first_failure_.empty())
+    first_failure_ = failure_;
   ROS_ERROR("the recording broke off: %s", failure_.c_str());
 }
 

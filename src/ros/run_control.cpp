@@ -7,13 +7,12 @@
 
 #include <ros/console.h>
 
+#include "ratchet_sieve/recording/commands.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
-/// More at once is a slip, and would take the machine's memory.
-constexpr std::size_t MOST_POURED = 1000000;
-
 Outcome failure(const std::string& message)
 {
   return {false, message};
@@ -156,8 +155,10 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
       return failure(*refusal);
     found.push_back(&*setpoint);
   }
+  // One that says nothing new is not given: all disks would be looked at anew, and nothing would come of it.
   for (std::size_t k = 0; k < found.size(); ++k)
-    command(*found[k], setpoints[k].second);
+    if (commanded(found[k]->kind) != setpoints[k].second)
+      command(*found[k], setpoints[k].second);
   return advance(duration, stride, keep_going);
 }
 
@@ -245,6 +246,20 @@ Outcome RunControl::pour(const std::string& species, std::size_t count)
   show(run_->particles());
   show(run_->bins());
   return {};
+}
+
+double RunControl::commanded(CommandKind kind) const
+{
+  const DriveState base = run_->simulation().base();
+  switch (kind)
+  {
+    case CommandKind::INCLINATION:
+      return base.commanded_inclination;
+    case CommandKind::FREQUENCY:
+      return base.commanded_frequency;
+    default:
+      return base.commanded_amplitude;
+  }
 }
 
 Outcome RunControl::command(const Setpoint& setpoint, double value)

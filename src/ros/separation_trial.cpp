@@ -39,6 +39,11 @@ void SeparationTrial::begin(double inclination)
   first_ = same && standing_since_ ? end_ : std::nullopt;
   end_.reset();
   result_.reset();
+  forgetStatistics();
+}
+
+void SeparationTrial::forgetStatistics()
+{
   temperature_sums_.clear();
   temperatures_ = 0;
   paces_ = 0.0;
@@ -73,6 +78,7 @@ void SeparationTrial::take(const BaseFrame& frame)
   {
     standing_since_.reset();
     first_.reset();
+    forgetStatistics();
   }
   else if (!standing_since_)
     standing_since_ = frame.time;

@@ -150,8 +150,8 @@ void SieveNode::run()
   end();
   if (ended() && control_.run().stopped())
     throw StallError(*control_.run().stopReason());
-  if (!recorder_.failure().empty())
-    throw BagError("the run was not recorded to its end: " + recorder_.failure());
+  if (!recorder_.firstFailure().empty())
+    throw BagError("the run was not recorded to its end: " + recorder_.firstFailure());
 }
 
 void SieveNode::end()

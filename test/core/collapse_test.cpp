@@ -61,6 +61,22 @@ TEST(Collapse, StopsTheRunAtTheSameBitsInWhateverStrides)
   }
 }
 
+TEST(Collapse, StopsTheRunAtATimeThatCanBeAskedFor)
+{
+  for (int k = 0; k < 20; ++k)
+  {
+    const double start = 100.0 + 0.1 * k;
+    Simulation stopped(collapsing(true), start);
+    EXPECT_THROW(stopped.advanceTo(start + 10.0), StallError);
+    Simulation asked(collapsing(true), start);
+    EXPECT_THROW(asked.advanceTo(stopped.time()), StallError) << "begun at " << start << " s";
+    EXPECT_EQ(asked.time(), stopped.time());
+    EXPECT_EQ(test::stateHash(asked), test::stateHash(stopped));
+    EXPECT_EQ(stopped.auditOverlaps(), 0u);
+    EXPECT_LT(stopped.maxOverlap(), 1e-12);
+  }
+}
+
 TEST(Collapse, SaysWhichDiskAndWhenInNumbers)
 {
   SceneDefinition scene = collapsing(true);

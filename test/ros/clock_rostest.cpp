@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <set>
 
 #include <console_bridge/console.h>
@@ -9,8 +10,10 @@
 #include <rosgraph_msgs/Clock.h>
 #include <tf2_ros/message_filter.h>
 #include <tf2_ros/transform_listener.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include "caught_log.h"
+#include "child_node.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
 #include "sieve_client.h"
 
@@ -144,6 +147,23 @@ TEST_F(Clock, transformsOnAfterTheWorldWasReset)
   }
   EXPECT_EQ(complaints.lines(), std::vector<std::string>());
   EXPECT_EQ(log.with("jump back").size(), jumps);
+}
+
+TEST_F(Clock, hasNoTransformTwiceWhereADisplayLooksOn)
+{
+  ChildNode onlooker("sieve_display", {"__name:=onlooker"});
+  std::optional<ros::Time> shown;
+  const ros::Subscriber markers = sieve.node.subscribe<visualization_msgs::MarkerArray>(
+      "/onlooker/markers", 10,
+      [&](const visualization_msgs::MarkerArray::ConstPtr& picture)
+      { shown = picture->markers.back().header.stamp; });
+  for (int k = 0; k < 5; ++k)
+  {
+    sieve.stepAndSee(0.1);
+    ASSERT_TRUE(waitFor([&] { return shown == sieve.particles.stamps.back(); }));
+  }
+  expectTransformsOfAllParticles();
+  EXPECT_EQ(complaints.lines(), std::vector<std::string>());
 }
 
 TEST_F(Clock, passesAMessageFilter)

@@ -9,9 +9,9 @@
 #include "collecting_sink.h"
 #include "file_size_limit.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
+#include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 #include "ratchet_sieve/ros/live_run.h"
-#include "ratchet_sieve/recording/same_bits.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -243,6 +243,8 @@ TEST(Recorder, goesOnWithoutADiskAndSaysSo)
   recorder.close();
   EXPECT_EQ(recorder.failure(), "");
   EXPECT_EQ(readAll({scratch / "run_run2.bag"}).bins.back().time, 0.1);
+  // What was lost of the first stays lost.
+  EXPECT_EQ(recorder.firstFailure().rfind(begin, 0), 0u) << recorder.firstFailure();
 }
 
 TEST(Recorder, goesOnWhereTheNextFileCannotBeOpened)

@@ -11,10 +11,10 @@
 
 #include "child_node.h"
 #include "collecting_sink.h"
+#include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
 #include "ratchet_sieve/scene/scene_file.h"
-#include "ratchet_sieve/recording/same_bits.h"
 #include "sieve_client.h"
 #include "small_scenes.h"
 

@@ -1,5 +1,8 @@
 #include "ratchet_sieve/recording/resimulation.h"
 
+#include <cmath>
+#include <limits>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -202,11 +205,12 @@ TEST(Resimulation, isOfOneRun)
 TEST(Resimulation, refusesCommandsThatMakeNoSense)
 {
   const CollectingSink recorded = commandedRun();
-  const auto refuses = [&](CommandKind kind, std::vector<double> values, std::uint32_t species)
+  const auto refuses =
+      [&](CommandKind kind, std::vector<double> values, std::uint32_t species, std::uint32_t count = 1)
   {
     Resimulation resimulation;
     resimulation.take(recorded.scenes.at(0));
-    resimulation.take(CommandFrame{0.0, kind, std::move(values), species, 1});
+    resimulation.take(CommandFrame{0.0, kind, std::move(values), species, count});
     EXPECT_THROW(resimulation.finish(), std::invalid_argument);
   };
   refuses(CommandKind::INCLINATION, {}, 0);
@@ -216,6 +220,38 @@ TEST(Resimulation, refusesCommandsThatMakeNoSense)
   refuses(CommandKind::SLEW_RATES, {0.1, 0.0, 0.1}, 0);
   refuses(CommandKind::SLEW_RATES, {0.1, 0.1}, 0);
   refuses(CommandKind::POUR, {}, 2);
+  refuses(CommandKind::POUR, {}, 0, 1000001);
+}
+
+TEST(Resimulation, refusesARunThatBeganAtATimeThatIsNone)
+{
+  SceneFrame scene = commandedRun().scenes.at(0);
+  for (const double start : {std::nan(""), -1.0, 0.5, std::numeric_limits<double>::infinity()})
+  {
+    scene.start_time = start;
+    EXPECT_THROW(Resimulation().take(scene), std::invalid_argument) << start;
+  }
+}
+
+/// A file of a split recording but the first does not hold what the run was told before.
+TEST(Resimulation, saysWhereTheBeginningOfTheRunIsMissing)
+{
+  CollectingSink recorded = commandedRun();
+  recorded.scenes.at(0).time = 0.45;
+  while (recorded.particles.front().time <= 0.45)
+    recorded.particles.erase(recorded.particles.begin());
+  recorded.commands.clear();
+  const std::string difference = differenceOf(recorded);
+  EXPECT_NE(difference.find("; it is recorded from 0.45 s on, and not what the run was told since 0 s"),
+            std::string::npos)
+      << difference;
+}
+
+TEST(Resimulation, doesNotCallNothingTheSame)
+{
+  CollectingSink recorded = commandedRun();
+  recorded.particles.clear();
+  EXPECT_THROW(differenceOf(recorded), std::invalid_argument);
 }
 
 TEST(Resimulation, needsAScene)

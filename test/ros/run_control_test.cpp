@@ -264,6 +264,17 @@ TEST(RunControl, stepsInLockWithItsSetpoints)
   EXPECT_TRUE(sameBits(run.seen.particles.back().disks, simulation.disks()));
 }
 
+TEST(RunControl, givesASetpointOfALockStepOnce)
+{
+  Controlled run;
+  const std::size_t before = run.seen.commands.size();
+  for (int k = 0; k < 5; ++k)
+    ASSERT_TRUE(run.control.lockStep({{"inclination", 0.1}}, 0.05, STRIDE, keepGoing).success);
+  EXPECT_EQ(run.seen.commands.size(), before + 1);
+  ASSERT_TRUE(run.control.lockStep({{"inclination", 0.0}}, 0.05, STRIDE, keepGoing).success);
+  EXPECT_EQ(run.seen.commands.size(), before + 2);
+}
+
 TEST(RunControl, takesAllSetpointsOfALockStepOrNone)
 {
   Controlled run;

@@ -2,9 +2,9 @@
 
 #include "collecting_sink.h"
 #include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/seen_run.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
-#include "ratchet_sieve/recording/same_bits.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve

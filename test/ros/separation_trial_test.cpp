@@ -282,6 +282,10 @@ TEST(SeparationTrial, tellsTheMeanTemperatureAndPaceOfTheWindow)
     statistics.real_time_factor = pace;
     trial.take(statistics);
   };
+  // A window that is broken off does not count.
+  run(trial, 0.0, 3.0);
+  hear(3.0, 50.0, 50.0);
+  trial.take(baseAt(3.5, 0.1));
   run(trial, 5.0, 6.5);
   hear(6.5, 100.0, 100.0);
   run(trial, 7.0, 8.0);

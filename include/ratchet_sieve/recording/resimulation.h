@@ -33,7 +33,7 @@ public:
   void take(const StatisticsFrame& frame) override { add(frame, instant_.statistics); }
   void take(const CommandFrame& frame) override { add(frame, instant_.commands); }
 
-  /// Compares what came last.
+  /// Compares what came last. @throws std::invalid_argument where nothing was recorded that can be compared
   void finish();
 
   /// Where the recording and the run first differ, in one line; nothing if they do not.

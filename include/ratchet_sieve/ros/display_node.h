@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <ros/node_handle.h>
@@ -11,8 +12,9 @@
 namespace ratchet_sieve
 {
 
-/// Shows a sieve from its topics alone, as the sieve's own node does: ~markers, ~cloud and /tf. The sieve may
-/// be one that was recorded, played by `rosbag play`.
+/// Shows a sieve from its topics alone, as the sieve's own node does: ~markers and ~cloud. The sieve may be
+/// one that was recorded, played by `rosbag play`: then also /tf, which a sieve that runs publishes by
+/// itself.
 class DisplayNode
 {
 public:
@@ -27,14 +29,16 @@ private:
   void subscribe(const std::string& sieve);
   template <typename Message>
   void subscribe(const std::string& topic);
+  /// @param publisher name of the node that published it
   template <typename Frame>
-  void see(const Frame& frame);
+  void see(const Frame& frame, const std::string& publisher);
   void show();
 
   ros::NodeHandle node_;
   Display display_;
   TransformPublisher transforms_;
   SeenRun seen_;
+  std::string sieve_;  ///< name of its node, once it is known
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer search_timer_;
   ros::WallTimer show_timer_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,8 +18,10 @@ public:
   /// @param opening commands that hold from its start on; their own times do not matter
   /// @param start_time not 0 where disks are poured anew without time leaping back [s]
   /// @param end_time [s]
+  /// @param wall_clock by which the real-time factor is measured
   LiveRun(const SceneDefinition& scene, const FrameRates& rates, std::vector<CommandFrame> opening,
-          double start_time, double end_time);
+          double start_time, double end_time,
+          FrameSampler::WallClock wall_clock = std::chrono::steady_clock::now);
 
   double time() const { return simulation_.time(); }
   double endTime() const { return end_time_; }
@@ -29,10 +32,7 @@ public:
   bool stopped() const { return stop_reason_.has_value(); }
 
   /// Hands frames to a recorder as well, at rates of its own. @param recorder outlives this
-  void record(FrameSink& recorder, const FrameRates& rates)
-  {
-    recording_.emplace(Recording{recorder, {rates, simulation_.startTime()}});
-  }
+  void record(FrameSink& recorder, const FrameRates& rates);
 
   /// When the next frame is due, or the end where that is earlier [s].
   double nextTime() const;
@@ -51,7 +51,7 @@ public:
   void give(CommandFrame command, FrameSink& sink);
 
   /// See FrameSampler.
-  void setUnderWay(bool under_way) { sampler_.setUnderWay(under_way); }
+  void setUnderWay(bool under_way);
 
   const Simulation& simulation() const { return simulation_; }
 
@@ -72,7 +72,9 @@ private:
   void show(const CommandFrame& command, FrameSink& sink);
 
   Simulation simulation_;
+  FrameSampler::WallClock wall_clock_;
   FrameSampler sampler_;
+  bool under_way_ = true;
   std::optional<Recording> recording_;
   double end_time_;
   std::vector<CommandFrame> opening_;  ///< that nobody was shown yet

@@ -38,7 +38,8 @@ struct NodeParameters
   SlewRates slew_rates;  ///< ~limits/inclination/slew_rate and so on [unit/s]
 };
 
-/// Reads the limits and slew rates of each setpoint from the parameters of a sieve: the node's own, or another's.
+/// Reads the limits and slew rates of each setpoint from the parameters of a sieve: the node's own, or
+/// another's.
 /// @throws ParameterError
 std::array<Setpoint, 3> readSetpoints(ParameterReader& reader, SlewRates& slew_rates);
 

@@ -56,6 +56,9 @@ public:
   /// Why the recording of this run broke off; empty if it did not.
   const std::string& failure() const { return failure_; }
 
+  /// Why the recording of any run so far broke off first; empty if none did.
+  const std::string& firstFailure() const { return first_failure_; }
+
   bool wants(FrameKind kind) const override;
   void take(const SceneFrame& frame) override;
   void take(const ParticleFrame& frame) override { pass(FrameKind::PARTICLES, frame); }
@@ -90,6 +93,7 @@ private:
   double last_time_ = 0.0;   ///< of what was recorded last [s]
   std::unique_ptr<BagWriter> bag_;
   std::string failure_;
+  std::string first_failure_;
 };
 
 }  // namespace ratchet_sieve

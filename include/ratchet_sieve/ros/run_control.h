@@ -68,6 +68,9 @@ public:
 
   Outcome pour(const std::string& species, std::size_t count);
 
+  /// What the base is told to go to. @pre kind is that of a setpoint
+  double commanded(CommandKind kind) const;
+
   /// Commands the base at the present time; a value that is refused changes nothing.
   Outcome command(const Setpoint& setpoint, double value);
 

@@ -49,6 +49,7 @@ public:
 
 private:
   bool stands(const DriveState& base) const;
+  void forgetStatistics();
   void count(const BinFrame& frame);
   Separation since(const BinFrame& first, const BinFrame& last) const;
   bool isOver(const Separation& separation) const;
