@@ -9,7 +9,8 @@
 namespace
 {
 constexpr const char* HELP =
-    "Shows a sieve from its topics alone, live or played from a bag: ~markers and ~cloud; for a bag also /tf.\n"
+    "Shows a sieve from its topics alone, live or played from a bag: ~markers and ~cloud; of a bag also\n"
+    "/tf, which a sieve that runs publishes by itself.\n"
     "\n"
     "Usage: rosrun ratchet_sieve sieve_display [--help | --version] [ROS ARGUMENT...]\n"
     "\n"

@@ -56,7 +56,7 @@ int resimulate(const std::vector<std::string>& bags)
     return FAILED;
   }
   fmt::print("the same, bit for bit: {} frames over {:g} s, with {} commands\n", resimulation.frames(),
-             resimulation.time(), resimulation.commands());
+             resimulation.time() - resimulation.scene()->start_time, resimulation.commands());
   return DONE;
 }
 
