@@ -1,5 +1,6 @@
 #include "ratchet_sieve/ros/command_server.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -118,7 +119,15 @@ bool CommandServer::unpause(std_srvs::Empty::Request&, std_srvs::Empty::Response
 bool CommandServer::resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Response&)
 {
   commandAll();
-  control_.resetWorld();
+  try
+  {
+    control_.resetWorld();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    ROS_ERROR("reset_world: %s", error.what());
+    return false;
+  }
   time_changed_();
   ROS_INFO("disks poured anew at %.3f s", control_.run().time());
   return true;

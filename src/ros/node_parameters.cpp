@@ -1,5 +1,7 @@
 #include "ratchet_sieve/ros/node_parameters.h"
 
+#include <algorithm>
+
 #include <ros/console.h>
 
 namespace ratchet_sieve
@@ -23,7 +25,9 @@ void readLimits(ParameterReader& reader, double least, double most, Setpoint& se
 {
   const std::string prefix = "limits/" + setpoint.name + "/";
   setpoint.limits.min = reader.number(prefix + "min", setpoint.limits.min, least, most);
-  setpoint.limits.max = reader.number(prefix + "max", setpoint.limits.max, setpoint.limits.min, most);
+  // A least value beyond the usual largest one, by itself, would leave nothing that is allowed.
+  const double usual = std::max(setpoint.limits.max, setpoint.limits.min);
+  setpoint.limits.max = reader.number(prefix + "max", usual, setpoint.limits.min, most);
   slew_rate = reader.number(prefix + "slew_rate", slew_rate, MIN_SLEW * most, MAX_SLEW * most);
 }
 

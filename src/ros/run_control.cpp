@@ -219,8 +219,11 @@ void RunControl::resetWorld()
                                              setpointOf(CommandKind::INCLINATION, base.commanded_inclination),
                                              setpointOf(CommandKind::FREQUENCY, base.commanded_frequency),
                                              setpointOf(CommandKind::AMPLITUDE, base.commanded_amplitude)};
-  begin(std::make_unique<LiveRun>(withBase(run_->simulation().scene(), base), parameters_.rates, opening,
-                                  run_->time(), run_->endTime()));
+  const SceneDefinition scene = withBase(run_->simulation().scene(), base);
+  // Disks that are poured at the end have as long as the first had.
+  const bool at_end = run_->time() >= run_->endTime();
+  begin(std::make_unique<LiveRun>(scene, parameters_.rates, opening, run_->time(),
+                                  at_end ? run_->time() + scene.duration : run_->endTime()));
 }
 
 Outcome RunControl::pour(const std::string& species, std::size_t count)

@@ -1,6 +1,7 @@
 #include "ratchet_sieve/ros/seek_node.h"
 
 #include <sstream>
+#include <stdexcept>
 
 #include <ros/console.h>
 #include <std_msgs/Float64.h>
@@ -137,8 +138,15 @@ void SeekNode::hear(const ros::MessageEvent<const Message>& event,
   }
   connection = event.getConnectionHeaderPtr();
   heard_at_ = ros::SteadyTime::now();
-  if (const auto report = control_.take(toFrame(*event.getMessage())))
-    publish(*report);
+  try
+  {
+    if (const auto report = control_.take(toFrame(*event.getMessage())))
+      publish(*report);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    ROS_WARN_THROTTLE(1.0, "%s: a message is ignored: %s", parameters_.sieve.c_str(), error.what());
+  }
   command();
 }
 

@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "collecting_sink.h"
+#include "ratchet_sieve/recording/commands.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 #include "ratchet_sieve/ros/run_control.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
@@ -220,7 +221,7 @@ TEST(Resimulation, refusesCommandsThatMakeNoSense)
   refuses(CommandKind::SLEW_RATES, {0.1, 0.0, 0.1}, 0);
   refuses(CommandKind::SLEW_RATES, {0.1, 0.1}, 0);
   refuses(CommandKind::POUR, {}, 2);
-  refuses(CommandKind::POUR, {}, 0, 1000001);
+  refuses(CommandKind::POUR, {}, 0, MOST_POURED + 1);
 }
 
 TEST(Resimulation, refusesARunThatBeganAtATimeThatIsNone)

@@ -234,6 +234,16 @@ TEST(RunControl, poursTheDisksAnewWhileTimeAndBaseGoOn)
   EXPECT_EQ(run.control.run().time(), smallMixture().duration);
 }
 
+TEST(RunControl, poursAnewAtTheEndForAnotherDuration)
+{
+  Controlled run;
+  run.control.step(100.0, 10.0, keepGoing);
+  run.control.resetWorld();
+  EXPECT_EQ(run.control.run().time(), smallMixture().duration);
+  EXPECT_TRUE(run.control.step(100.0, 10.0, keepGoing).success);
+  EXPECT_EQ(run.control.run().time(), 2.0 * smallMixture().duration);
+}
+
 TEST(RunControl, beginsAnewWhileTimeGoesOn)
 {
   Controlled run;
@@ -296,7 +306,7 @@ TEST(RunControl, poursMoreOn)
   EXPECT_TRUE(run.control.pour("B", 3).success);
   EXPECT_EQ(run.seen.bins.back().bins[1].on_base, 9u);
   EXPECT_EQ(run.control.pour("C", 1).message, "species C: there is none of that name");
-  EXPECT_EQ(run.control.pour("B", 4000000000).message, "count 4000000000: must be from 1 to 1000000");
+  EXPECT_EQ(run.control.pour("B", 4000000000).message, "count 4000000000: must be from 1 to 10000");
 }
 
 TEST(RunControl, recordsEachRunIntoABagOfItsOwn)

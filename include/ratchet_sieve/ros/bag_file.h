@@ -24,9 +24,8 @@ namespace ratchet_sieve
 class BagFile
 {
 public:
-  static constexpr std::size_t CHUNK_SIZE = std::size_t{768}
-                                            << 10;  ///< before packing [bytes]; as rosbag has
-  static constexpr double CHUNK_DURATION = 1.0;     ///< of simulated time [s]
+  static constexpr std::size_t CHUNK_SIZE = 768 * 1024;  ///< before packing [bytes]; as rosbag has
+  static constexpr double CHUNK_DURATION = 1.0;          ///< of simulated time [s]
 
   /// @throws BagError where the file cannot be written
   explicit BagFile(const std::string& path);

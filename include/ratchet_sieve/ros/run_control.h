@@ -63,7 +63,8 @@ public:
   /// Begins anew, at time 0 or at the present time. @param seed 0: the scene's own
   Outcome reset(std::uint64_t seed, const std::vector<std::string>& overrides, bool keep_time);
 
-  /// Pours the disks anew, over a base that goes on as it moves; time goes on.
+  /// Pours the disks anew, over a base that goes on as it moves; time goes on, to the end, or from there for
+  /// another duration. @throws std::invalid_argument where the base now stands in disks of `initial`
   void resetWorld();
 
   Outcome pour(const std::string& species, std::size_t count);
