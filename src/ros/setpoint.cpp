@@ -11,8 +11,9 @@ std::optional<std::string> Setpoint::refusal(double value) const
   if (std::isfinite(value) && value >= limits.min && value <= limits.max)
     return std::nullopt;
   std::ostringstream text;
-  text << topic() << " " << value << " " << unit << " refused: must be from " << limits.min << " to "
-       << limits.max << " " << unit;
+  // The sign of a NaN says nothing.
+  text << topic() << " " << (std::isnan(value) ? std::abs(value) : value) << " " << unit
+       << " refused: must be from " << limits.min << " to " << limits.max << " " << unit;
   return text.str();
 }
 

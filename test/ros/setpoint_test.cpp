@@ -28,7 +28,7 @@ TEST(Setpoint, isRefusedOutsideWithTheNumbers)
 
 TEST(Setpoint, isRefusedWhereNotFinite)
 {
-  EXPECT_EQ(INCLINATION.refusal(std::numeric_limits<double>::quiet_NaN()),
+  EXPECT_EQ(INCLINATION.refusal(-std::numeric_limits<double>::quiet_NaN()),
             "inclination_setpoint nan rad refused: must be from -0.25 to 0.5 rad");
   EXPECT_TRUE(INCLINATION.refusal(std::numeric_limits<double>::infinity()));
   EXPECT_TRUE(INCLINATION.refusal(-std::numeric_limits<double>::infinity()));
