@@ -182,8 +182,14 @@ TEST_F(Clock, passesAMessageFilter)
     sieve.stepAndSee(0.3);
     const std::set<ros::Time> sent(sieve.particles.stamps.begin(), sieve.particles.stamps.end());
     EXPECT_GE(sent.size(), 36u);
-    ASSERT_TRUE(waitFor([&] { return passed == sent; })) << passed.size() << " of " << sent.size();
+    // tf2 0.7 looks for a transform and notes that it is wanted in two steps: one that comes between them is
+    // found with the next transform only (https://github.com/ros2/geometry2/pull/307). So one more step.
+    sieve.stepAndSee(0.1);
+    ASSERT_TRUE(
+        waitFor([&] { return std::includes(passed.begin(), passed.end(), sent.begin(), sent.end()); }))
+        << passed.size() << " for " << sent.size();
     sieve.resetAndSee();
+    sieve.stepAndSee(0.1);
     ASSERT_TRUE(waitFor([&] { return passed.count(ros::Time(0)) == 1; }));
   }
 }
