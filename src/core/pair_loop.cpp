@@ -5,8 +5,10 @@
 #include "ratchet_sieve/core/cell_grid.h"
 #include "ratchet_sieve/core/event_loop.h"
 #include "ratchet_sieve/core/event_queue.h"
+#include "ratchet_sieve/core/look_ahead.h"
 #include "ratchet_sieve/core/machine.h"
 #include "ratchet_sieve/core/pair_search.h"
+#include "ratchet_sieve/core/prefetch.h"
 #include "ratchet_sieve/core/quadratic.h"
 
 namespace ratchet_sieve
@@ -20,6 +22,13 @@ constexpr double CELL_MARGIN = 0.005;
 /// While a periodic base turns, its lattice turns against the cells: they are wider then by more
 /// than it may, so that they need not be laid anew at every other collision.
 constexpr double TURNING_CELL_MARGIN = Machine::LATTICE_MARGIN + CELL_MARGIN;
+
+/// So many events are known in advance at a time, and what they need is fetched: a few hundred lines of the
+/// cache, which has room for them.
+constexpr double EVENTS_AHEAD = 12.0;
+
+/// As many disks as fit into the processor's own caches; for fewer there is nothing to fetch.
+constexpr std::size_t DISKS_IN_CACHE = 30000;
 
 /// One event a disk, its earliest: with a pair, with the base, or with a cell's edge. A predicted
 /// pair whose partner has changed its flight since is found stale when it is due, and the disk
@@ -45,6 +54,8 @@ public:
     {
       if (machine_.collapseWatch().stops())
         return queue_.topTime();
+      if (queue_.topTime() > ahead_.end())
+        lookAhead();
       process(queue_.top());
     }
     return time;
@@ -83,6 +94,7 @@ public:
       p.cell_time -= length;
     }
     queue_.rebase(length);
+    ahead_.rebase(length);
   }
 
   void archive(StateArchive& state) override
@@ -169,6 +181,39 @@ private:
   {
     const BasePoint p = inGrid(id, time);
     return grid_.cellAt(p.s, p.n);
+  }
+
+  /// Fetches what the next events need, all at once, where each event by itself would wait for one thing
+  /// after another: its prediction, its partner, the cells, the disks in them.
+  void lookAhead()
+  {
+    ahead_.begin(queue_.topTime(), events_);
+    if (predictions_.size() < DISKS_IN_CACHE)
+      return;
+    queue_.dueBy(ahead_.end(), next_);
+    for (const std::uint32_t id : next_)
+      prefetchEvent(id);
+    for (const std::uint32_t id : next_)
+    {
+      const PairContact& pair = predictions_[id].pair;
+      if (pair.time <= ahead_.end())
+        prefetchEvent(pair.partner);
+      grid_.prefetchAround(grid_.cellOf(id));
+    }
+    for (const std::uint32_t id : next_)
+      grid_.visit(grid_.cellOf(id), {}, near_,
+                  [this](const std::uint32_t* others, std::size_t count, int)
+                  {
+                    for (std::size_t i = 0; i < count; ++i)
+                      prefetch(machine_.disk(others[i]));
+                  });
+  }
+
+  void prefetchEvent(std::uint32_t id) const
+  {
+    prefetch(predictions_[id]);
+    grid_.prefetchCellOf(id);
+    machine_.prefetchEvent(id);
   }
 
   void process(std::uint32_t id)
@@ -345,7 +390,9 @@ private:
   std::size_t laid_for_ = 0;  ///< disks that had entered when the cells were laid
   EventQueue queue_;
   std::vector<Prediction> predictions_;  ///< per disk
-  std::vector<std::uint32_t> near_;      ///< the disks that a search looks at
+  LookAhead ahead_{EVENTS_AHEAD};
+  std::vector<std::uint32_t> next_;  ///< the disks whose events are known in advance
+  std::vector<std::uint32_t> near_;  ///< the disks that a search looks at
 };
 
 }  // namespace

@@ -39,6 +39,30 @@ TEST(EventQueue, FollowsASortedSetThroughRandomUpdates)
       }));
 }
 
+TEST(EventQueue, FindsAllThatIsDue)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        // Up to three rounds of groups.
+        const auto count = *rc::gen::inRange<std::uint32_t>(1, 600);
+        const auto times = *rc::gen::container<std::vector<int>>(count, rc::gen::inRange(0, 100));
+        const auto until = *rc::gen::inRange(-1, 101);
+        EventQueue queue;
+        queue.resize(count);
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t id = 0; id < count; ++id)
+        {
+          queue.update(id, times[id]);
+          if (times[id] <= until)
+            expected.push_back(id);
+        }
+        std::vector<std::uint32_t> due{7, 7};
+        queue.dueBy(until, due);
+        RC_ASSERT(due == expected);
+      }));
+}
+
 TEST(EventQueue, GrowingKeepsWhatWasThere)
 {
   EventQueue queue;

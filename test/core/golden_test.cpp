@@ -28,6 +28,17 @@ TEST(Golden, Mixture)
   EXPECT_EQ(test::stateHash(simulation), 18277699463035252649ull);
 }
 
+/// So many disks that what the next events need is fetched ahead.
+TEST(Golden, LargeMixture)
+{
+  SceneDefinition scene = test::mixture(16000);
+  scene.base.teeth = 1221;
+  Simulation simulation(scene);
+  simulation.advanceTo(0.08);
+  EXPECT_GT(simulation.collisions().total(), 50000u);
+  EXPECT_EQ(test::stateHash(simulation), 15708961260521173016ull);
+}
+
 TEST(Golden, SetpointsWhileItRuns)
 {
   Simulation simulation(test::openMixture(30));

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <vector>
 
+#include "ratchet_sieve/core/prefetch.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
@@ -79,6 +80,18 @@ public:
       look(columns_ - 1, columns_ - 1, -1);
     if (last_column >= columns_)
       look(0, 0, 1);
+  }
+
+  /// Fetches what cellOf() reads.
+  void prefetchCellOf(std::uint32_t id) const { prefetch(cells_[id]); }
+
+  /// Fetches what visit() reads of the cells around one, but for those beyond the seam.
+  void prefetchAround(Cell cell) const
+  {
+    for (int row = std::max(cell.row - 1, 0); row <= std::min(cell.row + 1, rows_ - 1); ++row)
+      for (int column = std::max(cell.column - 1, 0); column <= std::min(cell.column + 1, columns_ - 1);
+           ++column)
+        prefetch(blocks_[index({column, row})]);
   }
 
   void archive(StateArchive& state)

@@ -8,6 +8,7 @@
 
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/disk_numbers.h"
+#include "ratchet_sieve/core/prefetch.h"
 #include "ratchet_sieve/core/simulation.h"
 
 namespace ratchet_sieve
@@ -64,6 +65,7 @@ public:
   }
 
   std::size_t disks() const { return disks_.size(); }
+  void prefetchWindow(std::uint32_t id) const { prefetch(disks_[id]); }
 
   /// Whether the disk's contacts lose nothing for now. As long as none collapsed, without a look at it.
   bool loosened(std::uint32_t id) const { return counts_.count > 0 && disks_[id].level > 0; }

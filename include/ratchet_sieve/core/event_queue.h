@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "ratchet_sieve/core/prefetch.h"
 #include "ratchet_sieve/core/state_archive.h"
 #include "ratchet_sieve/core/two.h"
 
@@ -63,6 +64,28 @@ public:
 
   double topTime() const { return top_time_; }
 
+  /// The ids whose events are due by `time`, in the order of their places. @param ids are replaced
+  void dueBy(double time, std::vector<std::uint32_t>& ids) const
+  {
+    ids.assign(1, 0);
+    for (std::size_t round = rounds_.size(); round-- > 0;)
+    {
+      const std::size_t groups = ids.size();
+      for (std::size_t g = 0; g < groups; ++g)
+      {
+        const std::uint32_t group = ids[g];
+        for (unsigned due = rounds_[round][group].upTo(time); due != 0; due &= due - 1)
+        {
+          const auto place = static_cast<std::uint32_t>(group * GROUP + __builtin_ctz(due));
+          ids.push_back(place);
+          if (round > 0)
+            prefetch(rounds_[round - 1][place]);
+        }
+      }
+      ids.erase(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(groups));
+    }
+  }
+
   /// Moves every time back by `length`.
   void rebase(double length)
   {
@@ -94,12 +117,15 @@ private:
     }
 
     /// The first that is no later. @pre there is one
-    std::size_t find(double time) const
+    std::size_t find(double time) const { return static_cast<std::size_t>(__builtin_ctz(upTo(time))); }
+
+    /// A bit for each that is no later.
+    unsigned upTo(double time) const
     {
       unsigned found = 0;
       for (std::size_t i = 0; i < GROUP; i += 2)
         found |= whichUpTo(Two{times[i], times[i + 1]}, time) << i;
-      return static_cast<std::size_t>(__builtin_ctz(found));
+      return found;
     }
 
     void archive(StateArchive& state) { state(times); }

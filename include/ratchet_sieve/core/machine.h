@@ -75,6 +75,14 @@ public:
   bool active(std::uint32_t id) const { return active_[id] != 0; }
   std::size_t activeCount() const { return active_count_; }
 
+  /// Fetches what an event of this disk reads and writes here.
+  void prefetchEvent(std::uint32_t id) const
+  {
+    prefetch(disks_[id]);
+    collapse_watch_.prefetchWindow(id);
+    tally_.prefetchPassage(id);
+  }
+
   const CollapseWatch& collapseWatch() const { return collapse_watch_; }
   CollapseWatch& collapseWatch() { return collapse_watch_; }
 

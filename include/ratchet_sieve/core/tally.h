@@ -8,6 +8,7 @@
 #include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/disk.h"
 #include "ratchet_sieve/core/disk_numbers.h"
+#include "ratchet_sieve/core/prefetch.h"
 #include "ratchet_sieve/core/simulation.h"
 
 namespace ratchet_sieve
@@ -23,6 +24,7 @@ public:
   Tally(const std::vector<SpeciesDefinition>& species, double gravity, bool spin);
 
   std::size_t disks() const { return passages_.size(); }
+  void prefetchPassage(std::uint32_t id) const { prefetch(passages_[id]); }
 
   void entered(const Disk& disk, double time);
   void left(std::uint32_t id, double time) { passages_[id].left_when = time; }
