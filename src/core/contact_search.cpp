@@ -47,13 +47,13 @@ BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, doub
                               BaseInstant& base) const
 {
   if (staysAbove(disk, radius, from, until))
-    return {until, std::nullopt};
+    return {until, {}};
   const Direction forced = forcedDirection();
   double time = nearTime(disk, radius, from);
   for (int i = 0; i < MAX_STEPS; ++i)
   {
     if (time >= until)
-      return {time, std::nullopt};
+      return {time, {}};
     const BasePoint point = seenFromBase(disk, i == 0 ? base.at(time) : motion_.at(time), time);
     const double span = std::min(until - time, longestSpan());
     const double acceleration = relativeAccelerationBound(point, span);
@@ -72,7 +72,7 @@ BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, doub
     if (point.n > sawtooth_.height() + radius)
       time = nearTime(disk, radius, time);
   }
-  return {time, std::nullopt};
+  return {time, {}};
 }
 
 /// Newton's method on the gap to the one feature that is to be met: it falls all the way, so that there is

@@ -99,7 +99,7 @@ public:
   double freeTime() const { return std::max(free_time_, resolution_); }
 
   /// What the disk touches now.
-  const std::optional<BaseFeature>& contact() const { return contact_; }
+  const BaseFeature& contact() const { return contact_; }
 
   /// What the disk will meet for certain, and before anything else.
   const SureContact* sureContact() const { return sure_.latest <= others_free_time_ ? &sure_ : nullptr; }
@@ -172,7 +172,7 @@ private:
   double others_free_time_;  ///< guaranteed by all features but the sure one
   double speed_;
   double reach_ = 0.0;  ///< how far anything can come to the disk within the horizon
-  std::optional<BaseFeature> contact_;
+  BaseFeature contact_;
   double contact_gap_ = 0.0;
   SureContact sure_;
 };

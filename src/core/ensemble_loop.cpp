@@ -158,7 +158,7 @@ private:
       return machine_.takeOut(id, now);
     ++events_;
     if (next.feature)
-      machine_.meetBase(id, *next.feature, now, base_);
+      machine_.meetBase(id, next.feature, now, base_);
     bringHome(id, now);
     next = search(id, now);
   }

@@ -20,33 +20,33 @@ struct LaneContact
   std::int32_t valley;
 };
 
-LaneContact laneContact(const std::optional<BaseFeature>& feature)
+LaneContact laneContact(const BaseFeature& feature)
 {
-  if (!feature)
-    return {LANE_NOTHING, 0};
-  switch (feature->kind)
+  switch (feature.kind)
   {
+    case BaseFeatureKind::NONE:
+      return {LANE_NOTHING, 0};
     case BaseFeatureKind::LEFT_SLOPE:
-      return {LANE_LEFT_SLOPE, feature->tooth};
+      return {LANE_LEFT_SLOPE, feature.tooth};
     case BaseFeatureKind::RIGHT_SLOPE:
-      return {LANE_RIGHT_SLOPE, feature->tooth + 1};
+      return {LANE_RIGHT_SLOPE, feature.tooth + 1};
     default:
-      return {LANE_APEX, feature->tooth};
+      return {LANE_APEX, feature.tooth};
   }
 }
 
-std::optional<BaseFeature> baseFeature(LaneFeature feature, std::int32_t valley)
+BaseFeature baseFeature(LaneFeature feature, std::int32_t valley)
 {
   switch (feature)
   {
     case LANE_LEFT_SLOPE:
-      return BaseFeature{BaseFeatureKind::LEFT_SLOPE, valley};
+      return {BaseFeatureKind::LEFT_SLOPE, valley};
     case LANE_RIGHT_SLOPE:
-      return BaseFeature{BaseFeatureKind::RIGHT_SLOPE, valley - 1};
+      return {BaseFeatureKind::RIGHT_SLOPE, valley - 1};
     case LANE_APEX:
-      return BaseFeature{BaseFeatureKind::APEX, valley};
+      return {BaseFeatureKind::APEX, valley};
     default:
-      return std::nullopt;
+      return {};
   }
 }
 
@@ -71,7 +71,7 @@ std::optional<LaneScene> laneScene(const Machine& machine)
   const BaseMotion& motion = machine.motion();
   if (definition.boundary != Boundary::PERIODIC || definition.contact.contact_duration > 0.0 ||
       motion.nextChange())
-    return std::nullopt;
+    return {};
   LaneScene scene{};
   const double w = TWO_PI * motion.frequency();
   scene.gravity = definition.gravity;

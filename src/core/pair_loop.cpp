@@ -249,7 +249,7 @@ private:
 
   void processBase(std::uint32_t id, double now)
   {
-    machine_.meetBase(id, *predictions_[id].base.feature, now, base_);
+    machine_.meetBase(id, predictions_[id].base.feature, now, base_);
     if (machine_.active(id))
       return predict(id, now);
     grid_.remove(id);
@@ -288,7 +288,7 @@ private:
     Prediction& p = predictions_[id];
     p.edge = Edge::NONE;
     p.cell_time = now;
-    p.base = {now, std::nullopt};
+    p.base = {now, {}};
     refresh(id);
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "ratchet_sieve/core/quadratic.h"
 #include "ratchet_sieve/core/resolution.h"
@@ -34,16 +35,14 @@ PairContact PairSearch::firstAmong(const std::uint32_t* others, std::size_t coun
   return first;
 }
 
-/// The arithmetic of contact() and timeToTouch(), step by step, for two disks at once and without a branch.
+/// The arithmetic of contact() and timeToTouch(), step by step and for two disks at once: first for all whether
+/// they will touch, without a branch; then for those that will, when. Most will not, and a root takes long.
 PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
                                      const Image& image) const
 {
   constexpr double NEVER = std::numeric_limits<double>::infinity();
   const double gravity = machine_.scene().gravity;
   const Two place = course_.place - Two{image.dx, image.dy};
-  std::array<Two, LANES / 2> waits;
-  waits.fill(Two{NEVER, NEVER});
-  Two least{NEVER, NEVER};
 
   struct Relative
   {
@@ -57,6 +56,14 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
     const Course other = courseAt(machine_.disk(id), from_, gravity);
     return {place - other.place, course_.velocity - other.velocity, radius_ + machine_.radius(id)};
   };
+  // One more, behind all, that is never touched.
+  alignas(Two) std::array<double, LANES + 2> excesses;
+  alignas(Two) std::array<double, LANES + 2> discriminants;
+  alignas(Two) std::array<double, LANES + 2> closings;
+  excesses[LANES] = NEVER;
+  discriminants[LANES] = 0.0;
+  closings[LANES] = -1.0;
+  unsigned touching = 0;
   for (std::size_t k = 0; k < count; k += 2)
   {
     // An odd one out is looked at twice.
@@ -71,26 +78,38 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
     const Two excess = dx * dx + dy * dy - distance * distance;
     const Two passing = dx * dvy - dy * dvx;
     const Two discriminant = (dvx * dvx + dvy * dvy) * distance * distance - passing * passing;
-    const Two time = excess / (rootOrZero(discriminant) - closing);
-    const Two never{NEVER, NEVER};
-    const Two free = discriminant < 0.0 ? never : time;
-    const Two due = excess <= 0.0 ? Two{} : free;
-    const Two wait = closing >= 0.0 ? never : due;
-    least = wait < least ? wait : least;
-    waits[k / 2] = wait;
+    std::memcpy(&closings[k], &closing, sizeof closing);
+    std::memcpy(&excesses[k], &excess, sizeof excess);
+    std::memcpy(&discriminants[k], &discriminant, sizeof discriminant);
+    touching |=
+        (whichBelow(closing, 0.0) & (whichUpTo(excess, 0.0) | ~whichBelow(discriminant, 0.0))) << k;
   }
-  const double shortest = std::min(least[0], least[1]);
+  touching &= (1U << count) - 1;
   PairContact first;
-  if (from_ + shortest >= until_)
-    return first;
-  unsigned found = 0;
-  for (std::size_t k = 0; k < LANES; k += 2)
-    found |= whichUpTo(waits[k / 2], shortest) << k;
-  for (; found != 0; found &= found - 1)
+  do
   {
-    const std::size_t k = std::min<std::size_t>(__builtin_ctz(found), count - 1);
-    first.take({from_ + shortest, others[k], shift});
-  }
+    std::array<std::size_t, 4> lanes;
+    for (std::size_t& lane : lanes)
+    {
+      lane = static_cast<std::size_t>(__builtin_ctz(touching | 1U << LANES));
+      touching &= touching - 1;
+    }
+    const auto wait = [&](std::size_t i, std::size_t j)
+    {
+      const Two excess{excesses[i], excesses[j]};
+      const Two closing{closings[i], closings[j]};
+      const Two time = excess / (rootOrZero(Two{discriminants[i], discriminants[j]}) - closing);
+      return excess <= 0.0 ? Two{} : time;
+    };
+    const Two a = wait(lanes[0], lanes[1]);
+    const Two b = wait(lanes[2], lanes[3]);
+    const Two least = a < b ? a : b;
+    const double shortest = std::min(least[0], least[1]);
+    if (from_ + shortest >= until_)
+      continue;
+    for (unsigned found = whichUpTo(a, shortest) | whichUpTo(b, shortest) << 2; found != 0; found &= found - 1)
+      first.take({from_ + shortest, others[lanes[__builtin_ctz(found)]], shift});
+  } while (touching != 0);
   return first;
 }
 

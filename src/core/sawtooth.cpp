@@ -87,6 +87,7 @@ Approach Sawtooth::approach(const BaseFeature& feature, const BasePoint& point, 
     case BaseFeatureKind::LEFT_END:
       return approachToLine(point.s, 1.0, 0.0, point, 0.0);
     case BaseFeatureKind::RIGHT_END:
+    case BaseFeatureKind::NONE:
       break;
   }
   return approachToLine(width_ - point.s, -1.0, 0.0, point, 0.0);

@@ -84,11 +84,11 @@ void checkAgainstScan(const BaseMotion& motion, const Sawtooth& sawtooth, const 
   const double end = std::min(event.time, HORIZON);
   for (int i = 0; i < 2000; ++i)
     RC_ASSERT(gapAt(search, sawtooth, thrown, end * i / 2000.0) > -tolerance);
-  RC_CLASSIFY(!event.feature.has_value(), "no contact");
+  RC_CLASSIFY(!event.feature, "no contact");
   if (!event.feature)
     return;
   const BasePoint point = search.seenFromBase(thrown.disk, event.time);
-  const Approach approach = sawtooth.approach(*event.feature, point, thrown.radius);
+  const Approach approach = sawtooth.approach(event.feature, point, thrown.radius);
   RC_ASSERT(std::abs(approach.gap) < tolerance);
   RC_ASSERT(approach.rate < 0.0);
   RC_ASSERT(std::abs(gapAt(search, sawtooth, thrown, event.time)) < tolerance);
@@ -156,7 +156,7 @@ std::optional<BaseFeatureKind> passApex(double miss)
   BaseEvent event{0.0, std::nullopt};
   while (!event.feature && event.time < 2.0 * flight)
     event = search.find(thrown.disk, thrown.radius, event.time, 2.0 * flight);
-  return event.feature ? std::optional<BaseFeatureKind>(event.feature->kind) : std::nullopt;
+  return event.feature ? std::optional<BaseFeatureKind>(event.feature.kind) : std::nullopt;
 }
 
 TEST(ContactSearch, TellsAGrazeFromAMiss)
@@ -188,8 +188,8 @@ TEST(ContactSearch, ADiskBehindASlopeMeetsItWhenItComesInFront)
   thrown.disk.vy = 0.5;
   const BaseEvent event = searchOn(search, thrown);
   ASSERT_TRUE(event.feature);
-  EXPECT_EQ(event.feature->kind, BaseFeatureKind::LEFT_SLOPE);
-  EXPECT_EQ(event.feature->tooth, 5);
+  EXPECT_EQ(event.feature.kind, BaseFeatureKind::LEFT_SLOPE);
+  EXPECT_EQ(event.feature.tooth, 5);
 }
 
 TEST(ContactSearch, AboveTheBandItIsFreeUntilItComesDown)
@@ -222,7 +222,7 @@ TEST(ContactSearch, ADiskThatLeavesAnOpenBaseIsSeenAtItsEnd)
   disk.vx = 0.5;
   const BaseEvent event = search.find(disk, 0.001, 0.0, 0.1);
   ASSERT_TRUE(event.feature);
-  EXPECT_EQ(event.feature->kind, BaseFeatureKind::RIGHT_END);
+  EXPECT_EQ(event.feature.kind, BaseFeatureKind::RIGHT_END);
   EXPECT_NEAR(event.time, 0.002, 1e-14);
 }
 

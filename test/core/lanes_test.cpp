@@ -279,7 +279,7 @@ bool isClear(const Machine& machine, const BaseEvent& event)
   if (!event.feature || event.time >= HORIZON)
     return false;
   const BasePoint point = machine.search().seenFromBase(machine.disk(0), event.time);
-  return machine.sawtooth().approach(*event.feature, point, machine.radius(0)).rate < -1e-2;
+  return machine.sawtooth().approach(event.feature, point, machine.radius(0)).rate < -1e-2;
 }
 
 BaseEvent searchInMachine(const Machine& machine)
@@ -307,7 +307,7 @@ void checkAgainstScan(const Machine& machine, const BaseEvent& event)
   if (!event.feature)
     return;
   const BasePoint point = machine.search().seenFromBase(machine.disk(0), event.time);
-  const Approach approach = machine.sawtooth().approach(*event.feature, point, radius);
+  const Approach approach = machine.sawtooth().approach(event.feature, point, radius);
   RC_ASSERT(std::abs(approach.gap) < tolerance);
   RC_ASSERT(approach.rate < 1e-9);
   RC_ASSERT(std::abs(gapAt(event.time)) < tolerance);
@@ -327,7 +327,7 @@ TEST(Lanes, FindTheFirstContactOfRandomFlights)
         // Whether a graze is one hangs on the last bit.
         const bool clear = isClear(machine, found) && isClear(machine, expected);
         RC_CLASSIFY(!clear, "no contact, or a graze");
-        RC_ASSERT(found.feature.has_value() || !isClear(machine, expected));
+        RC_ASSERT(static_cast<bool>(found.feature) || !isClear(machine, expected));
         if (clear)
           RC_ASSERT(std::abs(found.time - expected.time) < 1e-12);
       }));

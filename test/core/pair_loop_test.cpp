@@ -36,7 +36,7 @@ public:
       if (next->feature)
       {
         BaseInstant base(machine_.motion());
-        machine_.meetBase(next->i, *next->feature, now_, base);
+        machine_.meetBase(next->i, next->feature, now_, base);
       }
       else
         machine_.meetPair(next->i, next->j, next->shift, now_);
@@ -49,7 +49,7 @@ private:
     double time;
     std::uint32_t i, j;
     int shift;
-    std::optional<BaseFeature> feature;
+    BaseFeature feature;
   };
 
   std::optional<Event> earliest(double end) const
@@ -65,7 +65,7 @@ private:
     {
       if (!machine_.active(i))
         continue;
-      BaseEvent base{std::max(now_, machine_.disk(i).time), std::nullopt};
+      BaseEvent base{std::max(now_, machine_.disk(i).time), {}};
       while (!base.feature && base.time < end)
         base = machine_.search().find(machine_.disk(i), machine_.radius(i), base.time, end);
       if (base.feature)
@@ -73,7 +73,7 @@ private:
       for (std::uint32_t j = 0; j < i; ++j)
         for (int shift = -images; shift <= images && machine_.active(j); ++shift)
           if (const auto time = PairSearch(machine_, i, now_).contactWith(j, shift))
-            take({*time, i, j, shift, std::nullopt});
+            take({*time, i, j, shift, {}});
     }
     return best;
   }

@@ -13,8 +13,8 @@ namespace ratchet_sieve
 /// What a disk's flight will meet of the base.
 struct BaseEvent
 {
-  double time = 0.0;                   ///< of the contact; without one, free until then
-  std::optional<BaseFeature> feature;  ///< nothing: search again from `time` on
+  double time = 0.0;    ///< of the contact; without one, free until then
+  BaseFeature feature;  ///< none: search again from `time` on
 
   void archive(StateArchive& state) { state(time, feature); }
 };

@@ -10,8 +10,9 @@ namespace ratchet_sieve
 {
 
 /// The parts of the base that a disk can meet.
-enum class BaseFeatureKind : std::uint8_t
+enum class BaseFeatureKind : std::int32_t
 {
+  NONE,
   LEFT_SLOPE,
   RIGHT_SLOPE,
   APEX,
@@ -22,11 +23,14 @@ enum class BaseFeatureKind : std::uint8_t
   RIGHT_END  ///< the line s = W
 };
 
+/// A part of the base that a disk can meet, or none. Its kind is as wide as the tooth, for a processor waits where
+/// it reads together what was written apart.
 struct BaseFeature
 {
-  BaseFeatureKind kind = BaseFeatureKind::LEFT_SLOPE;
+  BaseFeatureKind kind = BaseFeatureKind::NONE;
   std::int32_t tooth = 0;  ///< for slopes and apices; for END_FOOT 0 or the number of teeth
 
+  explicit operator bool() const { return kind != BaseFeatureKind::NONE; }
   void archive(StateArchive& state) { state(kind, tooth); }
 };
 

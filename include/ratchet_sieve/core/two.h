@@ -23,6 +23,16 @@ inline Two rootOrZero(Two x)
 #endif
 }
 
+/// Bit 0 and bit 1: which are less than `limit`.
+inline unsigned whichBelow(Two x, double limit)
+{
+#if defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_pd(_mm_cmplt_pd(x, Two{limit, limit})));
+#else
+  return (x[0] < limit ? 1U : 0U) | (x[1] < limit ? 2U : 0U);
+#endif
+}
+
 /// Bit 0 and bit 1: which are no greater than `limit`.
 inline unsigned whichUpTo(Two x, double limit)
 {
