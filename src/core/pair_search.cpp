@@ -35,8 +35,9 @@ PairContact PairSearch::firstAmong(const std::uint32_t* others, std::size_t coun
   return first;
 }
 
-/// The arithmetic of contact() and timeToTouch(), step by step and for two disks at once: first for all whether
-/// they will touch, without a branch; then for those that will, when. Most will not, and a root takes long.
+/// The arithmetic of contact() and timeToTouch(), step by step and for two disks at once: first for all
+/// whether they will touch, without a branch; then for those that will, when. Most will not, and a root takes
+/// long.
 PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
                                      const Image& image) const
 {
@@ -81,8 +82,7 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
     std::memcpy(&closings[k], &closing, sizeof closing);
     std::memcpy(&excesses[k], &excess, sizeof excess);
     std::memcpy(&discriminants[k], &discriminant, sizeof discriminant);
-    touching |=
-        (whichBelow(closing, 0.0) & (whichUpTo(excess, 0.0) | ~whichBelow(discriminant, 0.0))) << k;
+    touching |= (whichBelow(closing, 0.0) & (whichUpTo(excess, 0.0) | ~whichBelow(discriminant, 0.0))) << k;
   }
   touching &= (1U << count) - 1;
   PairContact first;
@@ -107,7 +107,8 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
     const double shortest = std::min(least[0], least[1]);
     if (from_ + shortest >= until_)
       continue;
-    for (unsigned found = whichUpTo(a, shortest) | whichUpTo(b, shortest) << 2; found != 0; found &= found - 1)
+    for (unsigned found = whichUpTo(a, shortest) | whichUpTo(b, shortest) << 2; found != 0;
+         found &= found - 1)
       first.take({from_ + shortest, others[lanes[__builtin_ctz(found)]], shift});
   } while (touching != 0);
   return first;

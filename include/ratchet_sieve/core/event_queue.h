@@ -120,13 +120,7 @@ private:
     std::size_t find(double time) const { return static_cast<std::size_t>(__builtin_ctz(upTo(time))); }
 
     /// A bit for each that is no later.
-    unsigned upTo(double time) const
-    {
-      unsigned found = 0;
-      for (std::size_t i = 0; i < GROUP; i += 2)
-        found |= whichUpTo(Two{times[i], times[i + 1]}, time) << i;
-      return found;
-    }
+    unsigned upTo(double time) const { return whichUpTo(times.data(), time); }
 
     void archive(StateArchive& state) { state(times); }
   };

@@ -23,8 +23,8 @@ enum class BaseFeatureKind : std::int32_t
   RIGHT_END  ///< the line s = W
 };
 
-/// A part of the base that a disk can meet, or none. Its kind is as wide as the tooth, for a processor waits where
-/// it reads together what was written apart.
+/// A part of the base that a disk can meet, or none. Its kind is as wide as the tooth, for a processor waits
+/// where it reads together what was written apart.
 struct BaseFeature
 {
   BaseFeatureKind kind = BaseFeatureKind::NONE;

@@ -43,4 +43,22 @@ inline unsigned whichUpTo(Two x, double limit)
 #endif
 }
 
+/// Bit 0 to bit 15: which of sixteen side by side are no greater than `limit`. @pre aligned as Two
+inline unsigned whichUpTo(const double* sixteen, double limit)
+{
+#if defined(__SSE2__)
+  // Each comparison's bits are all set or none, so that narrowing keeps them.
+  const __m128d limits = _mm_set1_pd(limit);
+  const auto two = [&](int i) { return _mm_castpd_si128(_mm_cmple_pd(_mm_load_pd(sixteen + i), limits)); };
+  const auto four = [&](int i) { return _mm_packs_epi32(two(i), two(i + 2)); };
+  const auto eight = [&](int i) { return _mm_packs_epi16(four(i), four(i + 4)); };
+  return static_cast<unsigned>(_mm_movemask_epi8(_mm_packs_epi16(eight(0), eight(8))));
+#else
+  unsigned found = 0;
+  for (unsigned i = 0; i < 16; ++i)
+    found |= (sixteen[i] <= limit ? 1U : 0U) << i;
+  return found;
+#endif
+}
+
 }  // namespace ratchet_sieve
