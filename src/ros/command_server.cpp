@@ -1,6 +1,5 @@
 #include "ratchet_sieve/ros/command_server.h"
 
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,7 +13,7 @@ namespace
 {
 constexpr std::uint32_t QUEUE_SIZE = 100;
 
-/// Copies how it went into a service's answer, and says so in the log if it did not.
+/// Copies how it went into a service's answer, and says in the log what there is to say of it.
 template <typename Response>
 void answer(const char* service, const Outcome& outcome, Response& response)
 {
@@ -22,6 +21,8 @@ void answer(const char* service, const Outcome& outcome, Response& response)
   response.message = outcome.message;
   if (!outcome.success)
     ROS_WARN("%s: %s", service, outcome.message.c_str());
+  else if (!outcome.message.empty())
+    ROS_INFO("%s: %s", service, outcome.message.c_str());
 }
 
 void say(ros::console::levels::Level level, const std::optional<std::string>& line)
@@ -119,16 +120,16 @@ bool CommandServer::unpause(std_srvs::Empty::Request&, std_srvs::Empty::Response
 bool CommandServer::resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Response&)
 {
   commandAll();
-  try
+  const Outcome outcome = control_.resetWorld();
+  time_changed_();
+  if (!outcome.success)
   {
-    control_.resetWorld();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    ROS_ERROR("reset_world: %s", error.what());
+    // The answer has no room for the reason.
+    ROS_ERROR("reset_world: %s", outcome.message.c_str());
+    diagnostics_.resetWorldRefused(outcome.message);
     return false;
   }
-  time_changed_();
+  diagnostics_.begunAnew();
   ROS_INFO("disks poured anew at %.3f s", control_.run().time());
   return true;
 }
@@ -138,9 +139,11 @@ bool CommandServer::reset(ResetSimulation::Request& request, ResetSimulation::Re
   commandAll();
   answer("reset", control_.reset(request.seed, request.overrides, request.keep_time), response);
   time_changed_();
-  if (response.success)
-    ROS_INFO("begun anew at %g s with seed %lu", control_.run().time(),
-             static_cast<unsigned long>(control_.run().simulation().scene().seed));
+  if (!response.success)
+    return true;
+  diagnostics_.begunAnew();
+  ROS_INFO("begun anew at %g s with seed %lu", control_.run().time(),
+           static_cast<unsigned long>(control_.run().simulation().scene().seed));
   return true;
 }
 

@@ -57,7 +57,7 @@ public:
         return control.pause();
       case 5:
         ++bags;
-        return control.resetWorld();
+        return expect(control.resetWorld());
       default:
         ++bags;
         return expect(control.reset(7, {"base.inclination=0.05"}, share < 0.5));

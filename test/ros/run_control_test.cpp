@@ -88,7 +88,7 @@ TEST(RunControl, makesOnlyWhatSomebodyWants)
 
   CollectingSink eager;
   control.addSink(eager);
-  control.resetWorld();
+  EXPECT_TRUE(control.resetWorld().success);
   EXPECT_TRUE(control.step(0.5, STRIDE, keepGoing).success);
   EXPECT_EQ(eager.particles.size(), 31u);  // of the new run
 }
@@ -119,6 +119,28 @@ TEST(RunControl, stepsNoFurtherThanTheEnd)
   EXPECT_TRUE(run.control.run().finished());
   EXPECT_EQ(run.control.run().time(), smallMixture().duration);
   EXPECT_EQ(run.control.step(1.0, STRIDE, keepGoing).message, "the scene's end is reached: reset first");
+}
+
+TEST(RunControl, saysThatTheEndCameBeforeAStepWasDone)
+{
+  Controlled run;
+  EXPECT_EQ(run.control.step(0.5, STRIDE, keepGoing).message, "");
+  const Outcome outcome = run.control.step(4.0, STRIDE, keepGoing);
+  EXPECT_TRUE(outcome.success);
+  EXPECT_EQ(outcome.message, "the scene's end came first, at 2 s: 2.5 s of the step are left");
+  run.control.reset(0, {}, false);
+  EXPECT_EQ(run.control.lockStep({}, 2.5, STRIDE, keepGoing).message,
+            "the scene's end came first, at 2 s: 0.5 s of the step are left");
+}
+
+/// Of doubles, 0.1 + 0.1 + 0.1 is more than 0.3.
+TEST(RunControl, isDoneWithAStepThatEndsWithTheScene)
+{
+  Controlled run;
+  ASSERT_TRUE(run.control.reset(0, {"duration=0.3"}, false).success);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_EQ(run.control.step(0.1, STRIDE, keepGoing).message, "");
+  EXPECT_TRUE(run.control.run().finished());
 }
 
 TEST(RunControl, isFinishedByACollapseUntilItIsBegunAnew)
@@ -220,7 +242,7 @@ TEST(RunControl, poursTheDisksAnewWhileTimeAndBaseGoOn)
   run.control.command(run.inclination(), 0.2);
   run.control.step(0.75, STRIDE, keepGoing);
   const BaseFrame before = run.control.run().base();
-  run.control.resetWorld();
+  EXPECT_TRUE(run.control.resetWorld().success);
   const BaseFrame after = run.control.run().base();
   EXPECT_EQ(after.time, 0.75);
   EXPECT_EQ(after.base.inclination, before.base.inclination);
@@ -234,11 +256,37 @@ TEST(RunControl, poursTheDisksAnewWhileTimeAndBaseGoOn)
   EXPECT_EQ(run.control.run().time(), smallMixture().duration);
 }
 
+TEST(RunControl, goesOnWhereTheBaseStandsInTheDisksToBePlacedAnew)
+{
+  const ScratchDirectory scratch;
+  Controlled run(scratch / "run.bag");
+  ASSERT_TRUE(run.control.reset(0, {"initial=[{species: A, x: 0.07, y: 0.0075}]"}, false).success);
+  run.control.command(run.inclination(), 0.1);
+  run.control.step(1.5, STRIDE, keepGoing);
+  const Outcome outcome = run.control.resetWorld();
+  EXPECT_FALSE(outcome.success);
+  EXPECT_EQ(outcome.message.rfind("initial.0 is buried: it overlaps the base or a wall by ", 0), 0u)
+      << outcome.message;
+  const std::string end = ", as the base stands now; the run goes on as it was";
+  EXPECT_EQ(outcome.message.substr(outcome.message.size() - end.size()), end);
+
+  // The same run, shown and recorded without a break.
+  EXPECT_EQ(run.control.run().time(), 1.5);
+  EXPECT_EQ(run.recorder.path(), scratch / "run_run2.bag");
+  EXPECT_EQ(run.seen.scenes.size(), 2u);
+  run.control.step(0.25, STRIDE, keepGoing);
+  const auto seen = run.seen.particles.back();
+  run.control.reset(0, {"initial=[{species: A, x: 0.07, y: 0.0075}]"}, false);
+  run.control.command(run.inclination(), 0.1);
+  run.control.step(1.75, STRIDE, keepGoing);
+  EXPECT_TRUE(sameBits(run.seen.particles.back(), seen));
+}
+
 TEST(RunControl, poursAnewAtTheEndForAnotherDuration)
 {
   Controlled run;
   run.control.step(100.0, 10.0, keepGoing);
-  run.control.resetWorld();
+  EXPECT_TRUE(run.control.resetWorld().success);
   EXPECT_EQ(run.control.run().time(), smallMixture().duration);
   EXPECT_TRUE(run.control.step(100.0, 10.0, keepGoing).success);
   EXPECT_EQ(run.control.run().time(), 2.0 * smallMixture().duration);

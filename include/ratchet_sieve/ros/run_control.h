@@ -20,7 +20,7 @@ namespace ratchet_sieve
 struct Outcome
 {
   bool success = true;
-  std::string message;  ///< on failure: why
+  std::string message;  ///< on failure: why; else what is to be said of it, if anything
 };
 
 /// A run under command: paused, stepped, reset, poured on, driven by setpoints. Knows frames and
@@ -52,7 +52,8 @@ public:
   /// Advances to a time, but no further than to the next frame or the end.
   void advanceTo(double time) { run_->advanceTo(time, sinks_); }
 
-  /// Advances by `duration` [s] or to the end, in strides between which `keep_going` is asked.
+  /// Advances by `duration` [s] or to the end, in strides between which `keep_going` is asked. Where the end
+  /// comes first, that is no failure, and said.
   Outcome step(double duration, double stride, const std::function<bool()>& keep_going);
 
   /// Takes setpoints, all or none, and steps.
@@ -64,8 +65,8 @@ public:
   Outcome reset(std::uint64_t seed, const std::vector<std::string>& overrides, bool keep_time);
 
   /// Pours the disks anew, over a base that goes on as it moves; time goes on, to the end, or from there for
-  /// another duration. @throws std::invalid_argument where the base now stands in disks of `initial`
-  void resetWorld();
+  /// another duration. Fails where the base now stands in disks of `initial`; the run then goes on as it was.
+  Outcome resetWorld();
 
   Outcome pour(const std::string& species, std::size_t count);
 
