@@ -86,7 +86,8 @@ void SieveNode::keepAlive()
   }
   watchSpeed();
   diagnostics_.updateDue();
-  progress_.update(control_.run());
+  if (const auto line = progress_.line(control_.run()))
+    ROS_INFO_STREAM(*line);
 }
 
 void SieveNode::watchSpeed()
