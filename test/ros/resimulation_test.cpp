@@ -220,8 +220,34 @@ TEST(Resimulation, refusesCommandsThatMakeNoSense)
   refuses(CommandKind::AMPLITUDE, {std::nan("")}, 0);
   refuses(CommandKind::SLEW_RATES, {0.1, 0.0, 0.1}, 0);
   refuses(CommandKind::SLEW_RATES, {0.1, 0.1}, 0);
+  refuses(CommandKind::FREQUENCY, {1e7}, 0);
+  refuses(CommandKind::AMPLITUDE, {1e4}, 0);
   refuses(CommandKind::POUR, {}, 2);
   refuses(CommandKind::POUR, {}, 0, MOST_POURED + 1);
+}
+
+/// Slew rates without bound would keep it busy for ever.
+TEST(Resimulation, takesTheSlewRatesThatANodeTakes)
+{
+  const auto takes = [](SlewRates rates)
+  {
+    Simulation simulation(smallRing());
+    apply({0.0, CommandKind::SLEW_RATES, {rates.inclination, rates.frequency, rates.amplitude}, 0, 0},
+          simulation);
+  };
+  EXPECT_NO_THROW(takes(SLOWEST_SLEW));
+  EXPECT_NO_THROW(takes(FASTEST_SLEW));
+  for (double SlewRates::*quantity : {&SlewRates::inclination, &SlewRates::frequency, &SlewRates::amplitude})
+  {
+    SlewRates fast = FASTEST_SLEW;
+    fast.*quantity = std::nextafter(fast.*quantity, 1e9);
+    EXPECT_THROW(takes(fast), std::invalid_argument);
+    fast.*quantity = 1e14;
+    EXPECT_THROW(takes(fast), std::invalid_argument);
+    SlewRates slow = SLOWEST_SLEW;
+    slow.*quantity = std::nextafter(slow.*quantity, 0.0);
+    EXPECT_THROW(takes(slow), std::invalid_argument);
+  }
 }
 
 TEST(Resimulation, refusesARunThatBeganAtATimeThatIsNone)
