@@ -33,11 +33,11 @@ void say(ros::console::levels::Level level, const std::optional<std::string>& li
 }  // namespace
 
 CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters& parameters,
-                             RunControl& control, Diagnostics& diagnostics, Stepping stepping,
+                             RunControl& control, Diagnostics& diagnostics, RunControl::Stride stride,
                              std::function<void()> time_changed)
     : control_(control),
       diagnostics_(diagnostics),
-      stepping_(std::move(stepping)),
+      stride_(std::move(stride)),
       time_changed_(std::move(time_changed)),
       setpoints_(parameters.setpoints)
 {
@@ -150,7 +150,7 @@ bool CommandServer::reset(ResetSimulation::Request& request, ResetSimulation::Re
 bool CommandServer::step(StepSimulation::Request& request, StepSimulation::Response& response)
 {
   commandAll();
-  answer("step", control_.step(request.duration, stepping_.stride(), stepping_.keep_going), response);
+  answer("step", control_.step(request.duration, stride_), response);
   time_changed_();
   response.time = control_.run().time();
   return true;
@@ -162,8 +162,7 @@ bool CommandServer::lockStep(LockStep::Request& request, LockStep::Response& res
   std::vector<std::pair<std::string, double>> setpoints;
   for (const BaseSetpoint& setpoint : request.setpoints)
     setpoints.emplace_back(setpoint.quantity, setpoint.value);
-  answer("lock_step",
-         control_.lockStep(setpoints, request.duration, stepping_.stride(), stepping_.keep_going), response);
+  answer("lock_step", control_.lockStep(setpoints, request.duration, stride_), response);
   time_changed_();
   const LiveRun& run = control_.run();
   response.time = run.time();

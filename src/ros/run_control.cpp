@@ -136,15 +136,15 @@ std::optional<std::string> RunControl::whyNoStep(double duration) const
   return std::nullopt;
 }
 
-Outcome RunControl::step(double duration, double stride, const std::function<bool()>& keep_going)
+Outcome RunControl::step(double duration, const Stride& stride)
 {
   if (const auto reason = whyNoStep(duration))
     return failure(*reason);
-  return advance(duration, stride, keep_going);
+  return advance(duration, stride);
 }
 
 Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& setpoints, double duration,
-                             double stride, const std::function<bool()>& keep_going)
+                             const Stride& stride)
 {
   if (const auto reason = whyNoStep(duration))
     return failure(*reason);
@@ -163,19 +163,16 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
   for (std::size_t k = 0; k < found.size(); ++k)
     if (commanded(found[k]->kind) != setpoints[k].second)
       command(*found[k], setpoints[k].second);
-  return advance(duration, stride, keep_going);
+  return advance(duration, stride);
 }
 
-Outcome RunControl::advance(double duration, double stride, const std::function<bool()>& keep_going)
+Outcome RunControl::advance(double duration, const Stride& stride)
 {
   const UnderWay under_way(*run_);
   const double target = run_->time() + duration;
   while (run_->time() < target && !run_->finished())
-  {
-    if (!keep_going())
+    if (!stride(target))
       return failure("interrupted");
-    advanceTo(std::min(target, run_->time() + stride));
-  }
   run_->takeAll(sinks_);
   if (run_->stopped())
     return failure(*run_->stopReason());

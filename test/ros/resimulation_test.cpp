@@ -1,5 +1,6 @@
 #include "ratchet_sieve/recording/resimulation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -34,7 +35,12 @@ public:
 
   void step(double duration)
   {
-    control.step(duration, STRIDE, [] { return true; });
+    control.step(duration,
+                 [this](double time)
+                 {
+                   control.advanceTo(std::min(time, control.run().time() + STRIDE));
+                   return true;
+                 });
   }
 
   /// Commands, pours, pauses and begins anew, a little time between all of them.
