@@ -8,6 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "ratchet_sieve/recording/version.h"
+
 namespace ratchet_sieve
 {
 
@@ -29,10 +31,11 @@ inline int complain(const CLI::App& app, const std::string& what, int status)
   return status;
 }
 
-/// Parses the arguments into what `app` describes, runs the program, and lets no exception out.
+/// Parses the arguments into what `app` describes and --version, runs the program, and lets no exception out.
 /// @return the exit status
 inline int runProgram(CLI::App& app, int argc, char** argv, const std::function<int()>& program)
 {
+  app.set_version_flag("--version", app.get_name() + " " + version());
   try
   {
     app.parse(argc, argv);

@@ -10,7 +10,6 @@
 #include "ratchet_sieve/analysis/analysis_tables.h"
 #include "ratchet_sieve/analysis/run_analysis.h"
 #include "ratchet_sieve/recording/atomic_file.h"
-#include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 
 namespace
@@ -35,7 +34,6 @@ void describe(CLI::App& app, Arguments& arguments)
       ->type_name("FILE");
   app.add_option("--summary", arguments.summary, "Write the results as JSON")->type_name("FILE");
   app.add_option("--out", arguments.directory, "Write tables (CSV) and plots (PNG) there")->type_name("DIR");
-  app.set_version_flag("--version", version());
   app.footer("Exit status: 0 done; 2 bad arguments; 1 anything else, such as a bag that cannot be read.");
 }
 

@@ -72,7 +72,6 @@ int main(int argc, char** argv)
   app.add_option("BAG", bags, "A recorded run: its bag, or all the files of a split one")
       ->required()
       ->type_name("FILE");
-  app.set_version_flag("--version", version());
   app.footer("Exit status: 0 the same; 1 it differs, or the bag cannot be read; 2 bad arguments.");
   return runProgram(app, argc, argv, [&] { return resimulate(bags); });
 }

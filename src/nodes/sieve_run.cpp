@@ -17,7 +17,6 @@
 #include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/recording/summary.h"
-#include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace
@@ -92,7 +91,6 @@ void describe(CLI::App& app, Arguments& arguments)
       ->type_name("N")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
-  app.set_version_flag("--version", version());
   app.footer("Exit status: 0 done; 2 bad arguments or bad scene, nothing written; 1 anything else.");
 }
 

@@ -1,30 +1,46 @@
 #include "ratchet_sieve/recording/commands.h"
 
-#include <cmath>
-#include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "ratchet_sieve/scene/scene_limits.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-/// A base stands less than upright, as in a scene [rad].
-constexpr double MAX_INCLINATION = 1.5;
-
-constexpr double INFINITE = std::numeric_limits<double>::infinity();
-
-/// The values of a command, each within bounds.
-const std::vector<double>& checked(const std::vector<double>& values, std::size_t count, double min,
-                                   double max)
+void requireCount(const std::vector<double>& values, std::size_t count)
 {
   if (values.size() != count)
     throw std::invalid_argument("a command has " + std::to_string(values.size()) + " values, not " +
                                 std::to_string(count));
-  for (const double value : values)
-    if (!std::isfinite(value) || value < min || value > max)
-      throw std::invalid_argument("a command has the value " + std::to_string(value));
-  return values;
+}
+
+/// A value that lies within bounds: one that is not a number does not.
+double within(double value, double min, double max)
+{
+  if (!(value >= min && value <= max))
+  {
+    std::ostringstream text;
+    text << "a command has the value " << value << ": must be from " << min << " to " << max;
+    throw std::invalid_argument(text.str());
+  }
+  return value;
+}
+
+double setpointOf(const std::vector<double>& values, double min, double max)
+{
+  requireCount(values, 1);
+  return within(values[0], min, max);
+}
+
+SlewRates slewRatesOf(const std::vector<double>& values)
+{
+  requireCount(values, 3);
+  return {within(values[0], SLOWEST_SLEW.inclination, FASTEST_SLEW.inclination),
+          within(values[1], SLOWEST_SLEW.frequency, FASTEST_SLEW.frequency),
+          within(values[2], SLOWEST_SLEW.amplitude, FASTEST_SLEW.amplitude)};
 }
 }  // namespace
 
@@ -34,14 +50,13 @@ void apply(const CommandFrame& command, Simulation& simulation)
   switch (command.kind)
   {
     case CommandKind::INCLINATION:
-      return simulation.commandInclination(checked(values, 1, -MAX_INCLINATION, MAX_INCLINATION)[0]);
+      return simulation.commandInclination(setpointOf(values, -STEEPEST_INCLINATION, STEEPEST_INCLINATION));
     case CommandKind::FREQUENCY:
-      return simulation.commandFrequency(checked(values, 1, 0.0, INFINITE)[0]);
+      return simulation.commandFrequency(setpointOf(values, 0.0, LARGEST_FREQUENCY));
     case CommandKind::AMPLITUDE:
-      return simulation.commandAmplitude(checked(values, 1, 0.0, INFINITE)[0]);
+      return simulation.commandAmplitude(setpointOf(values, 0.0, LARGEST_AMPLITUDE));
     case CommandKind::SLEW_RATES:
-      checked(values, 3, std::numeric_limits<double>::min(), INFINITE);
-      return simulation.setSlewRates({values[0], values[1], values[2]});
+      return simulation.setSlewRates(slewRatesOf(values));
     case CommandKind::POUR:
       if (command.count > MOST_POURED)
         throw std::invalid_argument("a command pours " + std::to_string(command.count) + " disks");

@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <roslz4/lz4s.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include "record_text.h"
@@ -42,15 +43,39 @@ std::string stampBytes(ros::Time time)
   return bytesOf(time.sec) + bytesOf(time.nsec);
 }
 
+/// A lock that ends with the program, however it ends. A file system that knows no locks refuses none.
+bool refusesLock(int descriptor, int kind)
+{
+  return flock(descriptor, kind | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
+
 }  // namespace
 
+bool BagFile::isBeingWritten(const std::string& path)
+{
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0)
+    return false;
+  const bool refused = refusesLock(descriptor, LOCK_SH);
+  ::close(descriptor);
+  return refused;
+}
+
 BagFile::BagFile(const std::string& path)
-    : descriptor_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666))
+    : descriptor_(open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666))
 {
   if (descriptor_ < 0)
     throw BagError(std::strerror(errno));
+  if (refusesLock(descriptor_, LOCK_EX))
+  {
+    ::close(descriptor_);
+    throw BagError("another program is recording into it");
+  }
   try
   {
+    // What is no file has no size to be cut.
+    if (ftruncate(descriptor_, 0) != 0 && errno != EINVAL)
+      fail(errno);
     const std::string head = VERSION_LINE + headRecord(0);
     writeAt(0, head);
     end_ = head.size();

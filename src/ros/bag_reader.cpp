@@ -19,9 +19,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// What a stamp of ROS can say: 32 bits of seconds [s].
-constexpr double LATEST_TIME = 4294967295.0;
-
 /// Of an error, which may name a topic [characters].
 constexpr std::size_t LONGEST_REASON = 300;
 
@@ -71,7 +68,7 @@ private:
     Message message;
     BoundedStream(bytes).next(message);
     frame_ = toFrame(message);
-    if (!(frame_.time >= 0.0 && frame_.time <= LATEST_TIME))
+    if (!isStamp(frame_.time))
       throw std::invalid_argument(position_->getTopic() + " has a message at a time that is none");
   }
 

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 #include <ros/console.h>
@@ -36,10 +37,40 @@ BagError cannotBeWritten(const std::string& path, const std::string& why)
   return BagError(path + ": cannot be written: " + why);
 }
 
+/// A name that no file has.
+std::string unfinishedPath(const std::string& path)
+{
+  const std::string stem = path + ".unfinished";
+  std::string name = stem + ".active";
+  for (int k = 2; std::filesystem::exists(std::filesystem::symlink_status(name)); ++k)
+    name = stem + std::to_string(k) + ".active";
+  return name;
+}
+
+/// A recording that nobody closed holds all but its index: it is not to be overwritten.
+/// @throws BagError
+void setAside(const std::string& path, const std::string& active_path)
+{
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(active_path, none))
+    return;
+  if (BagFile::isBeingWritten(active_path))
+    return;  // and will not be opened
+  const std::string unfinished = unfinishedPath(path);
+  if (std::rename(active_path.c_str(), unfinished.c_str()) != 0)
+    throw BagError("there is " + active_path +
+                   ", which was not closed, and cannot be set aside: " + std::strerror(errno));
+  ROS_WARN(
+      "%s was not closed, by a program that was killed: set aside as %s; `rosbag reindex %s` gives it its "
+      "index",
+      active_path.c_str(), unfinished.c_str(), unfinished.c_str());
+}
+
 std::unique_ptr<BagFile> opened(const std::string& path, const std::string& active_path)
 {
   try
   {
+    setAside(path, active_path);
     return std::make_unique<BagFile>(active_path);
   }
   catch (const BagError& error)

@@ -1,6 +1,5 @@
 #include "ratchet_sieve/ros/command_server.h"
 
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,7 +13,7 @@ namespace
 {
 constexpr std::uint32_t QUEUE_SIZE = 100;
 
-/// Copies how it went into a service's answer, and says so in the log if it did not.
+/// Copies how it went into a service's answer, and says in the log what there is to say of it.
 template <typename Response>
 void answer(const char* service, const Outcome& outcome, Response& response)
 {
@@ -22,6 +21,8 @@ void answer(const char* service, const Outcome& outcome, Response& response)
   response.message = outcome.message;
   if (!outcome.success)
     ROS_WARN("%s: %s", service, outcome.message.c_str());
+  else if (!outcome.message.empty())
+    ROS_INFO("%s: %s", service, outcome.message.c_str());
 }
 
 void say(ros::console::levels::Level level, const std::optional<std::string>& line)
@@ -32,11 +33,11 @@ void say(ros::console::levels::Level level, const std::optional<std::string>& li
 }  // namespace
 
 CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters& parameters,
-                             RunControl& control, Diagnostics& diagnostics, Stepping stepping,
+                             RunControl& control, Diagnostics& diagnostics, RunControl::Stride stride,
                              std::function<void()> time_changed)
     : control_(control),
       diagnostics_(diagnostics),
-      stepping_(std::move(stepping)),
+      stride_(std::move(stride)),
       time_changed_(std::move(time_changed)),
       setpoints_(parameters.setpoints)
 {
@@ -119,16 +120,16 @@ bool CommandServer::unpause(std_srvs::Empty::Request&, std_srvs::Empty::Response
 bool CommandServer::resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Response&)
 {
   commandAll();
-  try
+  const Outcome outcome = control_.resetWorld();
+  time_changed_();
+  if (!outcome.success)
   {
-    control_.resetWorld();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    ROS_ERROR("reset_world: %s", error.what());
+    // The answer has no room for the reason.
+    ROS_ERROR("reset_world: %s", outcome.message.c_str());
+    diagnostics_.resetWorldRefused(outcome.message);
     return false;
   }
-  time_changed_();
+  diagnostics_.begunAnew();
   ROS_INFO("disks poured anew at %.3f s", control_.run().time());
   return true;
 }
@@ -138,16 +139,18 @@ bool CommandServer::reset(ResetSimulation::Request& request, ResetSimulation::Re
   commandAll();
   answer("reset", control_.reset(request.seed, request.overrides, request.keep_time), response);
   time_changed_();
-  if (response.success)
-    ROS_INFO("begun anew at %g s with seed %lu", control_.run().time(),
-             static_cast<unsigned long>(control_.run().simulation().scene().seed));
+  if (!response.success)
+    return true;
+  diagnostics_.begunAnew();
+  ROS_INFO("begun anew at %g s with seed %lu", control_.run().time(),
+           static_cast<unsigned long>(control_.run().simulation().scene().seed));
   return true;
 }
 
 bool CommandServer::step(StepSimulation::Request& request, StepSimulation::Response& response)
 {
   commandAll();
-  answer("step", control_.step(request.duration, stepping_.stride(), stepping_.keep_going), response);
+  answer("step", control_.step(request.duration, stride_), response);
   time_changed_();
   response.time = control_.run().time();
   return true;
@@ -159,8 +162,7 @@ bool CommandServer::lockStep(LockStep::Request& request, LockStep::Response& res
   std::vector<std::pair<std::string, double>> setpoints;
   for (const BaseSetpoint& setpoint : request.setpoints)
     setpoints.emplace_back(setpoint.quantity, setpoint.value);
-  answer("lock_step",
-         control_.lockStep(setpoints, request.duration, stepping_.stride(), stepping_.keep_going), response);
+  answer("lock_step", control_.lockStep(setpoints, request.duration, stride_), response);
   time_changed_();
   const LiveRun& run = control_.run();
   response.time = run.time();

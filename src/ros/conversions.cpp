@@ -6,6 +6,8 @@ namespace ratchet_sieve
 {
 namespace
 {
+constexpr double LATEST_STAMP = 4294967295.0;  // s
+
 std_msgs::Header headerAt(double time)
 {
   std_msgs::Header header;
@@ -59,6 +61,11 @@ SpeciesMeans meansOf(const SpeciesStatistics& message)
 ros::Time stampOf(double time)
 {
   return ros::Time(time);
+}
+
+bool isStamp(double time)
+{
+  return time >= 0.0 && time <= LATEST_STAMP;
 }
 
 SceneDescription toMessage(const SceneFrame& frame)

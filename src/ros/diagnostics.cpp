@@ -47,6 +47,12 @@ void Diagnostics::setpointRefused(const Setpoint& setpoint, const std::string& w
   pressing_ = true;
 }
 
+void Diagnostics::resetWorldRefused(const std::string& why)
+{
+  reset_world_refusal_ = "reset_world: " + why;
+  pressing_ = true;
+}
+
 void Diagnostics::updateDue()
 {
   const auto waited = Clock::now() - last_update_;
@@ -76,6 +82,8 @@ void Diagnostics::reportRun(Status& status)
     status.summary(DiagnosticStatus::OK, run.finished() ? "at its end" : "paused");
   else
     status.summary(DiagnosticStatus::OK, "running");
+  if (!reset_world_refusal_.empty())
+    status.mergeSummary(DiagnosticStatus::WARN, reset_world_refusal_);
   status.add("simulated time [s]", run.time());
   status.add("end [s]", run.endTime());
   status.add("disks in the machine", simulation.activeDisks());

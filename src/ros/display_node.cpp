@@ -22,9 +22,6 @@ constexpr double MAX_RATE = 1e3;       // [1/s]
 /// So often in the time of a picture is looked whether it is time for one: a timer that is a little early
 /// does not cost a picture.
 constexpr double LOOKS = 4.0;
-
-/// What a stamp of ROS can say: 32 bits of seconds [s].
-constexpr double LATEST_TIME = 4294967295.0;
 }  // namespace
 
 DisplayNode::DisplayNode(const ros::NodeHandle& private_node)
@@ -84,7 +81,7 @@ void DisplayNode::subscribe(const std::string& topic)
 template <typename Frame>
 void DisplayNode::see(const Frame& frame, const std::string& publisher)
 {
-  if (!(frame.time >= 0.0 && frame.time <= LATEST_TIME))
+  if (!isStamp(frame.time))
     throw std::invalid_argument("a time that is none");
   seen_.take(frame);
   // Those of a sieve that runs are there: a listener warns of each that comes twice.

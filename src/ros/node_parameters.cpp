@@ -4,31 +4,34 @@
 
 #include <ros/console.h>
 
+#include "ratchet_sieve/recording/commands.h"
+#include "ratchet_sieve/scene/scene_limits.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
 /// Beyond these no feeder is driven, and a slip of a unit (degrees, millimetres) shows.
-constexpr double MAX_INCLINATION = 1.5;  // rad, as in a scene
-constexpr double MAX_FREQUENCY = 1e4;    // Hz
-constexpr double MAX_AMPLITUDE = 1.0;    // m
+constexpr double MAX_FREQUENCY = 1e4;  // Hz
+constexpr double MAX_AMPLITUDE = 1.0;  // m
 
-/// Fastest and slowest slew, as multiples of the quantity's largest value per second.
-constexpr double MAX_SLEW = 10.0;
-constexpr double MIN_SLEW = 1e-9;
+constexpr double MAX_RATE = 1e5;        // 1/s
+constexpr double MAX_SPLIT_SIZE = 1e6;  // MB
 
-constexpr double MAX_RATE = 1e5;            // 1/s
-constexpr double MAX_SPLIT_SIZE = 1e6;      // MB
-constexpr double MAX_SPLIT_DURATION = 1e9;  // s, as long as a scene lasts at most
-
-void readLimits(ParameterReader& reader, double least, double most, Setpoint& setpoint, double& slew_rate)
+void readLimits(ParameterReader& reader, double least, double most, Setpoint& setpoint)
 {
   const std::string prefix = "limits/" + setpoint.name + "/";
   setpoint.limits.min = reader.number(prefix + "min", setpoint.limits.min, least, most);
   // A least value beyond the usual largest one, by itself, would leave nothing that is allowed.
   const double usual = std::max(setpoint.limits.max, setpoint.limits.min);
   setpoint.limits.max = reader.number(prefix + "max", usual, setpoint.limits.min, most);
-  slew_rate = reader.number(prefix + "slew_rate", slew_rate, MIN_SLEW * most, MAX_SLEW * most);
+}
+
+void readSlewRate(ParameterReader& reader, const Setpoint& setpoint, double SlewRates::*quantity,
+                  SlewRates& slew_rates)
+{
+  slew_rates.*quantity = reader.number("limits/" + setpoint.name + "/slew_rate", slew_rates.*quantity,
+                                       SLOWEST_SLEW.*quantity, FASTEST_SLEW.*quantity);
 }
 
 void readRates(ParameterReader& reader, const std::string& prefix, FrameRates& rates)
@@ -44,7 +47,7 @@ void readRecording(ParameterReader& reader, RecordingParameters& recording)
   readRates(reader, "recording/", recording.rates);
   recording.split_size = reader.number("recording/split_size", recording.split_size, 0.0, MAX_SPLIT_SIZE);
   recording.split_duration =
-      reader.number("recording/split_duration", recording.split_duration, 0.0, MAX_SPLIT_DURATION);
+      reader.number("recording/split_duration", recording.split_duration, 0.0, LONGEST_DURATION);
 }
 
 void readAllRates(ParameterReader& reader, NodeParameters& parameters)
@@ -59,9 +62,12 @@ std::array<Setpoint, 3> readSetpoints(ParameterReader& reader, SlewRates& slew_r
 {
   std::array<Setpoint, 3> setpoints = NodeParameters().setpoints;
   auto& [inclination, frequency, amplitude] = setpoints;
-  readLimits(reader, -MAX_INCLINATION, MAX_INCLINATION, inclination, slew_rates.inclination);
-  readLimits(reader, 0.0, MAX_FREQUENCY, frequency, slew_rates.frequency);
-  readLimits(reader, 0.0, MAX_AMPLITUDE, amplitude, slew_rates.amplitude);
+  readLimits(reader, -STEEPEST_INCLINATION, STEEPEST_INCLINATION, inclination);
+  readLimits(reader, 0.0, MAX_FREQUENCY, frequency);
+  readLimits(reader, 0.0, MAX_AMPLITUDE, amplitude);
+  readSlewRate(reader, inclination, &SlewRates::inclination, slew_rates);
+  readSlewRate(reader, frequency, &SlewRates::frequency, slew_rates);
+  readSlewRate(reader, amplitude, &SlewRates::amplitude, slew_rates);
   return setpoints;
 }
 

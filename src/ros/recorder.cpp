@@ -1,5 +1,7 @@
 #include "ratchet_sieve/ros/recorder.h"
 
+#include <filesystem>
+
 #include <ros/console.h>
 
 namespace ratchet_sieve
@@ -16,6 +18,14 @@ std::string withSuffix(const std::string& path, const std::string& suffix)
   const bool has_ending = dot != std::string::npos && (slash == std::string::npos || dot > slash + 1);
   const std::size_t stem = has_ending ? dot : path.size();
   return path.substr(0, stem) + suffix + path.substr(stem);
+}
+
+/// Where a file is, for those who read of it elsewhere: roslaunch starts its nodes in ~/.ros.
+std::string absolutePath(const std::string& path)
+{
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(path, error);
+  return path.empty() || error ? path : whole.string();
 }
 
 double rateOf(FrameKind kind, const FrameRates& rates)
@@ -37,7 +47,7 @@ double rateOf(FrameKind kind, const FrameRates& rates)
 
 Recorder::Recorder(const std::string& path, const std::string& topic_prefix,
                    const RecordingParameters& parameters)
-    : base_path_(path), topic_prefix_(topic_prefix), parameters_(parameters)
+    : base_path_(absolutePath(path)), topic_prefix_(topic_prefix), parameters_(parameters)
 {
 }
 
@@ -77,6 +87,8 @@ void Recorder::openNext()
   {
     giveUp(error);
   }
+  if (bag_)
+    ROS_INFO("the new run is recorded into %s", bag_->path().c_str());
 }
 
 void Recorder::close()

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
 #include <ros/console.h>
 
 #include "ratchet_sieve/recording/commands.h"
@@ -32,6 +33,9 @@ CommandFrame plainCommand(CommandKind kind)
   command.kind = kind;
   return command;
 }
+
+/// What stamps, which have nanoseconds, do not tell apart is the same time [s]: sums of durations round.
+constexpr double RESOLUTION = 1e-9;
 
 /// A paused run is under way as long as this lives.
 class UnderWay
@@ -132,15 +136,15 @@ std::optional<std::string> RunControl::whyNoStep(double duration) const
   return std::nullopt;
 }
 
-Outcome RunControl::step(double duration, double stride, const std::function<bool()>& keep_going)
+Outcome RunControl::step(double duration, const Stride& stride)
 {
   if (const auto reason = whyNoStep(duration))
     return failure(*reason);
-  return advance(duration, stride, keep_going);
+  return advance(duration, stride);
 }
 
 Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& setpoints, double duration,
-                             double stride, const std::function<bool()>& keep_going)
+                             const Stride& stride)
 {
   if (const auto reason = whyNoStep(duration))
     return failure(*reason);
@@ -159,21 +163,23 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
   for (std::size_t k = 0; k < found.size(); ++k)
     if (commanded(found[k]->kind) != setpoints[k].second)
       command(*found[k], setpoints[k].second);
-  return advance(duration, stride, keep_going);
+  return advance(duration, stride);
 }
 
-Outcome RunControl::advance(double duration, double stride, const std::function<bool()>& keep_going)
+Outcome RunControl::advance(double duration, const Stride& stride)
 {
   const UnderWay under_way(*run_);
   const double target = run_->time() + duration;
   while (run_->time() < target && !run_->finished())
-  {
-    if (!keep_going())
+    if (!stride(target))
       return failure("interrupted");
-    advanceTo(std::min(target, run_->time() + stride));
-  }
   run_->takeAll(sinks_);
-  return run_->stopped() ? failure(*run_->stopReason()) : Outcome{};
+  if (run_->stopped())
+    return failure(*run_->stopReason());
+  if (target - run_->time() < RESOLUTION)
+    return {};
+  return {true, fmt::format("the scene's end came first, at {:g} s: {:g} s of the step are left",
+                            run_->time(), target - run_->time())};
 }
 
 void RunControl::begin(std::unique_ptr<LiveRun> run)
@@ -212,18 +218,26 @@ void RunControl::show(const Frame& frame)
   recorder_.take(frame);
 }
 
-void RunControl::resetWorld()
+Outcome RunControl::resetWorld()
 {
-  const DriveState base = run_->simulation().base();
-  const std::vector<CommandFrame> opening = {slewRates(),
-                                             setpointOf(CommandKind::INCLINATION, base.commanded_inclination),
-                                             setpointOf(CommandKind::FREQUENCY, base.commanded_frequency),
-                                             setpointOf(CommandKind::AMPLITUDE, base.commanded_amplitude)};
-  const SceneDefinition scene = withBase(run_->simulation().scene(), base);
-  // Disks that are poured at the end have as long as the first had.
-  const bool at_end = run_->time() >= run_->endTime();
-  begin(std::make_unique<LiveRun>(scene, parameters_.rates, opening, run_->time(),
-                                  at_end ? run_->time() + scene.duration : run_->endTime()));
+  try
+  {
+    const DriveState base = run_->simulation().base();
+    const std::vector<CommandFrame> opening = {
+        slewRates(), setpointOf(CommandKind::INCLINATION, base.commanded_inclination),
+        setpointOf(CommandKind::FREQUENCY, base.commanded_frequency),
+        setpointOf(CommandKind::AMPLITUDE, base.commanded_amplitude)};
+    const SceneDefinition scene = withBase(run_->simulation().scene(), base);
+    // Disks that are poured at the end have as long as the first had.
+    const bool at_end = run_->time() >= run_->endTime();
+    begin(std::make_unique<LiveRun>(scene, parameters_.rates, opening, run_->time(),
+                                    at_end ? run_->time() + scene.duration : run_->endTime()));
+    return {};
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return failure(error.what() + std::string(", as the base stands now; the run goes on as it was"));
+  }
 }
 
 Outcome RunControl::pour(const std::string& species, std::size_t count)

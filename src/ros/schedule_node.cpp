@@ -84,10 +84,13 @@ ScheduleNode::ScheduleNode(ros::NodeHandle private_node)
 
 void ScheduleNode::beginAnew()
 {
+  // One that ends after the schedule is over ends as it should.
+  if (next_ < schedule_.size())
+    ROS_WARN("%s is gone before the schedule is over, after %.3f s: it begins anew when %s is back",
+             sieve_.c_str(), last_time_, sieve_.c_str());
   started_ = base_seen_ = false;
   next_ = 0;
   last_time_ = 0.0;
-  ROS_INFO("%s is gone: the schedule begins anew when it is back", sieve_.c_str());
 }
 
 void ScheduleNode::follow(const BaseState& base)
@@ -140,6 +143,7 @@ void ScheduleNode::startOnceConnected()
   if (started_ || !connected())
     return;
   started_ = true;
+  ROS_INFO("%s is there: the schedule begins", sieve_.c_str());
   std_srvs::Empty nothing;
   if (!unpause_.waitForExistence() || !unpause_.call(nothing))
     ROS_ERROR("%s cannot be called", unpause_.getService().c_str());

@@ -39,12 +39,13 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
           node_, [this]() -> const LiveRun& { return control_.run(); }, clock_, transforms_),
       display_(node_, parameters_.display_rate),
       diagnostics_(control_, {real_time_factor_, pacer_, speed_}, recorder_),
-      commands_(node_, parameters_, control_, diagnostics_, stepping(),
-                [this]
-                {
-                  pacer_.anchor(control_.run().time(), Pacer::Clock::now());
-                  clock_.publish(control_.run().time());
-                })
+      commands_(
+          node_, parameters_, control_, diagnostics_, [this](double time) { return stride(time); },
+          [this]
+          {
+            pacer_.anchor(control_.run().time(), Pacer::Clock::now());
+            clock_.publish(control_.run().time());
+          })
 {
   for (const std::string& warning : control_.sceneWarnings())
     ROS_WARN("%s: %s", scene.source.c_str(), warning.c_str());
@@ -53,16 +54,6 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
   control_.addSink(topics_);
   // Not before the scene is known to be good: a run that cannot begin leaves no bag.
   recorder_.open();
-}
-
-CommandServer::Stepping SieveNode::stepping()
-{
-  return {[this] { return pacer_.stride(); },
-          [this]
-          {
-            keepAlive();
-            return !stopped();
-          }};
 }
 
 bool SieveNode::stopped() const
@@ -86,7 +77,8 @@ void SieveNode::keepAlive()
   }
   watchSpeed();
   diagnostics_.updateDue();
-  progress_.update(control_.run());
+  if (const auto line = progress_.line(control_.run()))
+    ROS_INFO_STREAM(*line);
 }
 
 void SieveNode::watchSpeed()
@@ -114,13 +106,29 @@ double SieveNode::waitUntilDue() const
 
 void SieveNode::advance()
 {
-  const auto begin = Pacer::Clock::now();
-  const double time = control_.run().time();
-  control_.advanceTo(pacer_.allowed(time, begin));
-  const std::chrono::duration<double> wall = Pacer::Clock::now() - begin;
-  pacer_.advanced(control_.run().time() - time, wall.count());
+  advanceTo(pacer_.allowed(control_.run().time(), Pacer::Clock::now()));
   if (control_.run().finished())
     finish();
+}
+
+/// Towards a time, and the pacer learns how long that takes.
+void SieveNode::advanceTo(double time)
+{
+  const auto begin = Pacer::Clock::now();
+  const double from = control_.run().time();
+  control_.advanceTo(time);
+  const std::chrono::duration<double> wall = Pacer::Clock::now() - begin;
+  pacer_.advanced(control_.run().time() - from, wall.count());
+}
+
+/// One of a step that a service asks for.
+bool SieveNode::stride(double time)
+{
+  keepAlive();
+  if (stopped())
+    return false;
+  advanceTo(std::min(time, control_.run().time() + pacer_.stride()));
+  return true;
 }
 
 void SieveNode::finish()

@@ -1,28 +1,28 @@
 #include "schema.h"
 
+#include "ratchet_sieve/scene/scene_limits.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
 
-// The limits below keep products of the values far from overflow; no machine comes near them.
-constexpr double SMALLEST_LENGTH = 1e-9;   ///< [m]
-constexpr double LARGEST_LENGTH = 1e3;     ///< [m]
-constexpr double LARGEST_POSITION = 1e9;   ///< [m]
-constexpr double SMALLEST_MASS = 1e-18;    ///< [kg]
-constexpr double LARGEST_MASS = 1e6;       ///< [kg]
-constexpr double LARGEST_SPEED = 1e4;      ///< [m/s]
-constexpr double LARGEST_SPIN = 1e9;       ///< [rad/s]
-constexpr double LARGEST_FREQUENCY = 1e6;  ///< [Hz]
-constexpr double LARGEST_GRAVITY = 1e4;    ///< [m/s^2]
-constexpr double LARGEST_TIME = 1e9;       ///< [s]
-constexpr double LARGEST_PHASE = 1e6;      ///< [rad]
-constexpr double LARGEST_RATE = 1e6;       ///< [1/s]
+// The limits below, as those of scene_limits.h, keep products of the values far from overflow; no machine
+// comes near them.
+constexpr double SMALLEST_LENGTH = 1e-9;  ///< [m]
+constexpr double LARGEST_LENGTH = 1e3;    ///< [m]
+constexpr double LARGEST_POSITION = 1e9;  ///< [m]
+constexpr double SMALLEST_MASS = 1e-18;   ///< [kg]
+constexpr double LARGEST_MASS = 1e6;      ///< [kg]
+constexpr double LARGEST_SPEED = 1e4;     ///< [m/s]
+constexpr double LARGEST_SPIN = 1e9;      ///< [rad/s]
+constexpr double LARGEST_GRAVITY = 1e4;   ///< [m/s^2]
+constexpr double LARGEST_PHASE = 1e6;     ///< [rad]
+constexpr double LARGEST_RATE = 1e6;      ///< [1/s]
 constexpr double LARGEST_SHARE = 1e9;
 constexpr double LARGEST_DENSITY = 1e6;
 constexpr double LARGEST_FRICTION = 1e9;
 constexpr double SMALLEST_INERTIA = 1e-6;
-constexpr double STEEPEST = 1.5;  ///< [rad]; short of a base that stands upright
 constexpr double MOST_TEETH = 1e6;
 
 const Range ANY{};
@@ -58,8 +58,8 @@ const Keys<SceneDefinition>& runKeys()
 {
   using S = SceneDefinition;
   static const Keys<S> KEYS = {
-      {"duration", [](S& s) -> Slot { return &s.duration; }, upTo(LARGEST_TIME, "s")},
-      {"settle", [](S& s) -> Slot { return &s.settle; }, upTo(LARGEST_TIME, "s")},
+      {"duration", [](S& s) -> Slot { return &s.duration; }, upTo(LONGEST_DURATION, "s")},
+      {"settle", [](S& s) -> Slot { return &s.settle; }, upTo(LONGEST_DURATION, "s")},
       {"seed", [](S& s) -> Slot { return &s.seed; }, ANY},
   };
   return KEYS;
@@ -73,8 +73,8 @@ const Keys<BaseDefinition>& baseKeys()
       {"tooth_width", [](B& b) -> Slot { return &b.tooth_width; }, {SMALLEST_LENGTH, LARGEST_LENGTH, "m"}},
       {"tooth_height", [](B& b) -> Slot { return &b.tooth_height; }, upTo(LARGEST_LENGTH, "m")},
       {"asymmetry", [](B& b) -> Slot { return &b.asymmetry; }, upTo(1.0)},
-      {"inclination", [](B& b) -> Slot { return &b.inclination; }, within(STEEPEST, "rad")},
-      {"amplitude", [](B& b) -> Slot { return &b.amplitude; }, upTo(LARGEST_LENGTH, "m")},
+      {"inclination", [](B& b) -> Slot { return &b.inclination; }, within(STEEPEST_INCLINATION, "rad")},
+      {"amplitude", [](B& b) -> Slot { return &b.amplitude; }, upTo(LARGEST_AMPLITUDE, "m")},
       {"frequency", [](B& b) -> Slot { return &b.frequency; }, upTo(LARGEST_FREQUENCY, "Hz")},
       {"phase", [](B& b) -> Slot { return &b.phase; }, within(LARGEST_PHASE, "rad")},
   };
@@ -112,7 +112,7 @@ const Keys<ContactDefinition>& contactKeys()
   static const Keys<C> KEYS = {
       {"pair_collisions", [](C& c) -> Slot { return &c.pair_collisions; }, ANY},
       {"min_rebound_speed", [](C& c) -> Slot { return &c.min_rebound_speed; }, upTo(LARGEST_SPEED, "m/s")},
-      {"contact_duration", [](C& c) -> Slot { return &c.contact_duration; }, upTo(LARGEST_TIME, "s")},
+      {"contact_duration", [](C& c) -> Slot { return &c.contact_duration; }, upTo(LONGEST_DURATION, "s")},
       {"on_collapse", [](C& c) -> Slot { return &c.on_collapse; }, ANY},
       {"collapse_events", [](C& c) -> Slot { return &c.collapse_events; }, {1e3, 1e9, ""}},
   };

@@ -106,6 +106,7 @@ TEST_F(SieveAnalyze, RefusesBadArguments)
   EXPECT_EQ(run("SIEVE_ANALYZE", "--help"), 0);
   EXPECT_NE(output().find("--out"), std::string::npos);
   EXPECT_EQ(run("SIEVE_ANALYZE", "--version"), 0);
+  EXPECT_EQ(output().rfind("sieve_analyze ", 0), 0u) << output();
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ TEST_F(SieveRun, ShowsItsHelpAndVersion)
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
   const Result version_result = run("--version");
   EXPECT_EQ(version_result.status, 0);
-  EXPECT_EQ(version_result.output, std::string(version()) + "\n");
+  EXPECT_EQ(version_result.output, std::string("sieve_run ") + version() + "\n");
 }
 
 TEST_F(SieveRun, RefusesBadArguments)

@@ -6,6 +6,7 @@
 #include <rosbag/view.h>
 #include <std_msgs/Float64.h>
 
+#include "caught_log.h"
 #include "collecting_sink.h"
 #include "random_frames.h"
 #include "ratchet_sieve/recording/frame_sampler.h"
@@ -210,6 +211,52 @@ TEST(Bag, refusesWhatWasNotClosedOrIsCutOff)
     std::ofstream(cut, std::ios::binary) << bytes.substr(0, static_cast<std::size_t>(part * bytes.size()));
     EXPECT_EQ(refusalOf(cut).rfind(cut + ": ", 0), 0u) << part << ": " << refusalOf(cut);
   }
+}
+
+/// A node that comes again after it was killed, twice, before anybody has looked after what it left.
+TEST(Bag, setsAsideWhatWasNotClosed)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "run.bag";
+  const CaughtLog log;
+  for (const char* left : {"first", "second"})
+  {
+    std::ofstream(path + ".active") << left;
+    BagWriter bag(path);
+    showRun(bag);
+  }
+  EXPECT_EQ(contents(path + ".unfinished.active"), "first");
+  EXPECT_EQ(contents(path + ".unfinished2.active"), "second");
+  EXPECT_EQ(refusalOf(path), "read");
+  const std::string first = path + ".unfinished.active";
+  EXPECT_EQ(log.with(path + ".active was not closed, by a program that was killed: set aside as " + first +
+                     "; `rosbag reindex " + first + "` gives it its index")
+                .size(),
+            1u);
+  EXPECT_EQ(log.with("run.bag.unfinished2.active").size(), 1u);
+}
+
+TEST(Bag, leavesARunningRecordingAlone)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "run.bag";
+  BagWriter bag(path);
+  Both written(bag);
+  showRun(written);
+  try
+  {
+    BagWriter another(path);
+    FAIL() << "opened";
+  }
+  catch (const BagError& error)
+  {
+    EXPECT_EQ(error.what(), path + ": cannot be written: another program is recording into it");
+  }
+  EXPECT_FALSE(std::filesystem::exists(path + ".unfinished.active"));
+  bag.close();
+  CollectingSink read;
+  readBag(path, read);
+  expectSame(read, written);
 }
 
 TEST(Bag, saysThatItCannotBeWritten)

@@ -6,13 +6,13 @@
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
-#include <rosgraph_msgs/Log.h>
 #include <std_msgs/String.h>
 
 #include "caught_log.h"
 #include "child_node.h"
 #include "collecting_sink.h"
 #include "deaf_subscriber.h"
+#include "node_log.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 #include "sieve_client.h"
@@ -132,9 +132,12 @@ TEST_F(Hardship, aScheduleBeginsAnewWithANodeThatComesAgain)
   XmlRpc::XmlRpcValue schedule;
   schedule[0]["time"] = 0.25;
   schedule[0]["inclination"] = 0.05;
+  schedule[1]["time"] = 1000.0;  // which never comes
+  schedule[1]["inclination"] = 0.0;
   ros::param::set("/conductor/schedule", schedule);
   ros::param::set("/conductor/sieve", "/staged");
   ros::param::set("/staged/real_time_factor", 10.0);
+  const NodeLog log("/conductor");
   ChildNode conductor("sieve_schedule", named("/conductor"));
   SieveClient sieve("/staged");
   for (int life = 0; life < 2; ++life)
@@ -150,39 +153,44 @@ TEST_F(Hardship, aScheduleBeginsAnewWithANodeThatComesAgain)
     node.killAtOnce();
     node.wait();
     ASSERT_TRUE(isGone(sieve));
+    ASSERT_TRUE(
+        waitFor([&] { return log.count("/staged is gone before the schedule is over") == life + 1; }));
     sieve.forget();
     sieve.scene.forget();
   }
   EXPECT_TRUE(conductor.running());
 }
 
-/// Lines of a node's log.
-class Log
+TEST_F(Hardship, aScheduleThatIsOverDoesNotMindTheEnd)
 {
-public:
-  explicit Log(const std::string& node)
-  {
-    ros::NodeHandle handle;
-    subscriber_ = handle.subscribe<rosgraph_msgs::Log>("/rosout", 10000,
-                                                       [this, node](const rosgraph_msgs::Log::ConstPtr& line)
-                                                       {
-                                                         if (line->name == node)
-                                                           lines.push_back(line->msg);
-                                                       });
-  }
+  prepare("/finite", true);
+  ros::param::set("/finite/exit_at_end", true);
+  ros::param::set("/finite/scene/duration", 2.0);
+  XmlRpc::XmlRpcValue schedule;
+  schedule[0]["time"] = 0.25;
+  schedule[0]["inclination"] = 0.05;
+  ros::param::set("/usher/schedule", schedule);
+  ros::param::set("/usher/sieve", "/finite");
+  const NodeLog log("/usher");
+  ChildNode usher("sieve_schedule", named("/usher"));
+  SieveClient sieve("/finite");
+  ChildNode first("sieve_node", named("/finite"));
+  EXPECT_EQ(first.wait(), 0) << first.errors();
+  ASSERT_TRUE(isGone(sieve));
 
-  std::vector<std::string> lines;
-
-private:
-  ros::Subscriber subscriber_;
-};
+  // It has noticed where it begins once more.
+  const auto before = log.count("the schedule is over");
+  ChildNode second("sieve_node", named("/finite"));
+  ASSERT_TRUE(waitFor([&] { return log.count("the schedule is over") > before; }));
+  EXPECT_EQ(log.count("is gone"), 0);
+}
 
 TEST_F(Hardship, aThousandSetpointsASecond)
 {
   prepare("/flooded", false);
   const std::string bag = scratch_ / "run.bag";
   ros::param::set("/flooded/record", bag);
-  Log log("/flooded");
+  const NodeLog log("/flooded");
   ChildNode node("sieve_node", named("/flooded"));
   SieveClient sieve("/flooded");
   ASSERT_TRUE(sieve.connect());
@@ -227,7 +235,7 @@ TEST_F(Hardship, aThousandSetpointsASecond)
 TEST_F(Hardship, aBurstOfGarbage)
 {
   prepare("/pelted", true);
-  Log log("/pelted");
+  const NodeLog log("/pelted");
   ChildNode node("sieve_node", named("/pelted"));
   SieveClient sieve("/pelted");
   Statuses statuses(sieve.node);

@@ -212,6 +212,35 @@ TEST_F(Node, poursOnAndAnew)
   EXPECT_EQ(sieve.bins.frames.back().time, 0.25);
 }
 
+TEST_F(Node, failsToPlaceDisksAnewWhereTheBaseStandsAndGoesOn)
+{
+  Statuses statuses(sieve.node);
+  const auto warns = [&]
+  {
+    const auto& status = statuses["sieve: simulation"];
+    return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
+           status.message.rfind("reset_world: initial.0 is buried", 0) == 0;
+  };
+  ASSERT_TRUE(sieve.reset(0, {"initial=[{species: A, x: 0.07, y: 0.0075}]"}).success);
+  command("inclination", 0.1, &DriveState::commanded_inclination);
+  sieve.stepAndSee(1.5);
+  EXPECT_FALSE(sieve.call("reset_world"));
+  EXPECT_TRUE(waitFor(warns));
+  EXPECT_EQ(sieve.step(0.5).time, 2.0);
+  EXPECT_TRUE(warns());
+  ASSERT_TRUE(sieve.reset().success);
+  EXPECT_TRUE(waitFor([&] { return !warns(); }));
+}
+
+TEST_F(Node, saysThatTheEndCameBeforeAStepWasDone)
+{
+  ASSERT_TRUE(sieve.reset(0, {"duration=0.5"}).success);
+  const StepSimulation::Response answer = sieve.step(0.75);
+  EXPECT_TRUE(answer.success);
+  EXPECT_EQ(answer.message, "the scene's end came first, at 0.5 s: 0.25 s of the step are left");
+  EXPECT_EQ(answer.time, 0.5);
+}
+
 TEST_F(Node, runsUntilItIsPausedAndThenStandsStill)
 {
   ASSERT_TRUE(sieve.call("unpause_physics"));

@@ -266,6 +266,20 @@ TEST(Recorder, goesOnWhereTheNextFileCannotBeOpened)
   EXPECT_EQ(recorder.path(), scratch / "run_run3_0.bag");
 }
 
+TEST(Recorder, saysWhereARelativePathIs)
+{
+  const ScratchDirectory scratch;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(scratch / "");
+  const std::filesystem::path here = std::filesystem::current_path();
+  Recorder recorder("run.bag", "/sieve");
+  std::filesystem::current_path(before);
+  recorder.open();
+  EXPECT_EQ(recorder.path(), here / "run.bag");
+  recorder.close();
+  EXPECT_TRUE(std::filesystem::exists(here / "run.bag"));
+}
+
 TEST(Recorder, recordsNothingWithoutAName)
 {
   Recorder recorder("", "/sieve");

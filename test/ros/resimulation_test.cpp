@@ -1,5 +1,6 @@
 #include "ratchet_sieve/recording/resimulation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -34,7 +35,12 @@ public:
 
   void step(double duration)
   {
-    control.step(duration, STRIDE, [] { return true; });
+    control.step(duration,
+                 [this](double time)
+                 {
+                   control.advanceTo(std::min(time, control.run().time() + STRIDE));
+                   return true;
+                 });
   }
 
   /// Commands, pours, pauses and begins anew, a little time between all of them.
@@ -57,7 +63,7 @@ public:
         return control.pause();
       case 5:
         ++bags;
-        return control.resetWorld();
+        return expect(control.resetWorld());
       default:
         ++bags;
         return expect(control.reset(7, {"base.inclination=0.05"}, share < 0.5));
@@ -220,8 +226,34 @@ TEST(Resimulation, refusesCommandsThatMakeNoSense)
   refuses(CommandKind::AMPLITUDE, {std::nan("")}, 0);
   refuses(CommandKind::SLEW_RATES, {0.1, 0.0, 0.1}, 0);
   refuses(CommandKind::SLEW_RATES, {0.1, 0.1}, 0);
+  refuses(CommandKind::FREQUENCY, {1e7}, 0);
+  refuses(CommandKind::AMPLITUDE, {1e4}, 0);
   refuses(CommandKind::POUR, {}, 2);
   refuses(CommandKind::POUR, {}, 0, MOST_POURED + 1);
+}
+
+/// Slew rates without bound would keep it busy for ever.
+TEST(Resimulation, takesTheSlewRatesThatANodeTakes)
+{
+  const auto takes = [](SlewRates rates)
+  {
+    Simulation simulation(smallRing());
+    apply({0.0, CommandKind::SLEW_RATES, {rates.inclination, rates.frequency, rates.amplitude}, 0, 0},
+          simulation);
+  };
+  EXPECT_NO_THROW(takes(SLOWEST_SLEW));
+  EXPECT_NO_THROW(takes(FASTEST_SLEW));
+  for (double SlewRates::*quantity : {&SlewRates::inclination, &SlewRates::frequency, &SlewRates::amplitude})
+  {
+    SlewRates fast = FASTEST_SLEW;
+    fast.*quantity = std::nextafter(fast.*quantity, 1e9);
+    EXPECT_THROW(takes(fast), std::invalid_argument);
+    fast.*quantity = 1e14;
+    EXPECT_THROW(takes(fast), std::invalid_argument);
+    SlewRates slow = SLOWEST_SLEW;
+    slow.*quantity = std::nextafter(slow.*quantity, 0.0);
+    EXPECT_THROW(takes(slow), std::invalid_argument);
+  }
 }
 
 TEST(Resimulation, refusesARunThatBeganAtATimeThatIsNone)

@@ -1,5 +1,6 @@
 #include "ratchet_sieve/ros/run_control.h"
 
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -16,9 +17,13 @@ namespace
 {
 constexpr double STRIDE = 0.01;
 
-bool keepGoing()
+RunControl::Stride stridesOf(RunControl& control, double stride = STRIDE)
 {
-  return true;
+  return [&control, stride](double time)
+  {
+    control.advanceTo(std::min(time, control.run().time() + stride));
+    return true;
+  };
 }
 
 NodeParameters pausedParameters()
@@ -59,7 +64,7 @@ std::vector<DiskState> disksAt(double time, const SceneDefinition& scene)
 TEST(RunControl, stepsExactlyAndShowsTheEnd)
 {
   Controlled run;
-  EXPECT_TRUE(run.control.step(0.123456, STRIDE, keepGoing).success);
+  EXPECT_TRUE(run.control.step(0.123456, stridesOf(run.control)).success);
   EXPECT_EQ(run.control.run().time(), 0.123456);
   EXPECT_EQ(run.seen.particles.back().time, 0.123456);
   EXPECT_TRUE(sameBits(run.seen.particles.back().disks, disksAt(0.123456, smallMixture())));
@@ -82,14 +87,14 @@ TEST(RunControl, makesOnlyWhatSomebodyWants)
   IdleSink idle;
   control.addSink(idle);
   control.begin();
-  EXPECT_TRUE(control.step(0.5, STRIDE, keepGoing).success);
+  EXPECT_TRUE(control.step(0.5, stridesOf(control)).success);
   EXPECT_EQ(idle.scenes.size(), 1u);
   EXPECT_TRUE(idle.particles.empty() && idle.bins.empty() && idle.bases.empty() && idle.statistics.empty());
 
   CollectingSink eager;
   control.addSink(eager);
-  control.resetWorld();
-  EXPECT_TRUE(control.step(0.5, STRIDE, keepGoing).success);
+  EXPECT_TRUE(control.resetWorld().success);
+  EXPECT_TRUE(control.step(0.5, stridesOf(control)).success);
   EXPECT_EQ(eager.particles.size(), 31u);  // of the new run
 }
 
@@ -102,7 +107,7 @@ TEST(RunControl, recordsWhatNobodyElseWants)
   IdleSink idle;
   control.addSink(idle);
   control.begin();
-  EXPECT_TRUE(control.step(0.5, STRIDE, keepGoing).success);
+  EXPECT_TRUE(control.step(0.5, stridesOf(control)).success);
   control.end();
   CollectingSink recorded;
   readBag(scratch / "run.bag", recorded);
@@ -115,10 +120,32 @@ TEST(RunControl, recordsWhatNobodyElseWants)
 TEST(RunControl, stepsNoFurtherThanTheEnd)
 {
   Controlled run;
-  EXPECT_TRUE(run.control.step(100.0, 10.0, keepGoing).success);
+  EXPECT_TRUE(run.control.step(100.0, stridesOf(run.control, 10.0)).success);
   EXPECT_TRUE(run.control.run().finished());
   EXPECT_EQ(run.control.run().time(), smallMixture().duration);
-  EXPECT_EQ(run.control.step(1.0, STRIDE, keepGoing).message, "the scene's end is reached: reset first");
+  EXPECT_EQ(run.control.step(1.0, stridesOf(run.control)).message, "the scene's end is reached: reset first");
+}
+
+TEST(RunControl, saysThatTheEndCameBeforeAStepWasDone)
+{
+  Controlled run;
+  EXPECT_EQ(run.control.step(0.5, stridesOf(run.control)).message, "");
+  const Outcome outcome = run.control.step(4.0, stridesOf(run.control));
+  EXPECT_TRUE(outcome.success);
+  EXPECT_EQ(outcome.message, "the scene's end came first, at 2 s: 2.5 s of the step are left");
+  run.control.reset(0, {}, false);
+  EXPECT_EQ(run.control.lockStep({}, 2.5, stridesOf(run.control)).message,
+            "the scene's end came first, at 2 s: 0.5 s of the step are left");
+}
+
+/// Of doubles, 0.1 + 0.1 + 0.1 is more than 0.3.
+TEST(RunControl, isDoneWithAStepThatEndsWithTheScene)
+{
+  Controlled run;
+  ASSERT_TRUE(run.control.reset(0, {"duration=0.3"}, false).success);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_EQ(run.control.step(0.1, stridesOf(run.control)).message, "");
+  EXPECT_TRUE(run.control.run().finished());
 }
 
 TEST(RunControl, isFinishedByACollapseUntilItIsBegunAnew)
@@ -126,25 +153,26 @@ TEST(RunControl, isFinishedByACollapseUntilItIsBegunAnew)
   Controlled run;
   ASSERT_TRUE(
       run.control.reset(0, {"contact.min_rebound_speed=0", "contact.collapse_events=10000"}, false).success);
-  const Outcome outcome = run.control.step(2.0, STRIDE, keepGoing);
+  const Outcome outcome = run.control.step(2.0, stridesOf(run.control));
   EXPECT_FALSE(outcome.success);
   EXPECT_NE(outcome.message.find("inelastic collapse"), std::string::npos) << outcome.message;
   EXPECT_TRUE(run.control.run().finished());
   EXPECT_LT(run.control.run().time(), smallMixture().duration);
   EXPECT_EQ(run.seen.particles.back().time, run.control.run().time());
-  EXPECT_EQ(run.control.step(1.0, STRIDE, keepGoing).message, outcome.message);
+  EXPECT_EQ(run.control.step(1.0, stridesOf(run.control)).message, outcome.message);
   ASSERT_TRUE(run.control.reset(0, {}, false).success);
-  EXPECT_TRUE(run.control.step(1.0, STRIDE, keepGoing).success);
+  EXPECT_TRUE(run.control.step(1.0, stridesOf(run.control)).success);
 }
 
 TEST(RunControl, refusesStepsThatMakeNoSense)
 {
   Controlled run;
-  EXPECT_FALSE(run.control.step(0.0, STRIDE, keepGoing).success);
-  EXPECT_FALSE(run.control.step(-1.0, STRIDE, keepGoing).success);
-  EXPECT_FALSE(run.control.step(std::numeric_limits<double>::quiet_NaN(), STRIDE, keepGoing).success);
+  EXPECT_FALSE(run.control.step(0.0, stridesOf(run.control)).success);
+  EXPECT_FALSE(run.control.step(-1.0, stridesOf(run.control)).success);
+  EXPECT_FALSE(run.control.step(std::numeric_limits<double>::quiet_NaN(), stridesOf(run.control)).success);
   run.control.unpause();
-  EXPECT_EQ(run.control.step(1.0, STRIDE, keepGoing).message, "the simulation is not paused: pause it first");
+  EXPECT_EQ(run.control.step(1.0, stridesOf(run.control)).message,
+            "the simulation is not paused: pause it first");
   EXPECT_EQ(run.control.run().time(), 0.0);
 }
 
@@ -152,19 +180,21 @@ TEST(RunControl, interruptsALongStep)
 {
   Controlled run;
   int strides = 0;
-  EXPECT_EQ(run.control.step(1.0, STRIDE, [&] { return ++strides <= 3; }).message, "interrupted");
+  const RunControl::Stride stride = stridesOf(run.control);
+  const auto three = [&](double time) { return ++strides <= 3 && stride(time); };
+  EXPECT_EQ(run.control.step(1.0, three).message, "interrupted");
   EXPECT_LE(run.control.run().time(), 3.0 * STRIDE);
 }
 
 TEST(RunControl, commandsAtThePresentTimeAndShowsIt)
 {
   Controlled run;
-  run.control.step(0.1, STRIDE, keepGoing);
+  run.control.step(0.1, stridesOf(run.control));
   EXPECT_TRUE(run.control.command(run.inclination(), 0.05).success);
   EXPECT_EQ(run.seen.bases.back().time, 0.1);
   EXPECT_EQ(run.seen.bases.back().base.commanded_inclination, 0.05);
   EXPECT_EQ(run.seen.bases.back().base.inclination, 0.0);
-  run.control.step(0.2, STRIDE, keepGoing);
+  run.control.step(0.2, stridesOf(run.control));
   EXPECT_NEAR(run.seen.bases.back().base.inclination, 0.2 * run.parameters.slew_rates.inclination, 1e-12);
 }
 
@@ -182,13 +212,13 @@ TEST(RunControl, keepsTheLastGoodSetpoint)
 TEST(RunControl, resetsToTheSameRun)
 {
   Controlled run;
-  run.control.step(0.5, STRIDE, keepGoing);
+  run.control.step(0.5, stridesOf(run.control));
   const auto first = run.seen.particles.back();
   run.control.command(run.inclination(), 0.3);
-  run.control.step(0.5, STRIDE, keepGoing);
+  run.control.step(0.5, stridesOf(run.control));
   EXPECT_TRUE(run.control.reset(0, {}, false).success);
   EXPECT_EQ(run.control.run().time(), 0.0);
-  run.control.step(0.5, STRIDE, keepGoing);
+  run.control.step(0.5, stridesOf(run.control));
   EXPECT_TRUE(sameBits(run.seen.particles.back(), first));
 }
 
@@ -199,7 +229,7 @@ TEST(RunControl, resetsWithASeedAndOverrides)
   SceneDefinition scene = smallMixture();
   scene.seed = 5;
   scene.base.inclination = 0.1;
-  run.control.step(0.5, STRIDE, keepGoing);
+  run.control.step(0.5, stridesOf(run.control));
   EXPECT_TRUE(sameBits(run.seen.particles.back().disks, disksAt(0.5, scene)));
   EXPECT_EQ(run.seen.scenes.back().seed, 5u);
 }
@@ -207,7 +237,7 @@ TEST(RunControl, resetsWithASeedAndOverrides)
 TEST(RunControl, goesOnAfterABadReset)
 {
   Controlled run;
-  run.control.step(0.25, STRIDE, keepGoing);
+  run.control.step(0.25, stridesOf(run.control));
   const Outcome outcome = run.control.reset(0, {"base.asymmetry=3"}, false);
   EXPECT_FALSE(outcome.success);
   EXPECT_NE(outcome.message.find("base.asymmetry"), std::string::npos) << outcome.message;
@@ -218,9 +248,9 @@ TEST(RunControl, poursTheDisksAnewWhileTimeAndBaseGoOn)
 {
   Controlled run;
   run.control.command(run.inclination(), 0.2);
-  run.control.step(0.75, STRIDE, keepGoing);
+  run.control.step(0.75, stridesOf(run.control));
   const BaseFrame before = run.control.run().base();
-  run.control.resetWorld();
+  EXPECT_TRUE(run.control.resetWorld().success);
   const BaseFrame after = run.control.run().base();
   EXPECT_EQ(after.time, 0.75);
   EXPECT_EQ(after.base.inclination, before.base.inclination);
@@ -228,19 +258,45 @@ TEST(RunControl, poursTheDisksAnewWhileTimeAndBaseGoOn)
   EXPECT_NEAR(after.base.displacement, before.base.displacement, 1e-12);
   EXPECT_EQ(run.seen.particles.back().time, 0.75);
   EXPECT_EQ(run.seen.particles.back().disks.size(), 12u);
-  run.control.step(0.5, STRIDE, keepGoing);
+  run.control.step(0.5, stridesOf(run.control));
   EXPECT_EQ(run.seen.particles.back().time, 1.25);
-  run.control.step(10.0, 10.0, keepGoing);
+  run.control.step(10.0, stridesOf(run.control, 10.0));
   EXPECT_EQ(run.control.run().time(), smallMixture().duration);
+}
+
+TEST(RunControl, goesOnWhereTheBaseStandsInTheDisksToBePlacedAnew)
+{
+  const ScratchDirectory scratch;
+  Controlled run(scratch / "run.bag");
+  ASSERT_TRUE(run.control.reset(0, {"initial=[{species: A, x: 0.07, y: 0.0075}]"}, false).success);
+  run.control.command(run.inclination(), 0.1);
+  run.control.step(1.5, stridesOf(run.control));
+  const Outcome outcome = run.control.resetWorld();
+  EXPECT_FALSE(outcome.success);
+  EXPECT_EQ(outcome.message.rfind("initial.0 is buried: it overlaps the base or a wall by ", 0), 0u)
+      << outcome.message;
+  const std::string end = ", as the base stands now; the run goes on as it was";
+  EXPECT_EQ(outcome.message.substr(outcome.message.size() - end.size()), end);
+
+  // The same run, shown and recorded without a break.
+  EXPECT_EQ(run.control.run().time(), 1.5);
+  EXPECT_EQ(run.recorder.path(), scratch / "run_run2.bag");
+  EXPECT_EQ(run.seen.scenes.size(), 2u);
+  run.control.step(0.25, stridesOf(run.control));
+  const auto seen = run.seen.particles.back();
+  run.control.reset(0, {"initial=[{species: A, x: 0.07, y: 0.0075}]"}, false);
+  run.control.command(run.inclination(), 0.1);
+  run.control.step(1.75, stridesOf(run.control));
+  EXPECT_TRUE(sameBits(run.seen.particles.back(), seen));
 }
 
 TEST(RunControl, poursAnewAtTheEndForAnotherDuration)
 {
   Controlled run;
-  run.control.step(100.0, 10.0, keepGoing);
-  run.control.resetWorld();
+  run.control.step(100.0, stridesOf(run.control, 10.0));
+  EXPECT_TRUE(run.control.resetWorld().success);
   EXPECT_EQ(run.control.run().time(), smallMixture().duration);
-  EXPECT_TRUE(run.control.step(100.0, 10.0, keepGoing).success);
+  EXPECT_TRUE(run.control.step(100.0, stridesOf(run.control, 10.0)).success);
   EXPECT_EQ(run.control.run().time(), 2.0 * smallMixture().duration);
 }
 
@@ -248,22 +304,22 @@ TEST(RunControl, beginsAnewWhileTimeGoesOn)
 {
   Controlled run;
   run.control.command(run.inclination(), 0.2);
-  run.control.step(0.75, STRIDE, keepGoing);
+  run.control.step(0.75, stridesOf(run.control));
   EXPECT_TRUE(run.control.reset(0, {"base.inclination=0.1"}, true).success);
   EXPECT_EQ(run.control.run().time(), 0.75);
   EXPECT_EQ(run.seen.scenes.back().start_time, 0.75);
   EXPECT_EQ(run.seen.bases.back().base.inclination, 0.1);
   EXPECT_EQ(run.seen.bases.back().base.commanded_inclination, 0.1);
-  run.control.step(100.0, 10.0, keepGoing);
+  run.control.step(100.0, stridesOf(run.control, 10.0));
   EXPECT_EQ(run.control.run().time(), 0.75 + smallMixture().duration);
 }
 
 TEST(RunControl, stepsInLockWithItsSetpoints)
 {
   Controlled run;
-  EXPECT_TRUE(
-      run.control.lockStep({{"inclination", 0.1}, {"frequency", 30.0}}, 0.25, STRIDE, keepGoing).success);
-  run.control.lockStep({{"inclination", 0.0}}, 0.25, STRIDE, keepGoing);
+  EXPECT_TRUE(run.control.lockStep({{"inclination", 0.1}, {"frequency", 30.0}}, 0.25, stridesOf(run.control))
+                  .success);
+  run.control.lockStep({{"inclination", 0.0}}, 0.25, stridesOf(run.control));
   Simulation simulation(smallMixture());
   simulation.setSlewRates(run.parameters.slew_rates);
   simulation.commandInclination(0.1);
@@ -279,9 +335,9 @@ TEST(RunControl, givesASetpointOfALockStepOnce)
   Controlled run;
   const std::size_t before = run.seen.commands.size();
   for (int k = 0; k < 5; ++k)
-    ASSERT_TRUE(run.control.lockStep({{"inclination", 0.1}}, 0.05, STRIDE, keepGoing).success);
+    ASSERT_TRUE(run.control.lockStep({{"inclination", 0.1}}, 0.05, stridesOf(run.control)).success);
   EXPECT_EQ(run.seen.commands.size(), before + 1);
-  ASSERT_TRUE(run.control.lockStep({{"inclination", 0.0}}, 0.05, STRIDE, keepGoing).success);
+  ASSERT_TRUE(run.control.lockStep({{"inclination", 0.0}}, 0.05, stridesOf(run.control)).success);
   EXPECT_EQ(run.seen.commands.size(), before + 2);
 }
 
@@ -289,7 +345,7 @@ TEST(RunControl, takesAllSetpointsOfALockStepOrNone)
 {
   Controlled run;
   const auto refusal = [&](const std::string& name, double value) {
-    return run.control.lockStep({{"frequency", 30.0}, {name, value}}, 0.25, STRIDE, keepGoing).message;
+    return run.control.lockStep({{"frequency", 30.0}, {name, value}}, 0.25, stridesOf(run.control)).message;
   };
   EXPECT_EQ(refusal("inclination", 0.6),
             "inclination_setpoint 0.6 rad refused: must be from -0.5 to 0.5 rad");
@@ -313,9 +369,9 @@ TEST(RunControl, recordsEachRunIntoABagOfItsOwn)
 {
   const ScratchDirectory scratch;
   Controlled run(scratch / "run.bag");
-  run.control.step(0.5, STRIDE, keepGoing);
+  run.control.step(0.5, stridesOf(run.control));
   run.control.reset(2, {}, false);
-  run.control.step(0.25, STRIDE, keepGoing);
+  run.control.step(0.25, stridesOf(run.control));
   run.control.end();
 
   CollectingSink first;

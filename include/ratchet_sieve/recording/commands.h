@@ -11,7 +11,13 @@ namespace ratchet_sieve
 /// grow with their square.
 constexpr std::uint32_t MOST_POURED = 10000;
 
+// How fast a base may follow its setpoints, in ten seconds at most from one end of what the node's limits may
+// be to the other. Faster is no feeder, and has the disks looked at so often that a run may not end.
+constexpr SlewRates SLOWEST_SLEW = {1.5e-9, 1e-5, 1e-9};
+constexpr SlewRates FASTEST_SLEW = {15.0, 1e5, 10.0};
+
 /// Gives a simulation a command at its present time; PAUSE and UNPAUSE change nothing in it.
+/// Setpoints may be what a scene may say, slew rates what the node takes.
 /// @throws std::invalid_argument where there is no such species or value; nothing has changed then
 void apply(const CommandFrame& command, Simulation& simulation);
 

@@ -27,11 +27,15 @@ public:
   static constexpr std::size_t CHUNK_SIZE = 768 * 1024;  ///< before packing [bytes]; as rosbag has
   static constexpr double CHUNK_DURATION = 1.0;          ///< of simulated time [s]
 
-  /// @throws BagError where the file cannot be written
+  /// Overwrites what is there. @throws BagError where the file cannot be written, or another program writes
+  /// it
   explicit BagFile(const std::string& path);
   ~BagFile();
   BagFile(const BagFile&) = delete;
   BagFile& operator=(const BagFile&) = delete;
+
+  /// Whether some BagFile, of this program or another, is open at this path.
+  static bool isBeingWritten(const std::string& path);
 
   /// @param time not earlier than that of the message before
   /// @param latched whether a replay is to keep it for who subscribes later

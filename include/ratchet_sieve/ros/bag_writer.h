@@ -11,12 +11,14 @@ namespace ratchet_sieve
 
 /// Records a run into a bag (lz4), on the topics on which the node publishes it, the scene latched. Needs no
 /// ROS master. Bag time is the header's stamp; at time 0, which no bag holds, the earliest there is. The file
-/// appears under its name when the bag is closed; until then it is FILE.active.
+/// appears under its name when the bag is closed; until then it is FILE.active. What a program that was
+/// killed has left under that name is set aside first, as FILE.unfinished.active, FILE.unfinished2.active and
+/// so on.
 class BagWriter : public FrameSink
 {
 public:
   /// @param topic_prefix the node's name: topics are /sieve/particles and so on
-  /// @throws BagError where the file cannot be written
+  /// @throws BagError where the file cannot be written, or is being written by another
   explicit BagWriter(const std::string& path, const std::string& topic_prefix = "/sieve");
   ~BagWriter() override;
   BagWriter(const BagWriter&) = delete;

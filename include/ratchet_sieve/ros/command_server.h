@@ -25,17 +25,10 @@ namespace ratchet_sieve
 class CommandServer
 {
 public:
-  /// @param stride of a step between which `keep_going` is asked [s of simulated time]
-  struct Stepping
-  {
-    std::function<double()> stride;
-    std::function<bool()> keep_going;
-  };
-
-  /// @param time_changed called where simulated time has leapt or the run has stopped or gone on;
-  /// control and diagnostics outlive this
+  /// @param stride of ~step and ~lock_step; @param time_changed called where simulated time has leapt or the
+  /// run has stopped or gone on; control and diagnostics outlive this
   CommandServer(ros::NodeHandle private_node, const NodeParameters& parameters, RunControl& control,
-                Diagnostics& diagnostics, Stepping stepping, std::function<void()> time_changed);
+                Diagnostics& diagnostics, RunControl::Stride stride, std::function<void()> time_changed);
 
   /// Commands what came over the setpoint topics, and says in the log what is to be said of it. To be called
   /// whenever callbacks were served.
@@ -62,7 +55,7 @@ private:
 
   RunControl& control_;
   Diagnostics& diagnostics_;
-  Stepping stepping_;
+  RunControl::Stride stride_;
   std::function<void()> time_changed_;
   std::array<Setpoint, 3> setpoints_;  ///< of inclination, frequency, amplitude
   std::array<SetpointLog, 3> logs_;    ///< of inclination, frequency, amplitude

@@ -21,6 +21,9 @@ constexpr const char* WORLD_FRAME_ID = "world";
 /// Simulated time as a stamp, to the nearest nanosecond. @param time [s], >= 0
 ros::Time stampOf(double time);
 
+/// Whether a stamp can say this time [s]: it has 32 bits of seconds.
+bool isStamp(double time);
+
 SceneDescription toMessage(const SceneFrame& frame);
 ParticleStates toMessage(const ParticleFrame& frame);
 BinCounts toMessage(const BinFrame& frame);

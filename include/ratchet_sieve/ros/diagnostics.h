@@ -36,6 +36,12 @@ public:
   /// A setpoint was refused: shown soon, and until one is taken.
   void setpointRefused(const Setpoint& setpoint, const std::string& why);
 
+  /// The disks were not poured anew: shown soon, and until a run begins.
+  void resetWorldRefused(const std::string& why);
+
+  /// A run begins.
+  void begunAnew() { reset_world_refusal_.clear(); }
+
   /// Publishes, if it is time to.
   void updateDue();
 
@@ -52,9 +58,10 @@ private:
   const Speed speed_;
   const Recorder& recorder_;
   std::map<std::string, std::string> refusals_;  ///< per setpoint, the last
-  std::string last_refusal_;                     ///< of the real-time factor, as it was last shown
-  double last_factor_ = 0.0;                     ///< asked for, as it was last shown
-  bool pressing_ = false;                        ///< there is something new to show
+  std::string reset_world_refusal_;
+  std::string last_refusal_;  ///< of the real-time factor, as it was last shown
+  double last_factor_ = 0.0;  ///< asked for, as it was last shown
+  bool pressing_ = false;     ///< there is something new to show
   Clock::time_point last_update_ = Clock::now();
   diagnostic_updater::Updater updater_;
 };

@@ -24,6 +24,7 @@ public:
           FrameSampler::WallClock wall_clock = std::chrono::steady_clock::now);
 
   double time() const { return simulation_.time(); }
+  double startTime() const { return simulation_.startTime(); }
   double endTime() const { return end_time_; }
   bool finished() const { return time() >= end_time_ || stopped(); }
 

@@ -33,7 +33,8 @@ struct RecordingParameters
 class Recorder : public FrameSink
 {
 public:
-  /// @param path of the recording; empty: nothing is recorded
+  /// @param path of the recording; a relative one is that of the directory in which the program is now;
+  /// empty: nothing is recorded
   Recorder(const std::string& path, const std::string& topic_prefix,
            const RecordingParameters& parameters = RecordingParameters());
 
@@ -49,7 +50,7 @@ public:
   bool on() const { return !base_path_.empty(); }
   const FrameRates& rates() const { return parameters_.rates; }
 
-  /// The file that is being written; empty if none is.
+  /// The file that is being written, its absolute path; empty if none is.
   std::string path() const { return bag_ ? bag_->path() : std::string(); }
   double megabytes() const;  ///< of that file
 

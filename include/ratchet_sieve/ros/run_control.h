@@ -20,7 +20,7 @@ namespace ratchet_sieve
 struct Outcome
 {
   bool success = true;
-  std::string message;  ///< on failure: why
+  std::string message;  ///< on failure: why; else what is to be said of it, if anything
 };
 
 /// A run under command: paused, stepped, reset, poured on, driven by setpoints. Knows frames and
@@ -28,6 +28,9 @@ struct Outcome
 class RunControl
 {
 public:
+  /// Advances the run towards a time by a stride, by advanceTo(); false where the step is to be given up.
+  using Stride = std::function<bool(double time)>;
+
   /// @param scene YAML of the scene, kept for resets; @param source named in errors
   /// @param recorder takes frames and setpoints; outlives this
   /// @throws SceneError, std::invalid_argument where the disks of the scene overlap
@@ -52,20 +55,21 @@ public:
   /// Advances to a time, but no further than to the next frame or the end.
   void advanceTo(double time) { run_->advanceTo(time, sinks_); }
 
-  /// Advances by `duration` [s] or to the end, in strides between which `keep_going` is asked.
-  Outcome step(double duration, double stride, const std::function<bool()>& keep_going);
+  /// Advances by `duration` [s] or to the end, in strides. Where the end comes first, that is no failure, and
+  /// said.
+  Outcome step(double duration, const Stride& stride);
 
   /// Takes setpoints, all or none, and steps.
   /// @param setpoints names and values
   Outcome lockStep(const std::vector<std::pair<std::string, double>>& setpoints, double duration,
-                   double stride, const std::function<bool()>& keep_going);
+                   const Stride& stride);
 
   /// Begins anew, at time 0 or at the present time. @param seed 0: the scene's own
   Outcome reset(std::uint64_t seed, const std::vector<std::string>& overrides, bool keep_time);
 
   /// Pours the disks anew, over a base that goes on as it moves; time goes on, to the end, or from there for
-  /// another duration. @throws std::invalid_argument where the base now stands in disks of `initial`
-  void resetWorld();
+  /// another duration. Fails where the base now stands in disks of `initial`; the run then goes on as it was.
+  Outcome resetWorld();
 
   Outcome pour(const std::string& species, std::size_t count);
 
@@ -77,7 +81,7 @@ public:
 
 private:
   std::optional<std::string> whyNoStep(double duration) const;
-  Outcome advance(double duration, double stride, const std::function<bool()>& keep_going);
+  Outcome advance(double duration, const Stride& stride);
   CommandFrame slewRates() const;
   Scene readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const;
   void begin(std::unique_ptr<LiveRun> run);

@@ -38,11 +38,12 @@ private:
   bool ended() const;
   double waitUntilDue() const;
   void advance();
+  void advanceTo(double time);
+  bool stride(double time);
   void finish();
   void keepAlive();
   void watchSpeed();
   void end();
-  CommandServer::Stepping stepping();
 
   ros::NodeHandle node_;
   const std::atomic<bool>& stop_;

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <ros/node_handle.h>
+#include <rosgraph_msgs/Log.h>
+
+namespace ratchet_sieve
+{
+
+/// What a node says in its log, as it comes over /rosout.
+class NodeLog
+{
+public:
+  explicit NodeLog(const std::string& node)
+  {
+    ros::NodeHandle handle;
+    subscriber_ = handle.subscribe<rosgraph_msgs::Log>("/rosout", 10000,
+                                                       [this, node](const rosgraph_msgs::Log::ConstPtr& line)
+                                                       {
+                                                         if (line->name == node)
+                                                           lines.push_back(line->msg);
+                                                       });
+  }
+
+  /// In how many lines this stands.
+  std::ptrdiff_t count(const std::string& words) const
+  {
+    return std::count_if(lines.begin(), lines.end(),
+                         [&](const std::string& line) { return line.find(words) != std::string::npos; });
+  }
+
+  std::vector<std::string> lines;
+
+private:
+  ros::Subscriber subscriber_;
+};
+
+}  // namespace ratchet_sieve
