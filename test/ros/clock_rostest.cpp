@@ -168,9 +168,15 @@ TEST_F(Clock, hasNoTransformTwiceWhereADisplayLooksOn)
 
 TEST_F(Clock, passesAMessageFilter)
 {
+  // The transforms come in this thread: where they have one of their own, tf2 0.7's filter loses what comes while it
+  // notes that it waits for it (https://github.com/ros2/geometry2/pull/307).
   ros::NodeHandle node;
+  tf2_ros::Buffer frames;
+  const tf2_ros::TransformListener frames_listener(frames, node, false);
+  sieve.stepAndSee(0.1);  // this listener was not greeted: it hears what comes to the process anyway
+  ASSERT_TRUE(waitFor([&] { return frames.canTransform(WORLD_FRAME_ID, BASE_FRAME_ID, ros::Time(0)); }));
   message_filters::Subscriber<ParticleStates> subscriber(node, "/sieve/particles", 1000);
-  tf2_ros::MessageFilter<ParticleStates> filter(subscriber, buffer, BASE_FRAME_ID, 1000, node);
+  tf2_ros::MessageFilter<ParticleStates> filter(subscriber, frames, BASE_FRAME_ID, 1000, node);
   std::set<ros::Time> passed;
   filter.registerCallback(boost::function<void(const ParticleStates::ConstPtr&)>(
       [&](const ParticleStates::ConstPtr& message) { passed.insert(message->header.stamp); }));
@@ -182,14 +188,8 @@ TEST_F(Clock, passesAMessageFilter)
     sieve.stepAndSee(0.3);
     const std::set<ros::Time> sent(sieve.particles.stamps.begin(), sieve.particles.stamps.end());
     EXPECT_GE(sent.size(), 36u);
-    // tf2 0.7 looks for a transform and notes that it is wanted in two steps: one that comes between them is
-    // found with the next transform only (https://github.com/ros2/geometry2/pull/307). So one more step.
-    sieve.stepAndSee(0.1);
-    ASSERT_TRUE(
-        waitFor([&] { return std::includes(passed.begin(), passed.end(), sent.begin(), sent.end()); }))
-        << passed.size() << " for " << sent.size();
+    ASSERT_TRUE(waitFor([&] { return passed == sent; })) << passed.size() << " of " << sent.size();
     sieve.resetAndSee();
-    sieve.stepAndSee(0.1);
     ASSERT_TRUE(waitFor([&] { return passed.count(ros::Time(0)) == 1; }));
   }
 }
