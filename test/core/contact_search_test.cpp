@@ -68,7 +68,7 @@ double gapAt(const ContactSearch& search, const Sawtooth& sawtooth, const Thrown
 /// Searches from event to event until a contact is certain, as the loops do.
 BaseEvent searchOn(const ContactSearch& search, const Thrown& thrown)
 {
-  BaseEvent event{0.0, std::nullopt};
+  BaseEvent event{0.0, {}};
   for (int i = 0; i < 1000 && !event.feature && event.time < HORIZON; ++i)
     event = search.find(thrown.disk, thrown.radius, event.time, HORIZON);
   return event;
@@ -153,7 +153,7 @@ std::optional<BaseFeatureKind> passApex(double miss)
   thrown.disk.vy = GRAVITY * flight;
   thrown.disk.x = 0.106 - thrown.disk.vx * flight;
   thrown.disk.y = 0.02 + thrown.radius + miss - 0.5 * GRAVITY * flight * flight;
-  BaseEvent event{0.0, std::nullopt};
+  BaseEvent event{0.0, {}};
   while (!event.feature && event.time < 2.0 * flight)
     event = search.find(thrown.disk, thrown.radius, event.time, 2.0 * flight);
   return event.feature ? std::optional<BaseFeatureKind>(event.feature.kind) : std::nullopt;

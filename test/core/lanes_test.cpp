@@ -263,7 +263,7 @@ BaseEvent searchInLanes(const Machine& machine)
   const LaneScene scene = *laneScene(machine);
   const LaneKernel& kernel = presentLaneKernel();
   LaneBatch batch{};
-  BaseEvent event{0.0, std::nullopt};
+  BaseEvent event{0.0, {}};
   loadRow(machine, 0, event, batch, 0);
   kernel.launch(scene, batch, 1);
   for (int i = 0; i < 2000 && !event.feature && event.time < HORIZON; ++i)
@@ -284,7 +284,7 @@ bool isClear(const Machine& machine, const BaseEvent& event)
 
 BaseEvent searchInMachine(const Machine& machine)
 {
-  BaseEvent event{0.0, std::nullopt};
+  BaseEvent event{0.0, {}};
   for (int i = 0; i < 2000 && !event.feature && event.time < HORIZON; ++i)
     event = machine.search().find(machine.disk(0), machine.radius(0), event.time, HORIZON);
   return event;
