@@ -32,9 +32,11 @@ class VirtualScreen:
 
     def __enter__(self):
         read_end, write_end = os.pipe()
+        # Without -noreset it begins anew whenever its last client goes, and turns away who comes meanwhile: RViz,
+        # while a picture of the screen is taken.
         self._server = subprocess.Popen(
             ['Xvfb', '-displayfd', str(write_end), '-screen', '0', f'{self.width}x{self.height}x24',
-             '-nolisten', 'tcp'],
+             '-nolisten', 'tcp', '-noreset'],
             pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write_end)
         with os.fdopen(read_end) as pipe:
