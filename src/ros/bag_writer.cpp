@@ -37,12 +37,13 @@ BagError cannotBeWritten(const std::string& path, const std::string& why)
   return BagError(path + ": cannot be written: " + why);
 }
 
-/// A name that no file has.
+/// A name that no file has, as far as can be seen.
 std::string unfinishedPath(const std::string& path)
 {
   const std::string stem = path + ".unfinished";
   std::string name = stem + ".active";
-  for (int k = 2; std::filesystem::exists(std::filesystem::symlink_status(name)); ++k)
+  std::error_code none;
+  for (int k = 2; std::filesystem::exists(std::filesystem::symlink_status(name, none)); ++k)
     name = stem + std::to_string(k) + ".active";
   return name;
 }
