@@ -37,6 +37,16 @@ BagError cannotBeWritten(const std::string& path, const std::string& why)
   return BagError(path + ": cannot be written: " + why);
 }
 
+/// What is no file, such as a directory or a device, cannot be a bag: a device would be replaced by one.
+/// @throws BagError
+void requireNothingOrFile(const std::string& path)
+{
+  std::error_code none;
+  const std::filesystem::file_status status = std::filesystem::status(path, none);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw BagError("it is there, and no file");
+}
+
 /// A name that no file has, as far as can be seen.
 std::string unfinishedPath(const std::string& path)
 {
@@ -71,6 +81,7 @@ std::unique_ptr<BagFile> opened(const std::string& path, const std::string& acti
 {
   try
   {
+    requireNothingOrFile(path);
     setAside(path, active_path);
     return std::make_unique<BagFile>(active_path);
   }

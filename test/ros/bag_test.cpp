@@ -293,6 +293,21 @@ TEST(Bag, staysLockedUntilItHasItsName)
   EXPECT_FALSE(BagFile::isBeingWritten(path));
 }
 
+TEST(Bag, takesThePlaceOfNothingButAFile)
+{
+  const ScratchDirectory scratch;
+  const std::string directory = scratch / "run.bag";
+  std::filesystem::create_directory(directory);
+  const std::string device = scratch / "null.bag";
+  std::filesystem::create_symlink("/dev/null", device);
+  for (const std::string& path : {directory, device})
+  {
+    EXPECT_THROW(BagWriter bag(path), BagError) << path;
+    EXPECT_FALSE(std::filesystem::exists(path + ".active"));
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink(device));
+}
+
 TEST(Bag, saysThatItCannotBeWritten)
 {
   const ScratchDirectory scratch;
