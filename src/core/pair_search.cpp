@@ -94,22 +94,22 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
       lane = static_cast<std::size_t>(__builtin_ctz(touching | 1U << LANES));
       touching &= touching - 1;
     }
-    const auto wait = [&](std::size_t i, std::size_t j)
+    const auto due = [&](std::size_t i, std::size_t j)
     {
       const Two excess{excesses[i], excesses[j]};
       const Two closing{closings[i], closings[j]};
-      const Two time = excess / (rootOrZero(Two{discriminants[i], discriminants[j]}) - closing);
-      return excess <= 0.0 ? Two{} : time;
+      const Two wait = excess / (rootOrZero(Two{discriminants[i], discriminants[j]}) - closing);
+      return from_ + (excess <= 0.0 ? Two{} : wait);
     };
-    const Two a = wait(lanes[0], lanes[1]);
-    const Two b = wait(lanes[2], lanes[3]);
+    const Two a = due(lanes[0], lanes[1]);
+    const Two b = due(lanes[2], lanes[3]);
     const Two least = a < b ? a : b;
-    const double shortest = std::min(least[0], least[1]);
-    if (from_ + shortest >= until_)
+    const double earliest = std::min(least[0], least[1]);
+    if (earliest >= until_)
       continue;
-    for (unsigned found = whichUpTo(a, shortest) | whichUpTo(b, shortest) << 2; found != 0;
+    for (unsigned found = whichUpTo(a, earliest) | whichUpTo(b, earliest) << 2; found != 0;
          found &= found - 1)
-      first.take({from_ + shortest, others[lanes[__builtin_ctz(found)]], shift});
+      first.take({earliest, others[lanes[__builtin_ctz(found)]], shift});
   } while (touching != 0);
   return first;
 }

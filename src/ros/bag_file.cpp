@@ -90,8 +90,9 @@ BagFile::BagFile(const std::string& path)
 
 BagFile::~BagFile()
 {
-  if (descriptor_ >= 0)
-    ::close(descriptor_);
+  for (const int descriptor : {descriptor_, lock_})
+    if (descriptor >= 0)
+      ::close(descriptor);
 }
 
 void BagFile::startMessage(ros::Time time)
@@ -303,6 +304,8 @@ std::optional<BagFile::Loss> BagFile::close()
     // Told below, once there is an index.
   }
   makeIndex();
+  // Another descriptor of the same file holds its lock on.
+  lock_ = fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
   // Some file systems say no earlier that they have lost something.
   const int closed = ::close(std::exchange(descriptor_, -1));
   if (closed != 0)

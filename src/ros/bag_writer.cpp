@@ -37,12 +37,23 @@ BagError cannotBeWritten(const std::string& path, const std::string& why)
   return BagError(path + ": cannot be written: " + why);
 }
 
-/// A name that no file has.
+/// What is no file, such as a directory or a device, cannot be a bag: a device would be replaced by one.
+/// @throws BagError
+void requireNothingOrFile(const std::string& path)
+{
+  std::error_code none;
+  const std::filesystem::file_status status = std::filesystem::status(path, none);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw BagError("it is there, and no file");
+}
+
+/// A name that no file has, as far as can be seen.
 std::string unfinishedPath(const std::string& path)
 {
   const std::string stem = path + ".unfinished";
   std::string name = stem + ".active";
-  for (int k = 2; std::filesystem::exists(std::filesystem::symlink_status(name)); ++k)
+  std::error_code none;
+  for (int k = 2; std::filesystem::exists(std::filesystem::symlink_status(name, none)); ++k)
     name = stem + std::to_string(k) + ".active";
   return name;
 }
@@ -70,6 +81,7 @@ std::unique_ptr<BagFile> opened(const std::string& path, const std::string& acti
 {
   try
   {
+    requireNothingOrFile(path);
     setAside(path, active_path);
     return std::make_unique<BagFile>(active_path);
   }

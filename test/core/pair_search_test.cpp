@@ -109,5 +109,37 @@ TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
       }));
 }
 
+/// A ring of disks that closes around one: they touch it at the same time, but for less than a time can say.
+TEST(PairSearch, TiesGoToTheSmallestId)
+{
+  constexpr std::uint32_t COUNT = 40;
+  constexpr double NOW = 8.0;
+  const SceneDefinition scene = test::mixture(0);
+  Machine machine(scene);
+  Disk middle;
+  middle.time = NOW;
+  middle.y = 0.05;
+  machine.add(middle);
+  std::vector<std::uint32_t> backwards;
+  for (std::uint32_t id = COUNT; id >= 1; --id)
+    backwards.push_back(id);
+  for (std::uint32_t id = 1; id <= COUNT; ++id)
+  {
+    const double direction = 0.1 * id;
+    Disk disk = middle;
+    disk.x += 0.013 * std::cos(direction);
+    disk.y += 0.013 * std::sin(direction);
+    disk.vx = -0.25 * std::cos(direction);
+    disk.vy = -0.25 * std::sin(direction);
+    machine.add(disk);
+  }
+  const PairSearch search(machine, 0, NOW);
+  for (std::uint32_t id = 1; id <= COUNT; ++id)
+    ASSERT_EQ(search.contactWith(id, 0), search.contactWith(1, 0));
+  const PairContact found = search.firstAmong(backwards.data(), COUNT, 0);
+  EXPECT_EQ(found.time, *search.contactWith(1, 0));
+  EXPECT_EQ(found.partner, 1u);
+}
+
 }  // namespace
 }  // namespace ratchet_sieve

@@ -11,6 +11,7 @@
 #include "random_frames.h"
 #include "ratchet_sieve/recording/frame_sampler.h"
 #include "ratchet_sieve/recording/same_bits.h"
+#include "ratchet_sieve/ros/bag_file.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 #include "ratchet_sieve/ros/bag_writer.h"
 #include "ratchet_sieve/ros/conversions.h"
@@ -236,6 +237,27 @@ TEST(Bag, setsAsideWhatWasNotClosed)
   EXPECT_EQ(log.with("run.bag.unfinished2.active").size(), 1u);
 }
 
+/// As where the name is as long as a name may be, and none is left for what is to be set aside.
+TEST(Bag, leavesAloneWhatCannotBeSetAside)
+{
+  constexpr std::size_t LONGEST_NAME = 255;
+  const ScratchDirectory scratch;
+  const std::string active = ".active";
+  const std::string path = scratch / std::string(LONGEST_NAME - active.size(), 'r');
+  std::ofstream(path + active) << "first";
+  try
+  {
+    BagWriter bag(path);
+    FAIL() << "opened";
+  }
+  catch (const BagError& error)
+  {
+    EXPECT_EQ(error.what(), path + ": cannot be written: there is " + path + active +
+                                ", which was not closed, and cannot be set aside: File name too long");
+  }
+  EXPECT_EQ(contents(path + active), "first");
+}
+
 TEST(Bag, leavesARunningRecordingAlone)
 {
   const ScratchDirectory scratch;
@@ -257,6 +279,33 @@ TEST(Bag, leavesARunningRecordingAlone)
   CollectingSink read;
   readBag(path, read);
   expectSame(read, written);
+}
+
+TEST(Bag, staysLockedUntilItHasItsName)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "run.bag.active";
+  {
+    BagFile file(path);
+    EXPECT_FALSE(file.close());
+    EXPECT_TRUE(BagFile::isBeingWritten(path));
+  }
+  EXPECT_FALSE(BagFile::isBeingWritten(path));
+}
+
+TEST(Bag, takesThePlaceOfNothingButAFile)
+{
+  const ScratchDirectory scratch;
+  const std::string directory = scratch / "run.bag";
+  std::filesystem::create_directory(directory);
+  const std::string device = scratch / "null.bag";
+  std::filesystem::create_symlink("/dev/null", device);
+  for (const std::string& path : {directory, device})
+  {
+    EXPECT_THROW(BagWriter bag(path), BagError) << path;
+    EXPECT_FALSE(std::filesystem::exists(path + ".active"));
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink(device));
 }
 
 TEST(Bag, saysThatItCannotBeWritten)

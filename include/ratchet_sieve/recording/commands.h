@@ -11,8 +11,9 @@ namespace ratchet_sieve
 /// grow with their square.
 constexpr std::uint32_t MOST_POURED = 10000;
 
-// How fast a base may follow its setpoints, in ten seconds at most from one end of what the node's limits may
-// be to the other. Faster is no feeder, and has the disks looked at so often that a run may not end.
+// How fast a base may follow its setpoints: from 0 to the largest that the node's limits may be in a tenth of
+// a second at least, and in as long as a scene may last at most. Faster is no feeder, and has the disks
+// looked at so often that a run may not end.
 constexpr SlewRates SLOWEST_SLEW = {1.5e-9, 1e-5, 1e-9};
 constexpr SlewRates FASTEST_SLEW = {15.0, 1e5, 10.0};
 

@@ -64,6 +64,8 @@ public:
   };
 
   /// Finishes the file. Where there is no room for its index, chunks make room for it, from the last on.
+  /// As long as this lives the file stays locked: nobody takes it for one to set aside before it has its
+  /// name.
   /// @return what was lost, if anything was
   /// @throws BagError where the file could not be given an index: `rosbag reindex` can
   std::optional<Loss> close();
@@ -103,6 +105,7 @@ private:
   [[noreturn]] void fail(int error);
 
   int descriptor_;
+  int lock_ = -1;          ///< a second descriptor, once the first is closed
   std::uint64_t end_ = 0;  ///< of the last whole chunk
   std::vector<Connection> connections_;
   std::vector<Chunk> chunks_;
