@@ -35,82 +35,85 @@ PairContact PairSearch::firstAmong(const std::uint32_t* others, std::size_t coun
   return first;
 }
 
-/// The arithmetic of contact() and timeToTouch(), step by step and for two disks at once: first for all
-/// whether they will touch, without a branch; then for those that will, when. Most will not, and a root takes
-/// long.
-PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
-                                     const Image& image) const
+/// What decides whether and when a disk touches each of several others.
+struct PairSearch::Lanes
 {
-  constexpr double NEVER = std::numeric_limits<double>::infinity();
-  const double gravity = machine_.scene().gravity;
-  const Two place = course_.place - Two{image.dx, image.dy};
-
-  struct Relative
-  {
-    Two place;
-    Two velocity;
-    double distance;
-  };
-  const auto relative = [&](std::uint32_t id) -> Relative
-  {
-    // Beside itself a disk is at rest, to the last bit, and meets nothing.
-    const Course other = courseAt(machine_.disk(id), from_, gravity);
-    return {place - other.place, course_.velocity - other.velocity, radius_ + machine_.radius(id)};
-  };
   // One more, behind all, that is never touched.
   alignas(Two) std::array<double, LANES + 2> excesses;
   alignas(Two) std::array<double, LANES + 2> discriminants;
   alignas(Two) std::array<double, LANES + 2> closings;
-  excesses[LANES] = NEVER;
-  discriminants[LANES] = 0.0;
-  closings[LANES] = -1.0;
-  unsigned touching = 0;
-  for (std::size_t k = 0; k < count; k += 2)
+  unsigned touching = 0;  ///< a bit for each that will be touched, whenever that is
+
+  Lanes(const PairSearch& search, const std::uint32_t* others, std::size_t count, const Image& image)
   {
-    // An odd one out is looked at twice.
-    const Relative a = relative(others[k]);
-    const Relative b = relative(others[std::min(k + 1, count - 1)]);
-    const Two dx{a.place[0], b.place[0]};
-    const Two dy{a.place[1], b.place[1]};
-    const Two dvx{a.velocity[0], b.velocity[0]};
-    const Two dvy{a.velocity[1], b.velocity[1]};
-    const Two distance{a.distance, b.distance};
-    const Two closing = dx * dvx + dy * dvy;
-    const Two excess = dx * dx + dy * dy - distance * distance;
-    const Two passing = dx * dvy - dy * dvx;
-    const Two discriminant = (dvx * dvx + dvy * dvy) * distance * distance - passing * passing;
-    std::memcpy(&closings[k], &closing, sizeof closing);
-    std::memcpy(&excesses[k], &excess, sizeof excess);
-    std::memcpy(&discriminants[k], &discriminant, sizeof discriminant);
-    touching |= (whichBelow(closing, 0.0) & (whichUpTo(excess, 0.0) | ~whichBelow(discriminant, 0.0))) << k;
+    excesses[LANES] = std::numeric_limits<double>::infinity();
+    discriminants[LANES] = 0.0;
+    closings[LANES] = -1.0;
+    const Two place = search.course_.place - Two{image.dx, image.dy};
+    unsigned found = 0;
+    for (std::size_t k = 0; k < count; k += 2)
+    {
+      // An odd one out is looked at twice.
+      const Relative a = search.relativeTo(others[k], place);
+      const Relative b = search.relativeTo(others[std::min(k + 1, count - 1)], place);
+      const Two dx{a.place[0], b.place[0]};
+      const Two dy{a.place[1], b.place[1]};
+      const Two dvx{a.velocity[0], b.velocity[0]};
+      const Two dvy{a.velocity[1], b.velocity[1]};
+      const Two distance{a.distance, b.distance};
+      const Two closing = dx * dvx + dy * dvy;
+      const Two excess = dx * dx + dy * dy - distance * distance;
+      const Two passing = dx * dvy - dy * dvx;
+      const Two discriminant = (dvx * dvx + dvy * dvy) * distance * distance - passing * passing;
+      std::memcpy(&closings[k], &closing, sizeof closing);
+      std::memcpy(&excesses[k], &excess, sizeof excess);
+      std::memcpy(&discriminants[k], &discriminant, sizeof discriminant);
+      found |= (whichBelow(closing, 0.0) & (whichUpTo(excess, 0.0) | ~whichBelow(discriminant, 0.0))) << k;
+    }
+    touching = found & ((1U << count) - 1);
   }
-  touching &= (1U << count) - 1;
+
+  /// The next that will be touched; behind all, once there is none.
+  std::size_t takeTouching()
+  {
+    const auto lane = static_cast<std::size_t>(__builtin_ctz(touching | 1U << LANES));
+    touching &= touching - 1;
+    return lane;
+  }
+
+  /// How long until two that will be touched are.
+  Two waits(std::size_t i, std::size_t j) const
+  {
+    const Two excess{excesses[i], excesses[j]};
+    const Two closing{closings[i], closings[j]};
+    const Two wait = excess / (rootOrZero(Two{discriminants[i], discriminants[j]}) - closing);
+    return excess <= 0.0 ? Two{} : wait;
+  }
+};
+
+/// The arithmetic of contact() and timeToTouch(), step by step and for two disks at once: first for all
+/// whether they will touch, without a branch; then for those that will, four at a time, when. Most will not,
+/// and a root takes long.
+PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
+                                     const Image& image) const
+{
+  Lanes lanes(*this, others, count, image);
   PairContact first;
   do
   {
-    std::array<std::size_t, 4> lanes;
-    for (std::size_t& lane : lanes)
-    {
-      lane = static_cast<std::size_t>(__builtin_ctz(touching | 1U << LANES));
-      touching &= touching - 1;
-    }
-    const auto due = [&](std::size_t i, std::size_t j)
-    {
-      const Two excess{excesses[i], excesses[j]};
-      const Two closing{closings[i], closings[j]};
-      const Two wait = excess / (rootOrZero(Two{discriminants[i], discriminants[j]}) - closing);
-      return from_ + (excess <= 0.0 ? Two{} : wait);
-    };
-    const Two a = due(lanes[0], lanes[1]);
-    const Two b = due(lanes[2], lanes[3]);
+    std::array<std::size_t, 4> next;
+    for (std::size_t& lane : next)
+      lane = lanes.takeTouching();
+    const Two a = from_ + lanes.waits(next[0], next[1]);
+    const Two b = from_ + lanes.waits(next[2], next[3]);
     const Two least = a < b ? a : b;
     const double earliest = std::min(least[0], least[1]);
     if (earliest >= until_)
       continue;
     for (unsigned found = whichUpTo(a, earliest) | whichUpTo(b, earliest) << 2; found != 0;
          found &= found - 1)
-      first.take({earliest, others[lanes[__builtin_ctz(found)]], shift});
-  } while (touching != 0);
+      first.take({earliest, others[next[__builtin_ctz(found)]], shift});
+  } while (lanes.touching != 0);
   return first;
 }
 

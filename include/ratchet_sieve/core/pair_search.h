@@ -89,6 +89,24 @@ private:
   /// How many disks are looked at side by side.
   static constexpr std::size_t LANES = 16;
 
+  struct Lanes;
+
+  /// The disk as seen from another.
+  struct Relative
+  {
+    Two place;        ///< [m]
+    Two velocity;     ///< [m/s]
+    double distance;  ///< at which they touch [m]
+  };
+
+  /// @param place of the disk, as the other's image sees it
+  Relative relativeTo(std::uint32_t id, Two place) const
+  {
+    // Beside itself a disk is at rest, to the last bit, and meets nothing.
+    const Course other = courseAt(machine_.disk(id), from_, machine_.scene().gravity);
+    return {place - other.place, course_.velocity - other.velocity, radius_ + machine_.radius(id)};
+  }
+
   PairContact firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
                            const Image& image) const;
 
