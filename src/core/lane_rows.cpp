@@ -71,7 +71,7 @@ std::optional<LaneScene> laneScene(const Machine& machine)
   const BaseMotion& motion = machine.motion();
   if (definition.boundary != Boundary::PERIODIC || definition.contact.contact_duration > 0.0 ||
       motion.nextChange())
-    return {};
+    return std::nullopt;
   LaneScene scene{};
   const double w = TWO_PI * motion.frequency();
   scene.gravity = definition.gravity;

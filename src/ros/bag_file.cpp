@@ -54,8 +54,9 @@ bool refusesLock(int descriptor, int kind)
 bool BagFile::isBeingWritten(const std::string& path)
 {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // One that cannot be looked at is taken for one that is.
   if (descriptor < 0)
-    return false;
+    return errno != ENOENT;
   const bool refused = refusesLock(descriptor, LOCK_SH);
   ::close(descriptor);
   return refused;

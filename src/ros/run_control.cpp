@@ -178,7 +178,7 @@ Outcome RunControl::advance(double duration, const Stride& stride)
     return failure(*run_->stopReason());
   if (target - run_->time() < RESOLUTION)
     return {};
-  return {true, fmt::format("the scene's end came first, at {:g} s: {:g} s of the step are left",
+  return {true, fmt::format("the scene's end came first, at {:.9g} s: {:.9g} s of the step are left",
                             run_->time(), target - run_->time())};
 }
 
