@@ -168,8 +168,8 @@ TEST_F(Clock, hasNoTransformTwiceWhereADisplayLooksOn)
 
 TEST_F(Clock, passesAMessageFilter)
 {
-  // The transforms come in this thread: where they have one of their own, tf2 0.7's filter loses what comes while it
-  // notes that it waits for it (https://github.com/ros2/geometry2/pull/307).
+  // The transforms come in this thread: where they have one of their own, tf2 0.7's filter loses what comes
+  // while it notes that it waits for it (https://github.com/ros2/geometry2/pull/307).
   ros::NodeHandle node;
   tf2_ros::Buffer frames;
   const tf2_ros::TransformListener frames_listener(frames, node, false);
