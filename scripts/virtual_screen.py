@@ -1,6 +1,6 @@
 """A screen in memory, for programs that draw where there is none, and pictures of it.
 
-Needs xvfb and imagemagick: the group `screen` of packages.txt.
+Needs xvfb and imagemagick: the group `tests` of packages.txt.
 """
 
 import os
