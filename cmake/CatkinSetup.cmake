@@ -3,7 +3,7 @@
 
 # ROS from Debian's archive has its Python modules for the system's interpreter only: another that
 # comes first on PATH (pyenv, conda) finds no catkin_pkg.
-if(EXISTS /usr/lib/python3/dist-packages/catkin_pkg)
+if(EXISTS "/usr/lib/python3/dist-packages/catkin_pkg")
   set(PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python that has ROS's modules")
   set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python that has ROS's modules")
 endif()
@@ -17,15 +17,15 @@ endif()
 set(ROS_MESSAGE_PACKAGES
   diagnostic_msgs geometry_msgs rosgraph_msgs sensor_msgs std_msgs std_srvs tf2_msgs visualization_msgs)
 set(ROS_LIBRARY_PACKAGES diagnostic_updater rosbag roscpp)
-find_package(catkin REQUIRED COMPONENTS message_generation ${ROS_LIBRARY_PACKAGES} ${ROS_MESSAGE_PACKAGES})
+find_package(catkin REQUIRED COMPONENTS ${ROS_LIBRARY_PACKAGES} ${ROS_MESSAGE_PACKAGES} message_generation)
 
 add_message_files(FILES
+  BaseSetpoint.msg
   BaseState.msg
   BinCounts.msg
   Command.msg
   ParticleStates.msg
   SceneDescription.msg
-  BaseSetpoint.msg
   SeekTrial.msg
   SieveStatistics.msg
   SpeciesStatistics.msg)
@@ -34,11 +34,14 @@ generate_messages(DEPENDENCIES std_msgs)
 
 catkin_package(
   INCLUDE_DIRS include
-  LIBRARIES ratchet_sieve_core ratchet_sieve_scene ratchet_sieve_recording ratchet_sieve_analysis ratchet_sieve_ros
-  CATKIN_DEPENDS message_runtime ${ROS_LIBRARY_PACKAGES} ${ROS_MESSAGE_PACKAGES})
+  CATKIN_DEPENDS ${ROS_LIBRARY_PACKAGES} ${ROS_MESSAGE_PACKAGES} message_runtime
+  CFG_EXTRAS ratchet_sieve-extras.cmake)
 
 add_library(ratchet_sieve_messages INTERFACE)
 target_include_directories(ratchet_sieve_messages SYSTEM INTERFACE
-  ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_INCLUDE_DESTINATION} ${catkin_INCLUDE_DIRS})
+  $<BUILD_INTERFACE:${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_INCLUDE_DESTINATION}>
+  $<INSTALL_INTERFACE:${CATKIN_GLOBAL_INCLUDE_DESTINATION}>
+  ${catkin_INCLUDE_DIRS})
+set_target_properties(ratchet_sieve_messages PROPERTIES EXPORT_NAME messages)
 target_link_libraries(ratchet_sieve_messages INTERFACE ${catkin_LIBRARIES})
 add_dependencies(ratchet_sieve_messages ${PROJECT_NAME}_generate_messages_cpp)

@@ -1,28 +1,42 @@
 # Everything that a user runs or builds on, where rosrun, roslaunch and find_package look for it.
-if(RATCHET_SIEVE_ROS)
-  set(PROGRAM_DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-  set(LIBRARY_DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
-  set(HEADER_DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
-  set(SHARE_DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
-else()
+if(NOT RATCHET_SIEVE_ROS)
   include(GNUInstallDirs)
-  set(PROGRAM_DESTINATION ${CMAKE_INSTALL_BINDIR})
-  set(LIBRARY_DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  set(HEADER_DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ratchet_sieve)
-  set(SHARE_DESTINATION ${CMAKE_INSTALL_DATADIR}/ratchet_sieve)
+  set(CATKIN_PACKAGE_BIN_DESTINATION ${CMAKE_INSTALL_BINDIR})
+  set(CATKIN_PACKAGE_LIB_DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  set(CATKIN_PACKAGE_INCLUDE_DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ratchet_sieve)
+  set(CATKIN_PACKAGE_SHARE_DESTINATION ${CMAKE_INSTALL_DATADIR}/ratchet_sieve)
 endif()
 
-set(PROGRAMS sieve_run)
-set(LIBRARIES core scene recording analysis)
+install(TARGETS sieve_run RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(TARGETS ratchet_sieve_analysis ratchet_sieve_core ratchet_sieve_recording ratchet_sieve_scene
+  EXPORT ratchet_sieve-targets
+  ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
+  LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 if(RATCHET_SIEVE_ROS)
-  list(APPEND PROGRAMS
-    sieve_analyze sieve_display sieve_node sieve_resimulate sieve_rviz sieve_schedule sieve_seek)
-  list(APPEND LIBRARIES ros bag)
+  install(
+    TARGETS sieve_analyze sieve_display sieve_node sieve_resimulate sieve_rviz sieve_schedule sieve_seek
+    RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+  install(TARGETS ratchet_sieve_bag LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+  install(TARGETS ratchet_sieve_messages ratchet_sieve_ros
+    EXPORT ratchet_sieve-targets
+    ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
+    LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 endif()
-list(TRANSFORM LIBRARIES PREPEND ratchet_sieve_)
+install(DIRECTORY include/ratchet_sieve/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
+install(DIRECTORY config launch rviz DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+install(PROGRAMS scripts/plot_analysis.py scripts/plot_seek.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
-install(TARGETS ${PROGRAMS} RUNTIME DESTINATION ${PROGRAM_DESTINATION})
-install(TARGETS ${LIBRARIES} LIBRARY DESTINATION ${LIBRARY_DESTINATION} ARCHIVE DESTINATION ${LIBRARY_DESTINATION})
-install(DIRECTORY include/ratchet_sieve/ DESTINATION ${HEADER_DESTINATION})
-install(DIRECTORY config launch rviz DESTINATION ${SHARE_DESTINATION})
-install(PROGRAMS scripts/plot_analysis.py scripts/plot_seek.py DESTINATION ${PROGRAM_DESTINATION})
+# The targets for other packages: see ratchet_sieve-extras.cmake.in.
+if(RATCHET_SIEVE_ROS)
+  set(EXPORT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_SHARE_DESTINATION}/cmake)
+  set(EXPORT_DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/cmake)
+else()
+  set(EXPORT_DIRECTORY ${PROJECT_BINARY_DIR})
+  set(EXPORT_DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}/cmake/ratchet_sieve)
+  set(CONFIGURATION ${PROJECT_BINARY_DIR}/ratchet_sieveConfig.cmake)
+  configure_file(cmake/ratchet_sieve-extras.cmake.in ${CONFIGURATION} @ONLY)
+  install(FILES ${CONFIGURATION} DESTINATION ${EXPORT_DESTINATION})
+endif()
+export(EXPORT ratchet_sieve-targets NAMESPACE ratchet_sieve::
+  FILE ${EXPORT_DIRECTORY}/ratchet_sieve-targets.cmake)
+install(EXPORT ratchet_sieve-targets NAMESPACE ratchet_sieve:: DESTINATION ${EXPORT_DESTINATION})

@@ -30,7 +30,11 @@ function(ratchet_sieve_layer layer)
   target_include_directories(${target}
     PUBLIC $<BUILD_INTERFACE:${view}> $<INSTALL_INTERFACE:include>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-  target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE ratchet_sieve_flags ${ARG_PRIVATE_LINK})
+  target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
+  # The flags are this project's own: packages that use the exported target do not see them.
+  target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:ratchet_sieve_flags,INTERFACE_COMPILE_OPTIONS>)
+  target_link_options(${target} PRIVATE $<TARGET_PROPERTY:ratchet_sieve_flags,INTERFACE_LINK_OPTIONS>)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${layer})
   target_compile_features(${target} PUBLIC cxx_std_17)
   # Static ones go into the library that sieve_run loads to write a bag.
   if(RATCHET_SIEVE_ROS)

@@ -1,0 +1,11 @@
+// Speaks this package's messages and uses its ROS layer.
+#include <iostream>
+#include <ratchet_sieve/BinCounts.h>
+#include <ratchet_sieve/ros/pacer.h>
+
+int main()
+{
+  ratchet_sieve::BinCounts counts;
+  counts.left.push_back(1);
+  std::cout << counts << '\n';
+}

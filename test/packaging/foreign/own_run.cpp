@@ -1,0 +1,12 @@
+// Runs a scene file with the engine and prints its collisions.
+#include <iostream>
+#include <ratchet_sieve/core/simulation.h>
+#include <ratchet_sieve/recording/summary.h>
+#include <ratchet_sieve/scene/scene_file.h>
+
+int main(int, char** arguments)
+{
+  ratchet_sieve::Simulation simulation(ratchet_sieve::loadSceneFile(arguments[1]).definition);
+  simulation.advanceTo(0.1);
+  std::cout << ratchet_sieve::collisionCounts(simulation.collisions()) << '\n';
+}
