@@ -33,7 +33,6 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   shape.amplitude = machine.motion().displacementBound();
   Pour pour(shape, scene.boundary, scene.pour.drop_height, machine.largestDiameter(),
             scene.contact.pair_collisions);
-  pour.reserve(machine.activeCount() + species.size());
   for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
     if (machine.active(id))
       pour.occupy(placed(machine, id, base, time));
