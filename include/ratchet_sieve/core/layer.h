@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "ratchet_sieve/core/definition.h"
 
@@ -17,5 +18,9 @@ double settledLayer(const SceneDefinition& scene);
 
 /// By how much the feed raises such a layer, as long as nothing leaves it [m/s].
 double feedGrowth(const SceneDefinition& scene);
+
+/// One line for a human, before the disks are poured: how many, how high they will lie, how much memory they
+/// take.
+std::string sizeText(const SceneDefinition& scene);
 
 }  // namespace ratchet_sieve
