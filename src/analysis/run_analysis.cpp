@@ -31,25 +31,6 @@ bool sameBins(const BinFrame& a, const BinFrame& b)
                     { return x.left == y.left && x.right == y.right && x.on_base == y.on_base; });
 }
 
-/// A granular temperature over those frames in which there was one: two disks at least.
-struct TemperatureMean
-{
-  double sum = 0.0;  ///< [J]
-  std::size_t frames = 0;
-
-  void take(double temperature)
-  {
-    if (temperature <= 0.0)
-      return;
-    sum += temperature;
-    ++frames;
-  }
-  std::optional<double> mean() const
-  {
-    return frames > 0 ? std::optional<double>(sum / static_cast<double>(frames)) : std::nullopt;
-  }
-};
-
 }  // namespace
 
 /// All that is kept of one run.
@@ -77,7 +58,7 @@ struct RunAnalysis::Run
   std::optional<BinFrame> last_bins;
   ThinnedSeries<BaseFrame> base;
   ThinnedSeries<StatisticsFrame> statistics;
-  std::vector<TemperatureMean> temperatures;  ///< per species
+  std::vector<TemperatureSum> temperatures;  ///< per species, over frames
 };
 
 RunAnalysis::RunAnalysis() = default;
@@ -130,10 +111,11 @@ void RunAnalysis::take(const StatisticsFrame& frame)
   Run& run = this->run("statistics", frame.time);
   requireSound(frame, run.scene);
   run.statistics.take(frame);
-  if (frame.time < run.scene.settle)
+  if (frame.window_start < run.scene.settle)
     return;
   for (std::size_t i = 0; i < run.temperatures.size(); ++i)
-    run.temperatures[i].take(frame.granular_temperature[i]);
+    if (frame.granular_temperature[i])
+      run.temperatures[i].add(*frame.granular_temperature[i]);
 }
 
 RunResult RunAnalysis::result() const
@@ -156,7 +138,7 @@ RunResult RunAnalysis::result() const
     result.bins.push_back(*run.last_bins);
   result.base = run.base.samples();
   result.statistics = run.statistics.samples();
-  for (const TemperatureMean& temperature : run.temperatures)
+  for (const TemperatureSum& temperature : run.temperatures)
     result.granular_temperatures.push_back(temperature.mean());
   return result;
 }

@@ -23,6 +23,9 @@ public:
           double start_time, double end_time,
           FrameSampler::WallClock wall_clock = std::chrono::steady_clock::now);
 
+  LiveRun(const LiveRun&) = delete;
+  LiveRun& operator=(const LiveRun&) = delete;
+
   double time() const { return simulation_.time(); }
   double startTime() const { return simulation_.startTime(); }
   double endTime() const { return end_time_; }
@@ -60,8 +63,8 @@ public:
   ParticleFrame particles() const { return makeParticleFrame(simulation_); }
   BinFrame bins() const { return makeBinFrame(simulation_); }
   BaseFrame base() const { return makeBaseFrame(simulation_); }
-  /// Without rates, which need two frames.
-  StatisticsFrame statistics() const { return makeStatisticsFrame(simulation_, nullptr, 0.0); }
+  /// Over the periods that ended since the last one that was due to be published; without the real-time factor.
+  StatisticsFrame statistics() const;
 
 private:
   struct Recording

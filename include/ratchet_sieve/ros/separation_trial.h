@@ -64,8 +64,7 @@ private:
   std::optional<BinFrame> waiting_;       ///< bins for which the base is not known yet
   std::optional<BinFrame> first_;         ///< the bins at the window's begin
   std::optional<BinFrame> end_;           ///< the bins at the end of the window before
-  std::vector<double> temperature_sums_;  ///< per species [J]
-  unsigned temperatures_ = 0;
+  std::vector<TemperatureSum> temperatures_;  ///< per species, over frames
   double paces_ = 0.0;  ///< sum of wall over simulated time, as ~statistics has it
   unsigned paced_ = 0;
   std::optional<Separation> result_;
