@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
@@ -16,6 +17,24 @@ namespace
 std::string field(const std::optional<double>& value)
 {
   return value ? fmt::format("{}", *value) : "";
+}
+
+std::string runTable(const RunResult& result)
+{
+  return fmt::format("scene_hash,seed,version,open_ends,start [s],end [s]\n{},{},{},{:d},{},{}\n",
+                     shownText(result.scene_frame.scene_hash), result.scene_frame.seed,
+                     shownText(result.scene_frame.version), result.scene.boundary == Boundary::OPEN,
+                     result.start, result.end);
+}
+
+std::string driftTable(const RunResult& result)
+{
+  std::string text = "time [s],species,disks,displacement [m]\n";
+  for (const Drift& drift : result.drift)
+    for (std::size_t i = 0; i < drift.displacements.size(); ++i)
+      text += fmt::format("{},{},{},{}\n", drift.time, result.species[i], drift.disks[i],
+                          field(drift.displacements[i]));
+  return text;
 }
 
 std::string binTable(const RunResult& result)
@@ -117,12 +136,14 @@ std::vector<std::string> writeTables(const RunResult& result, const std::string&
     file.commit();
     paths.push_back(path);
   };
+  write("run.csv", runTable(result));
   write("bins.csv", binTable(result));
   write("segregation.csv", segregationTable(result));
   write("drive.csv", driveTable(result));
   write("statistics.csv", statisticsTable(result));
   write("contacts.csv", contactTable(result));
   write("velocities.csv", velocityTable(result));
+  write("drift.csv", driftTable(result));
   write("displacements.csv", displacementTable(result));
   return paths;
 }

@@ -31,6 +31,21 @@ bool sameBins(const BinFrame& a, const BinFrame& b)
                     { return x.left == y.left && x.right == y.right && x.on_base == y.on_base; });
 }
 
+Drift driftOf(const ParticleFrame& frame, std::size_t species_count)
+{
+  Drift drift{frame.time, std::vector<std::size_t>(species_count), {}};
+  std::vector<double> sums(species_count);
+  for (const DiskState& disk : frame.disks)
+  {
+    ++drift.disks[disk.species];
+    sums[disk.species] += disk.displacement;
+  }
+  for (std::size_t i = 0; i < species_count; ++i)
+    drift.displacements.push_back(drift.disks[i] > 0 ? std::optional<double>(sums[i] / static_cast<double>(drift.disks[i]))
+                                                     : std::nullopt);
+  return drift;
+}
+
 }  // namespace
 
 /// All that is kept of one run.
@@ -56,6 +71,7 @@ struct RunAnalysis::Run
   DisplacementDistributions distributions;
   std::vector<BinFrame> bins;
   std::optional<BinFrame> last_bins;
+  ThinnedSeries<Drift> drift;
   ThinnedSeries<BaseFrame> base;
   ThinnedSeries<StatisticsFrame> statistics;
   std::vector<TemperatureSum> temperatures;  ///< per species, over frames
@@ -84,6 +100,7 @@ void RunAnalysis::take(const ParticleFrame& frame)
   ++run.particle_frames;
   run.tracker.take(frame);
   run.distributions.take(frame);
+  run.drift.take(driftOf(frame, run.scene.species.size()));
 }
 
 void RunAnalysis::take(const BinFrame& frame)
@@ -136,6 +153,7 @@ RunResult RunAnalysis::result() const
   result.bins = run.bins;
   if (run.last_bins && run.last_bins->time > run.bins.back().time)
     result.bins.push_back(*run.last_bins);
+  result.drift = run.drift.samples();
   result.base = run.base.samples();
   result.statistics = run.statistics.samples();
   for (const TemperatureSum& temperature : run.temperatures)
