@@ -10,7 +10,7 @@ import matplotlib
 
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.ticker import MaxNLocator  # noqa: E402
+from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter  # noqa: E402
 
 MM = 1e3  # per m
 UJ = 1e6  # per J
@@ -72,8 +72,10 @@ def of_run(directory):
 def write(figure, path, run):
     """Writes a picture that says which run it is of, and prints its path."""
     figure.align_ylabels()
-    figure.text(0.01, 0.0, f"scene {run['scene_hash']}, seed {run['seed']}, ratchet_sieve {run['version']}",
-                ha='left', va='top', fontsize=7, color=GREY)
+    lowest_left = min(figure.axes, key=lambda axes: (axes.get_position().y0, axes.get_position().x0))
+    lowest_left.annotate(f"scene {run['scene_hash']}, seed {run['seed']}, ratchet_sieve {run['version']}",
+                         (0.0, 0.0), (0.0, -36.0), xycoords='axes fraction', textcoords='offset points', va='top',
+                         fontsize=7, color=GREY)
     figure.savefig(path, bbox_inches='tight')
     plt.close(figure)
     print(path)
@@ -157,16 +159,29 @@ CONTACTS = {'disk_disk': 'disk-disk', 'left_slope': 'left slope', 'right_slope':
             'wall': 'wall'}
 
 
+def scale_by_decades(axes):
+    axes.set_yscale('log')
+    axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 3.0)))
+    axes.yaxis.set_major_formatter('{x:g}')
+    axes.yaxis.set_minor_formatter(NullFormatter())
+
+
+def positive(values):
+    """Without what a scale of decades cannot show."""
+    return [value if value > 0.0 else math.nan for value in values]
+
+
 def plot_contacts(axes, contacts):
     """Each kind's rate, from the end of the first window on."""
     contacts.rows = [row for row in contacts.rows if number(row['window_end']) > number(row['window_start'])]
     for colour, (kind, label) in zip(COLOURS, CONTACTS.items()):
-        rates = contacts.numbers(kind + '_rate')
-        if any(rate > 0.0 for rate in rates):
+        rates = positive(contacts.numbers(kind + '_rate'))
+        if any_defined(rates):
             axes.plot(contacts.numbers('window_end'), rates, color=colour, linewidth=1.0, label=label)
-    if not axes.lines:
+    if axes.lines:
+        scale_by_decades(axes)
+    else:
         say_undefined(axes, 'no contact was recorded')
-    axes.set_ylim(bottom=0.0)
     axes.set_ylabel('contacts [1/s]')
     axes.set_title('Contacts', loc='left')
     beside(axes)
@@ -271,9 +286,9 @@ def draw_temperature(directory):
     figure, axes = plt.subplots(figsize=(6.5, 3.0))
     for colour, species in zip(COLOURS, statistics.values('species')):
         part = statistics.where('species', species)
-        values = [v if v > 0.0 else math.nan for v in part.numbers('granular_temperature', UJ)]
-        axes.plot(part.numbers('window_end'), values, color=colour, linewidth=1.0, label=species)
-    axes.set_yscale('log')
+        axes.plot(part.numbers('window_end'), positive(part.numbers('granular_temperature', UJ)), color=colour,
+                  linewidth=1.0, label=species)
+    scale_by_decades(axes)
     axes.set_ylabel(r'$\frac{1}{2} m \langle |v - \langle v \rangle|^2 \rangle$ [µJ]')
     axes.set_xlabel('time [s]')
     axes.set_title('Granular temperature, over whole periods of the drive', loc='left')

@@ -41,8 +41,9 @@ Drift driftOf(const ParticleFrame& frame, std::size_t species_count)
     sums[disk.species] += disk.displacement;
   }
   for (std::size_t i = 0; i < species_count; ++i)
-    drift.displacements.push_back(drift.disks[i] > 0 ? std::optional<double>(sums[i] / static_cast<double>(drift.disks[i]))
-                                                     : std::nullopt);
+    drift.displacements.push_back(drift.disks[i] > 0
+                                      ? std::optional<double>(sums[i] / static_cast<double>(drift.disks[i]))
+                                      : std::nullopt);
   return drift;
 }
 

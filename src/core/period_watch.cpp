@@ -53,15 +53,14 @@ std::vector<std::optional<double>> granularTemperatures(const Machine& machine, 
   for (std::size_t i = 0; i < species.size(); ++i)
   {
     const std::optional<double> variance = velocities[i].variance();
-    temperatures.push_back(variance ? std::optional<double>(0.5 * species[i].mass * *variance) : std::nullopt);
+    temperatures.push_back(variance ? std::optional<double>(0.5 * species[i].mass * *variance)
+                                    : std::nullopt);
   }
   return temperatures;
 }
 
 PeriodWatch::PeriodWatch(const Machine& machine)
-    : machine_(machine),
-      origin_(machine.motion().startTurns()),
-      temperatures_(machine.scene().species.size())
+    : machine_(machine), origin_(machine.motion().startTurns()), temperatures_(machine.scene().species.size())
 {
 }
 

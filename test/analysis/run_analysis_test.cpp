@@ -147,7 +147,8 @@ StatisticsFrame temperaturesAt(double time, std::vector<double> temperatures)
   frame.window_start = std::max(0.0, time - 0.5);
   frame.window_end = time;
   for (const double temperature : temperatures)
-    frame.granular_temperature.push_back(temperature > 0.0 ? std::optional<double>(temperature) : std::nullopt);
+    frame.granular_temperature.push_back(temperature > 0.0 ? std::optional<double>(temperature)
+                                                           : std::nullopt);
   return frame;
 }
 

@@ -1,13 +1,17 @@
 #include "ratchet_sieve/recording/statistics_window.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "collecting_sink.h"
 #include "ratchet_sieve/recording/headless_run.h"
+#include "ratchet_sieve/recording/resimulation.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "small_scenes.h"
 
@@ -74,7 +78,8 @@ TEST(StatisticsWindow, ShowsNoBeatOfItsRateWithTheDrive)
   EXPECT_LT(varianceAt(ALIAS, RATE, temperatures), 0.02 * before);
   // That of the samples stands out by far: the test would see it.
   EXPECT_GT(before, 20.0 * varianceAt(2.5, RATE, sampled));
-  EXPECT_LT(varianceAt(ALIAS, RATE, rates), 10.0 * varianceAt(2.5, RATE, rates) + varianceAt(3.5, RATE, rates));
+  EXPECT_LT(varianceAt(ALIAS, RATE, rates),
+            10.0 * varianceAt(2.5, RATE, rates) + varianceAt(3.5, RATE, rates));
 }
 
 TEST(StatisticsWindow, IsOfWholePeriodsOneAfterTheOther)
@@ -141,6 +146,47 @@ TEST(StatisticsWindow, IsTheTimeBetweenFramesWhereNothingSwings)
     EXPECT_EQ(frame.window_start, k > 0 ? sink.statistics[k - 1].time : 0.0);
   }
   EXPECT_GT(sink.statistics[5].collision_rates.total(), 0.0);
+}
+
+/// What a run of the recorded scene has to say against its statistics from `from` on.
+std::string differenceFrom(double from, const CollectingSink& sink)
+{
+  Resimulation resimulation;
+  SceneFrame scene = sink.scenes.at(0);
+  scene.time = std::max(scene.time, from);
+  resimulation.take(scene);
+  for (const StatisticsFrame& frame : sink.statistics)
+    if (frame.time >= from)
+      resimulation.take(frame);
+  resimulation.finish();
+  return resimulation.difference().value_or("");
+}
+
+TEST(StatisticsWindow, ComesOutTheSameInARunOfTheRecordedScene)
+{
+  CollectingSink sink = recorded(layer(), 10.0);
+  EXPECT_EQ(differenceFrom(0.0, sink), "");
+  EXPECT_EQ(differenceFrom(0.45, sink), "") << "a later file of a recording that was split";
+  double& temperature = *sink.statistics.at(7).granular_temperature.at(1);
+  temperature = std::nextafter(temperature, 1.0);
+  EXPECT_EQ(differenceFrom(0.0, sink), "at 0.69999999999999996 s the statistics differ");
+  EXPECT_EQ(differenceFrom(0.45, sink),
+            "at 0.69999999999999996 s the statistics differ; it is recorded from 0.45 s on, "
+            "and not what the run was told since 0 s");
+}
+
+TEST(StatisticsWindow, ComesOutTheSameInARunThatWasTakenUp)
+{
+  Simulation before(layer());
+  before.advanceTo(0.45);
+  Simulation after(layer(), before.saveState());
+  CollectingSink sink;
+  RunWatchers watchers;
+  watchers.rates = {0.0, 0.0, 0.0, 10.0};
+  watchers.frames = &sink;
+  runToEnd(after, watchers);
+  ASSERT_EQ(sink.scenes.at(0).time, 0.45);
+  EXPECT_EQ(differenceFrom(0.45, sink), "");
 }
 
 TEST(StatisticsWindow, DoesNotDependOnWhoElseIsShownFrames)

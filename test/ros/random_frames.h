@@ -90,7 +90,8 @@ inline StatisticsFrame anyStatisticsFrame()
        {&frame.collisions.disk_disk, &frame.collisions.left_slope, &frame.collisions.right_slope,
         &frame.collisions.apex, &frame.collisions.wall, &frame.events})
     *count = *rc::gen::arbitrary<std::uint64_t>();
-  for (double* value : {&frame.window_start, &frame.window_end, &frame.collision_rates.disk_disk, &frame.collision_rates.wall, &frame.real_time_factor, &frame.max_overlap})
+  for (double* value : {&frame.window_start, &frame.window_end, &frame.collision_rates.disk_disk,
+                        &frame.collision_rates.wall, &frame.real_time_factor, &frame.max_overlap})
     *value = anyNumber();
   return frame;
 }

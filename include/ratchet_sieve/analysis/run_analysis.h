@@ -26,7 +26,7 @@ struct AnalysisError : std::runtime_error
 /// How far the disks have come that are in the machine at one time, each since it entered.
 struct Drift
 {
-  double time = 0.0;  ///< [s]
+  double time = 0.0;                                 ///< [s]
   std::vector<std::size_t> disks;                    ///< per species
   std::vector<std::optional<double>> displacements;  ///< per species, mean [m]; nothing without disks
 };

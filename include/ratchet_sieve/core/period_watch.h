@@ -11,13 +11,14 @@
 namespace ratchet_sieve
 {
 
-/// Granular temperature of each species at a time local to the epoch [J]; see Simulation::granularTemperatures().
+/// Granular temperature of each species at a time local to the epoch [J]; see
+/// Simulation::granularTemperatures().
 std::vector<std::optional<double>> granularTemperatures(const Machine& machine, double time);
 
 /// Averages over whole periods of the drive what swings with it. A sample now and then would show the beat of
 /// its own rate with the drive's (aliasing): so every period is looked at, at instants that go by its phase.
-/// Periods begin where the drive has the phase that it had at the start of the run, so that they do not depend
-/// on when the watch began. Times are local to the epoch unless said otherwise.
+/// Periods begin where the drive has the phase that it had at the start of the run, so that they do not
+/// depend on when the watch began. Times are local to the epoch unless said otherwise.
 class PeriodWatch
 {
 public:
@@ -51,10 +52,10 @@ private:
   Simulation::PeriodObserver observer_;
   double origin_;  ///< phase over 2 pi at which periods begin
   bool swings_ = false;
-  double from_ = 0.0;             ///< what is awaited comes no earlier
-  int part_ = 0;                  ///< of the period, whose end is awaited; 0: its beginning
-  double begun_ = 0.0;            ///< when it began, in the run's time [s]
-  CollisionCounts collisions_;    ///< until then
+  double from_ = 0.0;           ///< what is awaited comes no earlier
+  int part_ = 0;                ///< of the period, whose end is awaited; 0: its beginning
+  double begun_ = 0.0;          ///< when it began, in the run's time [s]
+  CollisionCounts collisions_;  ///< until then
   std::vector<TemperatureSum> temperatures_;
 };
 

@@ -194,8 +194,8 @@ public:
   std::uint64_t events() const;               ///< all processed since the start
   std::vector<SpeciesMeans> means() const;    ///< per species, since `settle`; nothing before
   bool swings() const;                        ///< whether the drive moves the base, now
-  /// Of each species now [J]: half its mass times the variance of its disks' velocities, over both directions.
-  /// Nothing with fewer than two disks.
+  /// Of each species now [J]: half its mass times the variance of its disks' velocities, over both
+  /// directions. Nothing with fewer than two disks.
   std::vector<std::optional<double>> granularTemperatures() const;
   double baseImpulseX() const;  ///< given by the base to the disks since `settle`, 0 before [N s]
   double baseImpulseY() const;

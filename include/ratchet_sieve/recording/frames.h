@@ -103,7 +103,8 @@ ParticleFrame makeParticleFrame(const Simulation& simulation);
 BinFrame makeBinFrame(const Simulation& simulation);
 BaseFrame makeBaseFrame(const Simulation& simulation);
 
-/// Without the real-time factor. @param window of this series of frames. @pre it was moved to simulation.time()
+/// Without the real-time factor. @param window of this series of frames. @pre it was moved to
+/// simulation.time()
 StatisticsFrame makeStatisticsFrame(const Simulation& simulation, const StatisticsWindow& window);
 
 }  // namespace ratchet_sieve

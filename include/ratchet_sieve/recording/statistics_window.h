@@ -21,9 +21,9 @@ struct CollisionRates
   double total() const { return disk_disk + left_slope + right_slope + apex + wall; }
 };
 
-/// What the statistics frames of one series are means over: the whole periods of the drive that ended since the
-/// frame before. None ended: those of the frame before once more. Where the drive does not move the base, there
-/// is nothing to average: the time since the frame before, and temperatures as they are.
+/// What the statistics frames of one series are means over: the whole periods of the drive that ended since
+/// the frame before. None ended: those of the frame before once more. Where the drive does not move the base,
+/// there is nothing to average: the time since the frame before, and temperatures as they are.
 class StatisticsWindow
 {
 public:

@@ -63,7 +63,8 @@ public:
   ParticleFrame particles() const { return makeParticleFrame(simulation_); }
   BinFrame bins() const { return makeBinFrame(simulation_); }
   BaseFrame base() const { return makeBaseFrame(simulation_); }
-  /// Over the periods that ended since the last one that was due to be published; without the real-time factor.
+  /// Over the periods that ended since the last one that was due to be published; without the real-time
+  /// factor.
   StatisticsFrame statistics() const;
 
 private:
