@@ -37,7 +37,7 @@ BENCHMARK(particleFrame)->Unit(benchmark::kMicrosecond);
 void statisticsFrame(benchmark::State& state)
 {
   for (auto _ : state)
-    benchmark::DoNotOptimize(makeStatisticsFrame(manyDisks(), nullptr, 0.0));
+    benchmark::DoNotOptimize(makeStatisticsFrame(manyDisks(), StatisticsWindow()));
 }
 BENCHMARK(statisticsFrame)->Unit(benchmark::kMicrosecond);
 
@@ -57,6 +57,14 @@ void serializedParticleMessage(benchmark::State& state)
     benchmark::DoNotOptimize(ros::serialization::serializeMessage(toMessage(frame)));
 }
 BENCHMARK(serializedParticleMessage)->Unit(benchmark::kMicrosecond);
+
+/// Eight of them in each period of the drive.
+void temperatures(benchmark::State& state)
+{
+  for (auto _ : state)
+    benchmark::DoNotOptimize(manyDisks().granularTemperatures());
+}
+BENCHMARK(temperatures)->Unit(benchmark::kMicrosecond);
 
 /// Into an lz4 bag, written to the temporary directory.
 void recordedParticleFrame(benchmark::State& state)

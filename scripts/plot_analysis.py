@@ -10,7 +10,7 @@ import matplotlib
 
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.ticker import MaxNLocator  # noqa: E402
+from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter  # noqa: E402
 
 MM = 1e3  # per m
 UJ = 1e6  # per J
@@ -43,11 +43,13 @@ def number(text):
 
 
 class Table:
-    """A CSV file by its columns."""
+    """A CSV file by its columns, which are named without their units."""
 
     def __init__(self, path):
         with open(path, newline='', encoding='utf-8') as file:
-            self.rows = list(csv.DictReader(file))
+            lines = csv.reader(file)
+            names = [column.split(' [')[0] for column in next(lines, [])]
+            self.rows = [dict(zip(names, line)) for line in lines]
 
     def numbers(self, column, scale=1.0):
         return [scale * number(row[column]) for row in self.rows]
@@ -60,6 +62,23 @@ class Table:
         part = Table.__new__(Table)
         part.rows = [row for row in self.rows if row[column] == value]
         return part
+
+
+def of_run(directory):
+    """What the tables are of, as sieve_analyze wrote it down."""
+    return Table(directory / 'run.csv').rows[0]
+
+
+def write(figure, path, run):
+    """Writes a picture that says which run it is of, and prints its path."""
+    figure.align_ylabels()
+    lowest_left = min(figure.axes, key=lambda axes: (axes.get_position().y0, axes.get_position().x0))
+    lowest_left.annotate(f"scene {run['scene_hash']}, seed {run['seed']}, ratchet_sieve {run['version']}",
+                         (0.0, 0.0), (0.0, -36.0), xycoords='axes fraction', textcoords='offset points', va='top',
+                         fontsize=7, color=GREY)
+    figure.savefig(path, bbox_inches='tight')
+    plt.close(figure)
+    print(path)
 
 
 def any_defined(values):
@@ -106,31 +125,86 @@ def plot_segregation(axes, segregation):
     axes.set_title('Segregation', loc='left')
 
 
-def plot_drive(axes, drive, quantity, label, colour):
-    time, applied = drive.numbers('time'), drive.numbers(quantity)
-    axes.step(time, drive.numbers('commanded_' + quantity), where='post', color=GREY, linestyle=':', linewidth=1.2,
-              label='commanded')
+def plot_drive(axes, drive, quantity, label, colour, scale=1.0):
+    time, applied = drive.numbers('time'), drive.numbers(quantity, scale)
+    axes.step(time, drive.numbers('commanded_' + quantity, scale), where='post', color=GREY, linestyle=':',
+              linewidth=1.2, label='commanded')
     axes.plot(time, applied, color=colour, label='applied')
     axes.set_ylabel(label)
+    axes.set_title(quantity.capitalize(), loc='left')
     if applied and max(applied) - min(applied) < 1e-9:
         margin = max(0.1 * abs(applied[0]), 0.01)
         axes.set_ylim(applied[0] - margin, applied[0] + margin)
     beside(axes)
 
 
-def draw_segregation(directory):
-    drive = Table(directory / 'drive.csv')
-    figure, axes = plt.subplots(4, 1, sharex=True, figsize=(7.5, 7.5),
-                                gridspec_kw={'height_ratios': (3, 2, 1.2, 1.2)})
-    plot_bins(axes[0], Table(directory / 'bins.csv'))
-    plot_segregation(axes[1], Table(directory / 'segregation.csv'))
-    plot_drive(axes[2], drive, 'inclination', r'$\theta$ [rad]', COLOURS[4])
-    axes[2].set_title('Inclination', loc='left')
-    plot_drive(axes[3], drive, 'frequency', '$f$ [Hz]', COLOURS[5])
-    axes[3].set_title('Frequency', loc='left')
-    axes[3].set_xlabel('time [s]')
-    figure.subplots_adjust(hspace=0.35)
+def plot_whole_drive(three_axes, drive):
+    plot_drive(three_axes[0], drive, 'inclination', r'$\theta$ [rad]', COLOURS[4])
+    plot_drive(three_axes[1], drive, 'frequency', '$f$ [Hz]', COLOURS[5])
+    plot_drive(three_axes[2], drive, 'amplitude', '$A$ [mm]', COLOURS[3], MM)
+    three_axes[2].set_xlabel('time [s]')
+
+
+def plot_drift(axes, drift):
+    for colour, species in zip(COLOURS, drift.values('species')):
+        part = drift.where('species', species)
+        axes.plot(part.numbers('time'), part.numbers('displacement', MM), color=colour, label=species)
+    axes.axhline(0.0, color=GREY, linewidth=0.8)
+    axes.set_ylabel('displacement [mm]')
+    axes.set_title('Drift: mean displacement of the disks since each entered', loc='left')
+    beside(axes)
+
+
+CONTACTS = {'disk_disk': 'disk-disk', 'left_slope': 'left slope', 'right_slope': 'right slope', 'apex': 'apex',
+            'wall': 'wall'}
+
+
+def scale_by_decades(axes):
+    axes.set_yscale('log')
+    axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 3.0)))
+    axes.yaxis.set_major_formatter('{x:g}')
+    axes.yaxis.set_minor_formatter(NullFormatter())
+
+
+def positive(values):
+    """Without what a scale of decades cannot show."""
+    return [value if value > 0.0 else math.nan for value in values]
+
+
+def plot_contacts(axes, contacts):
+    """Each kind's rate, from the end of the first window on."""
+    contacts.rows = [row for row in contacts.rows if number(row['window_end']) > number(row['window_start'])]
+    for colour, (kind, label) in zip(COLOURS, CONTACTS.items()):
+        rates = positive(contacts.numbers(kind + '_rate'))
+        if any_defined(rates):
+            axes.plot(contacts.numbers('window_end'), rates, color=colour, linewidth=1.0, label=label)
+    if axes.lines:
+        scale_by_decades(axes)
+    else:
+        say_undefined(axes, 'no contact was recorded')
+    axes.set_ylabel('contacts [1/s]')
+    axes.set_title('Contacts', loc='left')
+    beside(axes)
+
+
+def draw_course(directory):
+    """Bins and segregation over the drive; where no disk can leave, drift and contacts."""
+    heights = (3, 2, 1.1, 1.1, 1.1)
+    figure, axes = plt.subplots(5, 1, sharex=True, figsize=(7.5, 8.5), gridspec_kw={'height_ratios': heights})
+    if disks_can_leave(directory):
+        plot_bins(axes[0], Table(directory / 'bins.csv'))
+        plot_segregation(axes[1], Table(directory / 'segregation.csv'))
+    else:
+        plot_drift(axes[0], Table(directory / 'drift.csv'))
+        plot_contacts(axes[1], Table(directory / 'contacts.csv'))
+    plot_whole_drive(axes[2:], Table(directory / 'drive.csv'))
+    figure.subplots_adjust(hspace=0.45)
     return figure
+
+
+def disks_can_leave(directory):
+    bins = Table(directory / 'bins.csv')
+    return of_run(directory)['open_ends'] == '1' or any(bins.numbers('left') + bins.numbers('right'))
 
 
 def draw_displacements(directory):
@@ -208,31 +282,48 @@ def reach(row):
 
 
 def draw_temperature(directory):
-    statistics, contacts = Table(directory / 'statistics.csv'), Table(directory / 'contacts.csv')
-    figure, (axes, rates) = plt.subplots(2, 1, sharex=True, figsize=(6.5, 4.8))
+    statistics = Table(directory / 'statistics.csv')
+    figure, axes = plt.subplots(figsize=(6.5, 3.0))
     for colour, species in zip(COLOURS, statistics.values('species')):
         part = statistics.where('species', species)
-        values = [v if v > 0.0 else math.nan for v in part.numbers('granular_temperature', UJ)]
-        axes.plot(part.numbers('time'), values, color=colour, linewidth=1.0, label=species)
-    axes.set_yscale('log')
+        axes.plot(part.numbers('window_end'), positive(part.numbers('granular_temperature', UJ)), color=colour,
+                  linewidth=1.0, label=species)
+    scale_by_decades(axes)
     axes.set_ylabel(r'$\frac{1}{2} m \langle |v - \langle v \rangle|^2 \rangle$ [µJ]')
-    axes.set_title('Granular temperature', loc='left')
+    axes.set_xlabel('time [s]')
+    axes.set_title('Granular temperature, over whole periods of the drive', loc='left')
     beside(axes)
-    time = contacts.numbers('time')
-    rates.plot(time[1:], contacts.numbers('collision_rate')[1:], color=GREY, linewidth=1.0, label='collisions')
-    rates.set_ylim(bottom=0.0)
-    rates.set_ylabel('collisions [1/s]')
-    rates.set_xlabel('time [s]')
-    rates.set_title('Collision rate', loc='left')
     return figure
 
 
-DRAWINGS = {
-    'segregation.png': draw_segregation,
-    'displacements.png': draw_displacements,
-    'velocities.png': draw_velocities,
-    'temperature.png': draw_temperature,
-}
+def draw_contacts(directory):
+    contacts = Table(directory / 'contacts.csv')
+    time, ratio = contacts.numbers('time'), contacts.numbers('short_to_long')
+    figure, (rates, ratios) = plt.subplots(2, 1, sharex=True, figsize=(6.5, 4.8),
+                                           gridspec_kw={'height_ratios': (2, 1)})
+    plot_contacts(rates, contacts)
+    rates.set_title('Contacts, over whole periods of the drive', loc='left')
+    if any_defined(ratio):
+        ratios.plot(time, ratio, color='black')
+        settled = steady(ratio)
+        margin = 0.5 * (max(settled) - min(settled)) + 0.05
+        ratios.set_ylim(max(0.0, min(settled) - margin), max(settled) + margin)
+    else:
+        say_undefined(ratios, 'undefined: no contact with the longer slope')
+    ratios.set_ylabel('short / long')
+    ratios.set_xlabel('time [s]')
+    ratios.set_title('Contacts with the shorter over those with the longer slope, up to a time', loc='left')
+    return figure
+
+
+def drawings(directory):
+    return {
+        'segregation.png' if disks_can_leave(directory) else 'drift.png': draw_course,
+        'displacements.png': draw_displacements,
+        'velocities.png': draw_velocities,
+        'temperature.png': draw_temperature,
+        'contacts.png': draw_contacts,
+    }
 
 
 def main():
@@ -241,12 +332,8 @@ def main():
     directory = parser.parse_args().directory
     try:
         with matplotlib.rc_context(STYLE):
-            for name, draw in DRAWINGS.items():
-                figure = draw(directory)
-                figure.align_ylabels()
-                figure.savefig(directory / name, bbox_inches='tight')
-                plt.close(figure)
-                print(directory / name)
+            for name, draw in drawings(directory).items():
+                write(draw(directory), directory / name, of_run(directory))
     except OSError as error:
         where = f'{error.filename}: ' if error.filename else ''
         sys.exit(f'plot_analysis.py: {where}{error.strerror}')

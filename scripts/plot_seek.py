@@ -7,8 +7,8 @@ import math
 import pathlib
 import sys
 
-from plot_analysis import (COLOURS, GREY, STYLE, MaxNLocator, Table, any_defined, beside, matplotlib, plot_drive, plt,
-                           say_undefined)
+from plot_analysis import (COLOURS, GREY, STYLE, MaxNLocator, Table, any_defined, beside, matplotlib, of_run, plot_drive,
+                           plt, say_undefined, write)
 
 
 def fallen(bins, species):
@@ -48,7 +48,6 @@ def draw(directory, window, best):
     figure, axes = plt.subplots(3, 1, sharex=True, figsize=(7.5, 5.6), gridspec_kw={'height_ratios': (2.2, 2, 1)})
     draw_best(axes[0], best, 2)
     plot_drive(axes[0], drive, 'inclination', r'$\theta$ [rad]', COLOURS[4])
-    axes[0].set_title('Inclination', loc='left')
     times, quality = windowed_quality(Table(directory / 'bins.csv'), window)
     if any_defined(quality):
         draw_best(axes[1], best, 3)
@@ -61,7 +60,6 @@ def draw(directory, window, best):
     axes[1].set_title(f'Quality of what left within the last {window:g} s', loc='left')
     plot_drive(axes[2], drive, 'frequency', '$f$ [Hz]', COLOURS[5])
     axes[2].yaxis.set_major_locator(MaxNLocator(nbins=4, integer=True))
-    axes[2].set_title('Frequency', loc='left')
     axes[2].set_xlabel('time [s]')
     figure.subplots_adjust(hspace=0.4)
     return figure
@@ -77,10 +75,7 @@ def main():
     try:
         with matplotlib.rc_context(STYLE):
             figure = draw(options.directory, options.window, options.best)
-            figure.align_ylabels()
-            path = options.directory / 'seek.png'
-            figure.savefig(path, bbox_inches='tight')
-            print(path)
+            write(figure, options.directory / 'seek.png', of_run(options.directory))
     except OSError as error:
         sys.exit(f'plot_seek.py: {error.filename}: {error.strerror}')
 

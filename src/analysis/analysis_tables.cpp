@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
@@ -18,9 +19,27 @@ std::string field(const std::optional<double>& value)
   return value ? fmt::format("{}", *value) : "";
 }
 
+std::string runTable(const RunResult& result)
+{
+  return fmt::format("scene_hash,seed,version,open_ends,start [s],end [s]\n{},{},{},{:d},{},{}\n",
+                     shownText(result.scene_frame.scene_hash), result.scene_frame.seed,
+                     shownText(result.scene_frame.version), result.scene.boundary == Boundary::OPEN,
+                     result.start, result.end);
+}
+
+std::string driftTable(const RunResult& result)
+{
+  std::string text = "time [s],species,disks,displacement [m]\n";
+  for (const Drift& drift : result.drift)
+    for (std::size_t i = 0; i < drift.displacements.size(); ++i)
+      text += fmt::format("{},{},{},{}\n", drift.time, result.species[i], drift.disks[i],
+                          field(drift.displacements[i]));
+  return text;
+}
+
 std::string binTable(const RunResult& result)
 {
-  std::string text = "time,species,left,right,on_base\n";
+  std::string text = "time [s],species,left,right,on_base\n";
   for (const BinFrame& frame : result.bins)
     for (std::size_t i = 0; i < frame.bins.size(); ++i)
       text += fmt::format("{},{},{},{},{}\n", frame.time, result.species[i], frame.bins[i].left,
@@ -30,7 +49,7 @@ std::string binTable(const RunResult& result)
 
 std::string segregationTable(const RunResult& result)
 {
-  std::string text = "time,quality,processed\n";
+  std::string text = "time [s],quality,processed\n";
   for (const BinFrame& frame : result.bins)
     text += fmt::format("{},{},{}\n", frame.time, field(frame.quality), field(frame.processed));
   return text;
@@ -39,7 +58,8 @@ std::string segregationTable(const RunResult& result)
 std::string driveTable(const RunResult& result)
 {
   std::string text =
-      "time,inclination,commanded_inclination,frequency,commanded_frequency,amplitude,commanded_amplitude\n";
+      "time [s],inclination [rad],commanded_inclination [rad],frequency [Hz],commanded_frequency [Hz],"
+      "amplitude [m],commanded_amplitude [m]\n";
   for (const BaseFrame& frame : result.base)
     text += fmt::format("{},{},{},{},{},{},{}\n", frame.time, frame.base.inclination,
                         frame.base.commanded_inclination, frame.base.frequency,
@@ -49,30 +69,39 @@ std::string driveTable(const RunResult& result)
 
 std::string statisticsTable(const RunResult& result)
 {
-  std::string text = "time,species,mean_vx,mean_vx_stderr,granular_temperature\n";
+  std::string text =
+      "time [s],species,mean_vx [m/s],mean_vx_stderr [m/s],"
+      "window_start [s],window_end [s],granular_temperature [J]\n";
   for (const StatisticsFrame& frame : result.statistics)
     for (std::size_t i = 0; i < frame.means.size(); ++i)
-      text += fmt::format("{},{},{},{},{}\n", frame.time, result.species[i], field(frame.means[i].mean_vx),
-                          field(frame.means[i].mean_vx_stderr), frame.granular_temperature[i]);
+      text += fmt::format("{},{},{},{},{},{},{}\n", frame.time, result.species[i],
+                          field(frame.means[i].mean_vx), field(frame.means[i].mean_vx_stderr),
+                          frame.window_start, frame.window_end, field(frame.granular_temperature[i]));
   return text;
 }
 
 std::string contactTable(const RunResult& result)
 {
-  std::string text = "time,disk_disk,left_slope,right_slope,apex,wall,short_to_long,collision_rate\n";
+  std::string text =
+      "time [s],disk_disk,left_slope,right_slope,apex,wall,short_to_long,window_start [s],window_end [s],"
+      "disk_disk_rate [1/s],left_slope_rate [1/s],right_slope_rate [1/s],apex_rate [1/s],wall_rate [1/s],"
+      "collision_rate [1/s]\n";
   for (const StatisticsFrame& frame : result.statistics)
   {
     const CollisionCounts& counts = frame.collisions;
-    text += fmt::format("{},{},{},{},{},{},{},{}\n", frame.time, counts.disk_disk, counts.left_slope,
-                        counts.right_slope, counts.apex, counts.wall,
-                        field(counts.shortToLong(result.scene.base.asymmetry)), frame.collision_rate);
+    const CollisionRates& rates = frame.collision_rates;
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", frame.time, counts.disk_disk,
+                        counts.left_slope, counts.right_slope, counts.apex, counts.wall,
+                        field(counts.shortToLong(result.scene.base.asymmetry)), frame.window_start,
+                        frame.window_end, rates.disk_disk, rates.left_slope, rates.right_slope, rates.apex,
+                        rates.wall, rates.total());
   }
   return text;
 }
 
 std::string velocityTable(const RunResult& result)
 {
-  std::string text = "species,disks,mean_vx,mean_vx_stderr\n";
+  std::string text = "species,disks,mean_vx [m/s],mean_vx_stderr [m/s]\n";
   for (std::size_t i = 0; i < result.velocities.size(); ++i)
     text += fmt::format("{},{},{},{}\n", result.species[i], result.velocities[i].disks,
                         field(result.velocities[i].mean), field(result.velocities[i].mean_stderr));
@@ -81,7 +110,7 @@ std::string velocityTable(const RunResult& result)
 
 std::string displacementTable(const RunResult& result)
 {
-  std::string text = "time,species,from,to,count,density\n";
+  std::string text = "time [s],species,from [m],to [m],count,density [1/m]\n";
   for (const DisplacementDistribution& distribution : result.displacement_distributions)
     for (std::size_t bin = 0; bin < distribution.counts.size(); ++bin)
       text += fmt::format("{},{},{},{},{},{}\n", distribution.time, result.species[distribution.species],
@@ -107,12 +136,14 @@ std::vector<std::string> writeTables(const RunResult& result, const std::string&
     file.commit();
     paths.push_back(path);
   };
+  write("run.csv", runTable(result));
   write("bins.csv", binTable(result));
   write("segregation.csv", segregationTable(result));
   write("drive.csv", driveTable(result));
   write("statistics.csv", statisticsTable(result));
   write("contacts.csv", contactTable(result));
   write("velocities.csv", velocityTable(result));
+  write("drift.csv", driftTable(result));
   write("displacements.csv", displacementTable(result));
   return paths;
 }

@@ -70,9 +70,12 @@ void requireSound(const StatisticsFrame& frame, const SceneDefinition& scene)
 {
   requireSpecies(frame.means.size(), scene, "statistics");
   requireSpecies(frame.granular_temperature.size(), scene, "statistics");
-  requireFinite({frame.collision_rate, frame.real_time_factor, frame.max_overlap}, "statistics", frame.time);
-  for (const double temperature : frame.granular_temperature)
-    requireFinite({temperature}, "statistics", frame.time);
+  const CollisionRates& rates = frame.collision_rates;
+  requireFinite({frame.window_start, frame.window_end, rates.disk_disk, rates.left_slope, rates.right_slope,
+                 rates.apex, rates.wall, frame.real_time_factor, frame.max_overlap},
+                "statistics", frame.time);
+  for (const std::optional<double>& temperature : frame.granular_temperature)
+    requireFinite({temperature.value_or(0.0)}, "statistics", frame.time);
   for (const SpeciesMeans& means : frame.means)
     requireFinite({means.mean_vx.value_or(0.0), means.mean_vx_stderr.value_or(0.0),
                    means.kinetic_translational.value_or(0.0), means.kinetic_rotational.value_or(0.0)},

@@ -31,24 +31,21 @@ bool sameBins(const BinFrame& a, const BinFrame& b)
                     { return x.left == y.left && x.right == y.right && x.on_base == y.on_base; });
 }
 
-/// A granular temperature over those frames in which there was one: two disks at least.
-struct TemperatureMean
+Drift driftOf(const ParticleFrame& frame, std::size_t species_count)
 {
-  double sum = 0.0;  ///< [J]
-  std::size_t frames = 0;
-
-  void take(double temperature)
+  Drift drift{frame.time, std::vector<std::size_t>(species_count), {}};
+  std::vector<double> sums(species_count);
+  for (const DiskState& disk : frame.disks)
   {
-    if (temperature <= 0.0)
-      return;
-    sum += temperature;
-    ++frames;
+    ++drift.disks[disk.species];
+    sums[disk.species] += disk.displacement;
   }
-  std::optional<double> mean() const
-  {
-    return frames > 0 ? std::optional<double>(sum / static_cast<double>(frames)) : std::nullopt;
-  }
-};
+  for (std::size_t i = 0; i < species_count; ++i)
+    drift.displacements.push_back(drift.disks[i] > 0
+                                      ? std::optional<double>(sums[i] / static_cast<double>(drift.disks[i]))
+                                      : std::nullopt);
+  return drift;
+}
 
 }  // namespace
 
@@ -75,9 +72,10 @@ struct RunAnalysis::Run
   DisplacementDistributions distributions;
   std::vector<BinFrame> bins;
   std::optional<BinFrame> last_bins;
+  ThinnedSeries<Drift> drift;
   ThinnedSeries<BaseFrame> base;
   ThinnedSeries<StatisticsFrame> statistics;
-  std::vector<TemperatureMean> temperatures;  ///< per species
+  std::vector<TemperatureSum> temperatures;  ///< per species, over frames
 };
 
 RunAnalysis::RunAnalysis() = default;
@@ -103,6 +101,7 @@ void RunAnalysis::take(const ParticleFrame& frame)
   ++run.particle_frames;
   run.tracker.take(frame);
   run.distributions.take(frame);
+  run.drift.take(driftOf(frame, run.scene.species.size()));
 }
 
 void RunAnalysis::take(const BinFrame& frame)
@@ -130,10 +129,11 @@ void RunAnalysis::take(const StatisticsFrame& frame)
   Run& run = this->run("statistics", frame.time);
   requireSound(frame, run.scene);
   run.statistics.take(frame);
-  if (frame.time < run.scene.settle)
+  if (frame.window_start < run.scene.settle)
     return;
   for (std::size_t i = 0; i < run.temperatures.size(); ++i)
-    run.temperatures[i].take(frame.granular_temperature[i]);
+    if (frame.granular_temperature[i])
+      run.temperatures[i].add(*frame.granular_temperature[i]);
 }
 
 RunResult RunAnalysis::result() const
@@ -154,9 +154,10 @@ RunResult RunAnalysis::result() const
   result.bins = run.bins;
   if (run.last_bins && run.last_bins->time > run.bins.back().time)
     result.bins.push_back(*run.last_bins);
+  result.drift = run.drift.samples();
   result.base = run.base.samples();
   result.statistics = run.statistics.samples();
-  for (const TemperatureMean& temperature : run.temperatures)
+  for (const TemperatureSum& temperature : run.temperatures)
     result.granular_temperatures.push_back(temperature.mean());
   return result;
 }

@@ -50,6 +50,17 @@ double BaseMotion::turns(double elapsed) const
   return turns_ + elapsed * (frequency_.start + 0.5 * frequency_.rate * elapsed);
 }
 
+std::optional<double> BaseMotion::timeOfTurns(double turns) const
+{
+  const double left = turns - turns_;
+  if (left <= 0.0)
+    return segment_start_;
+  const double squared = frequency_.start * frequency_.start + 2.0 * frequency_.rate * left;
+  if (squared <= 0.0)
+    return std::nullopt;
+  return segment_start_ + 2.0 * left / (frequency_.start + std::sqrt(squared));
+}
+
 void BaseMotion::lookAt(double time, BaseKinematics& k) const
 {
   const double elapsed = time - segment_start_;

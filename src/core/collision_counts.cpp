@@ -52,6 +52,12 @@ void CollisionCounts::add(const CollisionCounts& more)
   wall += more.wall;
 }
 
+CollisionCounts CollisionCounts::since(const CollisionCounts& earlier) const
+{
+  return {disk_disk - earlier.disk_disk, left_slope - earlier.left_slope, right_slope - earlier.right_slope,
+          apex - earlier.apex, wall - earlier.wall};
+}
+
 std::optional<double> CollisionCounts::shortToLong(double asymmetry) const
 {
   if (asymmetry == 0.5)

@@ -12,6 +12,7 @@
 #include "ratchet_sieve/core/energy_watch.h"
 #include "ratchet_sieve/core/event_loop.h"
 #include "ratchet_sieve/core/machine.h"
+#include "ratchet_sieve/core/period_watch.h"
 #include "ratchet_sieve/core/placement.h"
 #include "ratchet_sieve/core/pour.h"
 
@@ -81,6 +82,7 @@ public:
   {
     command(machine_.motion(), now_);
     loop_->motionChanged(now_);
+    periods_.motionChanged(now_);
   }
 
   void pour(std::size_t species, std::size_t count)
@@ -114,6 +116,8 @@ public:
       machine_.observeCollisions([this](const CollisionRecord& record) { unsorted_.push_back(record); });
   }
 
+  void observePeriods(PeriodObserver observer) { periods_.observe(std::move(observer), now_); }
+
   std::size_t auditOverlaps()
   {
     const Audit found = audit(machine_, now_);
@@ -132,6 +136,7 @@ private:
     const double epoch_start = machine_.epoch().start;
     double next = machine_.epoch().length;
     next = std::min(next, machine_.motion().nextChange().value_or(next));
+    next = std::min(next, periods_.next().value_or(next));
     if (!settled_)
       next = std::min(next, settledTime() - epoch_start);
     else if (scenePairs())
@@ -173,6 +178,11 @@ private:
       machine_.endPieceOfMeans(now_);
       return true;
     }
+    if (const auto period = periods_.next(); period && *period <= now_)
+    {
+      periods_.look(now_);
+      return true;
+    }
     const auto change = machine_.motion().nextChange();
     if (change && *change <= now_)
     {
@@ -199,6 +209,7 @@ private:
     energy_watch_.look(machine_, now_);
     machine_.rebase();
     loop_->rebase(machine_.epoch().length);
+    periods_.rebase(machine_.epoch().length);
     now_ -= machine_.epoch().length;
     if (machine_.mostlyLeft())
       giveUpPlaces();
@@ -262,6 +273,7 @@ private:
   std::uint64_t pieces_ = 0;  ///< of the series of means that have ended
   std::uint64_t fed_ = 0;
   std::size_t threads_ = 1;
+  PeriodWatch periods_{machine_};
   CollisionObserver observer_;
   std::vector<CollisionRecord> unsorted_;  ///< an ensemble's, disk by disk
 };
@@ -389,6 +401,16 @@ std::vector<SpeciesMeans> Simulation::means() const
   return implementation_->machine().means(implementation_->now());
 }
 
+bool Simulation::swings() const
+{
+  return implementation_->machine().motion().swings();
+}
+
+std::vector<std::optional<double>> Simulation::granularTemperatures() const
+{
+  return ratchet_sieve::granularTemperatures(implementation_->machine(), implementation_->now());
+}
+
 double Simulation::baseImpulseX() const
 {
   return implementation_->settled() ? implementation_->machine().baseImpulseX() : 0.0;
@@ -459,6 +481,11 @@ std::string Simulation::saveState() const
 void Simulation::observeCollisions(CollisionObserver observer)
 {
   implementation_->observeCollisions(std::move(observer));
+}
+
+void Simulation::observePeriods(PeriodObserver observer)
+{
+  implementation_->observePeriods(std::move(observer));
 }
 
 }  // namespace ratchet_sieve

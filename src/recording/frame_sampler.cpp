@@ -59,14 +59,6 @@ bool FrameSampler::passIfDue(Stream& stream, double time) const
   return true;
 }
 
-const std::vector<DiskState>& FrameSampler::presentDisks(const Simulation& simulation)
-{
-  if (!disks_are_present_)
-    simulation.disks(particle_frame_.disks);
-  disks_are_present_ = true;
-  return particle_frame_.disks;
-}
-
 void FrameSampler::takeBase(const Simulation& simulation, FrameSink& sink)
 {
   if (sink.wants(FrameKind::BASE))
@@ -77,7 +69,7 @@ void FrameSampler::takeParticles(const Simulation& simulation, FrameSink& sink)
 {
   if (!sink.wants(FrameKind::PARTICLES))
     return;
-  presentDisks(simulation);
+  simulation.disks(particle_frame_.disks);
   particle_frame_.time = simulation.time();
   sink.take(particle_frame_);
 }
@@ -90,14 +82,18 @@ void FrameSampler::takeBins(const Simulation& simulation, FrameSink& sink)
 
 void FrameSampler::takeStatistics(const Simulation& simulation, FrameSink& sink)
 {
+  // Also for a frame that nobody wants: those that follow are to be of the same window.
+  window_.moveTo(simulation);
   if (!sink.wants(FrameKind::STATISTICS))
     return;
+  StatisticsFrame frame = makeStatisticsFrame(simulation, window_);
   const auto now = wallTime();
   const double wall_seconds = std::chrono::duration<double>(now - last_statistics_wall_).count();
-  last_statistics_ = makeStatisticsFrame(simulation, presentDisks(simulation),
-                                         last_statistics_ ? &*last_statistics_ : nullptr, wall_seconds);
+  if (last_statistics_ && frame.time > *last_statistics_ && wall_seconds > 0.0)
+    frame.real_time_factor = (frame.time - *last_statistics_) / wall_seconds;
+  last_statistics_ = frame.time;
   last_statistics_wall_ = now;
-  sink.take(*last_statistics_);
+  sink.take(frame);
 }
 
 void FrameSampler::takeDue(const Simulation& simulation, FrameSink& sink)
@@ -105,8 +101,6 @@ void FrameSampler::takeDue(const Simulation& simulation, FrameSink& sink)
   if (!scene_taken_)
     sink.take(makeSceneFrame(simulation));
   scene_taken_ = true;
-  // Disks may have been poured on since they were last looked at, though no time has passed.
-  disks_are_present_ = false;
   const double time = simulation.time();
   if (passIfDue(base_, time))
     takeBase(simulation, sink);

@@ -38,7 +38,12 @@ public:
   {
     outcome_.progress = so_far;
     audits_ = std::floor(simulation.time() / audit_period_) + 1.0;
+    if (watchers_.frames != nullptr)
+      simulation_.observePeriods([this](const PeriodRecord& period) { sampler_.take(period); });
   }
+  ~HeadlessRun() { simulation_.observePeriods({}); }
+  HeadlessRun(const HeadlessRun&) = delete;
+  HeadlessRun& operator=(const HeadlessRun&) = delete;
 
   RunOutcome run()
   {

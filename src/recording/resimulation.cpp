@@ -45,9 +45,17 @@ std::string particleDifference(const ParticleFrame& recorded, const ParticleFram
 /// What the wall clock and the looking on decide counts for nothing.
 StatisticsFrame comparable(StatisticsFrame frame)
 {
-  frame.collision_rate = 0.0;
   frame.real_time_factor = 0.0;
   frame.max_overlap = 0.0;
+  return frame;
+}
+
+/// The first frames of a later file of a split recording are of periods before it.
+StatisticsFrame withoutWindow(StatisticsFrame frame)
+{
+  frame.window_start = frame.window_end = 0.0;
+  frame.collision_rates = {};
+  frame.granular_temperature.clear();
   return frame;
 }
 }  // namespace
@@ -84,6 +92,15 @@ void Resimulation::take(const SceneFrame& frame)
                                              frame.start_time);
 }
 
+/// As the one that recorded it did, from where the recording begins.
+void Resimulation::observePeriods()
+{
+  if (std::exchange(periods_observed_, true))
+    return;
+  simulation_->advanceTo(scene_->time);
+  simulation_->observePeriods([this](const PeriodRecord& period) { window_.take(period); });
+}
+
 void Resimulation::comeTo(double time)
 {
   if (!simulation_)
@@ -111,6 +128,7 @@ void Resimulation::compareInstant()
     return;
   try
   {
+    observePeriods();
     simulation_->advanceTo(instant_.time);
   }
   catch (const StallError&)
@@ -149,9 +167,15 @@ void Resimulation::compareAsThingsAre()
     dropSame(instant_.bases, makeBaseFrame(*simulation_));
   if (instant_.statistics.empty())
     return;
-  std::transform(instant_.statistics.begin(), instant_.statistics.end(), instant_.statistics.begin(),
-                 comparable);
-  dropSame(instant_.statistics, comparable(makeStatisticsFrame(*simulation_, nullptr, 0.0)));
+  window_.moveTo(*simulation_);
+  const StatisticsFrame now = comparable(makeStatisticsFrame(*simulation_, window_));
+  for (StatisticsFrame& recorded : instant_.statistics)
+  {
+    recorded = comparable(recorded);
+    if (recorded.window_start < scene_->time && sameBits(withoutWindow(recorded), withoutWindow(now)))
+      recorded = now;
+  }
+  dropSame(instant_.statistics, now);
 }
 
 std::string Resimulation::describeDifference() const

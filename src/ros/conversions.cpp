@@ -35,7 +35,8 @@ std::optional<double> get(double value, std::uint8_t defined)
   return defined ? std::optional<double>(value) : std::nullopt;
 }
 
-SpeciesStatistics toMessage(const std::string& name, const SpeciesMeans& means, double granular_temperature)
+SpeciesStatistics toMessage(const std::string& name, const SpeciesMeans& means,
+                            const std::optional<double>& granular_temperature)
 {
   SpeciesStatistics message;
   message.name = name;
@@ -43,7 +44,7 @@ SpeciesStatistics toMessage(const std::string& name, const SpeciesMeans& means, 
   put(means.mean_vx_stderr, message.mean_vx_stderr, message.mean_vx_stderr_defined);
   put(means.kinetic_translational, message.kinetic_translational, message.kinetic_translational_defined);
   put(means.kinetic_rotational, message.kinetic_rotational, message.kinetic_rotational_defined);
-  message.granular_temperature = granular_temperature;
+  put(granular_temperature, message.granular_temperature, message.granular_temperature_defined);
   return message;
 }
 
@@ -206,13 +207,20 @@ SieveStatistics toMessage(const StatisticsFrame& frame)
   message.time = frame.time;
   for (std::size_t k = 0; k < frame.species.size(); ++k)
     message.species.push_back(toMessage(frame.species[k], frame.means[k], frame.granular_temperature[k]));
+  message.window_start = frame.window_start;
+  message.window_end = frame.window_end;
   message.disk_disk = frame.collisions.disk_disk;
   message.left_slope = frame.collisions.left_slope;
   message.right_slope = frame.collisions.right_slope;
   message.apex = frame.collisions.apex;
   message.wall = frame.collisions.wall;
   message.events = frame.events;
-  message.collision_rate = frame.collision_rate;
+  message.collision_rate = frame.collision_rates.total();
+  message.disk_disk_rate = frame.collision_rates.disk_disk;
+  message.left_slope_rate = frame.collision_rates.left_slope;
+  message.right_slope_rate = frame.collision_rates.right_slope;
+  message.apex_rate = frame.collision_rates.apex;
+  message.wall_rate = frame.collision_rates.wall;
   message.real_time_factor = frame.real_time_factor;
   message.max_overlap = frame.max_overlap;
   return message;
@@ -226,11 +234,15 @@ StatisticsFrame toFrame(const SieveStatistics& message)
   {
     frame.species.push_back(species.name);
     frame.means.push_back(meansOf(species));
-    frame.granular_temperature.push_back(species.granular_temperature);
+    frame.granular_temperature.push_back(
+        get(species.granular_temperature, species.granular_temperature_defined));
   }
+  frame.window_start = message.window_start;
+  frame.window_end = message.window_end;
   frame.collisions = {message.disk_disk, message.left_slope, message.right_slope, message.apex, message.wall};
   frame.events = message.events;
-  frame.collision_rate = message.collision_rate;
+  frame.collision_rates = {message.disk_disk_rate, message.left_slope_rate, message.right_slope_rate,
+                           message.apex_rate, message.wall_rate};
   frame.real_time_factor = message.real_time_factor;
   frame.max_overlap = message.max_overlap;
   return frame;

@@ -17,6 +17,13 @@ LiveRun::LiveRun(const SceneDefinition& scene, const FrameRates& rates, std::vec
       end_time_(end_time),
       opening_(std::move(opening))
 {
+  simulation_.observePeriods(
+      [this](const PeriodRecord& period)
+      {
+        sampler_.take(period);
+        if (recording_)
+          recording_->sampler.take(period);
+      });
   for (CommandFrame& command : opening_)
   {
     command.time = start_time;
@@ -71,6 +78,13 @@ void LiveRun::takeAll(FrameSink& sink)
   sampler_.takeLast(simulation_, sink);
   if (recording_)
     recording_->sampler.takeLast(simulation_, recording_->sink);
+}
+
+StatisticsFrame LiveRun::statistics() const
+{
+  StatisticsWindow window = sampler_.window();
+  window.moveTo(simulation_);
+  return makeStatisticsFrame(simulation_, window);
 }
 
 void LiveRun::give(CommandFrame command, FrameSink& sink)

@@ -44,8 +44,7 @@ void SeparationTrial::begin(double inclination)
 
 void SeparationTrial::forgetStatistics()
 {
-  temperature_sums_.clear();
-  temperatures_ = 0;
+  temperatures_.clear();
   paces_ = 0.0;
   paced_ = 0;
 }
@@ -101,10 +100,10 @@ void SeparationTrial::take(const StatisticsFrame& frame)
 {
   if (!first_ || result_ || frame.time <= first_->time)
     return;
-  temperature_sums_.resize(frame.granular_temperature.size(), 0.0);
-  for (std::size_t k = 0; k < temperature_sums_.size(); ++k)
-    temperature_sums_[k] += frame.granular_temperature[k];
-  ++temperatures_;
+  temperatures_.resize(frame.granular_temperature.size());
+  for (std::size_t k = 0; k < temperatures_.size(); ++k)
+    if (frame.granular_temperature[k])
+      temperatures_[k].add(*frame.granular_temperature[k]);
   if (frame.real_time_factor <= 0.0)
     return;
   paces_ += 1.0 / frame.real_time_factor;
@@ -155,8 +154,8 @@ Separation SeparationTrial::since(const BinFrame& first, const BinFrame& last) c
     separation.bins[k].left -= first.bins[k].left;
     separation.bins[k].right -= first.bins[k].right;
   }
-  for (const double sum : temperature_sums_)
-    separation.granular_temperature.push_back(sum / temperatures_);
+  for (const TemperatureSum& temperature : temperatures_)
+    separation.granular_temperature.push_back(temperature.mean().value_or(0.0));
   separation.real_time_factor = paced_ > 0 ? paced_ / paces_ : 0.0;
   return separation;
 }

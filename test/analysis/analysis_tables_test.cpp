@@ -24,7 +24,7 @@ protected:
 
 TEST_F(AnalysisTables, StandWhereTheyAreSaidToBe)
 {
-  EXPECT_EQ(paths_.size(), 7u);
+  EXPECT_EQ(paths_.size(), 9u);
   for (const std::string& path : paths_)
     EXPECT_TRUE(std::filesystem::is_regular_file(path)) << path;
 }
@@ -32,31 +32,49 @@ TEST_F(AnalysisTables, StandWhereTheyAreSaidToBe)
 TEST_F(AnalysisTables, HoldTheBins)
 {
   EXPECT_EQ(table("bins.csv"),
-            "time,species,left,right,on_base\n"
+            "time [s],species,left,right,on_base\n"
             "0,A,0,0,10\n0,long-name,0,0,1\n2.5,A,1,3,6\n2.5,long-name,1,0,0\n");
 }
 
 TEST_F(AnalysisTables, LeaveEmptyWhatIsNotDefined)
 {
-  EXPECT_EQ(table("segregation.csv"), "time,quality,processed\n0,,\n2.5,0.75,0.5\n");
+  EXPECT_EQ(table("segregation.csv"), "time [s],quality,processed\n0,,\n2.5,0.75,0.5\n");
   EXPECT_EQ(table("velocities.csv"),
-            "species,disks,mean_vx,mean_vx_stderr\nA,10,0.0125,0.0005\nlong-name,1,-0.25,\n");
+            "species,disks,mean_vx [m/s],mean_vx_stderr [m/s]\nA,10,0.0125,0.0005\nlong-name,1,-0.25,\n");
   EXPECT_EQ(table("statistics.csv"),
-            "time,species,mean_vx,mean_vx_stderr,granular_temperature\n"
-            "2.5,A,0.5,,0.25\n2.5,long-name,,,0\n");
+            "time [s],species,mean_vx [m/s],mean_vx_stderr [m/s],window_start [s],window_end [s],"
+            "granular_temperature [J]\n"
+            "2.5,A,0.5,,2.25,2.375,0.25\n2.5,long-name,,,2.25,2.375,\n");
 }
 
 TEST_F(AnalysisTables, HoldDriveContactsAndDisplacements)
 {
   EXPECT_EQ(table("drive.csv"),
-            "time,inclination,commanded_inclination,frequency,commanded_frequency,amplitude,"
-            "commanded_amplitude\n0.5,0.125,0.25,23,30,0.002,0.003\n");
-  EXPECT_EQ(table("contacts.csv"),
-            "time,disk_disk,left_slope,right_slope,apex,wall,short_to_long,collision_rate\n"
-            "2.5,100,20,40,3,0,0.5,65.5\n");
+            "time [s],inclination [rad],commanded_inclination [rad],frequency [Hz],commanded_frequency [Hz],"
+            "amplitude [m],commanded_amplitude [m]\n0.5,0.125,0.25,23,30,0.002,0.003\n");
+  EXPECT_EQ(
+      table("contacts.csv"),
+      "time [s],disk_disk,left_slope,right_slope,apex,wall,short_to_long,window_start [s],window_end [s],"
+      "disk_disk_rate [1/s],left_slope_rate [1/s],right_slope_rate [1/s],apex_rate [1/s],wall_rate [1/s],"
+      "collision_rate [1/s]\n"
+      "2.5,100,20,40,3,0,0.5,2.25,2.375,50,5,10,0.5,0,65.5\n");
   EXPECT_EQ(table("displacements.csv"),
-            "time,species,from,to,count,density\n"
+            "time [s],species,from [m],to [m],count,density [1/m]\n"
             "2.5,long-name,-0.5,-0.25,1,1\n2.5,long-name,-0.25,0,3,3\n");
+}
+
+TEST_F(AnalysisTables, SayWhichRunTheyAreOf)
+{
+  EXPECT_EQ(table("run.csv"),
+            "scene_hash,seed,version,open_ends,start [s],end [s]\n"
+            "0123456789abcdef,7,1.2.3,0,0,2.5\n");
+}
+
+TEST_F(AnalysisTables, HoldTheDrift)
+{
+  EXPECT_EQ(table("drift.csv"),
+            "time [s],species,disks,displacement [m]\n"
+            "0,A,10,0\n0,long-name,1,0\n2.5,A,6,0.03\n2.5,long-name,0,\n");
 }
 
 TEST(AnalysisTablesIntoAFile, AreRefused)

@@ -19,6 +19,7 @@ inline RunResult handMadeResult()
   result.velocities = {{10, 0.0125, 0.0005}, {1, -0.25, std::nullopt}};
   result.granular_temperatures = {1.5e-4, std::nullopt};
   result.displacement_distributions = {{2.5, 1, -0.5, 0.25, {1, 3}}};
+  result.drift = {{0.0, {10, 1}, {0.0, 0.0}}, {2.5, {6, 0}, {0.03, std::nullopt}}};
   result.bins = {{0.0, result.species, {{0, 0, 10}, {0, 0, 1}}, std::nullopt, std::nullopt},
                  {2.5, result.species, {{1, 3, 6}, {1, 0, 0}}, 0.75, 0.5}};
   BaseFrame base;
@@ -35,9 +36,11 @@ inline RunResult handMadeResult()
   statistics.species = result.species;
   statistics.means.resize(2);
   statistics.means[0].mean_vx = 0.5;
-  statistics.granular_temperature = {0.25, 0.0};
+  statistics.window_start = 2.25;
+  statistics.window_end = 2.375;
+  statistics.granular_temperature = {0.25, std::nullopt};
   statistics.collisions = {100, 20, 40, 3, 0};
-  statistics.collision_rate = 65.5;
+  statistics.collision_rates = {50.0, 5.0, 10.0, 0.5, 0.0};
   statistics.max_overlap = 1e-16;
   result.statistics = {statistics};
   return result;

@@ -35,12 +35,13 @@ bool isPicture(const std::string& path)
   return number(16) > 500 && number(20) > 300;
 }
 
-void expectPictures(const RunResult& result)
+/// @param course the picture of bins and segregation, or of the drift where no disk can leave
+void expectPictures(const RunResult& result, const char* course)
 {
   const ScratchDirectory directory;
   writeTables(result, directory / "");
   ASSERT_EQ(draw(directory / "", directory / "output"), 0) << contents(directory / "output");
-  for (const char* name : {"segregation.png", "displacements.png", "velocities.png", "temperature.png"})
+  for (const char* name : {course, "displacements.png", "velocities.png", "temperature.png", "contacts.png"})
   {
     EXPECT_TRUE(isPicture(directory / name)) << name;
     EXPECT_NE(contents(directory / "output").find(name), std::string::npos);
@@ -49,7 +50,15 @@ void expectPictures(const RunResult& result)
 
 TEST(PlotAnalysis, DrawsAResult)
 {
-  expectPictures(handMadeResult());
+  expectPictures(handMadeResult(), "segregation.png");
+}
+
+TEST(PlotAnalysis, DrawsTheDriftWhereNoDiskCanLeave)
+{
+  RunResult result = handMadeResult();
+  for (BinFrame& frame : result.bins)
+    frame.bins = {{0, 0, 10}, {0, 0, 1}};
+  expectPictures(result, "drift.png");
 }
 
 TEST(PlotAnalysis, DrawsARunInWhichNothingIsDefined)
@@ -60,7 +69,8 @@ TEST(PlotAnalysis, DrawsARunInWhichNothingIsDefined)
   result.bins.clear();
   result.base.clear();
   result.statistics.clear();
-  expectPictures(result);
+  result.drift.clear();
+  expectPictures(result, "drift.png");
 }
 
 TEST(PlotAnalysis, SaysWhichTableIsMissing)

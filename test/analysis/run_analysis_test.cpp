@@ -1,5 +1,6 @@
 #include "ratchet_sieve/analysis/run_analysis.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -143,7 +144,11 @@ StatisticsFrame temperaturesAt(double time, std::vector<double> temperatures)
   StatisticsFrame frame;
   frame.time = time;
   frame.means.resize(temperatures.size());
-  frame.granular_temperature = std::move(temperatures);
+  frame.window_start = std::max(0.0, time - 0.5);
+  frame.window_end = time;
+  for (const double temperature : temperatures)
+    frame.granular_temperature.push_back(temperature > 0.0 ? std::optional<double>(temperature)
+                                                           : std::nullopt);
   return frame;
 }
 
@@ -154,7 +159,8 @@ TEST(RunAnalysis, AveragesTemperaturesWhereThereWereDisksAndAfterSettle)
   RunAnalysis analysis;
   analysis.take(sceneFrame(scene));
   analysis.take(temperaturesAt(0.5, {100.0, 100.0}));
-  analysis.take(temperaturesAt(1.0, {1.0, 0.0}));
+  analysis.take(temperaturesAt(1.25, {50.0, 50.0}));  // of 0.75 s to 1.25 s
+  analysis.take(temperaturesAt(1.5, {1.0, 0.0}));
   analysis.take(temperaturesAt(2.0, {3.0, 0.0}));
   analysis.take(temperaturesAt(3.0, {0.0, 0.0}));
   const RunResult result = analysis.result();

@@ -193,23 +193,5 @@ TEST(FrameSampler, LeavesOutOfTheRealTimeFactorWhatTheRunStoodStill)
   EXPECT_NEAR(factors[4], 5.0, 1e-6);  // from there: 0.05 s in 0.01 s
 }
 
-TEST(FrameSampler, TakesTheTemperatureOfTheDisksAsTheyAre)
-{
-  const SceneDefinition scene = smallRing();
-  Simulation simulation(scene);
-  FrameSampler sampler({60.0, 60.0, 60.0, 10.0}, 0.0);
-  CollectingSink sink;
-  while (simulation.time() < 0.5)
-  {
-    simulation.advanceTo(sampler.nextTime());
-    sampler.takeDue(simulation, sink);
-    if (sink.statistics.empty() || sink.statistics.back().time != simulation.time())
-      continue;
-    const std::vector<double> masses = {scene.species[0].mass, scene.species[1].mass};
-    ASSERT_EQ(sink.statistics.back().granular_temperature, granularTemperatures(simulation.disks(), masses));
-  }
-  ASSERT_EQ(sink.statistics.size(), 6u);
-}
-
 }  // namespace
 }  // namespace ratchet_sieve

@@ -49,53 +49,21 @@ TEST(BinFrame, CountsAndRates)
   EXPECT_EQ(frame.quality, bestQuality(frame.bins));
 }
 
-TEST(StatisticsFrame, GivesRatesBetweenTwoFrames)
+TEST(StatisticsFrame, ShowsItsWindow)
 {
   Simulation simulation(smallRing());
-  simulation.advanceTo(0.4);
-  const StatisticsFrame first = makeStatisticsFrame(simulation, nullptr, 0.0);
-  EXPECT_EQ(first.collision_rate, 0.0);
-  EXPECT_EQ(first.real_time_factor, 0.0);
+  StatisticsWindow window;
+  simulation.observePeriods([&](const PeriodRecord& period) { window.take(period); });
   simulation.advanceTo(0.9);
-  const StatisticsFrame second = makeStatisticsFrame(simulation, &first, 0.25);
-  ASSERT_GT(second.collisions.total(), first.collisions.total());
-  EXPECT_DOUBLE_EQ(second.collision_rate,
-                   static_cast<double>(second.collisions.total() - first.collisions.total()) / 0.5);
-  EXPECT_DOUBLE_EQ(second.real_time_factor, 2.0);
-  EXPECT_EQ(second.means.size(), 2u);
-}
-
-TEST(StatisticsFrame, HasNoRateWhereNoTimePassed)
-{
-  Simulation simulation(smallRing());
-  const StatisticsFrame first = makeStatisticsFrame(simulation, nullptr, 0.0);
-  const StatisticsFrame second = makeStatisticsFrame(simulation, &first, 0.0);
-  EXPECT_EQ(second.collision_rate, 0.0);
-  EXPECT_EQ(second.real_time_factor, 0.0);
-}
-
-DiskState moving(std::uint32_t species, double vx, double vy)
-{
-  DiskState disk;
-  disk.species = species;
-  disk.vx = vx;
-  disk.vy = vy;
-  return disk;
-}
-
-TEST(GranularTemperature, IsHalfTheMassTimesTheVariance)
-{
-  // Species 0: vx = 1, 3 (variance 1), vy = 0, 4 (variance 4): 0.5 * 2 kg * 5. Species 1: one disk. Species
-  // 2: none.
-  const std::vector<DiskState> disks = {moving(0, 1.0, 0.0), moving(0, 3.0, 4.0), moving(1, 9.0, 9.0)};
-  EXPECT_EQ(granularTemperatures(disks, {2.0, 1.0, 1.0}), (std::vector<double>{5.0, 0.0, 0.0}));
-}
-
-TEST(GranularTemperature, DoesNotFeelACommonDrift)
-{
-  const double drift = 1e6;
-  const std::vector<DiskState> disks = {moving(0, drift + 1.0, 0.0), moving(0, drift + 3.0, 4.0)};
-  EXPECT_NEAR(granularTemperatures(disks, {2.0})[0], 5.0, 1e-9);
+  window.moveTo(simulation);
+  const StatisticsFrame frame = makeStatisticsFrame(simulation, window);
+  EXPECT_EQ(frame.means.size(), 2u);
+  EXPECT_EQ(frame.window_start, 0.0);
+  EXPECT_EQ(frame.window_end, window.end());
+  EXPECT_EQ(frame.granular_temperature, window.granularTemperatures());
+  EXPECT_EQ(frame.collision_rates.total(), window.collisionRates().total());
+  EXPECT_GT(frame.collision_rates.total(), 0.0);
+  EXPECT_EQ(frame.real_time_factor, 0.0);
 }
 
 }  // namespace

@@ -84,13 +84,14 @@ inline StatisticsFrame anyStatisticsFrame()
   for (std::size_t k = 0; k < frame.species.size(); ++k)
   {
     frame.means.push_back({anyOptional(), anyOptional(), anyOptional(), anyOptional()});
-    frame.granular_temperature.push_back(anyNumber());
+    frame.granular_temperature.push_back(anyOptional());
   }
   for (std::uint64_t* count :
        {&frame.collisions.disk_disk, &frame.collisions.left_slope, &frame.collisions.right_slope,
         &frame.collisions.apex, &frame.collisions.wall, &frame.events})
     *count = *rc::gen::arbitrary<std::uint64_t>();
-  for (double* value : {&frame.collision_rate, &frame.real_time_factor, &frame.max_overlap})
+  for (double* value : {&frame.window_start, &frame.window_end, &frame.collision_rates.disk_disk,
+                        &frame.collision_rates.wall, &frame.real_time_factor, &frame.max_overlap})
     *value = anyNumber();
   return frame;
 }

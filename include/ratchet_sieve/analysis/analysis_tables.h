@@ -8,15 +8,17 @@
 namespace ratchet_sieve
 {
 
-/// Writes a run's result as CSV into a directory, which it makes where it is not there. SI units;
-/// what is not defined is an empty field.
-///   bins.csv           time,species,left,right,on_base
-///   segregation.csv    time,quality,processed
-///   drive.csv          time, then inclination, frequency and amplitude, each applied and commanded
-///   statistics.csv     time,species,mean_vx,mean_vx_stderr,granular_temperature
-///   contacts.csv       time, counts of each kind since the start, short_to_long, collision_rate
-///   velocities.csv     species,disks,mean_vx,mean_vx_stderr
-///   displacements.csv  time,species,from,to,count,density
+/// Writes a run's result as CSV into a directory, which it makes where it is not there. SI units, which stand
+/// behind a column's name: "time [s]"; what is not defined is an empty field.
+///   run.csv            scene_hash, seed, version, open_ends (1 or 0), first and last time
+///   bins.csv           per time and species: left, right, on_base
+///   segregation.csv    per time: quality, processed
+///   drive.csv          per time: inclination, frequency and amplitude, each applied and commanded
+///   statistics.csv     per time and species: mean_vx, its error, granular_temperature and its window
+///   contacts.csv       per time: counts of each kind since the start, short_to_long, rates and their window
+///   velocities.csv     per species: disks, mean_vx, its error
+///   drift.csv          per time and species: disks in the machine, their mean displacement
+///   displacements.csv  per time, species and range of displacements: count, density
 /// @return the paths written
 /// @throws OutputError
 std::vector<std::string> writeTables(const RunResult& result, const std::string& directory);

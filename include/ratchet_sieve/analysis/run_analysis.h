@@ -23,6 +23,14 @@ struct AnalysisError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// How far the disks have come that are in the machine at one time, each since it entered.
+struct Drift
+{
+  double time = 0.0;                                 ///< [s]
+  std::vector<std::size_t> disks;                    ///< per species
+  std::vector<std::optional<double>> displacements;  ///< per species, mean [m]; nothing without disks
+};
+
 /// What came of a run, from its frames alone. Series are thinned (ThinnedSeries), but for the bins,
 /// of which every change is kept.
 struct RunResult
@@ -37,6 +45,7 @@ struct RunResult
   std::vector<DriftVelocity> velocities;                     ///< per species, after `settle`
   std::vector<std::optional<double>> granular_temperatures;  ///< per species, mean after `settle` [J]
   std::vector<DisplacementDistribution> displacement_distributions;
+  std::vector<Drift> drift;
 
   std::vector<BinFrame> bins;  ///< first, every change, last
   std::vector<BaseFrame> base;

@@ -79,6 +79,18 @@ public:
   /// d theta / dt over the present segment [rad/s].
   double inclinationRate() const { return inclination_.rate; }
 
+  /// Whether the drive moves the base, over the present segment.
+  bool swings() const
+  {
+    return (amplitude_.start != 0.0 || amplitude_.rate != 0.0) &&
+           (frequency_.start != 0.0 || frequency_.rate != 0.0);
+  }
+
+  /// Phase of the drive over 2 pi, and when it has a later one, as the present segment goes on; nothing if it
+  /// never comes there. Whole turns before the segment are not counted.
+  double turnsAt(double time) const { return turns(time - segment_start_); }
+  std::optional<double> timeOfTurns(double turns) const;
+
   /// sup |d2Y/dt2| over the present segment [m/s^2].
   double accelerationBound() const { return acceleration_bound_; }
 

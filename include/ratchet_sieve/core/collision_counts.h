@@ -32,6 +32,7 @@ struct CollisionCounts
 
   void add(CollisionKind kind);
   void add(const CollisionCounts& more);
+  CollisionCounts since(const CollisionCounts& earlier) const;
   void archive(StateArchive& state) { state(disk_disk, left_slope, right_slope, apex, wall); }
 
   std::uint64_t total() const { return disk_disk + left_slope + right_slope + apex + wall; }

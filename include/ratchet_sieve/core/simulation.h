@@ -78,6 +78,38 @@ struct SpeciesMeans
   std::optional<double> kinetic_rotational;     ///< [J], mean over disks and time
 };
 
+/// A sum of granular temperatures at several instants.
+struct TemperatureSum
+{
+  double sum = 0.0;            ///< [J]
+  std::uint64_t instants = 0;  ///< at which the species had two disks at least
+
+  void add(double temperature)
+  {
+    sum += temperature;
+    ++instants;
+  }
+  void add(const TemperatureSum& other)
+  {
+    sum += other.sum;
+    instants += other.instants;
+  }
+  std::optional<double> mean() const
+  {
+    return instants > 0 ? std::optional<double>(sum / static_cast<double>(instants)) : std::nullopt;
+  }
+};
+
+/// A whole period of the drive, or several.
+struct PeriodRecord
+{
+  double start = 0.0;                        ///< [s]
+  double end = 0.0;                          ///< [s]
+  double duration = 0.0;                     ///< end - start; less where periods between are left out [s]
+  CollisionCounts collisions;                ///< within the duration
+  std::vector<TemperatureSum> temperatures;  ///< per species, at instants evenly spread over its phase
+};
+
 /// How often time all but stopped for a disk: an inelastic collapse, or a jam; see CollapseWatch.
 struct CollapseCounts
 {
@@ -104,6 +136,7 @@ class Simulation
 {
 public:
   using CollisionObserver = std::function<void(const CollisionRecord&)>;
+  using PeriodObserver = std::function<void(const PeriodRecord&)>;
 
   /// Pours the scene. @throws std::invalid_argument if disks of `initial` overlap each other or
   /// the base, or lie outside the machine; the message names them.
@@ -164,6 +197,10 @@ public:
   const CollisionCounts& collisions() const;  ///< since the start
   std::uint64_t events() const;               ///< all processed since the start
   std::vector<SpeciesMeans> means() const;    ///< per species, since `settle`; nothing before
+  bool swings() const;                        ///< whether the drive moves the base, now
+  /// Of each species now [J]: half its mass times the variance of its disks' velocities, over both
+  /// directions. Nothing with fewer than two disks.
+  std::vector<std::optional<double>> granularTemperatures() const;
   double baseImpulseX() const;  ///< given by the base to the disks since `settle`, 0 before [N s]
   double baseImpulseY() const;
 
@@ -189,6 +226,10 @@ public:
 
   /// Calls `observer` after each collision, in the order of time. Empty: nobody watches.
   void observeCollisions(CollisionObserver observer);
+
+  /// Calls `observer` after each whole period of the drive from now on; of a drive of more than 50 Hz, after
+  /// some of them: see PeriodWatch. Empty: nobody watches. Changes nothing of the run.
+  void observePeriods(PeriodObserver observer);
 
 private:
   class Implementation;

@@ -37,6 +37,10 @@ public:
   /// further than this.
   double nextTime() const;
 
+  /// What its statistics average over: hand it all of Simulation::observePeriods().
+  void take(const PeriodRecord& period) { window_.take(period); }
+  const StatisticsWindow& window() const { return window_; }
+
   /// Hands every frame that is due at simulation.time() to the sink; the first call also the scene.
   void takeDue(const Simulation& simulation, FrameSink& sink);
 
@@ -56,7 +60,6 @@ private:
   void takeParticles(const Simulation& simulation, FrameSink& sink);
   void takeBins(const Simulation& simulation, FrameSink& sink);
   void takeStatistics(const Simulation& simulation, FrameSink& sink);
-  const std::vector<DiskState>& presentDisks(const Simulation& simulation);
 
   std::chrono::steady_clock::time_point wallTime() const;
 
@@ -64,9 +67,9 @@ private:
   WallClock wall_clock_;
   bool scene_taken_ = false;
   Stream particles_, bins_, base_, statistics_;
-  ParticleFrame particle_frame_;    ///< one buffer for all
-  bool disks_are_present_ = false;  ///< whether it holds the disks as they are
-  std::optional<StatisticsFrame> last_statistics_;
+  ParticleFrame particle_frame_;  ///< one buffer for all
+  StatisticsWindow window_;
+  std::optional<double> last_statistics_;  ///< that was handed on [s]
   std::chrono::steady_clock::time_point last_statistics_wall_;
   std::optional<std::chrono::steady_clock::time_point> stood_since_;  ///< while it is not under way
 };

@@ -8,6 +8,7 @@
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/recording/statistics_window.h"
 
 /// What a run shows of itself at an instant: plain structs, the same whether they go to a topic, a
 /// bag or an analysis.
@@ -64,11 +65,12 @@ struct StatisticsFrame
   double time = 0.0;
   std::vector<std::string> species;
   std::vector<SpeciesMeans> means;  ///< per species
-  std::vector<double>
-      granular_temperature;     ///< per species, now: half the velocity variance times m [J]; 0 without disks
-  CollisionCounts collisions;   ///< since the start
-  std::uint64_t events = 0;     ///< since the start
-  double collision_rate = 0.0;  ///< since the last frame [1/s of simulated time]
+  double window_start = 0.0;  ///< of the means over whole periods of the drive [s]; see StatisticsWindow
+  double window_end = 0.0;    ///< of them [s]
+  std::vector<std::optional<double>> granular_temperature;  ///< per species, mean over the window [J]
+  CollisionRates collision_rates;                           ///< within the window
+  CollisionCounts collisions;                               ///< since the start
+  std::uint64_t events = 0;                                 ///< since the start
   double real_time_factor = 0.0;  ///< achieved since the last frame; 0 before the second frame
   double max_overlap = 0.0;       ///< [m]
 };
@@ -96,28 +98,13 @@ struct CommandFrame
   std::uint32_t count = 0;     ///< of POUR
 };
 
-/// Granular temperature of each species: half its mass times the variance of its disks' velocities
-/// [J], over both directions; 0 without disks.
-/// @param masses of the disks of each species [kg]
-std::vector<double> granularTemperatures(const std::vector<DiskState>& disks,
-                                         const std::vector<double>& masses);
-
 SceneFrame makeSceneFrame(const Simulation& simulation);
 ParticleFrame makeParticleFrame(const Simulation& simulation);
 BinFrame makeBinFrame(const Simulation& simulation);
 BaseFrame makeBaseFrame(const Simulation& simulation);
 
-/// @param disks simulation.disks()
-/// @param previous the last frame, for the rates; nothing for the first
-/// @param wall_seconds wall time since that frame [s]
-StatisticsFrame makeStatisticsFrame(const Simulation& simulation, const std::vector<DiskState>& disks,
-                                    const StatisticsFrame* previous, double wall_seconds);
-
-/// The same where nobody has asked for the disks yet.
-inline StatisticsFrame makeStatisticsFrame(const Simulation& simulation, const StatisticsFrame* previous,
-                                           double wall_seconds)
-{
-  return makeStatisticsFrame(simulation, simulation.disks(), previous, wall_seconds);
-}
+/// Without the real-time factor. @param window of this series of frames. @pre it was moved to
+/// simulation.time()
+StatisticsFrame makeStatisticsFrame(const Simulation& simulation, const StatisticsWindow& window);
 
 }  // namespace ratchet_sieve

@@ -15,8 +15,8 @@ namespace ratchet_sieve
 /// Runs what was recorded once more, from its scene, its seed and its commands, and compares every frame
 /// with what comes out now, bit for bit. Takes the frames in the order of time.
 ///
-/// What depends on the clock on the wall or on how often someone looked is not compared: the rates since the
-/// last message, and the largest overlap.
+/// What depends on the clock on the wall or on how often someone looked is not compared: the real-time
+/// factor, and the largest overlap.
 class Resimulation : public FrameSink
 {
 public:
@@ -66,6 +66,7 @@ private:
     if (!difference_)
       frames.push_back(frame);
   }
+  void observePeriods();
   void comeTo(double time);
   void compareInstant();
   void compareAsThingsAre();
@@ -76,6 +77,8 @@ private:
   std::function<void(const Simulation&)> progress_;
   std::optional<SceneFrame> scene_;
   std::unique_ptr<Simulation> simulation_;
+  bool periods_observed_ = false;
+  StatisticsWindow window_;
   Instant instant_;
   std::optional<std::string> difference_;
   std::uint64_t frames_ = 0;

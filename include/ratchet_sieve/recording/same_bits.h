@@ -70,14 +70,21 @@ inline bool sameBits(const BaseFrame& a, const BaseFrame& b)
          sameBits(a.base.velocity, b.base.velocity);
 }
 
+inline bool sameBits(const CollisionRates& a, const CollisionRates& b)
+{
+  return sameBits(a.disk_disk, b.disk_disk) && sameBits(a.left_slope, b.left_slope) &&
+         sameBits(a.right_slope, b.right_slope) && sameBits(a.apex, b.apex) && sameBits(a.wall, b.wall);
+}
+
 inline bool sameBits(const StatisticsFrame& a, const StatisticsFrame& b)
 {
   const CollisionCounts& p = a.collisions;
   const CollisionCounts& q = b.collisions;
   return sameBits(a.time, b.time) && a.species == b.species && sameBits(a.means, b.means) &&
+         sameBits(a.window_start, b.window_start) && sameBits(a.window_end, b.window_end) &&
          sameBits(a.granular_temperature, b.granular_temperature) && p.disk_disk == q.disk_disk &&
          p.left_slope == q.left_slope && p.right_slope == q.right_slope && p.apex == q.apex &&
-         p.wall == q.wall && a.events == b.events && sameBits(a.collision_rate, b.collision_rate) &&
+         p.wall == q.wall && a.events == b.events && sameBits(a.collision_rates, b.collision_rates) &&
          sameBits(a.real_time_factor, b.real_time_factor) && sameBits(a.max_overlap, b.max_overlap);
 }
 

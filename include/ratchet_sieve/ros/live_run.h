@@ -25,6 +25,9 @@ public:
           FrameSampler::WallClock wall_clock = std::chrono::steady_clock::now,
           const PourObserver& pour_observer = {});
 
+  LiveRun(const LiveRun&) = delete;
+  LiveRun& operator=(const LiveRun&) = delete;
+
   double time() const { return simulation_.time(); }
   double startTime() const { return simulation_.startTime(); }
   double endTime() const { return end_time_; }
@@ -62,8 +65,9 @@ public:
   ParticleFrame particles() const { return makeParticleFrame(simulation_); }
   BinFrame bins() const { return makeBinFrame(simulation_); }
   BaseFrame base() const { return makeBaseFrame(simulation_); }
-  /// Without rates, which need two frames.
-  StatisticsFrame statistics() const { return makeStatisticsFrame(simulation_, nullptr, 0.0); }
+  /// Over the periods that ended since the last one that was due to be published; without the real-time
+  /// factor.
+  StatisticsFrame statistics() const;
 
 private:
   struct Recording

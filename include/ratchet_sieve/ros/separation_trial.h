@@ -58,15 +58,14 @@ private:
   double inclination_ = 0.0;
   bool followed_ = false;
   unsigned interruptions_ = 0;
-  std::optional<double> base_time_;       ///< of the last frame of the base
-  std::optional<double> standing_since_;  ///< of the base's frames
-  std::optional<BinFrame> last_;          ///< the bins as last heard
-  std::optional<BinFrame> waiting_;       ///< bins for which the base is not known yet
-  std::optional<BinFrame> first_;         ///< the bins at the window's begin
-  std::optional<BinFrame> end_;           ///< the bins at the end of the window before
-  std::vector<double> temperature_sums_;  ///< per species [J]
-  unsigned temperatures_ = 0;
-  double paces_ = 0.0;  ///< sum of wall over simulated time, as ~statistics has it
+  std::optional<double> base_time_;           ///< of the last frame of the base
+  std::optional<double> standing_since_;      ///< of the base's frames
+  std::optional<BinFrame> last_;              ///< the bins as last heard
+  std::optional<BinFrame> waiting_;           ///< bins for which the base is not known yet
+  std::optional<BinFrame> first_;             ///< the bins at the window's begin
+  std::optional<BinFrame> end_;               ///< the bins at the end of the window before
+  std::vector<TemperatureSum> temperatures_;  ///< per species, over frames
+  double paces_ = 0.0;                        ///< sum of wall over simulated time, as ~statistics has it
   unsigned paced_ = 0;
   std::optional<Separation> result_;
 };

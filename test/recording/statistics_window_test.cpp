@@ -1,0 +1,220 @@
+#include "ratchet_sieve/recording/statistics_window.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "collecting_sink.h"
+#include "ratchet_sieve/recording/headless_run.h"
+#include "ratchet_sieve/recording/resimulation.h"
+#include "ratchet_sieve/recording/same_bits.h"
+#include "small_scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double TWO_PI = 6.283185307179586476925;
+
+/// Fig. 8: a layer that a drive of 23 Hz throws up.
+SceneDefinition layer()
+{
+  SceneDefinition scene = smallRing();
+  scene.base = BaseDefinition();
+  scene.species[0].count = scene.species[1].count = 131;
+  scene.species[1].radius = 0.002;
+  scene.species[1].mass = 0.001;
+  return scene;
+}
+
+CollectingSink recorded(const SceneDefinition& scene, double rate)
+{
+  Simulation simulation(scene);
+  CollectingSink sink;
+  RunWatchers watchers;
+  watchers.rates = {0.0, 0.0, 0.0, rate};
+  watchers.frames = &sink;
+  runToEnd(simulation, watchers);
+  return sink;
+}
+
+/// The part of a series' variance that is at `frequency`. @pre it is sampled over whole periods of that
+double varianceAt(double frequency, double rate, const std::vector<double>& series)
+{
+  const double count = static_cast<double>(series.size());
+  const double mean = std::accumulate(series.begin(), series.end(), 0.0) / count;
+  std::complex<double> sum;
+  for (std::size_t k = 0; k < series.size(); ++k)
+    sum += (series[k] - mean) * std::polar(1.0, -TWO_PI * frequency * static_cast<double>(k) / rate);
+  return 2.0 * std::norm(sum / count);
+}
+
+/// Ten samples per second of what swings at 23 Hz seem to swing at 3 Hz.
+TEST(StatisticsWindow, ShowsNoBeatOfItsRateWithTheDrive)
+{
+  constexpr double RATE = 10.0;
+  constexpr double ALIAS = 3.0;
+  SceneDefinition scene = layer();
+  scene.duration = 11.0;
+  const CollectingSink sink = recorded(scene, RATE);
+  std::vector<double> temperatures, rates, sampled;
+  Simulation simulation(scene);
+  for (const StatisticsFrame& frame : sink.statistics)
+  {
+    if (frame.time <= 1.0)
+      continue;
+    temperatures.push_back(frame.granular_temperature[0].value());
+    rates.push_back(frame.collision_rates.total());
+    simulation.advanceTo(frame.time);
+    sampled.push_back(simulation.granularTemperatures()[0].value());
+  }
+  ASSERT_EQ(sampled.size(), 100u);
+  const double before = varianceAt(ALIAS, RATE, sampled);
+  EXPECT_LT(varianceAt(ALIAS, RATE, temperatures), 0.02 * before);
+  // That of the samples stands out by far: the test would see it.
+  EXPECT_GT(before, 20.0 * varianceAt(2.5, RATE, sampled));
+  EXPECT_LT(varianceAt(ALIAS, RATE, rates),
+            10.0 * varianceAt(2.5, RATE, rates) + varianceAt(3.5, RATE, rates));
+}
+
+TEST(StatisticsWindow, IsOfWholePeriodsOneAfterTheOther)
+{
+  const CollectingSink sink = recorded(layer(), 10.0);
+  ASSERT_EQ(sink.statistics.size(), 11u);
+  EXPECT_FALSE(sink.statistics[0].granular_temperature[0]);
+  EXPECT_EQ(sink.statistics[0].collision_rates.total(), 0.0);
+  double end = 0.0;
+  for (std::size_t k = 1; k < sink.statistics.size(); ++k)
+  {
+    const StatisticsFrame& frame = sink.statistics[k];
+    EXPECT_EQ(frame.window_start, end);
+    end = frame.window_end;
+    const double periods = 23.0 * (frame.window_end - frame.window_start);
+    EXPECT_NEAR(periods, std::round(periods), 1e-9);
+    EXPECT_LE(frame.window_end, frame.time);
+    EXPECT_GT(frame.window_end, frame.time - 1.001 / 23.0);
+    EXPECT_TRUE(frame.granular_temperature[0]);
+    EXPECT_GT(frame.collision_rates.disk_disk, 0.0);
+  }
+}
+
+TEST(StatisticsWindow, IsShownAgainUntilTheNextPeriodIsOver)
+{
+  const CollectingSink sink = recorded(layer(), 60.0);
+  int repeated = 0;
+  for (std::size_t k = 1; k < sink.statistics.size(); ++k)
+  {
+    const StatisticsFrame& before = sink.statistics[k - 1];
+    const StatisticsFrame& frame = sink.statistics[k];
+    if (frame.window_end > before.window_end)
+      continue;
+    ++repeated;
+    EXPECT_EQ(frame.window_start, before.window_start);
+    EXPECT_EQ(frame.granular_temperature, before.granular_temperature);
+    EXPECT_TRUE(sameBits(frame.collision_rates, before.collision_rates));
+  }
+  EXPECT_EQ(repeated, 60 - 23);
+}
+
+TEST(StatisticsWindow, SumsUpToAllCollisions)
+{
+  const CollectingSink sink = recorded(layer(), 10.0);
+  double collisions = 0.0;
+  for (const StatisticsFrame& frame : sink.statistics)
+    collisions += frame.collision_rates.total() * (frame.window_end - frame.window_start);
+  // 23 Hz: the last period ends with the run.
+  EXPECT_NEAR(collisions, static_cast<double>(sink.statistics.back().collisions.total()), 1e-6 * collisions);
+}
+
+TEST(StatisticsWindow, IsTheTimeBetweenFramesWhereNothingSwings)
+{
+  SceneDefinition scene = layer();
+  scene.base.amplitude = 0.0;
+  const CollectingSink sink = recorded(scene, 10.0);
+  Simulation simulation(scene);
+  for (std::size_t k = 0; k < sink.statistics.size(); ++k)
+  {
+    const StatisticsFrame& frame = sink.statistics[k];
+    simulation.advanceTo(frame.time);
+    EXPECT_EQ(frame.granular_temperature, simulation.granularTemperatures());
+    EXPECT_EQ(frame.window_end, frame.time);
+    EXPECT_EQ(frame.window_start, k > 0 ? sink.statistics[k - 1].time : 0.0);
+  }
+  EXPECT_GT(sink.statistics[5].collision_rates.total(), 0.0);
+}
+
+/// What a run of the recorded scene has to say against its statistics from `from` on.
+std::string differenceFrom(double from, const CollectingSink& sink)
+{
+  Resimulation resimulation;
+  SceneFrame scene = sink.scenes.at(0);
+  scene.time = std::max(scene.time, from);
+  resimulation.take(scene);
+  for (const StatisticsFrame& frame : sink.statistics)
+    if (frame.time >= from)
+      resimulation.take(frame);
+  resimulation.finish();
+  return resimulation.difference().value_or("");
+}
+
+TEST(StatisticsWindow, ComesOutTheSameInARunOfTheRecordedScene)
+{
+  CollectingSink sink = recorded(layer(), 10.0);
+  EXPECT_EQ(differenceFrom(0.0, sink), "");
+  EXPECT_EQ(differenceFrom(0.45, sink), "") << "a later file of a recording that was split";
+  double& temperature = *sink.statistics.at(7).granular_temperature.at(1);
+  temperature = std::nextafter(temperature, 1.0);
+  EXPECT_EQ(differenceFrom(0.0, sink), "at 0.69999999999999996 s the statistics differ");
+  EXPECT_EQ(differenceFrom(0.45, sink),
+            "at 0.69999999999999996 s the statistics differ; it is recorded from 0.45 s on, "
+            "and not what the run was told since 0 s");
+}
+
+TEST(StatisticsWindow, ComesOutTheSameInARunThatWasTakenUp)
+{
+  Simulation before(layer());
+  before.advanceTo(0.45);
+  Simulation after(layer(), before.saveState());
+  CollectingSink sink;
+  RunWatchers watchers;
+  watchers.rates = {0.0, 0.0, 0.0, 10.0};
+  watchers.frames = &sink;
+  runToEnd(after, watchers);
+  ASSERT_EQ(sink.scenes.at(0).time, 0.45);
+  EXPECT_EQ(differenceFrom(0.45, sink), "");
+}
+
+TEST(StatisticsWindow, DoesNotDependOnWhoElseIsShownFrames)
+{
+  const CollectingSink alone = recorded(layer(), 10.0);
+  Simulation simulation(layer());
+  FrameSampler ten({0.0, 0.0, 0.0, 10.0}, 0.0), more({60.0, 0.0, 0.0, 47.0}, 0.0);
+  simulation.observePeriods(
+      [&](const PeriodRecord& period)
+      {
+        ten.take(period);
+        more.take(period);
+      });
+  CollectingSink to_ten, to_more;
+  for (double time = 0.0; time <= 1.0; time = std::min(ten.nextTime(), more.nextTime()))
+  {
+    simulation.advanceTo(time);
+    ten.takeDue(simulation, to_ten);
+    more.takeDue(simulation, to_more);
+  }
+  ASSERT_EQ(to_ten.statistics.size(), alone.statistics.size());
+  for (std::size_t k = 0; k < alone.statistics.size(); ++k)
+  {
+    StatisticsFrame frame = to_ten.statistics[k];
+    frame.max_overlap = alone.statistics[k].max_overlap;  // a run of sieve_run looks all disks over
+    EXPECT_TRUE(sameButForSpeed(frame, alone.statistics[k])) << k;
+  }
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
