@@ -16,7 +16,7 @@ set(PROGRAMS sieve_run)
 set(LIBRARIES core scene recording analysis)
 if(RATCHET_SIEVE_ROS)
   list(APPEND PROGRAMS
-    sieve_analyze sieve_display sieve_node sieve_resimulate sieve_rviz sieve_schedule sieve_seek)
+    sieve_analyze sieve_display sieve_node sieve_replay sieve_resimulate sieve_rviz sieve_schedule sieve_seek)
   list(APPEND LIBRARIES ros bag)
 endif()
 list(TRANSFORM LIBRARIES PREPEND ratchet_sieve_)
