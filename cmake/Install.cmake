@@ -14,7 +14,7 @@ install(TARGETS ratchet_sieve_analysis ratchet_sieve_core ratchet_sieve_recordin
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 if(RATCHET_SIEVE_ROS)
   install(
-    TARGETS sieve_analyze sieve_display sieve_node sieve_resimulate sieve_rviz sieve_schedule sieve_seek
+    TARGETS sieve_analyze sieve_display sieve_node sieve_replay sieve_resimulate sieve_rviz sieve_schedule sieve_seek
     RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
   install(TARGETS ratchet_sieve_bag LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
   install(TARGETS ratchet_sieve_messages ratchet_sieve_ros

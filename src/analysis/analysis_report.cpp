@@ -96,25 +96,38 @@ std::string missingText(const RunResult& result)
   return text;
 }
 
+/// Whether disks can leave: else there are no bins to tell of.
+bool isOpen(const RunResult& result)
+{
+  return result.scene.boundary == Boundary::OPEN;
+}
+
 std::string speciesTable(const RunResult& result)
 {
   std::size_t width = 7;
   for (const std::string& name : result.species)
     width = std::max(width, name.size());
-  std::string text = fmt::format("{:<{}} {:>7} {:>7} {:>7} {:>8} {:>20} {:>10}\n", "species", width, "disks",
-                                 "left", "right", "on base", "<V_x> [mm/s]", "T_g [uJ]");
+  const auto row = [&](const std::string& name, const std::array<std::string, 4>& counts,
+                       const std::string& velocity, const std::string& temperature)
+  {
+    const auto& [disks, left, right, on_base] = counts;
+    const std::string bins = isOpen(result) ? fmt::format(" {:>7} {:>7} {:>8}", left, right, on_base) : "";
+    return fmt::format("{:<{}} {:>7}{} {:>20} {:>10}\n", name, width, disks, bins, velocity, temperature);
+  };
+  std::string text = row("species", {"disks", "left", "right", "on base"}, "<V_x> [mm/s]", "T_g [uJ]");
   for (std::size_t i = 0; i < result.species.size(); ++i)
   {
     const auto [disks, left, right, on_base] = countsOf(result, i);
-    text += fmt::format("{:<{}} {:>7} {:>7} {:>7} {:>8} {:>20} {:>10}\n", result.species[i], width,
-                        countText(disks), countText(left), countText(right), countText(on_base),
-                        velocityText(result.velocities[i]), temperatureText(result.granular_temperatures[i]));
+    text += row(result.species[i], {countText(disks), countText(left), countText(right), countText(on_base)},
+                velocityText(result.velocities[i]), temperatureText(result.granular_temperatures[i]));
   }
   return text;
 }
 
 std::string segregationText(const RunResult& result)
 {
+  if (!isOpen(result))
+    return "nothing leaves this base: no bins, no Q, no P\n";
   const BinFrame* bins = result.lastBins();
   std::string text =
       fmt::format("Q = {}, P = {}\n", ratioText(bins != nullptr ? bins->quality : std::nullopt),

@@ -1,5 +1,6 @@
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -58,6 +59,13 @@ struct Arguments
   }
 };
 
+/// What is wrong with a time that an option gives; nothing where it is one. CLI11's own validator names the
+/// largest of all doubles, in full.
+std::string requireSeconds(const std::string& text)
+{
+  return std::strtod(text.c_str(), nullptr) >= 0.0 ? "" : text + ": must be 0 s or more";
+}
+
 void describe(CLI::App& app, Arguments& arguments)
 {
   app.add_option("SCENE", arguments.scene, "The scene, a YAML file")->required()->type_name("FILE");
@@ -79,7 +87,7 @@ void describe(CLI::App& app, Arguments& arguments)
   app.add_option("--checkpoint-every", arguments.checkpoint_every,
                  "Save it so often, in seconds of wall time")
       ->type_name("S")
-      ->check(CLI::NonNegativeNumber)
+      ->check(requireSeconds)
       ->capture_default_str();
   app.add_option(
          "--resume", arguments.resume,

@@ -1,10 +1,10 @@
-#include <cerrno>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -13,14 +13,15 @@
 
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
-#include <unistd.h>
 
+#include "become_program.h"
 #include "node_options.h"
 #include "ratchet_sieve/SceneDescription.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/ros/parameter_reader.h"
 #include "ratchet_sieve/ros/rviz_view.h"
 #include "ratchet_sieve/ros/sieve_search.h"
+#include "ratchet_sieve/scene/input_file.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace
@@ -30,32 +31,62 @@ using namespace ratchet_sieve;
 constexpr const char* HELP =
     "Opens RViz on a sieve, its camera moved so that all of the machine is in the picture.\n"
     "\n"
-    "Usage: rosrun ratchet_sieve sieve_rviz CONFIG.rviz [RVIZ ARGUMENT...] [ROS ARGUMENT...]\n"
+    "Usage: rosrun ratchet_sieve sieve_rviz CONFIG.rviz [--as-it-is] [RVIZ ARGUMENT...] [ROS ARGUMENT...]\n"
     "\n"
-    "Waits for the scene of the sieve, and becomes RViz. Parameter: ~sieve, the name of the sieve's node,\n"
-    "/sieve by default; empty: the sieve that there is. RViz gets a copy of CONFIG.rviz, in ~/.ros.\n"
+    "Waits for the scene of the sieve and for a node that draws it (the sieve itself, or sieve_display), "
+    "and\n"
+    "becomes RViz. Parameter: ~sieve, the name of the sieve's node, /sieve by default; empty: the sieve "
+    "that\n"
+    "there is. RViz gets a copy of CONFIG.rviz, in ~/.ros; with --as-it-is the file itself, and at once.\n"
     "Exit status: 2 for bad arguments or a bad parameter, 1 where RViz cannot be run; else RViz's own.\n";
 
-constexpr double PATIENCE = 0.1;  // between looks whether the scene has come [s of wall time]
+// All of wall time [s].
+constexpr double PATIENCE = 0.1;    // between looks whether the scene has come
+constexpr double SILENCE = 5.0;     // after which it is said that it has not
+constexpr double SAY_AGAIN = 30.0;  // between two lines that do
+
+/// The node whose topics the configuration shows, by its name.
+constexpr const char* SHOWN = "/sieve";
+
+constexpr const char* AS_IT_IS = "--as-it-is";
+
+/// Says now and then why nothing is shown yet.
+class WaitingLog
+{
+public:
+  void say(const std::function<std::string()>& why)
+  {
+    const ros::WallTime now = ros::WallTime::now();
+    if (now < next_)
+      return;
+    next_ = now + ros::WallDuration(SAY_AGAIN);
+    ROS_WARN("waiting: %s", why().c_str());
+  }
+
+private:
+  ros::WallTime next_ = ros::WallTime::now() + ros::WallDuration(SILENCE);
+};
 
 std::string contents(const std::string& path)
 {
+  if (const auto why = whyUnreadable(path))
+    throw std::invalid_argument(path + ": " + *why);
   std::ifstream file(path);
   std::ostringstream text;
-  if (!(text << file.rdbuf()))
-    throw std::invalid_argument(path + ": cannot be read");
+  text << file.rdbuf();
   return text.str();
 }
 
 /// The scene of a sieve, when it has come; nothing where this program is stopped before.
-std::optional<SceneDefinition> waitForScene()
+std::optional<SceneDefinition> waitForScene(ros::NodeHandle node)
 {
-  ros::NodeHandle node("~");
   std::string sieve = ParameterReader(node).text("sieve", "/sieve");
   std::optional<SceneDefinition> scene;
   ros::Subscriber subscriber;
+  WaitingLog log;
   while (ros::ok() && !scene)
   {
+    log.say([&] { return missingSieveText(sieve.empty() ? sieve : ros::names::resolve(sieve)); });
     if (sieve.empty())
       sieve = findSieve().value_or("");
     if (!subscriber && !sieve.empty())
@@ -68,6 +99,26 @@ std::optional<SceneDefinition> waitForScene()
       ros::WallDuration(PATIENCE).sleep();
   }
   return scene;
+}
+
+/// The node that draws the sieve: the one that the launch names, or else the one that there is.
+std::optional<std::string> waitForDisplay()
+{
+  const std::string markers = ros::names::resolve(std::string(SHOWN) + "/markers");
+  const std::string named = markers.substr(0, markers.rfind('/'));
+  WaitingLog log;
+  std::optional<std::string> display;
+  while (ros::ok() && !(display = findDisplay(named)))
+  {
+    log.say(
+        []
+        {
+          return "nothing draws the sieve: a bag that is played needs `rosrun ratchet_sieve sieve_display` "
+                 "beside it";
+        });
+    ros::WallDuration(PATIENCE).sleep();
+  }
+  return display;
 }
 
 /// Beside the logs of ROS, named after this node. @return its path
@@ -91,14 +142,31 @@ int becomeRviz(const std::string& config, const std::vector<std::string>& argume
 {
   std::vector<std::string> words = {"rviz", "-d", config};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  argv.reserve(words.size() + 1);
-  for (std::string& word : words)
-    argv.push_back(word.data());
-  argv.push_back(nullptr);
-  execvp("rviz", argv.data());
-  std::fprintf(stderr, "sieve_rviz: rviz cannot be run: %s\n", std::strerror(errno));
-  return 1;
+  return becomeProgram("sieve_rviz", words);
+}
+
+/// Takes an option out of the arguments. @return whether it was there
+bool takeOption(std::vector<std::string>& arguments, const std::string& option)
+{
+  const auto found = std::remove(arguments.begin(), arguments.end(), option);
+  const bool there = found != arguments.end();
+  arguments.erase(found, arguments.end());
+  return there;
+}
+
+/// RViz with its camera on the sieve, once there is one; nothing where this program is stopped before.
+int showSieve(const std::string& config, std::vector<std::string> arguments)
+{
+  const ros::NodeHandle node("~");  // with the last of its handles, this node would end
+  const std::optional<SceneDefinition> scene = waitForScene(node);
+  const std::optional<std::string> display = scene ? waitForDisplay() : std::nullopt;
+  ros::shutdown();
+  if (!display)
+    return 0;
+  // Of two remappings of one name the last holds.
+  for (const std::string topic : {"/markers", "/cloud"})
+    arguments.push_back(SHOWN + topic + ":=" + *display + topic);
+  return becomeRviz(writtenToFile(fittedToScene(config, *scene), ros::this_node::getName()), arguments);
 }
 }  // namespace
 
@@ -112,16 +180,14 @@ int main(int argc, char** argv)
     return 2;
   }
   const std::string path = argv[1];
-  const std::vector<std::string> arguments(argv + 2, argv + argc);
+  std::vector<std::string> arguments(argv + 2, argv + argc);
   try
   {
     const std::string config = contents(path);
+    if (takeOption(arguments, AS_IT_IS))
+      return becomeRviz(path, arguments);
     ros::init(argc, argv, "sieve_rviz");
-    const std::optional<SceneDefinition> scene = waitForScene();
-    ros::shutdown();
-    return scene ? becomeRviz(writtenToFile(fittedToScene(config, *scene), ros::this_node::getName()),
-                              arguments)
-                 : 0;
+    return showSieve(config, arguments);
   }
   catch (const std::exception& error)
   {

@@ -12,6 +12,7 @@
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/scene/input_file.h"
 
 // The file: a line that names it, a line with the checksum of all that follows, a line of JSON that
 // says what it is of, and the simulation's state.
@@ -62,16 +63,10 @@ Json identity(const SceneDefinition& scene)
 
 std::string readAll(const std::string& path)
 {
-  try
-  {
-    if (std::ifstream file(path, std::ios::binary); file)
-      return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
-  catch (const std::ios_base::failure&)
-  {
-    // A directory can be opened, but not read.
-  }
-  refuse(path, "it cannot be read");
+  if (const auto why = whyUnreadable(path))
+    refuse(path, *why);
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 /// What follows the checksum, which is right.

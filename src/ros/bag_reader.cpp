@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <set>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -49,6 +51,11 @@ public:
   void pass(FrameSink& sink) override
   {
     sink.take(frame_);
+    next();
+  }
+
+  void next()
+  {
     ++position_;
     read();
   }
@@ -77,23 +84,31 @@ private:
   decltype(toFrame(std::declval<Message>())) frame_;
 };
 
-/// The topic that carries messages of this type; empty if none does.
+/// The topics that carry messages of this type.
 template <typename Message>
-std::string topicOf(rosbag::View& all)
+std::set<std::string> topicsOf(rosbag::View& all)
 {
   const std::string type = ros::message_traits::datatype<Message>();
-  std::string topic;
+  std::set<std::string> topics;
   for (const rosbag::ConnectionInfo* connection : all.getConnections())
   {
     if (connection->datatype != type)
       continue;
     if (connection->md5sum != ros::message_traits::md5sum<Message>())
       throw std::invalid_argument(connection->topic + " was recorded with another version of " + type);
-    if (!topic.empty() && topic != connection->topic)
-      throw std::invalid_argument("holds several runs: " + topic + " and " + connection->topic);
-    topic = connection->topic;
+    topics.insert(connection->topic);
   }
-  return topic;
+  return topics;
+}
+
+/// The one topic that carries messages of this type; empty if none does.
+template <typename Message>
+std::string topicOf(rosbag::View& all)
+{
+  const std::set<std::string> topics = topicsOf<Message>(all);
+  if (topics.size() > 1)
+    throw std::invalid_argument("holds several runs: " + *topics.begin() + " and " + *topics.rbegin());
+  return topics.empty() ? "" : *topics.begin();
 }
 
 template <typename Message>
@@ -118,10 +133,33 @@ void merge(const std::vector<std::unique_ptr<Stream>>& streams, FrameSink& sink)
   }
 }
 
-void requireScene(rosbag::View& all)
+/// @return the topics of scenes, one at least
+std::set<std::string> requireScene(rosbag::View& all)
 {
-  if (topicOf<SceneDescription>(all).empty())
+  const std::set<std::string> topics = topicsOf<SceneDescription>(all);
+  if (topics.empty())
     throw std::invalid_argument("holds no run: no topic of type ratchet_sieve/SceneDescription");
+  return topics;
+}
+
+void requireSceneOf(const std::string& sieve, rosbag::View& all)
+{
+  const std::set<std::string> topics = requireScene(all);
+  const std::string topic = (sieve.front() == '/' ? "" : "/") + sieve + "/scene";
+  if (topics.count(topic) == 0)
+    throw std::invalid_argument("holds no " + topic + ", but " + *topics.begin() +
+                                ": name its sieve, or none");
+}
+
+/// Runs that begin at one time lie upon one another in a bag: their frames cannot be told apart.
+void requireOneRunAtATime(const rosbag::Bag& bag, const std::string& topic)
+{
+  std::set<double> starts;
+  for (TopicStream<SceneDescription> scenes(bag, topic); !scenes.done(); scenes.next())
+    if (!starts.insert(scenes.frame().start_time).second)
+      throw std::invalid_argument("holds two runs from " + std::to_string(scenes.frame().start_time) +
+                                  " s on, as `rosbag record` keeps them across a ~reset: record with the "
+                                  "node's ~record, or reset with keep_time");
 }
 
 /// @param begins_run whether the scene is to be handed on, with which a run begins
@@ -129,6 +167,7 @@ void readOpened(const rosbag::Bag& bag, bool begins_run, FrameSink& sink)
 {
   rosbag::View all(bag);
   requireScene(all);
+  requireOneRunAtATime(bag, topicOf<SceneDescription>(all));
   std::vector<std::unique_ptr<Stream>> streams;
   if (begins_run)
     addStream<SceneDescription>(bag, all, streams);
@@ -205,6 +244,20 @@ void withBag(const std::string& path, const Read& read)
   }
 }
 }  // namespace
+
+void requireShowable(const std::string& path, const std::string& sieve)
+{
+  requireSoundBag(path);
+  withBag(path,
+          [&](const rosbag::Bag& bag)
+          {
+            rosbag::View all(bag);
+            if (sieve.empty())
+              requireScene(all);
+            else
+              requireSceneOf(sieve, all);
+          });
+}
 
 void readBag(const std::string& path, FrameSink& sink)
 {

@@ -55,7 +55,6 @@ public:
     requireOrder();
   }
 
-private:
   void readHead()
   {
     if (rest_.size() < VERSION_LINE.size() || rest_.take(VERSION_LINE.size()) != VERSION_LINE)
@@ -71,6 +70,7 @@ private:
       throw UnclosedBag();
   }
 
+private:
   /// The chunks, each followed by its index.
   void readChunks()
   {
@@ -199,6 +199,24 @@ void requireSoundBag(const std::string& path)
   catch (const DamagedBag& error)
   {
     throw BagError(path + ": cannot be read as a bag: " + error.what());
+  }
+}
+
+bool isIndexedBag(const std::string& path)
+{
+  try
+  {
+    const MappedFile file(path);
+    BagStructure(file.bytes()).readHead();
+    return true;
+  }
+  catch (const UnclosedBag&)
+  {
+    return false;
+  }
+  catch (const std::runtime_error&)  // no bag, or not to be read
+  {
+    return false;
   }
 }
 

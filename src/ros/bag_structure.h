@@ -11,4 +11,7 @@ namespace ratchet_sieve
 /// @throws BagError where the bag is none of format 2.0, encrypted, not closed, or damaged
 void requireSoundBag(const std::string& path);
 
+/// Whether a file says that it is a bag with an index: one that was closed, or that was reindexed.
+bool isIndexedBag(const std::string& path);
+
 }  // namespace ratchet_sieve

@@ -10,6 +10,7 @@
 #include <ros/console.h>
 #include <std_msgs/Float64.h>
 
+#include "bag_structure.h"
 #include "ratchet_sieve/ros/conversions.h"
 
 namespace ratchet_sieve
@@ -68,13 +69,14 @@ void setAside(const std::string& path, const std::string& active_path)
   if (BagFile::isBeingWritten(active_path))
     return;  // and will not be opened
   const std::string unfinished = unfinishedPath(path);
+  const bool indexed = isIndexedBag(active_path);
   if (std::rename(active_path.c_str(), unfinished.c_str()) != 0)
     throw BagError("there is " + active_path +
                    ", which was not closed, and cannot be set aside: " + std::strerror(errno));
-  ROS_WARN(
-      "%s was not closed, by a program that was killed: set aside as %s; `rosbag reindex %s` gives it its "
-      "index",
-      active_path.c_str(), unfinished.c_str(), unfinished.c_str());
+  const std::string advice = indexed ? "it has its index, and can be read as it is"
+                                     : "`rosbag reindex " + unfinished + "` gives it its index";
+  ROS_WARN("%s was not closed, by a program that was killed: set aside as %s; %s", active_path.c_str(),
+           unfinished.c_str(), advice.c_str());
 }
 
 std::unique_ptr<BagFile> opened(const std::string& path, const std::string& active_path)

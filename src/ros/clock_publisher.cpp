@@ -1,5 +1,6 @@
 #include "ratchet_sieve/ros/clock_publisher.h"
 
+#include <algorithm>
 #include <thread>
 
 #include <rosgraph_msgs/Clock.h>
@@ -17,6 +18,14 @@ constexpr std::chrono::milliseconds LEAP_IS_HEARD(250);
 /// Frames may come by the ten thousand a second, where a light scene goes as fast as it can: every node would
 /// have its hands full with the time alone. Messages take as long as this on their way.
 constexpr std::chrono::milliseconds SHORTEST_PERIOD(1);
+
+/// What the clock shows at a time. Never 0, which in ROS is no time at all: `rosbag record` ends with the
+/// first message that it hears at 0, and nodes that wait for a time would wait for as long as a run is paused
+/// there.
+ros::Time shownAt(double time)
+{
+  return std::max(stampOf(time), ros::TIME_MIN);
+}
 }  // namespace
 
 ClockPublisher::ClockPublisher(ros::NodeHandle node, double rate, bool enabled)
@@ -38,14 +47,14 @@ void ClockPublisher::publish(double time)
     return;
   last_ = std::chrono::steady_clock::now();
   rosgraph_msgs::Clock clock;
-  clock.clock = stampOf(time);
+  clock.clock = shownAt(time);
   shown_ = clock.clock;
   publisher_.publish(clock);
 }
 
 void ClockPublisher::reach(double time)
 {
-  const ros::Time stamp = stampOf(time);
+  const ros::Time stamp = shownAt(time);
   if (!enabled_ || stamp == shown_)
     return;
   const auto now = std::chrono::steady_clock::now();

@@ -109,18 +109,20 @@ void Diagnostics::reportScene(Status& status)
 void Diagnostics::reportSpeed(Status& status)
 {
   const double asked = speed_.pacer.factor();
-  const double achieved = speed_.watch.achieved().value_or(0.0);
+  const std::optional<double> achieved = speed_.watch.achieved();
   if (control_.paused())
     status.summary(DiagnosticStatus::OK, "paused");
   else if (speed_.watch.behind())
-    status.summaryf(DiagnosticStatus::WARN, "too slow: %.3g times real time instead of %.3g", achieved,
-                    asked);
+    status.summary(DiagnosticStatus::WARN, tooSlowText(*achieved, asked));
   else
     status.summary(DiagnosticStatus::OK, asked > 0.0 ? "keeps up" : "as fast as it goes");
   if (!speed_.parameter.refusal().empty())
     status.mergeSummary(DiagnosticStatus::WARN, speed_.parameter.refusal());
   status.add("real-time factor, asked for", asked);
-  status.add("real-time factor, achieved", achieved);
+  if (achieved)
+    status.add("real-time factor, achieved", *achieved);
+  else
+    status.add("real-time factor, achieved", "not measured yet");
   status.add("wall time given up [s]", speed_.pacer.lost());
 }
 

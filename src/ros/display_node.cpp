@@ -17,6 +17,7 @@ namespace
 {
 constexpr std::uint32_t QUEUE_SIZE = 100;
 constexpr double SEARCH_PERIOD = 0.2;  // between looks for a sieve [s of wall time]
+constexpr double SILENCE = 5.0;        // after which it is said that nothing came [s of wall time]
 constexpr double MAX_RATE = 1e3;       // [1/s]
 
 /// So often in the time of a picture is looked whether it is time for one: a timer that is a little early
@@ -35,6 +36,8 @@ DisplayNode::DisplayNode(const ros::NodeHandle& private_node, const std::string&
 {
   show_timer_ = node_.createWallTimer(ros::WallDuration(1.0 / (LOOKS * rate)),
                                       [this](const ros::WallTimerEvent&) { show(); });
+  silence_timer_ = node_.createWallTimer(ros::WallDuration(SILENCE),
+                                         [this](const ros::WallTimerEvent&) { warnOfSilence(); });
   if (sieve.empty())
     search_timer_ = node_.createWallTimer(ros::WallDuration(SEARCH_PERIOD),
                                           [this](const ros::WallTimerEvent&) { search(); });
@@ -91,6 +94,14 @@ void DisplayNode::see(const Frame& frame, const std::string& publisher)
   if constexpr (std::is_same_v<Frame, SceneFrame>)
     if (seen_.sceneError())
       ROS_ERROR("the scene cannot be shown: %s", seen_.sceneError()->c_str());
+}
+
+/// Once, where nothing has come in time.
+void DisplayNode::warnOfSilence()
+{
+  silence_timer_.stop();
+  if (!seen_.time())
+    ROS_WARN("nothing to show: %s", missingSieveText(sieve_).c_str());
 }
 
 void DisplayNode::show()

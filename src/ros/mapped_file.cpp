@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "ratchet_sieve/ros/bag_error.h"
+#include "ratchet_sieve/scene/input_file.h"
 
 namespace ratchet_sieve
 {
@@ -39,6 +40,8 @@ struct OpenFile
 
 MappedFile::MappedFile(const std::string& path)
 {
+  if (const auto why = whyUnreadable(path))
+    throw BagError(path + ": " + *why);
   const OpenFile file(path);
   struct stat status;
   if (file.descriptor < 0 || fstat(file.descriptor, &status) != 0)

@@ -1,5 +1,7 @@
 #include "ratchet_sieve/ros/scene_parameters.h"
 
+#include "ratchet_sieve/scene/input_file.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -49,13 +51,36 @@ YAML::Node yamlFromParameter(const XmlRpc::XmlRpcValue& value, const std::string
   }
 }
 
+namespace
+{
+/// The parameter server knows no lines: where the scene is bad, the file that it was loaded from is read for
+/// them.
+/// @throws SceneError where that is bad, too
+void requireGoodFile(const ros::NodeHandle& node)
+{
+  const std::string file = node.param<std::string>("scene_file", "");
+  if (!file.empty() && !whyUnreadable(file))
+    loadSceneFile(file);
+}
+}  // namespace
+
 SceneParameter readSceneParameter(const ros::NodeHandle& node)
 {
   const std::string source = "parameter " + node.resolveName("scene");
   XmlRpc::XmlRpcValue value;
   if (!node.getParam("scene", value))
     throw SceneError(source + ": not set: load a scene file there, as launch/sieve.launch does");
-  return {yamlFromParameter(value, source), source};
+  SceneParameter parameter{yamlFromParameter(value, source), source};
+  try
+  {
+    sceneFromYaml(parameter.root, source);
+  }
+  catch (const SceneError&)
+  {
+    requireGoodFile(node);
+    throw;
+  }
+  return parameter;
 }
 
 }  // namespace ratchet_sieve

@@ -3,6 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <fmt/format.h>
 #include <ros/console.h>
 #include <std_msgs/Float64.h>
 
@@ -52,17 +53,24 @@ std::string binsText(const Separation& separation)
   return text.str();
 }
 
-void logTrial(const SeekReport& report)
+std::string qualityText(const Score& score, const char* if_undefined)
 {
-  const Separation& trial = report.separation;
-  ROS_INFO(
-      "trial %u, %s: %.4f rad, %.1f to %.1f s: Q %.2f +- %.2f (%s; %.0f times real time); best %.4f rad, "
-      "Q %.2f +- %.2f; next %s %.4f rad",
-      report.trial, phaseName(report.phase), trial.inclination, trial.begin, trial.end, report.score.quality,
-      report.score.error, binsText(trial).c_str(), trial.real_time_factor, report.best,
-      report.best_score.quality, report.best_score.error, phaseName(report.next_phase), report.next);
+  return score.defined ? fmt::format("{:.2f} +- {:.2f}", score.quality, score.error) : if_undefined;
 }
 }  // namespace
+
+std::string trialText(const SeekReport& report)
+{
+  const Separation& trial = report.separation;
+  std::string text = fmt::format("trial {}, {}: {:.4f} rad, {:.1f} to {:.1f} s: Q {} ({}", report.trial,
+                                 phaseName(report.phase), trial.inclination, trial.begin, trial.end,
+                                 qualityText(report.score, "undefined"), binsText(trial));
+  if (trial.real_time_factor > 0.0)
+    text += fmt::format("; {:.3g} times real time", trial.real_time_factor);
+  return text + fmt::format("); best {:.4f} rad, Q {}; next {} {:.4f} rad", report.best,
+                            qualityText(report.best_score, "not measured yet"), phaseName(report.next_phase),
+                            report.next);
+}
 
 SeekTrial toMessage(const SeekReport& report)
 {
@@ -90,6 +98,7 @@ SeekTrial toMessage(const SeekReport& report)
   message.best_inclination = report.best;
   message.best_quality = report.best_score.quality;
   message.best_quality_error = report.best_score.error;
+  message.best_quality_defined = report.best_score.defined;
   message.next_phase = phaseName(report.next_phase);
   message.next_inclination = report.next;
   return message;
@@ -152,7 +161,7 @@ void SeekNode::hear(const ros::MessageEvent<const Message>& event,
 
 void SeekNode::publish(const SeekReport& report)
 {
-  logTrial(report);
+  ROS_INFO("%s", trialText(report).c_str());
   trials_.publish(toMessage(report));
 }
 

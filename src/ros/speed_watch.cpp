@@ -4,6 +4,23 @@
 
 namespace ratchet_sieve
 {
+namespace
+{
+constexpr int DIGITS = 3;
+constexpr int MOST_DIGITS = 6;
+}  // namespace
+
+std::string tooSlowText(double achieved, double asked)
+{
+  for (int digits = DIGITS; digits <= MOST_DIGITS; ++digits)
+  {
+    const std::string reached = fmt::format("{:.{}g}", achieved, digits);
+    const std::string wanted = fmt::format("{:.{}g}", asked, digits);
+    if (reached != wanted)
+      return "too slow: " + reached + " times real time instead of " + wanted;
+  }
+  return fmt::format("too slow: a little less than {:g} times real time", asked);
+}
 
 void SpeedWatch::look(bool under_way, double time, double lost, Clock::time_point now)
 {
@@ -16,7 +33,6 @@ void SpeedWatch::look(bool under_way, double time, double lost, Clock::time_poin
   last_look_ = now;
   last_time_ = time;
   lost_ = lost;
-  behind_ = behind_ || lost_ > lost_at_start_;
   if (wall_ < PERIOD)
     return;
   achieved_ = simulated_ / wall_;
@@ -46,8 +62,7 @@ std::optional<SpeedWatch::Line> SpeedWatch::line(double asked, Clock::time_point
     return std::nullopt;
   said_ = true;
   last_line_ = now;
-  return Line{true, fmt::format("too slow: {:.3g} times real time instead of {:.3g}; {:.1f} s lost so far",
-                                *achieved_, asked, lost_)};
+  return Line{true, fmt::format("{}; {:.1f} s lost so far", tooSlowText(*achieved_, asked), lost_)};
 }
 
 }  // namespace ratchet_sieve

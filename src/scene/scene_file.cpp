@@ -1,9 +1,9 @@
 #include "ratchet_sieve/scene/scene_file.h"
 
-#include <filesystem>
 #include <fstream>
 
 #include "depth_limiter.h"
+#include "ratchet_sieve/scene/input_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
@@ -18,9 +18,9 @@ constexpr std::size_t LARGEST_TEXT = 16u << 20;  ///< [bytes]
 /// The file's text, or so much of it that it is seen to be too large.
 std::string readText(const std::string& path)
 {
+  if (const auto why = whyUnreadable(path))
+    throw SceneError(path + ": " + *why);
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path))
-    throw SceneError(path + ": cannot be read as a scene file");
   std::string text;
   char part[4096];
   while (text.size() <= LARGEST_TEXT && (file.read(part, sizeof part), file.gcount() > 0))

@@ -51,7 +51,9 @@ void splitDensity(const Entry& entry, SceneDefinition& scene)
 void settleWithinDuration(const Entry& root, const SceneDefinition& scene)
 {
   if (scene.settle > scene.duration)
-    root.at("settle").refuseValue("must be at most the duration, " + scalarText(scene.duration) + " s");
+    root.at("settle").refuseValue("must be at most the duration, " + scalarText(scene.duration) +
+                                  " s: shorten settle or lengthen the duration, in the scene or with "
+                                  "sieve_run's --set settle=0 or --duration");
 }
 
 void feedHasSpecies(const Entry& root, const SceneDefinition& scene)

@@ -24,6 +24,25 @@ TEST(ReportText, IsATableToRead)
             "<V_x> summed up by the engine: A +500.00, long-name undefined mm/s\n");
 }
 
+TEST(ReportText, HasNoBinsWhereNothingCanLeave)
+{
+  RunResult result = handMadeResult();
+  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::WALLED})
+  {
+    result.scene.boundary = boundary;
+    const std::string text = reportText(result);
+    EXPECT_NE(text.find("\n\n"
+                        "species     disks         <V_x> [mm/s]   T_g [uJ]\n"
+                        "A              10       +12.50 +- 0.50        150\n"
+                        "long-name       1 -250.00 +- undefined  undefined\n"
+                        "\n"
+                        "nothing leaves this base: no bins, no Q, no P\n"
+                        "contacts: "),
+              std::string::npos)
+        << text;
+  }
+}
+
 TEST(ReportText, SaysWhatIsNotDefined)
 {
   RunResult result = handMadeResult();

@@ -13,6 +13,7 @@ inline RunResult handMadeResult()
   result.scene_frame.seed = 7;
   result.scene_frame.version = "1.2.3";
   result.scene.base.asymmetry = 0.25;
+  result.scene.boundary = Boundary::OPEN;
   result.end = 2.5;
   result.particle_frames = 151;
   result.species = {"A", "long-name"};

@@ -115,7 +115,7 @@ TEST_F(CheckpointFile, OfAnotherRunIsRefused)
 TEST_F(CheckpointFile, ThatIsNoneIsRefused)
 {
   EXPECT_THROW(readCheckpoint(std::filesystem::temp_directory_path().string(), smallRing()), CheckpointError);
-  expectRefusal(smallRing(), "it cannot be read");
+  expectRefusal(smallRing(), "no such file");
   std::ofstream(path_) << "base: {teeth: 3}\n";
   expectRefusal(smallRing(), "it is no checkpoint");
   std::ofstream(path_) << "ratchet_sieve checkpoint 7\nabc";

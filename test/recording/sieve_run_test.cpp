@@ -151,6 +151,8 @@ TEST_F(SieveRun, RefusesBadArguments)
   EXPECT_EQ(std::count(unknown.errors.begin(), unknown.errors.end(), '\n'), 1);
   expectRefusal(config("demo.yaml") + " --set seed",
                 "override seed: must be KEY=VALUE, such as base.inclination=0.105");
+  expectRefusal(config("demo.yaml") + " --checkpoint-every -1",
+                "--checkpoint-every: -1: must be 0 s or more; see --help");
 }
 
 TEST_F(SieveRun, RefusesABadScene)
@@ -158,7 +160,7 @@ TEST_F(SieveRun, RefusesABadScene)
   const std::string bad = scene("species: [{name: A, count: 1, radius: -1, mass: 0.001}]\n");
   expectRefusal(bad + " --summary " + (written_ / "s.json"),
                 bad + ":1: species.0.radius = -1: must be a number from 1e-09 to 1000 m");
-  expectRefusal("none.yaml", "none.yaml: cannot be read as a scene file");
+  expectRefusal("none.yaml", "none.yaml: no such file");
   expectRefusal(config("demo.yaml") + " --duration abc",
                 config("demo.yaml") + ": duration = abc: must be a number from 0 to 1000000000 s");
   expectRefusal(config("demo.yaml") + " --seed=-1",

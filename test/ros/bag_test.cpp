@@ -171,7 +171,7 @@ TEST(Bag, refusesWhatIsNoBagOfARun)
 {
   const ScratchDirectory scratch;
   const std::string missing = scratch / "missing.bag";
-  EXPECT_EQ(refusalOf(missing), missing + ": cannot be read as a bag: No such file or directory");
+  EXPECT_EQ(refusalOf(missing), missing + ": no such file");
 
   const std::string text = scratch / "text.bag";
   std::ofstream(text) << "no bag\nat all\n";
@@ -214,6 +214,25 @@ TEST(Bag, refusesWhatWasNotClosedOrIsCutOff)
   }
 }
 
+/// As `rosbag record` leaves them where the sieve is reset to time 0.
+TEST(Bag, refusesRunsThatLieUponOneAnother)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "reset.bag";
+  const Simulation simulation(smallMixture());
+  {
+    rosbag::Bag bag(path, rosbag::bagmode::Write);
+    bag.write("/sieve/scene", ros::Time(3.0), toMessage(makeSceneFrame(simulation)));
+    bag.write("/sieve/bins", ros::Time(3.5), toMessage(makeBinFrame(simulation)));
+    bag.write("/sieve/scene", ros::TIME_MIN, toMessage(makeSceneFrame(simulation)));
+    bag.write("/sieve/bins", ros::Time(0.5), toMessage(makeBinFrame(simulation)));
+  }
+  EXPECT_EQ(refusalOf(path),
+            path +
+                ": holds two runs from 0.000000 s on, as `rosbag record` keeps them across a ~reset: record "
+                "with the node's ~record, or reset with keep_time");
+}
+
 /// A node that comes again after it was killed, twice, before anybody has looked after what it left.
 TEST(Bag, setsAsideWhatWasNotClosed)
 {
@@ -235,6 +254,24 @@ TEST(Bag, setsAsideWhatWasNotClosed)
                 .size(),
             1u);
   EXPECT_EQ(log.with("run.bag.unfinished2.active").size(), 1u);
+}
+
+/// What `rosbag reindex` has been at keeps its name, FILE.active.
+TEST(Bag, advisesNoIndexWhereThereIsOne)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "run.bag";
+  {
+    BagWriter bag(path);
+    showRun(bag);
+  }
+  std::filesystem::rename(path, path + ".active");
+  const CaughtLog log;
+  BagWriter bag(path);
+  const std::string aside = path + ".unfinished.active";
+  EXPECT_EQ(log.with("set aside as " + aside + "; it has its index, and can be read as it is").size(), 1u);
+  EXPECT_TRUE(log.with("reindex").empty());
+  EXPECT_EQ(refusalOf(aside), "read");
 }
 
 /// As where the name is as long as a name may be, and none is left for what is to be set aside.

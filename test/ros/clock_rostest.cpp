@@ -7,6 +7,8 @@
 #include <console_bridge/console.h>
 #include <gtest/gtest.h>
 #include <message_filters/subscriber.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tf2_ros/message_filter.h>
 #include <tf2_ros/transform_listener.h>
@@ -16,6 +18,7 @@
 #include "child_node.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
 #include "sieve_client.h"
+#include "small_scenes.h"
 
 namespace ratchet_sieve
 {
@@ -119,7 +122,7 @@ TEST_F(Clock, transformsOnAfterAReset)
         sieve.reset(0, {"boundary=periodic", "contact.pair_collisions=false", "species.0.count=20000"})
             .success);
     ASSERT_TRUE(sieve.particles.waitForTime(0.0));
-    ASSERT_TRUE(waitFor([&] { return ros::Time::now() == ros::Time(0); }));
+    ASSERT_TRUE(waitFor([&] { return ros::Time::now() == ros::TIME_MIN; }));
     ASSERT_TRUE(waitFor([&] { return knows(ros::Time(0)); })) << "after reset " << k;
     sieve.stepAndSee(0.3);
     expectTransformsOfAllParticles();
@@ -242,6 +245,27 @@ TEST_F(Clock, goesBackAtAResetAndNowhereElse)
   sieve.stepAndSee(0.25);
   ASSERT_TRUE(waitFor([&] { return clock.times.back() == ros::Time(0.25); }));
   EXPECT_EQ(clock.leapsBack(), 1);
+}
+
+/// rosbag ends with the first message that it hears at time 0.
+TEST_F(Clock, letsRosbagRecordAcrossAReset)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "record.bag";
+  sieve.stepAndSee(0.1);
+  ChildNode recorder("/usr/bin/env", {"rosrun", "rosbag", "record", "--quiet", "--limit=2", "--output-name",
+                                      path, "/sieve/scene"});
+  ASSERT_TRUE(waitFor(
+      [&]
+      {
+        if (recorder.running())
+          sieve.resetAndSee();
+        return !recorder.running();
+      },
+      30.0));
+  EXPECT_EQ(recorder.wait(), 0) << recorder.errors();
+  rosbag::Bag bag(path);
+  EXPECT_EQ(rosbag::View(bag, rosbag::TopicQuery("/sieve/scene")).size(), 2u);
 }
 
 TEST_F(Clock, isThereBeforeAMessageWithALaterStamp)

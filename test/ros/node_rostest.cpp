@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <fstream>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -6,13 +7,16 @@
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "child_node.h"
 #include "node_log.h"
+#include "own_master.h"
 #include "ratchet_sieve/PourDisks.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/scene_parameters.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "sieve_client.h"
+#include "small_scenes.h"
 #include "statuses.h"
 
 namespace ratchet_sieve
@@ -331,6 +335,36 @@ TEST_F(Node, takesAwayWhatAnotherSceneHasNot)
   ASSERT_TRUE(sieve.reset(0, {"boundary=periodic"}).success);
   ASSERT_TRUE(waitFor([&] { return !last.markers.empty() && bins() == 0; }));
   EXPECT_EQ(last.markers[0].action, visualization_msgs::Marker::DELETEALL);
+}
+
+TEST(BadScene, isToldWithFileAndLineUnderRoslaunch)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "bad.yaml";
+  std::ofstream(path) << "species:\n  - {name: A, count: 1, radius: -1, mass: 0.001}\n";
+  ChildNode launch("/usr/bin/env", {"roslaunch", "-p", std::to_string(freePort()), "ratchet_sieve",
+                                    "sieve.launch", "scene:=" + path});
+  launch.wait();
+  EXPECT_NE(launch.errors().find("sieve_node: " + path + ":2: species.0.radius = -1: must be "),
+            std::string::npos)
+      << launch.errors();
+}
+
+/// As where a launch file sets a key besides.
+TEST(BadScene, isToldWithItsParameterWhereTheFileIsGood)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "good.yaml";
+  std::ofstream(path) << "species:\n  - {name: A, count: 1, radius: 0.001, mass: 0.001}\n";
+  XmlRpc::XmlRpcValue scene;
+  ASSERT_TRUE(ros::param::get("/sieve/scene", scene));
+  ros::param::set("/other/scene", scene);
+  ros::param::set("/other/scene/duration", -1.0);
+  ros::param::set("/other/scene_file", path);
+  ChildNode node("sieve_node", {"__name:=other"});
+  EXPECT_EQ(node.wait(), 2);
+  EXPECT_EQ(node.errors().rfind("sieve_node: parameter /other/scene: duration = -1: must be ", 0), 0u)
+      << node.errors();
 }
 }  // namespace
 }  // namespace ratchet_sieve

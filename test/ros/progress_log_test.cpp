@@ -1,5 +1,6 @@
 #include "ratchet_sieve/ros/progress_log.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "collecting_sink.h"
@@ -50,6 +51,36 @@ TEST(ProgressLog, beginsAnewWithARun)
   ProgressLog log;
   const Lines first = linesOf(0.0, 0.5, log);
   EXPECT_EQ(linesOf(0.0, 0.5, log), first);
+}
+
+/// The line of a run at its end, behind the time.
+std::string lastLineOf(const SceneDefinition& scene)
+{
+  LiveRun run(scene, FrameRates(), {}, 0.0, scene.duration);
+  CollectingSink sink;
+  while (!run.finished())
+    run.advanceTo(scene.duration, sink);
+  ProgressLog log;
+  const std::string line = log.line(run).value();
+  return line.substr(line.find(", ") + 2);
+}
+
+TEST(ProgressLog, tellsWhatHasLeftAnOpenBase)
+{
+  EXPECT_NE(lastLineOf(smallMixture()).find(" disks left, "), std::string::npos);
+}
+
+TEST(ProgressLog, tellsTheDriftWhereNothingCanLeave)
+{
+  SceneDefinition scene = smallRing();
+  scene.settle = 0.25;
+  Simulation same(scene);
+  same.advanceTo(scene.duration);
+  EXPECT_EQ(lastLineOf(scene), fmt::format("<V_x> A {:+.2f}, B {:+.2f} mm/s", 1e3 * *same.means()[0].mean_vx,
+                                           1e3 * *same.means()[1].mean_vx));
+  scene.boundary = Boundary::WALLED;
+  scene.settle = scene.duration;
+  EXPECT_EQ(lastLineOf(scene), "<V_x> is not counted yet");
 }
 
 TEST(ProgressLog, findsARunOfNoDurationAtItsEnd)

@@ -5,12 +5,14 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <std_msgs/Float64.h>
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 #include <nlohmann/json.hpp>
 
 #include "child_node.h"
 #include "collecting_sink.h"
+#include "own_master.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
@@ -165,6 +167,59 @@ TEST_F(Replay, movesTheTransforms)
       });
   ASSERT_TRUE(waitFor([&] { return seen >= 100; }));
   EXPECT_EQ(right, seen);
+}
+
+/// Bags that people give by mistake, and what is said of each behind its name.
+std::vector<std::pair<std::string, std::string>> badBags(const ScratchDirectory& scratch)
+{
+  const std::string whole = contents(bag_path);
+  std::ofstream(scratch / "cut.bag", std::ios::binary) << whole.substr(0, whole.size() / 2);
+  std::ofstream(scratch / "text.bag") << "no bag\n";
+  rosbag::Bag(scratch / "foreign.bag", rosbag::bagmode::Write)
+      .write("/number", ros::TIME_MIN, std_msgs::Float64());
+  return {{scratch / "missing.bag", "no such file"},
+          {scratch / "cut.bag", "was not closed, or is damaged: try `rosbag reindex`"},
+          {scratch / "text.bag", "cannot be read as a bag: it does not begin as a bag of format 2.0"},
+          {scratch / "foreign.bag", "holds no run: no topic of type ratchet_sieve/SceneDescription"}};
+}
+
+TEST_F(Replay, isRefusedForABagThatCannotBeShown)
+{
+  const ScratchDirectory scratch;
+  for (const auto& [path, why] : badBags(scratch))
+  {
+    ChildNode player("sieve_replay", {bag_path, path, "--", "--clock", "__name:=other_player"});
+    EXPECT_EQ(player.wait(), 1) << path;
+    EXPECT_EQ(player.errors(), "sieve_replay: " + path + ": " + why + "\n");
+  }
+  ChildNode other("sieve_replay", {bag_path, "--sieve", "s1"});
+  EXPECT_EQ(other.wait(), 1);
+  EXPECT_EQ(other.errors(), "sieve_replay: " + bag_path +
+                                ": holds no /s1/scene, but /sieve/scene: name its sieve, or none\n");
+  ChildNode none("sieve_replay", {"--", "--clock"});
+  EXPECT_EQ(none.wait(), 2);
+}
+
+TEST_F(Replay, endsItsLaunchWhereTheBagCannotBeShown)
+{
+  const ScratchDirectory scratch;
+  for (const auto& [path, why] : badBags(scratch))
+  {
+    ChildNode launch("/usr/bin/env", {"roslaunch", "-p", std::to_string(freePort()), "ratchet_sieve",
+                                      "replay.launch", "rviz:=false", "bag:=" + path});
+    launch.wait();
+    EXPECT_NE(launch.errors().find("sieve_replay: " + path + ": " + why + "\n"), std::string::npos)
+        << launch.errors();
+  }
+}
+
+/// Whose name is another than it was told.
+TEST_F(Replay, isMissedByADisplayOfAnotherSieve)
+{
+  ChildNode display("sieve_display", {"__name:=other_display", "_sieve:=/s1"});
+  EXPECT_TRUE(
+      display.waitForError("nothing to show: no scene of /s1 yet; there is /sieve, to be named in the "
+                           "parameter ~sieve"));
 }
 
 TEST_F(Replay, isShownByADisplayThatComesLate)

@@ -83,8 +83,31 @@ TEST(SpeedWatch, isBehindUntilAFullPeriodWithoutALoss)
   run.run(0.5, 1.0);
   EXPECT_FALSE(run.watch.behind());
   run.lost += 0.2;  // a single hitch counts, too
-  run.run(0.01, 1.0);
+  run.run(0.6, 1.0);
   EXPECT_TRUE(run.watch.behind());
+}
+
+/// A loss is told together with the speed of its own period, not with that of the one before, which was good.
+TEST(SpeedWatch, tellsALossWithTheSpeedThatItCameFrom)
+{
+  Watched run;
+  run.run(1.5, 1.0);
+  run.run(0.2, 0.0, 1.0);
+  EXPECT_FALSE(run.line());
+  run.run(0.4, 1.0);
+  ASSERT_TRUE(run.watch.behind());
+  EXPECT_NEAR(run.watch.achieved().value(), 0.8, 0.011);
+  EXPECT_TRUE(run.line());
+}
+
+TEST(SpeedWatch, showsAsManyFiguresAsTellASpeedFromWhatWasAskedFor)
+{
+  EXPECT_EQ(tooSlowText(0.5, 1.0), "too slow: 0.5 times real time instead of 1");
+  EXPECT_EQ(tooSlowText(19.93, 20.0), "too slow: 19.9 times real time instead of 20");
+  EXPECT_EQ(tooSlowText(19.98, 20.0), "too slow: 19.98 times real time instead of 20");
+  EXPECT_EQ(tooSlowText(19.9996, 20.0), "too slow: 19.9996 times real time instead of 20");
+  EXPECT_EQ(tooSlowText(19.999999, 20.0), "too slow: a little less than 20 times real time");
+  EXPECT_EQ(tooSlowText(1.9e5, 1e6), "too slow: 1.9e+05 times real time instead of 1e+06");
 }
 
 TEST(SpeedWatch, saysSoNowAndThenAndOnceThatItIsOver)

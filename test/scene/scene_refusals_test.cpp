@@ -136,7 +136,9 @@ const Refusal RULES[] = {
     {"InitialAndDensity", "pairs: []", "initial: [{species: A, x: 0, y: 0.1}]\ndensity: 1.0",
      "s.yaml:7: density: must be absent where initial places the disks"},
     {"SettleLongerThanDuration", "settle: 0.0", "settle: 10.5",
-     "s.yaml:10: settle = 10.5: must be at most the duration, 10 s"},
+     "s.yaml:10: settle = 10.5: must be at most the duration, 10 s: shorten settle or lengthen the duration, "
+     "in "
+     "the scene or with sieve_run's --set settle=0 or --duration"},
     {"NegativeDensity", "pairs: []", "density: -1",
      "s.yaml:6: density = -1: must be a number from 0 to 1000000"},
     {"DensityOfTooManyDisks", "pairs: []", "density: 1000000",
@@ -199,7 +201,10 @@ TEST(SceneText, ThatIsHugeIsRefused)
 
 TEST(SceneFile, ThatCannotBeReadIsRefused)
 {
-  for (const std::string path : {"no_such_scene.yaml", "/"})
+  using PathAndReason = std::pair<std::string, std::string>;
+  for (const auto& [path, why] :
+       {PathAndReason("no_such_scene.yaml", "no such file"),
+        PathAndReason("no_such_directory/scene.yaml", "no such file"), PathAndReason("/", "is a directory")})
     try
     {
       loadSceneFile(path);
@@ -207,7 +212,7 @@ TEST(SceneFile, ThatCannotBeReadIsRefused)
     }
     catch (const SceneError& error)
     {
-      EXPECT_EQ(error.what(), path + ": cannot be read as a scene file");
+      EXPECT_EQ(error.what(), path + ": " + why);
     }
 }
 

@@ -21,4 +21,10 @@ void readBag(const std::string& path, FrameSink& sink);
 /// @throws BagError where one is bad as above, is of another run, or where one between others is missing
 void readBags(const std::vector<std::string>& paths, FrameSink& sink);
 
+/// That a sieve can be shown from a bag that is played: it is sound, and holds a scene. It may hold other
+/// things besides, several sieves, or a part of a run.
+/// @param sieve name of the node whose run it is to be; empty: any
+/// @throws BagError
+void requireShowable(const std::string& path, const std::string& sieve);
+
 }  // namespace ratchet_sieve

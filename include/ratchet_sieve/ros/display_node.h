@@ -32,6 +32,7 @@ private:
   /// @param publisher name of the node that published it
   template <typename Frame>
   void see(const Frame& frame, const std::string& publisher);
+  void warnOfSilence();
   void show();
 
   ros::NodeHandle node_;
@@ -41,6 +42,7 @@ private:
   std::string sieve_;  ///< name of its node, once it is known
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer search_timer_;
+  ros::WallTimer silence_timer_;
   ros::WallTimer show_timer_;
 };
 

@@ -22,7 +22,8 @@ struct SceneParameter
   std::string source;  ///< such as "parameter /sieve/scene"
 };
 
-/// @throws SceneError where there is none
+/// @throws SceneError where there is none, or a bad one; it names the line of `scene_file`, where that
+/// parameter names the file that the scene was loaded from
 SceneParameter readSceneParameter(const ros::NodeHandle& node);
 
 }  // namespace ratchet_sieve

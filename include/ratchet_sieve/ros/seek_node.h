@@ -20,6 +20,9 @@ namespace ratchet_sieve
 /// A trial as it is published on ~trials.
 SeekTrial toMessage(const SeekReport& report);
 
+/// A trial as it is logged.
+std::string trialText(const SeekReport& report);
+
 /// Seeks the inclination at which a sieve separates best: hears ~base, ~bins, ~statistics and ~scene of the
 /// sieve, commands its ~inclination_setpoint, and publishes each trial on ~trials (latched). What is
 /// decided, SeekControl decides; this connects it.

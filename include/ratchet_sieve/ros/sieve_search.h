@@ -11,4 +11,11 @@ namespace ratchet_sieve
 /// a warning; nothing where there is none.
 std::optional<std::string> findSieve();
 
+/// What to say where the scene of a sieve does not come: which sieves there are instead.
+/// @param sieve name of its node; empty: any
+std::string missingSieveText(const std::string& sieve);
+
+/// The node that draws a sieve, of those that publish ~markers and ~cloud; the one named is preferred.
+std::optional<std::string> findDisplay(const std::string& preferred);
+
 }  // namespace ratchet_sieve

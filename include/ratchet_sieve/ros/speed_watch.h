@@ -7,6 +7,10 @@
 namespace ratchet_sieve
 {
 
+/// "too slow: 19.96 times real time instead of 20", with as many figures as it takes to see a difference.
+/// @param achieved less than @param asked, real-time factors
+std::string tooSlowText(double achieved, double asked);
+
 /// Measures how fast simulated time goes by while a run is under way, and says when it cannot keep up with
 /// what is asked for. What a paused run is stepped does not count, nor does a leap of time.
 class SpeedWatch
@@ -25,7 +29,7 @@ public:
   /// Simulated over wall time, over the last full period; nothing before that.
   std::optional<double> achieved() const { return achieved_; }
 
-  /// Whether wall time was given up within the last full period, or in the present one.
+  /// Whether wall time was given up within the last full period: the one of which achieved() is.
   bool behind() const { return behind_; }
 
   /// A line for the log where it begins to fall behind, now and then while it does, and once when it no
