@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -33,7 +34,7 @@ constexpr const char* HELP =
     "Usage: rosrun ratchet_sieve sieve_rviz CONFIG.rviz [RVIZ ARGUMENT...] [ROS ARGUMENT...]\n"
     "\n"
     "Waits for the scene of the sieve, and becomes RViz. Parameter: ~sieve, the name of the sieve's node,\n"
-    "/sieve by default; empty: the sieve that there is. RViz gets a copy of CONFIG.rviz, in ~/.ros.\n"
+    "`sieve` by default; empty: the sieve that there is. RViz gets a copy of CONFIG.rviz, in ~/.ros.\n"
     "Exit status: 2 for bad arguments or a bad parameter, 1 where RViz cannot be run; else RViz's own.\n";
 
 constexpr double PATIENCE = 0.1;  // between looks whether the scene has come [s of wall time]
@@ -47,22 +48,30 @@ std::string contents(const std::string& path)
   return text.str();
 }
 
-/// The scene of a sieve, when it has come; nothing where this program is stopped before.
-std::optional<SceneDefinition> waitForScene()
+/// The scene of a sieve and the frame in which it stands.
+struct PlacedScene
+{
+  SceneDefinition definition;
+  std::string frame_id;
+};
+
+/// The scene, when it has come; nothing where this program is stopped before.
+std::optional<PlacedScene> waitForScene()
 {
   ros::NodeHandle node("~");
-  std::string sieve = ParameterReader(node).text("sieve", "/sieve");
-  std::optional<SceneDefinition> scene;
+  std::string sieve = ParameterReader(node).text("sieve", DEFAULT_SIEVE);
+  std::optional<PlacedScene> scene;
   ros::Subscriber subscriber;
   while (ros::ok() && !scene)
   {
     if (sieve.empty())
       sieve = findSieve().value_or("");
     if (!subscriber && !sieve.empty())
-      subscriber =
-          node.subscribe<SceneDescription>(sieve + "/scene", 1,
-                                           [&scene](const SceneDescription::ConstPtr& message)
-                                           { scene = sceneFromText(message->yaml, "scene").definition; });
+      subscriber = node.subscribe<SceneDescription>(
+          ros::names::resolve(sieve) + "/scene", 1,
+          [&scene](const SceneDescription::ConstPtr& message) {
+            scene = {sceneFromText(message->yaml, "scene").definition, message->header.frame_id};
+          });
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(PATIENCE));
     if (!subscriber)
       ros::WallDuration(PATIENCE).sleep();
@@ -79,17 +88,21 @@ std::string writtenToFile(const std::string& config, const std::string& node_nam
                                               ? std::filesystem::path(ros_home)
                                               : std::filesystem::path(home ? home : "/tmp") / ".ros";
   std::filesystem::create_directories(directory);
-  std::string path = directory / (node_name.substr(node_name.rfind('/') + 1) + ".rviz");
+  // Nodes of one name in different namespaces run side by side.
+  std::string file_name = node_name.substr(1);
+  std::replace(file_name.begin(), file_name.end(), '/', '_');
+  std::string path = directory / (file_name + ".rviz");
   AtomicFile file(path);
   file.stream() << config;
   file.commit();
   return path;
 }
 
+/// @param frame_id that RViz holds still
 /// @param arguments as given, those of ROS as well: RViz is to have this node's name
-int becomeRviz(const std::string& config, const std::vector<std::string>& arguments)
+int becomeRviz(const std::string& config, const std::string& frame_id, const std::vector<std::string>& arguments)
 {
-  std::vector<std::string> words = {"rviz", "-d", config};
+  std::vector<std::string> words = {"rviz", "-d", config, "-f", frame_id};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
@@ -117,11 +130,12 @@ int main(int argc, char** argv)
   {
     const std::string config = contents(path);
     ros::init(argc, argv, "sieve_rviz");
-    const std::optional<SceneDefinition> scene = waitForScene();
+    const std::optional<PlacedScene> scene = waitForScene();
     ros::shutdown();
-    return scene ? becomeRviz(writtenToFile(fittedToScene(config, *scene), ros::this_node::getName()),
-                              arguments)
-                 : 0;
+    if (!scene)
+      return 0;
+    return becomeRviz(writtenToFile(fittedToScene(config, scene->definition), ros::this_node::getName()),
+                      scene->frame_id, arguments);
   }
   catch (const std::exception& error)
   {
