@@ -98,11 +98,16 @@ std::string writtenToFile(const std::string& config, const std::string& node_nam
   return path;
 }
 
-/// @param frame_id that RViz holds still
+/// @param frame_id that RViz holds still, unless the arguments say another
 /// @param arguments as given, those of ROS as well: RViz is to have this node's name
-int becomeRviz(const std::string& config, const std::string& frame_id, const std::vector<std::string>& arguments)
+int becomeRviz(const std::string& config, const std::string& frame_id,
+               const std::vector<std::string>& arguments)
 {
-  std::vector<std::string> words = {"rviz", "-d", config, "-f", frame_id};
+  std::vector<std::string> words = {"rviz", "-d", config};
+  const auto given = [&](const char* option)
+  { return std::find(arguments.begin(), arguments.end(), option) != arguments.end(); };
+  if (!given("-f") && !given("--fixed-frame"))
+    words.insert(words.end(), {"-f", frame_id});
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);

@@ -37,8 +37,9 @@ ClockPublisher::ClockPublisher(ros::NodeHandle node, double rate, bool enabled)
 
 std::string ClockPublisher::otherText() const
 {
-  return *other_ + " publishes /clock already: this node does not, and its stamps, which are its own simulated "
-                   "time, are not those of /clock";
+  return *other_ +
+         " publishes /clock already: this node does not, and its stamps, which are its own simulated "
+         "time, are not those of /clock";
 }
 
 void ClockPublisher::publishDue(double time)

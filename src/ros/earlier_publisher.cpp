@@ -5,7 +5,9 @@
 #include <ros/master.h>
 #include <ros/network.h>
 #include <ros/this_node.h>
+#include <ros/xmlrpc_manager.h>
 #include <xmlrpcpp/XmlRpcClient.h>
+#include <xmlrpcpp/XmlRpcException.h>
 
 namespace ratchet_sieve
 {
@@ -46,7 +48,8 @@ bool call(const std::string& uri, const char* method, XmlRpcValue& response)
 {
   std::string host;
   std::uint32_t port = 0;
-  if (!ros::network::splitURI(uri, host, port))
+  // This very node may have got the port of one that was killed.
+  if (uri == ros::XMLRPCManager::instance()->getServerURI() || !ros::network::splitURI(uri, host, port))
     return false;
   XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
   if (!client.executeNonBlock(method, arguments()))
@@ -61,14 +64,17 @@ bool publishes(const std::string& node, const std::string& topic)
   if (!ros::master::execute("lookupNode", arguments(node), response, uri, false) ||
       !call(uri, "getPublications", response))
     return false;
-  // [status, what it says of it, [[topic, type], ...]]
-  if (response.getType() != XmlRpcValue::TypeArray || response.size() != 3 ||
-      response[2].getType() != XmlRpcValue::TypeArray)
-    return false;
-  XmlRpcValue& topics = response[2];
-  for (int k = 0; k < topics.size(); ++k)
-    if (static_cast<std::string&>(topics[k][0]) == topic)
-      return true;
+  try
+  {
+    XmlRpcValue& topics = response[2];  // after the status and what there is to say of it
+    for (int k = 0; k < topics.size(); ++k)
+      if (static_cast<std::string&>(topics[k][0]) == topic)
+        return true;
+  }
+  catch (const XmlRpc::XmlRpcException&)
+  {
+    // No node of ROS answers so.
+  }
   return false;
 }
 }  // namespace

@@ -32,8 +32,8 @@ std::string framePrefixError(const std::string& prefix)
 
 FrameNames frameNames(const std::string& prefix, bool own_world)
 {
-  return {own_world ? prefixed(prefix, OWN_WORLD_FRAME_ID) : WORLD_FRAME_ID,
-          prefixed(prefix, MOUNT_FRAME_ID), prefixed(prefix, BASE_FRAME_ID)};
+  return {own_world ? prefixed(prefix, OWN_WORLD_FRAME_ID) : WORLD_FRAME_ID, prefixed(prefix, MOUNT_FRAME_ID),
+          prefixed(prefix, BASE_FRAME_ID)};
 }
 
 }  // namespace ratchet_sieve

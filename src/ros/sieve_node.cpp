@@ -29,7 +29,8 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
     : node_(private_node),
       stop_(stop),
       parameters_(readNodeParameters(private_node)),
-      recorder_(parameters_.record, private_node.getNamespace(), parameters_.recording, parameters_.frames.world),
+      recorder_(parameters_.record, private_node.getNamespace(), parameters_.recording,
+                parameters_.frames.world),
       control_(scene.root, scene.source, parameters_, recorder_),
       real_time_factor_(private_node, parameters_.real_time_factor),
       pacer_(parameters_.real_time_factor),
@@ -79,7 +80,8 @@ void SieveNode::keepAlive()
   if (display_.due(run.time()))
   {
     clock_.reach(run.time());
-    display_.show({run.simulation().scene(), run.base(), run.bins(), run.particles()}, parameters_.frames.world);
+    display_.show({run.simulation().scene(), run.base(), run.bins(), run.particles()},
+                  parameters_.frames.world);
   }
   watchSpeed();
   diagnostics_.updateDue();

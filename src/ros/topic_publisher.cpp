@@ -16,10 +16,9 @@ ros::Publisher advertise(ros::NodeHandle& node, const std::string& topic,
                          Frame (LiveRun::*state)() const)
 {
   using Message = decltype(toMessage(std::declval<Frame>()));
-  return node.advertise<Message>(
-      topic, QUEUE_SIZE,
-      [current, frame_id, state](const ros::SingleSubscriberPublisher& subscriber)
-      { subscriber.publish(inFrame(frame_id, toMessage((current().*state)()))); });
+  return node.advertise<Message>(topic, QUEUE_SIZE,
+                                 [current, frame_id, state](const ros::SingleSubscriberPublisher& subscriber)
+                                 { subscriber.publish(inFrame(frame_id, toMessage((current().*state)()))); });
 }
 }  // namespace
 

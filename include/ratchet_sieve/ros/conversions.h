@@ -11,8 +11,8 @@
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/ros/frame_names.h"
 
-/// Frames as messages, in frame world, and back. Nothing is lost on the way: a frame that goes there and back is the
-/// same bit for bit.
+/// Frames as messages, in frame world, and back. Nothing is lost on the way: a frame that goes there and
+/// back is the same bit for bit.
 namespace ratchet_sieve
 {
 
