@@ -59,7 +59,7 @@ class Launch(Launched):
 
     def test_every_node_is_cleared(self):
         for path in PACKAGE.glob('launch/*.launch'):
-            arguments = {'replay.launch': ['bag:=none'], 'seek.launch': ['disturb:=true', 'rviz:=true'],
+            arguments = {'replay.launch': [f'bag:={sys.argv[1]}'], 'seek.launch': ['disturb:=true', 'rviz:=true'],
                          'rviz.launch': []}.get(path.name, ['rviz:=true'])
             config = roslaunch.config.load_config_default([(str(path), arguments)], None)
             ours = [f'{node.namespace}{node.name}/' for node in config.nodes if node.package == 'ratchet_sieve']
@@ -85,8 +85,8 @@ class Launch(Launched):
 
     def test_replay_in_a_namespace(self):
         self.launch('replay.launch', f'bag:={sys.argv[1]}', 'loop:=true', 'rviz:=false', namespace='plant1')
-        wait_for(lambda: 'disks' in (marker.ns for marker in message('/plant1/sieve_display/markers', MarkerArray).markers),
-                 'the recorded run is shown')
+        shown = '/plant1/sieve_display/markers'
+        wait_for(lambda: 'disks' in (marker.ns for marker in message(shown, MarkerArray).markers), 'a run is shown')
 
 
 if __name__ == '__main__':
