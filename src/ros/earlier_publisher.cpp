@@ -28,12 +28,13 @@ XmlRpcValue arguments(const std::string& second = "")
   return arguments;
 }
 
-/// Of a topic, in the order of the master, which is that of their coming.
+/// Of a topic, in the order of the master, which is that of their coming. Waits for a master that is too busy
+/// to answer at once, as advertising does.
 std::vector<std::string> publishersOf(const std::string& topic)
 {
   XmlRpcValue response, state;
   std::vector<std::string> names;
-  if (!ros::master::execute("getSystemState", arguments(), response, state, false))
+  if (!ros::master::execute("getSystemState", arguments(), response, state, true))
     return names;
   XmlRpcValue& published = state[0];
   for (int k = 0; k < published.size(); ++k)
@@ -61,7 +62,7 @@ bool call(const std::string& uri, const char* method, XmlRpcValue& response)
 bool publishes(const std::string& node, const std::string& topic)
 {
   XmlRpcValue response, uri;
-  if (!ros::master::execute("lookupNode", arguments(node), response, uri, false) ||
+  if (!ros::master::execute("lookupNode", arguments(node), response, uri, true) ||
       !call(uri, "getPublications", response))
     return false;
   try

@@ -43,7 +43,8 @@ def gathered(topic, kind, entries, enough):
 def clock_statuses(*sieves):
     """What each of the sieves, named without slash, says of the clock on /diagnostics."""
     names = [f'{sieve}: clock' for sieve in sieves]
-    found = gathered('/diagnostics', DiagnosticArray, lambda array: [(s.name, s) for s in array.status],
+    found = gathered('/diagnostics', DiagnosticArray,
+                     lambda array: [(s.name, s) for s in array.status if s.message != 'Node starting up'],
                      lambda found: all(name in found for name in names))
     return [found[name] for name in names]
 
@@ -52,6 +53,10 @@ def links(topic, count):
     """Parent, child and origin of `count` transforms, as they come."""
     return gathered(topic, TFMessage, lambda tf: [((t.header.frame_id, t.child_frame_id), t.transform.translation)
                                                   for t in tf.transforms], lambda found: len(found) >= count)
+
+
+def frames_drawn_in(topic):
+    return {marker.header.frame_id for marker in message(topic, MarkerArray).markers if marker.action == marker.ADD}
 
 
 class Plant(Launched):
@@ -78,8 +83,7 @@ class Plant(Launched):
                          {('world', 's2/sieve_world'): -0.2})
         for sieve, frame in (('s1', 'world'), ('s2', 's2/sieve_world')):
             wait_for(lambda: f'/{sieve}_rviz' in self.subscribers(f'/{sieve}/markers'), f'RViz shows {sieve}')
-            markers = message(f'/{sieve}/markers', MarkerArray).markers
-            self.assertEqual({marker.header.frame_id for marker in markers}, {frame})
+            self.assertEqual(frames_drawn_in(f'/{sieve}/markers'), {frame})
 
         self.assertEqual(self.publishers('/clock'), ['/s1'])
         clock, *others = clock_statuses('s1', 's2', 'line2/sieve')
@@ -125,9 +129,7 @@ class Plant(Launched):
                         'params:={mount: {x: 1.0}}').wait()
             self.launch('replay.launch', f'bag:={bag}', 'loop:=true', 'rviz:=false')
             self.assertEqual(message('/s2/scene', SceneDescription).header.frame_id, 's2/sieve_world')
-            markers = message('/sieve_display/markers', MarkerArray).markers
-            self.assertEqual({marker.header.frame_id for marker in markers if marker.action == marker.ADD},
-                             {'s2/sieve_world'})
+            self.assertEqual(frames_drawn_in('/sieve_display/markers'), {'s2/sieve_world'})
             self.assertEqual(set(links('/tf', 2)), {('s2/sieve_world', 's2/sieve_mount'),
                                                     ('s2/sieve_mount', 's2/sieve_base')})
 
