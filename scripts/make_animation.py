@@ -61,8 +61,8 @@ def paused_sieve(screen, scene):
     core = screen.start(['roscore', '-p', uri.rpartition(':')[2]], stdout=subprocess.DEVNULL)
     master = rosgraph.Master('/film')
     wait_for(master.is_online, 'roscore answers')
-    master.setParam('/sieve/limits/inclination/slew_rate', SLEW_RATE)
     launch = screen.start(['roslaunch', 'ratchet_sieve', 'sieve.launch', f'scene:={scene.resolve()}',
+                           f'params:={{limits: {{inclination: {{slew_rate: {SLEW_RATE}}}}}}}',
                            'paused:=true', 'rviz:=true', 'exit_at_end:=false'], stdout=subprocess.DEVNULL)
     rospy.init_node('film', disable_signals=True)
     try:

@@ -14,7 +14,8 @@ constexpr const char* HELP =
     "\n"
     "Usage: rosrun ratchet_sieve sieve_display [--help | --version] [ROS ARGUMENT...]\n"
     "\n"
-    "Parameters: ~sieve, the name of the sieve's node, /sieve by default; empty: the sieve that there is.\n"
+    "Parameters: ~sieve, the name of the sieve's node, `sieve` by default; empty: the sieve that there is.\n"
+    "~frame_prefix of its frames, where it has one of its own.\n"
     "~rates/display, pictures per second of wall time, 30 by default. See launch/replay.launch.\n"
     "Exit status: 0 when it is stopped; 2 for a bad parameter.\n";
 }  // namespace

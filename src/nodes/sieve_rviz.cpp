@@ -35,7 +35,7 @@ constexpr const char* HELP =
     "\n"
     "Waits for the scene of the sieve and for a node that draws it (the sieve itself, or sieve_display), "
     "and\n"
-    "becomes RViz. Parameter: ~sieve, the name of the sieve's node, /sieve by default; empty: the sieve "
+    "becomes RViz. Parameter: ~sieve, the name of the sieve's node, `sieve` by default; empty: the sieve "
     "that\n"
     "there is. RViz gets a copy of CONFIG.rviz, in ~/.ros; with --as-it-is the file itself, and at once.\n"
     "Exit status: 2 for bad arguments or a bad parameter, 1 where RViz cannot be run; else RViz's own.\n";
@@ -77,11 +77,18 @@ std::string contents(const std::string& path)
   return text.str();
 }
 
-/// The scene of a sieve, when it has come; nothing where this program is stopped before.
-std::optional<SceneDefinition> waitForScene(ros::NodeHandle node)
+/// The scene of a sieve and the frame in which it stands.
+struct PlacedScene
 {
-  std::string sieve = ParameterReader(node).text("sieve", "/sieve");
-  std::optional<SceneDefinition> scene;
+  SceneDefinition definition;
+  std::string frame_id;
+};
+
+/// The scene, when it has come; nothing where this program is stopped before.
+std::optional<PlacedScene> waitForScene(ros::NodeHandle node)
+{
+  std::string sieve = ParameterReader(node).text("sieve", DEFAULT_SIEVE);
+  std::optional<PlacedScene> scene;
   ros::Subscriber subscriber;
   WaitingLog log;
   while (ros::ok() && !scene)
@@ -90,10 +97,11 @@ std::optional<SceneDefinition> waitForScene(ros::NodeHandle node)
     if (sieve.empty())
       sieve = findSieve().value_or("");
     if (!subscriber && !sieve.empty())
-      subscriber =
-          node.subscribe<SceneDescription>(sieve + "/scene", 1,
-                                           [&scene](const SceneDescription::ConstPtr& message)
-                                           { scene = sceneFromText(message->yaml, "scene").definition; });
+      subscriber = node.subscribe<SceneDescription>(
+          ros::names::resolve(sieve) + "/scene", 1,
+          [&scene](const SceneDescription::ConstPtr& message) {
+            scene = {sceneFromText(message->yaml, "scene").definition, message->header.frame_id};
+          });
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(PATIENCE));
     if (!subscriber)
       ros::WallDuration(PATIENCE).sleep();
@@ -130,17 +138,26 @@ std::string writtenToFile(const std::string& config, const std::string& node_nam
                                               ? std::filesystem::path(ros_home)
                                               : std::filesystem::path(home ? home : "/tmp") / ".ros";
   std::filesystem::create_directories(directory);
-  std::string path = directory / (node_name.substr(node_name.rfind('/') + 1) + ".rviz");
+  // Nodes of one name in different namespaces run side by side.
+  std::string file_name = node_name.substr(1);
+  std::replace(file_name.begin(), file_name.end(), '/', '_');
+  std::string path = directory / (file_name + ".rviz");
   AtomicFile file(path);
   file.stream() << config;
   file.commit();
   return path;
 }
 
+/// @param frame_id that RViz holds still, unless the arguments say another; empty: the configuration's
 /// @param arguments as given, those of ROS as well: RViz is to have this node's name
-int becomeRviz(const std::string& config, const std::vector<std::string>& arguments)
+int becomeRviz(const std::string& config, const std::string& frame_id,
+               const std::vector<std::string>& arguments)
 {
   std::vector<std::string> words = {"rviz", "-d", config};
+  const auto given = [&](const char* option)
+  { return std::find(arguments.begin(), arguments.end(), option) != arguments.end(); };
+  if (!frame_id.empty() && !given("-f") && !given("--fixed-frame"))
+    words.insert(words.end(), {"-f", frame_id});
   words.insert(words.end(), arguments.begin(), arguments.end());
   return becomeProgram("sieve_rviz", words);
 }
@@ -158,7 +175,7 @@ bool takeOption(std::vector<std::string>& arguments, const std::string& option)
 int showSieve(const std::string& config, std::vector<std::string> arguments)
 {
   const ros::NodeHandle node("~");  // with the last of its handles, this node would end
-  const std::optional<SceneDefinition> scene = waitForScene(node);
+  const std::optional<PlacedScene> scene = waitForScene(node);
   const std::optional<std::string> display = scene ? waitForDisplay() : std::nullopt;
   ros::shutdown();
   if (!display)
@@ -166,7 +183,8 @@ int showSieve(const std::string& config, std::vector<std::string> arguments)
   // Of two remappings of one name the last holds.
   for (const std::string topic : {"/markers", "/cloud"})
     arguments.push_back(SHOWN + topic + ":=" + *display + topic);
-  return becomeRviz(writtenToFile(fittedToScene(config, *scene), ros::this_node::getName()), arguments);
+  return becomeRviz(writtenToFile(fittedToScene(config, scene->definition), ros::this_node::getName()),
+                    scene->frame_id, arguments);
 }
 }  // namespace
 
@@ -185,7 +203,7 @@ int main(int argc, char** argv)
   {
     const std::string config = contents(path);
     if (takeOption(arguments, AS_IT_IS))
-      return becomeRviz(path, arguments);
+      return becomeRviz(path, "", arguments);
     ros::init(argc, argv, "sieve_rviz");
     return showSieve(config, arguments);
   }

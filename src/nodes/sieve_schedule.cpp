@@ -13,7 +13,7 @@ constexpr const char* HELP =
     "\n"
     "Usage: rosrun ratchet_sieve sieve_schedule [--help | --version] [ROS ARGUMENT...]\n"
     "\n"
-    "Parameters: ~sieve, the name of the sieve's node; ~schedule, a list of\n"
+    "Parameters: ~sieve, the name of the sieve's node, `sieve` by default; ~schedule, a list of\n"
     "{time: s, inclination: rad, frequency: Hz, amplitude: m}, times ascending, one of the three at least;\n"
     "~exit_at_end (false): end when the last entry was sent, or else play it again after a reset.\n"
     "A sieve that was started paused is set going once this node is connected to it.\n"

@@ -16,7 +16,7 @@ constexpr const char* HELP =
     "Usage: rosrun ratchet_sieve sieve_seek [--help | --version] [ROS ARGUMENT...]\n"
     "\n"
     "Publishes each trial on ~trials (ratchet_sieve/SeekTrial). Parameters; times are simulated:\n"
-    "  ~sieve                   name of the sieve's node (/sieve)\n"
+    "  ~sieve                   name of the sieve's node (sieve)\n"
     "  ~inclination/start       to begin at [rad] (where the sieve is)\n"
     "  ~inclination/min, max    that are tried [rad] (the sieve's own limits)\n"
     "  ~inclination/step        first step [rad] (0.1)\n"

@@ -94,10 +94,11 @@ std::unique_ptr<BagFile> opened(const std::string& path, const std::string& acti
 }
 }  // namespace
 
-BagWriter::BagWriter(const std::string& path, const std::string& topic_prefix)
+BagWriter::BagWriter(const std::string& path, const std::string& topic_prefix, const std::string& frame_id)
     : path_(path),
       active_path_(path + ".active"),
       topic_prefix_(topic_prefix),
+      frame_id_(frame_id),
       file_(opened(path_, active_path_))
 {
 }
@@ -159,32 +160,32 @@ void BagWriter::write(const char* topic, double time, const Message& message, bo
 
 void BagWriter::take(const SceneFrame& frame)
 {
-  write("scene", frame.time, toMessage(frame), true);
+  write("scene", frame.time, inFrame(frame_id_, toMessage(frame)), true);
 }
 
 void BagWriter::take(const ParticleFrame& frame)
 {
-  write("particles", frame.time, toMessage(frame));
+  write("particles", frame.time, inFrame(frame_id_, toMessage(frame)));
 }
 
 void BagWriter::take(const BinFrame& frame)
 {
-  write("bins", frame.time, toMessage(frame));
+  write("bins", frame.time, inFrame(frame_id_, toMessage(frame)));
 }
 
 void BagWriter::take(const BaseFrame& frame)
 {
-  write("base", frame.time, toMessage(frame));
+  write("base", frame.time, inFrame(frame_id_, toMessage(frame)));
 }
 
 void BagWriter::take(const StatisticsFrame& frame)
 {
-  write("statistics", frame.time, toMessage(frame));
+  write("statistics", frame.time, inFrame(frame_id_, toMessage(frame)));
 }
 
 void BagWriter::take(const CommandFrame& frame)
 {
-  write("commands", frame.time, toMessage(frame));
+  write("commands", frame.time, inFrame(frame_id_, toMessage(frame)));
   const char* topic = setpointTopic(frame.kind);
   if (topic == nullptr)
     return;

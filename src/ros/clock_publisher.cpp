@@ -6,11 +6,14 @@
 #include <rosgraph_msgs/Clock.h>
 
 #include "ratchet_sieve/ros/conversions.h"
+#include "ratchet_sieve/ros/earlier_publisher.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
+constexpr const char* TOPIC = "/clock";
+
 /// A message of /clock goes through three threads until a tf2 listener knows: a few ms, and some tens for
 /// each thread where the machine has much more to do than it can.
 constexpr std::chrono::milliseconds LEAP_IS_HEARD(250);
@@ -31,8 +34,21 @@ ros::Time shownAt(double time)
 ClockPublisher::ClockPublisher(ros::NodeHandle node, double rate, bool enabled)
     : period_(1.0 / rate), enabled_(enabled)
 {
-  if (enabled_)
-    publisher_ = node.advertise<rosgraph_msgs::Clock>("/clock", 1);
+  if (!enabled_)
+    return;
+  publisher_ = node.advertise<rosgraph_msgs::Clock>(TOPIC, 1);
+  other_ = earlierPublisher(TOPIC);
+  if (!other_)
+    return;
+  enabled_ = false;
+  publisher_.shutdown();
+}
+
+std::string ClockPublisher::otherText() const
+{
+  return *other_ +
+         " publishes /clock already: this node does not, and its stamps, which are its own simulated "
+         "time, are not those of /clock";
 }
 
 void ClockPublisher::publishDue(double time)

@@ -39,6 +39,7 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
       diagnostics_(diagnostics),
       stride_(std::move(stride)),
       time_changed_(std::move(time_changed)),
+      frame_id_(parameters.frames.world),
       setpoints_(parameters.setpoints)
 {
   for (const Setpoint& setpoint : setpoints_)
@@ -167,9 +168,9 @@ bool CommandServer::lockStep(LockStep::Request& request, LockStep::Response& res
   const LiveRun& run = control_.run();
   response.time = run.time();
   response.finished = run.finished();
-  response.base = toMessage(run.base());
-  response.bins = toMessage(run.bins());
-  response.statistics = toMessage(run.statistics());
+  response.base = inFrame(frame_id_, toMessage(run.base()));
+  response.bins = inFrame(frame_id_, toMessage(run.bins()));
+  response.statistics = inFrame(frame_id_, toMessage(run.statistics()));
   return true;
 }
 

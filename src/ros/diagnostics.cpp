@@ -28,8 +28,9 @@ double smallestRadius(const SceneDefinition& scene)
 }
 }  // namespace
 
-Diagnostics::Diagnostics(const RunControl& control, const Speed& speed, const Recorder& recorder)
-    : control_(control), speed_(speed), recorder_(recorder)
+Diagnostics::Diagnostics(const RunControl& control, const Speed& speed, const Recorder& recorder,
+                         const ClockPublisher& clock)
+    : control_(control), speed_(speed), recorder_(recorder), clock_(clock)
 {
   updater_.setHardwareID("ratchet_sieve");
   updater_.add("simulation", this, &Diagnostics::reportRun);
@@ -37,6 +38,7 @@ Diagnostics::Diagnostics(const RunControl& control, const Speed& speed, const Re
   updater_.add("speed", this, &Diagnostics::reportSpeed);
   updater_.add("setpoints", this, &Diagnostics::reportSetpoints);
   updater_.add("recording", this, &Diagnostics::reportRecording);
+  updater_.add("clock", this, &Diagnostics::reportClock);
 }
 
 void Diagnostics::setpointTaken(const Setpoint& setpoint)
@@ -146,6 +148,16 @@ void Diagnostics::reportRecording(Status& status)
     status.summary(DiagnosticStatus::ERROR, recorder_.failure());
   status.add("file", path);
   status.add("size of the file [MB]", recorder_.megabytes());
+}
+
+void Diagnostics::reportClock(Status& status)
+{
+  if (clock_.other())
+    status.summary(DiagnosticStatus::WARN, clock_.otherText());
+  else
+    status.summary(DiagnosticStatus::OK, clock_.enabled() ? "this node is the clock" : "off");
+  if (!clock_.enabled() && ros::Time::isSimTime())
+    status.add("simulated time less /clock [s]", control_.run().time() - ros::Time::now().toSec());
 }
 
 }  // namespace ratchet_sieve

@@ -1,5 +1,6 @@
 #include "ratchet_sieve/ros/display.h"
 
+#include "ratchet_sieve/ros/conversions.h"
 #include "ratchet_sieve/ros/particle_cloud.h"
 #include "ratchet_sieve/ros/scene_markers.h"
 
@@ -35,22 +36,25 @@ bool Display::due(double time) const
   return watched && rate_ > 0.0 && waited >= (time == last_time_ ? STILL_PERIOD : 1.0 / rate_);
 }
 
-void Display::show(const Picture& picture)
+void Display::show(const Picture& picture, const std::string& frame_id)
 {
   last_shown_ = Clock::now();
   last_time_ = picture.base.time;
   if (markers_.getNumSubscribers() > 0)
-    showMarkers(picture);
+    showMarkers(picture, frame_id);
   if (cloud_.getNumSubscribers() > 0 && picture.particles)
-    cloud_.publish(particleCloud(*picture.particles, picture.scene.species));
+    cloud_.publish(inFrame(frame_id, particleCloud(*picture.particles, picture.scene.species)));
 }
 
-void Display::showMarkers(const Picture& picture)
+void Display::showMarkers(const Picture& picture, const std::string& frame_id)
 {
   MarkerArray all = pictureMarkers(picture);
   Names names;
-  for (const Marker& marker : all.markers)
+  for (Marker& marker : all.markers)
+  {
+    marker.header.frame_id = frame_id;
     names.emplace(marker.ns, marker.id);
+  }
   // Another scene: what it has not is not to stay on the screen.
   if (names != last_names_)
     all.markers.insert(all.markers.begin(), deleteAll());

@@ -8,6 +8,7 @@
 #include <ros/names.h>
 
 #include "ratchet_sieve/ros/conversions.h"
+#include "ratchet_sieve/ros/node_parameters.h"
 #include "ratchet_sieve/ros/parameter_reader.h"
 #include "ratchet_sieve/ros/sieve_search.h"
 
@@ -26,7 +27,7 @@ constexpr double LOOKS = 4.0;
 }  // namespace
 
 DisplayNode::DisplayNode(const ros::NodeHandle& private_node)
-    : DisplayNode(private_node, ParameterReader(private_node).text("sieve", "/sieve"),
+    : DisplayNode(private_node, ParameterReader(private_node).text("sieve", DEFAULT_SIEVE),
                   ParameterReader(private_node).number("rates/display", 30.0, 1.0, MAX_RATE))
 {
 }
@@ -57,11 +58,13 @@ void DisplayNode::search()
 void DisplayNode::subscribe(const std::string& sieve)
 {
   sieve_ = ros::names::resolve(sieve);
-  ROS_INFO("shows %s", sieve.c_str());
-  subscribe<SceneDescription>(sieve + "/scene");
-  subscribe<BaseState>(sieve + "/base");
-  subscribe<BinCounts>(sieve + "/bins");
-  subscribe<ParticleStates>(sieve + "/particles");
+  ParameterReader reader(node_);
+  frames_ = frameNames(readFramePrefix(reader, sieve_), false);
+  ROS_INFO("shows %s", sieve_.c_str());
+  subscribe<SceneDescription>(sieve_ + "/scene");
+  subscribe<BaseState>(sieve_ + "/base");
+  subscribe<BinCounts>(sieve_ + "/bins");
+  subscribe<ParticleStates>(sieve_ + "/particles");
 }
 
 template <typename Message>
@@ -71,7 +74,8 @@ void DisplayNode::subscribe(const std::string& topic)
   {
     try
     {
-      see(toFrame(*event.getMessage()), event.getPublisherName());
+      const Message& message = *event.getMessage();
+      see(toFrame(message), event.getPublisherName(), message.header.frame_id);
     }
     catch (const std::invalid_argument& error)
     {
@@ -82,15 +86,20 @@ void DisplayNode::subscribe(const std::string& topic)
 }
 
 template <typename Frame>
-void DisplayNode::see(const Frame& frame, const std::string& publisher)
+void DisplayNode::see(const Frame& frame, const std::string& publisher, const std::string& frame_id)
 {
   if (!isStamp(frame.time))
     throw std::invalid_argument("a time that is none");
   seen_.take(frame);
+  // Whether the sieve has a world of its own stands in its messages alone.
+  frames_.world = frame_id;
   // Those of a sieve that runs are there: a listener warns of each that comes twice.
   if constexpr (std::is_same_v<Frame, BaseFrame>)
     if (publisher != sieve_)
+    {
+      transforms_.setNames(frames_);
       transforms_.publish(frame);
+    }
   if constexpr (std::is_same_v<Frame, SceneFrame>)
     if (seen_.sceneError())
       ROS_ERROR("the scene cannot be shown: %s", seen_.sceneError()->c_str());
@@ -108,7 +117,7 @@ void DisplayNode::show()
 {
   const auto time = seen_.time();
   if (time && display_.due(*time))
-    display_.show(seen_.picture());
+    display_.show(seen_.picture(), frames_.world);
 }
 
 }  // namespace ratchet_sieve

@@ -17,6 +17,7 @@ constexpr double MAX_AMPLITUDE = 1.0;  // m
 
 constexpr double MAX_RATE = 1e5;        // 1/s
 constexpr double MAX_SPLIT_SIZE = 1e6;  // MB
+constexpr double MAX_DISTANCE = 1e6;    // m
 
 void readLimits(ParameterReader& reader, double least, double most, Setpoint& setpoint)
 {
@@ -56,7 +57,21 @@ void readAllRates(ParameterReader& reader, NodeParameters& parameters)
   parameters.display_rate = reader.number("rates/display", parameters.display_rate, 0.0, 1e3);
   parameters.clock_rate = reader.number("rates/clock", parameters.clock_rate, 1.0, 1e3);
 }
+
+double readMount(ParameterReader& reader, const char* axis)
+{
+  return reader.number(std::string("mount/") + axis, 0.0, -MAX_DISTANCE, MAX_DISTANCE);
+}
 }  // namespace
+
+std::string readFramePrefix(ParameterReader& reader, const std::string& sieve)
+{
+  const std::string prefix = reader.text("frame_prefix", defaultFramePrefix(sieve));
+  const std::string error = framePrefixError(prefix);
+  if (!error.empty())
+    throw ParameterError("parameter " + reader.fullName("frame_prefix") + ": " + prefix + ": " + error);
+  return prefix;
+}
 
 std::array<Setpoint, 3> readSetpoints(ParameterReader& reader, SlewRates& slew_rates)
 {
@@ -84,6 +99,9 @@ NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
   readRecording(reader, parameters.recording);
   readAllRates(reader, parameters);
   parameters.setpoints = readSetpoints(reader, parameters.slew_rates);
+  parameters.mount = {readMount(reader, "x"), readMount(reader, "y"), readMount(reader, "z")};
+  parameters.frames =
+      frameNames(readFramePrefix(reader, private_node.getNamespace()), parameters.mountedElsewhere());
   for (const std::string& name : reader.unknown({"scene", "diagnostic_period"}))
     ROS_WARN("parameter %s: not known, and ignored", name.c_str());
   return parameters;

@@ -46,8 +46,11 @@ double rateOf(FrameKind kind, const FrameRates& rates)
 }  // namespace
 
 Recorder::Recorder(const std::string& path, const std::string& topic_prefix,
-                   const RecordingParameters& parameters)
-    : base_path_(absolutePath(path)), topic_prefix_(topic_prefix), parameters_(parameters)
+                   const RecordingParameters& parameters, const std::string& frame_id)
+    : base_path_(absolutePath(path)),
+      topic_prefix_(topic_prefix),
+      frame_id_(frame_id),
+      parameters_(parameters)
 {
 }
 
@@ -63,7 +66,7 @@ std::string Recorder::nextPath() const
 
 void Recorder::openFile()
 {
-  bag_ = std::make_unique<BagWriter>(nextPath(), topic_prefix_);
+  bag_ = std::make_unique<BagWriter>(nextPath(), topic_prefix_, frame_id_);
 }
 
 void Recorder::open()

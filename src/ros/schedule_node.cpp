@@ -12,6 +12,7 @@
 #include "ratchet_sieve/ros/node_parameters.h"
 #include "ratchet_sieve/ros/parameter_reader.h"
 #include "ratchet_sieve/ros/scene_parameters.h"
+#include "ratchet_sieve/ros/sieve_search.h"
 
 namespace ratchet_sieve
 {
@@ -55,7 +56,7 @@ ScheduleNode::ScheduleNode(ros::NodeHandle private_node)
     : node_(private_node), schedule_(readSchedule(private_node))
 {
   ParameterReader reader(private_node);
-  sieve_ = ros::names::resolve(reader.text("sieve", "/sieve"));
+  sieve_ = ros::names::resolve(reader.text("sieve", DEFAULT_SIEVE));
   exit_at_end_ = reader.flag("exit_at_end", exit_at_end_);
   for (const std::string& name : reader.unknown({"schedule"}))
     ROS_WARN("parameter %s: not known, and ignored", name.c_str());

@@ -6,6 +6,7 @@
 #include <ros/names.h>
 
 #include "ratchet_sieve/ros/node_parameters.h"
+#include "ratchet_sieve/ros/sieve_search.h"
 
 namespace ratchet_sieve
 {
@@ -59,7 +60,7 @@ SeekParameters readSeekParameters(const ros::NodeHandle& private_node)
 {
   SeekParameters parameters;
   ParameterReader reader(private_node);
-  parameters.sieve = ros::names::resolve(reader.text("sieve", parameters.sieve));
+  parameters.sieve = ros::names::resolve(reader.text("sieve", DEFAULT_SIEVE));
   readSearch(reader, parameters);
   readTrial(reader, parameters.trial);
   for (const std::string& name : reader.unknown({}))

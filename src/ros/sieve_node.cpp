@@ -35,17 +35,22 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
       stop_(stop),
       parameters_(readNodeParameters(private_node)),
       next_pour_line_(Pacer::Clock::now() + BETWEEN_POUR_LINES),
-      recorder_(parameters_.record, private_node.getNamespace(), parameters_.recording),
+      recorder_(parameters_.record, private_node.getNamespace(), parameters_.recording,
+                parameters_.frames.world),
       control_(scene.root, scene.source, parameters_, recorder_,
                [this](std::size_t poured, std::size_t of) { watchPour(poured, of); }),
       real_time_factor_(private_node, parameters_.real_time_factor),
       pacer_(parameters_.real_time_factor),
       clock_(node_, parameters_.clock_rate, parameters_.publish_clock),
-      transforms_(node_, &clock_),
+      own_world_(parameters_.mountedElsewhere()
+                     ? publishOwnWorld(node_, parameters_.mount, parameters_.frames)
+                     : ros::Publisher()),
+      transforms_(node_, &clock_, parameters_.frames),
       topics_(
-          node_, [this]() -> const LiveRun& { return control_.run(); }, clock_, transforms_),
+          node_, [this]() -> const LiveRun& { return control_.run(); }, parameters_.frames.world, clock_,
+          transforms_),
       display_(node_, parameters_.display_rate),
-      diagnostics_(control_, {real_time_factor_, pacer_, speed_}, recorder_),
+      diagnostics_(control_, {real_time_factor_, pacer_, speed_}, recorder_, clock_),
       commands_(
           node_, parameters_, control_, diagnostics_, [this](double time) { return stride(time); },
           [this]
@@ -54,7 +59,9 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
             clock_.publish(control_.run().time());
           })
 {
-  if (parameters_.publish_clock && !ros::Time::isSimTime())
+  if (clock_.other())
+    ROS_WARN("%s", clock_.otherText().c_str());
+  if (clock_.enabled() && !ros::Time::isSimTime())
     ROS_WARN("this node is the clock, but /use_sim_time is not set: other nodes go by wall time");
   control_.addSink(topics_);
   // Not before the scene is known to be good: a run that cannot begin leaves no bag.
@@ -78,7 +85,8 @@ void SieveNode::keepAlive()
   if (display_.due(run.time()))
   {
     clock_.reach(run.time());
-    display_.show({run.simulation().scene(), run.base(), run.bins(), run.particles()});
+    display_.show({run.simulation().scene(), run.base(), run.bins(), run.particles()},
+                  parameters_.frames.world);
   }
   watchSpeed();
   watchEnergy();

@@ -12,12 +12,13 @@ constexpr std::uint32_t QUEUE_SIZE = 30;
 
 template <typename Frame>
 ros::Publisher advertise(ros::NodeHandle& node, const std::string& topic,
-                         const std::function<const LiveRun&()>& current, Frame (LiveRun::*state)() const)
+                         const std::function<const LiveRun&()>& current, const std::string& frame_id,
+                         Frame (LiveRun::*state)() const)
 {
   using Message = decltype(toMessage(std::declval<Frame>()));
   return node.advertise<Message>(topic, QUEUE_SIZE,
-                                 [current, state](const ros::SingleSubscriberPublisher& subscriber)
-                                 { subscriber.publish(toMessage((current().*state)())); });
+                                 [current, frame_id, state](const ros::SingleSubscriberPublisher& subscriber)
+                                 { subscriber.publish(inFrame(frame_id, toMessage((current().*state)()))); });
 }
 }  // namespace
 
@@ -27,19 +28,21 @@ void TopicPublisher::publish(const ros::Publisher& publisher, const Frame& frame
   if (publisher.getNumSubscribers() == 0)
     return;
   clock_.reach(frame.time);
-  publisher.publish(toMessage(frame));
+  publisher.publish(inFrame(frame_id_, toMessage(frame)));
 }
 
 TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
-                               ClockPublisher& clock, TransformPublisher& transforms)
+                               const std::string& frame_id, ClockPublisher& clock,
+                               TransformPublisher& transforms)
     : current_(current),
+      frame_id_(frame_id),
       clock_(clock),
       transforms_(transforms),
       scene_(private_node.advertise<SceneDescription>("scene", 1, true)),
-      particles_(advertise(private_node, "particles", current, &LiveRun::particles)),
-      bins_(advertise(private_node, "bins", current, &LiveRun::bins)),
-      base_(advertise(private_node, "base", current, &LiveRun::base)),
-      statistics_(advertise(private_node, "statistics", current, &LiveRun::statistics)),
+      particles_(advertise(private_node, "particles", current, frame_id, &LiveRun::particles)),
+      bins_(advertise(private_node, "bins", current, frame_id, &LiveRun::bins)),
+      base_(advertise(private_node, "base", current, frame_id, &LiveRun::base)),
+      statistics_(advertise(private_node, "statistics", current, frame_id, &LiveRun::statistics)),
       commands_(private_node.advertise<Command>("commands", QUEUE_SIZE))
 {
 }
@@ -63,7 +66,7 @@ bool TopicPublisher::wants(FrameKind kind) const
 void TopicPublisher::take(const SceneFrame& frame)
 {
   clock_.reach(frame.time);
-  scene_.publish(toMessage(frame));
+  scene_.publish(inFrame(frame_id_, toMessage(frame)));
 }
 
 void TopicPublisher::take(const ParticleFrame& frame)

@@ -301,6 +301,13 @@ TEST_F(Record, refusesABadParameterWithOneLine)
   ChildNode node("sieve_node", named("odd"));
   EXPECT_EQ(node.wait(), 2);
   EXPECT_EQ(node.errors(), "sieve_node: parameter /odd/rates/base: -1: must be a number from 0 to 100000\n");
+  ros::param::set("/odd/rates/base", 60.0);
+  ros::param::set("/odd/frame_prefix", "/odd");
+  ChildNode again("sieve_node", named("odd"));
+  EXPECT_EQ(again.wait(), 2);
+  EXPECT_EQ(again.errors(),
+            "sieve_node: parameter /odd/frame_prefix: /odd: must be letters, digits, _ and / between them, "
+            "beginning with a letter, such as s1\n");
   EXPECT_TRUE(scratch_.empty());
 }
 

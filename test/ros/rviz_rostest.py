@@ -83,6 +83,11 @@ class Rviz(unittest.TestCase):
         self.expect_disks(['sieve.launch', 'rviz:=true', 'paused:=true',
                            f'scene:={PACKAGE / "test/ros/mixture.yaml"}'])
 
+    def test_shows_the_disks_of_a_sieve_in_a_namespace_and_elsewhere(self):
+        self.screen.environment['ROS_NAMESPACE'] = 'plant1'
+        self.expect_disks(['sieve.launch', 'rviz:=true', 'paused:=true', 'params:={mount: {x: 5.0, z: -3.0}}',
+                           f'scene:={PACKAGE / "test/ros/mixture.yaml"}'])
+
     def test_shows_the_disks_of_a_recorded_run(self):
         self.expect_disks(['replay.launch', f'bag:={sys.argv[1]}', 'rate:=0.2', 'loop:=true'])
 

@@ -5,6 +5,7 @@
 
 #include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/ros/bag_file.h"
+#include "ratchet_sieve/ros/frame_names.h"
 
 namespace ratchet_sieve
 {
@@ -18,8 +19,10 @@ class BagWriter : public FrameSink
 {
 public:
   /// @param topic_prefix the node's name: topics are /sieve/particles and so on
+  /// @param frame_id of the messages
   /// @throws BagError where the file cannot be written, or is being written by another
-  explicit BagWriter(const std::string& path, const std::string& topic_prefix = "/sieve");
+  explicit BagWriter(const std::string& path, const std::string& topic_prefix = "/sieve",
+                     const std::string& frame_id = WORLD_FRAME_ID);
   ~BagWriter() override;
   BagWriter(const BagWriter&) = delete;
   BagWriter& operator=(const BagWriter&) = delete;
@@ -49,6 +52,7 @@ private:
   std::string path_;
   std::string active_path_;
   std::string topic_prefix_;
+  std::string frame_id_;
   std::unique_ptr<BagFile> file_;  ///< nothing once it is closed
 };
 

@@ -15,8 +15,18 @@ namespace ratchet_sieve
 class ClockPublisher
 {
 public:
-  /// @param rate [1/s of wall time] @param enabled false: another node is the clock
+  /// @param rate [1/s of wall time] @param enabled false: nothing is published, and neither is it where
+  /// another node publishes /clock already
   ClockPublisher(ros::NodeHandle node, double rate, bool enabled);
+
+  /// Whether this node is the clock.
+  bool enabled() const { return enabled_; }
+
+  /// The node that is the clock in place of this one, which would be.
+  const std::optional<std::string>& other() const { return other_; }
+
+  /// What that means, in a sentence. @pre other()
+  std::string otherText() const;
 
   /// Publishes, if it is time to. @param time simulated [s]
   void publishDue(double time);
@@ -36,6 +46,7 @@ private:
   std::chrono::duration<double> period_;
   bool enabled_;
   ros::Publisher publisher_;
+  std::optional<std::string> other_;
   std::chrono::steady_clock::time_point last_;
   std::optional<ros::Time> shown_;
   std::chrono::steady_clock::time_point leapt_;  ///< back, last

@@ -57,6 +57,7 @@ private:
   Diagnostics& diagnostics_;
   RunControl::Stride stride_;
   std::function<void()> time_changed_;
+  std::string frame_id_;               ///< of messages in answers
   std::array<Setpoint, 3> setpoints_;  ///< of inclination, frequency, amplitude
   std::array<SetpointLog, 3> logs_;    ///< of inclination, frequency, amplitude
   SetpointInbox inbox_;

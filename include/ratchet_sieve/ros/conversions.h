@@ -9,14 +9,12 @@
 #include "ratchet_sieve/SceneDescription.h"
 #include "ratchet_sieve/SieveStatistics.h"
 #include "ratchet_sieve/recording/frames.h"
+#include "ratchet_sieve/ros/frame_names.h"
 
-/// Frames as messages and back. Nothing is lost on the way: a frame that goes there and back is the
-/// same bit for bit.
+/// Frames as messages, in frame world, and back. Nothing is lost on the way: a frame that goes there and
+/// back is the same bit for bit.
 namespace ratchet_sieve
 {
-
-/// The frame in which everything is given: x to the right, z up (the plane's y).
-constexpr const char* WORLD_FRAME_ID = "world";
 
 /// Simulated time as a stamp, to the nearest nanosecond. @param time [s], >= 0
 ros::Time stampOf(double time);
@@ -30,6 +28,14 @@ BinCounts toMessage(const BinFrame& frame);
 BaseState toMessage(const BaseFrame& frame);
 SieveStatistics toMessage(const StatisticsFrame& frame);
 Command toMessage(const CommandFrame& frame);
+
+/// The message in another frame: in that of a sieve that stands elsewhere in the world.
+template <typename Message>
+Message inFrame(const std::string& frame_id, Message message)
+{
+  message.header.frame_id = frame_id;
+  return message;
+}
 
 /// @throws std::invalid_argument where arrays of one message differ in length, or a kind is none
 SceneFrame toFrame(const SceneDescription& message);

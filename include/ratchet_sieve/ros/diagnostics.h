@@ -6,6 +6,7 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 
+#include "ratchet_sieve/ros/clock_publisher.h"
 #include "ratchet_sieve/ros/pacer.h"
 #include "ratchet_sieve/ros/real_time_factor.h"
 #include "ratchet_sieve/ros/run_control.h"
@@ -23,12 +24,13 @@ struct Speed
 };
 
 /// Says on /diagnostics how the run goes and how fast, what of its scene can hardly be meant, which setpoints
-/// were refused and what is recorded, once a second of wall time.
+/// were refused, what is recorded and who is the clock, once a second of wall time.
 class Diagnostics
 {
 public:
   /// All outlive this.
-  Diagnostics(const RunControl& control, const Speed& speed, const Recorder& recorder);
+  Diagnostics(const RunControl& control, const Speed& speed, const Recorder& recorder,
+              const ClockPublisher& clock);
 
   /// A setpoint was taken: what was wrong with an earlier one is past.
   void setpointTaken(const Setpoint& setpoint);
@@ -54,10 +56,12 @@ private:
   void reportSpeed(Status& status);
   void reportSetpoints(Status& status);
   void reportRecording(Status& status);
+  void reportClock(Status& status);
 
   const RunControl& control_;
   const Speed speed_;
   const Recorder& recorder_;
+  const ClockPublisher& clock_;
   std::map<std::string, std::string> refusals_;  ///< per setpoint, the last
   std::string reset_world_refusal_;
   std::string last_refusal_;  ///< of the real-time factor, as it was last shown

@@ -27,13 +27,14 @@ public:
 
   /// Shows it, and takes away what was drawn before and is no part of it. Converts nothing for a topic
   /// that nobody subscribes to.
-  void show(const Picture& picture);
+  /// @param frame_id in which the picture is
+  void show(const Picture& picture, const std::string& frame_id);
 
 private:
   using Clock = std::chrono::steady_clock;
   using Names = std::set<std::pair<std::string, int>>;
 
-  void showMarkers(const Picture& picture);
+  void showMarkers(const Picture& picture, const std::string& frame_id);
 
   double rate_;
   ros::Publisher markers_;

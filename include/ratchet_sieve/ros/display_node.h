@@ -18,8 +18,9 @@ namespace ratchet_sieve
 class DisplayNode
 {
 public:
-  /// Reads ~sieve, the name of the sieve's node (/sieve by default; empty: the one that there is, or that
-  /// comes), and ~rates/display [1/s of wall time]. @throws ParameterError
+  /// Reads ~sieve, the name of the sieve's node (`sieve` in this node's namespace by default; empty: the one
+  /// that there is, or that comes), ~frame_prefix (that of the sieve, if it has one of its own) and
+  /// ~rates/display [1/s of wall time]. @throws ParameterError
   explicit DisplayNode(const ros::NodeHandle& private_node);
 
 private:
@@ -29,9 +30,9 @@ private:
   void subscribe(const std::string& sieve);
   template <typename Message>
   void subscribe(const std::string& topic);
-  /// @param publisher name of the node that published it
+  /// @param publisher name of the node that published it @param frame_id in which it is
   template <typename Frame>
-  void see(const Frame& frame, const std::string& publisher);
+  void see(const Frame& frame, const std::string& publisher, const std::string& frame_id);
   void warnOfSilence();
   void show();
 
@@ -40,6 +41,7 @@ private:
   TransformPublisher transforms_;
   SeenRun seen_;
   std::string sieve_;  ///< name of its node, once it is known
+  FrameNames frames_;  ///< of that sieve
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer search_timer_;
   ros::WallTimer silence_timer_;

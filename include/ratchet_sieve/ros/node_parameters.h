@@ -7,6 +7,7 @@
 
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/frame_sampler.h"
+#include "ratchet_sieve/ros/frame_names.h"
 #include "ratchet_sieve/ros/parameter_reader.h"
 #include "ratchet_sieve/ros/recorder.h"
 #include "ratchet_sieve/ros/setpoint.h"
@@ -22,13 +23,18 @@ struct NodeParameters
 {
   double real_time_factor = 1.0;  ///< ~real_time_factor at the start: see RealTimeFactor
   bool start_paused = false;      ///< ~start_paused
-  bool publish_clock = true;      ///< ~publish_clock: this node is the clock
+  bool publish_clock = true;      ///< ~publish_clock: this node is the clock, if no other is
   bool exit_at_end = true;        ///< ~exit_at_end: end with the scene's duration, or else pause there
   std::string record;             ///< ~record: bag to record into; empty: none
   RecordingParameters recording;  ///< ~recording/: what of the run, how often, in how large files
   FrameRates rates;               ///< ~rates/particles, bins, base, statistics [1/s of simulated time]
   double display_rate = 30.0;     ///< ~rates/display: markers and cloud, at most [1/s of wall time]
   double clock_rate = 100.0;      ///< ~rates/clock [1/s of wall time]
+  std::array<double, 3> mount{};  ///< ~mount/x, y, z: where in `world` the base's foot stands [m]
+  FrameNames frames;              ///< by ~frame_prefix and ~mount
+
+  /// Whether the base's foot stands elsewhere than in the origin of `world`.
+  bool mountedElsewhere() const { return mount != std::array<double, 3>{}; }
 
   /// ~limits/inclination/min, max and so on for frequency and amplitude
   std::array<Setpoint, 3> setpoints = {Setpoint{CommandKind::INCLINATION, "inclination", "rad", {-0.5, 0.5}},
@@ -42,6 +48,9 @@ struct NodeParameters
 /// another's.
 /// @throws ParameterError
 std::array<Setpoint, 3> readSetpoints(ParameterReader& reader, SlewRates& slew_rates);
+
+/// ~frame_prefix. @param sieve name of the node whose frames it is for @throws ParameterError
+std::string readFramePrefix(ParameterReader& reader, const std::string& sieve);
 
 /// Reads the node's private parameters; warns of those that nobody knows. @throws ParameterError
 NodeParameters readNodeParameters(const ros::NodeHandle& private_node);

@@ -36,6 +36,9 @@ public:
   /// @throws ParameterError
   std::string text(const std::string& name, const std::string& fallback);
 
+  /// As it stands in errors.
+  std::string fullName(const std::string& name) const { return node_.resolveName(name); }
+
   /// Parameters under the node that nobody has asked for, but for those under `ignored`: most likely
   /// misspelt.
   std::set<std::string> unknown(const std::set<std::string>& ignored) const;

@@ -35,8 +35,10 @@ class Recorder : public FrameSink
 public:
   /// @param path of the recording; a relative one is that of the directory in which the program is now;
   /// empty: nothing is recorded
+  /// @param frame_id of the messages
   Recorder(const std::string& path, const std::string& topic_prefix,
-           const RecordingParameters& parameters = RecordingParameters());
+           const RecordingParameters& parameters = RecordingParameters(),
+           const std::string& frame_id = WORLD_FRAME_ID);
 
   /// Opens the file of the first run. @throws BagError
   void open();
@@ -86,6 +88,7 @@ private:
 
   std::string base_path_;
   std::string topic_prefix_;
+  std::string frame_id_;
   RecordingParameters parameters_;
   int run_ = 0;   ///< from 1
   int file_ = 0;  ///< of the run, from 0

@@ -17,9 +17,9 @@ namespace ratchet_sieve
 class ScheduleNode
 {
 public:
-  /// Reads ~sieve (the name of the sieve's node, /sieve by default), ~schedule and ~exit_at_end (false):
-  /// whether to shut ROS down when the last entry was sent. Warns of setpoints that the sieve will refuse.
-  /// @throws ParameterError
+  /// Reads ~sieve (the name of the sieve's node, `sieve` in this node's namespace by default), ~schedule and
+  /// ~exit_at_end (false): whether to shut ROS down when the last entry was sent. Warns of setpoints that the
+  /// sieve will refuse. @throws ParameterError
   explicit ScheduleNode(ros::NodeHandle private_node);
 
 private:

@@ -15,8 +15,8 @@ namespace ratchet_sieve
 /// Everything that sieve_seek can be told. Names in comments are those of the parameters.
 struct SeekParameters
 {
-  std::string sieve = "/sieve";  ///< ~sieve: name of the sieve's node
-  std::optional<double> start;   ///< ~inclination/start [rad]; nothing: where the sieve is
+  std::string sieve;            ///< ~sieve: name of the sieve's node, resolved
+  std::optional<double> start;  ///< ~inclination/start [rad]; nothing: where the sieve is
 
   /// ~inclination/min, max (the sieve's limits unless set), step, resolution; ~confidence, ~most_trials,
   /// ~drop

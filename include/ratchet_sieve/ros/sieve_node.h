@@ -57,6 +57,7 @@ private:
   Pacer pacer_;
   SpeedWatch speed_;
   ClockPublisher clock_;
+  ros::Publisher own_world_;  ///< latched, where the sieve has a world of its own
   TransformPublisher transforms_;
   TopicPublisher topics_;
   Display display_;

@@ -6,6 +6,9 @@
 namespace ratchet_sieve
 {
 
+/// Where no ~sieve says another: the sieve in the namespace of the node that looks for it.
+constexpr const char* DEFAULT_SIEVE = "sieve";
+
 /// The name of a sieve whose topics the master knows, live or played from a bag: that of the node which
 /// published the one topic of type SceneDescription. Of several, the first in the order of the alphabet, with
 /// a warning; nothing where there is none.

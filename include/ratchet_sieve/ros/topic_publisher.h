@@ -21,9 +21,10 @@ class TopicPublisher : public FrameSink
 {
 public:
   /// @param current gives the run, also after a reset
+  /// @param frame_id of the messages
   /// @param clock is brought to the stamp of every message; outlives this, as transforms do
   TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
-                 ClockPublisher& clock, TransformPublisher& transforms);
+                 const std::string& frame_id, ClockPublisher& clock, TransformPublisher& transforms);
 
   bool wants(FrameKind kind) const override;
   void take(const SceneFrame& frame) override;
@@ -38,6 +39,7 @@ private:
   void publish(const ros::Publisher& publisher, const Frame& frame);
 
   std::function<const LiveRun&()> current_;
+  std::string frame_id_;
   ClockPublisher& clock_;
   TransformPublisher& transforms_;
   ros::Publisher scene_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include <ros/node_handle.h>
@@ -9,19 +10,21 @@
 
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/ros/clock_publisher.h"
+#include "ratchet_sieve/ros/frame_names.h"
 
 namespace ratchet_sieve
 {
 
-/// The base's foot at s = 0, at rest, turned with the base: the frame in which the drive is a
-/// vertical displacement of the world.
-constexpr const char* MOUNT_FRAME_ID = "sieve_mount";
-
-/// The base itself: x along it (s), z normal to it (n).
-constexpr const char* BASE_FRAME_ID = "sieve_base";
-
 /// The transforms world -> sieve_mount -> sieve_base at one instant.
-tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame);
+tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame, const FrameNames& names = FrameNames());
+
+/// The transform from the frame that all share to the sieve's own, which stands still.
+/// @param origin of the latter in the former: x, y, z [m]
+tf2_msgs::TFMessage ownWorldTransform(const std::array<double, 3>& origin, const FrameNames& names);
+
+/// Publishes that on /tf_static, as long as the publisher is kept.
+ros::Publisher publishOwnWorld(ros::NodeHandle& node, const std::array<double, 3>& origin,
+                               const FrameNames& names);
 
 /// Publishes them on /tf, none twice with one stamp, which tf2 ignores and warns of; converts nothing where
 /// nobody listens. A subscriber that comes while the run stands still gets the last ones.
@@ -30,16 +33,21 @@ class TransformPublisher
 public:
   /// @param clock is brought to the stamp of what is published; outlives this. Nothing: another node is the
   /// clock
-  explicit TransformPublisher(ros::NodeHandle node, ClockPublisher* clock = nullptr);
+  explicit TransformPublisher(ros::NodeHandle node, ClockPublisher* clock = nullptr,
+                              const FrameNames& names = FrameNames());
   TransformPublisher(const TransformPublisher&) = delete;
   TransformPublisher& operator=(const TransformPublisher&) = delete;
 
   void publish(const BaseFrame& frame);
 
+  /// From now on.
+  void setNames(const FrameNames& names) { names_ = names; }
+
 private:
   void greet(const ros::SingleSubscriberPublisher& subscriber);
 
   ClockPublisher* clock_;
+  FrameNames names_;
   std::optional<BaseFrame> last_;
   int reached_ = 0;  ///< subscribers that got those of the last stamp, greeted yet or not
   int greeted_ = 0;  ///< subscribers that are there, as far as their greeting has come up

@@ -1,0 +1,50 @@
+"""Launch files of this package, started beside a test and on its master, as users start them."""
+
+import os
+import signal
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+import rosgraph
+import rospy
+
+PACKAGE = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(PACKAGE / 'scripts'))
+from virtual_screen import PATIENCE, wait_for  # noqa: E402, F401
+
+
+def message(topic, kind):
+    """The next message on a topic, or what is latched there."""
+    return rospy.wait_for_message(topic, kind, PATIENCE)
+
+
+class Launched(unittest.TestCase):
+    """A test that launches; what it has launched ends with it."""
+
+    def setUp(self):
+        self.master = rosgraph.Master('/launched')
+
+    def launch(self, *arguments, namespace='', **environment):
+        return self.start(['roslaunch', 'ratchet_sieve', *arguments], ROS_NAMESPACE=namespace, **environment)
+
+    def start(self, command, **environment):
+        program = subprocess.Popen(command, cwd=PACKAGE, env=dict(os.environ, **environment), start_new_session=True,
+                                   stdout=subprocess.DEVNULL)
+        self.addCleanup(self.end, program)
+        return program
+
+    @staticmethod
+    def end(program):
+        """As Ctrl-C does, which roslaunch hands on to its nodes."""
+        if program.poll() is None:
+            program.send_signal(signal.SIGINT)
+        program.wait(PATIENCE)
+
+    def publishers(self, topic):
+        """The names of a topic's publishers, as the master has them."""
+        return dict(self.master.getSystemState()[0]).get(topic, [])
+
+    def subscribers(self, topic):
+        return dict(self.master.getSystemState()[1]).get(topic, [])
