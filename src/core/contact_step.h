@@ -96,6 +96,9 @@ public:
     return staysFree(point.n - height - radius, point.vn, acceleration_);
   }
 
+  /// Whether no part of the disk comes higher than this in the step.
+  bool staysBelow(double height) const { return point.n + radius + reach_ < height; }
+
   double freeTime() const { return std::max(free_time_, resolution_); }
 
   /// What the disk touches now.

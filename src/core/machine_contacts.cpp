@@ -18,6 +18,7 @@ CollisionKind collisionKind(BaseFeatureKind kind)
       return CollisionKind::RIGHT_SLOPE;
     case BaseFeatureKind::LEFT_WALL:
     case BaseFeatureKind::RIGHT_WALL:
+    case BaseFeatureKind::WALL_TOP:
       return CollisionKind::WALL;
     default:
       return CollisionKind::APEX;

@@ -19,8 +19,9 @@ enum class BaseFeatureKind : std::int32_t
   END_FOOT,  ///< the outermost foot of an open base: where it ends, a corner stands free
   LEFT_WALL,
   RIGHT_WALL,
-  LEFT_END,  ///< not a body: the line s = 0 of an open base, behind which the bin lies
-  RIGHT_END  ///< the line s = W
+  LEFT_END,   ///< not a body: the line s = 0 of an open base or over a wall, behind which the bin lies
+  RIGHT_END,  ///< the line s = W
+  WALL_TOP    ///< the upper end of a wall, a corner; tooth as for END_FOOT
 };
 
 /// A part of the base that a disk can meet, or none. Its kind is as wide as the tooth, for a processor waits
@@ -28,7 +29,7 @@ enum class BaseFeatureKind : std::int32_t
 struct BaseFeature
 {
   BaseFeatureKind kind = BaseFeatureKind::NONE;
-  std::int32_t tooth = 0;  ///< for slopes and apices; for END_FOOT 0 or the number of teeth
+  std::int32_t tooth = 0;  ///< for slopes and apices; for the corners at the ends 0 or the number of teeth
 
   explicit operator bool() const { return kind != BaseFeatureKind::NONE; }
   void archive(StateArchive& state) { state(kind, tooth); }
@@ -83,12 +84,14 @@ public:
     double length = 0.0;  ///< [m]
   };
 
-  Sawtooth(const BaseDefinition& base, Boundary boundary);
+  /// @param wall_height of a walled base over n = 0 [m]
+  Sawtooth(const BaseDefinition& base, Boundary boundary, double wall_height = 0.0);
 
   Boundary boundary() const { return boundary_; }
   double width() const { return width_; }
   double toothWidth() const { return tooth_width_; }
   double height() const { return height_; }
+  double wallHeight() const { return wall_height_; }
   const Slope& left() const { return left_; }
   const Slope& right() const { return right_; }
   std::int32_t teeth() const { return teeth_; }
@@ -116,6 +119,9 @@ public:
   /// that could be nearest: for audits and tests.
   double heightAbove(double s, double n) const;
 
+  /// Distance from a point to the nearer wall, < 0 behind it; infinite without walls. For audits and tests.
+  double distanceToWalls(double s, double n) const;
+
 private:
   Boundary boundary_;
   std::int32_t teeth_;
@@ -123,6 +129,7 @@ private:
   double teeth_per_length_;
   double height_;
   double width_;
+  double wall_height_;
   double apex_offset_;
   double window_slack_;
   Slope left_;
