@@ -186,13 +186,12 @@ void ContactSearch::lookAtEnds(Step& step) const
     const Approach a = sawtooth_.approach(feature, step.point, step.radius);
     step.meetLine(feature, a.gap, a.rate, a.normal_s, a.normal_n, [&] { return window; });
   };
-  const auto meet_corner = [&](BaseFeatureKind kind, std::int32_t tooth)
+  const auto meet_corner = [&](std::int32_t tooth)
   {
-    const BaseFeature feature{kind, tooth};
+    const BaseFeature feature{BaseFeatureKind::END_CORNER, tooth};
     step.meetPoint(feature, sawtooth_.approach(feature, step.point, step.radius));
   };
-  const bool walled = sawtooth_.boundary() == Boundary::WALLED;
-  if (walled)
+  if (sawtooth_.boundary() == Boundary::WALLED)
   {
     const double top = sawtooth_.wallHeight();
     const bool below = step.staysBelow(top);
@@ -204,9 +203,8 @@ void ContactSearch::lookAtEnds(Step& step) const
   }
   meet(BaseFeatureKind::LEFT_END, Step::ALWAYS);
   meet(BaseFeatureKind::RIGHT_END, Step::ALWAYS);
-  const BaseFeatureKind corner = walled ? BaseFeatureKind::WALL_TOP : BaseFeatureKind::END_FOOT;
-  meet_corner(corner, 0);
-  meet_corner(corner, sawtooth_.teeth());
+  meet_corner(0);
+  meet_corner(sawtooth_.teeth());
 }
 
 /// From the tooth below outwards, as far as the shortest guarantee so far reaches.

@@ -49,7 +49,7 @@ Sawtooth::Sawtooth(const BaseDefinition& base, Boundary boundary, double wall_he
       teeth_per_length_(1.0 / base.tooth_width),
       height_(base.tooth_height),
       width_(base.width()),
-      wall_height_(wall_height),
+      wall_height_(boundary == Boundary::WALLED ? wall_height : 0.0),
       apex_offset_(base.asymmetry * base.tooth_width),
       window_slack_(WINDOW_SLACK * std::max(width_, height_)),
       left_(makeSlope(0.0, apex_offset_, base.tooth_height, 1.0)),
@@ -79,9 +79,7 @@ Approach Sawtooth::approach(const BaseFeature& feature, const BasePoint& point, 
     }
     case BaseFeatureKind::APEX:
       return approachToPoint(s - apex_offset_, point.n - height_, point, radius);
-    case BaseFeatureKind::END_FOOT:
-      return approachToPoint(s, point.n, point, radius);
-    case BaseFeatureKind::WALL_TOP:
+    case BaseFeatureKind::END_CORNER:
       return approachToPoint(s, point.n - wall_height_, point, radius);
     case BaseFeatureKind::LEFT_WALL:
       return approachToLine(point.s, 1.0, 0.0, point, radius);

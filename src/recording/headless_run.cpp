@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "ratchet_sieve/recording/wall_warnings.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -55,6 +57,8 @@ public:
       outcome_.end = RunEnd::STALLED;
     if (simulation_.collapses().count > 0)
       outcome_.warnings.push_back(simulation_.collapseText());
+    if (const std::string text = overWallsText(simulation_); !text.empty())
+      outcome_.warnings.push_back(text);
     save();
     audit();
     if (watchers_.frames != nullptr)

@@ -13,8 +13,8 @@ enum class Boundary
 {
   PERIODIC,  ///< What leaves one end enters at the other; displacements are counted unwrapped.
   OPEN,      ///< A disk whose centre passes an end falls into that end's bin and leaves the machine.
-  WALLED     ///< Two smooth walls stand at the ends, normal to the base, and move with it. A disk that goes over
-             ///< one has left the machine, and is counted in the bin behind it.
+  WALLED  ///< Two smooth walls stand at the ends, normal to the base, and move with it. A disk that goes over
+          ///< one has left the machine, and is counted in the bin behind it.
 };
 
 /// The sawtooth base and its drive. Tooth k spans s in [k w, (k+1) w] along the base, its apex at

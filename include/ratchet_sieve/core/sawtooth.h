@@ -16,12 +16,11 @@ enum class BaseFeatureKind : std::int32_t
   LEFT_SLOPE,
   RIGHT_SLOPE,
   APEX,
-  END_FOOT,  ///< the outermost foot of an open base: where it ends, a corner stands free
+  END_CORNER,  ///< where an end of the base stands free: the upper end of its wall, or without one the foot
   LEFT_WALL,
   RIGHT_WALL,
-  LEFT_END,   ///< not a body: the line s = 0 of an open base or over a wall, behind which the bin lies
-  RIGHT_END,  ///< the line s = W
-  WALL_TOP    ///< the upper end of a wall, a corner; tooth as for END_FOOT
+  LEFT_END,  ///< not a body: the line s = 0 of an open base or over a wall, behind which the bin lies
+  RIGHT_END  ///< the line s = W
 };
 
 /// A part of the base that a disk can meet, or none. Its kind is as wide as the tooth, for a processor waits
@@ -29,7 +28,7 @@ enum class BaseFeatureKind : std::int32_t
 struct BaseFeature
 {
   BaseFeatureKind kind = BaseFeatureKind::NONE;
-  std::int32_t tooth = 0;  ///< for slopes and apices; for the corners at the ends 0 or the number of teeth
+  std::int32_t tooth = 0;  ///< for slopes and apices; for END_CORNER 0 or the number of teeth
 
   explicit operator bool() const { return kind != BaseFeatureKind::NONE; }
   void archive(StateArchive& state) { state(kind, tooth); }
@@ -91,6 +90,7 @@ public:
   double width() const { return width_; }
   double toothWidth() const { return tooth_width_; }
   double height() const { return height_; }
+  /// Of the corners at both ends over n = 0: 0 without walls [m].
   double wallHeight() const { return wall_height_; }
   const Slope& left() const { return left_; }
   const Slope& right() const { return right_; }

@@ -5,8 +5,8 @@
 namespace ratchet_sieve
 {
 
-/// How high the walls of a walled scene stand over the foot line n = 0 [m]: base.wall_height; or if that is 0,
-/// ten widths of the base over the poured disks: high enough to keep those of a base that stands nearly
+/// How high the walls of a walled scene stand over the foot line n = 0 [m]: base.wall_height; or if that is
+/// 0, ten widths of the base over the poured disks: high enough to keep those of a base that stands nearly
 /// upright, low enough to let go of what a turning base throws. Commands do not change it.
 double wallHeight(const SceneDefinition& scene);
 

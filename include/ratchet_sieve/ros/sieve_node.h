@@ -13,6 +13,7 @@
 #include "ratchet_sieve/ros/scene_parameters.h"
 #include "ratchet_sieve/ros/speed_watch.h"
 #include "ratchet_sieve/ros/topic_publisher.h"
+#include "ratchet_sieve/ros/wall_log.h"
 
 namespace ratchet_sieve
 {
@@ -59,6 +60,7 @@ private:
   Display display_;
   Diagnostics diagnostics_;
   ProgressLog progress_;
+  WallLog walls_;
   CommandServer commands_;
 };
 
