@@ -60,9 +60,7 @@ double gapToBase(const Machine& machine, const Place& point, double radius)
   double gap = point.n - sawtooth.height();
   if (gap < radius)
     gap = sawtooth.heightAbove(point.s, point.n);
-  if (sawtooth.boundary() == Boundary::WALLED)
-    gap = std::min({gap, point.s, sawtooth.width() - point.s});
-  return gap - radius;
+  return std::min(gap, sawtooth.distanceToWalls(point.s, point.n)) - radius;
 }
 
 using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overlap)>;

@@ -176,31 +176,35 @@ ContactSearch::Direction ContactSearch::forcedDirection() const
   return {false, motion_.sine(), motion_.cosine()};
 }
 
+/// The walls, if there are any. Open ends, and what is above the walls: the lines that a disk leaves by, and
+/// the corners that it may touch on its way.
 void ContactSearch::lookAtEnds(Step& step) const
 {
-  const auto meet = [&](BaseFeatureKind kind)
+  const auto meet = [&](BaseFeatureKind kind, const Step::Gap& window)
   {
     const BaseFeature feature{kind, 0};
     const Approach a = sawtooth_.approach(feature, step.point, step.radius);
-    step.meetLine(feature, a.gap, a.rate, a.normal_s, a.normal_n, [] { return Step::ALWAYS; });
+    step.meetLine(feature, a.gap, a.rate, a.normal_s, a.normal_n, [&] { return window; });
   };
-  const auto meet_foot = [&](std::int32_t tooth)
+  const auto meet_corner = [&](std::int32_t tooth)
   {
-    const BaseFeature feature{BaseFeatureKind::END_FOOT, tooth};
+    const BaseFeature feature{BaseFeatureKind::END_CORNER, tooth};
     step.meetPoint(feature, sawtooth_.approach(feature, step.point, step.radius));
   };
   if (sawtooth_.boundary() == Boundary::WALLED)
   {
-    meet(BaseFeatureKind::LEFT_WALL);
-    meet(BaseFeatureKind::RIGHT_WALL);
+    const double top = sawtooth_.wallHeight();
+    const bool below = step.staysBelow(top);
+    const Step::Gap window = below ? Step::ALWAYS : Step::Gap{step.point.n - top, step.point.vn};
+    meet(BaseFeatureKind::LEFT_WALL, window);
+    meet(BaseFeatureKind::RIGHT_WALL, window);
+    if (below)
+      return;
   }
-  else if (sawtooth_.boundary() == Boundary::OPEN)
-  {
-    meet(BaseFeatureKind::LEFT_END);
-    meet(BaseFeatureKind::RIGHT_END);
-    meet_foot(0);
-    meet_foot(sawtooth_.teeth());
-  }
+  meet(BaseFeatureKind::LEFT_END, Step::ALWAYS);
+  meet(BaseFeatureKind::RIGHT_END, Step::ALWAYS);
+  meet_corner(0);
+  meet_corner(sawtooth_.teeth());
 }
 
 /// From the tooth below outwards, as far as the shortest guarantee so far reaches.

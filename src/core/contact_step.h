@@ -96,6 +96,9 @@ public:
     return staysFree(point.n - height - radius, point.vn, acceleration_);
   }
 
+  /// Whether no part of the disk comes higher than this in the step.
+  bool staysBelow(double height) const { return point.n + radius + reach_ < height; }
+
   double freeTime() const { return std::max(free_time_, resolution_); }
 
   /// What the disk touches now.
@@ -118,7 +121,10 @@ private:
   /// A feature that is met where `gap` is used up while `window` holds (window <= 0). Each of the
   /// two alone keeps the disk free, so the longer guarantee counts.
   /// @param approaching, parting bound the gap's acceleration towards the feature and away from it
-  void meet(const BaseFeature& feature, const Gap& gap, double approaching, double parting, const Gap& window)
+  // Called from several places: left to itself, the compiler would call it for the teeth, too, at 1 % of a
+  // run.
+  [[gnu::always_inline]] void meet(const BaseFeature& feature, const Gap& gap, double approaching,
+                                   double parting, const Gap& window)
   {
     if (staysFree(window.size, window.rate, acceleration_))
       return;

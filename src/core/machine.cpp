@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "ratchet_sieve/core/resolution.h"
+#include "ratchet_sieve/core/walls.h"
 
 namespace ratchet_sieve
 {
@@ -52,7 +53,7 @@ const Plan& covering(const Plan& plan, const SceneDefinition& scene)
 Machine::Machine(const SceneDefinition& scene, const Plan& plan)
     : scene_(scene),
       plan_(covering(plan, scene)),
-      sawtooth_(scene.base, scene.boundary),
+      sawtooth_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
       time_scale_(ratchet_sieve::timeScale(scene)),
       negligible_way_(NEGLIGIBLE_WAY * sawtooth_.width()),

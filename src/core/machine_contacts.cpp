@@ -8,7 +8,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-CollisionKind collisionKind(BaseFeatureKind kind)
+CollisionKind collisionKind(BaseFeatureKind kind, Boundary boundary)
 {
   switch (kind)
   {
@@ -19,6 +19,8 @@ CollisionKind collisionKind(BaseFeatureKind kind)
     case BaseFeatureKind::LEFT_WALL:
     case BaseFeatureKind::RIGHT_WALL:
       return CollisionKind::WALL;
+    case BaseFeatureKind::END_CORNER:
+      return boundary == Boundary::WALLED ? CollisionKind::WALL : CollisionKind::APEX;
     default:
       return CollisionKind::APEX;
   }
@@ -48,7 +50,7 @@ void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time
     contact.tangential_velocity = approach.normal_s * point.vn - approach.normal_n * point.vs -
                                   species.radius * (disk.spin - k.inclination_rate);
 
-  const CollisionKind kind = collisionKind(feature.kind);
+  const CollisionKind kind = collisionKind(feature.kind, scene_.boundary);
   ContactCoefficients coefficients = lossless(id, time) ? LOSSLESS : species.contact;
   if (kind == CollisionKind::WALL)
     coefficients.friction = 0.0;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <sstream>
 
+#include "ratchet_sieve/core/walls.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -102,6 +104,8 @@ FinestDisk finestDisk(const SceneDefinition& scene)
   Finest finest;
   finest.length(scene.base.width(), "the base's width is");
   finest.length(scene.base.tooth_height, "base.tooth_height is");
+  if (scene.boundary == Boundary::WALLED)
+    finest.length(wallHeight(scene), "base.wall_height is");
   finest.length(scene.base.amplitude, "base.amplitude is");
   finest.speed(TWO_PI * scene.base.frequency * scene.base.amplitude, resolution, "the drive's speed is");
   if (scene.initial.empty() || scene.feed.rate > 0.0)

@@ -42,13 +42,14 @@ double distanceToSlope(const Sawtooth::Slope& slope, double s, double n)
 }
 }  // namespace
 
-Sawtooth::Sawtooth(const BaseDefinition& base, Boundary boundary)
+Sawtooth::Sawtooth(const BaseDefinition& base, Boundary boundary, double wall_height)
     : boundary_(boundary),
       teeth_(base.teeth),
       tooth_width_(base.tooth_width),
       teeth_per_length_(1.0 / base.tooth_width),
       height_(base.tooth_height),
       width_(base.width()),
+      wall_height_(boundary == Boundary::WALLED ? wall_height : 0.0),
       apex_offset_(base.asymmetry * base.tooth_width),
       window_slack_(WINDOW_SLACK * std::max(width_, height_)),
       left_(makeSlope(0.0, apex_offset_, base.tooth_height, 1.0)),
@@ -78,8 +79,8 @@ Approach Sawtooth::approach(const BaseFeature& feature, const BasePoint& point, 
     }
     case BaseFeatureKind::APEX:
       return approachToPoint(s - apex_offset_, point.n - height_, point, radius);
-    case BaseFeatureKind::END_FOOT:
-      return approachToPoint(s, point.n, point, radius);
+    case BaseFeatureKind::END_CORNER:
+      return approachToPoint(s, point.n - wall_height_, point, radius);
     case BaseFeatureKind::LEFT_WALL:
       return approachToLine(point.s, 1.0, 0.0, point, radius);
     case BaseFeatureKind::RIGHT_WALL:
@@ -112,6 +113,15 @@ double Sawtooth::heightAbove(double s, double n) const
       if (slope->present && hasTooth(tooth))
         nearest = std::min(nearest, distanceToSlope(*slope, s - toothStart(tooth), n));
   return n < surface ? -nearest : nearest;
+}
+
+double Sawtooth::distanceToWalls(double s, double n) const
+{
+  if (boundary_ != Boundary::WALLED)
+    return std::numeric_limits<double>::infinity();
+  const double beside = std::min(s, width_ - s);
+  const double above = n - wall_height_;
+  return above <= 0.0 ? beside : std::sqrt(beside * beside + above * above);
 }
 
 }  // namespace ratchet_sieve

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "ratchet_sieve/recording/wall_warnings.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -60,8 +62,9 @@ public:
       outcome_.end = RunEnd::STALLED;
     if (simulation_.collapses().count > 0)
       outcome_.warnings.push_back(simulation_.collapseText());
-    if (const std::string text = simulation_.energyText(); !text.empty())
-      outcome_.warnings.push_back(text);
+    for (const std::string& text : {simulation_.energyText(), overWallsText(simulation_)})
+      if (!text.empty())
+        outcome_.warnings.push_back(text);
     save();
     audit();
     if (watchers_.frames != nullptr)

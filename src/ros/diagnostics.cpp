@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/recording/wall_warnings.h"
 
 namespace ratchet_sieve
 {
@@ -89,6 +90,8 @@ void Diagnostics::reportRun(Status& status)
     status.summary(DiagnosticStatus::OK, run.finished() ? "at its end" : "paused");
   else
     status.summary(DiagnosticStatus::OK, "running");
+  if (const std::string text = overWallsText(simulation); !text.empty())
+    status.mergeSummary(DiagnosticStatus::WARN, text);
   if (!reset_world_refusal_.empty())
     status.mergeSummary(DiagnosticStatus::WARN, reset_world_refusal_);
   status.add("simulated time [s]", run.time());
@@ -133,6 +136,8 @@ void Diagnostics::reportSetpoints(Status& status)
   status.summary(DiagnosticStatus::OK, "all setpoints taken");
   for (const auto& [name, why] : refusals_)
     status.mergeSummary(DiagnosticStatus::WARN, why);
+  if (const std::string text = control_.turnWarning(); !text.empty())
+    status.mergeSummary(DiagnosticStatus::WARN, text);
   const DriveState base = control_.run().simulation().base();
   status.add("inclination, commanded [rad]", base.commanded_inclination);
   status.add("frequency, commanded [Hz]", base.commanded_frequency);

@@ -10,6 +10,7 @@
 
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/recording/commands.h"
+#include "ratchet_sieve/recording/wall_warnings.h"
 
 namespace ratchet_sieve
 {
@@ -113,8 +114,15 @@ Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& 
   return sceneFromYaml(root, source_);
 }
 
+std::string RunControl::turnWarning() const
+{
+  return fastTurnText(run_->simulation().scene(), parameters_.slew_rates.inclination);
+}
+
 void RunControl::begin()
 {
+  if (const std::string warning = turnWarning(); !warning.empty())
+    ROS_WARN_STREAM(warning);
   if (recorder_.on())
     run_->record(recorder_, recorder_.rates());
   run_->takeDue(sinks_);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "marker_style.h"
+#include "ratchet_sieve/core/walls.h"
 
 namespace ratchet_sieve
 {
@@ -15,6 +16,8 @@ using visualization_msgs::MarkerArray;
 
 /// Proportions of what is only drawn, in widths of the base.
 constexpr double BEAM_HEIGHT = 0.02;
+constexpr double WALL_THICKNESS = 0.01;
+constexpr double WALL_SHOWN = 0.22;  // at most: what is higher is out of the view, which fits the base
 constexpr double LINE_WIDTH = 0.001;
 constexpr double OUTLINE_WIDTH =
     0.03;  // of the teeth, at most, in widths of one: on a long base they are small
@@ -32,6 +35,15 @@ void addTooth(const BaseDefinition& base, int tooth, Marker& triangles, Marker& 
     triangles.points.push_back(point);
   for (const auto& point : {left, apex, apex, right})
     outline.points.push_back(point);
+}
+
+void addWalls(const SceneDefinition& scene, Marker& triangles)
+{
+  const double width = scene.base.width();
+  const double height = std::min(wallHeight(scene), WALL_SHOWN * width);
+  for (const double start : {-WALL_THICKNESS * width, width})
+    addRectangle(triangles, start, -BEAM_HEIGHT * width, WALL_THICKNESS * width,
+                 BEAM_HEIGHT * width + height);
 }
 
 /// One of the two bins: its lower left corner, in a world that stands still.
@@ -80,6 +92,8 @@ MarkerArray baseMarkers(const SceneDefinition& scene, const BaseFrame& base)
   for (int tooth = 0; tooth < scene.base.teeth; ++tooth)
     addTooth(scene.base, tooth, body, outline);
   addRectangle(body, 0.0, -BEAM_HEIGHT * width, width, BEAM_HEIGHT * width);
+  if (scene.boundary == Boundary::WALLED)
+    addWalls(scene, body);
   MarkerArray markers;
   markers.markers = {body, outline};
   for (Marker& part : markers.markers)

@@ -93,6 +93,8 @@ void SieveNode::keepAlive()
   diagnostics_.updateDue();
   if (const auto line = progress_.line(control_.run()))
     ROS_INFO_STREAM(*line);
+  if (const auto line = walls_.line(control_.run().simulation()))
+    ROS_WARN_STREAM(*line);
 }
 
 void SieveNode::watchSpeed()

@@ -77,6 +77,7 @@ const Keys<BaseDefinition>& baseKeys()
       {"amplitude", [](B& b) -> Slot { return &b.amplitude; }, upTo(LARGEST_AMPLITUDE, "m")},
       {"frequency", [](B& b) -> Slot { return &b.frequency; }, upTo(LARGEST_FREQUENCY, "Hz")},
       {"phase", [](B& b) -> Slot { return &b.phase; }, within(LARGEST_PHASE, "rad")},
+      {"wall_height", [](B& b) -> Slot { return &b.wall_height; }, upTo(LARGEST_LENGTH, "m"), false, true},
   };
   return KEYS;
 }

@@ -26,6 +26,7 @@ struct Key
   Slot (*slot)(Part&);  ///< where its value lives
   Range range;
   bool required = false;
+  bool if_set = false;  ///< written only where it is not at its default: scenes of before keep their hash
 };
 
 template <typename Part>
@@ -77,12 +78,16 @@ void readValues(const Entry& map, const Keys<Part>& keys, Part& part)
       std::visit([&](auto* value) { readScalar(map.at(key.name), key.range, *value); }, key.slot(part));
 }
 
-/// Calls write(name, text) for every key.
+/// Calls write(name, text) for every key that is to be written.
 template <typename Part, typename Write>
 void writeValues(const Keys<Part>& keys, Part part, Write&& write)
 {
+  const auto text = [](const Key<Part>& key, Part& of)
+  { return std::visit([](const auto* value) { return scalarText(*value); }, key.slot(of)); };
+  Part defaults;
   for (const Key<Part>& key : keys)
-    write(key.name, std::visit([](const auto* value) { return scalarText(*value); }, key.slot(part)));
+    if (!key.if_set || text(key, part) != text(key, defaults))
+      write(key.name, text(key, part));
 }
 
 }  // namespace ratchet_sieve

@@ -37,6 +37,7 @@ SceneDefinition drawnScene()
   scene.base.amplitude = *rc::gen::element(0.0, 0.0005, 0.002, 0.02);
   scene.base.frequency = *rc::gen::element(0.0, 5.0, 23.0, 120.0);
   scene.boundary = *rc::gen::element(Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED);
+  scene.base.wall_height = *rc::gen::element(0.0, 0.0, 0.05, 0.3, 2.0) * scene.base.width();
   scene.gravity = *rc::gen::element(0.0, 1.6, 9.81, 9.81);
   scene.contact.pair_collisions = *rc::gen::element(true, true, false);
   scene.contact.min_rebound_speed = *rc::gen::element(0.02, 0.05, 0.5);

@@ -87,6 +87,7 @@ struct Compared
   double inclination;
   int disks;
   std::size_t collisions;
+  double wall_height = 0.0;
 };
 
 /// How many of the first collisions are compared: five a disk, where no disks scatter each other, and one and
@@ -96,6 +97,7 @@ const Compared COMPARED[] = {{"single", false, Boundary::PERIODIC, 0.0, 50, 240}
                              {"mixture", true, Boundary::PERIODIC, 0.0, 100, 160},
                              {"mixture, inclined", true, Boundary::PERIODIC, 0.1, 100, 160},
                              {"walled", true, Boundary::WALLED, 0.1, 100, 100},
+                             {"walled, low", true, Boundary::WALLED, 0.1, 100, 100, 0.01},
                              {"open", true, Boundary::OPEN, 0.1, 100, 100}};
 
 SceneDefinition sceneOf(const Compared& compared)
@@ -103,6 +105,7 @@ SceneDefinition sceneOf(const Compared& compared)
   SceneDefinition scene = compared.pairs ? test::mixture(0) : test::singleParticles(0);
   scene.boundary = compared.boundary;
   scene.base.inclination = compared.inclination;
+  scene.base.wall_height = compared.wall_height;
   return stirred(scene, compared.disks);
 }
 
@@ -197,6 +200,7 @@ SceneDefinition scaled(SceneDefinition scene, const Units& units)
   scene.base.tooth_width *= units.length;
   scene.base.tooth_height *= units.length;
   scene.base.amplitude *= units.length;
+  scene.base.wall_height *= units.length;
   scene.base.frequency /= units.time;
   for (SpeciesDefinition& species : scene.species)
   {

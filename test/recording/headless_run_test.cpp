@@ -22,6 +22,23 @@ TEST(HeadlessRun, GoesToTheScenesDuration)
   EXPECT_TRUE(outcome.warnings.empty());
 }
 
+TEST(HeadlessRun, SaysHowManyDisksWentOverTheWalls)
+{
+  SceneDefinition scene = smallMixture();
+  scene.boundary = Boundary::WALLED;
+  scene.base.wall_height = 0.03;
+  scene.gravity = 0.0;
+  scene.duration = 0.1;
+  scene.initial = {
+      {0, 0.03, 0.04, -1.0, 0.0, 0.0}, {0, 0.05, 0.05, 1.0, 0.0, 0.0}, {0, 0.06, 0.06, 1.0, 0.0, 0.0}};
+  Simulation simulation(scene);
+  const RunOutcome outcome = runToEnd(simulation, {});
+  ASSERT_EQ(outcome.warnings.size(), 1u);
+  EXPECT_EQ(outcome.warnings[0],
+            "3 of the disks went over the walls, which are 0.03 m high: 1 to the left, "
+            "2 to the right; base.wall_height makes them higher");
+}
+
 TEST(HeadlessRun, IsTheSameRunWhoeverWatches)
 {
   Simulation alone(smallRing());

@@ -91,6 +91,29 @@ TEST(SceneMarkers, drawTheBaseWhereTheEngineHasIt)
     EXPECT_NEAR(sawtooth.heightAbove(point.x, point.z), 0.0, 1e-12);
 }
 
+/// The highest and the farthest that the base is drawn, in its own frame.
+Vector reachOfBase(const SceneDefinition& scene)
+{
+  Vector reach{0.0, 0.0, 0.0};
+  for (const auto& point : baseMarkers(scene, BaseFrame()).markers[0].points)
+    reach = {std::max(reach.x, point.x), 0.0, std::max(reach.z, point.z)};
+  return reach;
+}
+
+TEST(SceneMarkers, drawWallsBesideTheBaseUpToTheirHeight)
+{
+  SceneDefinition scene = smallMixture();
+  EXPECT_EQ(reachOfBase(scene).z, scene.base.tooth_height);
+  scene.boundary = Boundary::WALLED;
+  scene.base.wall_height = 0.013;
+  EXPECT_NEAR(reachOfBase(scene).z, 0.013, 1e-15);
+  EXPECT_GT(reachOfBase(scene).x, scene.base.width());
+  // Those of their own height, ten widths and more, are cut off where the view ends.
+  scene.base.wall_height = 0.0;
+  EXPECT_LT(reachOfBase(scene).z, 0.3 * scene.base.width());
+  EXPECT_GT(reachOfBase(scene).z, 0.1 * scene.base.width());
+}
+
 TEST(SceneMarkers, moveTheBaseAsTheTransformsDo)
 {
   const BaseFrame base = inclinedBase(0.2, 0.0017);

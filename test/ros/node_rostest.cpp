@@ -193,6 +193,35 @@ TEST_F(Node, warnsOnceThatTheEnergyLeavesTheMachinesScale)
   EXPECT_EQ(log.count(words), 1);
 }
 
+TEST_F(Node, warnsOfDisksThatGoOverTheWalls)
+{
+  Statuses statuses(sieve.node);
+  ASSERT_TRUE(sieve.reset(0, {"boundary=walled", "base.wall_height=0.002", "base.teeth=2"}).success);
+  EXPECT_TRUE(sieve.step(3.0).success);
+  EXPECT_TRUE(waitFor(
+      [&]
+      {
+        const auto& status = statuses["sieve: simulation"];
+        return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
+               status.message.find("of the disks went over the walls, which are 0.002 m high") !=
+                   std::string::npos;
+      }));
+}
+
+TEST_F(Node, warnsOfAWalledBaseThatMayTurnTooFast)
+{
+  Statuses statuses(sieve.node);
+  // Where little falls, little is held down: at 0.01 m/s^2 a base may turn at no more than 0.11 rad/s.
+  ASSERT_TRUE(sieve.reset(0, {"boundary=walled", "gravity=0.01"}).success);
+  EXPECT_TRUE(waitFor(
+      [&]
+      {
+        const auto& status = statuses["sieve: setpoints"];
+        return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
+               status.message.find("limits/inclination/slew_rate = 0.2 rad/s") != std::string::npos;
+      }));
+}
+
 TEST_F(Node, refusesASetpointAndSaysWhy)
 {
   Statuses statuses(sieve.node);

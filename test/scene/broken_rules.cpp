@@ -119,6 +119,7 @@ Expected tooWide(SceneTree& root)
 void requirePlainMachine(SceneTree& root, double radius)
 {
   requireCounts(root, "1");
+  root["boundary"] = SceneTree("periodic");
   root["gravity"] = SceneTree("9.81");
   root["settle"] = SceneTree("0");
   for (const char* section : {"base", "pour", "feed"})

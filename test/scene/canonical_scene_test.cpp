@@ -29,7 +29,8 @@ bool same(const BaseDefinition& a, const BaseDefinition& b)
   return a.teeth == b.teeth && sameBits(a.tooth_width, b.tooth_width) &&
          sameBits(a.tooth_height, b.tooth_height) && sameBits(a.asymmetry, b.asymmetry) &&
          sameBits(a.inclination, b.inclination) && sameBits(a.amplitude, b.amplitude) &&
-         sameBits(a.frequency, b.frequency) && sameBits(a.phase, b.phase);
+         sameBits(a.frequency, b.frequency) && sameBits(a.phase, b.phase) &&
+         sameBits(a.wall_height, b.wall_height);
 }
 
 bool same(const SpeciesDefinition& a, const SpeciesDefinition& b)
@@ -120,6 +121,7 @@ SceneDefinition anyScene()
   SceneDefinition scene;
   scene.base = {*rc::gen::inRange(1, 100), number(0.1, 1.0), number(0.0, 1.0),  number(0.0, 1.0),
                 number(-1.5, 1.5),         number(0.0, 0.1), number(0.0, 99.0), number(-9.0, 9.0)};
+  scene.base.wall_height = *rc::gen::arbitrary<bool>() ? number(0.1, 1.0) : 0.0;
   scene.boundary = *rc::gen::element(Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED);
   scene.gravity = number(0.0, 20.0);
   const bool placed = *rc::gen::arbitrary<bool>();
@@ -152,6 +154,17 @@ TEST(CanonicalScene, KeepsTheSignOfZeroAndTheSmallestNumbers)
   scene.base.amplitude = 4.9406564584124654e-324;
   scene.base.phase = 0.1 + 0.2;
   EXPECT_TRUE(same(sceneFromText(canonicalYaml(scene), "s.yaml").definition, scene));
+}
+
+/// So that scenes that were recorded before there was the key keep their hash.
+TEST(CanonicalScene, HasAWallHeightOnlyWhereOneIsSet)
+{
+  SceneDefinition scene = sceneFromText(GOOD_SCENE, "s.yaml").definition;
+  EXPECT_EQ(canonicalYaml(scene).find("wall_height"), std::string::npos);
+  const std::string hash = sceneHash(scene);
+  scene.base.wall_height = 0.3;
+  EXPECT_NE(canonicalYaml(scene).find("wall_height: 0.3"), std::string::npos);
+  EXPECT_NE(sceneHash(scene), hash);
 }
 
 TEST(CanonicalScene, OfPlacedDisksReadsBackWithoutAWarning)

@@ -121,7 +121,6 @@ private:
     RC_ASSERT(static_cast<double>(there) >= static_cast<double>(poured_) + fed - 1.001);
     RC_ASSERT(static_cast<double>(there) <= static_cast<double>(poured_) + fed + 0.001);
     RC_ASSERT(scene_.boundary != Boundary::PERIODIC || on_base == there);
-    RC_ASSERT(scene_.boundary != Boundary::WALLED || on_base == there);
     const CollisionCounts& counts = simulation_.collisions();
     RC_ASSERT(counts.disk_disk + counts.left_slope + counts.right_slope + counts.apex + counts.wall ==
               collisions_);

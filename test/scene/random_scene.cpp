@@ -30,6 +30,8 @@ constexpr double REST_PER_TIME_SCALE = 0.01;
 constexpr double RADIUS_PER_TOOTH = 1e-3;
 constexpr double FITTING = 0.499;  ///< of the width: radii that leave room to be placed between walls
 constexpr double RADIUS_PER_WIDTH = 4e-6;
+constexpr double RADIUS_PER_WALL_HEIGHT = 4e-6;
+constexpr double WIDTHS_PER_WALL_HEIGHT = 12.0;  ///< at most: the default is little more than ten
 constexpr double RADII_PER_HEIGHT = 2e5;
 constexpr double RADII_PER_TIME_SCALE = 2e4;
 constexpr double SURFACE_PER_SPEED = 10.0;
@@ -89,10 +91,22 @@ void drawBase(SceneDefinition& scene)
   base.phase = drawnNumber(-1e6, 1e6);
 }
 
-/// @return the smallest radius that is told apart on this base
-double smallestRadius(const BaseDefinition& base)
+void drawBoundary(SceneDefinition& scene)
 {
-  return std::max({SMALLEST_LENGTH, RADIUS_PER_TOOTH * base.tooth_width, RADIUS_PER_WIDTH * base.width()});
+  scene.boundary = drawnOf({Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED});
+  if (drawnChance(40))
+    scene.base.wall_height =
+        scene.base.width() *
+        drawnMagnitude(1e-3, std::min(WIDTHS_PER_WALL_HEIGHT, LARGEST_LENGTH / scene.base.width()));
+}
+
+/// @return the smallest radius that is told apart on the scene's base
+double smallestRadiusOn(const SceneDefinition& scene)
+{
+  const double width = scene.base.width();
+  const double walls = scene.boundary == Boundary::WALLED ? WIDTHS_PER_WALL_HEIGHT * width : 0.0;
+  return std::max({SMALLEST_LENGTH, RADIUS_PER_TOOTH * scene.base.tooth_width, RADIUS_PER_WIDTH * width,
+                   RADIUS_PER_WALL_HEIGHT * walls});
 }
 
 void drawSpecies(SceneDefinition& scene)
@@ -100,7 +114,7 @@ void drawSpecies(SceneDefinition& scene)
   const BaseDefinition& base = scene.base;
   const double largest =
       std::min({LARGEST_LENGTH, LARGEST_PER_TOOTH * base.tooth_width, FITTING * base.width()});
-  const double smallest = std::min(largest, smallestRadius(base));
+  const double smallest = std::min(largest, smallestRadiusOn(scene));
   const double lightest = drawnMagnitude(1e-18, 1e6 / MASS_RATIO);
   const char* const names[] = {"A", "b-2", "true", "1e3"};
   scene.species.resize(drawnIndex<std::size_t>(1, 5));
@@ -269,7 +283,7 @@ RandomScene drawnScene(Placing placing)
 {
   SceneDefinition scene;
   drawBase(scene);
-  scene.boundary = drawnOf({Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED});
+  drawBoundary(scene);
   scene.gravity = drawnChance(50) ? zeroOrMagnitude(1e-6, 1e4) : scene.gravity;
   drawSpecies(scene);
   drawContact(scene);

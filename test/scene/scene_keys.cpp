@@ -21,6 +21,7 @@ const std::vector<SceneKey>& sceneKeys()
       {"base", "amplitude", K::NUMBER, 0, 1e3},
       {"base", "frequency", K::NUMBER, 0, 1e6},
       {"base", "phase", K::NUMBER, -1e6, 1e6},
+      {"base", "wall_height", K::NUMBER, 0, 1e3},
       {"species", "name", K::NAME, 0, 0, true},
       {"species", "count", K::INTEGER, 0, 1e7},
       {"species", "share", K::NUMBER, 0, 1e9},

@@ -39,7 +39,7 @@ TEST(SceneReader, TakesEveryKey)
 {
   const SceneDefinition scene = read(R"(
 base: {teeth: 3, tooth_width: 0.01, tooth_height: 0.002, asymmetry: 0.7, inclination: -0.2, amplitude: 0.001,
-       frequency: 30, phase: 1.5}
+       frequency: 30, phase: 1.5, wall_height: 0.3}
 boundary: walled
 gravity: 1.62
 species:
@@ -60,6 +60,7 @@ seed: 18446744073709551615
   EXPECT_EQ(scene.base.inclination, -0.2);
   EXPECT_EQ(scene.base.amplitude, 0.001);
   EXPECT_EQ(scene.base.phase, 1.5);
+  EXPECT_EQ(scene.base.wall_height, 0.3);
   EXPECT_EQ(scene.boundary, Boundary::WALLED);
   EXPECT_EQ(scene.gravity, 1.62);
   EXPECT_EQ(scene.species[0].count, 5);

@@ -122,6 +122,7 @@ void obeyResolution(SceneTree& root, double width)
   const double height =
       std::min({1e3, 1e5 * radius, speed * speed / (2.0 * std::max(1e-300, valueOf(root, "gravity", 9.81)))});
   limit(root, "base", "tooth_height", std::min(1e3, 1e6 * radius));
+  limit(root, "base", "wall_height", std::min(1e3, 1e6 * radius));
   limit(root, "base", "amplitude", std::min(1e3, 1e3 * radius));
   if (!root.mapAt("base").has("amplitude"))
     root.mapAt("base")["amplitude"] = SceneTree(spelledNumber(std::min(0.002, 1e3 * radius)));

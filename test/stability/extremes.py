@@ -149,6 +149,16 @@ def drives():
     yield "gravity", "g = 10⁴ m/s²", changed(mixture(), gravity=1e4, duration=1.0), RUNS
 
 
+def walls():
+    """Walls from lower than a disk to as high as may be."""
+    for height in (1e-4, 0.01, 1000.0):
+        yield "walls", f"{height:g} m high", changed(
+            mixture(wall_height=height), boundary="walled", duration=10.0), RUNS
+    for angle in (1.5, -1.5):
+        yield "walls", f"0.05 m high, θ = {angle:g} rad", changed(
+            mixture(wall_height=0.05, inclination=angle), boundary="walled", duration=10.0), RUNS
+
+
 def amounts():
     """From no disk to many, and of them at rest."""
     for count in (0, 1, 2):
@@ -187,6 +197,6 @@ def units():
 
 def extremes():
     """All of them, in the order of the table."""
-    for part in (collisions, shapes, sizes, drives, amounts, floors, units):
+    for part in (collisions, shapes, sizes, drives, walls, amounts, floors, units):
         for group, what, scene, comes_to in part():
             yield Extreme(group, what, scene, comes_to, 0.05 * scene["duration"])

@@ -13,7 +13,8 @@ enum class Boundary
 {
   PERIODIC,  ///< What leaves one end enters at the other; displacements are counted unwrapped.
   OPEN,      ///< A disk whose centre passes an end falls into that end's bin and leaves the machine.
-  WALLED     ///< Two smooth walls stand at the ends, normal to the base, and move with it.
+  WALLED  ///< Two smooth walls stand at the ends, normal to the base, and move with it. A disk that goes over
+          ///< one has left the machine, and is counted in the bin behind it.
 };
 
 /// The sawtooth base and its drive. Tooth k spans s in [k w, (k+1) w] along the base, its apex at
@@ -28,6 +29,7 @@ struct BaseDefinition
   double amplitude = 0.002;     ///< A [m]
   double frequency = 23.0;      ///< f [Hz]
   double phase = 0.0;           ///< phi at t = 0 [rad]
+  double wall_height = 0.0;     ///< of the walls of a walled base over n = 0 [m]; 0: as wallHeight() has it
 
   double width() const { return teeth * tooth_width; }  ///< W = L w [m]
 };

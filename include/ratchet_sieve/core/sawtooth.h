@@ -16,10 +16,10 @@ enum class BaseFeatureKind : std::int32_t
   LEFT_SLOPE,
   RIGHT_SLOPE,
   APEX,
-  END_FOOT,  ///< the outermost foot of an open base: where it ends, a corner stands free
+  END_CORNER,  ///< where an end of the base stands free: the upper end of its wall, or without one the foot
   LEFT_WALL,
   RIGHT_WALL,
-  LEFT_END,  ///< not a body: the line s = 0 of an open base, behind which the bin lies
+  LEFT_END,  ///< not a body: the line s = 0 of an open base or over a wall, behind which the bin lies
   RIGHT_END  ///< the line s = W
 };
 
@@ -28,7 +28,7 @@ enum class BaseFeatureKind : std::int32_t
 struct BaseFeature
 {
   BaseFeatureKind kind = BaseFeatureKind::NONE;
-  std::int32_t tooth = 0;  ///< for slopes and apices; for END_FOOT 0 or the number of teeth
+  std::int32_t tooth = 0;  ///< for slopes and apices; for END_CORNER 0 or the number of teeth
 
   explicit operator bool() const { return kind != BaseFeatureKind::NONE; }
   void archive(StateArchive& state) { state(kind, tooth); }
@@ -83,12 +83,15 @@ public:
     double length = 0.0;  ///< [m]
   };
 
-  Sawtooth(const BaseDefinition& base, Boundary boundary);
+  /// @param wall_height of a walled base over n = 0 [m]
+  Sawtooth(const BaseDefinition& base, Boundary boundary, double wall_height = 0.0);
 
   Boundary boundary() const { return boundary_; }
   double width() const { return width_; }
   double toothWidth() const { return tooth_width_; }
   double height() const { return height_; }
+  /// Of the corners at both ends over n = 0: 0 without walls [m].
+  double wallHeight() const { return wall_height_; }
   const Slope& left() const { return left_; }
   const Slope& right() const { return right_; }
   std::int32_t teeth() const { return teeth_; }
@@ -116,6 +119,9 @@ public:
   /// that could be nearest: for audits and tests.
   double heightAbove(double s, double n) const;
 
+  /// Distance from a point to the nearer wall, < 0 behind it; infinite without walls. For audits and tests.
+  double distanceToWalls(double s, double n) const;
+
 private:
   Boundary boundary_;
   std::int32_t teeth_;
@@ -123,6 +129,7 @@ private:
   double teeth_per_length_;
   double height_;
   double width_;
+  double wall_height_;
   double apex_offset_;
   double window_slack_;
   Slope left_;

@@ -51,6 +51,9 @@ public:
 
   /// Of the scene that runs: see Scene.
   const std::vector<std::string>& sceneWarnings() const { return scene_warnings_; }
+
+  /// One line where the run's base may turn too fast for its walls; or else empty. See fastTurnText().
+  std::string turnWarning() const;
   bool paused() const { return paused_; }
   void pause();
   void unpause();

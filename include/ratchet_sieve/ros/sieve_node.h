@@ -13,6 +13,7 @@
 #include "ratchet_sieve/ros/scene_parameters.h"
 #include "ratchet_sieve/ros/speed_watch.h"
 #include "ratchet_sieve/ros/topic_publisher.h"
+#include "ratchet_sieve/ros/wall_log.h"
 
 namespace ratchet_sieve
 {
@@ -64,6 +65,7 @@ private:
   Diagnostics diagnostics_;
   ProgressLog progress_;
   bool energy_said_ = false;
+  WallLog walls_;
   CommandServer commands_;
 };
 
