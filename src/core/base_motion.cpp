@@ -149,11 +149,15 @@ void BaseMotion::beginSegment(double time)
 
 void BaseMotion::rebase(double length)
 {
-  if (next_change_)
-    beginSegment(length);
-  else
-    turns_ = fraction(turns_ + fraction((length - segment_start_) * frequency_.start));
-  segment_start_ = 0.0;
+  if (segment_start_ < length)
+  {
+    if (next_change_)
+      beginSegment(length);
+    else
+      turns_ = fraction(turns_ + fraction((length - segment_start_) * frequency_.start));
+    segment_start_ = length;
+  }
+  segment_start_ -= length;
   if (next_change_)
     next_change_ = *next_change_ - length;
 }
@@ -184,6 +188,12 @@ void BaseMotion::setSlewRates(const SlewRates& rates, double time)
   advanceTo(time);
   slew_rates_ = rates;
   plan();
+}
+
+double BaseMotion::speedBound() const
+{
+  return TWO_PI * std::max(frequency_.start, frequency_.target) *
+         std::max(amplitude_.start, amplitude_.target);
 }
 
 double BaseMotion::throwHeight(double gravity) const

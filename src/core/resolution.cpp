@@ -74,7 +74,8 @@ double timeScale(const SceneDefinition& scene)
 {
   const BaseDefinition& base = scene.base;
   double scale = std::numeric_limits<double>::infinity();
-  if (base.frequency > 0.0)
+  // A frequency without an amplitude moves nothing.
+  if (base.frequency > 0.0 && base.amplitude > 0.0)
     scale = 1.0 / base.frequency;
   if (scene.gravity > 0.0)
     scale = std::min(scale, std::sqrt(base.tooth_width / scene.gravity));
@@ -86,6 +87,17 @@ double timeScale(const SceneDefinition& scene)
 double epochLength(double time_scale)
 {
   return std::exp2(std::ceil(std::log2(SCALES_PER_EPOCH * time_scale)));
+}
+
+double farthestPlace(double radius)
+{
+  return LARGEST_OVERLAP * radius / (ROUNDINGS_PER_GAP * std::numeric_limits<double>::epsilon());
+}
+
+double longestEpoch(double speed, double radius)
+{
+  const double step = LARGEST_OVERLAP * radius / speed;
+  return std::exp2(std::floor(std::log2(step / timeResolution(1.0))));
 }
 
 double timeResolution(double epoch_length)

@@ -77,6 +77,8 @@ public:
   void changeMotion(Command&& command)
   {
     command(machine_.motion(), now_);
+    if (const double length = machine_.shortenEpoch(now_); length > 0.0)
+      moveZero(length);
     loop_->motionChanged(now_);
   }
 
@@ -193,13 +195,18 @@ private:
   void rebase()
   {
     const bool moving = machine_.motion().nextChange().has_value();
-    machine_.rebase();
-    loop_->rebase(machine_.epoch().length);
-    now_ -= machine_.epoch().length;
+    moveZero(machine_.epoch().length);
     if (machine_.mostlyLeft())
       giveUpPlaces();
-    else if (moving)
+    else if (loop_->outgrown(now_) || moving)
       loop_->motionChanged(now_);
+  }
+
+  void moveZero(double length)
+  {
+    machine_.rebase(length);
+    loop_->rebase(length);
+    now_ -= length;
   }
 
   /// A machine that is fed for ever would else need more and more memory, and time to look through it.
