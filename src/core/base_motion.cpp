@@ -192,8 +192,8 @@ void BaseMotion::setSlewRates(const SlewRates& rates, double time)
 
 double BaseMotion::speedBound() const
 {
-  return TWO_PI * std::max(frequency_.start, frequency_.target) *
-         std::max(amplitude_.start, amplitude_.target);
+  const double phase_rate = TWO_PI * std::max(frequency_.start, frequency_.target);
+  return phase_rate * std::max(amplitude_.start, amplitude_.target) + std::abs(amplitude_.rate);
 }
 
 double BaseMotion::throwHeight(double gravity) const

@@ -21,6 +21,10 @@ constexpr double RESOLUTION_STEPS = 4.0;
 /// Of a disk's radius; the aim of the whole engine.
 constexpr double LARGEST_OVERLAP = 1e-9;
 
+/// Of that overlap, what the way of the base within a step in time may come to: the rest is left to the
+/// rounding of its phase and of places.
+constexpr double BASE_SHARE = 0.5;
+
 /// A gap is worked out of places in a few steps, each of which rounds: so many resolutions of the largest.
 constexpr double ROUNDINGS_PER_GAP = 4.0;
 
@@ -96,7 +100,7 @@ double farthestPlace(double radius)
 
 double longestEpoch(double speed, double radius)
 {
-  const double step = LARGEST_OVERLAP * radius / speed;
+  const double step = BASE_SHARE * LARGEST_OVERLAP * radius / speed;
   return std::exp2(std::floor(std::log2(step / timeResolution(1.0))));
 }
 

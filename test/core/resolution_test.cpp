@@ -46,8 +46,8 @@ TEST(Resolution, AFrequencyThatMovesNothingShortensNothing)
 TEST(Resolution, TheLongestEpochKeepsAFastBaseFromOverlapping)
 {
   const double length = longestEpoch(100.0, 1e-6);
-  EXPECT_LE(100.0 * timeResolution(length), 1e-9 * 1e-6);
-  EXPECT_GT(100.0 * timeResolution(2.0 * length), 1e-9 * 1e-6);
+  EXPECT_LE(100.0 * timeResolution(length), 0.5e-9 * 1e-6);
+  EXPECT_GT(100.0 * timeResolution(2.0 * length), 0.5e-9 * 1e-6);
   EXPECT_EQ(std::exp2(std::round(std::log2(length))), length);
   EXPECT_EQ(longestEpoch(0.0, 1e-6), std::numeric_limits<double>::infinity());
 }
