@@ -52,6 +52,16 @@ constexpr std::size_t DISKS_IN_CACHE = 30000;
 ///
 /// The base is searched lazily: no further than the disk's next other event, for most flights end
 /// in a pair before they come to the base.
+///
+/// No pair is missed, however large cells are: whenever a disk begins a flight or comes into a cell it is
+/// searched for contacts with all disks in the cells that touch its own, as of both flights for ever; and two
+/// disks whose cells do not touch are further apart than the largest diameter. So of two disks that come to
+/// touch, the one that last began its flight or came into its cell was searched against the other. On a ring of
+/// one column the cell is as wide as the laps it reaches beyond its ends, and all images that can be within it
+/// are searched (RingCourse).
+///
+/// Cells are laid for a shaken layer. Where disks fly so far and fast that most events are crossings, they are
+/// laid anew at the end of an epoch, as LayoutCosts finds it cheapest for the disks as they are then.
 class PairLoop : public EventLoop
 {
 public:
