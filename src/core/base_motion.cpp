@@ -160,11 +160,15 @@ void BaseMotion::beginSegment(double time)
 
 void BaseMotion::rebase(double length)
 {
-  if (next_change_)
-    beginSegment(length);
-  else
-    turns_ = fraction(turns_ + fraction((length - segment_start_) * frequency_.start));
-  segment_start_ = 0.0;
+  if (segment_start_ < length)
+  {
+    if (next_change_)
+      beginSegment(length);
+    else
+      turns_ = fraction(turns_ + fraction((length - segment_start_) * frequency_.start));
+    segment_start_ = length;
+  }
+  segment_start_ -= length;
   if (next_change_)
     next_change_ = *next_change_ - length;
 }
@@ -195,6 +199,12 @@ void BaseMotion::setSlewRates(const SlewRates& rates, double time)
   advanceTo(time);
   slew_rates_ = rates;
   plan();
+}
+
+double BaseMotion::speedBound() const
+{
+  const double phase_rate = TWO_PI * std::max(frequency_.start, frequency_.target);
+  return phase_rate * std::max(amplitude_.start, amplitude_.target) + std::abs(amplitude_.rate);
 }
 
 double BaseMotion::throwHeight(double gravity) const

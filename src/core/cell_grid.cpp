@@ -12,15 +12,30 @@ constexpr double MAX_CELLS_PER_DISK = 1.5;
 constexpr double MIN_CELLS = 64.0;
 }  // namespace
 
-CellGrid::CellGrid(double width, double height, double smallest_side, std::size_t count, bool periodic)
-    : periodic_(periodic)
+CellShape::CellShape(double width, double height, double smallest_side, std::size_t count)
 {
   const double limit = std::max(MIN_CELLS, MAX_CELLS_PER_DISK * static_cast<double>(count));
   const double side = std::max(smallest_side, std::sqrt(width * height / limit));
-  columns_ = static_cast<std::int32_t>(std::clamp(std::floor(width / side), 1.0, limit));
-  rows_ = static_cast<std::int32_t>(std::clamp(std::floor(height / side), 1.0, limit));
-  side_s_ = width / columns_;
-  side_n_ = side;
+  columns = static_cast<std::int32_t>(std::clamp(std::floor(width / side), 1.0, limit));
+  rows = static_cast<std::int32_t>(std::clamp(std::floor(height / side), 1.0, limit));
+  side_s = width / columns;
+  side_n = side;
+}
+
+CellGrid::CellGrid(double width, double height, double smallest_side, std::size_t count, bool periodic,
+                   std::int32_t laps)
+    : CellGrid(CellShape(width, height, smallest_side, count), count, periodic, laps)
+{
+}
+
+CellGrid::CellGrid(const CellShape& shape, std::size_t count, bool periodic, std::int32_t laps)
+    : periodic_(periodic),
+      laps_(periodic && shape.columns == 1 ? laps : 0),
+      columns_(shape.columns),
+      rows_(shape.rows),
+      side_s_(shape.side_s),
+      side_n_(shape.side_n)
+{
   blocks_.resize(static_cast<std::size_t>(columns_) * rows_);
   resize(count);
 }

@@ -208,6 +208,7 @@ void Machine::archive(StateArchive& state)
 {
   state(epoch_, motion_, disks_, active_, last_contacts_, active_count_, numbers_, collapse_watch_, bins_,
         tally_, collisions_, max_overlap_);
+  search_.setTimeResolution(timeResolution(epoch_.length));
   const std::size_t count = disks_.size();
   const std::size_t contacts = plan_.contact_times ? count : 0;
   const bool of_this_scene = bins_.size() == scene_.species.size() && active_.size() == count &&
@@ -219,9 +220,23 @@ void Machine::archive(StateArchive& state)
     throw StateError("it is of another scene");
 }
 
-void Machine::rebase()
+double Machine::smallestRadius() const
 {
-  const double length = epoch_.length;
+  return *std::min_element(radii_.begin(), radii_.end());
+}
+
+double Machine::shortenEpoch(double now)
+{
+  const double longest = longestEpoch(motion_.speedBound(), smallestRadius());
+  if (longest >= epoch_.length)
+    return 0.0;
+  epoch_.length = longest;
+  search_.setTimeResolution(timeResolution(epoch_.length));
+  return epoch_.length * std::floor(now / epoch_.length);
+}
+
+void Machine::rebase(double length)
+{
   motion_.rebase(length);
   for (std::uint32_t id = 0; id < disks_.size(); ++id)
   {

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "ratchet_sieve/core/cell_grid.h"
+#include "ratchet_sieve/core/cell_layout.h"
 #include "ratchet_sieve/core/event_loop.h"
 #include "ratchet_sieve/core/event_queue.h"
 #include "ratchet_sieve/core/look_ahead.h"
@@ -10,6 +12,7 @@
 #include "ratchet_sieve/core/pair_search.h"
 #include "ratchet_sieve/core/prefetch.h"
 #include "ratchet_sieve/core/quadratic.h"
+#include "ratchet_sieve/core/resolution.h"
 
 namespace ratchet_sieve
 {
@@ -22,6 +25,18 @@ constexpr double CELL_MARGIN = 0.005;
 /// While a periodic base turns, its lattice turns against the cells: they are wider then by more
 /// than it may, so that they need not be laid anew at every other collision.
 constexpr double TURNING_CELL_MARGIN = Machine::LATTICE_MARGIN + CELL_MARGIN;
+
+/// Cells are looked at again after so many events a disk: looking costs no more than one of them does.
+constexpr std::uint64_t EVENTS_BETWEEN_LOOKS = 16;
+
+/// Where more edges are crossed than this for each other event, cells are too small. A shaken layer has 0.4.
+constexpr std::uint64_t MANY_CROSSINGS = 2;
+
+/// Cells are laid anew where that makes them cheaper by this much: to and fro would cost more than it brings.
+constexpr double WORTH_LAYING = 0.7;
+
+/// Beyond so many laps a disk is wrapped in any case: its images within reach are looked at one by one.
+constexpr double MOST_LAPS = 64.0;
 
 /// So many events are known in advance at a time, and what they need is fetched: a few hundred lines of the
 /// cache, which has room for them.
@@ -37,6 +52,16 @@ constexpr std::size_t DISKS_IN_CACHE = 30000;
 ///
 /// The base is searched lazily: no further than the disk's next other event, for most flights end
 /// in a pair before they come to the base.
+///
+/// No pair is missed, however large cells are: whenever a disk begins a flight or comes into a cell it is
+/// searched for contacts with all disks in the cells that touch its own, as of both flights for ever; and two
+/// disks whose cells do not touch are further apart than the largest diameter. So of two disks that come to
+/// touch, the one that last began its flight or came into its cell was searched against the other. On a ring of
+/// one column the cell is as wide as the laps it reaches beyond its ends, and all images that can be within it
+/// are searched (RingCourse).
+///
+/// Cells are laid for a shaken layer. Where disks fly so far and fast that most events are crossings, they are
+/// laid anew at the end of an epoch, as LayoutCosts finds it cheapest for the disks as they are then.
 class PairLoop : public EventLoop
 {
 public:
@@ -97,10 +122,24 @@ public:
     ahead_.rebase(length);
   }
 
+  bool outgrown(double time) override
+  {
+    ++traffic_.epochs;
+    const std::uint64_t events = events_ - traffic_.events_before;
+    if (events < EVENTS_BETWEEN_LOOKS * machine_.activeCount() || machine_.activeCount() == 0)
+      return false;
+    const std::uint64_t others = events - traffic_.crossings;
+    const double span = traffic_.epochs * machine_.epoch().length;
+    const bool unfit = (layout_ || traffic_.crossings > MANY_CROSSINGS * others) &&
+                       chooseLayout(static_cast<double>(others) / span, time);
+    traffic_ = {events_, 0, 0};
+    return unfit;
+  }
+
   void archive(StateArchive& state) override
   {
     EventLoop::archive(state);
-    state(frame_, grid_, grid_capacity_, laid_for_, queue_, predictions_);
+    state(frame_, layout_, traffic_, grid_, grid_capacity_, laid_for_, queue_, predictions_);
     requireDisks(predictions_.size(), machine_);
   }
 
@@ -126,6 +165,16 @@ private:
     void archive(StateArchive& state) { state(pair, partner_flights, edge, cell_time, base); }
   };
 
+  /// What went on since the cells were last looked at.
+  struct Traffic
+  {
+    std::uint64_t events_before = 0;
+    std::uint64_t crossings = 0;
+    std::uint32_t epochs = 0;
+
+    void archive(StateArchive& state) { state(events_before, crossings, epochs); }
+  };
+
   /// Cells for the disks there are now, on the base as it stands.
   void layCells(double time)
   {
@@ -139,16 +188,61 @@ private:
   {
     const SceneDefinition& scene = machine_.scene();
     frame_ = machine_.motion().at(machine_.motion().segmentStart());
+    const bool periodic = scene.boundary == Boundary::PERIODIC;
+    const CellLayout layout = layout_.value_or(layerLayout());
+    const std::size_t count = std::max<std::size_t>(1, machine_.activeCount());
+    return CellGrid(scene.base.width(), layout.height, std::max(layout.smallest_side, leastSide()), count,
+                    periodic, layout_ ? laps() : 0);
+  }
+
+  /// The smallest side that cells may have [m].
+  double leastSide() const
+  {
+    const bool lattice_turns = machine_.scene().boundary == Boundary::PERIODIC && machine_.motion().turning();
+    return machine_.largestDiameter() * (1.0 + (lattice_turns ? TURNING_CELL_MARGIN : CELL_MARGIN));
+  }
+
+  /// Cells for a shaken layer.
+  CellLayout layerLayout() const
+  {
+    const SceneDefinition& scene = machine_.scene();
     const double count = std::max<double>(1.0, static_cast<double>(machine_.activeCount()));
     const double diameter = machine_.largestDiameter();
     const double layers = count * diameter * diameter / scene.base.width();
     // As high as the shaken layer: what is poured from above it, or thrown out of it, is in the topmost row.
     const double height = scene.base.tooth_height + layers +
                           std::min(machine_.motion().throwHeight(scene.gravity), scene.base.width());
-    const bool periodic = scene.boundary == Boundary::PERIODIC;
-    const double margin = periodic && machine_.motion().turning() ? TURNING_CELL_MARGIN : CELL_MARGIN;
-    return CellGrid(scene.base.width(), height, diameter * (1.0 + margin), static_cast<std::size_t>(count),
-                    periodic);
+    return {height, leastSide()};
+  }
+
+  /// By how many laps a disk may be away from home where it need not be wrapped: places there are still fine
+  /// enough for the smallest disk. On a base that turns images do not move as the disk does: none.
+  std::int32_t laps() const
+  {
+    if (machine_.motion().turning())
+      return 0;
+    const double farthest = farthestPlace(machine_.smallestRadius()) / machine_.sawtooth().width();
+    return static_cast<std::int32_t>(std::clamp(std::floor(farthest) - 1.0, 0.0, MOST_LAPS));
+  }
+
+  /// Whether other cells would be cheaper, for disks that have so many events a second beside crossings; then
+  /// they are laid with the next motion.
+  bool chooseLayout(double events, double time)
+  {
+    std::vector<BasePoint> points;
+    forEachActive([&](std::uint32_t id) { points.push_back(inGrid(id, time)); });
+    const LayoutCosts costs(points, machine_.sawtooth().width(), events,
+                            machine_.scene().boundary == Boundary::PERIODIC ? laps() : 0);
+    const CellLayout for_layer = layerLayout();
+    CellLayout best = costs.cheapest(leastSide());
+    const double now = costs.of(layout_.value_or(for_layer));
+    const bool layer_is_best = costs.of(for_layer) <= costs.of(best);
+    if (layer_is_best)
+      best = for_layer;
+    if (costs.of(best) > WORTH_LAYING * now)
+      return false;
+    layout_ = layer_is_best ? std::nullopt : std::optional<CellLayout>(best);
+    return true;
   }
 
   template <typename Visit>
@@ -259,6 +353,7 @@ private:
 
   void crossEdge(std::uint32_t id, double now)
   {
+    ++traffic_.crossings;
     CellGrid::Cell cell = grid_.cellOf(id);
     const Edge edge = predictions_[id].edge;
     grid_.remove(id);
@@ -267,7 +362,10 @@ private:
     const int laps = cell.column < 0 ? -1 : cell.column >= grid_.columns() ? 1 : 0;
     if (laps != 0)
     {
-      machine_.wrap(id, -laps, now);
+      if (grid_.laps() > 0)
+        machine_.bringHome(id, inGrid(id, now).s, now);
+      else
+        machine_.wrap(id, -laps, now);
       cell.column -= laps * grid_.columns();
       cell.row = cellNow(id, now).row;
       grid_.add(id, cell);
@@ -329,7 +427,9 @@ private:
     grid_.visit(grid_.cellOf(id), around, near_,
                 [&](const std::uint32_t* others, std::size_t count, int shift)
                 {
-                  const PairContact found = search.firstAmong(others, count, shift);
+                  const PairContact found =
+                      grid_.laps() > 0 ? search.firstOnRing(others, count, 2 * grid_.laps() + 2)
+                                       : search.firstAmong(others, count, shift);
                   if (!found.isBefore(p.pair))
                     return;
                   p.pair = found;
@@ -360,9 +460,9 @@ private:
       p.edge = edge;
     };
     if (grid_.periodic() || cell.column > 0)
-      leave(Edge::LEFT, at.s - grid_.columnStart(cell.column), at.vs, fall_s);
+      leave(Edge::LEFT, at.s - grid_.leftEdge(cell.column), at.vs, fall_s);
     if (grid_.periodic() || cell.column + 1 < grid_.columns())
-      leave(Edge::RIGHT, grid_.columnStart(cell.column + 1) - at.s, -at.vs, -fall_s);
+      leave(Edge::RIGHT, grid_.rightEdge(cell.column) - at.s, -at.vs, -fall_s);
     if (cell.row > 0)
       leave(Edge::LOWER, at.n - grid_.rowStart(cell.row), at.vn, fall_n);
     if (cell.row + 1 < grid_.rows())
@@ -384,7 +484,9 @@ private:
 
   Machine& machine_;
   BaseInstant base_;
-  BaseKinematics frame_;  ///< of the cells: the base's when the grid was laid
+  BaseKinematics frame_;             ///< of the cells: the base's when the grid was laid
+  std::optional<CellLayout> layout_;  ///< where it is not the shaken layer's
+  Traffic traffic_;
   CellGrid grid_;
   std::size_t grid_capacity_ = 0;
   std::size_t laid_for_ = 0;  ///< disks that had entered when the cells were laid

@@ -6,6 +6,7 @@
 
 #include "ratchet_sieve/core/quadratic.h"
 #include "ratchet_sieve/core/resolution.h"
+#include "ratchet_sieve/core/ring_course.h"
 #include "ratchet_sieve/core/two.h"
 
 namespace ratchet_sieve
@@ -31,6 +32,25 @@ PairContact PairSearch::firstAmong(const std::uint32_t* others, std::size_t coun
   for (std::size_t i = 0; i < count; i += LANES)
   {
     first.take(firstOfLanes(others + i, std::min(LANES, count - i), shift, image));
+  }
+  return first;
+}
+
+PairContact PairSearch::firstOnRing(const std::uint32_t* others, std::size_t count, int most_laps) const
+{
+  const BaseMotion& motion = machine_.motion();
+  const double width = machine_.sawtooth().width();
+  const RingCourse ring{motion.cosine(), motion.sine(), width, 1.0 / width, most_laps};
+  PairContact first;
+  double horizon = until_ - from_;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Relative seen = relativeTo(others[i], course_.place);
+    const auto touch = ring.firstTouch(seen.place, seen.velocity, seen.distance, horizon);
+    if (!touch || from_ + touch->wait >= until_)
+      continue;
+    first.take({from_ + touch->wait, others[i], touch->shift});
+    horizon = touch->wait;
   }
   return first;
 }

@@ -23,6 +23,10 @@ constexpr double RESOLUTION_STEPS = 4.0;
 /// Of a disk's radius; the aim of the whole engine.
 constexpr double LARGEST_OVERLAP = 1e-9;
 
+/// Of that overlap, what the way of the base within a step in time may come to: the rest is left to the
+/// rounding of its phase and of places.
+constexpr double BASE_SHARE = 0.5;
+
 /// A gap is worked out of places in a few steps, each of which rounds: so many resolutions of the largest.
 constexpr double ROUNDINGS_PER_GAP = 4.0;
 
@@ -76,7 +80,8 @@ double timeScale(const SceneDefinition& scene)
 {
   const BaseDefinition& base = scene.base;
   double scale = std::numeric_limits<double>::infinity();
-  if (base.frequency > 0.0)
+  // A frequency without an amplitude moves nothing.
+  if (base.frequency > 0.0 && base.amplitude > 0.0)
     scale = 1.0 / base.frequency;
   if (scene.gravity > 0.0)
     scale = std::min(scale, std::sqrt(base.tooth_width / scene.gravity));
@@ -88,6 +93,17 @@ double timeScale(const SceneDefinition& scene)
 double epochLength(double time_scale)
 {
   return std::exp2(std::ceil(std::log2(SCALES_PER_EPOCH * time_scale)));
+}
+
+double farthestPlace(double radius)
+{
+  return LARGEST_OVERLAP * radius / (ROUNDINGS_PER_GAP * std::numeric_limits<double>::epsilon());
+}
+
+double longestEpoch(double speed, double radius)
+{
+  const double step = BASE_SHARE * LARGEST_OVERLAP * radius / speed;
+  return std::exp2(std::floor(std::log2(step / timeResolution(1.0))));
 }
 
 double timeResolution(double epoch_length)

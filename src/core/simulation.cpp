@@ -81,6 +81,8 @@ public:
   void changeMotion(Command&& command)
   {
     command(machine_.motion(), now_);
+    if (const double length = machine_.shortenEpoch(now_); length > 0.0)
+      moveZero(length);
     loop_->motionChanged(now_);
     periods_.motionChanged(now_);
   }
@@ -207,14 +209,19 @@ private:
   {
     const bool moving = machine_.motion().nextChange().has_value();
     energy_watch_.look(machine_, now_);
-    machine_.rebase();
-    loop_->rebase(machine_.epoch().length);
-    periods_.rebase(machine_.epoch().length);
-    now_ -= machine_.epoch().length;
+    moveZero(machine_.epoch().length);
     if (machine_.mostlyLeft())
       giveUpPlaces();
-    else if (moving)
+    else if (loop_->outgrown(now_) || moving)
       loop_->motionChanged(now_);
+  }
+
+  void moveZero(double length)
+  {
+    machine_.rebase(length);
+    loop_->rebase(length);
+    periods_.rebase(length);
+    now_ -= length;
   }
 
   /// A machine that is fed for ever would else need more and more memory, and time to look through it.

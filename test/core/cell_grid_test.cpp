@@ -117,6 +117,21 @@ TEST(CellGrid, CellsAreNeverSmallerThanAskedFor)
   }
 }
 
+TEST(CellGrid, ARingOfOneColumnReachesBeyondItsEndsAndListsEachDiskOnce)
+{
+  CellGrid ring(1.0, 1.0, 0.6, 2, true, 5);
+  ASSERT_EQ(ring.columns(), 1);
+  EXPECT_EQ(ring.laps(), 5);
+  EXPECT_EQ(ring.leftEdge(0), -5.0);
+  EXPECT_EQ(ring.rightEdge(0), 6.0);
+  for (std::uint32_t id = 0; id < 2; ++id)
+    ring.add(id, ring.cellAt(0.5, 0.5));
+  EXPECT_EQ(sightings(ring, ring.cellOf(0), {}), (std::set<Sighting>{{0, 0}, {1, 0}}));
+  // More columns, or ends: none of it.
+  EXPECT_EQ(CellGrid(1.0, 1.0, 0.4, 2, true, 5).laps(), 0);
+  EXPECT_EQ(CellGrid(1.0, 1.0, 0.6, 2, false, 5).laps(), 0);
+}
+
 TEST(CellGrid, NumberOfCellsIsInProportionToTheDisks)
 {
   const CellGrid grid(1000.0, 1000.0, 1e-6, 10, true);

@@ -1,13 +1,12 @@
 #include <algorithm>
-#include <optional>
 
 #include <gtest/gtest.h>
 
 #include "ratchet_sieve/core/event_loop.h"
 #include "ratchet_sieve/core/machine.h"
-#include "ratchet_sieve/core/pair_search.h"
 #include "ratchet_sieve/core/placement.h"
 #include "ratchet_sieve/core/pour.h"
+#include "reference_loop.h"
 #include "scenes.h"
 
 namespace ratchet_sieve
@@ -21,67 +20,6 @@ void fill(Machine& machine)
   pourDisks(machine, pourOrder(machine.scene().species, random), 0.0, random);
 }
 
-/// The slow reference: before every event it looks at every pair, all images, and at every disk
-/// against the base; no queue, no cells, nothing remembered.
-class ReferenceLoop
-{
-public:
-  explicit ReferenceLoop(Machine& machine) : machine_(machine) {}
-
-  void advanceTo(double end)
-  {
-    while (const auto next = earliest(end))
-    {
-      now_ = next->time;
-      if (next->feature)
-      {
-        BaseInstant base(machine_.motion());
-        machine_.meetBase(next->i, next->feature, now_, base);
-      }
-      else
-        machine_.meetPair(next->i, next->j, next->shift, now_);
-    }
-  }
-
-private:
-  struct Event
-  {
-    double time;
-    std::uint32_t i, j;
-    int shift;
-    BaseFeature feature;
-  };
-
-  std::optional<Event> earliest(double end) const
-  {
-    std::optional<Event> best;
-    const auto take = [&](const Event& event)
-    {
-      if (event.time <= end && (!best || event.time < best->time))
-        best = event;
-    };
-    const int images = machine_.scene().boundary == Boundary::PERIODIC ? 3 : 0;
-    for (std::uint32_t i = 0; i < machine_.disks().size(); ++i)
-    {
-      if (!machine_.active(i))
-        continue;
-      BaseEvent base{std::max(now_, machine_.disk(i).time), {}};
-      while (!base.feature && base.time < end)
-        base = machine_.search().find(machine_.disk(i), machine_.radius(i), base.time, end);
-      if (base.feature)
-        take({base.time, i, i, 0, base.feature});
-      for (std::uint32_t j = 0; j < i; ++j)
-        for (int shift = -images; shift <= images && machine_.active(j); ++shift)
-          if (const auto time = PairSearch(machine_, i, now_).contactWith(j, shift))
-            take({*time, i, j, shift, {}});
-    }
-    return best;
-  }
-
-  Machine& machine_;
-  double now_ = 0.0;
-};
-
 std::vector<CollisionRecord> collisionsOf(const SceneDefinition& scene, double end, bool reference)
 {
   Machine machine(scene);
@@ -89,7 +27,7 @@ std::vector<CollisionRecord> collisionsOf(const SceneDefinition& scene, double e
   std::vector<CollisionRecord> records;
   machine.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
   if (reference)
-    ReferenceLoop(machine).advanceTo(end);
+    test::ReferenceLoop(machine).advanceTo(end);
   else
   {
     const auto loop = makePairLoop(machine);

@@ -1,6 +1,7 @@
 #include "ratchet_sieve/core/resolution.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -31,6 +32,24 @@ TEST(Resolution, OfASceneInWhichNothingMovesIsASecond)
   scene.base.frequency = 0.0;
   scene.gravity = 0.0;
   EXPECT_EQ(timeScale(scene), 1.0);
+}
+
+TEST(Resolution, AFrequencyThatMovesNothingShortensNothing)
+{
+  SceneDefinition scene = test::mixture(1);
+  scene.base.frequency = 1e6;
+  EXPECT_DOUBLE_EQ(timeScale(scene), 1e-6);
+  scene.base.amplitude = 0.0;
+  EXPECT_DOUBLE_EQ(timeScale(scene), std::sqrt(0.020 / 9.81));
+}
+
+TEST(Resolution, TheLongestEpochKeepsAFastBaseFromOverlapping)
+{
+  const double length = longestEpoch(100.0, 1e-6);
+  EXPECT_LE(100.0 * timeResolution(length), 0.5e-9 * 1e-6);
+  EXPECT_GT(100.0 * timeResolution(2.0 * length), 0.5e-9 * 1e-6);
+  EXPECT_EQ(std::exp2(std::round(std::log2(length))), length);
+  EXPECT_EQ(longestEpoch(0.0, 1e-6), std::numeric_limits<double>::infinity());
 }
 
 TEST(Resolution, AnEpochIsAPowerOfTwoOfEightTimeScalesOrMore)

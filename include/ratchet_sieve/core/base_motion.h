@@ -63,7 +63,7 @@ public:
   /// Begins a new segment at `time`: at nextChange(), or earlier, with setpoints changed.
   void beginSegment(double time);
 
-  /// Makes `length` the new time zero; length is a power of two so that the phase stays exact.
+  /// Makes `length` the new time zero; whole multiples of a power of two, so that the phase stays exact.
   void rebase(double length);
 
   /// The motion begins at `time`, not at 0. @pre nothing was commanded
@@ -93,6 +93,9 @@ public:
 
   /// sup |d2Y/dt2| over the present segment [m/s^2].
   double accelerationBound() const { return acceleration_bound_; }
+
+  /// sup |dY/dt| of the oscillation as it is and on the way to its setpoints [m/s].
+  double speedBound() const;
 
   /// How high the drive throws a disk that leaves it at its highest speed [m]; infinity without gravity.
   double throwHeight(double gravity) const;

@@ -13,9 +13,24 @@
 namespace ratchet_sieve
 {
 
+/// How many cells there are and how large, in a machine `width` [m] wide.
+struct CellShape
+{
+  /// @param height over which to lay rows [m]
+  /// @param smallest_side of a cell: at least the largest diameter, with a margin [m]
+  /// @param count of disks, to keep the number of cells in proportion
+  CellShape(double width, double height, double smallest_side, std::size_t count);
+
+  std::int32_t columns = 1;
+  std::int32_t rows = 1;
+  double side_s = 0.0;  ///< [m]
+  double side_n = 0.0;  ///< [m]
+};
+
 /// Cells at least a largest diameter wide, so that disks in cells that do not touch cannot touch
 /// either. Columns along s, rows along n, in a frame that stands still. The outermost cells go on
-/// for ever, but for the columns of a periodic grid, which close to a ring.
+/// for ever, but for the columns of a periodic grid, which close to a ring. A ring of one column may reach
+/// beyond its ends by whole laps: its disks need not be wrapped so often, and meet any image of each other.
 class CellGrid
 {
 public:
@@ -27,10 +42,10 @@ public:
     void archive(StateArchive& state) { state(column, row); }
   };
 
-  /// @param width of the machine [m]; @param height over which to lay rows [m]
-  /// @param smallest_side of a cell: the largest diameter, with its margin [m]
-  /// @param count of disks, to keep the number of cells in proportion
-  CellGrid(double width, double height, double smallest_side, std::size_t count, bool periodic);
+  /// Parameters as of CellShape.
+  /// @param laps by which a ring of one column reaches beyond either end; more columns have none
+  CellGrid(double width, double height, double smallest_side, std::size_t count, bool periodic,
+           std::int32_t laps = 0);
 
   void add(std::uint32_t id, Cell cell);
   void remove(std::uint32_t id);
@@ -42,7 +57,12 @@ public:
   bool periodic() const { return periodic_; }
   std::int32_t columns() const { return columns_; }
   std::int32_t rows() const { return rows_; }
+  std::int32_t laps() const { return laps_; }
   double columnStart(std::int32_t column) const { return column * side_s_; }
+
+  /// Where a disk leaves a column, to the left and to the right.
+  double leftEdge(std::int32_t column) const { return columnStart(column) - laps_ * side_s_; }
+  double rightEdge(std::int32_t column) const { return columnStart(column + 1) + laps_ * side_s_; }
   double rowStart(std::int32_t row) const { return row * side_n_; }
 
   /// Which cells around one: from (column + first_column, row + first_row) to (column + last_column,
@@ -56,7 +76,8 @@ public:
   };
 
   /// Collects the disks in the cells around `cell` and calls visit(ids, count, shift) for as many lists of
-  /// them as there are shifts: how many widths the disk's image lies to the right of the disk.
+  /// them as there are shifts: how many widths the disk's image lies to the right of the disk. On a ring with
+  /// laps() it is one list, for any shift up to 2 laps() + 2 to either side.
   /// @param list holds them meanwhile, and grows as needed
   template <typename Visit>
   void visit(Cell cell, const Surroundings& around, std::vector<std::uint32_t>& list, Visit&& visit) const
@@ -74,7 +95,7 @@ public:
       visit(list.data(), count, shift);
     };
     look(std::max(first_column, 0), std::min(last_column, columns_ - 1), 0);
-    if (!periodic_)
+    if (!periodic_ || laps_ > 0)
       return;
     if (first_column < 0)
       look(columns_ - 1, columns_ - 1, -1);
@@ -96,10 +117,12 @@ public:
 
   void archive(StateArchive& state)
   {
-    state(periodic_, columns_, rows_, side_s_, side_n_, blocks_, full_, free_, cells_);
+    state(periodic_, laps_, columns_, rows_, side_s_, side_n_, blocks_, full_, free_, cells_);
   }
 
 private:
+  CellGrid(const CellShape& shape, std::size_t count, bool periodic, std::int32_t laps);
+
   static constexpr std::uint32_t NONE = 0xffffffff;
 
   /// Disks of one cell, side by side, so that a search reads them without a chain of loads. A cell with
@@ -137,10 +160,11 @@ private:
   void takeBack(std::size_t cell);
 
   bool periodic_;
-  std::int32_t columns_ = 1;
-  std::int32_t rows_ = 1;
-  double side_s_ = 0.0;
-  double side_n_ = 0.0;
+  std::int32_t laps_;
+  std::int32_t columns_;
+  std::int32_t rows_;
+  double side_s_;
+  double side_n_;
   std::vector<Block> blocks_;        ///< per cell
   std::vector<Block> full_;          ///< those that cells handed on
   std::vector<std::uint32_t> free_;  ///< of those, the ones no longer used

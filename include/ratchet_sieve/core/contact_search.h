@@ -39,6 +39,9 @@ public:
   {
   }
 
+  /// @param resolution the finest step in time that is told from none [s]
+  void setTimeResolution(double resolution) { time_resolution_ = resolution; }
+
   /// The first contact in [from, until], or how far the flight is free for certain (which may be
   /// beyond `until`, or before it where a search took too many steps).
   /// @pre from >= disk.time, until <= the end of the motion's present segment

@@ -33,6 +33,10 @@ public:
   /// Zero of time moves on by `length`.
   virtual void rebase(double length) = 0;
 
+  /// An epoch has begun: the time to see whether the search for neighbours still fits what the disks do.
+  /// @return whether it is changed with the next motionChanged(), which has to be called then
+  virtual bool outgrown(double /*time*/) { return false; }
+
   /// @throws StateError
   virtual void archive(StateArchive& state) { state(events_); }
 

@@ -65,9 +65,16 @@ public:
 
   const Epoch& epoch() const { return epoch_; }
 
+  /// Shortens the epoch where the drive has been commanded to be too fast for the times in it: a run that
+  /// starts without it is not laid out for it. Then the zero of time has to move on to the epoch that `now`
+  /// lies in: rebase().
+  /// @return by how much it has to [s], a multiple of the new length; 0 where nothing changes
+  double shortenEpoch(double now);
+
   /// See ratchet_sieve::timeScale().
   double timeScale() const { return time_scale_; }
   double largestDiameter() const { return largest_diameter_; }
+  double smallestRadius() const;
 
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t id) const { return disks_[id]; }
@@ -124,7 +131,8 @@ public:
   /// Takes a disk out where it is, into no bin: it is in the machine still, but has no course to follow.
   void takeOut(std::uint32_t id, double time);
 
-  void rebase();
+  /// Zero of time moves on by `length`, a multiple of the epoch's. @pre no disk's next event is before it
+  void rebase(double length);
   void restartMeans(double time);
   void endPieceOfMeans(double time);
 

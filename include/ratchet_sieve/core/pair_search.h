@@ -75,6 +75,10 @@ public:
   /// disk itself may be among them, and does not count.
   PairContact firstAmong(const std::uint32_t* others, std::size_t count, int shift) const;
 
+  /// The same for any of the images up to `most_laps` widths to either side: in closed form, for those that
+  /// the disk flies past on the way. @pre the base is periodic and does not turn
+  PairContact firstOnRing(const std::uint32_t* others, std::size_t count, int most_laps) const;
+
   /// The same for one other disk: without its lanes, and so the reference for it.
   std::optional<double> contactWith(std::uint32_t other, int shift) const
   {

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "ratchet_sieve/core/two.h"
+
+namespace ratchet_sieve
+{
+
+/// A disk's way past all the images that another has on a ring: they stand in a row, a width apart, and the
+/// relative motion is a straight line. So it comes near the row once, and only the images are to be looked at
+/// that are there then.
+struct RingCourse
+{
+  double cosine;     ///< of the row's inclination
+  double sine;       ///< of the row's inclination
+  double width;      ///< of the ring [m]
+  double per_width;  ///< its inverse [1/m]
+  int most_laps;     ///< images farther away than this do not count [widths]
+
+  struct Touch
+  {
+    double wait;  ///< [s]
+    int shift;    ///< of the image that is touched: so many widths to the right
+  };
+
+  /// The first touch, if there is one by `horizon` [s].
+  /// @param place, velocity of the disk as seen from the other [m, m/s]; @param distance of touching disks [m]
+  std::optional<Touch> firstTouch(Two place, Two velocity, double distance, double horizon) const;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,123 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+#include "state_hash.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double PI = 3.14159265358979323846;
+constexpr double LARGEST_OVERLAP = 1e-9;  // of the radius
+
+/// Setpoints are reached within a fraction of a period, but no faster than the drive itself moves.
+constexpr SlewRates SOON{1e3, 1e9, 10.0};
+
+/// Disks so small that a fast drive needs finer times than the scene, which has none, was laid out for.
+SceneDefinition tinyDisksAtRest(bool pairs)
+{
+  SceneDefinition scene = pairs ? test::mixture(10) : test::singleParticles(10);
+  scene.base.teeth = 1;
+  scene.base.amplitude = 0.0;
+  scene.contact.pair_collisions = pairs;
+  for (SpeciesDefinition& species : scene.species)
+    species.radius = 2e-7;
+  return scene;
+}
+
+TEST(Epoch, AFrequencyWithoutAnAmplitudeCostsNothing)
+{
+  for (const bool pairs : {true, false})
+  {
+    SceneDefinition scene = pairs ? test::mixture(20) : test::singleParticles(20);
+    scene.base.amplitude = 0.0;
+    Simulation slow(scene);
+    scene.base.frequency = 1e6;
+    Simulation fast(scene);
+    slow.advanceTo(1.0);
+    fast.advanceTo(1.0);
+    EXPECT_EQ(fast.events(), slow.events());
+    EXPECT_EQ(test::stateHash(fast), test::stateHash(slow));
+  }
+}
+
+/// Nothing falls and next to nothing moves, so that epochs are of seconds, until the base hits the disks.
+TEST(Epoch, GetsFinerWhereADriveIsCommandedThatNeedsIt)
+{
+  for (const bool pairs : {true, false})
+  {
+    SCOPED_TRACE(pairs ? "pairs" : "single disks");
+    SceneDefinition scene = tinyDisksAtRest(pairs);
+    scene.base.tooth_height = 0.0;
+    scene.gravity = 0.0;
+    constexpr std::size_t DISKS = 10;
+    for (std::size_t k = 0; k < DISKS; ++k)
+      scene.initial.push_back({0, 0.0021 + 0.0015 * static_cast<double>(k),
+                               0.0011 + 0.00007 * static_cast<double>(k), 0.0, -1e-4, 0.0});
+    Simulation simulation(scene);
+    simulation.setSlewRates(SOON);
+    simulation.advanceTo(3.1);
+    simulation.commandFrequency(1000.0);
+    simulation.commandAmplitude(0.002);
+    simulation.advanceTo(3.11);
+    EXPECT_GE(simulation.collisions().total(), DISKS);
+    EXPECT_LT(simulation.maxOverlap(), LARGEST_OVERLAP * scene.species[0].radius);
+  }
+}
+
+TEST(Epoch, ThePhaseGoesOnWhereItGetsFiner)
+{
+  Simulation simulation(tinyDisksAtRest(true));
+  simulation.setSlewRates(SOON);
+  simulation.advanceTo(0.4);
+  simulation.commandFrequency(1000.0);
+  simulation.advanceTo(0.5);
+  const double before = simulation.base().phase;
+  simulation.commandAmplitude(0.002);
+  EXPECT_NEAR(simulation.base().phase, before, 1e-9);
+  EXPECT_EQ(simulation.time(), 0.5);
+  simulation.advanceTo(0.5 + 20.25e-3);
+  EXPECT_NEAR(std::remainder(simulation.base().phase - before - 0.5 * PI, 2.0 * PI), 0.0, 1e-8);
+  EXPECT_NEAR(simulation.base().displacement, 0.002 * std::sin(simulation.base().phase), 1e-12);
+}
+
+TEST(Epoch, ThatGotFinerIsInTheSavedState)
+{
+  const SceneDefinition scene = tinyDisksAtRest(true);
+  Simulation simulation(scene);
+  simulation.setSlewRates(SOON);
+  simulation.commandFrequency(1000.0);
+  simulation.commandAmplitude(0.002);
+  simulation.advanceTo(0.7);
+  Simulation again(scene, simulation.saveState());
+  simulation.advanceTo(1.0);
+  again.advanceTo(1.0);
+  EXPECT_EQ(test::stateHash(again), test::stateHash(simulation));
+  EXPECT_EQ(again.events(), simulation.events());
+}
+
+/// Strides are no business of a run: also where its zero of time moves with a command.
+TEST(Epoch, GetsFinerWithTheSameBitsInAnyStrides)
+{
+  const auto run = [](double stride)
+  {
+    Simulation simulation(tinyDisksAtRest(true));
+    simulation.setSlewRates({0.1, 500.0, 0.01});
+    for (double time = 0.0; time < 0.4; time += stride)
+      simulation.advanceTo(time);
+    simulation.advanceTo(0.4);
+    simulation.commandFrequency(1000.0);
+    simulation.commandAmplitude(0.002);
+    for (double time = 0.4; time < 3.0; time += stride)
+      simulation.advanceTo(time);
+    simulation.advanceTo(3.0);
+    return test::stateHash(simulation);
+  };
+  EXPECT_EQ(run(0.013), run(10.0));
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

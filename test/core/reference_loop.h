@@ -1,0 +1,89 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "ratchet_sieve/core/machine.h"
+#include "ratchet_sieve/core/pair_search.h"
+
+namespace ratchet_sieve::test
+{
+
+/// The slow reference: before every event it looks at every pair, all images, and at every disk
+/// against the base; no queue, no cells, nothing remembered. It follows a base that moves to its setpoints.
+class ReferenceLoop
+{
+public:
+  /// @param images of a disk on a ring, to either side, that are looked at
+  explicit ReferenceLoop(Machine& machine, int images = 3) : machine_(machine), images_(images) {}
+
+  void advanceTo(double end)
+  {
+    while (const auto change = machine_.motion().nextChange())
+    {
+      if (*change > end)
+        break;
+      advanceWithinSegment(*change);
+      now_ = *change;
+      machine_.motion().beginSegment(now_);
+    }
+    advanceWithinSegment(end);
+  }
+
+private:
+  struct Event
+  {
+    double time;
+    std::uint32_t i, j;
+    int shift;
+    BaseFeature feature;
+  };
+
+  void advanceWithinSegment(double end)
+  {
+    while (const auto next = earliest(end))
+    {
+      now_ = next->time;
+      if (next->feature)
+      {
+        BaseInstant base(machine_.motion());
+        machine_.meetBase(next->i, next->feature, now_, base);
+      }
+      else
+        machine_.meetPair(next->i, next->j, next->shift, now_);
+    }
+  }
+
+  std::optional<Event> earliest(double end) const
+  {
+    std::optional<Event> best;
+    const auto take = [&](const Event& event)
+    {
+      if (event.time <= end && (!best || event.time < best->time))
+        best = event;
+    };
+    const int images = machine_.scene().boundary == Boundary::PERIODIC ? images_ : 0;
+    for (std::uint32_t i = 0; i < machine_.disks().size(); ++i)
+    {
+      if (!machine_.active(i))
+        continue;
+      BaseEvent base{std::max(now_, machine_.disk(i).time), {}};
+      while (!base.feature && base.time < end)
+        base = machine_.search().find(machine_.disk(i), machine_.radius(i), base.time, end);
+      if (base.feature)
+        take({base.time, i, i, 0, base.feature});
+      for (std::uint32_t j = 0; j < i; ++j)
+        for (int shift = -images; shift <= images && machine_.active(j); ++shift)
+          if (const auto time = PairSearch(machine_, i, now_).contactWith(j, shift))
+            take({*time, i, j, shift, {}});
+    }
+    return best;
+  }
+
+  Machine& machine_;
+  int images_;
+  double now_ = 0.0;
+};
+
+}  // namespace ratchet_sieve::test
