@@ -1,6 +1,7 @@
 #include "ratchet_sieve/core/layer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace ratchet_sieve
@@ -14,7 +15,7 @@ constexpr double PI = 3.14159265358979323846;
 constexpr double HEAP_PACKING = 0.82;
 
 /// What a disk takes at the most in a run of many, neighbours, events and sums included [bytes].
-constexpr double MEMORY_PER_DISK = 600.0;
+constexpr double MEMORY_PER_DISK = 500.0;
 
 /// The height of a heap of disks of this area, all together [m].
 double heapHeight(const SceneDefinition& scene, double area)
@@ -66,7 +67,7 @@ std::string sizeText(const SceneDefinition& scene)
   out << disksAtStart(scene) << " disks, ";
   if (scene.contact.pair_collisions)
     out << "at rest a layer of about " << settledLayer(scene) << " m, ";
-  out << "about " << std::max(1.0, 1e-6 * MEMORY_PER_DISK * disks) << " MB of memory";
+  out << "about " << std::lround(std::max(1.0, 1e-6 * MEMORY_PER_DISK * disks)) << " MB of memory";
   return out.str();
 }
 

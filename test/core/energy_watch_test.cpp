@@ -18,7 +18,7 @@ SceneDefinition driven(double restitution)
   scene.base.teeth = 1;
   scene.pour.drop_height = 0.001;
   scene.species[0].contact = {restitution, 0.0, 0.0};
-  scene.contact.min_rebound_speed = 0.0;
+  scene.contact.min_rebound_speed = restitution < 1.0 ? 0.05 : 0.0;
   return scene;
 }
 
