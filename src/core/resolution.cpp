@@ -5,12 +5,12 @@
 #include <limits>
 #include <sstream>
 
+#include "ratchet_sieve/core/drive.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
-constexpr double TWO_PI = 6.283185307179586476925;
-
 /// An epoch is at least this many of the machine's time scales long: rare enough to cost nothing,
 /// short enough that times within it are exact to 2^-48 of one.
 constexpr double SCALES_PER_EPOCH = 8.0;
@@ -103,7 +103,7 @@ FinestDisk finestDisk(const SceneDefinition& scene)
   finest.length(scene.base.width(), "the base's width is");
   finest.length(scene.base.tooth_height, "base.tooth_height is");
   finest.length(scene.base.amplitude, "base.amplitude is");
-  finest.speed(TWO_PI * scene.base.frequency * scene.base.amplitude, resolution, "the drive's speed is");
+  finest.speed(driveOf(scene.base.amplitude, scene.base.frequency, 0.0, 0.0).speed, resolution, "the drive's speed is");
   if (scene.initial.empty() || scene.feed.rate > 0.0)
   {
     finest.length(scene.pour.drop_height, "pour.drop_height is");
