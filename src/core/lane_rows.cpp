@@ -67,8 +67,7 @@ std::optional<LaneScene> laneScene(const Machine& machine)
 {
   const SceneDefinition& definition = machine.scene();
   const BaseMotion& motion = machine.motion();
-  if (definition.boundary != Boundary::PERIODIC || definition.contact.contact_duration > 0.0 ||
-      motion.nextChange())
+  if (!machine.plan().lanes || motion.nextChange())
     return std::nullopt;
   LaneScene scene{};
   scene.gravity = definition.gravity;

@@ -34,7 +34,8 @@ class BaseMotion
 public:
   /// @param max_turn the largest change of theta within one segment [rad]
   /// @param always_drive works out the drive even where it does not move the base; see Plan
-  BaseMotion(const BaseDefinition& base, double max_turn, bool always_drive = false);
+  explicit BaseMotion(const BaseDefinition& base, double max_turn = std::numeric_limits<double>::infinity(),
+                      bool always_drive = false);
 
   BaseKinematics at(double time) const
   {
