@@ -2,10 +2,9 @@
 
 #include "ratchet_sieve/core/flight.h"
 #include "ratchet_sieve/core/lane_batch.h"
-#include "ratchet_sieve/core/luding_law.h"
 
-/// The kernels that there are: each is compiled for its own width of register, together with the physics that is
-/// included here.
+/// The kernels that there are: each is compiled for its own width of register, together with the physics that
+/// is included here.
 namespace ratchet_sieve
 {
 extern const LaneKernel KERNEL_OF_ONE_LANE;

@@ -78,7 +78,7 @@ std::optional<LaneScene> laneScene(const Machine& machine)
   scene.drive = motion.drive();
   scene.longest_search = machine.epoch().length;
   scene.resolution = timeResolution(machine.epoch().length);
-  scene.min_rebound_speed = definition.contact.min_rebound_speed;
+  scene.law = definition.contact;
   setTeeth(machine.sawtooth(), scene);
   const double w = angularFrequency(scene.drive.frequency);
   LaneBounds& bounds = scene.bounds;

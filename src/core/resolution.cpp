@@ -103,7 +103,8 @@ FinestDisk finestDisk(const SceneDefinition& scene)
   finest.length(scene.base.width(), "the base's width is");
   finest.length(scene.base.tooth_height, "base.tooth_height is");
   finest.length(scene.base.amplitude, "base.amplitude is");
-  finest.speed(driveOf(scene.base.amplitude, scene.base.frequency, 0.0, 0.0).speed, resolution, "the drive's speed is");
+  finest.speed(driveOf(scene.base.amplitude, scene.base.frequency, 0.0, 0.0).speed, resolution,
+               "the drive's speed is");
   if (scene.initial.empty() || scene.feed.rate > 0.0)
   {
     finest.length(scene.pour.drop_height, "pour.drop_height is");

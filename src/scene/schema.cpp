@@ -115,6 +115,10 @@ const Keys<ContactDefinition>& contactKeys()
       {"contact_duration", [](C& c) -> Slot { return &c.contact_duration; }, upTo(LONGEST_DURATION, "s")},
       {"on_collapse", [](C& c) -> Slot { return &c.on_collapse; }, ANY},
       {"collapse_events", [](C& c) -> Slot { return &c.collapse_events; }, {1e3, 1e9, ""}},
+      {"restitution_speed", [](C& c) -> Slot { return &c.restitution_speed; }, upTo(LARGEST_SPEED, "m/s"),
+       false, false},
+      {"restitution_exponent", [](C& c) -> Slot { return &c.restitution_exponent; }, upTo(10.0), false,
+       false},
   };
   return KEYS;
 }

@@ -26,6 +26,7 @@ struct Key
   Slot (*slot)(Part&);  ///< where its value lives
   Range range;
   bool required = false;
+  bool written_at_default = true;  ///< false for a key that came later: scenes without it keep their hash
 };
 
 template <typename Part>
@@ -77,12 +78,16 @@ void readValues(const Entry& map, const Keys<Part>& keys, Part& part)
       std::visit([&](auto* value) { readScalar(map.at(key.name), key.range, *value); }, key.slot(part));
 }
 
-/// Calls write(name, text) for every key.
+/// Calls write(name, text) for every key, but for those that came later and have their default.
 template <typename Part, typename Write>
 void writeValues(const Keys<Part>& keys, Part part, Write&& write)
 {
+  const auto text = [](const Key<Part>& key, Part& of)
+  { return std::visit([](const auto* value) { return scalarText(*value); }, key.slot(of)); };
+  Part plain;
   for (const Key<Part>& key : keys)
-    write(key.name, std::visit([](const auto* value) { return scalarText(*value); }, key.slot(part)));
+    if (key.written_at_default || text(key, part) != text(key, plain))
+      write(key.name, text(key, part));
 }
 
 }  // namespace ratchet_sieve

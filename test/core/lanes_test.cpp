@@ -43,7 +43,10 @@ std::vector<SceneDefinition> scenes()
   scenes[1].base.teeth = 3;
   scenes[2].base.asymmetry = 0.0;
   scenes[2].base.inclination = -0.1;
+  scenes[2].contact.restitution_speed = 0.4;
   scenes[3].base.tooth_height = 0.0;
+  scenes[3].contact.restitution_speed = 2.0;
+  scenes[3].contact.restitution_exponent = 0.3;
   scenes[4].base.tooth_width = 0.0008;
   scenes[4].base.tooth_height = 0.0004;
   scenes[4].base.teeth = 400;

@@ -114,9 +114,10 @@ TEST(Plan, SaysWhatItIs)
       planText(planOf(smallMixture())),
       "pairs, spin, drive, no contact times (contact_duration is 0), no base search above the base's reach" +
           no_lanes);
-  EXPECT_EQ(planText(planOf(test::singleParticles(5))),
-            "no pairs (disks do not see each other), spin, drive, no contact times (contact_duration is 0), no "
-            "base search above the base's reach, lanes");
+  EXPECT_EQ(
+      planText(planOf(test::singleParticles(5))),
+      "no pairs (disks do not see each other), spin, drive, no contact times (contact_duration is 0), no "
+      "base search above the base's reach, lanes");
   SceneDefinition scene = smooth(test::singleParticles(5));
   scene.base.amplitude = 0.0;
   scene.contact.contact_duration = 1e-4;

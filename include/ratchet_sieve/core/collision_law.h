@@ -19,25 +19,25 @@ ContactMasses contactMasses(const SpeciesDefinition& species, const SpeciesDefin
 
 using Impulse = ImpulseOf<double>;
 
-inline ContactNumbers<double> contactNumbers(const ContactCoefficients& coefficients, const ContactMasses& masses)
+inline ContactNumbers<double> contactNumbers(const ContactCoefficients& coefficients,
+                                             const ContactMasses& masses)
 {
   return {coefficients.restitution, coefficients.friction, masses.normal,
           (1.0 + coefficients.tangential_restitution) * masses.tangential};
 }
 
 /// ludingImpulse() of one contact.
-inline Impulse collide(const ContactCoefficients& coefficients, const ContactMasses& masses,
-                       double normal_velocity, double tangential_velocity, double min_rebound_speed)
+inline Impulse collide(const CollisionLaw& law, const ContactCoefficients& coefficients,
+                       const ContactMasses& masses, double normal_velocity, double tangential_velocity)
 {
-  return ludingImpulse(contactNumbers(coefficients, masses), normal_velocity, tangential_velocity,
-                       min_rebound_speed);
+  return ludingImpulse(law, contactNumbers(coefficients, masses), normal_velocity, tangential_velocity);
 }
 
 /// The same without friction: no tangential impulse.
-inline Impulse collideSmooth(const ContactCoefficients& coefficients, const ContactMasses& masses,
-                             double normal_velocity, double min_rebound_speed)
+inline Impulse collideSmooth(const CollisionLaw& law, const ContactCoefficients& coefficients,
+                             const ContactMasses& masses, double normal_velocity)
 {
-  return {normalImpulse(contactNumbers(coefficients, masses), normal_velocity, min_rebound_speed), 0.0};
+  return {normalImpulse(law, contactNumbers(coefficients, masses), normal_velocity), 0.0};
 }
 
 /// A contact that loses no energy: e = 1 and smooth. The TC model's, for a contact that follows

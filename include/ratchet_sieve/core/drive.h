@@ -5,7 +5,8 @@
 namespace ratchet_sieve
 {
 
-/// The drive with its frequency and amplitude as they are at one instant: Y = A sin(phi), upwards in the world.
+/// The drive with its frequency and amplitude as they are at one instant: Y = A sin(phi), upwards in the
+/// world.
 struct Drive
 {
   double amplitude;     ///< A [m]

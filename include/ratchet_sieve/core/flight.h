@@ -2,14 +2,16 @@
 
 #include "ratchet_sieve/core/numbers.h"
 
-/// A disk's free flight for a time `elapsed` [s]. Along each axis of any frame that is not accelerated: `place`
-/// [m], `velocity` [m/s], and `fall`, what gravity takes from the velocity meanwhile: g elapsed, downwards [m/s].
+/// A disk's free flight for a time `elapsed` [s]. Along each axis of any frame that is not accelerated:
+/// `place` [m], `velocity` [m/s], and `fall`, what gravity takes from the velocity meanwhile: g elapsed,
+/// downwards [m/s].
 namespace ratchet_sieve
 {
 
 /// @tparam Coordinate a number, or several axes side by side (Two)
 template <typename Coordinate, typename Number>
-RATCHET_SIEVE_INLINE Coordinate placeAfter(Coordinate place, Coordinate velocity, Coordinate fall, Number elapsed)
+RATCHET_SIEVE_INLINE Coordinate placeAfter(Coordinate place, Coordinate velocity, Coordinate fall,
+                                           Number elapsed)
 {
   return place + (velocity - 0.5 * fall) * elapsed;
 }

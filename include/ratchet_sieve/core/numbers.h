@@ -1,12 +1,12 @@
 #pragma once
 
-/// The operations over which the physics is written once (sine.h, drive.h, flight.h, luding_law.h): here for one
-/// double; lane_pairs.inc has them for packs of doubles, one to a lane. Each rounds as the plain operation on a
-/// double does, so that the bits do not depend on the number type.
+/// The operations over which the physics is written once (sine.h, drive.h, flight.h, luding_law.h): here for
+/// one double; lane_pairs.inc has them for packs of doubles, one to a lane. Each rounds as the plain
+/// operation on a double does, so that the bits do not depend on the number type.
 ///
-/// The headers of the physics include no other headers than each other and hold nothing but templates over the
-/// number type and functions that are always inlined: the lane kernels compile them for registers that not every
-/// processor has, and the linker must find no copy of them that another file could be given.
+/// The headers of the physics include no other headers than each other and hold nothing but templates over
+/// the number type and functions that are always inlined: the lane kernels compile them for registers that
+/// not every processor has, and the linker must find no copy of them that another file could be given.
 #define RATCHET_SIEVE_INLINE inline __attribute__((always_inline))
 
 namespace ratchet_sieve

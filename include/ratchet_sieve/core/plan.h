@@ -16,8 +16,9 @@ struct Plan
   bool contact_times = true;      ///< when each disk touched last, which t_c asks for
   bool search_above_band = true;  ///< step by step towards the base even from where it cannot reach
 
-  /// Many disks at a time in the lanes of the processor's registers (lane_batch.h), while the base stands at its
-  /// setpoints; for single disks on a periodic base without contact times. Contacts are the same but for rounding.
+  /// Many disks at a time in the lanes of the processor's registers (lane_batch.h), while the base stands at
+  /// its setpoints; for single disks on a periodic base without contact times. Contacts are the same but for
+  /// rounding.
   bool lanes = false;
 };
 
@@ -29,7 +30,8 @@ Plan planOf(const SceneDefinition& scene);
 /// each other is the scene's to say; lanes are as planOf() has them.
 Plan fullPlan(const SceneDefinition& scene);
 
-/// Whether `plan` gives the results of the scene: it has what the scene needs, and lanes only where they know it.
+/// Whether `plan` gives the results of the scene: it has what the scene needs, and lanes only where they know
+/// it.
 bool covers(const Plan& plan, const SceneDefinition& scene);
 
 /// One line for a human: what is modelled, and what is not and why.
