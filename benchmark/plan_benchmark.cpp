@@ -71,7 +71,7 @@ void run(benchmark::State& state, Choice choice, bool full)
 [[maybe_unused]] const bool REGISTERED = []
 {
   const SceneDefinition layer = test::mixture(262);
-  // Between walls: on a periodic base they go through the lanes, which work everything out for all at once.
+  // Between walls: the lanes of a periodic base work everything out for all at once.
   SceneDefinition singles = test::singleParticles(1000);
   singles.boundary = Boundary::WALLED;
   for (const Choice& choice : {

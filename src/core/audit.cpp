@@ -48,7 +48,7 @@ std::vector<Place> placesOnBase(const Machine& machine, double time)
     const Disk now = flown(disk, time, machine.scene().gravity);
     const BasePoint point = toBase(base, now.x, now.y, now.vx, now.vy);
     const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
-    points.push_back({periodic ? point.s - width * std::floor(point.s / width) : point.s, point.n});
+    points.push_back({periodic ? point.s - width * wholeWidths(point.s, 1.0 / width) : point.s, point.n});
   }
   return points;
 }

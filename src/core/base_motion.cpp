@@ -4,14 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "ratchet_sieve/core/sine.h"
-
 namespace ratchet_sieve
 {
 namespace
 {
-constexpr double TWO_PI = 6.283185307179586476925;
-
 /// Ramps whose ends differ by less than this share of the remaining time end together: without it
 /// the rounding of one would leave a segment too short to be told from nothing.
 constexpr double SAME_END = 1e-12;
@@ -41,7 +37,7 @@ BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn, bool always_
   inclination_ = {base.inclination, 0.0, base.inclination};
   frequency_ = {base.frequency, 0.0, base.frequency};
   amplitude_ = {base.amplitude, 0.0, base.amplitude};
-  turns_ = fraction(base.phase / TWO_PI);
+  turns_ = fraction(base.phase / RADIANS_PER_TURN);
   plan();
 }
 
@@ -73,21 +69,21 @@ void BaseMotion::lookAt(double time, BaseKinematics& k) const
   if (oscillates_ && !next_change_)
   {
     // At its setpoints: the same to the last bit, without the ramps.
-    const auto phase = sineCosineOfTurns(turns_ + elapsed * frequency_.start);
-    k.displacement = amplitude_.start * phase.sine;
-    k.velocity = amplitude_.start * (TWO_PI * frequency_.start) * phase.cosine;
+    const auto stroke = strokeAt(drive(), time);
+    k.displacement = stroke.displacement;
+    k.velocity = stroke.velocity;
   }
   else if (oscillates_)
   {
-    const double amplitude = amplitude_.at(elapsed);
-    const double phase_rate = TWO_PI * frequency_.at(elapsed);
     const auto phase = sineCosineOfTurns(turns(elapsed));
-    k.displacement = amplitude * phase.sine;
-    k.velocity = amplitude * phase_rate * phase.cosine + amplitude_.rate * phase.sine;
+    const auto stroke =
+        strokeAtPhase(driveOf(amplitude_.at(elapsed), frequency_.at(elapsed), time, turns(elapsed)), phase);
+    k.displacement = stroke.displacement;
+    k.velocity = stroke.velocity + amplitude_.rate * phase.sine;
   }
   if (!turning())
     return;
-  const auto angle = sineCosineOfTurns(k.inclination / TWO_PI);
+  const auto angle = sineCosineOfTurns(k.inclination / RADIANS_PER_TURN);
   k.cosine = angle.cosine;
   k.sine = angle.sine;
 }
@@ -103,7 +99,7 @@ DriveState BaseMotion::state(double time) const
   state.commanded_inclination = inclination_.target;
   state.commanded_frequency = frequency_.target;
   state.commanded_amplitude = amplitude_.target;
-  state.phase = TWO_PI * fraction(turns(elapsed));
+  state.phase = RADIANS_PER_TURN * fraction(turns(elapsed));
   state.displacement = k.displacement;
   state.velocity = k.velocity;
   return state;
@@ -135,7 +131,7 @@ void BaseMotion::plan()
   pursue(frequency_, slew_rates_.frequency);
   pursue(amplitude_, slew_rates_.amplitude);
 
-  const auto angle = sineCosineOfTurns(inclination_.start / TWO_PI);
+  const auto angle = sineCosineOfTurns(inclination_.start / RADIANS_PER_TURN);
   cosine_ = angle.cosine;
   sine_ = angle.sine;
 
@@ -209,7 +205,7 @@ double BaseMotion::speedBound() const
 
 double BaseMotion::throwHeight(double gravity) const
 {
-  const double speed = TWO_PI * frequency_.start * amplitude_.start;
+  const double speed = drive().speed;
   return gravity > 0.0 ? 0.5 * speed * speed / gravity : std::numeric_limits<double>::infinity();
 }
 
@@ -217,9 +213,9 @@ void BaseMotion::updateBounds()
 {
   const double length = next_change_ ? *next_change_ - segment_start_ : 0.0;
   const double amplitude = std::max(amplitude_.start, amplitude_.at(length));
-  const double phase_rate = TWO_PI * std::max(frequency_.start, frequency_.at(length));
+  const double phase_rate = angularFrequency(std::max(frequency_.start, frequency_.at(length)));
   acceleration_bound_ = amplitude * phase_rate * phase_rate + 2.0 * std::abs(amplitude_.rate) * phase_rate +
-                        amplitude * TWO_PI * std::abs(frequency_.rate);
+                        amplitude * RADIANS_PER_TURN * std::abs(frequency_.rate);
   displacement_bound_ = amplitude;
 }
 

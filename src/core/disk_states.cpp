@@ -27,7 +27,7 @@ void forEachDiskState(const Machine& machine, double time, const std::function<v
       continue;
     const Disk disk = flown(machine.disk(id), time, machine.scene().gravity);
     const BasePoint point = toBase(base, disk.x, disk.y, disk.vx, disk.vy);
-    const Image image = periodic ? machine.image(-std::floor(point.s / width), time) : Image();
+    const Image image = periodic ? machine.image(-wholeWidths(point.s, 1.0 / width), time) : Image();
     DiskState state;
     state.id = machine.number(id);
     state.species = disk.species;

@@ -24,8 +24,8 @@ constexpr std::size_t DISKS_PER_THREAD = 64;
 
 /// Every disk is a loop of its own. The ordinary contacts of all disks are executed many at a time, in the
 /// lanes of the processor's registers (LaneRun), on several threads; what is not ordinary is left to the
-/// machine: see laneScene() for scenes, and CollapseWatch for disks. Which of the two it is depends on the
-/// scene and on the disk's own past alone.
+/// machine: see Plan for scenes, laneScene() for times, and CollapseWatch for disks. Which of the two it is
+/// depends on the scene and on the disk's own past alone.
 class EnsembleLoop : public EventLoop
 {
 public:

@@ -1,5 +1,4 @@
 #include "lane_kernels.h"
-#include "ratchet_sieve/core/lane_batch.h"
 
 namespace ratchet_sieve
 {

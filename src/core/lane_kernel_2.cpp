@@ -1,9 +1,8 @@
-#include "lane_kernels.h"
-#include "ratchet_sieve/core/lane_batch.h"
-
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
+
+#include "lane_kernels.h"
 
 namespace ratchet_sieve
 {

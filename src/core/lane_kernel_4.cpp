@@ -1,16 +1,18 @@
-#include "lane_kernels.h"
-#include "ratchet_sieve/core/lane_batch.h"
+#include <cstddef>
+#include <cstdint>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
 
-// For what stands below, and nothing of the headers above.
+// For what stands below, the physics among it, and nothing of the headers above.
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
 #else
 #pragma GCC push_options
 #pragma GCC target("avx2")
 #endif
+
+#include "lane_kernels.h"
 
 namespace ratchet_sieve
 {

@@ -1,5 +1,5 @@
-#include "lane_kernels.h"
-#include "ratchet_sieve/core/lane_batch.h"
+#include <cstddef>
+#include <cstdint>
 
 #if defined(__x86_64__)
 // gcc's own header leaves a register undefined where its value does not matter, and warns of it.
@@ -8,13 +8,15 @@
 #endif
 #include <immintrin.h>
 
-// For what stands below, and nothing of the headers above.
+// For what stands below, the physics among it, and nothing of the headers above.
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx512f,avx512vl"))), apply_to = function)
 #else
 #pragma GCC push_options
 #pragma GCC target("avx512f,avx512vl")
 #endif
+
+#include "lane_kernels.h"
 
 namespace ratchet_sieve
 {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "ratchet_sieve/core/flight.h"
 #include "ratchet_sieve/core/lane_batch.h"
 
-/// The kernels that there are: each is compiled for its own width of register.
+/// The kernels that there are: each is compiled for its own width of register, together with the physics that
+/// is included here.
 namespace ratchet_sieve
 {
 extern const LaneKernel KERNEL_OF_ONE_LANE;

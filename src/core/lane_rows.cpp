@@ -9,8 +9,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-constexpr double TWO_PI = 6.283185307179586476925;
-
 /// In radians of the drive: a look at the acceleration as it is bounds it for so long better than its bound.
 constexpr double LONGEST_TRIAL = 1.5;
 
@@ -69,38 +67,28 @@ std::optional<LaneScene> laneScene(const Machine& machine)
 {
   const SceneDefinition& definition = machine.scene();
   const BaseMotion& motion = machine.motion();
-  if (definition.boundary != Boundary::PERIODIC || definition.contact.contact_duration > 0.0 ||
-      motion.nextChange())
+  if (!machine.plan().lanes || motion.nextChange())
     return std::nullopt;
   LaneScene scene{};
-  const double w = TWO_PI * motion.frequency();
   scene.gravity = definition.gravity;
   scene.gravity_s = definition.gravity * motion.sine();
   scene.gravity_n = definition.gravity * motion.cosine();
   scene.sine = motion.sine();
   scene.cosine = motion.cosine();
-  scene.amplitude = motion.amplitude();
-  scene.speed = motion.amplitude() * w;
-  scene.drive = scene.speed * w;
-  scene.jerk = scene.drive * w;
-  scene.acceleration = definition.gravity + scene.drive;
-  scene.highest = scene.amplitude * std::abs(scene.cosine);
-  scene.fall = std::max(0.0, scene.gravity_n);
-  scene.turns = motion.startTurns();
-  scene.frequency = motion.frequency();
-  scene.segment_start = motion.segmentStart();
+  scene.drive = motion.drive();
   scene.longest_search = machine.epoch().length;
   scene.resolution = timeResolution(machine.epoch().length);
-  scene.min_rebound_speed = definition.contact.min_rebound_speed;
+  scene.law = definition.contact;
   setTeeth(machine.sawtooth(), scene);
+  const double w = angularFrequency(scene.drive.frequency);
   LaneBounds& bounds = scene.bounds;
   bounds.gravity = static_cast<float>(scene.gravity);
   bounds.fall = static_cast<float>(std::max(0.0, scene.gravity_n));
-  bounds.amplitude = static_cast<float>(scene.amplitude);
-  bounds.highest = static_cast<float>(scene.amplitude * std::abs(scene.cosine));
-  bounds.speed = static_cast<float>(scene.speed);
-  bounds.third_of_jerk = static_cast<float>(scene.jerk / 3.0);
-  bounds.acceleration = static_cast<float>(scene.acceleration);
+  bounds.amplitude = static_cast<float>(scene.drive.amplitude);
+  bounds.highest = static_cast<float>(scene.drive.amplitude * std::abs(scene.cosine));
+  bounds.speed = static_cast<float>(scene.drive.speed);
+  bounds.third_of_jerk = static_cast<float>(scene.drive.acceleration * w / 3.0);
+  bounds.acceleration = static_cast<float>(definition.gravity + scene.drive.acceleration);
   bounds.longest = static_cast<float>(scene.longest_search);
   bounds.longest_trial = w > 0.0 ? static_cast<float>(LONGEST_TRIAL / w) : bounds.longest;
   return scene;

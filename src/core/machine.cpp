@@ -199,7 +199,7 @@ void Machine::wrap(std::uint32_t id, double shift, double time)
 
 void Machine::bringHome(std::uint32_t id, double s, double time)
 {
-  const double laps = std::floor(s / sawtooth_.width());
+  const double laps = wholeWidths(s, 1.0 / sawtooth_.width());
   if (scene_.boundary == Boundary::PERIODIC && laps != 0.0)
     wrap(id, -laps, time);
 }

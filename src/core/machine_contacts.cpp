@@ -51,10 +51,12 @@ void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time
                                   species.radius * (disk.spin - k.inclination_rate);
 
   const CollisionKind kind = collisionKind(feature.kind, scene_.boundary);
-  ContactCoefficients coefficients = lossless(id, time) ? LOSSLESS : species.contact;
+  const bool no_loss = lossless(id, time);
+  ContactCoefficients coefficients = no_loss ? LOSSLESS : species.contact;
   if (kind == CollisionKind::WALL)
     coefficients.friction = 0.0;
-  const Impulse impulse = respond(coefficients, base_masses_[disk.species], contact, reboundFloor(id));
+  const Impulse impulse =
+      respond(coefficients, base_masses_[disk.species], contact, reboundFloor(id, no_loss));
   push(id, disk, contact, impulse, 1.0);
   tally_.pushed(id, impulse.normal * contact.nx - impulse.tangential * contact.ny,
                 impulse.normal * contact.ny + impulse.tangential * contact.nx);
@@ -92,7 +94,7 @@ void Machine::meetPair(std::uint32_t i, std::uint32_t j, int shift, double time)
   const std::size_t pair = a.species * scene_.species.size() + b.species;
   const bool no_loss = lossless(i, time) || lossless(j, time);
   const Impulse impulse = respond(no_loss ? LOSSLESS : pair_coefficients_[pair], pair_masses_[pair], contact,
-                                  std::max(reboundFloor(i), reboundFloor(j)));
+                                  std::max(reboundFloor(i, no_loss), reboundFloor(j, no_loss)));
   push(i, a, contact, impulse, 1.0);
   push(j, b, contact, impulse, -1.0);
   touched(i, time);
@@ -103,9 +105,10 @@ void Machine::meetPair(std::uint32_t i, std::uint32_t j, int shift, double time)
 Impulse Machine::respond(const ContactCoefficients& coefficients, const ContactMasses& masses,
                          const Contact& contact, double floor) const
 {
-  return plan_.spin
-             ? collide(coefficients, masses, contact.normal_velocity, contact.tangential_velocity, floor)
-             : collideSmooth(coefficients, masses, contact.normal_velocity, floor);
+  CollisionLaw law = scene_.contact;
+  law.min_rebound_speed = floor;
+  return plan_.spin ? collide(law, coefficients, masses, contact.normal_velocity, contact.tangential_velocity)
+                    : collideSmooth(law, coefficients, masses, contact.normal_velocity);
 }
 
 /// Gives a partner, which is flown to the contact as `now`, its share of the impulse. The contact lies on the
@@ -144,9 +147,13 @@ bool Machine::lossless(std::uint32_t id, double time) const
   return !last_contacts_.empty() && time - last_contacts_[id] < scene_.contact.contact_duration;
 }
 
-double Machine::reboundFloor(std::uint32_t id) const
+/// v_min does not apply to a contact that loses nothing: it would put energy in. Where a collapse has
+/// loosened the disk, it is energy that is asked for.
+double Machine::reboundFloor(std::uint32_t id, bool no_loss) const
 {
-  return collapse_watch_.loosened(id) ? collapse_watch_.floorSpeed(id) : scene_.contact.min_rebound_speed;
+  if (collapse_watch_.loosened(id))
+    return collapse_watch_.floorSpeed(id);
+  return no_loss ? 0.0 : scene_.contact.min_rebound_speed;
 }
 
 void Machine::touched(std::uint32_t id, double time)

@@ -21,7 +21,7 @@ PlacedDisk placed(const Machine& machine, std::uint32_t id, const BaseKinematics
   const double width = machine.sawtooth().width();
   double s = base.cosine * disk.x + base.sine * (disk.y - base.displacement);
   if (machine.scene().boundary == Boundary::PERIODIC)
-    s -= width * std::floor(s / width);
+    s -= width * wholeWidths(s, 1.0 / width);
   return {s, base.cosine * disk.y - base.sine * disk.x, machine.radius(id)};
 }
 

@@ -48,6 +48,7 @@ Plan planOf(const SceneDefinition& scene)
   plan.drive = scene.base.amplitude > 0.0 && scene.base.frequency > 0.0;
   plan.contact_times = scene.contact.contact_duration > 0.0;
   plan.search_above_band = false;
+  plan.lanes = !plan.pairs && scene.boundary == Boundary::PERIODIC && !plan.contact_times;
   return plan;
 }
 
@@ -55,6 +56,7 @@ Plan fullPlan(const SceneDefinition& scene)
 {
   Plan plan;
   plan.pairs = scene.contact.pair_collisions;
+  plan.lanes = planOf(scene).lanes;
   return plan;
 }
 
@@ -62,7 +64,8 @@ bool covers(const Plan& plan, const SceneDefinition& scene)
 {
   const Plan needed = planOf(scene);
   return plan.pairs == needed.pairs && includes(plan.spin, needed.spin) &&
-         includes(plan.drive, needed.drive) && includes(plan.contact_times, needed.contact_times);
+         includes(plan.drive, needed.drive) && includes(plan.contact_times, needed.contact_times) &&
+         includes(needed.lanes, plan.lanes);
 }
 
 std::string planText(const Plan& plan)
@@ -72,6 +75,7 @@ std::string planText(const Plan& plan)
   line += plan.drive ? ", drive" : ", no drive (the base stands still)";
   line += plan.contact_times ? ", contact times" : ", no contact times (contact_duration is 0)";
   line += plan.search_above_band ? ", base search everywhere" : ", no base search above the base's reach";
+  line += plan.lanes ? ", lanes" : ", no lanes (for single disks on a periodic base without contact times)";
   return line;
 }
 

@@ -5,14 +5,13 @@
 #include <limits>
 #include <sstream>
 
+#include "ratchet_sieve/core/drive.h"
 #include "ratchet_sieve/core/walls.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-constexpr double TWO_PI = 6.283185307179586476925;
-
 /// An epoch is at least this many of the machine's time scales long: rare enough to cost nothing,
 /// short enough that times within it are exact to 2^-48 of one.
 constexpr double SCALES_PER_EPOCH = 8.0;
@@ -123,7 +122,8 @@ FinestDisk finestDisk(const SceneDefinition& scene)
   if (scene.boundary == Boundary::WALLED)
     finest.length(wallHeight(scene), "base.wall_height is");
   finest.length(scene.base.amplitude, "base.amplitude is");
-  finest.speed(TWO_PI * scene.base.frequency * scene.base.amplitude, resolution, "the drive's speed is");
+  finest.speed(driveOf(scene.base.amplitude, scene.base.frequency, 0.0, 0.0).speed, resolution,
+               "the drive's speed is");
   if (scene.initial.empty() || scene.feed.rate > 0.0)
   {
     finest.length(scene.pour.drop_height, "pour.drop_height is");

@@ -7,10 +7,6 @@
 
 namespace ratchet_sieve
 {
-namespace
-{
-constexpr double THIRD = 1.0 / 3.0;
-}  // namespace
 
 Tally::Tally(const std::vector<SpeciesDefinition>& species, double gravity, bool spin)
     : species_(species),
@@ -35,10 +31,9 @@ void Tally::integrate(Passage& passage, const Disk& disk, double local_time) con
 {
   const double span = local_time - disk.time;
   const double fall = gravity_ * span;
-  passage.translation +=
-      0.5 * span * (disk.vx * disk.vx + disk.vy * disk.vy - disk.vy * fall + fall * fall * THIRD);
+  passage.translation += translationOver(disk.vx, disk.vy, fall, span);
   if (spin_)
-    passage.rotation += 0.5 * span * disk.spin * disk.spin;
+    passage.rotation += rotationOver(disk.spin, span);
 }
 
 void Tally::flew(std::uint32_t id, const Disk& disk, double time)

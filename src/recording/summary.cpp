@@ -40,6 +40,7 @@ Json planParts(const Plan& plan)
   json["drive"] = plan.drive;
   json["contact_times"] = plan.contact_times;
   json["search_above_band"] = plan.search_above_band;
+  json["lanes"] = plan.lanes;
   return json;
 }
 

@@ -1,8 +1,8 @@
 #include "ratchet_sieve/ros/seen_run.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "ratchet_sieve/core/base_motion.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
@@ -13,17 +13,19 @@ namespace
 /// than a second at the default rates.
 constexpr std::size_t BASES_KEPT = 100;
 
-constexpr double TWO_PI = 6.283185307179586;
-
 /// The base a little later: the drive goes on, what slews is left where it was.
 BaseFrame carriedOn(BaseFrame frame, double time)
 {
   if (frame.time == time)
     return frame;
-  DriveState& base = frame.base;
-  base.phase = std::fmod(base.phase + TWO_PI * base.frequency * (time - frame.time), TWO_PI);
-  base.displacement = base.amplitude * std::sin(base.phase);
-  base.velocity = TWO_PI * base.frequency * base.amplitude * std::cos(base.phase);
+  BaseDefinition drive;
+  drive.amplitude = frame.base.amplitude;
+  drive.frequency = frame.base.frequency;
+  drive.phase = frame.base.phase;
+  const DriveState later = BaseMotion(drive).state(time - frame.time);
+  frame.base.phase = later.phase;
+  frame.base.displacement = later.displacement;
+  frame.base.velocity = later.velocity;
   frame.time = time;
   return frame;
 }
@@ -32,13 +34,7 @@ BaseFrame carriedOn(BaseFrame frame, double time)
 BaseFrame baseOf(const SceneDefinition& scene)
 {
   BaseFrame frame;
-  DriveState& base = frame.base;
-  base.inclination = base.commanded_inclination = scene.base.inclination;
-  base.frequency = base.commanded_frequency = scene.base.frequency;
-  base.amplitude = base.commanded_amplitude = scene.base.amplitude;
-  base.phase = scene.base.phase;
-  base.displacement = base.amplitude * std::sin(base.phase);
-  base.velocity = TWO_PI * base.frequency * base.amplitude * std::cos(base.phase);
+  frame.base = BaseMotion(scene.base).state(0.0);
   return frame;
 }
 }  // namespace

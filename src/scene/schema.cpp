@@ -77,7 +77,7 @@ const Keys<BaseDefinition>& baseKeys()
       {"amplitude", [](B& b) -> Slot { return &b.amplitude; }, upTo(LARGEST_AMPLITUDE, "m")},
       {"frequency", [](B& b) -> Slot { return &b.frequency; }, upTo(LARGEST_FREQUENCY, "Hz")},
       {"phase", [](B& b) -> Slot { return &b.phase; }, within(LARGEST_PHASE, "rad")},
-      {"wall_height", [](B& b) -> Slot { return &b.wall_height; }, upTo(LARGEST_LENGTH, "m"), false, true},
+      {"wall_height", [](B& b) -> Slot { return &b.wall_height; }, upTo(LARGEST_LENGTH, "m"), false, false},
   };
   return KEYS;
 }
@@ -116,6 +116,10 @@ const Keys<ContactDefinition>& contactKeys()
       {"contact_duration", [](C& c) -> Slot { return &c.contact_duration; }, upTo(LONGEST_DURATION, "s")},
       {"on_collapse", [](C& c) -> Slot { return &c.on_collapse; }, ANY},
       {"collapse_events", [](C& c) -> Slot { return &c.collapse_events; }, {1e3, 1e9, ""}},
+      {"restitution_speed", [](C& c) -> Slot { return &c.restitution_speed; }, upTo(LARGEST_SPEED, "m/s"),
+       false, false},
+      {"restitution_exponent", [](C& c) -> Slot { return &c.restitution_exponent; }, upTo(10.0), false,
+       false},
   };
   return KEYS;
 }

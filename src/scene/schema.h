@@ -26,7 +26,7 @@ struct Key
   Slot (*slot)(Part&);  ///< where its value lives
   Range range;
   bool required = false;
-  bool if_set = false;  ///< written only where it is not at its default: scenes of before keep their hash
+  bool written_at_default = true;  ///< false for a key that came later: scenes without it keep their hash
 };
 
 template <typename Part>
@@ -78,15 +78,15 @@ void readValues(const Entry& map, const Keys<Part>& keys, Part& part)
       std::visit([&](auto* value) { readScalar(map.at(key.name), key.range, *value); }, key.slot(part));
 }
 
-/// Calls write(name, text) for every key that is to be written.
+/// Calls write(name, text) for every key, but for those that came later and have their default.
 template <typename Part, typename Write>
 void writeValues(const Keys<Part>& keys, Part part, Write&& write)
 {
   const auto text = [](const Key<Part>& key, Part& of)
   { return std::visit([](const auto* value) { return scalarText(*value); }, key.slot(of)); };
-  Part defaults;
+  Part plain;
   for (const Key<Part>& key : keys)
-    if (!key.if_set || text(key, part) != text(key, defaults))
+    if (key.written_at_default || text(key, part) != text(key, plain))
       write(key.name, text(key, part));
 }
 

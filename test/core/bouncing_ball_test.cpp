@@ -101,6 +101,48 @@ TEST(BouncingBall, HitsAPlateAtRestInAGeometricSeries)
   }
 }
 
+TEST(BouncingBall, LosesLessTheSlowerItHits)
+{
+  // Each hit at v takes off with e(v) v and comes back as fast, 2 e(v) v / g later.
+  for (const double exponent : {0.75, 0.2, 1.0, 2.0})
+  {
+    SceneDefinition scene = ballOnPlate(0.6, 0.0);
+    scene.contact.restitution_speed = 0.8;
+    scene.contact.restitution_exponent = exponent;
+    scene.initial = {{0, 0.1, RADIUS + 0.05, 0.0, 0.0, 0.0}};
+    double speed = std::sqrt(2.0 * 0.05 * GRAVITY);
+    double time = speed / GRAVITY;
+    const auto records = hits(scene, 0.9);
+    ASSERT_GT(records.size(), 6u);
+    for (const CollisionRecord& record : records)
+    {
+      EXPECT_NEAR(record.time, time, 1e-12) << exponent;
+      EXPECT_NEAR(record.normal_speed, speed, 1e-11) << exponent;
+      speed *= speed < 0.8 ? 1.0 - 0.4 * std::pow(speed / 0.8, exponent) : 0.6;
+      time += 2.0 * speed / GRAVITY;
+    }
+  }
+}
+
+/// With a = (1 - e) / v_0^q the speed after n hits falls as (q a n)^(-1/q). The sum of the flights that
+/// follow is finite for q < 1: 1.2 s from here. For q = 2 there are some (20 s / 0.37 s)^2 hits in 20 s.
+TEST(BouncingBall, ComesToRestWithASmallExponentAndNotWithALargeOne)
+{
+  for (const double exponent : {0.75, 2.0})
+  {
+    SceneDefinition scene = ballOnPlate(0.6, 0.0);
+    scene.contact.restitution_speed = 0.8;
+    scene.contact.restitution_exponent = exponent;
+    scene.contact.collapse_events = 1000;
+    scene.initial = {{0, 0.1, RADIUS + 0.01, 0.0, 0.0, 0.0}};
+    Simulation simulation(scene);
+    if (exponent < 1.0)
+      EXPECT_THROW(simulation.advanceTo(20.0), StallError);
+    else
+      EXPECT_NO_THROW(simulation.advanceTo(20.0));
+  }
+}
+
 TEST(BouncingBall, FindsThePhaseOfItsPeriodOneOrbit)
 {
   for (const double e : {0.3, 0.6, 0.85})

@@ -1,5 +1,6 @@
 #include "ratchet_sieve/core/collision_law.h"
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -100,7 +101,7 @@ void expectByHand(const LawCase (&cases)[N], const ContactMasses& masses)
 {
   for (const LawCase& c : cases)
   {
-    const Impulse impulse = collide(c.coefficients, masses, c.v_n, c.v_t, c.v_min);
+    const Impulse impulse = collide({c.v_min, 0.0, 0.0}, c.coefficients, masses, c.v_n, c.v_t);
     // Rounding of numbers about 10.
     EXPECT_NEAR(impulse.normal, c.j_n, 1e-14) << c.branch;
     EXPECT_NEAR(impulse.tangential, c.j_t, 1e-14) << c.branch;
@@ -111,6 +112,60 @@ TEST(Collide, EveryBranchAgainstNumbersWorkedOutByHand)
 {
   expectByHand(CASES, {2.0, 2.0 / 3.0});
   expectByHand(PAIR_CASES, {1.2, 0.375});
+}
+
+struct SlowCase
+{
+  const char* what;
+  double restitution, v_0, q, v_n, v_min;
+  double j_n;
+};
+
+/// Worked out by hand for m_n = 2 kg: J_n = 2 (1 + e(v)) |v_n|.
+const SlowCase SLOW_CASES[] = {
+    {"(1/16)^(3/4) = 1/8: e = 1 - 0.5 / 8", 0.5, 1.0, 0.75, -0.0625, 0.0, 1.9375 * 0.125},
+    {"the same share of another v_0", 0.5, 4.0, 0.75, -0.25, 0.0, 1.9375 * 0.5},
+    {"(1/256)^(3/4) = 1/64", 0.5, 1.0, 0.75, -0.00390625, 0.0, (2.0 - 0.5 / 64.0) / 128.0},
+    {"at v_0", 0.5, 1.0, 0.75, -1.0, 0.0, 3.0},
+    {"above it", 0.5, 1.0, 0.75, -4.0, 0.0, 12.0},
+    {"q = 1: e = 1 - 0.5 * 0.5", 0.5, 1.0, 1.0, -0.5, 0.0, 1.75},
+    {"q = 1/2: e = 1 - 0.5 * 0.5", 0.5, 1.0, 0.5, -0.25, 0.0, 0.875},
+    {"q = 2: e = 1 - 0.5 / 4", 0.5, 1.0, 2.0, -0.5, 0.0, 1.875},
+    {"q = 0: e at all speeds", 0.5, 1.0, 0.0, -0.25, 0.0, 0.75},
+    {"e = 0: 7/8 of a sixteenth", 0.0, 1.0, 0.75, -0.0625, 0.0, 1.875 * 0.125},
+    {"e = 1 loses nothing", 1.0, 1.0, 0.75, -0.0625, 0.0, 0.25},
+    {"a floor below what comes of it does nothing", 0.5, 1.0, 0.75, -0.0625, 0.05, 1.9375 * 0.125},
+    {"a floor above it is the speed after", 0.5, 1.0, 0.75, -0.0625, 0.1, 2.0 * 0.1625},
+};
+
+TEST(Collide, ASlowContactLosesLess)
+{
+  for (const SlowCase& c : SLOW_CASES)
+  {
+    const CollisionLaw law{c.v_min, c.v_0, c.q};
+    const Impulse impulse = collide(law, {c.restitution, 0.1, 0.0}, {2.0, 2.0 / 3.0}, c.v_n, 5.0);
+    EXPECT_NEAR(impulse.normal, c.j_n, 1e-14) << c.what;
+    EXPECT_NEAR(impulse.tangential, -0.1 * c.j_n, 1e-14) << c.what;
+  }
+}
+
+/// The digits of an exponent: at most 52 roots, each within two roundings, and 62 products.
+TEST(Power, AgreesWithTheLibraryInLongDouble)
+{
+  constexpr long double TOLERANCE = 166 * 0x1p-53L;
+  for (const double exponent :
+       {0.0, 0.1, 0.2, 1.0 / 3.0, 0.5, 0.6, 0.75, 1.0 - 0x1p-53, 1.0, 1.25, 2.7, 10.0})
+    for (int i = 0; i < 2000; ++i)
+    {
+      const double x = std::exp(-0.03 * i);
+      const long double expected = std::pow(static_cast<long double>(x), static_cast<long double>(exponent));
+      ASSERT_LT(std::abs(power(x, exponent) - expected), TOLERANCE * expected) << x << " " << exponent;
+    }
+  for (const double exponent : {0.2, 0.75, 3.0})
+    EXPECT_EQ(power(0.0, exponent), 0.0);
+  EXPECT_EQ(power(0.0, 0.0), 1.0);
+  EXPECT_EQ(power(1.0, 0.3), 1.0);
+  EXPECT_EQ(power(0.0625, 0.75), 0.125);
 }
 
 TEST(ContactBetween, PairsOwnCoefficientsOrElseTheMean)
@@ -264,6 +319,68 @@ TEST(CollisionByHand, BetweenWallsTheContactDurationDecides)
     EXPECT_NEAR(records[2].normal_impulse, (1.0 + e) * 0.6 * e * 0.002, 1e-15);
     EXPECT_EQ(simulation.disks()[0].spin, 100.0);
   }
+}
+
+/// That the first contact of a scene, at 1/16 m/s and v_0 = 1 m/s, has J_n = (1 + e(v)) m_n / 16.
+void expectSlowContact(SceneDefinition scene, CollisionKind kind, double mass, double restitution)
+{
+  scene.contact.restitution_speed = 1.0;
+  Simulation simulation(scene);
+  std::vector<CollisionRecord> records;
+  simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
+  simulation.advanceTo(0.15);
+  ASSERT_FALSE(records.empty());
+  EXPECT_EQ(records[0].kind, kind);
+  EXPECT_NEAR(records[0].normal_speed, 0.0625, 1e-13);
+  EXPECT_NEAR(records[0].normal_impulse, (1.0 + restitution) * 0.0625 * mass, 1e-15);
+}
+
+TEST(CollisionByHand, SlowContactsLoseLessWhateverIsMet)
+{
+  // (1/16)^(3/4) = 1/8: e = 1 - 0.4 / 8 with the base and with a wall, 1 - 0.3 / 8 between A and B.
+  SceneDefinition scene = weightless();
+  scene.base.asymmetry = 0.4;
+  for (const bool pairs : {true, false})
+  {
+    scene.contact.pair_collisions = pairs;
+    scene.initial = {{0, 0.1 + 0.0034, 0.006, 0.0, -0.078125, 0.0}};
+    expectSlowContact(scene, CollisionKind::LEFT_SLOPE, 0.002, 0.95);
+    scene.initial = {{0, 0.1 + 0.008, 0.008, 0.0, -0.0625, 0.0}};
+    expectSlowContact(scene, CollisionKind::APEX, 0.002, 0.95);
+  }
+  SceneDefinition walled = scene;
+  walled.boundary = Boundary::WALLED;
+  walled.base.teeth = 1;
+  walled.initial = {{0, 0.01, 0.05, 0.0625, 0.0, 0.0}};
+  expectSlowContact(walled, CollisionKind::WALL, 0.002, 0.95);
+  scene.contact.pair_collisions = true;
+  scene.initial = {{0, 0.1, 0.054, 0.0, -0.0625, 0.0}, {1, 0.1, 0.05, 0.0, 0.0, 0.0}};
+  expectSlowContact(scene, CollisionKind::DISK_DISK, 0.0012, 0.9625);
+}
+
+TEST(CollisionByHand, TheFloorDoesNotApplyWithinTheContactDuration)
+{
+  // A leaves the base at the floor, 0.1 m/s, after 1 ms. 8 ms later it is at B, which goes ahead of it at
+  // 0.05 m/s: J_n = 2 * 0.05 * 0.0012 within t_c, also with a restitution by speed; else (0.05 + 0.1) *
+  // 0.0012.
+  for (const double v_0 : {0.0, 1.0})
+    for (const bool within : {true, false})
+    {
+      SceneDefinition scene = weightless();
+      scene.base.tooth_height = 0.0;
+      scene.contact.min_rebound_speed = 0.1;
+      scene.contact.contact_duration = within ? 0.0081 : 0.0079;
+      scene.contact.restitution_speed = v_0;
+      scene.initial = {{0, 0.1, 0.0011, 0.0, -0.1, 0.0}, {1, 0.1, 0.00435, 0.0, 0.05, 0.0}};
+      Simulation simulation(scene);
+      std::vector<CollisionRecord> records;
+      simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
+      simulation.advanceTo(0.01);
+      ASSERT_EQ(records.size(), 2u);
+      EXPECT_EQ(records[1].kind, CollisionKind::DISK_DISK);
+      EXPECT_NEAR(records[1].time, 0.009, 1e-12);
+      EXPECT_NEAR(records[1].normal_impulse, (within ? 0.1 : 0.15) * 0.0012, 1e-15);
+    }
 }
 
 /// A meets the flat base at 0.6 times its speed, and B a little later, counted from then.

@@ -43,7 +43,10 @@ std::vector<SceneDefinition> scenes()
   scenes[1].base.teeth = 3;
   scenes[2].base.asymmetry = 0.0;
   scenes[2].base.inclination = -0.1;
+  scenes[2].contact.restitution_speed = 0.4;
   scenes[3].base.tooth_height = 0.0;
+  scenes[3].contact.restitution_speed = 2.0;
+  scenes[3].contact.restitution_exponent = 0.3;
   scenes[4].base.tooth_width = 0.0008;
   scenes[4].base.tooth_height = 0.0004;
   scenes[4].base.teeth = 400;
@@ -138,23 +141,21 @@ TEST(Lanes, WhoeverWatchesIsToldInTheSameOrder)
   }
 }
 
-/// The same scene, for the machine's own code and not for the lanes: with a contact duration that no two
-/// contacts come within.
-SceneDefinition withoutLanes(SceneDefinition scene)
+/// The scene's plan, with the machine's own code instead of the lanes.
+Plan withoutLanes(const SceneDefinition& scene)
 {
-  scene.contact.contact_duration = 1e-300;
-  return scene;
+  Plan plan = planOf(scene);
+  EXPECT_TRUE(plan.lanes);
+  plan.lanes = false;
+  return plan;
 }
 
-TEST(Lanes, OnlyForScenesThatTheyKnow)
+TEST(Lanes, OnlyWhereThePlanHasThemAndTheBaseStandsAtItsSetpoints)
 {
-  SceneDefinition scene = test::singleParticles(1);
-  EXPECT_TRUE(laneScene(Machine(scene)));
-  EXPECT_FALSE(laneScene(Machine(withoutLanes(scene))));
-  scene.boundary = Boundary::OPEN;
-  EXPECT_FALSE(laneScene(Machine(scene)));
-  scene.boundary = Boundary::PERIODIC;
+  const SceneDefinition scene = test::singleParticles(1);
+  EXPECT_FALSE(laneScene(Machine(scene, withoutLanes(scene))));
   Machine machine(scene);
+  EXPECT_TRUE(laneScene(machine));
   machine.motion().commandFrequency(30.0, 0.1);
   EXPECT_FALSE(laneScene(machine));
 }
@@ -170,7 +171,7 @@ TEST(Lanes, GoTheSameWayAsTheMachine)
     scene.species[0].contact.restitution = 0.3;
     constexpr double FIRST_CONTACTS = 0.12;
     Simulation in_lanes(scene);
-    Simulation without(withoutLanes(scene));
+    Simulation without(scene, withoutLanes(scene));
     in_lanes.advanceTo(FIRST_CONTACTS);
     without.advanceTo(FIRST_CONTACTS);
     const std::vector<DiskState> one = in_lanes.disks();
@@ -194,7 +195,7 @@ TEST(Lanes, GiveTheSameMeansAsTheMachine)
   scene.settle = 2.0;
   Simulation in_lanes(scene);
   scene.seed = 2;
-  Simulation without(withoutLanes(scene));
+  Simulation without(scene, withoutLanes(scene));
   in_lanes.advanceTo(32.0);
   without.advanceTo(32.0);
   const SpeciesMeans one = in_lanes.means()[0];

@@ -89,18 +89,43 @@ TEST(Plan, HasContactTimesOnlyWithAContactDuration)
   EXPECT_TRUE(planOf(scene).contact_times);
 }
 
+TEST(Plan, HasLanesOnlyForSingleDisksOnAPeriodicBaseWithoutContactTimes)
+{
+  const SceneDefinition singles = test::singleParticles(5);
+  EXPECT_TRUE(planOf(singles).lanes && fullPlan(singles).lanes);
+  EXPECT_FALSE(planOf(smallMixture()).lanes);
+  std::vector<SceneDefinition> others(3, singles);
+  others[0].boundary = Boundary::OPEN;
+  others[1].boundary = Boundary::WALLED;
+  others[2].contact.contact_duration = 1e-4;
+  for (const SceneDefinition& scene : others)
+  {
+    Plan plan = planOf(scene);
+    EXPECT_FALSE(plan.lanes || fullPlan(scene).lanes);
+    plan.lanes = true;
+    EXPECT_THROW(Simulation(scene, plan), std::invalid_argument);
+  }
+}
+
 TEST(Plan, SaysWhatItIs)
 {
+  const std::string no_lanes = ", no lanes (for single disks on a periodic base without contact times)";
   EXPECT_EQ(
       planText(planOf(smallMixture())),
-      "pairs, spin, drive, no contact times (contact_duration is 0), no base search above the base's reach");
+      "pairs, spin, drive, no contact times (contact_duration is 0), no base search above the base's reach" +
+          no_lanes);
+  EXPECT_EQ(
+      planText(planOf(test::singleParticles(5))),
+      "no pairs (disks do not see each other), spin, drive, no contact times (contact_duration is 0), no "
+      "base search above the base's reach, lanes");
   SceneDefinition scene = smooth(test::singleParticles(5));
   scene.base.amplitude = 0.0;
   scene.contact.contact_duration = 1e-4;
   EXPECT_EQ(
       planText(planOf(scene)),
       "no pairs (disks do not see each other), no spin (no friction turns a disk), no drive (the base stands "
-      "still), contact times, no base search above the base's reach");
+      "still), contact times, no base search above the base's reach" +
+          no_lanes);
 }
 
 TEST(Plan, ThatLeavesOutWhatTheSceneNeedsIsRefused)

@@ -209,6 +209,7 @@ SceneDefinition scaled(SceneDefinition scene, const Units& units)
   }
   scene.contact.min_rebound_speed *= speed;
   scene.contact.contact_duration *= units.time;
+  scene.contact.restitution_speed *= speed;
   scene.pour.drop_height *= units.length;
   scene.pour.speed *= speed;
   scene.feed.rate /= units.time;
@@ -262,6 +263,7 @@ TEST(Symmetry, LengthsTimesAndMassesScaleToTheLastBit)
       scene.feed.rate = 10.0;
       scene.settle = 0.5;
       scene.contact.contact_duration = 1e-4;
+      scene.contact.restitution_speed = 0.3;
       const std::vector<double> one = outcome(scene, Units(0, 1.0));
       for (const Units& units : {Units(1, 1.0), Units(-1, 0.25), Units(-10, 1.0 / 128), Units(8, 1024.0)})
       {

@@ -68,7 +68,8 @@ TEST_F(SieveRun, SumsUpOnStandardOutput)
   EXPECT_EQ(result.status, 0) << result.errors;
   EXPECT_EQ(result.errors,
             "sieve_run: plan: pairs, spin, drive, no contact times (contact_duration is 0), "
-            "no base search above the base's reach\n"
+            "no base search above the base's reach, "
+            "no lanes (for single disks on a periodic base without contact times)\n"
             "sieve_run: 266 disks, at rest a layer of about 0.0166 m, about 1 MB of memory\n");
   const Json json = Json::parse(result.output);
   EXPECT_EQ(json["seed"], 7);

@@ -65,7 +65,8 @@ TEST(Summary, HasThePlan)
                                             {"spin", true},
                                             {"drive", false},
                                             {"contact_times", true},
-                                            {"search_above_band", false}}));
+                                            {"search_above_band", false},
+                                            {"lanes", false}}));
 }
 
 TEST(Summary, SaysNullForWhatIsNotDefined)

@@ -179,6 +179,11 @@ void drawContact(SceneDefinition& scene)
   ContactDefinition& contact = scene.contact;
   contact.pair_collisions = !drawnChance(30);
   contact.contact_duration = drawnChance(30) ? drawnNumber(0.0, 1e9) : 0.0;
+  if (drawnChance(20))
+  {
+    contact.restitution_speed = drawnMagnitude(1e-9, LARGEST_SPEED);
+    contact.restitution_exponent = drawnNumber(0.0, 10.0);
+  }
   const double least =
       std::min(LARGEST_SPEED, std::max(1e-9, REST_PER_TIME_SCALE * acceleration(scene) * timeScale(scene)));
   contact.min_rebound_speed = defaultOr(

@@ -40,6 +40,8 @@ const std::vector<SceneKey>& sceneKeys()
       {"contact", "contact_duration", K::NUMBER, 0, 1e9},
       {"contact", "on_collapse", K::WORD, 0, 0, false, {"stop", "rebound"}},
       {"contact", "collapse_events", K::INTEGER, 1000, 1e9},
+      {"contact", "restitution_speed", K::NUMBER, 0, 1e4},
+      {"contact", "restitution_exponent", K::NUMBER, 0, 10},
       {"pour", "drop_height", K::NUMBER, 0, 1e3},
       {"pour", "speed", K::NUMBER, 0, 1e4},
       {"feed", "rate", K::NUMBER, 0, 1e6},

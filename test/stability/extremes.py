@@ -185,6 +185,19 @@ def floors():
         yield "rebound floor", f"v_min = {speed:g} m/s", changed(mixture(), contact={"min_rebound_speed": speed}), RUNS
 
 
+def by_speed():
+    """A restitution that depends on the speed is all that keeps from a collapse."""
+    def scene(speed, exponent=0.75, of=mixture):
+        return changed(of(), contact={"min_rebound_speed": 0.0, "restitution_speed": speed,
+                                      "restitution_exponent": exponent})
+    for speed in (10.0, 1.0, 0.1, 0.01):
+        yield "restitution by speed", f"v_0 = {speed:g} m/s, q = 0.75", scene(speed), RUNS
+    for exponent in (0.2, 2.0):
+        yield "restitution by speed", f"v_0 = 1 m/s, q = {exponent:g}", scene(1.0, exponent), RUNS
+    yield "restitution by speed", "dense heap, e = 0.1, v_0 = 1 m/s, q = 0.75", scene(1.0, of=heap), STOPS
+    yield "restitution by speed", "dense heap, e = 0.1, v_0 = 1 m/s, q = 2", scene(1.0, 2.0, heap), RUNS
+
+
 def units():
     """The same machine in other units."""
     yield "units", "μm and MHz: w = 1 μm, f = 1 MHz, g scaled", scaled(
@@ -197,6 +210,6 @@ def units():
 
 def extremes():
     """All of them, in the order of the table."""
-    for part in (collisions, shapes, sizes, drives, walls, amounts, floors, units):
+    for part in (collisions, shapes, sizes, drives, walls, amounts, floors, by_speed, units):
         for group, what, scene, comes_to in part():
             yield Extreme(group, what, scene, comes_to, 0.05 * scene["duration"])

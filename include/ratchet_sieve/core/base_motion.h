@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/drive.h"
 #include "ratchet_sieve/core/simulation.h"
 
 namespace ratchet_sieve
@@ -33,7 +34,8 @@ class BaseMotion
 public:
   /// @param max_turn the largest change of theta within one segment [rad]
   /// @param always_drive works out the drive even where it does not move the base; see Plan
-  BaseMotion(const BaseDefinition& base, double max_turn, bool always_drive = false);
+  explicit BaseMotion(const BaseDefinition& base, double max_turn = std::numeric_limits<double>::infinity(),
+                      bool always_drive = false);
 
   BaseKinematics at(double time) const
   {
@@ -52,10 +54,8 @@ public:
   double cosine() const { return cosine_; }
   double sine() const { return sine_; }
 
-  /// A, f and the phase over 2 pi at the segment's start: while nothing changes, of the drive as it is.
-  double amplitude() const { return amplitude_.start; }
-  double frequency() const { return frequency_.start; }
-  double startTurns() const { return turns_; }
+  /// At the segment's start: while nothing changes, as it goes on.
+  Drive drive() const { return driveOf(amplitude_.start, frequency_.start, segment_start_, turns_); }
 
   /// When the present segment ends; nothing while the base stands at its setpoints.
   std::optional<double> nextChange() const { return next_change_; }

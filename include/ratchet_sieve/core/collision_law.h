@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/luding_law.h"
 
 namespace ratchet_sieve
 {
@@ -16,23 +17,28 @@ struct ContactMasses
 /// @param other nullptr for the base: infinite mass and inertia
 ContactMasses contactMasses(const SpeciesDefinition& species, const SpeciesDefinition* other);
 
-struct Impulse
-{
-  double normal = 0.0;      ///< J_n >= 0, along the normal on disk i [N s]
-  double tangential = 0.0;  ///< J_t, along the tangent (normal turned by +90 deg) on disk i [N s]
-};
+using Impulse = ImpulseOf<double>;
 
-/// The collision law of Luding, Phys. Rev. E 52, 4442 (1995), doi:10.1103/PhysRevE.52.4442, with a
-/// floor under the rebound (Farkas et al., Phys. Rev. E 60, 7022 (1999)).
-/// @param normal_velocity v_n of the surfaces, < 0: approaching [m/s]
-/// @param tangential_velocity v_t of the surfaces at the contact [m/s]
-/// @param min_rebound_speed v_min: where e |v_n| falls below it, it is the speed after [m/s]
-Impulse collide(const ContactCoefficients& coefficients, const ContactMasses& masses, double normal_velocity,
-                double tangential_velocity, double min_rebound_speed);
+inline ContactNumbers<double> contactNumbers(const ContactCoefficients& coefficients,
+                                             const ContactMasses& masses)
+{
+  return {coefficients.restitution, coefficients.friction, masses.normal,
+          (1.0 + coefficients.tangential_restitution) * masses.tangential};
+}
+
+/// ludingImpulse() of one contact.
+inline Impulse collide(const CollisionLaw& law, const ContactCoefficients& coefficients,
+                       const ContactMasses& masses, double normal_velocity, double tangential_velocity)
+{
+  return ludingImpulse(law, contactNumbers(coefficients, masses), normal_velocity, tangential_velocity);
+}
 
 /// The same without friction: no tangential impulse.
-Impulse collideSmooth(const ContactCoefficients& coefficients, const ContactMasses& masses,
-                      double normal_velocity, double min_rebound_speed);
+inline Impulse collideSmooth(const CollisionLaw& law, const ContactCoefficients& coefficients,
+                             const ContactMasses& masses, double normal_velocity)
+{
+  return {normalImpulse(law, contactNumbers(coefficients, masses), normal_velocity), 0.0};
+}
 
 /// A contact that loses no energy: e = 1 and smooth. The TC model's, for a contact that follows
 /// another within t_c (Luding & McNamara, Granular Matter 1, 113 (1998), doi:10.1007/s100350050017).

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ratchet_sieve/core/luding_law.h"
+
 namespace ratchet_sieve
 {
 
@@ -71,12 +73,11 @@ enum class CollapseAction
   REBOUND  ///< The disk's contacts lose nothing for a while, and the run counts it; see CollapseWatch.
 };
 
-/// Which contacts are modelled and how the inelastic collapse is avoided.
-struct ContactDefinition
+/// Which contacts are modelled, by which law, and how the inelastic collapse is avoided.
+struct ContactDefinition : CollisionLaw
 {
-  bool pair_collisions = true;      ///< false: an ensemble of disks that do not see each other
-  double min_rebound_speed = 0.05;  ///< v_min [m/s], Farkas et al., Phys. Rev. E 60, 7022 (1999); 0: none
-  double contact_duration = 0.0;    ///< t_c [s], Luding & McNamara, Granular Matter 1, 113 (1998); 0: none
+  bool pair_collisions = true;    ///< false: an ensemble of disks that do not see each other
+  double contact_duration = 0.0;  ///< t_c [s], Luding & McNamara, Granular Matter 1, 113 (1998); 0: none
   CollapseAction on_collapse = CollapseAction::STOP;
   int collapse_events = 1000000;  ///< more of one disk within the machine's time scale are a collapse
 };

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "ratchet_sieve/core/flight.h"
 #include "ratchet_sieve/core/state_archive.h"
 #include "ratchet_sieve/core/two.h"
 
@@ -39,7 +40,7 @@ inline Course courseAt(const Disk& disk, double time, double gravity)
   const double elapsed = time - disk.time;
   const Two fall{0.0, gravity * elapsed};
   const Two velocity{disk.vx, disk.vy};
-  return {Two{disk.x, disk.y} + (velocity - 0.5 * fall) * elapsed, velocity - fall};
+  return {placeAfter(Two{disk.x, disk.y}, velocity, fall, elapsed), velocityAfter(velocity, fall)};
 }
 
 /// The disk later or earlier on the same parabola.
@@ -50,7 +51,7 @@ inline Disk flown(const Disk& disk, double time, double gravity)
   // In one piece each, as they are read: a processor waits where it reads together what was written apart.
   std::memcpy(&later.x, &course.place, sizeof course.place);
   std::memcpy(&later.vx, &course.velocity, sizeof course.velocity);
-  later.angle += disk.spin * (time - disk.time);
+  later.angle = placeAfter(disk.angle, disk.spin, time - disk.time);
   later.time = time;
   return later;
 }

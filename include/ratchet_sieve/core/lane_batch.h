@@ -3,6 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "ratchet_sieve/core/drive.h"
+#include "ratchet_sieve/core/luding_law.h"
+
 /// Single disks over a base that stands at its setpoints, many at a time: one disk to a lane of the
 /// processor's registers. The same source is compiled for each width of register (lane_kernel.inc), and
 /// gives the same bits in each. Plain arrays, without any function: what is built for a wide register must
@@ -44,30 +47,21 @@ struct LaneBounds
 /// What all disks of a machine share while its base stands at its setpoints.
 struct LaneScene
 {
-  double gravity;            ///< [m/s^2]
-  double gravity_s;          ///< g sin(theta): gravity pulls against s
-  double gravity_n;          ///< g cos(theta)
-  double sine;               ///< of the inclination
-  double cosine;             ///< of the inclination
-  double amplitude;          ///< A [m]
-  double speed;              ///< A w, w = 2 pi f [m/s]
-  double drive;              ///< A w^2 [m/s^2]
-  double jerk;               ///< A w^3 [m/s^3]
-  double acceleration;       ///< g + A w^2 [m/s^2]
-  double highest;            ///< A |cos(theta)|: how high the base comes along its normal [m]
-  double fall;               ///< how gravity pulls towards the base: g cos(theta), or 0 [m/s^2]
-  double turns;              ///< the drive's phase over 2 pi at segment_start
-  double frequency;          ///< [Hz]
-  double segment_start;      ///< [s]
-  double resolution;         ///< the finest step in time [s]
-  double longest_search;     ///< [s]
-  double tooth_width;        ///< [m]
-  double per_tooth_width;    ///< [1/m]
-  double width;              ///< [m]
-  double per_width;          ///< [1/m]
-  double valley_start;       ///< share of a tooth that lies left of a valley's foot: 1 - a
-  double height;             ///< of the apices [m]
-  double min_rebound_speed;  ///< [m/s]
+  double gravity;    ///< [m/s^2]
+  double gravity_s;  ///< g sin(theta): gravity pulls against s
+  double gravity_n;  ///< g cos(theta)
+  double sine;       ///< of the inclination
+  double cosine;     ///< of the inclination
+  Drive drive;
+  double resolution;       ///< the finest step in time [s]
+  double longest_search;   ///< [s]
+  double tooth_width;      ///< [m]
+  double per_tooth_width;  ///< [1/m]
+  double width;            ///< [m]
+  double per_width;        ///< [1/m]
+  double valley_start;     ///< share of a tooth that lies left of a valley's foot: 1 - a
+  double height;           ///< of the apices [m]
+  CollisionLaw law;
   LaneBounds bounds;
   LaneFlank left;   ///< of the valley: the right slope of the tooth before
   LaneFlank right;  ///< of the valley: its tooth's left slope

@@ -9,8 +9,8 @@
 namespace ratchet_sieve
 {
 
-/// What the lanes need to know of a machine; nothing where its disks are not for them: the lanes know the
-/// teeth of a periodic base that stands at its setpoints, and contacts without a duration.
+/// What the lanes need to know of a machine; nothing where its plan has none, and while its base is on the
+/// way to a setpoint.
 std::optional<LaneScene> laneScene(const Machine& machine);
 
 /// Puts a disk and its next event into a row.

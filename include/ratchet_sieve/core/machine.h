@@ -178,7 +178,7 @@ private:
   void leave(std::uint32_t id, bool to_the_right, double time);
   void endPassage(std::uint32_t id, double time);
   bool lossless(std::uint32_t id, double time) const;
-  double reboundFloor(std::uint32_t id) const;
+  double reboundFloor(std::uint32_t id, bool no_loss) const;
   void touched(std::uint32_t id, double time);
   Impulse respond(const ContactCoefficients& coefficients, const ContactMasses& masses,
                   const Contact& contact, double floor) const;

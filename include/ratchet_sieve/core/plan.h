@@ -15,6 +15,11 @@ struct Plan
   bool drive = true;  ///< a phase and a sine wherever the base is looked at, even where it stands still
   bool contact_times = true;      ///< when each disk touched last, which t_c asks for
   bool search_above_band = true;  ///< step by step towards the base even from where it cannot reach
+
+  /// Many disks at a time in the lanes of the processor's registers (lane_batch.h), while the base stands at
+  /// its setpoints; for single disks on a periodic base without contact times. Contacts are the same but for
+  /// rounding.
+  bool lanes = false;
 };
 
 /// The least that gives the scene's results. A setpoint that sets a standing base going while the plan has no
@@ -22,10 +27,11 @@ struct Plan
 Plan planOf(const SceneDefinition& scene);
 
 /// All that can be modelled without another result, to measure and test planOf() against. Whether disks see
-/// each other is the scene's to say.
+/// each other is the scene's to say; lanes are as planOf() has them.
 Plan fullPlan(const SceneDefinition& scene);
 
-/// Whether `plan` gives the results of the scene.
+/// Whether `plan` gives the results of the scene: it has what the scene needs, and lanes only where they know
+/// it.
 bool covers(const Plan& plan, const SceneDefinition& scene);
 
 /// One line for a human: what is modelled, and what is not and why.

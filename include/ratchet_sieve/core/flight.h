@@ -1,0 +1,55 @@
+#pragma once
+
+#include "ratchet_sieve/core/numbers.h"
+
+/// A disk's free flight for a time `elapsed` [s]. Along each axis of any frame that is not accelerated:
+/// `place` [m], `velocity` [m/s], and `fall`, what gravity takes from the velocity meanwhile: g elapsed,
+/// downwards [m/s].
+namespace ratchet_sieve
+{
+
+/// @tparam Coordinate a number, or several axes side by side (Two)
+template <typename Coordinate, typename Number>
+RATCHET_SIEVE_INLINE Coordinate placeAfter(Coordinate place, Coordinate velocity, Coordinate fall,
+                                           Number elapsed)
+{
+  return place + (velocity - 0.5 * fall) * elapsed;
+}
+
+/// Along an axis on which gravity does not act, and of an angle with its spin.
+template <typename Number>
+RATCHET_SIEVE_INLINE Number placeAfter(Number place, Number velocity, Number elapsed)
+{
+  return place + velocity * elapsed;
+}
+
+template <typename Coordinate>
+RATCHET_SIEVE_INLINE Coordinate velocityAfter(Coordinate velocity, Coordinate fall)
+{
+  return velocity - fall;
+}
+
+/// The integral of v^2 / 2 over the flight [m^2/s]: times m, of the kinetic energy.
+/// @param vx, vy at its start [m/s]
+template <typename Number>
+RATCHET_SIEVE_INLINE Number translationOver(Number vx, Number vy, Number fall, Number elapsed)
+{
+  return 0.5 * elapsed * (vx * vx + vy * vy - vy * fall + fall * fall * (1.0 / 3.0));
+}
+
+/// The integral of spin^2 / 2 over the flight [1/s]: times I, of the kinetic energy.
+template <typename Number>
+RATCHET_SIEVE_INLINE Number rotationOver(Number spin, Number elapsed)
+{
+  return 0.5 * elapsed * spin * spin;
+}
+
+/// How many whole widths W a place s along a periodic base is from [0, W).
+/// @param per_width 1 / W [1/m]
+template <typename Number>
+RATCHET_SIEVE_INLINE Number wholeWidths(Number s, double per_width)
+{
+  return floored(s * per_width);
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "ratchet_sieve/core/restitution.h"
+
+namespace ratchet_sieve
+{
+
+/// What of the law holds for all contacts of a scene.
+struct CollisionLaw
+{
+  double min_rebound_speed = 0.05;     ///< v_min [m/s], Farkas et al., Phys. Rev. E 60, 7022 (1999); 0: none
+  double restitution_speed = 0.0;      ///< v_0 [m/s], see restitutionBySpeed(); 0: none
+  double restitution_exponent = 0.75;  ///< q
+};
+
+/// What two surfaces bring to their contact.
+template <typename Number>
+struct ContactNumbers
+{
+  Number restitution;    ///< e
+  Number friction;       ///< Coulomb mu
+  Number normal_mass;    ///< m_n [kg]
+  Number sticking_mass;  ///< (1 + beta) m_t [kg]
+};
+
+template <typename Number>
+struct ImpulseOf
+{
+  Number normal;      ///< J_n >= 0, along the normal on disk i [N s]
+  Number tangential;  ///< J_t, along the tangent (normal turned by +90 deg) on disk i [N s]
+};
+
+/// J_n = (v' - v_n) m_n, with the normal speed after the contact v' = e |v_n|, but no less than v_min. Where
+/// e depends on the speed, v_min bounds what comes of it.
+/// @param normal_velocity v_n of the surfaces, < 0: approaching [m/s]
+template <typename Number>
+RATCHET_SIEVE_INLINE Number normalImpulse(const CollisionLaw& law, const ContactNumbers<Number>& contact,
+                                          Number normal_velocity)
+{
+  Number restitution = contact.restitution;
+  if (law.restitution_speed > 0.0)
+    restitution =
+        restitutionBySpeed(restitution, normal_velocity, law.restitution_speed, law.restitution_exponent);
+  const Number rebound_speed =
+      greater(-restitution * normal_velocity, like(normal_velocity, law.min_rebound_speed));
+  return (rebound_speed - normal_velocity) * contact.normal_mass;
+}
+
+/// The collision law of Luding, Phys. Rev. E 52, 4442 (1995), doi:10.1103/PhysRevE.52.4442:
+/// J_t = -sign(v_t) min(mu J_n, (1 + beta) m_t |v_t|), with the floor under the rebound of normalImpulse().
+/// @param tangential_velocity v_t of the surfaces at the contact [m/s]
+template <typename Number>
+RATCHET_SIEVE_INLINE ImpulseOf<Number> ludingImpulse(const CollisionLaw& law,
+                                                     const ContactNumbers<Number>& contact,
+                                                     Number normal_velocity, Number tangential_velocity)
+{
+  const Number normal = normalImpulse(law, contact, normal_velocity);
+  const Number sticking = contact.sticking_mass * absolute(tangential_velocity);
+  const Number sliding = contact.friction * normal;
+  const Number size = lesser(sliding, sticking);
+  return {normal, select(less(tangential_velocity, like(size, 0.0)), size, -size)};
+}
+
+}  // namespace ratchet_sieve
