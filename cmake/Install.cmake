@@ -17,7 +17,7 @@ set(LIBRARIES core scene recording analysis)
 if(RATCHET_SIEVE_ROS)
   list(APPEND PROGRAMS
     sieve_analyze sieve_display sieve_node sieve_resimulate sieve_rviz sieve_schedule sieve_seek)
-  list(APPEND LIBRARIES ros bag)
+  list(APPEND LIBRARIES ros bag rviz_windows)
 endif()
 list(TRANSFORM LIBRARIES PREPEND ratchet_sieve_)
 

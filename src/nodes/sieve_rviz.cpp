@@ -32,11 +32,16 @@ constexpr const char* HELP =
     "\n"
     "Usage: rosrun ratchet_sieve sieve_rviz CONFIG.rviz [RVIZ ARGUMENT...] [ROS ARGUMENT...]\n"
     "\n"
-    "Waits for the scene of the sieve, and becomes RViz. Parameter: ~sieve, the name of the sieve's node,\n"
-    "/sieve by default; empty: the sieve that there is. RViz gets a copy of CONFIG.rviz, in ~/.ros.\n"
+    "Waits for the scene of the sieve, and becomes RViz. Parameters: ~sieve, the name of the sieve's node,\n"
+    "/sieve by default; empty: the sieve that there is. ~view, what the camera shows: machine, all of it, by\n"
+    "default; teeth, ten in the middle of the base; config, what CONFIG.rviz says: no scene is waited for.\n"
+    "RViz gets a copy of CONFIG.rviz, in ~/.ros.\n"
     "Exit status: 2 for bad arguments or a bad parameter, 1 where RViz cannot be run; else RViz's own.\n";
 
 constexpr double PATIENCE = 0.1;  // between looks whether the scene has come [s of wall time]
+
+/// Ahead of Xlib in RViz: see rviz_windows.cpp.
+constexpr const char* RVIZ_WINDOWS = "libratchet_sieve_rviz_windows.so";
 
 std::string contents(const std::string& path)
 {
@@ -48,10 +53,9 @@ std::string contents(const std::string& path)
 }
 
 /// The scene of a sieve, when it has come; nothing where this program is stopped before.
-std::optional<SceneDefinition> waitForScene()
+/// @param sieve name of its node; empty: the one that there is
+std::optional<SceneDefinition> waitForScene(ros::NodeHandle& node, std::string sieve)
 {
-  ros::NodeHandle node("~");
-  std::string sieve = ParameterReader(node).text("sieve", "/sieve");
   std::optional<SceneDefinition> scene;
   ros::Subscriber subscriber;
   while (ros::ok() && !scene)
@@ -70,6 +74,22 @@ std::optional<SceneDefinition> waitForScene()
   return scene;
 }
 
+/// The configuration as the parameters want it; nothing where this program is stopped before it is known.
+std::optional<std::string> chosenConfig(const std::string& config)
+{
+  ros::NodeHandle node("~");
+  ParameterReader reader(node);
+  const std::string view = reader.text("view", "machine");
+  if (view == "config")
+    return config;
+  if (view != "machine" && view != "teeth")
+    throw std::invalid_argument("~view = " + view + ": must be machine, teeth or config");
+  const auto scene = waitForScene(node, reader.text("sieve", "/sieve"));
+  if (!scene)
+    return {};
+  return fittedToScene(config, *scene, view == "teeth" ? RvizView::TEETH : RvizView::MACHINE);
+}
+
 /// Beside the logs of ROS, named after this node. @return its path
 std::string writtenToFile(const std::string& config, const std::string& node_name)
 {
@@ -86,6 +106,16 @@ std::string writtenToFile(const std::string& config, const std::string& node_nam
   return path;
 }
 
+/// Has the programs that this one becomes load a library of this package, first of all.
+void preload(const char* library)
+{
+  const auto program = std::filesystem::read_symlink("/proc/self/exe");
+  std::string libraries = program.parent_path().parent_path() / library;
+  if (const char* others = std::getenv("LD_PRELOAD"))
+    libraries += std::string(":") + others;
+  setenv("LD_PRELOAD", libraries.c_str(), 1);
+}
+
 /// @param arguments as given, those of ROS as well: RViz is to have this node's name
 int becomeRviz(const std::string& config, const std::vector<std::string>& arguments)
 {
@@ -96,6 +126,7 @@ int becomeRviz(const std::string& config, const std::vector<std::string>& argume
   for (std::string& word : words)
     argv.push_back(word.data());
   argv.push_back(nullptr);
+  preload(RVIZ_WINDOWS);
   execvp("rviz", argv.data());
   std::fprintf(stderr, "sieve_rviz: rviz cannot be run: %s\n", std::strerror(errno));
   return 1;
@@ -117,11 +148,9 @@ int main(int argc, char** argv)
   {
     const std::string config = contents(path);
     ros::init(argc, argv, "sieve_rviz");
-    const std::optional<SceneDefinition> scene = waitForScene();
+    const std::optional<std::string> chosen = chosenConfig(config);
     ros::shutdown();
-    return scene ? becomeRviz(writtenToFile(fittedToScene(config, *scene), ros::this_node::getName()),
-                              arguments)
-                 : 0;
+    return chosen ? becomeRviz(writtenToFile(*chosen, ros::this_node::getName()), arguments) : 0;
   }
   catch (const std::exception& error)
   {
