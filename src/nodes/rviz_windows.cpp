@@ -1,8 +1,9 @@
-// Loaded into RViz ahead of Xlib, by sieve_rviz. Ogre creates RViz's window on one connection to the X server and
-// Mesa asks for its size on another; nothing makes the server do the one before the other. Where it does not, there is
-// no such window yet, Mesa takes what happens to be on the stack for its size (168 by 0 pixels), and llvmpipe
-// then draws past the end of a buffer of 0 bytes: RViz crashes or hangs a moment after its start, seldom on an idle
-// machine, in one start of ten on a busy one. At RViz's end the window is gone before the last picture, with the like result.
+// Loaded into RViz ahead of Xlib, by sieve_rviz. Ogre creates RViz's window on one connection to the X server
+// and Mesa asks for its size on another; nothing makes the server do the one before the other. Where it does
+// not, there is no such window yet, Mesa takes what happens to be on the stack for its size (168 by 0
+// pixels), and llvmpipe then draws past the end of a buffer of 0 bytes: RViz crashes or hangs a moment after
+// its start, seldom on an idle machine, in one start of ten on a busy one. At RViz's end the window is gone
+// before the last picture, with the like result.
 #include <X11/Xlib.h>
 #include <dlfcn.h>
 
@@ -17,9 +18,9 @@ Function* ofXlib(Function*, const char* name)
 }  // namespace
 
 /// Comes back when the window is there for other connections, too.
-extern "C" Window XCreateWindow(Display* display, Window parent, int x, int y, unsigned width, unsigned height,
-                                unsigned border_width, int depth, unsigned window_class, Visual* visual,
-                                unsigned long mask, XSetWindowAttributes* attributes)
+extern "C" Window XCreateWindow(Display* display, Window parent, int x, int y, unsigned width,
+                                unsigned height, unsigned border_width, int depth, unsigned window_class,
+                                Visual* visual, unsigned long mask, XSetWindowAttributes* attributes)
 {
   static const auto create = ofXlib(&XCreateWindow, "XCreateWindow");
   const Window window = create(display, parent, x, y, width, height, border_width, depth, window_class,

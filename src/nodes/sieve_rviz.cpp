@@ -33,9 +33,11 @@ constexpr const char* HELP =
     "Usage: rosrun ratchet_sieve sieve_rviz CONFIG.rviz [RVIZ ARGUMENT...] [ROS ARGUMENT...]\n"
     "\n"
     "Waits for the scene of the sieve, and becomes RViz. Parameters: ~sieve, the name of the sieve's node,\n"
-    "/sieve by default; empty: the sieve that there is. ~view, what the camera shows: machine, all of it, by\n"
-    "default; teeth, ten in the middle of the base; config, what CONFIG.rviz says: no scene is waited for.\n"
-    "RViz gets a copy of CONFIG.rviz, in ~/.ros.\n"
+    "/sieve by default; empty: the sieve that there is. ~view, what the camera shows: machine, all of it, "
+    "by\n"
+    "default; teeth, ten in the middle of the base: RViz then gets a copy of CONFIG.rviz, in ~/.ros. Or "
+    "config:\n"
+    "CONFIG.rviz as it is, and no scene is waited for.\n"
     "Exit status: 2 for bad arguments or a bad parameter, 1 where RViz cannot be run; else RViz's own.\n";
 
 constexpr double PATIENCE = 0.1;  // between looks whether the scene has come [s of wall time]
@@ -74,22 +76,6 @@ std::optional<SceneDefinition> waitForScene(ros::NodeHandle& node, std::string s
   return scene;
 }
 
-/// The configuration as the parameters want it; nothing where this program is stopped before it is known.
-std::optional<std::string> chosenConfig(const std::string& config)
-{
-  ros::NodeHandle node("~");
-  ParameterReader reader(node);
-  const std::string view = reader.text("view", "machine");
-  if (view == "config")
-    return config;
-  if (view != "machine" && view != "teeth")
-    throw std::invalid_argument("~view = " + view + ": must be machine, teeth or config");
-  const auto scene = waitForScene(node, reader.text("sieve", "/sieve"));
-  if (!scene)
-    return {};
-  return fittedToScene(config, *scene, view == "teeth" ? RvizView::TEETH : RvizView::MACHINE);
-}
-
 /// Beside the logs of ROS, named after this node. @return its path
 std::string writtenToFile(const std::string& config, const std::string& node_name)
 {
@@ -104,6 +90,25 @@ std::string writtenToFile(const std::string& config, const std::string& node_nam
   file.stream() << config;
   file.commit();
   return path;
+}
+
+/// The configuration that RViz is to have, as a file; nothing where this program is stopped before it is
+/// known.
+std::optional<std::string> chosenConfig(const std::string& path)
+{
+  const std::string config = contents(path);
+  ros::NodeHandle node("~");
+  ParameterReader reader(node);
+  const std::string view = reader.text("view", "machine");
+  if (view == "config")
+    return path;
+  if (view != "machine" && view != "teeth")
+    throw std::invalid_argument("~view = " + view + ": must be machine, teeth or config");
+  const auto scene = waitForScene(node, reader.text("sieve", "/sieve"));
+  if (!scene)
+    return {};
+  return writtenToFile(fittedToScene(config, *scene, view == "teeth" ? RvizView::TEETH : RvizView::MACHINE),
+                       ros::this_node::getName());
 }
 
 /// Has the programs that this one becomes load a library of this package, first of all.
@@ -146,11 +151,10 @@ int main(int argc, char** argv)
   const std::vector<std::string> arguments(argv + 2, argv + argc);
   try
   {
-    const std::string config = contents(path);
     ros::init(argc, argv, "sieve_rviz");
-    const std::optional<std::string> chosen = chosenConfig(config);
+    const std::optional<std::string> chosen = chosenConfig(path);
     ros::shutdown();
-    return chosen ? becomeRviz(writtenToFile(*chosen, ros::this_node::getName()), arguments) : 0;
+    return chosen ? becomeRviz(*chosen, arguments) : 0;
   }
   catch (const std::exception& error)
   {

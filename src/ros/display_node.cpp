@@ -59,6 +59,7 @@ void DisplayNode::subscribe(const std::string& sieve)
   subscribe<BaseState>(sieve + "/base");
   subscribe<BinCounts>(sieve + "/bins");
   subscribe<ParticleStates>(sieve + "/particles");
+  subscribe<SieveStatistics>(sieve + "/statistics");
 }
 
 template <typename Message>

@@ -7,6 +7,7 @@
 #include "ratchet_sieve/ros/clock_publisher.h"
 #include "ratchet_sieve/ros/command_server.h"
 #include "ratchet_sieve/ros/display.h"
+#include "ratchet_sieve/ros/display_wait.h"
 #include "ratchet_sieve/ros/pacer.h"
 #include "ratchet_sieve/ros/progress_log.h"
 #include "ratchet_sieve/ros/real_time_factor.h"
@@ -36,6 +37,7 @@ private:
 
   bool stopped() const;
   bool ended() const;
+  bool underWay() const;
   double waitUntilDue() const;
   void advance();
   void advanceTo(double time);
@@ -43,6 +45,7 @@ private:
   void finish();
   void keepAlive();
   void watchSpeed();
+  void watchDisplay();
   void end();
 
   ros::NodeHandle node_;
@@ -57,6 +60,7 @@ private:
   TransformPublisher transforms_;
   TopicPublisher topics_;
   Display display_;
+  DisplayWait display_wait_;
   Diagnostics diagnostics_;
   ProgressLog progress_;
   CommandServer commands_;
