@@ -12,7 +12,10 @@ import unittest
 from pathlib import Path
 
 import numpy
+import rospy
 import rosunit
+from rosgraph_msgs.msg import Clock
+from visualization_msgs.msg import MarkerArray
 
 PACKAGE = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PACKAGE / 'scripts'))
@@ -31,6 +34,9 @@ INSIDE = 3
 
 # Far more than a stray pixel, less than half of what the disks of mixture.yaml are seen to have.
 DISK_PIXELS = 400
+
+# Messages on /clock, a hundred a second: of a run that goes on, all but the first few are later than 0.
+CLOCKS = 50
 
 # Half the window: RViz has come up and has drawn.
 DRAWN_PIXELS = 400000
@@ -140,6 +146,18 @@ class Rviz(unittest.TestCase):
     def test_takes_a_window_that_is_gone_for_one_of_one_pixel(self):
         with display_of(self.screen) as display:
             self.assertEqual(size_of(display, 12345), (1, 1))
+
+    def test_holds_a_run_until_it_is_watched(self):
+        goes_on = self.start(['roslaunch', 'ratchet_sieve', 'sieve.launch', 'wait_for_rviz:=60',
+                              f'scene:={PACKAGE / "test/ros/mixture.yaml"}'])
+        # Not with the arguments of this program: RViz has its name.
+        rospy.init_node('watcher', argv=[], disable_signals=True)
+        times = []
+        rospy.Subscriber('/clock', Clock, lambda message: times.append(message.clock.to_sec()))
+        wait_for(lambda: goes_on() and len(times) > CLOCKS, 'the sieve is the clock')
+        self.assertEqual(max(times), 0.0)
+        rospy.Subscriber('/sieve/markers', MarkerArray)
+        wait_for(lambda: goes_on() and times[-1] > 0.0, 'the run begins')
 
     def expect_disks(self, launch):
         goes_on = self.start(['roslaunch', 'ratchet_sieve', *launch])
