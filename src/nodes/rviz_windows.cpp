@@ -1,9 +1,8 @@
 // Loaded into RViz ahead of Xlib, by sieve_rviz. Ogre creates RViz's window on one connection to the X server
-// and Mesa asks for its size on another; nothing makes the server do the one before the other. Where it does
-// not, there is no such window yet, Mesa takes what happens to be on the stack for its size (168 by 0
-// pixels), and llvmpipe then draws past the end of a buffer of 0 bytes: RViz crashes or hangs a moment after
-// its start, seldom on an idle machine, in one start of ten on a busy one. At RViz's end the window is gone
-// before the last picture, with the like result.
+// and Mesa asks for its size on another; nothing makes the server do the one before the other. Where it asks
+// first, the call fails, Mesa goes on with what happens to be on the stack for a size (168 by 0 pixels), and
+// llvmpipe draws past the end of a buffer of 0 bytes: RViz crashes a moment after its start, in one start of
+// ten beside two busy programs. At RViz's end the window is gone before the last picture: the same again.
 #include <X11/Xlib.h>
 #include <dlfcn.h>
 

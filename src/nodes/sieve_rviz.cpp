@@ -33,11 +33,9 @@ constexpr const char* HELP =
     "Usage: rosrun ratchet_sieve sieve_rviz CONFIG.rviz [RVIZ ARGUMENT...] [ROS ARGUMENT...]\n"
     "\n"
     "Waits for the scene of the sieve, and becomes RViz. Parameters: ~sieve, the name of the sieve's node,\n"
-    "/sieve by default; empty: the sieve that there is. ~view, what the camera shows: machine, all of it, "
-    "by\n"
-    "default; teeth, ten in the middle of the base: RViz then gets a copy of CONFIG.rviz, in ~/.ros. Or "
-    "config:\n"
-    "CONFIG.rviz as it is, and no scene is waited for.\n"
+    "/sieve by default; empty: the sieve that there is. ~view, what the camera shows: machine, all of it\n"
+    "(default); teeth, ten in the middle of the base; config, what CONFIG.rviz says, and no scene is waited\n"
+    "for. RViz gets a copy of CONFIG.rviz, in ~/.ros; for config CONFIG.rviz itself.\n"
     "Exit status: 2 for bad arguments or a bad parameter, 1 where RViz cannot be run; else RViz's own.\n";
 
 constexpr double PATIENCE = 0.1;  // between looks whether the scene has come [s of wall time]
