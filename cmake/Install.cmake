@@ -16,7 +16,7 @@ if(RATCHET_SIEVE_ROS)
   install(
     TARGETS sieve_analyze sieve_display sieve_node sieve_replay sieve_resimulate sieve_rviz sieve_schedule sieve_seek
     RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-  install(TARGETS ratchet_sieve_bag LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+  install(TARGETS ratchet_sieve_bag ratchet_sieve_rviz_windows LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
   install(TARGETS ratchet_sieve_messages ratchet_sieve_ros
     EXPORT ratchet_sieve-targets
     ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}

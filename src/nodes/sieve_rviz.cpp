@@ -31,13 +31,13 @@ using namespace ratchet_sieve;
 constexpr const char* HELP =
     "Opens RViz on a sieve, its camera moved so that all of the machine is in the picture.\n"
     "\n"
-    "Usage: rosrun ratchet_sieve sieve_rviz CONFIG.rviz [--as-it-is] [RVIZ ARGUMENT...] [ROS ARGUMENT...]\n"
+    "Usage: rosrun ratchet_sieve sieve_rviz CONFIG.rviz [RVIZ ARGUMENT...] [ROS ARGUMENT...]\n"
     "\n"
-    "Waits for the scene of the sieve and for a node that draws it (the sieve itself, or sieve_display), "
-    "and\n"
-    "becomes RViz. Parameter: ~sieve, the name of the sieve's node, `sieve` by default; empty: the sieve "
-    "that\n"
-    "there is. RViz gets a copy of CONFIG.rviz, in ~/.ros; with --as-it-is the file itself, and at once.\n"
+    "Waits for the scene of the sieve and for a node that draws it (the sieve itself, or sieve_display),\n"
+    "and becomes RViz. Parameters: ~sieve, the name of the sieve's node, `sieve` by default; empty: the\n"
+    "sieve that there is. ~view, what the camera shows: machine, all of it (default); teeth, ten in the\n"
+    "middle of the base; config, what CONFIG.rviz says, and nothing is waited for. RViz gets a copy of\n"
+    "CONFIG.rviz, in ~/.ros; for config CONFIG.rviz itself.\n"
     "Exit status: 2 for bad arguments or a bad parameter, 1 where RViz cannot be run; else RViz's own.\n";
 
 // All of wall time [s].
@@ -47,8 +47,6 @@ constexpr double SAY_AGAIN = 30.0;  // between two lines that do
 
 /// The node whose topics the configuration shows, by its name.
 constexpr const char* SHOWN = "/sieve";
-
-constexpr const char* AS_IT_IS = "--as-it-is";
 
 /// Says now and then why nothing is shown yet.
 class WaitingLog
@@ -66,6 +64,9 @@ public:
 private:
   ros::WallTime next_ = ros::WallTime::now() + ros::WallDuration(SILENCE);
 };
+
+/// Ahead of Xlib in RViz: see rviz_windows.cpp.
+constexpr const char* RVIZ_WINDOWS = "libratchet_sieve_rviz_windows.so";
 
 std::string contents(const std::string& path)
 {
@@ -85,9 +86,9 @@ struct PlacedScene
 };
 
 /// The scene, when it has come; nothing where this program is stopped before.
-std::optional<PlacedScene> waitForScene(ros::NodeHandle node)
+/// @param sieve name of its node; empty: the one that there is
+std::optional<PlacedScene> waitForScene(ros::NodeHandle node, std::string sieve)
 {
-  std::string sieve = ParameterReader(node).text("sieve", DEFAULT_SIEVE);
   std::optional<PlacedScene> scene;
   ros::Subscriber subscriber;
   WaitingLog log;
@@ -148,6 +149,16 @@ std::string writtenToFile(const std::string& config, const std::string& node_nam
   return path;
 }
 
+/// Has the programs that this one becomes load a library of this package, first of all.
+void preload(const char* library)
+{
+  const auto program = std::filesystem::read_symlink("/proc/self/exe");
+  std::string libraries = program.parent_path().parent_path() / library;
+  if (const char* others = std::getenv("LD_PRELOAD"))
+    libraries += std::string(":") + others;
+  setenv("LD_PRELOAD", libraries.c_str(), 1);
+}
+
 /// @param frame_id that RViz holds still, unless the arguments say another; empty: the configuration's
 /// @param arguments as given, those of ROS as well: RViz is to have this node's name
 int becomeRviz(const std::string& config, const std::string& frame_id,
@@ -159,23 +170,17 @@ int becomeRviz(const std::string& config, const std::string& frame_id,
   if (!frame_id.empty() && !given("-f") && !given("--fixed-frame"))
     words.insert(words.end(), {"-f", frame_id});
   words.insert(words.end(), arguments.begin(), arguments.end());
+  preload(RVIZ_WINDOWS);
   return becomeProgram("sieve_rviz", words);
 }
 
-/// Takes an option out of the arguments. @return whether it was there
-bool takeOption(std::vector<std::string>& arguments, const std::string& option)
-{
-  const auto found = std::remove(arguments.begin(), arguments.end(), option);
-  const bool there = found != arguments.end();
-  arguments.erase(found, arguments.end());
-  return there;
-}
-
 /// RViz with its camera on the sieve, once there is one; nothing where this program is stopped before.
-int showSieve(const std::string& config, std::vector<std::string> arguments)
+int showSieve(const std::string& config, const std::string& view, std::vector<std::string> arguments)
 {
+  if (view != "machine" && view != "teeth")
+    throw std::invalid_argument("~view = " + view + ": must be machine, teeth or config");
   const ros::NodeHandle node("~");  // with the last of its handles, this node would end
-  const std::optional<PlacedScene> scene = waitForScene(node);
+  const auto scene = waitForScene(node, ParameterReader(node).text("sieve", DEFAULT_SIEVE));
   const std::optional<std::string> display = scene ? waitForDisplay() : std::nullopt;
   ros::shutdown();
   if (!display)
@@ -183,7 +188,8 @@ int showSieve(const std::string& config, std::vector<std::string> arguments)
   // Of two remappings of one name the last holds.
   for (const std::string topic : {"/markers", "/cloud"})
     arguments.push_back(SHOWN + topic + ":=" + *display + topic);
-  return becomeRviz(writtenToFile(fittedToScene(config, scene->definition), ros::this_node::getName()),
+  const RvizView shown = view == "teeth" ? RvizView::TEETH : RvizView::MACHINE;
+  return becomeRviz(writtenToFile(fittedToScene(config, scene->definition, shown), ros::this_node::getName()),
                     scene->frame_id, arguments);
 }
 }  // namespace
@@ -198,14 +204,16 @@ int main(int argc, char** argv)
     return 2;
   }
   const std::string path = argv[1];
-  std::vector<std::string> arguments(argv + 2, argv + argc);
+  const std::vector<std::string> arguments(argv + 2, argv + argc);
   try
   {
     const std::string config = contents(path);
-    if (takeOption(arguments, AS_IT_IS))
-      return becomeRviz(path, "", arguments);
     ros::init(argc, argv, "sieve_rviz");
-    return showSieve(config, arguments);
+    const std::string view = ParameterReader(ros::NodeHandle("~")).text("view", "machine");
+    if (view != "config")
+      return showSieve(config, view, arguments);
+    ros::shutdown();
+    return becomeRviz(path, "", arguments);
   }
   catch (const std::exception& error)
   {

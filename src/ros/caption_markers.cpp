@@ -20,7 +20,7 @@ constexpr double CAPTION_HEIGHT = 0.345;  // above the base's left end, and
 constexpr double CAPTION_GAP = 0.23;      // at least, above its middle
 constexpr double LEGEND_DEPTH = 0.12;     // of its first line, below the lower of both
 
-constexpr double MM_PER_M = 1e3;
+constexpr double MM_PER_M = 1e3;  // and mm/s per m/s
 constexpr double G_PER_KG = 1e3;
 
 /// "theta = +0.100 rad"; on its way to a setpoint "theta = +0.100 -> +0.190 rad".
@@ -35,6 +35,16 @@ std::string quantityText(const char* name, const char* format, double applied, d
 std::string orUndefined(const std::optional<double>& value)
 {
   return value ? fmt::format("{:.3f}", *value) : "undefined";
+}
+
+/// "<V_x> = +12.3 +- 0.4 mm/s", with its standard error.
+std::string velocityText(const SpeciesMeans& means)
+{
+  if (!means.mean_vx)
+    return "<V_x> = undefined";
+  const std::string error =
+      means.mean_vx_stderr ? fmt::format(" +- {:.1f}", MM_PER_M * *means.mean_vx_stderr) : "";
+  return fmt::format("<V_x> = {:+.1f}{} mm/s", MM_PER_M * *means.mean_vx, error);
 }
 
 std::vector<Line> captionLines(const Picture& picture)
@@ -62,6 +72,8 @@ std::vector<Line> legendLines(const Picture& picture)
                                     G_PER_KG * species.mass);
     if (picture.bins)
       words += fmt::format(", {} on the base", picture.bins->bins[k].on_base);
+    if (k < picture.means.size())
+      words += ", " + velocityText(picture.means[k]);
     lines.push_back({words, speciesColor(k)});
   }
   return lines;

@@ -65,6 +65,7 @@ void DisplayNode::subscribe(const std::string& sieve)
   subscribe<BaseState>(sieve_ + "/base");
   subscribe<BinCounts>(sieve_ + "/bins");
   subscribe<ParticleStates>(sieve_ + "/particles");
+  subscribe<SieveStatistics>(sieve_ + "/statistics");
 }
 
 template <typename Message>

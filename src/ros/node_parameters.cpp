@@ -19,6 +19,8 @@ constexpr double MAX_RATE = 1e5;        // 1/s
 constexpr double MAX_SPLIT_SIZE = 1e6;  // MB
 constexpr double MAX_DISTANCE = 1e6;    // m
 
+constexpr double LONGEST_WAIT_FOR_DISPLAY = 3600.0;  // s
+
 void readLimits(ParameterReader& reader, double least, double most, Setpoint& setpoint)
 {
   const std::string prefix = "limits/" + setpoint.name + "/";
@@ -95,6 +97,8 @@ NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
   parameters.start_paused = reader.flag("start_paused", parameters.start_paused);
   parameters.publish_clock = reader.flag("publish_clock", parameters.publish_clock);
   parameters.exit_at_end = reader.flag("exit_at_end", parameters.exit_at_end);
+  parameters.wait_for_display =
+      reader.number("wait_for_display", parameters.wait_for_display, 0.0, LONGEST_WAIT_FOR_DISPLAY);
   parameters.record = reader.text("record", parameters.record);
   readRecording(reader, parameters.recording);
   readAllRates(reader, parameters);

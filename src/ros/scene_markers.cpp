@@ -25,6 +25,21 @@ constexpr double BIN_WIDTH = 0.14;
 constexpr double BIN_HEIGHT = 0.17;
 constexpr double BIN_GAP = 0.02;  // between the base's end and a bin
 
+/// A dot on each disk, off its centre, shows how it turns. In radii of the disk.
+constexpr double DOT_RADIUS = 0.28;
+constexpr double DOT_OFFSET = 0.55;
+
+/// Where a disk, which is drawn as a sphere, has its dot: on the side of the viewer, towards whom y is
+/// negative.
+geometry_msgs::Point dotPoint(const DiskState& disk, double radius)
+{
+  const double offset = DOT_OFFSET * radius;
+  geometry_msgs::Point point =
+      planePoint(disk.x + offset * std::cos(disk.angle), disk.y + offset * std::sin(disk.angle));
+  point.y = -std::sqrt(radius * radius - offset * offset);
+  return point;
+}
+
 void addTooth(const BaseDefinition& base, int tooth, Marker& triangles, Marker& outline)
 {
   const double start = tooth * base.tooth_width;
@@ -109,18 +124,27 @@ MarkerArray baseMarkers(const SceneDefinition& scene, const BaseFrame& base)
 MarkerArray diskMarkers(const SceneDefinition& scene, const ParticleFrame& frame)
 {
   MarkerArray markers;
-  for (std::size_t k = 0; k < scene.species.size(); ++k)
+  const std::size_t count = scene.species.size();
+  const auto add = [&](const char* name, std::size_t species, double radius, const std_msgs::ColorRGBA& color)
   {
-    Marker disks = marker(frame.time, "disks", static_cast<int>(k), Marker::SPHERE_LIST, speciesColor(k));
-    disks.scale.x = disks.scale.y = disks.scale.z = 2.0 * scene.species[k].radius;
-    markers.markers.push_back(disks);
-  }
+    Marker spheres = marker(frame.time, name, static_cast<int>(species), Marker::SPHERE_LIST, color);
+    spheres.scale.x = spheres.scale.y = spheres.scale.z = 2.0 * radius;
+    markers.markers.push_back(spheres);
+  };
+  for (std::size_t k = 0; k < count; ++k)
+    add("disks", k, scene.species[k].radius, speciesColor(k));
+  for (std::size_t k = 0; k < count; ++k)
+    add("dots", k, DOT_RADIUS * scene.species[k].radius, grey(1.0f));
   for (const DiskState& disk : frame.disks)
+  {
     markers.markers[disk.species].points.push_back(planePoint(disk.x, disk.y));
+    markers.markers[count + disk.species].points.push_back(
+        dotPoint(disk, scene.species[disk.species].radius));
+  }
   // RViz calls an empty list an error.
-  for (Marker& disks : markers.markers)
-    if (disks.points.empty())
-      disks.action = Marker::DELETE;
+  for (Marker& spheres : markers.markers)
+    if (spheres.points.empty())
+      spheres.action = Marker::DELETE;
   return markers;
 }
 

@@ -69,6 +69,13 @@ void SeenRun::take(const BinFrame& frame)
   bins_ = frame;
 }
 
+void SeenRun::take(const StatisticsFrame& frame)
+{
+  if (statistics_ && frame.time < statistics_->time)
+    leapTo(frame.time);
+  statistics_ = frame;
+}
+
 void SeenRun::take(const BaseFrame& frame)
 {
   if (!bases_.empty() && frame.time < bases_.back().time)
@@ -85,6 +92,8 @@ void SeenRun::leapTo(double time)
     particles_.reset();
   if (bins_ && bins_->time > time)
     bins_.reset();
+  if (statistics_ && statistics_->time > time)
+    statistics_.reset();
   bases_.erase(
       std::find_if(bases_.begin(), bases_.end(), [time](const BaseFrame& base) { return base.time > time; }),
       bases_.end());
@@ -118,11 +127,13 @@ BaseFrame SeenRun::baseAt(double time) const
 
 Picture SeenRun::picture() const
 {
-  Picture picture{*scene_, baseAt(*time()), {}, {}};
+  Picture picture{*scene_, baseAt(*time()), {}, {}, {}};
   if (particles_ && fits(*particles_))
     picture.particles = particles_;
   if (bins_ && bins_->bins.size() == scene_->species.size())
     picture.bins = bins_;
+  if (statistics_ && statistics_->means.size() == scene_->species.size())
+    picture.means = statistics_->means;
   return picture;
 }
 

@@ -50,6 +50,7 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
           node_, [this]() -> const LiveRun& { return control_.run(); }, parameters_.frames.world, clock_,
           transforms_),
       display_(node_, parameters_.display_rate),
+      display_wait_(parameters_.wait_for_display),
       diagnostics_(control_, {real_time_factor_, pacer_, speed_}, recorder_, clock_),
       commands_(
           node_, parameters_, control_, diagnostics_, [this](double time) { return stride(time); },
@@ -78,14 +79,32 @@ bool SieveNode::ended() const
   return control_.run().finished() && parameters_.exit_at_end;
 }
 
+/// Whether the run goes on by itself.
+bool SieveNode::underWay() const
+{
+  return !control_.paused() && !display_wait_.waiting();
+}
+
+void SieveNode::watchDisplay()
+{
+  const auto now = Pacer::Clock::now();
+  if (!display_wait_.waiting())
+    return;
+  if (const auto line = display_wait_.look(display_.watched(), now))
+    ROS_INFO_STREAM(*line);
+  if (!display_wait_.waiting())
+    pacer_.anchor(control_.run().time(), now);
+}
+
 void SieveNode::keepAlive()
 {
+  watchDisplay();
   clock_.publishDue(control_.run().time());
   const LiveRun& run = control_.run();
   if (display_.due(run.time()))
   {
     clock_.reach(run.time());
-    display_.show({run.simulation().scene(), run.base(), run.bins(), run.particles()},
+    display_.show({run.simulation().scene(), run.base(), run.bins(), run.particles(), run.simulation().means()},
                   parameters_.frames.world);
   }
   watchSpeed();
@@ -108,7 +127,7 @@ void SieveNode::watchSpeed()
     ROS_INFO("real-time factor: %g from %.3f s on%s", *factor, run.time(),
              *factor > 0.0 ? "" : ": as fast as it goes");
   }
-  speed_.look(!control_.paused(), run.time(), pacer_.lost(), now);
+  speed_.look(underWay(), run.time(), pacer_.lost(), now);
   if (const auto line = speed_.line(pacer_.factor(), now))
     ROS_LOG_STREAM(line->warning ? ros::console::levels::Warn : ros::console::levels::Info,
                    ROSCONSOLE_DEFAULT_NAME, line->text);
@@ -186,9 +205,9 @@ void SieveNode::run()
   pacer_.anchor(run.time(), Pacer::Clock::now());
   while (!stopped() && !ended())
   {
-    serveCallbacks(control_.paused() ? Pacer::LONGEST_WAIT : waitUntilDue());
+    serveCallbacks(underWay() ? waitUntilDue() : Pacer::LONGEST_WAIT);
     commands_.deliverSetpoints();
-    if (!control_.paused() && !stopped())
+    if (underWay() && !stopped())
       advance();
     keepAlive();
   }

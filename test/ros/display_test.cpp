@@ -133,7 +133,7 @@ TEST(SceneMarkers, drawDisksInTrueSizeOneListPerSpecies)
   ParticleFrame frame;
   frame.disks = {{7, 1, 0.01, 0.02, 0, 0, 0, 0, 0}, {9, 1, 0.03, 0.04, 0, 0, 0, 0, 0}};
   const auto markers = diskMarkers(scene, frame).markers;
-  ASSERT_EQ(markers.size(), 2u);
+  ASSERT_EQ(markers.size(), 4u);
   EXPECT_EQ(markers[0].action, visualization_msgs::Marker::DELETE);
   EXPECT_EQ(markers[1].type, visualization_msgs::Marker::SPHERE_LIST);
   EXPECT_EQ(markers[1].scale.x, 2.0 * scene.species[1].radius);
@@ -141,6 +141,28 @@ TEST(SceneMarkers, drawDisksInTrueSizeOneListPerSpecies)
   EXPECT_EQ(markers[1].points[1].x, 0.03);
   EXPECT_EQ(markers[1].points[1].y, 0.0);
   EXPECT_EQ(markers[1].points[1].z, 0.04);
+}
+
+TEST(SceneMarkers, markEachDiskWhereItHasTurnedTo)
+{
+  const SceneDefinition scene = smallMixture();
+  ParticleFrame frame;
+  frame.disks = {{7, 1, 0.01, 0.02, 0.0, 0, 0, 0, 0}, {9, 1, 0.03, 0.04, 1.1, 0, 0, 0, 0}};
+  const auto markers = diskMarkers(scene, frame).markers;
+  EXPECT_EQ(markers[2].action, visualization_msgs::Marker::DELETE);
+  const auto& dots = markers[3];
+  ASSERT_EQ(dots.points.size(), 2u);
+  EXPECT_LT(dots.scale.x, 0.5 * markers[1].scale.x);
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const DiskState& disk = frame.disks[k];
+    const double x = dots.points[k].x - disk.x;
+    const double z = dots.points[k].z - disk.y;
+    EXPECT_NEAR(std::atan2(z, x), disk.angle, 1e-12);
+    // On the sphere, on the side from which it is seen.
+    EXPECT_NEAR(std::hypot(x, z, dots.points[k].y), scene.species[1].radius, 1e-15);
+    EXPECT_LT(dots.points[k].y, 0.0);
+  }
 }
 
 BinFrame someBins()
@@ -162,7 +184,7 @@ TEST(SceneMarkers, showBinsOfAnOpenBaseOnly)
 TEST(SceneMarkers, sayUndefinedWhereQualityIsNot)
 {
   const SceneDefinition scene = smallMixture();
-  Picture picture{scene, BaseFrame(), someBins(), {}};
+  Picture picture{scene, BaseFrame(), someBins(), {}, {}};
   picture.bins->processed = 0.5;
   const auto markers = captionMarkers(picture).markers;
   ASSERT_EQ(markers.size(), 4u);
@@ -172,7 +194,7 @@ TEST(SceneMarkers, sayUndefinedWhereQualityIsNot)
 TEST(SceneMarkers, sayWhereTheBaseIsAndWhereItIsGoing)
 {
   const SceneDefinition scene = smallMixture();
-  Picture picture{scene, inclinedBase(0.1, 0.0), {}, {}};
+  Picture picture{scene, inclinedBase(0.1, 0.0), {}, {}, {}};
   DriveState& base = picture.base.base;
   base.commanded_inclination = 0.19;
   base.frequency = base.commanded_frequency = 23.0;
@@ -184,18 +206,30 @@ TEST(SceneMarkers, sayWhereTheBaseIsAndWhereItIsGoing)
 TEST(SceneMarkers, nameEachSpeciesInItsColour)
 {
   const SceneDefinition scene = smallMixture();
-  const auto markers = captionMarkers({scene, BaseFrame(), someBins(), {}}).markers;
+  const auto markers = captionMarkers({scene, BaseFrame(), someBins(), {}, {}}).markers;
   ASSERT_EQ(markers.size(), 4u);
   EXPECT_EQ(markers[2].text, "A: r = 1 mm, m = 10 g, 3 on the base");
   EXPECT_EQ(markers[3].text, "B: r = 3 mm, m = 1 g, 6 on the base");
   EXPECT_EQ(markers[3].color, diskMarkers(scene, ParticleFrame()).markers.at(1).color);
 }
 
+TEST(SceneMarkers, sayTheMeanVelocityOfEachSpeciesWithItsError)
+{
+  const SceneDefinition scene = smallMixture();
+  Picture picture{scene, BaseFrame(), {}, {}, std::vector<SpeciesMeans>(2)};
+  picture.means[0].mean_vx = 0.01234;
+  picture.means[0].mean_vx_stderr = 0.00056;
+  const auto markers = captionMarkers(picture).markers;
+  ASSERT_EQ(markers.size(), 3u);
+  EXPECT_EQ(markers[1].text, "A: r = 1 mm, m = 10 g, <V_x> = +12.3 +- 0.6 mm/s");
+  EXPECT_EQ(markers[2].text, "B: r = 3 mm, m = 1 g, <V_x> = undefined");
+}
+
 TEST(SceneMarkers, leaveOutWhatNobodyRecorded)
 {
   const SceneDefinition scene = smallMixture();
   std::set<std::string> names;
-  for (const auto& marker : pictureMarkers({scene, BaseFrame(), {}, {}}).markers)
+  for (const auto& marker : pictureMarkers({scene, BaseFrame(), {}, {}, {}}).markers)
     names.insert(marker.ns);
   EXPECT_EQ(names, (std::set<std::string>{"base", "caption", "legend"}));
 }

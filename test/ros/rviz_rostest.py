@@ -4,13 +4,18 @@
 Usage: rviz_rostest.py BAG [ROS ARGUMENT...]; part of rviz.test, which has started a master. BAG is a run of mixture.yaml.
 """
 
+import contextlib
+import ctypes
 import subprocess
 import sys
 import unittest
 from pathlib import Path
 
 import numpy
+import rospy
 import rosunit
+from rosgraph_msgs.msg import Clock
+from visualization_msgs.msg import MarkerArray
 
 PACKAGE = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PACKAGE / 'scripts'))
@@ -29,6 +34,9 @@ INSIDE = 3
 
 # Far more than a stray pixel, less than half of what the disks of mixture.yaml are seen to have.
 DISK_PIXELS = 400
+
+# Messages on /clock, a hundred a second: of a run that goes on, all but the first few are later than 0.
+CLOCKS = 50
 
 # Half the window: RViz has come up and has drawn.
 DRAWN_PIXELS = 400000
@@ -59,6 +67,47 @@ def disk_pixels(pixels):
     return [int(inside(coloured(pixels, colour)).sum()) for colour in SPECIES]
 
 
+# Xlib, and the calls of it that sieve_rviz replaces in RViz (rviz_windows.cpp). Xlib finds one window in twenty missing.
+XLIB = ctypes.CDLL('libX11.so.6')
+WINDOW_CALLS = ctypes.CDLL('libratchet_sieve_rviz_windows.so')
+XLIB.XOpenDisplay.restype = ctypes.c_void_p
+XLIB.XCloseDisplay.argtypes = [ctypes.c_void_p]
+XLIB.XDefaultRootWindow.argtypes = [ctypes.c_void_p]
+XLIB.XDefaultRootWindow.restype = ctypes.c_ulong
+WINDOW_CALLS.XCreateWindow.argtypes = [
+    ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_int, ctypes.c_uint, ctypes.c_uint, ctypes.c_uint,
+    ctypes.c_int, ctypes.c_uint, ctypes.c_void_p, ctypes.c_ulong, ctypes.c_void_p]
+WINDOW_CALLS.XCreateWindow.restype = ctypes.c_ulong
+WINDOW_CALLS.XGetGeometry.argtypes = [ctypes.c_void_p, ctypes.c_ulong] + 7 * [ctypes.c_void_p]
+WINDOWS = 1000
+
+
+@ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)
+def ignore_error(_display, _event):
+    """Where there is no such window, Xlib would end this program."""
+    return 0
+
+
+XLIB.XSetErrorHandler(ignore_error)
+
+
+@contextlib.contextmanager
+def display_of(screen):
+    """A connection to the screen's X server."""
+    display = XLIB.XOpenDisplay(screen.environment['DISPLAY'].encode())
+    try:
+        yield display
+    finally:
+        XLIB.XCloseDisplay(display)
+
+
+def size_of(display, window):
+    """Width and height of a window, as Mesa sees them [pixels]."""
+    root, x, y, width, height, border, depth = (ctypes.c_ulong() for _ in range(7))
+    WINDOW_CALLS.XGetGeometry(display, window, *map(ctypes.byref, (root, x, y, width, height, border, depth)))
+    return width.value, height.value
+
+
 class Rviz(unittest.TestCase):
     def setUp(self):
         self.screen = VirtualScreen()
@@ -75,7 +124,8 @@ class Rviz(unittest.TestCase):
         return goes_on
 
     def test_shows_no_disks_without_a_sieve(self):
-        goes_on = self.start(['rviz', '-d', str(PACKAGE / 'rviz/sieve.rviz'), '--splash-screen', ''])
+        goes_on = self.start(['rosrun', 'ratchet_sieve', 'sieve_rviz', str(PACKAGE / 'rviz/sieve.rviz'), '_view:=config',
+                              '--splash-screen', ''])
         wait_for(lambda: goes_on() and count_background(self.screen.pixels()) > DRAWN_PIXELS, 'RViz draws')
         self.assertEqual(disk_pixels(self.screen.pixels()), [0, 0])
 
@@ -90,6 +140,29 @@ class Rviz(unittest.TestCase):
 
     def test_shows_the_disks_of_a_recorded_run(self):
         self.expect_disks(['replay.launch', f'bag:={sys.argv[1]}', 'rate:=0.2', 'loop:=true'])
+
+    def test_finds_a_window_that_another_connection_has_created(self):
+        with display_of(self.screen) as creator, display_of(self.screen) as looker:
+            root = XLIB.XDefaultRootWindow(creator)
+            for _ in range(WINDOWS):
+                window = WINDOW_CALLS.XCreateWindow(creator, root, 0, 0, 30, 20, 0, 0, 0, None, 0, None)
+                self.assertEqual(size_of(looker, window), (30, 20))
+
+    def test_takes_a_window_that_is_gone_for_one_of_one_pixel(self):
+        with display_of(self.screen) as display:
+            self.assertEqual(size_of(display, 12345), (1, 1))
+
+    def test_holds_a_run_until_it_is_watched(self):
+        goes_on = self.start(['roslaunch', 'ratchet_sieve', 'sieve.launch', 'wait_for_rviz:=60',
+                              f'scene:={PACKAGE / "test/ros/mixture.yaml"}'])
+        # Not with the arguments of this program: RViz has its name.
+        rospy.init_node('watcher', argv=[], disable_signals=True)
+        times = []
+        rospy.Subscriber('/clock', Clock, lambda message: times.append(message.clock.to_sec()))
+        wait_for(lambda: goes_on() and len(times) > CLOCKS, 'the sieve is the clock')
+        self.assertEqual(max(times), 0.0)
+        rospy.Subscriber('/sieve/markers', MarkerArray)
+        wait_for(lambda: goes_on() and times[-1] > 0.0, 'the run begins')
 
     def expect_disks(self, launch):
         goes_on = self.start(['roslaunch', 'ratchet_sieve', *launch])

@@ -28,7 +28,7 @@ TEST(RvizView, showsAllOfTheMachine)
       SceneDefinition scene = smallMixture();
       scene.base.teeth = teeth;
       scene.boundary = boundary;
-      const YAML::Node view = viewOf(fittedToScene(ownConfig(), scene));
+      const YAML::Node view = viewOf(fittedToScene(ownConfig(), scene, RvizView::MACHINE));
       const double width = scene.base.width();
       EXPECT_DOUBLE_EQ(view["Focal Point"]["X"].as<double>(), 0.5 * width);
       // Seen in a window of 1248 by 640: the base, and the bins of an open one, but not much else.
@@ -41,14 +41,71 @@ TEST(RvizView, showsAllOfTheMachine)
     }
 }
 
+/// What a view sees of the plane: x and z of its lower left corner and its size, in a window of 1248 by 640.
+struct Seen
+{
+  double x, z, width, height;
+};
+
+Seen seenBy(const YAML::Node& view)
+{
+  const double height =
+      2.0 * view["Distance"].as<double>() * std::tan(0.5 * view["Field of View"].as<double>());
+  const double width = height * 1248.0 / 640.0;
+  return {view["Focal Point"]["X"].as<double>() - 0.5 * width,
+          view["Focal Point"]["Z"].as<double>() - 0.5 * height, width, height};
+}
+
+TEST(RvizView, showsTenTeethOfALongBaseLargeEnoughToSeeDisks)
+{
+  SceneDefinition scene = smallMixture();
+  scene.base.teeth = 382;
+  scene.base.inclination = 0.1;
+  const Seen seen = seenBy(viewOf(fittedToScene(ownConfig(), scene, RvizView::TEETH)));
+  EXPECT_NEAR(seen.width, 10.5 * scene.base.tooth_width, 0.01 * scene.base.tooth_width);
+  // The middle of the base is in the picture, with room for disks above and teeth below.
+  const double x = 0.5 * scene.base.width() * std::cos(0.1);
+  const double z = 0.5 * scene.base.width() * std::sin(0.1);
+  EXPECT_NEAR(x, seen.x + 0.5 * seen.width, 1e-9);
+  EXPECT_GT(z, seen.z + 2.0 * scene.base.tooth_height);
+  EXPECT_LT(z, seen.z + 0.5 * seen.height);
+  // Pixels of the smallest disk.
+  EXPECT_GT(2.0 * scene.species[0].radius * 640.0 / seen.height, 10.0);
+}
+
+TEST(RvizView, fitsTheSavedViewsToTheScene)
+{
+  SceneDefinition scene = smallMixture();
+  scene.base.teeth = 382;
+  const std::string config = fittedToScene(ownConfig(), scene, RvizView::MACHINE);
+  const YAML::Node saved = YAML::Load(config)["Visualization Manager"]["Views"]["Saved"];
+  ASSERT_EQ(saved.size(), 3u);
+  EXPECT_EQ(saved[0]["Distance"].as<double>(), viewOf(config)["Distance"].as<double>());
+  const YAML::Node teeth = viewOf(fittedToScene(ownConfig(), scene, RvizView::TEETH));
+  EXPECT_EQ(YAML::Dump(saved[1]["Focal Point"]), YAML::Dump(teeth["Focal Point"]));
+  EXPECT_NEAR(seenBy(saved[2]).x + 0.5 * seenBy(saved[2]).width, 5.0 * scene.base.tooth_width, 1e-9);
+}
+
+TEST(RvizView, showsAllTeethOfAShortBase)
+{
+  SceneDefinition scene = smallMixture();
+  scene.base.teeth = 4;
+  const Seen seen = seenBy(viewOf(fittedToScene(ownConfig(), scene, RvizView::TEETH)));
+  EXPECT_NEAR(seen.width, 1.05 * scene.base.width(), 0.01 * scene.base.width());
+}
+
 TEST(RvizView, leavesTheRestAsItIs)
 {
   YAML::Node before = YAML::Load(ownConfig());
-  YAML::Node after = YAML::Load(fittedToScene(ownConfig(), smallMixture()));
+  YAML::Node after = YAML::Load(fittedToScene(ownConfig(), smallMixture(), RvizView::MACHINE));
   for (YAML::Node* root : {&before, &after})
   {
-    (*root)["Visualization Manager"]["Views"]["Current"].remove("Distance");
-    (*root)["Visualization Manager"]["Views"]["Current"].remove("Focal Point");
+    YAML::Node views = (*root)["Visualization Manager"]["Views"];
+    for (YAML::Node view : {views["Current"], views["Saved"][0], views["Saved"][1], views["Saved"][2]})
+    {
+      view.remove("Distance");
+      view.remove("Focal Point");
+    }
   }
   EXPECT_EQ(YAML::Dump(after), YAML::Dump(before));
 }
@@ -56,7 +113,7 @@ TEST(RvizView, leavesTheRestAsItIs)
 TEST(RvizView, refusesWhatIsNoConfiguration)
 {
   for (const char* text : {"", "no: view", "{", "Visualization Manager: 3"})
-    EXPECT_THROW(fittedToScene(text, smallMixture()), std::invalid_argument) << text;
+    EXPECT_THROW(fittedToScene(text, smallMixture(), RvizView::MACHINE), std::invalid_argument) << text;
 }
 }  // namespace
 }  // namespace ratchet_sieve

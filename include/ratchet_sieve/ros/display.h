@@ -21,6 +21,9 @@ public:
   /// @param rate at most [1/s of wall time]; 0: nothing is shown
   Display(ros::NodeHandle private_node, double rate);
 
+  /// Whether anybody subscribes to ~markers or ~cloud.
+  bool watched() const { return markers_.getNumSubscribers() > 0 || cloud_.getNumSubscribers() > 0; }
+
   /// Whether a picture of this time would be shown now; false where nobody watches, so that none need be
   /// made. A run that stands still is shown once a second, for those who come. @param time simulated [s]
   bool due(double time) const;

@@ -29,6 +29,7 @@ struct NodeParameters
   RecordingParameters recording;  ///< ~recording/: what of the run, how often, in how large files
   FrameRates rates;               ///< ~rates/particles, bins, base, statistics [1/s of simulated time]
   double display_rate = 30.0;     ///< ~rates/display: markers and cloud, at most [1/s of wall time]
+  double wait_for_display = 0.0;  ///< ~wait_for_display: for so long a run waits for it [s of wall time]
   double clock_rate = 100.0;      ///< ~rates/clock [1/s of wall time]
   std::array<double, 3> mount{};  ///< ~mount/x, y, z: where in `world` the base's foot stands [m]
   FrameNames frames;              ///< by ~frame_prefix and ~mount

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/recording/frames.h"
@@ -16,6 +17,7 @@ struct Picture
   BaseFrame base;
   std::optional<BinFrame> bins;
   std::optional<ParticleFrame> particles;
+  std::vector<SpeciesMeans> means = {};  ///< per species; empty: not known
 };
 
 }  // namespace ratchet_sieve

@@ -15,7 +15,7 @@ visualization_msgs::MarkerArray pictureMarkers(const Picture& picture);
 /// The base: teeth and the beam that carries them.
 visualization_msgs::MarkerArray baseMarkers(const SceneDefinition& scene, const BaseFrame& base);
 
-/// The disks: one SPHERE_LIST a species, in true size.
+/// The disks: one SPHERE_LIST a species, in true size; then one a species of the dots that show how they turn.
 visualization_msgs::MarkerArray diskMarkers(const SceneDefinition& scene, const ParticleFrame& frame);
 
 /// The bins of an open base, at rest: boxes that fill, with counts. Nothing for other boundaries.
@@ -23,7 +23,7 @@ visualization_msgs::MarkerArray binMarkers(const SceneDefinition& scene, const B
                                            const BaseFrame& base);
 
 /// Time, theta, f and A (with their setpoints, while they are on the way), Q and P above the machine; each
-/// species' name, size and number below it, in its colour.
+/// species' name, size, number and mean velocity with its standard error below it, in its colour.
 visualization_msgs::MarkerArray captionMarkers(const Picture& picture);
 
 }  // namespace ratchet_sieve

@@ -21,7 +21,7 @@ public:
   void take(const ParticleFrame& frame) override;
   void take(const BinFrame& frame) override;
   void take(const BaseFrame& frame) override;
-  void take(const StatisticsFrame&) override {}
+  void take(const StatisticsFrame& frame) override;
   void take(const CommandFrame&) override {}
 
   const std::optional<std::string>& sceneError() const { return scene_error_; }
@@ -44,6 +44,7 @@ private:
   std::string yaml_;
   std::optional<ParticleFrame> particles_;
   std::optional<BinFrame> bins_;
+  std::optional<StatisticsFrame> statistics_;
   std::deque<BaseFrame> bases_;  ///< the last ones, in the order of time
 };
 

@@ -7,6 +7,7 @@
 #include "ratchet_sieve/ros/clock_publisher.h"
 #include "ratchet_sieve/ros/command_server.h"
 #include "ratchet_sieve/ros/display.h"
+#include "ratchet_sieve/ros/display_wait.h"
 #include "ratchet_sieve/ros/pacer.h"
 #include "ratchet_sieve/ros/progress_log.h"
 #include "ratchet_sieve/ros/real_time_factor.h"
@@ -37,6 +38,7 @@ private:
 
   bool stopped() const;
   bool ended() const;
+  bool underWay() const;
   double waitUntilDue() const;
   void advance();
   void advanceTo(double time);
@@ -46,6 +48,7 @@ private:
   void watchSpeed();
   void watchEnergy();
   void watchPour(std::size_t poured, std::size_t of);
+  void watchDisplay();
   void end();
 
   ros::NodeHandle node_;
@@ -62,6 +65,7 @@ private:
   TransformPublisher transforms_;
   TopicPublisher topics_;
   Display display_;
+  DisplayWait display_wait_;
   Diagnostics diagnostics_;
   ProgressLog progress_;
   bool energy_said_ = false;
