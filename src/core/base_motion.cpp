@@ -38,23 +38,22 @@ void BaseMotion::Ramp::advance(double elapsed)
 BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn, bool always_drive)
     : max_turn_(max_turn), always_drive_(always_drive)
 {
-  inclination_ = {base.inclination, 0.0, base.inclination};
-  frequency_ = {base.frequency, 0.0, base.frequency};
-  amplitude_ = {base.amplitude, 0.0, base.amplitude};
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    ramp(q.quantity) = {base.*q.definition, 0.0, base.*q.definition};
   turns_ = fraction(base.phase / TWO_PI);
   plan();
 }
 
 double BaseMotion::turns(double elapsed) const
 {
-  return turns_ + elapsed * (frequency_.start + 0.5 * frequency_.rate * elapsed);
+  return turns_ + elapsed * (ramp(Quantity::FREQUENCY).start + 0.5 * ramp(Quantity::FREQUENCY).rate * elapsed);
 }
 
 void BaseMotion::lookAt(double time, BaseKinematics& k) const
 {
   const double elapsed = time - segment_start_;
-  k.inclination = inclination_.at(elapsed);
-  k.inclination_rate = inclination_.rate;
+  k.inclination = ramp(Quantity::INCLINATION).at(elapsed);
+  k.inclination_rate = ramp(Quantity::INCLINATION).rate;
   k.cosine = cosine_;
   k.sine = sine_;
   k.displacement = standstill_;
@@ -62,17 +61,17 @@ void BaseMotion::lookAt(double time, BaseKinematics& k) const
   if (oscillates_ && !next_change_)
   {
     // At its setpoints: the same to the last bit, without the ramps.
-    const auto phase = sineCosineOfTurns(turns_ + elapsed * frequency_.start);
-    k.displacement = amplitude_.start * phase.sine;
-    k.velocity = amplitude_.start * (TWO_PI * frequency_.start) * phase.cosine;
+    const auto phase = sineCosineOfTurns(turns_ + elapsed * ramp(Quantity::FREQUENCY).start);
+    k.displacement = ramp(Quantity::AMPLITUDE).start * phase.sine;
+    k.velocity = ramp(Quantity::AMPLITUDE).start * (TWO_PI * ramp(Quantity::FREQUENCY).start) * phase.cosine;
   }
   else if (oscillates_)
   {
-    const double amplitude = amplitude_.at(elapsed);
-    const double phase_rate = TWO_PI * frequency_.at(elapsed);
+    const double amplitude = ramp(Quantity::AMPLITUDE).at(elapsed);
+    const double phase_rate = TWO_PI * ramp(Quantity::FREQUENCY).at(elapsed);
     const auto phase = sineCosineOfTurns(turns(elapsed));
     k.displacement = amplitude * phase.sine;
-    k.velocity = amplitude * phase_rate * phase.cosine + amplitude_.rate * phase.sine;
+    k.velocity = amplitude * phase_rate * phase.cosine + ramp(Quantity::AMPLITUDE).rate * phase.sine;
   }
   if (!turning())
     return;
@@ -86,12 +85,11 @@ DriveState BaseMotion::state(double time) const
   const double elapsed = time - segment_start_;
   const auto k = at(time);
   DriveState state;
-  state.inclination = k.inclination;
-  state.frequency = frequency_.at(elapsed);
-  state.amplitude = amplitude_.at(elapsed);
-  state.commanded_inclination = inclination_.target;
-  state.commanded_frequency = frequency_.target;
-  state.commanded_amplitude = amplitude_.target;
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+  {
+    state.*q.applied = ramp(q.quantity).at(elapsed);
+    state.*q.commanded = ramp(q.quantity).target;
+  }
   state.phase = TWO_PI * fraction(turns(elapsed));
   state.displacement = k.displacement;
   state.velocity = k.velocity;
@@ -102,8 +100,8 @@ void BaseMotion::advanceTo(double time)
 {
   const double elapsed = time - segment_start_;
   turns_ = fraction(turns(elapsed));
-  for (Ramp* ramp : {&inclination_, &frequency_, &amplitude_})
-    ramp->advance(elapsed);
+  for (Ramp& ramp : ramps_)
+    ramp.advance(elapsed);
   segment_start_ = time;
 }
 
@@ -120,23 +118,22 @@ void BaseMotion::pursue(Ramp& ramp, double slew_rate) const
 
 void BaseMotion::plan()
 {
-  pursue(inclination_, slew_rates_.inclination);
-  pursue(frequency_, slew_rates_.frequency);
-  pursue(amplitude_, slew_rates_.amplitude);
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    pursue(ramp(q.quantity), slew_rates_.*q.slew_rate);
 
-  const auto angle = sineCosineOfTurns(inclination_.start / TWO_PI);
+  const auto angle = sineCosineOfTurns(ramp(Quantity::INCLINATION).start / TWO_PI);
   cosine_ = angle.cosine;
   sine_ = angle.sine;
 
   next_change_.reset();
-  for (const Ramp* ramp : {&inclination_, &frequency_, &amplitude_})
-    if (const auto remaining = ramp->remaining())
+  for (const Ramp& ramp : ramps_)
+    if (const auto remaining = ramp.remaining())
     {
       const double end = segment_start_ + *remaining;
       next_change_ = std::min(next_change_.value_or(end), end);
     }
   if (turning())
-    next_change_ = std::min(*next_change_, segment_start_ + max_turn_ / std::abs(inclination_.rate));
+    next_change_ = std::min(*next_change_, segment_start_ + max_turn_ / std::abs(ramp(Quantity::INCLINATION).rate));
   updateBounds();
   noteStandstill();
 }
@@ -152,30 +149,16 @@ void BaseMotion::rebase(double length)
   if (next_change_)
     beginSegment(length);
   else
-    turns_ = fraction(turns_ + fraction((length - segment_start_) * frequency_.start));
+    turns_ = fraction(turns_ + fraction((length - segment_start_) * ramp(Quantity::FREQUENCY).start));
   segment_start_ = 0.0;
   if (next_change_)
     next_change_ = *next_change_ - length;
 }
 
-void BaseMotion::commandInclination(double target, double time)
+void BaseMotion::command(Quantity quantity, double target, double time)
 {
   advanceTo(time);
-  inclination_.target = target;
-  plan();
-}
-
-void BaseMotion::commandFrequency(double target, double time)
-{
-  advanceTo(time);
-  frequency_.target = target;
-  plan();
-}
-
-void BaseMotion::commandAmplitude(double target, double time)
-{
-  advanceTo(time);
-  amplitude_.target = target;
+  ramp(quantity).target = target;
   plan();
 }
 
@@ -188,17 +171,17 @@ void BaseMotion::setSlewRates(const SlewRates& rates, double time)
 
 double BaseMotion::throwHeight(double gravity) const
 {
-  const double speed = TWO_PI * frequency_.start * amplitude_.start;
+  const double speed = TWO_PI * ramp(Quantity::FREQUENCY).start * ramp(Quantity::AMPLITUDE).start;
   return gravity > 0.0 ? 0.5 * speed * speed / gravity : std::numeric_limits<double>::infinity();
 }
 
 void BaseMotion::updateBounds()
 {
   const double length = next_change_ ? *next_change_ - segment_start_ : 0.0;
-  const double amplitude = std::max(amplitude_.start, amplitude_.at(length));
-  const double phase_rate = TWO_PI * std::max(frequency_.start, frequency_.at(length));
-  acceleration_bound_ = amplitude * phase_rate * phase_rate + 2.0 * std::abs(amplitude_.rate) * phase_rate +
-                        amplitude * TWO_PI * std::abs(frequency_.rate);
+  const double amplitude = std::max(ramp(Quantity::AMPLITUDE).start, ramp(Quantity::AMPLITUDE).at(length));
+  const double phase_rate = TWO_PI * std::max(ramp(Quantity::FREQUENCY).start, ramp(Quantity::FREQUENCY).at(length));
+  acceleration_bound_ = amplitude * phase_rate * phase_rate + 2.0 * std::abs(ramp(Quantity::AMPLITUDE).rate) * phase_rate +
+                        amplitude * TWO_PI * std::abs(ramp(Quantity::FREQUENCY).rate);
   displacement_bound_ = amplitude;
 }
 
@@ -206,10 +189,10 @@ void BaseMotion::updateBounds()
 /// the segment, to the last bit.
 void BaseMotion::noteStandstill()
 {
-  const bool flat = amplitude_.start == 0.0 && amplitude_.rate == 0.0;
-  const bool halted = frequency_.start == 0.0 && frequency_.rate == 0.0 && amplitude_.rate == 0.0;
+  const bool flat = ramp(Quantity::AMPLITUDE).start == 0.0 && ramp(Quantity::AMPLITUDE).rate == 0.0;
+  const bool halted = ramp(Quantity::FREQUENCY).start == 0.0 && ramp(Quantity::FREQUENCY).rate == 0.0 && ramp(Quantity::AMPLITUDE).rate == 0.0;
   oscillates_ = always_drive_ || !(flat || halted);
-  standstill_ = flat ? 0.0 : amplitude_.start * sineCosineOfTurns(turns_).sine;
+  standstill_ = flat ? 0.0 : ramp(Quantity::AMPLITUDE).start * sineCosineOfTurns(turns_).sine;
 }
 
 }  // namespace ratchet_sieve

@@ -155,7 +155,7 @@ TEST(Lanes, OnlyForScenesThatTheyKnow)
   EXPECT_FALSE(laneScene(Machine(scene)));
   scene.boundary = Boundary::PERIODIC;
   Machine machine(scene);
-  machine.motion().commandFrequency(30.0, 0.1);
+  machine.motion().command(Quantity::FREQUENCY, 30.0, 0.1);
   EXPECT_FALSE(laneScene(machine));
 }
 

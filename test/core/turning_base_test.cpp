@@ -19,7 +19,7 @@ void expectThatNothingPasses(SceneDefinition scene, double slew_rate)
   double time = 0.0;
   for (int turn = 0; turn < 30; ++turn)
   {
-    simulation.commandInclination(target);
+    simulation.command(Quantity::INCLINATION, target);
     target = -target;
     // Sometimes it gets there, sometimes it is turned back on the way.
     for (int look = 0; look < 10 + 3 * (turn % 4); ++look)

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 
+#include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/core/observation.h"
 
 namespace ratchet_sieve
 {
@@ -53,8 +55,8 @@ public:
   double sine() const { return sine_; }
 
   /// A, f and the phase over 2 pi at the segment's start: while nothing changes, of the drive as it is.
-  double amplitude() const { return amplitude_.start; }
-  double frequency() const { return frequency_.start; }
+  double amplitude() const { return ramp(Quantity::AMPLITUDE).start; }
+  double frequency() const { return ramp(Quantity::FREQUENCY).start; }
   double startTurns() const { return turns_; }
 
   /// When the present segment ends; nothing while the base stands at its setpoints.
@@ -69,15 +71,13 @@ public:
   /// The motion begins at `time`, not at 0. @pre nothing was commanded
   void startAt(double time) { segment_start_ = time; }
 
-  void commandInclination(double target, double time);
-  void commandFrequency(double target, double time);
-  void commandAmplitude(double target, double time);
+  void command(Quantity quantity, double target, double time);
   void setSlewRates(const SlewRates& rates, double time);
 
-  bool turning() const { return inclination_.rate != 0.0; }
+  bool turning() const { return inclinationRate() != 0.0; }
 
   /// d theta / dt over the present segment [rad/s].
-  double inclinationRate() const { return inclination_.rate; }
+  double inclinationRate() const { return ramp(Quantity::INCLINATION).rate; }
 
   /// sup |d2Y/dt2| over the present segment [m/s^2].
   double accelerationBound() const { return acceleration_bound_; }
@@ -90,7 +90,7 @@ public:
 
   void archive(StateArchive& state)
   {
-    state(inclination_, frequency_, amplitude_, slew_rates_, segment_start_, turns_, cosine_, sine_,
+    state(ramps_[0], ramps_[1], ramps_[2], slew_rates_, segment_start_, turns_, cosine_, sine_,
           next_change_, acceleration_bound_, displacement_bound_);
     noteStandstill();
   }
@@ -109,6 +109,8 @@ private:
     void archive(StateArchive& state) { state(start, rate, target); }
   };
 
+  Ramp& ramp(Quantity quantity) { return ramps_[indexOf(quantity)]; }
+  const Ramp& ramp(Quantity quantity) const { return ramps_[indexOf(quantity)]; }
   double turns(double elapsed) const;
   void advanceTo(double time);  ///< moves the segment's start to `time`, on the rates so far
   void pursue(Ramp& ramp, double slew_rate) const;
@@ -116,9 +118,7 @@ private:
   void updateBounds();
   void noteStandstill();
 
-  Ramp inclination_;
-  Ramp frequency_;
-  Ramp amplitude_;
+  std::array<Ramp, QUANTITIES> ramps_;  ///< in the order of Quantity
   SlewRates slew_rates_;
   double max_turn_;
   bool always_drive_;

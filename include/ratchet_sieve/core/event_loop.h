@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 
-#include "ratchet_sieve/core/simulation.h"
 
 namespace ratchet_sieve
 {
