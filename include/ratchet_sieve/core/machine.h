@@ -13,6 +13,7 @@
 #include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/sawtooth.h"
+#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/tally.h"
 
 namespace ratchet_sieve
