@@ -11,6 +11,8 @@ namespace ratchet_sieve
 {
 namespace
 {
+/// A pour is observed after so many disks each: some hundred times a second.
+constexpr std::size_t DISKS_PER_LOOK = 1024;
 
 /// A disk where it is at `time`, as the pour sees it.
 PlacedDisk placed(const Machine& machine, std::uint32_t id, const BaseKinematics& base, double time)
@@ -25,7 +27,8 @@ PlacedDisk placed(const Machine& machine, std::uint32_t id, const BaseKinematics
 
 }  // namespace
 
-void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, double time, Random& random)
+void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, double time, Random& random,
+               const PourObserver& observer)
 {
   const SceneDefinition& scene = machine.scene();
   const BaseKinematics base = machine.motion().at(time);
@@ -33,7 +36,6 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   shape.amplitude = machine.motion().displacementBound();
   Pour pour(shape, scene.boundary, scene.pour.drop_height, machine.largestDiameter(),
             scene.contact.pair_collisions);
-  pour.reserve(machine.activeCount() + species.size());
   for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
     if (machine.active(id))
       pour.occupy(placed(machine, id, base, time));
@@ -45,7 +47,11 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   std::vector<Poured> poured;
   poured.reserve(species.size());
   for (const std::uint32_t kind : species)
+  {
     poured.push_back({pour.place(scene.species[kind].radius, random), kind});
+    if (observer && poured.size() % DISKS_PER_LOOK == 0)
+      observer(poured.size(), species.size());
+  }
   // Numbered along the base: neighbours there are neighbours in memory.
   std::stable_sort(poured.begin(), poured.end(),
                    [](const Poured& a, const Poured& b) { return a.room.s < b.room.s; });

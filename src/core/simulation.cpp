@@ -11,6 +11,7 @@
 
 #include "disk_states.h"
 #include "ratchet_sieve/core/audit.h"
+#include "ratchet_sieve/core/energy_watch.h"
 #include "ratchet_sieve/core/event_loop.h"
 #include "ratchet_sieve/core/machine.h"
 #include "ratchet_sieve/core/placement.h"
@@ -23,12 +24,13 @@ namespace ratchet_sieve
 class Simulation::Implementation
 {
 public:
-  Implementation(const SceneDefinition& scene, const Plan& plan, double start_time)
-      : machine_(scene, plan), random_(scene.seed), start_(start_time)
+  Implementation(const SceneDefinition& scene, const Plan& plan, double start_time,
+                 const PourObserver& pour_observer)
+      : machine_(scene, plan), random_(scene.seed), energy_watch_(scene), start_(start_time)
   {
     now_ = machine_.startAt(start_);
     if (scene.initial.empty())
-      pourDisks(machine_, pourOrder(scene.species, random_), now_, random_);
+      pourDisks(machine_, pourOrder(scene.species, random_), now_, random_, pour_observer);
     else
       placeInitialDisks(machine_, now_);
     loop_ = makeLoop();
@@ -36,7 +38,7 @@ public:
   }
 
   Implementation(const SceneDefinition& scene, std::string_view saved_state)
-      : machine_(scene), random_(scene.seed), loop_(makeLoop())
+      : machine_(scene), random_(scene.seed), loop_(makeLoop()), energy_watch_(scene)
   {
     StateArchive state(saved_state);
     archive(state);
@@ -45,10 +47,11 @@ public:
 
   void archive(StateArchive& state)
   {
-    state(machine_, random_, *loop_, start_, now_, settled_, blocks_, fed_);
+    state(machine_, random_, *loop_, energy_watch_, start_, now_, settled_, blocks_, fed_);
   }
 
   const Machine& machine() const { return machine_; }
+  const EnergyWatch& energyWatch() const { return energy_watch_; }
   double now() const { return now_; }
   double startTime() const { return start_; }
   double time() const { return machine_.epoch().start + now_; }
@@ -217,6 +220,7 @@ private:
   void endEpoch()
   {
     const bool moving = machine_.motion().nextChange().has_value();
+    energy_watch_.look(machine_, now_);
     machine_.rebase();
     loop_->rebase(machine_.epoch().length);
     now_ -= machine_.epoch().length;
@@ -279,6 +283,7 @@ private:
   Machine machine_;
   Random random_;
   std::unique_ptr<EventLoop> loop_;
+  EnergyWatch energy_watch_;
   double start_ = 0.0;
   double now_ = 0.0;  ///< local to the epoch [s]
   bool settled_ = false;
@@ -289,12 +294,12 @@ private:
   std::vector<CollisionRecord> unsorted_;  ///< an ensemble's, disk by disk
 };
 
-Simulation::Simulation(const SceneDefinition& scene, double start_time)
-    : implementation_(std::make_unique<Implementation>(scene, planOf(scene), start_time))
+Simulation::Simulation(const SceneDefinition& scene, double start_time, const PourObserver& pour_observer)
+    : implementation_(std::make_unique<Implementation>(scene, planOf(scene), start_time, pour_observer))
 {
 }
 Simulation::Simulation(const SceneDefinition& scene, const Plan& plan)
-    : implementation_(std::make_unique<Implementation>(scene, plan, 0.0))
+    : implementation_(std::make_unique<Implementation>(scene, plan, 0.0, PourObserver()))
 {
 }
 Simulation::Simulation(const SceneDefinition& scene, std::string_view saved_state)
@@ -440,6 +445,16 @@ std::string Simulation::collapseText() const
 {
   const CollapseWatch& watch = implementation_->machine().collapseWatch();
   return watch.counts().count > 0 ? watch.text() : std::string();
+}
+
+double Simulation::largestEnergy() const
+{
+  return implementation_->energyWatch().largest();
+}
+
+std::string Simulation::energyText() const
+{
+  return implementation_->energyWatch().text();
 }
 
 double Simulation::maxOverlap() const

@@ -48,7 +48,7 @@ int main(int argc, char** argv)
   catch (const std::exception& error)
   {
     std::fprintf(stderr, "sieve_node: %s\n", error.what());
-    return 2;
+    return stop ? 0 : 2;
   }
   try
   {

@@ -11,6 +11,7 @@
 #include "bag_output.h"
 #include "checkpoint_saver.h"
 #include "command_line.h"
+#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/collision_file.h"
@@ -157,11 +158,20 @@ Scene loadScene(const Arguments& arguments)
   }
 }
 
+/// @throws std::runtime_error where a signal stops the pour
 Simulation makeSimulation(const SceneDefinition& scene, const std::string& path)
 {
+  PourBar bar;
+  const auto observer = [&bar](std::size_t poured, std::size_t of)
+  {
+    if (stop_signal != 0)
+      throw std::runtime_error("stopped when " + std::to_string(poured) + " of " + std::to_string(of) +
+                               " disks were poured; nothing was written");
+    bar.show(poured, of);
+  };
   try
   {
-    return Simulation(scene);
+    return Simulation(scene, 0.0, observer);
   }
   catch (const std::invalid_argument& error)
   {
@@ -176,6 +186,20 @@ Checkpoint resume(const SceneDefinition& scene, const std::string& path)
     return readCheckpoint(path, scene);
   }
   catch (const CheckpointError& error)
+  {
+    throw Refusal(error.what());
+  }
+}
+
+/// Before a pour, which may take long.
+void requireWritable(const std::string& path)
+{
+  try
+  {
+    if (!path.empty())
+      AtomicFile probe(path);
+  }
+  catch (const OutputError& error)
   {
     throw Refusal(error.what());
   }
@@ -203,20 +227,34 @@ Checkpoint begin(const SceneDefinition& scene, const std::string& path)
   return {progress, std::move(simulation)};
 }
 
+void announce(const Scene& scene)
+{
+  std::fprintf(stderr, "sieve_run: plan: %s\n", planText(planOf(scene.definition)).c_str());
+  std::fprintf(stderr, "sieve_run: %s\n", sizeText(scene.definition).c_str());
+  for (const std::string& warning : scene.warnings)
+    std::fprintf(stderr, "sieve_run: warning: %s\n", warning.c_str());
+}
+
 int run(const Arguments& arguments)
 {
   const Scene scene = loadScene(arguments);
-  auto [so_far, simulation] = arguments.resume.empty() ? begin(scene.definition, arguments.scene)
-                                                       : resume(scene.definition, arguments.resume);
-  simulation.setThreads(arguments.threads);
-  const std::unique_ptr<CheckpointSaver> saver = makeSaver(arguments, simulation, so_far);
-  Outputs outputs(arguments);
-  std::fprintf(stderr, "sieve_run: plan: %s\n", planText(simulation.plan()).c_str());
-  for (const std::string& warning : scene.warnings)
-    std::fprintf(stderr, "sieve_run: warning: %s\n", warning.c_str());
-
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
+  // What refuses a run is found before anything is said of it. A pour refuses nothing and may take long: it
+  // comes last.
+  const bool pours = arguments.resume.empty() && scene.definition.initial.empty();
+  std::optional<Checkpoint> start;
+  if (!pours)
+    start = arguments.resume.empty() ? begin(scene.definition, arguments.scene)
+                                     : resume(scene.definition, arguments.resume);
+  Outputs outputs(arguments);
+  requireWritable(arguments.checkpoint);
+  announce(scene);
+  if (pours)
+    start = begin(scene.definition, arguments.scene);
+  auto& [so_far, simulation] = *start;
+  simulation.setThreads(arguments.threads);
+  const std::unique_ptr<CheckpointSaver> saver = makeSaver(arguments, simulation, so_far);
   RunWatchers watchers;
   outputs.watch(simulation, watchers);
   watchers.stop_wanted = [] { return stop_signal != 0; };

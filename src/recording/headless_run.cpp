@@ -55,6 +55,8 @@ public:
       outcome_.end = RunEnd::STALLED;
     if (simulation_.collapses().count > 0)
       outcome_.warnings.push_back(simulation_.collapseText());
+    if (const std::string text = simulation_.energyText(); !text.empty())
+      outcome_.warnings.push_back(text);
     save();
     audit();
     if (watchers_.frames != nullptr)

@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr auto REDRAW_INTERVAL = std::chrono::milliseconds(100);
+constexpr const char* CLEAR_LINE = "\r\x1b[K";
 constexpr int BAR_WIDTH = 24;  ///< [characters]
 
 std::string clockText(double seconds)
@@ -63,7 +64,28 @@ void ProgressBar::show(const Simulation& simulation)
 ProgressBar::~ProgressBar()
 {
   if (visible_)
-    std::fputs("\r\x1b[K", stderr);
+    std::fputs(CLEAR_LINE, stderr);
+}
+
+PourBar::PourBar()
+    : visible_(isatty(STDERR_FILENO) == 1), next_(std::chrono::steady_clock::now() + REDRAW_INTERVAL)
+{
+}
+
+void PourBar::show(std::size_t poured, std::size_t of)
+{
+  const auto now = std::chrono::steady_clock::now();
+  if (!visible_ || now < next_)
+    return;
+  next_ = now + REDRAW_INTERVAL;
+  fmt::print(stderr, "\r{} of {} disks poured\x1b[K", poured, of);
+  std::fflush(stderr);
+}
+
+PourBar::~PourBar()
+{
+  if (visible_)
+    std::fputs(CLEAR_LINE, stderr);
 }
 
 }  // namespace ratchet_sieve

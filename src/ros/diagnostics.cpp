@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ratchet_sieve/core/layer.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -31,6 +33,7 @@ Diagnostics::Diagnostics(const RunControl& control, const Speed& speed, const Re
 {
   updater_.setHardwareID("ratchet_sieve");
   updater_.add("simulation", this, &Diagnostics::reportRun);
+  updater_.add("scene", this, &Diagnostics::reportScene);
   updater_.add("speed", this, &Diagnostics::reportSpeed);
   updater_.add("setpoints", this, &Diagnostics::reportSetpoints);
   updater_.add("recording", this, &Diagnostics::reportRecording);
@@ -78,6 +81,8 @@ void Diagnostics::reportRun(Status& status)
     status.summaryf(DiagnosticStatus::ERROR, "disks overlapped by %.3g m", overlap);
   else if (simulation.collapses().count > 0)
     status.summary(DiagnosticStatus::WARN, simulation.collapseText());
+  else if (!simulation.energyText().empty())
+    status.summary(DiagnosticStatus::WARN, simulation.energyText());
   else if (control_.paused())
     status.summary(DiagnosticStatus::OK, run.finished() ? "at its end" : "paused");
   else
@@ -89,7 +94,16 @@ void Diagnostics::reportRun(Status& status)
   status.add("disks in the machine", simulation.activeDisks());
   status.add("events", simulation.events());
   status.add("inelastic collapses", simulation.collapses().count);
+  status.add("largest energy of a disk [of the machine's scale]", simulation.largestEnergy());
   status.add("largest overlap [m]", overlap);
+}
+
+void Diagnostics::reportScene(Status& status)
+{
+  status.summary(DiagnosticStatus::OK, "plausible");
+  for (const std::string& warning : control_.sceneWarnings())
+    status.mergeSummary(DiagnosticStatus::WARN, warning);
+  status.add("size", sizeText(control_.run().simulation().scene()));
 }
 
 void Diagnostics::reportSpeed(Status& status)

@@ -9,8 +9,9 @@ namespace ratchet_sieve
 {
 
 LiveRun::LiveRun(const SceneDefinition& scene, const FrameRates& rates, std::vector<CommandFrame> opening,
-                 double start_time, double end_time, FrameSampler::WallClock wall_clock)
-    : simulation_(scene, start_time),
+                 double start_time, double end_time, FrameSampler::WallClock wall_clock,
+                 const PourObserver& pour_observer)
+    : simulation_(scene, start_time, pour_observer),
       wall_clock_(std::move(wall_clock)),
       sampler_(rates, start_time, wall_clock_),
       end_time_(end_time),

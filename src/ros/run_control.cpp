@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <ros/console.h>
 
+#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/recording/commands.h"
 
 namespace ratchet_sieve
@@ -53,18 +54,36 @@ SceneDefinition withBase(SceneDefinition scene, const DriveState& base)
 }  // namespace
 
 RunControl::RunControl(const YAML::Node& scene, const std::string& source, const NodeParameters& parameters,
-                       Recorder& recorder)
+                       Recorder& recorder, PourObserver pour_observer)
     : scene_(YAML::Clone(scene)),
       source_(source),
       parameters_(parameters),
       recorder_(recorder),
+      pour_observer_(std::move(pour_observer)),
       paused_(parameters.start_paused)
 {
   const Scene read = readScene(0, {});
   scene_warnings_ = read.warnings;
-  run_ = std::make_unique<LiveRun>(read.definition, parameters_.rates, std::vector{slewRateCommand(parameters_.slew_rates)}, 0.0,
-                                   read.definition.duration);
+  announce(read);
+  run_ = makeRun(read.definition, {slewRateCommand(parameters_.slew_rates)}, 0.0, read.definition.duration);
   run_->setUnderWay(!paused_);
+}
+
+/// Says what of the model a run works out, how large it is and what of its scene can hardly be meant: before
+/// it is poured, which may take long.
+void RunControl::announce(const Scene& scene) const
+{
+  ROS_INFO_STREAM("plan: " << planText(planOf(scene.definition)));
+  ROS_INFO_STREAM(sizeText(scene.definition));
+  for (const std::string& warning : scene.warnings)
+    ROS_WARN_STREAM(source_ << ": " << warning);
+}
+
+std::unique_ptr<LiveRun> RunControl::makeRun(const SceneDefinition& scene, std::vector<CommandFrame> opening,
+                                             double start_time, double end_time) const
+{
+  return std::make_unique<LiveRun>(scene, parameters_.rates, std::move(opening), start_time, end_time,
+                                   std::chrono::steady_clock::now, pour_observer_);
 }
 
 Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const
@@ -79,7 +98,6 @@ Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& 
 
 void RunControl::begin()
 {
-  ROS_INFO_STREAM("plan: " << planText(run_->simulation().plan()));
   if (recorder_.on())
     run_->record(recorder_, recorder_.rates());
   run_->takeDue(sinks_);
@@ -178,10 +196,11 @@ Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& ov
 {
   try
   {
-    const SceneDefinition scene = readScene(seed, overrides).definition;
+    const Scene scene = readScene(seed, overrides);
     const double start = keep_time ? run_->time() : 0.0;
-    begin(std::make_unique<LiveRun>(scene, parameters_.rates, std::vector{slewRateCommand(parameters_.slew_rates)}, start,
-                                    start + scene.duration));
+    announce(scene);
+    begin(makeRun(scene.definition, {slewRateCommand(parameters_.slew_rates)}, start, start + scene.definition.duration));
+    scene_warnings_ = scene.warnings;
     return {};
   }
   catch (const SceneError& error)
@@ -212,8 +231,7 @@ Outcome RunControl::resetWorld()
     const SceneDefinition scene = withBase(run_->simulation().scene(), base);
     // Disks that are poured at the end have as long as the first had.
     const bool at_end = run_->time() >= run_->endTime();
-    begin(std::make_unique<LiveRun>(scene, parameters_.rates, opening, run_->time(),
-                                    at_end ? run_->time() + scene.duration : run_->endTime()));
+    begin(makeRun(scene, opening, run_->time(), at_end ? run_->time() + scene.duration : run_->endTime()));
     return {};
   }
   catch (const std::invalid_argument& error)

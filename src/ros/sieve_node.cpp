@@ -1,7 +1,9 @@
 #include "ratchet_sieve/ros/sieve_node.h"
 
 #include <algorithm>
+#include <stdexcept>
 
+#include <fmt/format.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
@@ -12,6 +14,9 @@ namespace
 /// What was published last leaves through a thread of roscpp's: the time that it gets before the
 /// node ends [s of wall time].
 constexpr double FAREWELL = 0.25;
+
+/// Between two lines on how far the pour is, and before the first [s of wall time].
+constexpr std::chrono::seconds BETWEEN_POUR_LINES(2);
 
 void serveCallbacks(double wait)
 {
@@ -29,8 +34,10 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
     : node_(private_node),
       stop_(stop),
       parameters_(readNodeParameters(private_node)),
+      next_pour_line_(Pacer::Clock::now() + BETWEEN_POUR_LINES),
       recorder_(parameters_.record, private_node.getNamespace(), parameters_.recording),
-      control_(scene.root, scene.source, parameters_, recorder_),
+      control_(scene.root, scene.source, parameters_, recorder_,
+               [this](std::size_t poured, std::size_t of) { watchPour(poured, of); }),
       real_time_factor_(private_node, parameters_.real_time_factor),
       pacer_(parameters_.real_time_factor),
       clock_(node_, parameters_.clock_rate, parameters_.publish_clock),
@@ -47,8 +54,6 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
             clock_.publish(control_.run().time());
           })
 {
-  for (const std::string& warning : control_.sceneWarnings())
-    ROS_WARN("%s: %s", scene.source.c_str(), warning.c_str());
   if (parameters_.publish_clock && !ros::Time::isSimTime())
     ROS_WARN("this node is the clock, but /use_sim_time is not set: other nodes go by wall time");
   control_.addSink(topics_);
@@ -76,6 +81,7 @@ void SieveNode::keepAlive()
     display_.show({run.simulation().scene(), run.base(), run.bins(), run.particles()});
   }
   watchSpeed();
+  watchEnergy();
   diagnostics_.updateDue();
   if (const auto line = progress_.line(control_.run()))
     ROS_INFO_STREAM(*line);
@@ -96,6 +102,27 @@ void SieveNode::watchSpeed()
   if (const auto line = speed_.line(pacer_.factor(), now))
     ROS_LOG_STREAM(line->warning ? ros::console::levels::Warn : ros::console::levels::Info,
                    ROSCONSOLE_DEFAULT_NAME, line->text);
+}
+
+/// Said once in a run.
+void SieveNode::watchEnergy()
+{
+  const std::string text = control_.run().simulation().energyText();
+  if (!text.empty() && !energy_said_)
+    ROS_WARN_STREAM(text);
+  energy_said_ = !text.empty();
+}
+
+/// Says how far a pour is, once in a while, and gives it up where the node is stopped.
+void SieveNode::watchPour(std::size_t poured, std::size_t of)
+{
+  if (stopped())
+    throw std::runtime_error(fmt::format("stopped when {} of {} disks were poured", poured, of));
+  const auto now = Pacer::Clock::now();
+  if (now < next_pour_line_)
+    return;
+  next_pour_line_ = now + BETWEEN_POUR_LINES;
+  ROS_INFO("%zu of %zu disks poured", poured, of);
 }
 
 double SieveNode::waitUntilDue() const

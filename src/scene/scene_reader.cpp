@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "entry.h"
+#include "ratchet_sieve/scene/implausibilities.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
 #include "scene_rules.h"
@@ -149,6 +150,8 @@ Scene sceneFromYaml(const YAML::Node& node, const std::string& source)
     readInitial(root, index, scene.definition);
     resolveCounts(root, scene);
     checkRules(root, scene.definition);
+    for (std::string& line : implausibilities(scene.definition))
+      scene.warnings.push_back(std::move(line));
     return scene;
   }
   catch (const YAML::Exception& error)

@@ -42,6 +42,61 @@ TEST(Pour, NoTwoDisksOverlapAndNoneIsBelowTheDropHeight)
       }));
 }
 
+/// The lowest height at which a disk touches none of the others, found by climbing over all of them.
+double lowestByClimbing(const PlacedDisk& disk, double lowest, const std::vector<PlacedDisk>& others,
+                        double width, bool periodic)
+{
+  std::vector<std::pair<double, double>> forbidden;
+  for (const PlacedDisk& other : others)
+    for (const double image : {-width, 0.0, width})
+    {
+      const double ds = disk.s - other.s - image;
+      const double distance = (disk.radius + other.radius) * (1.0 + 1e-6);
+      if (std::abs(ds) >= distance || (!periodic && image != 0.0))
+        continue;
+      const double half = std::sqrt(distance * distance - ds * ds);
+      forbidden.emplace_back(other.n - half, other.n + half);
+    }
+  std::sort(forbidden.begin(), forbidden.end());
+  double height = lowest;
+  for (const auto& [from, to] : forbidden)
+    if (from < height)
+      height = std::max(height, to);
+  return height;
+}
+
+/// Heaps some tens of disks high, in which the room that is left lies deep under the surface.
+TEST(Pour, PlacesEachDiskAsLowAsThereIsRoomToTheBit)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        BaseDefinition base;
+        base.teeth = *rc::gen::element(1, 2, 5);
+        const Boundary boundary = *rc::gen::element(Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED);
+        const std::vector<double> radii = {*rc::gen::element(0.001, 0.004), 0.004,
+                                           *rc::gen::element(0.0005, 0.002, 0.0095)};
+        const double largest = *std::max_element(radii.begin(), radii.end());
+        Pour pour(base, boundary, 0.02, 2.0 * largest, true);
+        Random random(*rc::gen::arbitrary<std::uint64_t>());
+        std::vector<PlacedDisk> disks;
+        const auto there = *rc::gen::inRange(0, 100);
+        for (int i = 0; i < there; ++i)
+        {
+          disks.push_back({base.width() * random.uniform(), 0.2 * random.uniform(), radii[random.below(3)]});
+          pour.occupy(disks.back());
+        }
+        for (int i = 0; i < 500; ++i)
+        {
+          const PlacedDisk disk = pour.place(radii[random.below(3)], random);
+          const double lowest = (base.tooth_height + base.amplitude + 0.02) + disk.radius;
+          RC_ASSERT(disk.n ==
+                    lowestByClimbing(disk, lowest, disks, base.width(), boundary == Boundary::PERIODIC));
+          disks.push_back(disk);
+        }
+      }));
+}
+
 TEST(Pour, PlacesAreUniformAlongTheBase)
 {
   BaseDefinition base;

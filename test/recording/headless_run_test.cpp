@@ -80,6 +80,18 @@ TEST(HeadlessRun, ReportsAStallAndKeepsWhatWas)
   EXPECT_LT(simulation.time(), 100.0);
 }
 
+TEST(HeadlessRun, ReportsAnEnergyBeyondTheMachinesScale)
+{
+  // Down a slope that never ends.
+  SceneDefinition scene = smallRing();
+  scene.base.inclination = 1.5;
+  scene.contact.pair_collisions = false;
+  scene.duration = 100.0;
+  Simulation simulation(scene);
+  const RunOutcome outcome = runToEnd(simulation, {});
+  EXPECT_EQ(outcome.warnings, std::vector<std::string>{simulation.energyText()});
+}
+
 TEST(HeadlessRun, OfNoDurationTakesOneFrame)
 {
   SceneDefinition scene = smallRing();

@@ -68,11 +68,42 @@ TEST_F(SieveRun, SumsUpOnStandardOutput)
   EXPECT_EQ(result.status, 0) << result.errors;
   EXPECT_EQ(result.errors,
             "sieve_run: plan: pairs, spin, drive, no contact times (contact_duration is 0), "
-            "no base search above the base's reach\n");
+            "no base search above the base's reach\n"
+            "sieve_run: 266 disks, at rest a layer of about 0.0166 m, about 1 MB of memory\n");
   const Json json = Json::parse(result.output);
   EXPECT_EQ(json["seed"], 7);
   EXPECT_EQ(json["simulated_time"], 0.5);
   EXPECT_EQ(json["through_base"], 0);
+}
+
+TEST_F(SieveRun, WarnsOfASceneThatCannotBeMeant)
+{
+  const Result result = run(config("demo.yaml") + " --duration 0 --set base.amplitude=2");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  const Json warnings = Json::parse(result.output)["warnings"];
+  ASSERT_EQ(warnings.size(), 1u);
+  const std::string warning = warnings[0];
+  EXPECT_EQ(warning.rfind("base.amplitude = 2 m: 100 times base.tooth_width", 0), 0u) << warning;
+  EXPECT_NE(result.errors.find("MB of memory\nsieve_run: warning: " + warning + "\n"), std::string::npos)
+      << result.errors;
+}
+
+TEST_F(SieveRun, SaysHowLargeAPourIsAndGivesItUpWhenInterrupted)
+{
+  // Some millions of disks: half a minute to pour.
+  const std::string errors = streams_ / "errors";
+  const std::string script = std::string(std::getenv("SIEVE_RUN")) + " " + config("demo.yaml") +
+                             " --set density=20000 --summary " + (written_ / "s.json") + " --checkpoint " +
+                             (written_ / "run.checkpoint") + " 2>" + errors +
+                             " & run=$!; while kill -0 $run && ! grep -q memory " + errors +
+                             "; do :; done; kill -INT $run; wait $run";
+  const int status = std::system(("bash -c '" + script + "'").c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  const std::string said = contents(errors);
+  EXPECT_NE(said.find("\nsieve_run: 2666666 disks, at rest a layer of about "), std::string::npos) << said;
+  EXPECT_NE(said.find(" of 2666666 disks were poured; nothing was written\n"), std::string::npos) << said;
+  EXPECT_TRUE(written_.empty());
 }
 
 TEST_F(SieveRun, WritesWhatItIsAskedFor)
@@ -247,8 +278,9 @@ TEST_F(SieveRun, EndsCleanlyWhenInterrupted)
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 1);
   const Json json = Json::parse(contents(written_ / "s.json"));
-  ASSERT_EQ(json["warnings"].size(), 1u);
-  EXPECT_EQ(json["warnings"][0].get<std::string>().rfind("stopped at ", 0), 0u);
+  // Besides, that so long a duration cannot be meant.
+  ASSERT_EQ(json["warnings"].size(), 2u);
+  EXPECT_EQ(json["warnings"][1].get<std::string>().rfind("stopped at ", 0), 0u);
   EXPECT_EQ(contents(written_ / "c.csv").back(), '\n');
 }
 

@@ -6,6 +6,7 @@
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "node_log.h"
 #include "ratchet_sieve/PourDisks.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/scene_parameters.h"
@@ -145,6 +146,47 @@ TEST_F(Node, goesOnThroughACollapseAndWarns)
         return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
                status.message.find("inelastic collapse") != std::string::npos;
       }));
+}
+
+TEST_F(Node, warnsOfASceneThatCannotBeMeantUntilAnotherRuns)
+{
+  Statuses statuses(sieve.node);
+  const NodeLog log("/sieve");
+  ASSERT_TRUE(sieve.reset(0, {"base.amplitude=2"}).success);
+  EXPECT_TRUE(waitFor(
+      [&]
+      {
+        const auto& status = statuses["sieve: scene"];
+        return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
+               status.message.rfind("base.amplitude = 2 m: 100 times base.tooth_width", 0) == 0;
+      }));
+  EXPECT_TRUE(waitFor([&] { return log.count("parameter /sieve/scene: base.amplitude = 2 m: ") == 1; }));
+  EXPECT_EQ(statuses.value("sieve: scene", "size"),
+            "30 disks, at rest a layer of about 0.00479 m, about 1 MB of memory");
+  ASSERT_TRUE(sieve.reset().success);
+  EXPECT_TRUE(
+      waitFor([&] { return statuses["sieve: scene"].level == diagnostic_msgs::DiagnosticStatus::OK; }));
+}
+
+/// Down a slope that never ends.
+TEST_F(Node, warnsOnceThatTheEnergyLeavesTheMachinesScale)
+{
+  Statuses statuses(sieve.node);
+  const NodeLog log("/sieve");
+  const std::string words = "energy beyond every scale of the machine: at ";
+  const std::vector<std::string> slope = {"base.inclination=1.5", "boundary=periodic",
+                                          "contact.pair_collisions=false", "duration=200"};
+  ASSERT_TRUE(sieve.reset(0, slope).success);
+  EXPECT_TRUE(sieve.step(60.0).success);
+  EXPECT_TRUE(sieve.step(60.0).success);
+  EXPECT_TRUE(waitFor(
+      [&]
+      {
+        const auto& status = statuses["sieve: simulation"];
+        return status.level == diagnostic_msgs::DiagnosticStatus::WARN && status.message.rfind(words, 0) == 0;
+      }));
+  EXPECT_TRUE(waitFor([&] { return log.count(words) > 0; }));
+  EXPECT_EQ(log.count(words), 1);
 }
 
 TEST_F(Node, refusesASetpointAndSaysWhy)

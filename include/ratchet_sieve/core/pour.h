@@ -1,24 +1,15 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/random.h"
+#include "ratchet_sieve/core/room_search.h"
+#include "ratchet_sieve/core/standing_disks.h"
 
 namespace ratchet_sieve
 {
-
-/// A disk's place: s along the base as it stands now, for its ends and walls swing along with it; n
-/// over the middle of its oscillation.
-struct PlacedDisk
-{
-  double s = 0.0;  ///< [m]
-  double n = 0.0;  ///< [m]
-  double radius = 0.0;
-};
 
 /// Finds room for disks: each at a random place along the base, as low as the drop height and the disks
 /// already there allow.
@@ -30,9 +21,6 @@ public:
   Pour(const BaseDefinition& base, Boundary boundary, double drop_height, double largest_diameter,
        bool see_each_other);
 
-  /// Makes room in memory for so many disks.
-  void reserve(std::size_t disks);
-
   /// A disk that is there already.
   void occupy(const PlacedDisk& disk);
 
@@ -40,23 +28,14 @@ public:
   PlacedDisk place(double radius, Random& random);
 
 private:
-  double lowestFree(double s, double radius, double lowest) const;
-  std::size_t bucketAt(double s) const;
-
-  struct Occupied
-  {
-    PlacedDisk disk;
-    std::uint32_t before;  ///< the one that came into the bucket before this one
-  };
+  RoomSearch& searchFor(double radius);
 
   double width_;
   double lowest_underside_;
   bool periodic_;
   bool see_each_other_;
-  double bucket_width_;
-  std::vector<std::uint32_t>
-      buckets_;  ///< along s, each at least the largest diameter wide: the last to come
-  std::vector<Occupied> occupied_;
+  StandingDisks standing_;
+  std::vector<RoomSearch> searches_;  ///< one for each radius
 };
 
 /// The order in which a scene's disks are poured: `count` of each species, shuffled.

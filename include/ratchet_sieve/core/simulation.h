@@ -26,6 +26,9 @@ struct StallError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// Is called now and then while the disks of the start are poured; may throw to give that up.
+using PourObserver = std::function<void(std::size_t poured, std::size_t of)>;
+
 /// The vibrating-ratchet feeder: hard disks over an inclined, shaken sawtooth base, advanced from
 /// collision to collision. The same definition gives the same bits, however often it is looked at
 /// and in whatever strides it is advanced.
@@ -37,7 +40,8 @@ public:
   /// Pours the scene. @throws std::invalid_argument if disks of `initial` overlap each other or
   /// the base, or lie outside the machine; the message names them.
   /// @param start_time from which time counts [s]; the scene's phase is that of the drive then
-  explicit Simulation(const SceneDefinition& scene, double start_time = 0.0);
+  explicit Simulation(const SceneDefinition& scene, double start_time = 0.0,
+                      const PourObserver& pour_observer = {});
 
   /// The same with more worked out than the scene needs, to see what that costs.
   /// @throws std::invalid_argument also if the plan does not cover the scene
@@ -102,6 +106,8 @@ public:
   bool stalled() const;  ///< whether a collapse ends the run, at the latest when an epoch ends
   const CollapseCounts& collapses() const;
   std::string collapseText() const;  ///< one line with the numbers; empty without a collapse
+  double largestEnergy() const;      ///< of a disk at an epoch's end so far, in scales of EnergyWatch
+  std::string energyText() const;    ///< one line with the numbers; empty while no disk is out of scale
   double maxOverlap() const;         ///< largest ever seen at a collision or by auditOverlaps() [m]
 
   /// Looks at every disk and every near pair at time(): takes overlaps into maxOverlap() and

@@ -40,4 +40,20 @@ private:
   std::chrono::steady_clock::time_point next_;
 };
 
+/// Shows on standard error how far the pour is, where that is a terminal. Disappears at its end.
+class PourBar
+{
+public:
+  PourBar();
+  ~PourBar();
+  PourBar(const PourBar&) = delete;
+  PourBar& operator=(const PourBar&) = delete;
+
+  void show(std::size_t poured, std::size_t of);
+
+private:
+  bool visible_;
+  std::chrono::steady_clock::time_point next_;
+};
+
 }  // namespace ratchet_sieve

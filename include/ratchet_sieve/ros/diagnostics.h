@@ -22,8 +22,8 @@ struct Speed
   const SpeedWatch& watch;
 };
 
-/// Says on /diagnostics how the run goes and how fast, which setpoints were refused and what is recorded,
-/// once a second of wall time.
+/// Says on /diagnostics how the run goes and how fast, what of its scene can hardly be meant, which setpoints
+/// were refused and what is recorded, once a second of wall time.
 class Diagnostics
 {
 public:
@@ -50,6 +50,7 @@ private:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
 
   void reportRun(Status& status);
+  void reportScene(Status& status);
   void reportSpeed(Status& status);
   void reportSetpoints(Status& status);
   void reportRecording(Status& status);

@@ -19,9 +19,11 @@ public:
   /// @param start_time not 0 where disks are poured anew without time leaping back [s]
   /// @param end_time [s]
   /// @param wall_clock by which the real-time factor is measured
+  /// @param pour_observer see Simulation
   LiveRun(const SceneDefinition& scene, const FrameRates& rates, std::vector<CommandFrame> opening,
           double start_time, double end_time,
-          FrameSampler::WallClock wall_clock = std::chrono::steady_clock::now);
+          FrameSampler::WallClock wall_clock = std::chrono::steady_clock::now,
+          const PourObserver& pour_observer = {});
 
   double time() const { return simulation_.time(); }
   double startTime() const { return simulation_.startTime(); }

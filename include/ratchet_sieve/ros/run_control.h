@@ -33,20 +33,23 @@ public:
 
   /// @param scene YAML of the scene, kept for resets; @param source named in errors
   /// @param recorder takes frames and setpoints; outlives this
+  /// @param pour_observer of each pour that begins a run; see Simulation
   /// @throws SceneError, std::invalid_argument where the disks of the scene overlap
   RunControl(const YAML::Node& scene, const std::string& source, const NodeParameters& parameters,
-             Recorder& recorder);
+             Recorder& recorder, PourObserver pour_observer = {});
 
   /// Another sink for the frames; outlives this.
   void addSink(FrameSink& sink) { sinks_.add(sink); }
 
-  /// Says what of the model the run works out, and hands the first frames to the sinks.
+  /// Hands the first frames to the sinks.
   void begin();
 
   /// Hands the last frames to the sinks and closes the recording.
   void end();
 
   const LiveRun& run() const { return *run_; }
+
+  /// Of the scene that runs: see Scene.
   const std::vector<std::string>& sceneWarnings() const { return scene_warnings_; }
   bool paused() const { return paused_; }
   void pause();
@@ -83,6 +86,9 @@ private:
   std::optional<std::string> whyNoStep(double duration) const;
   Outcome advance(double duration, const Stride& stride);
   Scene readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const;
+  void announce(const Scene& scene) const;
+  std::unique_ptr<LiveRun> makeRun(const SceneDefinition& scene, std::vector<CommandFrame> opening,
+                                   double start_time, double end_time) const;
   void begin(std::unique_ptr<LiveRun> run);
 
   /// Hands a frame to the sinks and the recorder, though none is due.
@@ -93,6 +99,7 @@ private:
   std::string source_;
   NodeParameters parameters_;
   Recorder& recorder_;
+  PourObserver pour_observer_;
   FanOut sinks_;
   std::vector<std::string> scene_warnings_;
   std::unique_ptr<LiveRun> run_;

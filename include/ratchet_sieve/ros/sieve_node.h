@@ -43,11 +43,14 @@ private:
   void finish();
   void keepAlive();
   void watchSpeed();
+  void watchEnergy();
+  void watchPour(std::size_t poured, std::size_t of);
   void end();
 
   ros::NodeHandle node_;
   const std::atomic<bool>& stop_;
   NodeParameters parameters_;
+  Pacer::Clock::time_point next_pour_line_;
   Recorder recorder_;
   RunControl control_;
   RealTimeFactor real_time_factor_;
@@ -59,6 +62,7 @@ private:
   Display display_;
   Diagnostics diagnostics_;
   ProgressLog progress_;
+  bool energy_said_ = false;
   CommandServer commands_;
 };
 

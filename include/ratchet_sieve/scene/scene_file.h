@@ -22,7 +22,7 @@ struct SceneError : std::runtime_error
 struct Scene
 {
   SceneDefinition definition;         ///< resolved: every count is set, a density is split up
-  std::vector<std::string> warnings;  ///< such as "count is ignored where a density is given"
+  std::vector<std::string> warnings;  ///< keys that are given in vain, and implausibilities()
 };
 
 /// Reads a scene from a file.
