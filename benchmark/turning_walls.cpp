@@ -32,7 +32,7 @@ void run(const SceneDefinition& scene, double slew_rate, double swing, Found& fo
   Simulation simulation(scene);
   simulation.setSlewRates({slew_rate, 10.0, 0.002});
   double target = swing;
-  simulation.commandInclination(target);
+  simulation.command(Quantity::INCLINATION, target);
   for (int k = 1; k * LOOK <= DURATION; ++k)
   {
     simulation.advanceTo(k * LOOK);
@@ -45,7 +45,7 @@ void run(const SceneDefinition& scene, double slew_rate, double swing, Found& fo
       found.highest = std::max(found.highest, n / scene.base.width());
     }
     if (base.inclination == target)
-      simulation.commandInclination(target = -target);
+      simulation.command(Quantity::INCLINATION, target = -target);
   }
   for (const SpeciesBins& bins : simulation.bins())
     found.over += bins.counted();

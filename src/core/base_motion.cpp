@@ -34,9 +34,8 @@ void BaseMotion::Ramp::advance(double elapsed)
 BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn, bool always_drive)
     : max_turn_(max_turn), always_drive_(always_drive)
 {
-  inclination_ = {base.inclination, 0.0, base.inclination};
-  frequency_ = {base.frequency, 0.0, base.frequency};
-  amplitude_ = {base.amplitude, 0.0, base.amplitude};
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    ramp(q.quantity) = {base.*q.definition, 0.0, base.*q.definition};
   turns_ = fraction(base.phase / RADIANS_PER_TURN);
   plan();
 }
@@ -93,12 +92,11 @@ DriveState BaseMotion::state(double time) const
   const double elapsed = time - segment_start_;
   const auto k = at(time);
   DriveState state;
-  state.inclination = k.inclination;
-  state.frequency = frequency_.at(elapsed);
-  state.amplitude = amplitude_.at(elapsed);
-  state.commanded_inclination = inclination_.target;
-  state.commanded_frequency = frequency_.target;
-  state.commanded_amplitude = amplitude_.target;
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+  {
+    state.*q.applied = ramp(q.quantity).at(elapsed);
+    state.*q.commanded = ramp(q.quantity).target;
+  }
   state.phase = RADIANS_PER_TURN * fraction(turns(elapsed));
   state.displacement = k.displacement;
   state.velocity = k.velocity;
@@ -109,8 +107,8 @@ void BaseMotion::advanceTo(double time)
 {
   const double elapsed = time - segment_start_;
   turns_ = fraction(turns(elapsed));
-  for (Ramp* ramp : {&inclination_, &frequency_, &amplitude_})
-    ramp->advance(elapsed);
+  for (const auto ramp : RAMPS)
+    (this->*ramp).advance(elapsed);
   segment_start_ = time;
 }
 
@@ -127,17 +125,16 @@ void BaseMotion::pursue(Ramp& ramp, double slew_rate) const
 
 void BaseMotion::plan()
 {
-  pursue(inclination_, slew_rates_.inclination);
-  pursue(frequency_, slew_rates_.frequency);
-  pursue(amplitude_, slew_rates_.amplitude);
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    pursue(ramp(q.quantity), slew_rates_.*q.slew_rate);
 
   const auto angle = sineCosineOfTurns(inclination_.start / RADIANS_PER_TURN);
   cosine_ = angle.cosine;
   sine_ = angle.sine;
 
   next_change_.reset();
-  for (const Ramp* ramp : {&inclination_, &frequency_, &amplitude_})
-    if (const auto remaining = ramp->remaining())
+  for (const auto ramp : RAMPS)
+    if (const auto remaining = (this->*ramp).remaining())
     {
       const double end = segment_start_ + *remaining;
       next_change_ = std::min(next_change_.value_or(end), end);
@@ -169,24 +166,10 @@ void BaseMotion::rebase(double length)
     next_change_ = *next_change_ - length;
 }
 
-void BaseMotion::commandInclination(double target, double time)
+void BaseMotion::command(Quantity quantity, double target, double time)
 {
   advanceTo(time);
-  inclination_.target = target;
-  plan();
-}
-
-void BaseMotion::commandFrequency(double target, double time)
-{
-  advanceTo(time);
-  frequency_.target = target;
-  plan();
-}
-
-void BaseMotion::commandAmplitude(double target, double time)
-{
-  advanceTo(time);
-  amplitude_.target = target;
+  ramp(quantity).target = target;
   plan();
 }
 
@@ -199,7 +182,7 @@ void BaseMotion::setSlewRates(const SlewRates& rates, double time)
 
 double BaseMotion::speedBound() const
 {
-  const double phase_rate = TWO_PI * std::max(frequency_.start, frequency_.target);
+  const double phase_rate = angularFrequency(std::max(frequency_.start, frequency_.target));
   return phase_rate * std::max(amplitude_.start, amplitude_.target) + std::abs(amplitude_.rate);
 }
 

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "ratchet_sieve/core/machine.h"
-#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/core/observation.h"
 
 namespace ratchet_sieve
 {

@@ -1,8 +1,10 @@
 #include "ratchet_sieve/core/simulation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <thread>
 #include <tuple>
 #include <utility>
@@ -46,7 +48,7 @@ public:
 
   void archive(StateArchive& state)
   {
-    state(machine_, random_, *loop_, energy_watch_, start_, now_, settled_, pieces_, fed_);
+    state(machine_, random_, *loop_, energy_watch_, start_, now_, settled_, blocks_, fed_);
   }
 
   const Machine& machine() const { return machine_; }
@@ -64,7 +66,7 @@ public:
     while (true)
     {
       const double target = time - machine_.epoch().start;
-      const double next = std::min(target, nextGlobalEvent());
+      const double next = std::min(target, nextMachineEvent());
       now_ = loop_->advanceTo(next);
       reportSorted();
       if (hasToStop())
@@ -72,7 +74,7 @@ public:
         stopAtATimeOfTheRun();
         throw StallError(machine_.collapseWatch().text());
       }
-      if (!handleGlobalEvent() && next == target)
+      if (!executeMachineEvent() && next == target)
         return;
     }
   }
@@ -133,79 +135,100 @@ private:
     return scenePairs() ? makePairLoop(machine_) : makeEnsembleLoop(machine_);
   }
 
-  double nextGlobalEvent() const
+  /// What happens to the machine as a whole: when it is next due, local to the epoch [s], and what is done then.
+  struct MachineEvent
   {
-    const double epoch_start = machine_.epoch().start;
-    double next = machine_.epoch().length;
-    next = std::min(next, machine_.motion().nextChange().value_or(next));
-    next = std::min(next, periods_.next().value_or(next));
-    if (!settled_)
-      next = std::min(next, settledTime() - epoch_start);
-    else if (scenePairs())
-      next = std::min(next, nextPieceEnd() - epoch_start);
-    if (machine_.scene().feed.rate > 0.0)
-      next = std::min(next, nextFeedTime() - epoch_start);
+    std::optional<double> (Implementation::*due)() const;
+    void (Implementation::*execute)();
+  };
+
+  /// All of them; of those that are due at one time the first comes first.
+  static const auto& machineEvents()
+  {
+    using I = Implementation;
+    static constexpr std::array<MachineEvent, 6> EVENTS = {{{&I::settleDue, &I::settle},
+                                                            {&I::blockEndDue, &I::endBlock},
+                                                            {&I::periodLookDue, &I::lookAtPeriod},
+                                                            {&I::segmentEndDue, &I::beginSegment},
+                                                            {&I::feedDue, &I::feed},
+                                                            {&I::epochEndDue, &I::endEpoch}}};
+    return EVENTS;
+  }
+
+  double nextMachineEvent() const
+  {
+    double next = std::numeric_limits<double>::infinity();
+    for (const MachineEvent& event : machineEvents())
+      next = std::min(next, (this->*event.due)().value_or(next));
     // Records of an ensemble wait until they are sorted: not too many of them.
     if (observer_ && !scenePairs())
       next = std::min(next, now_ + machine_.timeScale());
     return std::max(next, now_);
   }
 
-  double settledTime() const { return start_ + machine_.scene().settle; }
-
-  double nextFeedTime() const { return start_ + static_cast<double>(fed_ + 1) / machine_.scene().feed.rate; }
-
-  bool scenePairs() const { return machine_.plan().pairs; }
-
-  /// The series from which the errors of the means are found goes by the machine's time scale. Disks that do
-  /// not see each other are independent, and need none.
-  double nextPieceEnd() const
+  /// Executes one of the events that are due, if any is.
+  bool executeMachineEvent()
   {
-    return settledTime() + static_cast<double>(pieces_ + 1) * machine_.timeScale();
-  }
-
-  /// Handles one of the events that concern all disks, if one is due, in a fixed order.
-  bool handleGlobalEvent()
-  {
-    const double epoch_start = machine_.epoch().start;
-    if (!settled_ && settledTime() - epoch_start <= now_)
-    {
-      settled_ = true;
-      machine_.restartMeans(now_);
-      return true;
-    }
-    if (settled_ && scenePairs() && nextPieceEnd() - epoch_start <= now_)
-    {
-      ++pieces_;
-      machine_.endPieceOfMeans(now_);
-      return true;
-    }
-    if (const auto period = periods_.next(); period && *period <= now_)
-    {
-      periods_.look(now_);
-      return true;
-    }
-    const auto change = machine_.motion().nextChange();
-    if (change && *change <= now_)
-    {
-      changeMotion([](BaseMotion& motion, double now) { motion.beginSegment(now); });
-      return true;
-    }
-    if (machine_.scene().feed.rate > 0.0 && nextFeedTime() - epoch_start <= now_)
-    {
-      ++fed_;
-      pour(drawSpecies(machine_.scene().species, random_), 1);
-      return true;
-    }
-    if (now_ >= machine_.epoch().length)
-    {
-      rebase();
-      return true;
-    }
+    for (const MachineEvent& event : machineEvents())
+      if (const auto due = (this->*event.due)(); due && *due <= now_)
+      {
+        (this->*event.execute)();
+        return true;
+      }
     return false;
   }
 
-  void rebase()
+  std::optional<double> local(double time) const { return time - machine_.epoch().start; }
+
+  std::optional<double> settleDue() const { return settled_ ? std::nullopt : local(settledTime()); }
+
+  void settle()
+  {
+    settled_ = true;
+    machine_.restartMeans(now_);
+  }
+
+  /// The series from which the errors of the means are found goes by the machine's time scale. Disks that do
+  /// not see each other are independent, and need none.
+  std::optional<double> blockEndDue() const
+  {
+    if (!settled_ || !scenePairs())
+      return std::nullopt;
+    return local(settledTime() + static_cast<double>(blocks_ + 1) * machine_.timeScale());
+  }
+
+  void endBlock()
+  {
+    ++blocks_;
+    machine_.endPieceOfMeans(now_);
+  }
+
+  std::optional<double> periodLookDue() const { return periods_.next(); }
+
+  void lookAtPeriod() { periods_.look(now_); }
+
+  std::optional<double> segmentEndDue() const { return machine_.motion().nextChange(); }
+
+  void beginSegment()
+  {
+    changeMotion([](BaseMotion& motion, double now) { motion.beginSegment(now); });
+  }
+
+  std::optional<double> feedDue() const
+  {
+    const double rate = machine_.scene().feed.rate;
+    return rate > 0.0 ? local(start_ + static_cast<double>(fed_ + 1) / rate) : std::nullopt;
+  }
+
+  void feed()
+  {
+    ++fed_;
+    pour(drawSpecies(machine_.scene().species, random_), 1);
+  }
+
+  std::optional<double> epochEndDue() const { return machine_.epoch().length; }
+
+  void endEpoch()
   {
     const bool moving = machine_.motion().nextChange().has_value();
     energy_watch_.look(machine_, now_);
@@ -223,6 +246,10 @@ private:
     periods_.rebase(length);
     now_ -= length;
   }
+
+  double settledTime() const { return start_ + machine_.scene().settle; }
+
+  bool scenePairs() const { return machine_.plan().pairs; }
 
   /// A machine that is fed for ever would else need more and more memory, and time to look through it.
   void giveUpPlaces()
@@ -277,7 +304,7 @@ private:
   double start_ = 0.0;
   double now_ = 0.0;  ///< local to the epoch [s]
   bool settled_ = false;
-  std::uint64_t pieces_ = 0;  ///< of the series of means that have ended
+  std::uint64_t blocks_ = 0;  ///< of the series of means that have ended
   std::uint64_t fed_ = 0;
   std::size_t threads_ = 1;
   PeriodWatch periods_{machine_};
@@ -331,19 +358,9 @@ void Simulation::advanceTo(double time)
   implementation_->advanceTo(time);
 }
 
-void Simulation::commandInclination(double inclination)
+void Simulation::command(Quantity quantity, double setpoint)
 {
-  implementation_->changeMotion([=](BaseMotion& m, double now) { m.commandInclination(inclination, now); });
-}
-
-void Simulation::commandFrequency(double frequency)
-{
-  implementation_->changeMotion([=](BaseMotion& m, double now) { m.commandFrequency(frequency, now); });
-}
-
-void Simulation::commandAmplitude(double amplitude)
-{
-  implementation_->changeMotion([=](BaseMotion& m, double now) { m.commandAmplitude(amplitude, now); });
+  implementation_->changeMotion([=](BaseMotion& m, double now) { m.command(quantity, setpoint, now); });
 }
 
 void Simulation::setSlewRates(const SlewRates& rates)

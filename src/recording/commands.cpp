@@ -3,9 +3,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-
-#include "ratchet_sieve/scene/scene_limits.h"
-
 namespace ratchet_sieve
 {
 namespace
@@ -18,51 +15,71 @@ void requireCount(const std::vector<double>& values, std::size_t count)
 }
 
 /// A value that lies within bounds: one that is not a number does not.
-double within(double value, double min, double max)
+double within(double value, const Interval& allowed)
 {
-  if (!(value >= min && value <= max))
+  if (!allowed.contains(value))
   {
     std::ostringstream text;
-    text << "a command has the value " << value << ": must be from " << min << " to " << max;
+    text << "a command has the value " << value << ": must be from " << allowed.min << " to " << allowed.max;
     throw std::invalid_argument(text.str());
   }
   return value;
 }
 
-double setpointOf(const std::vector<double>& values, double min, double max)
+double setpointOf(Quantity quantity, const std::vector<double>& values)
 {
   requireCount(values, 1);
-  return within(values[0], min, max);
+  return within(values[0], describe(quantity).legal);
 }
 
 SlewRates slewRatesOf(const std::vector<double>& values)
 {
-  requireCount(values, 3);
-  return {within(values[0], SLOWEST_SLEW.inclination, FASTEST_SLEW.inclination),
-          within(values[1], SLOWEST_SLEW.frequency, FASTEST_SLEW.frequency),
-          within(values[2], SLOWEST_SLEW.amplitude, FASTEST_SLEW.amplitude)};
+  requireCount(values, QUANTITIES);
+  SlewRates rates;
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    rates.*q.slew_rate = within(values[indexOf(q.quantity)], q.slew_rates);
+  return rates;
 }
 }  // namespace
+
+CommandFrame setpointCommand(Quantity quantity, double setpoint)
+{
+  CommandFrame command;
+  // The setpoints' kinds come first, in the order of Quantity.
+  command.kind = static_cast<CommandKind>(indexOf(quantity));
+  command.values = {setpoint};
+  return command;
+}
+
+CommandFrame slewRateCommand(const SlewRates& rates)
+{
+  CommandFrame command;
+  command.kind = CommandKind::SLEW_RATES;
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    command.values.push_back(rates.*q.slew_rate);
+  return command;
+}
+
+std::optional<Quantity> setpointQuantity(CommandKind kind)
+{
+  const auto index = static_cast<std::size_t>(kind);
+  return index < QUANTITIES ? std::optional(COMMANDED_QUANTITIES[index].quantity) : std::nullopt;
+}
 
 void apply(const CommandFrame& command, Simulation& simulation)
 {
   const std::vector<double>& values = command.values;
+  if (const auto quantity = setpointQuantity(command.kind))
+    return simulation.command(*quantity, setpointOf(*quantity, values));
   switch (command.kind)
   {
-    case CommandKind::INCLINATION:
-      return simulation.commandInclination(setpointOf(values, -STEEPEST_INCLINATION, STEEPEST_INCLINATION));
-    case CommandKind::FREQUENCY:
-      return simulation.commandFrequency(setpointOf(values, 0.0, LARGEST_FREQUENCY));
-    case CommandKind::AMPLITUDE:
-      return simulation.commandAmplitude(setpointOf(values, 0.0, LARGEST_AMPLITUDE));
     case CommandKind::SLEW_RATES:
       return simulation.setSlewRates(slewRatesOf(values));
     case CommandKind::POUR:
       if (command.count > MOST_POURED)
         throw std::invalid_argument("a command pours " + std::to_string(command.count) + " disks");
       return simulation.pour(command.species, command.count);
-    case CommandKind::PAUSE:
-    case CommandKind::UNPAUSE:
+    default:
       return;
   }
 }

@@ -11,28 +11,14 @@
 #include <std_msgs/Float64.h>
 
 #include "bag_structure.h"
+#include "ratchet_sieve/recording/commands.h"
 #include "ratchet_sieve/ros/conversions.h"
+#include "ratchet_sieve/ros/setpoint.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-/// Where a setpoint comes in; null for what is none.
-const char* setpointTopic(CommandKind kind)
-{
-  switch (kind)
-  {
-    case CommandKind::INCLINATION:
-      return "inclination_setpoint";
-    case CommandKind::FREQUENCY:
-      return "frequency_setpoint";
-    case CommandKind::AMPLITUDE:
-      return "amplitude_setpoint";
-    default:
-      return nullptr;
-  }
-}
-
 BagError cannotBeWritten(const std::string& path, const std::string& why)
 {
   return BagError(path + ": cannot be written: " + why);
@@ -144,7 +130,7 @@ std::uint64_t BagWriter::size() const
 }
 
 template <typename Message>
-void BagWriter::write(const char* topic, double time, const Message& message, bool latched)
+void BagWriter::write(const std::string& topic, double time, const Message& message, bool latched)
 {
   if (!file_)
     throw cannotBeWritten(path_, "it is closed");
@@ -186,12 +172,12 @@ void BagWriter::take(const StatisticsFrame& frame)
 void BagWriter::take(const CommandFrame& frame)
 {
   write("commands", frame.time, inFrame(frame_id_, toMessage(frame)));
-  const char* topic = setpointTopic(frame.kind);
-  if (topic == nullptr)
+  const auto quantity = setpointQuantity(frame.kind);
+  if (!quantity)
     return;
   std_msgs::Float64 message;
   message.data = frame.values.at(0);
-  write(topic, frame.time, message);
+  write(setpointTopic(*quantity), frame.time, message);
 }
 
 }  // namespace ratchet_sieve

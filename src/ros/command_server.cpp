@@ -44,7 +44,7 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
 {
   for (const Setpoint& setpoint : setpoints_)
     subscribers_.push_back(private_node.subscribe<std_msgs::Float64>(
-        setpoint.topic(), QUEUE_SIZE,
+        setpointTopic(setpoint.quantity), QUEUE_SIZE,
         [this, setpoint](const std_msgs::Float64::ConstPtr& message) { takeSetpoint(setpoint, *message); },
         ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
   services_ = {private_node.advertiseService("pause_physics", &CommandServer::pause, this),
@@ -60,13 +60,13 @@ void CommandServer::takeSetpoint(const Setpoint& setpoint, const std_msgs::Float
 {
   if (const auto refusal = setpoint.refusal(message.data))
   {
-    LogThrottle& log = logs_[static_cast<std::size_t>(setpoint.kind)].refused;
+    LogThrottle& log = logs_[indexOf(setpoint.quantity)].refused;
     say(ros::console::levels::Warn, log.put(*refusal, LogThrottle::Clock::now()));
     diagnostics_.setpointRefused(setpoint, *refusal);
     return;
   }
   diagnostics_.setpointTaken(setpoint);
-  inbox_.put(setpoint.kind, message.data);
+  inbox_.put(setpoint.quantity, message.data);
 }
 
 void CommandServer::deliverSetpoints()
@@ -77,21 +77,21 @@ void CommandServer::deliverSetpoints()
     say(ros::console::levels::Info, log.taken.due(now));
     say(ros::console::levels::Warn, log.refused.due(now));
   }
-  inbox_.deliver(!control_.paused(), [this](CommandKind kind, double value) { command(kind, value); });
+  inbox_.deliver(!control_.paused(), [this](Quantity quantity, double value) { command(quantity, value); });
 }
 
-void CommandServer::command(CommandKind kind, double value)
+void CommandServer::command(Quantity quantity, double value)
 {
   // A controller that says the same again and again wants nothing new.
-  if (control_.commanded(kind) == value)
+  if (control_.commanded(quantity) == value)
     return;
-  const Setpoint& setpoint = setpoints_[static_cast<std::size_t>(kind)];
+  const Setpoint& setpoint = setpoints_[indexOf(quantity)];
   const Outcome outcome = control_.command(setpoint, value);
   if (!outcome.success)
     ROS_WARN("%s", outcome.message.c_str());
-  LogThrottle& log = logs_[static_cast<std::size_t>(kind)].taken;
+  LogThrottle& log = logs_[indexOf(quantity)].taken;
   const std::string line =
-      fmt::format("{}: {:g} {} from {:.3f} s on", setpoint.name, value, setpoint.unit, control_.run().time());
+      fmt::format("{}: {:g} {} from {:.3f} s on", setpoint.name(), value, setpoint.unit(), control_.run().time());
   if (outcome.success)
     say(ros::console::levels::Info, log.put(line, LogThrottle::Clock::now()));
 }
@@ -99,7 +99,7 @@ void CommandServer::command(CommandKind kind, double value)
 /// What came before a service was called holds before it.
 void CommandServer::commandAll()
 {
-  inbox_.deliver(false, [this](CommandKind kind, double value) { command(kind, value); });
+  inbox_.deliver(false, [this](Quantity quantity, double value) { command(quantity, value); });
 }
 
 bool CommandServer::pause(std_srvs::Empty::Request&, std_srvs::Empty::Response&)

@@ -44,12 +44,12 @@ Diagnostics::Diagnostics(const RunControl& control, const Speed& speed, const Re
 
 void Diagnostics::setpointTaken(const Setpoint& setpoint)
 {
-  refusals_.erase(setpoint.name);
+  refusals_.erase(setpoint.name());
 }
 
 void Diagnostics::setpointRefused(const Setpoint& setpoint, const std::string& why)
 {
-  refusals_[setpoint.name] = why;
+  refusals_[setpoint.name()] = why;
   pressing_ = true;
 }
 

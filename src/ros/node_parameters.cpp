@@ -4,37 +4,29 @@
 
 #include <ros/console.h>
 
-#include "ratchet_sieve/recording/commands.h"
 #include "ratchet_sieve/scene/scene_limits.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-/// Beyond these no feeder is driven, and a slip of a unit (degrees, millimetres) shows.
-constexpr double MAX_FREQUENCY = 1e4;  // Hz
-constexpr double MAX_AMPLITUDE = 1.0;  // m
-
 constexpr double MAX_RATE = 1e5;        // 1/s
 constexpr double MAX_SPLIT_SIZE = 1e6;  // MB
 constexpr double MAX_DISTANCE = 1e6;    // m
 
 constexpr double LONGEST_WAIT_FOR_DISPLAY = 3600.0;  // s
 
-void readLimits(ParameterReader& reader, double least, double most, Setpoint& setpoint)
+/// @return the slew rate
+double readSetpoint(ParameterReader& reader, double slew_rate, Setpoint& setpoint)
 {
-  const std::string prefix = "limits/" + setpoint.name + "/";
-  setpoint.limits.min = reader.number(prefix + "min", setpoint.limits.min, least, most);
+  const CommandedQuantity& q = describe(setpoint.quantity);
+  const std::string prefix = std::string("limits/") + q.name + "/";
+  setpoint.limits.min =
+      reader.number(prefix + "min", setpoint.limits.min, q.widest_limits.min, q.widest_limits.max);
   // A least value beyond the usual largest one, by itself, would leave nothing that is allowed.
   const double usual = std::max(setpoint.limits.max, setpoint.limits.min);
-  setpoint.limits.max = reader.number(prefix + "max", usual, setpoint.limits.min, most);
-}
-
-void readSlewRate(ParameterReader& reader, const Setpoint& setpoint, double SlewRates::*quantity,
-                  SlewRates& slew_rates)
-{
-  slew_rates.*quantity = reader.number("limits/" + setpoint.name + "/slew_rate", slew_rates.*quantity,
-                                       SLOWEST_SLEW.*quantity, FASTEST_SLEW.*quantity);
+  setpoint.limits.max = reader.number(prefix + "max", usual, setpoint.limits.min, q.widest_limits.max);
+  return reader.number(prefix + "slew_rate", slew_rate, q.slew_rates.min, q.slew_rates.max);
 }
 
 void readRates(ParameterReader& reader, const std::string& prefix, FrameRates& rates)
@@ -75,16 +67,22 @@ std::string readFramePrefix(ParameterReader& reader, const std::string& sieve)
   return prefix;
 }
 
-std::array<Setpoint, 3> readSetpoints(ParameterReader& reader, SlewRates& slew_rates)
+std::array<Setpoint, QUANTITIES> usualSetpoints()
 {
-  std::array<Setpoint, 3> setpoints = NodeParameters().setpoints;
-  auto& [inclination, frequency, amplitude] = setpoints;
-  readLimits(reader, -STEEPEST_INCLINATION, STEEPEST_INCLINATION, inclination);
-  readLimits(reader, 0.0, MAX_FREQUENCY, frequency);
-  readLimits(reader, 0.0, MAX_AMPLITUDE, amplitude);
-  readSlewRate(reader, inclination, &SlewRates::inclination, slew_rates);
-  readSlewRate(reader, frequency, &SlewRates::frequency, slew_rates);
-  readSlewRate(reader, amplitude, &SlewRates::amplitude, slew_rates);
+  std::array<Setpoint, QUANTITIES> setpoints;
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    setpoints[indexOf(q.quantity)] = {q.quantity, q.usual};
+  return setpoints;
+}
+
+std::array<Setpoint, QUANTITIES> readSetpoints(ParameterReader& reader, SlewRates& slew_rates)
+{
+  std::array<Setpoint, QUANTITIES> setpoints = usualSetpoints();
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+  {
+    double& slew_rate = slew_rates.*q.slew_rate;
+    slew_rate = readSetpoint(reader, slew_rate, setpoints[indexOf(q.quantity)]);
+  }
   return setpoints;
 }
 

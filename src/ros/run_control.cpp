@@ -21,14 +21,6 @@ Outcome failure(const std::string& message)
   return {false, message};
 }
 
-CommandFrame setpointOf(CommandKind kind, double value)
-{
-  CommandFrame command;
-  command.kind = kind;
-  command.values = {value};
-  return command;
-}
-
 CommandFrame plainCommand(CommandKind kind)
 {
   CommandFrame command;
@@ -55,9 +47,8 @@ private:
 /// The scene with its base as it moves now.
 SceneDefinition withBase(SceneDefinition scene, const DriveState& base)
 {
-  scene.base.inclination = base.inclination;
-  scene.base.frequency = base.frequency;
-  scene.base.amplitude = base.amplitude;
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    scene.base.*q.definition = base.*q.applied;
   scene.base.phase = base.phase;
   return scene;
 }
@@ -75,7 +66,7 @@ RunControl::RunControl(const YAML::Node& scene, const std::string& source, const
   const Scene read = readScene(0, {});
   scene_warnings_ = read.warnings;
   announce(read);
-  run_ = makeRun(read.definition, {slewRates()}, 0.0, read.definition.duration);
+  run_ = makeRun(read.definition, {slewRateCommand(parameters_.slew_rates)}, 0.0, read.definition.duration);
   run_->setUnderWay(!paused_);
 }
 
@@ -94,14 +85,6 @@ std::unique_ptr<LiveRun> RunControl::makeRun(const SceneDefinition& scene, std::
 {
   return std::make_unique<LiveRun>(scene, parameters_.rates, std::move(opening), start_time, end_time,
                                    std::chrono::steady_clock::now, pour_observer_);
-}
-
-CommandFrame RunControl::slewRates() const
-{
-  CommandFrame command = plainCommand(CommandKind::SLEW_RATES);
-  const SlewRates& rates = parameters_.slew_rates;
-  command.values = {rates.inclination, rates.frequency, rates.amplitude};
-  return command;
 }
 
 Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const
@@ -178,7 +161,7 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
   for (const auto& [name, value] : setpoints)
   {
     const auto setpoint = std::find_if(parameters_.setpoints.begin(), parameters_.setpoints.end(),
-                                       [&name = name](const Setpoint& known) { return known.name == name; });
+                                       [&name = name](const Setpoint& known) { return known.name() == name; });
     if (setpoint == parameters_.setpoints.end())
       return failure("setpoint " + name + ": must be inclination, frequency or amplitude");
     if (const auto refusal = setpoint->refusal(value))
@@ -187,7 +170,7 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
   }
   // One that says nothing new is not given: all disks would be looked at anew, and nothing would come of it.
   for (std::size_t k = 0; k < found.size(); ++k)
-    if (commanded(found[k]->kind) != setpoints[k].second)
+    if (commanded(found[k]->quantity) != setpoints[k].second)
       command(*found[k], setpoints[k].second);
   return advance(duration, stride);
 }
@@ -224,7 +207,7 @@ Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& ov
     const Scene scene = readScene(seed, overrides);
     const double start = keep_time ? run_->time() : 0.0;
     announce(scene);
-    begin(makeRun(scene.definition, {slewRates()}, start, start + scene.definition.duration));
+    begin(makeRun(scene.definition, {slewRateCommand(parameters_.slew_rates)}, start, start + scene.definition.duration));
     scene_warnings_ = scene.warnings;
     return {};
   }
@@ -250,10 +233,9 @@ Outcome RunControl::resetWorld()
   try
   {
     const DriveState base = run_->simulation().base();
-    const std::vector<CommandFrame> opening = {
-        slewRates(), setpointOf(CommandKind::INCLINATION, base.commanded_inclination),
-        setpointOf(CommandKind::FREQUENCY, base.commanded_frequency),
-        setpointOf(CommandKind::AMPLITUDE, base.commanded_amplitude)};
+    std::vector<CommandFrame> opening = {slewRateCommand(parameters_.slew_rates)};
+    for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+      opening.push_back(setpointCommand(q.quantity, base.*q.commanded));
     const SceneDefinition scene = withBase(run_->simulation().scene(), base);
     // Disks that are poured at the end have as long as the first had.
     const bool at_end = run_->time() >= run_->endTime();
@@ -291,25 +273,16 @@ Outcome RunControl::pour(const std::string& species, std::size_t count)
   return {};
 }
 
-double RunControl::commanded(CommandKind kind) const
+double RunControl::commanded(Quantity quantity) const
 {
-  const DriveState base = run_->simulation().base();
-  switch (kind)
-  {
-    case CommandKind::INCLINATION:
-      return base.commanded_inclination;
-    case CommandKind::FREQUENCY:
-      return base.commanded_frequency;
-    default:
-      return base.commanded_amplitude;
-  }
+  return run_->simulation().base().*describe(quantity).commanded;
 }
 
 Outcome RunControl::command(const Setpoint& setpoint, double value)
 {
   if (const auto refusal = setpoint.refusal(value))
     return failure(*refusal);
-  run_->give(setpointOf(setpoint.kind, value), sinks_);
+  run_->give(setpointCommand(setpoint.quantity, value), sinks_);
   show(run_->base());
   return {};
 }

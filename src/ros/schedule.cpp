@@ -26,11 +26,12 @@ ScheduleEntry entryFromYaml(const YAML::Node& node, const std::string& source)
   {
     const auto key = item.first.as<std::string>();
     const double value = finiteNumber(item.second, source + "/" + key);
-    const auto* const found = std::find(SCHEDULED.begin(), SCHEDULED.end(), key);
+    const auto* const found = std::find_if(COMMANDED_QUANTITIES.begin(), COMMANDED_QUANTITIES.end(),
+                                           [&](const CommandedQuantity& q) { return key == q.name; });
     if (key == "time")
       entry.time = value;
-    else if (found != SCHEDULED.end())
-      entry.values[static_cast<std::size_t>(found - SCHEDULED.begin())] = value;
+    else if (found != COMMANDED_QUANTITIES.end())
+      entry.values[indexOf(found->quantity)] = value;
     else
       throw ParameterError(source + "/" + key +
                            ": not known: must be time, inclination, frequency or amplitude");

@@ -62,9 +62,9 @@ ScheduleNode::ScheduleNode(ros::NodeHandle private_node)
     ROS_WARN("parameter %s: not known, and ignored", name.c_str());
   warnOfRefusals(schedule_, sourceOf(private_node), sieve_);
   unpause_ = private_node.serviceClient<std_srvs::Empty>(sieve_ + "/unpause_physics");
-  for (const char* name : SCHEDULED)
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
     setpoints_.push_back(private_node.advertise<std_msgs::Float64>(
-        sieve_ + "/" + name + "_setpoint", QUEUE_SIZE,
+        sieve_ + "/" + setpointTopic(q.quantity), QUEUE_SIZE,
         [this](const ros::SingleSubscriberPublisher&) { startOnceConnected(); },
         [this](const ros::SingleSubscriberPublisher& subscriber)
         {
@@ -122,14 +122,15 @@ void ScheduleNode::end(double now)
 
 void ScheduleNode::command(const ScheduleEntry& entry, double now)
 {
-  for (std::size_t k = 0; k < SCHEDULED.size(); ++k)
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
   {
-    if (!entry.values[k])
+    const auto& value = entry.values[indexOf(q.quantity)];
+    if (!value)
       continue;
     std_msgs::Float64 message;
-    message.data = *entry.values[k];
-    setpoints_[k].publish(message);
-    ROS_INFO("%s %g, due at %.3f s, sent at %.3f s", SCHEDULED[k], message.data, entry.time, now);
+    message.data = *value;
+    setpoints_[indexOf(q.quantity)].publish(message);
+    ROS_INFO("%s %g, due at %.3f s, sent at %.3f s", q.name, message.data, entry.time, now);
   }
 }
 

@@ -111,7 +111,7 @@ SeekNode::SeekNode(ros::NodeHandle private_node)
 {
   trials_ = private_node.advertise<SeekTrial>("trials", QUEUE_SIZE, true);
   ros::NodeHandle sieve(parameters_.sieve);
-  setpoint_ = sieve.advertise<std_msgs::Float64>("inclination_setpoint", QUEUE_SIZE);
+  setpoint_ = sieve.advertise<std_msgs::Float64>(setpointTopic(Quantity::INCLINATION), QUEUE_SIZE);
   const auto hints = ros::TransportHints().tcpNoDelay();
   base_ = sieve.subscribe<BaseState>("base", QUEUE_SIZE,
                                      boost::function<void(const ros::MessageEvent<const BaseState>&)>(

@@ -21,17 +21,17 @@ constexpr double MOST_CONFIDENCE = 10;  // standard errors
 constexpr double FINEST = 1e-4;
 
 /// Where the sieve takes an inclination, as its parameters have it.
-SetpointLimits inclinationLimits(const std::string& sieve)
+Interval inclinationLimits(const std::string& sieve)
 {
   ParameterReader reader{ros::NodeHandle(sieve)};
   SlewRates slew_rates;
-  return readSetpoints(reader, slew_rates).front().limits;
+  return readSetpoints(reader, slew_rates)[indexOf(Quantity::INCLINATION)].limits;
 }
 
 void readSearch(ParameterReader& reader, SeekParameters& parameters)
 {
   SearchOptions& search = parameters.search;
-  const SetpointLimits limits = inclinationLimits(parameters.sieve);
+  const Interval limits = inclinationLimits(parameters.sieve);
   search.min = reader.number("inclination/min", limits.min, limits.min, limits.max);
   search.max = reader.number("inclination/max", limits.max, search.min, limits.max);
   const double start = reader.number("inclination/start", NAN, search.min, search.max);

@@ -6,14 +6,19 @@
 namespace ratchet_sieve
 {
 
+std::string setpointTopic(Quantity quantity)
+{
+  return describe(quantity).name + std::string("_setpoint");
+}
+
 std::optional<std::string> Setpoint::refusal(double value) const
 {
-  if (std::isfinite(value) && value >= limits.min && value <= limits.max)
+  if (limits.contains(value))
     return std::nullopt;
   std::ostringstream text;
   // The sign of a NaN says nothing.
-  text << topic() << " " << (std::isnan(value) ? std::abs(value) : value) << " " << unit
-       << " refused: must be from " << limits.min << " to " << limits.max << " " << unit;
+  text << setpointTopic(quantity) << " " << (std::isnan(value) ? std::abs(value) : value) << " " << unit()
+       << " refused: must be from " << limits.min << " to " << limits.max << " " << unit();
   return text.str();
 }
 

@@ -5,7 +5,7 @@
 namespace ratchet_sieve
 {
 
-void SetpointInbox::deliver(bool wait, const std::function<void(CommandKind, double)>& command,
+void SetpointInbox::deliver(bool wait, const std::function<void(Quantity, double)>& command,
                             const std::function<Clock::time_point()>& wall_clock)
 {
   const bool empty =
@@ -17,9 +17,9 @@ void SetpointInbox::deliver(bool wait, const std::function<void(CommandKind, dou
     return;
   const auto values = newest_;
   newest_ = {};
-  for (const CommandKind kind : {CommandKind::INCLINATION, CommandKind::FREQUENCY, CommandKind::AMPLITUDE})
-    if (const auto& value = values[index(kind)])
-      command(kind, *value);
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    if (const auto& value = values[indexOf(q.quantity)])
+      command(q.quantity, *value);
   const auto end = wall_clock();
   next_ = end + std::chrono::duration_cast<Clock::duration>((end - begin) * (1.0 / SHARE - 1.0));
 }

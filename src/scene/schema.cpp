@@ -1,5 +1,6 @@
 #include "schema.h"
 
+#include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/scene/scene_limits.h"
 
 namespace ratchet_sieve
@@ -7,7 +8,7 @@ namespace ratchet_sieve
 namespace
 {
 
-// The limits below, as those of scene_limits.h, keep products of the values far from overflow; no machine
+// The limits below, as those of scene_limits.h and of the commanded quantities, keep products of the values far from overflow; no machine
 // comes near them.
 constexpr double SMALLEST_LENGTH = 1e-9;  ///< [m]
 constexpr double LARGEST_LENGTH = 1e3;    ///< [m]
@@ -35,6 +36,12 @@ Range upTo(double highest, const char* unit = "")
 Range within(double magnitude, const char* unit)
 {
   return {-magnitude, magnitude, unit};
+}
+
+Range legal(Quantity quantity)
+{
+  const CommandedQuantity& described = describe(quantity);
+  return {described.legal.min, described.legal.max, described.unit};
 }
 
 }  // namespace
@@ -73,9 +80,9 @@ const Keys<BaseDefinition>& baseKeys()
       {"tooth_width", [](B& b) -> Slot { return &b.tooth_width; }, {SMALLEST_LENGTH, LARGEST_LENGTH, "m"}},
       {"tooth_height", [](B& b) -> Slot { return &b.tooth_height; }, upTo(LARGEST_LENGTH, "m")},
       {"asymmetry", [](B& b) -> Slot { return &b.asymmetry; }, upTo(1.0)},
-      {"inclination", [](B& b) -> Slot { return &b.inclination; }, within(STEEPEST_INCLINATION, "rad")},
-      {"amplitude", [](B& b) -> Slot { return &b.amplitude; }, upTo(LARGEST_AMPLITUDE, "m")},
-      {"frequency", [](B& b) -> Slot { return &b.frequency; }, upTo(LARGEST_FREQUENCY, "Hz")},
+      {"inclination", [](B& b) -> Slot { return &b.inclination; }, legal(Quantity::INCLINATION)},
+      {"amplitude", [](B& b) -> Slot { return &b.amplitude; }, legal(Quantity::AMPLITUDE)},
+      {"frequency", [](B& b) -> Slot { return &b.frequency; }, legal(Quantity::FREQUENCY)},
       {"phase", [](B& b) -> Slot { return &b.phase; }, within(LARGEST_PHASE, "rad")},
       {"wall_height", [](B& b) -> Slot { return &b.wall_height; }, upTo(LARGEST_LENGTH, "m"), false, false},
   };

@@ -33,9 +33,9 @@ TEST(BaseMotion, IsTheSineOfTheDefinition)
 TEST(BaseMotion, VelocityIsTheDerivativeWhileEverythingSlews)
 {
   BaseMotion motion(figureThree(), UNLIMITED);
-  motion.commandInclination(0.2, 0.0);
-  motion.commandFrequency(30.0, 0.0);
-  motion.commandAmplitude(0.003, 0.0);
+  motion.command(Quantity::INCLINATION, 0.2, 0.0);
+  motion.command(Quantity::FREQUENCY, 30.0, 0.0);
+  motion.command(Quantity::AMPLITUDE, 0.003, 0.0);
   ASSERT_TRUE(motion.turning());
   const double step = 1e-6;
   for (const double t : {0.01, 0.1, 0.3})
@@ -51,8 +51,8 @@ TEST(BaseMotion, VelocityIsTheDerivativeWhileEverythingSlews)
 TEST(BaseMotion, ComesToItsSetpointsExactlyAndStops)
 {
   BaseMotion motion(figureThree(), UNLIMITED);
-  motion.commandInclination(0.0523, 0.25);
-  motion.commandFrequency(11.1, 0.25);
+  motion.command(Quantity::INCLINATION, 0.0523, 0.25);
+  motion.command(Quantity::FREQUENCY, 11.1, 0.25);
   int segments = 0;
   double before = motion.at(0.25).displacement;
   double time = 0.25;
@@ -72,7 +72,7 @@ TEST(BaseMotion, ComesToItsSetpointsExactlyAndStops)
 TEST(BaseMotion, ASetpointAHairAwayIsReachedAtOnce)
 {
   BaseMotion motion(figureThree(), UNLIMITED);
-  motion.commandFrequency(23.000000000000004, 31.5);
+  motion.command(Quantity::FREQUENCY, 23.000000000000004, 31.5);
   EXPECT_FALSE(motion.nextChange());
   EXPECT_EQ(motion.state(31.5).frequency, 23.000000000000004);
 }
@@ -83,8 +83,8 @@ TEST(BaseMotion, RandomCommandsAreFollowedWithoutEnd)
   double time = 0.0;
   for (int k = 0; k < 2000; ++k)
   {
-    motion.commandInclination(0.01 * (k * 7919 % 13), time);
-    motion.commandFrequency(0.1 * (k * 104729 % 300), time);
+    motion.command(Quantity::INCLINATION, 0.01 * (k * 7919 % 13), time);
+    motion.command(Quantity::FREQUENCY, 0.1 * (k * 104729 % 300), time);
     time += 0.0173 * (k % 5);
     int segments = 0;
     while (motion.nextChange() && *motion.nextChange() <= time)
@@ -98,8 +98,8 @@ TEST(BaseMotion, RandomCommandsAreFollowedWithoutEnd)
 TEST(BaseMotion, ANewCommandTurnsARunningSlewAround)
 {
   BaseMotion motion(figureThree(), UNLIMITED);
-  motion.commandInclination(0.2, 0.0);
-  motion.commandInclination(-0.2, 1.0);
+  motion.command(Quantity::INCLINATION, 0.2, 0.0);
+  motion.command(Quantity::INCLINATION, -0.2, 1.0);
   EXPECT_NEAR(motion.state(1.0).inclination, 0.1, 1e-15);
   EXPECT_NEAR(motion.state(2.0).inclination, 0.0, 1e-15);
   EXPECT_EQ(motion.state(2.0).commanded_inclination, -0.2);
@@ -108,7 +108,7 @@ TEST(BaseMotion, ANewCommandTurnsARunningSlewAround)
 TEST(BaseMotion, SegmentsOfATurnAreNoLongerThanAllowed)
 {
   BaseMotion motion(figureThree(), 0.001);
-  motion.commandInclination(0.01, 0.0);
+  motion.command(Quantity::INCLINATION, 0.01, 0.0);
   int segments = 0;
   while (const auto change = motion.nextChange())
   {

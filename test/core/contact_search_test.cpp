@@ -132,8 +132,8 @@ TEST(ContactSearch, FindsTheFirstContactOnABaseThatTurns)
         const Sawtooth sawtooth(base, Boundary::PERIODIC);
         BaseMotion motion(base, 10.0);
         motion.setSlewRates({*rc::gen::element(0.01, 0.3, 2.0), 10.0, 0.002}, 0.0);
-        motion.commandInclination(base.inclination + *rc::gen::element(-1.0, 1.0), 0.0);
-        motion.commandFrequency(60.0, 0.0);
+        motion.command(Quantity::INCLINATION, base.inclination + *rc::gen::element(-1.0, 1.0), 0.0);
+        motion.command(Quantity::FREQUENCY, 60.0, 0.0);
         RC_PRE(*motion.nextChange() > HORIZON);
         checkAgainstScan(motion, sawtooth, drawnDisk(motion, sawtooth));
       }));
@@ -162,8 +162,8 @@ TEST(ContactSearch, FindsTheFirstContactBetweenWallsThatTurn)
         const Sawtooth sawtooth(base, Boundary::WALLED, drawnWallHeight());
         BaseMotion motion(base, 10.0);
         motion.setSlewRates({*rc::gen::element(0.01, 0.3, 2.0), 10.0, 0.002}, 0.0);
-        motion.commandInclination(base.inclination + *rc::gen::element(-1.0, 1.0), 0.0);
-        motion.commandFrequency(60.0, 0.0);
+        motion.command(Quantity::INCLINATION, base.inclination + *rc::gen::element(-1.0, 1.0), 0.0);
+        motion.command(Quantity::FREQUENCY, 60.0, 0.0);
         RC_PRE(*motion.nextChange() > HORIZON);
         const Thrown thrown = drawnDisk(motion, sawtooth);
         RC_PRE(thrown.radius < 0.05);

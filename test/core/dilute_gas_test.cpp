@@ -68,9 +68,9 @@ void expectSameCollisionsFromHere(Watched& run, double span, std::optional<doubl
   if (turn)
   {
     machine.motion().setSlewRates({1.0, 10.0, 0.002}, 0.0);
-    machine.motion().commandInclination(*turn, 0.0);
+    machine.motion().command(Quantity::INCLINATION, *turn, 0.0);
     run.simulation.setSlewRates({1.0, 10.0, 0.002});
-    run.simulation.commandInclination(*turn);
+    run.simulation.command(Quantity::INCLINATION, *turn);
   }
   constexpr int IMAGES = 40;
   test::ReferenceLoop(machine, IMAGES).advanceTo(span);
@@ -176,7 +176,7 @@ TEST(DiluteGas, MissesNothingWhileTheRingTurnsAndStandsInTurns)
   for (int swing = 0; swing < 10; ++swing)
   {
     // 0.1 s to turn, and as long to stand.
-    simulation.commandInclination(swing % 2 == 0 ? 0.1 : 0.0);
+    simulation.command(Quantity::INCLINATION, swing % 2 == 0 ? 0.1 : 0.0);
     const double start = simulation.time();
     for (int look = 1; look <= 2000; ++look)
     {
@@ -214,7 +214,7 @@ TEST(DiluteGas, CellsShrinkAgainWhereItCondenses)
     Simulation simulation(scene);
     simulation.setSlewRates({1.0, 10.0, 1.0});
     simulation.advanceTo(hot);
-    simulation.commandAmplitude(amplitude);
+    simulation.command(Quantity::AMPLITUDE, amplitude);
     simulation.advanceTo(hot + 10.0);
     return simulation.saveState().size();
   };

@@ -60,8 +60,8 @@ TEST(Epoch, GetsFinerWhereADriveIsCommandedThatNeedsIt)
     Simulation simulation(scene);
     simulation.setSlewRates(SOON);
     simulation.advanceTo(3.1);
-    simulation.commandFrequency(1000.0);
-    simulation.commandAmplitude(0.002);
+    simulation.command(Quantity::FREQUENCY, 1000.0);
+    simulation.command(Quantity::AMPLITUDE, 0.002);
     simulation.advanceTo(3.11);
     EXPECT_GE(simulation.collisions().total(), DISKS);
     EXPECT_LT(simulation.maxOverlap(), LARGEST_OVERLAP * scene.species[0].radius);
@@ -73,10 +73,10 @@ TEST(Epoch, ThePhaseGoesOnWhereItGetsFiner)
   Simulation simulation(tinyDisksAtRest(true));
   simulation.setSlewRates(SOON);
   simulation.advanceTo(0.4);
-  simulation.commandFrequency(1000.0);
+  simulation.command(Quantity::FREQUENCY, 1000.0);
   simulation.advanceTo(0.5);
   const double before = simulation.base().phase;
-  simulation.commandAmplitude(0.002);
+  simulation.command(Quantity::AMPLITUDE, 0.002);
   EXPECT_NEAR(simulation.base().phase, before, 1e-9);
   EXPECT_EQ(simulation.time(), 0.5);
   simulation.advanceTo(0.5 + 20.25e-3);
@@ -89,8 +89,8 @@ TEST(Epoch, ThatGotFinerIsInTheSavedState)
   const SceneDefinition scene = tinyDisksAtRest(true);
   Simulation simulation(scene);
   simulation.setSlewRates(SOON);
-  simulation.commandFrequency(1000.0);
-  simulation.commandAmplitude(0.002);
+  simulation.command(Quantity::FREQUENCY, 1000.0);
+  simulation.command(Quantity::AMPLITUDE, 0.002);
   simulation.advanceTo(0.7);
   Simulation again(scene, simulation.saveState());
   simulation.advanceTo(1.0);
@@ -109,8 +109,8 @@ TEST(Epoch, GetsFinerWithTheSameBitsInAnyStrides)
     for (double time = 0.0; time < 0.4; time += stride)
       simulation.advanceTo(time);
     simulation.advanceTo(0.4);
-    simulation.commandFrequency(1000.0);
-    simulation.commandAmplitude(0.002);
+    simulation.command(Quantity::FREQUENCY, 1000.0);
+    simulation.command(Quantity::AMPLITUDE, 0.002);
     for (double time = 0.4; time < 3.0; time += stride)
       simulation.advanceTo(time);
     simulation.advanceTo(3.0);

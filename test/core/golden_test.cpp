@@ -43,8 +43,8 @@ TEST(Golden, SetpointsWhileItRuns)
 {
   Simulation simulation(test::openMixture(30));
   simulation.advanceTo(1.0);
-  simulation.commandInclination(0.1);
-  simulation.commandFrequency(26.0);
+  simulation.command(Quantity::INCLINATION, 0.1);
+  simulation.command(Quantity::FREQUENCY, 26.0);
   simulation.advanceTo(4.0);
   EXPECT_EQ(test::stateHash(simulation), 2012284987454928914ull);
 }

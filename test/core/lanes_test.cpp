@@ -156,7 +156,7 @@ TEST(Lanes, OnlyWhereThePlanHasThemAndTheBaseStandsAtItsSetpoints)
   EXPECT_FALSE(laneScene(Machine(scene, withoutLanes(scene))));
   Machine machine(scene);
   EXPECT_TRUE(laneScene(machine));
-  machine.motion().commandFrequency(30.0, 0.1);
+  machine.motion().command(Quantity::FREQUENCY, 30.0, 0.1);
   EXPECT_FALSE(laneScene(machine));
 }
 

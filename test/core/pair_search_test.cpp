@@ -47,7 +47,7 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
         scene.base.teeth = 4;
         Machine machine(scene);
         machine.motion().setSlewRates({*rc::gen::element(0.1, 1.0, 5.0), 10.0, 0.002}, 0.0);
-        machine.motion().commandInclination(*rc::gen::element(-1.0, 1.0), 0.0);
+        machine.motion().command(Quantity::INCLINATION, *rc::gen::element(-1.0, 1.0), 0.0);
         const double until = *machine.motion().nextChange();
         Disk left, right;
         left.x = drawn(0.002, 0.006);

@@ -101,7 +101,7 @@ TEST(PeriodWatch, FollowsAFrequencyOnItsWay)
   const auto told = [&]
   {
     Simulation simulation(scene);
-    simulation.commandFrequency(5.0);
+    simulation.command(Quantity::FREQUENCY, 5.0);
     return simulation;
   };
   Simulation simulation = told(), same = told();
@@ -123,11 +123,11 @@ TEST(PeriodWatch, DropsAPeriodThatWasInterrupted)
   simulation.observePeriods([&](const PeriodRecord& period) { periods.push_back(period); });
   simulation.setSlewRates({0.1, 1000.0, 1.0});
   simulation.advanceTo(0.5);
-  simulation.commandAmplitude(0.0);
+  simulation.command(Quantity::AMPLITUDE, 0.0);
   simulation.advanceTo(1.0);
   ASSERT_EQ(periods.size(), 11u);
   EXPECT_FALSE(simulation.swings());
-  simulation.commandAmplitude(0.001);
+  simulation.command(Quantity::AMPLITUDE, 0.001);
   simulation.advanceTo(1.2);
   // The phase went on meanwhile: the first whole period begins with the 24th turn.
   ASSERT_GT(periods.size(), 11u);
@@ -167,9 +167,9 @@ TEST(PeriodWatch, ChangesNotABitOfTheRun)
       if (watched)
         simulation.observePeriods([](const PeriodRecord&) {});
       simulation.advanceTo(0.4);
-      simulation.commandFrequency(17.0);
+      simulation.command(Quantity::FREQUENCY, 17.0);
       simulation.advanceTo(0.7);
-      simulation.commandInclination(0.05);
+      simulation.command(Quantity::INCLINATION, 0.05);
       simulation.advanceTo(2.0);
       return simulation.saveState();
     };
@@ -204,14 +204,14 @@ TEST(GranularTemperature, DoesNotFeelACommonDrift)
 TEST(BaseMotion, ComesToAPhaseWhenItSays)
 {
   BaseMotion motion(BaseDefinition(), 10.0);
-  motion.commandFrequency(20.0, 0.1);
+  motion.command(Quantity::FREQUENCY, 20.0, 0.1);
   for (const double turns : {0.5, 1.0, 3.25})
   {
     const std::optional<double> time = motion.timeOfTurns(turns);
     ASSERT_TRUE(time);
     EXPECT_NEAR(motion.turnsAt(*time), turns, 1e-12);
   }
-  motion.commandFrequency(0.0, 0.2);
+  motion.command(Quantity::FREQUENCY, 0.0, 0.2);
   EXPECT_FALSE(motion.timeOfTurns(100.0)) << "the drive comes to a halt before";
 }
 

@@ -147,16 +147,16 @@ void runThrough(Simulation& simulation)
 {
   simulation.setSlewRates({0.3, 40.0, 0.004});
   simulation.advanceTo(0.7);
-  simulation.commandAmplitude(0.001);
-  simulation.commandFrequency(20.0);
+  simulation.command(Quantity::AMPLITUDE, 0.001);
+  simulation.command(Quantity::FREQUENCY, 20.0);
   simulation.advanceTo(1.5);
-  simulation.commandInclination(0.05);
+  simulation.command(Quantity::INCLINATION, 0.05);
   simulation.pour(0, 3);
   simulation.advanceTo(2.0);
-  simulation.commandAmplitude(0.0);
+  simulation.command(Quantity::AMPLITUDE, 0.0);
   simulation.advanceTo(3.0);
-  simulation.commandFrequency(0.0);
-  simulation.commandAmplitude(0.0015);
+  simulation.command(Quantity::FREQUENCY, 0.0);
+  simulation.command(Quantity::AMPLITUDE, 0.0015);
   simulation.advanceTo(4.5);
 }
 

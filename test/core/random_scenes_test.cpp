@@ -61,11 +61,11 @@ void commandSomething(Simulation& simulation)
   switch (*rc::gen::inRange(0, 6))
   {
     case 0:
-      return simulation.commandInclination(*rc::gen::element(0.0, 0.15, -0.3));
+      return simulation.command(Quantity::INCLINATION, *rc::gen::element(0.0, 0.15, -0.3));
     case 1:
-      return simulation.commandFrequency(*rc::gen::element(0.0, 10.0, 40.0));
+      return simulation.command(Quantity::FREQUENCY, *rc::gen::element(0.0, 10.0, 40.0));
     case 2:
-      return simulation.commandAmplitude(*rc::gen::element(0.0, 0.001, 0.004));
+      return simulation.command(Quantity::AMPLITUDE, *rc::gen::element(0.0, 0.001, 0.004));
     case 3:
       return simulation.pour(*rc::gen::inRange(0, 2), 3);
     default:

@@ -22,8 +22,8 @@ void undisturbed(Simulation& simulation, double, double to)
 void commanded(Simulation& simulation, double from, double to)
 {
   simulation.advanceTo(0.5 * (from + to));
-  simulation.commandInclination(0.02 + 0.01 * from);
-  simulation.commandFrequency(20.0 + from);
+  simulation.command(Quantity::INCLINATION, 0.02 + 0.01 * from);
+  simulation.command(Quantity::FREQUENCY, 20.0 + from);
   simulation.pour(0, 3);
   simulation.advanceTo(to);
 }
@@ -32,7 +32,7 @@ void commanded(Simulation& simulation, double from, double to)
 void setGoing(Simulation& simulation, double from, double to)
 {
   if (from == 0.0)
-    simulation.commandAmplitude(0.001);
+    simulation.command(Quantity::AMPLITUDE, 0.001);
   simulation.advanceTo(to);
 }
 

@@ -34,8 +34,8 @@ std::vector<double> sumsAfter(const SceneDefinition& scene, int strides)
   {
     for (int k = 1; k <= strides; ++k)
       simulation.advanceTo(3.0 * half + 3.0 * k / strides);
-    simulation.commandInclination(0.1);
-    simulation.commandFrequency(27.0);
+    simulation.command(Quantity::INCLINATION, 0.1);
+    simulation.command(Quantity::FREQUENCY, 27.0);
     simulation.pour(0, 3);
   }
   for (const SpeciesMeans& means : simulation.means())
@@ -280,9 +280,9 @@ TEST(Simulation, TheBaseFollowsItsSetpointsAndCarriesTheDisksAlong)
       scene.contact.pair_collisions = pairs;
       Simulation simulation(scene);
       simulation.advanceTo(0.5);
-      simulation.commandInclination(0.15);
-      simulation.commandFrequency(28.0);
-      simulation.commandAmplitude(0.0015);
+      simulation.command(Quantity::INCLINATION, 0.15);
+      simulation.command(Quantity::FREQUENCY, 28.0);
+      simulation.command(Quantity::AMPLITUDE, 0.0015);
       for (int k = 1; k <= 200; ++k)
       {
         simulation.advanceTo(0.5 + 0.01 * k);

@@ -233,9 +233,9 @@ std::vector<double> outcome(const SceneDefinition& scene, const Units& units)
   simulation.setSlewRates(
       {0.1 / units.time, 10.0 / units.length, 0.002 * speed});  // Hz/s is 1/s^2: 1 / length
   simulation.advanceTo(1.0 * units.time);
-  simulation.commandInclination(-0.05);
-  simulation.commandFrequency(27.0 / units.time);
-  simulation.commandAmplitude(0.0015 * units.length);
+  simulation.command(Quantity::INCLINATION, -0.05);
+  simulation.command(Quantity::FREQUENCY, 27.0 / units.time);
+  simulation.command(Quantity::AMPLITUDE, 0.0015 * units.length);
   simulation.advanceTo(3.0 * units.time);
   for (const DiskState& disk : simulation.disks())
     out.insert(out.end(),

@@ -23,7 +23,7 @@ void expectThatNothingPasses(SceneDefinition scene, double slew_rate)
   double time = 0.0;
   for (int turn = 0; turn < 30; ++turn)
   {
-    simulation.commandInclination(target);
+    simulation.command(Quantity::INCLINATION, target);
     target = -target;
     // Sometimes it gets there, sometimes it is turned back on the way.
     for (int look = 0; look < 10 + 3 * (turn % 4); ++look)
@@ -72,7 +72,7 @@ struct Tilting
     Simulation simulation(scene);
     simulation.setSlewRates({slew_rate, 10.0, 0.002});
     double target = swing;
-    simulation.commandInclination(target);
+    simulation.command(Quantity::INCLINATION, target);
     for (int k = 1; k <= 320; ++k)
     {
       simulation.advanceTo(0.02 * k);
@@ -82,7 +82,7 @@ struct Tilting
                                         std::sin(base.inclination) * disk.x);
       EXPECT_EQ(simulation.auditOverlaps(), 0u);
       if (base.inclination == target)
-        simulation.commandInclination(target = -target);
+        simulation.command(Quantity::INCLINATION, target = -target);
     }
     for (const SpeciesBins& bins : simulation.bins())
       over += bins.counted();

@@ -110,7 +110,7 @@ TEST_F(Node, appliesASetpointAtThePresentTime)
   slew_rates.inclination = 0.2;
   simulation.setSlewRates(slew_rates);
   simulation.advanceTo(0.3);
-  simulation.commandInclination(0.1);
+  simulation.command(Quantity::INCLINATION, 0.1);
   simulation.advanceTo(0.8);
   EXPECT_TRUE(sameBits(sieve.particles.frames.back().disks, simulation.disks()));
 }

@@ -238,21 +238,21 @@ TEST(Resimulation, takesTheSlewRatesThatANodeTakes)
   const auto takes = [](SlewRates rates)
   {
     Simulation simulation(smallRing());
-    apply({0.0, CommandKind::SLEW_RATES, {rates.inclination, rates.frequency, rates.amplitude}, 0, 0},
-          simulation);
+    apply(slewRateCommand(rates), simulation);
   };
-  EXPECT_NO_THROW(takes(SLOWEST_SLEW));
-  EXPECT_NO_THROW(takes(FASTEST_SLEW));
-  for (double SlewRates::*quantity : {&SlewRates::inclination, &SlewRates::frequency, &SlewRates::amplitude})
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
   {
-    SlewRates fast = FASTEST_SLEW;
-    fast.*quantity = std::nextafter(fast.*quantity, 1e9);
-    EXPECT_THROW(takes(fast), std::invalid_argument);
-    fast.*quantity = 1e14;
-    EXPECT_THROW(takes(fast), std::invalid_argument);
-    SlewRates slow = SLOWEST_SLEW;
-    slow.*quantity = std::nextafter(slow.*quantity, 0.0);
-    EXPECT_THROW(takes(slow), std::invalid_argument);
+    const auto with = [&](double rate)
+    {
+      SlewRates rates;
+      rates.*q.slew_rate = rate;
+      return rates;
+    };
+    const auto [slowest, fastest] = q.slew_rates;
+    EXPECT_NO_THROW(takes(with(slowest)));
+    EXPECT_NO_THROW(takes(with(fastest)));
+    for (const double rate : {std::nextafter(slowest, 0.0), std::nextafter(fastest, 1e9), 1e14})
+      EXPECT_THROW(takes(with(rate)), std::invalid_argument) << q.name << " " << rate;
   }
 }
 

@@ -322,10 +322,10 @@ TEST(RunControl, stepsInLockWithItsSetpoints)
   run.control.lockStep({{"inclination", 0.0}}, 0.25, stridesOf(run.control));
   Simulation simulation(smallMixture());
   simulation.setSlewRates(run.parameters.slew_rates);
-  simulation.commandInclination(0.1);
-  simulation.commandFrequency(30.0);
+  simulation.command(Quantity::INCLINATION, 0.1);
+  simulation.command(Quantity::FREQUENCY, 30.0);
   simulation.advanceTo(0.25);
-  simulation.commandInclination(0.0);
+  simulation.command(Quantity::INCLINATION, 0.0);
   simulation.advanceTo(0.5);
   EXPECT_TRUE(sameBits(run.seen.particles.back().disks, simulation.disks()));
 }

@@ -31,7 +31,7 @@ public:
     simulation_.advanceTo(simulation_.time() + FRAME);
     hear(control_.take(makeBaseFrame(simulation_)));
     if (!control_.followed())
-      simulation_.commandInclination(*control_.setpoint());
+      simulation_.command(Quantity::INCLINATION, *control_.setpoint());
     hear(control_.take(makeBinFrame(simulation_)));
   }
 
@@ -118,7 +118,7 @@ TEST(SeekControl, seeksAgainWhereTheDriveIsChanged)
   ClosedLoop loop(1, 0.15);
   loop.runUntilHeld(400.0);
   expectBest(loop);
-  loop.simulation().commandFrequency(18.0);
+  loop.simulation().command(Quantity::FREQUENCY, 18.0);
   loop.step();
   EXPECT_EQ(loop.control().restarts(), 1u);
   loop.runUntilHeld(400.0);

@@ -21,15 +21,15 @@ public:
   {
     inbox.deliver(
         wait,
-        [this](CommandKind kind, double value)
+        [this](Quantity quantity, double value)
         {
-          commands.emplace_back(kind, value);
+          commands.emplace_back(quantity, value);
           now += cost_;
         },
         [this] { return now; });
   }
 
-  std::vector<std::pair<CommandKind, double>> commands;
+  std::vector<std::pair<Quantity, double>> commands;
   SetpointInbox::Clock::time_point now = SetpointInbox::Clock::now();
 
 private:
@@ -42,13 +42,13 @@ TEST(SetpointInbox, handsOverTheNewestOfEachQuantityOnce)
   SlowRun run(milliseconds(0));
   run.deliver(inbox, true);
   EXPECT_TRUE(run.commands.empty());
-  inbox.put(CommandKind::AMPLITUDE, 0.001);
-  inbox.put(CommandKind::INCLINATION, 0.1);
-  inbox.put(CommandKind::AMPLITUDE, 0.002);
+  inbox.put(Quantity::AMPLITUDE, 0.001);
+  inbox.put(Quantity::INCLINATION, 0.1);
+  inbox.put(Quantity::AMPLITUDE, 0.002);
   run.deliver(inbox, true);
   run.deliver(inbox, true);
-  const std::vector<std::pair<CommandKind, double>> expected = {{CommandKind::INCLINATION, 0.1},
-                                                                {CommandKind::AMPLITUDE, 0.002}};
+  const std::vector<std::pair<Quantity, double>> expected = {{Quantity::INCLINATION, 0.1},
+                                                                {Quantity::AMPLITUDE, 0.002}};
   EXPECT_EQ(run.commands, expected);
 }
 
@@ -60,7 +60,7 @@ TEST(SetpointInbox, takesNoMoreThanItsShareOfTheTime)
   int sent = 0;
   while (run.now < begin + std::chrono::seconds(10))
   {
-    inbox.put(CommandKind::FREQUENCY, ++sent);
+    inbox.put(Quantity::FREQUENCY, ++sent);
     run.deliver(inbox, true);
     run.now += milliseconds(1);
   }
@@ -77,7 +77,7 @@ TEST(SetpointInbox, waitsForNothingWhereNothingRuns)
   SlowRun run(milliseconds(20));
   for (const double value : {1.0, 2.0, 3.0})
   {
-    inbox.put(CommandKind::FREQUENCY, value);
+    inbox.put(Quantity::FREQUENCY, value);
     run.deliver(inbox, false);
   }
   EXPECT_EQ(run.commands.size(), 3u);

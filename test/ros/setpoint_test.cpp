@@ -11,7 +11,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-const Setpoint INCLINATION{CommandKind::INCLINATION, "inclination", "rad", {-0.25, 0.5}};
+const Setpoint INCLINATION{Quantity::INCLINATION, {-0.25, 0.5}};
 
 TEST(Setpoint, isTakenWithinItsLimits)
 {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 
+#include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/drive.h"
-#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/core/observation.h"
 
 namespace ratchet_sieve
 {
@@ -69,9 +71,7 @@ public:
   /// The motion begins at `time`, not at 0. @pre nothing was commanded
   void startAt(double time) { segment_start_ = time; }
 
-  void commandInclination(double target, double time);
-  void commandFrequency(double target, double time);
-  void commandAmplitude(double target, double time);
+  void command(Quantity quantity, double target, double time);
   void setSlewRates(const SlewRates& rates, double time);
 
   bool turning() const { return inclination_.rate != 0.0; }
@@ -124,6 +124,8 @@ private:
     void archive(StateArchive& state) { state(start, rate, target); }
   };
 
+  Ramp& ramp(Quantity quantity) { return this->*RAMPS[indexOf(quantity)]; }
+  const Ramp& ramp(Quantity quantity) const { return this->*RAMPS[indexOf(quantity)]; }
   double turns(double elapsed) const;
   void advanceTo(double time);  ///< moves the segment's start to `time`, on the rates so far
   void pursue(Ramp& ramp, double slew_rate) const;
@@ -134,6 +136,9 @@ private:
   Ramp inclination_;
   Ramp frequency_;
   Ramp amplitude_;
+  /// In the order of Quantity.
+  static constexpr std::array<Ramp BaseMotion::*, QUANTITIES> RAMPS = {
+      &BaseMotion::inclination_, &BaseMotion::frequency_, &BaseMotion::amplitude_};
   SlewRates slew_rates_;
   double max_turn_;
   bool always_drive_;

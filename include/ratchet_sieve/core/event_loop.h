@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
 {

@@ -10,9 +10,10 @@
 #include "ratchet_sieve/core/contact_search.h"
 #include "ratchet_sieve/core/disk.h"
 #include "ratchet_sieve/core/disk_numbers.h"
+#include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/sawtooth.h"
-#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/tally.h"
 
 namespace ratchet_sieve
@@ -144,7 +145,7 @@ public:
   double baseImpulseY() const { return tally_.impulseY(); }
   double maxOverlap() const { return max_overlap_; }
   void noteOverlap(double overlap) { max_overlap_ = overlap > max_overlap_ ? overlap : max_overlap_; }
-  void observeCollisions(Simulation::CollisionObserver observer) { observer_ = std::move(observer); }
+  void observeCollisions(CollisionObserver observer) { observer_ = std::move(observer); }
 
   /// For a loop that flies disks and executes contacts with the base by itself. Of different disks at the
   /// same time from several threads.
@@ -153,7 +154,7 @@ public:
   const Tally& tally() const { return tally_; }
   const ContactMasses& baseMasses(std::uint32_t species) const { return base_masses_[species]; }
   CollisionCounts& collisionCounts() { return collisions_; }
-  const Simulation::CollisionObserver& collisionObserver() const { return observer_; }
+  const CollisionObserver& collisionObserver() const { return observer_; }
 
   /// @throws StateError as StateArchive, or if the state is of another number of species
   void archive(StateArchive& state);
@@ -212,7 +213,7 @@ private:
   Tally tally_;
   CollisionCounts collisions_;
   double max_overlap_ = 0.0;
-  Simulation::CollisionObserver observer_;
+  CollisionObserver observer_;
 };
 
 }  // namespace ratchet_sieve

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/machine.h"
-#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/core/observation.h"
 
 namespace ratchet_sieve
 {
@@ -30,7 +30,7 @@ public:
 
   explicit PeriodWatch(const Machine& machine);
 
-  void observe(Simulation::PeriodObserver observer, double now);
+  void observe(PeriodObserver observer, double now);
 
   /// A period that was interrupted because the drive came to stand still counts for nothing.
   void motionChanged(double now);
@@ -49,7 +49,7 @@ private:
   void sample(double now);
 
   const Machine& machine_;
-  Simulation::PeriodObserver observer_;
+  PeriodObserver observer_;
   double origin_;  ///< phase over 2 pi at which periods begin
   bool swings_ = false;
   double from_ = 0.0;           ///< what is awaited comes no earlier

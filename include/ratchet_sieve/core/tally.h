@@ -9,7 +9,8 @@
 #include "ratchet_sieve/core/disk.h"
 #include "ratchet_sieve/core/disk_numbers.h"
 #include "ratchet_sieve/core/prefetch.h"
-#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/observation.h"
 
 namespace ratchet_sieve
 {

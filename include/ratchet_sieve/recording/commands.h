@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "ratchet_sieve/recording/frames.h"
 
@@ -11,11 +12,13 @@ namespace ratchet_sieve
 /// grow with their square.
 constexpr std::uint32_t MOST_POURED = 10000;
 
-// How fast a base may follow its setpoints: from 0 to the largest that the node's limits may be in a tenth of
-// a second at least, and in as long as a scene may last at most. Faster is no feeder, and has the disks
-// looked at so often that a run may not end.
-constexpr SlewRates SLOWEST_SLEW = {1.5e-9, 1e-5, 1e-9};
-constexpr SlewRates FASTEST_SLEW = {15.0, 1e5, 10.0};
+/// A setpoint [rad, Hz or m] as a command.
+CommandFrame setpointCommand(Quantity quantity, double setpoint);
+
+CommandFrame slewRateCommand(const SlewRates& rates);
+
+/// The quantity of which a command is a setpoint, if it is one.
+std::optional<Quantity> setpointQuantity(CommandKind kind);
 
 /// Gives a simulation a command at its present time; PAUSE and UNPAUSE change nothing in it.
 /// Setpoints may be what a scene may say, slew rates what the node takes.

@@ -75,7 +75,7 @@ struct StatisticsFrame
   double max_overlap = 0.0;       ///< [m]
 };
 
-/// What a run can be told.
+/// What a run can be told: first the setpoints, in the order of Quantity.
 enum class CommandKind : std::uint8_t
 {
   INCLINATION,

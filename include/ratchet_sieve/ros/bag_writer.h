@@ -47,7 +47,7 @@ public:
 
 private:
   template <typename Message>
-  void write(const char* topic, double time, const Message& message, bool latched = false);
+  void write(const std::string& topic, double time, const Message& message, bool latched = false);
 
   std::string path_;
   std::string active_path_;

@@ -43,7 +43,7 @@ private:
   };
 
   void takeSetpoint(const Setpoint& setpoint, const std_msgs::Float64& message);
-  void command(CommandKind kind, double value);
+  void command(Quantity quantity, double value);
   void commandAll();
   bool pause(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
   bool unpause(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
@@ -57,9 +57,9 @@ private:
   Diagnostics& diagnostics_;
   RunControl::Stride stride_;
   std::function<void()> time_changed_;
-  std::string frame_id_;               ///< of messages in answers
-  std::array<Setpoint, 3> setpoints_;  ///< of inclination, frequency, amplitude
-  std::array<SetpointLog, 3> logs_;    ///< of inclination, frequency, amplitude
+  std::string frame_id_;                        ///< of messages in answers
+  std::array<Setpoint, QUANTITIES> setpoints_;  ///< in the order of Quantity
+  std::array<SetpointLog, QUANTITIES> logs_;    ///< in the order of Quantity
   SetpointInbox inbox_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;

@@ -18,6 +18,9 @@ namespace ratchet_sieve
 /// A simulation that is asked for more than this wants 0, as fast as it goes.
 constexpr double MAX_REAL_TIME_FACTOR = 1e6;
 
+/// What a node takes unless its parameters say otherwise.
+std::array<Setpoint, QUANTITIES> usualSetpoints();
+
 /// Everything that the node can be told but the scene. Names in comments are those of the parameters.
 struct NodeParameters
 {
@@ -38,9 +41,7 @@ struct NodeParameters
   bool mountedElsewhere() const { return mount != std::array<double, 3>{}; }
 
   /// ~limits/inclination/min, max and so on for frequency and amplitude
-  std::array<Setpoint, 3> setpoints = {Setpoint{CommandKind::INCLINATION, "inclination", "rad", {-0.5, 0.5}},
-                                       Setpoint{CommandKind::FREQUENCY, "frequency", "Hz", {0.0, 100.0}},
-                                       Setpoint{CommandKind::AMPLITUDE, "amplitude", "m", {0.0, 0.01}}};
+  std::array<Setpoint, QUANTITIES> setpoints = usualSetpoints();  ///< in the order of Quantity
 
   SlewRates slew_rates;  ///< ~limits/inclination/slew_rate and so on [unit/s]
 };
@@ -48,7 +49,7 @@ struct NodeParameters
 /// Reads the limits and slew rates of each setpoint from the parameters of a sieve: the node's own, or
 /// another's.
 /// @throws ParameterError
-std::array<Setpoint, 3> readSetpoints(ParameterReader& reader, SlewRates& slew_rates);
+std::array<Setpoint, QUANTITIES> readSetpoints(ParameterReader& reader, SlewRates& slew_rates);
 
 /// ~frame_prefix. @param sieve name of the node whose frames it is for @throws ParameterError
 std::string readFramePrefix(ParameterReader& reader, const std::string& sieve);

@@ -79,8 +79,8 @@ public:
 
   Outcome pour(const std::string& species, std::size_t count);
 
-  /// What the base is told to go to. @pre kind is that of a setpoint
-  double commanded(CommandKind kind) const;
+  /// What the base is told to go to.
+  double commanded(Quantity quantity) const;
 
   /// Commands the base at the present time; a value that is refused changes nothing.
   Outcome command(const Setpoint& setpoint, double value);
@@ -88,7 +88,6 @@ public:
 private:
   std::optional<std::string> whyNoStep(double duration) const;
   Outcome advance(double duration, const Stride& stride);
-  CommandFrame slewRates() const;
   Scene readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const;
   void announce(const Scene& scene) const;
   std::unique_ptr<LiveRun> makeRun(const SceneDefinition& scene, std::vector<CommandFrame> opening,

@@ -7,17 +7,16 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "ratchet_sieve/core/commanded_quantity.h"
+
 namespace ratchet_sieve
 {
-
-/// The quantities that a schedule commands, as their setpoint topics are called.
-constexpr std::array<const char*, 3> SCHEDULED = {"inclination", "frequency", "amplitude"};
 
 /// What to command at one time; nothing: leave it as it is.
 struct ScheduleEntry
 {
-  double time = 0.0;                            ///< simulated [s]
-  std::array<std::optional<double>, 3> values;  ///< per SCHEDULED [rad, Hz, m]
+  double time = 0.0;                                     ///< simulated [s]
+  std::array<std::optional<double>, QUANTITIES> values;  ///< in the order of Quantity [rad, Hz, m]
 };
 
 /// Reads a list of {time, inclination, frequency, amplitude}.

@@ -3,27 +3,22 @@
 #include <optional>
 #include <string>
 
-#include "ratchet_sieve/recording/frames.h"
+#include "ratchet_sieve/core/commanded_quantity.h"
 
 namespace ratchet_sieve
 {
 
-/// Where a setpoint may lie.
-struct SetpointLimits
-{
-  double min = 0.0;
-  double max = 0.0;
-};
+/// The topic of a quantity's setpoints, in the sieve's namespace.
+std::string setpointTopic(Quantity quantity);
 
-/// One quantity of the base that is commanded.
+/// One quantity of the base as a node takes it.
 struct Setpoint
 {
-  CommandKind kind = CommandKind::INCLINATION;
-  std::string name;  ///< inclination, frequency or amplitude
-  std::string unit;  ///< rad, Hz or m
-  SetpointLimits limits;
+  Quantity quantity = Quantity::INCLINATION;
+  Interval limits;
 
-  std::string topic() const { return name + "_setpoint"; }
+  std::string name() const { return describe(quantity).name; }
+  std::string unit() const { return describe(quantity).unit; }
 
   /// Why the value is refused, with the numbers; nothing if it is finite and within the limits.
   std::optional<std::string> refusal(double value) const;

@@ -18,21 +18,19 @@ class SetpointInbox
 public:
   using Clock = std::chrono::steady_clock;
 
-  void put(CommandKind kind, double value) { newest_[index(kind)] = value; }
+  void put(Quantity quantity, double value) { newest_[indexOf(quantity)] = value; }
 
   /// Hands over what is there, if its time has come. @param wait false: at once, as nothing runs that could
   /// suffer
-  void deliver(bool wait, const std::function<void(CommandKind, double)>& command,
+  void deliver(bool wait, const std::function<void(Quantity, double)>& command,
                const std::function<Clock::time_point()>& wall_clock = Clock::now);
 
   /// Of all wall time, at most for commands.
   static constexpr double SHARE = 0.1;
 
 private:
-  static constexpr std::size_t index(CommandKind kind) { return static_cast<std::size_t>(kind); }
-
-  std::array<std::optional<double>, 3> newest_;  ///< of inclination, frequency, amplitude
-  Clock::time_point next_;                       ///< not before
+  std::array<std::optional<double>, QUANTITIES> newest_;  ///< in the order of Quantity
+  Clock::time_point next_;                                ///< not before
 };
 
 }  // namespace ratchet_sieve

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "ratchet_sieve/core/collision_counts.h"
+#include "ratchet_sieve/core/state_archive.h"
+
+/// What a caller sees of a run.
+namespace ratchet_sieve
+{
+
+/// One disk at the simulation's time, world frame.
+struct DiskState
+{
+  std::uint32_t id = 0;
+  std::uint32_t species = 0;
+  double x = 0.0;             ///< [m], wrapped into the machine where the boundary is periodic
+  double y = 0.0;             ///< [m]
+  double angle = 0.0;         ///< counter-clockwise, in [-pi, pi) [rad]
+  double vx = 0.0;            ///< [m/s]
+  double vy = 0.0;            ///< [m/s]
+  double spin = 0.0;          ///< counter-clockwise [rad/s]
+  double displacement = 0.0;  ///< world x travelled since the disk entered, unwrapped [m]
+};
+
+/// The base at the simulation's time.
+struct DriveState
+{
+  double inclination = 0.0;  ///< applied [rad]
+  double frequency = 0.0;    ///< applied [Hz]
+  double amplitude = 0.0;    ///< applied [m]
+  double commanded_inclination = 0.0;
+  double commanded_frequency = 0.0;
+  double commanded_amplitude = 0.0;
+  double phase = 0.0;         ///< of the drive, in [0, 2 pi) [rad]
+  double displacement = 0.0;  ///< Y, upwards in the world [m]
+  double velocity = 0.0;      ///< dY/dt [m/s]
+};
+
+/// One executed collision.
+struct CollisionRecord
+{
+  double time = 0.0;  ///< [s]
+  CollisionKind kind = CollisionKind::DISK_DISK;
+  std::uint32_t i = 0;
+  std::optional<std::uint32_t> j;   ///< empty for the base
+  double normal_speed = 0.0;        ///< of approach, > 0 [m/s]
+  double normal_impulse = 0.0;      ///< J_n >= 0 [N s]
+  double tangential_impulse = 0.0;  ///< J_t on disk i along its tangent (normal turned by +90 deg) [N s]
+};
+
+using CollisionObserver = std::function<void(const CollisionRecord&)>;
+
+/// Means over the disks of one species and over the time since `settle`.
+struct SpeciesMeans
+{
+  std::optional<double> mean_vx;                ///< sum of displacements / sum of times [m/s]
+  std::optional<double> mean_vx_stderr;         ///< standard error [m/s]; see BlockAverages
+  std::optional<double> kinetic_translational;  ///< [J], mean over disks and time
+  std::optional<double> kinetic_rotational;     ///< [J], mean over disks and time
+};
+
+/// A sum of granular temperatures at several instants.
+struct TemperatureSum
+{
+  double sum = 0.0;            ///< [J]
+  std::uint64_t instants = 0;  ///< at which the species had two disks at least
+
+  void add(double temperature)
+  {
+    sum += temperature;
+    ++instants;
+  }
+  void add(const TemperatureSum& other)
+  {
+    sum += other.sum;
+    instants += other.instants;
+  }
+  std::optional<double> mean() const
+  {
+    return instants > 0 ? std::optional<double>(sum / static_cast<double>(instants)) : std::nullopt;
+  }
+};
+
+/// A whole period of the drive, or several.
+struct PeriodRecord
+{
+  double start = 0.0;                        ///< [s]
+  double end = 0.0;                          ///< [s]
+  double duration = 0.0;                     ///< end - start; less where periods between are left out [s]
+  CollisionCounts collisions;                ///< within the duration
+  std::vector<TemperatureSum> temperatures;  ///< per species, at instants evenly spread over its phase
+};
+
+using PeriodObserver = std::function<void(const PeriodRecord&)>;
+
+/// How often time all but stopped for a disk: an inelastic collapse, or a jam; see CollapseWatch.
+struct CollapseCounts
+{
+  std::uint64_t count = 0;
+  double first_time = 0.0;  ///< [s]
+  std::uint32_t first_disk = 0;
+
+  void archive(StateArchive& state) { state(count, first_time, first_disk); }
+};
+
+}  // namespace ratchet_sieve
