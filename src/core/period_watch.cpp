@@ -60,11 +60,11 @@ std::vector<std::optional<double>> granularTemperatures(const Machine& machine, 
 }
 
 PeriodWatch::PeriodWatch(const Machine& machine)
-    : machine_(machine), origin_(machine.motion().startTurns()), temperatures_(machine.scene().species.size())
+    : machine_(machine), origin_(machine.motion().drive().turns), temperatures_(machine.scene().species.size())
 {
 }
 
-void PeriodWatch::observe(Simulation::PeriodObserver observer, double now)
+void PeriodWatch::observe(PeriodObserver observer, double now)
 {
   observer_ = std::move(observer);
   swings_ = machine_.motion().swings();

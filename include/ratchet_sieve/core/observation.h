@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -106,5 +107,8 @@ struct CollapseCounts
 
   void archive(StateArchive& state) { state(count, first_time, first_disk); }
 };
+
+/// Is called now and then while the disks of the start are poured; may throw to give that up.
+using PourObserver = std::function<void(std::size_t poured, std::size_t of)>;
 
 }  // namespace ratchet_sieve

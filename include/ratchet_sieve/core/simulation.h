@@ -26,9 +26,6 @@ struct StallError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/// Is called now and then while the disks of the start are poured; may throw to give that up.
-using PourObserver = std::function<void(std::size_t poured, std::size_t of)>;
-
 /// The vibrating-ratchet feeder: hard disks over an inclined, shaken sawtooth base, advanced from
 /// collision to collision. The same definition gives the same bits, however often it is looked at
 /// and in whatever strides it is advanced.
