@@ -20,6 +20,15 @@ constexpr double LOOKS_PER_RING = 2.0;
 /// Rows are laid up to so many times the mean height: where density falls as in the barometric formula, 95 %
 /// of all disks are below.
 constexpr double MEAN_HEIGHTS = 3.0;
+
+/// Cells are looked at again after so many events a disk: looking costs no more than one of them does.
+constexpr std::uint64_t EVENTS_BETWEEN_LOOKS = 16;
+
+/// Where more edges are crossed than this for each other event, cells are too small. A shaken layer has 0.4.
+constexpr std::uint64_t MANY_CROSSINGS = 2;
+
+/// Cells are laid anew where that makes them cheaper by this much: to and fro would cost more than it brings.
+constexpr double WORTH_LAYING = 0.7;
 }  // namespace
 
 LayoutCosts::LayoutCosts(const std::vector<BasePoint>& points, double width, double events, int laps)
@@ -67,6 +76,33 @@ CellLayout LayoutCosts::cheapest(double least_side) const
     best = layout;
   }
   return best;
+}
+
+std::optional<double> CellFit::epochEnded(std::uint64_t events, std::size_t disks)
+{
+  ++epochs_;
+  const std::uint64_t since = events - events_before_;
+  if (disks == 0 || since < EVENTS_BETWEEN_LOOKS * disks)
+    return std::nullopt;
+  const std::uint64_t others = since - crossings_;
+  const bool look = layout_ || crossings_ > MANY_CROSSINGS * others;
+  const double others_per_epoch = static_cast<double>(others) / epochs_;
+  events_before_ = events;
+  crossings_ = 0;
+  epochs_ = 0;
+  return look ? std::optional<double>(others_per_epoch) : std::nullopt;
+}
+
+bool CellFit::choose(const LayoutCosts& costs, const CellLayout& for_layer, double least_side)
+{
+  const double now = costs.of(layout_.value_or(for_layer));
+  const double of_layer = costs.of(for_layer);
+  const CellLayout other = costs.cheapest(least_side);
+  const double of_other = costs.of(other);
+  if (std::min(of_layer, of_other) > WORTH_LAYING * now)
+    return false;
+  layout_ = of_layer <= of_other ? std::nullopt : std::optional<CellLayout>(other);
+  return true;
 }
 
 }  // namespace ratchet_sieve

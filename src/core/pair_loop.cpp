@@ -26,15 +26,6 @@ constexpr double CELL_MARGIN = 0.005;
 /// than it may, so that they need not be laid anew at every other collision.
 constexpr double TURNING_CELL_MARGIN = Machine::LATTICE_MARGIN + CELL_MARGIN;
 
-/// Cells are looked at again after so many events a disk: looking costs no more than one of them does.
-constexpr std::uint64_t EVENTS_BETWEEN_LOOKS = 16;
-
-/// Where more edges are crossed than this for each other event, cells are too small. A shaken layer has 0.4.
-constexpr std::uint64_t MANY_CROSSINGS = 2;
-
-/// Cells are laid anew where that makes them cheaper by this much: to and fro would cost more than it brings.
-constexpr double WORTH_LAYING = 0.7;
-
 /// Beyond so many laps a disk is wrapped in any case: its images within reach are looked at one by one.
 constexpr double MOST_LAPS = 64.0;
 
@@ -56,12 +47,12 @@ constexpr std::size_t DISKS_IN_CACHE = 30000;
 /// No pair is missed, however large cells are: whenever a disk begins a flight or comes into a cell it is
 /// searched for contacts with all disks in the cells that touch its own, as of both flights for ever; and two
 /// disks whose cells do not touch are further apart than the largest diameter. So of two disks that come to
-/// touch, the one that last began its flight or came into its cell was searched against the other. On a ring of
-/// one column the cell is as wide as the laps it reaches beyond its ends, and all images that can be within it
-/// are searched (RingCourse).
+/// touch, the one that last began its flight or came into its cell was searched against the other. On a ring
+/// of one column the cell is as wide as the laps it reaches beyond its ends, and all images that can be
+/// within it are searched (RingCourse).
 ///
-/// Cells are laid for a shaken layer. Where disks fly so far and fast that most events are crossings, they are
-/// laid anew at the end of an epoch, as LayoutCosts finds it cheapest for the disks as they are then.
+/// Cells are laid for a shaken layer. Where disks fly so far and fast that most events are crossings, they
+/// are laid anew at the end of an epoch, as LayoutCosts finds it cheapest for the disks as they are then.
 class PairLoop : public EventLoop
 {
 public:
@@ -124,22 +115,21 @@ public:
 
   bool outgrown(double time) override
   {
-    ++traffic_.epochs;
-    const std::uint64_t events = events_ - traffic_.events_before;
-    if (events < EVENTS_BETWEEN_LOOKS * machine_.activeCount() || machine_.activeCount() == 0)
+    const std::optional<double> events = fit_.epochEnded(events_, machine_.activeCount());
+    if (!events)
       return false;
-    const std::uint64_t others = events - traffic_.crossings;
-    const double span = traffic_.epochs * machine_.epoch().length;
-    const bool unfit = (layout_ || traffic_.crossings > MANY_CROSSINGS * others) &&
-                       chooseLayout(static_cast<double>(others) / span, time);
-    traffic_ = {events_, 0, 0};
-    return unfit;
+    std::vector<BasePoint> points;
+    forEachActive([&](std::uint32_t id) { points.push_back(inGrid(id, time)); });
+    const int spare_laps = machine_.scene().boundary == Boundary::PERIODIC ? laps() : 0;
+    const LayoutCosts costs(points, machine_.sawtooth().width(), *events / machine_.epoch().length,
+                            spare_laps);
+    return fit_.choose(costs, layerLayout(), leastSide());
   }
 
   void archive(StateArchive& state) override
   {
     EventLoop::archive(state);
-    state(frame_, layout_, traffic_, grid_, grid_capacity_, laid_for_, queue_, predictions_);
+    state(frame_, fit_, grid_, grid_capacity_, laid_for_, queue_, predictions_);
     requireDisks(predictions_.size(), machine_);
   }
 
@@ -165,16 +155,6 @@ private:
     void archive(StateArchive& state) { state(pair, partner_flights, edge, cell_time, base); }
   };
 
-  /// What went on since the cells were last looked at.
-  struct Traffic
-  {
-    std::uint64_t events_before = 0;
-    std::uint64_t crossings = 0;
-    std::uint32_t epochs = 0;
-
-    void archive(StateArchive& state) { state(events_before, crossings, epochs); }
-  };
-
   /// Cells for the disks there are now, on the base as it stands.
   void layCells(double time)
   {
@@ -189,10 +169,10 @@ private:
     const SceneDefinition& scene = machine_.scene();
     frame_ = machine_.motion().at(machine_.motion().segmentStart());
     const bool periodic = scene.boundary == Boundary::PERIODIC;
-    const CellLayout layout = layout_.value_or(layerLayout());
+    const CellLayout layout = fit_.layout().value_or(layerLayout());
     const std::size_t count = std::max<std::size_t>(1, machine_.activeCount());
     return CellGrid(scene.base.width(), layout.height, std::max(layout.smallest_side, leastSide()), count,
-                    periodic, layout_ ? laps() : 0);
+                    periodic, fit_.layout() ? laps() : 0);
   }
 
   /// The smallest side that cells may have [m].
@@ -223,26 +203,6 @@ private:
       return 0;
     const double farthest = farthestPlace(machine_.smallestRadius()) / machine_.sawtooth().width();
     return static_cast<std::int32_t>(std::clamp(std::floor(farthest) - 1.0, 0.0, MOST_LAPS));
-  }
-
-  /// Whether other cells would be cheaper, for disks that have so many events a second beside crossings; then
-  /// they are laid with the next motion.
-  bool chooseLayout(double events, double time)
-  {
-    std::vector<BasePoint> points;
-    forEachActive([&](std::uint32_t id) { points.push_back(inGrid(id, time)); });
-    const LayoutCosts costs(points, machine_.sawtooth().width(), events,
-                            machine_.scene().boundary == Boundary::PERIODIC ? laps() : 0);
-    const CellLayout for_layer = layerLayout();
-    CellLayout best = costs.cheapest(leastSide());
-    const double now = costs.of(layout_.value_or(for_layer));
-    const bool layer_is_best = costs.of(for_layer) <= costs.of(best);
-    if (layer_is_best)
-      best = for_layer;
-    if (costs.of(best) > WORTH_LAYING * now)
-      return false;
-    layout_ = layer_is_best ? std::nullopt : std::optional<CellLayout>(best);
-    return true;
   }
 
   template <typename Visit>
@@ -353,7 +313,7 @@ private:
 
   void crossEdge(std::uint32_t id, double now)
   {
-    ++traffic_.crossings;
+    fit_.crossed();
     CellGrid::Cell cell = grid_.cellOf(id);
     const Edge edge = predictions_[id].edge;
     grid_.remove(id);
@@ -427,9 +387,9 @@ private:
     grid_.visit(grid_.cellOf(id), around, near_,
                 [&](const std::uint32_t* others, std::size_t count, int shift)
                 {
-                  const PairContact found =
-                      grid_.laps() > 0 ? search.firstOnRing(others, count, 2 * grid_.laps() + 2)
-                                       : search.firstAmong(others, count, shift);
+                  const PairContact found = grid_.laps() > 0
+                                                ? search.firstOnRing(others, count, 2 * grid_.laps() + 2)
+                                                : search.firstAmong(others, count, shift);
                   if (!found.isBefore(p.pair))
                     return;
                   p.pair = found;
@@ -484,9 +444,8 @@ private:
 
   Machine& machine_;
   BaseInstant base_;
-  BaseKinematics frame_;             ///< of the cells: the base's when the grid was laid
-  std::optional<CellLayout> layout_;  ///< where it is not the shaken layer's
-  Traffic traffic_;
+  BaseKinematics frame_;  ///< of the cells: the base's when the grid was laid
+  CellFit fit_;
   CellGrid grid_;
   std::size_t grid_capacity_ = 0;
   std::size_t laid_for_ = 0;  ///< disks that had entered when the cells were laid

@@ -164,9 +164,9 @@ TEST(DiluteGas, MissesNothingOnAnOpenBaseThatTurns)
   expectNothingMissed({scene, 100.0, 2.0, 0.1});
 }
 
-/// The lattice turns against the cells, and a disk that went round the ring many times has to be brought home.
-/// Its images do not fly freely then, so that a run that begins anew would be another: looked at so often
-/// instead that no two disks can pass through each other unseen.
+/// The lattice turns against the cells, and a disk that went round the ring many times has to be brought
+/// home. Its images do not fly freely then, so that a run that begins anew would be another: looked at so
+/// often instead that no two disks can pass through each other unseen.
 TEST(DiluteGas, MissesNothingWhileTheRingTurnsAndStandsInTurns)
 {
   constexpr double LOOK = 1e-4;

@@ -73,7 +73,8 @@ TEST(RingCourse, MeetsAnImageManyLapsAway)
   ASSERT_TRUE(touch);
   EXPECT_EQ(touch->shift, 50);
   EXPECT_NEAR(touch->wait, 1.0, 0.001);
-  EXPECT_FALSE((RingCourse{1.0, 0.0, 0.2, 5.0, 49}.firstTouch(Two{0.0, 1.0}, Two{10.0, -1.0}, 0.002, FOR_EVER)));
+  EXPECT_FALSE(
+      (RingCourse{1.0, 0.0, 0.2, 5.0, 49}.firstTouch(Two{0.0, 1.0}, Two{10.0, -1.0}, 0.002, FOR_EVER)));
 }
 
 TEST(RingCourse, AtRestBesideAnImageMeetsNothing)

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "ratchet_sieve/core/contact_search.h"
@@ -41,6 +43,32 @@ private:
   double events_;
   int laps_;
   double top_ = 0.0;  ///< under which nearly all disks are [m]
+};
+
+/// Watches whether cells fit what the disks do: those of a shaken layer, until others are cheaper.
+class CellFit
+{
+public:
+  /// The layout that was chosen; nothing: the shaken layer's.
+  const std::optional<CellLayout>& layout() const { return layout_; }
+
+  /// A disk has crossed an edge.
+  void crossed() { ++crossings_; }
+
+  /// @param events of the run so far, crossings included; @param disks that there are
+  /// @return where it is time to look for better cells: the events of an epoch, beside crossings
+  std::optional<double> epochEnded(std::uint64_t events, std::size_t disks);
+
+  /// Takes the cheapest cells, if they are cheaper by enough to be laid. @return whether they are
+  bool choose(const LayoutCosts& costs, const CellLayout& for_layer, double least_side);
+
+  void archive(StateArchive& state) { state(layout_, events_before_, crossings_, epochs_); }
+
+private:
+  std::optional<CellLayout> layout_;
+  std::uint64_t events_before_ = 0;  ///< when it was last looked
+  std::uint64_t crossings_ = 0;      ///< since then
+  std::uint32_t epochs_ = 0;         ///< since then
 };
 
 }  // namespace ratchet_sieve

@@ -25,7 +25,8 @@ struct RingCourse
   };
 
   /// The first touch, if there is one by `horizon` [s].
-  /// @param place, velocity of the disk as seen from the other [m, m/s]; @param distance of touching disks [m]
+  /// @param place, velocity of the disk as seen from the other [m, m/s]; @param distance of touching disks
+  /// [m]
   std::optional<Touch> firstTouch(Two place, Two velocity, double distance, double horizon) const;
 };
 
