@@ -96,8 +96,7 @@ void drawBoundary(SceneDefinition& scene)
   scene.boundary = drawnOf({Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED});
   if (drawnChance(40))
     scene.base.wall_height =
-        scene.base.width() *
-        drawnMagnitude(1e-3, std::min(WIDTHS_PER_WALL_HEIGHT, LARGEST_LENGTH / scene.base.width()));
+        std::min(LARGEST_LENGTH, scene.base.width() * drawnMagnitude(1e-3, WIDTHS_PER_WALL_HEIGHT));
 }
 
 /// @return the smallest radius that is told apart on the scene's base
