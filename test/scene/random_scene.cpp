@@ -31,6 +31,7 @@ constexpr double RADIUS_PER_TOOTH = 1e-3;
 constexpr double FITTING = 0.499;  ///< of the width: radii that leave room to be placed between walls
 constexpr double RADIUS_PER_WIDTH = 4e-6;
 constexpr double RADIUS_PER_WALL_HEIGHT = 4e-6;
+constexpr double WIDEST_WALLED = 1e7;            ///< [m]
 constexpr double WIDTHS_PER_WALL_HEIGHT = 12.0;  ///< at most: the default is little more than ten
 constexpr double RADII_PER_HEIGHT = 2e5;
 constexpr double RADII_PER_TIME_SCALE = 2e4;
@@ -94,10 +95,12 @@ void drawBase(SceneDefinition& scene)
 void drawBoundary(SceneDefinition& scene)
 {
   scene.boundary = drawnOf({Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED});
+  // Between walls ten times as high as this, no disk is large enough.
+  if (scene.base.width() > WIDEST_WALLED && scene.boundary == Boundary::WALLED)
+    scene.boundary = Boundary::OPEN;
   if (drawnChance(40))
     scene.base.wall_height =
-        scene.base.width() *
-        drawnMagnitude(1e-3, std::min(WIDTHS_PER_WALL_HEIGHT, LARGEST_LENGTH / scene.base.width()));
+        std::min(LARGEST_LENGTH, scene.base.width() * drawnMagnitude(1e-3, WIDTHS_PER_WALL_HEIGHT));
 }
 
 /// @return the smallest radius that is told apart on the scene's base

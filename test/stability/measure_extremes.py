@@ -67,6 +67,9 @@ def outcome(extreme, summary, said):
         return f"stopped at {summary['simulated_time']:.3g} s and said so"
     if extreme.comes_to == extremes.GOES_ON:
         return f"ran, {summary['collapses']} collapses counted"
+    over = sum(species["left"] + species["right"] for species in summary["species"])
+    if extreme.scene.get("boundary") == "walled" and over:
+        return f"ran, {over} over the walls"
     return "ran"
 
 
