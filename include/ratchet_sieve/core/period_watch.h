@@ -22,7 +22,7 @@ std::vector<std::optional<double>> granularTemperatures(const Machine& machine, 
 class PeriodWatch
 {
 public:
-  /// Instants in a period: in the layers of Fig. 8 and 9 their mean is within 1 % of that of a thousand.
+  /// Instants in a period: in the layer of Fig. 8 their mean is within 1 % of that of a thousand.
   static constexpr int PARTS = 8;
 
   /// Of faster drives a period is looked at once in so long [s].
