@@ -8,6 +8,7 @@
 #include <std_msgs/Float64.h>
 
 #include "ratchet_sieve/ros/conversions.h"
+#include "ratchet_sieve/ros/setpoint.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 
 namespace ratchet_sieve
