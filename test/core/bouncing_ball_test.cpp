@@ -113,7 +113,7 @@ TEST(BouncingBall, LosesLessTheSlowerItHits)
     double speed = std::sqrt(2.0 * 0.05 * GRAVITY);
     double time = speed / GRAVITY;
     // Short of the end of its hits, which with q = 1/5 comes at 0.489 s.
-    const auto records = hits(scene, exponent < 1.0 ? 0.45 : 0.9);
+    const auto records = hits(scene, exponent < 0.5 ? 0.45 : 0.9);
     ASSERT_GT(records.size(), 6u);
     for (const CollisionRecord& record : records)
     {
