@@ -112,7 +112,8 @@ TEST(BouncingBall, LosesLessTheSlowerItHits)
     scene.initial = {{0, 0.1, RADIUS + 0.05, 0.0, 0.0, 0.0}};
     double speed = std::sqrt(2.0 * 0.05 * GRAVITY);
     double time = speed / GRAVITY;
-    const auto records = hits(scene, 0.9);
+    // Short of the end of its hits, which with q = 1/5 comes at 0.489 s.
+    const auto records = hits(scene, exponent < 0.5 ? 0.45 : 0.9);
     ASSERT_GT(records.size(), 6u);
     for (const CollisionRecord& record : records)
     {

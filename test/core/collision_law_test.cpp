@@ -149,15 +149,15 @@ TEST(Collide, ASlowContactLosesLess)
   }
 }
 
-/// The digits of an exponent: at most 52 roots, each within two roundings, and 62 products.
+/// At most 18 digits, each a root within two roundings and a product, ten whole powers, and the series.
 TEST(Power, AgreesWithTheLibraryInLongDouble)
 {
-  constexpr long double TOLERANCE = 166 * 0x1p-53L;
+  constexpr long double TOLERANCE = 80 * 0x1p-53L;
   for (const double exponent :
-       {0.0, 0.1, 0.2, 1.0 / 3.0, 0.5, 0.6, 0.75, 1.0 - 0x1p-53, 1.0, 1.25, 2.7, 10.0})
+       {0.0, 1e-7, 0.1, 0.2, 1.0 / 3.0, 0.5, 0.6, 0.75, 1.0 - 0x1p-53, 1.0, 1.25, 2.7})
     for (int i = 0; i < 2000; ++i)
     {
-      const double x = std::exp(-0.03 * i);
+      const double x = std::exp(-0.12 * i);
       const long double expected = std::pow(static_cast<long double>(x), static_cast<long double>(exponent));
       ASSERT_LT(std::abs(power(x, exponent) - expected), TOLERANCE * expected) << x << " " << exponent;
     }

@@ -186,16 +186,16 @@ def floors():
 
 
 def by_speed():
-    """A restitution that depends on the speed is all that keeps from a collapse."""
+    """A restitution that depends on the speed, with neither of the other rules."""
     def scene(speed, exponent=0.75, of=mixture):
         return changed(of(), contact={"min_rebound_speed": 0.0, "restitution_speed": speed,
                                       "restitution_exponent": exponent})
     for speed in (10.0, 1.0, 0.1, 0.01):
-        yield "restitution by speed", f"v_0 = {speed:g} m/s, q = 0.75", scene(speed), RUNS
-    for exponent in (0.2, 2.0):
-        yield "restitution by speed", f"v_0 = 1 m/s, q = {exponent:g}", scene(1.0, exponent), RUNS
+        # The disks come to the base with about 1 m/s; what slows down little only below that comes to rest.
+        yield "restitution by speed", f"v_0 = {speed:g} m/s, q = 0.75", scene(speed), RUNS if speed >= 1.0 else STOPS
+    yield "restitution by speed", "v_0 = 1 m/s, q = 0.2", scene(1.0, 0.2), STOPS
+    yield "restitution by speed", "v_0 = 1 m/s, q = 2", scene(1.0, 2.0), RUNS
     yield "restitution by speed", "dense heap, e = 0.1, v_0 = 1 m/s, q = 0.75", scene(1.0, of=heap), STOPS
-    yield "restitution by speed", "dense heap, e = 0.1, v_0 = 1 m/s, q = 2", scene(1.0, 2.0, heap), RUNS
 
 
 def units():

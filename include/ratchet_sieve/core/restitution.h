@@ -5,18 +5,21 @@
 namespace ratchet_sieve
 {
 
-/// x^exponent, x >= 0, 0 <= exponent <= 10, to within 200 ulp. Our own, so that every machine gives the same
-/// bits: square roots and products round the same everywhere. The exponent is taken apart into its binary
-/// digits, the digit of 2^-k by the k-th square root: two of them for 3/4, up to 52 for one that is no binary
-/// fraction.
+/// x^exponent, 0 <= x <= 1, 0 <= exponent <= 10, to within 80 roundings of a double. Our own, so that every
+/// machine gives the same bits: square roots and products round the same everywhere. The exponent is taken
+/// apart into its binary digits, the digit of 2^-k by the k-th square root: two of them for 3/4. After so
+/// many that the root is next to 1 (710 / 2^18 below it at most), the binomial series does the rest of an
+/// exponent that has one.
 template <typename Number>
 RATCHET_SIEVE_INLINE Number power(Number x, double exponent)
 {
+  constexpr int MOST_ROOTS = 18;
   Number product = like(x, 1.0);
   double rest = exponent;
   for (; rest >= 1.0; rest -= 1.0)
     product = product * x;
-  for (Number rooted = x; rest > 0.0;)
+  Number rooted = x;
+  for (int digit = 0; digit < MOST_ROOTS && rest > 0.0; ++digit)
   {
     rooted = root(rooted);
     rest = rest + rest;
@@ -26,7 +29,13 @@ RATCHET_SIEVE_INLINE Number power(Number x, double exponent)
       rest -= 1.0;
     }
   }
-  return product;
+  if (rest == 0.0)
+    return product;
+  const Number t = rooted - like(x, 1.0);
+  Number series = like(x, 1.0);
+  for (int k = 5; k > 0; --k)
+    series = 1.0 + t * ((rest - (k - 1)) / k) * series;
+  return product * series;
 }
 
 /// A restitution that depends on the speed of the contact: e(v) = 1 - (1 - e) (|v_n| / v_0)^q where |v_n| <
