@@ -33,7 +33,7 @@ HUE_TOLERANCE = 40.0
 INSIDE = 3
 
 # Far more than a stray pixel, less than half of what the disks of mixture.yaml are seen to have.
-DISK_PIXELS = 400
+DISK_PIXELS = 90
 
 # Messages on /clock, a hundred a second: of a run that goes on, all but the first few are later than 0.
 CLOCKS = 50

@@ -15,7 +15,8 @@ visualization_msgs::MarkerArray pictureMarkers(const Picture& picture);
 /// The base: teeth and the beam that carries them.
 visualization_msgs::MarkerArray baseMarkers(const SceneDefinition& scene, const BaseFrame& base);
 
-/// The disks: one SPHERE_LIST a species, in true size; then one a species of the dots that show how they turn.
+/// The disks: one SPHERE_LIST a species, in true size; then one a species of the dots that show how they
+/// turn.
 visualization_msgs::MarkerArray diskMarkers(const SceneDefinition& scene, const ParticleFrame& frame);
 
 /// The bins of an open base, at rest: boxes that fill, with counts. Nothing for other boundaries.
