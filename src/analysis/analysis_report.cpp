@@ -96,10 +96,13 @@ std::string missingText(const RunResult& result)
   return text;
 }
 
-/// Whether disks can leave: else there are no bins to tell of.
+/// Whether disks can leave, or have left over the walls: else there are no bins to tell of.
 bool isOpen(const RunResult& result)
 {
-  return result.scene.boundary == Boundary::OPEN;
+  const auto somethingLeft = [](const SpeciesBins& bins) { return bins.left + bins.right > 0; };
+  return result.scene.boundary == Boundary::OPEN ||
+         (!result.bins.empty() &&
+          std::any_of(result.bins.back().bins.begin(), result.bins.back().bins.end(), somethingLeft));
 }
 
 std::string speciesTable(const RunResult& result)

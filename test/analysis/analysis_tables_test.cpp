@@ -67,7 +67,7 @@ TEST_F(AnalysisTables, SayWhichRunTheyAreOf)
 {
   EXPECT_EQ(table("run.csv"),
             "scene_hash,seed,version,open_ends,start [s],end [s]\n"
-            "0123456789abcdef,7,1.2.3,0,0,2.5\n");
+            "0123456789abcdef,7,1.2.3,1,0,2.5\n");
 }
 
 TEST_F(AnalysisTables, HoldTheDrift)

@@ -56,6 +56,7 @@ TEST(PlotAnalysis, DrawsAResult)
 TEST(PlotAnalysis, DrawsTheDriftWhereNoDiskCanLeave)
 {
   RunResult result = handMadeResult();
+  result.scene.boundary = Boundary::PERIODIC;
   for (BinFrame& frame : result.bins)
     frame.bins = {{0, 0, 10}, {0, 0, 1}};
   expectPictures(result, "drift.png");
@@ -64,6 +65,7 @@ TEST(PlotAnalysis, DrawsTheDriftWhereNoDiskCanLeave)
 TEST(PlotAnalysis, DrawsARunInWhichNothingIsDefined)
 {
   RunResult result = handMadeResult();
+  result.scene.boundary = Boundary::PERIODIC;
   result.velocities = {{}, {}};
   result.displacement_distributions.clear();
   result.bins.clear();

@@ -82,7 +82,7 @@ TEST_F(SieveAnalyze, PrintsATableAndThePathsOfTheFiles)
     EXPECT_TRUE(std::filesystem::is_regular_file(line)) << line;
     ++files;
   }
-  EXPECT_EQ(files, 11u);
+  EXPECT_EQ(files, 14u);
 }
 
 TEST_F(SieveAnalyze, RefusesWhatIsNoBag)

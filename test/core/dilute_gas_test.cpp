@@ -147,6 +147,7 @@ TEST(DiluteGas, MissesNothingBetweenWalls)
 {
   SceneDefinition scene = gas(30, 10, 0.1);
   scene.boundary = Boundary::WALLED;
+  scene.base.wall_height = 1000.0;
   expectNothingMissed({scene, 5.0});
 }
 

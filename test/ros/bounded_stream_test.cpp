@@ -11,8 +11,11 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Before the first array of ParticleStates and SieveStatistics: seq, stamp, frame_id and time [bytes].
-constexpr std::size_t BEFORE_ARRAYS = 4 + 8 + 4 + 5 + 8;
+/// Before the first array of a message: seq, stamp, frame_id and time, and so many numbers more [bytes].
+constexpr std::size_t beforeArrays(std::size_t numbers)
+{
+  return 4 + 8 + 4 + 5 + 8 + 8 * numbers;
+}
 
 template <typename Message>
 std::vector<std::uint8_t> serialized(const Message& message)
@@ -24,11 +27,12 @@ std::vector<std::uint8_t> serialized(const Message& message)
 }
 
 /// Reads a message whose first array claims another length.
+/// @param numbers between its time and its first array
 template <typename Message>
-void readWithLength(const Message& message, std::uint32_t length)
+void readWithLength(const Message& message, std::uint32_t length, std::size_t numbers)
 {
   std::vector<std::uint8_t> bytes = serialized(message);
-  std::memcpy(bytes.data() + BEFORE_ARRAYS, &length, sizeof length);
+  std::memcpy(bytes.data() + beforeArrays(numbers), &length, sizeof length);
   Message read;
   BoundedStream(bytes).next(read);
 }
@@ -57,8 +61,8 @@ TEST(BoundedStream, RefusesAnArrayThatTheMessageIsTooShortFor)
   statistics.granular_temperature.resize(1);
   for (const std::uint32_t length : LENGTHS)
   {
-    EXPECT_THROW(readWithLength(toMessage(particles), length), std::invalid_argument) << length;
-    EXPECT_THROW(readWithLength(toMessage(statistics), length), std::invalid_argument) << length;
+    EXPECT_THROW(readWithLength(toMessage(particles), length, 0), std::invalid_argument) << length;
+    EXPECT_THROW(readWithLength(toMessage(statistics), length, 2), std::invalid_argument) << length;
   }
 }
 

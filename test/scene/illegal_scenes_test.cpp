@@ -102,7 +102,10 @@ TEST(IllegalScenes, AreMadeOfEveryKeyThereIs)
   full.species.resize(2);
   full.pairs.resize(1);
   full.initial.resize(1);
-  full.base.wall_height = 1.0;  // Written only where it is set.
+  // Written only where they are set.
+  full.base.wall_height = 1.0;
+  full.contact.restitution_speed = 1.0;
+  full.contact.restitution_exponent = 0.5;
   std::set<std::string> written = {".density"};
   collectKeys(YAML::Load(canonicalYaml(full)), "", written);
   std::set<std::string> known;
