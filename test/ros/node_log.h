@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include <ros/master.h>
 #include <ros/node_handle.h>
+#include <ros/this_node.h>
 #include <rosgraph_msgs/Log.h>
 
 namespace ratchet_sieve
@@ -24,6 +26,19 @@ public:
                                                          if (line->name == node)
                                                            lines.push_back(line->msg);
                                                        });
+  }
+
+  /// Whether every node that has a log is heard: one that runs already is not at once.
+  bool connected() const
+  {
+    XmlRpc::XmlRpcValue caller, state, payload;
+    caller[0] = ros::this_node::getName();
+    if (!ros::master::execute("getSystemState", caller, state, payload, false))
+      return false;
+    for (int k = 0; k < payload[0].size(); ++k)
+      if (static_cast<std::string>(payload[0][k][0]) == "/rosout")
+        return static_cast<int>(subscriber_.getNumPublishers()) >= payload[0][k][1].size();
+    return false;
   }
 
   /// In how many lines this stands.

@@ -156,6 +156,7 @@ TEST_F(Node, warnsOfASceneThatCannotBeMeantUntilAnotherRuns)
 {
   Statuses statuses(sieve.node);
   const NodeLog log("/sieve");
+  ASSERT_TRUE(waitFor([&] { return log.connected(); }));
   ASSERT_TRUE(sieve.reset(0, {"base.amplitude=2"}).success);
   EXPECT_TRUE(waitFor(
       [&]
@@ -177,6 +178,7 @@ TEST_F(Node, warnsOnceThatTheEnergyLeavesTheMachinesScale)
 {
   Statuses statuses(sieve.node);
   const NodeLog log("/sieve");
+  ASSERT_TRUE(waitFor([&] { return log.connected(); }));
   const std::string words = "energy beyond every scale of the machine: at ";
   const std::vector<std::string> slope = {"base.inclination=1.5", "boundary=periodic",
                                           "contact.pair_collisions=false", "duration=200"};
