@@ -60,7 +60,9 @@ std::vector<std::optional<double>> granularTemperatures(const Machine& machine, 
 }
 
 PeriodWatch::PeriodWatch(const Machine& machine)
-    : machine_(machine), origin_(machine.motion().drive().turns), temperatures_(machine.scene().species.size())
+    : machine_(machine),
+      origin_(machine.motion().drive().turns),
+      temperatures_(machine.scene().species.size())
 {
 }
 

@@ -135,7 +135,8 @@ private:
     return scenePairs() ? makePairLoop(machine_) : makeEnsembleLoop(machine_);
   }
 
-  /// What happens to the machine as a whole: when it is next due, local to the epoch [s], and what is done then.
+  /// What happens to the machine as a whole: when it is next due, local to the epoch [s], and what is done
+  /// then.
   struct MachineEvent
   {
     std::optional<double> (Implementation::*due)() const;

@@ -90,8 +90,8 @@ void CommandServer::command(Quantity quantity, double value)
   if (!outcome.success)
     ROS_WARN("%s", outcome.message.c_str());
   LogThrottle& log = logs_[indexOf(quantity)].taken;
-  const std::string line =
-      fmt::format("{}: {:g} {} from {:.3f} s on", setpoint.name(), value, setpoint.unit(), control_.run().time());
+  const std::string line = fmt::format("{}: {:g} {} from {:.3f} s on", setpoint.name(), value,
+                                       setpoint.unit(), control_.run().time());
   if (outcome.success)
     say(ros::console::levels::Info, log.put(line, LogThrottle::Clock::now()));
 }

@@ -160,8 +160,9 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
   std::vector<const Setpoint*> found;
   for (const auto& [name, value] : setpoints)
   {
-    const auto setpoint = std::find_if(parameters_.setpoints.begin(), parameters_.setpoints.end(),
-                                       [&name = name](const Setpoint& known) { return known.name() == name; });
+    const auto setpoint =
+        std::find_if(parameters_.setpoints.begin(), parameters_.setpoints.end(),
+                     [&name = name](const Setpoint& known) { return known.name() == name; });
     if (setpoint == parameters_.setpoints.end())
       return failure("setpoint " + name + ": must be inclination, frequency or amplitude");
     if (const auto refusal = setpoint->refusal(value))
@@ -207,7 +208,8 @@ Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& ov
     const Scene scene = readScene(seed, overrides);
     const double start = keep_time ? run_->time() : 0.0;
     announce(scene);
-    begin(makeRun(scene.definition, {slewRateCommand(parameters_.slew_rates)}, start, start + scene.definition.duration));
+    begin(makeRun(scene.definition, {slewRateCommand(parameters_.slew_rates)}, start,
+                  start + scene.definition.duration));
     scene_warnings_ = scene.warnings;
     return {};
   }

@@ -104,8 +104,9 @@ void SieveNode::keepAlive()
   if (display_.due(run.time()))
   {
     clock_.reach(run.time());
-    display_.show({run.simulation().scene(), run.base(), run.bins(), run.particles(), run.simulation().means()},
-                  parameters_.frames.world);
+    display_.show(
+        {run.simulation().scene(), run.base(), run.bins(), run.particles(), run.simulation().means()},
+        parameters_.frames.world);
   }
   watchSpeed();
   watchEnergy();

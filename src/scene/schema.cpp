@@ -8,8 +8,8 @@ namespace ratchet_sieve
 namespace
 {
 
-// The limits below, as those of scene_limits.h and of the commanded quantities, keep products of the values far from overflow; no machine
-// comes near them.
+// The limits below, as those of scene_limits.h and of the commanded quantities, keep products of the values
+// far from overflow; no machine comes near them.
 constexpr double SMALLEST_LENGTH = 1e-9;  ///< [m]
 constexpr double LARGEST_LENGTH = 1e3;    ///< [m]
 constexpr double LARGEST_POSITION = 1e9;  ///< [m]

@@ -48,7 +48,7 @@ TEST(SetpointInbox, handsOverTheNewestOfEachQuantityOnce)
   run.deliver(inbox, true);
   run.deliver(inbox, true);
   const std::vector<std::pair<Quantity, double>> expected = {{Quantity::INCLINATION, 0.1},
-                                                                {Quantity::AMPLITUDE, 0.002}};
+                                                             {Quantity::AMPLITUDE, 0.002}};
   EXPECT_EQ(run.commands, expected);
 }
 

@@ -88,8 +88,7 @@ const std::vector<Mistake>& mistakes()
       {{"species.0.mass=10"},
        {"species.0.mass = 10 kg: with species.0.radius = 0.001 m a sphere of 2.387e+09 kg/m^3, where osmium "
         "has 22590; meant 0.01 kg?"}},
-      {{"duration=100000"},
-       {"duration = 100000 s: 27.78 hours, 2300000 drive periods; meant 100 s?"}},
+      {{"duration=100000"}, {"duration = 100000 s: 27.78 hours, 2300000 drive periods; meant 100 s?"}},
   };
   return ALL;
 }

@@ -8,8 +8,8 @@
 
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/disk_numbers.h"
-#include "ratchet_sieve/core/prefetch.h"
 #include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/prefetch.h"
 
 namespace ratchet_sieve
 {

@@ -41,7 +41,8 @@ struct Interval
   constexpr bool contains(double value) const { return value >= min && value <= max; }
 };
 
-/// All that is particular to one commanded quantity: whoever treats them alike goes through COMMANDED_QUANTITIES.
+/// All that is particular to one commanded quantity: whoever treats them alike goes through
+/// COMMANDED_QUANTITIES.
 struct CommandedQuantity
 {
   Quantity quantity;
@@ -54,23 +55,47 @@ struct CommandedQuantity
   Interval legal;          ///< in a scene and in a command; keeps products of the values far from overflow
   Interval usual;          ///< what a node takes unless its parameters say otherwise
   Interval widest_limits;  ///< of a node's parameters: beyond, a slip of a unit (degrees, millimetres) shows
-  /// From 0 to the largest of the widest limits in a tenth of a second at least, and in as long as a scene may last
-  /// at most. Faster is no feeder, and has the disks predicted anew so often that a run may not end.
+  /// From 0 to the largest of the widest limits in a tenth of a second at least, and in as long as a scene
+  /// may last at most. Faster is no feeder, and has the disks predicted anew so often that a run may not end.
   Interval slew_rates;
 };
 
 /// In the order of Quantity.
 constexpr std::array<CommandedQuantity, QUANTITIES> COMMANDED_QUANTITIES = {{
-    {Quantity::INCLINATION, "inclination", "rad", &BaseDefinition::inclination, &DriveState::inclination,
-     &DriveState::commanded_inclination, &SlewRates::inclination,
+    {Quantity::INCLINATION,
+     "inclination",
+     "rad",
+     &BaseDefinition::inclination,
+     &DriveState::inclination,
+     &DriveState::commanded_inclination,
+     &SlewRates::inclination,
      // Short of a base that stands upright.
-     {-1.5, 1.5}, {-0.5, 0.5}, {-1.5, 1.5}, {1.5e-9, 15.0}},
-    {Quantity::FREQUENCY, "frequency", "Hz", &BaseDefinition::frequency, &DriveState::frequency,
-     &DriveState::commanded_frequency, &SlewRates::frequency,
-     {0.0, 1e6}, {0.0, 100.0}, {0.0, 1e4}, {1e-5, 1e5}},
-    {Quantity::AMPLITUDE, "amplitude", "m", &BaseDefinition::amplitude, &DriveState::amplitude,
-     &DriveState::commanded_amplitude, &SlewRates::amplitude,
-     {0.0, 1e3}, {0.0, 0.01}, {0.0, 1.0}, {1e-9, 10.0}},
+     {-1.5, 1.5},
+     {-0.5, 0.5},
+     {-1.5, 1.5},
+     {1.5e-9, 15.0}},
+    {Quantity::FREQUENCY,
+     "frequency",
+     "Hz",
+     &BaseDefinition::frequency,
+     &DriveState::frequency,
+     &DriveState::commanded_frequency,
+     &SlewRates::frequency,
+     {0.0, 1e6},
+     {0.0, 100.0},
+     {0.0, 1e4},
+     {1e-5, 1e5}},
+    {Quantity::AMPLITUDE,
+     "amplitude",
+     "m",
+     &BaseDefinition::amplitude,
+     &DriveState::amplitude,
+     &DriveState::commanded_amplitude,
+     &SlewRates::amplitude,
+     {0.0, 1e3},
+     {0.0, 0.01},
+     {0.0, 1.0},
+     {1e-9, 10.0}},
 }};
 
 constexpr std::size_t indexOf(Quantity quantity)

@@ -8,17 +8,17 @@
 namespace ratchet_sieve
 {
 
-/// The shortest of the drive's period (where it has an amplitude), of a fall over a tooth and of the way over a tooth at the speed of
-/// the pour, of an initial disk or of the rebound floor [s]: what is short against it is short for this
-/// machine. 1 s where nothing moves.
+/// The shortest of the drive's period (where it has an amplitude), of a fall over a tooth and of the way over
+/// a tooth at the speed of the pour, of an initial disk or of the rebound floor [s]: what is short against it
+/// is short for this machine. 1 s where nothing moves.
 double timeScale(const SceneDefinition& scene);
 
 /// Times are counted from the start of an epoch, so that they are as fine at the end of a long run as at
 /// its start. A power of two [s], so that nothing rounds.
 double epochLength(double time_scale);
 
-/// The longest epoch in whose finest step in time a base that moves at `speed` [m/s] comes no nearer to a disk
-/// of this radius [m] than it may overlap it. A power of two [s]; infinity where the speed is 0.
+/// The longest epoch in whose finest step in time a base that moves at `speed` [m/s] comes no nearer to a
+/// disk of this radius [m] than it may overlap it. A power of two [s]; infinity where the speed is 0.
 double longestEpoch(double speed, double radius);
 
 /// How far from the origin places are still held finely enough for disks of this radius [m].

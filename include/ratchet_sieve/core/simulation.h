@@ -75,8 +75,8 @@ public:
   /// see each other; results do not depend on it.
   void setThreads(std::size_t threads);
 
-  /// Takes effect at time(): the base moves to the setpoint at its slew rate. The caller has checked the value
-  /// to be legal: see CommandedQuantity.
+  /// Takes effect at time(): the base moves to the setpoint at its slew rate. The caller has checked the
+  /// value to be legal: see CommandedQuantity.
   void command(Quantity quantity, double setpoint);
   void setSlewRates(const SlewRates& rates);
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "ratchet_sieve/core/block_averages.h"
+#include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/disk.h"
 #include "ratchet_sieve/core/disk_numbers.h"
-#include "ratchet_sieve/core/prefetch.h"
-#include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/prefetch.h"
 
 namespace ratchet_sieve
 {

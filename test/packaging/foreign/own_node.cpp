@@ -1,7 +1,7 @@
 // Speaks this package's messages and uses its ROS layer.
-#include <iostream>
 #include <ratchet_sieve/BinCounts.h>
 #include <ratchet_sieve/ros/pacer.h>
+#include <iostream>
 
 int main()
 {

@@ -1,8 +1,8 @@
 // Runs a scene file with the engine and prints its collisions.
-#include <iostream>
 #include <ratchet_sieve/core/simulation.h>
 #include <ratchet_sieve/recording/summary.h>
 #include <ratchet_sieve/scene/scene_file.h>
+#include <iostream>
 
 int main(int, char** arguments)
 {
