@@ -24,9 +24,11 @@ TEST(ReportText, IsATableToRead)
             "<V_x> summed up by the engine: A +500.00, long-name undefined mm/s\n");
 }
 
-TEST(ReportText, HasNoBinsWhereNothingCanLeave)
+TEST(ReportText, HasNoBinsWhereNothingLeft)
 {
   RunResult result = handMadeResult();
+  for (BinFrame& frame : result.bins)
+    frame.bins = {{0, 0, 10}, {0, 0, 1}};
   for (const Boundary boundary : {Boundary::PERIODIC, Boundary::WALLED})
   {
     result.scene.boundary = boundary;
@@ -41,6 +43,13 @@ TEST(ReportText, HasNoBinsWhereNothingCanLeave)
               std::string::npos)
         << text;
   }
+}
+
+TEST(ReportText, CountsWhatWentOverTheWalls)
+{
+  RunResult result = handMadeResult();
+  result.scene.boundary = Boundary::WALLED;
+  EXPECT_EQ(reportText(result), reportText(handMadeResult()));
 }
 
 TEST(ReportText, SaysWhatIsNotDefined)
