@@ -19,6 +19,13 @@ set(ROS_MESSAGE_PACKAGES
 set(ROS_LIBRARY_PACKAGES diagnostic_updater rosbag roscpp)
 find_package(catkin REQUIRED COMPONENTS ${ROS_LIBRARY_PACKAGES} ${ROS_MESSAGE_PACKAGES} message_generation)
 
+# catkin notes the environment of the tests once, as it is configured, and leaves out what does not exist
+# yet: on a fresh checkout that is the directories into which the messages and libraries will be built.
+file(MAKE_DIRECTORY
+  ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_LIB_DESTINATION}
+  ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_PYTHON_DESTINATION})
+safe_execute_process(COMMAND ${GENERATE_ENVIRONMENT_CACHE_COMMAND})
+
 add_message_files(FILES
   BaseSetpoint.msg
   BaseState.msg
