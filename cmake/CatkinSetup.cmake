@@ -14,10 +14,11 @@ if(NOT CATKIN_DEVEL_PREFIX AND PROJECT_BINARY_DIR STREQUAL "${PROJECT_SOURCE_DIR
   set(CATKIN_DEVEL_PREFIX ${PROJECT_SOURCE_DIR}/devel)
 endif()
 
-set(ROS_MESSAGE_PACKAGES
-  diagnostic_msgs geometry_msgs rosgraph_msgs sensor_msgs std_msgs std_srvs tf2_msgs visualization_msgs)
-set(ROS_LIBRARY_PACKAGES diagnostic_updater rosbag roscpp)
-find_package(catkin REQUIRED COMPONENTS ${ROS_LIBRARY_PACKAGES} ${ROS_MESSAGE_PACKAGES} message_generation)
+set(ROS_PACKAGES
+  diagnostic_msgs diagnostic_updater geometry_msgs message_runtime rosbag roscpp rosgraph_msgs roslz4 sensor_msgs
+  std_msgs std_srvs tf2_msgs visualization_msgs)
+find_package(catkin REQUIRED COMPONENTS ${ROS_PACKAGES})
+find_package(message_generation REQUIRED)
 
 # catkin notes the environment of the tests once, as it is configured, and leaves out what does not exist
 # yet: on a fresh checkout that is the directories into which the messages and libraries will be built.
@@ -41,7 +42,7 @@ generate_messages(DEPENDENCIES std_msgs)
 
 catkin_package(
   INCLUDE_DIRS include
-  CATKIN_DEPENDS ${ROS_LIBRARY_PACKAGES} ${ROS_MESSAGE_PACKAGES} message_runtime
+  CATKIN_DEPENDS ${ROS_PACKAGES}
   CFG_EXTRAS ratchet_sieve-extras.cmake)
 
 add_library(ratchet_sieve_messages INTERFACE)

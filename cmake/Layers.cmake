@@ -1,3 +1,17 @@
+# Where things are installed: as catkin has it or, without ROS, as CMake has it.
+if(NOT RATCHET_SIEVE_ROS)
+  include(GNUInstallDirs)
+  set(RATCHET_SIEVE_BIN_DESTINATION ${CMAKE_INSTALL_BINDIR})
+  set(RATCHET_SIEVE_LIB_DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  set(RATCHET_SIEVE_INCLUDE_DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ratchet_sieve)
+  set(RATCHET_SIEVE_SHARE_DESTINATION ${CMAKE_INSTALL_DATADIR}/ratchet_sieve)
+else()
+  set(RATCHET_SIEVE_BIN_DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+  set(RATCHET_SIEVE_LIB_DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+  set(RATCHET_SIEVE_INCLUDE_DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
+  set(RATCHET_SIEVE_SHARE_DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+endif()
+
 # Float flags stand here and nowhere else: every target of this project is built with them, so that
 # the same scene gives the same bits at any optimisation level.
 add_library(ratchet_sieve_flags INTERFACE)
@@ -36,6 +50,9 @@ function(ratchet_sieve_layer layer)
   target_link_options(${target} PRIVATE $<TARGET_PROPERTY:ratchet_sieve_flags,INTERFACE_LINK_OPTIONS>)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${layer})
   target_compile_features(${target} PUBLIC cxx_std_17)
+  install(TARGETS ${target} EXPORT ratchet_sieve-targets
+    ARCHIVE DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION}
+    LIBRARY DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION})
   # Static ones go into the library that sieve_run loads to write a bag.
   if(RATCHET_SIEVE_ROS)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)

@@ -99,10 +99,10 @@ std::string missingText(const RunResult& result)
 /// Whether disks can leave, or have left over the walls: else there are no bins to tell of.
 bool isOpen(const RunResult& result)
 {
-  const auto somethingLeft = [](const SpeciesBins& bins) { return bins.left + bins.right > 0; };
+  const auto something_left = [](const SpeciesBins& bins) { return bins.left + bins.right > 0; };
   return result.scene.boundary == Boundary::OPEN ||
          (!result.bins.empty() &&
-          std::any_of(result.bins.back().bins.begin(), result.bins.back().bins.end(), somethingLeft));
+          std::any_of(result.bins.back().bins.begin(), result.bins.back().bins.end(), something_left));
 }
 
 std::string speciesTable(const RunResult& result)

@@ -21,8 +21,8 @@ extern "C" Window XCreateWindow(Display* display, Window parent, int x, int y, u
                                 unsigned height, unsigned border_width, int depth, unsigned window_class,
                                 Visual* visual, unsigned long mask, XSetWindowAttributes* attributes)
 {
-  static const auto create = ofXlib(&XCreateWindow, "XCreateWindow");
-  const Window window = create(display, parent, x, y, width, height, border_width, depth, window_class,
+  static const auto CREATE = ofXlib(&XCreateWindow, "XCreateWindow");
+  const Window window = CREATE(display, parent, x, y, width, height, border_width, depth, window_class,
                                visual, mask, attributes);
   XSync(display, False);
   return window;
@@ -32,8 +32,8 @@ extern "C" Window XCreateWindow(Display* display, Window parent, int x, int y, u
 extern "C" Status XGetGeometry(Display* display, Drawable drawable, Window* root, int* x, int* y,
                                unsigned* width, unsigned* height, unsigned* border_width, unsigned* depth)
 {
-  static const auto get = ofXlib(&XGetGeometry, "XGetGeometry");
-  const Status found = get(display, drawable, root, x, y, width, height, border_width, depth);
+  static const auto GET = ofXlib(&XGetGeometry, "XGetGeometry");
+  const Status found = GET(display, drawable, root, x, y, width, height, border_width, depth);
   if (found == 0)
     *width = *height = 1;
   return found;

@@ -187,7 +187,7 @@ int showSieve(const std::string& config, const std::string& view, std::vector<st
     return 0;
   // Of two remappings of one name the last holds.
   for (const std::string topic : {"/markers", "/cloud"})
-    arguments.push_back(SHOWN + topic + ":=" + *display + topic);
+    arguments.push_back(std::string(SHOWN).append(topic).append(":=").append(*display).append(topic));
   const RvizView shown = view == "teeth" ? RvizView::TEETH : RvizView::MACHINE;
   return becomeRviz(writtenToFile(fittedToScene(config, scene->definition, shown), ros::this_node::getName()),
                     scene->frame_id, arguments);

@@ -60,7 +60,7 @@ double readMount(ParameterReader& reader, const char* axis)
 
 std::string readFramePrefix(ParameterReader& reader, const std::string& sieve)
 {
-  const std::string prefix = reader.text("frame_prefix", defaultFramePrefix(sieve));
+  std::string prefix = reader.text("frame_prefix", defaultFramePrefix(sieve));
   const std::string error = framePrefixError(prefix);
   if (!error.empty())
     throw ParameterError("parameter " + reader.fullName("frame_prefix") + ": " + prefix + ": " + error);

@@ -15,7 +15,7 @@ class Entry
 {
 public:
   /// @param source a file, or a parameter, as an error names it
-  Entry(YAML::Node node, std::string source) : node_(std::move(node)), source_(std::move(source)) {}
+  Entry(const YAML::Node& node, std::string source) : node_(node), source_(std::move(source)) {}
 
   const YAML::Node& node() const { return node_; }
   const std::string& key() const { return key_; }
