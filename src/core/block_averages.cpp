@@ -15,11 +15,11 @@ void BlockAverages::add(double displacement, double time)
 {
   open_.displacement += displacement;
   open_.time += time;
-  if (++pieces_ < block_length_)
+  if (++samples_ < block_length_)
     return;
   blocks_.push_back(open_);
   open_ = Block();
-  pieces_ = 0;
+  samples_ = 0;
   if (blocks_.size() < MAX_BLOCKS)
     return;
   blocks_ = joined(blocks_);

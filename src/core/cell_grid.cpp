@@ -50,7 +50,7 @@ void CellGrid::add(std::uint32_t id, Cell cell)
   cells_[id] = cell;
   const std::size_t at = index(cell);
   if (blocks_[at].count == Block::CAPACITY)
-    handOn(at);
+    pushFullBlock(at);
   Block& block = blocks_[at];
   block.ids[block.count++] = id;
 }
@@ -59,12 +59,12 @@ void CellGrid::remove(std::uint32_t id)
 {
   const std::size_t at = index(cells_[id]);
   if (blocks_[at].count == 0)
-    takeBack(at);
+    popFullBlock(at);
   Block& first = blocks_[at];
   const std::uint32_t last = first.ids[--first.count];
   if (last == id)
     return;
-  // The hole that it leaves is filled by the last one: all blocks but the first stay full.
+  // The last disk takes the removed one's entry, so that all blocks but the first stay full.
   for (Block* block = &first;; block = &full_[block->next])
   {
     const auto end = block->ids.begin() + block->count;
@@ -76,28 +76,28 @@ void CellGrid::remove(std::uint32_t id)
   }
 }
 
-/// The cell's full block moves to a place of its own.
-void CellGrid::handOn(std::size_t cell)
+/// Moves the cell's full block to the overflow list.
+void CellGrid::pushFullBlock(std::size_t cell)
 {
-  std::size_t place = full_.size();
+  std::size_t entry = full_.size();
   if (free_.empty())
     full_.emplace_back();
   else
   {
-    place = free_.back();
+    entry = free_.back();
     free_.pop_back();
   }
-  full_[place] = blocks_[cell];
+  full_[entry] = blocks_[cell];
   blocks_[cell] = Block();
-  blocks_[cell].next = static_cast<std::uint32_t>(place);
+  blocks_[cell].next = static_cast<std::uint32_t>(entry);
 }
 
-/// An empty cell takes the last block back that it handed on.
-void CellGrid::takeBack(std::size_t cell)
+/// An empty cell takes its last full block back from the overflow list.
+void CellGrid::popFullBlock(std::size_t cell)
 {
-  const std::uint32_t place = blocks_[cell].next;
-  blocks_[cell] = full_[place];
-  free_.push_back(place);
+  const std::uint32_t entry = blocks_[cell].next;
+  blocks_[cell] = full_[entry];
+  free_.push_back(entry);
 }
 
 CellGrid::Cell CellGrid::cellAt(double s, double n) const

@@ -10,25 +10,25 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// An edge crossed costs as much as so many looks at a disk, those at the disks beyond it aside: some 120 ns
-/// to 7.
-constexpr double LOOKS_PER_EDGE = 20.0;
+/// The cost of crossing an edge in pair evaluations, those with the disks beyond it aside: some 120 ns to 7.
+constexpr double EVALUATIONS_PER_EDGE = 20.0;
 
-/// A look past all images on a ring costs as much as so many at one.
-constexpr double LOOKS_PER_RING = 2.0;
+/// The cost of evaluating all images on a ring (RingCourse), in evaluations of one pair.
+constexpr double EVALUATIONS_PER_RING = 2.0;
 
-/// Rows are laid up to so many times the mean height: where density falls as in the barometric formula, 95 %
+/// There are rows up to so many times the mean height: where density falls as in the barometric formula, 95 %
 /// of all disks are below.
 constexpr double MEAN_HEIGHTS = 3.0;
 
-/// Cells are looked at again after so many events a disk: looking costs no more than one of them does.
-constexpr std::uint64_t EVENTS_BETWEEN_LOOKS = 16;
+/// The layout is evaluated again after so many events per disk: an evaluation costs no more than one of them.
+constexpr std::uint64_t EVENTS_BETWEEN_EVALUATIONS = 16;
 
 /// Where more edges are crossed than this for each other event, cells are too small. A shaken layer has 0.4.
 constexpr std::uint64_t MANY_CROSSINGS = 2;
 
-/// Cells are laid anew where that makes them cheaper by this much: to and fro would cost more than it brings.
-constexpr double WORTH_LAYING = 0.7;
+/// The grid is rebuilt where that cuts the cost to this share; a smaller gain would not pay for the
+/// rebuilding.
+constexpr double WORTH_REBUILDING = 0.7;
 }  // namespace
 
 LayoutCosts::LayoutCosts(const std::vector<BasePoint>& points, double width, double events, int laps)
@@ -57,9 +57,9 @@ double LayoutCosts::of(const CellLayout& layout) const
     together += in_row * in_row / cells.columns;
   const double rows = std::min<double>(3.0, cells.rows);
   const double columns = std::min<double>(3.0, cells.columns);
-  const double ring = laps_ > 0 && cells.columns == 1 ? LOOKS_PER_RING : 1.0;
-  const double looks = ring * rows * columns * together / static_cast<double>(points_.size());
-  return events_ * looks + crossings * (LOOKS_PER_EDGE + looks / 3.0);
+  const double ring = laps_ > 0 && cells.columns == 1 ? EVALUATIONS_PER_RING : 1.0;
+  const double evaluations = ring * rows * columns * together / static_cast<double>(points_.size());
+  return events_ * evaluations + crossings * (EVALUATIONS_PER_EDGE + evaluations / 3.0);
 }
 
 CellLayout LayoutCosts::cheapest(double least_side) const
@@ -82,15 +82,15 @@ std::optional<double> CellFit::epochEnded(std::uint64_t events, std::size_t disk
 {
   ++epochs_;
   const std::uint64_t since = events - events_before_;
-  if (disks == 0 || since < EVENTS_BETWEEN_LOOKS * disks)
+  if (disks == 0 || since < EVENTS_BETWEEN_EVALUATIONS * disks)
     return std::nullopt;
   const std::uint64_t others = since - crossings_;
-  const bool look = layout_ || crossings_ > MANY_CROSSINGS * others;
+  const bool evaluate = layout_ || crossings_ > MANY_CROSSINGS * others;
   const double others_per_epoch = static_cast<double>(others) / epochs_;
   events_before_ = events;
   crossings_ = 0;
   epochs_ = 0;
-  return look ? std::optional<double>(others_per_epoch) : std::nullopt;
+  return evaluate ? std::optional<double>(others_per_epoch) : std::nullopt;
 }
 
 bool CellFit::choose(const LayoutCosts& costs, const CellLayout& for_layer, double least_side)
@@ -99,7 +99,7 @@ bool CellFit::choose(const LayoutCosts& costs, const CellLayout& for_layer, doub
   const double of_layer = costs.of(for_layer);
   const CellLayout other = costs.cheapest(least_side);
   const double of_other = costs.of(other);
-  if (std::min(of_layer, of_other) > WORTH_LAYING * now)
+  if (std::min(of_layer, of_other) > WORTH_REBUILDING * now)
     return false;
   layout_ = of_layer <= of_other ? std::nullopt : std::optional<CellLayout>(other);
   return true;

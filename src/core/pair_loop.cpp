@@ -244,7 +244,7 @@ private:
     ahead_.begin(queue_.topTime(), events_);
     if (predictions_.size() < DISKS_IN_CACHE)
       return;
-    queue_.dueBy(ahead_.end(), next_);
+    queue_.upTo(ahead_.end(), next_);
     for (const std::uint32_t id : next_)
       prefetchEvent(id);
     for (const std::uint32_t id : next_)

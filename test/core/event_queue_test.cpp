@@ -58,7 +58,7 @@ TEST(EventQueue, FindsAllThatIsDue)
             expected.push_back(id);
         }
         std::vector<std::uint32_t> due{7, 7};
-        queue.dueBy(until, due);
+        queue.upTo(until, due);
         RC_ASSERT(due == expected);
       }));
 }

@@ -17,15 +17,15 @@ namespace ratchet_sieve
 class BlockAverages
 {
 public:
-  /// The next piece of the series: the displacement [m] and the time [s], each summed over the disks
-  /// that were there. All pieces are of one length in time; with disks that come and go they weigh by
+  /// The next sample of the series: the displacement [m] and the time [s], each summed over the disks
+  /// that were there. All samples are of one length in time; with disks that come and go they weigh by
   /// how many there were.
   void add(double displacement, double time);
 
-  /// Of the sum of displacements over the sum of times [m/s]; nothing for fewer than MIN_BLOCKS pieces.
+  /// Of the sum of displacements over the sum of times [m/s]; nothing for fewer than MIN_BLOCKS samples.
   std::optional<double> standardError() const;
 
-  void archive(StateArchive& state) { state(blocks_, open_, pieces_, block_length_); }
+  void archive(StateArchive& state) { state(blocks_, open_, samples_, block_length_); }
 
   /// Fewer blocks than this say nothing of their scatter.
   static constexpr std::size_t MIN_BLOCKS = 16;
@@ -43,9 +43,9 @@ private:
   static double errorOf(const std::vector<Block>& blocks);
 
   std::vector<Block> blocks_;
-  Block open_;                    ///< gathers pieces until it is as long as the others
-  std::size_t pieces_ = 0;        ///< in open_
-  std::size_t block_length_ = 1;  ///< pieces to a block
+  Block open_;                    ///< gathers samples until it is as long as the others
+  std::size_t samples_ = 0;       ///< in open_
+  std::size_t block_length_ = 1;  ///< samples to a block
 };
 
 }  // namespace ratchet_sieve

@@ -16,7 +16,7 @@ namespace ratchet_sieve
 /// How many cells there are and how large, in a machine `width` [m] wide.
 struct CellShape
 {
-  /// @param height over which to lay rows [m]
+  /// @param height that the rows cover [m]
   /// @param smallest_side of a cell: at least the largest diameter, with a margin [m]
   /// @param count of disks, to keep the number of cells in proportion
   CellShape(double width, double height, double smallest_side, std::size_t count);
@@ -28,8 +28,8 @@ struct CellShape
 };
 
 /// Cells at least a largest diameter wide, so that disks in cells that do not touch cannot touch
-/// either. Columns along s, rows along n, in a frame that stands still. The outermost cells go on
-/// for ever, but for the columns of a periodic grid, which close to a ring. A ring of one column may reach
+/// either. Columns along s, rows along n, in a frame that stands still. The outermost cells extend
+/// to infinity, but for the columns of a periodic grid, which form a ring. A ring of one column may reach
 /// beyond its ends by whole laps: its disks need not be wrapped so often, and meet any image of each other.
 class CellGrid
 {
@@ -86,7 +86,7 @@ public:
     const int last_row = std::min(cell.row + around.last_row, rows_ - 1);
     const int first_column = cell.column + around.first_column;
     const int last_column = cell.column + around.last_column;
-    const auto look = [&](int first, int last, int shift)
+    const auto visit_columns = [&](int first, int last, int shift)
     {
       std::size_t count = 0;
       for (int row = first_row; row <= last_row; ++row)
@@ -94,19 +94,19 @@ public:
           count = collect(index({column, row}), list, count);
       visit(list.data(), count, shift);
     };
-    look(std::max(first_column, 0), std::min(last_column, columns_ - 1), 0);
+    visit_columns(std::max(first_column, 0), std::min(last_column, columns_ - 1), 0);
     if (!periodic_ || laps_ > 0)
       return;
     if (first_column < 0)
-      look(columns_ - 1, columns_ - 1, -1);
+      visit_columns(columns_ - 1, columns_ - 1, -1);
     if (last_column >= columns_)
-      look(0, 0, 1);
+      visit_columns(0, 0, 1);
   }
 
-  /// Fetches what cellOf() reads.
+  /// Prefetches what cellOf() reads.
   void prefetchCellOf(std::uint32_t id) const { prefetch(cells_[id]); }
 
-  /// Fetches what visit() reads of the cells around one, but for those beyond the seam.
+  /// Prefetches what visit() reads of the cells around one, but for those beyond the seam.
   void prefetchAround(Cell cell) const
   {
     for (int row = std::max(cell.row - 1, 0); row <= std::min(cell.row + 1, rows_ - 1); ++row)
@@ -125,14 +125,14 @@ private:
 
   static constexpr std::uint32_t NONE = 0xffffffff;
 
-  /// Disks of one cell, side by side, so that a search reads them without a chain of loads. A cell with
-  /// more hands its full block on to one of its own, and begins again.
+  /// The disks of one cell, contiguous, so that a search reads them without a chain of loads. A cell whose
+  /// block is full moves it to the overflow list and starts an empty one.
   struct Block
   {
     static constexpr std::size_t CAPACITY = 6;
     std::array<std::uint32_t, CAPACITY> ids{};
     std::uint32_t count = 0;
-    std::uint32_t next = NONE;  ///< the block that was handed on, full
+    std::uint32_t next = NONE;  ///< the last full block in the overflow list
 
     void archive(StateArchive& state) { state(ids, count, next); }
   };
@@ -147,7 +147,7 @@ private:
     {
       if (list.size() < count + Block::CAPACITY)
         list.resize(2 * (count + Block::CAPACITY));
-      // All of them whatever the count: that takes no branch.
+      // The whole block whatever its count: this needs no branch.
       std::memcpy(list.data() + count, block->ids.data(), sizeof block->ids);
       count += block->count;
       if (block->next == NONE)
@@ -156,8 +156,8 @@ private:
     }
   }
 
-  void handOn(std::size_t cell);
-  void takeBack(std::size_t cell);
+  void pushFullBlock(std::size_t cell);
+  void popFullBlock(std::size_t cell);
 
   bool periodic_;
   std::int32_t laps_;
@@ -166,8 +166,8 @@ private:
   double side_s_;
   double side_n_;
   std::vector<Block> blocks_;        ///< per cell
-  std::vector<Block> full_;          ///< those that cells handed on
-  std::vector<std::uint32_t> free_;  ///< of those, the ones no longer used
+  std::vector<Block> full_;          ///< overflow: full blocks of cells
+  std::vector<std::uint32_t> free_;  ///< unused entries of full_
   std::vector<Cell> cells_;          ///< per disk
 };
 

@@ -20,9 +20,9 @@ struct CellLayout
   void archive(StateArchive& state) { state(height, smallest_side); }
 };
 
-/// What cells cost a second: crossing their edges, and looking at the disks in them. Small cells are crossed
-/// often, large ones hold many disks. Measured on the disks as they are now, so that it is right for a dense
-/// layer as for a gas that fills any height.
+/// The cost of a layout per second: crossings of cell edges, and pairs evaluated. Small cells are crossed
+/// often, large ones hold many disks. Estimated from the present state, so that it holds for a dense layer as
+/// for a gas that fills any height.
 class LayoutCosts
 {
 public:
@@ -31,7 +31,7 @@ public:
   /// @param laps of a ring of one column; see CellGrid
   LayoutCosts(const std::vector<BasePoint>& points, double width, double events, int laps);
 
-  /// In looks at a disk a second.
+  /// In pair evaluations per second.
   double of(const CellLayout& layout) const;
 
   /// The best of cells with sides of 1, 2, 4, ... times the least, up to one cell for all.
@@ -56,17 +56,17 @@ public:
   void crossed() { ++crossings_; }
 
   /// @param events of the run so far, crossings included; @param disks that there are
-  /// @return where it is time to look for better cells: the events of an epoch, beside crossings
+  /// @return where a better layout is to be searched: the events of an epoch, without crossings
   std::optional<double> epochEnded(std::uint64_t events, std::size_t disks);
 
-  /// Takes the cheapest cells, if they are cheaper by enough to be laid. @return whether they are
+  /// Takes the cheapest layout, if rebuilding the grid pays. @return whether it does
   bool choose(const LayoutCosts& costs, const CellLayout& for_layer, double least_side);
 
   void archive(StateArchive& state) { state(layout_, events_before_, crossings_, epochs_); }
 
 private:
   std::optional<CellLayout> layout_;
-  std::uint64_t events_before_ = 0;  ///< when it was last looked
+  std::uint64_t events_before_ = 0;  ///< at the last evaluation
   std::uint64_t crossings_ = 0;      ///< since then
   std::uint32_t epochs_ = 0;         ///< since then
 };

@@ -14,16 +14,16 @@
 namespace ratchet_sieve
 {
 
-/// One event time per disk, the earliest at the top: a tournament as of Marin & Cordero (Comput. Phys.
-/// Commun. 92, 214 (1995)), but among sixteen at a time instead of two: a group fills two lines of the
-/// cache, and its earliest is found without a branch. Ties go to the smaller id, so that the order of
+/// One event time per disk, the earliest on top: a complete tournament tree as of Marin & Cordero (Comput.
+/// Phys. Commun. 92, 214 (1995)), with sixteen children to a node instead of two: a node fills two cache
+/// lines, and its minimum takes no branch. Ties go to the smaller id, so that the order of
 /// events is total.
 class EventQueue
 {
 public:
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-  /// Makes room for ids below `count`; new ones are due never.
+  /// Makes room for ids below `count`; new ones have no event.
   void resize(std::size_t count)
   {
     if (rounds_.empty())
@@ -37,17 +37,17 @@ public:
 
   void update(std::uint32_t id, double time)
   {
-    std::size_t place = id;
+    std::size_t child = id;
     for (std::size_t round = 0;; ++round)
     {
-      Group& group = rounds_[round][place / GROUP];
-      group.times[place % GROUP] = time;
+      Group& group = rounds_[round][child / GROUP];
+      group.times[child % GROUP] = time;
       time = group.earliest();
-      place /= GROUP;
+      child /= GROUP;
       if (round + 1 == rounds_.size())
         break;
       // Where the winner of the group stays the same, so does all above.
-      if (rounds_[round + 1][place / GROUP].times[place % GROUP] == time)
+      if (rounds_[round + 1][child / GROUP].times[child % GROUP] == time)
         return;
     }
     top_time_ = time;
@@ -56,16 +56,16 @@ public:
   /// The id whose event is next. @pre resize() was called
   std::uint32_t top() const
   {
-    std::size_t place = 0;
+    std::size_t child = 0;
     for (auto round = rounds_.rbegin(); round != rounds_.rend(); ++round)
-      place = place * GROUP + (*round)[place].find(top_time_);
-    return static_cast<std::uint32_t>(place);
+      child = child * GROUP + (*round)[child].find(top_time_);
+    return static_cast<std::uint32_t>(child);
   }
 
   double topTime() const { return top_time_; }
 
-  /// The ids whose events are due by `time`, in the order of their places. @param ids are replaced
-  void dueBy(double time, std::vector<std::uint32_t>& ids) const
+  /// The ids whose next events are no later than `time`, in increasing order. @param ids are replaced
+  void upTo(double time, std::vector<std::uint32_t>& ids) const
   {
     ids.assign(1, 0);
     for (std::size_t round = rounds_.size(); round-- > 0;)
@@ -74,12 +74,12 @@ public:
       for (std::size_t g = 0; g < groups; ++g)
       {
         const std::uint32_t group = ids[g];
-        for (unsigned due = rounds_[round][group].upTo(time); due != 0; due &= due - 1)
+        for (unsigned found = rounds_[round][group].upTo(time); found != 0; found &= found - 1)
         {
-          const auto place = static_cast<std::uint32_t>(group * GROUP + __builtin_ctz(due));
-          ids.push_back(place);
+          const auto child = static_cast<std::uint32_t>(group * GROUP + __builtin_ctz(found));
+          ids.push_back(child);
           if (round > 0)
-            prefetch(rounds_[round - 1][place]);
+            prefetch(rounds_[round - 1][child]);
         }
       }
       ids.erase(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(groups));

@@ -8,7 +8,7 @@ namespace ratchet_sieve
 {
 
 /// When a gap that follows gap + rate t + accel t^2 / 2 is next used up while closing: the smallest
-/// t >= 0. A gap that is used up already and closes is due at once; one that opens is left alone
+/// t >= 0. A gap that is closed already and closing gives 0; one that opens is left alone
 /// until it has come back (Bannerman et al., Comput. Part. Mech. 1, 191 (2014), arXiv 1211.6718).
 inline std::optional<double> firstClosingTime(double gap, double rate, double accel)
 {

@@ -9,7 +9,7 @@
 namespace ratchet_sieve
 {
 
-/// The parts of the base that a disk can meet.
+/// The parts of the base that a disk can touch.
 enum class BaseFeatureKind : std::int32_t
 {
   NONE,
@@ -23,8 +23,8 @@ enum class BaseFeatureKind : std::int32_t
   RIGHT_END  ///< the line s = W
 };
 
-/// A part of the base that a disk can meet, or none. Its kind is as wide as the tooth, for a processor waits
-/// where it reads together what was written apart.
+/// A part of the base that a disk can touch, or none. Its kind is as wide as the tooth: both are
+/// loaded together, and stores of unequal width would cause a store-forwarding stall.
 struct BaseFeature
 {
   BaseFeatureKind kind = BaseFeatureKind::NONE;
