@@ -1,6 +1,6 @@
 # Everything that a user runs or builds on, where rosrun, roslaunch and find_package look for it; the layers
 # are installed as they are defined.
-install(TARGETS sieve_run RUNTIME DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
+install(TARGETS sieve_run sieve_sweep RUNTIME DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
 if(RATCHET_SIEVE_ROS)
   install(
     TARGETS sieve_analyze sieve_display sieve_node sieve_replay sieve_resimulate sieve_rviz sieve_schedule sieve_seek

@@ -87,6 +87,13 @@ std::string motionYaml(const SceneDefinition& scene)
   return out.str();
 }
 
+std::string hashText(const std::string& text)
+{
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(fnv1a(text)));
+  return digits;
+}
+
 }  // namespace
 
 std::string canonicalYaml(const SceneDefinition& scene)
@@ -99,9 +106,12 @@ std::string canonicalYaml(const SceneDefinition& scene)
 
 std::string sceneHash(const SceneDefinition& scene)
 {
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(fnv1a(motionYaml(scene))));
-  return digits;
+  return hashText(motionYaml(scene));
+}
+
+std::string runHash(const SceneDefinition& scene)
+{
+  return hashText(canonicalYaml(scene));
 }
 
 }  // namespace ratchet_sieve

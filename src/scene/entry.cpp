@@ -1,4 +1,4 @@
-#include "entry.h"
+#include "ratchet_sieve/scene/entry.h"
 
 #include <algorithm>
 #include <optional>
@@ -54,7 +54,7 @@ Entry Entry::at(const std::string& name) const
 
 Entry Entry::child(const YAML::Node& node, const std::string& name) const
 {
-  Entry entry(node, source_);
+  Entry entry(node, source_, name_);
   entry.key_ = keyOf(name);
   if (node.IsDefined())
     entry.mark_ = node.Mark();
@@ -122,7 +122,7 @@ std::string Entry::place() const
 
 std::string Entry::shownKey() const
 {
-  return key_.empty() ? "scene" : shownText(key_);
+  return key_.empty() ? name_ : shownText(key_);
 }
 
 void Entry::refuseValue(const std::string& allowed) const

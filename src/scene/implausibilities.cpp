@@ -8,7 +8,7 @@
 
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
-#include "scalars.h"
+#include "ratchet_sieve/scene/scalars.h"
 
 namespace ratchet_sieve
 {

@@ -1,4 +1,4 @@
-#include "scalars.h"
+#include "ratchet_sieve/scene/scalars.h"
 
 #include <algorithm>
 #include <array>

@@ -15,26 +15,13 @@ namespace
 /// 250 times as much memory for its tokens and nodes.
 constexpr std::size_t LARGEST_TEXT = 16u << 20;  ///< [bytes]
 
-/// The file's text, or so much of it that it is seen to be too large.
-std::string readText(const std::string& path)
-{
-  if (const auto why = whyUnreadable(path))
-    throw SceneError(path + ": " + *why);
-  std::ifstream file(path, std::ios::binary);
-  std::string text;
-  char part[4096];
-  while (text.size() <= LARGEST_TEXT && (file.read(part, sizeof part), file.gcount() > 0))
-    text.append(part, static_cast<std::size_t>(file.gcount()));
-  return text;
-}
-
-YAML::Node parseText(const std::string& text, const std::string& source)
+YAML::Node parseText(const std::string& text, const std::string& source, Aliases aliases)
 {
   if (text.size() > LARGEST_TEXT)
     throw SceneError(source + ": too large; a scene has at most " + std::to_string(LARGEST_TEXT) + " bytes");
   try
   {
-    requireShallow(text, Aliases::ALLOWED);
+    requireShallow(text, aliases);
     return YAML::Load(text);
   }
   catch (const YAML::Exception& error)
@@ -46,14 +33,31 @@ YAML::Node parseText(const std::string& text, const std::string& source)
 
 }  // namespace
 
+std::string readYamlText(const std::string& path)
+{
+  if (const auto why = whyUnreadable(path))
+    throw SceneError(path + ": " + *why);
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  char part[4096];
+  while (text.size() <= LARGEST_TEXT && (file.read(part, sizeof part), file.gcount() > 0))
+    text.append(part, static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
+YAML::Node copyableYaml(const std::string& text, const std::string& source)
+{
+  return parseText(text, source, Aliases::REFUSED);
+}
+
 Scene sceneFromText(const std::string& text, const std::string& source)
 {
-  return sceneFromYaml(parseText(text, source), source);
+  return sceneFromYaml(parseText(text, source, Aliases::ALLOWED), source);
 }
 
 Scene loadSceneFile(const std::string& path, const std::vector<std::string>& overrides)
 {
-  YAML::Node root = parseText(readText(path), path);
+  YAML::Node root = parseText(readYamlText(path), path, Aliases::ALLOWED);
   for (const std::string& assignment : overrides)
     applyOverride(root, assignment);
   return sceneFromYaml(root, path);

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "entry.h"
+#include "ratchet_sieve/scene/entry.h"
 #include "ratchet_sieve/scene/implausibilities.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/scene/shown_text.h"

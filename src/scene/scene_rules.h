@@ -1,6 +1,6 @@
 #pragma once
 
-#include "entry.h"
+#include "ratchet_sieve/scene/entry.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve

@@ -6,10 +6,10 @@
 #include <variant>
 #include <vector>
 
-#include "entry.h"
-#include "range.h"
 #include "ratchet_sieve/core/definition.h"
-#include "scalars.h"
+#include "ratchet_sieve/scene/entry.h"
+#include "ratchet_sieve/scene/range.h"
+#include "ratchet_sieve/scene/scalars.h"
 
 /// Every key of a scene that holds one value, in tables: they are what is read, checked, written
 /// and suggested.

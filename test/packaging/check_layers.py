@@ -10,15 +10,17 @@ BELOW = {
     'core': [],
     'scene': ['core'],
     'recording': ['core', 'scene'],
+    'sweep': ['core', 'scene', 'recording'],
     'analysis': ['core', 'scene', 'recording'],
     'ros': ['core', 'scene', 'recording', 'analysis'],
-    'nodes': ['core', 'scene', 'recording', 'analysis', 'ros'],
+    'nodes': ['core', 'scene', 'recording', 'sweep', 'analysis', 'ros'],
 }
 # The libraries from outside that a layer may use, by the first folder or name of the include; None: any.
 LIBRARIES = {
     'core': ['Eigen'],
     'scene': ['Eigen', 'yaml-cpp'],
     'recording': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt'],
+    'sweep': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'sqlite3'],
     'analysis': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt'],
     'ros': None,
     'nodes': None,

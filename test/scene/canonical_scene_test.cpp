@@ -1,6 +1,7 @@
 #include "ratchet_sieve/scene/canonical_scene.h"
 
 #include <cstring>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -204,6 +205,23 @@ TEST(SceneHash, IsThatOfTheMotionAlone)
   SceneDefinition motion = scene;
   motion.base.frequency = std::nextafter(motion.base.frequency, 99.0);
   EXPECT_NE(sceneHash(motion), sceneHash(scene));
+}
+
+TEST(RunHash, ChangesWithEveryKey)
+{
+  const SceneDefinition scene = sceneFromText(GOOD_SCENE, "s.yaml").definition;
+  std::set<std::string> hashes = {runHash(scene)};
+  SceneDefinition other = scene;
+  other.seed = 99;
+  hashes.insert(runHash(other));
+  other.duration += 1.0;
+  hashes.insert(runHash(other));
+  other.settle += 1.0;
+  hashes.insert(runHash(other));
+  other.gravity = 9.0;
+  hashes.insert(runHash(other));
+  EXPECT_EQ(hashes.size(), 5u);
+  EXPECT_EQ(runHash(scene), runHash(sceneFromText(canonicalYaml(scene), "c.yaml").definition));
 }
 
 /// Results that are kept by hash stay known when a key is added.

@@ -14,4 +14,8 @@ std::string canonicalYaml(const SceneDefinition& scene);
 /// `seed`, `duration` and `settle`.
 std::string sceneHash(const SceneDefinition& scene);
 
+/// 16 hexadecimal digits over every key, those that sceneHash() leaves out as well: the same for the same run
+/// alone.
+std::string runHash(const SceneDefinition& scene);
+
 }  // namespace ratchet_sieve

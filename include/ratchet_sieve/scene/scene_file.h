@@ -39,6 +39,14 @@ Scene sceneFromYaml(const YAML::Node& root, const std::string& source);
 /// Reads a scene from YAML text, as a recorded SceneFrame carries it. @throws SceneError
 Scene sceneFromText(const std::string& text, const std::string& source);
 
+/// The text of a file that holds YAML; of one larger than any scene only so much that copyableYaml() refuses
+/// it. @throws SceneError
+std::string readYamlText(const std::string& path);
+
+/// The tree of a YAML text, of limited size and depth and without aliases, so that YAML::Clone() comes to an
+/// end. @param source named in errors @throws SceneError
+YAML::Node copyableYaml(const std::string& text, const std::string& source);
+
 /// Sets KEY=VALUE in a YAML tree. @throws SceneError
 void applyOverride(YAML::Node& root, const std::string& assignment);
 

@@ -14,8 +14,12 @@ namespace ratchet_sieve
 class Entry
 {
 public:
-  /// @param source a file, or a parameter, as an error names it
-  Entry(const YAML::Node& node, std::string source) : node_(node), source_(std::move(source)) {}
+  /// @param source a file, or a parameter, as an error names it @param name of the whole, for an error that
+  /// has no key
+  Entry(const YAML::Node& node, std::string source, std::string name = "scene")
+      : node_(node), source_(std::move(source)), name_(std::move(name))
+  {
+  }
 
   const YAML::Node& node() const { return node_; }
   const std::string& key() const { return key_; }
@@ -52,6 +56,7 @@ private:
 
   YAML::Node node_;
   std::string source_;
+  std::string name_;
   std::string key_;  ///< dotted path from the root, whose own is empty
   YAML::Mark mark_ = YAML::Mark::null_mark();
 };

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string>
 
-#include "entry.h"
-#include "range.h"
 #include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/scene/entry.h"
+#include "ratchet_sieve/scene/range.h"
 
 /// One value each out of an entry, strictly: a number is no text, a truth value no number, and an
 /// integer has no fraction.

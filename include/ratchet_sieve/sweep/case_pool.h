@@ -1,0 +1,67 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "ratchet_sieve/sweep/case_result.h"
+
+namespace ratchet_sieve
+{
+
+/// What a worker gives back of a case.
+struct FinishedCase
+{
+  std::uint64_t position = 0;
+  std::optional<CaseResult> result;  ///< nothing where it was stopped
+};
+
+/// Threads that run cases: positions go in, results come out.
+class CasePool
+{
+public:
+  using Work = std::function<std::optional<CaseResult>(std::uint64_t position)>;
+
+  /// @param make_work called once by each thread for what it does. What either throws, take() throws
+  CasePool(std::size_t threads, const std::function<Work()>& make_work);
+
+  /// Waits for the cases under way; those that no thread has begun are dropped.
+  ~CasePool();
+  CasePool(const CasePool&) = delete;
+  CasePool& operator=(const CasePool&) = delete;
+
+  void give(const std::vector<std::uint64_t>& positions);
+
+  /// What is finished by now. Waits for `pause` at least, for more to be taken at once, but not while a
+  /// thread has nothing to do; and for `patience` at most where nothing is finished.
+  std::vector<FinishedCase> take(std::chrono::milliseconds pause, std::chrono::milliseconds patience);
+
+  std::size_t waiting() const;     ///< given, and not begun
+  std::size_t unfinished() const;  ///< given, and not taken
+
+private:
+  void serve(const std::function<Work()>& make_work);
+  void serveOrFail(const std::function<Work()>& make_work);
+  bool idles() const { return given_.size() < idle_; }
+
+  mutable std::mutex mutex_;
+  std::condition_variable work_;
+  std::condition_variable news_;
+  std::deque<std::uint64_t> given_;
+  std::vector<FinishedCase> finished_;
+  std::size_t unfinished_ = 0;
+  std::size_t idle_ = 0;
+  bool closing_ = false;
+  std::exception_ptr error_;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace ratchet_sieve

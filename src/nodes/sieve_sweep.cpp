@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "command_line.h"
+#include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/sweep/sweep_report.h"
+#include "ratchet_sieve/sweep/sweep_run.h"
+
+namespace
+{
+
+using namespace ratchet_sieve;
+
+constexpr int INTERRUPTED = 130;
+
+/// More are likely a slip, and are asked about.
+constexpr std::uint64_t MANY_CASES = 1'000'000;
+
+volatile std::sig_atomic_t stop_signal = 0;
+
+void onSignal(int signal)
+{
+  stop_signal = signal;
+}
+
+struct Arguments
+{
+  std::string sweep;
+  std::string results;
+  std::string out;
+  bool dry_run = false;
+  bool yes = false;
+  SweepRunOptions options;
+};
+
+void describe(CLI::App& app, Arguments& arguments)
+{
+  app.require_subcommand(1);
+  const auto verb = [&](const char* name, const char* text)
+  {
+    CLI::App* command = app.add_subcommand(name, text);
+    command->add_option("SWEEP", arguments.sweep, "The sweep, a YAML file")->required()->type_name("FILE");
+    command->add_option("--db", arguments.results, "Results file; without it SWEEP.db, beside the sweep")
+        ->type_name("FILE");
+    return command;
+  };
+  CLI::App* run = verb("run", "Run the cases of which there is no result yet");
+  run->add_option("--threads", arguments.options.threads,
+                  "Cases at a time, 0: as many as there are processors")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  run->add_option("--checkpoint-every", arguments.options.checkpoint_period,
+                  "Save a case under way so often, in seconds of wall time")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
+  run->add_flag("--retry-failed", arguments.options.retry_failed, "Run cases again that failed");
+  run->add_flag("--dry-run", arguments.dry_run, "List the cases, run none");
+  run->add_flag("--yes", arguments.yes, "Run more than a million cases");
+  verb("status", "Say how far the sweep is");
+  verb("export", "Write the results as CSV")
+      ->add_option("--out", arguments.out, "Into this file, not to standard output")
+      ->type_name("FILE");
+  app.footer(
+      "Exit status: 0 done; 2 bad arguments or bad sweep, nothing run; 130 interrupted; 1 anything else, "
+      "such as a "
+      "case that failed.");
+}
+
+void requireFewOrYes(const Sweep& sweep, const Arguments& arguments)
+{
+  if (sweep.size() <= MANY_CASES || arguments.yes)
+    return;
+  const std::size_t threads = std::max<std::size_t>(arguments.options.threads, 1);
+  throw Refusal(sweep.source + ": has " + std::to_string(sweep.size()) + " cases, which take " +
+                estimateText(sweep, threads) + " on " + std::to_string(threads) +
+                " threads; --yes runs them");
+}
+
+int run(const Sweep& sweep, Arguments& arguments)
+{
+  if (arguments.options.threads == 0)
+    arguments.options.threads = std::max(1u, std::thread::hardware_concurrency());
+  requireFewOrYes(sweep, arguments);
+  if (arguments.dry_run)
+  {
+    requireLegal(sweep);
+    listCases(sweep, arguments.results, std::cout);
+    return DONE;
+  }
+  std::signal(SIGINT, onSignal);
+  std::signal(SIGTERM, onSignal);
+  arguments.options.stop_wanted = [] { return stop_signal != 0; };
+  arguments.options.warn = [](const std::string& text)
+  { std::fprintf(stderr, "sieve_sweep: warning: %s\n", text.c_str()); };
+  SweepOutcome outcome;
+  {
+    SweepProgressLine line;
+    arguments.options.progress = [&line](const SweepProgress& progress) { line.show(progress); };
+    outcome = runSweep(sweep, arguments.results, arguments.options);
+  }
+  const SweepCounts& counts = outcome.counts;
+  if (outcome.stopped)
+  {
+    std::fprintf(stderr, "sieve_sweep: stopped, %llu of %llu cases to go; the same command goes on\n",
+                 static_cast<unsigned long long>(counts.open()),
+                 static_cast<unsigned long long>(counts.cases));
+    return INTERRUPTED;
+  }
+  std::fputs(statusText(sweep, arguments.results).c_str(), stderr);
+  return counts.failed == 0 ? DONE : FAILED;
+}
+
+int exportResults(const Sweep& sweep, const Arguments& arguments)
+{
+  if (arguments.out.empty())
+  {
+    exportCsv(sweep, arguments.results, std::cout);
+    if (!std::cout.flush())
+      throw OutputError("the results could not be written to standard output");
+    return DONE;
+  }
+  AtomicFile file(arguments.out);
+  exportCsv(sweep, arguments.results, file.stream());
+  file.commit();
+  return DONE;
+}
+
+int obey(const CLI::App& app, Arguments& arguments)
+{
+  if (arguments.results.empty())
+    arguments.results = std::filesystem::path(arguments.sweep).replace_extension(".db").string();
+  try
+  {
+    const Sweep sweep = loadSweep(arguments.sweep);
+    if (app.got_subcommand("run"))
+      return run(sweep, arguments);
+    if (app.got_subcommand("export"))
+      return exportResults(sweep, arguments);
+    std::fputs(statusText(sweep, arguments.results).c_str(), stdout);
+    return DONE;
+  }
+  catch (const SceneError& error)
+  {
+    throw Refusal(error.what());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  Arguments arguments;
+  CLI::App app("Runs many cases of a scene, and keeps what comes of them in one file.", "sieve_sweep");
+  describe(app, arguments);
+  return runProgram(app, argc, argv, [&] { return obey(app, arguments); });
+}

@@ -1,0 +1,172 @@
+#include "ratchet_sieve/sweep/case_claims.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <random>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "ratchet_sieve/recording/version.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+std::string newName()
+{
+  std::random_device device;
+  char name[48];
+  std::snprintf(name, sizeof name, "owner-%ld-%08x%08x.lock", static_cast<long>(getpid()), device(),
+                device());
+  return name;
+}
+
+/// Whether what is open is what the path names: another may have removed a lock before it was taken.
+bool isThere(const std::string& path, int descriptor)
+{
+  struct stat named;
+  struct stat opened;
+  return stat(path.c_str(), &named) == 0 && fstat(descriptor, &opened) == 0 && named.st_ino == opened.st_ino;
+}
+
+std::vector<std::pair<std::string, std::uint64_t>> claimsByOwner(const Database& database,
+                                                                 const SweepPlan& plan)
+{
+  Statement select(
+      database,
+      "SELECT owner, COUNT(*) FROM claims k JOIN plan p ON p.sweep = ?1 AND p.run_hash = k.run_hash "
+      "WHERE version = ?2 GROUP BY owner");
+  select.bind(1, plan.id()).bind(2, std::string(version()));
+  std::vector<std::pair<std::string, std::uint64_t>> owners;
+  while (select.step())
+    owners.emplace_back(select.text(0), static_cast<std::uint64_t>(select.integer(1)));
+  return owners;
+}
+
+}  // namespace
+
+OwnerLock::OwnerLock(const std::string& directory) : directory_(directory), name_(newName())
+{
+  const std::string path = directory_ + '/' + name_;
+  do
+  {
+    if (descriptor_ >= 0)
+      close(descriptor_);
+    descriptor_ = open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+    if (descriptor_ < 0 || flock(descriptor_, LOCK_EX) != 0)
+      throw DatabaseError(path + ": cannot be locked: " + std::strerror(errno));
+  } while (!isThere(path, descriptor_));
+}
+
+OwnerLock::~OwnerLock()
+{
+  unlink((directory_ + '/' + name_).c_str());
+  close(descriptor_);
+}
+
+bool OwnerLock::isGone(const std::string& directory, const std::string& name)
+{
+  const std::string path = directory + '/' + name;
+  const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC);
+  if (descriptor < 0)
+    return errno == ENOENT;
+  const bool gone = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+  close(descriptor);
+  return gone;
+}
+
+CaseClaims::CaseClaims(Database& database, const SweepPlan& plan, const std::string& directory)
+    : database_(database),
+      directory_(directory),
+      lock_(directory),
+      plan_(plan),
+      select_(database,
+              "SELECT position, run_hash FROM plan p WHERE sweep = ?1 AND position >= ?2 "
+              "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = p.run_hash AND c.version = ?3) "
+              "AND NOT EXISTS (SELECT 1 FROM claims k WHERE k.run_hash = p.run_hash AND k.version = ?3) "
+              "ORDER BY position LIMIT ?4"),
+      claim_(database, "INSERT INTO claims (run_hash, version, owner) VALUES (?, ?, ?)"),
+      release_(database, "DELETE FROM claims WHERE run_hash = ? AND version = ? AND owner = ?")
+{
+}
+
+std::vector<std::uint64_t> CaseClaims::take(std::size_t most)
+{
+  std::vector<std::uint64_t> positions = search(most);
+  if (positions.empty() && cursor_ > 0)
+  {
+    cursor_ = 0;
+    positions = search(most);
+  }
+  return positions;
+}
+
+std::vector<std::uint64_t> CaseClaims::search(std::size_t most)
+{
+  std::vector<std::uint64_t> positions;
+  std::vector<std::string> hashes;
+  select_.bind(1, plan_.id())
+      .bind(2, cursor_)
+      .bind(3, std::string(version()))
+      .bind(4, static_cast<std::int64_t>(most));
+  while (select_.step())
+  {
+    positions.push_back(static_cast<std::uint64_t>(select_.integer(0)));
+    hashes.push_back(select_.text(1));
+  }
+  select_.reset();
+  for (const std::string& hash : hashes)
+    claim_.bind(1, hash).bind(2, std::string(version())).bind(3, lock_.name()).run();
+  if (!positions.empty())
+    cursor_ = static_cast<std::int64_t>(positions.back()) + 1;
+  return positions;
+}
+
+void CaseClaims::release(const std::string& run_hash)
+{
+  release_.bind(1, run_hash).bind(2, std::string(version())).bind(3, lock_.name()).run();
+}
+
+void CaseClaims::releaseAll()
+{
+  Transaction transaction(database_);
+  Statement(database_, "DELETE FROM claims WHERE owner = ?").bind(1, lock_.name()).run();
+  transaction.commit();
+}
+
+std::uint64_t CaseClaims::freeAbandoned()
+{
+  Transaction transaction(database_);
+  std::uint64_t held = 0;
+  for (const auto& [owner, cases] : claimsByOwner(database_, plan_))
+  {
+    if (owner == lock_.name())
+      continue;
+    if (!OwnerLock::isGone(directory_, owner))
+    {
+      held += cases;
+      continue;
+    }
+    Statement(database_, "DELETE FROM claims WHERE owner = ?").bind(1, owner).run();
+    unlink((directory_ + '/' + owner).c_str());
+  }
+  transaction.commit();
+  return held;
+}
+
+std::uint64_t casesUnderWay(const Database& database, const SweepPlan& plan, const std::string& directory)
+{
+  std::uint64_t cases = 0;
+  for (const auto& [owner, claimed] : claimsByOwner(database, plan))
+    if (!OwnerLock::isGone(directory, owner))
+      cases += claimed;
+  return cases;
+}
+
+}  // namespace ratchet_sieve

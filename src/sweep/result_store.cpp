@@ -1,0 +1,227 @@
+#include "ratchet_sieve/sweep/result_store.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "ratchet_sieve/recording/version.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+/// "sieS": what SQLite's header says of a file that is a sweep's.
+constexpr int APPLICATION_ID = 0x73696553;
+
+/// Goes up with every change of the tables below.
+constexpr int FORMAT = 1;
+
+const std::vector<std::string> FIXED_COLUMNS = {"run_hash", "version",   "scene_hash", "seed",   "status",
+                                                "error",    "wall_time", "host",       "summary"};
+
+constexpr const char* TABLES = R"(
+  CREATE TABLE IF NOT EXISTS cases (
+    run_hash TEXT NOT NULL, version TEXT NOT NULL, scene_hash TEXT NOT NULL, seed INTEGER NOT NULL,
+    status TEXT NOT NULL, error TEXT, wall_time REAL NOT NULL, host TEXT NOT NULL, summary TEXT,
+    PRIMARY KEY (run_hash, version));
+  CREATE INDEX IF NOT EXISTS cases_by_status ON cases (run_hash, version, status);
+  CREATE TABLE IF NOT EXISTS sweeps (
+    id INTEGER PRIMARY KEY, fingerprint TEXT NOT NULL UNIQUE, source TEXT NOT NULL, planned INTEGER NOT NULL);
+  CREATE TABLE IF NOT EXISTS plan (
+    sweep INTEGER NOT NULL, position INTEGER NOT NULL, run_hash TEXT NOT NULL,
+    PRIMARY KEY (sweep, position)) WITHOUT ROWID;
+  CREATE UNIQUE INDEX IF NOT EXISTS plan_by_run ON plan (sweep, run_hash);
+  CREATE TABLE IF NOT EXISTS claims (
+    run_hash TEXT NOT NULL, version TEXT NOT NULL, owner TEXT NOT NULL,
+    PRIMARY KEY (run_hash, version)) WITHOUT ROWID;)";
+
+/// The column of which the best is asked for again and again.
+constexpr const char* BEST_OF = "quality";
+
+std::string lowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+std::int64_t pragma(const Database& database, const std::string& name)
+{
+  Statement statement(database, "PRAGMA " + name);
+  return statement.step() ? statement.integer(0) : 0;
+}
+
+bool isEmpty(const Database& database)
+{
+  Statement statement(database, "SELECT COUNT(*) FROM sqlite_master");
+  return !statement.step() || statement.integer(0) == 0;
+}
+
+/// An integer of 64 bits without a sign, which SQL has none for, is text where it is too large.
+void bindUnsigned(Statement& statement, int parameter, std::uint64_t value)
+{
+  if (value <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
+    statement.bind(parameter, static_cast<std::int64_t>(value));
+  else
+    statement.bind(parameter, std::to_string(value));
+}
+
+void bindJson(Statement& statement, int parameter, const Json& value)
+{
+  if (value.is_boolean())
+    statement.bind(parameter, static_cast<std::int64_t>(value.get<bool>()));
+  else if (value.is_number_unsigned())
+    bindUnsigned(statement, parameter, value.get<std::uint64_t>());
+  else if (value.is_number_integer())
+    statement.bind(parameter, value.get<std::int64_t>());
+  else if (value.is_number())
+    statement.bind(parameter, value.get<double>());
+  else
+    statement.bind(parameter, nullptr);
+}
+
+}  // namespace
+
+void bindValue(Statement& statement, int parameter, const std::optional<std::string>& value)
+{
+  if (!value)
+  {
+    statement.bind(parameter, nullptr);
+    return;
+  }
+  const bool numeric = !value->empty() && value->find_first_not_of("0123456789+-.eE") == std::string::npos &&
+                       value->find_first_of("0123456789") != std::string::npos;
+  char* end = nullptr;
+  errno = 0;
+  const long long integer = numeric ? std::strtoll(value->c_str(), &end, 10) : 0;
+  if (numeric && *end == '\0' && errno == 0)
+  {
+    statement.bind(parameter, static_cast<std::int64_t>(integer));
+    return;
+  }
+  const double number = numeric ? std::strtod(value->c_str(), &end) : 0.0;
+  if (numeric && *end == '\0' && std::isfinite(number))
+    statement.bind(parameter, number);
+  else
+    statement.bind(parameter, *value);
+}
+
+ResultStore::ResultStore(const std::string& path, Database::Access access) : database_(path, access)
+{
+  // The tables before the marks: another process may be about to write both, at once.
+  const bool empty = isEmpty(database_);
+  if (empty ? access == Database::Access::READ : pragma(database_, "application_id") != APPLICATION_ID)
+    throw DatabaseError(path + ": is no results file of sieve_sweep");
+  if (!empty && pragma(database_, "user_version") != FORMAT)
+    throw DatabaseError(path + ": is a results file of another format");
+  if (access == Database::Access::WRITE)
+    makeTables();
+  loadColumns();
+}
+
+void ResultStore::makeTables()
+{
+  // With these two what is committed outlives the process, whatever ends it, and nothing waits for the disk.
+  pragma(database_, "journal_mode = WAL");
+  database_.execute("PRAGMA synchronous = NORMAL");
+  Transaction transaction(database_);
+  database_.execute("PRAGMA application_id = " + std::to_string(APPLICATION_ID));
+  database_.execute("PRAGMA user_version = " + std::to_string(FORMAT));
+  database_.execute(TABLES);
+  transaction.commit();
+}
+
+void ResultStore::loadColumns()
+{
+  for (const std::string& name : columnNames())
+    columns_.insert(lowerCase(name));
+}
+
+std::vector<std::string> ResultStore::columnNames() const
+{
+  std::vector<std::string> names;
+  Statement statement(database_, "SELECT name FROM pragma_table_info('cases')");
+  while (statement.step())
+    names.push_back(statement.text(0));
+  return names;
+}
+
+void ResultStore::forgetColumns()
+{
+  columns_.clear();
+  insertions_.clear();
+  loadColumns();
+}
+
+bool ResultStore::hasColumn(const std::string& name) const
+{
+  return columns_.count(lowerCase(name)) > 0;
+}
+
+void ResultStore::addColumns(const std::vector<std::string>& names)
+{
+  const auto known = [this](const std::string& name) { return hasColumn(name); };
+  if (std::all_of(names.begin(), names.end(), known))
+    return;
+  loadColumns();  // another process may have added them
+  for (const std::string& name : names)
+    if (!hasColumn(name))
+    {
+      database_.execute("ALTER TABLE cases ADD COLUMN " + quotedName(name));
+      if (name == BEST_OF)
+        database_.execute("CREATE INDEX IF NOT EXISTS cases_by_quality ON cases (quality)");
+      columns_.insert(lowerCase(name));
+    }
+}
+
+Statement& ResultStore::insertion(const std::vector<std::string>& columns)
+{
+  std::string names;
+  std::string marks;
+  for (const std::string& column : columns)
+  {
+    names += (names.empty() ? "" : ", ") + quotedName(column);
+    marks += marks.empty() ? "?" : ", ?";
+  }
+  std::unique_ptr<Statement>& statement = insertions_[names];
+  if (statement == nullptr)
+    statement = std::make_unique<Statement>(
+        database_, "INSERT OR IGNORE INTO cases (" + names + ") VALUES (" + marks + ")");
+  return *statement;
+}
+
+void ResultStore::record(const std::vector<std::string>& keys, const CaseResult& result)
+{
+  std::vector<std::string> columns = FIXED_COLUMNS;
+  columns.insert(columns.end(), keys.begin(), keys.end());
+  const auto scalars = summaryColumns(result.summary);
+  for (const auto& scalar : scalars)
+    columns.push_back(scalar.first);
+  addColumns(columns);
+  Statement& statement = insertion(columns);
+  statement.bind(1, result.run_hash).bind(2, std::string(version())).bind(3, result.scene_hash);
+  bindUnsigned(statement, 4, result.seed);
+  statement.bind(5, std::string(result.error.empty() ? "done" : "failed"));
+  if (result.error.empty())
+    statement.bind(6, nullptr);
+  else
+    statement.bind(6, result.error);
+  statement.bind(7, result.wall_time).bind(8, result.host);
+  if (result.summary.is_null())
+    statement.bind(9, nullptr);
+  else
+    statement.bind(9, result.summary.dump(-1, ' ', false, Json::error_handler_t::replace));
+  int parameter = static_cast<int>(FIXED_COLUMNS.size());
+  for (const auto& value : result.values)
+    bindValue(statement, ++parameter, value);
+  for (const auto& scalar : scalars)
+    bindJson(statement, ++parameter, scalar.second);
+  statement.run();
+}
+
+}  // namespace ratchet_sieve

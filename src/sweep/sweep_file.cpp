@@ -1,0 +1,119 @@
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "ratchet_sieve/scene/scalars.h"
+#include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/sweep/sweep.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+void readScene(const Entry& root, Sweep& sweep)
+{
+  const Entry scene = root.at("scene");
+  if (scene.node().IsMap())
+  {
+    sweep.scene_text = flowText(scene.node());
+    sweep.scene_source = sweep.source + ": scene";
+    return;
+  }
+  if (!scene.node().IsScalar())
+    scene.refuseValue("must be the path of a scene, or the scene itself");
+  sweep.scene_source = (fs::path(sweep.source).parent_path() / scene.node().Scalar()).string();
+  sweep.scene_text = readYamlText(sweep.scene_source);
+}
+
+void readAxes(const Entry& root, Sweep& sweep)
+{
+  if (root.has("grid"))
+  {
+    const Entry grid = root.at("grid");
+    const std::vector<std::string> keys = grid.keys();
+    if (keys.empty())
+      grid.refuse("must have one key or more");
+    for (const std::string& key : keys)
+      sweep.axes.push_back(readGridAxis(grid, key));
+  }
+  if (root.has("zip"))
+    sweep.axes.push_back(readZip(root.at("zip")));
+  if (root.has("cases"))
+    sweep.axes.push_back(readCases(root.at("cases")));
+}
+
+void readSeeds(const Entry& root, Sweep& sweep)
+{
+  if (!root.has("seed"))
+    return;
+  const Entry entry = root.at("seed");
+  entry.requireKeys({"first", "count"}, {"first", "count"});
+  readScalar(entry.at("first"), {}, sweep.seeds.first);
+  readScalar(entry.at("count"), {}, sweep.seeds.count);
+  if (sweep.seeds.count == 0)
+    entry.at("count").refuseValue("must be 1 or more");
+  if (sweep.seeds.first + (sweep.seeds.count - 1) < sweep.seeds.first)
+    entry.refuse("the last seed must be below 2^64");
+}
+
+/// No key is set in two places, and what `seed` says is said there alone.
+void requireOnce(const Entry& root, const Sweep& sweep)
+{
+  std::map<std::string, std::string> seen;
+  const auto take = [&](const std::string& key, const std::string& place)
+  {
+    if (key == "seed" && (place != "set" || sweep.seeds.count > 0))
+      root.at(place).refuse("seeds are given by the sweep's own key, seed: {first: .., count: ..}");
+    const auto [other, is_new] = seen.emplace(key, place);
+    if (!is_new)
+      root.at(place).refuse(key + " is set in " + other->second + " as well");
+  };
+  for (const Assignment& assignment : sweep.fixed)
+    take(assignment.key, "set");
+  std::size_t k = 0;
+  if (root.has("grid"))
+    for (; k < root.at("grid").keys().size(); ++k)
+      take(sweep.axes[k].keys.front(), "grid");
+  for (const char* place : {"zip", "cases"})
+    if (root.has(place))
+      for (const std::string& key : sweep.axes[k++].keys)
+        take(key, place);
+}
+
+void requireCountable(const Entry& root, const Sweep& sweep)
+{
+  std::uint64_t product = sweep.seedCount();
+  bool countable = product <= MOST_CASES;
+  for (const Axis& axis : sweep.axes)
+  {
+    countable = countable && axis.size <= MOST_CASES / product;
+    if (countable)
+      product *= axis.size;
+  }
+  if (!countable)
+    root.refuse("has more than " + std::to_string(MOST_CASES) + " cases");
+}
+
+}  // namespace
+
+Sweep loadSweep(const std::string& path)
+{
+  const YAML::Node tree = copyableYaml(readYamlText(path), path);
+  const Entry root(tree, path, "sweep");
+  root.requireKeys({"scene", "set", "grid", "zip", "cases", "seed"}, {"scene"});
+  Sweep sweep;
+  sweep.source = path;
+  readScene(root, sweep);
+  if (root.has("set"))
+    sweep.fixed = readAssignments(root.at("set"));
+  readAxes(root, sweep);
+  readSeeds(root, sweep);
+  requireOnce(root, sweep);
+  requireCountable(root, sweep);
+  return sweep;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,185 @@
+#include "ratchet_sieve/sweep/sweep_plan.h"
+
+#include <stdexcept>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/sweep/case_builder.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Rows of a transaction while a plan is written: enough for it to cost little, and few enough for another
+/// process to get in between.
+constexpr std::uint64_t ROWS_AT_ONCE = 2000;
+
+/// Disks that are placed by hand may overlap, which is seen where they are set up; a pour refuses nothing.
+void requirePlaceable(const CaseBuilder& builder, const Sweep& sweep, const SweepCase& next)
+{
+  if (next.scene.initial.empty())
+    return;
+  try
+  {
+    const Simulation simulation(next.scene);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw SceneError(sweep.source + ": case " + std::to_string(next.position + 1) + " (" +
+                     builder.name(next.position) + "): " + error.what());
+  }
+}
+
+std::int64_t beginPlan(Database& database, const Sweep& sweep)
+{
+  Transaction transaction(database);
+  Statement insert(database, "INSERT OR IGNORE INTO sweeps (fingerprint, source, planned) VALUES (?, ?, 0)");
+  insert.bind(1, sweep.fingerprint()).bind(2, sweep.source).run();
+  Statement select(database, "SELECT id FROM sweeps WHERE fingerprint = ?");
+  select.bind(1, sweep.fingerprint()).step();
+  const std::int64_t id = select.integer(0);
+  select.reset();
+  transaction.commit();
+  return id;
+}
+
+Statement& bindPlan(Statement& statement, std::int64_t id)
+{
+  return statement.bind(1, id).bind(2, std::string(version()));
+}
+
+constexpr const char* ROWS_OF_PLAN =
+    " FROM plan p JOIN cases c ON c.run_hash = p.run_hash WHERE p.sweep = ?1 ";
+
+}  // namespace
+
+void requireLegal(const Sweep& sweep)
+{
+  CaseBuilder builder(sweep);
+  for (std::uint64_t point = 0; point < sweep.points(); ++point)
+    requirePlaceable(builder, sweep, builder.at(point * sweep.seedCount()));
+}
+
+std::optional<SweepPlan> SweepPlan::find(Database& database, const Sweep& sweep)
+{
+  Statement select(database, "SELECT id FROM sweeps WHERE fingerprint = ? AND planned = 1");
+  select.bind(1, sweep.fingerprint());
+  if (!select.step())
+    return std::nullopt;
+  return SweepPlan(select.integer(0));
+}
+
+std::optional<SweepPlan> SweepPlan::make(Database& database, const Sweep& sweep,
+                                         const std::function<bool()>& stop_wanted)
+{
+  const std::int64_t id = beginPlan(database, sweep);
+  Statement insert(database, "INSERT OR IGNORE INTO plan (sweep, position, run_hash) VALUES (?, ?, ?)");
+  std::vector<std::string> hashes;
+  std::uint64_t first = 0;
+  const auto flush = [&]
+  {
+    Transaction transaction(database);
+    for (std::uint64_t k = 0; k < hashes.size(); ++k)
+      insert.bind(1, id).bind(2, static_cast<std::int64_t>(first + k)).bind(3, hashes[k]).run();
+    transaction.commit();
+    first += hashes.size();
+    hashes.clear();
+  };
+  CaseBuilder builder(sweep);
+  for (std::uint64_t position = 0; position < sweep.size(); ++position)
+  {
+    hashes.push_back(runHash(builder.at(position).scene));
+    if (hashes.size() < ROWS_AT_ONCE)
+      continue;
+    if (stop_wanted && stop_wanted())
+      return std::nullopt;
+    flush();
+  }
+  flush();
+  Statement(database, "UPDATE sweeps SET planned = 1 WHERE id = ?").bind(1, id).run();
+  return SweepPlan(id);
+}
+
+SweepCounts SweepPlan::counts(Database& database) const
+{
+  Statement rows(
+      database,
+      "SELECT COUNT(*), COUNT(c.status), SUM(c.status IS 'failed') "
+      "FROM plan p LEFT JOIN cases c ON c.run_hash = p.run_hash AND c.version = ?2 WHERE p.sweep = ?1");
+  bindPlan(rows, id_).step();
+  SweepCounts counts;
+  counts.cases = static_cast<std::uint64_t>(rows.integer(0));
+  counts.failed = static_cast<std::uint64_t>(rows.integer(2));
+  counts.done = static_cast<std::uint64_t>(rows.integer(1)) - counts.failed;
+  Statement others(database, std::string("SELECT COUNT(*)") + ROWS_OF_PLAN + "AND c.version <> ?2");
+  bindPlan(others, id_).step();
+  counts.other_versions = static_cast<std::uint64_t>(others.integer(0));
+  return counts;
+}
+
+std::optional<BestCase> SweepPlan::best(const ResultStore& store) const
+{
+  if (!store.hasColumn("quality"))
+    return std::nullopt;
+  // From the best of all results on, down to the first that is this sweep's.
+  Statement select(
+      store.database(),
+      "SELECT p.position, c.quality FROM cases c CROSS JOIN plan p ON p.sweep = ?1 AND p.run_hash = "
+      "c.run_hash WHERE c.version = ?2 AND c.quality IS NOT NULL ORDER BY c.quality DESC LIMIT 1");
+  if (!bindPlan(select, id_).step())
+    return std::nullopt;
+  return BestCase{static_cast<std::uint64_t>(select.integer(0)), select.real(1)};
+}
+
+void SweepPlan::fillValues(ResultStore& store, const Sweep& sweep) const
+{
+  const std::vector<std::string> keys = sweep.keys();
+  Statement others(store.database(), "SELECT 1 FROM sweeps WHERE id <> ?");
+  if (keys.empty() || !others.bind(1, id_).step())
+    return;
+  others.reset();
+  store.addColumns(keys);
+  std::string missing;
+  std::string assignments;
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    missing += (i == 0 ? "" : " OR ") + ("c." + quotedName(keys[i]) + " IS NULL");
+    assignments += (i == 0 ? "" : ", ") + quotedName(keys[i]) + " = ?" + std::to_string(i + 3);
+  }
+  Database& database = store.database();
+  Statement select(database, std::string("SELECT p.position, p.run_hash") + ROWS_OF_PLAN +
+                                 "AND c.version = ?2 AND (" + missing + ") ORDER BY p.position");
+  std::vector<std::pair<std::uint64_t, std::string>> rows;
+  bindPlan(select, id_);
+  while (select.step())
+    rows.emplace_back(static_cast<std::uint64_t>(select.integer(0)), select.text(1));
+  CaseBuilder builder(sweep);
+  Transaction transaction(database);
+  Statement update(database, "UPDATE cases SET " + assignments + " WHERE run_hash = ?1 AND version = ?2");
+  for (const auto& [position, hash] : rows)
+  {
+    update.bind(1, hash).bind(2, std::string(version()));
+    int parameter = 2;
+    for (const auto& value : builder.at(position).values)
+      bindValue(update, ++parameter, value);
+    update.run();
+  }
+  transaction.commit();
+}
+
+std::int64_t SweepPlan::removeFailed(Database& database) const
+{
+  Transaction transaction(database);
+  Statement remove(database,
+                   "DELETE FROM cases WHERE version = ?2 AND status = 'failed' AND run_hash IN "
+                   "(SELECT run_hash FROM plan WHERE sweep = ?1)");
+  bindPlan(remove, id_).run();
+  const std::int64_t removed = database.changes();
+  transaction.commit();
+  return removed;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,169 @@
+// The program as its users run it: killed, interrupted, twice at once, and refused.
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <random>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "sweep_files.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Cases long enough for several checkpoints each.
+const std::string LONG_SWEEP = std::string(SMALL_SCENE) + R"(
+set: {duration: 40, boundary: periodic}
+grid: {base.inclination: {from: -0.1, to: 0.1, count: 3}}
+seed: {first: 1, count: 4}
+)";
+
+class SieveSweep : public testing::Test
+{
+protected:
+  /// Starts it, its standard error in the file `errors`.
+  pid_t start(const std::vector<std::string>& arguments, const std::string& errors = "errors") const
+  {
+    std::vector<std::string> words = {std::getenv("SIEVE_SWEEP")};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : words)
+      argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const std::string output_path = directory_ / "output";
+    const std::string errors_path = directory_ / errors;
+    const pid_t child = fork();
+    if (child != 0)
+      return child;
+    dup2(open(output_path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), STDOUT_FILENO);
+    dup2(open(errors_path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), STDERR_FILENO);
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+
+  /// Its exit status; of one that a signal ended, less than 0.
+  static int end(pid_t child)
+  {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+  int run(const std::vector<std::string>& arguments) const { return end(start(arguments)); }
+  std::string errors(const std::string& name = "errors") const { return contents(directory_ / name); }
+  std::string output() const { return contents(directory_ / "output"); }
+  std::string sweep(const std::string& text) const { return written(directory_, "s.yaml", text); }
+
+  ScratchDirectory directory_;
+};
+
+TEST_F(SieveSweep, KilledAgainAndAgainComesToTheSameTable)
+{
+  const std::string file = sweep(LONG_SWEEP);
+  ASSERT_EQ(run({"run", file, "--db", directory_ / "whole.db"}), 0) << errors();
+  std::mt19937 random(1);
+  int kills = 0;
+  bool had_checkpoint = false;
+  double longest = 0.1;  ///< [s]
+  for (int status = -SIGKILL; status == -SIGKILL; longest *= 1.1)
+  {
+    const pid_t child = start({"run", file, "--checkpoint-every", "0.02"});
+    usleep(static_cast<useconds_t>(1e6 * std::uniform_real_distribution<>(0.0, longest)(random)));
+    kill(child, SIGKILL);
+    status = end(child);
+    kills += status == -SIGKILL ? 1 : 0;
+    if (std::filesystem::exists(directory_ / "s.db.d"))
+      for (const auto& entry : std::filesystem::directory_iterator(directory_ / "s.db.d"))
+        had_checkpoint = had_checkpoint || entry.path().extension() == ".checkpoint";
+    ASSERT_TRUE(status == -SIGKILL || status == 0) << status << errors();
+  }
+  EXPECT_GT(kills, 2);
+  EXPECT_TRUE(had_checkpoint);
+  EXPECT_EQ(tableOf(directory_ / "s.db").size(), 12u);
+  EXPECT_EQ(tableOf(directory_ / "s.db"), tableOf(directory_ / "whole.db"));
+}
+
+TEST_F(SieveSweep, TwoAtOnceShareTheWork)
+{
+  const std::string file =
+      sweep(std::string(SMALL_SCENE) + "set: {duration: 2}\nseed: {first: 1, count: 300}\n");
+  const pid_t one = start({"run", file, "--threads", "1"}, "one");
+  const pid_t other = start({"run", file, "--threads", "1"}, "other");
+  EXPECT_EQ(end(one), 0) << errors("one");
+  EXPECT_EQ(end(other), 0) << errors("other");
+  EXPECT_EQ(tableOf(directory_ / "s.db").size(), 300u);
+  EXPECT_EQ(textOf(directory_ / "s.db", "SELECT COUNT(*) FROM claims"), "0");
+  ASSERT_EQ(run({"run", file, "--db", directory_ / "alone.db"}), 0);
+  EXPECT_EQ(tableOf(directory_ / "s.db"), tableOf(directory_ / "alone.db"));
+}
+
+TEST_F(SieveSweep, InterruptedSaysHowToGoOn)
+{
+  const std::string file = sweep(LONG_SWEEP);
+  const pid_t child = start({"run", file});
+  // It answers signals once it has begun to write.
+  while (!std::filesystem::exists(directory_ / "s.db.d") && waitpid(child, nullptr, WNOHANG) == 0)
+    usleep(1000);
+  kill(child, SIGINT);
+  EXPECT_EQ(end(child), 130);
+  EXPECT_NE(errors().find("of 12 cases to go; the same command goes on\n"), std::string::npos) << errors();
+  EXPECT_EQ(run({"run", file}), 0) << errors();
+  EXPECT_EQ(tableOf(directory_ / "s.db").size(), 12u);
+}
+
+TEST_F(SieveSweep, ExitStatusTellsOfCasesThatFailed)
+{
+  const std::string file = sweep(SMALL_SCENE + std::string("cases: [{gravity: 9}, ") + STALLING_CASE + "]\n");
+  EXPECT_EQ(run({"run", file}), 1);
+  EXPECT_EQ(errors().rfind("2 cases: 1 done, 1 failed, 0 under way, 0 to go\n", 0), 0u) << errors();
+}
+
+TEST_F(SieveSweep, RefusesBeforeAnythingIsRun)
+{
+  const auto expect_refusal = [this](const std::vector<std::string>& arguments, const std::string& part)
+  {
+    EXPECT_EQ(run(arguments), 2) << errors();
+    EXPECT_NE(errors().find(part), std::string::npos) << errors();
+    EXPECT_EQ(errors().find('\n'), errors().size() - 1) << errors();
+    EXPECT_FALSE(std::filesystem::exists(directory_ / "s.db"));
+  };
+  expect_refusal({"run", sweep("gird: {}\n")}, "sieve_sweep: " + (directory_ / "s.yaml") +
+                                                   ":1: gird: unknown key; did you "
+                                                   "mean grid?");
+  expect_refusal({"run", sweep(SMALL_SCENE + std::string("grid: {base.inclination: [9]}\n"))},
+                 "case 1 (base.inclination=9): ");
+  const std::string huge = sweep(SMALL_SCENE + std::string("seed: {first: 1, count: 1000000000}\n"));
+  expect_refusal({"run", huge, "--threads", "2"}, "s.yaml: has 1000000000 cases, which take about ");
+  EXPECT_NE(errors().find(" by the first case on 2 threads; --yes runs them"), std::string::npos) << errors();
+  expect_refusal({"run", directory_ / "none.yaml"}, "none.yaml: no such file");
+  expect_refusal({"run"}, "SWEEP is required");
+  expect_refusal({}, "subcommand is required");
+}
+
+TEST_F(SieveSweep, ListsShowsAndExports)
+{
+  const std::string file = sweep(SMALL_SCENE + std::string("grid: {gravity: [8, 9]}\n"));
+  EXPECT_EQ(run({"run", file, "--dry-run"}), 0);
+  EXPECT_EQ(output(), "1: gravity=8\n2: gravity=9\n");
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "s.db"));
+  EXPECT_EQ(run({"status", file}), 0);
+  EXPECT_EQ(output(), "2 cases, not begun\n");
+  EXPECT_EQ(run({"export", file}), 1);
+  EXPECT_EQ(run({"run", file}), 0);
+  EXPECT_EQ(run({"status", file}), 0);
+  EXPECT_EQ(output().rfind("2 cases: 2 done, 0 failed, 0 under way, 0 to go\n", 0), 0u) << output();
+  EXPECT_EQ(run({"export", file, "--out", directory_ / "s.csv"}), 0);
+  const std::string csv = contents(directory_ / "s.csv");
+  EXPECT_EQ(csv.rfind("gravity,seed,status,error,", 0), 0u) << csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "s.db-wal"));
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

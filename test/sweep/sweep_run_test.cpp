@@ -1,0 +1,250 @@
+// Sweeps in this process: what is run, what is not, and what becomes of it.
+#include "ratchet_sieve/sweep/sweep_run.h"
+
+#include <algorithm>
+#include <atomic>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/recording/checkpoint.h"
+#include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/sweep/case_builder.h"
+#include "ratchet_sieve/sweep/case_claims.h"
+#include "ratchet_sieve/sweep/case_run.h"
+#include "ratchet_sieve/sweep/sweep_report.h"
+#include "ros/file_size_limit.h"
+#include "sweep_files.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+class SweepRunTest : public testing::Test
+{
+protected:
+  Sweep load(const std::string& text, const std::string& name = "s.yaml") const
+  {
+    return loadSweep(written(directory_, name, SMALL_SCENE + text));
+  }
+  std::string text(const std::string& query) const { return textOf(results_, query); }
+  std::string status(const Sweep& sweep) const { return statusText(sweep, results_); }
+
+  ScratchDirectory directory_;
+  std::string results_ = directory_ / "r.db";
+};
+
+TEST_F(SweepRunTest, KeepsWhatSieveRunWouldSay)
+{
+  const Sweep sweep = load("grid: {base.inclination: [0, 0.1]}\nseed: {first: 1, count: 2}\n");
+  const SweepOutcome outcome = runSweep(sweep, results_, {});
+  EXPECT_FALSE(outcome.stopped);
+  EXPECT_EQ(outcome.counts.done, 4u);
+  EXPECT_EQ(outcome.counts.open(), 0u);
+  CaseBuilder builder(sweep);
+  const SweepCase& last = builder.at(3);
+  const nlohmann::ordered_json summary = runCase(last, {})->summary;
+  const auto row = tableOf(results_).at(runHash(last.scene) + ' ' + version());
+  EXPECT_EQ(row.at("scene_hash"), sceneHash(last.scene));
+  EXPECT_EQ(row.at("seed"), "2");
+  EXPECT_EQ(row.at("base.inclination"), "0.1");
+  EXPECT_EQ(row.at("events"), summary["events"].dump());
+  EXPECT_EQ(nlohmann::ordered_json::parse(row.at("summary"))["energy_end"], summary["energy_end"]);
+  EXPECT_FALSE(std::filesystem::exists(results_ + ".d"));
+}
+
+TEST_F(SweepRunTest, DependsOnNoNumberOfThreads)
+{
+  const Sweep sweep = load("grid: {base.inclination: {from: -0.2, to: 0.2, count: 21}}\n");
+  SweepRunOptions options;
+  options.threads = 1;
+  runSweep(sweep, results_, options);
+  options.threads = 5;
+  runSweep(sweep, directory_ / "five.db", options);
+  EXPECT_EQ(tableOf(results_), tableOf(directory_ / "five.db"));
+  EXPECT_EQ(tableOf(results_).size(), 21u);
+}
+
+TEST_F(SweepRunTest, SharesCasesWithAnotherSweepThatHasOtherKeys)
+{
+  runSweep(load("grid: {base.inclination: [0, 0.1]}\n"), results_, {});
+  const Sweep other =
+      load("grid: {base.frequency: [23, 20], base.phase: [0, 1]}\nset: {base.inclination: 0.1}\n", "t.yaml");
+  EXPECT_EQ(runSweep(other, results_, {}).counts.done, 4u);
+  EXPECT_EQ(text("SELECT COUNT(*) FROM cases"), "5");
+  EXPECT_EQ(text("SELECT \"base.frequency\" FROM cases WHERE \"base.inclination\" = 0.1"), "23");
+  std::ostringstream csv;
+  EXPECT_EQ(exportCsv(other, results_, csv), 4u);
+  EXPECT_EQ(csv.str().rfind("base.frequency,base.phase,seed,status,error,", 0), 0u) << csv.str();
+}
+
+TEST_F(SweepRunTest, CountsACaseThatIsListedTwiceOnce)
+{
+  const SweepOutcome outcome =
+      runSweep(load("cases: [{gravity: 9}, {gravity: 9.0}, {base.phase: 0, gravity: 9}]\n"), results_, {});
+  EXPECT_EQ(outcome.counts.cases, 1u);
+  EXPECT_EQ(outcome.counts.done, 1u);
+}
+
+TEST_F(SweepRunTest, MakesAFailureARowAndGoesOn)
+{
+  const Sweep sweep = load(std::string("cases: [{gravity: 9}, ") + STALLING_CASE + ", {gravity: 8}]\n");
+  const SweepOutcome outcome = runSweep(sweep, results_, {});
+  EXPECT_EQ(outcome.counts.done, 2u);
+  EXPECT_EQ(outcome.counts.failed, 1u);
+  EXPECT_NE(text("SELECT error FROM cases WHERE status = 'failed'").find("collapse"), std::string::npos)
+      << text("SELECT error FROM cases WHERE status = 'failed'");
+  EXPECT_NE(status(sweep).find("3 cases: 2 done, 1 failed, 0 under way, 0 to go\n"), std::string::npos)
+      << status(sweep);
+  const std::string row = text("SELECT rowid FROM cases WHERE status = 'failed'");
+  runSweep(sweep, results_, {});
+  EXPECT_EQ(text("SELECT rowid FROM cases WHERE status = 'failed'"), row);
+  SweepRunOptions again;
+  again.retry_failed = true;
+  again.stop_wanted = [] { return true; };
+  EXPECT_EQ(runSweep(sweep, results_, again).counts.open(), 1u);
+}
+
+TEST_F(SweepRunTest, DoesNotMixResultsOfAnotherVersion)
+{
+  const Sweep sweep = load("grid: {gravity: [8, 9]}\n");
+  runSweep(sweep, results_, {});
+  const auto before = tableOf(results_);
+  Database(results_, Database::Access::WRITE).execute("UPDATE cases SET version = '0.0.1', quality = 99");
+  EXPECT_EQ(status(sweep),
+            "2 cases: 0 done, 0 failed, 0 under way, 2 to go\n2 results of these cases are of other "
+            "versions than " +
+                std::string(version()) + " and count for nothing\n");
+  runSweep(sweep, results_, {});
+  EXPECT_EQ(text("SELECT COUNT(*) FROM cases"), "4");
+  auto after = tableOf(results_);
+  for (auto row = after.begin(); row != after.end();)
+    row = row->second["version"] == "0.0.1" ? after.erase(row) : std::next(row);
+  EXPECT_EQ(after, before);
+  std::ostringstream csv;
+  EXPECT_EQ(exportCsv(sweep, results_, csv), 2u);
+  EXPECT_EQ(csv.str().find(",99,"), std::string::npos);
+}
+
+TEST_F(SweepRunTest, WritesNothingOfASweepWithAnIllegalCase)
+{
+  EXPECT_THROW(runSweep(load("grid: {base.inclination: [0, 9]}\n"), results_, {}), SceneError);
+  EXPECT_FALSE(std::filesystem::exists(results_));
+}
+
+TEST_F(SweepRunTest, StopsAtACheckpointAndGoesOnFromIt)
+{
+  const Sweep sweep = load("set: {duration: 1}\nseed: {first: 1, count: 3}\n");
+  SweepRunOptions stopping;
+  stopping.threads = 1;
+  std::atomic<int> looks{0};
+  stopping.stop_wanted = [&looks] { return ++looks > 6; };
+  EXPECT_TRUE(runSweep(sweep, results_, stopping).stopped);
+  CaseBuilder builder(sweep);
+  const SweepCase& first = builder.at(0);
+  const std::string path = results_ + ".d/" + runHash(first.scene) + ".checkpoint";
+  {
+    const Checkpoint checkpoint = readCheckpoint(path, first.scene);
+    EXPECT_GT(checkpoint.simulation.time(), 0.0);
+    EXPECT_LT(checkpoint.simulation.time(), 1.0);
+  }
+  EXPECT_FALSE(runSweep(sweep, results_, {}).stopped);
+  runSweep(sweep, directory_ / "at_once.db", {});
+  EXPECT_EQ(tableOf(results_), tableOf(directory_ / "at_once.db"));
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST_F(SweepRunTest, BeginsACaseAnewWhoseCheckpointIsDamaged)
+{
+  const Sweep sweep = load("");
+  std::filesystem::create_directory(results_ + ".d");
+  std::ofstream(results_ + ".d/" + runHash(CaseBuilder(sweep).at(0).scene) + ".checkpoint")
+      << "no checkpoint";
+  std::string warning;
+  SweepRunOptions options;
+  options.warn = [&warning](const std::string& text) { warning = text; };
+  EXPECT_EQ(runSweep(sweep, results_, options).counts.done, 1u);
+  EXPECT_NE(warning.find("it is no checkpoint; the case begins anew"), std::string::npos) << warning;
+}
+
+TEST_F(SweepRunTest, SaysThatTheDiskIsFullAndLosesNothing)
+{
+  const Sweep sweep = load("set: {duration: 0.01}\nseed: {first: 1, count: 2000}\n");
+  std::string complaint;
+  try
+  {
+    const FileSizeLimit limit(700'000);
+    runSweep(sweep, results_, {});
+  }
+  catch (const DatabaseFull& error)
+  {
+    complaint = error.what();
+  }
+  EXPECT_EQ(complaint.rfind(results_ + ": ", 0), 0u) << complaint;
+  EXPECT_NE(complaint.find("finished cases found no room: make room and start again, it goes on"),
+            std::string::npos)
+      << complaint;
+  EXPECT_EQ(text("PRAGMA integrity_check"), "ok");
+  const auto kept = tableOf(results_);
+  EXPECT_GT(kept.size(), 0u);
+  EXPECT_LT(kept.size(), 2000u);
+  EXPECT_EQ(runSweep(sweep, results_, {}).counts.done, 2000u);
+  const auto all = tableOf(results_);
+  for (const auto& row : kept)
+    EXPECT_EQ(all.at(row.first), row.second);
+}
+
+TEST_F(SweepRunTest, TakesUpWhatAProcessThatIsGoneHadClaimed)
+{
+  const Sweep sweep = load("grid: {gravity: [8, 9]}\n");
+  SweepRunOptions none;
+  none.stop_wanted = [] { return true; };
+  runSweep(sweep, results_, none);
+  ResultStore store(results_, Database::Access::WRITE);
+  const SweepPlan plan = *SweepPlan::find(store.database(), sweep);
+  std::filesystem::create_directory(results_ + ".d");
+  {
+    CaseClaims claims(store.database(), plan, results_ + ".d");
+    {
+      Transaction transaction(store.database());
+      EXPECT_EQ(claims.take(10), (std::vector<std::uint64_t>{0, 1}));
+      EXPECT_EQ(claims.take(10), std::vector<std::uint64_t>());
+      transaction.commit();
+    }
+    EXPECT_EQ(casesUnderWay(store.database(), plan, results_ + ".d"), 2u);
+    CaseClaims others(store.database(), plan, results_ + ".d");
+    EXPECT_EQ(others.freeAbandoned(), 2u);
+  }
+  EXPECT_EQ(casesUnderWay(store.database(), plan, results_ + ".d"), 0u);
+  EXPECT_EQ(text("SELECT COUNT(*) FROM claims"), "2");
+  EXPECT_EQ(runSweep(sweep, results_, {}).counts.done, 2u);
+  EXPECT_EQ(text("SELECT COUNT(*) FROM claims"), "0");
+}
+
+TEST_F(SweepRunTest, ExportsWhatRfc4180Allows)
+{
+  const Sweep sweep = load("grid: {base.inclination: [0.1]}\n");
+  runSweep(sweep, results_, {});
+  Database(results_, Database::Access::WRITE).execute("UPDATE cases SET error = 'one, \"two\"'");
+  std::ostringstream csv;
+  EXPECT_EQ(exportCsv(sweep, results_, csv), 1u);
+  const std::string said = csv.str();
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 2);
+  EXPECT_EQ(said.substr(said.size() - 2), "\r\n");
+  EXPECT_NE(said.find("\r\n0.1,1,done,\"one, \"\"two\"\"\",0.2,"), std::string::npos) << said;
+}
+
+TEST_F(SweepRunTest, ListsCasesAndWhatIsDone)
+{
+  runSweep(load("grid: {gravity: [8]}\n"), results_, {});
+  std::ostringstream list;
+  listCases(load("grid: {gravity: [8, 9]}\n"), results_, list);
+  EXPECT_EQ(list.str(), "1: gravity=8  (done)\n2: gravity=9\n");
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
