@@ -8,18 +8,25 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "command_line.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
 
 /// Runs a program to its end. @return its wait status
-int runProgram(const std::string& program, const std::string& argument)
+int runScript(const std::string& program, std::vector<std::string> arguments)
 {
+  arguments.insert(arguments.begin(), program);
+  std::vector<char*> argv;
+  for (std::string& argument : arguments)
+    argv.push_back(argument.data());
+  argv.push_back(nullptr);
   const pid_t child = fork();
   if (child == 0)
   {
-    execl(program.c_str(), program.c_str(), argument.c_str(), static_cast<char*>(nullptr));
+    execv(program.c_str(), argv.data());
     _exit(127);
   }
   int status = 0;
@@ -30,15 +37,15 @@ int runProgram(const std::string& program, const std::string& argument)
 
 }  // namespace
 
-void plotTables(const std::string& directory)
+int plotTables(const std::string& name, const std::vector<std::string>& arguments)
 {
-  const std::filesystem::path script =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "plot_analysis.py";
+  const std::filesystem::path script = std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;
   if (!std::filesystem::exists(script))
     throw std::runtime_error(script.string() + ": not there, so that nothing can be plotted");
-  const int status = runProgram(script.string(), directory);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw std::runtime_error(script.string() + ": failed on " + directory);
+  const int status = runScript(script.string(), arguments);
+  if (!WIFEXITED(status) || (WEXITSTATUS(status) != 0 && WEXITSTATUS(status) != REFUSED))
+    throw std::runtime_error(script.string() + ": failed on " + arguments.front());
+  return WEXITSTATUS(status);
 }
 
 }  // namespace ratchet_sieve

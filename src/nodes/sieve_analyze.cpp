@@ -57,7 +57,7 @@ int analyze(const Arguments& arguments)
     for (const std::string& path : writeTables(result, arguments.directory))
       std::puts(path.c_str());
     std::fflush(stdout);
-    plotTables(arguments.directory);
+    return plotTables("plot_analysis.py", {arguments.directory});
   }
   return DONE;
 }

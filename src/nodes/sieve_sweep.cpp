@@ -6,8 +6,10 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "command_line.h"
+#include "plot_script.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/sweep_report.h"
@@ -35,6 +37,7 @@ struct Arguments
   std::string sweep;
   std::string results;
   std::string out;
+  std::vector<std::string> plot_options;
   bool dry_run = false;
   bool yes = false;
   SweepRunOptions options;
@@ -69,6 +72,28 @@ void describe(CLI::App& app, Arguments& arguments)
   verb("export", "Write the results as CSV")
       ->add_option("--out", arguments.out, "Into this file, not to standard output")
       ->type_name("FILE");
+  CLI::App* report =
+      verb("report", "Draw curves and maps of the results, averaged over the seeds, and a page of them");
+  report
+      ->add_option("--out", arguments.out,
+                   "Directory of the report; without it SWEEP_report, beside the sweep")
+      ->type_name("DIR");
+  const auto plot_option = [&](const std::string& name, const char* type, const char* text)
+  {
+    const auto take = [&arguments, name](const std::vector<std::string>& values)
+    {
+      for (const std::string& value : values)
+        arguments.plot_options.insert(arguments.plot_options.end(), {name, value});
+    };
+    report->add_option_function<std::vector<std::string>>(name, take, text)
+        ->type_name(type)
+        ->allow_extra_args(false);
+  };
+  plot_option("--x", "KEY", "Along x; without it the key with the most values");
+  plot_option("--y", "KEY", "Along y of a map, and one curve for each of its values");
+  plot_option("--field", "NAME",
+              "A column to be drawn, may be given again; without it Q, P, what leaves, velocities");
+  plot_option("--where", "KEY=VALUE", "Only cases of this value, may be given again");
   app.footer(
       "Exit status: 0 done; 2 bad arguments or bad sweep, nothing run; 130 interrupted; 1 anything else, "
       "such as a "
@@ -134,6 +159,23 @@ int exportResults(const Sweep& sweep, const Arguments& arguments)
   return DONE;
 }
 
+int report(const Sweep& sweep, Arguments& arguments)
+{
+  const std::filesystem::path file = arguments.sweep;
+  if (arguments.out.empty())
+    arguments.out = (file.parent_path() / file.stem()).string() + "_report";
+  std::error_code error;
+  std::filesystem::create_directories(arguments.out, error);
+  if (error)
+    throw OutputError(arguments.out + ": cannot be made: " + error.message());
+  AtomicFile table(arguments.out + "/cases.csv");
+  exportCsv(sweep, arguments.results, table.stream());
+  table.commit();
+  std::vector<std::string> options = {arguments.out, "--title", file.stem().string()};
+  options.insert(options.end(), arguments.plot_options.begin(), arguments.plot_options.end());
+  return plotTables("plot_sweep.py", options);
+}
+
 int obey(const CLI::App& app, Arguments& arguments)
 {
   if (arguments.results.empty())
@@ -145,6 +187,8 @@ int obey(const CLI::App& app, Arguments& arguments)
       return run(sweep, arguments);
     if (app.got_subcommand("export"))
       return exportResults(sweep, arguments);
+    if (app.got_subcommand("report"))
+      return report(sweep, arguments);
     std::fputs(statusText(sweep, arguments.results).c_str(), stdout);
     return DONE;
   }

@@ -51,6 +51,8 @@ void Database::fail() const
   // A limit on the size of files, too, shows as a write that fails.
   if (code == SQLITE_FULL || code == SQLITE_IOERR_WRITE || code == SQLITE_IOERR_SHMSIZE)
     throw DatabaseFull(text);
+  if ((code & 0xff) == SQLITE_BUSY)  // whatever more its extended code says
+    throw DatabaseBusy(text);
   throw DatabaseError(text);
 }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <thread>
 
 #include "ratchet_sieve/recording/version.h"
 
@@ -21,6 +23,9 @@ constexpr int APPLICATION_ID = 0x73696553;
 
 /// Goes up with every change of the tables below.
 constexpr int FORMAT = 1;
+
+constexpr int MOST_ATTEMPTS = 6000;
+constexpr auto BETWEEN_ATTEMPTS = std::chrono::milliseconds(10);
 
 const std::vector<std::string> FIXED_COLUMNS = {"run_hash", "version",   "scene_hash", "seed",   "status",
                                                 "error",    "wall_time", "host",       "summary"};
@@ -60,6 +65,25 @@ bool isEmpty(const Database& database)
 {
   Statement statement(database, "SELECT COUNT(*) FROM sqlite_master");
   return !statement.step() || statement.integer(0) == 0;
+}
+
+/// Where others open the file at the same time, SQLite does not wait to go over to the log, but refuses.
+void enterWriteAheadLog(const Database& database)
+{
+  for (int attempt = 1;; ++attempt)
+  {
+    try
+    {
+      pragma(database, "journal_mode = WAL");
+      return;
+    }
+    catch (const DatabaseBusy&)
+    {
+      if (attempt == MOST_ATTEMPTS)
+        throw;
+      std::this_thread::sleep_for(BETWEEN_ATTEMPTS);
+    }
+  }
 }
 
 /// An integer of 64 bits without a sign, which SQL has none for, is text where it is too large.
@@ -126,8 +150,9 @@ ResultStore::ResultStore(const std::string& path, Database::Access access) : dat
 
 void ResultStore::makeTables()
 {
-  // With these two what is committed outlives the process, whatever ends it, and nothing waits for the disk.
-  pragma(database_, "journal_mode = WAL");
+  // With the write-ahead log and this what is committed outlives the process, whatever ends it, and nothing
+  // waits for the disk.
+  enterWriteAheadLog(database_);
   database_.execute("PRAGMA synchronous = NORMAL");
   Transaction transaction(database_);
   database_.execute("PRAGMA application_id = " + std::to_string(APPLICATION_ID));

@@ -1,6 +1,8 @@
 // The program as its users run it: killed, interrupted, twice at once, and refused.
 #include <algorithm>
+#include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <random>
 
@@ -19,7 +21,7 @@ namespace
 
 /// Cases long enough for several checkpoints each.
 const std::string LONG_SWEEP = std::string(SMALL_SCENE) + R"(
-set: {duration: 40, boundary: periodic}
+set: {duration: 500, boundary: periodic}
 grid: {base.inclination: {from: -0.1, to: 0.1, count: 3}}
 seed: {first: 1, count: 4}
 )";
@@ -163,6 +165,60 @@ TEST_F(SieveSweep, ListsShowsAndExports)
   EXPECT_EQ(csv.rfind("gravity,seed,status,error,", 0), 0u) << csv;
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
   EXPECT_FALSE(std::filesystem::exists(directory_ / "s.db-wal"));
+}
+
+TEST_F(SieveSweep, ReportsMeansOverTheSeedsAndTheirErrors)
+{
+  const std::string file = sweep(
+      SMALL_SCENE +
+      std::string("grid: {base.inclination: [-0.2, 0, 0.2], base.frequency: [20, 25]}\nset: {duration: 1}\n"
+                  "seed: {first: 1, count: 3}\n"));
+  ASSERT_EQ(run({"run", file}), 0) << errors();
+  ASSERT_EQ(
+      run({"report", file, "--out", directory_ / "report", "--field", "mean_vx.A", "--field", "events"}), 0)
+      << errors();
+  const auto in_report = [this](const std::string& name)
+  { return contents(directory_ / ("report/" + name)); };
+  for (const char* name : {"mean_vx.A_curves", "mean_vx.A_map", "events_curves", "events_map"})
+  {
+    EXPECT_EQ(in_report(std::string(name) + ".png").rfind("\x89PNG", 0), 0u) << name;
+    EXPECT_NE(in_report(std::string(name) + ".svg").find("<svg"), std::string::npos) << name;
+    EXPECT_NE(in_report("report.html").find(std::string("alt=\"") + name + '"'), std::string::npos) << name;
+  }
+  std::istringstream means(in_report("means.csv"));
+  std::string line;
+  std::getline(means, line);
+  EXPECT_EQ(line, "base.inclination,base.frequency,seeds,mean_vx.A,mean_vx.A_stderr,events,events_stderr\r");
+  int lines = 0;
+  for (; std::getline(means, line); ++lines)
+  {
+    double x = 0.0, y = 0.0, mean = 0.0, error = 0.0;
+    int seeds = 0;
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%d,%lf,%lf", &x, &y, &seeds, &mean, &error), 5) << line;
+    EXPECT_EQ(seeds, 3);
+    const std::string cell = " FROM cases WHERE \"base.inclination\" = " + std::to_string(x) +
+                             " AND \"base.frequency\" = " + std::to_string(y);
+    const std::string column = "\"mean_vx.A\"";
+    const double expected = std::stod(textOf(directory_ / "s.db", "SELECT AVG(" + column + ")" + cell));
+    const double squares =
+        std::stod(textOf(directory_ / "s.db", "SELECT AVG(" + column + "*" + column + ")" + cell));
+    EXPECT_NEAR(mean, expected, 1e-12);
+    EXPECT_NEAR(error, std::sqrt((squares - expected * expected) / 2), 1e-9);
+  }
+  EXPECT_EQ(lines, 6);
+}
+
+TEST_F(SieveSweep, RefusesAReportOfWhatThereIsNot)
+{
+  const std::string file = sweep(SMALL_SCENE + std::string("grid: {gravity: [8, 9]}\n"));
+  ASSERT_EQ(run({"run", file}), 0) << errors();
+  EXPECT_EQ(run({"report", file, "--x", "density"}), 2);
+  EXPECT_EQ(errors(), "plot_sweep.py: --x density: no such name; there are gravity\n");
+  EXPECT_EQ(run({"report", file, "--field", "speed"}), 2);
+  EXPECT_EQ(errors().rfind("plot_sweep.py: --field speed: no such name; there are seed, status, ", 0), 0u)
+      << errors();
+  EXPECT_EQ(run({"report", file, "--where", "gravity=7"}), 2);
+  EXPECT_EQ(errors(), "plot_sweep.py: no case is done of those that --where asks for\n");
 }
 
 }  // namespace

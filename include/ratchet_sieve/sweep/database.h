@@ -24,6 +24,12 @@ struct DatabaseFull : DatabaseError
   using DatabaseError::DatabaseError;
 };
 
+/// Another process has it, for longer than one waits, or in a way that SQLite does not wait for.
+struct DatabaseBusy : DatabaseError
+{
+  using DatabaseError::DatabaseError;
+};
+
 /// A connection to an SQLite file. For one thread.
 class Database
 {
