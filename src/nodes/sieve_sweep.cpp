@@ -12,6 +12,8 @@
 #include "plot_script.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/sweep/case_file.h"
+#include "ratchet_sieve/sweep/engine_run.h"
 #include "ratchet_sieve/sweep/sweep_report.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
 
@@ -37,6 +39,9 @@ struct Arguments
   std::string sweep;
   std::string results;
   std::string out;
+  std::string engine = "threads";
+  std::string hosts;
+  std::string program;
   std::vector<std::string> plot_options;
   bool dry_run = false;
   bool yes = false;
@@ -65,6 +70,19 @@ void describe(CLI::App& app, Arguments& arguments)
       ->type_name("S")
       ->check(CLI::Range(0.0, 1e9))
       ->capture_default_str();
+  run->add_option("--engine", arguments.engine,
+                  "What runs the cases: the threads of this program, or GNU parallel over ssh")
+      ->check(CLI::IsMember({"threads", "parallel"}))
+      ->capture_default_str();
+  run->add_option("--hosts", arguments.hosts, "Hosts of --engine parallel, as its --sshloginfile has them")
+      ->type_name("FILE");
+  run->add_option("--per-job", arguments.options.per_job,
+                  "Cases that an engine runs in one job; 0: so many that there are a thousand jobs at most")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000'000'000))
+      ->capture_default_str();
+  run->add_option("--program", arguments.program, "This program on the hosts; without it where it is here")
+      ->type_name("FILE");
   run->add_flag("--retry-failed", arguments.options.retry_failed, "Run cases again that failed");
   run->add_flag("--dry-run", arguments.dry_run, "List the cases, run none");
   run->add_flag("--yes", arguments.yes, "Run more than a million cases");
@@ -94,6 +112,10 @@ void describe(CLI::App& app, Arguments& arguments)
   plot_option("--field", "NAME",
               "A column to be drawn, may be given again; without it Q, P, what leaves, velocities");
   plot_option("--where", "KEY=VALUE", "Only cases of this value, may be given again");
+  app.add_subcommand("case", "Run the cases of a file that an engine hands over")
+      ->add_option("CASE", arguments.sweep, "The file; what comes of it is written beside it")
+      ->required()
+      ->type_name("FILE");
   app.footer(
       "Exit status: 0 done; 2 bad arguments or bad sweep, nothing run; 130 interrupted; 1 anything else, "
       "such as a "
@@ -108,6 +130,24 @@ void requireFewOrYes(const Sweep& sweep, const Arguments& arguments)
   throw Refusal(sweep.source + ": has " + std::to_string(sweep.size()) + " cases, which take " +
                 estimateText(sweep, threads) + " on " + std::to_string(threads) +
                 " threads; --yes runs them");
+}
+
+SweepOutcome runCases(const Sweep& sweep, const Arguments& arguments)
+{
+  if (arguments.engine == "threads")
+    return runSweep(sweep, arguments.results, arguments.options);
+  if (arguments.hosts.empty())
+    throw Refusal("--engine parallel needs --hosts");
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+  ParallelEngine engine(arguments.hosts, arguments.program.empty() ? self : arguments.program);
+  return runSweepOn(engine, sweep, arguments.results, arguments.options);
+}
+
+int runCaseHere(const std::string& file)
+{
+  std::signal(SIGINT, onSignal);
+  std::signal(SIGTERM, onSignal);
+  return runCaseFile(file, [] { return stop_signal != 0; }) ? DONE : INTERRUPTED;
 }
 
 int run(const Sweep& sweep, Arguments& arguments)
@@ -130,7 +170,7 @@ int run(const Sweep& sweep, Arguments& arguments)
   {
     SweepProgressLine line;
     arguments.options.progress = [&line](const SweepProgress& progress) { line.show(progress); };
-    outcome = runSweep(sweep, arguments.results, arguments.options);
+    outcome = runCases(sweep, arguments);
   }
   const SweepCounts& counts = outcome.counts;
   if (outcome.stopped)
@@ -178,6 +218,8 @@ int report(const Sweep& sweep, Arguments& arguments)
 
 int obey(const CLI::App& app, Arguments& arguments)
 {
+  if (app.got_subcommand("case"))
+    return runCaseHere(arguments.sweep);
   if (arguments.results.empty())
     arguments.results = std::filesystem::path(arguments.sweep).replace_extension(".db").string();
   try

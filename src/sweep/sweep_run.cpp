@@ -279,25 +279,34 @@ std::string workDirectory(const std::string& results)
   return results + ".d";
 }
 
+std::optional<SweepPlan> prepareSweep(const Sweep& sweep, const std::string& results,
+                                      std::optional<ResultStore>& store, const SweepRunOptions& options)
+{
+  const std::optional<SweepPlan> plan = findOrMakePlan(sweep, results, store, options);
+  if (plan && options.retry_failed)
+    plan->removeFailed(store->database());
+  if (plan)
+    removeLeftovers(store->database(), makeDirectory(workDirectory(results)));
+  return plan;
+}
+
+void finishSweep(const SweepPlan& plan, ResultStore& store, const Sweep& sweep, const std::string& results)
+{
+  plan.fillValues(store, sweep);
+  std::error_code ignored;
+  fs::remove(workDirectory(results), ignored);  // where it is empty
+}
+
 SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const SweepRunOptions& options)
 {
   std::optional<ResultStore> store;
-  const std::optional<SweepPlan> plan = findOrMakePlan(sweep, results, store, options);
+  const std::optional<SweepPlan> plan = prepareSweep(sweep, results, store, options);
   if (!plan)
     return {{}, true};
-  if (options.retry_failed)
-    plan->removeFailed(store->database());
-  const std::string directory = makeDirectory(workDirectory(results));
-  removeLeftovers(store->database(), directory);
   SweepOutcome outcome;
-  {
-    SweepRun run(sweep, *store, *plan, directory, options);
-    outcome.stopped = run.run();
-  }
-  plan->fillValues(*store, sweep);
+  outcome.stopped = SweepRun(sweep, *store, *plan, workDirectory(results), options).run();
+  finishSweep(*plan, *store, sweep, results);
   outcome.counts = plan->counts(store->database());
-  std::error_code ignored;
-  fs::remove(directory, ignored);  // where it is empty
   return outcome;
 }
 
