@@ -42,6 +42,7 @@ struct Arguments
   std::string engine = "threads";
   std::string hosts;
   std::string program;
+  std::vector<std::string> engine_options;
   std::vector<std::string> plot_options;
   bool dry_run = false;
   bool yes = false;
@@ -70,9 +71,10 @@ void describe(CLI::App& app, Arguments& arguments)
       ->type_name("S")
       ->check(CLI::Range(0.0, 1e9))
       ->capture_default_str();
-  run->add_option("--engine", arguments.engine,
-                  "What runs the cases: the threads of this program, or GNU parallel over ssh")
-      ->check(CLI::IsMember({"threads", "parallel"}))
+  run->add_option(
+         "--engine", arguments.engine,
+         "What runs the cases: the threads of this program, GNU parallel over ssh, or an array of Slurm's")
+      ->check(CLI::IsMember({"threads", "parallel", "slurm"}))
       ->capture_default_str();
   run->add_option("--hosts", arguments.hosts, "Hosts of --engine parallel, as its --sshloginfile has them")
       ->type_name("FILE");
@@ -81,6 +83,10 @@ void describe(CLI::App& app, Arguments& arguments)
       ->type_name("N")
       ->check(CLI::Range(0, 1'000'000'000))
       ->capture_default_str();
+  run->add_option("--sbatch", arguments.engine_options,
+                  "An option of sbatch, such as --sbatch=--partition=short; may be given again")
+      ->type_name("OPTION")
+      ->allow_extra_args(false);
   run->add_option("--program", arguments.program, "This program on the hosts; without it where it is here")
       ->type_name("FILE");
   run->add_flag("--retry-failed", arguments.options.retry_failed, "Run cases again that failed");
@@ -136,10 +142,16 @@ SweepOutcome runCases(const Sweep& sweep, const Arguments& arguments)
 {
   if (arguments.engine == "threads")
     return runSweep(sweep, arguments.results, arguments.options);
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::string program = arguments.program.empty() ? self : arguments.program;
+  if (arguments.engine == "slurm")
+  {
+    SlurmEngine engine(program, arguments.engine_options);
+    return runSweepOn(engine, sweep, arguments.results, arguments.options);
+  }
   if (arguments.hosts.empty())
     throw Refusal("--engine parallel needs --hosts");
-  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  ParallelEngine engine(arguments.hosts, arguments.program.empty() ? self : arguments.program);
+  ParallelEngine engine(arguments.hosts, program);
   return runSweepOn(engine, sweep, arguments.results, arguments.options);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -62,6 +62,25 @@ private:
   std::string hosts_;
   std::string program_;
   ChildProgram child_;
+};
+
+/// An array of Slurm's: nodes and coordinator see the same directory and the same program.
+class SlurmEngine : public Engine
+{
+public:
+  /// @param program on the nodes @param options of sbatch, such as --partition=short
+  SlurmEngine(std::string program, std::vector<std::string> options);
+  void start(const std::string& directory, const std::vector<std::string>& files) override;
+  bool isRunning() override;
+  void stop() override;
+
+private:
+  void startRequeued(const std::string& tasks);
+
+  std::string program_;
+  std::vector<std::string> options_;
+  std::string job_;  ///< empty where none is under way
+  std::chrono::steady_clock::time_point next_;
 };
 
 }  // namespace ratchet_sieve
