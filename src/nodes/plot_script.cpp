@@ -20,6 +20,7 @@ int runScript(const std::string& program, std::vector<std::string> arguments)
 {
   arguments.insert(arguments.begin(), program);
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments)
     argv.push_back(argument.data());
   argv.push_back(nullptr);

@@ -20,6 +20,7 @@ void ChildProgram::start(const std::vector<std::string>& words, const std::strin
 {
   std::vector<std::string> copies = words;
   std::vector<char*> argv;
+  argv.reserve(copies.size() + 1);
   for (std::string& word : copies)
     argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -62,7 +63,7 @@ ChildProgram::~ChildProgram()
     waitpid(child_, nullptr, 0);
 }
 
-ParallelEngine::ParallelEngine(std::string hosts, std::string program)
+ParallelEngine::ParallelEngine(const std::string& hosts, std::string program)
     : hosts_(std::filesystem::absolute(hosts).string()), program_(std::move(program))
 {
   if (const auto why = whyUnreadable(hosts_))

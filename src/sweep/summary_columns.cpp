@@ -56,7 +56,7 @@ void addParts(const std::string& key, const Json& value, Columns& columns)
   if (value.is_object())
     for (const auto& [part, scalar] : value.items())
       if (isScalar(scalar))
-        columns.emplace_back(key + '.' + part, scalar);
+        columns.emplace_back(std::string(key).append(".").append(part), scalar);
 }
 
 }  // namespace

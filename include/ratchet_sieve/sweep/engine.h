@@ -53,7 +53,7 @@ class ParallelEngine : public Engine
 {
 public:
   /// @param hosts file of parallel's --sshloginfile @param program on the hosts
-  ParallelEngine(std::string hosts, std::string program);
+  ParallelEngine(const std::string& hosts, std::string program);
   void start(const std::string& directory, const std::vector<std::string>& files) override;
   bool isRunning() override { return child_.isRunning(); }
   void stop() override;
