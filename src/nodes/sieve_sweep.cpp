@@ -49,6 +49,65 @@ struct Arguments
   SweepRunOptions options;
 };
 
+void describeRun(CLI::App& run, Arguments& arguments)
+{
+  run.add_option("--threads", arguments.options.threads,
+                 "Cases at a time, 0: as many as there are processors")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  run.add_option("--checkpoint-every", arguments.options.checkpoint_period,
+                 "Save a case under way so often, in seconds of wall time")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
+  run.add_option(
+         "--engine", arguments.engine,
+         "What runs the cases: the threads of this program, GNU parallel over ssh, or an array of Slurm's")
+      ->check(CLI::IsMember({"threads", "parallel", "slurm"}))
+      ->capture_default_str();
+  run.add_option("--hosts", arguments.hosts, "Hosts of --engine parallel, as its --sshloginfile has them")
+      ->type_name("FILE");
+  run.add_option("--per-job", arguments.options.per_job,
+                 "Cases that an engine runs in one job; 0: so many that there are a thousand jobs at most")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000'000'000))
+      ->capture_default_str();
+  run.add_option("--sbatch", arguments.engine_options,
+                 "An option of sbatch, such as --sbatch=--partition=short; may be given again")
+      ->type_name("OPTION")
+      ->allow_extra_args(false);
+  run.add_option("--program", arguments.program, "This program on the hosts; without it where it is here")
+      ->type_name("FILE");
+  run.add_flag("--retry-failed", arguments.options.retry_failed, "Run cases again that failed");
+  run.add_flag("--dry-run", arguments.dry_run, "List the cases, run none");
+  run.add_flag("--yes", arguments.yes, "Run more than a million cases");
+}
+
+void describeReport(CLI::App& report, Arguments& arguments)
+{
+  report
+      .add_option("--out", arguments.out,
+                  "Directory of the report; without it SWEEP_report, beside the sweep")
+      ->type_name("DIR");
+  const auto plot_option = [&](const std::string& name, const char* type, const char* text)
+  {
+    const auto take = [&arguments, name](const std::vector<std::string>& values)
+    {
+      for (const std::string& value : values)
+        arguments.plot_options.insert(arguments.plot_options.end(), {name, value});
+    };
+    report.add_option_function<std::vector<std::string>>(name, take, text)
+        ->type_name(type)
+        ->allow_extra_args(false);
+  };
+  plot_option("--x", "KEY", "Along x; without it the key with the most values");
+  plot_option("--y", "KEY", "Along y of a map, and one curve for each of its values");
+  plot_option("--field", "NAME",
+              "A column to be drawn, may be given again; without it Q, P, what leaves, velocities");
+  plot_option("--where", "KEY=VALUE", "Only cases of this value, may be given again");
+}
+
 void describe(CLI::App& app, Arguments& arguments)
 {
   app.require_subcommand(1);
@@ -60,64 +119,14 @@ void describe(CLI::App& app, Arguments& arguments)
         ->type_name("FILE");
     return command;
   };
-  CLI::App* run = verb("run", "Run the cases of which there is no result yet");
-  run->add_option("--threads", arguments.options.threads,
-                  "Cases at a time, 0: as many as there are processors")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  run->add_option("--checkpoint-every", arguments.options.checkpoint_period,
-                  "Save a case under way so often, in seconds of wall time")
-      ->type_name("S")
-      ->check(CLI::Range(0.0, 1e9))
-      ->capture_default_str();
-  run->add_option(
-         "--engine", arguments.engine,
-         "What runs the cases: the threads of this program, GNU parallel over ssh, or an array of Slurm's")
-      ->check(CLI::IsMember({"threads", "parallel", "slurm"}))
-      ->capture_default_str();
-  run->add_option("--hosts", arguments.hosts, "Hosts of --engine parallel, as its --sshloginfile has them")
-      ->type_name("FILE");
-  run->add_option("--per-job", arguments.options.per_job,
-                  "Cases that an engine runs in one job; 0: so many that there are a thousand jobs at most")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1'000'000'000))
-      ->capture_default_str();
-  run->add_option("--sbatch", arguments.engine_options,
-                  "An option of sbatch, such as --sbatch=--partition=short; may be given again")
-      ->type_name("OPTION")
-      ->allow_extra_args(false);
-  run->add_option("--program", arguments.program, "This program on the hosts; without it where it is here")
-      ->type_name("FILE");
-  run->add_flag("--retry-failed", arguments.options.retry_failed, "Run cases again that failed");
-  run->add_flag("--dry-run", arguments.dry_run, "List the cases, run none");
-  run->add_flag("--yes", arguments.yes, "Run more than a million cases");
+  describeRun(*verb("run", "Run the cases of which there is no result yet"), arguments);
   verb("status", "Say how far the sweep is");
   verb("export", "Write the results as CSV")
       ->add_option("--out", arguments.out, "Into this file, not to standard output")
       ->type_name("FILE");
-  CLI::App* report =
-      verb("report", "Draw curves and maps of the results, averaged over the seeds, and a page of them");
-  report
-      ->add_option("--out", arguments.out,
-                   "Directory of the report; without it SWEEP_report, beside the sweep")
-      ->type_name("DIR");
-  const auto plot_option = [&](const std::string& name, const char* type, const char* text)
-  {
-    const auto take = [&arguments, name](const std::vector<std::string>& values)
-    {
-      for (const std::string& value : values)
-        arguments.plot_options.insert(arguments.plot_options.end(), {name, value});
-    };
-    report->add_option_function<std::vector<std::string>>(name, take, text)
-        ->type_name(type)
-        ->allow_extra_args(false);
-  };
-  plot_option("--x", "KEY", "Along x; without it the key with the most values");
-  plot_option("--y", "KEY", "Along y of a map, and one curve for each of its values");
-  plot_option("--field", "NAME",
-              "A column to be drawn, may be given again; without it Q, P, what leaves, velocities");
-  plot_option("--where", "KEY=VALUE", "Only cases of this value, may be given again");
+  describeReport(
+      *verb("report", "Draw curves and maps of the results, averaged over the seeds, and a page of them"),
+      arguments);
   app.add_subcommand("case", "Run the cases of a file that an engine hands over")
       ->add_option("CASE", arguments.sweep, "The file; what comes of it is written beside it")
       ->required()
