@@ -167,7 +167,7 @@ private:
   void bringHome(std::uint32_t id, double now)
   {
     if (machine_.scene().boundary == Boundary::PERIODIC)
-      machine_.bringHome(id, machine_.search().seenFromBase(machine_.disk(id), base_.at(now), now).s, now);
+      machine_.bringHome(id, machine_.search().seenFromBase(machine_.disk(id), base_.at(now), now).s(), now);
   }
 
   BaseEvent search(std::uint32_t id, double from)

@@ -91,16 +91,6 @@ BaseEvent Machine::nextBaseEvent(std::uint32_t id, double from, double until, Ba
   return event;
 }
 
-Image Machine::image(double shift, double time) const
-{
-  if (shift == 0.0)
-    return {};
-  const double length = shift * sawtooth_.width();
-  const BaseKinematics k = motion_.at(time);
-  return {length * k.cosine, length * k.sine, -length * k.inclination_rate * k.sine,
-          length * k.inclination_rate * k.cosine};
-}
-
 void Machine::reserve(std::size_t count)
 {
   disks_.reserve(count);
@@ -190,11 +180,11 @@ void Machine::wrap(std::uint32_t id, double shift, double time)
 {
   Disk& disk = fly(id, time);
   const Image to = image(shift, time);
-  disk.x += to.dx;
-  disk.y += to.dy;
-  disk.vx += to.dvx;
-  disk.vy += to.dvy;
-  tally_.wrapped(id, -to.dx);
+  disk.x += to.shift.x();
+  disk.y += to.shift.y();
+  disk.vx += to.velocity.x();
+  disk.vy += to.velocity.y();
+  tally_.wrapped(id, -to.shift.x());
 }
 
 void Machine::bringHome(std::uint32_t id, double s, double time)

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "ratchet_sieve/core/machine.h"
 
@@ -25,6 +24,19 @@ CollisionKind collisionKind(BaseFeatureKind kind, Boundary boundary)
       return CollisionKind::APEX;
   }
 }
+
+/// The component of a velocity along the tangent: the normal turned by +90 degrees.
+double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
+{
+  return normal.x() * velocity.y() - normal.y() * velocity.x();
+}
+
+/// An impulse on a disk as a vector of the world.
+Eigen::Vector2d inWorld(const Impulse& impulse, const Eigen::Vector2d& normal)
+{
+  const Eigen::Vector2d tangent(-normal.y(), normal.x());
+  return impulse.normal * normal + impulse.tangential * tangent;
+}
 }  // namespace
 
 void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time, BaseInstant& base)
@@ -34,21 +46,20 @@ void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time
 
   const Disk disk = flown(disks_[id], time, scene_.gravity);
   const SpeciesDefinition& species = scene_.species[disk.species];
-  const BaseKinematics& k = base.at(time);
-  const BasePoint point = toBase(k, disk.x, disk.y, disk.vx, disk.vy);
+  const FrameOfBase& frame = base.at(time);
+  const BasePoint point = frame.see({disk.x, disk.y}, {disk.vx, disk.vy});
   const Approach approach = sawtooth_.approach(feature, point, species.radius);
   noteOverlap(-approach.gap);
   if (approach.rate >= 0.0)
     return push(id, disk, {}, {}, 1.0);
 
   Contact contact;
-  contact.nx = k.cosine * approach.normal_s - k.sine * approach.normal_n;
-  contact.ny = k.sine * approach.normal_s + k.cosine * approach.normal_n;
+  contact.normal = frame.outOf(approach.normal);
   contact.normal_velocity = approach.rate;
   // The base's surface turns with it: at the contact, r below the centre, it differs by r d theta/dt.
   if (plan_.spin)
-    contact.tangential_velocity = approach.normal_s * point.vn - approach.normal_n * point.vs -
-                                  species.radius * (disk.spin - k.inclination_rate);
+    contact.tangential_velocity =
+        across(approach.normal, point.velocity) - species.radius * (disk.spin - frame.inclination_rate);
 
   const CollisionKind kind = collisionKind(feature.kind, scene_.boundary);
   const bool no_loss = lossless(id, time);
@@ -58,8 +69,8 @@ void Machine::meetBase(std::uint32_t id, const BaseFeature& feature, double time
   const Impulse impulse =
       respond(coefficients, base_masses_[disk.species], contact, reboundFloor(id, no_loss));
   push(id, disk, contact, impulse, 1.0);
-  tally_.pushed(id, impulse.normal * contact.nx - impulse.tangential * contact.ny,
-                impulse.normal * contact.ny + impulse.tangential * contact.nx);
+  const Eigen::Vector2d given = inWorld(impulse, contact.normal);
+  tally_.pushed(id, given.x(), given.y());
   touched(id, time);
   report(time, kind, id, nullptr, contact, impulse);
 }
@@ -69,27 +80,24 @@ void Machine::meetPair(std::uint32_t i, std::uint32_t j, int shift, double time)
   const Disk a = flown(disks_[i], time, scene_.gravity);
   const Disk b = flown(disks_[j], time, scene_.gravity);
   const Image there = image(shift, time);
-  const double dx = a.x - there.dx - b.x;
-  const double dy = a.y - there.dy - b.y;
-  const double distance = std::sqrt(dx * dx + dy * dy);
+  const Eigen::Vector2d place = Eigen::Vector2d(a.x, a.y) - there.shift - Eigen::Vector2d(b.x, b.y);
+  const double distance = place.norm();
   noteOverlap(radius(i) + radius(j) - distance);
-  const double dvx = a.vx - b.vx - there.dvx;
-  const double dvy = a.vy - b.vy - there.dvy;
+  const Eigen::Vector2d velocity = Eigen::Vector2d(a.vx, a.vy) - Eigen::Vector2d(b.vx, b.vy) - there.velocity;
   // The very sum that the prediction looks at (timeToTouch): were it another, rounding could have a
   // contact predicted here and left alone there, again and again.
-  if (dx * dvx + dy * dvy >= 0.0)
+  if (place.dot(velocity) >= 0.0)
   {
     push(i, a, {}, {}, 1.0);
     push(j, b, {}, {}, -1.0);
     return;
   }
   Contact contact;
-  contact.nx = dx / distance;
-  contact.ny = dy / distance;
-  contact.normal_velocity = std::min(0.0, dvx * contact.nx + dvy * contact.ny);
+  contact.normal = place / distance;
+  contact.normal_velocity = std::min(0.0, velocity.dot(contact.normal));
   if (plan_.spin)
     contact.tangential_velocity =
-        dvy * contact.nx - dvx * contact.ny - (radius(i) * a.spin + radius(j) * b.spin);
+        across(contact.normal, velocity) - (radius(i) * a.spin + radius(j) * b.spin);
 
   const std::size_t pair = a.species * scene_.species.size() + b.species;
   const bool no_loss = lossless(i, time) || lossless(j, time);
@@ -132,11 +140,7 @@ void Machine::push(std::uint32_t id, const Disk& now, const Contact& contact, co
   }
   ++disk.flights;
   const double per_mass = sign * response.velocity;
-  const Two normal{contact.nx, contact.ny};
-  const Two tangent{-contact.ny, contact.nx};
-  const Two velocity =
-      Two{disk.vx, disk.vy} + per_mass * (impulse.normal * normal + impulse.tangential * tangent);
-  std::memcpy(&disk.vx, &velocity, sizeof velocity);
+  Eigen::Map<Eigen::Vector2d, Eigen::Aligned16>(&disk.vx) += per_mass * inWorld(impulse, contact.normal);
   disk.spin -= response.spin * impulse.tangential;
 }
 

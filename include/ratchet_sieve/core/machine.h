@@ -29,15 +29,6 @@ struct Epoch
   void archive(StateArchive& state) { state(start, length); }
 };
 
-/// Another place at which a disk appears: moved along the base by a periodic boundary.
-struct Image
-{
-  double dx = 0.0;   ///< [m]
-  double dy = 0.0;   ///< [m]
-  double dvx = 0.0;  ///< [m/s]; nonzero only while the base turns
-  double dvy = 0.0;  ///< [m/s]
-};
-
 /// The machine and the disks in it: what an event does, not when. Times are local to the epoch.
 class Machine
 {
@@ -100,7 +91,10 @@ public:
   BaseEvent nextBaseEvent(std::uint32_t id, double from, double until, BaseInstant& base) const;
 
   /// Where the image `shift` widths to the right appears at `time`, relative to the disk itself.
-  Image image(double shift, double time) const;
+  Image image(double shift, double time) const
+  {
+    return shift == 0.0 ? Image() : motion_.at(time).image(shift * sawtooth_.width());
+  }
 
   /// Makes room for so many disks: nothing but memory.
   void reserve(std::size_t count);
@@ -163,8 +157,8 @@ private:
   /// The surfaces at a contact: unit normal on disk i, and relative velocity.
   struct Contact
   {
-    double nx, ny;
-    double normal_velocity;
+    Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< in the world
+    double normal_velocity = 0.0;
     double tangential_velocity = 0.0;  ///< only where there is spin
   };
 
