@@ -54,7 +54,8 @@ std::array<std::optional<std::uint64_t>, 4> countsOf(const RunResult& result, st
 
 std::optional<double> engineVelocity(const RunResult& result, std::size_t species)
 {
-  return result.lastStatistics() != nullptr ? result.lastStatistics()->means[species].mean_vx : std::nullopt;
+  return result.lastStatistics() != nullptr ? result.lastStatistics()->species[species].means.mean_vx
+                                            : std::nullopt;
 }
 
 std::string countText(const std::optional<std::uint64_t>& count)

@@ -169,13 +169,13 @@ void readOpened(const rosbag::Bag& bag, bool begins_run, FrameSink& sink)
   requireScene(all);
   requireOneRunAtATime(bag, topicOf<SceneDescription>(all));
   std::vector<std::unique_ptr<Stream>> streams;
-  if (begins_run)
-    addStream<SceneDescription>(bag, all, streams);
-  addStream<Command>(bag, all, streams);
-  addStream<BaseState>(bag, all, streams);
-  addStream<ParticleStates>(bag, all, streams);
-  addStream<BinCounts>(bag, all, streams);
-  addStream<SieveStatistics>(bag, all, streams);
+  forEachFrameType(
+      [&](auto type)
+      {
+        using Frame = typename decltype(type)::Frame;
+        if (begins_run || kindOf<Frame>() != FrameKind::SCENE)
+          addStream<MessageOf<Frame>>(bag, all, streams);
+      });
   merge(streams, sink);
 }
 

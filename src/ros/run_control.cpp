@@ -223,8 +223,7 @@ Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& ov
   }
 }
 
-template <typename Frame>
-void RunControl::show(const Frame& frame)
+void RunControl::show(const AnyFrame& frame)
 {
   sinks_.take(frame);
   recorder_.take(frame);

@@ -39,7 +39,12 @@ BaseFrame baseOf(const SceneDefinition& scene)
 }
 }  // namespace
 
-void SeenRun::take(const SceneFrame& frame)
+void SeenRun::take(const AnyFrame& any)
+{
+  any.visit([this](const auto& frame) { see(frame); });
+}
+
+void SeenRun::see(const SceneFrame& frame)
 {
   if (scene_ && frame.yaml == yaml_)
     return;
@@ -55,28 +60,15 @@ void SeenRun::take(const SceneFrame& frame)
   }
 }
 
-void SeenRun::take(const ParticleFrame& frame)
+template <typename Frame>
+void SeenRun::see(const Frame& frame, std::optional<Frame>& last)
 {
-  if (particles_ && frame.time < particles_->time)
+  if (last && frame.time < last->time)
     leapTo(frame.time);
-  particles_ = frame;
+  last = frame;
 }
 
-void SeenRun::take(const BinFrame& frame)
-{
-  if (bins_ && frame.time < bins_->time)
-    leapTo(frame.time);
-  bins_ = frame;
-}
-
-void SeenRun::take(const StatisticsFrame& frame)
-{
-  if (statistics_ && frame.time < statistics_->time)
-    leapTo(frame.time);
-  statistics_ = frame;
-}
-
-void SeenRun::take(const BaseFrame& frame)
+void SeenRun::see(const BaseFrame& frame)
 {
   if (!bases_.empty() && frame.time < bases_.back().time)
     leapTo(frame.time);
@@ -132,8 +124,9 @@ Picture SeenRun::picture() const
     picture.particles = particles_;
   if (bins_ && bins_->bins.size() == scene_->species.size())
     picture.bins = bins_;
-  if (statistics_ && statistics_->means.size() == scene_->species.size())
-    picture.means = statistics_->means;
+  if (statistics_ && statistics_->species.size() == scene_->species.size())
+    for (const SpeciesRow& species : statistics_->species)
+      picture.means.push_back(species.means);
   return picture;
 }
 

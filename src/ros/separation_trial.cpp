@@ -100,10 +100,10 @@ void SeparationTrial::take(const StatisticsFrame& frame)
 {
   if (!first_ || result_ || frame.time <= first_->time)
     return;
-  temperatures_.resize(frame.granular_temperature.size());
+  temperatures_.resize(frame.species.size());
   for (std::size_t k = 0; k < temperatures_.size(); ++k)
-    if (frame.granular_temperature[k])
-      temperatures_[k].add(*frame.granular_temperature[k]);
+    if (const auto& temperature = frame.species[k].granular_temperature)
+      temperatures_[k].add(*temperature);
   if (frame.real_time_factor <= 0.0)
     return;
   paces_ += 1.0 / frame.real_time_factor;

@@ -143,12 +143,10 @@ StatisticsFrame temperaturesAt(double time, std::vector<double> temperatures)
 {
   StatisticsFrame frame;
   frame.time = time;
-  frame.means.resize(temperatures.size());
   frame.window_start = std::max(0.0, time - 0.5);
   frame.window_end = time;
   for (const double temperature : temperatures)
-    frame.granular_temperature.push_back(temperature > 0.0 ? std::optional<double>(temperature)
-                                                           : std::nullopt);
+    frame.species.push_back({"", {}, temperature > 0.0 ? std::optional<double>(temperature) : std::nullopt});
   return frame;
 }
 
@@ -198,14 +196,14 @@ TEST(RunAnalysis, RefusesFramesThatDoNotFitTogether)
   RunAnalysis analysis;
   EXPECT_EQ(refusal([&] { analysis.result(); }), "no scene was recorded");
   EXPECT_EQ(refusal([&] { analysis.take(particlesAt(0.5, {})); }),
-            "a particle frame at 0.5 s comes before any scene");
+            "a frame of particles at 0.5 s comes before any scene");
   analysis.take(sceneFrame(smallMixture()));
   EXPECT_EQ(refusal([&] { analysis.take(particlesAt(0.5, {diskAt(3, 2, 0.0)})); }),
             "disk 3 at 0.5 s has species 2, and the scene 2 of them");
   EXPECT_EQ(refusal([&] { analysis.take(BinFrame{}); }),
-            "a bin frame of 0 species does not fit the scene, which has 2");
+            "a frame of bins with 0 species does not fit the scene, which has 2");
   EXPECT_EQ(refusal([&] { analysis.take(temperaturesAt(0.0, {1.0})); }),
-            "a statistics frame of 1 species does not fit the scene, which has 2");
+            "a frame of statistics with 1 species does not fit the scene, which has 2");
 }
 
 TEST(RunAnalysis, RefusesNumbersThatNoRunHas)
@@ -224,12 +222,14 @@ TEST(RunAnalysis, RefusesNumbersThatNoRunHas)
   base.base.frequency = nan;
   EXPECT_THROW(analysis.take(base), AnalysisError);
   StatisticsFrame statistics;
-  statistics.means.resize(2);
-  statistics.granular_temperature = {0.0, nan};
-  EXPECT_THROW(analysis.take(statistics), AnalysisError);
-  statistics.granular_temperature = {0.0, 0.0};
-  statistics.means[0].mean_vx = nan;
-  EXPECT_THROW(analysis.take(statistics), AnalysisError);
+  statistics.species.resize(2);
+  statistics.species[1].granular_temperature = nan;
+  EXPECT_EQ(refusal([&] { analysis.take(statistics); }),
+            "a frame of statistics at 0 s holds a number that is not finite: granular_temperature");
+  statistics.species[1].granular_temperature = 0.0;
+  statistics.species[0].means.mean_vx = nan;
+  EXPECT_EQ(refusal([&] { analysis.take(statistics); }),
+            "a frame of statistics at 0 s holds a number that is not finite: mean_vx");
 }
 
 TEST(RunAnalysis, RefusesASceneThatIsNone)

@@ -139,8 +139,8 @@ TEST_F(Resimulate, runsInLockStepWithAControllerTheSameEachTime)
   EXPECT_NE(first.base.inclination, 0.0);
   EXPECT_TRUE(sameBits(toFrame(first.base), toFrame(second.base)));
   EXPECT_TRUE(sameBits(toFrame(first.bins), toFrame(second.bins)));
-  EXPECT_TRUE(sameBits(toFrame(first.statistics).means, toFrame(second.statistics).means));
-  EXPECT_FALSE(sameBits(toFrame(first.statistics).means, toFrame(other.statistics).means));
+  EXPECT_TRUE(sameBits(toFrame(first.statistics).species, toFrame(second.statistics).species));
+  EXPECT_FALSE(sameBits(toFrame(first.statistics).species, toFrame(other.statistics).species));
 }
 
 TEST_F(Resimulate, refusesALockStepAsAWhole)

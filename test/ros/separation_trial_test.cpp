@@ -278,7 +278,7 @@ TEST(SeparationTrial, tellsTheMeanTemperatureAndPaceOfTheWindow)
   const auto hear = [&](double time, double temperature, double pace)
   {
     statistics.time = time;
-    statistics.granular_temperature = {temperature, 2.0 * temperature};
+    statistics.species = {{"A", {}, temperature}, {"B", {}, 2.0 * temperature}};
     statistics.real_time_factor = pace;
     trial.take(statistics);
   };

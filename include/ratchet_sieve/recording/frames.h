@@ -15,15 +15,6 @@
 namespace ratchet_sieve
 {
 
-/// The kinds of frames that are taken again and again.
-enum class FrameKind
-{
-  PARTICLES,
-  BINS,
-  BASE,
-  STATISTICS
-};
-
 /// The scene as it runs.
 struct SceneFrame
 {
@@ -59,20 +50,26 @@ struct BaseFrame
   DriveState base;
 };
 
-/// Means and rates since the end of `settle`, and counts since the start.
+/// What the statistics say of one species.
+struct SpeciesRow
+{
+  std::string name;
+  SpeciesMeans means;                          ///< since the end of `settle`
+  std::optional<double> granular_temperature;  ///< mean over the window [J]
+};
+
+/// Means and rates, and counts since the start.
 struct StatisticsFrame
 {
   double time = 0.0;
-  std::vector<std::string> species;
-  std::vector<SpeciesMeans> means;  ///< per species
   double window_start = 0.0;  ///< of the means over whole periods of the drive [s]; see StatisticsWindow
   double window_end = 0.0;    ///< of them [s]
-  std::vector<std::optional<double>> granular_temperature;  ///< per species, mean over the window [J]
-  CollisionRates collision_rates;                           ///< within the window
-  CollisionCounts collisions;                               ///< since the start
-  std::uint64_t events = 0;                                 ///< since the start
-  double real_time_factor = 0.0;  ///< achieved since the last frame; 0 before the second frame
-  double max_overlap = 0.0;       ///< [m]
+  std::vector<SpeciesRow> species;
+  CollisionCounts collisions;      ///< since the start
+  std::uint64_t events = 0;        ///< since the start
+  CollisionRates collision_rates;  ///< within the window
+  double real_time_factor = 0.0;   ///< achieved since the last frame; 0 before the second frame
+  double max_overlap = 0.0;        ///< [m]
 };
 
 /// What a run can be told: first the setpoints, in the order of Quantity.
@@ -86,6 +83,8 @@ enum class CommandKind : std::uint8_t
   PAUSE,
   UNPAUSE
 };
+
+constexpr std::uint8_t COMMAND_KINDS = 7;
 
 /// What a run was told, at the time from which on it holds. With the scene and its seed, all that decides
 /// the run.

@@ -12,13 +12,13 @@ namespace ratchet_sieve
 /// How often each kind of collision happens [1/s of simulated time].
 struct CollisionRates
 {
-  double disk_disk = 0.0;
-  double left_slope = 0.0;
-  double right_slope = 0.0;
-  double apex = 0.0;
-  double wall = 0.0;
+  double disk_disk_rate = 0.0;
+  double left_slope_rate = 0.0;
+  double right_slope_rate = 0.0;
+  double apex_rate = 0.0;
+  double wall_rate = 0.0;
 
-  double total() const { return disk_disk + left_slope + right_slope + apex + wall; }
+  double total() const { return disk_disk_rate + left_slope_rate + right_slope_rate + apex_rate + wall_rate; }
 };
 
 /// What the statistics frames of one series are means over: the whole periods of the drive that ended since

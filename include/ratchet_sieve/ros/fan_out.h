@@ -20,21 +20,13 @@ public:
     return std::any_of(sinks_.begin(), sinks_.end(),
                        [kind](const FrameSink* sink) { return sink->wants(kind); });
   }
-  void take(const SceneFrame& frame) override { pass(frame); }
-  void take(const ParticleFrame& frame) override { pass(frame); }
-  void take(const BinFrame& frame) override { pass(frame); }
-  void take(const BaseFrame& frame) override { pass(frame); }
-  void take(const StatisticsFrame& frame) override { pass(frame); }
-  void take(const CommandFrame& frame) override { pass(frame); }
-
-private:
-  template <typename Frame>
-  void pass(const Frame& frame)
+  void take(const AnyFrame& frame) override
   {
     for (FrameSink* sink : sinks_)
       sink->take(frame);
   }
 
+private:
   std::vector<FrameSink*> sinks_;
 };
 

@@ -63,21 +63,9 @@ public:
   const std::string& firstFailure() const { return first_failure_; }
 
   bool wants(FrameKind kind) const override;
-  void take(const SceneFrame& frame) override;
-  void take(const ParticleFrame& frame) override { pass(FrameKind::PARTICLES, frame); }
-  void take(const BinFrame& frame) override { pass(FrameKind::BINS, frame); }
-  void take(const BaseFrame& frame) override { pass(FrameKind::BASE, frame); }
-  void take(const StatisticsFrame& frame) override { pass(FrameKind::STATISTICS, frame); }
-  void take(const CommandFrame& frame) override;
+  void take(const AnyFrame& frame) override;
 
 private:
-  template <typename Frame>
-  void pass(FrameKind kind, const Frame& frame)
-  {
-    if (wants(kind))
-      write(frame.time, [&] { bag_->take(frame); });
-  }
-
   void write(double time, const std::function<void()>& write);
 
   void openFile();

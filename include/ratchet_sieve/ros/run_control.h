@@ -95,8 +95,7 @@ private:
   void begin(std::unique_ptr<LiveRun> run);
 
   /// Hands a frame to the sinks and the recorder, though none is due.
-  template <typename Frame>
-  void show(const Frame& frame);
+  void show(const AnyFrame& frame);
 
   YAML::Node scene_;
   std::string source_;

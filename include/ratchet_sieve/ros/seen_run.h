@@ -17,12 +17,7 @@ class SeenRun : public FrameSink
 {
 public:
   /// A scene that this program cannot read leaves the last one; sceneError() then says why.
-  void take(const SceneFrame& frame) override;
-  void take(const ParticleFrame& frame) override;
-  void take(const BinFrame& frame) override;
-  void take(const BaseFrame& frame) override;
-  void take(const StatisticsFrame& frame) override;
-  void take(const CommandFrame&) override {}
+  void take(const AnyFrame& frame) override;
 
   const std::optional<std::string>& sceneError() const { return scene_error_; }
 
@@ -35,6 +30,14 @@ public:
   Picture picture() const;
 
 private:
+  void see(const SceneFrame& frame);
+  void see(const BaseFrame& frame);
+  void see(const ParticleFrame& frame) { see(frame, particles_); }
+  void see(const BinFrame& frame) { see(frame, bins_); }
+  void see(const StatisticsFrame& frame) { see(frame, statistics_); }
+  void see(const CommandFrame&) {}
+  template <typename Frame>
+  void see(const Frame& frame, std::optional<Frame>& last);
   void leapTo(double time);
   bool fits(const ParticleFrame& frame) const;
   BaseFrame baseAt(double time) const;
