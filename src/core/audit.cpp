@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/cell_grid.h"
-#include "ratchet_sieve/core/machine.h"
+#include "ratchet_sieve/core/machine_state.h"
 
 namespace ratchet_sieve
 {
@@ -37,7 +37,7 @@ double toleratedOverlap(const Place& point, double radius)
 }
 
 /// Where every disk is, in the frame of the base, wrapped into [0, W) where it is periodic.
-std::vector<Place> placesOnBase(const Machine& machine, double time)
+std::vector<Place> placesOnBase(const MachineState& machine, double time)
 {
   const BaseKinematics base = machine.motion().at(time);
   const double width = machine.sawtooth().width();
@@ -54,7 +54,7 @@ std::vector<Place> placesOnBase(const Machine& machine, double time)
 }
 
 /// How far a disk is from the base and from the walls, < 0 where it overlaps them.
-double gapToBase(const Machine& machine, const Place& point, double radius)
+double gapToBase(const MachineState& machine, const Place& point, double radius)
 {
   const Sawtooth& sawtooth = machine.sawtooth();
   double gap = point.n - sawtooth.height();
@@ -66,7 +66,7 @@ double gapToBase(const Machine& machine, const Place& point, double radius)
 using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overlap)>;
 
 /// Every pair of disks that is near enough to overlap, each once or twice.
-void forEachNearPair(const Machine& machine, const std::vector<Place>& points, const VisitPair& visit)
+void forEachNearPair(const MachineState& machine, const std::vector<Place>& points, const VisitPair& visit)
 {
   const double width = machine.sawtooth().width();
   const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
@@ -97,7 +97,7 @@ void forEachNearPair(const Machine& machine, const std::vector<Place>& points, c
 }
 }  // namespace
 
-Audit audit(const Machine& machine, double time)
+Audit audit(const MachineState& machine, double time)
 {
   Audit result;
   const auto points = placesOnBase(machine, time);
@@ -117,7 +117,7 @@ Audit audit(const Machine& machine, double time)
   return result;
 }
 
-void refuseBadStart(const Machine& machine, double time)
+void refuseBadStart(const MachineState& machine, double time)
 {
   std::ostringstream message;
   const auto points = placesOnBase(machine, time);

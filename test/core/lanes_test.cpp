@@ -153,8 +153,8 @@ Plan withoutLanes(const SceneDefinition& scene)
 TEST(Lanes, OnlyWhereThePlanHasThemAndTheBaseStandsAtItsSetpoints)
 {
   const SceneDefinition scene = test::singleParticles(1);
-  EXPECT_FALSE(laneScene(Machine(scene, withoutLanes(scene))));
-  Machine machine(scene);
+  EXPECT_FALSE(laneScene(MachineState(scene, withoutLanes(scene))));
+  MachineState machine(scene);
   EXPECT_TRUE(laneScene(machine));
   machine.motion().command(Quantity::FREQUENCY, 30.0, 0.1);
   EXPECT_FALSE(laneScene(machine));
@@ -237,7 +237,7 @@ SceneDefinition drawnScene()
 }
 
 /// A disk that starts anywhere clear of the base, or where it touches it, in any direction.
-Disk drawnDisk(const Machine& machine)
+Disk drawnDisk(const MachineState& machine)
 {
   const double radius = machine.scene().species[0].radius;
   const BaseKinematics base = machine.motion().at(0.0);
@@ -261,7 +261,7 @@ Disk drawnDisk(const Machine& machine)
 /// Searches from event to event until a contact is certain, as the loop does.
 BaseEvent searchInLanes(const Machine& machine)
 {
-  const LaneScene scene = *laneScene(machine);
+  const LaneScene scene = *laneScene(machine.state());
   const LaneKernel& kernel = presentLaneKernel();
   LaneBatch batch{};
   BaseEvent event{0.0, {}};
@@ -275,7 +275,7 @@ BaseEvent searchInLanes(const Machine& machine)
   return event;
 }
 
-bool isClear(const Machine& machine, const BaseEvent& event)
+bool isClear(const MachineState& machine, const BaseEvent& event)
 {
   if (!event.feature || event.time >= HORIZON)
     return false;
@@ -283,7 +283,7 @@ bool isClear(const Machine& machine, const BaseEvent& event)
   return machine.sawtooth().approach(event.feature, point, machine.radius(0)).rate < -1e-2;
 }
 
-BaseEvent searchInMachine(const Machine& machine)
+BaseEvent searchInMachine(const MachineState& machine)
 {
   BaseEvent event{0.0, {}};
   for (int i = 0; i < 2000 && !event.feature && event.time < HORIZON; ++i)
@@ -292,7 +292,7 @@ BaseEvent searchInMachine(const Machine& machine)
 }
 
 /// Nothing touches at any of many instants before the contact; at the contact the rim touches and closes.
-void checkAgainstScan(const Machine& machine, const BaseEvent& event)
+void checkAgainstScan(const MachineState& machine, const BaseEvent& event)
 {
   const double radius = machine.radius(0);
   const auto gapAt = [&](double time)
@@ -320,15 +320,15 @@ TEST(Lanes, FindTheFirstContactOfRandomFlights)
       []
       {
         Machine machine(drawnScene());
-        machine.add(drawnDisk(machine));
+        machine.add(drawnDisk(machine.state()));
         const Lanes lanes(*rc::gen::element(1, 2, 0));
         const BaseEvent found = searchInLanes(machine);
-        checkAgainstScan(machine, found);
-        const BaseEvent expected = searchInMachine(machine);
+        checkAgainstScan(machine.state(), found);
+        const BaseEvent expected = searchInMachine(machine.state());
         // Whether a graze is one hangs on the last bit.
-        const bool clear = isClear(machine, found) && isClear(machine, expected);
+        const bool clear = isClear(machine.state(), found) && isClear(machine.state(), expected);
         RC_CLASSIFY(!clear, "no contact, or a graze");
-        RC_ASSERT(static_cast<bool>(found.feature) || !isClear(machine, expected));
+        RC_ASSERT(static_cast<bool>(found.feature) || !isClear(machine.state(), expected));
         if (clear)
           RC_ASSERT(std::abs(found.time - expected.time) < 1e-12);
       }));
