@@ -24,60 +24,56 @@ constexpr double ROUNDING = 8.0 * std::numeric_limits<double>::epsilon();
 /// are soon laid, and a million disks need less memory for a moment.
 constexpr double AUDIT_CELL = 2.0;
 
-/// Of a centre, in the frame of the base [m].
-struct Place
+/// @param point the centre, in the frame of the base [m]
+double toleratedOverlap(const Eigen::Vector2d& point, double radius)
 {
-  double s = 0.0;
-  double n = 0.0;
-};
-
-double toleratedOverlap(const Place& point, double radius)
-{
-  return TOUCHING * radius + ROUNDING * (std::abs(point.s) + std::abs(point.n));
+  return TOUCHING * radius + ROUNDING * point.lpNorm<1>();
 }
 
 /// Where every disk is, in the frame of the base, wrapped into [0, W) where it is periodic.
-std::vector<Place> placesOnBase(const MachineState& machine, double time)
+std::vector<Eigen::Vector2d> placesOnBase(const MachineState& machine, double time)
 {
-  const BaseKinematics base = machine.motion().at(time);
+  const FrameOfBase base = machine.motion().at(time);
   const double width = machine.sawtooth().width();
-  std::vector<Place> points;
+  std::vector<Eigen::Vector2d> points;
   points.reserve(machine.disks().size());
   for (const Disk& disk : machine.disks())
   {
     const Disk now = flown(disk, time, machine.scene().gravity);
-    const BasePoint point = toBase(base, now.x, now.y, now.vx, now.vy);
+    const Eigen::Vector2d point = base.into(Eigen::Vector2d(now.x, now.y) - base.displacement);
     const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
-    points.push_back({periodic ? point.s - width * wholeWidths(point.s, 1.0 / width) : point.s, point.n});
+    points.emplace_back(periodic ? point.x() - width * wholeWidths(point.x(), 1.0 / width) : point.x(),
+                        point.y());
   }
   return points;
 }
 
 /// How far a disk is from the base and from the walls, < 0 where it overlaps them.
-double gapToBase(const MachineState& machine, const Place& point, double radius)
+double gapToBase(const MachineState& machine, const Eigen::Vector2d& point, double radius)
 {
   const Sawtooth& sawtooth = machine.sawtooth();
-  double gap = point.n - sawtooth.height();
+  double gap = point.y() - sawtooth.height();
   if (gap < radius)
-    gap = sawtooth.heightAbove(point.s, point.n);
-  return std::min(gap, sawtooth.distanceToWalls(point.s, point.n)) - radius;
+    gap = sawtooth.heightAbove(point.x(), point.y());
+  return std::min(gap, sawtooth.distanceToWalls(point.x(), point.y())) - radius;
 }
 
 using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overlap)>;
 
 /// Every pair of disks that is near enough to overlap, each once or twice.
-void forEachNearPair(const MachineState& machine, const std::vector<Place>& points, const VisitPair& visit)
+void forEachNearPair(const MachineState& machine, const std::vector<Eigen::Vector2d>& points,
+                     const VisitPair& visit)
 {
   const double width = machine.sawtooth().width();
   const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
   double top = machine.largestDiameter();
   for (std::uint32_t id = 0; id < points.size(); ++id)
     if (machine.active(id))
-      top = std::max(top, points[id].n);
+      top = std::max(top, points[id].y());
   CellGrid grid(width, top, AUDIT_CELL * machine.largestDiameter(), points.size(), periodic);
   for (std::uint32_t id = 0; id < points.size(); ++id)
     if (machine.active(id))
-      grid.add(id, grid.cellAt(points[id].s, points[id].n));
+      grid.add(id, grid.cellAt(points[id].x(), points[id].y()));
   std::vector<std::uint32_t> list;
   for (std::uint32_t id = 0; id < points.size(); ++id)
     if (machine.active(id))
@@ -88,10 +84,9 @@ void forEachNearPair(const MachineState& machine, const std::vector<Place>& poin
                    {
                      if (*other >= id)
                        continue;
-                     const double ds = points[id].s - points[*other].s - shift * width;
-                     const double dn = points[id].n - points[*other].n;
-                     visit(*other, id,
-                           machine.radius(id) + machine.radius(*other) - std::sqrt(ds * ds + dn * dn));
+                     const Eigen::Vector2d way =
+                         points[id] - points[*other] - Eigen::Vector2d(shift * width, 0.0);
+                     visit(*other, id, machine.radius(id) + machine.radius(*other) - way.norm());
                    }
                  });
 }
@@ -123,7 +118,7 @@ void refuseBadStart(const MachineState& machine, double time)
   const auto points = placesOnBase(machine, time);
   for (std::uint32_t id = 0; id < points.size(); ++id)
   {
-    const double s = points[id].s;
+    const double s = points[id].x();
     if (s < 0.0 || s > machine.sawtooth().width())
     {
       message << "initial." << id << " is outside the machine: its centre is at s = " << s

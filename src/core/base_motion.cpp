@@ -16,6 +16,12 @@ double fraction(double x)
 {
   return x - std::floor(x);
 }
+
+Rotation rotationBy(double angle)
+{
+  const auto turned = sineCosineOfTurns(angle / RADIANS_PER_TURN);
+  return {turned.cosine, turned.sine};
+}
 }  // namespace
 
 std::optional<double> BaseMotion::Ramp::remaining() const
@@ -56,41 +62,38 @@ std::optional<double> BaseMotion::timeOfTurns(double turns) const
   return segment_start_ + 2.0 * left / (frequency_.start + std::sqrt(squared));
 }
 
-void BaseMotion::lookAt(double time, BaseKinematics& k) const
+void BaseMotion::lookAt(double time, FrameOfBase& frame) const
 {
   const double elapsed = time - segment_start_;
-  k.inclination = inclination_.at(elapsed);
-  k.inclination_rate = inclination_.rate;
-  k.cosine = cosine_;
-  k.sine = sine_;
-  k.displacement = standstill_;
-  k.velocity = 0.0;
+  frame.inclination = inclination_.at(elapsed);
+  frame.inclination_rate = inclination_.rate;
+  frame.rotation = rotation_;
+  frame.displacement.y() = standstill_;
+  frame.velocity.y() = 0.0;
   if (oscillates_ && !next_change_)
   {
     // At its setpoints: the same to the last bit, without the ramps.
     const auto stroke = strokeAt(drive(), time);
-    k.displacement = stroke.displacement;
-    k.velocity = stroke.velocity;
+    frame.displacement.y() = stroke.displacement;
+    frame.velocity.y() = stroke.velocity;
   }
   else if (oscillates_)
   {
     const auto phase = sineCosineOfTurns(turns(elapsed));
     const auto stroke =
         strokeAtPhase(driveOf(amplitude_.at(elapsed), frequency_.at(elapsed), time, turns(elapsed)), phase);
-    k.displacement = stroke.displacement;
-    k.velocity = stroke.velocity + amplitude_.rate * phase.sine;
+    frame.displacement.y() = stroke.displacement;
+    frame.velocity.y() = stroke.velocity + amplitude_.rate * phase.sine;
   }
   if (!turning())
     return;
-  const auto angle = sineCosineOfTurns(k.inclination / RADIANS_PER_TURN);
-  k.cosine = angle.cosine;
-  k.sine = angle.sine;
+  frame.rotation = rotationBy(frame.inclination);
 }
 
 DriveState BaseMotion::state(double time) const
 {
   const double elapsed = time - segment_start_;
-  const auto k = at(time);
+  const FrameOfBase frame = at(time);
   DriveState state;
   for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
   {
@@ -98,8 +101,8 @@ DriveState BaseMotion::state(double time) const
     state.*q.commanded = ramp(q.quantity).target;
   }
   state.phase = RADIANS_PER_TURN * fraction(turns(elapsed));
-  state.displacement = k.displacement;
-  state.velocity = k.velocity;
+  state.displacement = frame.displacement.y();
+  state.velocity = frame.velocity.y();
   return state;
 }
 
@@ -128,9 +131,7 @@ void BaseMotion::plan()
   for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
     pursue(ramp(q.quantity), slew_rates_.*q.slew_rate);
 
-  const auto angle = sineCosineOfTurns(inclination_.start / RADIANS_PER_TURN);
-  cosine_ = angle.cosine;
-  sine_ = angle.sine;
+  rotation_ = rotationBy(inclination_.start);
 
   next_change_.reset();
   for (const auto ramp : RAMPS)

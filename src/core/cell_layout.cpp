@@ -35,7 +35,7 @@ LayoutCosts::LayoutCosts(const std::vector<BasePoint>& points, double width, dou
     : points_(points), width_(width), events_(events), laps_(laps)
 {
   for (const BasePoint& point : points_)
-    top_ += std::max(0.0, point.n);
+    top_ += std::max(0.0, point.n());
   top_ *= MEAN_HEIGHTS / static_cast<double>(std::max<std::size_t>(1, points_.size()));
 }
 
@@ -46,11 +46,12 @@ double LayoutCosts::of(const CellLayout& layout) const
   double crossings = 0.0;
   for (const BasePoint& point : points_)
   {
-    const double row = std::clamp(std::floor(point.n / cells.side_n), 0.0, cells.rows - 1.0);
+    const double row = std::clamp(std::floor(point.n() / cells.side_n), 0.0, cells.rows - 1.0);
     disks[static_cast<std::size_t>(row)] += 1.0;
-    crossings += std::abs(point.vs) / (cells.columns > 1 ? cells.side_s : width_ * (1.0 + 2.0 * laps_));
+    crossings +=
+        std::abs(point.velocity.x()) / (cells.columns > 1 ? cells.side_s : width_ * (1.0 + 2.0 * laps_));
     if (row + 1.0 < cells.rows)
-      crossings += std::abs(point.vn) / cells.side_n;
+      crossings += std::abs(point.velocity.y()) / cells.side_n;
   }
   double together = 0.0;
   for (const double in_row : disks)

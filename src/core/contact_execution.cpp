@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace ratchet_sieve
@@ -29,6 +28,12 @@ CollisionKind collisionKind(BaseFeatureKind kind, Boundary boundary)
     default:
       return CollisionKind::APEX;
   }
+}
+
+/// The component of a velocity along the tangent: the normal turned by +90 degrees.
+double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
+{
+  return normal.x() * velocity.y() - normal.y() * velocity.x();
 }
 }  // namespace
 
@@ -60,8 +65,8 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
   const SceneDefinition& scene = machine_.scene();
   const Disk disk = flown(machine_.disk(slot), time, scene.gravity);
   const SpeciesDefinition& species = scene.species[disk.species];
-  const BaseKinematics& k = base.at(time);
-  const BasePoint point = toBase(k, disk.x, disk.y, disk.vx, disk.vy);
+  const FrameOfBase& frame = base.at(time);
+  const BasePoint point = frame.see({disk.x, disk.y}, {disk.vx, disk.vy});
   const Approach approach = machine_.sawtooth().approach(feature, point, species.radius);
   ContactOutcome outcome;
   outcome.time = time;
@@ -71,12 +76,11 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
   outcome.closed = approach.rate < 0.0;
   if (outcome.closed)
   {
-    outcome.nx = k.cosine * approach.normal_s - k.sine * approach.normal_n;
-    outcome.ny = k.sine * approach.normal_s + k.cosine * approach.normal_n;
+    outcome.normal = frame.outOf(approach.normal);
     outcome.normal_velocity = approach.rate;
     // The base's surface turns with it: at the contact, r below the centre, it differs by r d theta/dt.
-    const double tangential_velocity = approach.normal_s * point.vn - approach.normal_n * point.vs -
-                                       species.radius * (disk.spin - k.inclination_rate);
+    const double tangential_velocity =
+        across(approach.normal, point.velocity) - species.radius * (disk.spin - frame.inclination_rate);
     outcome.lossless = lossless(slot, time);
     ContactCoefficients coefficients = outcome.lossless ? LOSSLESS : species.contact;
     if (outcome.kind == CollisionKind::WALL)
@@ -94,11 +98,9 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   const Disk a = flown(machine_.disk(i), time, gravity);
   const Disk b = flown(machine_.disk(j), time, gravity);
   const Image there = machine_.image(shift, time);
-  const double dx = a.x - there.dx - b.x;
-  const double dy = a.y - there.dy - b.y;
-  const double distance = std::sqrt(dx * dx + dy * dy);
-  const double dvx = a.vx - b.vx - there.dvx;
-  const double dvy = a.vy - b.vy - there.dvy;
+  const Eigen::Vector2d place = Eigen::Vector2d(a.x, a.y) - there.shift - Eigen::Vector2d(b.x, b.y);
+  const double distance = place.norm();
+  const Eigen::Vector2d velocity = Eigen::Vector2d(a.vx, a.vy) - Eigen::Vector2d(b.vx, b.vy) - there.velocity;
   ContactOutcome outcome;
   outcome.time = time;
   outcome.kind = CollisionKind::DISK_DISK;
@@ -108,14 +110,13 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   outcome.overlap = machine_.radius(i) + machine_.radius(j) - distance;
   // The very sum that the prediction looks at (timeToTouch): were it another, rounding could have a
   // contact predicted here and left alone there, again and again.
-  outcome.closed = dx * dvx + dy * dvy < 0.0;
+  outcome.closed = place.dot(velocity) < 0.0;
   if (outcome.closed)
   {
-    outcome.nx = dx / distance;
-    outcome.ny = dy / distance;
-    outcome.normal_velocity = std::min(0.0, dvx * outcome.nx + dvy * outcome.ny);
+    outcome.normal = place / distance;
+    outcome.normal_velocity = std::min(0.0, velocity.dot(outcome.normal));
     const double tangential_velocity =
-        dvy * outcome.nx - dvx * outcome.ny - (machine_.radius(i) * a.spin + machine_.radius(j) * b.spin);
+        across(outcome.normal, velocity) - (machine_.radius(i) * a.spin + machine_.radius(j) * b.spin);
     outcome.lossless = lossless(i, time) || lossless(j, time);
     const std::size_t pair = a.species * machine_.scene().species.size() + b.species;
     respond(outcome, outcome.lossless ? LOSSLESS : pair_coefficients_[pair], pair_masses_[pair],
@@ -157,11 +158,7 @@ void ContactExecution::push(std::uint32_t slot, const Disk& now, const ContactOu
     machine_.moveTo(slot, now);
   ++disk.flights;
   const double per_mass = sign * response.velocity;
-  const Two normal{contact.nx, contact.ny};
-  const Two tangent{-contact.ny, contact.nx};
-  const Two velocity = Two{disk.vx, disk.vy} +
-                       per_mass * (contact.normal_impulse * normal + contact.tangential_impulse * tangent);
-  std::memcpy(&disk.vx, &velocity, sizeof velocity);
+  Eigen::Map<Eigen::Vector2d, Eigen::Aligned16>(&disk.vx) += per_mass * impulseOf(contact);
   disk.spin -= response.spin * contact.tangential_impulse;
 }
 

@@ -25,24 +25,6 @@ constexpr double MAX_TURN_PER_STEP = 0.05;
 constexpr double MAX_TEETH_PER_STEP = 16.0;
 }  // namespace
 
-BasePoint toBase(const BaseKinematics& k, double x, double y, double vx, double vy)
-{
-  const double height = y - k.displacement;
-  const double rise = vy - k.velocity;
-  BasePoint p;
-  p.s = k.cosine * x + k.sine * height;
-  p.n = k.cosine * height - k.sine * x;
-  p.vs = k.cosine * vx + k.sine * rise + k.inclination_rate * p.n;
-  p.vn = k.cosine * rise - k.sine * vx - k.inclination_rate * p.s;
-  return p;
-}
-
-BasePoint ContactSearch::seenFromBase(const Disk& disk, const BaseKinematics& base, double time) const
-{
-  const Course now = courseAt(disk, time, gravity_);
-  return toBase(base, now.place[0], now.place[1], now.velocity[0], now.velocity[1]);
-}
-
 BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, double until,
                               BaseInstant& base) const
 {
@@ -69,7 +51,7 @@ BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, doub
       if (const auto contact = polish(disk, radius, *sure, time))
         return {*contact, sure->feature};
     time += step.freeTime();
-    if (point.n > sawtooth_.height() + radius)
+    if (point.n() > sawtooth_.height() + radius)
       time = nearTime(disk, radius, time);
   }
   return {time, {}};
@@ -102,14 +84,14 @@ std::optional<double> ContactSearch::polish(const Disk& disk, double radius, con
 /// where nearTime() takes a root. May say no where it is.
 bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, double until) const
 {
-  if (search_above_band_ || motion_.turning() || motion_.cosine() <= 0.0 ||
+  if (search_above_band_ || motion_.turning() || motion_.rotation().cosine <= 0.0 ||
       sawtooth_.boundary() != Boundary::PERIODIC)
     return false;
-  const double top = sawtooth_.height() + radius + motion_.displacementBound() * motion_.cosine();
+  const double top = sawtooth_.height() + radius + motion_.displacementBound() * motion_.rotation().cosine;
   const auto above = [&](double time)
   {
     const Two place = courseAt(disk, time, gravity_).place;
-    return motion_.cosine() * place[1] - motion_.sine() * place[0] > top;
+    return intoBase(motion_.rotation(), place[0], place[1]).second > top;
   };
   return above(until) && above(from);
 }
@@ -120,12 +102,11 @@ double ContactSearch::nearTime(const Disk& disk, double radius, double from) con
 {
   if (search_above_band_ || motion_.turning())
     return from;
-  BaseKinematics mount;
-  mount.cosine = motion_.cosine();
-  mount.sine = motion_.sine();
+  FrameOfBase mount;
+  mount.rotation = motion_.rotation();
   const BasePoint p = seenFromBase(disk, mount, from);
-  const double along = motion_.displacementBound() * std::abs(mount.sine);
-  const double across = motion_.displacementBound() * std::abs(mount.cosine);
+  const auto reach = verticalIntoBase(mount.rotation, motion_.displacementBound());
+  const auto fall = verticalIntoBase(mount.rotation, -gravity_);
 
   double wait = INFINITE_TIME;
   const auto approach = [&wait](double gap, double rate, double accel)
@@ -135,12 +116,12 @@ double ContactSearch::nearTime(const Disk& disk, double radius, double from) con
     else if (const auto time = firstClosingTime(gap, rate, accel))
       wait = std::min(wait, *time);
   };
-  approach(p.n - sawtooth_.height() - radius - across, p.vn, -gravity_ * mount.cosine);
+  approach(p.n() - sawtooth_.height() - radius - std::abs(reach.second), p.velocity.y(), fall.second);
   if (sawtooth_.boundary() != Boundary::PERIODIC)
   {
-    const double margin = along + (sawtooth_.boundary() == Boundary::WALLED ? radius : 0.0);
-    approach(p.s - margin, p.vs, -gravity_ * mount.sine);
-    approach(sawtooth_.width() - margin - p.s, -p.vs, gravity_ * mount.sine);
+    const double margin = std::abs(reach.first) + (sawtooth_.boundary() == Boundary::WALLED ? radius : 0.0);
+    approach(p.s() - margin, p.velocity.x(), fall.first);
+    approach(sawtooth_.width() - margin - p.s(), -p.velocity.x(), -fall.first);
   }
   return from + wait;
 }
@@ -160,7 +141,7 @@ double ContactSearch::relativeAccelerationBound(const BasePoint& point, double s
   if (motion_.turning())
   {
     const double w = std::abs(motion_.inclinationRate());
-    const double distance = std::sqrt(point.s * point.s + point.n * point.n);
+    const double distance = point.place.norm();
     const double turn = w * span;
     bound = (plain + 2.0 * w * speedBound(point) + w * w * (distance + speedBound(point) * span)) /
             (1.0 - 2.0 * turn - turn * turn);
@@ -173,7 +154,8 @@ ContactSearch::Direction ContactSearch::forcedDirection() const
 {
   if (motion_.turning())
     return {};
-  return {false, motion_.sine(), motion_.cosine()};
+  const auto vertical = verticalIntoBase(motion_.rotation(), 1.0);
+  return {false, {vertical.first, vertical.second}};
 }
 
 /// The walls, if there are any. Open ends, and what is above the walls: the lines that a disk leaves by, and
@@ -184,7 +166,7 @@ void ContactSearch::lookAtEnds(Step& step) const
   {
     const BaseFeature feature{kind, 0};
     const Approach a = sawtooth_.approach(feature, step.point, step.radius);
-    step.meetLine(feature, a.gap, a.rate, a.normal_s, a.normal_n, [&] { return window; });
+    step.meetLine(feature, a.gap, a.rate, a.normal, [&] { return window; });
   };
   const auto meet_corner = [&](std::int32_t tooth)
   {
@@ -195,7 +177,7 @@ void ContactSearch::lookAtEnds(Step& step) const
   {
     const double top = sawtooth_.wallHeight();
     const bool below = step.staysBelow(top);
-    const Step::Gap window = below ? Step::ALWAYS : Step::Gap{step.point.n - top, step.point.vn};
+    const Step::Gap window = below ? Step::ALWAYS : Step::Gap{step.point.n() - top, step.point.velocity.y()};
     meet(BaseFeatureKind::LEFT_WALL, window);
     meet(BaseFeatureKind::RIGHT_WALL, window);
     if (below)
@@ -210,38 +192,38 @@ void ContactSearch::lookAtEnds(Step& step) const
 /// From the tooth below outwards, as far as the shortest guarantee so far reaches.
 void ContactSearch::lookAtTeeth(Step& step) const
 {
-  const std::int32_t here = sawtooth_.toothAt(step.point.s);
+  const std::int32_t here = sawtooth_.toothAt(step.point.s());
   lookAtTooth(here, step);
-  const double above = std::max(0.0, step.point.n - sawtooth_.height());
+  const double above = std::max(0.0, step.point.n() - sawtooth_.height());
   const auto reachable = [&](double distance)
   {
     const double beside = std::max(0.0, distance);
     return step.canReach(beside * beside + above * above);
   };
   for (std::int32_t tooth = here - 1;
-       sawtooth_.hasTooth(tooth) && reachable(step.point.s - sawtooth_.toothStart(tooth + 1)); --tooth)
+       sawtooth_.hasTooth(tooth) && reachable(step.point.s() - sawtooth_.toothStart(tooth + 1)); --tooth)
     lookAtTooth(tooth, step);
   for (std::int32_t tooth = here + 1;
-       sawtooth_.hasTooth(tooth) && reachable(sawtooth_.toothStart(tooth) - step.point.s); ++tooth)
+       sawtooth_.hasTooth(tooth) && reachable(sawtooth_.toothStart(tooth) - step.point.s()); ++tooth)
     lookAtTooth(tooth, step);
 }
 
 void ContactSearch::lookAtTooth(std::int32_t tooth, Step& step) const
 {
   const BasePoint& p = step.point;
-  const double s = p.s - sawtooth_.toothStart(tooth);
+  const double s = p.s() - sawtooth_.toothStart(tooth);
   const auto meet_slope = [&](const Sawtooth::Slope& slope, BaseFeatureKind kind)
   {
     if (!slope.present)
       return;
-    const double ds = s - slope.foot_s;
-    const double distance = ds * slope.normal_s + p.n * slope.normal_n;
-    const double rate = p.vs * slope.normal_s + p.vn * slope.normal_n;
+    const Eigen::Vector2d from_foot(s - slope.foot_s, p.n());
+    const double distance = from_foot.dot(slope.normal);
+    const double rate = p.velocity.dot(slope.normal);
     // The slope can be met only from in front and between its ends.
     const auto window = [&]
     {
-      const double along = ds * slope.along_s + p.n * slope.along_n;
-      const double along_rate = p.vs * slope.along_s + p.vn * slope.along_n;
+      const double along = from_foot.dot(slope.along);
+      const double along_rate = p.velocity.dot(slope.along);
       const double slack = sawtooth_.windowSlack();
       Step::Gap latest{-distance - slack, -rate};
       if (-along - slack > latest.size)
@@ -250,15 +232,14 @@ void ContactSearch::lookAtTooth(std::int32_t tooth, Step& step) const
         latest = {along - slope.length - slack, along_rate};
       return latest;
     };
-    step.meetLine({kind, tooth}, distance - step.radius, rate, slope.normal_s, slope.normal_n, window);
+    step.meetLine({kind, tooth}, distance - step.radius, rate, slope.normal, window);
   };
   meet_slope(sawtooth_.left(), BaseFeatureKind::LEFT_SLOPE);
   meet_slope(sawtooth_.right(), BaseFeatureKind::RIGHT_SLOPE);
   const BaseFeature apex{BaseFeatureKind::APEX, tooth};
-  const double ds = s - sawtooth_.apexOffset();
-  const double dn = p.n - sawtooth_.height();
-  if (step.canReach(ds * ds + dn * dn))
-    step.meetPoint(apex, approachToPoint(ds, dn, p, step.radius));
+  const Eigen::Vector2d from_apex(s - sawtooth_.apexOffset(), p.n() - sawtooth_.height());
+  if (step.canReach(from_apex.squaredNorm()))
+    step.meetPoint(apex, approachToPoint(from_apex, p, step.radius));
 }
 
 }  // namespace ratchet_sieve

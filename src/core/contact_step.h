@@ -15,21 +15,17 @@ constexpr double INFINITE_TIME = std::numeric_limits<double>::infinity();
 /// No less than the speed: where only a bound is needed, that saves the root.
 inline double speedBound(const BasePoint& point)
 {
-  return std::abs(point.vs) + std::abs(point.vn);
+  return point.velocity.lpNorm<1>();
 }
 
 /// The line along which a disk is accelerated as seen from the base; any while the base turns.
 struct ContactSearch::Direction
 {
   bool any = true;
-  double s = 0.0;
-  double n = 0.0;
+  Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< of unit length
 
   /// How much of it shows along a unit normal.
-  double share(double normal_s, double normal_n) const
-  {
-    return any ? 1.0 : std::abs(s * normal_s + n * normal_n);
-  }
+  double share(const Eigen::Vector2d& normal) const { return any ? 1.0 : std::abs(along.dot(normal)); }
 };
 
 /// One step of the search: the disk as it is, the shortest time any feature guarantees, and whether one
@@ -63,13 +59,13 @@ public:
   }
 
   /// A slope or a wall, met where `gap` is used up; what a slope is met through besides comes as `window`.
-  /// @param normal_s, normal_n of the line
+  /// @param normal of the line
   template <typename FindWindow>
-  void meetLine(const BaseFeature& feature, double gap, double rate, double normal_s, double normal_n,
+  void meetLine(const BaseFeature& feature, double gap, double rate, const Eigen::Vector2d& normal,
                 FindWindow&& find_window)
   {
     // How fast the distance to the line can be accelerated.
-    const double acceleration = acceleration_ * forced_.share(normal_s, normal_n);
+    const double acceleration = acceleration_ * forced_.share(normal);
     if (!staysFree(gap, rate, acceleration))
       meet(feature, {gap, rate}, acceleration, acceleration, find_window());
   }
@@ -93,11 +89,11 @@ public:
   /// Whether the disk is higher over the base than this all through the step.
   bool staysOver(double height) const
   {
-    return staysFree(point.n - height - radius, point.vn, acceleration_);
+    return staysFree(point.n() - height - radius, point.velocity.y(), acceleration_);
   }
 
   /// Whether no part of the disk comes higher than this in the step.
-  bool staysBelow(double height) const { return point.n + radius + reach_ < height; }
+  bool staysBelow(double height) const { return point.n() + radius + reach_ < height; }
 
   double freeTime() const { return std::max(free_time_, resolution_); }
 

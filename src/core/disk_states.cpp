@@ -19,7 +19,7 @@ double wrappedAngle(double angle)
 void forEachDiskState(const MachineState& machine, double time,
                       const std::function<void(const DiskState&)>& visit)
 {
-  const BaseKinematics base = machine.motion().at(time);
+  const FrameOfBase base = machine.motion().at(time);
   const double width = machine.sawtooth().width();
   const bool periodic = machine.scene().boundary == Boundary::PERIODIC;
   for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
@@ -27,16 +27,16 @@ void forEachDiskState(const MachineState& machine, double time,
     if (!machine.active(id))
       continue;
     const Disk disk = flown(machine.disk(id), time, machine.scene().gravity);
-    const BasePoint point = toBase(base, disk.x, disk.y, disk.vx, disk.vy);
-    const Image image = periodic ? machine.image(-wholeWidths(point.s, 1.0 / width), time) : Image();
+    const double s = base.into(Eigen::Vector2d(disk.x, disk.y) - base.displacement).x();
+    const Image image = periodic ? machine.image(-wholeWidths(s, 1.0 / width), time) : Image();
     DiskState state;
     state.id = machine.id(id);
     state.species = disk.species;
     state.displacement = machine.passages().displacement(id, disk.x);
-    state.x = disk.x + image.dx;
-    state.y = disk.y + image.dy;
-    state.vx = disk.vx + image.dvx;
-    state.vy = disk.vy + image.dvy;
+    state.x = disk.x + image.shift.x();
+    state.y = disk.y + image.shift.y();
+    state.vx = disk.vx + image.velocity.x();
+    state.vy = disk.vy + image.velocity.y();
     state.angle = wrappedAngle(disk.angle);
     state.spin = disk.spin;
     visit(state);

@@ -173,7 +173,7 @@ private:
   void bringHome(std::uint32_t slot, double now)
   {
     if (state_.scene().boundary == Boundary::PERIODIC)
-      state_.bringHome(slot, state_.search().seenFromBase(state_.disk(slot), base_.at(now), now).s, now);
+      state_.bringHome(slot, state_.search().seenFromBase(state_.disk(slot), base_.at(now), now).s(), now);
   }
 
   BaseEvent search(std::uint32_t slot, double from)

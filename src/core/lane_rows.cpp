@@ -58,8 +58,8 @@ void setTeeth(const Sawtooth& sawtooth, LaneScene& scene)
   scene.per_width = 1.0 / scene.width;
   scene.valley_start = (w - a) / w;
   scene.height = sawtooth.height();
-  scene.left = {a - w, sawtooth.right().normal_s, sawtooth.right().normal_n};
-  scene.right = {a, sawtooth.left().normal_s, sawtooth.left().normal_n};
+  scene.left = {a - w, sawtooth.right().normal.x(), sawtooth.right().normal.y()};
+  scene.right = {a, sawtooth.left().normal.x(), sawtooth.left().normal.y()};
 }
 }  // namespace
 
@@ -71,10 +71,10 @@ std::optional<LaneScene> laneScene(const MachineState& machine)
     return std::nullopt;
   LaneScene scene{};
   scene.gravity = definition.gravity;
-  scene.gravity_s = definition.gravity * motion.sine();
-  scene.gravity_n = definition.gravity * motion.cosine();
-  scene.sine = motion.sine();
-  scene.cosine = motion.cosine();
+  scene.base = motion.rotation();
+  const auto gravity = verticalIntoBase(scene.base, definition.gravity);
+  scene.gravity_s = gravity.first;
+  scene.gravity_n = gravity.second;
   scene.drive = motion.drive();
   scene.longest_search = machine.epoch().length;
   scene.resolution = timeResolution(machine.epoch().length);
@@ -85,7 +85,7 @@ std::optional<LaneScene> laneScene(const MachineState& machine)
   bounds.gravity = static_cast<float>(scene.gravity);
   bounds.fall = static_cast<float>(std::max(0.0, scene.gravity_n));
   bounds.amplitude = static_cast<float>(scene.drive.amplitude);
-  bounds.highest = static_cast<float>(scene.drive.amplitude * std::abs(scene.cosine));
+  bounds.highest = static_cast<float>(scene.drive.amplitude * std::abs(scene.base.cosine));
   bounds.speed = static_cast<float>(scene.drive.speed);
   bounds.third_of_jerk = static_cast<float>(scene.drive.acceleration * w / 3.0);
   bounds.acceleration = static_cast<float>(definition.gravity + scene.drive.acceleration);
@@ -124,9 +124,9 @@ void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, 
   batch.offset[row] = passage.offset;
   batch.translation[row] = passage.translation;
   batch.rotation[row] = passage.rotation;
-  const BaseImpulses::Sum& impulse = machine.record().impulses().of(slot);
-  batch.impulse_x[row] = impulse.x;
-  batch.impulse_y[row] = impulse.y;
+  const Eigen::Vector2d& impulse = machine.record().impulses().of(slot);
+  batch.impulse_x[row] = impulse.x();
+  batch.impulse_y[row] = impulse.y();
   const LaneContact contact = laneContact(next.feature);
   batch.due[row] = next.time;
   batch.feature[row] = contact.feature;

@@ -64,16 +64,6 @@ BaseEvent MachineState::nextBaseEvent(std::uint32_t slot, double from, double un
   return event;
 }
 
-Image MachineState::image(double shift, double time) const
-{
-  if (shift == 0.0)
-    return {};
-  const double length = shift * sawtooth_.width();
-  const BaseKinematics k = motion_.at(time);
-  return {length * k.cosine, length * k.sine, -length * k.inclination_rate * k.sine,
-          length * k.inclination_rate * k.cosine};
-}
-
 void MachineState::reserve(std::size_t count)
 {
   disks_.reserve(count);
@@ -154,11 +144,11 @@ void MachineState::wrap(std::uint32_t slot, double shift, double time)
 {
   Disk& disk = fly(slot, time);
   const Image to = image(shift, time);
-  disk.x += to.dx;
-  disk.y += to.dy;
-  disk.vx += to.dvx;
-  disk.vy += to.dvy;
-  passages_.wrapped(slot, -to.dx);
+  disk.x += to.shift.x();
+  disk.y += to.shift.y();
+  disk.vx += to.velocity.x();
+  disk.vy += to.velocity.y();
+  passages_.wrapped(slot, -to.shift.x());
 }
 
 void MachineState::bringHome(std::uint32_t slot, double s, double time)

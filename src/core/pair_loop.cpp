@@ -220,24 +220,21 @@ private:
   BasePoint inGrid(std::uint32_t id, double time) const
   {
     const Course now = courseAt(state_.disk(id), time, state_.scene().gravity);
-    const Two s{frame_.cosine, frame_.sine};
-    const Two n{-frame_.sine, frame_.cosine};
-    const auto dot = [](Two a, Two b) { return a[0] * b[0] + a[1] * b[1]; };
-    return {dot(s, now.place), dot(n, now.place), dot(s, now.velocity), dot(n, now.velocity)};
+    return {frame_.into(vectorOf(now.place)), frame_.into(vectorOf(now.velocity))};
   }
 
   /// Puts a disk into its cell, once it is within the ring: cells that were laid anew may have left
   /// it outside.
   void place(std::uint32_t id, double time)
   {
-    state_.bringHome(id, inGrid(id, time).s, time);
+    state_.bringHome(id, inGrid(id, time).s(), time);
     grid_.add(id, cellNow(id, time));
   }
 
   CellGrid::Cell cellNow(std::uint32_t id, double time) const
   {
     const BasePoint p = inGrid(id, time);
-    return grid_.cellAt(p.s, p.n);
+    return grid_.cellAt(p.s(), p.n());
   }
 
   /// Fetches what the next events need, all at once, where each event by itself would wait for one thing
@@ -326,7 +323,7 @@ private:
     if (laps != 0)
     {
       if (grid_.laps() > 0)
-        state_.bringHome(id, inGrid(id, now).s, now);
+        state_.bringHome(id, inGrid(id, now).s(), now);
       else
         state_.wrap(id, -laps, now);
       cell.column -= laps * grid_.columns();
@@ -406,8 +403,7 @@ private:
     const double now = p.cell_time;
     const CellGrid::Cell cell = grid_.cellOf(id);
     const BasePoint at = inGrid(id, now);
-    const double fall_s = -state_.scene().gravity * frame_.sine;
-    const double fall_n = -state_.scene().gravity * frame_.cosine;
+    const auto fall = verticalIntoBase(frame_.rotation, -state_.scene().gravity);
     p.cell_time = until;
     const auto leave = [&](Edge edge, double gap, double rate, double accel)
     {
@@ -423,13 +419,13 @@ private:
       p.edge = edge;
     };
     if (grid_.periodic() || cell.column > 0)
-      leave(Edge::LEFT, at.s - grid_.leftEdge(cell.column), at.vs, fall_s);
+      leave(Edge::LEFT, at.s() - grid_.leftEdge(cell.column), at.velocity.x(), fall.first);
     if (grid_.periodic() || cell.column + 1 < grid_.columns())
-      leave(Edge::RIGHT, grid_.rightEdge(cell.column) - at.s, -at.vs, -fall_s);
+      leave(Edge::RIGHT, grid_.rightEdge(cell.column) - at.s(), -at.velocity.x(), -fall.first);
     if (cell.row > 0)
-      leave(Edge::LOWER, at.n - grid_.rowStart(cell.row), at.vn, fall_n);
+      leave(Edge::LOWER, at.n() - grid_.rowStart(cell.row), at.velocity.y(), fall.second);
     if (cell.row + 1 < grid_.rows())
-      leave(Edge::UPPER, grid_.rowStart(cell.row + 1) - at.n, -at.vn, -fall_n);
+      leave(Edge::UPPER, grid_.rowStart(cell.row + 1) - at.n(), -at.velocity.y(), -fall.second);
   }
 
   /// Carries the searches of the cell's edges and of the base on to the disk's next other event, and
@@ -448,7 +444,7 @@ private:
   Machine& machine_;
   MachineState& state_;
   BaseInstant base_;
-  BaseKinematics frame_;  ///< of the cells: the base's when the grid was laid
+  FrameOfBase frame_;  ///< of the cells: the base's when the grid was laid
   CellFit fit_;
   CellGrid grid_;
   std::size_t grid_capacity_ = 0;

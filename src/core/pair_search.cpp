@@ -40,13 +40,13 @@ PairContact PairSearch::firstOnRing(const std::uint32_t* others, std::size_t cou
 {
   const BaseMotion& motion = machine_.motion();
   const double width = machine_.sawtooth().width();
-  const RingCourse ring{motion.cosine(), motion.sine(), width, 1.0 / width, most_laps};
+  const RingCourse ring{motion.rotation(), width, 1.0 / width, most_laps};
   PairContact first;
   double horizon = until_ - from_;
   for (std::size_t i = 0; i < count; ++i)
   {
     const Relative seen = relativeTo(others[i], course_.place);
-    const auto touch = ring.firstTouch(seen.place, seen.velocity, seen.distance, horizon);
+    const auto touch = ring.firstTouch(vectorOf(seen.place), vectorOf(seen.velocity), seen.distance, horizon);
     if (!touch || from_ + touch->wait >= until_)
       continue;
     first.take({from_ + touch->wait, others[i], touch->shift});
@@ -69,7 +69,7 @@ struct PairSearch::Lanes
     excesses[LANES] = std::numeric_limits<double>::infinity();
     discriminants[LANES] = 0.0;
     closings[LANES] = -1.0;
-    const Two place = search.course_.place - Two{image.dx, image.dy};
+    const Two place = search.course_.place - Two{image.shift.x(), image.shift.y()};
     unsigned found = 0;
     for (std::size_t k = 0; k < count; k += 2)
     {
@@ -159,12 +159,9 @@ std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, in
     const Course a = courseAt(machine_.disk(id_), time, gravity);
     const Course b = courseAt(other, time, gravity);
     const Image there = machine_.image(shift, time);
-    const double dx = a.place[0] - there.dx - b.place[0];
-    const double dy = a.place[1] - there.dy - b.place[1];
-    const double length = std::sqrt(dx * dx + dy * dy);
-    const double opening = (dx * (a.velocity[0] - b.velocity[0] - there.dvx) +
-                            dy * (a.velocity[1] - b.velocity[1] - there.dvy)) /
-                           length;
+    const Eigen::Vector2d place = vectorOf(a.place) - there.shift - vectorOf(b.place);
+    const double length = place.norm();
+    const double opening = place.dot(vectorOf(a.velocity - b.velocity) - there.velocity) / length;
     const double wait = guaranteedFreeTime(length - distance, opening, acceleration);
     if (opening < 0.0 && (wait <= resolution || step > MAX_SEAM_STEPS))
       return time;

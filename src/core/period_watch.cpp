@@ -13,28 +13,28 @@ constexpr double PART = 1.0 / PeriodWatch::PARTS;
 /// Sums about a velocity near the mean: the variance of nearly equal velocities must not drown in their mean.
 struct Velocities
 {
-  Two about{};
+  Eigen::Vector2d about = Eigen::Vector2d::Zero();
   double count = 0.0;
-  Two sum{};
-  Two squares{};
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  Eigen::Vector2d squares = Eigen::Vector2d::Zero();
 
-  void add(Two velocity)
+  void add(const Eigen::Vector2d& velocity)
   {
     if (count == 0.0)
       about = velocity;
-    const Two difference = velocity - about;
+    const Eigen::Vector2d difference = velocity - about;
     count += 1.0;
-    sum = sum + difference;
-    squares = squares + difference * difference;
+    sum += difference;
+    squares += difference.cwiseAbs2();
   }
 
   std::optional<double> variance() const
   {
     if (count < 2.0)
       return std::nullopt;
-    const Two mean = sum * (1.0 / count);
-    const Two spread = squares * (1.0 / count) - mean * mean;
-    return std::max(0.0, spread[0] + spread[1]);
+    const Eigen::Vector2d mean = sum * (1.0 / count);
+    const Eigen::Vector2d spread = squares * (1.0 / count) - mean.cwiseAbs2();
+    return std::max(0.0, spread.sum());
   }
 };
 }  // namespace
@@ -47,7 +47,7 @@ std::vector<std::optional<double>> granularTemperatures(const MachineState& mach
     if (machine.active(id))
     {
       const Disk& disk = machine.disk(id);
-      velocities[disk.species].add(courseAt(disk, time, machine.scene().gravity).velocity);
+      velocities[disk.species].add(vectorOf(courseAt(disk, time, machine.scene().gravity).velocity));
     }
   std::vector<std::optional<double>> temperatures;
   for (std::size_t i = 0; i < species.size(); ++i)

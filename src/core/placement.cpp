@@ -15,14 +15,14 @@ namespace
 constexpr std::size_t DISKS_PER_LOOK = 1024;
 
 /// A disk where it is at `time`, as the pour sees it.
-PlacedDisk placed(const MachineState& machine, std::uint32_t id, const BaseKinematics& base, double time)
+PlacedDisk placed(const MachineState& machine, std::uint32_t id, const FrameOfBase& base, double time)
 {
   const Disk disk = flown(machine.disk(id), time, machine.scene().gravity);
   const double width = machine.sawtooth().width();
-  double s = base.cosine * disk.x + base.sine * (disk.y - base.displacement);
+  double s = base.into(Eigen::Vector2d(disk.x, disk.y) - base.displacement).x();
   if (machine.scene().boundary == Boundary::PERIODIC)
     s -= width * wholeWidths(s, 1.0 / width);
-  return {s, base.cosine * disk.y - base.sine * disk.x, machine.radius(id)};
+  return {s, base.into({disk.x, disk.y}).y(), machine.radius(id)};
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
 {
   const MachineState& state = machine.state();
   const SceneDefinition& scene = state.scene();
-  const BaseKinematics base = state.motion().at(time);
+  const FrameOfBase base = state.motion().at(time);
   BaseDefinition shape = scene.base;
   shape.amplitude = state.motion().displacementBound();
   Pour pour(shape, scene.boundary, scene.pour.drop_height, state.largestDiameter(),
@@ -59,10 +59,10 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   machine.reserve(state.disks().size() + poured.size());
   for (const auto& [room, kind] : poured)
   {
-    const double s = room.s + base.displacement * base.sine;
+    const Eigen::Vector2d place = base.outOf({room.s + base.into(base.displacement).x(), room.n});
     Disk disk;
-    disk.x = base.cosine * s - base.sine * room.n;
-    disk.y = base.sine * s + base.cosine * room.n;
+    disk.x = place.x();
+    disk.y = place.y();
     disk.vy = -scene.pour.speed;
     disk.time = time;
     disk.species = kind;

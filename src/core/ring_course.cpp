@@ -25,12 +25,15 @@ int roundedUp(double x)
 }
 }  // namespace
 
-std::optional<RingCourse::Touch> RingCourse::firstTouch(Two place, Two velocity, double distance,
+std::optional<RingCourse::Touch> RingCourse::firstTouch(const Eigen::Vector2d& place,
+                                                        const Eigen::Vector2d& velocity, double distance,
                                                         double horizon) const
 {
   const double reach = distance * (1.0 + REACH_MARGIN);
-  const double across = cosine * place[1] - sine * place[0];
-  const double rising = cosine * velocity[1] - sine * velocity[0];
+  const auto in_row = intoBase(rotation, place.x(), place.y());
+  const auto going = intoBase(rotation, velocity.x(), velocity.y());
+  const double across = in_row.second;
+  const double rising = going.second;
   if (std::abs(across) >= reach && across * rising >= 0.0)
     return std::nullopt;
   // From when to when the row is within reach.
@@ -47,9 +50,9 @@ std::optional<RingCourse::Touch> RingCourse::firstTouch(Two place, Two velocity,
     return std::nullopt;
 
   // Along the row, turned so that the disk flies towards greater places, in widths.
-  const double rate = (cosine * velocity[0] + sine * velocity[1]) * per_width;
+  const double rate = going.first * per_width;
   const double sign = rate < 0.0 ? -1.0 : 1.0;
-  const double along = sign * (cosine * place[0] + sine * place[1]) * per_width;
+  const double along = sign * in_row.first * per_width;
   const double speed = std::abs(rate);
   const double margin = reach * per_width;
   const double limit = most_laps;
@@ -65,8 +68,8 @@ std::optional<RingCourse::Touch> RingCourse::firstTouch(Two place, Two velocity,
     if (first && image - margin > along + speed * first->wait)
       break;
     const double shift = sign * image;
-    const auto wait = timeToTouch(place[0] - shift * width * cosine, place[1] - shift * width * sine,
-                                  velocity[0], velocity[1], distance);
+    const auto there = alongBase(rotation, shift * width);
+    const auto wait = timeToTouch(place - Eigen::Vector2d(there.first, there.second), velocity, distance);
     if (wait && *wait <= horizon && !(first && first->wait <= *wait))
       first = Touch{*wait, static_cast<int>(shift)};
   }

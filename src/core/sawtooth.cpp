@@ -20,25 +20,21 @@ Sawtooth::Slope makeSlope(double foot_s, double apex_s, double height, double ou
   slope.present = slope.length > 0.0;
   if (!slope.present)
     return slope;
-  slope.along_s = (apex_s - foot_s) / slope.length;
-  slope.along_n = height / slope.length;
-  slope.normal_s = -outward_sign * slope.along_n;
-  slope.normal_n = outward_sign * slope.along_s;
+  slope.along = {(apex_s - foot_s) / slope.length, height / slope.length};
+  slope.normal = {-outward_sign * slope.along.y(), outward_sign * slope.along.x()};
   return slope;
 }
 
-Approach approachToLine(double distance, double normal_s, double normal_n, const BasePoint& point,
-                        double radius)
+Approach approachToLine(double distance, const Eigen::Vector2d& normal, const BasePoint& point, double radius)
 {
-  return {distance - radius, normal_s * point.vs + normal_n * point.vn, normal_s, normal_n};
+  return {distance - radius, normal.dot(point.velocity), normal};
 }
 
 double distanceToSlope(const Sawtooth::Slope& slope, double s, double n)
 {
-  const double along = std::clamp((s - slope.foot_s) * slope.along_s + n * slope.along_n, 0.0, slope.length);
-  const double ds = s - slope.foot_s - along * slope.along_s;
-  const double dn = n - along * slope.along_n;
-  return std::sqrt(ds * ds + dn * dn);
+  const Eigen::Vector2d from_foot(s - slope.foot_s, n);
+  const double along = std::clamp(from_foot.dot(slope.along), 0.0, slope.length);
+  return (from_foot - along * slope.along).norm();
 }
 }  // namespace
 
@@ -67,31 +63,31 @@ std::int32_t Sawtooth::toothAt(double s) const
 
 Approach Sawtooth::approach(const BaseFeature& feature, const BasePoint& point, double radius) const
 {
-  const double s = point.s - toothStart(feature.tooth);
+  const double s = point.s() - toothStart(feature.tooth);
   switch (feature.kind)
   {
     case BaseFeatureKind::LEFT_SLOPE:
     case BaseFeatureKind::RIGHT_SLOPE:
     {
       const Slope& slope = feature.kind == BaseFeatureKind::LEFT_SLOPE ? left_ : right_;
-      const double distance = (s - slope.foot_s) * slope.normal_s + point.n * slope.normal_n;
-      return approachToLine(distance, slope.normal_s, slope.normal_n, point, radius);
+      const double distance = Eigen::Vector2d(s - slope.foot_s, point.n()).dot(slope.normal);
+      return approachToLine(distance, slope.normal, point, radius);
     }
     case BaseFeatureKind::APEX:
-      return approachToPoint(s - apex_offset_, point.n - height_, point, radius);
+      return approachToPoint({s - apex_offset_, point.n() - height_}, point, radius);
     case BaseFeatureKind::END_CORNER:
-      return approachToPoint(s, point.n - wall_height_, point, radius);
+      return approachToPoint({s, point.n() - wall_height_}, point, radius);
     case BaseFeatureKind::LEFT_WALL:
-      return approachToLine(point.s, 1.0, 0.0, point, radius);
+      return approachToLine(point.s(), Eigen::Vector2d::UnitX(), point, radius);
     case BaseFeatureKind::RIGHT_WALL:
-      return approachToLine(width_ - point.s, -1.0, 0.0, point, radius);
+      return approachToLine(width_ - point.s(), -Eigen::Vector2d::UnitX(), point, radius);
     case BaseFeatureKind::LEFT_END:
-      return approachToLine(point.s, 1.0, 0.0, point, 0.0);
+      return approachToLine(point.s(), Eigen::Vector2d::UnitX(), point, 0.0);
     case BaseFeatureKind::RIGHT_END:
     case BaseFeatureKind::NONE:
       break;
   }
-  return approachToLine(width_ - point.s, -1.0, 0.0, point, 0.0);
+  return approachToLine(width_ - point.s(), -Eigen::Vector2d::UnitX(), point, 0.0);
 }
 
 double Sawtooth::heightAbove(double s, double n) const

@@ -138,12 +138,12 @@ std::vector<std::optional<double>> Simulation::granularTemperatures() const
 
 double Simulation::baseImpulseX() const
 {
-  return implementation_->settled() ? implementation_->record().impulses().total().x : 0.0;
+  return implementation_->settled() ? implementation_->record().impulses().total().x() : 0.0;
 }
 
 double Simulation::baseImpulseY() const
 {
-  return implementation_->settled() ? implementation_->record().impulses().total().y : 0.0;
+  return implementation_->settled() ? implementation_->record().impulses().total().y() : 0.0;
 }
 
 double Simulation::energy() const

@@ -48,15 +48,16 @@ struct Thrown
 Thrown drawnDisk(const BaseMotion& motion, const Sawtooth& sawtooth)
 {
   const double radius = *rc::gen::element(1e-5, 0.001, 0.004, 0.02, 0.3);
-  const BaseKinematics base = motion.at(0.0);
+  const FrameOfBase base = motion.at(0.0);
   const double s = drawn(radius, 0.1 - radius * (radius < 0.05));
   double n = radius + drawn(0.0, 0.03);
   while (std::min(sawtooth.heightAbove(s, n), sawtooth.distanceToWalls(s, n)) < radius)
     n += 0.1 * radius;
   Thrown thrown;
   thrown.radius = radius;
-  thrown.disk.x = base.cosine * s - base.sine * n;
-  thrown.disk.y = base.sine * s + base.cosine * n + base.displacement;
+  const Eigen::Vector2d place = base.placeOutOf({s, n});
+  thrown.disk.x = place.x();
+  thrown.disk.y = place.y();
   thrown.disk.vx = drawn(-2.0, 2.0);
   thrown.disk.vy = drawn(-2.0, 2.0);
   return thrown;
@@ -65,7 +66,8 @@ Thrown drawnDisk(const BaseMotion& motion, const Sawtooth& sawtooth)
 double gapAt(const ContactSearch& search, const Sawtooth& sawtooth, const Thrown& thrown, double time)
 {
   const BasePoint point = search.seenFromBase(thrown.disk, time);
-  return std::min(sawtooth.heightAbove(point.s, point.n), sawtooth.distanceToWalls(point.s, point.n)) -
+  return std::min(sawtooth.heightAbove(point.s(), point.n()),
+                  sawtooth.distanceToWalls(point.s(), point.n())) -
          thrown.radius;
 }
 
@@ -95,7 +97,7 @@ void checkAgainstScan(const BaseMotion& motion, const Sawtooth& sawtooth, const 
   for (int i = 0; i < 2000; ++i)
   {
     RC_ASSERT(gapAt(search, sawtooth, thrown, end * i / 2000.0) > -tolerance);
-    const double s = search.seenFromBase(thrown.disk, end * i / 2000.0).s;
+    const double s = search.seenFromBase(thrown.disk, end * i / 2000.0).s();
     RC_ASSERT(sawtooth.boundary() == Boundary::PERIODIC ||
               (s > -tolerance && s < sawtooth.width() + tolerance));
   }

@@ -240,7 +240,7 @@ SceneDefinition drawnScene()
 Disk drawnDisk(const MachineState& machine)
 {
   const double radius = machine.scene().species[0].radius;
-  const BaseKinematics base = machine.motion().at(0.0);
+  const FrameOfBase base = machine.motion().at(0.0);
   const double s = drawn(0.0, machine.sawtooth().width());
   double n = radius + drawn(0.0, 0.03);
   while (machine.sawtooth().heightAbove(s, n) < radius)
@@ -251,8 +251,9 @@ Disk drawnDisk(const MachineState& machine)
       n -= machine.sawtooth().heightAbove(s, n) - radius;
   const double speed = *rc::gen::element(0.05, 0.5, 5.0);
   Disk disk;
-  disk.x = base.cosine * s - base.sine * n;
-  disk.y = base.sine * s + base.cosine * n + base.displacement;
+  const Eigen::Vector2d place = base.placeOutOf({s, n});
+  disk.x = place.x();
+  disk.y = place.y();
   disk.vx = drawn(-speed, speed);
   disk.vy = drawn(-speed, speed);
   return disk;
@@ -298,7 +299,7 @@ void checkAgainstScan(const MachineState& machine, const BaseEvent& event)
   const auto gapAt = [&](double time)
   {
     const BasePoint point = machine.search().seenFromBase(machine.disk(0), time);
-    return machine.sawtooth().heightAbove(point.s, point.n) - radius;
+    return machine.sawtooth().heightAbove(point.s(), point.n()) - radius;
   };
   // What a disk of this size overlapped at its start is rounding; places of up to a few metres are seen.
   const double tolerance = 1e-9 * radius + 1e-14;

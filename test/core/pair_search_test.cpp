@@ -21,11 +21,11 @@ double drawn(double low, double high)
 
 TEST(TimeToTouch, KnownAnswers)
 {
-  EXPECT_DOUBLE_EQ(*timeToTouch(3.0, 0.0, -1.0, 0.0, 1.0), 2.0);
-  EXPECT_FALSE(timeToTouch(3.0, 0.0, 1.0, 0.0, 1.0));      // part
-  EXPECT_FALSE(timeToTouch(3.0, 1.1, -1.0, 0.0, 1.0));     // pass
-  EXPECT_EQ(*timeToTouch(0.9, 0.0, -1.0, 0.0, 1.0), 0.0);  // overlap and close: now
-  EXPECT_FALSE(timeToTouch(0.9, 0.0, 1.0, 0.0, 1.0));      // overlap and part: left alone
+  EXPECT_DOUBLE_EQ(*timeToTouch({3.0, 0.0}, {-1.0, 0.0}, 1.0), 2.0);
+  EXPECT_FALSE(timeToTouch({3.0, 0.0}, {1.0, 0.0}, 1.0));      // part
+  EXPECT_FALSE(timeToTouch({3.0, 1.1}, {-1.0, 0.0}, 1.0));     // pass
+  EXPECT_EQ(*timeToTouch({0.9, 0.0}, {-1.0, 0.0}, 1.0), 0.0);  // overlap and close: now
+  EXPECT_FALSE(timeToTouch({0.9, 0.0}, {1.0, 0.0}, 1.0));      // overlap and part: left alone
 }
 
 double gapAt(const MachineState& machine, int shift, double time)
@@ -34,7 +34,8 @@ double gapAt(const MachineState& machine, int shift, double time)
   const Disk a = flown(machine.disk(0), time, gravity);
   const Disk b = flown(machine.disk(1), time, gravity);
   const Image there = machine.image(shift, time);
-  return std::hypot(a.x - b.x - there.dx, a.y - b.y - there.dy) - machine.radius(0) - machine.radius(1);
+  return std::hypot(a.x - b.x - there.shift.x(), a.y - b.y - there.shift.y()) - machine.radius(0) -
+         machine.radius(1);
 }
 
 /// Two disks at either end of a ring that turns fast, thrown at each other across the seam.

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "ratchet_sieve/core/base_frame.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/drive.h"
@@ -11,22 +12,6 @@
 
 namespace ratchet_sieve
 {
-
-/// Where the base is at an instant, and how it moves.
-struct BaseKinematics
-{
-  double inclination = 0.0;       ///< theta [rad]
-  double inclination_rate = 0.0;  ///< d theta / dt [rad/s]
-  double cosine = 1.0;            ///< of theta
-  double sine = 0.0;              ///< of theta
-  double displacement = 0.0;      ///< Y [m]
-  double velocity = 0.0;          ///< dY/dt [m/s]
-
-  void archive(StateArchive& state)
-  {
-    state(inclination, inclination_rate, cosine, sine, displacement, velocity);
-  }
-};
 
 /// The base's motion over time: theta, f and A each stand still or follow their setpoint at a
 /// constant rate; the phase of the drive is continuous. Piecewise: within a segment nothing changes
@@ -39,22 +24,21 @@ public:
   explicit BaseMotion(const BaseDefinition& base, double max_turn = std::numeric_limits<double>::infinity(),
                       bool always_drive = false);
 
-  BaseKinematics at(double time) const
+  FrameOfBase at(double time) const
   {
-    BaseKinematics k;
-    lookAt(time, k);
-    return k;
+    FrameOfBase frame;
+    lookAt(time, frame);
+    return frame;
   }
 
   /// The same, put straight where it is wanted.
-  void lookAt(double time, BaseKinematics& k) const;
+  void lookAt(double time, FrameOfBase& frame) const;
   DriveState state(double time) const;
 
   double segmentStart() const { return segment_start_; }
 
-  /// Of theta at the segment's start: while the base does not turn, of theta as it is.
-  double cosine() const { return cosine_; }
-  double sine() const { return sine_; }
+  /// By theta at the segment's start: while the base does not turn, by theta as it is.
+  const Rotation& rotation() const { return rotation_; }
 
   /// At the segment's start: while nothing changes, as it goes on.
   Drive drive() const { return driveOf(amplitude_.start, frequency_.start, segment_start_, turns_); }
@@ -105,8 +89,8 @@ public:
 
   void archive(StateArchive& state)
   {
-    state(inclination_, frequency_, amplitude_, slew_rates_, segment_start_, turns_, cosine_, sine_,
-          next_change_, acceleration_bound_, displacement_bound_);
+    state(inclination_, frequency_, amplitude_, slew_rates_, segment_start_, turns_, rotation_.cosine,
+          rotation_.sine, next_change_, acceleration_bound_, displacement_bound_);
     noteStandstill();
   }
 
@@ -144,8 +128,7 @@ private:
   bool always_drive_;
   double segment_start_ = 0.0;
   double turns_ = 0.0;  ///< phase of the drive at segment_start_ over 2 pi, in [0, 1)
-  double cosine_ = 1.0;
-  double sine_ = 0.0;
+  Rotation rotation_{1.0, 0.0};
   std::optional<double> next_change_;
   double acceleration_bound_ = 0.0;
   double displacement_bound_ = 0.0;
@@ -159,14 +142,14 @@ class BaseInstant
 public:
   explicit BaseInstant(const BaseMotion& motion) : motion_(motion) {}
 
-  const BaseKinematics& at(double time)
+  const FrameOfBase& at(double time)
   {
     if (!(time == time_))
     {
       time_ = time;
-      motion_.lookAt(time, base_);
+      motion_.lookAt(time, frame_);
     }
-    return base_;
+    return frame_;
   }
 
   /// The motion, or the zero of time, has changed.
@@ -175,7 +158,7 @@ public:
 private:
   const BaseMotion& motion_;
   double time_ = std::numeric_limits<double>::quiet_NaN();
-  BaseKinematics base_;
+  FrameOfBase frame_;
 };
 
 }  // namespace ratchet_sieve

@@ -54,7 +54,12 @@ public:
   }
 
   /// The disk as seen from the base's frame at `time`. Velocities are relative to the base.
-  BasePoint seenFromBase(const Disk& disk, const BaseKinematics& base, double time) const;
+  // As a call it costs 1 % of a run.
+  [[gnu::always_inline]] BasePoint seenFromBase(const Disk& disk, const FrameOfBase& base, double time) const
+  {
+    const Course now = courseAt(disk, time, gravity_);
+    return base.see(vectorOf(now.place), vectorOf(now.velocity));
+  }
   BasePoint seenFromBase(const Disk& disk, double time) const
   {
     return seenFromBase(disk, motion_.at(time), time);
@@ -91,9 +96,5 @@ private:
   double time_resolution_;
   bool search_above_band_;
 };
-
-/// A point of the world in the frame of the base as it stands at `k`, with its velocity relative to the base
-/// there.
-BasePoint toBase(const BaseKinematics& k, double x, double y, double vx, double vy);
 
 }  // namespace ratchet_sieve

@@ -27,7 +27,8 @@ struct alignas(64) Disk
   void archive(StateArchive& state) { state(x, y, vx, vy, spin, angle, time, species, flights); }
 };
 
-/// Where a disk is and how it moves: (x, y) and (vx, vy).
+/// Where a disk is and how it moves: (x, y) and (vx, vy). Side by side in registers, for the search of pairs
+/// looks at many: with Eigen's vectors it takes 5 % more instructions (Fig. 8).
 struct Course
 {
   Two place;     ///< [m]

@@ -5,6 +5,7 @@
 
 #include "ratchet_sieve/core/drive.h"
 #include "ratchet_sieve/core/luding_law.h"
+#include "ratchet_sieve/core/rotation.h"
 
 /// Single disks over a base that stands at its setpoints, many at a time: one disk to a lane of the
 /// processor's registers. The same source is compiled for each width of register (lane_kernel.inc), and
@@ -50,8 +51,7 @@ struct LaneScene
   double gravity;    ///< [m/s^2]
   double gravity_s;  ///< g sin(theta): gravity pulls against s
   double gravity_n;  ///< g cos(theta)
-  double sine;       ///< of the inclination
-  double cosine;     ///< of the inclination
+  Rotation base;     ///< by the inclination
   Drive drive;
   double resolution;       ///< the finest step in time [s]
   double longest_search;   ///< [s]

@@ -35,8 +35,7 @@ inline ContactOutcome outcomeOf(const LaneBatch& batch, std::size_t row, std::ui
   outcome.time = batch.time[row];
   outcome.kind = KINDS[static_cast<std::int32_t>(batch.feature[row])];
   outcome.i = slot;
-  outcome.nx = batch.normal_x[row];
-  outcome.ny = batch.normal_y[row];
+  outcome.normal = {batch.normal_x[row], batch.normal_y[row]};
   outcome.normal_velocity = batch.normal_velocity[row];
   outcome.normal_impulse = batch.normal_impulse[row];
   outcome.tangential_impulse = batch.tangential_impulse[row];

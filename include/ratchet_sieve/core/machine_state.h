@@ -17,15 +17,6 @@
 namespace ratchet_sieve
 {
 
-/// Another place at which a disk appears: moved along the base by a periodic boundary.
-struct Image
-{
-  double dx = 0.0;   ///< [m]
-  double dy = 0.0;   ///< [m]
-  double dvx = 0.0;  ///< [m/s]; nonzero only while the base turns
-  double dvy = 0.0;  ///< [m/s]
-};
-
 /// Where the base and the disks are and how they move. A disk stands at a *slot* of arrays; see DiskIds.
 /// Times are local to the epoch.
 class MachineState
@@ -77,7 +68,10 @@ public:
   BaseEvent nextBaseEvent(std::uint32_t slot, double from, double until, BaseInstant& base) const;
 
   /// Where the image `shift` widths to the right appears at `time`, relative to the disk itself.
-  Image image(double shift, double time) const;
+  Image image(double shift, double time) const
+  {
+    return shift == 0.0 ? Image() : motion_.at(time).image(shift * sawtooth_.width());
+  }
 
   /// Makes room for so many disks: nothing but memory.
   void reserve(std::size_t count);

@@ -10,21 +10,21 @@
 namespace ratchet_sieve
 {
 
-/// How long until two disks touch whose relative place is (dx, dy) and relative velocity (dvx, dvy):
-/// under one gravity the relative motion is a straight line. Nothing if they pass or part; 0 where
-/// they overlap and close.
-inline std::optional<double> timeToTouch(double dx, double dy, double dvx, double dvy, double distance)
+/// How long until two disks touch whose relative place and velocity are these: under one gravity the relative
+/// motion is a straight line. Nothing if they pass or part; 0 where they overlap and close.
+inline std::optional<double> timeToTouch(const Eigen::Vector2d& place, const Eigen::Vector2d& velocity,
+                                         double distance)
 {
-  const double closing = dx * dvx + dy * dvy;
+  const double closing = place.dot(velocity);
   if (closing >= 0.0)
     return std::nullopt;
-  const double excess = dx * dx + dy * dy - distance * distance;
+  const double excess = place.squaredNorm() - distance * distance;
   if (excess <= 0.0)
     return 0.0;
   // The distance at which they would pass comes from the cross product: as a difference of squares it
   // would lose to rounding what is small against how far apart they are.
-  const double passing = dx * dvy - dy * dvx;
-  const double discriminant = (dvx * dvx + dvy * dvy) * distance * distance - passing * passing;
+  const double passing = place.x() * velocity.y() - place.y() * velocity.x();
+  const double discriminant = velocity.squaredNorm() * distance * distance - passing * passing;
   if (discriminant < 0.0)
     return std::nullopt;
   return excess / (std::sqrt(discriminant) - closing);
@@ -118,9 +118,8 @@ private:
   {
     // Under one gravity the parabolas differ by a straight line, but the two states are of different times.
     const Course course = courseAt(other, from_, machine_.scene().gravity);
-    const Two place = course_.place - Two{image.dx, image.dy} - course.place;
-    const Two velocity = course_.velocity - course.velocity;
-    const auto wait = timeToTouch(place[0], place[1], velocity[0], velocity[1], distance);
+    const Eigen::Vector2d place = vectorOf(course_.place) - image.shift - vectorOf(course.place);
+    const auto wait = timeToTouch(place, vectorOf(course_.velocity - course.velocity), distance);
     if (!wait || from_ + *wait >= until_)
       return std::nullopt;
     return from_ + *wait;

@@ -2,7 +2,9 @@
 
 #include <optional>
 
-#include "ratchet_sieve/core/two.h"
+#include <Eigen/Core>
+
+#include "ratchet_sieve/core/rotation.h"
 
 namespace ratchet_sieve
 {
@@ -12,11 +14,10 @@ namespace ratchet_sieve
 /// that are there then.
 struct RingCourse
 {
-  double cosine;     ///< of the row's inclination
-  double sine;       ///< of the row's inclination
-  double width;      ///< of the ring [m]
-  double per_width;  ///< its inverse [1/m]
-  int most_laps;     ///< images farther away than this do not count [widths]
+  Rotation rotation;  ///< by the row's inclination
+  double width;       ///< of the ring [m]
+  double per_width;   ///< its inverse [1/m]
+  int most_laps;      ///< images farther away than this do not count [widths]
 
   struct Touch
   {
@@ -27,7 +28,8 @@ struct RingCourse
   /// The first touch, if there is one by `horizon` [s].
   /// @param place, velocity of the disk as seen from the other [m, m/s]; @param distance of touching disks
   /// [m]
-  std::optional<Touch> firstTouch(Two place, Two velocity, double distance, double horizon) const;
+  std::optional<Touch> firstTouch(const Eigen::Vector2d& place, const Eigen::Vector2d& velocity,
+                                  double distance, double horizon) const;
 };
 
 }  // namespace ratchet_sieve

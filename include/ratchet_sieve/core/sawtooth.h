@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
+#include "ratchet_sieve/core/base_frame.h"
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/state_archive.h"
 
@@ -34,37 +34,22 @@ struct BaseFeature
   void archive(StateArchive& state) { state(kind, tooth); }
 };
 
-/// A point's place and speed in the base's own frame (s along, n normal).
-struct BasePoint
-{
-  double s = 0.0;   ///< [m]
-  double n = 0.0;   ///< [m]
-  double vs = 0.0;  ///< [m/s]
-  double vn = 0.0;  ///< [m/s]
-};
-
 /// A disk before one feature of the base.
 struct Approach
 {
-  double gap = 0.0;       ///< from the disk's rim to the feature, < 0 where they overlap [m]
-  double rate = 0.0;      ///< of change of the gap [m/s]
-  double normal_s = 0.0;  ///< unit normal from the feature to the disk's centre
-  double normal_n = 1.0;
+  double gap;   ///< from the disk's rim to the feature, < 0 where they overlap [m]
+  double rate;  ///< of change of the gap [m/s]
+  Eigen::Vector2d
+      normal;  ///< of unit length, from the feature to the disk's centre; in the frame of the base
 };
 
-/// Before a corner that lies (-ds, -dn) from the disk's centre [m].
-inline Approach approachToPoint(double ds, double dn, const BasePoint& point, double radius)
+/// @param way from a corner to the disk's centre [m]
+inline Approach approachToPoint(const Eigen::Vector2d& way, const BasePoint& point, double radius)
 {
-  const double distance = std::sqrt(ds * ds + dn * dn);
-  Approach a;
-  if (distance > 0.0)
-  {
-    a.normal_s = ds / distance;
-    a.normal_n = dn / distance;
-  }
-  a.gap = distance - radius;
-  a.rate = a.normal_s * point.vs + a.normal_n * point.vn;
-  return a;
+  const double distance = way.norm();
+  const Eigen::Vector2d normal =
+      distance > 0.0 ? Eigen::Vector2d(way / distance) : Eigen::Vector2d(Eigen::Vector2d::UnitY());
+  return {distance - radius, normal.dot(point.velocity), normal};
 }
 
 /// The shape of the base, in its own frame: pure geometry, at rest.
@@ -74,13 +59,11 @@ public:
   /// One slope, relative to its tooth's left foot.
   struct Slope
   {
-    bool present = true;   ///< false where it has no length (h = 0 with a = 0 or 1)
-    double foot_s = 0.0;   ///< the lower end, n = 0
-    double along_s = 0.0;  ///< unit vector from foot to apex
-    double along_n = 1.0;
-    double normal_s = 0.0;  ///< unit normal, out of the base
-    double normal_n = 1.0;
-    double length = 0.0;  ///< [m]
+    bool present = true;  ///< false where it has no length (h = 0 with a = 0 or 1)
+    double foot_s = 0.0;  ///< the lower end, n = 0 [m]
+    Eigen::Vector2d along = Eigen::Vector2d::UnitY();   ///< unit vector from foot to apex
+    Eigen::Vector2d normal = Eigen::Vector2d::UnitY();  ///< unit normal, out of the base
+    double length = 0.0;                                ///< [m]
   };
 
   /// @param wall_height of a walled base over n = 0 [m]

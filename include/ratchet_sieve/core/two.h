@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <Eigen/Core>
+
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
@@ -12,6 +14,11 @@ namespace ratchet_sieve
 /// Two doubles side by side in one register, as every 64-bit processor has them. Each is worked on as a
 /// double alone would be, to the last bit.
 using Two = double __attribute__((vector_size(16)));
+
+inline Eigen::Vector2d vectorOf(Two x)
+{
+  return {x[0], x[1]};
+}
 
 /// Of what is not negative the square roots, of what is 0.
 inline Two rootOrZero(Two x)
