@@ -335,5 +335,60 @@ TEST(Lanes, FindTheFirstContactOfRandomFlights)
       }));
 }
 
+/// What came of a row's event, executed in the lanes and by the machine, field by field.
+void expectSameOutcome(const ContactOutcome& lanes, const ContactOutcome& machine)
+{
+  constexpr double ROUNDING = 1e-11;
+  RC_ASSERT(lanes.time == machine.time);
+  RC_ASSERT(lanes.kind == machine.kind);
+  RC_ASSERT(lanes.i == machine.i);
+  RC_ASSERT(lanes.j == machine.j);
+  RC_ASSERT(lanes.shift == machine.shift);
+  RC_ASSERT(lanes.closed == machine.closed);
+  RC_ASSERT(lanes.lossless == machine.lossless);
+  RC_ASSERT(std::abs(lanes.overlap - machine.overlap) < ROUNDING);
+  RC_ASSERT((lanes.normal - machine.normal).norm() < 1e-9);
+  RC_ASSERT(std::abs(lanes.normal_velocity - machine.normal_velocity) < 1e-9);
+  RC_ASSERT(std::abs(lanes.normal_impulse - machine.normal_impulse) < ROUNDING);
+  RC_ASSERT(std::abs(lanes.tangential_impulse - machine.tangential_impulse) < ROUNDING);
+}
+
+/// A row with a random disk that starts on the base, or comes down to it.
+TEST(Lanes, HandOverTheSameOutcomesAsTheMachine)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        SceneDefinition scene = drawnScene();
+        scene.contact.restitution_speed = *rc::gen::element(0.0, 0.4);
+        scene.contact.min_rebound_speed = *rc::gen::element(0.0, 0.05);
+        Machine machine(scene);
+        Disk disk = drawnDisk(machine.state());
+        disk.spin = *rc::gen::element(0.0, -300.0, 40.0);
+        machine.add(disk);
+        const Lanes lanes(*rc::gen::element(1, 2, 0));
+        const BaseEvent event = searchInLanes(machine);
+        const bool clear = isClear(machine.state(), event);
+        RC_CLASSIFY(!clear, "no contact, or a graze");
+        if (!clear)
+          return;
+        const LaneScene lane_scene = *laneScene(machine.state());
+        LaneBatch batch{};
+        loadRow(machine, 0, event, batch, 0);
+        presentLaneKernel().meet(lane_scene, batch, 1);
+        BaseInstant base(machine.state().motion());
+        ContactTimes none(false);
+        ContactExecution execution(machine.state(), machine.collapseWatch(), none);
+        const ContactOutcome outcome = execution.collideWithBase(0, event.feature, event.time, base);
+        BaseImpulses impulses;
+        impulses.added();
+        impulses.take(outcome);
+        RC_ASSERT(outcome.closed);
+        expectSameOutcome(outcomeOf(batch, 0, 0), outcome);
+        const Eigen::Vector2d impulse = impulses.of(0);
+        RC_ASSERT((Eigen::Vector2d(batch.impulse_x[0], batch.impulse_y[0]) - impulse).norm() < 1e-11);
+      }));
+}
+
 }  // namespace
 }  // namespace ratchet_sieve
