@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/cell_grid.h"
-#include "ratchet_sieve/core/machine.h"
+#include "ratchet_sieve/core/machine_state.h"
 
 namespace ratchet_sieve
 {
@@ -31,7 +31,7 @@ double toleratedOverlap(const Eigen::Vector2d& point, double radius)
 }
 
 /// Where every disk is, in the frame of the base, wrapped into [0, W) where it is periodic.
-std::vector<Eigen::Vector2d> placesOnBase(const Machine& machine, double time)
+std::vector<Eigen::Vector2d> placesOnBase(const MachineState& machine, double time)
 {
   const FrameOfBase base = machine.motion().at(time);
   const double width = machine.sawtooth().width();
@@ -49,7 +49,7 @@ std::vector<Eigen::Vector2d> placesOnBase(const Machine& machine, double time)
 }
 
 /// How far a disk is from the base and from the walls, < 0 where it overlaps them.
-double gapToBase(const Machine& machine, const Eigen::Vector2d& point, double radius)
+double gapToBase(const MachineState& machine, const Eigen::Vector2d& point, double radius)
 {
   const Sawtooth& sawtooth = machine.sawtooth();
   double gap = point.y() - sawtooth.height();
@@ -61,7 +61,7 @@ double gapToBase(const Machine& machine, const Eigen::Vector2d& point, double ra
 using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overlap)>;
 
 /// Every pair of disks that is near enough to overlap, each once or twice.
-void forEachNearPair(const Machine& machine, const std::vector<Eigen::Vector2d>& points,
+void forEachNearPair(const MachineState& machine, const std::vector<Eigen::Vector2d>& points,
                      const VisitPair& visit)
 {
   const double width = machine.sawtooth().width();
@@ -92,7 +92,7 @@ void forEachNearPair(const Machine& machine, const std::vector<Eigen::Vector2d>&
 }
 }  // namespace
 
-Audit audit(const Machine& machine, double time)
+Audit audit(const MachineState& machine, double time)
 {
   Audit result;
   const auto points = placesOnBase(machine, time);
@@ -112,7 +112,7 @@ Audit audit(const Machine& machine, double time)
   return result;
 }
 
-void refuseBadStart(const Machine& machine, double time)
+void refuseBadStart(const MachineState& machine, double time)
 {
   std::ostringstream message;
   const auto points = placesOnBase(machine, time);

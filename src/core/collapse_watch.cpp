@@ -9,7 +9,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// The first floor under a loosened disk's contacts, as a share of the speed of a fall over a tooth:
+/// The first floor under a lossless disk's contacts, as a share of the speed of a fall over a tooth:
 /// hops as low as that come some hundred to the time scale.
 constexpr double FIRST_FLOOR = 1e-3;
 
@@ -18,49 +18,49 @@ constexpr std::uint32_t MAX_LEVEL = 16;
 }  // namespace
 
 CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale,
-                             const DiskNumbers& numbers)
+                             const DiskIds& ids)
     : contact_(contact),
-      numbers_(numbers),
+      ids_(ids),
       limit_(static_cast<std::uint32_t>(contact.collapse_events)),
       time_scale_(time_scale),
       speed_scale_(speed_scale)
 {
 }
 
-double CollapseWatch::floorSpeed(std::uint32_t id) const
+double CollapseWatch::floorSpeed(std::uint32_t slot) const
 {
-  const double floor = std::ldexp(FIRST_FLOOR * speed_scale_, static_cast<int>(disks_[id].level) - 1);
+  const double floor = std::ldexp(FIRST_FLOOR * speed_scale_, static_cast<int>(disks_[slot].level) - 1);
   return std::max(floor, contact_.min_rebound_speed);
 }
 
-bool CollapseWatch::stuck(std::uint32_t id) const
+bool CollapseWatch::stuck(std::uint32_t slot) const
 {
-  return disks_[id].level > MAX_LEVEL;
+  return disks_[slot].level > MAX_LEVEL;
 }
 
-void CollapseWatch::collapse(std::uint32_t id, double time)
+void CollapseWatch::collapse(std::uint32_t slot, double time)
 {
-  Window& window = disks_[id];
+  Window& window = disks_[slot];
   window = {time + time_scale_, 0, window.level + 1};
   // Disks that do not see each other are advanced one by one, on several threads in any order: the first is
   // the earliest of them, and of several at one time the one with the smallest id.
   const double run_time = epoch_start_ + time;
-  const std::uint32_t number = numbers_.of(id);
-  if (counts_.count == 0 || std::tie(run_time, number) < std::tie(counts_.first_time, counts_.first_disk))
+  const std::uint32_t id = ids_.of(slot);
+  if (counts_.count == 0 || std::tie(run_time, id) < std::tie(counts_.first_time, counts_.first_disk))
   {
     counts_.first_time = run_time;
-    counts_.first_disk = number;
+    counts_.first_disk = id;
   }
   ++counts_.count;
-  if (stuck(id) &&
-      (!first_stuck_ || std::tie(run_time, number) < std::tie(first_stuck_->time, first_stuck_->disk)))
-    first_stuck_ = Stuck{run_time, number};
+  if (stuck(slot) &&
+      (!first_stuck_ || std::tie(run_time, id) < std::tie(first_stuck_->time, first_stuck_->disk)))
+    first_stuck_ = Stuck{run_time, id};
   stops_ = first_stuck_ || contact_.on_collapse == CollapseAction::STOP;
 }
 
-void CollapseWatch::keep(const std::vector<std::uint32_t>& places)
+void CollapseWatch::keep(const std::vector<std::uint32_t>& slots)
 {
-  keepPlaces(disks_, places);
+  keepSlots(disks_, slots);
 }
 
 std::string CollapseWatch::text() const

@@ -21,28 +21,6 @@ const char* name(CollisionKind kind)
   return "unknown";
 }
 
-void CollisionCounts::add(CollisionKind kind)
-{
-  switch (kind)
-  {
-    case CollisionKind::DISK_DISK:
-      ++disk_disk;
-      break;
-    case CollisionKind::LEFT_SLOPE:
-      ++left_slope;
-      break;
-    case CollisionKind::RIGHT_SLOPE:
-      ++right_slope;
-      break;
-    case CollisionKind::APEX:
-      ++apex;
-      break;
-    case CollisionKind::WALL:
-      ++wall;
-      break;
-  }
-}
-
 void CollisionCounts::add(const CollisionCounts& more)
 {
   disk_disk += more.disk_disk;

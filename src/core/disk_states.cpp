@@ -16,7 +16,8 @@ double wrappedAngle(double angle)
 }
 }  // namespace
 
-void forEachDiskState(const Machine& machine, double time, const std::function<void(const DiskState&)>& visit)
+void forEachDiskState(const MachineState& machine, double time,
+                      const std::function<void(const DiskState&)>& visit)
 {
   const FrameOfBase base = machine.motion().at(time);
   const double width = machine.sawtooth().width();
@@ -29,9 +30,9 @@ void forEachDiskState(const Machine& machine, double time, const std::function<v
     const double s = base.into(Eigen::Vector2d(disk.x, disk.y) - base.displacement).x();
     const Image image = periodic ? machine.image(-wholeWidths(s, 1.0 / width), time) : Image();
     DiskState state;
-    state.id = machine.number(id);
+    state.id = machine.id(id);
     state.species = disk.species;
-    state.displacement = machine.displacement(id, disk.x);
+    state.displacement = machine.passages().displacement(id, disk.x);
     state.x = disk.x + image.shift.x();
     state.y = disk.y + image.shift.y();
     state.vx = disk.vx + image.velocity.x();

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "ratchet_sieve/core/machine.h"
+#include "ratchet_sieve/core/machine_state.h"
 #include "ratchet_sieve/core/observation.h"
 
 namespace ratchet_sieve
@@ -10,7 +10,7 @@ namespace ratchet_sieve
 
 /// Shows `visit` each active disk as it is at a local time, one after another: a million at once would need
 /// as much memory again as the engine.
-void forEachDiskState(const Machine& machine, double time,
+void forEachDiskState(const MachineState& machine, double time,
                       const std::function<void(const DiskState&)>& visit);
 
 }  // namespace ratchet_sieve

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "ratchet_sieve/core/layer.h"
-#include "ratchet_sieve/core/machine.h"
+#include "ratchet_sieve/core/machine_state.h"
 
 namespace ratchet_sieve
 {
@@ -35,7 +35,7 @@ double startSpeed(const SceneDefinition& scene)
 }
 
 /// Of the drive and of the end that is raised [m/s].
-double baseSpeed(const Machine& machine, double time)
+double baseSpeed(const MachineState& machine, double time)
 {
   const DriveState base = machine.motion().state(time);
   return TWO_PI * base.frequency * base.amplitude +
@@ -48,7 +48,7 @@ EnergyWatch::EnergyWatch(const SceneDefinition& scene)
 {
 }
 
-void EnergyWatch::look(const Machine& machine, double time)
+void EnergyWatch::look(const MachineState& machine, double time)
 {
   fastest_base_ = std::max(fastest_base_, baseSpeed(machine, time));
   const double bounce =
@@ -72,7 +72,7 @@ void EnergyWatch::look(const Machine& machine, double time)
     largest_ = scales;
     if (scales > ALARM && !first_)
       first_ = First{machine.epoch().start + time, kind.mass * energy, flown(disk, time, gravity_).y, scales,
-                     machine.number(id)};
+                     machine.id(id)};
   }
 }
 

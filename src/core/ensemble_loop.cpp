@@ -29,36 +29,40 @@ constexpr std::size_t DISKS_PER_THREAD = 64;
 class EnsembleLoop : public EventLoop
 {
 public:
-  explicit EnsembleLoop(Machine& machine) : machine_(machine), base_(machine.motion()) { setThreads(1); }
+  explicit EnsembleLoop(Machine& machine)
+      : machine_(machine), state_(machine.state()), base_(machine.state().motion())
+  {
+    setThreads(1);
+  }
 
   /// A collapse does not keep the other disks from coming as far: all have to be at one time.
   double advanceTo(double time) override
   {
     due_.clear();
-    for (std::uint32_t id = 0; id < next_.size(); ++id)
-      if (isDue(id, time))
-        due_.push_back(id);
-    if (const std::optional<LaneScene> scene = laneScene(machine_))
+    for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
+      if (isDue(slot, time))
+        due_.push_back(slot);
+    if (const std::optional<LaneScene> scene = laneScene(state_))
       advanceInLanes(*scene, time);
     else
-      for (const std::uint32_t id : due_)
-        while (isDue(id, time))
-          executeNext(id);
+      for (const std::uint32_t slot : due_)
+        while (isDue(slot, time))
+          executeNext(slot);
     return time;
   }
 
-  void added(std::uint32_t id, double time) override
+  void added(std::uint32_t slot, double time) override
   {
-    next_.resize(id + 1);
-    next_[id] = search(id, time);
+    next_.resize(slot + 1);
+    next_[slot] = search(slot, time);
   }
 
   void motionChanged(double time) override
   {
     base_.forget();
-    for (std::uint32_t id = 0; id < next_.size(); ++id)
-      if (machine_.active(id))
-        next_[id] = search(id, time);
+    for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
+      if (state_.active(slot))
+        next_[slot] = search(slot, time);
   }
 
   void rebase(double length) override
@@ -81,11 +85,14 @@ public:
   {
     EventLoop::archive(state);
     state(next_);
-    requireDisks(next_.size(), machine_);
+    requireDisks(next_.size(), state_);
   }
 
 private:
-  bool isDue(std::uint32_t id, double time) const { return next_[id].time <= time && machine_.active(id); }
+  bool isDue(std::uint32_t slot, double time) const
+  {
+    return next_[slot].time <= time && state_.active(slot);
+  }
 
   /// Advances the disks in due_; in turns with the machine, where it comes to what is not ordinary.
   void advanceInLanes(const LaneScene& scene, double time)
@@ -95,7 +102,7 @@ private:
       runLanes(scene, time);
       due_.clear();
       for (const std::unique_ptr<LaneRun>& run : runs_)
-        takeIn(run->takeOutcome(), time);
+        takeIn(run->takeReport(), time);
     }
   }
 
@@ -107,7 +114,7 @@ private:
       std::size_t next = 0;
       std::size_t end = 0;
       runs_[worker]->advance(machine_, next_, scene, time,
-                             [&](std::uint32_t& id)
+                             [&](std::uint32_t& slot)
                              {
                                if (next == end)
                                {
@@ -116,7 +123,7 @@ private:
                                }
                                if (next >= due_.size())
                                  return false;
-                               id = due_[next++];
+                               slot = due_[next++];
                                return true;
                              });
     };
@@ -127,55 +134,55 @@ private:
   }
 
   /// What one thread did. Leaves in due_ the disks that have not come to `time`.
-  void takeIn(const LaneRun::Outcome& outcome, double time)
+  void takeIn(const LaneRun::Report& report, double time)
   {
-    events_ += outcome.events;
-    machine_.noteOverlap(outcome.max_overlap);
-    machine_.collisionCounts().add(outcome.collisions);
-    for (const CollisionRecord& record : outcome.records)
-      machine_.collisionObserver()(record);
-    for (const std::uint32_t id : outcome.not_for_lanes)
-      if (advanceAlone(id, time))
-        due_.push_back(id);
+    events_ += report.events;
+    machine_.record().counts().add(report.counts);
+    for (const CollisionRecord& record : report.records)
+      machine_.record().collisionObserver()(record);
+    for (const std::uint32_t slot : report.not_for_lanes)
+      if (advanceAlone(slot, time))
+        due_.push_back(slot);
   }
 
   /// Executes an event that is not an ordinary one, and more until they are again.
   /// @return whether there is still something due
-  bool advanceAlone(std::uint32_t id, double time)
+  bool advanceAlone(std::uint32_t slot, double time)
   {
     do
-      executeNext(id);
-    while (isDue(id, time) && machine_.collapseWatch().loosened(id));
-    return isDue(id, time);
+      executeNext(slot);
+    while (isDue(slot, time) && machine_.collapseWatch().lossless(slot));
+    return isDue(slot, time);
   }
 
-  void executeNext(std::uint32_t id)
+  void executeNext(std::uint32_t slot)
   {
-    BaseEvent& next = next_[id];
+    BaseEvent& next = next_[slot];
     const double now = next.time;
     // For a disk that is stuck there is no later time. The others go on to where the run is stopped.
-    if (machine_.collapseWatch().count(id, now) && machine_.collapseWatch().stuck(id))
-      return machine_.takeOut(id, now);
+    if (machine_.collapseWatch().count(slot, now) && machine_.collapseWatch().stuck(slot))
+      return state_.remove(slot, now);
     ++events_;
     if (next.feature)
-      machine_.meetBase(id, next.feature, now, base_);
-    bringHome(id, now);
-    next = search(id, now);
+      machine_.handleBaseEvent(slot, next.feature, now, base_);
+    bringHome(slot, now);
+    next = search(slot, now);
   }
 
   /// Also where a long flight comes down, far from home: the next contact is found on a finer place.
-  void bringHome(std::uint32_t id, double now)
+  void bringHome(std::uint32_t slot, double now)
   {
-    if (machine_.scene().boundary == Boundary::PERIODIC)
-      machine_.bringHome(id, machine_.search().seenFromBase(machine_.disk(id), base_.at(now), now).s(), now);
+    if (state_.scene().boundary == Boundary::PERIODIC)
+      state_.bringHome(slot, state_.search().seenFromBase(state_.disk(slot), base_.at(now), now).s(), now);
   }
 
-  BaseEvent search(std::uint32_t id, double from)
+  BaseEvent search(std::uint32_t slot, double from)
   {
-    return machine_.nextBaseEvent(id, from, std::numeric_limits<double>::infinity(), base_);
+    return state_.nextBaseEvent(slot, from, std::numeric_limits<double>::infinity(), base_);
   }
 
   Machine& machine_;
+  MachineState& state_;
   BaseInstant base_;
   std::vector<BaseEvent> next_;                 ///< per disk
   std::vector<std::uint32_t> due_;              ///< disks that have not come as far as they are asked to

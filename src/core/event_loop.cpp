@@ -1,11 +1,11 @@
 #include "ratchet_sieve/core/event_loop.h"
 
-#include "ratchet_sieve/core/machine.h"
+#include "ratchet_sieve/core/machine_state.h"
 
 namespace ratchet_sieve
 {
 
-void EventLoop::requireDisks(std::size_t count, const Machine& machine)
+void EventLoop::requireDisks(std::size_t count, const MachineState& machine)
 {
   if (count != machine.disks().size())
     throw StateError("it is of another number of disks");

@@ -63,7 +63,7 @@ void setTeeth(const Sawtooth& sawtooth, LaneScene& scene)
 }
 }  // namespace
 
-std::optional<LaneScene> laneScene(const Machine& machine)
+std::optional<LaneScene> laneScene(const MachineState& machine)
 {
   const SceneDefinition& definition = machine.scene();
   const BaseMotion& motion = machine.motion();
@@ -100,10 +100,10 @@ BaseEvent rowEvent(const LaneBatch& batch, std::size_t row)
                                       static_cast<std::int32_t>(batch.valley[row]))};
 }
 
-void loadRow(const Machine& machine, std::uint32_t id, const BaseEvent& next, LaneBatch& batch,
+void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
              std::size_t row)
 {
-  const Disk& disk = machine.disk(id);
+  const Disk& disk = machine.state().disk(slot);
   batch.x[row] = disk.x;
   batch.y[row] = disk.y;
   batch.vx[row] = disk.vx;
@@ -111,8 +111,8 @@ void loadRow(const Machine& machine, std::uint32_t id, const BaseEvent& next, La
   batch.spin[row] = disk.spin;
   batch.angle[row] = disk.angle;
   batch.time[row] = disk.time;
-  const SpeciesDefinition& species = machine.scene().species[disk.species];
-  const ContactMasses& masses = machine.baseMasses(disk.species);
+  const SpeciesDefinition& species = machine.state().scene().species[disk.species];
+  const ContactMasses& masses = machine.execution().baseMasses(disk.species);
   batch.radius[row] = species.radius;
   batch.restitution[row] = species.contact.restitution;
   batch.friction[row] = species.contact.friction;
@@ -120,21 +120,22 @@ void loadRow(const Machine& machine, std::uint32_t id, const BaseEvent& next, La
   batch.sticking_mass[row] = (1.0 + species.contact.tangential_restitution) * masses.tangential;
   batch.per_mass[row] = 1.0 / species.mass;
   batch.radius_by_inertia[row] = species.radius / species.inertia();
-  const Tally::Running running = machine.tally().running(id);
-  batch.offset[row] = running.offset;
-  batch.translation[row] = running.translation;
-  batch.rotation[row] = running.rotation;
-  batch.impulse_x[row] = running.impulse_x;
-  batch.impulse_y[row] = running.impulse_y;
+  const Passage& passage = machine.state().passages()[slot];
+  batch.offset[row] = passage.offset;
+  batch.translation[row] = passage.translation;
+  batch.rotation[row] = passage.rotation;
+  const Eigen::Vector2d& impulse = machine.record().impulses().of(slot);
+  batch.impulse_x[row] = impulse.x();
+  batch.impulse_y[row] = impulse.y();
   const LaneContact contact = laneContact(next.feature);
   batch.due[row] = next.time;
   batch.feature[row] = contact.feature;
   batch.valley[row] = contact.valley;
 }
 
-void storeRow(const LaneBatch& batch, std::size_t row, Machine& machine, std::uint32_t id, BaseEvent& next)
+void storeRow(const LaneBatch& batch, std::size_t row, Machine& machine, std::uint32_t slot, BaseEvent& next)
 {
-  Disk& disk = machine.ownDisk(id);
+  Disk& disk = machine.state().changeable(slot);
   disk.x = batch.x[row];
   disk.y = batch.y[row];
   disk.vx = batch.vx[row];
@@ -142,8 +143,8 @@ void storeRow(const LaneBatch& batch, std::size_t row, Machine& machine, std::ui
   disk.spin = batch.spin[row];
   disk.angle = batch.angle[row];
   disk.time = batch.time[row];
-  machine.tally().setRunning(id, {batch.offset[row], batch.translation[row], batch.rotation[row],
-                                  batch.impulse_x[row], batch.impulse_y[row]});
+  machine.state().passages().setFlown(slot, {batch.offset[row], batch.translation[row], batch.rotation[row]});
+  machine.record().impulses().set(slot, {batch.impulse_x[row], batch.impulse_y[row]});
   next = rowEvent(batch, row);
 }
 

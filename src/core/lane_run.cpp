@@ -1,59 +1,26 @@
 #include "lane_run.h"
 
-#include <algorithm>
-
 namespace ratchet_sieve
 {
-namespace
-{
-CollisionKind collisionKind(double feature)
-{
-  switch (static_cast<std::int32_t>(feature))
-  {
-    case LANE_LEFT_SLOPE:
-      return CollisionKind::LEFT_SLOPE;
-    case LANE_RIGHT_SLOPE:
-      return CollisionKind::RIGHT_SLOPE;
-    default:
-      return CollisionKind::APEX;
-  }
-}
-}  // namespace
 
-void LaneRun::takeAccount(std::size_t rows)
+void LaneRun::takeOutcomes(const Machine& machine, std::size_t rows)
 {
-  outcome_.events += rows;
+  report_.events += rows;
+  // Counted in registers: the rows' columns may not hold these.
+  ContactCounts counts = report_.counts;
   for (std::size_t row = 0; row < rows; ++row)
-  {
-    outcome_.max_overlap = std::max(outcome_.max_overlap, batch_.overlap[row]);
-    met_[static_cast<std::int32_t>(batch_.feature[row])] += batch_.normal_velocity[row] < 0.0 ? 1 : 0;
-  }
-}
-
-LaneRun::Outcome LaneRun::takeOutcome()
-{
-  outcome_.collisions.right_slope = met_[LANE_RIGHT_SLOPE];
-  outcome_.collisions.left_slope = met_[LANE_LEFT_SLOPE];
-  outcome_.collisions.apex = met_[LANE_APEX];
-  met_ = {};
-  return std::exchange(outcome_, Outcome());
-}
-
-void LaneRun::record(const Machine& machine, std::size_t rows)
-{
+    counts.take(outcomeOf(batch_, row, slots_[row]));
+  report_.counts = counts;
+  if (!machine.record().collisionObserver())
+    return;
   for (std::size_t row = 0; row < rows; ++row)
-  {
-    if (!(batch_.normal_velocity[row] < 0.0))
-      continue;
-    CollisionRecord record;
-    record.time = machine.epoch().start + batch_.due[row];
-    record.kind = collisionKind(batch_.feature[row]);
-    record.i = machine.number(ids_[row]);
-    record.normal_speed = -batch_.normal_velocity[row];
-    record.normal_impulse = batch_.normal_impulse[row];
-    record.tangential_impulse = batch_.tangential_impulse[row];
-    outcome_.records.push_back(record);
-  }
+    if (const ContactOutcome outcome = outcomeOf(batch_, row, slots_[row]); outcome.closed)
+      report_.records.push_back(recordOf(outcome, machine.state()));
+}
+
+LaneRun::Report LaneRun::takeReport()
+{
+  return std::exchange(report_, Report());
 }
 
 }  // namespace ratchet_sieve

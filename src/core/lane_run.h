@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -15,33 +14,31 @@ namespace ratchet_sieve
 class LaneRun
 {
 public:
-  struct Outcome
+  struct Report
   {
     std::uint64_t events = 0;
-    CollisionCounts collisions;
-    double max_overlap = 0.0;
+    ContactCounts counts;
     std::vector<CollisionRecord> records;      ///< only where somebody watches
-    std::vector<std::uint32_t> not_for_lanes;  ///< disks whose next event is due, and not an ordinary one
+    std::vector<std::uint32_t> not_for_lanes;  ///< slots of disks whose next event is no ordinary one
   };
 
   LaneRun() : batch_() {}
 
-  /// Advances the disks that `take` hands out, until it has no more: bool take(std::uint32_t& id).
+  /// Advances the disks that `take` hands out, until it has no more: bool take(std::uint32_t& slot).
   template <typename Take>
   void advance(Machine& machine, std::vector<BaseEvent>& next, const LaneScene& scene, double time,
                Take&& take)
   {
     const LaneKernel& kernel = presentLaneKernel();
-    const bool watched = static_cast<bool>(machine.collisionObserver());
-    std::uint32_t id = 0;
+    std::uint32_t slot = 0;
     std::size_t rows = 0;
     const auto take_up = [&](std::size_t row)
     {
-      while (take(id))
-        if (admit(machine, id, next[id].time))
+      while (take(slot))
+        if (admit(machine.collapseWatch(), slot, next[slot].time))
         {
-          loadRow(machine, id, next[id], batch_, row);
-          ids_[row] = id;
+          loadRow(machine, slot, next[slot], batch_, row);
+          slots_[row] = slot;
           return true;
         }
       return false;
@@ -51,49 +48,46 @@ public:
     while (rows > 0)
     {
       kernel.meet(scene, batch_, rows);
-      takeAccount(rows);
-      if (watched)
-        record(machine, rows);
+      takeOutcomes(machine, rows);
       kernel.search(scene, batch_, rows);
       for (std::size_t row = 0; row < rows;)
       {
-        if (batch_.due[row] <= time && admit(machine, ids_[row], batch_.due[row]))
+        if (batch_.due[row] <= time && admit(machine.collapseWatch(), slots_[row], batch_.due[row]))
         {
           ++row;
           continue;
         }
-        storeRow(batch_, row, machine, ids_[row], next[ids_[row]]);
+        storeRow(batch_, row, machine, slots_[row], next[slots_[row]]);
         if (take_up(row))
           ++row;
         else if (--rows > row)
         {
           copyRow(batch_, rows, row);
-          ids_[row] = ids_[rows];
+          slots_[row] = slots_[rows];
         }
       }
     }
   }
 
   /// What has come of it since the last time.
-  Outcome takeOutcome();
+  Report takeReport();
 
 private:
   /// Counts the event, if it is an ordinary one.
-  bool admit(Machine& machine, std::uint32_t id, double due)
+  bool admit(CollapseWatch& watch, std::uint32_t slot, double due)
   {
-    if (machine.collapseWatch().countOrdinary(id, due))
+    if (watch.countOrdinary(slot, due))
       return true;
-    outcome_.not_for_lanes.push_back(id);
+    report_.not_for_lanes.push_back(slot);
     return false;
   }
 
-  void takeAccount(std::size_t rows);
-  void record(const Machine& machine, std::size_t rows);
+  /// Tells the observers what came of the events of so many rows.
+  void takeOutcomes(const Machine& machine, std::size_t rows);
 
   LaneBatch batch_;
-  std::uint32_t ids_[LaneBatch::ROWS];
-  std::array<std::uint64_t, LANE_APEX + 1> met_{};  ///< contacts, by LaneFeature
-  Outcome outcome_;
+  std::uint32_t slots_[LaneBatch::ROWS];
+  Report report_;
 };
 
 }  // namespace ratchet_sieve

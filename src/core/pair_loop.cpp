@@ -24,7 +24,7 @@ constexpr double CELL_MARGIN = 0.005;
 
 /// While a periodic base turns, its lattice turns against the cells: they are wider then by more
 /// than it may, so that they need not be laid anew at every other collision.
-constexpr double TURNING_CELL_MARGIN = Machine::LATTICE_MARGIN + CELL_MARGIN;
+constexpr double TURNING_CELL_MARGIN = MachineState::LATTICE_MARGIN + CELL_MARGIN;
 
 /// Beyond so many laps a disk is wrapped in any case: its images within reach are looked at one by one.
 constexpr double MOST_LAPS = 64.0;
@@ -57,7 +57,11 @@ class PairLoop : public EventLoop
 {
 public:
   explicit PairLoop(Machine& machine)
-      : machine_(machine), base_(machine.motion()), grid_(makeGrid()), laid_for_(machine.disks().size())
+      : machine_(machine),
+        state_(machine.state()),
+        base_(state_.motion()),
+        grid_(makeGrid()),
+        laid_for_(state_.disks().size())
   {
     predictions_.reserve(laid_for_);
     grid_capacity_ = laid_for_;
@@ -115,14 +119,13 @@ public:
 
   bool outgrown(double time) override
   {
-    const std::optional<double> events = fit_.epochEnded(events_, machine_.activeCount());
+    const std::optional<double> events = fit_.epochEnded(events_, state_.activeCount());
     if (!events)
       return false;
     std::vector<BasePoint> points;
     forEachActive([&](std::uint32_t id) { points.push_back(inGrid(id, time)); });
-    const int spare_laps = machine_.scene().boundary == Boundary::PERIODIC ? laps() : 0;
-    const LayoutCosts costs(points, machine_.sawtooth().width(), *events / machine_.epoch().length,
-                            spare_laps);
+    const int spare_laps = state_.scene().boundary == Boundary::PERIODIC ? laps() : 0;
+    const LayoutCosts costs(points, state_.sawtooth().width(), *events / state_.epoch().length, spare_laps);
     return fit_.choose(costs, layerLayout(), leastSide());
   }
 
@@ -130,7 +133,7 @@ public:
   {
     EventLoop::archive(state);
     state(frame_, fit_, grid_, grid_capacity_, laid_for_, queue_, predictions_);
-    requireDisks(predictions_.size(), machine_);
+    requireDisks(predictions_.size(), state_);
   }
 
 private:
@@ -166,11 +169,11 @@ private:
 
   CellGrid makeGrid()
   {
-    const SceneDefinition& scene = machine_.scene();
-    frame_ = machine_.motion().at(machine_.motion().segmentStart());
+    const SceneDefinition& scene = state_.scene();
+    frame_ = state_.motion().at(state_.motion().segmentStart());
     const bool periodic = scene.boundary == Boundary::PERIODIC;
     const CellLayout layout = fit_.layout().value_or(layerLayout());
-    const std::size_t count = std::max<std::size_t>(1, machine_.activeCount());
+    const std::size_t count = std::max<std::size_t>(1, state_.activeCount());
     return CellGrid(scene.base.width(), layout.height, std::max(layout.smallest_side, leastSide()), count,
                     periodic, fit_.layout() ? laps() : 0);
   }
@@ -178,20 +181,20 @@ private:
   /// The smallest side that cells may have [m].
   double leastSide() const
   {
-    const bool lattice_turns = machine_.scene().boundary == Boundary::PERIODIC && machine_.motion().turning();
-    return machine_.largestDiameter() * (1.0 + (lattice_turns ? TURNING_CELL_MARGIN : CELL_MARGIN));
+    const bool lattice_turns = state_.scene().boundary == Boundary::PERIODIC && state_.motion().turning();
+    return state_.largestDiameter() * (1.0 + (lattice_turns ? TURNING_CELL_MARGIN : CELL_MARGIN));
   }
 
   /// Cells for a shaken layer.
   CellLayout layerLayout() const
   {
-    const SceneDefinition& scene = machine_.scene();
-    const double count = std::max<double>(1.0, static_cast<double>(machine_.activeCount()));
-    const double diameter = machine_.largestDiameter();
+    const SceneDefinition& scene = state_.scene();
+    const double count = std::max<double>(1.0, static_cast<double>(state_.activeCount()));
+    const double diameter = state_.largestDiameter();
     const double layers = count * diameter * diameter / scene.base.width();
     // As high as the shaken layer: what is poured from above it, or thrown out of it, is in the topmost row.
     const double height = scene.base.tooth_height + layers +
-                          std::min(machine_.motion().throwHeight(scene.gravity), scene.base.width());
+                          std::min(state_.motion().throwHeight(scene.gravity), scene.base.width());
     return {height, leastSide()};
   }
 
@@ -199,9 +202,9 @@ private:
   /// enough for the smallest disk. On a base that turns images do not move as the disk does: none.
   std::int32_t laps() const
   {
-    if (machine_.motion().turning())
+    if (state_.motion().turning())
       return 0;
-    const double farthest = farthestPlace(machine_.smallestRadius()) / machine_.sawtooth().width();
+    const double farthest = farthestPlace(state_.smallestRadius()) / state_.sawtooth().width();
     return static_cast<std::int32_t>(std::clamp(std::floor(farthest) - 1.0, 0.0, MOST_LAPS));
   }
 
@@ -209,14 +212,14 @@ private:
   void forEachActive(Visit&& visit) const
   {
     for (std::uint32_t id = 0; id < predictions_.size(); ++id)
-      if (machine_.active(id))
+      if (state_.active(id))
         visit(id);
   }
 
   /// A disk in the frame of the cells, which stands still.
   BasePoint inGrid(std::uint32_t id, double time) const
   {
-    const Course now = courseAt(machine_.disk(id), time, machine_.scene().gravity);
+    const Course now = courseAt(state_.disk(id), time, state_.scene().gravity);
     return {frame_.into(vectorOf(now.place)), frame_.into(vectorOf(now.velocity))};
   }
 
@@ -224,7 +227,7 @@ private:
   /// it outside.
   void place(std::uint32_t id, double time)
   {
-    machine_.bringHome(id, inGrid(id, time).s(), time);
+    state_.bringHome(id, inGrid(id, time).s(), time);
     grid_.add(id, cellNow(id, time));
   }
 
@@ -256,7 +259,7 @@ private:
                   [this](const std::uint32_t* others, std::size_t count, int)
                   {
                     for (std::size_t i = 0; i < count; ++i)
-                      prefetch(machine_.disk(others[i]));
+                      prefetch(state_.disk(others[i]));
                   });
   }
 
@@ -287,21 +290,21 @@ private:
   void processPair(std::uint32_t id, double now)
   {
     const Prediction p = predictions_[id];
-    if (!machine_.active(p.pair.partner) || machine_.disk(p.pair.partner).flights != p.partner_flights)
+    if (!state_.active(p.pair.partner) || state_.disk(p.pair.partner).flights != p.partner_flights)
     {
       searchPairs(id, now);
       refresh(id);
       return;
     }
-    machine_.meetPair(id, p.pair.partner, p.pair.shift, now);
+    machine_.collidePair(id, p.pair.partner, p.pair.shift, now);
     predict(id, now);
     predict(p.pair.partner, now);
   }
 
   void processBase(std::uint32_t id, double now)
   {
-    machine_.meetBase(id, predictions_[id].base.feature, now, base_);
-    if (machine_.active(id))
+    machine_.handleBaseEvent(id, predictions_[id].base.feature, now, base_);
+    if (state_.active(id))
       return predict(id, now);
     grid_.remove(id);
     predictions_[id] = Prediction();
@@ -320,9 +323,9 @@ private:
     if (laps != 0)
     {
       if (grid_.laps() > 0)
-        machine_.bringHome(id, inGrid(id, now).s(), now);
+        state_.bringHome(id, inGrid(id, now).s(), now);
       else
-        machine_.wrap(id, -laps, now);
+        state_.wrap(id, -laps, now);
       cell.column -= laps * grid_.columns();
       cell.row = cellNow(id, now).row;
       grid_.add(id, cell);
@@ -380,7 +383,7 @@ private:
   void searchPairsIn(std::uint32_t id, const CellGrid::Surroundings& around, double now)
   {
     Prediction& p = predictions_[id];
-    const PairSearch search(machine_, id, now);
+    const PairSearch search(state_, id, now);
     grid_.visit(grid_.cellOf(id), around, near_,
                 [&](const std::uint32_t* others, std::size_t count, int shift)
                 {
@@ -390,7 +393,7 @@ private:
                   if (!found.isBefore(p.pair))
                     return;
                   p.pair = found;
-                  p.partner_flights = machine_.disk(found.partner).flights;
+                  p.partner_flights = state_.disk(found.partner).flights;
                 });
   }
 
@@ -400,7 +403,7 @@ private:
     const double now = p.cell_time;
     const CellGrid::Cell cell = grid_.cellOf(id);
     const BasePoint at = inGrid(id, now);
-    const auto fall = verticalIntoBase(frame_.rotation, -machine_.scene().gravity);
+    const auto fall = verticalIntoBase(frame_.rotation, -state_.scene().gravity);
     p.cell_time = until;
     const auto leave = [&](Edge edge, double gap, double rate, double accel)
     {
@@ -434,11 +437,12 @@ private:
       searchEdge(id, p, p.pair.time);
     const double others = std::min(p.pair.time, p.cell_time);
     if (!p.base.feature && p.base.time < others)
-      p.base = machine_.nextBaseEvent(id, p.base.time, others, base_);
+      p.base = state_.nextBaseEvent(id, p.base.time, others, base_);
     queue_.update(id, std::min(others, p.base.time));
   }
 
   Machine& machine_;
+  MachineState& state_;
   BaseInstant base_;
   FrameOfBase frame_;  ///< of the cells: the base's when the grid was laid
   CellFit fit_;

@@ -39,7 +39,7 @@ struct Velocities
 };
 }  // namespace
 
-std::vector<std::optional<double>> granularTemperatures(const Machine& machine, double time)
+std::vector<std::optional<double>> granularTemperatures(const MachineState& machine, double time)
 {
   const std::vector<SpeciesDefinition>& species = machine.scene().species;
   std::vector<Velocities> velocities(species.size());
@@ -59,8 +59,9 @@ std::vector<std::optional<double>> granularTemperatures(const Machine& machine, 
   return temperatures;
 }
 
-PeriodWatch::PeriodWatch(const Machine& machine)
+PeriodWatch::PeriodWatch(const MachineState& machine, const CollisionCounts& collisions)
     : machine_(machine),
+      counted_(collisions),
       origin_(machine.motion().drive().turns),
       temperatures_(machine.scene().species.size())
 {
@@ -107,7 +108,7 @@ void PeriodWatch::look(double now)
     return;
   const double start = begun_;
   const double end = machine_.epoch().start + now;
-  observer_({start, end, end - start, machine_.collisions().since(collisions_), temperatures_});
+  observer_({start, end, end - start, counted_.since(collisions_), temperatures_});
   if (start + LEAST_SPACING > end)
     waitForPeriod(start + LEAST_SPACING - machine_.epoch().start);
   else
@@ -119,7 +120,7 @@ void PeriodWatch::begin(double now)
   from_ = now;
   part_ = 1;
   begun_ = machine_.epoch().start + now;
-  collisions_ = machine_.collisions();
+  collisions_ = counted_;
   std::fill(temperatures_.begin(), temperatures_.end(), TemperatureSum());
 }
 

@@ -15,7 +15,7 @@ namespace
 constexpr std::size_t DISKS_PER_LOOK = 1024;
 
 /// A disk where it is at `time`, as the pour sees it.
-PlacedDisk placed(const Machine& machine, std::uint32_t id, const FrameOfBase& base, double time)
+PlacedDisk placed(const MachineState& machine, std::uint32_t id, const FrameOfBase& base, double time)
 {
   const Disk disk = flown(machine.disk(id), time, machine.scene().gravity);
   const double width = machine.sawtooth().width();
@@ -30,15 +30,16 @@ PlacedDisk placed(const Machine& machine, std::uint32_t id, const FrameOfBase& b
 void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, double time, Random& random,
                const PourObserver& observer)
 {
-  const SceneDefinition& scene = machine.scene();
-  const FrameOfBase base = machine.motion().at(time);
+  const MachineState& state = machine.state();
+  const SceneDefinition& scene = state.scene();
+  const FrameOfBase base = state.motion().at(time);
   BaseDefinition shape = scene.base;
-  shape.amplitude = machine.motion().displacementBound();
-  Pour pour(shape, scene.boundary, scene.pour.drop_height, machine.largestDiameter(),
+  shape.amplitude = state.motion().displacementBound();
+  Pour pour(shape, scene.boundary, scene.pour.drop_height, state.largestDiameter(),
             scene.contact.pair_collisions);
-  for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
-    if (machine.active(id))
-      pour.occupy(placed(machine, id, base, time));
+  for (std::uint32_t id = 0; id < state.disks().size(); ++id)
+    if (state.active(id))
+      pour.occupy(placed(state, id, base, time));
   struct Poured
   {
     PlacedDisk room;
@@ -55,7 +56,7 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   // Numbered along the base: neighbours there are neighbours in memory.
   std::stable_sort(poured.begin(), poured.end(),
                    [](const Poured& a, const Poured& b) { return a.room.s < b.room.s; });
-  machine.reserve(machine.disks().size() + poured.size());
+  machine.reserve(state.disks().size() + poured.size());
   for (const auto& [room, kind] : poured)
   {
     const Eigen::Vector2d place = base.outOf({room.s + base.into(base.displacement).x(), room.n});
@@ -71,7 +72,7 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
 
 void placeInitialDisks(Machine& machine, double time)
 {
-  for (const InitialDisk& initial : machine.scene().initial)
+  for (const InitialDisk& initial : machine.state().scene().initial)
   {
     Disk disk;
     disk.x = initial.x;
@@ -83,7 +84,7 @@ void placeInitialDisks(Machine& machine, double time)
     disk.species = static_cast<std::uint32_t>(initial.species);
     machine.add(disk);
   }
-  refuseBadStart(machine, time);
+  refuseBadStart(machine.state(), time);
 }
 
 }  // namespace ratchet_sieve

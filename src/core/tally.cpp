@@ -2,101 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace ratchet_sieve
 {
 
-Tally::Tally(const std::vector<SpeciesDefinition>& species, double gravity, bool spin)
-    : species_(species),
-      gravity_(gravity),
-      spin_(spin),
-      gone_(species.size()),
-      at_piece_end_(species.size()),
-      blocks_(species.size())
+void Tally::forget(const MachineState& machine, const std::vector<std::uint32_t>& left)
 {
+  for (const std::uint32_t slot : left)
+    addLeft(machine, slot, gone_);
 }
 
-void Tally::entered(const Disk& disk, double time)
-{
-  Passage passage;
-  passage.entered_x = disk.x;
-  passage.counted_x = disk.x;
-  passage.counted_from = time;
-  passages_.push_back(passage);
-}
-
-void Tally::integrate(Passage& passage, const Disk& disk, double local_time) const
-{
-  const double span = local_time - disk.time;
-  const double fall = gravity_ * span;
-  passage.translation += translationOver(disk.vx, disk.vy, fall, span);
-  if (spin_)
-    passage.rotation += rotationOver(disk.spin, span);
-}
-
-void Tally::flew(std::uint32_t id, const Disk& disk, double time)
-{
-  integrate(passages_[id], disk, time);
-}
-
-void Tally::pushed(std::uint32_t id, double x, double y)
-{
-  passages_[id].impulse_x += x;
-  passages_[id].impulse_y += y;
-}
-
-void Tally::keep(const std::vector<std::uint32_t>& places, const std::vector<Disk>& disks,
-                 const std::vector<std::uint8_t>& active)
-{
-  for (std::uint32_t id = 0; id < disks.size(); ++id)
-  {
-    if (active[id])
-      continue;
-    addLeft(disks[id], passages_[id], gone_);
-    gone_impulse_x_ += passages_[id].impulse_x;
-    gone_impulse_y_ += passages_[id].impulse_y;
-  }
-  keepPlaces(passages_, places);
-}
-
-double Tally::impulseX() const
-{
-  return std::accumulate(passages_.begin(), passages_.end(), gone_impulse_x_,
-                         [](double sum, const Passage& passage) { return sum + passage.impulse_x; });
-}
-
-double Tally::impulseY() const
-{
-  return std::accumulate(passages_.begin(), passages_.end(), gone_impulse_y_,
-                         [](double sum, const Passage& passage) { return sum + passage.impulse_y; });
-}
-
-void Tally::restart(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
-                    double local_time)
+void Tally::restart()
 {
   std::fill(gone_.begin(), gone_.end(), Sums());
-  gone_impulse_x_ = 0.0;
-  gone_impulse_y_ = 0.0;
-  std::fill(at_piece_end_.begin(), at_piece_end_.end(), Sums());
+  std::fill(at_block_end_.begin(), at_block_end_.end(), Sums());
   std::fill(blocks_.begin(), blocks_.end(), BlockAverages());
-  for (std::uint32_t id = 0; id < disks.size(); ++id)
-  {
-    Passage& passage = passages_[id];
-    passage.impulse_x = 0.0;
-    passage.impulse_y = 0.0;
-    passage.counted_from = NEVER;
-    if (!active[id])
-      continue;
-    // What the present flight brought before now will be taken in at its end: taken off beforehand.
-    Passage before;
-    integrate(before, disks[id], local_time);
-    passage.translation = -before.translation;
-    passage.rotation = -before.rotation;
-    passage.counted_x = flown(disks[id], local_time, gravity_).x + passage.offset;
-    passage.counted_from = time;
-  }
 }
 
 void Tally::Sums::add(const Passage& passage, double x, double until)
@@ -131,44 +52,41 @@ SpeciesMeans Tally::Sums::means(const SpeciesDefinition& species) const
   return means;
 }
 
-std::vector<Tally::Sums> Tally::sums(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active,
-                                     double time, double local_time) const
+std::vector<Tally::Sums> Tally::sums(const MachineState& machine, double time) const
 {
   std::vector<Sums> sums = gone_;
-  for (std::uint32_t id = 0; id < disks.size(); ++id)
+  const double gravity = machine.scene().gravity;
+  for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)
   {
-    if (!active[id])
-    {
-      addLeft(disks[id], passages_[id], sums);
-      continue;
-    }
-    Passage passage = passages_[id];
-    integrate(passage, disks[id], local_time);
-    sums[disks[id].species].add(passage, flown(disks[id], local_time, gravity_).x, time);
+    const Disk& disk = machine.disk(slot);
+    if (!machine.active(slot))
+      addLeft(machine, slot, sums);
+    else
+      sums[disk.species].add(machine.passages().until(slot, disk, time), flown(disk, time, gravity).x,
+                             machine.epoch().start + time);
   }
   return sums;
 }
 
-void Tally::addLeft(const Disk& disk, const Passage& passage, std::vector<Sums>& sums)
+void Tally::addLeft(const MachineState& machine, std::uint32_t slot, std::vector<Sums>& sums)
 {
-  if (passage.counted_from < NEVER)
+  const Passage& passage = machine.passages()[slot];
+  const Disk& disk = machine.disk(slot);
+  if (passage.counts())
     sums[disk.species].add(passage, disk.x, passage.left_when);
 }
 
-void Tally::endPiece(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
-                     double local_time)
+void Tally::endBlock(const MachineState& machine, double time)
 {
-  std::vector<Sums> now = sums(disks, active, time, local_time);
+  std::vector<Sums> now = sums(machine, time);
   for (std::size_t s = 0; s < species_.size(); ++s)
-    blocks_[s].add(now[s].displacement - at_piece_end_[s].displacement, now[s].time - at_piece_end_[s].time);
-  at_piece_end_ = std::move(now);
+    blocks_[s].add(now[s].displacement - at_block_end_[s].displacement, now[s].time - at_block_end_[s].time);
+  at_block_end_ = std::move(now);
 }
 
-std::vector<SpeciesMeans> Tally::means(const std::vector<Disk>& disks,
-                                       const std::vector<std::uint8_t>& active, double time,
-                                       double local_time) const
+std::vector<SpeciesMeans> Tally::means(const MachineState& machine, double time) const
 {
-  const std::vector<Sums> all = sums(disks, active, time, local_time);
+  const std::vector<Sums> all = sums(machine, time);
   std::vector<SpeciesMeans> means;
   for (std::size_t s = 0; s < species_.size(); ++s)
   {

@@ -28,7 +28,7 @@ TEST(TimeToTouch, KnownAnswers)
   EXPECT_FALSE(timeToTouch({0.9, 0.0}, {1.0, 0.0}, 1.0));      // overlap and part: left alone
 }
 
-double gapAt(const Machine& machine, int shift, double time)
+double gapAt(const MachineState& machine, int shift, double time)
 {
   const double gravity = machine.scene().gravity;
   const Disk a = flown(machine.disk(0), time, gravity);
@@ -46,7 +46,7 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
       {
         SceneDefinition scene = test::mixture(0);
         scene.base.teeth = 4;
-        Machine machine(scene);
+        MachineState machine(scene);
         machine.motion().setSlewRates({*rc::gen::element(0.1, 1.0, 5.0), 10.0, 0.002}, 0.0);
         machine.motion().command(Quantity::INCLINATION, *rc::gen::element(-1.0, 1.0), 0.0);
         const double until = *machine.motion().nextChange();
@@ -82,7 +82,7 @@ TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
       {
         SceneDefinition scene = test::mixture(0);
         scene.base.inclination = *rc::gen::element(0.0, 0.1);
-        Machine machine(scene);
+        MachineState machine(scene);
         const auto count = *rc::gen::inRange<std::uint32_t>(1, 40);
         for (std::uint32_t id = 0; id < count; ++id)
         {
@@ -116,7 +116,7 @@ TEST(PairSearch, TiesGoToTheSmallestId)
   constexpr std::uint32_t COUNT = 40;
   constexpr double NOW = 8.0;
   const SceneDefinition scene = test::mixture(0);
-  Machine machine(scene);
+  MachineState machine(scene);
   Disk middle;
   middle.time = NOW;
   middle.y = 0.05;

@@ -5,7 +5,7 @@
 namespace ratchet_sieve
 {
 
-class Machine;
+class MachineState;
 
 /// What a look at all disks at one time has found.
 struct Audit
@@ -16,10 +16,10 @@ struct Audit
 
 /// Measures every disk against the base and against its neighbours, by distances alone: nothing of
 /// the engine's predictions is used. @param time local to the epoch
-Audit audit(const Machine& machine, double time);
+Audit audit(const MachineState& machine, double time);
 
 /// @throws std::invalid_argument if a disk overlaps another or the base, or lies outside the
 /// machine; names the entries of `initial`
-void refuseBadStart(const Machine& machine, double time);
+void refuseBadStart(const MachineState& machine, double time);
 
 }  // namespace ratchet_sieve

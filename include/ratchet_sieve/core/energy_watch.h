@@ -10,7 +10,7 @@
 namespace ratchet_sieve
 {
 
-class Machine;
+class MachineState;
 
 /// Notices that a disk's energy leaves every scale of the machine: the run is heated without bound, by
 /// elastic disks on a driven base (Fermi acceleration; Ulam, Proc. 4th Berkeley Symp. 3, 315 (1961)), by a
@@ -28,7 +28,7 @@ public:
   explicit EnergyWatch(const SceneDefinition& scene);
 
   /// Looks at every disk, at `time` (local to the epoch). Energy keeps along a flight: no disk is flown.
-  void look(const Machine& machine, double time);
+  void look(const MachineState& machine, double time);
 
   /// The largest energy of a disk that was seen, in scales.
   double largest() const { return largest_; }

@@ -10,6 +10,7 @@ namespace ratchet_sieve
 {
 
 class Machine;
+class MachineState;
 
 /// Advances a machine's disks from event to event. Times are local to the epoch.
 ///
@@ -52,7 +53,7 @@ public:
 
 protected:
   /// @throws StateError if what was restored is of another number of disks than the machine's
-  static void requireDisks(std::size_t count, const Machine& machine);
+  static void requireDisks(std::size_t count, const MachineState& machine);
 
   std::uint64_t events_ = 0;
 };

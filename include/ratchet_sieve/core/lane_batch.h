@@ -86,7 +86,7 @@ struct LaneBatch
   alignas(64) Column per_mass;           ///< [1/kg]
   alignas(64) Column radius_by_inertia;  ///< r / I
 
-  // Running sums: see Tally.
+  // Running sums: see Passages and BaseImpulses.
   alignas(64) Column translation, rotation, impulse_x, impulse_y, offset;
 
   // The next event.
@@ -97,8 +97,9 @@ struct LaneBatch
   // The flight, in the base's frame as it stands at Y = 0, at `time`.
   alignas(64) Column s, n, vs, vn;
 
-  // What the last contact was: all 0 where none was made.
+  // What came of the last contact; see ContactOutcome. Impulses and velocity are 0 where none was made.
   alignas(64) Column overlap;             ///< [m]
+  alignas(64) Column normal_x, normal_y;  ///< unit normal on the disk, in the world
   alignas(64) Column normal_velocity;     ///< v_n, 0 where the contact opened [m/s]
   alignas(64) Column normal_impulse;      ///< [N s]
   alignas(64) Column tangential_impulse;  ///< [N s]

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "ratchet_sieve/core/machine.h"
+#include "ratchet_sieve/core/machine_state.h"
 
 namespace ratchet_sieve
 {
@@ -60,7 +60,7 @@ struct PairContact
 class PairSearch
 {
 public:
-  PairSearch(const Machine& machine, std::uint32_t id, double from)
+  PairSearch(const MachineState& machine, std::uint32_t id, double from)
       : machine_(machine),
         id_(id),
         from_(from),
@@ -128,7 +128,7 @@ private:
   std::optional<double> contactAcrossSeam(const Disk& other, int shift, double distance) const;
   std::optional<double> contactAcrossTurningSeam(const Disk& other, int shift, double distance) const;
 
-  const Machine& machine_;
+  const MachineState& machine_;
   std::uint32_t id_;
   double from_;
   double radius_;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ratchet_sieve/core/machine.h"
+#include "ratchet_sieve/core/machine_state.h"
 #include "ratchet_sieve/core/observation.h"
 
 namespace ratchet_sieve
@@ -13,7 +13,7 @@ namespace ratchet_sieve
 
 /// Granular temperature of each species at a time local to the epoch [J]; see
 /// Simulation::granularTemperatures().
-std::vector<std::optional<double>> granularTemperatures(const Machine& machine, double time);
+std::vector<std::optional<double>> granularTemperatures(const MachineState& machine, double time);
 
 /// Averages over whole periods of the drive what swings with it. A sample now and then would show the beat of
 /// its own rate with the drive's (aliasing): so every period is looked at, at instants that go by its phase.
@@ -28,7 +28,8 @@ public:
   /// Of faster drives a period is looked at once in so long [s].
   static constexpr double LEAST_SPACING = 0.02;
 
-  explicit PeriodWatch(const Machine& machine);
+  /// Both outlive this. @param collisions that the machine's run has counted
+  PeriodWatch(const MachineState& machine, const CollisionCounts& collisions);
 
   void observe(PeriodObserver observer, double now);
 
@@ -48,7 +49,8 @@ private:
   void begin(double now);
   void sample(double now);
 
-  const Machine& machine_;
+  const MachineState& machine_;
+  const CollisionCounts& counted_;
   PeriodObserver observer_;
   double origin_;  ///< phase over 2 pi at which periods begin
   bool swings_ = false;
