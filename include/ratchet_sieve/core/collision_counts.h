@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
@@ -41,5 +42,14 @@ struct CollisionCounts
   /// nothing if the longer one was never hit or if the slopes are equally long (a = 0.5).
   std::optional<double> shortToLong(double asymmetry) const;
 };
+
+RATCHET_SIEVE_FIELDS(CollisionCounts)
+{
+  RATCHET_SIEVE_FIELD(disk_disk, "");
+  RATCHET_SIEVE_FIELD(left_slope, "");
+  RATCHET_SIEVE_FIELD(right_slope, "");
+  RATCHET_SIEVE_FIELD(apex, "");
+  RATCHET_SIEVE_FIELD(wall, "");
+}
 
 }  // namespace ratchet_sieve
