@@ -132,6 +132,8 @@ private:
     events_ += outcome.events;
     machine_.noteOverlap(outcome.max_overlap);
     machine_.collisionCounts().add(outcome.collisions);
+    for (std::uint32_t species = 0; species < outcome.contacts.size(); ++species)
+      machine_.tally().collided(species, outcome.contacts[species]);
     for (const CollisionRecord& record : outcome.records)
       machine_.collisionObserver()(record);
     for (const std::uint32_t id : outcome.not_for_lanes)

@@ -26,16 +26,24 @@ void LaneRun::takeAccount(std::size_t rows)
   for (std::size_t row = 0; row < rows; ++row)
   {
     outcome_.max_overlap = std::max(outcome_.max_overlap, batch_.overlap[row]);
-    met_[static_cast<std::int32_t>(batch_.feature[row])] += batch_.normal_velocity[row] < 0.0 ? 1 : 0;
+    met_[species_[row]][static_cast<std::int32_t>(batch_.feature[row])] +=
+        batch_.normal_velocity[row] < 0.0 ? 1 : 0;
   }
 }
 
 LaneRun::Outcome LaneRun::takeOutcome()
 {
-  outcome_.collisions.right_slope = met_[LANE_RIGHT_SLOPE];
-  outcome_.collisions.left_slope = met_[LANE_LEFT_SLOPE];
-  outcome_.collisions.apex = met_[LANE_APEX];
-  met_ = {};
+  outcome_.contacts.clear();
+  for (Contacts& contacts : met_)
+  {
+    CollisionCounts counts;
+    counts.right_slope = contacts[LANE_RIGHT_SLOPE];
+    counts.left_slope = contacts[LANE_LEFT_SLOPE];
+    counts.apex = contacts[LANE_APEX];
+    outcome_.collisions.add(counts);
+    outcome_.contacts.push_back(counts.total());
+    contacts = {};
+  }
   return std::exchange(outcome_, Outcome());
 }
 

@@ -19,6 +19,7 @@ public:
   {
     std::uint64_t events = 0;
     CollisionCounts collisions;
+    std::vector<std::uint64_t> contacts;  ///< per species
     double max_overlap = 0.0;
     std::vector<CollisionRecord> records;      ///< only where somebody watches
     std::vector<std::uint32_t> not_for_lanes;  ///< disks whose next event is due, and not an ordinary one
@@ -32,6 +33,7 @@ public:
                Take&& take)
   {
     const LaneKernel& kernel = presentLaneKernel();
+    met_.resize(machine.scene().species.size());
     const bool watched = static_cast<bool>(machine.collisionObserver());
     std::uint32_t id = 0;
     std::size_t rows = 0;
@@ -42,6 +44,7 @@ public:
         {
           loadRow(machine, id, next[id], batch_, row);
           ids_[row] = id;
+          species_[row] = machine.disk(id).species;
           return true;
         }
       return false;
@@ -69,6 +72,7 @@ public:
         {
           copyRow(batch_, rows, row);
           ids_[row] = ids_[rows];
+          species_[row] = species_[rows];
         }
       }
     }
@@ -87,12 +91,15 @@ private:
     return false;
   }
 
+  using Contacts = std::array<std::uint64_t, LANE_APEX + 1>;  ///< by LaneFeature
+
   void takeAccount(std::size_t rows);
   void record(const Machine& machine, std::size_t rows);
 
   LaneBatch batch_;
   std::uint32_t ids_[LaneBatch::ROWS];
-  std::array<std::uint64_t, LANE_APEX + 1> met_{};  ///< contacts, by LaneFeature
+  std::uint32_t species_[LaneBatch::ROWS];
+  std::vector<Contacts> met_;  ///< per species
   Outcome outcome_;
 };
 

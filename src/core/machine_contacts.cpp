@@ -166,6 +166,9 @@ void Machine::report(double time, CollisionKind kind, std::uint32_t i, const std
                      const Contact& contact, const Impulse& impulse)
 {
   collisions_.add(kind);
+  tally_.collided(disks_[i].species);
+  if (j)
+    tally_.collided(disks_[*j].species);
   if (!observer_)
     return;
   CollisionRecord record;

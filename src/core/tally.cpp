@@ -14,7 +14,8 @@ Tally::Tally(const std::vector<SpeciesDefinition>& species, double gravity, bool
       spin_(spin),
       gone_(species.size()),
       at_piece_end_(species.size()),
-      blocks_(species.size())
+      blocks_(species.size()),
+      contacts_(species.size())
 {
 }
 
@@ -81,6 +82,7 @@ void Tally::restart(const std::vector<Disk>& disks, const std::vector<std::uint8
   gone_impulse_y_ = 0.0;
   std::fill(at_piece_end_.begin(), at_piece_end_.end(), Sums());
   std::fill(blocks_.begin(), blocks_.end(), BlockAverages());
+  std::fill(contacts_.begin(), contacts_.end(), 0);
   for (std::uint32_t id = 0; id < disks.size(); ++id)
   {
     Passage& passage = passages_[id];
@@ -173,6 +175,8 @@ std::vector<SpeciesMeans> Tally::means(const std::vector<Disk>& disks,
   for (std::size_t s = 0; s < species_.size(); ++s)
   {
     means.push_back(all[s].means(species_[s]));
+    if (all[s].time > 0.0)
+      means[s].collision_rate = static_cast<double>(contacts_[s]) / all[s].time;
     // Whichever sees more: disks that differ among each other, or a layer that moves as a whole.
     const auto over_time = blocks_[s].standardError();
     if (over_time && means[s].mean_vx)

@@ -89,6 +89,7 @@ struct SpeciesMeans
   std::optional<double> mean_vx_stderr;         ///< standard error [m/s]; see BlockAverages
   std::optional<double> kinetic_translational;  ///< [J], mean over disks and time
   std::optional<double> kinetic_rotational;     ///< [J], mean over disks and time
+  std::optional<double> collision_rate;  ///< contacts in which a disk takes part, per disk and time [1/s]
 };
 
 RATCHET_SIEVE_FIELDS(SpeciesMeans)
@@ -97,6 +98,7 @@ RATCHET_SIEVE_FIELDS(SpeciesMeans)
   RATCHET_SIEVE_OPTIONAL(mean_vx_stderr, "m/s");
   RATCHET_SIEVE_OPTIONAL(kinetic_translational, "J");
   RATCHET_SIEVE_OPTIONAL(kinetic_rotational, "J");
+  RATCHET_SIEVE_OPTIONAL(collision_rate, "1/s");
 }
 
 /// A sum of granular temperatures at several instants.

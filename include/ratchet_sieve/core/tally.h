@@ -43,6 +43,9 @@ public:
   /// The base gave the disk an impulse [N s].
   void pushed(std::uint32_t id, double x, double y);
 
+  /// Disks of this species took part in so many contacts: two of one species collide, and each of them did.
+  void collided(std::uint32_t species, std::uint64_t contacts = 1) { contacts_[species] += contacts; }
+
   /// Impulse given by the base to all disks [N s].
   double impulseX() const;
   double impulseY() const;
@@ -96,7 +99,7 @@ public:
 
   void archive(StateArchive& state)
   {
-    state(passages_, gone_, gone_impulse_x_, gone_impulse_y_, at_piece_end_, blocks_);
+    state(passages_, gone_, gone_impulse_x_, gone_impulse_y_, at_piece_end_, blocks_, contacts_);
   }
 
 private:
@@ -156,8 +159,9 @@ private:
   std::vector<Sums> gone_;         ///< per species, of passages that were forgotten
   double gone_impulse_x_ = 0.0;
   double gone_impulse_y_ = 0.0;
-  std::vector<Sums> at_piece_end_;     ///< per species, when the last piece ended
-  std::vector<BlockAverages> blocks_;  ///< per species
+  std::vector<Sums> at_piece_end_;       ///< per species, when the last piece ended
+  std::vector<BlockAverages> blocks_;    ///< per species
+  std::vector<std::uint64_t> contacts_;  ///< per species, of its disks, since the counting began
 };
 
 }  // namespace ratchet_sieve
