@@ -69,15 +69,20 @@ std::string driveTable(const RunResult& result)
 
 std::string statisticsTable(const RunResult& result)
 {
-  std::string text =
-      "time [s],species,mean_vx [m/s],mean_vx_stderr [m/s],"
-      "window_start [s],window_end [s],granular_temperature [J]\n";
+  std::string text = "time [s],species";
+  const SpeciesMeans any;
+  Fields<SpeciesMeans>::each([&text](const FieldInfo& info, const auto&)
+                             { text += fmt::format(",{} [{}]", info.name, info.unit); },
+                             any);
+  text += ",window_start [s],window_end [s],granular_temperature [J]\n";
   for (const StatisticsFrame& frame : result.statistics)
     for (std::size_t i = 0; i < frame.species.size(); ++i)
     {
-      const SpeciesMeans& means = frame.species[i].means;
-      text += fmt::format("{},{},{},{},{},{},{}\n", frame.time, result.species[i], field(means.mean_vx),
-                          field(means.mean_vx_stderr), frame.window_start, frame.window_end,
+      text += fmt::format("{},{}", frame.time, result.species[i]);
+      Fields<SpeciesMeans>::each([&text](const FieldInfo&, const std::optional<double>& mean)
+                                 { text += "," + field(mean); },
+                                 frame.species[i].means);
+      text += fmt::format(",{},{},{}\n", frame.window_start, frame.window_end,
                           field(frame.species[i].granular_temperature));
     }
   return text;

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "ratchet_sieve/analysis/run_analysis.h"
-#include "ratchet_sieve/recording/frame_fields.h"
+#include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/recording/frame_kinds.h"
 
 namespace ratchet_sieve

@@ -137,7 +137,7 @@ private:
   void takeIn(const LaneRun::Report& report, double time)
   {
     events_ += report.events;
-    machine_.record().counts().add(report.counts);
+    machine_.record().take(report.counts, report.contacts);
     for (const CollisionRecord& record : report.records)
       machine_.record().collisionObserver()(record);
     for (const std::uint32_t slot : report.not_for_lanes)

@@ -9,7 +9,11 @@ void LaneRun::takeOutcomes(const Machine& machine, std::size_t rows)
   // Counted in registers: the rows' columns may not hold these.
   ContactCounts counts = report_.counts;
   for (std::size_t row = 0; row < rows; ++row)
-    counts.take(outcomeOf(batch_, row, slots_[row]));
+  {
+    const ContactOutcome outcome = outcomeOf(batch_, row, slots_[row]);
+    counts.take(outcome);
+    report_.contacts[species_[row]] += outcome.closed ? 1 : 0;
+  }
   report_.counts = counts;
   if (!machine.record().collisionObserver())
     return;

@@ -18,6 +18,7 @@ public:
   {
     std::uint64_t events = 0;
     ContactCounts counts;
+    std::vector<std::uint64_t> contacts;       ///< per species, of its disks
     std::vector<CollisionRecord> records;      ///< only where somebody watches
     std::vector<std::uint32_t> not_for_lanes;  ///< slots of disks whose next event is no ordinary one
   };
@@ -30,6 +31,7 @@ public:
                Take&& take)
   {
     const LaneKernel& kernel = presentLaneKernel();
+    report_.contacts.resize(machine.state().scene().species.size());
     std::uint32_t slot = 0;
     std::size_t rows = 0;
     const auto take_up = [&](std::size_t row)
@@ -39,6 +41,7 @@ public:
         {
           loadRow(machine, slot, next[slot], batch_, row);
           slots_[row] = slot;
+          species_[row] = machine.state().disk(slot).species;
           return true;
         }
       return false;
@@ -64,6 +67,7 @@ public:
         {
           copyRow(batch_, rows, row);
           slots_[row] = slots_[rows];
+          species_[row] = species_[rows];
         }
       }
     }
@@ -87,6 +91,7 @@ private:
 
   LaneBatch batch_;
   std::uint32_t slots_[LaneBatch::ROWS];
+  std::uint32_t species_[LaneBatch::ROWS];
   Report report_;
 };
 

@@ -18,6 +18,7 @@ void Tally::restart()
   std::fill(gone_.begin(), gone_.end(), Sums());
   std::fill(at_block_end_.begin(), at_block_end_.end(), Sums());
   std::fill(blocks_.begin(), blocks_.end(), BlockAverages());
+  std::fill(contacts_.begin(), contacts_.end(), 0);
 }
 
 void Tally::Sums::add(const Passage& passage, double x, double until)
@@ -91,6 +92,8 @@ std::vector<SpeciesMeans> Tally::means(const MachineState& machine, double time)
   for (std::size_t s = 0; s < species_.size(); ++s)
   {
     means.push_back(all[s].means(species_[s]));
+    if (all[s].time > 0.0)
+      means[s].collision_rate = static_cast<double>(contacts_[s]) / all[s].time;
     // Whichever sees more: disks that differ among each other, or a layer that moves as a whole.
     const auto over_time = blocks_[s].standardError();
     if (over_time && means[s].mean_vx)

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "ratchet_sieve/recording/frame_fields.h"
+#include "ratchet_sieve/core/fields.h"
 
 namespace ratchet_sieve
 {

@@ -36,6 +36,7 @@ inline RunResult handMadeResult()
   statistics.time = 2.5;
   statistics.species = {{"A", {}, 0.25}, {"long-name", {}, std::nullopt}};
   statistics.species[0].means.mean_vx = 0.5;
+  statistics.species[0].means.collision_rate = 40.0;
   statistics.window_start = 2.25;
   statistics.window_end = 2.375;
   statistics.collisions = {100, 20, 40, 3, 0};

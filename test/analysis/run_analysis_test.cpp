@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "hand_made_frames.h"
+#include "ratchet_sieve/analysis/analysis_report.h"
 #include "ratchet_sieve/recording/headless_run.h"
+#include "ratchet_sieve/recording/summary.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "recording/small_scenes.h"
@@ -56,6 +58,24 @@ TEST(RunAnalysis, FindsTheEnginesVelocitiesFromDisplacementsAlone)
     EXPECT_NEAR(result.velocities[i].mean_stderr.value(), simulation.means()[i].mean_vx_stderr.value(),
                 1e-12);
     EXPECT_EQ(result.velocities[i].disks, 2u);
+  }
+}
+
+TEST(RunAnalysis, SaysTheCollisionRatesOfTheSummary)
+{
+  SceneDefinition scene = smallRing();
+  scene.settle = 0.25;
+  Simulation simulation(scene);
+  RunAnalysis analysis;
+  RunWatchers watchers;
+  watchers.frames = &analysis;
+  const auto summary = summarize(simulation, runToEnd(simulation, watchers));
+  const auto report = reportJson(analysis.result());
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    EXPECT_GT(summary["species"][i]["collision_rate"].get<double>(), 0.0);
+    for (const char* key : {"collision_rate", "kinetic_translational", "kinetic_rotational"})
+      EXPECT_EQ(report["species"][i][key], summary["species"][i][key]) << key;
   }
 }
 

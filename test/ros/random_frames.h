@@ -2,7 +2,7 @@
 
 #include <rapidcheck.h>
 
-#include "ratchet_sieve/recording/frame_fields.h"
+#include "ratchet_sieve/core/fields.h"
 
 /// Frames of any content, for properties that hold whatever a run may show.
 namespace ratchet_sieve

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
@@ -49,5 +50,14 @@ private:
 inline constexpr CollisionCounts::OfKind CollisionCounts::OF_KIND[] = {
     &CollisionCounts::disk_disk, &CollisionCounts::left_slope, &CollisionCounts::right_slope,
     &CollisionCounts::apex, &CollisionCounts::wall};
+
+RATCHET_SIEVE_FIELDS(CollisionCounts)
+{
+  RATCHET_SIEVE_FIELD(disk_disk, "");
+  RATCHET_SIEVE_FIELD(left_slope, "");
+  RATCHET_SIEVE_FIELD(right_slope, "");
+  RATCHET_SIEVE_FIELD(apex, "");
+  RATCHET_SIEVE_FIELD(wall, "");
+}
 
 }  // namespace ratchet_sieve

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/collision_counts.h"
+#include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 /// What a caller sees of a run.
@@ -27,6 +28,19 @@ struct DiskState
   double displacement = 0.0;  ///< world x travelled since the disk entered, unwrapped [m]
 };
 
+RATCHET_SIEVE_FIELDS(DiskState)
+{
+  RATCHET_SIEVE_FIELD(id, "");
+  RATCHET_SIEVE_FIELD(species, "");
+  RATCHET_SIEVE_FIELD(x, "m");
+  RATCHET_SIEVE_FIELD(y, "m");
+  RATCHET_SIEVE_FIELD(angle, "rad");
+  RATCHET_SIEVE_FIELD(vx, "m/s");
+  RATCHET_SIEVE_FIELD(vy, "m/s");
+  RATCHET_SIEVE_FIELD(spin, "rad/s");
+  RATCHET_SIEVE_FIELD(displacement, "m");
+}
+
 /// The base at the simulation's time.
 struct DriveState
 {
@@ -40,6 +54,19 @@ struct DriveState
   double displacement = 0.0;  ///< Y, upwards in the world [m]
   double velocity = 0.0;      ///< dY/dt [m/s]
 };
+
+RATCHET_SIEVE_FIELDS(DriveState)
+{
+  RATCHET_SIEVE_FIELD(inclination, "rad");
+  RATCHET_SIEVE_FIELD(frequency, "Hz");
+  RATCHET_SIEVE_FIELD(amplitude, "m");
+  RATCHET_SIEVE_FIELD(commanded_inclination, "rad");
+  RATCHET_SIEVE_FIELD(commanded_frequency, "Hz");
+  RATCHET_SIEVE_FIELD(commanded_amplitude, "m");
+  RATCHET_SIEVE_FIELD(phase, "rad");
+  RATCHET_SIEVE_FIELD(displacement, "m");
+  RATCHET_SIEVE_FIELD(velocity, "m/s");
+}
 
 /// One executed collision.
 struct CollisionRecord
@@ -62,7 +89,17 @@ struct SpeciesMeans
   std::optional<double> mean_vx_stderr;         ///< standard error [m/s]; see BlockAverages
   std::optional<double> kinetic_translational;  ///< [J], mean over disks and time
   std::optional<double> kinetic_rotational;     ///< [J], mean over disks and time
+  std::optional<double> collision_rate;  ///< contacts in which a disk takes part, per disk and time [1/s]
 };
+
+RATCHET_SIEVE_FIELDS(SpeciesMeans)
+{
+  RATCHET_SIEVE_OPTIONAL(mean_vx, "m/s");
+  RATCHET_SIEVE_OPTIONAL(mean_vx_stderr, "m/s");
+  RATCHET_SIEVE_OPTIONAL(kinetic_translational, "J");
+  RATCHET_SIEVE_OPTIONAL(kinetic_rotational, "J");
+  RATCHET_SIEVE_OPTIONAL(collision_rate, "1/s");
+}
 
 /// A sum of granular temperatures at several instants.
 struct TemperatureSum

@@ -31,8 +31,20 @@ public:
       return;
     impulses_.take(outcome);
     times_.take(outcome);
+    tally_.collided(machine_.disk(outcome.i).species);
+    if (outcome.j != ContactOutcome::BASE)
+      tally_.collided(machine_.disk(outcome.j).species);
     if (observer_)
       observer_(recordOf(outcome, machine_));
+  }
+
+  /// Contacts with the base were executed elsewhere, and their impulses added there.
+  /// @param contacts per species
+  void take(const ContactCounts& counts, const std::vector<std::uint64_t>& contacts)
+  {
+    counts_.add(counts);
+    for (std::uint32_t species = 0; species < contacts.size(); ++species)
+      tally_.collided(species, contacts[species]);
   }
 
   void reserve(std::size_t count) { impulses_.reserve(count); }

@@ -15,12 +15,19 @@ class Tally
 {
 public:
   explicit Tally(const std::vector<SpeciesDefinition>& species)
-      : species_(species), gone_(species.size()), at_block_end_(species.size()), blocks_(species.size())
+      : species_(species),
+        gone_(species.size()),
+        at_block_end_(species.size()),
+        blocks_(species.size()),
+        contacts_(species.size())
   {
   }
 
   /// Sums up the passages of disks whose slots are given up.
   void forget(const MachineState& machine, const std::vector<std::uint32_t>& left);
+
+  /// Disks of this species took part in so many contacts: two of one species collide, and each of them did.
+  void collided(std::uint32_t species, std::uint64_t contacts = 1) { contacts_[species] += contacts; }
 
   /// Forgets all that was counted before.
   void restart();
@@ -30,7 +37,7 @@ public:
 
   std::vector<SpeciesMeans> means(const MachineState& machine, double time) const;
 
-  void archive(StateArchive& state) { state(gone_, at_block_end_, blocks_); }
+  void archive(StateArchive& state) { state(gone_, at_block_end_, blocks_, contacts_); }
 
 private:
   /// Sums over the passages of one species.
@@ -60,9 +67,10 @@ private:
   std::vector<Sums> sums(const MachineState& machine, double time) const;
 
   std::vector<SpeciesDefinition> species_;
-  std::vector<Sums> gone_;             ///< per species, of passages that were forgotten
-  std::vector<Sums> at_block_end_;     ///< per species, when the last block ended
-  std::vector<BlockAverages> blocks_;  ///< per species
+  std::vector<Sums> gone_;               ///< per species, of passages that were forgotten
+  std::vector<Sums> at_block_end_;       ///< per species, when the last block ended
+  std::vector<BlockAverages> blocks_;    ///< per species
+  std::vector<std::uint64_t> contacts_;  ///< per species, of its disks, since the counting began
 };
 
 }  // namespace ratchet_sieve

@@ -38,7 +38,7 @@ struct FrameRates
   double statistics = 10.0;
 };
 
-/// All that is particular to one kind beside its fields (frame_fields.h).
+/// All that is particular to one kind beside its fields (see Fields).
 struct FrameKindInfo
 {
   FrameKind kind;

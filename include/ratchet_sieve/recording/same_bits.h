@@ -3,7 +3,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "ratchet_sieve/recording/frame_fields.h"
+#include "ratchet_sieve/core/fields.h"
 
 namespace ratchet_sieve
 {

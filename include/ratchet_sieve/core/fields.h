@@ -4,10 +4,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "ratchet_sieve/recording/frames.h"
-
-/// What frames consist of, once for all: comparison, conversion to messages and back, and checks go through
-/// these fields. A new one is a line in its struct, a line here, and a line in the message.
+/// What a struct consists of, listed once, below the struct: comparison, conversion to messages and back, and
+/// checks go through that list. A new field is a line in its struct, a line in the list, and a line in the
+/// message.
 namespace ratchet_sieve
 {
 
@@ -54,8 +53,10 @@ constexpr bool IS_VECTOR = false;
 template <typename T>
 constexpr bool IS_VECTOR<std::vector<T>> = true;
 
-// C++17 cannot list the members of a struct, nor have a name both as a member and as a text.
-#define FIELDS_OF(STRUCT)                                           \
+// C++17 cannot list the members of a struct, nor have a name both as a member and as a text. Hence macros.
+
+/// Begins the list of a struct; in braces one of the lines below for each of its members.
+#define RATCHET_SIEVE_FIELDS(STRUCT)                                \
   template <>                                                       \
   struct Fields<STRUCT>                                             \
   {                                                                 \
@@ -68,10 +69,10 @@ constexpr bool IS_VECTOR<std::vector<T>> = true;
   constexpr void Fields<STRUCT>::each(Visit&& visit, Objects&... objects)
 
 /// A member that a message has, too.
-#define FIELD(NAME, UNIT) visit(FieldInfo{#NAME, UNIT}, objects.NAME...)
+#define RATCHET_SIEVE_FIELD(NAME, UNIT) visit(FieldInfo{#NAME, UNIT}, objects.NAME...)
 
 /// An optional number; in a message NAME and NAME_defined.
-#define OPTIONAL(NAME, UNIT)                                                            \
+#define RATCHET_SIEVE_OPTIONAL(NAME, UNIT)                                              \
   visit(FieldInfo{#NAME, UNIT},                                                         \
         [](auto& object) -> decltype(auto)                                              \
         {                                                                               \
@@ -84,7 +85,7 @@ constexpr bool IS_VECTOR<std::vector<T>> = true;
         }(objects)...)
 
 /// A described struct whose fields a message has among its own.
-#define PART(NAME)                                                                                   \
+#define RATCHET_SIEVE_PART(NAME)                                                                     \
   Fields<decltype(Struct::NAME)>::each(                                                              \
       visit, [](auto& object) -> auto& {                                                             \
         if constexpr (std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(object)>>, \
@@ -95,7 +96,7 @@ constexpr bool IS_VECTOR<std::vector<T>> = true;
       }(objects)...)
 
 /// A vector of described structs; in a message an array for each of their fields.
-#define COLUMNS(NAME)                                                        \
+#define RATCHET_SIEVE_COLUMNS(NAME)                                          \
   visit(FieldInfo{#NAME, ""},                                                \
         [](auto& object) -> decltype(auto)                                   \
         {                                                                    \
@@ -105,130 +106,5 @@ constexpr bool IS_VECTOR<std::vector<T>> = true;
           else                                                               \
             return Columns<Object>{object};                                  \
         }(objects)...)
-
-FIELDS_OF(SceneFrame)
-{
-  FIELD(time, "s");
-  FIELD(start_time, "s");
-  FIELD(yaml, "");
-  FIELD(scene_hash, "");
-  FIELD(seed, "");
-  FIELD(version, "");
-}
-
-FIELDS_OF(CommandFrame)
-{
-  FIELD(time, "s");
-  FIELD(kind, "");
-  FIELD(values, "");
-  FIELD(species, "");
-  FIELD(count, "");
-}
-
-FIELDS_OF(DriveState)
-{
-  FIELD(inclination, "rad");
-  FIELD(frequency, "Hz");
-  FIELD(amplitude, "m");
-  FIELD(commanded_inclination, "rad");
-  FIELD(commanded_frequency, "Hz");
-  FIELD(commanded_amplitude, "m");
-  FIELD(phase, "rad");
-  FIELD(displacement, "m");
-  FIELD(velocity, "m/s");
-}
-
-FIELDS_OF(BaseFrame)
-{
-  FIELD(time, "s");
-  PART(base);
-}
-
-FIELDS_OF(DiskState)
-{
-  FIELD(id, "");
-  FIELD(species, "");
-  FIELD(x, "m");
-  FIELD(y, "m");
-  FIELD(angle, "rad");
-  FIELD(vx, "m/s");
-  FIELD(vy, "m/s");
-  FIELD(spin, "rad/s");
-  FIELD(displacement, "m");
-}
-
-FIELDS_OF(ParticleFrame)
-{
-  FIELD(time, "s");
-  COLUMNS(disks);
-}
-
-FIELDS_OF(SpeciesBins)
-{
-  FIELD(left, "");
-  FIELD(right, "");
-  FIELD(on_base, "");
-}
-
-FIELDS_OF(BinFrame)
-{
-  FIELD(time, "s");
-  FIELD(species, "");
-  COLUMNS(bins);
-  OPTIONAL(quality, "");
-  OPTIONAL(processed, "");
-}
-
-FIELDS_OF(SpeciesMeans)
-{
-  OPTIONAL(mean_vx, "m/s");
-  OPTIONAL(mean_vx_stderr, "m/s");
-  OPTIONAL(kinetic_translational, "J");
-  OPTIONAL(kinetic_rotational, "J");
-}
-
-FIELDS_OF(SpeciesRow)
-{
-  FIELD(name, "");
-  PART(means);
-  OPTIONAL(granular_temperature, "J");
-}
-
-FIELDS_OF(CollisionCounts)
-{
-  FIELD(disk_disk, "");
-  FIELD(left_slope, "");
-  FIELD(right_slope, "");
-  FIELD(apex, "");
-  FIELD(wall, "");
-}
-
-FIELDS_OF(CollisionRates)
-{
-  FIELD(disk_disk_rate, "1/s");
-  FIELD(left_slope_rate, "1/s");
-  FIELD(right_slope_rate, "1/s");
-  FIELD(apex_rate, "1/s");
-  FIELD(wall_rate, "1/s");
-}
-
-FIELDS_OF(StatisticsFrame)
-{
-  FIELD(time, "s");
-  FIELD(window_start, "s");
-  FIELD(window_end, "s");
-  FIELD(species, "");
-  PART(collisions);
-  FIELD(events, "");
-  PART(collision_rates);
-  FIELD(real_time_factor, "");
-  FIELD(max_overlap, "m");
-}
-
-#undef FIELDS_OF
-#undef FIELD
-#undef OPTIONAL
-#undef PART
-#undef COLUMNS
 
 }  // namespace ratchet_sieve

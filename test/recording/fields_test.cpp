@@ -1,4 +1,4 @@
-#include "ratchet_sieve/recording/frame_fields.h"
+#include "ratchet_sieve/core/fields.h"
 
 #include <algorithm>
 #include <cstddef>
