@@ -33,7 +33,7 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   const SceneDefinition& scene = machine.scene();
   const FrameOfBase base = machine.motion().at(time);
   BaseDefinition shape = scene.base;
-  shape.amplitude = machine.motion().displacementBound();
+  shape.amplitude = machine.motion().displacementBound().norm();
   Pour pour(shape, scene.boundary, scene.pour.drop_height, machine.largestDiameter(),
             scene.contact.pair_collisions);
   for (std::uint32_t id = 0; id < machine.disks().size(); ++id)

@@ -36,9 +36,11 @@ struct DriveState
   double commanded_inclination = 0.0;
   double commanded_frequency = 0.0;
   double commanded_amplitude = 0.0;
-  double phase = 0.0;         ///< of the drive, in [0, 2 pi) [rad]
-  double displacement = 0.0;  ///< Y, upwards in the world [m]
-  double velocity = 0.0;      ///< dY/dt [m/s]
+  double phase = 0.0;                    ///< of the drive, in [0, 2 pi) [rad]
+  double displacement = 0.0;             ///< Y, upwards in the world [m]
+  double velocity = 0.0;                 ///< dY/dt [m/s]
+  double horizontal_displacement = 0.0;  ///< along world x [m]
+  double horizontal_velocity = 0.0;      ///< along world x [m/s]
 };
 
 /// One executed collision.

@@ -1,0 +1,91 @@
+#include "ratchet_sieve/core/orbit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ratchet_sieve/core/drive.h"
+
+namespace ratchet_sieve
+{
+
+Orbit::Orbit(const BaseDefinition& base)
+{
+  add({1, {base.horizontal_amplitude, 0.0}, {base.horizontal_phase / RADIANS_PER_TURN, 0.0}});
+  for (const HarmonicDefinition& harmonic : base.harmonics)
+    add({harmonic.multiple,
+         {harmonic.horizontal_amplitude, harmonic.amplitude},
+         {harmonic.horizontal_phase / RADIANS_PER_TURN, harmonic.phase / RADIANS_PER_TURN}});
+}
+
+void Orbit::add(const Term& term)
+{
+  if (!term.amplitudes.isZero(0.0))
+    terms_.push_back(term);
+}
+
+int Orbit::highestMultiple() const
+{
+  int highest = 1;
+  for (const Term& term : terms_)
+    highest = std::max(highest, term.multiple);
+  return highest;
+}
+
+Orbit::Point Orbit::at(double turns) const
+{
+  Point point{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  for (const Term& term : terms_)
+  {
+    const auto x = sineCosineOfTurns(term.multiple * turns + term.turns.x());
+    const auto y = sineCosineOfTurns(term.multiple * turns + term.turns.y());
+    point.displacement += term.amplitudes.cwiseProduct(Eigen::Vector2d(x.sine, y.sine));
+    point.slope += term.multiple * term.amplitudes.cwiseProduct(Eigen::Vector2d(x.cosine, y.cosine));
+  }
+  return point;
+}
+
+Eigen::Vector2d Orbit::bound(int derivative) const
+{
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Term& term : terms_)
+  {
+    double factor = 1.0;
+    for (int i = 0; i < derivative; ++i)
+      factor *= term.multiple;
+    sum += factor * term.amplitudes.cwiseAbs();
+  }
+  return sum;
+}
+
+DriveBounds driveBounds(const BaseDefinition& base)
+{
+  const Orbit orbit(base);
+  const Drive drive = driveOf(base.amplitude, base.frequency, 0.0, 0.0);
+  const double rate = angularFrequency(base.frequency);
+  return {Eigen::Vector2d(0.0, drive.amplitude) + orbit.bound(0),
+          Eigen::Vector2d(0.0, drive.speed) + rate * orbit.bound(1),
+          Eigen::Vector2d(0.0, drive.acceleration) + rate * rate * orbit.bound(2)};
+}
+
+bool hasStroke(const BaseDefinition& base)
+{
+  return base.amplitude > 0.0 || !Orbit(base).empty();
+}
+
+BaseDefinition withAmplitude(const BaseDefinition& base, double amplitude)
+{
+  BaseDefinition scaled = base;
+  scaled.amplitude = amplitude;
+  if (base.amplitude == 0.0)
+    return scaled;
+  const double factor = amplitude / base.amplitude;
+  scaled.horizontal_amplitude *= factor;
+  for (HarmonicDefinition& harmonic : scaled.harmonics)
+  {
+    harmonic.amplitude *= factor;
+    harmonic.horizontal_amplitude *= factor;
+  }
+  return scaled;
+}
+
+}  // namespace ratchet_sieve
