@@ -60,10 +60,10 @@ void requireSound(const BinFrame& frame, const SceneDefinition& scene)
 void requireSound(const BaseFrame& frame, const SceneDefinition&)
 {
   const DriveState& base = frame.base;
-  requireFinite(
-      {base.inclination, base.frequency, base.amplitude, base.commanded_inclination, base.commanded_frequency,
-       base.commanded_amplitude, base.phase, base.displacement, base.velocity},
-      "base", frame.time);
+  requireFinite({base.inclination, base.frequency, base.amplitude, base.commanded_inclination,
+                 base.commanded_frequency, base.commanded_amplitude, base.phase, base.displacement,
+                 base.velocity, base.horizontal_displacement, base.horizontal_velocity},
+                "base", frame.time);
 }
 
 void requireSound(const StatisticsFrame& frame, const SceneDefinition& scene)

@@ -72,22 +72,25 @@ void BaseMotion::lookAt(double time, FrameOfBase& frame) const
   frame.inclination = inclination_.at(elapsed);
   frame.inclination_rate = inclination_.rate;
   frame.rotation = rotation_;
-  frame.displacement = standstill_;
-  frame.velocity.setZero();
-  if (oscillates_ && !next_change_)
+  if (!oscillates_)
+  {
+    frame.displacement = standstill_;
+    frame.velocity.setZero();
+  }
+  else if (!next_change_)
   {
     // At its setpoints: the same to the last bit, without the ramps.
     const auto stroke = strokeAt(drive(), time);
-    frame.displacement.y() = stroke.displacement;
-    frame.velocity.y() = stroke.velocity;
+    frame.displacement = {0.0, stroke.displacement};
+    frame.velocity = {0.0, stroke.velocity};
   }
-  else if (oscillates_)
+  else
   {
     const auto phase = sineCosineOfTurns(turns(elapsed));
     const auto stroke =
         strokeAtPhase(driveOf(amplitude_.at(elapsed), frequency_.at(elapsed), time, turns(elapsed)), phase);
-    frame.displacement.y() = stroke.displacement;
-    frame.velocity.y() = stroke.velocity + amplitude_.rate * phase.sine;
+    frame.displacement = {0.0, stroke.displacement};
+    frame.velocity = {0.0, stroke.velocity + amplitude_.rate * phase.sine};
   }
   if (orbits_)
     followOrbit(elapsed, frame);
@@ -160,7 +163,7 @@ void BaseMotion::plan()
   if (turning())
     next_change_ = std::min(*next_change_, segment_start_ + max_turn_ / std::abs(inclination_.rate));
   updateBounds();
-  noteStandstill();
+  noteDerived();
 }
 
 void BaseMotion::beginSegment(double time)
@@ -237,10 +240,11 @@ bool BaseMotion::hasStroke() const
   return amplitude_.start != 0.0 || amplitude_.rate != 0.0 || (!orbit_.empty() && !scaled_);
 }
 
-/// Without amplitude, or with a phase that stands still, the drive gives the same displacement over all of
+/// What follows from the rest, and is not archived. Without amplitude, or with a phase that stands still, the drive gives the same displacement over all of
 /// the segment, to the last bit.
-void BaseMotion::noteStandstill()
+void BaseMotion::noteDerived()
 {
+  greatest_acceleration_ = acceleration_bound_.norm();
   const bool halted = frequency_.start == 0.0 && frequency_.rate == 0.0 && amplitude_.rate == 0.0;
   oscillates_ = always_drive_ || (hasStroke() && !halted);
   orbits_ = oscillates_ && !orbit_.empty();

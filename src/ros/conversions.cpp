@@ -181,6 +181,8 @@ BaseState toMessage(const BaseFrame& frame)
   message.phase = frame.base.phase;
   message.displacement = frame.base.displacement;
   message.velocity = frame.base.velocity;
+  message.horizontal_displacement = frame.base.horizontal_displacement;
+  message.horizontal_velocity = frame.base.horizontal_velocity;
   return message;
 }
 
@@ -197,6 +199,8 @@ BaseFrame toFrame(const BaseState& message)
   frame.base.phase = message.phase;
   frame.base.displacement = message.displacement;
   frame.base.velocity = message.velocity;
+  frame.base.horizontal_displacement = message.horizontal_displacement;
+  frame.base.horizontal_velocity = message.horizontal_velocity;
   return frame;
 }
 

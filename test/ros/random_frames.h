@@ -71,7 +71,8 @@ inline BaseFrame anyBaseFrame()
   for (double* value :
        {&frame.base.inclination, &frame.base.frequency, &frame.base.amplitude,
         &frame.base.commanded_inclination, &frame.base.commanded_frequency, &frame.base.commanded_amplitude,
-        &frame.base.phase, &frame.base.displacement, &frame.base.velocity})
+        &frame.base.phase, &frame.base.displacement, &frame.base.velocity,
+        &frame.base.horizontal_displacement, &frame.base.horizontal_velocity})
     *value = anyNumber();
   return frame;
 }

@@ -77,6 +77,9 @@ public:
   /// sup |d2D/dt2| of each component over the present segment [m/s^2].
   const Eigen::Vector2d& accelerationBound() const { return acceleration_bound_; }
 
+  /// The length of accelerationBound().
+  double greatestAcceleration() const { return greatest_acceleration_; }
+
   /// sup |dD/dt| of the oscillation as it is and on the way to its setpoints [m/s].
   double speedBound() const;
 
@@ -92,7 +95,7 @@ public:
     state(inclination_, frequency_, amplitude_, slew_rates_, segment_start_, turns_, rotation_.cosine,
           rotation_.sine, next_change_, acceleration_bound_.x(), acceleration_bound_.y(),
           displacement_bound_.x(), displacement_bound_.y());
-    noteStandstill();
+    noteDerived();
   }
 
 private:
@@ -116,7 +119,7 @@ private:
   void pursue(Ramp& ramp, double slew_rate) const;
   void plan();  ///< sets the rates from the setpoints, and when they end
   void updateBounds();
-  void noteStandstill();
+  void noteDerived();
   bool hasStroke() const;
   void followOrbit(double elapsed, FrameOfBase& frame) const;
 
@@ -142,6 +145,7 @@ private:
   std::optional<double> next_change_;
   Eigen::Vector2d acceleration_bound_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d displacement_bound_ = Eigen::Vector2d::Zero();
+  double greatest_acceleration_ = 0.0;
   bool oscillates_ = true;                                ///< over the present segment
   bool orbits_ = false;                                   ///< oscillates by more than A sin(phi)
   Eigen::Vector2d standstill_ = Eigen::Vector2d::Zero();  ///< D where the base does not oscillate [m]

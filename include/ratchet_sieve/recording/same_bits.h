@@ -67,7 +67,9 @@ inline bool sameBits(const BaseFrame& a, const BaseFrame& b)
          sameBits(a.base.commanded_frequency, b.base.commanded_frequency) &&
          sameBits(a.base.commanded_amplitude, b.base.commanded_amplitude) &&
          sameBits(a.base.phase, b.base.phase) && sameBits(a.base.displacement, b.base.displacement) &&
-         sameBits(a.base.velocity, b.base.velocity);
+         sameBits(a.base.velocity, b.base.velocity) &&
+         sameBits(a.base.horizontal_displacement, b.base.horizontal_displacement) &&
+         sameBits(a.base.horizontal_velocity, b.base.horizontal_velocity);
 }
 
 inline bool sameBits(const CollisionRates& a, const CollisionRates& b)
