@@ -70,8 +70,8 @@ public:
   /// A slope or a wall, met where `gap` is used up; what a slope is met through besides comes as `window`.
   /// @param normal of the line
   template <typename FindWindow>
-  void meetLine(const BaseFeature& feature, double gap, double rate, const Eigen::Vector2d& normal,
-                FindWindow&& find_window)
+  [[gnu::always_inline]] void meetLine(const BaseFeature& feature, double gap, double rate,
+                                       const Eigen::Vector2d& normal, FindWindow&& find_window)
   {
     // How fast the distance to the line can be accelerated.
     const double acceleration = acceleration_ * forced_.share(normal);

@@ -7,6 +7,17 @@
 
 namespace ratchet_sieve
 {
+namespace
+{
+/// Of the ellipse (X sin(t + lead), Y sin(t)).
+double greatestRadius(const Eigen::Vector2d& amplitudes, double lead)
+{
+  const Eigen::Vector2d squares = amplitudes.cwiseAbs2();
+  const double half_difference = 0.5 * (squares.y() - squares.x());
+  const double joint = amplitudes.prod() * sineCosineOfTurns(lead / RADIANS_PER_TURN).cosine;
+  return std::sqrt(0.5 * squares.sum() + std::sqrt(half_difference * half_difference + joint * joint));
+}
+}  // namespace
 
 Orbit::Orbit(const BaseDefinition& base)
 {
@@ -59,12 +70,19 @@ Eigen::Vector2d Orbit::bound(int derivative) const
 
 DriveBounds driveBounds(const BaseDefinition& base)
 {
-  const Orbit orbit(base);
-  const Drive drive = driveOf(base.amplitude, base.frequency, 0.0, 0.0);
   const double rate = angularFrequency(base.frequency);
-  return {Eigen::Vector2d(0.0, drive.amplitude) + orbit.bound(0),
-          Eigen::Vector2d(0.0, drive.speed) + rate * orbit.bound(1),
-          Eigen::Vector2d(0.0, drive.acceleration) + rate * rate * orbit.bound(2)};
+  const double stroke = greatestRadius({base.horizontal_amplitude, base.amplitude}, base.horizontal_phase);
+  DriveBounds bounds{stroke, rate * stroke, rate * rate * stroke};
+  for (const HarmonicDefinition& harmonic : base.harmonics)
+  {
+    const double radius = greatestRadius({harmonic.horizontal_amplitude, harmonic.amplitude},
+                                         harmonic.horizontal_phase - harmonic.phase);
+    const double pulse = harmonic.multiple * rate;
+    bounds.displacement += radius;
+    bounds.speed += pulse * radius;
+    bounds.acceleration += pulse * pulse * radius;
+  }
+  return bounds;
 }
 
 bool hasStroke(const BaseDefinition& base)

@@ -122,9 +122,9 @@ FinestDisk finestDisk(const SceneDefinition& scene)
   if (scene.boundary == Boundary::WALLED)
     finest.length(wallHeight(scene), "base.wall_height is");
   const DriveBounds drive = driveBounds(scene.base);
-  finest.length(drive.displacement.norm(),
+  finest.length(drive.displacement,
                 Orbit(scene.base).empty() ? "base.amplitude is" : "the drive's displacement is");
-  finest.speed(drive.velocity.norm(), resolution, "the drive's speed is");
+  finest.speed(drive.speed, resolution, "the drive's speed is");
   if (scene.initial.empty() || scene.feed.rate > 0.0)
   {
     finest.length(scene.pour.drop_height, "pour.drop_height is");

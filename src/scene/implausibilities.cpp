@@ -161,35 +161,21 @@ void doubtTeeth(const SceneDefinition& scene, Doubts& doubts)
                meant(base.tooth_height, 1e-3, [&](double height) { return !tall(height); }));
 }
 
-/// How a base is shaken, at the most.
-struct Shaking
-{
-  double stroke;        ///< |D| [m]
-  double speed;         ///< |dD/dt|, of the paper's drive A omega [m/s]
-  double acceleration;  ///< |d2D/dt2|, of the paper's drive A omega^2 [m/s^2]
-};
-
-Shaking shaking(const BaseDefinition& base)
-{
-  const DriveBounds drive = driveBounds(base);
-  return {drive.displacement.norm(), drive.velocity.norm(), drive.acceleration.norm()};
-}
-
-Shaking shakenAt(BaseDefinition base, double frequency)
+DriveBounds drivenAt(BaseDefinition base, double frequency)
 {
   base.frequency = frequency;
-  return shaking(base);
+  return driveBounds(base);
 }
 
-bool isTame(const Shaking& shaking, double gravity)
+bool isTame(const DriveBounds& drive, double gravity)
 {
-  return shaking.speed <= FASTEST && (gravity == 0.0 || shaking.acceleration <= HARDEST_DRIVE * gravity);
+  return drive.speed <= FASTEST && (gravity == 0.0 || drive.acceleration <= HARDEST_DRIVE * gravity);
 }
 
 /// One whose frequency is in turns a minute or in rad/s.
 std::optional<double> meantFrequency(const SceneDefinition& scene)
 {
-  const auto tame = [&](double frequency) { return isTame(shakenAt(scene.base, frequency), scene.gravity); };
+  const auto tame = [&](double frequency) { return isTame(drivenAt(scene.base, frequency), scene.gravity); };
   const auto from_radians = meant(scene.base.frequency, 0.5 / PI, tame);
   return from_radians ? from_radians : meant(scene.base.frequency, 1.0 / 60.0, tame);
 }
@@ -211,7 +197,7 @@ NamedAmplitude namedAmplitude(const BaseDefinition& base)
 void doubtDrive(const SceneDefinition& scene, Doubts& doubts)
 {
   const BaseDefinition& base = scene.base;
-  const Shaking now = shaking(base);
+  const DriveBounds now = driveBounds(base);
   std::string figure =
       "the base moves at up to " + quantity(now.speed, "m/s") + " and " + quantity(now.acceleration, "m/s^2");
   if (scene.gravity > 0.0)
@@ -220,7 +206,7 @@ void doubtDrive(const SceneDefinition& scene, Doubts& doubts)
   const NamedAmplitude named = namedAmplitude(base);
   const double amplitude = base.*named.value;
   const std::string with = std::string("with ") + named.key + " = " + quantity(amplitude, "m") + " ";
-  const bool far = now.stroke > WIDEST_STROKE * base.tooth_width;
+  const bool far = now.displacement > WIDEST_STROKE * base.tooth_width;
   const bool tame = isTame(now, scene.gravity);
   const auto frequency = far ? std::nullopt : meantFrequency(scene);
   if (far || (!tame && !frequency))
@@ -232,8 +218,8 @@ void doubtDrive(const SceneDefinition& scene, Doubts& doubts)
                      {
                        BaseDefinition smaller = base;
                        smaller.*named.value = a;
-                       const Shaking then = shaking(smaller);
-                       return then.stroke <= base.tooth_width && isTame(then, scene.gravity) &&
+                       const DriveBounds then = driveBounds(smaller);
+                       return then.displacement <= base.tooth_width && isTame(then, scene.gravity) &&
                               then.acceleration >= 0.5 * scene.gravity;
                      }));
   else if (!tame)
@@ -241,7 +227,7 @@ void doubtDrive(const SceneDefinition& scene, Doubts& doubts)
   else if (now.acceleration > 0.0 && now.acceleration < SOFTEST_DRIVE * scene.gravity)
     doubts.add(
         "base.frequency", base.frequency, "Hz", with + figure + ", and no disk leaves it",
-        meant(base.frequency, 1e3, [&](double f) { return isTame(shakenAt(base, f), scene.gravity); }));
+        meant(base.frequency, 1e3, [&](double f) { return isTame(drivenAt(base, f), scene.gravity); }));
 }
 
 void doubtAngles(const SceneDefinition& scene, Doubts& doubts)
@@ -364,7 +350,7 @@ double ordinarySpeed(const SceneDefinition& scene)
                      : 0.0;
   for (const InitialDisk& disk : scene.initial)
     start = std::max(start, speedOf(disk) + fallSpeed(scene, std::abs(disk.y)));
-  return start + fallSpeed(scene, scene.base.tooth_height) + shaking(scene.base).speed;
+  return start + fallSpeed(scene, scene.base.tooth_height) + driveBounds(scene.base).speed;
 }
 
 void doubtContact(const SceneDefinition& scene, Doubts& doubts)

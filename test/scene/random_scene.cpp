@@ -178,7 +178,7 @@ void drawPairs(SceneDefinition& scene)
 /// The sharpest that anything is accelerated against the base [m/s^2].
 double acceleration(const SceneDefinition& scene)
 {
-  return scene.gravity + driveBounds(scene.base).acceleration.norm();
+  return scene.gravity + driveBounds(scene.base).acceleration;
 }
 
 /// Nothing moves the disks but what they have, and no contact makes energy. What would come to rest in
@@ -262,7 +262,7 @@ void drawDuration(SceneDefinition& scene)
   const double drop = scene.pour.drop_height;
   const double impact = std::sqrt(scene.pour.speed * scene.pour.speed + 2.0 * scene.gravity * drop);
   const double fall = impact > 0.0 && scene.initial.empty() ? 2.0 * drop / (impact + scene.pour.speed) : 0.0;
-  double fastest = std::max({impact, driveBounds(scene.base).velocity.norm(), scene.contact.min_rebound_speed,
+  double fastest = std::max({impact, driveBounds(scene.base).speed, scene.contact.min_rebound_speed,
                              scene.base.tooth_width / time_scale});
   for (const InitialDisk& disk : scene.initial)
     fastest = std::max(fastest, std::hypot(disk.vx, disk.vy));

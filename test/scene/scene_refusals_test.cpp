@@ -50,7 +50,7 @@ const Refusal SHAPES[] = {
     {"HarmonicWithoutAMultiple", "teeth: 20", "harmonics: [{amplitude: 1}], teeth: 20",
      "s.yaml:1: base.harmonics.0.multiple: missing"},
     {"HarmonicOfTheFirstMultiple", "teeth: 20", "harmonics: [{multiple: 1}], teeth: 20",
-     "s.yaml:1: base.harmonics.0.multiple = 1: must be a whole number from 2 to 100"},
+     "s.yaml:1: base.harmonics.0.multiple = 1: must be an integer from 2 to 100"},
     {"HarmonicThatIsNoMap", "teeth: 20", "harmonics: [2], teeth: 20",
      "s.yaml:1: base.harmonics.0 = 2: must be a map"},
     {"HarmonicsThatAreNoList", "teeth: 20", "harmonics: {multiple: 2}, teeth: 20",

@@ -48,12 +48,12 @@ private:
   std::vector<Term> terms_;
 };
 
-/// The drive as a scene has it: sup |D|, sup |dD/dt|, sup |d2D/dt2| of each component. World frame.
+/// The drive as a scene has it: bounds on |D|, |dD/dt| and |d2D/dt2|, which a drive without harmonics comes to.
 struct DriveBounds
 {
-  Eigen::Vector2d displacement;  ///< [m]
-  Eigen::Vector2d velocity;      ///< [m/s]
-  Eigen::Vector2d acceleration;  ///< [m/s^2]
+  double displacement;  ///< [m]
+  double speed;         ///< [m/s]
+  double acceleration;  ///< [m/s^2]
 };
 
 DriveBounds driveBounds(const BaseDefinition& base);
