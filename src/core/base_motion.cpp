@@ -240,11 +240,15 @@ bool BaseMotion::hasStroke() const
   return amplitude_.start != 0.0 || amplitude_.rate != 0.0 || (!orbit_.empty() && !scaled_);
 }
 
-/// What follows from the rest, and is not archived. Without amplitude, or with a phase that stands still, the drive gives the same displacement over all of
-/// the segment, to the last bit.
+/// What follows from the rest, and is not archived. Without amplitude, or with a phase that stands still, the
+/// drive gives the same displacement over all of the segment, to the last bit.
 void BaseMotion::noteDerived()
 {
   greatest_acceleration_ = acceleration_bound_.norm();
+  const double cosine = std::abs(rotation_.cosine);
+  const double sine = std::abs(rotation_.sine);
+  const Eigen::Vector2d& bound = displacement_bound_;
+  reach_ = {sine * bound.y() + cosine * bound.x(), cosine * bound.y() + sine * bound.x()};
   const bool halted = frequency_.start == 0.0 && frequency_.rate == 0.0 && amplitude_.rate == 0.0;
   oscillates_ = always_drive_ || (hasStroke() && !halted);
   orbits_ = oscillates_ && !orbit_.empty();

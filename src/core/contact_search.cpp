@@ -88,9 +88,7 @@ bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, dou
       sawtooth_.boundary() != Boundary::PERIODIC)
     return false;
   const Rotation& rotation = motion_.rotation();
-  const Eigen::Vector2d& reach = motion_.displacementBound();
-  const double top =
-      sawtooth_.height() + radius + (rotation.cosine * reach.y() + std::abs(rotation.sine) * reach.x());
+  const double top = sawtooth_.height() + radius + motion_.reach().y();
   const auto above = [&](double time)
   {
     const Two place = courseAt(disk, time, gravity_).place;
@@ -108,7 +106,7 @@ double ContactSearch::nearTime(const Disk& disk, double radius, double from) con
   FrameOfBase mount;
   mount.rotation = motion_.rotation();
   const BasePoint p = seenFromBase(disk, mount, from);
-  const Eigen::Vector2d reach = mount.reach(motion_.displacementBound());
+  const Eigen::Vector2d& reach = motion_.reach();
   const auto fall = verticalIntoBase(mount.rotation, -gravity_);
 
   double wait = INFINITE_TIME;

@@ -9,23 +9,30 @@ namespace ratchet_sieve
 {
 namespace
 {
+/// Without whole turns, which would take digits from a phase.
+double turnsOf(double phase)
+{
+  const double turns = phase / RADIANS_PER_TURN;
+  return turns - std::floor(turns);
+}
+
 /// Of the ellipse (X sin(t + lead), Y sin(t)).
 double greatestRadius(const Eigen::Vector2d& amplitudes, double lead)
 {
   const Eigen::Vector2d squares = amplitudes.cwiseAbs2();
   const double half_difference = 0.5 * (squares.y() - squares.x());
-  const double joint = amplitudes.prod() * sineCosineOfTurns(lead / RADIANS_PER_TURN).cosine;
+  const double joint = amplitudes.prod() * sineCosineOfTurns(turnsOf(lead)).cosine;
   return std::sqrt(0.5 * squares.sum() + std::sqrt(half_difference * half_difference + joint * joint));
 }
 }  // namespace
 
 Orbit::Orbit(const BaseDefinition& base)
 {
-  add({1, {base.horizontal_amplitude, 0.0}, {base.horizontal_phase / RADIANS_PER_TURN, 0.0}});
+  add({1, {base.horizontal_amplitude, 0.0}, {turnsOf(base.horizontal_phase), 0.0}});
   for (const HarmonicDefinition& harmonic : base.harmonics)
     add({harmonic.multiple,
          {harmonic.horizontal_amplitude, harmonic.amplitude},
-         {harmonic.horizontal_phase / RADIANS_PER_TURN, harmonic.phase / RADIANS_PER_TURN}});
+         {turnsOf(harmonic.horizontal_phase), turnsOf(harmonic.phase)}});
 }
 
 void Orbit::add(const Term& term)

@@ -56,6 +56,25 @@ TEST(Orbit, IsTheSumOfItsSines)
   }
 }
 
+/// Whole turns in its phases take no digits from it.
+TEST(Orbit, OfManyTurnsIsTheSame)
+{
+  BaseDefinition base = test::onAnOrbit(test::mixture(1)).base;
+  base.horizontal_phase = 0.25 * PI;
+  BaseDefinition turned = base;
+  turned.horizontal_phase = 0.25 * PI * (1.0 + 8.0 * 0x1p17);
+  const double step = 1e-7;
+  for (int i = 0; i < 100; ++i)
+  {
+    const double time = i * step;
+    const double off =
+        BaseMotion(base).at(time).displacement.x() - BaseMotion(turned).at(time).displacement.x();
+    const double at_start =
+        BaseMotion(base).at(0.0).displacement.x() - BaseMotion(turned).at(0.0).displacement.x();
+    EXPECT_NEAR(off, at_start, 1e-15);
+  }
+}
+
 /// Velocity and acceleration against differences, on ramps too.
 TEST(Orbit, MovesAtItsVelocityWithinItsBounds)
 {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include <Eigen/Core>
 
 #include "ratchet_sieve/core/rotation.h"
@@ -49,15 +47,6 @@ struct FrameOfBase
   {
     const auto turned = outOfBase(rotation, vector.x(), vector.y());
     return {turned.first, turned.second};
-  }
-
-  /// How far what a vector of the world can be, whose components are up to these, reaches along each axis of
-  /// the base.
-  Eigen::Vector2d reach(const Eigen::Vector2d& bound) const
-  {
-    const double cosine = std::abs(rotation.cosine);
-    const double sine = std::abs(rotation.sine);
-    return {sine * bound.y() + cosine * bound.x(), cosine * bound.y() + sine * bound.x()};
   }
 
   /// A place in the frame of the base as the world has it.

@@ -90,6 +90,9 @@ public:
   /// sup |D| of each component over the present segment [m].
   const Eigen::Vector2d& displacementBound() const { return displacement_bound_; }
 
+  /// The same along the base and normal to it, while it does not turn.
+  const Eigen::Vector2d& reach() const { return reach_; }
+
   void archive(StateArchive& state)
   {
     state(inclination_, frequency_, amplitude_, slew_rates_, segment_start_, turns_, rotation_.cosine,
@@ -146,6 +149,7 @@ private:
   Eigen::Vector2d acceleration_bound_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d displacement_bound_ = Eigen::Vector2d::Zero();
   double greatest_acceleration_ = 0.0;
+  Eigen::Vector2d reach_ = Eigen::Vector2d::Zero();
   bool oscillates_ = true;                                ///< over the present segment
   bool orbits_ = false;                                   ///< oscillates by more than A sin(phi)
   Eigen::Vector2d standstill_ = Eigen::Vector2d::Zero();  ///< D where the base does not oscillate [m]
