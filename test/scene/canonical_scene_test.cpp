@@ -132,8 +132,18 @@ std::vector<InitialDisk> someDisks(std::size_t species)
 SceneDefinition anyScene()
 {
   SceneDefinition scene;
-  scene.base = {*rc::gen::inRange(1, 100), number(0.1, 1.0), number(0.0, 1.0),  number(0.0, 1.0),
-                number(-1.5, 1.5),         number(0.0, 0.1), number(0.0, 99.0), number(-9.0, 9.0)};
+  scene.base = {*rc::gen::inRange(1, 100),
+                number(0.1, 1.0),
+                number(0.0, 1.0),
+                number(0.0, 1.0),
+                number(-1.5, 1.5),
+                number(0.0, 0.1),
+                number(0.0, 99.0),
+                number(-9.0, 9.0),
+                0.0,
+                0.0,
+                0.0,
+                {}};
   scene.base.wall_height = *rc::gen::arbitrary<bool>() ? number(0.1, 1.0) : 0.0;
   if (*rc::gen::arbitrary<bool>())
   {

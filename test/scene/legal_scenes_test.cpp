@@ -138,7 +138,7 @@ private:
     RC_ASSERT(std::isfinite(energy_));
     const bool same_disks = active_ == simulation_.activeDisks() && scene_.feed.rate == 0.0;
     active_ = simulation_.activeDisks();
-    const bool at_rest = scene_.base.amplitude * scene_.base.frequency == 0.0;
+    const bool at_rest = driveBounds(scene_.base).speed == 0.0;
     const bool level =
         scene_.boundary != Boundary::PERIODIC || scene_.gravity * scene_.base.inclination == 0.0;
     if (!same_disks || !at_rest || !level || scene_.contact.min_rebound_speed > 0.0)

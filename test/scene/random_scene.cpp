@@ -187,7 +187,10 @@ double acceleration(const SceneDefinition& scene)
 void bringToRest(SceneDefinition& scene)
 {
   if (drawnChance(50))
-    scene.base = withAmplitude(scene.base, 0.0);
+  {
+    scene.base.amplitude = scene.base.horizontal_amplitude = 0.0;
+    scene.base.harmonics.clear();
+  }
   else
     scene.base.frequency = 0.0;
   scene.contact.min_rebound_speed = 0.0;
