@@ -38,7 +38,11 @@ void BaseMotion::Ramp::advance(double elapsed)
 }
 
 BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn, bool always_drive)
-    : max_turn_(max_turn), always_drive_(always_drive)
+    : orbit_(base),
+      scene_amplitude_(base.amplitude),
+      scaled_(base.amplitude > 0.0),
+      max_turn_(max_turn),
+      always_drive_(always_drive)
 {
   for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
     ramp(q.quantity) = {base.*q.definition, 0.0, base.*q.definition};
@@ -68,26 +72,40 @@ void BaseMotion::lookAt(double time, FrameOfBase& frame) const
   frame.inclination = inclination_.at(elapsed);
   frame.inclination_rate = inclination_.rate;
   frame.rotation = rotation_;
-  frame.displacement.y() = standstill_;
-  frame.velocity.y() = 0.0;
-  if (oscillates_ && !next_change_)
+  if (!oscillates_)
+  {
+    frame.displacement = standstill_;
+    frame.velocity.setZero();
+  }
+  else if (!next_change_)
   {
     // At its setpoints: the same to the last bit, without the ramps.
     const auto stroke = strokeAt(drive(), time);
-    frame.displacement.y() = stroke.displacement;
-    frame.velocity.y() = stroke.velocity;
+    frame.displacement = {0.0, stroke.displacement};
+    frame.velocity = {0.0, stroke.velocity};
   }
-  else if (oscillates_)
+  else
   {
     const auto phase = sineCosineOfTurns(turns(elapsed));
     const auto stroke =
         strokeAtPhase(driveOf(amplitude_.at(elapsed), frequency_.at(elapsed), time, turns(elapsed)), phase);
-    frame.displacement.y() = stroke.displacement;
-    frame.velocity.y() = stroke.velocity + amplitude_.rate * phase.sine;
+    frame.displacement = {0.0, stroke.displacement};
+    frame.velocity = {0.0, stroke.velocity + amplitude_.rate * phase.sine};
   }
+  if (orbits_)
+    followOrbit(elapsed, frame);
   if (!turning())
     return;
   frame.rotation = rotationBy(frame.inclination);
+}
+
+void BaseMotion::followOrbit(double elapsed, FrameOfBase& frame) const
+{
+  const Orbit::Point point = orbit_.at(turns(elapsed));
+  const double scale = orbitScale(amplitude_.at(elapsed));
+  const double phase_rate = angularFrequency(frequency_.at(elapsed));
+  frame.displacement += scale * point.displacement;
+  frame.velocity += scale * phase_rate * point.slope + orbitScaleRate() * point.displacement;
 }
 
 DriveState BaseMotion::state(double time) const
@@ -103,6 +121,8 @@ DriveState BaseMotion::state(double time) const
   state.phase = RADIANS_PER_TURN * fraction(turns(elapsed));
   state.displacement = frame.displacement.y();
   state.velocity = frame.velocity.y();
+  state.horizontal_displacement = frame.displacement.x();
+  state.horizontal_velocity = frame.velocity.x();
   return state;
 }
 
@@ -143,7 +163,7 @@ void BaseMotion::plan()
   if (turning())
     next_change_ = std::min(*next_change_, segment_start_ + max_turn_ / std::abs(inclination_.rate));
   updateBounds();
-  noteStandstill();
+  noteDerived();
 }
 
 void BaseMotion::beginSegment(double time)
@@ -184,12 +204,17 @@ void BaseMotion::setSlewRates(const SlewRates& rates, double time)
 double BaseMotion::speedBound() const
 {
   const double phase_rate = angularFrequency(std::max(frequency_.start, frequency_.target));
-  return phase_rate * std::max(amplitude_.start, amplitude_.target) + std::abs(amplitude_.rate);
+  const double amplitude = std::max(amplitude_.start, amplitude_.target);
+  const Eigen::Vector2d stroke(0.0, phase_rate * amplitude + std::abs(amplitude_.rate));
+  const Eigen::Vector2d orbit =
+      orbitScale(amplitude) * phase_rate * orbit_.bound(1) + std::abs(orbitScaleRate()) * orbit_.bound(0);
+  return (stroke + orbit).norm();
 }
 
 double BaseMotion::throwHeight(double gravity) const
 {
-  const double speed = drive().speed;
+  const double speed =
+      drive().speed + orbitScale(amplitude_.start) * angularFrequency(frequency_.start) * orbit_.bound(1).y();
   return gravity > 0.0 ? 0.5 * speed * speed / gravity : std::numeric_limits<double>::infinity();
 }
 
@@ -198,19 +223,41 @@ void BaseMotion::updateBounds()
   const double length = next_change_ ? *next_change_ - segment_start_ : 0.0;
   const double amplitude = std::max(amplitude_.start, amplitude_.at(length));
   const double phase_rate = angularFrequency(std::max(frequency_.start, frequency_.at(length)));
-  acceleration_bound_ = amplitude * phase_rate * phase_rate + 2.0 * std::abs(amplitude_.rate) * phase_rate +
-                        amplitude * RADIANS_PER_TURN * std::abs(frequency_.rate);
-  displacement_bound_ = amplitude;
+  const double phase_acceleration = RADIANS_PER_TURN * std::abs(frequency_.rate);
+  const double scale = orbitScale(amplitude);
+  const Eigen::Vector2d orbit =
+      scale * phase_rate * phase_rate * orbit_.bound(2) +
+      (2.0 * std::abs(orbitScaleRate()) * phase_rate + scale * phase_acceleration) * orbit_.bound(1);
+  const double stroke = amplitude * phase_rate * phase_rate + 2.0 * std::abs(amplitude_.rate) * phase_rate +
+                        amplitude * phase_acceleration;
+  acceleration_bound_ = Eigen::Vector2d(0.0, stroke) + orbit;
+  displacement_bound_ = Eigen::Vector2d(0.0, amplitude) + scale * orbit_.bound(0);
 }
 
-/// Without amplitude, or with a phase that stands still, the drive gives the same displacement over all of
-/// the segment, to the last bit.
-void BaseMotion::noteStandstill()
+/// Over the present segment, by whatever the phase is.
+bool BaseMotion::hasStroke() const
 {
-  const bool flat = amplitude_.start == 0.0 && amplitude_.rate == 0.0;
+  return amplitude_.start != 0.0 || amplitude_.rate != 0.0 || (!orbit_.empty() && !scaled_);
+}
+
+/// What follows from the rest, and is not archived. Without amplitude, or with a phase that stands still, the
+/// drive gives the same displacement over all of the segment, to the last bit.
+void BaseMotion::noteDerived()
+{
+  greatest_acceleration_ = acceleration_bound_.norm();
+  const double cosine = std::abs(rotation_.cosine);
+  const double sine = std::abs(rotation_.sine);
+  const Eigen::Vector2d& bound = displacement_bound_;
+  reach_ = {sine * bound.y() + cosine * bound.x(), cosine * bound.y() + sine * bound.x()};
   const bool halted = frequency_.start == 0.0 && frequency_.rate == 0.0 && amplitude_.rate == 0.0;
-  oscillates_ = always_drive_ || !(flat || halted);
-  standstill_ = flat ? 0.0 : amplitude_.start * sineCosineOfTurns(turns_).sine;
+  oscillates_ = always_drive_ || (hasStroke() && !halted);
+  orbits_ = oscillates_ && !orbit_.empty();
+  standstill_.setZero();
+  if (oscillates_ || !hasStroke())
+    return;
+  standstill_.y() = amplitude_.start * sineCosineOfTurns(turns_).sine;
+  if (!orbit_.empty())
+    standstill_ += orbitScale(amplitude_.start) * orbit_.at(turns_).displacement;
 }
 
 }  // namespace ratchet_sieve

@@ -18,14 +18,23 @@ inline double speedBound(const BasePoint& point)
   return point.velocity.lpNorm<1>();
 }
 
-/// The line along which a disk is accelerated as seen from the base; any while the base turns.
+/// How a disk is accelerated as seen from the base, over the bound on that: up or down in the world, and
+/// sideways; anyhow while the base turns.
 struct ContactSearch::Direction
 {
   bool any = true;
-  Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< of unit length
+  Eigen::Vector2d upright = Eigen::Vector2d::Zero();   ///< of length 1 where there is nothing sideways
+  Eigen::Vector2d sideways = Eigen::Vector2d::Zero();  ///< at right angles to it
+  bool oblique = false;                                ///< whether there is anything sideways
 
-  /// How much of it shows along a unit normal.
-  double share(const Eigen::Vector2d& normal) const { return any ? 1.0 : std::abs(along.dot(normal)); }
+  /// How much of it shows along a unit normal at most.
+  double share(const Eigen::Vector2d& normal) const
+  {
+    if (any)
+      return 1.0;
+    const double share = std::abs(upright.dot(normal));
+    return oblique ? std::min(1.0, share + std::abs(sideways.dot(normal))) : share;
+  }
 };
 
 /// One step of the search: the disk as it is, the shortest time any feature guarantees, and whether one
@@ -33,7 +42,7 @@ struct ContactSearch::Direction
 class ContactSearch::Step
 {
 public:
-  /// @param acceleration bounds the relative one; it points along `forced` or against it
+  /// @param acceleration bounds the relative one; it points as `forced` has it
   Step(const BasePoint& point, double radius, double acceleration, const Direction& forced, double span,
        double resolution)
       : point(point),
@@ -61,8 +70,8 @@ public:
   /// A slope or a wall, met where `gap` is used up; what a slope is met through besides comes as `window`.
   /// @param normal of the line
   template <typename FindWindow>
-  void meetLine(const BaseFeature& feature, double gap, double rate, const Eigen::Vector2d& normal,
-                FindWindow&& find_window)
+  [[gnu::always_inline]] void meetLine(const BaseFeature& feature, double gap, double rate,
+                                       const Eigen::Vector2d& normal, FindWindow&& find_window)
   {
     // How fast the distance to the line can be accelerated.
     const double acceleration = acceleration_ * forced_.share(normal);

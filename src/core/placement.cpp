@@ -34,7 +34,7 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   const SceneDefinition& scene = state.scene();
   const FrameOfBase base = state.motion().at(time);
   BaseDefinition shape = scene.base;
-  shape.amplitude = state.motion().displacementBound();
+  shape.amplitude = state.motion().displacementBound().norm();
   Pour pour(shape, scene.boundary, scene.pour.drop_height, state.largestDiameter(),
             scene.contact.pair_collisions);
   for (std::uint32_t id = 0; id < state.disks().size(); ++id)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ratchet_sieve/core/orbit.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -45,10 +47,11 @@ Plan planOf(const SceneDefinition& scene)
   // Not how many disks there are: another may be poured on at any time.
   plan.pairs = scene.contact.pair_collisions;
   plan.spin = hasFriction(scene) || startsWithSpin(scene);
-  plan.drive = scene.base.amplitude > 0.0 && scene.base.frequency > 0.0;
+  plan.drive = hasStroke(scene.base) && scene.base.frequency > 0.0;
+  plan.orbit = !Orbit(scene.base).empty();
   plan.contact_times = scene.contact.contact_duration > 0.0;
   plan.search_above_band = false;
-  plan.lanes = !plan.pairs && scene.boundary == Boundary::PERIODIC && !plan.contact_times;
+  plan.lanes = !plan.pairs && scene.boundary == Boundary::PERIODIC && !plan.contact_times && !plan.orbit;
   return plan;
 }
 
@@ -56,6 +59,7 @@ Plan fullPlan(const SceneDefinition& scene)
 {
   Plan plan;
   plan.pairs = scene.contact.pair_collisions;
+  plan.orbit = planOf(scene).orbit;
   plan.lanes = planOf(scene).lanes;
   return plan;
 }
@@ -63,7 +67,7 @@ Plan fullPlan(const SceneDefinition& scene)
 bool covers(const Plan& plan, const SceneDefinition& scene)
 {
   const Plan needed = planOf(scene);
-  return plan.pairs == needed.pairs && includes(plan.spin, needed.spin) &&
+  return plan.pairs == needed.pairs && plan.orbit == needed.orbit && includes(plan.spin, needed.spin) &&
          includes(plan.drive, needed.drive) && includes(plan.contact_times, needed.contact_times) &&
          includes(needed.lanes, plan.lanes);
 }
@@ -73,9 +77,13 @@ std::string planText(const Plan& plan)
   std::string line = plan.pairs ? "pairs" : "no pairs (disks do not see each other)";
   line += plan.spin ? ", spin" : ", no spin (no friction turns a disk)";
   line += plan.drive ? ", drive" : ", no drive (the base stands still)";
+  if (plan.orbit)
+    line += " with a horizontal part or harmonics";
   line += plan.contact_times ? ", contact times" : ", no contact times (contact_duration is 0)";
   line += plan.search_above_band ? ", base search everywhere" : ", no base search above the base's reach";
-  line += plan.lanes ? ", lanes" : ", no lanes (for single disks on a periodic base without contact times)";
+  line += plan.lanes ? ", lanes"
+                     : ", no lanes (for single disks without contact times on a periodic base that is driven "
+                       "up and down by a sine)";
   return line;
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <sstream>
 
-#include "ratchet_sieve/core/drive.h"
+#include "ratchet_sieve/core/orbit.h"
 #include "ratchet_sieve/core/walls.h"
 
 namespace ratchet_sieve
@@ -80,8 +80,8 @@ double timeScale(const SceneDefinition& scene)
   const BaseDefinition& base = scene.base;
   double scale = std::numeric_limits<double>::infinity();
   // A frequency without an amplitude moves nothing.
-  if (base.frequency > 0.0 && base.amplitude > 0.0)
-    scale = 1.0 / base.frequency;
+  if (base.frequency > 0.0 && hasStroke(base))
+    scale = 1.0 / (base.frequency * Orbit(base).highestMultiple());
   if (scene.gravity > 0.0)
     scale = std::min(scale, std::sqrt(base.tooth_width / scene.gravity));
   if (const double speed = startSpeed(scene); speed > 0.0)
@@ -121,9 +121,10 @@ FinestDisk finestDisk(const SceneDefinition& scene)
   finest.length(scene.base.tooth_height, "base.tooth_height is");
   if (scene.boundary == Boundary::WALLED)
     finest.length(wallHeight(scene), "base.wall_height is");
-  finest.length(scene.base.amplitude, "base.amplitude is");
-  finest.speed(driveOf(scene.base.amplitude, scene.base.frequency, 0.0, 0.0).speed, resolution,
-               "the drive's speed is");
+  const DriveBounds drive = driveBounds(scene.base);
+  finest.length(drive.displacement,
+                Orbit(scene.base).empty() ? "base.amplitude is" : "the drive's displacement is");
+  finest.speed(drive.speed, resolution, "the drive's speed is");
   if (scene.initial.empty() || scene.feed.rate > 0.0)
   {
     finest.length(scene.pour.drop_height, "pour.drop_height is");

@@ -35,6 +35,7 @@ Json planParts(const Plan& plan)
   json["pairs"] = plan.pairs;
   json["spin"] = plan.spin;
   json["drive"] = plan.drive;
+  json["orbit"] = plan.orbit;
   json["contact_times"] = plan.contact_times;
   json["search_above_band"] = plan.search_above_band;
   json["lanes"] = plan.lanes;

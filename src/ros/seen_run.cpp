@@ -14,18 +14,19 @@ namespace
 constexpr std::size_t BASES_KEPT = 100;
 
 /// The base a little later: the drive goes on, what slews is left where it was.
-BaseFrame carriedOn(BaseFrame frame, double time)
+BaseFrame carriedOn(const SceneDefinition& scene, BaseFrame frame, double time)
 {
   if (frame.time == time)
     return frame;
-  BaseDefinition drive;
-  drive.amplitude = frame.base.amplitude;
+  BaseDefinition drive = withAmplitude(scene.base, frame.base.amplitude);
   drive.frequency = frame.base.frequency;
   drive.phase = frame.base.phase;
   const DriveState later = BaseMotion(drive).state(time - frame.time);
   frame.base.phase = later.phase;
   frame.base.displacement = later.displacement;
   frame.base.velocity = later.velocity;
+  frame.base.horizontal_displacement = later.horizontal_displacement;
+  frame.base.horizontal_velocity = later.horizontal_velocity;
   frame.time = time;
   return frame;
 }
@@ -111,10 +112,10 @@ std::optional<double> SeenRun::time() const
 BaseFrame SeenRun::baseAt(double time) const
 {
   if (bases_.empty())
-    return carriedOn(baseOf(*scene_), time);
+    return carriedOn(*scene_, baseOf(*scene_), time);
   const auto later = std::upper_bound(bases_.begin(), bases_.end(), time,
                                       [](double t, const BaseFrame& base) { return t < base.time; });
-  return carriedOn(later == bases_.begin() ? *later : *std::prev(later), time);
+  return carriedOn(*scene_, later == bases_.begin() ? *later : *std::prev(later), time);
 }
 
 Picture SeenRun::picture() const

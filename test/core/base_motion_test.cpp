@@ -45,7 +45,7 @@ TEST(BaseMotion, VelocityIsTheDerivativeWhileEverythingSlews)
     EXPECT_NEAR(motion.at(t).velocity.y(), slope, 1e-6);
     const double curvature =
         (motion.at(t + step).velocity.y() - motion.at(t - step).velocity.y()) / (2.0 * step);
-    EXPECT_LE(std::abs(curvature), motion.accelerationBound());
+    EXPECT_LE(std::abs(curvature), motion.accelerationBound().y());
     EXPECT_NEAR(motion.at(t).inclination, 0.1 * t, 1e-15);
   }
 }

@@ -19,6 +19,16 @@ double drawn(double low, double high)
   return low + (high - low) * (*rc::gen::inRange(0, 1000001) * 1e-6);
 }
 
+/// Straight and oblique, circular, or with any harmonics.
+void drawOrbit(BaseDefinition& base)
+{
+  base.horizontal_amplitude = *rc::gen::element(0.0, 0.002, -0.005, 0.01);
+  base.horizontal_phase = *rc::gen::element(0.0, 1.5707963267948966, 4.0);
+  for (int count = *rc::gen::inRange(0, 3); count > 0; --count)
+    base.harmonics.push_back({*rc::gen::inRange(2, 8), drawn(-0.001, 0.001), drawn(0.0, 6.28),
+                              drawn(-0.001, 0.001), drawn(0.0, 6.28)});
+}
+
 /// One of the shapes that bite: plain, vertical faces, flat, needles, fine and coarse teeth, upside down.
 BaseDefinition drawnBase()
 {
@@ -29,6 +39,8 @@ BaseDefinition drawnBase()
   base.inclination = *rc::gen::element(0.0, 0.209, -0.1, 1.2, 2.5);
   base.amplitude = *rc::gen::element(0.0, 0.002, 0.01);
   base.phase = drawn(0.0, 6.28);
+  if (*rc::gen::arbitrary<bool>())
+    drawOrbit(base);
   return base;
 }
 
@@ -136,6 +148,7 @@ TEST(ContactSearch, FindsTheFirstContactOnABaseThatTurns)
         motion.setSlewRates({*rc::gen::element(0.01, 0.3, 2.0), 10.0, 0.002}, 0.0);
         motion.command(Quantity::INCLINATION, base.inclination + *rc::gen::element(-1.0, 1.0), 0.0);
         motion.command(Quantity::FREQUENCY, 60.0, 0.0);
+        motion.command(Quantity::AMPLITUDE, *rc::gen::element(base.amplitude, base.amplitude + 0.002), 0.0);
         RC_PRE(*motion.nextChange() > HORIZON);
         checkAgainstScan(motion, sawtooth, drawnDisk(motion, sawtooth));
       }));

@@ -89,6 +89,30 @@ TEST_F(Seen, carriesTheDriveOnToTheTimeOfTheDisks)
   EXPECT_NEAR(shown.base.velocity, later.base.velocity, 1e-12);
 }
 
+/// After a setpoint of the amplitude, which scales all of it.
+TEST_F(Seen, carriesAnOrbitOnToTheTimeOfTheDisks)
+{
+  SceneDefinition scene = smallMixture();
+  scene.base.horizontal_amplitude = 0.001;
+  scene.base.horizontal_phase = 1.2;
+  scene.base.harmonics = {{2, 0.0002, 0.3, 0.0001, 0.9}};
+  Simulation simulation(scene);
+  simulation.command(Quantity::AMPLITUDE, 0.5 * scene.base.amplitude);
+  simulation.advanceTo(2.0);
+  const BaseFrame earlier = makeBaseFrame(simulation);
+  simulation.advanceTo(2.01);
+  const BaseFrame later = makeBaseFrame(simulation);
+  seen.take(sceneFrame(scene));
+  seen.take(earlier);
+  seen.take(particlesAt(2.01));
+  const DriveState shown = seen.picture().base.base;
+  EXPECT_NEAR(shown.displacement, later.base.displacement, 1e-15);
+  EXPECT_NEAR(shown.velocity, later.base.velocity, 1e-12);
+  EXPECT_NEAR(shown.horizontal_displacement, later.base.horizontal_displacement, 1e-15);
+  EXPECT_NEAR(shown.horizontal_velocity, later.base.horizontal_velocity, 1e-12);
+  EXPECT_NE(shown.horizontal_displacement, earlier.base.horizontal_displacement);
+}
+
 TEST_F(Seen, showsTheBaseOfTheSceneWhereNoneWasRecorded)
 {
   seen.take(particlesAt(0.0));

@@ -9,13 +9,16 @@
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/drive.h"
 #include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/orbit.h"
 
 namespace ratchet_sieve
 {
 
 /// The base's motion over time: theta, f and A each stand still or follow their setpoint at a
-/// constant rate; the phase of the drive is continuous. Piecewise: within a segment nothing changes
-/// its rate; nextChange() ends it. Times are local to the engine's present epoch [s].
+/// constant rate; the phase of the drive is continuous. What the drive has besides A sin(phi) goes by that
+/// phase, too, and is scaled with A: by A over that of the scene, where the scene has one. Piecewise: within
+/// a segment nothing changes its rate; nextChange() ends it. Times are local to the engine's present epoch
+/// [s].
 class BaseMotion
 {
 public:
@@ -40,7 +43,7 @@ public:
   /// By theta at the segment's start: while the base does not turn, by theta as it is.
   const Rotation& rotation() const { return rotation_; }
 
-  /// At the segment's start: while nothing changes, as it goes on.
+  /// A sin(phi) at the segment's start: while nothing changes, as it goes on.
   Drive drive() const { return driveOf(amplitude_.start, frequency_.start, segment_start_, turns_); }
 
   /// When the present segment ends; nothing while the base stands at its setpoints.
@@ -64,34 +67,38 @@ public:
   double inclinationRate() const { return inclination_.rate; }
 
   /// Whether the drive moves the base, over the present segment.
-  bool swings() const
-  {
-    return (amplitude_.start != 0.0 || amplitude_.rate != 0.0) &&
-           (frequency_.start != 0.0 || frequency_.rate != 0.0);
-  }
+  bool swings() const { return hasStroke() && (frequency_.start != 0.0 || frequency_.rate != 0.0); }
 
   /// Phase of the drive over 2 pi, and when it has a later one, as the present segment goes on; nothing if it
   /// never comes there. Whole turns before the segment are not counted.
   double turnsAt(double time) const { return turns(time - segment_start_); }
   std::optional<double> timeOfTurns(double turns) const;
 
-  /// sup |d2Y/dt2| over the present segment [m/s^2].
-  double accelerationBound() const { return acceleration_bound_; }
+  /// sup |d2D/dt2| of each component over the present segment [m/s^2].
+  const Eigen::Vector2d& accelerationBound() const { return acceleration_bound_; }
 
-  /// sup |dY/dt| of the oscillation as it is and on the way to its setpoints [m/s].
+  /// The length of accelerationBound().
+  double greatestAcceleration() const { return greatest_acceleration_; }
+
+  /// sup |dD/dt| of the oscillation as it is and on the way to its setpoints [m/s].
   double speedBound() const;
 
-  /// How high the drive throws a disk that leaves it at its highest speed [m]; infinity without gravity.
+  /// How high the drive throws a disk that leaves it at its highest speed upwards [m]; infinity without
+  /// gravity.
   double throwHeight(double gravity) const;
 
-  /// sup |Y| over the present segment [m].
-  double displacementBound() const { return displacement_bound_; }
+  /// sup |D| of each component over the present segment [m].
+  const Eigen::Vector2d& displacementBound() const { return displacement_bound_; }
+
+  /// The same along the base and normal to it, while it does not turn.
+  const Eigen::Vector2d& reach() const { return reach_; }
 
   void archive(StateArchive& state)
   {
     state(inclination_, frequency_, amplitude_, slew_rates_, segment_start_, turns_, rotation_.cosine,
-          rotation_.sine, next_change_, acceleration_bound_, displacement_bound_);
-    noteStandstill();
+          rotation_.sine, next_change_, acceleration_bound_.x(), acceleration_bound_.y(),
+          displacement_bound_.x(), displacement_bound_.y());
+    noteDerived();
   }
 
 private:
@@ -115,7 +122,13 @@ private:
   void pursue(Ramp& ramp, double slew_rate) const;
   void plan();  ///< sets the rates from the setpoints, and when they end
   void updateBounds();
-  void noteStandstill();
+  void noteDerived();
+  bool hasStroke() const;
+  void followOrbit(double elapsed, FrameOfBase& frame) const;
+
+  /// By what the orbit is scaled where A is this.
+  double orbitScale(double amplitude) const { return scaled_ ? amplitude / scene_amplitude_ : 1.0; }
+  double orbitScaleRate() const { return scaled_ ? amplitude_.rate / scene_amplitude_ : 0.0; }
 
   Ramp inclination_;
   Ramp frequency_;
@@ -124,16 +137,22 @@ private:
   static constexpr std::array<Ramp BaseMotion::*, QUANTITIES> RAMPS = {
       &BaseMotion::inclination_, &BaseMotion::frequency_, &BaseMotion::amplitude_};
   SlewRates slew_rates_;
+  Orbit orbit_;
+  double scene_amplitude_;  ///< A of the scene [m]
+  bool scaled_;             ///< whether that is one to scale the orbit by
   double max_turn_;
   bool always_drive_;
   double segment_start_ = 0.0;
   double turns_ = 0.0;  ///< phase of the drive at segment_start_ over 2 pi, in [0, 1)
   Rotation rotation_{1.0, 0.0};
   std::optional<double> next_change_;
-  double acceleration_bound_ = 0.0;
-  double displacement_bound_ = 0.0;
-  bool oscillates_ = true;   ///< over the present segment
-  double standstill_ = 0.0;  ///< Y where the base does not oscillate [m]
+  Eigen::Vector2d acceleration_bound_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d displacement_bound_ = Eigen::Vector2d::Zero();
+  double greatest_acceleration_ = 0.0;
+  Eigen::Vector2d reach_ = Eigen::Vector2d::Zero();
+  bool oscillates_ = true;                                ///< over the present segment
+  bool orbits_ = false;                                   ///< oscillates by more than A sin(phi)
+  Eigen::Vector2d standstill_ = Eigen::Vector2d::Zero();  ///< D where the base does not oscillate [m]
 };
 
 /// The base at the instant that was last asked for: what happens at one time asks several times.

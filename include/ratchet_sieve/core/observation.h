@@ -50,9 +50,11 @@ struct DriveState
   double commanded_inclination = 0.0;
   double commanded_frequency = 0.0;
   double commanded_amplitude = 0.0;
-  double phase = 0.0;         ///< of the drive, in [0, 2 pi) [rad]
-  double displacement = 0.0;  ///< Y, upwards in the world [m]
-  double velocity = 0.0;      ///< dY/dt [m/s]
+  double phase = 0.0;                    ///< of the drive, in [0, 2 pi) [rad]
+  double displacement = 0.0;             ///< Y, upwards in the world [m]
+  double velocity = 0.0;                 ///< dY/dt [m/s]
+  double horizontal_displacement = 0.0;  ///< along world x [m]
+  double horizontal_velocity = 0.0;      ///< along world x [m/s]
 };
 
 RATCHET_SIEVE_FIELDS(DriveState)
@@ -66,6 +68,8 @@ RATCHET_SIEVE_FIELDS(DriveState)
   RATCHET_SIEVE_FIELD(phase, "rad");
   RATCHET_SIEVE_FIELD(displacement, "m");
   RATCHET_SIEVE_FIELD(velocity, "m/s");
+  RATCHET_SIEVE_FIELD(horizontal_displacement, "m");
+  RATCHET_SIEVE_FIELD(horizontal_velocity, "m/s");
 }
 
 /// One executed collision.
