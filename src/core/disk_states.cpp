@@ -22,17 +22,17 @@ void forEachDiskState(const MachineState& machine, double time,
   const FrameOfBase base = machine.motion().at(time);
   const double width = machine.sawtooth().width();
   const bool periodic = machine.scene().boundary == Boundary::PERIODIC;
-  for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
+  for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)
   {
-    if (!machine.active(id))
+    if (!machine.active(slot))
       continue;
-    const Disk disk = flown(machine.disk(id), time, machine.scene().gravity);
+    const Disk disk = flown(machine.disk(slot), time, machine.scene().gravity);
     const double s = base.into(Eigen::Vector2d(disk.x, disk.y) - base.displacement).x();
     const Image image = periodic ? machine.image(-wholeWidths(s, 1.0 / width), time) : Image();
     DiskState state;
-    state.id = machine.id(id);
+    state.id = machine.id(slot);
     state.species = disk.species;
-    state.displacement = machine.passages().displacement(id, disk.x);
+    state.displacement = machine.passages().displacement(slot, disk.x);
     state.x = disk.x + image.shift.x();
     state.y = disk.y + image.shift.y();
     state.vx = disk.vx + image.velocity.x();

@@ -57,11 +57,11 @@ void EnergyWatch::look(const MachineState& machine, double time)
   if (scale <= 0.0)
     return;
   const auto& species = machine.scene().species;
-  for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
+  for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)
   {
-    if (!machine.active(id))
+    if (!machine.active(slot))
       continue;
-    const Disk& disk = machine.disk(id);
+    const Disk& disk = machine.disk(slot);
     const SpeciesDefinition& kind = species[disk.species];
     const double rim = disk.spin * kind.radius;
     const double energy = 0.5 * (disk.vx * disk.vx + disk.vy * disk.vy + kind.inertia_factor * rim * rim) +
@@ -72,7 +72,7 @@ void EnergyWatch::look(const MachineState& machine, double time)
     largest_ = scales;
     if (scales > ALARM && !first_)
       first_ = First{machine.epoch().start + time, kind.mass * energy, flown(disk, time, gravity_).y, scales,
-                     machine.id(id)};
+                     machine.id(slot)};
   }
 }
 

@@ -96,8 +96,9 @@ std::optional<LaneScene> laneScene(const MachineState& machine)
 
 BaseEvent rowEvent(const LaneBatch& batch, std::size_t row)
 {
-  return {batch.due[row], baseFeature(static_cast<LaneFeature>(static_cast<std::int32_t>(batch.feature[row])),
-                                      static_cast<std::int32_t>(batch.valley[row]))};
+  return {batch.event_time[row],
+          baseFeature(static_cast<LaneFeature>(static_cast<std::int32_t>(batch.feature[row])),
+                      static_cast<std::int32_t>(batch.valley[row]))};
 }
 
 void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
@@ -128,7 +129,7 @@ void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, 
   batch.impulse_x[row] = impulse.x();
   batch.impulse_y[row] = impulse.y();
   const LaneContact contact = laneContact(next.feature);
-  batch.due[row] = next.time;
+  batch.event_time[row] = next.time;
   batch.feature[row] = contact.feature;
   batch.valley[row] = contact.valley;
 }
@@ -159,7 +160,7 @@ void copyRow(LaneBatch& batch, std::size_t from, std::size_t to)
                          batch.per_mass,    batch.radius_by_inertia,
                          batch.translation, batch.rotation,
                          batch.impulse_x,   batch.impulse_y,
-                         batch.offset,      batch.due,
+                         batch.offset,      batch.event_time,
                          batch.valley,      batch.feature,
                          batch.s,           batch.n,
                          batch.vs,          batch.vn})

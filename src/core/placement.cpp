@@ -15,14 +15,14 @@ namespace
 constexpr std::size_t DISKS_PER_LOOK = 1024;
 
 /// A disk where it is at `time`, as the pour sees it.
-PlacedDisk placed(const MachineState& machine, std::uint32_t id, const FrameOfBase& base, double time)
+PlacedDisk placed(const MachineState& machine, std::uint32_t slot, const FrameOfBase& base, double time)
 {
-  const Disk disk = flown(machine.disk(id), time, machine.scene().gravity);
+  const Disk disk = flown(machine.disk(slot), time, machine.scene().gravity);
   const double width = machine.sawtooth().width();
   double s = base.into(Eigen::Vector2d(disk.x, disk.y) - base.displacement).x();
   if (machine.scene().boundary == Boundary::PERIODIC)
     s -= width * wholeWidths(s, 1.0 / width);
-  return {s, base.into({disk.x, disk.y}).y(), machine.radius(id)};
+  return {s, base.into({disk.x, disk.y}).y(), machine.radius(slot)};
 }
 
 }  // namespace
@@ -37,9 +37,9 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   shape.amplitude = state.motion().displacementBound();
   Pour pour(shape, scene.boundary, scene.pour.drop_height, state.largestDiameter(),
             scene.contact.pair_collisions);
-  for (std::uint32_t id = 0; id < state.disks().size(); ++id)
-    if (state.active(id))
-      pour.occupy(placed(state, id, base, time));
+  for (std::uint32_t slot = 0; slot < state.disks().size(); ++slot)
+    if (state.active(slot))
+      pour.occupy(placed(state, slot, base, time));
   struct Poured
   {
     PlacedDisk room;

@@ -375,7 +375,7 @@ TEST(Lanes, HandOverTheSameOutcomesAsTheMachine)
         const LaneScene lane_scene = *laneScene(machine.state());
         LaneBatch batch{};
         loadRow(machine, 0, event, batch, 0);
-        presentLaneKernel().meet(lane_scene, batch, 1);
+        presentLaneKernel().collide(lane_scene, batch, 1);
         BaseInstant base(machine.state().motion());
         ContactTimes none(false);
         ContactExecution execution(machine.state(), machine.collapseWatch(), none);
