@@ -40,7 +40,7 @@ std::vector<Eigen::Vector2d> placesOnBase(const MachineState& machine, double ti
   for (const Disk& disk : machine.disks())
   {
     const Disk now = flown(disk, time, machine.scene().gravity);
-    const Eigen::Vector2d point = base.into(Eigen::Vector2d(now.x, now.y) - base.displacement);
+    const Eigen::Vector2d point = base.into(now.position - base.displacement);
     const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
     points.emplace_back(periodic ? point.x() - width * wholeWidths(point.x(), 1.0 / width) : point.x(),
                         point.y());

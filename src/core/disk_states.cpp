@@ -27,16 +27,16 @@ void forEachDiskState(const MachineState& machine, double time,
     if (!machine.active(slot))
       continue;
     const Disk disk = flown(machine.disk(slot), time, machine.scene().gravity);
-    const double s = base.into(Eigen::Vector2d(disk.x, disk.y) - base.displacement).x();
+    const double s = base.into(Eigen::Vector2d(disk.position.x(), disk.position.y()) - base.displacement).x();
     const Image image = periodic ? machine.image(-wholeWidths(s, 1.0 / width), time) : Image();
     DiskState state;
     state.id = machine.id(slot);
     state.species = disk.species;
-    state.displacement = machine.passages().displacement(slot, disk.x);
-    state.x = disk.x + image.shift.x();
-    state.y = disk.y + image.shift.y();
-    state.vx = disk.vx + image.velocity.x();
-    state.vy = disk.vy + image.velocity.y();
+    state.displacement = machine.passages().displacement(slot, disk.position.x());
+    state.x = disk.position.x() + image.shift.x();
+    state.y = disk.position.y() + image.shift.y();
+    state.vx = disk.velocity.x() + image.velocity.x();
+    state.vy = disk.velocity.y() + image.velocity.y();
     state.angle = wrappedAngle(disk.angle);
     state.spin = disk.spin;
     visit(state);

@@ -105,10 +105,10 @@ void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, 
              std::size_t row)
 {
   const Disk& disk = machine.state().disk(slot);
-  batch.x[row] = disk.x;
-  batch.y[row] = disk.y;
-  batch.vx[row] = disk.vx;
-  batch.vy[row] = disk.vy;
+  batch.x[row] = disk.position.x();
+  batch.y[row] = disk.position.y();
+  batch.vx[row] = disk.velocity.x();
+  batch.vy[row] = disk.velocity.y();
   batch.spin[row] = disk.spin;
   batch.angle[row] = disk.angle;
   batch.time[row] = disk.time;
@@ -137,10 +137,10 @@ void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, 
 void storeRow(const LaneBatch& batch, std::size_t row, Machine& machine, std::uint32_t slot, BaseEvent& next)
 {
   Disk& disk = machine.state().changeable(slot);
-  disk.x = batch.x[row];
-  disk.y = batch.y[row];
-  disk.vx = batch.vx[row];
-  disk.vy = batch.vy[row];
+  disk.position.x() = batch.x[row];
+  disk.position.y() = batch.y[row];
+  disk.velocity.x() = batch.vx[row];
+  disk.velocity.y() = batch.vy[row];
   disk.spin = batch.spin[row];
   disk.angle = batch.angle[row];
   disk.time = batch.time[row];
