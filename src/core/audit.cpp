@@ -40,7 +40,7 @@ std::vector<Eigen::Vector2d> placesOnBase(const MachineState& machine, double ti
   for (const Disk& disk : machine.disks())
   {
     const Disk now = flown(disk, time, machine.scene().gravity);
-    const Eigen::Vector2d point = base.into(Eigen::Vector2d(now.x, now.y) - base.displacement);
+    const Eigen::Vector2d point = base.into(now.position - base.displacement);
     const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
     points.emplace_back(periodic ? point.x() - width * wholeWidths(point.x(), 1.0 / width) : point.x(),
                         point.y());
@@ -67,26 +67,26 @@ void forEachNearPair(const MachineState& machine, const std::vector<Eigen::Vecto
   const double width = machine.sawtooth().width();
   const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
   double top = machine.largestDiameter();
-  for (std::uint32_t id = 0; id < points.size(); ++id)
-    if (machine.active(id))
-      top = std::max(top, points[id].y());
+  for (std::uint32_t slot = 0; slot < points.size(); ++slot)
+    if (machine.active(slot))
+      top = std::max(top, points[slot].y());
   CellGrid grid(width, top, AUDIT_CELL * machine.largestDiameter(), points.size(), periodic);
-  for (std::uint32_t id = 0; id < points.size(); ++id)
-    if (machine.active(id))
-      grid.add(id, grid.cellAt(points[id].x(), points[id].y()));
+  for (std::uint32_t slot = 0; slot < points.size(); ++slot)
+    if (machine.active(slot))
+      grid.add(slot, grid.cellAt(points[slot].x(), points[slot].y()));
   std::vector<std::uint32_t> list;
-  for (std::uint32_t id = 0; id < points.size(); ++id)
-    if (machine.active(id))
-      grid.visit(grid.cellOf(id), {}, list,
+  for (std::uint32_t slot = 0; slot < points.size(); ++slot)
+    if (machine.active(slot))
+      grid.visit(grid.cellOf(slot), {}, list,
                  [&](const std::uint32_t* ids, std::size_t count, int shift)
                  {
                    for (const std::uint32_t* other = ids; other != ids + count; ++other)
                    {
-                     if (*other >= id)
+                     if (*other >= slot)
                        continue;
                      const Eigen::Vector2d way =
-                         points[id] - points[*other] - Eigen::Vector2d(shift * width, 0.0);
-                     visit(*other, id, machine.radius(id) + machine.radius(*other) - way.norm());
+                         points[slot] - points[*other] - Eigen::Vector2d(shift * width, 0.0);
+                     visit(*other, slot, machine.radius(slot) + machine.radius(*other) - way.norm());
                    }
                  });
 }
@@ -96,13 +96,13 @@ Audit audit(const MachineState& machine, double time)
 {
   Audit result;
   const auto points = placesOnBase(machine, time);
-  for (std::uint32_t id = 0; id < points.size(); ++id)
+  for (std::uint32_t slot = 0; slot < points.size(); ++slot)
   {
-    if (!machine.active(id))
+    if (!machine.active(slot))
       continue;
-    const double gap = gapToBase(machine, points[id], machine.radius(id));
+    const double gap = gapToBase(machine, points[slot], machine.radius(slot));
     result.largest_overlap = std::max(result.largest_overlap, -gap);
-    if (gap <= -machine.radius(id))
+    if (gap <= -machine.radius(slot))
       ++result.behind_surface;
   }
   if (machine.scene().contact.pair_collisions)
@@ -116,19 +116,19 @@ void refuseBadStart(const MachineState& machine, double time)
 {
   std::ostringstream message;
   const auto points = placesOnBase(machine, time);
-  for (std::uint32_t id = 0; id < points.size(); ++id)
+  for (std::uint32_t slot = 0; slot < points.size(); ++slot)
   {
-    const double s = points[id].x();
+    const double s = points[slot].x();
     if (s < 0.0 || s > machine.sawtooth().width())
     {
-      message << "initial." << id << " is outside the machine: its centre is at s = " << s
+      message << "initial." << slot << " is outside the machine: its centre is at s = " << s
               << " m along the base, allowed is 0 to " << machine.sawtooth().width() << " m";
       throw std::invalid_argument(message.str());
     }
-    const double gap = gapToBase(machine, points[id], machine.radius(id));
-    if (-gap > toleratedOverlap(points[id], machine.radius(id)))
+    const double gap = gapToBase(machine, points[slot], machine.radius(slot));
+    if (-gap > toleratedOverlap(points[slot], machine.radius(slot)))
     {
-      message << "initial." << id << " is buried: it overlaps the base or a wall by " << -gap << " m";
+      message << "initial." << slot << " is buried: it overlaps the base or a wall by " << -gap << " m";
       throw std::invalid_argument(message.str());
     }
   }

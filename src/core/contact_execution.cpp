@@ -66,7 +66,7 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
   const Disk disk = flown(machine_.disk(slot), time, scene.gravity);
   const SpeciesDefinition& species = scene.species[disk.species];
   const FrameOfBase& frame = base.at(time);
-  const BasePoint point = frame.see({disk.x, disk.y}, {disk.vx, disk.vy});
+  const BasePoint point = frame.see(disk.position, disk.velocity);
   const Approach approach = machine_.sawtooth().approach(feature, point, species.radius);
   ContactOutcome outcome;
   outcome.time = time;
@@ -98,9 +98,9 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   const Disk a = flown(machine_.disk(i), time, gravity);
   const Disk b = flown(machine_.disk(j), time, gravity);
   const Image there = machine_.image(shift, time);
-  const Eigen::Vector2d place = Eigen::Vector2d(a.x, a.y) - there.shift - Eigen::Vector2d(b.x, b.y);
+  const Eigen::Vector2d place = a.position - there.shift - b.position;
   const double distance = place.norm();
-  const Eigen::Vector2d velocity = Eigen::Vector2d(a.vx, a.vy) - Eigen::Vector2d(b.vx, b.vy) - there.velocity;
+  const Eigen::Vector2d velocity = a.velocity - b.velocity - there.velocity;
   ContactOutcome outcome;
   outcome.time = time;
   outcome.kind = CollisionKind::DISK_DISK;
@@ -158,7 +158,7 @@ void ContactExecution::push(std::uint32_t slot, const Disk& now, const ContactOu
     machine_.moveTo(slot, now);
   ++disk.flights;
   const double per_mass = sign * response.velocity;
-  Eigen::Map<Eigen::Vector2d, Eigen::Aligned16>(&disk.vx) += per_mass * impulseOf(contact);
+  disk.velocity += per_mass * impulseOf(contact);
   disk.spin -= response.spin * contact.tangential_impulse;
 }
 

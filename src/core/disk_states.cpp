@@ -22,21 +22,21 @@ void forEachDiskState(const MachineState& machine, double time,
   const FrameOfBase base = machine.motion().at(time);
   const double width = machine.sawtooth().width();
   const bool periodic = machine.scene().boundary == Boundary::PERIODIC;
-  for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
+  for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)
   {
-    if (!machine.active(id))
+    if (!machine.active(slot))
       continue;
-    const Disk disk = flown(machine.disk(id), time, machine.scene().gravity);
-    const double s = base.into(Eigen::Vector2d(disk.x, disk.y) - base.displacement).x();
+    const Disk disk = flown(machine.disk(slot), time, machine.scene().gravity);
+    const double s = base.into(Eigen::Vector2d(disk.position.x(), disk.position.y()) - base.displacement).x();
     const Image image = periodic ? machine.image(-wholeWidths(s, 1.0 / width), time) : Image();
     DiskState state;
-    state.id = machine.id(id);
+    state.id = machine.id(slot);
     state.species = disk.species;
-    state.displacement = machine.passages().displacement(id, disk.x);
-    state.x = disk.x + image.shift.x();
-    state.y = disk.y + image.shift.y();
-    state.vx = disk.vx + image.velocity.x();
-    state.vy = disk.vy + image.velocity.y();
+    state.displacement = machine.passages().displacement(slot, disk.position.x());
+    state.x = disk.position.x() + image.shift.x();
+    state.y = disk.position.y() + image.shift.y();
+    state.vx = disk.velocity.x() + image.velocity.x();
+    state.vy = disk.velocity.y() + image.velocity.y();
     state.angle = wrappedAngle(disk.angle);
     state.spin = disk.spin;
     visit(state);

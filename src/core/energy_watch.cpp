@@ -57,22 +57,22 @@ void EnergyWatch::look(const MachineState& machine, double time)
   if (scale <= 0.0)
     return;
   const auto& species = machine.scene().species;
-  for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
+  for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)
   {
-    if (!machine.active(id))
+    if (!machine.active(slot))
       continue;
-    const Disk& disk = machine.disk(id);
+    const Disk& disk = machine.disk(slot);
     const SpeciesDefinition& kind = species[disk.species];
     const double rim = disk.spin * kind.radius;
-    const double energy = 0.5 * (disk.vx * disk.vx + disk.vy * disk.vy + kind.inertia_factor * rim * rim) +
-                          gravity_ * std::max(0.0, disk.y);
+    const double energy = 0.5 * (disk.velocity.squaredNorm() + kind.inertia_factor * rim * rim) +
+                          gravity_ * std::max(0.0, disk.position.y());
     const double scales = energy / scale;
     if (scales <= largest_)
       continue;
     largest_ = scales;
     if (scales > ALARM && !first_)
-      first_ = First{machine.epoch().start + time, kind.mass * energy, flown(disk, time, gravity_).y, scales,
-                     machine.id(id)};
+      first_ = First{machine.epoch().start + time, kind.mass * energy,
+                     flown(disk, time, gravity_).position.y(), scales, machine.id(slot)};
   }
 }
 

@@ -19,7 +19,7 @@ namespace
 /// So many disks are handed to a thread at a time: few enough that all come to an end together.
 constexpr std::size_t DISKS_AT_A_TIME = 16;
 
-/// With fewer due disks for each, threads cost more than they bring.
+/// With fewer disks for each, threads cost more than they bring.
 constexpr std::size_t DISKS_PER_THREAD = 64;
 
 /// Every disk is a loop of its own. The ordinary contacts of all disks are executed many at a time, in the
@@ -38,15 +38,15 @@ public:
   /// A collapse does not keep the other disks from coming as far: all have to be at one time.
   double advanceTo(double time) override
   {
-    due_.clear();
+    behind_.clear();
     for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
-      if (isDue(slot, time))
-        due_.push_back(slot);
+      if (hasEventBy(slot, time))
+        behind_.push_back(slot);
     if (const std::optional<LaneScene> scene = laneScene(state_))
       advanceInLanes(*scene, time);
     else
-      for (const std::uint32_t slot : due_)
-        while (isDue(slot, time))
+      for (const std::uint32_t slot : behind_)
+        while (hasEventBy(slot, time))
           executeNext(slot);
     return time;
   }
@@ -89,18 +89,18 @@ public:
   }
 
 private:
-  bool isDue(std::uint32_t slot, double time) const
+  bool hasEventBy(std::uint32_t slot, double time) const
   {
     return next_[slot].time <= time && state_.active(slot);
   }
 
-  /// Advances the disks in due_; in turns with the machine, where it comes to what is not ordinary.
+  /// Advances the disks in behind_; in turns with the machine, where it comes to what is not ordinary.
   void advanceInLanes(const LaneScene& scene, double time)
   {
-    while (!due_.empty())
+    while (!behind_.empty())
     {
       runLanes(scene, time);
-      due_.clear();
+      behind_.clear();
       for (const std::unique_ptr<LaneRun>& run : runs_)
         takeIn(run->takeReport(), time);
     }
@@ -121,19 +121,19 @@ private:
                                  next = handed_out.fetch_add(DISKS_AT_A_TIME, std::memory_order_relaxed);
                                  end = next + DISKS_AT_A_TIME;
                                }
-                               if (next >= due_.size())
+                               if (next >= behind_.size())
                                  return false;
-                               slot = due_[next++];
+                               slot = behind_[next++];
                                return true;
                              });
     };
-    if (pool_ && due_.size() >= DISKS_PER_THREAD * pool_->workers())
+    if (pool_ && behind_.size() >= DISKS_PER_THREAD * pool_->workers())
       pool_->run(work);
     else
       work(0);
   }
 
-  /// What one thread did. Leaves in due_ the disks that have not come to `time`.
+  /// What one thread did. Leaves in behind_ the disks that have not come to `time`.
   void takeIn(const LaneRun::Report& report, double time)
   {
     events_ += report.events;
@@ -142,17 +142,17 @@ private:
       machine_.record().collisionObserver()(record);
     for (const std::uint32_t slot : report.not_for_lanes)
       if (advanceAlone(slot, time))
-        due_.push_back(slot);
+        behind_.push_back(slot);
   }
 
   /// Executes an event that is not an ordinary one, and more until they are again.
-  /// @return whether there is still something due
+  /// @return whether its next event is by `time` still
   bool advanceAlone(std::uint32_t slot, double time)
   {
     do
       executeNext(slot);
-    while (isDue(slot, time) && machine_.collapseWatch().lossless(slot));
-    return isDue(slot, time);
+    while (hasEventBy(slot, time) && machine_.collapseWatch().lossless(slot));
+    return hasEventBy(slot, time);
   }
 
   void executeNext(std::uint32_t slot)
@@ -185,7 +185,7 @@ private:
   MachineState& state_;
   BaseInstant base_;
   std::vector<BaseEvent> next_;                 ///< per disk
-  std::vector<std::uint32_t> due_;              ///< disks that have not come as far as they are asked to
+  std::vector<std::uint32_t> behind_;           ///< disks that have not come as far as they are asked to
   std::vector<std::unique_ptr<LaneRun>> runs_;  ///< per thread
   std::unique_ptr<WorkerPool> pool_;            ///< nothing where one thread is enough
 };

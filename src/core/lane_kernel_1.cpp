@@ -8,5 +8,5 @@ namespace
 #include "lane_kernel.inc"
 }  // namespace
 
-const LaneKernel KERNEL_OF_ONE_LANE{LANES, meet, search, launch};
+const LaneKernel KERNEL_OF_ONE_LANE{LANES, collide, search, launch};
 }  // namespace ratchet_sieve

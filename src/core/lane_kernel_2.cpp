@@ -12,5 +12,5 @@ namespace
 #include "lane_kernel.inc"
 }  // namespace
 
-const LaneKernel KERNEL_OF_TWO_LANES{LANES, meet, search, launch};
+const LaneKernel KERNEL_OF_TWO_LANES{LANES, collide, search, launch};
 }  // namespace ratchet_sieve

@@ -22,7 +22,7 @@ namespace
 #include "lane_kernel.inc"
 }  // namespace
 
-const LaneKernel KERNEL_OF_FOUR_LANES{LANES, meet, search, launch};
+const LaneKernel KERNEL_OF_FOUR_LANES{LANES, collide, search, launch};
 }  // namespace ratchet_sieve
 
 #if defined(__clang__)

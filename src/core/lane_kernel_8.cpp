@@ -26,7 +26,7 @@ namespace
 #include "lane_kernel.inc"
 }  // namespace
 
-const LaneKernel KERNEL_OF_EIGHT_LANES{LANES, meet, search, launch};
+const LaneKernel KERNEL_OF_EIGHT_LANES{LANES, collide, search, launch};
 }  // namespace ratchet_sieve
 
 #if defined(__clang__)

@@ -96,18 +96,19 @@ std::optional<LaneScene> laneScene(const MachineState& machine)
 
 BaseEvent rowEvent(const LaneBatch& batch, std::size_t row)
 {
-  return {batch.due[row], baseFeature(static_cast<LaneFeature>(static_cast<std::int32_t>(batch.feature[row])),
-                                      static_cast<std::int32_t>(batch.valley[row]))};
+  return {batch.event_time[row],
+          baseFeature(static_cast<LaneFeature>(static_cast<std::int32_t>(batch.feature[row])),
+                      static_cast<std::int32_t>(batch.valley[row]))};
 }
 
 void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
              std::size_t row)
 {
   const Disk& disk = machine.state().disk(slot);
-  batch.x[row] = disk.x;
-  batch.y[row] = disk.y;
-  batch.vx[row] = disk.vx;
-  batch.vy[row] = disk.vy;
+  batch.x[row] = disk.position.x();
+  batch.y[row] = disk.position.y();
+  batch.vx[row] = disk.velocity.x();
+  batch.vy[row] = disk.velocity.y();
   batch.spin[row] = disk.spin;
   batch.angle[row] = disk.angle;
   batch.time[row] = disk.time;
@@ -128,7 +129,7 @@ void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, 
   batch.impulse_x[row] = impulse.x();
   batch.impulse_y[row] = impulse.y();
   const LaneContact contact = laneContact(next.feature);
-  batch.due[row] = next.time;
+  batch.event_time[row] = next.time;
   batch.feature[row] = contact.feature;
   batch.valley[row] = contact.valley;
 }
@@ -136,10 +137,10 @@ void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, 
 void storeRow(const LaneBatch& batch, std::size_t row, Machine& machine, std::uint32_t slot, BaseEvent& next)
 {
   Disk& disk = machine.state().changeable(slot);
-  disk.x = batch.x[row];
-  disk.y = batch.y[row];
-  disk.vx = batch.vx[row];
-  disk.vy = batch.vy[row];
+  disk.position.x() = batch.x[row];
+  disk.position.y() = batch.y[row];
+  disk.velocity.x() = batch.vx[row];
+  disk.velocity.y() = batch.vy[row];
   disk.spin = batch.spin[row];
   disk.angle = batch.angle[row];
   disk.time = batch.time[row];
@@ -159,7 +160,7 @@ void copyRow(LaneBatch& batch, std::size_t from, std::size_t to)
                          batch.per_mass,    batch.radius_by_inertia,
                          batch.translation, batch.rotation,
                          batch.impulse_x,   batch.impulse_y,
-                         batch.offset,      batch.due,
+                         batch.offset,      batch.event_time,
                          batch.valley,      batch.feature,
                          batch.s,           batch.n,
                          batch.vs,          batch.vn})

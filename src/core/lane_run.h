@@ -50,12 +50,13 @@ public:
       ++rows;
     while (rows > 0)
     {
-      kernel.meet(scene, batch_, rows);
+      kernel.collide(scene, batch_, rows);
       takeOutcomes(machine, rows);
       kernel.search(scene, batch_, rows);
       for (std::size_t row = 0; row < rows;)
       {
-        if (batch_.due[row] <= time && admit(machine.collapseWatch(), slots_[row], batch_.due[row]))
+        if (batch_.event_time[row] <= time &&
+            admit(machine.collapseWatch(), slots_[row], batch_.event_time[row]))
         {
           ++row;
           continue;
@@ -78,9 +79,9 @@ public:
 
 private:
   /// Counts the event, if it is an ordinary one.
-  bool admit(CollapseWatch& watch, std::uint32_t slot, double due)
+  bool admit(CollapseWatch& watch, std::uint32_t slot, double time)
   {
-    if (watch.countOrdinary(slot, due))
+    if (watch.countOrdinary(slot, time))
       return true;
     report_.not_for_lanes.push_back(slot);
     return false;

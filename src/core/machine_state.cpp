@@ -144,10 +144,8 @@ void MachineState::wrap(std::uint32_t slot, double shift, double time)
 {
   Disk& disk = fly(slot, time);
   const Image to = image(shift, time);
-  disk.x += to.shift.x();
-  disk.y += to.shift.y();
-  disk.vx += to.velocity.x();
-  disk.vy += to.velocity.y();
+  disk.position += to.shift;
+  disk.velocity += to.velocity;
   passages_.wrapped(slot, -to.shift.x());
 }
 

@@ -39,7 +39,7 @@ constexpr std::size_t DISKS_IN_CACHE = 30000;
 /// One event a disk, its earliest: with a pair, with the base, or with a cell's edge. A predicted
 /// pair whose partner has changed its flight since is found stale when it is due, and the disk
 /// looks for pairs again (Lubachevsky, J. Comput. Phys. 94, 255 (1991)). Ties within a disk go to the
-/// pair, then to the base's feature, then to the cell; ties between disks to the smaller id.
+/// pair, then to the base's feature, then to the cell; ties between disks to the smaller slot.
 ///
 /// The base is searched lazily: no further than the disk's next other event, for most flights end
 /// in a pair before they come to the base.
@@ -81,27 +81,27 @@ public:
     return time;
   }
 
-  void added(std::uint32_t id, double time) override
+  void added(std::uint32_t slot, double time) override
   {
-    predictions_.resize(id + 1);
-    if (id + 1 > grid_capacity_)
+    predictions_.resize(slot + 1);
+    if (slot + 1 > grid_capacity_)
     {
-      grid_capacity_ = 2 * (id + 1);
+      grid_capacity_ = 2 * (slot + 1);
       queue_.resize(grid_capacity_);
       grid_.resize(grid_capacity_);
     }
     // Cells that were laid for far fewer disks would hold too many each.
     if (predictions_.size() > 2 * laid_for_)
       return motionChanged(time);
-    place(id, time);
-    predict(id, time);
+    place(slot, time);
+    predict(slot, time);
   }
 
   void motionChanged(double time) override
   {
     base_.forget();
     layCells(time);
-    forEachActive([&](std::uint32_t id) { predict(id, time); });
+    forEachActive([&](std::uint32_t slot) { predict(slot, time); });
   }
 
   void rebase(double length) override
@@ -123,7 +123,7 @@ public:
     if (!events)
       return false;
     std::vector<BasePoint> points;
-    forEachActive([&](std::uint32_t id) { points.push_back(inGrid(id, time)); });
+    forEachActive([&](std::uint32_t slot) { points.push_back(inGrid(slot, time)); });
     const int spare_laps = state_.scene().boundary == Boundary::PERIODIC ? laps() : 0;
     const LayoutCosts costs(points, state_.sawtooth().width(), *events / state_.epoch().length, spare_laps);
     return fit_.choose(costs, layerLayout(), leastSide());
@@ -164,7 +164,7 @@ private:
     grid_ = makeGrid();
     grid_.resize(grid_capacity_);
     laid_for_ = predictions_.size();
-    forEachActive([&](std::uint32_t id) { place(id, time); });
+    forEachActive([&](std::uint32_t slot) { place(slot, time); });
   }
 
   CellGrid makeGrid()
@@ -211,29 +211,29 @@ private:
   template <typename Visit>
   void forEachActive(Visit&& visit) const
   {
-    for (std::uint32_t id = 0; id < predictions_.size(); ++id)
-      if (state_.active(id))
-        visit(id);
+    for (std::uint32_t slot = 0; slot < predictions_.size(); ++slot)
+      if (state_.active(slot))
+        visit(slot);
   }
 
   /// A disk in the frame of the cells, which stands still.
-  BasePoint inGrid(std::uint32_t id, double time) const
+  BasePoint inGrid(std::uint32_t slot, double time) const
   {
-    const Course now = courseAt(state_.disk(id), time, state_.scene().gravity);
+    const Course now = courseAt(state_.disk(slot), time, state_.scene().gravity);
     return {frame_.into(vectorOf(now.place)), frame_.into(vectorOf(now.velocity))};
   }
 
   /// Puts a disk into its cell, once it is within the ring: cells that were laid anew may have left
   /// it outside.
-  void place(std::uint32_t id, double time)
+  void place(std::uint32_t slot, double time)
   {
-    state_.bringHome(id, inGrid(id, time).s(), time);
-    grid_.add(id, cellNow(id, time));
+    state_.bringHome(slot, inGrid(slot, time).s(), time);
+    grid_.add(slot, cellNow(slot, time));
   }
 
-  CellGrid::Cell cellNow(std::uint32_t id, double time) const
+  CellGrid::Cell cellNow(std::uint32_t slot, double time) const
   {
-    const BasePoint p = inGrid(id, time);
+    const BasePoint p = inGrid(slot, time);
     return grid_.cellAt(p.s(), p.n());
   }
 
@@ -245,17 +245,17 @@ private:
     if (predictions_.size() < DISKS_IN_CACHE)
       return;
     queue_.upTo(ahead_.end(), next_);
-    for (const std::uint32_t id : next_)
-      prefetchEvent(id);
-    for (const std::uint32_t id : next_)
+    for (const std::uint32_t slot : next_)
+      prefetchEvent(slot);
+    for (const std::uint32_t slot : next_)
     {
-      const PairContact& pair = predictions_[id].pair;
+      const PairContact& pair = predictions_[slot].pair;
       if (pair.time <= ahead_.end())
         prefetchEvent(pair.partner);
-      grid_.prefetchAround(grid_.cellOf(id));
+      grid_.prefetchAround(grid_.cellOf(slot));
     }
-    for (const std::uint32_t id : next_)
-      grid_.visit(grid_.cellOf(id), {}, near_,
+    for (const std::uint32_t slot : next_)
+      grid_.visit(grid_.cellOf(slot), {}, near_,
                   [this](const std::uint32_t* others, std::size_t count, int)
                   {
                     for (std::size_t i = 0; i < count; ++i)
@@ -263,101 +263,101 @@ private:
                   });
   }
 
-  void prefetchEvent(std::uint32_t id) const
+  void prefetchEvent(std::uint32_t slot) const
   {
-    prefetch(predictions_[id]);
-    grid_.prefetchCellOf(id);
-    machine_.prefetchEvent(id);
+    prefetch(predictions_[slot]);
+    grid_.prefetchCellOf(slot);
+    machine_.prefetchEvent(slot);
   }
 
-  void process(std::uint32_t id)
+  void process(std::uint32_t slot)
   {
     const double now = queue_.topTime();
-    if (machine_.collapseWatch().count(id, now) && machine_.collapseWatch().stops())
+    if (machine_.collapseWatch().count(slot, now) && machine_.collapseWatch().stops())
       return;
     ++events_;
-    Prediction& p = predictions_[id];
+    Prediction& p = predictions_[slot];
     if (p.pair.time <= now)
-      processPair(id, now);
+      processPair(slot, now);
     else if (p.base.feature && p.base.time <= now)
-      processBase(id, now);
+      processBase(slot, now);
     else if (p.edge != Edge::NONE && p.cell_time <= now)
-      crossEdge(id, now);
+      crossEdge(slot, now);
     else
-      refresh(id);
+      refresh(slot);
   }
 
-  void processPair(std::uint32_t id, double now)
+  void processPair(std::uint32_t slot, double now)
   {
-    const Prediction p = predictions_[id];
+    const Prediction p = predictions_[slot];
     if (!state_.active(p.pair.partner) || state_.disk(p.pair.partner).flights != p.partner_flights)
     {
-      searchPairs(id, now);
-      refresh(id);
+      searchPairs(slot, now);
+      refresh(slot);
       return;
     }
-    machine_.collidePair(id, p.pair.partner, p.pair.shift, now);
-    predict(id, now);
+    machine_.collidePair(slot, p.pair.partner, p.pair.shift, now);
+    predict(slot, now);
     predict(p.pair.partner, now);
   }
 
-  void processBase(std::uint32_t id, double now)
+  void processBase(std::uint32_t slot, double now)
   {
-    machine_.handleBaseEvent(id, predictions_[id].base.feature, now, base_);
-    if (state_.active(id))
-      return predict(id, now);
-    grid_.remove(id);
-    predictions_[id] = Prediction();
-    queue_.update(id, EventQueue::NEVER);
+    machine_.handleBaseEvent(slot, predictions_[slot].base.feature, now, base_);
+    if (state_.active(slot))
+      return predict(slot, now);
+    grid_.remove(slot);
+    predictions_[slot] = Prediction();
+    queue_.update(slot, EventQueue::NEVER);
   }
 
-  void crossEdge(std::uint32_t id, double now)
+  void crossEdge(std::uint32_t slot, double now)
   {
     fit_.crossed();
-    CellGrid::Cell cell = grid_.cellOf(id);
-    const Edge edge = predictions_[id].edge;
-    grid_.remove(id);
+    CellGrid::Cell cell = grid_.cellOf(slot);
+    const Edge edge = predictions_[slot].edge;
+    grid_.remove(slot);
     cell.column += edge == Edge::RIGHT ? 1 : edge == Edge::LEFT ? -1 : 0;
     cell.row += edge == Edge::UPPER ? 1 : edge == Edge::LOWER ? -1 : 0;
     const int laps = cell.column < 0 ? -1 : cell.column >= grid_.columns() ? 1 : 0;
     if (laps != 0)
     {
       if (grid_.laps() > 0)
-        state_.bringHome(id, inGrid(id, now).s(), now);
+        state_.bringHome(slot, inGrid(slot, now).s(), now);
       else
-        state_.wrap(id, -laps, now);
+        state_.wrap(slot, -laps, now);
       cell.column -= laps * grid_.columns();
-      cell.row = cellNow(id, now).row;
-      grid_.add(id, cell);
-      predict(id, now);
+      cell.row = cellNow(slot, now).row;
+      grid_.add(slot, cell);
+      predict(slot, now);
       return;
     }
-    grid_.add(id, cell);
-    searchNewPairs(id, edge, now);
-    predictions_[id].edge = Edge::NONE;
-    predictions_[id].cell_time = now;
-    refresh(id);
+    grid_.add(slot, cell);
+    searchNewPairs(slot, edge, now);
+    predictions_[slot].edge = Edge::NONE;
+    predictions_[slot].cell_time = now;
+    refresh(slot);
   }
 
   /// A new flight: everything is predicted anew.
-  void predict(std::uint32_t id, double now)
+  void predict(std::uint32_t slot, double now)
   {
-    searchPairs(id, now);
-    Prediction& p = predictions_[id];
+    searchPairs(slot, now);
+    Prediction& p = predictions_[slot];
     p.edge = Edge::NONE;
     p.cell_time = now;
     p.base = {now, {}};
-    refresh(id);
+    refresh(slot);
   }
 
-  void searchPairs(std::uint32_t id, double now)
+  void searchPairs(std::uint32_t slot, double now)
   {
-    predictions_[id].pair = PairContact();
-    searchPairsIn(id, {}, now);
+    predictions_[slot].pair = PairContact();
+    searchPairsIn(slot, {}, now);
   }
 
   /// After an edge was crossed: only the three cells that have come near.
-  void searchNewPairs(std::uint32_t id, Edge edge, double now)
+  void searchNewPairs(std::uint32_t slot, Edge edge, double now)
   {
     CellGrid::Surroundings around;
     switch (edge)
@@ -377,14 +377,14 @@ private:
       case Edge::NONE:
         return;
     }
-    searchPairsIn(id, around, now);
+    searchPairsIn(slot, around, now);
   }
 
-  void searchPairsIn(std::uint32_t id, const CellGrid::Surroundings& around, double now)
+  void searchPairsIn(std::uint32_t slot, const CellGrid::Surroundings& around, double now)
   {
-    Prediction& p = predictions_[id];
-    const PairSearch search(state_, id, now);
-    grid_.visit(grid_.cellOf(id), around, near_,
+    Prediction& p = predictions_[slot];
+    const PairSearch search(state_, slot, now);
+    grid_.visit(grid_.cellOf(slot), around, near_,
                 [&](const std::uint32_t* others, std::size_t count, int shift)
                 {
                   const PairContact found = grid_.laps() > 0
@@ -398,11 +398,11 @@ private:
   }
 
   /// When the disk leaves its cell after p.cell_time, and by which edge, if it does so before `until`.
-  void searchEdge(std::uint32_t id, Prediction& p, double until) const
+  void searchEdge(std::uint32_t slot, Prediction& p, double until) const
   {
     const double now = p.cell_time;
-    const CellGrid::Cell cell = grid_.cellOf(id);
-    const BasePoint at = inGrid(id, now);
+    const CellGrid::Cell cell = grid_.cellOf(slot);
+    const BasePoint at = inGrid(slot, now);
     const auto fall = verticalIntoBase(frame_.rotation, -state_.scene().gravity);
     p.cell_time = until;
     const auto leave = [&](Edge edge, double gap, double rate, double accel)
@@ -430,15 +430,15 @@ private:
 
   /// Carries the searches of the cell's edges and of the base on to the disk's next other event, and
   /// queues the earliest.
-  void refresh(std::uint32_t id)
+  void refresh(std::uint32_t slot)
   {
-    Prediction& p = predictions_[id];
+    Prediction& p = predictions_[slot];
     if (p.edge == Edge::NONE && p.cell_time < p.pair.time)
-      searchEdge(id, p, p.pair.time);
+      searchEdge(slot, p, p.pair.time);
     const double others = std::min(p.pair.time, p.cell_time);
     if (!p.base.feature && p.base.time < others)
-      p.base = state_.nextBaseEvent(id, p.base.time, others, base_);
-    queue_.update(id, std::min(others, p.base.time));
+      p.base = state_.nextBaseEvent(slot, p.base.time, others, base_);
+    queue_.update(slot, std::min(others, p.base.time));
   }
 
   Machine& machine_;

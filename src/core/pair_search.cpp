@@ -24,7 +24,7 @@ PairContact PairSearch::firstAmong(const std::uint32_t* others, std::size_t coun
   if (shift != 0 && machine_.motion().turning())
   {
     for (std::size_t i = 0; i < count; ++i)
-      if (const auto time = others[i] == id_ ? std::nullopt : contactWith(others[i], shift))
+      if (const auto time = others[i] == slot_ ? std::nullopt : contactWith(others[i], shift))
         first.take({*time, others[i], shift});
     return first;
   }
@@ -156,7 +156,7 @@ std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, in
   double time = from_;
   for (int step = 0; time < until_; ++step)
   {
-    const Course a = courseAt(machine_.disk(id_), time, gravity);
+    const Course a = courseAt(machine_.disk(slot_), time, gravity);
     const Course b = courseAt(other, time, gravity);
     const Image there = machine_.image(shift, time);
     const Eigen::Vector2d place = vectorOf(a.place) - there.shift - vectorOf(b.place);

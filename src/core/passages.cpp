@@ -6,8 +6,8 @@ namespace ratchet_sieve
 void Passages::entered(const Disk& disk, double time)
 {
   Passage passage;
-  passage.entered_x = disk.x;
-  passage.counted_x = disk.x;
+  passage.entered_x = disk.position.x();
+  passage.counted_x = disk.position.x();
   passage.counted_from = time;
   passages_.push_back(passage);
 }
@@ -16,7 +16,7 @@ void Passages::integrate(Passage& passage, const Disk& disk, double local_time) 
 {
   const double span = local_time - disk.time;
   const double fall = gravity_ * span;
-  passage.translation += translationOver(disk.vx, disk.vy, fall, span);
+  passage.translation += translationOver(disk.velocity.x(), disk.velocity.y(), fall, span);
   if (spin_)
     passage.rotation += rotationOver(disk.spin, span);
 }
@@ -35,7 +35,7 @@ void Passages::restart(const std::vector<Disk>& disks, const std::vector<std::ui
     integrate(before, disks[slot], local_time);
     passage.translation = -before.translation;
     passage.rotation = -before.rotation;
-    passage.counted_x = flown(disks[slot], local_time, gravity_).x + passage.offset;
+    passage.counted_x = flown(disks[slot], local_time, gravity_).position.x() + passage.offset;
     passage.counted_from = time;
   }
 }

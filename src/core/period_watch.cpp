@@ -43,10 +43,10 @@ std::vector<std::optional<double>> granularTemperatures(const MachineState& mach
 {
   const std::vector<SpeciesDefinition>& species = machine.scene().species;
   std::vector<Velocities> velocities(species.size());
-  for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
-    if (machine.active(id))
+  for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)
+    if (machine.active(slot))
     {
-      const Disk& disk = machine.disk(id);
+      const Disk& disk = machine.disk(slot);
       velocities[disk.species].add(vectorOf(courseAt(disk, time, machine.scene().gravity).velocity));
     }
   std::vector<std::optional<double>> temperatures;

@@ -15,14 +15,14 @@ namespace
 constexpr std::size_t DISKS_PER_LOOK = 1024;
 
 /// A disk where it is at `time`, as the pour sees it.
-PlacedDisk placed(const MachineState& machine, std::uint32_t id, const FrameOfBase& base, double time)
+PlacedDisk placed(const MachineState& machine, std::uint32_t slot, const FrameOfBase& base, double time)
 {
-  const Disk disk = flown(machine.disk(id), time, machine.scene().gravity);
+  const Disk disk = flown(machine.disk(slot), time, machine.scene().gravity);
   const double width = machine.sawtooth().width();
-  double s = base.into(Eigen::Vector2d(disk.x, disk.y) - base.displacement).x();
+  double s = base.into(Eigen::Vector2d(disk.position.x(), disk.position.y()) - base.displacement).x();
   if (machine.scene().boundary == Boundary::PERIODIC)
     s -= width * wholeWidths(s, 1.0 / width);
-  return {s, base.into({disk.x, disk.y}).y(), machine.radius(id)};
+  return {s, base.into({disk.position.x(), disk.position.y()}).y(), machine.radius(slot)};
 }
 
 }  // namespace
@@ -37,9 +37,9 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   shape.amplitude = state.motion().displacementBound().norm();
   Pour pour(shape, scene.boundary, scene.pour.drop_height, state.largestDiameter(),
             scene.contact.pair_collisions);
-  for (std::uint32_t id = 0; id < state.disks().size(); ++id)
-    if (state.active(id))
-      pour.occupy(placed(state, id, base, time));
+  for (std::uint32_t slot = 0; slot < state.disks().size(); ++slot)
+    if (state.active(slot))
+      pour.occupy(placed(state, slot, base, time));
   struct Poured
   {
     PlacedDisk room;
@@ -61,9 +61,9 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   {
     const Eigen::Vector2d place = base.outOf({room.s + base.into(base.displacement).x(), room.n});
     Disk disk;
-    disk.x = place.x();
-    disk.y = place.y();
-    disk.vy = -scene.pour.speed;
+    disk.position.x() = place.x();
+    disk.position.y() = place.y();
+    disk.velocity.y() = -scene.pour.speed;
     disk.time = time;
     disk.species = kind;
     machine.add(disk);
@@ -75,10 +75,8 @@ void placeInitialDisks(Machine& machine, double time)
   for (const InitialDisk& initial : machine.state().scene().initial)
   {
     Disk disk;
-    disk.x = initial.x;
-    disk.y = initial.y;
-    disk.vx = initial.vx;
-    disk.vy = initial.vy;
+    disk.position = {initial.x, initial.y};
+    disk.velocity = {initial.vx, initial.vy};
     disk.spin = initial.spin;
     disk.time = time;
     disk.species = static_cast<std::uint32_t>(initial.species);

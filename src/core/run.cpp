@@ -14,12 +14,12 @@
 namespace ratchet_sieve
 {
 
-const Run::MachineEvent Run::MACHINE_EVENTS[] = {{&Run::settleDue, &Run::settle},
-                                                 {&Run::blockEndDue, &Run::endBlock},
-                                                 {&Run::periodLookDue, &Run::lookAtPeriod},
-                                                 {&Run::segmentEndDue, &Run::beginSegment},
-                                                 {&Run::feedDue, &Run::feed},
-                                                 {&Run::epochEndDue, &Run::endEpoch}};
+const Run::MachineEvent Run::MACHINE_EVENTS[] = {{&Run::nextSettle, &Run::settle},
+                                                 {&Run::nextBlockEnd, &Run::endBlock},
+                                                 {&Run::nextPeriodLook, &Run::lookAtPeriod},
+                                                 {&Run::nextSegmentEnd, &Run::beginSegment},
+                                                 {&Run::nextFeed, &Run::feed},
+                                                 {&Run::nextEpochEnd, &Run::endEpoch}};
 
 Run::Run(const SceneDefinition& scene, const Plan& plan, double start_time, const PourObserver& pour_observer)
     : machine_(scene, plan), random_(scene.seed), energy_watch_(scene), start_(start_time)
@@ -106,7 +106,7 @@ double Run::nextMachineEvent() const
 {
   double next = std::numeric_limits<double>::infinity();
   for (const MachineEvent& event : MACHINE_EVENTS)
-    next = std::min(next, (this->*event.due)().value_or(next));
+    next = std::min(next, (this->*event.when)().value_or(next));
   // Records of an ensemble wait until they are sorted: not too many of them.
   if (sorter_.watched())
     next = std::min(next, now_ + machine().timeScale());
@@ -116,15 +116,15 @@ double Run::nextMachineEvent() const
 bool Run::executeMachineEvent()
 {
   for (const MachineEvent& event : MACHINE_EVENTS)
-    if (const auto due = (this->*event.due)(); due && *due <= now_)
+    if (const auto when = (this->*event.when)(); when && *when <= now_)
     {
-      (this->*event.execute)();
+      (this->*event.what)();
       return true;
     }
   return false;
 }
 
-std::optional<double> Run::settleDue() const
+std::optional<double> Run::nextSettle() const
 {
   return settled_ ? std::nullopt : local(settledTime());
 }
@@ -137,7 +137,7 @@ void Run::settle()
 
 /// The series from which the errors of the means are found goes by the machine's time scale. Disks that do
 /// not see each other are independent, and need none.
-std::optional<double> Run::blockEndDue() const
+std::optional<double> Run::nextBlockEnd() const
 {
   if (!settled_ || !hasPairs())
     return std::nullopt;
@@ -155,7 +155,7 @@ void Run::beginSegment()
   changeMotion([](BaseMotion& motion, double now) { motion.beginSegment(now); });
 }
 
-std::optional<double> Run::feedDue() const
+std::optional<double> Run::nextFeed() const
 {
   const double rate = machine().scene().feed.rate;
   return rate > 0.0 ? local(start_ + static_cast<double>(fed_ + 1) / rate) : std::nullopt;

@@ -69,33 +69,33 @@ public:
   std::size_t auditOverlaps();
 
 private:
-  /// What happens to the machine as a whole: when it is next due, and what is done then.
+  /// What happens to the machine as a whole: when next, and what is done then.
   struct MachineEvent
   {
-    std::optional<double> (Run::*due)() const;
-    void (Run::*execute)();
+    std::optional<double> (Run::*when)() const;
+    void (Run::*what)();
   };
 
-  /// All of them; of those that are due at one time the first comes first.
+  /// All of them; of those at one time the first comes first.
   static const MachineEvent MACHINE_EVENTS[];
 
   std::unique_ptr<EventLoop> makeLoop();
   double nextMachineEvent() const;
 
-  /// Executes one of the events that are due, if any is.
+  /// Executes one of the events whose time has come, if there is any.
   bool executeMachineEvent();
 
-  std::optional<double> settleDue() const;
+  std::optional<double> nextSettle() const;
   void settle();
-  std::optional<double> blockEndDue() const;
+  std::optional<double> nextBlockEnd() const;
   void endBlock();
-  std::optional<double> periodLookDue() const { return periods_.next(); }
+  std::optional<double> nextPeriodLook() const { return periods_.next(); }
   void lookAtPeriod() { periods_.look(now_); }
-  std::optional<double> segmentEndDue() const { return machine().motion().nextChange(); }
+  std::optional<double> nextSegmentEnd() const { return machine().motion().nextChange(); }
   void beginSegment();
-  std::optional<double> feedDue() const;
+  std::optional<double> nextFeed() const;
   void feed();
-  std::optional<double> epochEndDue() const { return machine().epoch().length; }
+  std::optional<double> nextEpochEnd() const { return machine().epoch().length; }
   void endEpoch();
 
   /// @param time of the run [s]

@@ -136,14 +136,10 @@ std::vector<std::optional<double>> Simulation::granularTemperatures() const
   return ratchet_sieve::granularTemperatures(implementation_->machine(), implementation_->now());
 }
 
-double Simulation::baseImpulseX() const
+Eigen::Vector2d Simulation::baseImpulse() const
 {
-  return implementation_->settled() ? implementation_->record().impulses().total().x() : 0.0;
-}
-
-double Simulation::baseImpulseY() const
-{
-  return implementation_->settled() ? implementation_->record().impulses().total().y() : 0.0;
+  return implementation_->settled() ? implementation_->record().impulses().total()
+                                    : Eigen::Vector2d(Eigen::Vector2d::Zero());
 }
 
 double Simulation::energy() const

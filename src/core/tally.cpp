@@ -63,8 +63,8 @@ std::vector<Tally::Sums> Tally::sums(const MachineState& machine, double time) c
     if (!machine.active(slot))
       addLeft(machine, slot, sums);
     else
-      sums[disk.species].add(machine.passages().until(slot, disk, time), flown(disk, time, gravity).x,
-                             machine.epoch().start + time);
+      sums[disk.species].add(machine.passages().until(slot, disk, time),
+                             flown(disk, time, gravity).position.x(), machine.epoch().start + time);
   }
   return sums;
 }
@@ -74,7 +74,7 @@ void Tally::addLeft(const MachineState& machine, std::uint32_t slot, std::vector
   const Passage& passage = machine.passages()[slot];
   const Disk& disk = machine.disk(slot);
   if (passage.counts())
-    sums[disk.species].add(passage, disk.x, passage.left_when);
+    sums[disk.species].add(passage, disk.position.x(), passage.left_when);
 }
 
 void Tally::endBlock(const MachineState& machine, double time)

@@ -94,7 +94,7 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
   if (scene.species.size() > 2)
     json["pair_qualities"] = pairResults(simulation);
   json["processed"] = numberOrNull(processedRatio(simulation.bins()));
-  json["base_impulse"] = {simulation.baseImpulseX(), simulation.baseImpulseY()};
+  json["base_impulse"] = {simulation.baseImpulse().x(), simulation.baseImpulse().y()};
   json["energy_start"] = outcome.progress.energy_start;
   json["energy_end"] = simulation.energy();
   json["collapses"] = simulation.collapses().count;

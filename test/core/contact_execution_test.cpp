@@ -27,20 +27,15 @@ struct Bench
   std::uint32_t add(const Eigen::Vector2d& place, const Eigen::Vector2d& velocity, std::uint32_t species = 0)
   {
     Disk disk;
-    disk.x = place.x();
-    disk.y = place.y();
-    disk.vx = velocity.x();
-    disk.vy = velocity.y();
+    disk.position = place;
+    disk.velocity = velocity;
     disk.species = species;
     collapse_watch.added();
     times.added();
     return machine.add(disk);
   }
 
-  Eigen::Vector2d velocity(std::uint32_t slot) const
-  {
-    return {machine.disk(slot).vx, machine.disk(slot).vy};
-  }
+  const Eigen::Vector2d& velocity(std::uint32_t slot) const { return machine.disk(slot).velocity; }
 
   MachineState machine;
   CollapseWatch collapse_watch;

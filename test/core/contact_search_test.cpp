@@ -68,10 +68,10 @@ Thrown drawnDisk(const BaseMotion& motion, const Sawtooth& sawtooth)
   Thrown thrown;
   thrown.radius = radius;
   const Eigen::Vector2d place = base.placeOutOf({s, n});
-  thrown.disk.x = place.x();
-  thrown.disk.y = place.y();
-  thrown.disk.vx = drawn(-2.0, 2.0);
-  thrown.disk.vy = drawn(-2.0, 2.0);
+  thrown.disk.position.x() = place.x();
+  thrown.disk.position.y() = place.y();
+  thrown.disk.velocity.x() = drawn(-2.0, 2.0);
+  thrown.disk.velocity.y() = drawn(-2.0, 2.0);
   return thrown;
 }
 
@@ -199,10 +199,10 @@ std::optional<BaseFeatureKind> passApex(double miss)
   const double flight = 0.002;
   Thrown thrown;
   thrown.radius = 0.001;
-  thrown.disk.vx = 3.0;
-  thrown.disk.vy = GRAVITY * flight;
-  thrown.disk.x = 0.106 - thrown.disk.vx * flight;
-  thrown.disk.y = 0.02 + thrown.radius + miss - 0.5 * GRAVITY * flight * flight;
+  thrown.disk.velocity.x() = 3.0;
+  thrown.disk.velocity.y() = GRAVITY * flight;
+  thrown.disk.position.x() = 0.106 - thrown.disk.velocity.x() * flight;
+  thrown.disk.position.y() = 0.02 + thrown.radius + miss - 0.5 * GRAVITY * flight * flight;
   BaseEvent event{0.0, {}};
   while (!event.feature && event.time < 2.0 * flight)
     event = search.find(thrown.disk, thrown.radius, event.time, 2.0 * flight);
@@ -232,10 +232,10 @@ TEST(ContactSearch, ADiskBehindASlopeMeetsItWhenItComesInFront)
   const ContactSearch search(sawtooth, motion, GRAVITY, RESOLUTION);
   Thrown thrown;
   thrown.radius = 0.0005;
-  thrown.disk.x = 0.1125;
-  thrown.disk.y = 0.018;
-  thrown.disk.vx = -0.06;
-  thrown.disk.vy = 0.5;
+  thrown.disk.position.x() = 0.1125;
+  thrown.disk.position.y() = 0.018;
+  thrown.disk.velocity.x() = -0.06;
+  thrown.disk.velocity.y() = 0.5;
   const BaseEvent event = searchOn(search, thrown);
   ASSERT_TRUE(event.feature);
   EXPECT_EQ(event.feature.kind, BaseFeatureKind::LEFT_SLOPE);
@@ -249,8 +249,8 @@ TEST(ContactSearch, AboveTheBandItIsFreeUntilItComesDown)
   const BaseMotion motion(base, 10.0);
   const ContactSearch search(sawtooth, motion, GRAVITY, RESOLUTION);
   Disk disk;
-  disk.x = 0.1;
-  disk.y = 1.0;
+  disk.position.x() = 0.1;
+  disk.position.y() = 1.0;
   const double into_the_band = std::sqrt(2.0 * (1.0 - 0.006 - 0.002 - 0.001) / GRAVITY);
   const BaseEvent above = search.find(disk, 0.001, 0.0, 0.9 * into_the_band);
   EXPECT_FALSE(above.feature);
@@ -267,9 +267,9 @@ TEST(ContactSearch, ADiskThatLeavesAnOpenBaseIsSeenAtItsEnd)
   const BaseMotion motion(base, 10.0);
   const ContactSearch search(sawtooth, motion, GRAVITY, RESOLUTION);
   Disk disk;
-  disk.x = 0.399;
-  disk.y = 0.1;
-  disk.vx = 0.5;
+  disk.position.x() = 0.399;
+  disk.position.y() = 0.1;
+  disk.velocity.x() = 0.5;
   const BaseEvent event = search.find(disk, 0.001, 0.0, 0.1);
   ASSERT_TRUE(event.feature);
   EXPECT_EQ(event.feature.kind, BaseFeatureKind::RIGHT_END);

@@ -211,7 +211,7 @@ TEST(Lanes, GiveTheSameMeansAsTheMachine)
   EXPECT_NEAR(
       static_cast<double>(in_lanes.collisions().total()) / static_cast<double>(without.collisions().total()),
       1.0, 0.01);
-  EXPECT_NEAR(in_lanes.baseImpulseY() / without.baseImpulseY(), 1.0, 0.01);
+  EXPECT_NEAR(in_lanes.baseImpulse().y() / without.baseImpulse().y(), 1.0, 0.01);
 }
 
 double drawn(double low, double high)
@@ -252,10 +252,10 @@ Disk drawnDisk(const MachineState& machine)
   const double speed = *rc::gen::element(0.05, 0.5, 5.0);
   Disk disk;
   const Eigen::Vector2d place = base.placeOutOf({s, n});
-  disk.x = place.x();
-  disk.y = place.y();
-  disk.vx = drawn(-speed, speed);
-  disk.vy = drawn(-speed, speed);
+  disk.position.x() = place.x();
+  disk.position.y() = place.y();
+  disk.velocity.x() = drawn(-speed, speed);
+  disk.velocity.y() = drawn(-speed, speed);
   return disk;
 }
 
@@ -375,7 +375,7 @@ TEST(Lanes, HandOverTheSameOutcomesAsTheMachine)
         const LaneScene lane_scene = *laneScene(machine.state());
         LaneBatch batch{};
         loadRow(machine, 0, event, batch, 0);
-        presentLaneKernel().meet(lane_scene, batch, 1);
+        presentLaneKernel().collide(lane_scene, batch, 1);
         BaseInstant base(machine.state().motion());
         ContactTimes none(false);
         ContactExecution execution(machine.state(), machine.collapseWatch(), none);

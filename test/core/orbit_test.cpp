@@ -162,7 +162,7 @@ TEST(Orbit, AFlatBaseThatMovesSidewaysDragsADiskAlong)
     EXPECT_EQ(friction < 1.0, friction * normal < sticking) << "one of each";
     const double given = std::copysign(std::min(friction * normal, sticking), base_speed);
     EXPECT_NEAR(simulation.disks()[0].vx, given / disk.mass, 1e-12);
-    EXPECT_NEAR(simulation.baseImpulseX(), given, 1e-15);
+    EXPECT_NEAR(simulation.baseImpulse().x(), given, 1e-15);
   }
 }
 
@@ -237,8 +237,7 @@ TEST(Orbit, TheLoopsAgreeWithTheReference)
     for (const InitialDisk& initial : placed.initial)
     {
       Disk disk;
-      disk.x = initial.x;
-      disk.y = initial.y;
+      disk.position = {initial.x, initial.y};
       disk.species = static_cast<std::uint32_t>(initial.species);
       machine.add(disk);
     }
@@ -248,8 +247,8 @@ TEST(Orbit, TheLoopsAgreeWithTheReference)
     for (std::uint32_t id = 0; id < states.size(); ++id)
     {
       const Disk disk = flown(machine.state().disk(id), end, scene.gravity);
-      EXPECT_NEAR(std::remainder(disk.x - states[id].x, scene.base.width()), 0.0, 1e-8);
-      EXPECT_NEAR(disk.y, states[id].y, 1e-8);
+      EXPECT_NEAR(std::remainder(disk.position.x() - states[id].x, scene.base.width()), 0.0, 1e-8);
+      EXPECT_NEAR(disk.position.y(), states[id].y, 1e-8);
     }
   }
 }

@@ -34,8 +34,9 @@ double gapAt(const MachineState& machine, int shift, double time)
   const Disk a = flown(machine.disk(0), time, gravity);
   const Disk b = flown(machine.disk(1), time, gravity);
   const Image there = machine.image(shift, time);
-  return std::hypot(a.x - b.x - there.shift.x(), a.y - b.y - there.shift.y()) - machine.radius(0) -
-         machine.radius(1);
+  return std::hypot(a.position.x() - b.position.x() - there.shift.x(),
+                    a.position.y() - b.position.y() - there.shift.y()) -
+         machine.radius(0) - machine.radius(1);
 }
 
 /// Two disks at either end of a ring that turns fast, thrown at each other across the seam.
@@ -51,14 +52,14 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
         machine.motion().command(Quantity::INCLINATION, *rc::gen::element(-1.0, 1.0), 0.0);
         const double until = *machine.motion().nextChange();
         Disk left, right;
-        left.x = drawn(0.002, 0.006);
-        right.x = 0.08 - drawn(0.002, 0.006);
-        left.y = 0.02 + drawn(0.0, 0.005);
-        right.y = 0.02 + drawn(0.0, 0.005);
-        left.vx = -drawn(0.0, 2.0);
-        right.vx = drawn(0.0, 2.0);
-        left.vy = drawn(-1.0, 1.0);
-        right.vy = drawn(-1.0, 1.0);
+        left.position.x() = drawn(0.002, 0.006);
+        right.position.x() = 0.08 - drawn(0.002, 0.006);
+        left.position.y() = 0.02 + drawn(0.0, 0.005);
+        right.position.y() = 0.02 + drawn(0.0, 0.005);
+        left.velocity.x() = -drawn(0.0, 2.0);
+        right.velocity.x() = drawn(0.0, 2.0);
+        left.velocity.y() = drawn(-1.0, 1.0);
+        right.velocity.y() = drawn(-1.0, 1.0);
         right.species = 1;
         machine.add(left);
         machine.add(right);
@@ -87,10 +88,10 @@ TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
         for (std::uint32_t id = 0; id < count; ++id)
         {
           Disk disk;
-          disk.x = drawn(0.0, 0.05);
-          disk.y = drawn(0.01, 0.05);
-          disk.vx = drawn(-0.5, 0.5);
-          disk.vy = drawn(-0.5, 0.5);
+          disk.position.x() = drawn(0.0, 0.05);
+          disk.position.y() = drawn(0.01, 0.05);
+          disk.velocity.x() = drawn(-0.5, 0.5);
+          disk.velocity.y() = drawn(-0.5, 0.5);
           disk.time = drawn(0.0, 0.01);
           disk.species = *rc::gen::inRange(0U, 2U);
           machine.add(disk);
@@ -119,7 +120,7 @@ TEST(PairSearch, TiesGoToTheSmallestId)
   MachineState machine(scene);
   Disk middle;
   middle.time = NOW;
-  middle.y = 0.05;
+  middle.position.y() = 0.05;
   machine.add(middle);
   std::vector<std::uint32_t> backwards;
   for (std::uint32_t id = COUNT; id >= 1; --id)
@@ -128,10 +129,10 @@ TEST(PairSearch, TiesGoToTheSmallestId)
   {
     const double direction = 0.1 * id;
     Disk disk = middle;
-    disk.x += 0.013 * std::cos(direction);
-    disk.y += 0.013 * std::sin(direction);
-    disk.vx = -0.25 * std::cos(direction);
-    disk.vy = -0.25 * std::sin(direction);
+    disk.position.x() += 0.013 * std::cos(direction);
+    disk.position.y() += 0.013 * std::sin(direction);
+    disk.velocity.x() = -0.25 * std::cos(direction);
+    disk.velocity.y() = -0.25 * std::sin(direction);
     machine.add(disk);
   }
   const PairSearch search(machine, 0, NOW);

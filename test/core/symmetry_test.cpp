@@ -258,8 +258,8 @@ std::vector<double> outcome(const SceneDefinition& scene, const Units& units)
   for (const SpeciesMeans& means : simulation.means())
     out.insert(out.end(), {*means.mean_vx / speed, *means.mean_vx_stderr / speed,
                            *means.kinetic_translational / energy, *means.kinetic_rotational / energy});
-  out.insert(out.end(), {simulation.energy() / energy, simulation.baseImpulseX() / impulse,
-                         simulation.baseImpulseY() / impulse, simulation.maxOverlap() / units.length});
+  out.insert(out.end(), {simulation.energy() / energy, simulation.baseImpulse().x() / impulse,
+                         simulation.baseImpulse().y() / impulse, simulation.maxOverlap() / units.length});
   return out;
 }
 

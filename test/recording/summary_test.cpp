@@ -52,7 +52,7 @@ TEST(Summary, TellsWhatTheSimulationKnows)
   EXPECT_EQ(json["species"][1]["count"], 6);
   EXPECT_EQ(json["species"][0]["mean_vx"].get<double>(), simulation.means()[0].mean_vx.value());
   EXPECT_EQ(json["species"][1]["collision_rate"].get<double>(), simulation.means()[1].collision_rate.value());
-  EXPECT_EQ(json["base_impulse"][1].get<double>(), simulation.baseImpulseY());
+  EXPECT_EQ(json["base_impulse"][1].get<double>(), simulation.baseImpulse().y());
   EXPECT_EQ(json["energy_end"].get<double>(), simulation.energy());
 }
 

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include <Eigen/Core>
+
 #include "ratchet_sieve/core/flight.h"
 #include "ratchet_sieve/core/state_archive.h"
 #include "ratchet_sieve/core/two.h"
@@ -14,17 +16,15 @@ namespace ratchet_sieve
 /// World frame; times are local to the engine's present epoch.
 struct alignas(64) Disk
 {
-  double x = 0.0;      ///< [m]
-  double y = 0.0;      ///< [m]
-  double vx = 0.0;     ///< [m/s]
-  double vy = 0.0;     ///< [m/s]
-  double spin = 0.0;   ///< counter-clockwise [rad/s]
-  double angle = 0.0;  ///< [rad]
-  double time = 0.0;   ///< of this state [s]
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s]
+  double spin = 0.0;                                   ///< counter-clockwise [rad/s]
+  double angle = 0.0;                                  ///< [rad]
+  double time = 0.0;                                   ///< of this state [s]
   std::uint32_t species = 0;
   std::uint32_t flights = 0;  ///< counts changes of the trajectory, to tell stale predictions
 
-  void archive(StateArchive& state) { state(x, y, vx, vy, spin, angle, time, species, flights); }
+  void archive(StateArchive& state) { state(position, velocity, spin, angle, time, species, flights); }
 };
 
 /// Where a disk is and how it moves: (x, y) and (vx, vy). Side by side in registers, for the search of pairs
@@ -40,8 +40,9 @@ inline Course courseAt(const Disk& disk, double time, double gravity)
 {
   const double elapsed = time - disk.time;
   const Two fall{0.0, gravity * elapsed};
-  const Two velocity{disk.vx, disk.vy};
-  return {placeAfter(Two{disk.x, disk.y}, velocity, fall, elapsed), velocityAfter(velocity, fall)};
+  const Two velocity{disk.velocity.x(), disk.velocity.y()};
+  return {placeAfter(Two{disk.position.x(), disk.position.y()}, velocity, fall, elapsed),
+          velocityAfter(velocity, fall)};
 }
 
 /// The disk later or earlier on the same parabola.
@@ -49,9 +50,10 @@ inline Disk flown(const Disk& disk, double time, double gravity)
 {
   const Course course = courseAt(disk, time, gravity);
   Disk later = disk;
-  // In one piece each, as they are read: a processor waits where it reads together what was written apart.
-  std::memcpy(&later.x, &course.place, sizeof course.place);
-  std::memcpy(&later.vx, &course.velocity, sizeof course.velocity);
+  // In one store each, as they are read: two stores of 8 bytes before a load of 16 are a store-forwarding
+  // stall.
+  std::memcpy(later.position.data(), &course.place, sizeof course.place);
+  std::memcpy(later.velocity.data(), &course.velocity, sizeof course.velocity);
   later.angle = placeAfter(disk.angle, disk.spin, time - disk.time);
   later.time = time;
   return later;

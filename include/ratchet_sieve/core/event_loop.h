@@ -26,7 +26,7 @@ public:
   virtual double advanceTo(double time) = 0;
 
   /// A disk was put into the machine.
-  virtual void added(std::uint32_t id, double time) = 0;
+  virtual void added(std::uint32_t slot, double time) = 0;
 
   /// The base has begun a new segment of its motion: what was predicted of it does not hold.
   virtual void motionChanged(double time) = 0;

@@ -90,9 +90,9 @@ struct LaneBatch
   alignas(64) Column translation, rotation, impulse_x, impulse_y, offset;
 
   // The next event.
-  alignas(64) Column due;      ///< [s]
-  alignas(64) Column valley;   ///< whose foot is at s = valley w
-  alignas(64) Column feature;  ///< a LaneFeature
+  alignas(64) Column event_time;  ///< [s]
+  alignas(64) Column valley;      ///< whose foot is at s = valley w
+  alignas(64) Column feature;     ///< a LaneFeature
 
   // The flight, in the base's frame as it stands at Y = 0, at `time`.
   alignas(64) Column s, n, vs, vn;
@@ -110,14 +110,14 @@ struct LaneKernel
 {
   int lanes;
 
-  /// Executes the events that the first `rows` disks have due, and sets their new flights.
-  void (*meet)(const LaneScene& scene, LaneBatch& batch, std::size_t rows);
+  /// Executes the events that the first `rows` disks have next, and sets their new flights.
+  void (*collide)(const LaneScene& scene, LaneBatch& batch, std::size_t rows);
 
-  /// Finds the next event of the first `rows` flights from `due` on, and puts it there.
+  /// Finds the next event of the first `rows` flights from `event_time` on, and puts it there.
   /// @return how many places of flights were looked at
   std::uint64_t (*search)(const LaneScene& scene, LaneBatch& batch, std::size_t rows);
 
-  /// For flights that were not set by `meet`: from the disks' states.
+  /// For flights that were not set by `collide`: from the disks' states.
   void (*launch)(const LaneScene& scene, LaneBatch& batch, std::size_t rows);
 };
 

@@ -37,7 +37,7 @@ struct PairContact
   std::uint32_t partner = 0;
   int shift = 0;  ///< which image of the partner: so many widths to the right of it
 
-  /// Ties go to the smaller id.
+  /// Ties go to the smaller slot.
   bool isBefore(const PairContact& other) const
   {
     return time < other.time || (time == other.time && partner < other.partner);
@@ -60,12 +60,12 @@ struct PairContact
 class PairSearch
 {
 public:
-  PairSearch(const MachineState& machine, std::uint32_t id, double from)
+  PairSearch(const MachineState& machine, std::uint32_t slot, double from)
       : machine_(machine),
-        id_(id),
+        slot_(slot),
         from_(from),
-        radius_(machine.radius(id)),
-        course_(courseAt(machine.disk(id), from, machine.scene().gravity)),
+        radius_(machine.radius(slot)),
+        course_(courseAt(machine.disk(slot), from, machine.scene().gravity)),
         until_(machine.motion().nextChange().value_or(std::numeric_limits<double>::infinity()))
   {
   }
@@ -104,11 +104,11 @@ private:
   };
 
   /// @param place of the disk, as the other's image sees it
-  Relative relativeTo(std::uint32_t id, Two place) const
+  Relative relativeTo(std::uint32_t slot, Two place) const
   {
     // Beside itself a disk is at rest, to the last bit, and meets nothing.
-    const Course other = courseAt(machine_.disk(id), from_, machine_.scene().gravity);
-    return {place - other.place, course_.velocity - other.velocity, radius_ + machine_.radius(id)};
+    const Course other = courseAt(machine_.disk(slot), from_, machine_.scene().gravity);
+    return {place - other.place, course_.velocity - other.velocity, radius_ + machine_.radius(slot)};
   }
 
   PairContact firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
@@ -129,7 +129,7 @@ private:
   std::optional<double> contactAcrossTurningSeam(const Disk& other, int shift, double distance) const;
 
   const MachineState& machine_;
-  std::uint32_t id_;
+  std::uint32_t slot_;
   double from_;
   double radius_;
   Course course_;  ///< at `from`

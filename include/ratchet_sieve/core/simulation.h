@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
@@ -96,8 +98,7 @@ public:
   /// Of each species now [J]: half its mass times the variance of its disks' velocities, over both
   /// directions. Nothing with fewer than two disks.
   std::vector<std::optional<double>> granularTemperatures() const;
-  double baseImpulseX() const;  ///< given by the base to the disks since `settle`, 0 before [N s]
-  double baseImpulseY() const;
+  Eigen::Vector2d baseImpulse() const;  ///< given by the base to the disks since `settle`, 0 before [N s]
 
   /// disks() into a buffer that is used again and again.
   void disks(std::vector<DiskState>& states) const;
