@@ -8,7 +8,9 @@ if(NOT RATCHET_SIEVE_ROS)
 endif()
 
 install(TARGETS sieve_run RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-install(TARGETS ratchet_sieve_analysis ratchet_sieve_core ratchet_sieve_recording ratchet_sieve_scene
+install(
+  TARGETS ratchet_sieve_analysis ratchet_sieve_core ratchet_sieve_live ratchet_sieve_recording ratchet_sieve_scene
+    ratchet_sieve_seeking
   EXPORT ratchet_sieve-targets
   ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
@@ -16,8 +18,8 @@ if(RATCHET_SIEVE_ROS)
   install(
     TARGETS sieve_analyze sieve_display sieve_node sieve_replay sieve_resimulate sieve_rviz sieve_schedule sieve_seek
     RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-  install(TARGETS ratchet_sieve_bag ratchet_sieve_rviz_windows LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
-  install(TARGETS ratchet_sieve_messages ratchet_sieve_ros
+  install(TARGETS ratchet_sieve_bag_plugin ratchet_sieve_rviz_windows LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+  install(TARGETS ratchet_sieve_bag ratchet_sieve_messages ratchet_sieve_ros ratchet_sieve_serialization
     EXPORT ratchet_sieve-targets
     ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
     LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
