@@ -45,6 +45,15 @@ catkin_package(
   CATKIN_DEPENDS ${ROS_PACKAGES}
   CFG_EXTRAS ratchet_sieve-extras.cmake)
 
+# What the format of bags needs of ROS: times, serialization and lz4.
+add_library(ratchet_sieve_serialization INTERFACE)
+foreach(package roscpp_serialization roslz4 rostime)
+  find_package(${package} REQUIRED)
+  target_include_directories(ratchet_sieve_serialization SYSTEM INTERFACE ${${package}_INCLUDE_DIRS})
+  target_link_libraries(ratchet_sieve_serialization INTERFACE ${${package}_LIBRARIES})
+endforeach()
+set_target_properties(ratchet_sieve_serialization PROPERTIES EXPORT_NAME serialization)
+
 add_library(ratchet_sieve_messages INTERFACE)
 target_include_directories(ratchet_sieve_messages SYSTEM INTERFACE
   $<BUILD_INTERFACE:${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_INCLUDE_DESTINATION}>

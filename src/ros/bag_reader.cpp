@@ -12,8 +12,8 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
-#include "bag_structure.h"
 #include "bounded_stream.h"
+#include "ratchet_sieve/bag/bag_structure.h"
 #include "ratchet_sieve/ros/conversions.h"
 #include "ratchet_sieve/scene/shown_text.h"
 

@@ -10,10 +10,10 @@
 #include <ros/console.h>
 #include <std_msgs/Float64.h>
 
-#include "bag_structure.h"
+#include "ratchet_sieve/bag/bag_structure.h"
+#include "ratchet_sieve/live/setpoint.h"
 #include "ratchet_sieve/recording/commands.h"
 #include "ratchet_sieve/ros/conversions.h"
-#include "ratchet_sieve/ros/setpoint.h"
 
 namespace ratchet_sieve
 {

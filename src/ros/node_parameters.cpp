@@ -66,14 +66,6 @@ std::string readFramePrefix(ParameterReader& reader, const std::string& sieve)
   return prefix;
 }
 
-std::array<Setpoint, QUANTITIES> usualSetpoints()
-{
-  std::array<Setpoint, QUANTITIES> setpoints;
-  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
-    setpoints[indexOf(q.quantity)] = {q.quantity, q.usual};
-  return setpoints;
-}
-
 std::array<Setpoint, QUANTITIES> readSetpoints(ParameterReader& reader, SlewRates& slew_rates)
 {
   std::array<Setpoint, QUANTITIES> setpoints = usualSetpoints();

@@ -8,9 +8,11 @@
 #include <rapidcheck/gtest.h>
 
 #include "collecting_sink.h"
+#include "ratchet_sieve/live/run_control.h"
 #include "ratchet_sieve/recording/commands.h"
 #include "ratchet_sieve/ros/bag_reader.h"
-#include "ratchet_sieve/ros/run_control.h"
+#include "ratchet_sieve/ros/node_parameters.h"
+#include "ratchet_sieve/ros/recorder.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "small_scenes.h"

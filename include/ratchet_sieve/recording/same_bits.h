@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "ratchet_sieve/core/fields.h"
+#include "ratchet_sieve/recording/frames.h"
 
 namespace ratchet_sieve
 {

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
+#include "ratchet_sieve/bag/bag_file.h"
 #include "ratchet_sieve/recording/frame_sink.h"
-#include "ratchet_sieve/ros/bag_file.h"
 #include "ratchet_sieve/ros/frame_names.h"
 
 namespace ratchet_sieve

@@ -7,8 +7,8 @@
 #include <ros/publisher.h>
 #include <ros/single_subscriber_publisher.h>
 
+#include "ratchet_sieve/live/live_run.h"
 #include "ratchet_sieve/recording/frame_sink.h"
-#include "ratchet_sieve/ros/live_run.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
 
 namespace ratchet_sieve
