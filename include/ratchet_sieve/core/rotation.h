@@ -3,8 +3,8 @@
 #include "ratchet_sieve/core/numbers.h"
 
 /// Between the axes of the world (x, y) and those of the inclined base (s along it, n normal to it): the one
-/// place where components are turned, for one disk and for the lanes. Component by component and without Eigen,
-/// whose functions the lanes must not take in: see numbers.h.
+/// place where components are turned, for one disk and for the lanes. Component by component and without
+/// Eigen, whose functions the lanes must not take in: see numbers.h.
 namespace ratchet_sieve
 {
 
