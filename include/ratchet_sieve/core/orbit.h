@@ -48,7 +48,8 @@ private:
   std::vector<Term> terms_;
 };
 
-/// The drive as a scene has it: bounds on |D|, |dD/dt| and |d2D/dt2|, which a drive without harmonics comes to.
+/// The drive as a scene has it: bounds on |D|, |dD/dt| and |d2D/dt2|, which a drive without harmonics comes
+/// to.
 struct DriveBounds
 {
   double displacement;  ///< [m]

@@ -4,8 +4,7 @@
 
 /// Between the axes of the world (x, y) and those of the inclined base (s along it, n normal to it): the one
 /// place where components are turned, for one disk and for the lanes. Component by component and without
-/// Eigen, whose functions the lanes must not take in (numbers.h), and whose products would use a fused
-/// multiply-add where a build is for a processor that has one.
+/// Eigen, whose functions the lanes must not take in: see numbers.h.
 namespace ratchet_sieve
 {
 
