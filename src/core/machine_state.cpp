@@ -45,10 +45,18 @@ MachineState::MachineState(const SceneDefinition& scene, const Plan& plan)
       motion_(scene.base, maxTurn(scene, largest_diameter_), plan.drive && !planOf(scene).drive),
       search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
       passages_(scene.gravity, plan.spin),
-      bins_(scene.species.size())
+      bins_(scene.species.size()),
+      pair_scene_{disks_, radii_, motion_, sawtooth_.width(), scene.gravity, timeResolution(epoch_.length)}
 {
   for (const SpeciesDefinition& species : scene_.species)
     radii_.push_back(species.radius);
+}
+
+/// As the epoch's length has it.
+void MachineState::setTimeResolution()
+{
+  pair_scene_.time_resolution = timeResolution(epoch_.length);
+  search_.setTimeResolution(pair_scene_.time_resolution);
 }
 
 BaseEvent MachineState::nextBaseEvent(std::uint32_t slot, double from, double until, BaseInstant& base) const
@@ -159,7 +167,7 @@ void MachineState::bringHome(std::uint32_t slot, double s, double time)
 void MachineState::archive(StateArchive& state)
 {
   state(epoch_, motion_, disks_, active_, active_count_, ids_, passages_, bins_);
-  search_.setTimeResolution(timeResolution(epoch_.length));
+  setTimeResolution();
   const std::size_t count = disks_.size();
   const bool of_this_scene = bins_.size() == scene_.species.size() && active_.size() == count &&
                              passages_.size() == count && ids_.fits(count) &&
@@ -180,7 +188,7 @@ double MachineState::shortenEpoch(double now)
   if (longest >= epoch_.length)
     return 0.0;
   epoch_.length = longest;
-  search_.setTimeResolution(timeResolution(epoch_.length));
+  setTimeResolution();
   return epoch_.length * std::floor(now / epoch_.length);
 }
 

@@ -383,7 +383,7 @@ private:
   void searchPairsIn(std::uint32_t slot, const CellGrid::Surroundings& around, double now)
   {
     Prediction& p = predictions_[slot];
-    const PairSearch search(state_, slot, now);
+    const PairSearch search(state_.pairScene(), slot, now);
     grid_.visit(grid_.cellOf(slot), around, near_,
                 [&](const std::uint32_t* others, std::size_t count, int shift)
                 {

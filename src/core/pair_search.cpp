@@ -21,14 +21,14 @@ constexpr int MAX_SEAM_STEPS = 200;
 PairContact PairSearch::firstAmong(const std::uint32_t* others, std::size_t count, int shift) const
 {
   PairContact first;
-  if (shift != 0 && machine_.motion().turning())
+  if (shift != 0 && scene_.motion.turning())
   {
     for (std::size_t i = 0; i < count; ++i)
       if (const auto time = others[i] == slot_ ? std::nullopt : contactWith(others[i], shift))
         first.take({*time, others[i], shift});
     return first;
   }
-  const Image image = machine_.image(shift, from_);
+  const Image image = scene_.image(shift, from_);
   for (std::size_t i = 0; i < count; i += LANES)
   {
     first.take(firstOfLanes(others + i, std::min(LANES, count - i), shift, image));
@@ -38,8 +38,8 @@ PairContact PairSearch::firstAmong(const std::uint32_t* others, std::size_t coun
 
 PairContact PairSearch::firstOnRing(const std::uint32_t* others, std::size_t count, int most_laps) const
 {
-  const BaseMotion& motion = machine_.motion();
-  const double width = machine_.sawtooth().width();
+  const BaseMotion& motion = scene_.motion;
+  const double width = scene_.width;
   const RingCourse ring{motion.rotation(), width, 1.0 / width, most_laps};
   PairContact first;
   double horizon = until_ - from_;
@@ -139,9 +139,9 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
 
 std::optional<double> PairSearch::contactAcrossSeam(const Disk& other, int shift, double distance) const
 {
-  if (machine_.motion().turning())
+  if (scene_.motion.turning())
     return contactAcrossTurningSeam(other, shift, distance);
-  return contact(other, machine_.image(shift, from_), distance);
+  return contact(other, scene_.image(shift, from_), distance);
 }
 
 /// While the base turns, the image moves on an arc, and the search is the base's: steps for which
@@ -149,16 +149,16 @@ std::optional<double> PairSearch::contactAcrossSeam(const Disk& other, int shift
 std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, int shift,
                                                            double distance) const
 {
-  const double gravity = machine_.scene().gravity;
-  const double rate = machine_.motion().inclinationRate();
-  const double acceleration = machine_.sawtooth().width() * rate * rate;
-  const double resolution = timeResolution(machine_.epoch().length);
+  const double gravity = scene_.gravity;
+  const double rate = scene_.motion.inclinationRate();
+  const double acceleration = scene_.width * rate * rate;
+  const double resolution = scene_.time_resolution;
   double time = from_;
   for (int step = 0; time < until_; ++step)
   {
-    const Course a = courseAt(machine_.disk(slot_), time, gravity);
+    const Course a = courseAt(scene_.disks[slot_], time, gravity);
     const Course b = courseAt(other, time, gravity);
-    const Image there = machine_.image(shift, time);
+    const Image there = scene_.image(shift, time);
     const Eigen::Vector2d place = vectorOf(a.place) - there.shift - vectorOf(b.place);
     const double length = place.norm();
     const double opening = place.dot(vectorOf(a.velocity - b.velocity) - there.velocity) / length;

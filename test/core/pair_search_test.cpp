@@ -65,7 +65,7 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
         machine.add(right);
         const int shift = -1;  // the right disk's image one width to the left
 
-        const auto found = PairSearch(machine, 0, 0.0).contactWith(1, shift);
+        const auto found = PairSearch(machine.pairScene(), 0, 0.0).contactWith(1, shift);
         const double end = found.value_or(until);
         for (int i = 0; i < 2000; ++i)
           RC_ASSERT(gapAt(machine, shift, end * i / 2000.0) > -1e-15);
@@ -99,7 +99,7 @@ TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
         std::vector<std::uint32_t> all(count);
         std::iota(all.begin(), all.end(), 0);
         const int shift = *rc::gen::inRange(-1, 2);
-        const PairSearch search(machine, 0, 0.01);
+        const PairSearch search(machine.pairScene(), 0, 0.01);
         PairContact expected;
         for (std::uint32_t id = 1; id < count; ++id)
           if (const auto time = search.contactWith(id, shift))
@@ -135,7 +135,7 @@ TEST(PairSearch, TiesGoToTheSmallestId)
     disk.velocity.y() = -0.25 * std::sin(direction);
     machine.add(disk);
   }
-  const PairSearch search(machine, 0, NOW);
+  const PairSearch search(machine.pairScene(), 0, NOW);
   for (std::uint32_t id = 1; id <= COUNT; ++id)
     ASSERT_EQ(search.contactWith(id, 0), search.contactWith(1, 0));
   const PairContact found = search.firstAmong(backwards.data(), COUNT, 0);

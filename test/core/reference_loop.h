@@ -78,7 +78,7 @@ private:
         take({base.time, i, i, 0, base.feature});
       for (std::uint32_t j = 0; j < i; ++j)
         for (int shift = -images; shift <= images && state_.active(j); ++shift)
-          if (const auto time = PairSearch(state_, i, now_).contactWith(j, shift))
+          if (const auto time = PairSearch(state_.pairScene(), i, now_).contactWith(j, shift))
             take({*time, i, j, shift, {}});
     }
     return best;

@@ -9,6 +9,7 @@
 #include "ratchet_sieve/core/disk.h"
 #include "ratchet_sieve/core/disk_ids.h"
 #include "ratchet_sieve/core/epoch.h"
+#include "ratchet_sieve/core/pair_search.h"
 #include "ratchet_sieve/core/passages.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/sawtooth.h"
@@ -39,6 +40,7 @@ public:
   const BaseMotion& motion() const { return motion_; }
   BaseMotion& motion() { return motion_; }
   const ContactSearch& search() const { return search_; }
+  const PairScene& pairScene() const { return pair_scene_; }
   const Epoch& epoch() const { return epoch_; }
 
   /// See ratchet_sieve::timeScale().
@@ -48,7 +50,7 @@ public:
 
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
-  double radius(std::uint32_t slot) const { return radii_[disks_[slot].species]; }
+  double radius(std::uint32_t slot) const { return pair_scene_.radius(slot); }
   bool active(std::uint32_t slot) const { return active_[slot] != 0; }
   std::size_t activeCount() const { return active_count_; }
   const DiskIds& ids() const { return ids_; }
@@ -68,10 +70,7 @@ public:
   BaseEvent nextBaseEvent(std::uint32_t slot, double from, double until, BaseInstant& base) const;
 
   /// Where the image `shift` widths to the right appears at `time`, relative to the disk itself.
-  Image image(double shift, double time) const
-  {
-    return shift == 0.0 ? Image() : motion_.at(time).image(shift * sawtooth_.width());
-  }
+  Image image(double shift, double time) const { return pair_scene_.image(shift, time); }
 
   /// Makes room for so many disks: nothing but memory.
   void reserve(std::size_t count);
@@ -130,6 +129,7 @@ public:
   void archive(StateArchive& state);
 
 private:
+  void setTimeResolution();
   Disk& fly(std::uint32_t slot, double time);
   void endPassage(std::uint32_t slot, double time);
 
@@ -149,6 +149,7 @@ private:
   DiskIds ids_;
   Passages passages_;
   std::vector<SpeciesBins> bins_;
+  PairScene pair_scene_;  ///< of the members above
 };
 
 }  // namespace ratchet_sieve

@@ -5,7 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "ratchet_sieve/core/machine_state.h"
+#include "ratchet_sieve/core/base_motion.h"
+#include "ratchet_sieve/core/disk.h"
 
 namespace ratchet_sieve
 {
@@ -56,17 +57,37 @@ struct PairContact
   void archive(StateArchive& state) { state(time, partner, shift); }
 };
 
+/// What a search for pairs reads of the machine.
+struct PairScene
+{
+  const std::vector<Disk>& disks;    ///< by slot
+  const std::vector<double>& radii;  ///< per species [m]
+  const BaseMotion& motion;
+  double width;            ///< of the base [m]
+  double gravity;          ///< [m/s^2]
+  double time_resolution;  ///< the finest step in time that is told from none [s]
+
+  double radius(std::uint32_t slot) const { return radii[disks[slot].species]; }
+
+  /// Where the image `shift` widths to the right appears at `time`, relative to the disk itself.
+  Image image(double shift, double time) const
+  {
+    return shift == 0.0 ? Image() : motion.at(time).image(shift * width);
+  }
+};
+
 /// When one disk, flying on from a given time, touches others.
 class PairSearch
 {
 public:
-  PairSearch(const MachineState& machine, std::uint32_t slot, double from)
-      : machine_(machine),
+  /// @param scene outlives this
+  PairSearch(const PairScene& scene, std::uint32_t slot, double from)
+      : scene_(scene),
         slot_(slot),
         from_(from),
-        radius_(machine.radius(slot)),
-        course_(courseAt(machine.disk(slot), from, machine.scene().gravity)),
-        until_(machine.motion().nextChange().value_or(std::numeric_limits<double>::infinity()))
+        radius_(scene.radius(slot)),
+        course_(courseAt(scene.disks[slot], from, scene.gravity)),
+        until_(scene.motion.nextChange().value_or(std::numeric_limits<double>::infinity()))
   {
   }
 
@@ -82,8 +103,8 @@ public:
   /// The same for one other disk: without its lanes, and so the reference for it.
   std::optional<double> contactWith(std::uint32_t other, int shift) const
   {
-    const Disk& disk = machine_.disk(other);
-    const double distance = radius_ + machine_.radius(other);
+    const Disk& disk = scene_.disks[other];
+    const double distance = radius_ + scene_.radius(other);
     if (shift != 0)
       return contactAcrossSeam(disk, shift, distance);
     return contact(disk, Image(), distance);
@@ -107,8 +128,8 @@ private:
   Relative relativeTo(std::uint32_t slot, Two place) const
   {
     // Beside itself a disk is at rest, to the last bit, and meets nothing.
-    const Course other = courseAt(machine_.disk(slot), from_, machine_.scene().gravity);
-    return {place - other.place, course_.velocity - other.velocity, radius_ + machine_.radius(slot)};
+    const Course other = courseAt(scene_.disks[slot], from_, scene_.gravity);
+    return {place - other.place, course_.velocity - other.velocity, radius_ + scene_.radius(slot)};
   }
 
   PairContact firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
@@ -117,7 +138,7 @@ private:
   std::optional<double> contact(const Disk& other, const Image& image, double distance) const
   {
     // Under one gravity the parabolas differ by a straight line, but the two states are of different times.
-    const Course course = courseAt(other, from_, machine_.scene().gravity);
+    const Course course = courseAt(other, from_, scene_.gravity);
     const Eigen::Vector2d place = vectorOf(course_.place) - image.shift - vectorOf(course.place);
     const auto wait = timeToTouch(place, vectorOf(course_.velocity - course.velocity), distance);
     if (!wait || from_ + *wait >= until_)
@@ -128,7 +149,7 @@ private:
   std::optional<double> contactAcrossSeam(const Disk& other, int shift, double distance) const;
   std::optional<double> contactAcrossTurningSeam(const Disk& other, int shift, double distance) const;
 
-  const MachineState& machine_;
+  const PairScene& scene_;
   std::uint32_t slot_;
   double from_;
   double radius_;
