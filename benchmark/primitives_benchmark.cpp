@@ -1,10 +1,10 @@
 #include <benchmark/benchmark.h>
 
-#include "ratchet_sieve/core/contact_search.h"
-#include "ratchet_sieve/core/event_queue.h"
-#include "ratchet_sieve/core/pair_search.h"
-#include "ratchet_sieve/core/random.h"
-#include "ratchet_sieve/core/sine.h"
+#include "events/event_queue.h"
+#include "model/random.h"
+#include "model/sine.h"
+#include "search/contact_search.h"
+#include "search/pair_search.h"
 
 namespace ratchet_sieve
 {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "disk_states.h"
-#include "run.h"
+#include "events/run.h"
+#include "state/disk_states.h"
 
 namespace ratchet_sieve
 {

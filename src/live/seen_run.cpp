@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ratchet_sieve/core/base_motion.h"
+#include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
@@ -21,7 +21,7 @@ BaseFrame carriedOn(const SceneDefinition& scene, BaseFrame frame, double time)
   BaseDefinition drive = withAmplitude(scene.base, frame.base.amplitude);
   drive.frequency = frame.base.frequency;
   drive.phase = frame.base.phase;
-  const DriveState later = BaseMotion(drive).state(time - frame.time);
+  const DriveState later = driveStateAt(drive, time - frame.time);
   frame.base.phase = later.phase;
   frame.base.displacement = later.displacement;
   frame.base.velocity = later.velocity;
@@ -35,7 +35,7 @@ BaseFrame carriedOn(const SceneDefinition& scene, BaseFrame frame, double time)
 BaseFrame baseOf(const SceneDefinition& scene)
 {
   BaseFrame frame;
-  frame.base = BaseMotion(scene.base).state(0.0);
+  frame.base = driveStateAt(scene.base, 0.0);
   return frame;
 }
 }  // namespace

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <utility>
 
+#include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/layer.h"
-#include "ratchet_sieve/core/orbit.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "scalars.h"
 

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/base_motion.h"
+#include "model/base_motion.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/cell_layout.h"
+#include "search/cell_layout.h"
 
 #include <cmath>
 

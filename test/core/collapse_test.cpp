@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "ratchet_sieve/core/collapse_watch.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
+#include "state/collapse_watch.h"
 #include "state_hash.h"
 
 namespace ratchet_sieve

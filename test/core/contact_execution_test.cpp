@@ -1,5 +1,5 @@
 // Known answers, worked out by hand, of what executed contacts come to.
-#include "ratchet_sieve/core/contact_execution.h"
+#include "state/contact_execution.h"
 
 #include <gtest/gtest.h>
 

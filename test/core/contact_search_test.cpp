@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/contact_search.h"
+#include "search/contact_search.h"
 
 #include <algorithm>
 #include <cmath>

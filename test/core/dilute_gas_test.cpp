@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "ratchet_sieve/core/machine.h"
-#include "ratchet_sieve/core/placement.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "reference_loop.h"
 #include "scenes.h"
+#include "state/machine.h"
+#include "state/placement.h"
 
 namespace ratchet_sieve
 {

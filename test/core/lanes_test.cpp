@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/lane_rows.h"
+#include "lanes/lane_rows.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
-#include "ratchet_sieve/core/orbit.h"
+#include "model/orbit.h"
+#include "ratchet_sieve/core/drive_of_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ratchet_sieve/core/base_motion.h"
+#include "model/base_motion.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "reference_loop.h"
 #include "scenes.h"

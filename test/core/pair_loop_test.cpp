@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "ratchet_sieve/core/event_loop.h"
-#include "ratchet_sieve/core/machine.h"
-#include "ratchet_sieve/core/placement.h"
-#include "ratchet_sieve/core/pour.h"
+#include "events/event_loop.h"
 #include "reference_loop.h"
 #include "scenes.h"
+#include "state/machine.h"
+#include "state/placement.h"
+#include "state/pour.h"
 
 namespace ratchet_sieve
 {

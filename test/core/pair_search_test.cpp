@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/pair_search.h"
+#include "search/pair_search.h"
 
 #include <cmath>
 #include <numeric>

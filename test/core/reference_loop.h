@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "ratchet_sieve/core/machine.h"
-#include "ratchet_sieve/core/pair_search.h"
+#include "search/pair_search.h"
+#include "state/machine.h"
 
 namespace ratchet_sieve::test
 {

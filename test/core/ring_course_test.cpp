@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/ring_course.h"
+#include "search/ring_course.h"
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,7 @@
 #include <rapidcheck.h>
 #include <Eigen/Geometry>
 
-#include "ratchet_sieve/core/pair_search.h"
+#include "search/pair_search.h"
 
 namespace ratchet_sieve
 {

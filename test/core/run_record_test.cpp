@@ -1,5 +1,5 @@
 // What the observers of contacts make of outcomes.
-#include "ratchet_sieve/core/run_record.h"
+#include "state/run_record.h"
 
 #include <gtest/gtest.h>
 

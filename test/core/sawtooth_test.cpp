@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/sawtooth.h"
+#include "model/sawtooth.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
-#include "ratchet_sieve/core/sawtooth.h"
+#include "model/sawtooth.h"
 #include "ratchet_sieve/ros/particle_cloud.h"
 #include "ratchet_sieve/ros/scene_markers.h"
 #include "ratchet_sieve/ros/transform_publisher.h"

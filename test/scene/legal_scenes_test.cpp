@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "draws.h"
+#include "model/orbit.h"
 #include "random_scene.h"
-#include "ratchet_sieve/core/orbit.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/scene/canonical_scene.h"

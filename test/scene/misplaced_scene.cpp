@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "draws.h"
-#include "ratchet_sieve/core/base_motion.h"
+#include "model/base_motion.h"
 #include "scene_spelling.h"
 #include "scene_spoilers.h"
 

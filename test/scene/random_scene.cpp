@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "draws.h"
-#include "ratchet_sieve/core/base_motion.h"
+#include "model/base_motion.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "scene_spelling.h"
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "ratchet_sieve/core/collision_counts.h"
@@ -147,6 +148,12 @@ struct CollapseCounts
   std::uint32_t first_disk = 0;
 
   void archive(StateArchive& state) { state(count, first_time, first_disk); }
+};
+
+/// Time has all but stopped for a disk, and the scene says that the run ends there.
+struct StallError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
 };
 
 /// Is called now and then while the disks of the start are poured; may throw to give that up.

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,12 +20,6 @@
 
 namespace ratchet_sieve
 {
-
-/// Time has all but stopped for a disk, and the scene says that the run ends there.
-struct StallError : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
 
 /// The vibrating-ratchet feeder: hard disks over an inclined, shaken sawtooth base, advanced from
 /// collision to collision. The same definition gives the same bits, however often it is looked at
