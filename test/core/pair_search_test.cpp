@@ -1,4 +1,5 @@
 #include "search/pair_search.h"
+#include "state/machine_state.h"
 
 #include <cmath>
 #include <numeric>

@@ -7,6 +7,7 @@
 #include "draws.h"
 #include "model/orbit.h"
 #include "random_scene.h"
+#include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
