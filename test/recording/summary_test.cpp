@@ -65,6 +65,7 @@ TEST(Summary, HasThePlan)
   EXPECT_EQ(summaryOf(scene)["plan"], Json({{"pairs", true},
                                             {"spin", true},
                                             {"drive", false},
+                                            {"orbit", false},
                                             {"contact_times", true},
                                             {"search_above_band", false},
                                             {"lanes", false}}));

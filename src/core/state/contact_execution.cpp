@@ -114,7 +114,10 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   if (outcome.closed)
   {
     outcome.normal = place / distance;
-    outcome.normal_velocity = std::min(0.0, velocity.dot(outcome.normal));
+    outcome.normal_velocity = velocity.dot(outcome.normal);
+    // Where that is lost to rounding, the disks still approach, by as much as rounding leaves open.
+    if (outcome.normal_velocity >= 0.0)
+      outcome.normal_velocity = -std::numeric_limits<double>::epsilon() * velocity.norm();
     const double tangential_velocity =
         across(outcome.normal, velocity) - (machine_.radius(i) * a.spin + machine_.radius(j) * b.spin);
     outcome.lossless = lossless(i, time) || lossless(j, time);
