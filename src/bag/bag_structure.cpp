@@ -76,7 +76,7 @@ private:
   {
     std::optional<BagChunk> chunk;
     ChunkSize chunk_size;
-    const auto finishChunk = [&]
+    const auto finish_chunk = [&]
     {
       if (!chunk)
         return;
@@ -95,13 +95,13 @@ private:
         indexed_connections_.insert(record.fields.number("conn"));
         continue;
       }
-      finishChunk();
+      finish_chunk();
       record.requireOp(BagOp::CHUNK);
       chunk_size = {position, BagChunk::claimedSize(record)};
       requirePlausible(chunk_size.bytes);
       chunk.emplace(record);
     }
-    finishChunk();
+    finish_chunk();
     if (rest_.position() != index_position_)
       throw DamagedBag("its index is not where its header says");
   }

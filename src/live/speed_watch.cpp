@@ -17,7 +17,7 @@ std::string tooSlowText(double achieved, double asked)
     const std::string reached = fmt::format("{:.{}g}", achieved, digits);
     const std::string wanted = fmt::format("{:.{}g}", asked, digits);
     if (reached != wanted)
-      return "too slow: " + reached + " times real time instead of " + wanted;
+      return fmt::format("too slow: {} times real time instead of {}", reached, wanted);
   }
   return fmt::format("too slow: a little less than {:g} times real time", asked);
 }

@@ -63,7 +63,7 @@ public:
 private:
   void read()
   {
-    if (done())
+    if (TopicStream::done())
       return;
     if (!position_->isType<Message>())
       throw std::invalid_argument(position_->getTopic() + " is not what its type says");
@@ -136,7 +136,7 @@ void merge(const std::vector<std::unique_ptr<Stream>>& streams, FrameSink& sink)
 /// @return the topics of scenes, one at least
 std::set<std::string> requireScene(rosbag::View& all)
 {
-  const std::set<std::string> topics = topicsOf<SceneDescription>(all);
+  std::set<std::string> topics = topicsOf<SceneDescription>(all);
   if (topics.empty())
     throw std::invalid_argument("holds no run: no topic of type ratchet_sieve/SceneDescription");
   return topics;

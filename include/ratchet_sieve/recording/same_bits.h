@@ -14,7 +14,7 @@ template <typename T>
 bool sameBits(const T& a, const T& b)
 {
   if constexpr (std::is_floating_point_v<T>)
-    return std::memcmp(&a, &b, sizeof a) == 0;
+    return std::memcmp(&a, &b, sizeof a) == 0;  // NOLINT(bugprone-suspicious-memory-comparison): of bits
   else if constexpr (IS_OPTIONAL<T>)
     return a.has_value() == b.has_value() && (!a || sameBits(*a, *b));
   else if constexpr (IS_VECTOR<T>)

@@ -32,7 +32,7 @@ public:
   explicit EnsembleLoop(Machine& machine)
       : machine_(machine), state_(machine.state()), base_(machine.state().motion())
   {
-    setThreads(1);
+    EnsembleLoop::setThreads(1);
   }
 
   /// A collapse does not keep the other disks from coming as far: all have to be at one time.

@@ -76,9 +76,9 @@ void RoomSearch::replace(Cells& cells, std::size_t at, const StandingDisks& stan
   }
   else
     keep(cell.left, cell.right);
-  const auto isLower = [](const Cell& a, const Cell& b) { return a.heights.low < b.heights.low; };
-  std::sort(cells.begin() + kept, cells.end(), isLower);
-  std::inplace_merge(cells.begin(), cells.begin() + kept, cells.end(), isLower);
+  const auto is_lower = [](const Cell& a, const Cell& b) { return a.heights.low < b.heights.low; };
+  std::sort(cells.begin() + kept, cells.end(), is_lower);
+  std::inplace_merge(cells.begin(), cells.begin() + kept, cells.end(), is_lower);
 }
 
 }  // namespace ratchet_sieve
