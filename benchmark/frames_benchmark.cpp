@@ -49,6 +49,14 @@ void particleMessage(benchmark::State& state)
 }
 BENCHMARK(particleMessage)->Unit(benchmark::kMicrosecond);
 
+void frameOfParticleMessage(benchmark::State& state)
+{
+  const ParticleStates message = toMessage(makeParticleFrame(manyDisks()));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(toFrame(message));
+}
+BENCHMARK(frameOfParticleMessage)->Unit(benchmark::kMicrosecond);
+
 /// As roscpp does for a subscriber.
 void serializedParticleMessage(benchmark::State& state)
 {

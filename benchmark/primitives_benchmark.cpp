@@ -1,10 +1,10 @@
 #include <benchmark/benchmark.h>
 
-#include "ratchet_sieve/core/contact_search.h"
-#include "ratchet_sieve/core/event_queue.h"
-#include "ratchet_sieve/core/pair_search.h"
-#include "ratchet_sieve/core/random.h"
-#include "ratchet_sieve/core/sine.h"
+#include "events/event_queue.h"
+#include "model/random.h"
+#include "model/sine.h"
+#include "search/contact_search.h"
+#include "search/pair_search.h"
 
 namespace ratchet_sieve
 {
@@ -31,10 +31,8 @@ void firstContactWithTheBase(benchmark::State& state)
   const BaseMotion motion(base, 1.0);
   const ContactSearch search(sawtooth, motion, 9.81, 1e-15);
   Disk disk;
-  disk.x = 0.1 + 1e-4 * static_cast<double>(state.range(0));
-  disk.y = 0.012;
-  disk.vx = 0.05;
-  disk.vy = 0.1;
+  disk.position = {0.1 + 1e-4 * static_cast<double>(state.range(0)), 0.012};
+  disk.velocity = {0.05, 0.1};
   for (auto _ : state)
     benchmark::DoNotOptimize(search.find(disk, 0.001, 0.0, 1.0));
 }
@@ -50,7 +48,7 @@ void timeUntilAPairTouches(benchmark::State& state)
   for (auto _ : state)
   {
     const double* d = &draws[i];
-    benchmark::DoNotOptimize(timeToTouch(d[0], d[1], d[2], d[3], 0.1));
+    benchmark::DoNotOptimize(timeToTouch({d[0], d[1]}, {d[2], d[3]}, 0.1));
     i = (i + 4) % 4092;
   }
 }

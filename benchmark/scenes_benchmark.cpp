@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "ratchet_sieve/core/lane_batch.h"
+#include "lanes/lane_batch.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 

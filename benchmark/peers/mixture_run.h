@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mixture_scene.h"
-#include "ratchet_sieve/core/sawtooth.h"
+#include "model/sawtooth.h"
 
 namespace ratchet_sieve::peers
 {

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -52,9 +53,11 @@ std::array<std::optional<std::uint64_t>, 4> countsOf(const RunResult& result, st
   return {bins.counted() + bins.on_base, bins.left, bins.right, bins.on_base};
 }
 
-std::optional<double> engineVelocity(const RunResult& result, std::size_t species)
+/// As the engine has summed them up; undefined where they were not recorded.
+SpeciesMeans engineMeans(const RunResult& result, std::size_t species)
 {
-  return result.lastStatistics() != nullptr ? result.lastStatistics()->means[species].mean_vx : std::nullopt;
+  return result.lastStatistics() != nullptr ? result.lastStatistics()->species[species].means
+                                            : SpeciesMeans();
 }
 
 std::string countText(const std::optional<std::uint64_t>& count)
@@ -67,19 +70,26 @@ Json countOrNull(const std::optional<std::uint64_t>& count)
   return count ? Json(*count) : Json(nullptr);
 }
 
-/// <V_x> as the engine has summed it up, if it was recorded: of a disk that falls off, the frames lack the
-/// last stretch.
+/// The means as the engine has summed them up, if they were recorded: of a disk that falls off, the frames
+/// lack the last stretch.
 std::string engineText(const RunResult& result)
 {
   if (result.lastStatistics() == nullptr)
     return "";
-  std::string text = "<V_x> summed up by the engine:";
+  std::string text = "summed up by the engine:\n";
   for (std::size_t i = 0; i < result.species.size(); ++i)
-    text +=
-        fmt::format("{} {} {}", i > 0 ? "," : "", result.species[i],
-                    engineVelocity(result, i) ? fmt::format("{:+.2f}", MM_PER_M * *engineVelocity(result, i))
-                                              : "undefined");
-  return text + " mm/s\n";
+  {
+    std::string values;
+    const auto add = [&values](const FieldInfo& field, const std::optional<double>& mean)
+    {
+      values += fmt::format("{} {} {}", values.empty() ? "" : ",", field.name,
+                            mean ? fmt::format("{:.4g} {}", *mean, field.unit) : "undefined");
+    };
+    const SpeciesMeans means = engineMeans(result, i);
+    Fields<SpeciesMeans>::each(add, means);
+    text += fmt::format("  {}:{}\n", result.species[i], values);
+  }
+  return text;
 }
 
 /// What is missing, and what would have come of it.
@@ -160,15 +170,17 @@ Json speciesJson(const RunResult& result)
   for (std::size_t i = 0; i < result.species.size(); ++i)
   {
     const auto [disks, left, right, on_base] = countsOf(result, i);
-    list.push_back({{"name", result.species[i]},
-                    {"count", countOrNull(disks)},
-                    {"mean_vx", numberOrNull(result.velocities[i].mean)},
-                    {"mean_vx_stderr", numberOrNull(result.velocities[i].mean_stderr)},
-                    {"engine_mean_vx", numberOrNull(engineVelocity(result, i))},
-                    {"left", countOrNull(left)},
-                    {"right", countOrNull(right)},
-                    {"on_base", countOrNull(on_base)},
-                    {"granular_temperature", numberOrNull(result.granular_temperatures[i])}});
+    Json json = {{"name", result.species[i]},
+                 {"count", countOrNull(disks)},
+                 {"mean_vx", numberOrNull(result.velocities[i].mean)},
+                 {"mean_vx_stderr", numberOrNull(result.velocities[i].mean_stderr)},
+                 {"engine_mean_vx", numberOrNull(engineMeans(result, i).mean_vx)},
+                 {"left", countOrNull(left)},
+                 {"right", countOrNull(right)},
+                 {"on_base", countOrNull(on_base)},
+                 {"granular_temperature", numberOrNull(result.granular_temperatures[i])}};
+    addMeans(json, engineMeans(result, i));
+    list.push_back(std::move(json));
   }
   return list;
 }

@@ -69,14 +69,22 @@ std::string driveTable(const RunResult& result)
 
 std::string statisticsTable(const RunResult& result)
 {
-  std::string text =
-      "time [s],species,mean_vx [m/s],mean_vx_stderr [m/s],"
-      "window_start [s],window_end [s],granular_temperature [J]\n";
+  std::string text = "time [s],species";
+  const SpeciesMeans any;
+  Fields<SpeciesMeans>::each([&text](const FieldInfo& info, const auto&)
+                             { text += fmt::format(",{} [{}]", info.name, info.unit); },
+                             any);
+  text += ",window_start [s],window_end [s],granular_temperature [J]\n";
   for (const StatisticsFrame& frame : result.statistics)
-    for (std::size_t i = 0; i < frame.means.size(); ++i)
-      text += fmt::format("{},{},{},{},{},{},{}\n", frame.time, result.species[i],
-                          field(frame.means[i].mean_vx), field(frame.means[i].mean_vx_stderr),
-                          frame.window_start, frame.window_end, field(frame.granular_temperature[i]));
+    for (std::size_t i = 0; i < frame.species.size(); ++i)
+    {
+      text += fmt::format("{},{}", frame.time, result.species[i]);
+      Fields<SpeciesMeans>::each([&text](const FieldInfo&, const std::optional<double>& mean)
+                                 { text += "," + field(mean); },
+                                 frame.species[i].means);
+      text += fmt::format(",{},{},{}\n", frame.window_start, frame.window_end,
+                          field(frame.species[i].granular_temperature));
+    }
   return text;
 }
 
@@ -93,8 +101,8 @@ std::string contactTable(const RunResult& result)
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", frame.time, counts.disk_disk,
                         counts.left_slope, counts.right_slope, counts.apex, counts.wall,
                         field(counts.shortToLong(result.scene.base.asymmetry)), frame.window_start,
-                        frame.window_end, rates.disk_disk, rates.left_slope, rates.right_slope, rates.apex,
-                        rates.wall, rates.total());
+                        frame.window_end, rates.disk_disk_rate, rates.left_slope_rate, rates.right_slope_rate,
+                        rates.apex_rate, rates.wall_rate, rates.total());
   }
   return text;
 }

@@ -1,12 +1,16 @@
 #include "frame_rules.h"
 
 #include <cmath>
-#include <initializer_list>
+#include <cstdint>
 #include <limits>
+#include <string>
+#include <type_traits>
 
 #include <fmt/format.h>
 
 #include "ratchet_sieve/analysis/run_analysis.h"
+#include "ratchet_sieve/core/fields.h"
+#include "ratchet_sieve/recording/frame_kinds.h"
 
 namespace ratchet_sieve
 {
@@ -20,23 +24,54 @@ constexpr double FARTHEST = 1e15;
 /// Disks have ids of 32 bits.
 constexpr std::uint64_t MOST_IDS = std::numeric_limits<std::uint32_t>::max();
 
-void requireSpecies(std::size_t count, const SceneDefinition& scene, const char* kind)
+template <typename Frame>
+std::string describeFrame()
+{
+  return std::string("a frame of ") + describe(kindOf<Frame>()).name;
+}
+
+template <typename Frame>
+void requireSpecies(std::size_t count, const SceneDefinition& scene)
 {
   if (count != scene.species.size())
-    throw AnalysisError(fmt::format("a {} frame of {} species does not fit the scene, which has {}", kind,
-                                    count, scene.species.size()));
+    throw AnalysisError(fmt::format("{} with {} species does not fit the scene, which has {}",
+                                    describeFrame<Frame>(), count, scene.species.size()));
 }
 
-void requireFinite(std::initializer_list<double> values, const char* kind, double time)
+/// The name of a field that holds a number that is not finite; null where there is none.
+template <typename T>
+const char* notFinite(const char* name, const T& value)
 {
-  for (const double value : values)
-    if (!std::isfinite(value))
-      throw AnalysisError(fmt::format("a {} frame at {} s holds a number that is not finite", kind, time));
+  if constexpr (std::is_floating_point_v<T>)
+    return std::isfinite(value) ? nullptr : name;
+  else if constexpr (IS_OPTIONAL<T>)
+    return value ? notFinite(name, *value) : nullptr;
+  else if constexpr (IS_VECTOR<T>)
+  {
+    const char* found = nullptr;
+    for (auto element = value.begin(); found == nullptr && element != value.end(); ++element)
+      found = notFinite(name, *element);
+    return found;
+  }
+  else if constexpr (IS_DESCRIBED<T>)
+  {
+    const char* found = nullptr;
+    Fields<T>::each(
+        [&found](const FieldInfo& field, const auto& of)
+        {
+          if (found == nullptr)
+            found = notFinite(field.name, of);
+        },
+        value);
+    return found;
+  }
+  else
+    return nullptr;
 }
 
-}  // namespace
+void requireFit(const BaseFrame&, const SceneDefinition&) {}
 
-void requireSound(const ParticleFrame& frame, const SceneDefinition& scene)
+void requireFit(const ParticleFrame& frame, const SceneDefinition& scene)
 {
   for (const DiskState& disk : frame.disks)
   {
@@ -49,37 +84,34 @@ void requireSound(const ParticleFrame& frame, const SceneDefinition& scene)
   }
 }
 
-void requireSound(const BinFrame& frame, const SceneDefinition& scene)
+void requireFit(const BinFrame& frame, const SceneDefinition& scene)
 {
-  requireSpecies(frame.bins.size(), scene, "bin");
+  requireSpecies<BinFrame>(frame.bins.size(), scene);
   for (const SpeciesBins& bins : frame.bins)
     if (bins.left > MOST_IDS || bins.right > MOST_IDS || bins.on_base > MOST_IDS)
-      throw AnalysisError(fmt::format("a bin frame at {} s counts more disks than there can be", frame.time));
+      throw AnalysisError(fmt::format("{} at {} s counts more disks than there can be",
+                                      describeFrame<BinFrame>(), frame.time));
 }
 
-void requireSound(const BaseFrame& frame, const SceneDefinition&)
+void requireFit(const StatisticsFrame& frame, const SceneDefinition& scene)
 {
-  const DriveState& base = frame.base;
-  requireFinite(
-      {base.inclination, base.frequency, base.amplitude, base.commanded_inclination, base.commanded_frequency,
-       base.commanded_amplitude, base.phase, base.displacement, base.velocity},
-      "base", frame.time);
+  requireSpecies<StatisticsFrame>(frame.species.size(), scene);
 }
 
-void requireSound(const StatisticsFrame& frame, const SceneDefinition& scene)
+}  // namespace
+
+template <typename Frame>
+void requireSound(const Frame& frame, const SceneDefinition& scene)
 {
-  requireSpecies(frame.means.size(), scene, "statistics");
-  requireSpecies(frame.granular_temperature.size(), scene, "statistics");
-  const CollisionRates& rates = frame.collision_rates;
-  requireFinite({frame.window_start, frame.window_end, rates.disk_disk, rates.left_slope, rates.right_slope,
-                 rates.apex, rates.wall, frame.real_time_factor, frame.max_overlap},
-                "statistics", frame.time);
-  for (const std::optional<double>& temperature : frame.granular_temperature)
-    requireFinite({temperature.value_or(0.0)}, "statistics", frame.time);
-  for (const SpeciesMeans& means : frame.means)
-    requireFinite({means.mean_vx.value_or(0.0), means.mean_vx_stderr.value_or(0.0),
-                   means.kinetic_translational.value_or(0.0), means.kinetic_rotational.value_or(0.0)},
-                  "statistics", frame.time);
+  requireFit(frame, scene);
+  if (const char* field = notFinite("", frame))
+    throw AnalysisError(fmt::format("{} at {} s holds a number that is not finite: {}",
+                                    describeFrame<Frame>(), frame.time, field));
 }
+
+template void requireSound(const BaseFrame&, const SceneDefinition&);
+template void requireSound(const ParticleFrame&, const SceneDefinition&);
+template void requireSound(const BinFrame&, const SceneDefinition&);
+template void requireSound(const StatisticsFrame&, const SceneDefinition&);
 
 }  // namespace ratchet_sieve

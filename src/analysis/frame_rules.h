@@ -7,11 +7,9 @@
 namespace ratchet_sieve
 {
 
-/// All throw AnalysisError: a number that is not finite, a count or a place beyond any machine, or species
-/// that are not the scene's.
-void requireSound(const ParticleFrame& frame, const SceneDefinition& scene);
-void requireSound(const BinFrame& frame, const SceneDefinition& scene);
-void requireSound(const BaseFrame& frame, const SceneDefinition& scene);
-void requireSound(const StatisticsFrame& frame, const SceneDefinition& scene);
+/// @throws AnalysisError: a number that is not finite, a count or a place beyond any machine, or species
+/// that are not the scene's
+template <typename Frame>
+void requireSound(const Frame& frame, const SceneDefinition& scene);
 
 }  // namespace ratchet_sieve

@@ -1,11 +1,13 @@
 #include "ratchet_sieve/analysis/run_analysis.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "frame_rules.h"
+#include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
@@ -22,13 +24,6 @@ std::vector<double> distributionTimes(double duration)
   for (int k = 1; k <= DISTRIBUTION_TIMES; ++k)
     times.push_back(duration * k / DISTRIBUTION_TIMES);
   return times;
-}
-
-bool sameBins(const BinFrame& a, const BinFrame& b)
-{
-  return std::equal(a.bins.begin(), a.bins.end(), b.bins.begin(), b.bins.end(),
-                    [](const SpeciesBins& x, const SpeciesBins& y)
-                    { return x.left == y.left && x.right == y.right && x.on_base == y.on_base; });
 }
 
 Drift driftOf(const ParticleFrame& frame, std::size_t species_count)
@@ -63,6 +58,11 @@ struct RunAnalysis::Run
   {
   }
 
+  void take(const BaseFrame& frame) { base.take(frame); }
+  void take(const ParticleFrame& frame);
+  void take(const BinFrame& frame);
+  void take(const StatisticsFrame& frame);
+
   SceneFrame scene_frame;
   SceneDefinition scene;
   double start;
@@ -78,62 +78,62 @@ struct RunAnalysis::Run
   std::vector<TemperatureSum> temperatures;  ///< per species, over frames
 };
 
-RunAnalysis::RunAnalysis() = default;
-RunAnalysis::~RunAnalysis() = default;
-
-RunAnalysis::Run& RunAnalysis::run(const char* kind, double time)
+void RunAnalysis::Run::take(const ParticleFrame& frame)
 {
-  if (!run_)
-    throw AnalysisError(fmt::format("a {} frame at {} s comes before any scene", kind, time));
-  run_->end = std::max(run_->end, time);
-  return *run_;
+  ++particle_frames;
+  tracker.take(frame);
+  distributions.take(frame);
+  drift.take(driftOf(frame, scene.species.size()));
 }
 
-void RunAnalysis::take(const SceneFrame& frame)
+void RunAnalysis::Run::take(const BinFrame& frame)
 {
-  run_ = std::make_unique<Run>(frame, sceneFromText(frame.yaml, "recorded scene").definition);
-}
-
-void RunAnalysis::take(const ParticleFrame& frame)
-{
-  Run& run = this->run("particle", frame.time);
-  requireSound(frame, run.scene);
-  ++run.particle_frames;
-  run.tracker.take(frame);
-  run.distributions.take(frame);
-  run.drift.take(driftOf(frame, run.scene.species.size()));
-}
-
-void RunAnalysis::take(const BinFrame& frame)
-{
-  Run& run = this->run("bin", frame.time);
-  requireSound(frame, run.scene);
   // Q and P from the counts, not as the frame says: the analysis is to stand on its own.
   BinFrame counted = frame;
   counted.quality = bestQuality(frame.bins);
   counted.processed = processedRatio(frame.bins);
-  if (run.bins.empty() || !sameBins(run.bins.back(), counted))
-    run.bins.push_back(counted);
-  run.last_bins = std::move(counted);
+  if (bins.empty() || !sameBits(bins.back().bins, counted.bins))
+    bins.push_back(counted);
+  last_bins = std::move(counted);
 }
 
-void RunAnalysis::take(const BaseFrame& frame)
+void RunAnalysis::Run::take(const StatisticsFrame& frame)
 {
-  Run& run = this->run("base", frame.time);
-  requireSound(frame, run.scene);
-  run.base.take(frame);
-}
-
-void RunAnalysis::take(const StatisticsFrame& frame)
-{
-  Run& run = this->run("statistics", frame.time);
-  requireSound(frame, run.scene);
-  run.statistics.take(frame);
-  if (frame.window_start < run.scene.settle)
+  statistics.take(frame);
+  if (frame.window_start < scene.settle)
     return;
-  for (std::size_t i = 0; i < run.temperatures.size(); ++i)
-    if (frame.granular_temperature[i])
-      run.temperatures[i].add(*frame.granular_temperature[i]);
+  for (std::size_t i = 0; i < temperatures.size(); ++i)
+    if (frame.species[i].granular_temperature)
+      temperatures[i].add(*frame.species[i].granular_temperature);
+}
+
+RunAnalysis::RunAnalysis() = default;
+RunAnalysis::~RunAnalysis() = default;
+
+RunAnalysis::Run& RunAnalysis::runAt(const AnyFrame& frame)
+{
+  if (!run_)
+    throw AnalysisError(fmt::format("a frame of {} at {} s comes before any scene",
+                                    describe(frame.kind()).name, frame.time()));
+  run_->end = std::max(run_->end, frame.time());
+  return *run_;
+}
+
+void RunAnalysis::take(const AnyFrame& any)
+{
+  any.visit(
+      [&](const auto& frame)
+      {
+        using Frame = std::decay_t<decltype(frame)>;
+        if constexpr (std::is_same_v<Frame, SceneFrame>)
+          run_ = std::make_unique<Run>(frame, sceneFromText(frame.yaml, "recorded scene").definition);
+        else if constexpr (IS_TAKEN_AT_A_RATE<Frame>)
+        {
+          Run& run = runAt(any);
+          requireSound(frame, run.scene);
+          run.take(frame);
+        }
+      });
 }
 
 RunResult RunAnalysis::result() const
@@ -165,14 +165,15 @@ RunResult RunAnalysis::result() const
 std::vector<std::string> RunResult::missing() const
 {
   std::vector<std::string> kinds;
-  if (particle_frames == 0)
-    kinds.emplace_back("particles");
-  if (bins.empty())
-    kinds.emplace_back("bins");
-  if (base.empty())
-    kinds.emplace_back("base");
-  if (statistics.empty())
-    kinds.emplace_back("statistics");
+  const auto require = [&](FrameKind kind, bool recorded)
+  {
+    if (!recorded)
+      kinds.emplace_back(describe(kind).name);
+  };
+  require(FrameKind::PARTICLES, particle_frames > 0);
+  require(FrameKind::BINS, !bins.empty());
+  require(FrameKind::BASE, !base.empty());
+  require(FrameKind::STATISTICS, !statistics.empty());
   return kinds;
 }
 

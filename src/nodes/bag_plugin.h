@@ -22,7 +22,7 @@ public:
 using OpenBagPlugin = BagPlugin*(const char* path);
 
 /// The library, found where those are that the program is linked to, and the function in it.
-constexpr const char* BAG_PLUGIN_FILE = "libratchet_sieve_bag.so";
+constexpr const char* BAG_PLUGIN_FILE = "libratchet_sieve_bag_plugin.so";
 constexpr const char* BAG_PLUGIN_FUNCTION = "ratchetSieveOpenBag";
 
 }  // namespace ratchet_sieve

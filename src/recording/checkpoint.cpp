@@ -24,7 +24,7 @@ namespace
 using Json = nlohmann::ordered_json;
 
 /// Its number goes up with every change of what a state holds.
-constexpr std::string_view FIRST_LINE = "ratchet_sieve checkpoint 4\n";
+constexpr std::string_view FIRST_LINE = "ratchet_sieve checkpoint 5\n";
 constexpr std::string_view ANY_FIRST_LINE = "ratchet_sieve checkpoint ";
 
 constexpr std::size_t CHECKSUM_DIGITS = 16;

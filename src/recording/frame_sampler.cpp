@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace ratchet_sieve
@@ -10,10 +11,12 @@ namespace ratchet_sieve
 FrameSampler::FrameSampler(const FrameRates& rates, double start_time, WallClock wall_clock)
     : start_time_(start_time), wall_clock_(std::move(wall_clock)), last_statistics_wall_(wall_clock_())
 {
-  particles_.rate = rates.particles;
-  bins_.rate = rates.bins;
-  base_.rate = rates.base;
-  statistics_.rate = rates.statistics;
+  forEachSampledType(
+      [&](auto type)
+      {
+        using Frame = typename decltype(type)::Frame;
+        stream<Frame>().rate = rates.*describe(kindOf<Frame>()).rate;
+      });
 }
 
 void FrameSampler::setUnderWay(bool under_way)
@@ -42,7 +45,11 @@ double FrameSampler::dueTime(const Stream& stream) const
 
 double FrameSampler::nextTime() const
 {
-  return std::min({dueTime(particles_), dueTime(bins_), dueTime(base_), dueTime(statistics_)});
+  double next = std::numeric_limits<double>::infinity();
+  for (const FrameKindInfo& info : FRAME_LIST)
+    if (info.rate != nullptr)
+      next = std::min(next, dueTime(streams_[static_cast<std::size_t>(info.kind)]));
+  return next;
 }
 
 bool FrameSampler::passIfDue(Stream& stream, double time) const
@@ -59,41 +66,38 @@ bool FrameSampler::passIfDue(Stream& stream, double time) const
   return true;
 }
 
-void FrameSampler::takeBase(const Simulation& simulation, FrameSink& sink)
+double FrameSampler::realTimeFactorAt(double time)
 {
-  if (sink.wants(FrameKind::BASE))
-    sink.take(makeBaseFrame(simulation));
-}
-
-void FrameSampler::takeParticles(const Simulation& simulation, FrameSink& sink)
-{
-  if (!sink.wants(FrameKind::PARTICLES))
-    return;
-  simulation.disks(particle_frame_.disks);
-  particle_frame_.time = simulation.time();
-  sink.take(particle_frame_);
-}
-
-void FrameSampler::takeBins(const Simulation& simulation, FrameSink& sink)
-{
-  if (sink.wants(FrameKind::BINS))
-    sink.take(makeBinFrame(simulation));
-}
-
-void FrameSampler::takeStatistics(const Simulation& simulation, FrameSink& sink)
-{
-  // Also for a frame that nobody wants: those that follow are to be of the same window.
-  window_.moveTo(simulation);
-  if (!sink.wants(FrameKind::STATISTICS))
-    return;
-  StatisticsFrame frame = makeStatisticsFrame(simulation, window_);
   const auto now = wallTime();
   const double wall_seconds = std::chrono::duration<double>(now - last_statistics_wall_).count();
-  if (last_statistics_ && frame.time > *last_statistics_ && wall_seconds > 0.0)
-    frame.real_time_factor = (frame.time - *last_statistics_) / wall_seconds;
-  last_statistics_ = frame.time;
+  const bool measured = last_statistics_ && time > *last_statistics_ && wall_seconds > 0.0;
+  const double factor = measured ? (time - *last_statistics_) / wall_seconds : 0.0;
+  last_statistics_ = time;
   last_statistics_wall_ = now;
-  sink.take(frame);
+  return factor;
+}
+
+template <typename Frame>
+void FrameSampler::take(const Simulation& simulation, FrameSink& sink)
+{
+  // Also for a frame that nobody wants: those that follow are to be of the same window.
+  if constexpr (std::is_same_v<Frame, StatisticsFrame>)
+    window_.moveTo(simulation);
+  if (!sink.wants(kindOf<Frame>()))
+    return;
+  if constexpr (std::is_same_v<Frame, ParticleFrame>)
+  {
+    simulation.disks(particle_frame_.disks);
+    particle_frame_.time = simulation.time();
+    sink.take(particle_frame_);
+  }
+  else
+  {
+    Frame frame = makeFrame<Frame>(simulation, window_);
+    if constexpr (std::is_same_v<Frame, StatisticsFrame>)
+      frame.real_time_factor = realTimeFactorAt(frame.time);
+    sink.take(frame);
+  }
 }
 
 void FrameSampler::takeDue(const Simulation& simulation, FrameSink& sink)
@@ -101,31 +105,26 @@ void FrameSampler::takeDue(const Simulation& simulation, FrameSink& sink)
   if (!scene_taken_)
     sink.take(makeSceneFrame(simulation));
   scene_taken_ = true;
-  const double time = simulation.time();
-  if (passIfDue(base_, time))
-    takeBase(simulation, sink);
-  if (passIfDue(particles_, time))
-    takeParticles(simulation, sink);
-  if (passIfDue(bins_, time))
-    takeBins(simulation, sink);
-  if (passIfDue(statistics_, time))
-    takeStatistics(simulation, sink);
+  forEachSampledType(
+      [&](auto type)
+      {
+        using Frame = typename decltype(type)::Frame;
+        if (passIfDue(stream<Frame>(), simulation.time()))
+          take<Frame>(simulation, sink);
+      });
 }
 
 void FrameSampler::takeLast(const Simulation& simulation, FrameSink& sink)
 {
   takeDue(simulation, sink);
-  const double time = simulation.time();
-  if (base_.last_time != time)
-    takeBase(simulation, sink);
-  if (particles_.last_time != time)
-    takeParticles(simulation, sink);
-  if (bins_.last_time != time)
-    takeBins(simulation, sink);
-  if (statistics_.last_time != time)
-    takeStatistics(simulation, sink);
-  for (Stream* stream : {&base_, &particles_, &bins_, &statistics_})
-    stream->last_time = time;
+  forEachSampledType(
+      [&](auto type)
+      {
+        using Frame = typename decltype(type)::Frame;
+        if (stream<Frame>().last_time != simulation.time())
+          take<Frame>(simulation, sink);
+        stream<Frame>().last_time = simulation.time();
+      });
 }
 
 }  // namespace ratchet_sieve

@@ -45,11 +45,13 @@ StatisticsFrame makeStatisticsFrame(const Simulation& simulation, const Statisti
 {
   StatisticsFrame frame;
   frame.time = simulation.time();
-  frame.species = speciesNames(simulation.scene());
-  frame.means = simulation.means();
   frame.window_start = window.start();
   frame.window_end = window.end();
-  frame.granular_temperature = window.granularTemperatures();
+  const std::vector<SpeciesMeans> means = simulation.means();
+  const std::vector<std::optional<double>>& temperatures = window.granularTemperatures();
+  for (std::size_t i = 0; i < means.size(); ++i)
+    frame.species.push_back({simulation.scene().species[i].name, means[i],
+                             i < temperatures.size() ? temperatures[i] : std::nullopt});
   frame.collision_rates = window.collisionRates();
   frame.collisions = simulation.collisions();
   frame.events = simulation.events();

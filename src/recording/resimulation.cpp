@@ -6,42 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "frame_difference.h"
 #include "ratchet_sieve/recording/commands.h"
-#include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-/// The first value of a disk that differs.
-std::string diskDifference(const DiskState& recorded, const DiskState& now)
-{
-  struct Field
-  {
-    const char* name;
-    double DiskState::*value;
-  };
-  for (const auto& [name, value] :
-       {Field{"x", &DiskState::x}, Field{"y", &DiskState::y}, Field{"angle", &DiskState::angle},
-        Field{"vx", &DiskState::vx}, Field{"vy", &DiskState::vy}, Field{"spin", &DiskState::spin},
-        Field{"displacement", &DiskState::displacement}})
-    if (!sameBits(recorded.*value, now.*value))
-      return fmt::format("{} of disk {} was {}, is {}", name, now.id, recorded.*value, now.*value);
-  return fmt::format("disk {} of species {} was disk {} of species {}", now.id, now.species, recorded.id,
-                     recorded.species);
-}
-
-std::string particleDifference(const ParticleFrame& recorded, const ParticleFrame& now)
-{
-  if (recorded.disks.size() != now.disks.size())
-    return fmt::format("{} disks were recorded, {} are there", recorded.disks.size(), now.disks.size());
-  for (std::size_t k = 0; k < now.disks.size(); ++k)
-    if (!sameBits(recorded.disks[k], now.disks[k]))
-      return diskDifference(recorded.disks[k], now.disks[k]);
-  return "nothing";
-}
-
 /// What the wall clock and the looking on decide counts for nothing.
 StatisticsFrame comparable(StatisticsFrame frame)
 {
@@ -55,7 +27,8 @@ StatisticsFrame withoutWindow(StatisticsFrame frame)
 {
   frame.window_start = frame.window_end = 0.0;
   frame.collision_rates = {};
-  frame.granular_temperature.clear();
+  for (SpeciesRow& species : frame.species)
+    species.granular_temperature.reset();
   return frame;
 }
 }  // namespace
@@ -67,7 +40,7 @@ Resimulation::~Resimulation() = default;
 
 bool Resimulation::Instant::empty() const
 {
-  return particles.empty() && bins.empty() && bases.empty() && statistics.empty() && commands.empty();
+  return std::apply([](const auto&... kind) { return (kind.empty() && ...); }, frames) && commands.empty();
 }
 
 double Resimulation::time() const
@@ -75,7 +48,24 @@ double Resimulation::time() const
   return simulation_ ? simulation_->time() : 0.0;
 }
 
-void Resimulation::take(const SceneFrame& frame)
+void Resimulation::take(const AnyFrame& any)
+{
+  any.visit(
+      [this](const auto& frame)
+      {
+        using Frame = std::decay_t<decltype(frame)>;
+        if constexpr (std::is_same_v<Frame, SceneFrame>)
+          return begin(frame);
+        else
+        {
+          comeTo(frame.time);
+          if (!difference_)
+            instant_.of<Frame>().push_back(frame);
+        }
+      });
+}
+
+void Resimulation::begin(const SceneFrame& frame)
 {
   if (scene_)
   {
@@ -157,39 +147,53 @@ void Resimulation::dropSame(std::vector<Frame>& frames, const Frame& now)
   frames.erase(end, frames.end());
 }
 
-void Resimulation::compareAsThingsAre()
+template <typename Frame>
+Frame Resimulation::now() const
 {
-  if (!instant_.particles.empty())
-    dropSame(instant_.particles, makeParticleFrame(*simulation_));
-  if (!instant_.bins.empty())
-    dropSame(instant_.bins, makeBinFrame(*simulation_));
-  if (!instant_.bases.empty())
-    dropSame(instant_.bases, makeBaseFrame(*simulation_));
-  if (instant_.statistics.empty())
-    return;
-  window_.moveTo(*simulation_);
-  const StatisticsFrame now = comparable(makeStatisticsFrame(*simulation_, window_));
-  for (StatisticsFrame& recorded : instant_.statistics)
-  {
-    recorded = comparable(recorded);
-    if (recorded.window_start < scene_->time && sameBits(withoutWindow(recorded), withoutWindow(now)))
-      recorded = now;
-  }
-  dropSame(instant_.statistics, now);
+  Frame frame = makeFrame<Frame>(*simulation_, window_);
+  if constexpr (std::is_same_v<Frame, StatisticsFrame>)
+    frame = comparable(frame);
+  return frame;
 }
 
-std::string Resimulation::describeDifference() const
+void Resimulation::compareAsThingsAre()
 {
-  const auto differs = [&](const char* what)
-  { return fmt::format("at {:.17g} s the {} differ", instant_.time, what); };
+  if (std::vector<StatisticsFrame>& statistics = instant_.of<StatisticsFrame>(); !statistics.empty())
+  {
+    window_.moveTo(*simulation_);
+    const StatisticsFrame now = this->now<StatisticsFrame>();
+    for (StatisticsFrame& recorded : statistics)
+    {
+      recorded = comparable(recorded);
+      if (recorded.window_start < scene_->time && sameBits(withoutWindow(recorded), withoutWindow(now)))
+        recorded = now;
+    }
+  }
+  forEachSampledType(
+      [this](auto type)
+      {
+        using Frame = typename decltype(type)::Frame;
+        if (!instant_.of<Frame>().empty())
+          dropSame(instant_.of<Frame>(), now<Frame>());
+      });
+}
+
+std::string Resimulation::describeDifference()
+{
   if (simulation_->stalled() && simulation_->time() < instant_.time)
     return fmt::format("at {:.17g} s the run stopped: {}", simulation_->time(), simulation_->collapseText());
-  if (!instant_.particles.empty())
-    return differs("disks") + ": " +
-           particleDifference(instant_.particles.front(), makeParticleFrame(*simulation_));
-  if (!instant_.bases.empty())
-    return differs("base's motions");
-  return differs(instant_.bins.empty() ? "statistics" : "counts of the bins");
+  std::string text;
+  forEachSampledType(
+      [&](auto type)
+      {
+        using Frame = typename decltype(type)::Frame;
+        const std::vector<Frame>& recorded = instant_.of<Frame>();
+        if (text.empty() && !recorded.empty())
+          text = fmt::format("at {:.17g} s the frames of {} differ: {}", instant_.time,
+                             describe(kindOf<Frame>()).name,
+                             firstDifference("", recorded.front(), now<Frame>()));
+      });
+  return text;
 }
 
 }  // namespace ratchet_sieve

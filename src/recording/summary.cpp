@@ -21,12 +21,9 @@ Json speciesResults(const Simulation& simulation)
     Json json;
     json["name"] = simulation.scene().species[i].name;
     json["count"] = bins[i].counted() + bins[i].on_base;
-    json["mean_vx"] = numberOrNull(means[i].mean_vx);
-    json["mean_vx_stderr"] = numberOrNull(means[i].mean_vx_stderr);
     json["left"] = bins[i].left;
     json["right"] = bins[i].right;
-    json["kinetic_translational"] = numberOrNull(means[i].kinetic_translational);
-    json["kinetic_rotational"] = numberOrNull(means[i].kinetic_rotational);
+    addMeans(json, means[i]);
     list.push_back(std::move(json));
   }
   return list;
@@ -38,6 +35,7 @@ Json planParts(const Plan& plan)
   json["pairs"] = plan.pairs;
   json["spin"] = plan.spin;
   json["drive"] = plan.drive;
+  json["orbit"] = plan.orbit;
   json["contact_times"] = plan.contact_times;
   json["search_above_band"] = plan.search_above_band;
   json["lanes"] = plan.lanes;
@@ -61,17 +59,21 @@ Json pairResults(const Simulation& simulation)
 Json collisionCounts(const CollisionCounts& counts)
 {
   Json json;
-  json["disk_disk"] = counts.disk_disk;
-  json["left_slope"] = counts.left_slope;
-  json["right_slope"] = counts.right_slope;
-  json["apex"] = counts.apex;
-  json["wall"] = counts.wall;
+  Fields<CollisionCounts>::each(
+      [&json](const FieldInfo& field, std::uint64_t count) { json[field.name] = count; }, counts);
   return json;
 }
 
 Json numberOrNull(const std::optional<double>& value)
 {
   return value ? Json(*value) : Json(nullptr);
+}
+
+void addMeans(Json& species, const SpeciesMeans& means)
+{
+  Fields<SpeciesMeans>::each([&species](const FieldInfo& field, const std::optional<double>& mean)
+                             { species.emplace(field.name, numberOrNull(mean)); },
+                             means);
 }
 
 Json summarize(const Simulation& simulation, const RunOutcome& outcome)
@@ -92,7 +94,7 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
   if (scene.species.size() > 2)
     json["pair_qualities"] = pairResults(simulation);
   json["processed"] = numberOrNull(processedRatio(simulation.bins()));
-  json["base_impulse"] = {simulation.baseImpulseX(), simulation.baseImpulseY()};
+  json["base_impulse"] = {simulation.baseImpulse().x(), simulation.baseImpulse().y()};
   json["energy_start"] = outcome.progress.energy_start;
   json["energy_end"] = simulation.energy();
   json["collapses"] = simulation.collapses().count;

@@ -12,8 +12,8 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
-#include "bag_structure.h"
 #include "bounded_stream.h"
+#include "ratchet_sieve/bag/bag_structure.h"
 #include "ratchet_sieve/ros/conversions.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
@@ -63,7 +63,7 @@ public:
 private:
   void read()
   {
-    if (done())
+    if (TopicStream::done())
       return;
     if (!position_->isType<Message>())
       throw std::invalid_argument(position_->getTopic() + " is not what its type says");
@@ -136,7 +136,7 @@ void merge(const std::vector<std::unique_ptr<Stream>>& streams, FrameSink& sink)
 /// @return the topics of scenes, one at least
 std::set<std::string> requireScene(rosbag::View& all)
 {
-  const std::set<std::string> topics = topicsOf<SceneDescription>(all);
+  std::set<std::string> topics = topicsOf<SceneDescription>(all);
   if (topics.empty())
     throw std::invalid_argument("holds no run: no topic of type ratchet_sieve/SceneDescription");
   return topics;
@@ -169,13 +169,13 @@ void readOpened(const rosbag::Bag& bag, bool begins_run, FrameSink& sink)
   requireScene(all);
   requireOneRunAtATime(bag, topicOf<SceneDescription>(all));
   std::vector<std::unique_ptr<Stream>> streams;
-  if (begins_run)
-    addStream<SceneDescription>(bag, all, streams);
-  addStream<Command>(bag, all, streams);
-  addStream<BaseState>(bag, all, streams);
-  addStream<ParticleStates>(bag, all, streams);
-  addStream<BinCounts>(bag, all, streams);
-  addStream<SieveStatistics>(bag, all, streams);
+  forEachFrameType(
+      [&](auto type)
+      {
+        using Frame = typename decltype(type)::Frame;
+        if (begins_run || kindOf<Frame>() != FrameKind::SCENE)
+          addStream<MessageOf<Frame>>(bag, all, streams);
+      });
   merge(streams, sink);
 }
 

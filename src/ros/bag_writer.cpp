@@ -10,10 +10,10 @@
 #include <ros/console.h>
 #include <std_msgs/Float64.h>
 
-#include "bag_structure.h"
+#include "ratchet_sieve/bag/bag_structure.h"
+#include "ratchet_sieve/live/setpoint.h"
 #include "ratchet_sieve/recording/commands.h"
 #include "ratchet_sieve/ros/conversions.h"
-#include "ratchet_sieve/ros/setpoint.h"
 
 namespace ratchet_sieve
 {
@@ -144,40 +144,23 @@ void BagWriter::write(const std::string& topic, double time, const Message& mess
   }
 }
 
-void BagWriter::take(const SceneFrame& frame)
+void BagWriter::take(const AnyFrame& any)
 {
-  write("scene", frame.time, inFrame(frame_id_, toMessage(frame)), true);
+  const bool latched = any.kind() == FrameKind::SCENE;
+  any.visit([&](const auto& frame)
+            { write(describe(any.kind()).name, frame.time, inFrame(frame_id_, toMessage(frame)), latched); });
+  if (const CommandFrame* command = any.as<CommandFrame>())
+    writeSetpoint(*command);
 }
 
-void BagWriter::take(const ParticleFrame& frame)
+void BagWriter::writeSetpoint(const CommandFrame& command)
 {
-  write("particles", frame.time, inFrame(frame_id_, toMessage(frame)));
-}
-
-void BagWriter::take(const BinFrame& frame)
-{
-  write("bins", frame.time, inFrame(frame_id_, toMessage(frame)));
-}
-
-void BagWriter::take(const BaseFrame& frame)
-{
-  write("base", frame.time, inFrame(frame_id_, toMessage(frame)));
-}
-
-void BagWriter::take(const StatisticsFrame& frame)
-{
-  write("statistics", frame.time, inFrame(frame_id_, toMessage(frame)));
-}
-
-void BagWriter::take(const CommandFrame& frame)
-{
-  write("commands", frame.time, inFrame(frame_id_, toMessage(frame)));
-  const auto quantity = setpointQuantity(frame.kind);
+  const auto quantity = setpointQuantity(command.kind);
   if (!quantity)
     return;
   std_msgs::Float64 message;
-  message.data = frame.values.at(0);
-  write(setpointTopic(*quantity), frame.time, message);
+  message.data = command.values.at(0);
+  write(setpointTopic(*quantity), command.time, message);
 }
 
 }  // namespace ratchet_sieve

@@ -15,6 +15,7 @@ namespace ratchet_sieve
 class BoundedStream : public ros::serialization::Stream
 {
 public:
+  // The name is what roscpp's serialization asks for. NOLINTNEXTLINE(readability-identifier-naming)
   static const ros::serialization::StreamType stream_type = ros::serialization::stream_types::Input;
 
   explicit BoundedStream(std::vector<std::uint8_t>& bytes)

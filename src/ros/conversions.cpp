@@ -1,6 +1,13 @@
 #include "ratchet_sieve/ros/conversions.h"
 
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "ratchet_sieve/core/fields.h"
 
 namespace ratchet_sieve
 {
@@ -8,54 +15,139 @@ namespace
 {
 constexpr double LATEST_STAMP = 4294967295.0;  // s
 
-std_msgs::Header headerAt(double time)
+/// From a frame into a message, field by field.
+struct Writer
 {
-  std_msgs::Header header;
-  header.stamp = stampOf(time);
-  header.frame_id = WORLD_FRAME_ID;
-  return header;
-}
+  template <typename From, typename To>
+  void operator()(const FieldInfo&, const From& from, To&& to) const
+  {
+    if constexpr (IS_OPTIONAL<From>)
+    {
+      to.value = from.value_or(0.0);
+      to.defined = from.has_value();
+    }
+    else if constexpr (std::is_enum_v<From>)
+      to = static_cast<std::underlying_type_t<From>>(from);
+    else
+      put(from, to);
+  }
 
-void requireLength(std::size_t length, std::size_t expected, const char* array)
-{
-  if (length != expected)
-    throw std::invalid_argument(std::string(array) + " has " + std::to_string(length) + " entries, not " +
-                                std::to_string(expected));
-}
+private:
+  template <typename Value, typename To>
+  void put(const Value& from, To& to) const
+  {
+    to = from;
+  }
 
-/// An optional number as a message carries it: a value and a flag.
-void put(const std::optional<double>& from, double& value, std::uint8_t& defined)
-{
-  value = from.value_or(0.0);
-  defined = from.has_value();
-}
+  template <typename Row, typename RowMessage>
+  void put(const std::vector<Row>& from, std::vector<RowMessage>& to) const
+  {
+    if constexpr (!IS_DESCRIBED<Row>)
+      to = from;
+    else
+    {
+      to.resize(from.size());
+      for (std::size_t k = 0; k < from.size(); ++k)
+        Fields<Row>::each(*this, from[k], to[k]);
+    }
+  }
 
-std::optional<double> get(double value, std::uint8_t defined)
-{
-  return defined ? std::optional<double>(value) : std::nullopt;
-}
+  template <typename Row, typename Message>
+  void put(const std::vector<Row>& from, Columns<Message>& to) const
+  {
+    const Row any;
+    Fields<Row>::each([&](const FieldInfo&, const auto&, auto& column) { column.resize(from.size()); }, any,
+                      to.message);
+    for (std::size_t k = 0; k < from.size(); ++k)
+      Fields<Row>::each([k](const FieldInfo&, const auto& value, auto& column) { column[k] = value; },
+                        from[k], to.message);
+  }
+};
 
-SpeciesStatistics toMessage(const std::string& name, const SpeciesMeans& means,
-                            const std::optional<double>& granular_temperature)
+/// From a message into a frame, field by field. All arrays of a message have one entry for each disk or
+/// species.
+class Reader
 {
-  SpeciesStatistics message;
-  message.name = name;
-  put(means.mean_vx, message.mean_vx, message.mean_vx_defined);
-  put(means.mean_vx_stderr, message.mean_vx_stderr, message.mean_vx_stderr_defined);
-  put(means.kinetic_translational, message.kinetic_translational, message.kinetic_translational_defined);
-  put(means.kinetic_rotational, message.kinetic_rotational, message.kinetic_rotational_defined);
-  put(granular_temperature, message.granular_temperature, message.granular_temperature_defined);
+public:
+  template <typename To, typename From>
+  void operator()(const FieldInfo& field, To& to, const From& from)
+  {
+    if constexpr (IS_OPTIONAL<To>)
+      to = from.defined ? To(from.value) : std::nullopt;
+    else if constexpr (std::is_enum_v<To>)
+      to = commandKind(from);
+    else
+      get(field, to, from);
+  }
+
+private:
+  template <typename To, typename Value>
+  void get(const FieldInfo&, To& to, const Value& from)
+  {
+    to = from;
+  }
+
+  template <typename Row, typename RowMessage>
+  void get(const FieldInfo& field, std::vector<Row>& to, const std::vector<RowMessage>& from)
+  {
+    requireLength(field, from.size());
+    if constexpr (!IS_DESCRIBED<Row>)
+      to = from;
+    else
+    {
+      to.resize(from.size());
+      for (std::size_t k = 0; k < from.size(); ++k)
+        Fields<Row>::each(*this, to[k], from[k]);
+    }
+  }
+
+  template <typename Row, typename Message>
+  void get(const FieldInfo&, std::vector<Row>& to, const Columns<Message>& from)
+  {
+    const Row any;
+    Fields<Row>::each([this](const FieldInfo& field, const auto&, const auto& column)
+                      { requireLength(field, column.size()); },
+                      any, from.message);
+    to.resize(*length_);
+    for (std::size_t k = 0; k < to.size(); ++k)
+      Fields<Row>::each([k](const FieldInfo&, auto& value, const auto& column) { value = column[k]; }, to[k],
+                        from.message);
+  }
+
+  void requireLength(const FieldInfo& field, std::size_t length)
+  {
+    if (length != length_.value_or(length))
+      throw std::invalid_argument(std::string(field.name) + " has " + std::to_string(length) +
+                                  " entries, not " + std::to_string(*length_));
+    length_ = length;
+  }
+
+  static CommandKind commandKind(std::uint8_t kind)
+  {
+    if (kind >= COMMAND_KINDS)
+      throw std::invalid_argument("a command has the kind " + std::to_string(kind) + ", which is none");
+    return static_cast<CommandKind>(kind);
+  }
+
+  std::optional<std::size_t> length_;  ///< of the arrays
+};
+
+template <typename Frame>
+MessageOf<Frame> messageOf(const Frame& frame)
+{
+  MessageOf<Frame> message;
+  message.header.stamp = stampOf(frame.time);
+  message.header.frame_id = WORLD_FRAME_ID;
+  Fields<Frame>::each(Writer(), frame, message);
   return message;
 }
 
-SpeciesMeans meansOf(const SpeciesStatistics& message)
+template <typename Frame>
+Frame frameOf(const MessageOf<Frame>& message)
 {
-  SpeciesMeans means;
-  means.mean_vx = get(message.mean_vx, message.mean_vx_defined);
-  means.mean_vx_stderr = get(message.mean_vx_stderr, message.mean_vx_stderr_defined);
-  means.kinetic_translational = get(message.kinetic_translational, message.kinetic_translational_defined);
-  means.kinetic_rotational = get(message.kinetic_rotational, message.kinetic_rotational_defined);
-  return means;
+  Frame frame;
+  Fields<Frame>::each(Reader(), frame, message);
+  return frame;
 }
 }  // namespace
 
@@ -71,201 +163,64 @@ bool isStamp(double time)
 
 SceneDescription toMessage(const SceneFrame& frame)
 {
-  SceneDescription message;
-  message.header = headerAt(frame.time);
-  message.time = frame.time;
-  message.start_time = frame.start_time;
-  message.yaml = frame.yaml;
-  message.scene_hash = frame.scene_hash;
-  message.seed = frame.seed;
-  message.version = frame.version;
-  return message;
+  return messageOf(frame);
 }
 
 SceneFrame toFrame(const SceneDescription& message)
 {
-  return {message.time, message.start_time, message.yaml, message.scene_hash, message.seed, message.version};
+  return frameOf<SceneFrame>(message);
 }
 
 ParticleStates toMessage(const ParticleFrame& frame)
 {
-  ParticleStates message;
-  message.header = headerAt(frame.time);
-  message.time = frame.time;
-  const std::size_t count = frame.disks.size();
-  message.id.resize(count);
-  message.species.resize(count);
-  for (auto* array : {&message.x, &message.y, &message.angle, &message.vx, &message.vy, &message.spin,
-                      &message.displacement})
-    array->resize(count);
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    const DiskState& disk = frame.disks[k];
-    message.id[k] = disk.id;
-    message.species[k] = disk.species;
-    message.x[k] = disk.x;
-    message.y[k] = disk.y;
-    message.angle[k] = disk.angle;
-    message.vx[k] = disk.vx;
-    message.vy[k] = disk.vy;
-    message.spin[k] = disk.spin;
-    message.displacement[k] = disk.displacement;
-  }
-  return message;
+  return messageOf(frame);
 }
 
 ParticleFrame toFrame(const ParticleStates& message)
 {
-  const std::size_t count = message.id.size();
-  requireLength(message.species.size(), count, "species");
-  requireLength(message.x.size(), count, "x");
-  requireLength(message.y.size(), count, "y");
-  requireLength(message.angle.size(), count, "angle");
-  requireLength(message.vx.size(), count, "vx");
-  requireLength(message.vy.size(), count, "vy");
-  requireLength(message.spin.size(), count, "spin");
-  requireLength(message.displacement.size(), count, "displacement");
-  ParticleFrame frame;
-  frame.time = message.time;
-  frame.disks.reserve(count);
-  for (std::size_t k = 0; k < count; ++k)
-    frame.disks.push_back({message.id[k], message.species[k], message.x[k], message.y[k], message.angle[k],
-                           message.vx[k], message.vy[k], message.spin[k], message.displacement[k]});
-  return frame;
+  return frameOf<ParticleFrame>(message);
 }
 
 BinCounts toMessage(const BinFrame& frame)
 {
-  BinCounts message;
-  message.header = headerAt(frame.time);
-  message.time = frame.time;
-  message.species = frame.species;
-  for (const SpeciesBins& bins : frame.bins)
-  {
-    message.left.push_back(bins.left);
-    message.right.push_back(bins.right);
-    message.on_base.push_back(bins.on_base);
-  }
-  put(frame.quality, message.quality, message.quality_defined);
-  put(frame.processed, message.processed, message.processed_defined);
-  return message;
+  return messageOf(frame);
 }
 
 BinFrame toFrame(const BinCounts& message)
 {
-  const std::size_t count = message.species.size();
-  requireLength(message.left.size(), count, "left");
-  requireLength(message.right.size(), count, "right");
-  requireLength(message.on_base.size(), count, "on_base");
-  BinFrame frame;
-  frame.time = message.time;
-  frame.species = message.species;
-  for (std::size_t k = 0; k < count; ++k)
-    frame.bins.push_back({message.left[k], message.right[k], message.on_base[k]});
-  frame.quality = get(message.quality, message.quality_defined);
-  frame.processed = get(message.processed, message.processed_defined);
-  return frame;
+  return frameOf<BinFrame>(message);
 }
 
 BaseState toMessage(const BaseFrame& frame)
 {
-  BaseState message;
-  message.header = headerAt(frame.time);
-  message.time = frame.time;
-  message.inclination = frame.base.inclination;
-  message.frequency = frame.base.frequency;
-  message.amplitude = frame.base.amplitude;
-  message.commanded_inclination = frame.base.commanded_inclination;
-  message.commanded_frequency = frame.base.commanded_frequency;
-  message.commanded_amplitude = frame.base.commanded_amplitude;
-  message.phase = frame.base.phase;
-  message.displacement = frame.base.displacement;
-  message.velocity = frame.base.velocity;
-  return message;
+  return messageOf(frame);
 }
 
 BaseFrame toFrame(const BaseState& message)
 {
-  BaseFrame frame;
-  frame.time = message.time;
-  frame.base.inclination = message.inclination;
-  frame.base.frequency = message.frequency;
-  frame.base.amplitude = message.amplitude;
-  frame.base.commanded_inclination = message.commanded_inclination;
-  frame.base.commanded_frequency = message.commanded_frequency;
-  frame.base.commanded_amplitude = message.commanded_amplitude;
-  frame.base.phase = message.phase;
-  frame.base.displacement = message.displacement;
-  frame.base.velocity = message.velocity;
-  return frame;
+  return frameOf<BaseFrame>(message);
+}
+
+Command toMessage(const CommandFrame& frame)
+{
+  return messageOf(frame);
+}
+
+CommandFrame toFrame(const Command& message)
+{
+  return frameOf<CommandFrame>(message);
 }
 
 SieveStatistics toMessage(const StatisticsFrame& frame)
 {
-  SieveStatistics message;
-  message.header = headerAt(frame.time);
-  message.time = frame.time;
-  for (std::size_t k = 0; k < frame.species.size(); ++k)
-    message.species.push_back(toMessage(frame.species[k], frame.means[k], frame.granular_temperature[k]));
-  message.window_start = frame.window_start;
-  message.window_end = frame.window_end;
-  message.disk_disk = frame.collisions.disk_disk;
-  message.left_slope = frame.collisions.left_slope;
-  message.right_slope = frame.collisions.right_slope;
-  message.apex = frame.collisions.apex;
-  message.wall = frame.collisions.wall;
-  message.events = frame.events;
+  SieveStatistics message = messageOf(frame);
   message.collision_rate = frame.collision_rates.total();
-  message.disk_disk_rate = frame.collision_rates.disk_disk;
-  message.left_slope_rate = frame.collision_rates.left_slope;
-  message.right_slope_rate = frame.collision_rates.right_slope;
-  message.apex_rate = frame.collision_rates.apex;
-  message.wall_rate = frame.collision_rates.wall;
-  message.real_time_factor = frame.real_time_factor;
-  message.max_overlap = frame.max_overlap;
   return message;
 }
 
 StatisticsFrame toFrame(const SieveStatistics& message)
 {
-  StatisticsFrame frame;
-  frame.time = message.time;
-  for (const SpeciesStatistics& species : message.species)
-  {
-    frame.species.push_back(species.name);
-    frame.means.push_back(meansOf(species));
-    frame.granular_temperature.push_back(
-        get(species.granular_temperature, species.granular_temperature_defined));
-  }
-  frame.window_start = message.window_start;
-  frame.window_end = message.window_end;
-  frame.collisions = {message.disk_disk, message.left_slope, message.right_slope, message.apex, message.wall};
-  frame.events = message.events;
-  frame.collision_rates = {message.disk_disk_rate, message.left_slope_rate, message.right_slope_rate,
-                           message.apex_rate, message.wall_rate};
-  frame.real_time_factor = message.real_time_factor;
-  frame.max_overlap = message.max_overlap;
-  return frame;
-}
-
-Command toMessage(const CommandFrame& frame)
-{
-  Command message;
-  message.header = headerAt(frame.time);
-  message.time = frame.time;
-  message.kind = static_cast<std::uint8_t>(frame.kind);
-  message.values = frame.values;
-  message.species = frame.species;
-  message.count = frame.count;
-  return message;
-}
-
-CommandFrame toFrame(const Command& message)
-{
-  if (message.kind > Command::UNPAUSE)
-    throw std::invalid_argument("a command has the kind " + std::to_string(message.kind) + ", which is none");
-  return {message.time, static_cast<CommandKind>(message.kind), message.values, message.species,
-          message.count};
+  return frameOf<StatisticsFrame>(message);
 }
 
 }  // namespace ratchet_sieve

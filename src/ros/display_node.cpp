@@ -61,11 +61,13 @@ void DisplayNode::subscribe(const std::string& sieve)
   ParameterReader reader(node_);
   frames_ = frameNames(readFramePrefix(reader, sieve_), false);
   ROS_INFO("shows %s", sieve_.c_str());
-  subscribe<SceneDescription>(sieve_ + "/scene");
-  subscribe<BaseState>(sieve_ + "/base");
-  subscribe<BinCounts>(sieve_ + "/bins");
-  subscribe<ParticleStates>(sieve_ + "/particles");
-  subscribe<SieveStatistics>(sieve_ + "/statistics");
+  forEachFrameType(
+      [this](auto type)
+      {
+        using Frame = typename decltype(type)::Frame;
+        if (kindOf<Frame>() != FrameKind::COMMANDS)
+          subscribe<MessageOf<Frame>>(sieve_ + "/" + describe(kindOf<Frame>()).name);
+      });
 }
 
 template <typename Message>

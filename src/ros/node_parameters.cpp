@@ -31,10 +31,9 @@ double readSetpoint(ParameterReader& reader, double slew_rate, Setpoint& setpoin
 
 void readRates(ParameterReader& reader, const std::string& prefix, FrameRates& rates)
 {
-  rates.particles = reader.number(prefix + "particles", rates.particles, 0.0, MAX_RATE);
-  rates.bins = reader.number(prefix + "bins", rates.bins, 0.0, MAX_RATE);
-  rates.base = reader.number(prefix + "base", rates.base, 0.0, MAX_RATE);
-  rates.statistics = reader.number(prefix + "statistics", rates.statistics, 0.0, MAX_RATE);
+  for (const FrameKindInfo& kind : FRAME_LIST)
+    if (kind.rate != nullptr)
+      rates.*kind.rate = reader.number(prefix + kind.name, rates.*kind.rate, 0.0, MAX_RATE);
 }
 
 void readRecording(ParameterReader& reader, RecordingParameters& recording)
@@ -65,14 +64,6 @@ std::string readFramePrefix(ParameterReader& reader, const std::string& sieve)
   if (!error.empty())
     throw ParameterError("parameter " + reader.fullName("frame_prefix") + ": " + prefix + ": " + error);
   return prefix;
-}
-
-std::array<Setpoint, QUANTITIES> usualSetpoints()
-{
-  std::array<Setpoint, QUANTITIES> setpoints;
-  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
-    setpoints[indexOf(q.quantity)] = {q.quantity, q.usual};
-  return setpoints;
 }
 
 std::array<Setpoint, QUANTITIES> readSetpoints(ParameterReader& reader, SlewRates& slew_rates)

@@ -27,22 +27,6 @@ std::string absolutePath(const std::string& path)
   const std::filesystem::path whole = std::filesystem::absolute(path, error);
   return path.empty() || error ? path : whole.string();
 }
-
-double rateOf(FrameKind kind, const FrameRates& rates)
-{
-  switch (kind)
-  {
-    case FrameKind::PARTICLES:
-      return rates.particles;
-    case FrameKind::BINS:
-      return rates.bins;
-    case FrameKind::BASE:
-      return rates.base;
-    case FrameKind::STATISTICS:
-      return rates.statistics;
-  }
-  return 0.0;
-}
 }  // namespace
 
 Recorder::Recorder(const std::string& path, const std::string& topic_prefix,
@@ -134,7 +118,8 @@ double Recorder::megabytes() const
 
 bool Recorder::wants(FrameKind kind) const
 {
-  return bag_ != nullptr && rateOf(kind, parameters_.rates) > 0.0;
+  const auto rate = describe(kind).rate;
+  return bag_ != nullptr && (rate == nullptr || parameters_.rates.*rate > 0.0);
 }
 
 bool Recorder::full() const
@@ -169,19 +154,15 @@ void Recorder::write(double time, const std::function<void()>& write)
   }
 }
 
-void Recorder::take(const SceneFrame& frame)
+void Recorder::take(const AnyFrame& frame)
 {
-  scene_ = frame;
-  file_start_ = frame.time;
-  last_time_ = frame.time;
-  if (bag_)
-    write(frame.time, [&] { bag_->take(frame); });
-}
-
-void Recorder::take(const CommandFrame& frame)
-{
-  if (bag_)
-    write(frame.time, [&] { bag_->take(frame); });
+  if (const SceneFrame* scene = frame.as<SceneFrame>())
+  {
+    scene_ = *scene;
+    file_start_ = last_time_ = scene->time;
+  }
+  if (wants(frame.kind()))
+    write(frame.time(), [&] { bag_->take(frame); });
 }
 
 }  // namespace ratchet_sieve

@@ -113,6 +113,7 @@ MarkerArray baseMarkers(const SceneDefinition& scene, const BaseFrame& base)
   markers.markers = {body, outline};
   for (Marker& part : markers.markers)
   {
+    part.pose.position.x = base.base.horizontal_displacement;
     part.pose.position.z = base.base.displacement;
     // y of the world points away from the viewer: a turn that raises the right end is negative about it.
     part.pose.orientation.w = std::cos(0.5 * base.base.inclination);

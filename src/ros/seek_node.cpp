@@ -7,8 +7,8 @@
 #include <ros/console.h>
 #include <std_msgs/Float64.h>
 
+#include "ratchet_sieve/live/setpoint.h"
 #include "ratchet_sieve/ros/conversions.h"
-#include "ratchet_sieve/ros/setpoint.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 

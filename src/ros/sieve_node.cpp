@@ -22,6 +22,11 @@ void serveCallbacks(double wait)
 {
   ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(wait));
 }
+RunLog rosLog()
+{
+  return {[](const std::string& line) { ROS_INFO_STREAM(line); },
+          [](const std::string& line) { ROS_WARN_STREAM(line); }};
+}
 }  // namespace
 
 SieveNode::SieveNode(const ros::NodeHandle& private_node, const std::atomic<bool>& stop)
@@ -37,7 +42,7 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
       next_pour_line_(Pacer::Clock::now() + BETWEEN_POUR_LINES),
       recorder_(parameters_.record, private_node.getNamespace(), parameters_.recording,
                 parameters_.frames.world),
-      control_(scene.root, scene.source, parameters_, recorder_,
+      control_(scene.root, scene.source, parameters_, recorder_, rosLog(),
                [this](std::size_t poured, std::size_t of) { watchPour(poured, of); }),
       real_time_factor_(private_node, parameters_.real_time_factor),
       pacer_(parameters_.real_time_factor),

@@ -10,91 +10,58 @@ namespace
 /// queue of its own, so that one that takes nothing costs the others nothing.
 constexpr std::uint32_t QUEUE_SIZE = 30;
 
-template <typename Frame>
-ros::Publisher advertise(ros::NodeHandle& node, const std::string& topic,
-                         const std::function<const LiveRun&()>& current, const std::string& frame_id,
-                         Frame (LiveRun::*state)() const)
-{
-  using Message = decltype(toMessage(std::declval<Frame>()));
-  return node.advertise<Message>(topic, QUEUE_SIZE,
-                                 [current, frame_id, state](const ros::SingleSubscriberPublisher& subscriber)
-                                 { subscriber.publish(inFrame(frame_id, toMessage((current().*state)()))); });
-}
 }  // namespace
 
+/// Advertises the topic of a kind; who subscribes to it is given the present state.
 template <typename Frame>
-void TopicPublisher::publish(const ros::Publisher& publisher, const Frame& frame)
+void TopicPublisher::greet(ros::NodeHandle& node, Frame (LiveRun::*state)() const)
 {
-  if (publisher.getNumSubscribers() == 0)
-    return;
-  clock_.reach(frame.time);
-  publisher.publish(inFrame(frame_id_, toMessage(frame)));
+  const ros::SubscriberStatusCallback give =
+      [current = current_, frame_id = frame_id_, state](const ros::SingleSubscriberPublisher& subscriber)
+  { subscriber.publish(inFrame(frame_id, toMessage((current().*state)()))); };
+  const FrameKind kind = kindOf<Frame>();
+  publisher(kind) = node.advertise<MessageOf<Frame>>(describe(kind).name, QUEUE_SIZE, give);
 }
 
 TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
                                const std::string& frame_id, ClockPublisher& clock,
                                TransformPublisher& transforms)
-    : current_(current),
-      frame_id_(frame_id),
-      clock_(clock),
-      transforms_(transforms),
-      scene_(private_node.advertise<SceneDescription>("scene", 1, true)),
-      particles_(advertise(private_node, "particles", current, frame_id, &LiveRun::particles)),
-      bins_(advertise(private_node, "bins", current, frame_id, &LiveRun::bins)),
-      base_(advertise(private_node, "base", current, frame_id, &LiveRun::base)),
-      statistics_(advertise(private_node, "statistics", current, frame_id, &LiveRun::statistics)),
-      commands_(private_node.advertise<Command>("commands", QUEUE_SIZE))
+    : current_(current), frame_id_(frame_id), clock_(clock), transforms_(transforms)
 {
+  publisher(FrameKind::SCENE) =
+      private_node.advertise<SceneDescription>(describe(FrameKind::SCENE).name, 1, true);
+  greet(private_node, &LiveRun::particles);
+  greet(private_node, &LiveRun::bins);
+  greet(private_node, &LiveRun::base);
+  greet(private_node, &LiveRun::statistics);
+  publisher(FrameKind::COMMANDS) =
+      private_node.advertise<Command>(describe(FrameKind::COMMANDS).name, QUEUE_SIZE);
 }
 
 bool TopicPublisher::wants(FrameKind kind) const
 {
-  switch (kind)
-  {
-    case FrameKind::PARTICLES:
-      return particles_.getNumSubscribers() > 0;
-    case FrameKind::BINS:
-      return bins_.getNumSubscribers() > 0;
-    case FrameKind::BASE:
-      return true;  // a few numbers: the transforms have to know what they last showed
-    case FrameKind::STATISTICS:
-      return statistics_.getNumSubscribers() > 0;
-  }
-  return true;
+  // The base is a few numbers, and the transforms have to know what they last showed.
+  return kind == FrameKind::BASE || isHeard(kind);
 }
 
-void TopicPublisher::take(const SceneFrame& frame)
+template <typename Frame>
+void TopicPublisher::publish(const Frame& frame)
 {
+  constexpr FrameKind KIND = kindOf<Frame>();
+  // The scene is latched, for who comes later.
+  if (KIND != FrameKind::SCENE && !isHeard(KIND))
+    return;
   clock_.reach(frame.time);
-  scene_.publish(inFrame(frame_id_, toMessage(frame)));
+  publisher(KIND).publish(inFrame(frame_id_, toMessage(frame)));
 }
 
-void TopicPublisher::take(const ParticleFrame& frame)
+void TopicPublisher::take(const AnyFrame& any)
 {
-  if (particles_.getNumSubscribers() > 0)
+  if (any.kind() == FrameKind::PARTICLES && isHeard(FrameKind::PARTICLES))
     transforms_.publish(current_().base());
-  publish(particles_, frame);
-}
-
-void TopicPublisher::take(const BinFrame& frame)
-{
-  publish(bins_, frame);
-}
-
-void TopicPublisher::take(const BaseFrame& frame)
-{
-  publish(base_, frame);
-  transforms_.publish(frame);
-}
-
-void TopicPublisher::take(const StatisticsFrame& frame)
-{
-  publish(statistics_, frame);
-}
-
-void TopicPublisher::take(const CommandFrame& frame)
-{
-  publish(commands_, frame);
+  any.visit([this](const auto& frame) { publish(frame); });
+  if (const BaseFrame* base = any.as<BaseFrame>())
+    transforms_.publish(*base);
 }
 
 }  // namespace ratchet_sieve

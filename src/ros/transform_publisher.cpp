@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "ratchet_sieve/ros/conversions.h"
 
 namespace ratchet_sieve
@@ -28,8 +30,10 @@ tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame, const FrameNames& nam
   base.header.frame_id = names.mount;
   base.child_frame_id = names.base;
   base.transform.rotation.w = 1.0;
-  base.transform.translation.x = frame.base.displacement * std::sin(inclination);
-  base.transform.translation.z = frame.base.displacement * std::cos(inclination);
+  const Eigen::Vector2d shift = Eigen::Rotation2Dd(-inclination) *
+                                Eigen::Vector2d(frame.base.horizontal_displacement, frame.base.displacement);
+  base.transform.translation.x = shift.x();
+  base.transform.translation.z = shift.y();
 
   tf2_msgs::TFMessage message;
   message.transforms = {mount, base};

@@ -1,6 +1,7 @@
 #include "ratchet_sieve/scene/canonical_scene.h"
 
 #include <cstdio>
+#include <functional>
 #include <sstream>
 
 #include "ratchet_sieve/core/fnv1a.h"
@@ -43,6 +44,31 @@ void writeSection(std::ostream& out, const char* name, const Keys<Part>& keys, c
   out << "}\n";
 }
 
+/// `[{...}, {...}]`
+template <typename Part>
+std::string flowList(const Keys<Part>& keys, const std::vector<Part>& parts)
+{
+  std::ostringstream out;
+  for (const Part& part : parts)
+  {
+    out << (out.tellp() == 0 ? "[{" : ", {");
+    writeValues(keys, part, FlowWriter(out));
+    out << '}';
+  }
+  out << ']';
+  return out.str();
+}
+
+void writeBase(std::ostream& out, const BaseDefinition& base)
+{
+  FlowWriter flow(out);
+  out << "base: {";
+  writeValues(baseKeys(), base, std::ref(flow));
+  if (!base.harmonics.empty())
+    flow("harmonics", flowList(harmonicKeys(), base.harmonics));
+  out << "}\n";
+}
+
 /// `name:` and an entry a line, each written by write_entry(entry, flow); `name: []` for none.
 template <typename Entry, typename WriteEntry>
 void writeList(std::ostream& out, const char* name, const std::vector<Entry>& entries,
@@ -60,7 +86,7 @@ void writeList(std::ostream& out, const char* name, const std::vector<Entry>& en
 std::string motionYaml(const SceneDefinition& scene)
 {
   std::ostringstream out;
-  writeSection(out, "base", baseKeys(), scene.base);
+  writeBase(out, scene.base);
   writeRoot(out, motionKeys(), scene);
   writeList(out, "species", scene.species,
             [](const SpeciesDefinition& species, FlowWriter flow)

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/scene/scalars.h"
@@ -160,66 +161,73 @@ void doubtTeeth(const SceneDefinition& scene, Doubts& doubts)
                meant(base.tooth_height, 1e-3, [&](double height) { return !tall(height); }));
 }
 
-/// How a base is shaken.
-struct Shaking
+DriveBounds drivenAt(BaseDefinition base, double frequency)
 {
-  double speed;         ///< A omega [m/s]
-  double acceleration;  ///< A omega^2 [m/s^2]
-};
-
-Shaking shaking(double amplitude, double frequency)
-{
-  const double omega = 2.0 * PI * frequency;
-  return {amplitude * omega, amplitude * omega * omega};
+  base.frequency = frequency;
+  return driveBounds(base);
 }
 
-bool isTame(const Shaking& shaking, double gravity)
+bool isTame(const DriveBounds& drive, double gravity)
 {
-  return shaking.speed <= FASTEST && (gravity == 0.0 || shaking.acceleration <= HARDEST_DRIVE * gravity);
+  return drive.speed <= FASTEST && (gravity == 0.0 || drive.acceleration <= HARDEST_DRIVE * gravity);
 }
 
 /// One whose frequency is in turns a minute or in rad/s.
 std::optional<double> meantFrequency(const SceneDefinition& scene)
 {
-  const auto tame = [&](double frequency)
-  { return isTame(shaking(scene.base.amplitude, frequency), scene.gravity); };
+  const auto tame = [&](double frequency) { return isTame(drivenAt(scene.base, frequency), scene.gravity); };
   const auto from_radians = meant(scene.base.frequency, 0.5 / PI, tame);
   return from_radians ? from_radians : meant(scene.base.frequency, 1.0 / 60.0, tame);
+}
+
+/// The amplitude that a doubt of the drive names: A, unless the base goes farther sideways.
+struct NamedAmplitude
+{
+  const char* key;
+  double BaseDefinition::*value;
+};
+
+NamedAmplitude namedAmplitude(const BaseDefinition& base)
+{
+  if (std::abs(base.horizontal_amplitude) > base.amplitude)
+    return {"base.horizontal_amplitude", &BaseDefinition::horizontal_amplitude};
+  return {"base.amplitude", &BaseDefinition::amplitude};
 }
 
 void doubtDrive(const SceneDefinition& scene, Doubts& doubts)
 {
   const BaseDefinition& base = scene.base;
-  const Shaking now = shaking(base.amplitude, base.frequency);
+  const DriveBounds now = driveBounds(base);
   std::string figure =
       "the base moves at up to " + quantity(now.speed, "m/s") + " and " + quantity(now.acceleration, "m/s^2");
   if (scene.gravity > 0.0)
     figure += ", " + number(now.acceleration / scene.gravity) + " times gravity";
 
-  const bool far = base.amplitude > WIDEST_STROKE * base.tooth_width;
+  const NamedAmplitude named = namedAmplitude(base);
+  const double amplitude = base.*named.value;
+  const std::string with = std::string("with ") + named.key + " = " + quantity(amplitude, "m") + " ";
+  const bool far = now.displacement > WIDEST_STROKE * base.tooth_width;
   const bool tame = isTame(now, scene.gravity);
   const auto frequency = far ? std::nullopt : meantFrequency(scene);
   if (far || (!tame && !frequency))
-    doubts.add("base.amplitude", base.amplitude, "m",
-               number(base.amplitude / base.tooth_width) +
-                   " times base.tooth_width, and at base.frequency = " + quantity(base.frequency, "Hz") +
-                   " " + figure,
-               meant(base.amplitude, 1e-3,
+    doubts.add(named.key, amplitude, "m",
+               number(amplitude / base.tooth_width) + " times base.tooth_width, and at base.frequency = " +
+                   quantity(base.frequency, "Hz") + " " + figure,
+               meant(amplitude, 1e-3,
                      [&](double a)
                      {
-                       const Shaking then = shaking(a, base.frequency);
-                       return a <= base.tooth_width && isTame(then, scene.gravity) &&
+                       BaseDefinition smaller = base;
+                       smaller.*named.value = a;
+                       const DriveBounds then = driveBounds(smaller);
+                       return then.displacement <= base.tooth_width && isTame(then, scene.gravity) &&
                               then.acceleration >= 0.5 * scene.gravity;
                      }));
   else if (!tame)
-    doubts.add("base.frequency", base.frequency, "Hz",
-               "with base.amplitude = " + quantity(base.amplitude, "m") + " " + figure, frequency);
+    doubts.add("base.frequency", base.frequency, "Hz", with + figure, frequency);
   else if (now.acceleration > 0.0 && now.acceleration < SOFTEST_DRIVE * scene.gravity)
     doubts.add(
-        "base.frequency", base.frequency, "Hz",
-        "with base.amplitude = " + quantity(base.amplitude, "m") + " " + figure + ", and no disk leaves it",
-        meant(base.frequency, 1e3,
-              [&](double f) { return isTame(shaking(base.amplitude, f), scene.gravity); }));
+        "base.frequency", base.frequency, "Hz", with + figure + ", and no disk leaves it",
+        meant(base.frequency, 1e3, [&](double f) { return isTame(drivenAt(base, f), scene.gravity); }));
 }
 
 void doubtAngles(const SceneDefinition& scene, Doubts& doubts)
@@ -228,10 +236,19 @@ void doubtAngles(const SceneDefinition& scene, Doubts& doubts)
   if (std::abs(inclination) > STEEPEST)
     doubts.add("base.inclination", inclination, "rad", number(180.0 / PI * inclination) + " degrees",
                inclination * PI / 180.0);
-  const double phase = scene.base.phase;
-  if (std::abs(phase) > MOST_TURNS * 2.0 * PI)
-    doubts.add("base.phase", phase, "rad", number(0.5 / PI * phase) + " turns of the drive",
-               phase * PI / 180.0);
+  const auto doubt_phase = [&](const std::string& key, double phase)
+  {
+    if (std::abs(phase) > MOST_TURNS * 2.0 * PI)
+      doubts.add(key, phase, "rad", number(0.5 / PI * phase) + " turns of the drive", phase * PI / 180.0);
+  };
+  doubt_phase("base.phase", scene.base.phase);
+  doubt_phase("base.horizontal_phase", scene.base.horizontal_phase);
+  for (std::size_t i = 0; i < scene.base.harmonics.size(); ++i)
+  {
+    const std::string harmonic = "base.harmonics." + std::to_string(i) + ".";
+    doubt_phase(harmonic + "phase", scene.base.harmonics[i].phase);
+    doubt_phase(harmonic + "horizontal_phase", scene.base.harmonics[i].horizontal_phase);
+  }
 }
 
 void doubtGravity(const SceneDefinition& scene, Doubts& doubts)
@@ -333,8 +350,7 @@ double ordinarySpeed(const SceneDefinition& scene)
                      : 0.0;
   for (const InitialDisk& disk : scene.initial)
     start = std::max(start, speedOf(disk) + fallSpeed(scene, std::abs(disk.y)));
-  return start + fallSpeed(scene, scene.base.tooth_height) +
-         shaking(scene.base.amplitude, scene.base.frequency).speed;
+  return start + fallSpeed(scene, scene.base.tooth_height) + driveBounds(scene.base).speed;
 }
 
 void doubtContact(const SceneDefinition& scene, Doubts& doubts)

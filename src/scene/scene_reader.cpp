@@ -122,6 +122,25 @@ bool placesDisks(const Entry& root)
   return root.has("initial") && !root.at("initial").list().empty();
 }
 
+void readBase(const Entry& root, BaseDefinition& base)
+{
+  if (!root.has("base"))
+    return;
+  const Entry section = root.at("base");
+  section.requireKeys(namesOf(baseKeys(), {"harmonics"}), {});
+  readValues(section, baseKeys(), base);
+  if (!section.has("harmonics"))
+    return;
+  const std::vector<Entry> entries = section.at("harmonics").list();
+  if (entries.size() > MOST_HARMONICS)
+    section.at("harmonics").refuse("must have at most " + std::to_string(MOST_HARMONICS) + " harmonics");
+  for (const Entry& entry : entries)
+  {
+    entry.requireKeys(namesOf(harmonicKeys()), requiredOf(harmonicKeys()));
+    readValues(entry, harmonicKeys(), base.harmonics.emplace_back());
+  }
+}
+
 void readRoot(const Entry& root, SceneDefinition& scene)
 {
   root.requireKeys(namesOf(motionKeys(), namesOf(runKeys(), {"base", "species", "pairs", "density", "contact",
@@ -129,7 +148,7 @@ void readRoot(const Entry& root, SceneDefinition& scene)
                    {"species"});
   readValues(root, motionKeys(), scene);
   readValues(root, runKeys(), scene);
-  readSection(root, "base", baseKeys(), scene.base);
+  readBase(root, scene.base);
   readSection(root, "contact", contactKeys(), scene.contact);
   readSection(root, "pour", pourKeys(), scene.pour);
   readSection(root, "feed", feedKeys(), scene.feed);

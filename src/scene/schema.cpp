@@ -25,6 +25,7 @@ constexpr double LARGEST_DENSITY = 1e6;
 constexpr double LARGEST_FRICTION = 1e9;
 constexpr double SMALLEST_INERTIA = 1e-6;
 constexpr double MOST_TEETH = 1e6;
+constexpr double HIGHEST_MULTIPLE = 100;
 
 const Range ANY{};
 
@@ -42,6 +43,13 @@ Range legal(Quantity quantity)
 {
   const CommandedQuantity& described = describe(quantity);
   return {described.legal.min, described.legal.max, described.unit};
+}
+
+/// Of an amplitude that turns its part of the drive around where it is below 0.
+Range eitherWay()
+{
+  const CommandedQuantity& amplitude = describe(Quantity::AMPLITUDE);
+  return within(amplitude.legal.max, amplitude.unit);
 }
 
 }  // namespace
@@ -85,6 +93,23 @@ const Keys<BaseDefinition>& baseKeys()
       {"frequency", [](B& b) -> Slot { return &b.frequency; }, legal(Quantity::FREQUENCY)},
       {"phase", [](B& b) -> Slot { return &b.phase; }, within(LARGEST_PHASE, "rad")},
       {"wall_height", [](B& b) -> Slot { return &b.wall_height; }, upTo(LARGEST_LENGTH, "m"), false, false},
+      {"horizontal_amplitude", [](B& b) -> Slot { return &b.horizontal_amplitude; }, eitherWay(), false,
+       false},
+      {"horizontal_phase", [](B& b) -> Slot { return &b.horizontal_phase; }, within(LARGEST_PHASE, "rad"),
+       false, false},
+  };
+  return KEYS;
+}
+
+const Keys<HarmonicDefinition>& harmonicKeys()
+{
+  using H = HarmonicDefinition;
+  static const Keys<H> KEYS = {
+      {"multiple", [](H& h) -> Slot { return &h.multiple; }, {2, HIGHEST_MULTIPLE, ""}, true},
+      {"amplitude", [](H& h) -> Slot { return &h.amplitude; }, eitherWay()},
+      {"phase", [](H& h) -> Slot { return &h.phase; }, within(LARGEST_PHASE, "rad")},
+      {"horizontal_amplitude", [](H& h) -> Slot { return &h.horizontal_amplitude; }, eitherWay()},
+      {"horizontal_phase", [](H& h) -> Slot { return &h.horizontal_phase; }, within(LARGEST_PHASE, "rad")},
   };
   return KEYS;
 }

@@ -35,6 +35,7 @@ using Keys = std::vector<Key<Part>>;
 const Keys<SceneDefinition>& motionKeys();  ///< at the root, decide how the disks move
 const Keys<SceneDefinition>& runKeys();     ///< at the root, decide only what part of it is run
 const Keys<BaseDefinition>& baseKeys();
+const Keys<HarmonicDefinition>& harmonicKeys();  ///< of an entry of base.harmonics
 const Keys<SpeciesDefinition>& speciesKeys();
 const Keys<ContactCoefficients>& coefficientKeys();
 const Keys<ContactDefinition>& contactKeys();
@@ -47,6 +48,9 @@ Range densityRange();
 
 /// Most disks that a scene may have.
 constexpr int MOST_DISKS = 10'000'000;
+
+/// Most harmonics of a drive: all of them are summed up wherever the base is looked at.
+constexpr std::size_t MOST_HARMONICS = 64;
 
 /// Most species that a scene may have: tables of their pairs grow with the square.
 constexpr std::size_t MOST_SPECIES = 256;

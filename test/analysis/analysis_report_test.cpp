@@ -21,7 +21,11 @@ TEST(ReportText, IsATableToRead)
             "Q = 0.750, P = 0.500\n"
             "contacts: 100 disk-disk, 20 left slope, 40 right slope, 3 apex, 0 wall\n"
             "short to long slope: 0.500\n"
-            "<V_x> summed up by the engine: A +500.00, long-name undefined mm/s\n");
+            "summed up by the engine:\n"
+            "  A: mean_vx 0.5 m/s, mean_vx_stderr undefined, kinetic_translational undefined, "
+            "kinetic_rotational undefined, collision_rate 40 1/s\n"
+            "  long-name: mean_vx undefined, mean_vx_stderr undefined, kinetic_translational undefined, "
+            "kinetic_rotational undefined, collision_rate undefined\n");
 }
 
 TEST(ReportText, HasNoBinsWhereNothingLeft)
@@ -95,6 +99,8 @@ TEST(ReportJson, NamesThingsAsTheSummaryDoes)
   EXPECT_EQ(json["collisions"]["disk_disk"], 100);
   EXPECT_EQ(json["species"][0]["mean_vx"], 0.0125);
   EXPECT_EQ(json["species"][0]["engine_mean_vx"], 0.5);
+  EXPECT_EQ(json["species"][0]["mean_vx"], 0.0125);
+  EXPECT_EQ(json["species"][0]["collision_rate"], 40.0);
   EXPECT_EQ(json["species"][0]["right"], 3);
   EXPECT_TRUE(json["species"][1]["mean_vx_stderr"].is_null());
 }

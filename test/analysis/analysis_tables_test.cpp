@@ -42,9 +42,10 @@ TEST_F(AnalysisTables, LeaveEmptyWhatIsNotDefined)
   EXPECT_EQ(table("velocities.csv"),
             "species,disks,mean_vx [m/s],mean_vx_stderr [m/s]\nA,10,0.0125,0.0005\nlong-name,1,-0.25,\n");
   EXPECT_EQ(table("statistics.csv"),
-            "time [s],species,mean_vx [m/s],mean_vx_stderr [m/s],window_start [s],window_end [s],"
+            "time [s],species,mean_vx [m/s],mean_vx_stderr [m/s],kinetic_translational [J],"
+            "kinetic_rotational [J],collision_rate [1/s],window_start [s],window_end [s],"
             "granular_temperature [J]\n"
-            "2.5,A,0.5,,2.25,2.375,0.25\n2.5,long-name,,,2.25,2.375,\n");
+            "2.5,A,0.5,,,,40,2.25,2.375,0.25\n2.5,long-name,,,,,,2.25,2.375,\n");
 }
 
 TEST_F(AnalysisTables, HoldDriveContactsAndDisplacements)

@@ -34,12 +34,11 @@ inline RunResult handMadeResult()
   result.base = {base};
   StatisticsFrame statistics;
   statistics.time = 2.5;
-  statistics.species = result.species;
-  statistics.means.resize(2);
-  statistics.means[0].mean_vx = 0.5;
+  statistics.species = {{"A", {}, 0.25}, {"long-name", {}, std::nullopt}};
+  statistics.species[0].means.mean_vx = 0.5;
+  statistics.species[0].means.collision_rate = 40.0;
   statistics.window_start = 2.25;
   statistics.window_end = 2.375;
-  statistics.granular_temperature = {0.25, std::nullopt};
   statistics.collisions = {100, 20, 40, 3, 0};
   statistics.collision_rates = {50.0, 5.0, 10.0, 0.5, 0.0};
   statistics.max_overlap = 1e-16;

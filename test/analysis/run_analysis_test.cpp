@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "hand_made_frames.h"
+#include "ratchet_sieve/analysis/analysis_report.h"
 #include "ratchet_sieve/recording/headless_run.h"
+#include "ratchet_sieve/recording/summary.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "recording/small_scenes.h"
@@ -56,6 +58,24 @@ TEST(RunAnalysis, FindsTheEnginesVelocitiesFromDisplacementsAlone)
     EXPECT_NEAR(result.velocities[i].mean_stderr.value(), simulation.means()[i].mean_vx_stderr.value(),
                 1e-12);
     EXPECT_EQ(result.velocities[i].disks, 2u);
+  }
+}
+
+TEST(RunAnalysis, SaysTheCollisionRatesOfTheSummary)
+{
+  SceneDefinition scene = smallRing();
+  scene.settle = 0.25;
+  Simulation simulation(scene);
+  RunAnalysis analysis;
+  RunWatchers watchers;
+  watchers.frames = &analysis;
+  const auto summary = summarize(simulation, runToEnd(simulation, watchers));
+  const auto report = reportJson(analysis.result());
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    EXPECT_GT(summary["species"][i]["collision_rate"].get<double>(), 0.0);
+    for (const char* key : {"collision_rate", "kinetic_translational", "kinetic_rotational"})
+      EXPECT_EQ(report["species"][i][key], summary["species"][i][key]) << key;
   }
 }
 
@@ -143,12 +163,10 @@ StatisticsFrame temperaturesAt(double time, std::vector<double> temperatures)
 {
   StatisticsFrame frame;
   frame.time = time;
-  frame.means.resize(temperatures.size());
   frame.window_start = std::max(0.0, time - 0.5);
   frame.window_end = time;
   for (const double temperature : temperatures)
-    frame.granular_temperature.push_back(temperature > 0.0 ? std::optional<double>(temperature)
-                                                           : std::nullopt);
+    frame.species.push_back({"", {}, temperature > 0.0 ? std::optional<double>(temperature) : std::nullopt});
   return frame;
 }
 
@@ -198,14 +216,14 @@ TEST(RunAnalysis, RefusesFramesThatDoNotFitTogether)
   RunAnalysis analysis;
   EXPECT_EQ(refusal([&] { analysis.result(); }), "no scene was recorded");
   EXPECT_EQ(refusal([&] { analysis.take(particlesAt(0.5, {})); }),
-            "a particle frame at 0.5 s comes before any scene");
+            "a frame of particles at 0.5 s comes before any scene");
   analysis.take(sceneFrame(smallMixture()));
   EXPECT_EQ(refusal([&] { analysis.take(particlesAt(0.5, {diskAt(3, 2, 0.0)})); }),
             "disk 3 at 0.5 s has species 2, and the scene 2 of them");
   EXPECT_EQ(refusal([&] { analysis.take(BinFrame{}); }),
-            "a bin frame of 0 species does not fit the scene, which has 2");
+            "a frame of bins with 0 species does not fit the scene, which has 2");
   EXPECT_EQ(refusal([&] { analysis.take(temperaturesAt(0.0, {1.0})); }),
-            "a statistics frame of 1 species does not fit the scene, which has 2");
+            "a frame of statistics with 1 species does not fit the scene, which has 2");
 }
 
 TEST(RunAnalysis, RefusesNumbersThatNoRunHas)
@@ -224,12 +242,14 @@ TEST(RunAnalysis, RefusesNumbersThatNoRunHas)
   base.base.frequency = nan;
   EXPECT_THROW(analysis.take(base), AnalysisError);
   StatisticsFrame statistics;
-  statistics.means.resize(2);
-  statistics.granular_temperature = {0.0, nan};
-  EXPECT_THROW(analysis.take(statistics), AnalysisError);
-  statistics.granular_temperature = {0.0, 0.0};
-  statistics.means[0].mean_vx = nan;
-  EXPECT_THROW(analysis.take(statistics), AnalysisError);
+  statistics.species.resize(2);
+  statistics.species[1].granular_temperature = nan;
+  EXPECT_EQ(refusal([&] { analysis.take(statistics); }),
+            "a frame of statistics at 0 s holds a number that is not finite: granular_temperature");
+  statistics.species[1].granular_temperature = 0.0;
+  statistics.species[0].means.mean_vx = nan;
+  EXPECT_EQ(refusal([&] { analysis.take(statistics); }),
+            "a frame of statistics at 0 s holds a number that is not finite: mean_vx");
 }
 
 TEST(RunAnalysis, RefusesASceneThatIsNone)

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/base_motion.h"
+#include "model/base_motion.h"
 
 #include <cmath>
 
@@ -24,8 +24,8 @@ TEST(BaseMotion, IsTheSineOfTheDefinition)
   for (const double t : {0.0, 0.01, 0.1234, 1.7})
   {
     const double phase = 2.0 * PI * 23.0 * t + 0.7;
-    EXPECT_NEAR(motion.at(t).displacement, 0.002 * std::sin(phase), 1e-15);
-    EXPECT_NEAR(motion.at(t).velocity, 0.002 * 2.0 * PI * 23.0 * std::cos(phase), 1e-12);
+    EXPECT_NEAR(motion.at(t).displacement.y(), 0.002 * std::sin(phase), 1e-15);
+    EXPECT_NEAR(motion.at(t).velocity.y(), 0.002 * 2.0 * PI * 23.0 * std::cos(phase), 1e-12);
   }
   EXPECT_FALSE(motion.nextChange());
 }
@@ -40,10 +40,12 @@ TEST(BaseMotion, VelocityIsTheDerivativeWhileEverythingSlews)
   const double step = 1e-6;
   for (const double t : {0.01, 0.1, 0.3})
   {
-    const double slope = (motion.at(t + step).displacement - motion.at(t - step).displacement) / (2.0 * step);
-    EXPECT_NEAR(motion.at(t).velocity, slope, 1e-6);
-    const double curvature = (motion.at(t + step).velocity - motion.at(t - step).velocity) / (2.0 * step);
-    EXPECT_LE(std::abs(curvature), motion.accelerationBound());
+    const double slope =
+        (motion.at(t + step).displacement.y() - motion.at(t - step).displacement.y()) / (2.0 * step);
+    EXPECT_NEAR(motion.at(t).velocity.y(), slope, 1e-6);
+    const double curvature =
+        (motion.at(t + step).velocity.y() - motion.at(t - step).velocity.y()) / (2.0 * step);
+    EXPECT_LE(std::abs(curvature), motion.accelerationBound().y());
     EXPECT_NEAR(motion.at(t).inclination, 0.1 * t, 1e-15);
   }
 }
@@ -54,14 +56,14 @@ TEST(BaseMotion, ComesToItsSetpointsExactlyAndStops)
   motion.command(Quantity::INCLINATION, 0.0523, 0.25);
   motion.command(Quantity::FREQUENCY, 11.1, 0.25);
   int segments = 0;
-  double before = motion.at(0.25).displacement;
+  double before = motion.at(0.25).displacement.y();
   double time = 0.25;
   while (const auto change = motion.nextChange())
   {
-    before = motion.at(*change).displacement;
+    before = motion.at(*change).displacement.y();
     time = *change;
     motion.beginSegment(time);
-    EXPECT_NEAR(motion.at(time).displacement, before, 1e-15) << "the phase is continuous";
+    EXPECT_NEAR(motion.at(time).displacement.y(), before, 1e-15) << "the phase is continuous";
     ASSERT_LT(++segments, 10);
   }
   EXPECT_EQ(motion.state(time).inclination, 0.0523);
@@ -128,7 +130,7 @@ TEST(BaseMotion, ThePhaseIsAsGoodAfterAMillionSecondsAsAtTheStart)
   for (int epoch = 0; epoch < 250000; ++epoch)
     motion.rebase(4.0);
   for (const double t : {0.0, 0.3, 3.7})
-    EXPECT_EQ(motion.at(t).displacement, fresh.at(t).displacement);
+    EXPECT_EQ(motion.at(t).displacement.y(), fresh.at(t).displacement.y());
 }
 
 TEST(BaseMotion, APhaseThatDoesNotDivideTheEpochStaysExactToo)

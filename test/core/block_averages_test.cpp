@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ratchet_sieve/core/random.h"
+#include "model/random.h"
 
 namespace ratchet_sieve
 {

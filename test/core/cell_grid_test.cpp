@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/cell_grid.h"
+#include "search/cell_grid.h"
 
 #include <cmath>
 #include <map>

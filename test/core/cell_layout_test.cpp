@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/cell_layout.h"
+#include "search/cell_layout.h"
 
 #include <cmath>
 
@@ -16,7 +16,7 @@ std::vector<BasePoint> lattice(int columns, int rows, double spacing, double spe
   std::vector<BasePoint> points;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column)
-      points.push_back({(column + 0.5) * spacing, (row + 0.5) * spacing, speed, speed});
+      points.push_back({{(column + 0.5) * spacing, (row + 0.5) * spacing}, {speed, speed}});
   return points;
 }
 

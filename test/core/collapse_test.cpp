@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "ratchet_sieve/core/collapse_watch.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
+#include "state/collapse_watch.h"
 #include "state_hash.h"
 
 namespace ratchet_sieve
@@ -164,8 +164,8 @@ TEST(Collapse, OfSeveralDisksAtOneTimeTheSmallestIdIsTheFirst)
   ContactDefinition contact;
   contact.on_collapse = CollapseAction::REBOUND;
   contact.collapse_events = 10;
-  const DiskNumbers numbers;
-  CollapseWatch watch(contact, 1.0, 1.0, numbers);
+  const DiskIds ids;
+  CollapseWatch watch(contact, 1.0, 1.0, ids);
   for (int disk = 0; disk < 3; ++disk)
     watch.added();
   for (int k = 0; !watch.stuck(0); ++k)

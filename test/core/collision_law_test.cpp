@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/collision_law.h"
+#include "model/collision_law.h"
 
 #include <cmath>
 #include <utility>

@@ -51,7 +51,7 @@ TEST(Conservation, TheBaseCarriesTheWeight)
   Simulation simulation(scene);
   simulation.advanceTo(12.0);
   const double weight = 131 * (0.010 + 0.001) * 9.81;
-  EXPECT_NEAR(simulation.baseImpulseY() / (weight * 10.0), 1.0, 0.01);
+  EXPECT_NEAR(simulation.baseImpulse().y() / (weight * 10.0), 1.0, 0.01);
 }
 
 TEST(Conservation, MirroredMachineRunsTheOtherWay)

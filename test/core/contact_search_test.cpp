@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/contact_search.h"
+#include "search/contact_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +19,16 @@ double drawn(double low, double high)
   return low + (high - low) * (*rc::gen::inRange(0, 1000001) * 1e-6);
 }
 
+/// Straight and oblique, circular, or with any harmonics.
+void drawOrbit(BaseDefinition& base)
+{
+  base.horizontal_amplitude = *rc::gen::element(0.0, 0.002, -0.005, 0.01);
+  base.horizontal_phase = *rc::gen::element(0.0, 1.5707963267948966, 4.0);
+  for (int count = *rc::gen::inRange(0, 3); count > 0; --count)
+    base.harmonics.push_back({*rc::gen::inRange(2, 8), drawn(-0.001, 0.001), drawn(0.0, 6.28),
+                              drawn(-0.001, 0.001), drawn(0.0, 6.28)});
+}
+
 /// One of the shapes that bite: plain, vertical faces, flat, needles, fine and coarse teeth, upside down.
 BaseDefinition drawnBase()
 {
@@ -29,6 +39,8 @@ BaseDefinition drawnBase()
   base.inclination = *rc::gen::element(0.0, 0.209, -0.1, 1.2, 2.5);
   base.amplitude = *rc::gen::element(0.0, 0.002, 0.01);
   base.phase = drawn(0.0, 6.28);
+  if (*rc::gen::arbitrary<bool>())
+    drawOrbit(base);
   return base;
 }
 
@@ -48,24 +60,26 @@ struct Thrown
 Thrown drawnDisk(const BaseMotion& motion, const Sawtooth& sawtooth)
 {
   const double radius = *rc::gen::element(1e-5, 0.001, 0.004, 0.02, 0.3);
-  const BaseKinematics base = motion.at(0.0);
+  const FrameOfBase base = motion.at(0.0);
   const double s = drawn(radius, 0.1 - radius * (radius < 0.05));
   double n = radius + drawn(0.0, 0.03);
   while (std::min(sawtooth.heightAbove(s, n), sawtooth.distanceToWalls(s, n)) < radius)
     n += 0.1 * radius;
   Thrown thrown;
   thrown.radius = radius;
-  thrown.disk.x = base.cosine * s - base.sine * n;
-  thrown.disk.y = base.sine * s + base.cosine * n + base.displacement;
-  thrown.disk.vx = drawn(-2.0, 2.0);
-  thrown.disk.vy = drawn(-2.0, 2.0);
+  const Eigen::Vector2d place = base.placeOutOf({s, n});
+  thrown.disk.position.x() = place.x();
+  thrown.disk.position.y() = place.y();
+  thrown.disk.velocity.x() = drawn(-2.0, 2.0);
+  thrown.disk.velocity.y() = drawn(-2.0, 2.0);
   return thrown;
 }
 
 double gapAt(const ContactSearch& search, const Sawtooth& sawtooth, const Thrown& thrown, double time)
 {
   const BasePoint point = search.seenFromBase(thrown.disk, time);
-  return std::min(sawtooth.heightAbove(point.s, point.n), sawtooth.distanceToWalls(point.s, point.n)) -
+  return std::min(sawtooth.heightAbove(point.s(), point.n()),
+                  sawtooth.distanceToWalls(point.s(), point.n())) -
          thrown.radius;
 }
 
@@ -95,7 +109,7 @@ void checkAgainstScan(const BaseMotion& motion, const Sawtooth& sawtooth, const 
   for (int i = 0; i < 2000; ++i)
   {
     RC_ASSERT(gapAt(search, sawtooth, thrown, end * i / 2000.0) > -tolerance);
-    const double s = search.seenFromBase(thrown.disk, end * i / 2000.0).s;
+    const double s = search.seenFromBase(thrown.disk, end * i / 2000.0).s();
     RC_ASSERT(sawtooth.boundary() == Boundary::PERIODIC ||
               (s > -tolerance && s < sawtooth.width() + tolerance));
   }
@@ -134,6 +148,7 @@ TEST(ContactSearch, FindsTheFirstContactOnABaseThatTurns)
         motion.setSlewRates({*rc::gen::element(0.01, 0.3, 2.0), 10.0, 0.002}, 0.0);
         motion.command(Quantity::INCLINATION, base.inclination + *rc::gen::element(-1.0, 1.0), 0.0);
         motion.command(Quantity::FREQUENCY, 60.0, 0.0);
+        motion.command(Quantity::AMPLITUDE, *rc::gen::element(base.amplitude, base.amplitude + 0.002), 0.0);
         RC_PRE(*motion.nextChange() > HORIZON);
         checkAgainstScan(motion, sawtooth, drawnDisk(motion, sawtooth));
       }));
@@ -184,10 +199,10 @@ std::optional<BaseFeatureKind> passApex(double miss)
   const double flight = 0.002;
   Thrown thrown;
   thrown.radius = 0.001;
-  thrown.disk.vx = 3.0;
-  thrown.disk.vy = GRAVITY * flight;
-  thrown.disk.x = 0.106 - thrown.disk.vx * flight;
-  thrown.disk.y = 0.02 + thrown.radius + miss - 0.5 * GRAVITY * flight * flight;
+  thrown.disk.velocity.x() = 3.0;
+  thrown.disk.velocity.y() = GRAVITY * flight;
+  thrown.disk.position.x() = 0.106 - thrown.disk.velocity.x() * flight;
+  thrown.disk.position.y() = 0.02 + thrown.radius + miss - 0.5 * GRAVITY * flight * flight;
   BaseEvent event{0.0, {}};
   while (!event.feature && event.time < 2.0 * flight)
     event = search.find(thrown.disk, thrown.radius, event.time, 2.0 * flight);
@@ -217,10 +232,10 @@ TEST(ContactSearch, ADiskBehindASlopeMeetsItWhenItComesInFront)
   const ContactSearch search(sawtooth, motion, GRAVITY, RESOLUTION);
   Thrown thrown;
   thrown.radius = 0.0005;
-  thrown.disk.x = 0.1125;
-  thrown.disk.y = 0.018;
-  thrown.disk.vx = -0.06;
-  thrown.disk.vy = 0.5;
+  thrown.disk.position.x() = 0.1125;
+  thrown.disk.position.y() = 0.018;
+  thrown.disk.velocity.x() = -0.06;
+  thrown.disk.velocity.y() = 0.5;
   const BaseEvent event = searchOn(search, thrown);
   ASSERT_TRUE(event.feature);
   EXPECT_EQ(event.feature.kind, BaseFeatureKind::LEFT_SLOPE);
@@ -234,8 +249,8 @@ TEST(ContactSearch, AboveTheBandItIsFreeUntilItComesDown)
   const BaseMotion motion(base, 10.0);
   const ContactSearch search(sawtooth, motion, GRAVITY, RESOLUTION);
   Disk disk;
-  disk.x = 0.1;
-  disk.y = 1.0;
+  disk.position.x() = 0.1;
+  disk.position.y() = 1.0;
   const double into_the_band = std::sqrt(2.0 * (1.0 - 0.006 - 0.002 - 0.001) / GRAVITY);
   const BaseEvent above = search.find(disk, 0.001, 0.0, 0.9 * into_the_band);
   EXPECT_FALSE(above.feature);
@@ -252,9 +267,9 @@ TEST(ContactSearch, ADiskThatLeavesAnOpenBaseIsSeenAtItsEnd)
   const BaseMotion motion(base, 10.0);
   const ContactSearch search(sawtooth, motion, GRAVITY, RESOLUTION);
   Disk disk;
-  disk.x = 0.399;
-  disk.y = 0.1;
-  disk.vx = 0.5;
+  disk.position.x() = 0.399;
+  disk.position.y() = 0.1;
+  disk.velocity.x() = 0.5;
   const BaseEvent event = search.find(disk, 0.001, 0.0, 0.1);
   ASSERT_TRUE(event.feature);
   EXPECT_EQ(event.feature.kind, BaseFeatureKind::RIGHT_END);

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "ratchet_sieve/core/machine.h"
-#include "ratchet_sieve/core/placement.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "reference_loop.h"
 #include "scenes.h"
+#include "state/machine.h"
+#include "state/placement.h"
 
 namespace ratchet_sieve
 {
@@ -64,11 +64,11 @@ void expectSameCollisionsFromHere(Watched& run, double span, std::optional<doubl
   Machine machine(scene);
   placeInitialDisks(machine, 0.0);
   std::vector<CollisionRecord> expected;
-  machine.observeCollisions([&](const CollisionRecord& record) { expected.push_back(record); });
+  machine.record().observeCollisions([&](const CollisionRecord& record) { expected.push_back(record); });
   if (turn)
   {
-    machine.motion().setSlewRates({1.0, 10.0, 0.002}, 0.0);
-    machine.motion().command(Quantity::INCLINATION, *turn, 0.0);
+    machine.state().motion().setSlewRates({1.0, 10.0, 0.002}, 0.0);
+    machine.state().motion().command(Quantity::INCLINATION, *turn, 0.0);
     run.simulation.setSlewRates({1.0, 10.0, 0.002});
     run.simulation.command(Quantity::INCLINATION, *turn);
   }

@@ -1,5 +1,5 @@
 // A run whose disks are heated without bound is said in numbers; one that loses what it is given is not.
-#include "ratchet_sieve/core/energy_watch.h"
+#include "state/energy_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/event_queue.h"
+#include "events/event_queue.h"
 
 #include <set>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/look_ahead.h"
+#include "events/look_ahead.h"
 
 #include <gtest/gtest.h>
 

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "ratchet_sieve/core/event_loop.h"
-#include "ratchet_sieve/core/machine.h"
-#include "ratchet_sieve/core/placement.h"
-#include "ratchet_sieve/core/pour.h"
+#include "events/event_loop.h"
 #include "reference_loop.h"
 #include "scenes.h"
+#include "state/machine.h"
+#include "state/placement.h"
+#include "state/pour.h"
 
 namespace ratchet_sieve
 {
@@ -16,8 +16,8 @@ namespace
 
 void fill(Machine& machine)
 {
-  Random random(machine.scene().seed);
-  pourDisks(machine, pourOrder(machine.scene().species, random), 0.0, random);
+  Random random(machine.state().scene().seed);
+  pourDisks(machine, pourOrder(machine.state().scene().species, random), 0.0, random);
 }
 
 std::vector<CollisionRecord> collisionsOf(const SceneDefinition& scene, double end, bool reference)
@@ -25,13 +25,13 @@ std::vector<CollisionRecord> collisionsOf(const SceneDefinition& scene, double e
   Machine machine(scene);
   fill(machine);
   std::vector<CollisionRecord> records;
-  machine.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
+  machine.record().observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
   if (reference)
     test::ReferenceLoop(machine).advanceTo(end);
   else
   {
     const auto loop = makePairLoop(machine);
-    for (std::uint32_t id = 0; id < machine.disks().size(); ++id)
+    for (std::uint32_t id = 0; id < machine.state().disks().size(); ++id)
       loop->added(id, 0.0);
     loop->advanceTo(end);
   }

@@ -1,4 +1,5 @@
-#include "ratchet_sieve/core/pair_search.h"
+#include "search/pair_search.h"
+#include "state/machine_state.h"
 
 #include <cmath>
 #include <numeric>
@@ -21,20 +22,22 @@ double drawn(double low, double high)
 
 TEST(TimeToTouch, KnownAnswers)
 {
-  EXPECT_DOUBLE_EQ(*timeToTouch(3.0, 0.0, -1.0, 0.0, 1.0), 2.0);
-  EXPECT_FALSE(timeToTouch(3.0, 0.0, 1.0, 0.0, 1.0));      // part
-  EXPECT_FALSE(timeToTouch(3.0, 1.1, -1.0, 0.0, 1.0));     // pass
-  EXPECT_EQ(*timeToTouch(0.9, 0.0, -1.0, 0.0, 1.0), 0.0);  // overlap and close: now
-  EXPECT_FALSE(timeToTouch(0.9, 0.0, 1.0, 0.0, 1.0));      // overlap and part: left alone
+  EXPECT_DOUBLE_EQ(*timeToTouch({3.0, 0.0}, {-1.0, 0.0}, 1.0), 2.0);
+  EXPECT_FALSE(timeToTouch({3.0, 0.0}, {1.0, 0.0}, 1.0));      // part
+  EXPECT_FALSE(timeToTouch({3.0, 1.1}, {-1.0, 0.0}, 1.0));     // pass
+  EXPECT_EQ(*timeToTouch({0.9, 0.0}, {-1.0, 0.0}, 1.0), 0.0);  // overlap and close: now
+  EXPECT_FALSE(timeToTouch({0.9, 0.0}, {1.0, 0.0}, 1.0));      // overlap and part: left alone
 }
 
-double gapAt(const Machine& machine, int shift, double time)
+double gapAt(const MachineState& machine, int shift, double time)
 {
   const double gravity = machine.scene().gravity;
   const Disk a = flown(machine.disk(0), time, gravity);
   const Disk b = flown(machine.disk(1), time, gravity);
   const Image there = machine.image(shift, time);
-  return std::hypot(a.x - b.x - there.dx, a.y - b.y - there.dy) - machine.radius(0) - machine.radius(1);
+  return std::hypot(a.position.x() - b.position.x() - there.shift.x(),
+                    a.position.y() - b.position.y() - there.shift.y()) -
+         machine.radius(0) - machine.radius(1);
 }
 
 /// Two disks at either end of a ring that turns fast, thrown at each other across the seam.
@@ -45,25 +48,25 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
       {
         SceneDefinition scene = test::mixture(0);
         scene.base.teeth = 4;
-        Machine machine(scene);
+        MachineState machine(scene);
         machine.motion().setSlewRates({*rc::gen::element(0.1, 1.0, 5.0), 10.0, 0.002}, 0.0);
         machine.motion().command(Quantity::INCLINATION, *rc::gen::element(-1.0, 1.0), 0.0);
         const double until = *machine.motion().nextChange();
         Disk left, right;
-        left.x = drawn(0.002, 0.006);
-        right.x = 0.08 - drawn(0.002, 0.006);
-        left.y = 0.02 + drawn(0.0, 0.005);
-        right.y = 0.02 + drawn(0.0, 0.005);
-        left.vx = -drawn(0.0, 2.0);
-        right.vx = drawn(0.0, 2.0);
-        left.vy = drawn(-1.0, 1.0);
-        right.vy = drawn(-1.0, 1.0);
+        left.position.x() = drawn(0.002, 0.006);
+        right.position.x() = 0.08 - drawn(0.002, 0.006);
+        left.position.y() = 0.02 + drawn(0.0, 0.005);
+        right.position.y() = 0.02 + drawn(0.0, 0.005);
+        left.velocity.x() = -drawn(0.0, 2.0);
+        right.velocity.x() = drawn(0.0, 2.0);
+        left.velocity.y() = drawn(-1.0, 1.0);
+        right.velocity.y() = drawn(-1.0, 1.0);
         right.species = 1;
         machine.add(left);
         machine.add(right);
         const int shift = -1;  // the right disk's image one width to the left
 
-        const auto found = PairSearch(machine, 0, 0.0).contactWith(1, shift);
+        const auto found = PairSearch(machine.pairScene(), 0, 0.0).contactWith(1, shift);
         const double end = found.value_or(until);
         for (int i = 0; i < 2000; ++i)
           RC_ASSERT(gapAt(machine, shift, end * i / 2000.0) > -1e-15);
@@ -81,15 +84,15 @@ TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
       {
         SceneDefinition scene = test::mixture(0);
         scene.base.inclination = *rc::gen::element(0.0, 0.1);
-        Machine machine(scene);
+        MachineState machine(scene);
         const auto count = *rc::gen::inRange<std::uint32_t>(1, 40);
         for (std::uint32_t id = 0; id < count; ++id)
         {
           Disk disk;
-          disk.x = drawn(0.0, 0.05);
-          disk.y = drawn(0.01, 0.05);
-          disk.vx = drawn(-0.5, 0.5);
-          disk.vy = drawn(-0.5, 0.5);
+          disk.position.x() = drawn(0.0, 0.05);
+          disk.position.y() = drawn(0.01, 0.05);
+          disk.velocity.x() = drawn(-0.5, 0.5);
+          disk.velocity.y() = drawn(-0.5, 0.5);
           disk.time = drawn(0.0, 0.01);
           disk.species = *rc::gen::inRange(0U, 2U);
           machine.add(disk);
@@ -97,7 +100,7 @@ TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
         std::vector<std::uint32_t> all(count);
         std::iota(all.begin(), all.end(), 0);
         const int shift = *rc::gen::inRange(-1, 2);
-        const PairSearch search(machine, 0, 0.01);
+        const PairSearch search(machine.pairScene(), 0, 0.01);
         PairContact expected;
         for (std::uint32_t id = 1; id < count; ++id)
           if (const auto time = search.contactWith(id, shift))
@@ -115,10 +118,10 @@ TEST(PairSearch, TiesGoToTheSmallestId)
   constexpr std::uint32_t COUNT = 40;
   constexpr double NOW = 8.0;
   const SceneDefinition scene = test::mixture(0);
-  Machine machine(scene);
+  MachineState machine(scene);
   Disk middle;
   middle.time = NOW;
-  middle.y = 0.05;
+  middle.position.y() = 0.05;
   machine.add(middle);
   std::vector<std::uint32_t> backwards;
   for (std::uint32_t id = COUNT; id >= 1; --id)
@@ -127,13 +130,13 @@ TEST(PairSearch, TiesGoToTheSmallestId)
   {
     const double direction = 0.1 * id;
     Disk disk = middle;
-    disk.x += 0.013 * std::cos(direction);
-    disk.y += 0.013 * std::sin(direction);
-    disk.vx = -0.25 * std::cos(direction);
-    disk.vy = -0.25 * std::sin(direction);
+    disk.position.x() += 0.013 * std::cos(direction);
+    disk.position.y() += 0.013 * std::sin(direction);
+    disk.velocity.x() = -0.25 * std::cos(direction);
+    disk.velocity.y() = -0.25 * std::sin(direction);
     machine.add(disk);
   }
-  const PairSearch search(machine, 0, NOW);
+  const PairSearch search(machine.pairScene(), 0, NOW);
   for (std::uint32_t id = 1; id <= COUNT; ++id)
     ASSERT_EQ(search.contactWith(id, 0), search.contactWith(1, 0));
   const PairContact found = search.firstAmong(backwards.data(), COUNT, 0);

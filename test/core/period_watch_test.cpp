@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/period_watch.h"
+#include "state/period_watch.h"
 
 #include <cmath>
 

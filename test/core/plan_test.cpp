@@ -82,6 +82,27 @@ TEST(Plan, HasADriveOnlyWhereTheBaseMoves)
   EXPECT_FALSE(planOf(scene).drive);
 }
 
+TEST(Plan, HasAnOrbitAndNoLanesWhereTheDriveIsMoreThanASine)
+{
+  SceneDefinition scene = test::singleParticles(10);
+  EXPECT_TRUE(planOf(scene).lanes && !planOf(scene).orbit);
+  scene.base.horizontal_phase = 1.0;
+  scene.base.harmonics = {{2, 0.0, 1.0, 0.0, 1.0}};
+  EXPECT_TRUE(planOf(scene).lanes && !planOf(scene).orbit) << "phases alone move nothing";
+  SceneDefinition oblique = scene;
+  oblique.base.horizontal_amplitude = -1e-4;
+  SceneDefinition harmonic = scene;
+  harmonic.base.harmonics[0].amplitude = 1e-4;
+  for (SceneDefinition& driven : std::vector<SceneDefinition>{oblique, harmonic})
+  {
+    EXPECT_TRUE(planOf(driven).orbit && !planOf(driven).lanes);
+    driven.base.amplitude = 0.0;
+    EXPECT_TRUE(planOf(driven).drive);
+    EXPECT_NE(planText(planOf(driven)).find("drive with a horizontal part or harmonics"), std::string::npos);
+    EXPECT_FALSE(covers(planOf(test::singleParticles(10)), driven));
+  }
+}
+
 TEST(Plan, HasContactTimesOnlyWithAContactDuration)
 {
   SceneDefinition scene = smallMixture();
@@ -109,7 +130,9 @@ TEST(Plan, HasLanesOnlyForSingleDisksOnAPeriodicBaseWithoutContactTimes)
 
 TEST(Plan, SaysWhatItIs)
 {
-  const std::string no_lanes = ", no lanes (for single disks on a periodic base without contact times)";
+  const std::string no_lanes =
+      ", no lanes (for single disks without contact times on a periodic base that is "
+      "driven up and down by a sine)";
   EXPECT_EQ(
       planText(planOf(smallMixture())),
       "pairs, spin, drive, no contact times (contact_duration is 0), no base search above the base's reach" +
@@ -169,7 +192,7 @@ void expectTheSameBits(const SceneDefinition& scene)
   EXPECT_GT(lean.collisions().total(), 100u);
   EXPECT_EQ(lean.events(), full.events());
   EXPECT_EQ(test::stateHash(lean), test::stateHash(full));
-  EXPECT_EQ(lean.baseImpulseX(), full.baseImpulseX());
+  EXPECT_EQ(lean.baseImpulse().x(), full.baseImpulse().x());
   for (std::size_t i = 0; i < scene.species.size(); ++i)
   {
     EXPECT_EQ(lean.means()[i].mean_vx, full.means()[i].mean_vx);

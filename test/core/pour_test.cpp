@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/pour.h"
+#include "state/pour.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/quadratic.h"
+#include "search/quadratic.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

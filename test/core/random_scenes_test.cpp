@@ -36,6 +36,13 @@ SceneDefinition drawnScene()
   scene.base.inclination = *rc::gen::element(0.0, 0.2, -0.2, 1.2);
   scene.base.amplitude = *rc::gen::element(0.0, 0.0005, 0.002, 0.02);
   scene.base.frequency = *rc::gen::element(0.0, 5.0, 23.0, 120.0);
+  if (*rc::gen::inRange(0, 3) == 0)
+  {
+    scene.base.horizontal_amplitude = *rc::gen::element(-0.002, 0.0005, 0.01);
+    scene.base.horizontal_phase = *rc::gen::element(0.0, 1.5, 4.0);
+    if (*rc::gen::arbitrary<bool>())
+      scene.base.harmonics = {{*rc::gen::inRange(2, 6), 0.0003, 1.0, *rc::gen::element(0.0, -0.0005), 2.0}};
+  }
   scene.boundary = *rc::gen::element(Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED);
   scene.base.wall_height = *rc::gen::element(0.0, 0.0, 0.05, 0.3, 2.0) * scene.base.width();
   scene.gravity = *rc::gen::element(0.0, 1.6, 9.81, 9.81);

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "ratchet_sieve/core/machine.h"
-#include "ratchet_sieve/core/pair_search.h"
+#include "search/pair_search.h"
+#include "state/machine.h"
 
 namespace ratchet_sieve::test
 {
@@ -16,17 +16,20 @@ class ReferenceLoop
 {
 public:
   /// @param images of a disk on a ring, to either side, that are looked at
-  explicit ReferenceLoop(Machine& machine, int images = 3) : machine_(machine), images_(images) {}
+  explicit ReferenceLoop(Machine& machine, int images = 3)
+      : machine_(machine), state_(machine.state()), images_(images)
+  {
+  }
 
   void advanceTo(double end)
   {
-    while (const auto change = machine_.motion().nextChange())
+    while (const auto change = state_.motion().nextChange())
     {
       if (*change > end)
         break;
       advanceWithinSegment(*change);
       now_ = *change;
-      machine_.motion().beginSegment(now_);
+      state_.motion().beginSegment(now_);
     }
     advanceWithinSegment(end);
   }
@@ -47,11 +50,11 @@ private:
       now_ = next->time;
       if (next->feature)
       {
-        BaseInstant base(machine_.motion());
-        machine_.meetBase(next->i, next->feature, now_, base);
+        BaseInstant base(state_.motion());
+        machine_.handleBaseEvent(next->i, next->feature, now_, base);
       }
       else
-        machine_.meetPair(next->i, next->j, next->shift, now_);
+        machine_.collidePair(next->i, next->j, next->shift, now_);
     }
   }
 
@@ -63,25 +66,26 @@ private:
       if (event.time <= end && (!best || event.time < best->time))
         best = event;
     };
-    const int images = machine_.scene().boundary == Boundary::PERIODIC ? images_ : 0;
-    for (std::uint32_t i = 0; i < machine_.disks().size(); ++i)
+    const int images = state_.scene().boundary == Boundary::PERIODIC ? images_ : 0;
+    for (std::uint32_t i = 0; i < state_.disks().size(); ++i)
     {
-      if (!machine_.active(i))
+      if (!state_.active(i))
         continue;
-      BaseEvent base{std::max(now_, machine_.disk(i).time), {}};
+      BaseEvent base{std::max(now_, state_.disk(i).time), {}};
       while (!base.feature && base.time < end)
-        base = machine_.search().find(machine_.disk(i), machine_.radius(i), base.time, end);
+        base = state_.search().find(state_.disk(i), state_.radius(i), base.time, end);
       if (base.feature)
         take({base.time, i, i, 0, base.feature});
       for (std::uint32_t j = 0; j < i; ++j)
-        for (int shift = -images; shift <= images && machine_.active(j); ++shift)
-          if (const auto time = PairSearch(machine_, i, now_).contactWith(j, shift))
+        for (int shift = -images; shift <= images && state_.active(j); ++shift)
+          if (const auto time = PairSearch(state_.pairScene(), i, now_).contactWith(j, shift))
             take({*time, i, j, shift, {}});
     }
     return best;
   }
 
   Machine& machine_;
+  MachineState& state_;
   int images_;
   double now_ = 0.0;
 };

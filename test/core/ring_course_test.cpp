@@ -1,12 +1,13 @@
-#include "ratchet_sieve/core/ring_course.h"
+#include "search/ring_course.h"
 
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
+#include <Eigen/Geometry>
 
-#include "ratchet_sieve/core/pair_search.h"
+#include "search/pair_search.h"
 
 namespace ratchet_sieve
 {
@@ -20,14 +21,15 @@ double drawn(double low, double high)
 }
 
 /// Every image, one by one.
-std::optional<RingCourse::Touch> slowly(const RingCourse& ring, Two place, Two velocity, double distance)
+std::optional<RingCourse::Touch> slowly(const RingCourse& ring, const Eigen::Vector2d& place,
+                                        const Eigen::Vector2d& velocity, double distance)
 {
   std::optional<RingCourse::Touch> first;
   for (int shift = -ring.most_laps; shift <= ring.most_laps; ++shift)
   {
     const double length = shift * ring.width;
-    const auto wait = timeToTouch(place[0] - length * ring.cosine, place[1] - length * ring.sine, velocity[0],
-                                  velocity[1], distance);
+    const Eigen::Vector2d image(length * ring.rotation.cosine, length * ring.rotation.sine);
+    const auto wait = timeToTouch(place - image, velocity, distance);
     if (wait && (!first || *wait < first->wait))
       first = RingCourse::Touch{*wait, shift};
   }
@@ -41,16 +43,17 @@ TEST(RingCourse, FindsWhatLookingAtEveryImageFinds)
       {
         const double angle = drawn(-1.5, 1.5);
         const double width = drawn(0.01, 0.3);
-        const RingCourse ring{std::cos(angle), std::sin(angle), width, 1.0 / width, *rc::gen::inRange(1, 40)};
+        const RingCourse ring{
+            {std::cos(angle), std::sin(angle)}, width, 1.0 / width, *rc::gen::inRange(1, 40)};
         const double distance = drawn(0.0001, 1.0) * width;
         // Slow, too, across the row: so that several images are passed on the way through its reach.
         const double across_rate = drawn(-1.0, 1.0) * std::pow(10.0, drawn(-6.0, 1.0));
         const double along_rate = drawn(-1.0, 1.0) * std::pow(10.0, drawn(-2.0, 1.0));
         const double across = drawn(-3.0, 3.0) * (*rc::gen::arbitrary<bool>() ? distance : width);
         const double along = drawn(-0.5, 0.5) * ring.most_laps * width;
-        const Two place{along * ring.cosine - across * ring.sine, along * ring.sine + across * ring.cosine};
-        const Two velocity{along_rate * ring.cosine - across_rate * ring.sine,
-                           along_rate * ring.sine + across_rate * ring.cosine};
+        const Eigen::Rotation2Dd rotation(angle);
+        const Eigen::Vector2d place = rotation * Eigen::Vector2d(along, across);
+        const Eigen::Vector2d velocity = rotation * Eigen::Vector2d(along_rate, across_rate);
 
         const auto expected = slowly(ring, place, velocity, distance);
         const auto touch = ring.firstTouch(place, velocity, distance, FOR_EVER);
@@ -67,23 +70,22 @@ TEST(RingCourse, FindsWhatLookingAtEveryImageFinds)
 
 TEST(RingCourse, MeetsAnImageManyLapsAway)
 {
-  const RingCourse ring{1.0, 0.0, 0.2, 5.0, 100};
+  const RingCourse ring{{1.0, 0.0}, 0.2, 5.0, 100};
   // A metre above the row, at 10 m/s along it and 1 m/s towards it: 10 m, 50 widths on.
-  const auto touch = ring.firstTouch(Two{0.0, 1.0}, Two{10.0, -1.0}, 0.002, FOR_EVER);
+  const auto touch = ring.firstTouch({0.0, 1.0}, {10.0, -1.0}, 0.002, FOR_EVER);
   ASSERT_TRUE(touch);
   EXPECT_EQ(touch->shift, 50);
   EXPECT_NEAR(touch->wait, 1.0, 0.001);
-  EXPECT_FALSE(
-      (RingCourse{1.0, 0.0, 0.2, 5.0, 49}.firstTouch(Two{0.0, 1.0}, Two{10.0, -1.0}, 0.002, FOR_EVER)));
+  EXPECT_FALSE((RingCourse{{1.0, 0.0}, 0.2, 5.0, 49}.firstTouch({0.0, 1.0}, {10.0, -1.0}, 0.002, FOR_EVER)));
 }
 
 TEST(RingCourse, AtRestBesideAnImageMeetsNothing)
 {
-  const RingCourse ring{1.0, 0.0, 0.2, 5.0, 10};
-  EXPECT_FALSE(ring.firstTouch(Two{0.0, 0.0}, Two{0.0, 0.0}, 0.002, FOR_EVER));
-  EXPECT_FALSE(ring.firstTouch(Two{0.1, 0.0}, Two{0.0, 0.0}, 0.002, FOR_EVER));
+  const RingCourse ring{{1.0, 0.0}, 0.2, 5.0, 10};
+  EXPECT_FALSE(ring.firstTouch({0.0, 0.0}, {0.0, 0.0}, 0.002, FOR_EVER));
+  EXPECT_FALSE(ring.firstTouch({0.1, 0.0}, {0.0, 0.0}, 0.002, FOR_EVER));
   // Along the row, however slowly the height changes.
-  EXPECT_EQ(ring.firstTouch(Two{0.1, 0.0}, Two{1.0, 1e-308}, 0.002, FOR_EVER)->shift, 1);
+  EXPECT_EQ(ring.firstTouch({0.1, 0.0}, {1.0, 1e-308}, 0.002, FOR_EVER)->shift, 1);
 }
 
 }  // namespace

@@ -61,6 +61,12 @@ SceneDefinition shortMixture()
   return scene;
 }
 
+TEST(SavedState, OfAnOrbitGoesOn)
+{
+  expectTheSameEnd(test::onAnOrbit(shortMixture()), undisturbed);
+  expectTheSameEnd(test::onAnOrbit(shortMixture()), commanded);
+}
+
 TEST(SavedState, GoesOnBitForBit)
 {
   expectTheSameEnd(shortMixture(), undisturbed);

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/sawtooth.h"
+#include "model/sawtooth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,10 @@ TEST(Sawtooth, NormalsPointOutOfTheBase)
 {
   const Sawtooth sawtooth(BaseDefinition(), Boundary::PERIODIC);
   // a w = 6 mm, h = 6 mm: the left slope rises at 45 degrees.
-  EXPECT_NEAR(sawtooth.left().normal_s, -std::sqrt(0.5), 1e-15);
-  EXPECT_NEAR(sawtooth.left().normal_n, std::sqrt(0.5), 1e-15);
-  EXPECT_NEAR(sawtooth.right().normal_s, 6.0 / std::hypot(6.0, 14.0), 1e-15);
-  EXPECT_NEAR(sawtooth.right().normal_n, 14.0 / std::hypot(6.0, 14.0), 1e-15);
+  EXPECT_NEAR(sawtooth.left().normal.x(), -std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(sawtooth.left().normal.y(), std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(sawtooth.right().normal.x(), 6.0 / std::hypot(6.0, 14.0), 1e-15);
+  EXPECT_NEAR(sawtooth.right().normal.y(), 14.0 / std::hypot(6.0, 14.0), 1e-15);
   // The ratio of the slopes' lengths that the paper's ratio of contacts is held against.
   EXPECT_NEAR(sawtooth.left().length / sawtooth.right().length, 0.557, 5e-4);
 }
@@ -27,12 +27,12 @@ TEST(Sawtooth, VerticalFacesFaceOutwards)
   BaseDefinition base;
   base.asymmetry = 0.0;
   const Sawtooth rising(base, Boundary::PERIODIC);
-  EXPECT_EQ(rising.left().normal_s, -1.0);
-  EXPECT_EQ(rising.left().normal_n, 0.0);
+  EXPECT_EQ(rising.left().normal.x(), -1.0);
+  EXPECT_EQ(rising.left().normal.y(), 0.0);
   base.asymmetry = 1.0;
   const Sawtooth falling(base, Boundary::PERIODIC);
-  EXPECT_EQ(falling.right().normal_s, 1.0);
-  EXPECT_EQ(falling.right().normal_n, 0.0);
+  EXPECT_EQ(falling.right().normal.x(), 1.0);
+  EXPECT_EQ(falling.right().normal.y(), 0.0);
 }
 
 TEST(Sawtooth, HeightAboveIsTheDistanceToTheNearestPointOfTheOutline)

@@ -45,4 +45,15 @@ inline SceneDefinition openMixture(int count)
   return scene;
 }
 
+/// With all that a drive can have, none of it in phase with the rest.
+inline SceneDefinition onAnOrbit(SceneDefinition scene)
+{
+  const double amplitude = 0.002;
+  scene.base.horizontal_amplitude = 0.7 * amplitude;
+  scene.base.horizontal_phase = 0.4;
+  scene.base.harmonics = {{2, 0.15 * amplitude, 1.1, -0.1 * amplitude, 2.0},
+                          {3, 0.0, 0.0, 0.05 * amplitude, 5.0}};
+  return scene;
+}
+
 }  // namespace ratchet_sieve::test

@@ -42,7 +42,7 @@ std::vector<double> sumsAfter(const SceneDefinition& scene, int strides)
     for (const auto& mean :
          {means.mean_vx, means.mean_vx_stderr, means.kinetic_translational, means.kinetic_rotational})
       sums.push_back(mean.value_or(-1.0));
-  sums.insert(sums.end(), {simulation.baseImpulseX(), simulation.baseImpulseY(), simulation.energy(),
+  sums.insert(sums.end(), {simulation.baseImpulse().x(), simulation.baseImpulse().y(), simulation.energy(),
                            static_cast<double>(test::stateHash(simulation) >> 12)});
   return sums;
 }
@@ -67,10 +67,10 @@ TEST(Simulation, NothingIsCountedBeforeSettle)
   Simulation simulation(scene);
   simulation.advanceTo(4.9);
   EXPECT_FALSE(simulation.means()[0].mean_vx);
-  EXPECT_EQ(simulation.baseImpulseY(), 0.0);
+  EXPECT_EQ(simulation.baseImpulse().y(), 0.0);
   simulation.advanceTo(5.1);
   EXPECT_TRUE(simulation.means()[0].mean_vx);
-  EXPECT_GT(simulation.baseImpulseY(), 0.0);
+  EXPECT_GT(simulation.baseImpulse().y(), 0.0);
 }
 
 TEST(Simulation, TimesThatAreNoneOrEarlierDoNothing)

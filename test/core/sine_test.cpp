@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/sine.h"
+#include "model/sine.h"
 
 #include <cmath>
 #include <limits>

@@ -88,6 +88,7 @@ struct Compared
   int disks;
   std::size_t collisions;
   double wall_height = 0.0;
+  bool orbit = false;
 };
 
 /// How many of the first collisions are compared: five a disk, where no disks scatter each other, and one and
@@ -98,7 +99,11 @@ const Compared COMPARED[] = {{"single", false, Boundary::PERIODIC, 0.0, 50, 240}
                              {"mixture, inclined", true, Boundary::PERIODIC, 0.1, 100, 160},
                              {"walled", true, Boundary::WALLED, 0.1, 100, 100},
                              {"walled, low", true, Boundary::WALLED, 0.1, 100, 100, 0.01},
-                             {"open", true, Boundary::OPEN, 0.1, 100, 100}};
+                             {"open", true, Boundary::OPEN, 0.1, 100, 100},
+                             {"single, orbit", false, Boundary::PERIODIC, 0.1, 50, 240, 0.0, true},
+                             {"mixture, orbit", true, Boundary::PERIODIC, 0.1, 100, 160, 0.0, true},
+                             {"walled, orbit", true, Boundary::WALLED, 0.1, 100, 100, 0.0, true},
+                             {"open, orbit", true, Boundary::OPEN, 0.1, 100, 100, 0.0, true}};
 
 SceneDefinition sceneOf(const Compared& compared)
 {
@@ -106,15 +111,18 @@ SceneDefinition sceneOf(const Compared& compared)
   scene.boundary = compared.boundary;
   scene.base.inclination = compared.inclination;
   scene.base.wall_height = compared.wall_height;
-  return stirred(scene, compared.disks);
+  return stirred(compared.orbit ? test::onAnOrbit(scene) : scene, compared.disks);
 }
 
-/// The base mirrored, s -> W - s. It turns about the foot at s = 0, which is another foot then, so that in
-/// the world x -> W cos(theta) - x and y -> y - W sin(theta).
+/// The base mirrored, s -> W - s, and its drive with it. It turns about the foot at s = 0, which is another
+/// foot then, so that in the world x -> W cos(theta) - x and y -> y - W sin(theta).
 SceneDefinition mirrored(SceneDefinition scene)
 {
   BaseDefinition& base = scene.base;
   base.asymmetry = 1.0 - base.asymmetry;
+  base.horizontal_amplitude = -base.horizontal_amplitude;
+  for (HarmonicDefinition& harmonic : base.harmonics)
+    harmonic.horizontal_amplitude = -harmonic.horizontal_amplitude;
   for (InitialDisk& disk : scene.initial)
   {
     disk.x = base.width() * std::cos(base.inclination) - disk.x;
@@ -200,6 +208,12 @@ SceneDefinition scaled(SceneDefinition scene, const Units& units)
   scene.base.tooth_width *= units.length;
   scene.base.tooth_height *= units.length;
   scene.base.amplitude *= units.length;
+  scene.base.horizontal_amplitude *= units.length;
+  for (HarmonicDefinition& harmonic : scene.base.harmonics)
+  {
+    harmonic.amplitude *= units.length;
+    harmonic.horizontal_amplitude *= units.length;
+  }
   scene.base.wall_height *= units.length;
   scene.base.frequency /= units.time;
   for (SpeciesDefinition& species : scene.species)
@@ -244,8 +258,8 @@ std::vector<double> outcome(const SceneDefinition& scene, const Units& units)
   for (const SpeciesMeans& means : simulation.means())
     out.insert(out.end(), {*means.mean_vx / speed, *means.mean_vx_stderr / speed,
                            *means.kinetic_translational / energy, *means.kinetic_rotational / energy});
-  out.insert(out.end(), {simulation.energy() / energy, simulation.baseImpulseX() / impulse,
-                         simulation.baseImpulseY() / impulse, simulation.maxOverlap() / units.length});
+  out.insert(out.end(), {simulation.energy() / energy, simulation.baseImpulse().x() / impulse,
+                         simulation.baseImpulse().y() / impulse, simulation.maxOverlap() / units.length});
   return out;
 }
 
@@ -259,6 +273,8 @@ TEST(Symmetry, LengthsTimesAndMassesScaleToTheLastBit)
     {
       SceneDefinition scene = pairs ? test::mixture(50) : test::singleParticles(50);
       scene.boundary = boundary;
+      if (boundary != Boundary::WALLED)
+        scene = test::onAnOrbit(scene);
       scene.base.inclination = 0.02;
       scene.feed.rate = 10.0;
       scene.settle = 0.5;
@@ -276,8 +292,8 @@ TEST(Symmetry, LengthsTimesAndMassesScaleToTheLastBit)
 }
 
 /// How far from its start [m] the farthest disk is that flew for `duration`, had its velocity and spin turned
-/// about, and flew as long again. The base goes back as well: A sin(phi + w (T - t)) = A sin(pi - phi - w T +
-/// w t).
+/// about, and flew as long again. The base goes back as well: sin(k phi(T - t) + phi_k) = sin(k phi'(t) + (1
+/// - k) pi - phi_k), where phi' = pi - phi(T) + w t.
 double errorThereAndBack(const SceneDefinition& scene, double duration)
 {
   Simulation there(scene);
@@ -285,6 +301,12 @@ double errorThereAndBack(const SceneDefinition& scene, double duration)
   EXPECT_GT(there.collisions().total(), 0u);
   SceneDefinition reversed = scene;
   reversed.base.phase = PI - (scene.base.phase + 2.0 * PI * scene.base.frequency * duration);
+  reversed.base.horizontal_phase = -scene.base.horizontal_phase;
+  for (HarmonicDefinition& harmonic : reversed.base.harmonics)
+  {
+    harmonic.phase = (1 - harmonic.multiple) * PI - harmonic.phase;
+    harmonic.horizontal_phase = (1 - harmonic.multiple) * PI - harmonic.horizontal_phase;
+  }
   for (const DiskState& disk : there.disks())
     reversed.initial[disk.id] = {disk.species, disk.x, disk.y, -disk.vx, -disk.vy, -disk.spin};
   Simulation back(reversed);
@@ -313,10 +335,15 @@ constexpr double FARTHEST_AFTER_THE_FIRST = 1e-8;
 
 TEST(Symmetry, LosslessDisksFindTheirWayBack)
 {
-  for (const double amplitude : {0.0, 0.002})
+  struct Driven
+  {
+    double amplitude;
+    bool orbit;
+  };
+  for (const auto [amplitude, orbit] : {Driven{0.0, false}, Driven{0.002, false}, Driven{0.002, true}})
     for (const double rough : {0.0, 1.0})
     {
-      SceneDefinition scene = test::mixture(0);
+      SceneDefinition scene = orbit ? test::onAnOrbit(test::mixture(0)) : test::mixture(0);
       scene.base.amplitude = amplitude;
       scene.base.phase = 0.7;
       scene.contact.min_rebound_speed = 0.0;
@@ -329,7 +356,7 @@ TEST(Symmetry, LosslessDisksFindTheirWayBack)
           errors.push_back(errorThereAndBack(stirred(scene, 20, seed), duration));
         std::sort(errors.begin(), errors.end());
         EXPECT_LT(errors[50], grownRounding(duration))
-            << amplitude << " m, rough " << rough << ", " << duration << " s";
+            << amplitude << " m, orbit " << orbit << ", rough " << rough << ", " << duration << " s";
         EXPECT_LT(duration > 0.1 ? 0.0 : errors.back(), FARTHEST_AFTER_THE_FIRST);
       }
     }

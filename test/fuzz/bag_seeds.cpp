@@ -6,7 +6,6 @@
 
 #include <rosbag/bag.h>
 
-#include "message_kinds.h"
 #include "ratchet_sieve/recording/frame_sampler.h"
 #include "ratchet_sieve/ros/conversions.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -38,12 +37,11 @@ public:
       bag_.setChunkThreshold(1500);
   }
 
-  void take(const SceneFrame& frame) override { write("/sieve/scene", toMessage(frame)); }
-  void take(const ParticleFrame& frame) override { write("/sieve/particles", toMessage(frame)); }
-  void take(const BinFrame& frame) override { write("/sieve/bins", toMessage(frame)); }
-  void take(const BaseFrame& frame) override { write("/sieve/base", toMessage(frame)); }
-  void take(const StatisticsFrame& frame) override { write("/sieve/statistics", toMessage(frame)); }
-  void take(const CommandFrame& frame) override { write("/sieve/commands", toMessage(frame)); }
+  void take(const AnyFrame& any) override
+  {
+    const std::string topic = std::string("/sieve/") + describe(any.kind()).name;
+    any.visit([&](const auto& frame) { write(topic, toMessage(frame)); });
+  }
 
 private:
   template <typename Message>
@@ -65,16 +63,14 @@ class SeedMessages : public FrameSink
 public:
   explicit SeedMessages(const std::string& path) : file_(path, std::ios::binary) {}
 
-  void take(const SceneFrame& frame) override { write(MessageKind::SCENE, toMessage(frame)); }
-  void take(const ParticleFrame& frame) override { write(MessageKind::PARTICLES, toMessage(frame)); }
-  void take(const BinFrame& frame) override { write(MessageKind::BINS, toMessage(frame)); }
-  void take(const BaseFrame& frame) override { write(MessageKind::BASE, toMessage(frame)); }
-  void take(const StatisticsFrame& frame) override { write(MessageKind::STATISTICS, toMessage(frame)); }
-  void take(const CommandFrame& frame) override { write(MessageKind::COMMAND, toMessage(frame)); }
+  void take(const AnyFrame& any) override
+  {
+    any.visit([&](const auto& frame) { write(any.kind(), toMessage(frame)); });
+  }
 
 private:
   template <typename Message>
-  void write(MessageKind kind, const Message& message)
+  void write(FrameKind kind, const Message& message)
   {
     std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
     ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));

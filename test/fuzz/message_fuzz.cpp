@@ -6,7 +6,6 @@
 
 #include "bounded_stream.h"
 #include "findings.h"
-#include "message_kinds.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
 #include "ratchet_sieve/analysis/run_analysis.h"
 #include "ratchet_sieve/ros/conversions.h"
@@ -20,33 +19,20 @@ namespace
 using Bytes = std::vector<std::uint8_t>;
 
 /// As the bag reader does once it has a message's bytes.
-template <typename Message>
-void show(Bytes& bytes, FrameSink& sink)
-{
-  Message message;
-  BoundedStream(bytes).next(message);
-  sink.take(toFrame(message));
-}
-
-void show(MessageKind kind, Bytes bytes, FrameSink& sink)
+void show(FrameKind kind, Bytes bytes, FrameSink& sink)
 {
   try
   {
-    switch (kind)
-    {
-      case MessageKind::SCENE:
-        return show<SceneDescription>(bytes, sink);
-      case MessageKind::PARTICLES:
-        return show<ParticleStates>(bytes, sink);
-      case MessageKind::BINS:
-        return show<BinCounts>(bytes, sink);
-      case MessageKind::BASE:
-        return show<BaseState>(bytes, sink);
-      case MessageKind::STATISTICS:
-        return show<SieveStatistics>(bytes, sink);
-      case MessageKind::COMMAND:
-        return show<Command>(bytes, sink);
-    }
+    forEachFrameType(
+        [&](auto type)
+        {
+          using Frame = typename decltype(type)::Frame;
+          if (kindOf<Frame>() != kind)
+            return;
+          MessageOf<Frame> message;
+          BoundedStream(bytes).next(message);
+          sink.take(toFrame(message));
+        });
   }
   catch (const std::invalid_argument& error)
   {
@@ -91,7 +77,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   std::size_t at = 0;
   while (at + 3 <= size)
   {
-    const auto kind = static_cast<MessageKind>(bytes[at] % MESSAGE_KINDS);
+    const auto kind = static_cast<FrameKind>(bytes[at] % FRAME_KINDS);
     const std::size_t length = bytes[at + 1] + 256u * bytes[at + 2];
     at += 3;
     const std::size_t end = std::min(size, at + length);

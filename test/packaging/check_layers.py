@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Checks that no layer includes a header of a layer above it, and no ROS below the ROS layer."""
+"""Checks that no layer includes a header of a layer above it, and no ROS below the ROS layer; within the core, that no
+floor includes one above it."""
 
 import re
 import sys
@@ -12,22 +13,31 @@ BELOW = {
     'recording': ['core', 'scene'],
     'sweep': ['core', 'scene', 'recording'],
     'analysis': ['core', 'scene', 'recording'],
-    'ros': ['core', 'scene', 'recording', 'analysis'],
-    'nodes': ['core', 'scene', 'recording', 'sweep', 'analysis', 'ros'],
+    'live': ['core', 'scene', 'recording'],
+    'seeking': ['core', 'scene', 'recording'],
+    'bag': ['core', 'scene'],
+    'ros': ['core', 'scene', 'recording', 'analysis', 'live', 'seeking', 'bag'],
+    'nodes': ['core', 'scene', 'recording', 'sweep', 'analysis', 'live', 'seeking', 'bag', 'ros'],
 }
-# The libraries from outside that a layer may use, by the first folder or name of the include; None: any.
+# The libraries from outside that a layer may use, by the first folder or name of the include, or the header;
+# None: any.
 LIBRARIES = {
     'core': ['Eigen'],
     'scene': ['Eigen', 'yaml-cpp'],
     'recording': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt'],
     'sweep': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'sqlite3'],
     'analysis': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt'],
+    'live': ['Eigen', 'yaml-cpp', 'fmt'],
+    'seeking': ['Eigen'],
+    'bag': ['bzlib', 'roslz4', 'ros/message_traits.h', 'ros/serialization.h', 'ros/time.h'],
     'ros': None,
     'nodes': None,
 }
 # C++'s own headers have no dot and no slash, POSIX's and the compilers' own are these.
 POSIX = {'unistd.h', 'signal.h', 'fcntl.h', 'sys'}
 COMPILER = {'emmintrin.h', 'immintrin.h'}
+# The core's floors, folders of src/core, from the ground up; what stands in no folder is on top of them all.
+FLOORS = ['model', 'search', 'state', 'lanes', 'events']
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -41,16 +51,43 @@ def errors_in(layer, path):
             continue
         library = re.split(r'[/.]', header)[0]
         known = LIBRARIES[layer]
-        is_local = quote == '"' and (path.parent / header).exists()
+        is_local = quote == '"' and any((place / header).exists() for place in (path.parent, source_root(path)))
         is_standard = re.fullmatch(r'\w+', header) or header.split('/')[0] in POSIX | COMPILER
-        if known is not None and not is_local and not is_standard and library not in known:
+        if known is not None and not is_local and not is_standard and not {library, header} & set(known):
             yield f'{path}: {layer} includes {header}, allowed are {", ".join(known)}'
+
+
+def source_root(path):
+    """The directory src/LAYER that a file is in, or its own."""
+    return next((p for p in path.parents if p.parent.name == 'src'), path.parent)
+
+
+def floor_of(folder):
+    """How high a folder of the core stands; None if it is no floor."""
+    return FLOORS.index(folder) if folder in FLOORS else None
+
+
+def floor_errors(root):
+    """Yields what is wrong with the includes between the core's floors."""
+    core = root / 'src/core'
+    for path in layer_files(root, 'core'):
+        own = floor_of(path.parent.name)
+        for _, header in INCLUDE.findall(path.read_text()):
+            floor = floor_of(header.split('/')[0])
+            if header == 'ratchet_sieve/core/simulation.h' and own is not None:
+                yield f'{path}: includes the facade, which is above all floors'
+            if floor is None:
+                continue
+            if core not in path.parents:
+                yield f'{path}: a public header includes {header}'
+            elif own is not None and floor > own:
+                yield f'{path}: {FLOORS[own]} includes {header} of a floor above it'
 
 
 def layer_files(root, layer):
     """All sources and headers of a layer."""
     for directory in (root / 'src' / layer, root / 'include/ratchet_sieve' / layer):
-        yield from sorted(p for p in directory.rglob('*') if p.suffix in ('.h', '.cpp'))
+        yield from sorted(p for p in directory.rglob('*') if p.suffix in ('.h', '.cpp', '.inc'))
 
 
 def main(root):
@@ -59,6 +96,7 @@ def main(root):
     unknown = [p.name for p in (root / 'src').iterdir() if p.is_dir() and p.name not in BELOW]
     errors = [f'src/{name} is no known layer' for name in unknown]
     errors += [error for layer, path in files for error in errors_in(layer, path)]
+    errors += floor_errors(root)
     for error in errors:
         print(error, file=sys.stderr)
     if not files:

@@ -11,12 +11,10 @@ namespace ratchet_sieve
 class CollectingSink : public FrameSink
 {
 public:
-  void take(const SceneFrame& frame) override { scenes.push_back(frame); }
-  void take(const ParticleFrame& frame) override { particles.push_back(frame); }
-  void take(const BinFrame& frame) override { bins.push_back(frame); }
-  void take(const BaseFrame& frame) override { bases.push_back(frame); }
-  void take(const StatisticsFrame& frame) override { statistics.push_back(frame); }
-  void take(const CommandFrame& frame) override { commands.push_back(frame); }
+  void take(const AnyFrame& any) override
+  {
+    any.visit([this](const auto& frame) { keep(frame); });
+  }
 
   std::vector<SceneFrame> scenes;
   std::vector<ParticleFrame> particles;
@@ -24,6 +22,14 @@ public:
   std::vector<BaseFrame> bases;
   std::vector<StatisticsFrame> statistics;
   std::vector<CommandFrame> commands;
+
+private:
+  void keep(const SceneFrame& frame) { scenes.push_back(frame); }
+  void keep(const ParticleFrame& frame) { particles.push_back(frame); }
+  void keep(const BinFrame& frame) { bins.push_back(frame); }
+  void keep(const BaseFrame& frame) { bases.push_back(frame); }
+  void keep(const StatisticsFrame& frame) { statistics.push_back(frame); }
+  void keep(const CommandFrame& frame) { commands.push_back(frame); }
 };
 
 }  // namespace ratchet_sieve

@@ -57,10 +57,11 @@ TEST(StatisticsFrame, ShowsItsWindow)
   simulation.advanceTo(0.9);
   window.moveTo(simulation);
   const StatisticsFrame frame = makeStatisticsFrame(simulation, window);
-  EXPECT_EQ(frame.means.size(), 2u);
+  EXPECT_EQ(frame.species.size(), 2u);
   EXPECT_EQ(frame.window_start, 0.0);
   EXPECT_EQ(frame.window_end, window.end());
-  EXPECT_EQ(frame.granular_temperature, window.granularTemperatures());
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_EQ(frame.species[i].granular_temperature, window.granularTemperatures()[i]);
   EXPECT_EQ(frame.collision_rates.total(), window.collisionRates().total());
   EXPECT_GT(frame.collision_rates.total(), 0.0);
   EXPECT_EQ(frame.real_time_factor, 0.0);

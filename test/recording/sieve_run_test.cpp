@@ -69,7 +69,8 @@ TEST_F(SieveRun, SumsUpOnStandardOutput)
   EXPECT_EQ(result.errors,
             "sieve_run: plan: pairs, spin, drive, no contact times (contact_duration is 0), "
             "no base search above the base's reach, "
-            "no lanes (for single disks on a periodic base without contact times)\n"
+            "no lanes (for single disks without contact times on a periodic base that is driven up and down "
+            "by a sine)\n"
             "sieve_run: 266 disks, at rest a layer of about 0.0166 m, about 1 MB of memory\n");
   const Json json = Json::parse(result.output);
   EXPECT_EQ(json["seed"], 7);

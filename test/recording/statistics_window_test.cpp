@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "collecting_sink.h"
@@ -68,7 +69,7 @@ TEST(StatisticsWindow, ShowsNoBeatOfItsRateWithTheDrive)
   {
     if (frame.time <= 1.0)
       continue;
-    temperatures.push_back(frame.granular_temperature[0].value());
+    temperatures.push_back(frame.species[0].granular_temperature.value());
     rates.push_back(frame.collision_rates.total());
     simulation.advanceTo(frame.time);
     sampled.push_back(simulation.granularTemperatures()[0].value());
@@ -86,7 +87,7 @@ TEST(StatisticsWindow, IsOfWholePeriodsOneAfterTheOther)
 {
   const CollectingSink sink = recorded(layer(), 10.0);
   ASSERT_EQ(sink.statistics.size(), 11u);
-  EXPECT_FALSE(sink.statistics[0].granular_temperature[0]);
+  EXPECT_FALSE(sink.statistics[0].species[0].granular_temperature);
   EXPECT_EQ(sink.statistics[0].collision_rates.total(), 0.0);
   double end = 0.0;
   for (std::size_t k = 1; k < sink.statistics.size(); ++k)
@@ -98,8 +99,8 @@ TEST(StatisticsWindow, IsOfWholePeriodsOneAfterTheOther)
     EXPECT_NEAR(periods, std::round(periods), 1e-9);
     EXPECT_LE(frame.window_end, frame.time);
     EXPECT_GT(frame.window_end, frame.time - 1.001 / 23.0);
-    EXPECT_TRUE(frame.granular_temperature[0]);
-    EXPECT_GT(frame.collision_rates.disk_disk, 0.0);
+    EXPECT_TRUE(frame.species[0].granular_temperature);
+    EXPECT_GT(frame.collision_rates.disk_disk_rate, 0.0);
   }
 }
 
@@ -115,7 +116,8 @@ TEST(StatisticsWindow, IsShownAgainUntilTheNextPeriodIsOver)
       continue;
     ++repeated;
     EXPECT_EQ(frame.window_start, before.window_start);
-    EXPECT_EQ(frame.granular_temperature, before.granular_temperature);
+    for (std::size_t i = 0; i < frame.species.size(); ++i)
+      EXPECT_EQ(frame.species[i].granular_temperature, before.species[i].granular_temperature);
     EXPECT_TRUE(sameBits(frame.collision_rates, before.collision_rates));
   }
   EXPECT_EQ(repeated, 60 - 23);
@@ -141,7 +143,8 @@ TEST(StatisticsWindow, IsTheTimeBetweenFramesWhereNothingSwings)
   {
     const StatisticsFrame& frame = sink.statistics[k];
     simulation.advanceTo(frame.time);
-    EXPECT_EQ(frame.granular_temperature, simulation.granularTemperatures());
+    for (std::size_t i = 0; i < frame.species.size(); ++i)
+      EXPECT_EQ(frame.species[i].granular_temperature, simulation.granularTemperatures()[i]);
     EXPECT_EQ(frame.window_end, frame.time);
     EXPECT_EQ(frame.window_start, k > 0 ? sink.statistics[k - 1].time : 0.0);
   }
@@ -167,12 +170,17 @@ TEST(StatisticsWindow, ComesOutTheSameInARunOfTheRecordedScene)
   CollectingSink sink = recorded(layer(), 10.0);
   EXPECT_EQ(differenceFrom(0.0, sink), "");
   EXPECT_EQ(differenceFrom(0.45, sink), "") << "a later file of a recording that was split";
-  double& temperature = *sink.statistics.at(7).granular_temperature.at(1);
+  double& temperature = *sink.statistics.at(7).species.at(1).granular_temperature;
+  const double was = temperature;
   temperature = std::nextafter(temperature, 1.0);
-  EXPECT_EQ(differenceFrom(0.0, sink), "at 0.69999999999999996 s the statistics differ");
-  EXPECT_EQ(differenceFrom(0.45, sink),
-            "at 0.69999999999999996 s the statistics differ; it is recorded from 0.45 s on, "
-            "and not what the run was told since 0 s");
+  const std::string temperatures = fmt::format(
+      "at 0.69999999999999996 s the frames of statistics differ: granular_temperature of species[1] was {}, "
+      "is {}",
+      temperature, was);
+  EXPECT_EQ(differenceFrom(0.0, sink), temperatures);
+  EXPECT_EQ(differenceFrom(0.45, sink), temperatures +
+                                            "; it is recorded from 0.45 s on, "
+                                            "and not what the run was told since 0 s");
 }
 
 TEST(StatisticsWindow, ComesOutTheSameInARunThatWasTakenUp)

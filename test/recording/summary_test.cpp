@@ -33,7 +33,7 @@ TEST(Summary, HasEveryFieldOthersRelyOn)
     EXPECT_TRUE(json["plan"][key].is_boolean()) << key;
   ASSERT_EQ(json["species"].size(), 2u);
   for (const char* key : {"name", "count", "mean_vx", "mean_vx_stderr", "left", "right",
-                          "kinetic_translational", "kinetic_rotational"})
+                          "kinetic_translational", "kinetic_rotational", "collision_rate"})
     EXPECT_TRUE(json["species"][0].contains(key)) << key;
 }
 
@@ -51,7 +51,8 @@ TEST(Summary, TellsWhatTheSimulationKnows)
   EXPECT_EQ(json["species"][1]["name"], "B");
   EXPECT_EQ(json["species"][1]["count"], 6);
   EXPECT_EQ(json["species"][0]["mean_vx"].get<double>(), simulation.means()[0].mean_vx.value());
-  EXPECT_EQ(json["base_impulse"][1].get<double>(), simulation.baseImpulseY());
+  EXPECT_EQ(json["species"][1]["collision_rate"].get<double>(), simulation.means()[1].collision_rate.value());
+  EXPECT_EQ(json["base_impulse"][1].get<double>(), simulation.baseImpulse().y());
   EXPECT_EQ(json["energy_end"].get<double>(), simulation.energy());
 }
 
@@ -64,6 +65,7 @@ TEST(Summary, HasThePlan)
   EXPECT_EQ(summaryOf(scene)["plan"], Json({{"pairs", true},
                                             {"spin", true},
                                             {"drive", false},
+                                            {"orbit", false},
                                             {"contact_times", true},
                                             {"search_above_band", false},
                                             {"lanes", false}}));

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/ros/bag_file.h"
+#include "ratchet_sieve/bag/bag_file.h"
 
 #include <filesystem>
 #include <random>
@@ -9,8 +9,8 @@
 #include <std_msgs/Float64MultiArray.h>
 #include <std_msgs/String.h>
 
-#include "bag_structure.h"
 #include "file_size_limit.h"
+#include "ratchet_sieve/bag/bag_structure.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve

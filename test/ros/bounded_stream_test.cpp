@@ -56,9 +56,7 @@ TEST(BoundedStream, RefusesAnArrayThatTheMessageIsTooShortFor)
   ParticleFrame particles;
   particles.disks.resize(3);
   StatisticsFrame statistics;
-  statistics.species = {"A"};
-  statistics.means.resize(1);
-  statistics.granular_temperature.resize(1);
+  statistics.species.resize(1);
   for (const std::uint32_t length : LENGTHS)
   {
     EXPECT_THROW(readWithLength(toMessage(particles), length, 0), std::invalid_argument) << length;

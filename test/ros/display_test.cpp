@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
-#include "ratchet_sieve/core/sawtooth.h"
+#include "model/sawtooth.h"
 #include "ratchet_sieve/ros/particle_cloud.h"
 #include "ratchet_sieve/ros/scene_markers.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
@@ -69,7 +69,7 @@ TEST(BaseTransforms, raiseTheRightEndForPositiveInclination)
   EXPECT_NEAR(right_end.z, 0.4 * std::sin(0.25), 1e-15);
 }
 
-TEST(BaseTransforms, moveTheBaseVerticallyInTheWorldWhateverItsInclination)
+TEST(BaseTransforms, moveTheBaseByItsDriveInTheWorldWhateverItsInclination)
 {
   for (const double inclination : {-0.4, 0.0, 0.3})
   {
@@ -77,6 +77,11 @@ TEST(BaseTransforms, moveTheBaseVerticallyInTheWorldWhateverItsInclination)
     const Vector up = inWorld(baseTransforms(inclinedBase(inclination, 0.002)), {0.1, 0.0, 0.006});
     EXPECT_NEAR(up.x, rest.x, 1e-15);
     EXPECT_NEAR(up.z - rest.z, 0.002, 1e-15);
+    BaseFrame oblique = inclinedBase(inclination, 0.002);
+    oblique.base.horizontal_displacement = -0.003;
+    const Vector aside = inWorld(baseTransforms(oblique), {0.1, 0.0, 0.006});
+    EXPECT_NEAR(aside.x - rest.x, -0.003, 1e-15);
+    EXPECT_NEAR(aside.z - rest.z, 0.002, 1e-15);
   }
 }
 

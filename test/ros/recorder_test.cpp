@@ -9,9 +9,9 @@
 #include "collecting_sink.h"
 #include "file_size_limit.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
+#include "ratchet_sieve/live/live_run.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
-#include "ratchet_sieve/ros/live_run.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve

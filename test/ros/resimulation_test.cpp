@@ -8,9 +8,11 @@
 #include <rapidcheck/gtest.h>
 
 #include "collecting_sink.h"
+#include "ratchet_sieve/live/run_control.h"
 #include "ratchet_sieve/recording/commands.h"
 #include "ratchet_sieve/ros/bag_reader.h"
-#include "ratchet_sieve/ros/run_control.h"
+#include "ratchet_sieve/ros/node_parameters.h"
+#include "ratchet_sieve/ros/recorder.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "small_scenes.h"
@@ -175,7 +177,8 @@ TEST(Resimulation, findsALastBitThatWasChanged)
   ParticleFrame& frame = recorded.particles.at(20);
   frame.disks.at(2).vy = std::nextafter(frame.disks.at(2).vy, 10.0);
   const std::string difference = differenceOf(recorded);
-  EXPECT_EQ(difference.rfind("at 0.33333333333333331 s the disks differ: vy of disk 2 was ", 0), 0u)
+  EXPECT_EQ(
+      difference.rfind("at 0.33333333333333331 s the frames of particles differ: vy of disks[2] was ", 0), 0u)
       << difference;
 }
 
@@ -185,7 +188,7 @@ TEST(Resimulation, missesACommand)
   ASSERT_EQ(recorded.commands.size(), 2u);  // the slew rates, and the setpoint
   recorded.commands.pop_back();
   const std::string difference = differenceOf(recorded);
-  EXPECT_NE(difference.find("the disks differ"), std::string::npos) << difference;
+  EXPECT_NE(difference.find("the frames of particles differ"), std::string::npos) << difference;
 }
 
 TEST(Resimulation, missesADisk)

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/ros/run_control.h"
+#include "ratchet_sieve/live/run_control.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,6 +8,8 @@
 #include "collecting_sink.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
+#include "ratchet_sieve/ros/node_parameters.h"
+#include "ratchet_sieve/ros/recorder.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "small_scenes.h"
 

@@ -25,13 +25,24 @@ bool same(const ContactCoefficients& a, const ContactCoefficients& b)
          sameBits(a.tangential_restitution, b.tangential_restitution);
 }
 
+bool same(const HarmonicDefinition& a, const HarmonicDefinition& b)
+{
+  return a.multiple == b.multiple && sameBits(a.amplitude, b.amplitude) && sameBits(a.phase, b.phase) &&
+         sameBits(a.horizontal_amplitude, b.horizontal_amplitude) &&
+         sameBits(a.horizontal_phase, b.horizontal_phase);
+}
+
+template <typename T>
+bool same(const std::vector<T>& a, const std::vector<T>& b);
+
 bool same(const BaseDefinition& a, const BaseDefinition& b)
 {
   return a.teeth == b.teeth && sameBits(a.tooth_width, b.tooth_width) &&
          sameBits(a.tooth_height, b.tooth_height) && sameBits(a.asymmetry, b.asymmetry) &&
          sameBits(a.inclination, b.inclination) && sameBits(a.amplitude, b.amplitude) &&
          sameBits(a.frequency, b.frequency) && sameBits(a.phase, b.phase) &&
-         sameBits(a.wall_height, b.wall_height);
+         sameBits(a.wall_height, b.wall_height) && sameBits(a.horizontal_amplitude, b.horizontal_amplitude) &&
+         sameBits(a.horizontal_phase, b.horizontal_phase) && same(a.harmonics, b.harmonics);
 }
 
 bool same(const SpeciesDefinition& a, const SpeciesDefinition& b)
@@ -122,9 +133,28 @@ std::vector<InitialDisk> someDisks(std::size_t species)
 SceneDefinition anyScene()
 {
   SceneDefinition scene;
-  scene.base = {*rc::gen::inRange(1, 100), number(0.1, 1.0), number(0.0, 1.0),  number(0.0, 1.0),
-                number(-1.5, 1.5),         number(0.0, 0.1), number(0.0, 99.0), number(-9.0, 9.0)};
+  scene.base = {*rc::gen::inRange(1, 100),
+                number(0.1, 1.0),
+                number(0.0, 1.0),
+                number(0.0, 1.0),
+                number(-1.5, 1.5),
+                number(0.0, 0.1),
+                number(0.0, 99.0),
+                number(-9.0, 9.0),
+                0.0,
+                0.0,
+                0.0,
+                {}};
   scene.base.wall_height = *rc::gen::arbitrary<bool>() ? number(0.1, 1.0) : 0.0;
+  if (*rc::gen::arbitrary<bool>())
+  {
+    scene.base.horizontal_amplitude = number(-0.1, 0.1);
+    scene.base.horizontal_phase = number(-9.0, 9.0);
+    scene.base.harmonics.resize(*rc::gen::inRange<std::size_t>(0, 4));
+    for (HarmonicDefinition& harmonic : scene.base.harmonics)
+      harmonic = {*rc::gen::inRange(2, 101), number(-0.1, 0.1), number(-9.0, 9.0), number(-0.1, 0.1),
+                  number(-9.0, 9.0)};
+  }
   scene.boundary = *rc::gen::element(Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED);
   scene.gravity = number(0.0, 20.0);
   const bool placed = *rc::gen::arbitrary<bool>();
@@ -174,6 +204,24 @@ TEST(CanonicalScene, HasAWallHeightOnlyWhereOneIsSet)
   const std::string hash = sceneHash(scene);
   scene.base.wall_height = 0.3;
   EXPECT_NE(canonicalYaml(scene).find("wall_height: 0.3"), std::string::npos);
+  EXPECT_NE(sceneHash(scene), hash);
+}
+
+TEST(CanonicalScene, HasAnOrbitOnlyWhereTheDriveHasOne)
+{
+  SceneDefinition scene = sceneFromText(GOOD_SCENE, "s.yaml").definition;
+  EXPECT_EQ(canonicalYaml(scene).find("horizontal"), std::string::npos);
+  EXPECT_EQ(canonicalYaml(scene).find("harmonics"), std::string::npos);
+  const std::string hash = sceneHash(scene);
+  SceneDefinition oblique = scene;
+  oblique.base.horizontal_amplitude = -0.001;
+  EXPECT_NE(canonicalYaml(oblique).find("horizontal_amplitude: -0.001"), std::string::npos);
+  EXPECT_NE(sceneHash(oblique), hash);
+  scene.base.harmonics = {{2, 0.001, 0.0, 0.0, 0.5}, {3, 0.0, 0.0, 0.001, 0.0}};
+  EXPECT_NE(canonicalYaml(scene).find("harmonics: [{multiple: 2, amplitude: 0.001, phase: 0, "
+                                      "horizontal_amplitude: 0, horizontal_phase: 0.5}, {multiple: 3, "),
+            std::string::npos)
+      << canonicalYaml(scene);
   EXPECT_NE(sceneHash(scene), hash);
 }
 

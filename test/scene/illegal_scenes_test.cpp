@@ -104,6 +104,8 @@ TEST(IllegalScenes, AreMadeOfEveryKeyThereIs)
   full.initial.resize(1);
   // Written only where they are set.
   full.base.wall_height = 1.0;
+  full.base.horizontal_amplitude = 1.0;
+  full.base.horizontal_phase = 1.0;
   full.contact.restitution_speed = 1.0;
   full.contact.restitution_exponent = 0.5;
   std::set<std::string> written = {".density"};

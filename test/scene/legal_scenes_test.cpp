@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "draws.h"
+#include "model/orbit.h"
 #include "random_scene.h"
+#include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
@@ -97,13 +99,14 @@ private:
 
   void checkDisks()
   {
-    farthest_ = std::max(farthest_, scene_.base.width() + scene_.base.amplitude + scene_.base.tooth_height);
+    const DriveBounds drive = driveBounds(scene_.base);
+    farthest_ = std::max(farthest_, scene_.base.width() + drive.displacement + scene_.base.tooth_height);
     for (const DiskState& disk : simulation_.disks())
     {
       for (const double value : {disk.x, disk.y, disk.vx, disk.vy, disk.angle, disk.spin, disk.displacement})
         RC_ASSERT(std::isfinite(value));
       farthest_ = std::max({farthest_, std::abs(disk.x), std::abs(disk.y), std::abs(disk.displacement)});
-      fastest_ = std::max({fastest_, std::hypot(disk.vx, disk.vy), std::abs(simulation_.base().velocity)});
+      fastest_ = std::max({fastest_, std::hypot(disk.vx, disk.vy), drive.speed});
     }
   }
 
@@ -136,7 +139,7 @@ private:
     RC_ASSERT(std::isfinite(energy_));
     const bool same_disks = active_ == simulation_.activeDisks() && scene_.feed.rate == 0.0;
     active_ = simulation_.activeDisks();
-    const bool at_rest = scene_.base.amplitude * scene_.base.frequency == 0.0;
+    const bool at_rest = driveBounds(scene_.base).speed == 0.0;
     const bool level =
         scene_.boundary != Boundary::PERIODIC || scene_.gravity * scene_.base.inclination == 0.0;
     if (!same_disks || !at_rest || !level || scene_.contact.min_rebound_speed > 0.0)

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "draws.h"
+#include "model/base_motion.h"
 #include "scene_spelling.h"
 #include "scene_spoilers.h"
 
@@ -13,19 +14,16 @@ namespace
 /// Moves a disk along the base and away from it.
 void move(const SceneDefinition& scene, InitialDisk& disk, double ds, double dn)
 {
-  const double cosine = std::cos(scene.base.inclination);
-  const double sine = std::sin(scene.base.inclination);
-  disk.x += cosine * ds - sine * dn;
-  disk.y += sine * ds + cosine * dn;
+  const Eigen::Vector2d way = BaseMotion(scene.base).at(0.0).outOf({ds, dn});
+  disk.x += way.x();
+  disk.y += way.y();
 }
 
 /// A disk's place in the frame of the base: along it, and over the line of the teeth's feet.
 std::pair<double, double> onBase(const SceneDefinition& scene, const InitialDisk& disk)
 {
-  const double y = disk.y - scene.base.amplitude * std::sin(scene.base.phase);
-  const double cosine = std::cos(scene.base.inclination);
-  const double sine = std::sin(scene.base.inclination);
-  return {cosine * disk.x + sine * y, cosine * y - sine * disk.x};
+  const BasePoint point = BaseMotion(scene.base).at(0.0).see({disk.x, disk.y}, Eigen::Vector2d::Zero());
+  return {point.s(), point.n()};
 }
 
 /// A place beyond an end of the base that is still a legal number.

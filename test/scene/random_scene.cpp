@@ -4,6 +4,8 @@
 #include <numeric>
 
 #include "draws.h"
+#include "model/base_motion.h"
+#include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "scene_spelling.h"
 
@@ -11,8 +13,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-
-constexpr double PI = 3.14159265358979323846;
 
 constexpr double LARGEST_LENGTH = 1e3;    ///< [m]
 constexpr double SMALLEST_LENGTH = 1e-9;  ///< [m]
@@ -70,6 +70,24 @@ ContactCoefficients drawnCoefficients()
   return {drawnNumber(0.0, 1.0), drawnNumber(0.0, 1e9), drawnNumber(-1.0, 1.0)};
 }
 
+/// All together no farther than A may be, and no sharper than a few times as sharp.
+void drawOrbit(BaseDefinition& base)
+{
+  const double widest = std::min(LARGEST_LENGTH, AMPLITUDE_PER_TOOTH * base.tooth_width);
+  base.horizontal_amplitude = drawnSigned(-1.0, 1.0) * drawnMagnitude(1e-6 * base.tooth_width, widest);
+  base.horizontal_phase = drawnNumber(-1e6, 1e6);
+  for (auto count = drawnIndex<std::size_t>(0, 4); count > 0; --count)
+  {
+    HarmonicDefinition& harmonic = base.harmonics.emplace_back();
+    harmonic.multiple = drawnIndex(2, 6);
+    const double least = base.amplitude / (harmonic.multiple * harmonic.multiple);
+    harmonic.amplitude = drawnSigned(-least, least);
+    harmonic.horizontal_amplitude = drawnSigned(-least, least);
+    harmonic.phase = drawnNumber(-1e6, 1e6);
+    harmonic.horizontal_phase = drawnNumber(-1e6, 1e6);
+  }
+}
+
 void drawBase(SceneDefinition& scene)
 {
   BaseDefinition& base = scene.base;
@@ -90,6 +108,8 @@ void drawBase(SceneDefinition& scene)
   base.amplitude = defaultOr(base.amplitude, 0.0, widest, [&] { return zeroOrMagnitude(1e-6 * w, widest); });
   base.frequency = defaultOr(base.frequency, 0.0, 1e6, [] { return zeroOrMagnitude(1e-3, 1e6); });
   base.phase = drawnNumber(-1e6, 1e6);
+  if (drawnChance(30))
+    drawOrbit(base);
 }
 
 void drawBoundary(SceneDefinition& scene)
@@ -159,8 +179,7 @@ void drawPairs(SceneDefinition& scene)
 /// The sharpest that anything is accelerated against the base [m/s^2].
 double acceleration(const SceneDefinition& scene)
 {
-  const double pulse = 2.0 * PI * scene.base.frequency;
-  return scene.gravity + scene.base.amplitude * pulse * pulse;
+  return scene.gravity + driveBounds(scene.base).acceleration;
 }
 
 /// Nothing moves the disks but what they have, and no contact makes energy. What would come to rest in
@@ -168,7 +187,13 @@ double acceleration(const SceneDefinition& scene)
 /// other.
 void bringToRest(SceneDefinition& scene)
 {
-  (drawnChance(50) ? scene.base.amplitude : scene.base.frequency) = 0.0;
+  if (drawnChance(50))
+  {
+    scene.base.amplitude = scene.base.horizontal_amplitude = 0.0;
+    scene.base.harmonics.clear();
+  }
+  else
+    scene.base.frequency = 0.0;
   scene.contact.min_rebound_speed = 0.0;
   if (drawnChance(50))
     scene.contact.contact_duration = timeScale(scene) * drawnMagnitude(REST_PER_TIME_SCALE, 1.0);
@@ -209,8 +234,7 @@ void drawPour(SceneDefinition& scene)
 void drawInitial(SceneDefinition& scene, double speed)
 {
   const BaseDefinition& base = scene.base;
-  const double cosine = std::cos(base.inclination);
-  const double sine = std::sin(base.inclination);
+  const FrameOfBase frame = BaseMotion(base).at(0.0);
   double n = base.tooth_height;
   const double highest = RADII_PER_HEIGHT * smallestRadius(scene);
   for (auto count = drawnIndex<std::size_t>(1, 7); count > 0 && (scene.initial.empty() || n < highest);
@@ -222,8 +246,9 @@ void drawInitial(SceneDefinition& scene, double speed)
     const double margin = scene.boundary == Boundary::PERIODIC ? 1e-6 * base.width() : radius;
     n += radius * (1.001 + zeroOrMagnitude(1e-3, 10.0));
     const double s = margin + (base.width() - 2.0 * margin) * (0.001 + 0.998 * drawnFraction());
-    disk.x = cosine * s - sine * n;
-    disk.y = sine * s + cosine * n + base.amplitude * std::sin(base.phase);
+    const Eigen::Vector2d place = frame.placeOutOf({s, n});
+    disk.x = place.x();
+    disk.y = place.y();
     n += radius;
     disk.vx = drawnSigned(-speed, speed);
     disk.vy = drawnSigned(-speed, speed);
@@ -241,8 +266,8 @@ void drawDuration(SceneDefinition& scene)
   const double drop = scene.pour.drop_height;
   const double impact = std::sqrt(scene.pour.speed * scene.pour.speed + 2.0 * scene.gravity * drop);
   const double fall = impact > 0.0 && scene.initial.empty() ? 2.0 * drop / (impact + scene.pour.speed) : 0.0;
-  double fastest = std::max({impact, 2.0 * PI * scene.base.frequency * scene.base.amplitude,
-                             scene.contact.min_rebound_speed, scene.base.tooth_width / time_scale});
+  double fastest = std::max({impact, driveBounds(scene.base).speed, scene.contact.min_rebound_speed,
+                             scene.base.tooth_width / time_scale});
   for (const InitialDisk& disk : scene.initial)
     fastest = std::max(fastest, std::hypot(disk.vx, disk.vy));
   // A long fall between fast strokes would be nothing but turns of the drive, and one beside walls, rebounds.

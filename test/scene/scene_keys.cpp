@@ -22,6 +22,8 @@ const std::vector<SceneKey>& sceneKeys()
       {"base", "frequency", K::NUMBER, 0, 1e6},
       {"base", "phase", K::NUMBER, -1e6, 1e6},
       {"base", "wall_height", K::NUMBER, 0, 1e3},
+      {"base", "horizontal_amplitude", K::NUMBER, -1e3, 1e3},
+      {"base", "horizontal_phase", K::NUMBER, -1e6, 1e6},
       {"species", "name", K::NAME, 0, 0, true},
       {"species", "count", K::INTEGER, 0, 1e7},
       {"species", "share", K::NUMBER, 0, 1e9},

@@ -39,7 +39,9 @@ TEST(SceneReader, TakesEveryKey)
 {
   const SceneDefinition scene = read(R"(
 base: {teeth: 3, tooth_width: 0.01, tooth_height: 0.002, asymmetry: 0.7, inclination: -0.2, amplitude: 0.001,
-       frequency: 30, phase: 1.5, wall_height: 0.3}
+       frequency: 30, phase: 1.5, wall_height: 0.3, horizontal_amplitude: -0.002, horizontal_phase: 0.5,
+       harmonics: [{multiple: 2, amplitude: -0.0001, phase: 1}, {multiple: 5, horizontal_amplitude: 0.0002,
+                   horizontal_phase: -1}]}
 boundary: walled
 gravity: 1.62
 species:
@@ -61,6 +63,14 @@ seed: 18446744073709551615
   EXPECT_EQ(scene.base.amplitude, 0.001);
   EXPECT_EQ(scene.base.phase, 1.5);
   EXPECT_EQ(scene.base.wall_height, 0.3);
+  EXPECT_EQ(scene.base.horizontal_amplitude, -0.002);
+  EXPECT_EQ(scene.base.horizontal_phase, 0.5);
+  ASSERT_EQ(scene.base.harmonics.size(), 2u);
+  EXPECT_EQ(scene.base.harmonics[0].multiple, 2);
+  EXPECT_EQ(scene.base.harmonics[0].amplitude, -0.0001);
+  EXPECT_EQ(scene.base.harmonics[0].phase, 1.0);
+  EXPECT_EQ(scene.base.harmonics[1].horizontal_amplitude, 0.0002);
+  EXPECT_EQ(scene.base.harmonics[1].horizontal_phase, -1.0);
   EXPECT_EQ(scene.boundary, Boundary::WALLED);
   EXPECT_EQ(scene.gravity, 1.62);
   EXPECT_EQ(scene.species[0].count, 5);

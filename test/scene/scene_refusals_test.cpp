@@ -45,6 +45,16 @@ const Refusal SHAPES[] = {
      "s.yaml:5: species.1.weight: unknown key; known are count, friction, inertia_factor, mass, name, "
      "radius, "
      "restitution, share, tangential_restitution"},
+    {"UnknownKeyInAHarmonic", "teeth: 20", "harmonics: [{multiple: 2, amplitud: 1}], teeth: 20",
+     "s.yaml:1: base.harmonics.0.amplitud: unknown key; did you mean amplitude?"},
+    {"HarmonicWithoutAMultiple", "teeth: 20", "harmonics: [{amplitude: 1}], teeth: 20",
+     "s.yaml:1: base.harmonics.0.multiple: missing"},
+    {"HarmonicOfTheFirstMultiple", "teeth: 20", "harmonics: [{multiple: 1}], teeth: 20",
+     "s.yaml:1: base.harmonics.0.multiple = 1: must be an integer from 2 to 100"},
+    {"HarmonicThatIsNoMap", "teeth: 20", "harmonics: [2], teeth: 20",
+     "s.yaml:1: base.harmonics.0 = 2: must be a map"},
+    {"HarmonicsThatAreNoList", "teeth: 20", "harmonics: {multiple: 2}, teeth: 20",
+     "s.yaml:1: base.harmonics = a map: must be a list"},
     {"MissingName", "name: A, ", "", "s.yaml:4: species.0.name: missing"},
     {"MissingRadius", "radius: 0.002, ", "", "s.yaml:5: species.1.radius: missing"},
     {"MissingMass", ", mass: 0.001", "", "s.yaml:4: species.0.mass: missing"},

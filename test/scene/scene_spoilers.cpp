@@ -179,7 +179,7 @@ std::string misspelt(const std::string& name)
     case 0:
       return word.insert(at, 1, 'z');
     case 1:
-      word[at] = 'z';
+      word[at] = word[at] == 'z' ? 'q' : 'z';
       return word;
     default:
       return word + "_";

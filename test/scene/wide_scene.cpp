@@ -116,6 +116,9 @@ void obeyResolution(SceneTree& root, double width)
   const double fall = std::sqrt(valueOf(root.mapAt("base"), "tooth_width", 0.02) /
                                 std::max(1e-300, valueOf(root, "gravity", 9.81)));
   const double frequency = valueOf(root.mapAt("base"), "frequency", 23.0);
+  for (auto& item : root.mapAt("base").listAt("harmonics").items())
+    for (const char* key : {"amplitude", "horizontal_amplitude"})
+      item.second[key] = SceneTree(spelledNumber(std::min(1e3, radius) * drawnSigned(-1.0, 1.0)));
   const double time_scale = std::min({1.0, fall, frequency > 0.0 ? 1.0 / frequency : 1.0});
   // A fall from as high as this comes as fast: v = sqrt(2 g h).
   const double speed = std::min(1e4, 1e4 * radius / std::max(time_scale, fall > 1.0 ? fall : 0.0));
@@ -126,6 +129,7 @@ void obeyResolution(SceneTree& root, double width)
   limit(root, "base", "amplitude", std::min(1e3, 1e3 * radius));
   if (!root.mapAt("base").has("amplitude"))
     root.mapAt("base")["amplitude"] = SceneTree(spelledNumber(std::min(0.002, 1e3 * radius)));
+  limit(root, "base", "horizontal_amplitude", std::min(1e3, 1e3 * radius));
   limit(root, "contact", "min_rebound_speed", speed);
   limit(root, "pour", "speed", 0.5 * speed);
   limit(root, "pour", "drop_height", 0.5 * height);
@@ -173,6 +177,13 @@ SceneTree drawnTree()
   for (const char* section : {"base", "contact", "pour", "feed"})
     if (drawnChance(70))
       root.mapAt(section) = drawnPart(section);
+  for (auto harmonics = drawnIndex<std::size_t>(0, 4); harmonics > 0; --harmonics)
+  {
+    SceneTree harmonic = SceneTree::map();
+    harmonic["multiple"] = SceneTree(std::to_string(drawnIndex(2, 101)));
+    harmonic["horizontal_phase"] = SceneTree(spelledNumber(drawnSigned(-1e6, 1e6)));
+    root.mapAt("base").listAt("harmonics").append(harmonic);
+  }
   const auto count = drawnIndex<std::size_t>(1, NAMES.size() + 1);
   drawSpecies(root, count);
   drawPairs(root, count);

@@ -149,6 +149,24 @@ def drives():
     yield "gravity", "g = 10⁴ m/s²", changed(mixture(), gravity=1e4, duration=1.0), RUNS
 
 
+def orbits():
+    """Drives with a horizontal part and harmonics."""
+    for boundary in ("periodic", "walled", "open"):
+        yield "orbit", f"A_x = A, oblique, {boundary}", changed(
+            mixture(horizontal_amplitude=0.002), boundary=boundary, duration=10.0), RUNS
+    circle = {"horizontal_phase": 0.5 * math.pi}
+    for acceleration in (0.1, 10.0, 1e3):
+        amplitude = amplitude_of(acceleration)
+        yield "orbit", f"a circle, A ω² = {acceleration:g} g", changed(
+            mixture(amplitude=amplitude, horizontal_amplitude=amplitude, **circle), duration=10.0), RUNS
+    yield "orbit", "A = 0, A_x = 10 mm: to and fro alone", changed(
+        mixture(amplitude=0.0, horizontal_amplitude=0.01), duration=10.0), RUNS
+    yield "orbit", "θ = 1.5 rad, oblique, walled", changed(
+        mixture(inclination=1.5, horizontal_amplitude=-0.002), boundary="walled", duration=10.0), RUNS
+    hundredth = {"multiple": 100, "amplitude": 2e-6, "horizontal_amplitude": 2e-6, "horizontal_phase": 1.0}
+    yield "orbit", "k = 100 with A_k = A / 1000", changed(mixture(harmonics=[hundredth]), duration=5.0), RUNS
+
+
 def walls():
     """Walls from lower than a disk to as high as may be."""
     for height in (1e-4, 0.01, 1000.0):
@@ -210,6 +228,6 @@ def units():
 
 def extremes():
     """All of them, in the order of the table."""
-    for part in (collisions, shapes, sizes, drives, walls, amounts, floors, by_speed, units):
+    for part in (collisions, shapes, sizes, drives, orbits, walls, amounts, floors, by_speed, units):
         for group, what, scene, comes_to in part():
             yield Extreme(group, what, scene, comes_to, 0.05 * scene["duration"])

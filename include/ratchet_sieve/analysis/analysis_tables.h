@@ -14,7 +14,7 @@ namespace ratchet_sieve
 ///   bins.csv           per time and species: left, right, on_base
 ///   segregation.csv    per time: quality, processed
 ///   drive.csv          per time: inclination, frequency and amplitude, each applied and commanded
-///   statistics.csv     per time and species: mean_vx, its error, granular_temperature and its window
+///   statistics.csv     per time and species: all of SpeciesMeans, granular_temperature and its window
 ///   contacts.csv       per time: counts of each kind since the start, short_to_long, rates and their window
 ///   velocities.csv     per species: disks, mean_vx, its error
 ///   drift.csv          per time and species: disks in the machine, their mean displacement

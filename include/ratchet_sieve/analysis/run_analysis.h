@@ -67,21 +67,16 @@ public:
   RunAnalysis();
   ~RunAnalysis() override;
 
-  /// @throws SceneError if the scene's YAML is none
-  void take(const SceneFrame& frame) override;
-  /// The others: @throws AnalysisError for frames that do not fit the scene
-  void take(const ParticleFrame& frame) override;
-  void take(const BinFrame& frame) override;
-  void take(const BaseFrame& frame) override;
-  void take(const StatisticsFrame& frame) override;
-  void take(const CommandFrame&) override {}
+  /// @throws SceneError if a scene's YAML is none
+  /// @throws AnalysisError for frames that do not fit the scene
+  void take(const AnyFrame& frame) override;
 
   /// @throws AnalysisError if no scene was taken
   RunResult result() const;
 
 private:
   struct Run;
-  Run& run(const char* kind, double time);
+  Run& runAt(const AnyFrame& frame);
 
   std::unique_ptr<Run> run_;
 };

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
@@ -30,7 +31,7 @@ struct CollisionCounts
   std::uint64_t apex = 0;
   std::uint64_t wall = 0;
 
-  void add(CollisionKind kind);
+  void add(CollisionKind kind, std::uint64_t times = 1) { this->*OF_KIND[static_cast<int>(kind)] += times; }
   void add(const CollisionCounts& more);
   CollisionCounts since(const CollisionCounts& earlier) const;
   void archive(StateArchive& state) { state(disk_disk, left_slope, right_slope, apex, wall); }
@@ -40,6 +41,23 @@ struct CollisionCounts
   /// Contacts with the shorter slope over contacts with the longer one (a < 0.5: left over right);
   /// nothing if the longer one was never hit or if the slopes are equally long (a = 0.5).
   std::optional<double> shortToLong(double asymmetry) const;
+
+private:
+  using OfKind = std::uint64_t CollisionCounts::*;
+  static const OfKind OF_KIND[];  ///< in the order of CollisionKind
 };
+
+inline constexpr CollisionCounts::OfKind CollisionCounts::OF_KIND[] = {
+    &CollisionCounts::disk_disk, &CollisionCounts::left_slope, &CollisionCounts::right_slope,
+    &CollisionCounts::apex, &CollisionCounts::wall};
+
+RATCHET_SIEVE_FIELDS(CollisionCounts)
+{
+  RATCHET_SIEVE_FIELD(disk_disk, "");
+  RATCHET_SIEVE_FIELD(left_slope, "");
+  RATCHET_SIEVE_FIELD(right_slope, "");
+  RATCHET_SIEVE_FIELD(apex, "");
+  RATCHET_SIEVE_FIELD(wall, "");
+}
 
 }  // namespace ratchet_sieve

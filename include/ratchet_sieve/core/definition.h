@@ -19,8 +19,19 @@ enum class Boundary
           ///< one has left the machine, and is counted in the bin behind it.
 };
 
+/// A sine of a multiple k of the drive's phase: (A_x,k sin(k phi + phi_x,k), A_k sin(k phi + phi_k)).
+struct HarmonicDefinition
+{
+  int multiple = 2;                   ///< k
+  double amplitude = 0.0;             ///< A_k [m]
+  double phase = 0.0;                 ///< phi_k [rad]
+  double horizontal_amplitude = 0.0;  ///< A_x,k [m]
+  double horizontal_phase = 0.0;      ///< phi_x,k [rad]
+};
+
 /// The sawtooth base and its drive. Tooth k spans s in [k w, (k+1) w] along the base, its apex at
-/// s = (k + a) w, n = h. The whole base oscillates vertically in the world: Y(t) = A sin(phi(t)).
+/// s = (k + a) w, n = h. The whole base moves in the world by D(t) = (A_x sin(phi + phi_x), A sin(phi)) and
+/// its harmonics, whatever its inclination.
 struct BaseDefinition
 {
   int teeth = 20;
@@ -32,6 +43,10 @@ struct BaseDefinition
   double frequency = 23.0;      ///< f [Hz]
   double phase = 0.0;           ///< phi at t = 0 [rad]
   double wall_height = 0.0;     ///< of the walls of a walled base over n = 0 [m]; 0: as wallHeight() has it
+
+  double horizontal_amplitude = 0.0;  ///< A_x; < 0 turns that part around [m]
+  double horizontal_phase = 0.0;      ///< phi_x [rad]
+  std::vector<HarmonicDefinition> harmonics;
 
   double width() const { return teeth * tooth_width; }  ///< W = L w [m]
 };

@@ -30,6 +30,21 @@ struct ImpulseOf
   Number tangential;  ///< J_t, along the tangent (normal turned by +90 deg) on disk i [N s]
 };
 
+/// The impulse on disk i in the frame of its normal [N s].
+template <typename Number>
+struct PushOf
+{
+  Number x;
+  Number y;
+};
+
+/// @param nx, ny unit normal on disk i
+template <typename Number>
+RATCHET_SIEVE_INLINE PushOf<Number> pushOf(const ImpulseOf<Number>& impulse, Number nx, Number ny)
+{
+  return {impulse.normal * nx - impulse.tangential * ny, impulse.normal * ny + impulse.tangential * nx};
+}
+
 /// J_n = (v' - v_n) m_n, with the normal speed after the contact v' = e |v_n|, but no less than v_min. Where
 /// e depends on the speed, v_min bounds what comes of it.
 /// @param normal_velocity v_n of the surfaces, < 0: approaching [m/s]

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "ratchet_sieve/core/collision_counts.h"
+#include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 /// What a caller sees of a run.
@@ -27,6 +29,19 @@ struct DiskState
   double displacement = 0.0;  ///< world x travelled since the disk entered, unwrapped [m]
 };
 
+RATCHET_SIEVE_FIELDS(DiskState)
+{
+  RATCHET_SIEVE_FIELD(id, "");
+  RATCHET_SIEVE_FIELD(species, "");
+  RATCHET_SIEVE_FIELD(x, "m");
+  RATCHET_SIEVE_FIELD(y, "m");
+  RATCHET_SIEVE_FIELD(angle, "rad");
+  RATCHET_SIEVE_FIELD(vx, "m/s");
+  RATCHET_SIEVE_FIELD(vy, "m/s");
+  RATCHET_SIEVE_FIELD(spin, "rad/s");
+  RATCHET_SIEVE_FIELD(displacement, "m");
+}
+
 /// The base at the simulation's time.
 struct DriveState
 {
@@ -36,10 +51,27 @@ struct DriveState
   double commanded_inclination = 0.0;
   double commanded_frequency = 0.0;
   double commanded_amplitude = 0.0;
-  double phase = 0.0;         ///< of the drive, in [0, 2 pi) [rad]
-  double displacement = 0.0;  ///< Y, upwards in the world [m]
-  double velocity = 0.0;      ///< dY/dt [m/s]
+  double phase = 0.0;                    ///< of the drive, in [0, 2 pi) [rad]
+  double displacement = 0.0;             ///< Y, upwards in the world [m]
+  double velocity = 0.0;                 ///< dY/dt [m/s]
+  double horizontal_displacement = 0.0;  ///< along world x [m]
+  double horizontal_velocity = 0.0;      ///< along world x [m/s]
 };
+
+RATCHET_SIEVE_FIELDS(DriveState)
+{
+  RATCHET_SIEVE_FIELD(inclination, "rad");
+  RATCHET_SIEVE_FIELD(frequency, "Hz");
+  RATCHET_SIEVE_FIELD(amplitude, "m");
+  RATCHET_SIEVE_FIELD(commanded_inclination, "rad");
+  RATCHET_SIEVE_FIELD(commanded_frequency, "Hz");
+  RATCHET_SIEVE_FIELD(commanded_amplitude, "m");
+  RATCHET_SIEVE_FIELD(phase, "rad");
+  RATCHET_SIEVE_FIELD(displacement, "m");
+  RATCHET_SIEVE_FIELD(velocity, "m/s");
+  RATCHET_SIEVE_FIELD(horizontal_displacement, "m");
+  RATCHET_SIEVE_FIELD(horizontal_velocity, "m/s");
+}
 
 /// One executed collision.
 struct CollisionRecord
@@ -62,7 +94,17 @@ struct SpeciesMeans
   std::optional<double> mean_vx_stderr;         ///< standard error [m/s]; see BlockAverages
   std::optional<double> kinetic_translational;  ///< [J], mean over disks and time
   std::optional<double> kinetic_rotational;     ///< [J], mean over disks and time
+  std::optional<double> collision_rate;  ///< contacts in which a disk takes part, per disk and time [1/s]
 };
+
+RATCHET_SIEVE_FIELDS(SpeciesMeans)
+{
+  RATCHET_SIEVE_OPTIONAL(mean_vx, "m/s");
+  RATCHET_SIEVE_OPTIONAL(mean_vx_stderr, "m/s");
+  RATCHET_SIEVE_OPTIONAL(kinetic_translational, "J");
+  RATCHET_SIEVE_OPTIONAL(kinetic_rotational, "J");
+  RATCHET_SIEVE_OPTIONAL(collision_rate, "1/s");
+}
 
 /// A sum of granular temperatures at several instants.
 struct TemperatureSum
@@ -106,6 +148,12 @@ struct CollapseCounts
   std::uint32_t first_disk = 0;
 
   void archive(StateArchive& state) { state(count, first_time, first_disk); }
+};
+
+/// Time has all but stopped for a disk, and the scene says that the run ends there.
+struct StallError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
 };
 
 /// Is called now and then while the disks of the start are poured; may throw to give that up.

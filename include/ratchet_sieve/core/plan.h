@@ -10,15 +10,16 @@ namespace ratchet_sieve
 /// What of the model a run works out. What a scene does not need changes no result: it would only cost time.
 struct Plan
 {
-  bool pairs = true;  ///< disks see each other: cells, a queue, pair search
-  bool spin = true;   ///< tangential impulses, and the rotation they leave
-  bool drive = true;  ///< a phase and a sine wherever the base is looked at, even where it stands still
+  bool pairs = true;   ///< disks see each other: cells, a queue, pair search
+  bool spin = true;    ///< tangential impulses, and the rotation they leave
+  bool drive = true;   ///< a phase and a sine wherever the base is looked at, even where it stands still
+  bool orbit = false;  ///< the drive has a horizontal part or harmonics
   bool contact_times = true;      ///< when each disk touched last, which t_c asks for
   bool search_above_band = true;  ///< step by step towards the base even from where it cannot reach
 
   /// Many disks at a time in the lanes of the processor's registers (lane_batch.h), while the base stands at
-  /// its setpoints; for single disks on a periodic base without contact times. Contacts are the same but for
-  /// rounding.
+  /// its setpoints; for single disks without contact times on a periodic base that is driven up and down by a
+  /// sine. Contacts are the same but for rounding.
   bool lanes = false;
 };
 
@@ -27,7 +28,7 @@ struct Plan
 Plan planOf(const SceneDefinition& scene);
 
 /// All that can be modelled without another result, to measure and test planOf() against. Whether disks see
-/// each other is the scene's to say; lanes are as planOf() has them.
+/// each other and how the base is driven is the scene's to say; lanes are as planOf() has them.
 Plan fullPlan(const SceneDefinition& scene);
 
 /// Whether `plan` gives the results of the scene: it has what the scene needs, and lanes only where they know

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
@@ -22,6 +23,13 @@ struct SpeciesBins
 
   void archive(StateArchive& state) { state(left, right, on_base); }
 };
+
+RATCHET_SIEVE_FIELDS(SpeciesBins)
+{
+  RATCHET_SIEVE_FIELD(left, "");
+  RATCHET_SIEVE_FIELD(right, "");
+  RATCHET_SIEVE_FIELD(on_base, "");
+}
 
 /// Q of one pair of species, eq. (2) of the paper:
 /// max(a_l/N_a + b_r/N_b, a_r/N_a + b_l/N_b) - 1, in [0, 1].

@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
@@ -19,12 +20,6 @@
 
 namespace ratchet_sieve
 {
-
-/// Time has all but stopped for a disk, and the scene says that the run ends there.
-struct StallError : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
 
 /// The vibrating-ratchet feeder: hard disks over an inclined, shaken sawtooth base, advanced from
 /// collision to collision. The same definition gives the same bits, however often it is looked at
@@ -96,8 +91,7 @@ public:
   /// Of each species now [J]: half its mass times the variance of its disks' velocities, over both
   /// directions. Nothing with fewer than two disks.
   std::vector<std::optional<double>> granularTemperatures() const;
-  double baseImpulseX() const;  ///< given by the base to the disks since `settle`, 0 before [N s]
-  double baseImpulseY() const;
+  Eigen::Vector2d baseImpulse() const;  ///< given by the base to the disks since `settle`, 0 before [N s]
 
   /// disks() into a buffer that is used again and again.
   void disks(std::vector<DiskState>& states) const;

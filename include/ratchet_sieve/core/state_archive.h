@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace ratchet_sieve
 {
 
@@ -101,6 +103,8 @@ private:
     for (Element& element : list)
       one(element);
   }
+
+  void one(Eigen::Vector2d& vector) { bytes(vector.data(), 2 * sizeof(double)); }
 
   void one(std::string& text)
   {

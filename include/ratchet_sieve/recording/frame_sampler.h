@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -9,15 +10,6 @@
 
 namespace ratchet_sieve
 {
-
-/// How often each kind of frame is taken [1/s of simulated time]; 0: only first and last.
-struct FrameRates
-{
-  double particles = 60.0;
-  double bins = 60.0;
-  double base = 60.0;
-  double statistics = 10.0;
-};
 
 /// Takes frames at the exact times start + k / rate, so that no rounding adds up, and a last one of each
 /// kind. What the sink does not want is not made; its times go by all the same.
@@ -56,18 +48,22 @@ private:
   };
   double dueTime(const Stream& stream) const;
   bool passIfDue(Stream& stream, double time) const;  ///< its time has then come and gone
-  void takeBase(const Simulation& simulation, FrameSink& sink);
-  void takeParticles(const Simulation& simulation, FrameSink& sink);
-  void takeBins(const Simulation& simulation, FrameSink& sink);
-  void takeStatistics(const Simulation& simulation, FrameSink& sink);
+  template <typename Frame>
+  Stream& stream()
+  {
+    return streams_[static_cast<std::size_t>(kindOf<Frame>())];
+  }
+  template <typename Frame>
+  void take(const Simulation& simulation, FrameSink& sink);
+  double realTimeFactorAt(double time);
 
   std::chrono::steady_clock::time_point wallTime() const;
 
   double start_time_;
   WallClock wall_clock_;
   bool scene_taken_ = false;
-  Stream particles_, bins_, base_, statistics_;
-  ParticleFrame particle_frame_;  ///< one buffer for all
+  std::array<Stream, FRAME_KINDS> streams_;  ///< in the order of FrameKind
+  ParticleFrame particle_frame_;             ///< one buffer for all
   StatisticsWindow window_;
   std::optional<double> last_statistics_;  ///< that was handed on [s]
   std::chrono::steady_clock::time_point last_statistics_wall_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ratchet_sieve/recording/frames.h"
+#include "ratchet_sieve/recording/frame_kinds.h"
 
 namespace ratchet_sieve
 {
@@ -11,15 +11,11 @@ class FrameSink
 public:
   virtual ~FrameSink() = default;
 
-  /// Whether frames of a kind are of any use now. One that nobody wants need not be made.
+  /// Whether frames of a kind are of any use now. One that is taken at a rate and that nobody wants need not
+  /// be made.
   virtual bool wants(FrameKind) const { return true; }
 
-  virtual void take(const SceneFrame& frame) = 0;
-  virtual void take(const ParticleFrame& frame) = 0;
-  virtual void take(const BinFrame& frame) = 0;
-  virtual void take(const BaseFrame& frame) = 0;
-  virtual void take(const StatisticsFrame& frame) = 0;
-  virtual void take(const CommandFrame& frame) = 0;
+  virtual void take(const AnyFrame& frame) = 0;
 };
 
 }  // namespace ratchet_sieve

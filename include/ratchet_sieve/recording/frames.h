@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/collision_counts.h"
+#include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/statistics_window.h"
@@ -14,15 +15,6 @@
 /// bag or an analysis.
 namespace ratchet_sieve
 {
-
-/// The kinds of frames that are taken again and again.
-enum class FrameKind
-{
-  PARTICLES,
-  BINS,
-  BASE,
-  STATISTICS
-};
 
 /// The scene as it runs.
 struct SceneFrame
@@ -35,12 +27,28 @@ struct SceneFrame
   std::string version;
 };
 
+RATCHET_SIEVE_FIELDS(SceneFrame)
+{
+  RATCHET_SIEVE_FIELD(time, "s");
+  RATCHET_SIEVE_FIELD(start_time, "s");
+  RATCHET_SIEVE_FIELD(yaml, "");
+  RATCHET_SIEVE_FIELD(scene_hash, "");
+  RATCHET_SIEVE_FIELD(seed, "");
+  RATCHET_SIEVE_FIELD(version, "");
+}
+
 /// Every disk in the machine.
 struct ParticleFrame
 {
   double time = 0.0;
   std::vector<DiskState> disks;
 };
+
+RATCHET_SIEVE_FIELDS(ParticleFrame)
+{
+  RATCHET_SIEVE_FIELD(time, "s");
+  RATCHET_SIEVE_COLUMNS(disks);
+}
 
 /// The bins.
 struct BinFrame
@@ -52,6 +60,15 @@ struct BinFrame
   std::optional<double> processed;  ///< P
 };
 
+RATCHET_SIEVE_FIELDS(BinFrame)
+{
+  RATCHET_SIEVE_FIELD(time, "s");
+  RATCHET_SIEVE_FIELD(species, "");
+  RATCHET_SIEVE_COLUMNS(bins);
+  RATCHET_SIEVE_OPTIONAL(quality, "");
+  RATCHET_SIEVE_OPTIONAL(processed, "");
+}
+
 /// The base and its drive.
 struct BaseFrame
 {
@@ -59,21 +76,53 @@ struct BaseFrame
   DriveState base;
 };
 
-/// Means and rates since the end of `settle`, and counts since the start.
+RATCHET_SIEVE_FIELDS(BaseFrame)
+{
+  RATCHET_SIEVE_FIELD(time, "s");
+  RATCHET_SIEVE_PART(base);
+}
+
+/// What the statistics say of one species.
+struct SpeciesRow
+{
+  std::string name;
+  SpeciesMeans means;                          ///< since the end of `settle`
+  std::optional<double> granular_temperature;  ///< mean over the window [J]
+};
+
+RATCHET_SIEVE_FIELDS(SpeciesRow)
+{
+  RATCHET_SIEVE_FIELD(name, "");
+  RATCHET_SIEVE_PART(means);
+  RATCHET_SIEVE_OPTIONAL(granular_temperature, "J");
+}
+
+/// Means and rates, and counts since the start.
 struct StatisticsFrame
 {
   double time = 0.0;
-  std::vector<std::string> species;
-  std::vector<SpeciesMeans> means;  ///< per species
   double window_start = 0.0;  ///< of the means over whole periods of the drive [s]; see StatisticsWindow
   double window_end = 0.0;    ///< of them [s]
-  std::vector<std::optional<double>> granular_temperature;  ///< per species, mean over the window [J]
-  CollisionRates collision_rates;                           ///< within the window
-  CollisionCounts collisions;                               ///< since the start
-  std::uint64_t events = 0;                                 ///< since the start
-  double real_time_factor = 0.0;  ///< achieved since the last frame; 0 before the second frame
-  double max_overlap = 0.0;       ///< [m]
+  std::vector<SpeciesRow> species;
+  CollisionCounts collisions;      ///< since the start
+  std::uint64_t events = 0;        ///< since the start
+  CollisionRates collision_rates;  ///< within the window
+  double real_time_factor = 0.0;   ///< achieved since the last frame; 0 before the second frame
+  double max_overlap = 0.0;        ///< [m]
 };
+
+RATCHET_SIEVE_FIELDS(StatisticsFrame)
+{
+  RATCHET_SIEVE_FIELD(time, "s");
+  RATCHET_SIEVE_FIELD(window_start, "s");
+  RATCHET_SIEVE_FIELD(window_end, "s");
+  RATCHET_SIEVE_FIELD(species, "");
+  RATCHET_SIEVE_PART(collisions);
+  RATCHET_SIEVE_FIELD(events, "");
+  RATCHET_SIEVE_PART(collision_rates);
+  RATCHET_SIEVE_FIELD(real_time_factor, "");
+  RATCHET_SIEVE_FIELD(max_overlap, "m");
+}
 
 /// What a run can be told: first the setpoints, in the order of Quantity.
 enum class CommandKind : std::uint8_t
@@ -87,6 +136,8 @@ enum class CommandKind : std::uint8_t
   UNPAUSE
 };
 
+constexpr std::uint8_t COMMAND_KINDS = 7;
+
 /// What a run was told, at the time from which on it holds. With the scene and its seed, all that decides
 /// the run.
 struct CommandFrame
@@ -97,6 +148,15 @@ struct CommandFrame
   std::uint32_t species = 0;   ///< of POUR
   std::uint32_t count = 0;     ///< of POUR
 };
+
+RATCHET_SIEVE_FIELDS(CommandFrame)
+{
+  RATCHET_SIEVE_FIELD(time, "s");
+  RATCHET_SIEVE_FIELD(kind, "");
+  RATCHET_SIEVE_FIELD(values, "");
+  RATCHET_SIEVE_FIELD(species, "");
+  RATCHET_SIEVE_FIELD(count, "");
+}
 
 SceneFrame makeSceneFrame(const Simulation& simulation);
 ParticleFrame makeParticleFrame(const Simulation& simulation);

@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "ratchet_sieve/recording/frame_sink.h"
@@ -25,13 +27,8 @@ public:
   ~Resimulation() override;
 
   /// A scene that stands there again, as at the start of each file of a recording that was split, is the
-  /// same run. All throw SceneError or std::invalid_argument where what was recorded cannot be a run.
-  void take(const SceneFrame& frame) override;
-  void take(const ParticleFrame& frame) override { add(frame, instant_.particles); }
-  void take(const BinFrame& frame) override { add(frame, instant_.bins); }
-  void take(const BaseFrame& frame) override { add(frame, instant_.bases); }
-  void take(const StatisticsFrame& frame) override { add(frame, instant_.statistics); }
-  void take(const CommandFrame& frame) override { add(frame, instant_.commands); }
+  /// same run. @throws SceneError or std::invalid_argument where what was recorded cannot be a run
+  void take(const AnyFrame& frame) override;
 
   /// Compares what came last. @throws std::invalid_argument where nothing was recorded that can be compared
   void finish();
@@ -50,29 +47,32 @@ private:
   struct Instant
   {
     double time = 0.0;
-    std::vector<ParticleFrame> particles;
-    std::vector<BinFrame> bins;
-    std::vector<BaseFrame> bases;
-    std::vector<StatisticsFrame> statistics;
+    std::tuple<std::vector<BaseFrame>, std::vector<ParticleFrame>, std::vector<BinFrame>,
+               std::vector<StatisticsFrame>>
+        frames;
     std::vector<CommandFrame> commands;
 
+    template <typename Frame>
+    std::vector<Frame>& of()
+    {
+      if constexpr (std::is_same_v<Frame, CommandFrame>)
+        return commands;
+      else
+        return std::get<std::vector<Frame>>(frames);
+    }
     bool empty() const;
   };
 
-  template <typename Frame>
-  void add(const Frame& frame, std::vector<Frame>& frames)
-  {
-    comeTo(frame.time);
-    if (!difference_)
-      frames.push_back(frame);
-  }
+  void begin(const SceneFrame& frame);
   void observePeriods();
   void comeTo(double time);
   void compareInstant();
   void compareAsThingsAre();
   template <typename Frame>
+  Frame now() const;
+  template <typename Frame>
   void dropSame(std::vector<Frame>& frames, const Frame& now);
-  std::string describeDifference() const;
+  std::string describeDifference();
 
   std::function<void(const Simulation&)> progress_;
   std::optional<SceneFrame> scene_;

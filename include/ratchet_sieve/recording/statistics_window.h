@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/simulation.h"
 
 namespace ratchet_sieve
@@ -12,14 +13,23 @@ namespace ratchet_sieve
 /// How often each kind of collision happens [1/s of simulated time].
 struct CollisionRates
 {
-  double disk_disk = 0.0;
-  double left_slope = 0.0;
-  double right_slope = 0.0;
-  double apex = 0.0;
-  double wall = 0.0;
+  double disk_disk_rate = 0.0;
+  double left_slope_rate = 0.0;
+  double right_slope_rate = 0.0;
+  double apex_rate = 0.0;
+  double wall_rate = 0.0;
 
-  double total() const { return disk_disk + left_slope + right_slope + apex + wall; }
+  double total() const { return disk_disk_rate + left_slope_rate + right_slope_rate + apex_rate + wall_rate; }
 };
+
+RATCHET_SIEVE_FIELDS(CollisionRates)
+{
+  RATCHET_SIEVE_FIELD(disk_disk_rate, "1/s");
+  RATCHET_SIEVE_FIELD(left_slope_rate, "1/s");
+  RATCHET_SIEVE_FIELD(right_slope_rate, "1/s");
+  RATCHET_SIEVE_FIELD(apex_rate, "1/s");
+  RATCHET_SIEVE_FIELD(wall_rate, "1/s");
+}
 
 /// What the statistics frames of one series are means over: the whole periods of the drive that ended since
 /// the frame before. None ended: those of the frame before once more. Where the drive does not move the base,

@@ -17,6 +17,9 @@ nlohmann::ordered_json summarize(const Simulation& simulation, const RunOutcome&
 /// Collisions of each kind: disk_disk, left_slope, right_slope, apex, wall.
 nlohmann::ordered_json collisionCounts(const CollisionCounts& counts);
 
+/// Adds the means of a species, each under the name of its field, but for those that are there.
+void addMeans(nlohmann::ordered_json& species, const SpeciesMeans& means);
+
 /// A number, or null where there is none.
 nlohmann::ordered_json numberOrNull(const std::optional<double>& value);
 

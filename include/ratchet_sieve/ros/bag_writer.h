@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
+#include "ratchet_sieve/bag/bag_file.h"
 #include "ratchet_sieve/recording/frame_sink.h"
-#include "ratchet_sieve/ros/bag_file.h"
 #include "ratchet_sieve/ros/frame_names.h"
 
 namespace ratchet_sieve
@@ -27,14 +27,8 @@ public:
   BagWriter(const BagWriter&) = delete;
   BagWriter& operator=(const BagWriter&) = delete;
 
-  void take(const SceneFrame& frame) override;
-  void take(const ParticleFrame& frame) override;
-  void take(const BinFrame& frame) override;
-  void take(const BaseFrame& frame) override;
-  void take(const StatisticsFrame& frame) override;
-
   /// A setpoint stands in the bag as it came, too, for whoever plays the bag to a sieve.
-  void take(const CommandFrame& frame) override;
+  void take(const AnyFrame& frame) override;
 
   /// Writes the index and gives the file its name. What is taken afterwards is an error.
   /// @throws BagError where something was lost, that says where the rest is
@@ -48,6 +42,7 @@ public:
 private:
   template <typename Message>
   void write(const std::string& topic, double time, const Message& message, bool latched = false);
+  void writeSetpoint(const CommandFrame& command);
 
   std::string path_;
   std::string active_path_;

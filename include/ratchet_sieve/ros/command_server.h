@@ -13,10 +13,11 @@
 #include "ratchet_sieve/PourDisks.h"
 #include "ratchet_sieve/ResetSimulation.h"
 #include "ratchet_sieve/StepSimulation.h"
+#include "ratchet_sieve/live/log_throttle.h"
+#include "ratchet_sieve/live/run_control.h"
+#include "ratchet_sieve/live/setpoint_inbox.h"
 #include "ratchet_sieve/ros/diagnostics.h"
-#include "ratchet_sieve/ros/log_throttle.h"
-#include "ratchet_sieve/ros/run_control.h"
-#include "ratchet_sieve/ros/setpoint_inbox.h"
+#include "ratchet_sieve/ros/node_parameters.h"
 
 namespace ratchet_sieve
 {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include <ros/time.h>
 
 #include "ratchet_sieve/BaseState.h"
@@ -28,6 +30,9 @@ BinCounts toMessage(const BinFrame& frame);
 BaseState toMessage(const BaseFrame& frame);
 SieveStatistics toMessage(const StatisticsFrame& frame);
 Command toMessage(const CommandFrame& frame);
+
+template <typename Frame>
+using MessageOf = decltype(toMessage(std::declval<Frame>()));
 
 /// The message in another frame: in that of a sieve that stands elsewhere in the world.
 template <typename Message>

@@ -8,7 +8,7 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
-#include "ratchet_sieve/ros/picture.h"
+#include "ratchet_sieve/live/picture.h"
 
 namespace ratchet_sieve
 {

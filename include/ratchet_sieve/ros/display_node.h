@@ -5,8 +5,8 @@
 
 #include <ros/node_handle.h>
 
+#include "ratchet_sieve/live/seen_run.h"
 #include "ratchet_sieve/ros/display.h"
-#include "ratchet_sieve/ros/seen_run.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
 
 namespace ratchet_sieve

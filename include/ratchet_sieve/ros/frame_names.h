@@ -9,7 +9,7 @@ namespace ratchet_sieve
 constexpr const char* WORLD_FRAME_ID = "world";
 
 /// The base's foot at s = 0, at rest, turned with the base: the frame in which the drive is a
-/// vertical displacement of the world.
+/// displacement of the world.
 constexpr const char* MOUNT_FRAME_ID = "sieve_mount";
 
 /// The base itself: x along it (s), z normal to it (n).

@@ -6,11 +6,10 @@
 #include <ros/node_handle.h>
 
 #include "ratchet_sieve/core/simulation.h"
-#include "ratchet_sieve/recording/frame_sampler.h"
+#include "ratchet_sieve/live/run_control.h"
 #include "ratchet_sieve/ros/frame_names.h"
 #include "ratchet_sieve/ros/parameter_reader.h"
 #include "ratchet_sieve/ros/recorder.h"
-#include "ratchet_sieve/ros/setpoint.h"
 
 namespace ratchet_sieve
 {
@@ -18,19 +17,14 @@ namespace ratchet_sieve
 /// A simulation that is asked for more than this wants 0, as fast as it goes.
 constexpr double MAX_REAL_TIME_FACTOR = 1e6;
 
-/// What a node takes unless its parameters say otherwise.
-std::array<Setpoint, QUANTITIES> usualSetpoints();
-
 /// Everything that the node can be told but the scene. Names in comments are those of the parameters.
-struct NodeParameters
+struct NodeParameters : RunParameters
 {
   double real_time_factor = 1.0;  ///< ~real_time_factor at the start: see RealTimeFactor
-  bool start_paused = false;      ///< ~start_paused
   bool publish_clock = true;      ///< ~publish_clock: this node is the clock, if no other is
   bool exit_at_end = true;        ///< ~exit_at_end: end with the scene's duration, or else pause there
   std::string record;             ///< ~record: bag to record into; empty: none
   RecordingParameters recording;  ///< ~recording/: what of the run, how often, in how large files
-  FrameRates rates;               ///< ~rates/particles, bins, base, statistics [1/s of simulated time]
   double display_rate = 30.0;     ///< ~rates/display: markers and cloud, at most [1/s of wall time]
   double wait_for_display = 0.0;  ///< ~wait_for_display: for so long a run waits for it [s of wall time]
   double clock_rate = 100.0;      ///< ~rates/clock [1/s of wall time]
@@ -39,11 +33,6 @@ struct NodeParameters
 
   /// Whether the base's foot stands elsewhere than in the origin of `world`.
   bool mountedElsewhere() const { return mount != std::array<double, 3>{}; }
-
-  /// ~limits/inclination/min, max and so on for frequency and amplitude
-  std::array<Setpoint, QUANTITIES> setpoints = usualSetpoints();  ///< in the order of Quantity
-
-  SlewRates slew_rates;  ///< ~limits/inclination/slew_rate and so on [unit/s]
 };
 
 /// Reads the limits and slew rates of each setpoint from the parameters of a sieve: the node's own, or

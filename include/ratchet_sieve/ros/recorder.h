@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "ratchet_sieve/recording/frame_sampler.h"
+#include "ratchet_sieve/live/run_control.h"
 #include "ratchet_sieve/ros/bag_writer.h"
 
 namespace ratchet_sieve
@@ -30,7 +30,7 @@ struct RecordingParameters
 /// FILE with _run2, _run3 and so on before its ending. A recording that is split has FILE_0, FILE_1, ...,
 /// and FILE_run2_0, ... Each file begins with the scene, at the time at which the one before it ends;
 /// frames of one time are never parted.
-class Recorder : public FrameSink
+class Recorder : public RunRecording
 {
 public:
   /// @param path of the recording; a relative one is that of the directory in which the program is now;
@@ -44,13 +44,13 @@ public:
   void open();
 
   /// Ends the recording of a run and opens the file of the next.
-  void openNext();
+  void openNext() override;
 
   /// Closes the file. What comes afterwards is not recorded.
-  void close();
+  void close() override;
 
-  bool on() const { return !base_path_.empty(); }
-  const FrameRates& rates() const { return parameters_.rates; }
+  bool on() const override { return !base_path_.empty(); }
+  const FrameRates& rates() const override { return parameters_.rates; }
 
   /// The file that is being written, its absolute path; empty if none is.
   std::string path() const { return bag_ ? bag_->path() : std::string(); }
@@ -63,21 +63,9 @@ public:
   const std::string& firstFailure() const { return first_failure_; }
 
   bool wants(FrameKind kind) const override;
-  void take(const SceneFrame& frame) override;
-  void take(const ParticleFrame& frame) override { pass(FrameKind::PARTICLES, frame); }
-  void take(const BinFrame& frame) override { pass(FrameKind::BINS, frame); }
-  void take(const BaseFrame& frame) override { pass(FrameKind::BASE, frame); }
-  void take(const StatisticsFrame& frame) override { pass(FrameKind::STATISTICS, frame); }
-  void take(const CommandFrame& frame) override;
+  void take(const AnyFrame& frame) override;
 
 private:
-  template <typename Frame>
-  void pass(FrameKind kind, const Frame& frame)
-  {
-    if (wants(kind))
-      write(frame.time, [&] { bag_->take(frame); });
-  }
-
   void write(double time, const std::function<void()>& write);
 
   void openFile();

@@ -2,7 +2,7 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include "ratchet_sieve/ros/picture.h"
+#include "ratchet_sieve/live/picture.h"
 
 /// The machine as RViz draws it. All markers stand in frame world, in its plane y = 0, so that a view
 /// along y shows true sizes and true contacts, and so that no transform is needed to draw them.

@@ -11,8 +11,8 @@
 #include "ratchet_sieve/SceneDescription.h"
 #include "ratchet_sieve/SeekTrial.h"
 #include "ratchet_sieve/SieveStatistics.h"
-#include "ratchet_sieve/ros/seek_control.h"
 #include "ratchet_sieve/ros/seek_parameters.h"
+#include "ratchet_sieve/seeking/seek_control.h"
 
 namespace ratchet_sieve
 {

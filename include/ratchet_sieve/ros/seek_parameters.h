@@ -5,9 +5,9 @@
 
 #include <ros/node_handle.h>
 
-#include "ratchet_sieve/ros/inclination_search.h"
 #include "ratchet_sieve/ros/parameter_reader.h"
-#include "ratchet_sieve/ros/separation_trial.h"
+#include "ratchet_sieve/seeking/inclination_search.h"
+#include "ratchet_sieve/seeking/separation_trial.h"
 
 namespace ratchet_sieve
 {

@@ -4,17 +4,18 @@
 
 #include <ros/node_handle.h>
 
+#include "ratchet_sieve/live/display_wait.h"
+#include "ratchet_sieve/live/pacer.h"
+#include "ratchet_sieve/live/progress_log.h"
+#include "ratchet_sieve/live/speed_watch.h"
+#include "ratchet_sieve/live/wall_log.h"
 #include "ratchet_sieve/ros/clock_publisher.h"
 #include "ratchet_sieve/ros/command_server.h"
 #include "ratchet_sieve/ros/display.h"
-#include "ratchet_sieve/ros/display_wait.h"
-#include "ratchet_sieve/ros/pacer.h"
-#include "ratchet_sieve/ros/progress_log.h"
+#include "ratchet_sieve/ros/node_parameters.h"
 #include "ratchet_sieve/ros/real_time_factor.h"
 #include "ratchet_sieve/ros/scene_parameters.h"
-#include "ratchet_sieve/ros/speed_watch.h"
 #include "ratchet_sieve/ros/topic_publisher.h"
-#include "ratchet_sieve/ros/wall_log.h"
 
 namespace ratchet_sieve
 {

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <array>
 #include <functional>
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <ros/single_subscriber_publisher.h>
 
+#include "ratchet_sieve/live/live_run.h"
 #include "ratchet_sieve/recording/frame_sink.h"
-#include "ratchet_sieve/ros/live_run.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
 
 namespace ratchet_sieve
@@ -27,27 +28,24 @@ public:
                  const std::string& frame_id, ClockPublisher& clock, TransformPublisher& transforms);
 
   bool wants(FrameKind kind) const override;
-  void take(const SceneFrame& frame) override;
-  void take(const ParticleFrame& frame) override;
-  void take(const BinFrame& frame) override;
-  void take(const BaseFrame& frame) override;
-  void take(const StatisticsFrame& frame) override;
-  void take(const CommandFrame& frame) override;
+  void take(const AnyFrame& frame) override;
 
 private:
+  ros::Publisher& publisher(FrameKind kind) { return publishers_[static_cast<std::size_t>(kind)]; }
+  bool isHeard(FrameKind kind) const
+  {
+    return publishers_[static_cast<std::size_t>(kind)].getNumSubscribers() > 0;
+  }
   template <typename Frame>
-  void publish(const ros::Publisher& publisher, const Frame& frame);
+  void greet(ros::NodeHandle& node, Frame (LiveRun::*state)() const);
+  template <typename Frame>
+  void publish(const Frame& frame);
 
   std::function<const LiveRun&()> current_;
   std::string frame_id_;
   ClockPublisher& clock_;
   TransformPublisher& transforms_;
-  ros::Publisher scene_;
-  ros::Publisher particles_;
-  ros::Publisher bins_;
-  ros::Publisher base_;
-  ros::Publisher statistics_;
-  ros::Publisher commands_;
+  std::array<ros::Publisher, FRAME_KINDS> publishers_;  ///< in the order of FrameKind
 };
 
 }  // namespace ratchet_sieve

@@ -28,6 +28,9 @@ ros::Publisher publishOwnWorld(ros::NodeHandle& node, const std::array<double, 3
 
 /// Publishes them on /tf, none twice with one stamp, which tf2 ignores and warns of; converts nothing where
 /// nobody listens. A subscriber that comes while the run stands still gets the last ones.
+///
+/// Not tf2_ros::TransformBroadcaster: it keeps its publisher to itself, so that it can neither be asked who
+/// listens nor greet who comes.
 class TransformPublisher
 {
 public:

@@ -1,6 +1,6 @@
 // Speaks this package's messages and uses its ROS layer.
 #include <ratchet_sieve/BinCounts.h>
-#include <ratchet_sieve/ros/pacer.h>
+#include <ratchet_sieve/live/pacer.h>
 #include <iostream>
 
 int main()

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ratchet_sieve/live/fan_out.h"
+#include "ratchet_sieve/live/live_run.h"
+#include "ratchet_sieve/live/setpoint.h"
+#include "ratchet_sieve/scene/scene_file.h"
+
+namespace ratchet_sieve
+{
+
+/// What a run under command is told. Names in comments are those of a node's parameters.
+struct RunParameters
+{
+  bool start_paused = false;  ///< ~start_paused
+  FrameRates rates;           ///< ~rates/particles, bins, base, statistics [1/s of simulated time]
+
+  /// ~limits/inclination/min, max and so on for frequency and amplitude
+  std::array<Setpoint, QUANTITIES> setpoints = usualSetpoints();  ///< in the order of Quantity
+
+  SlewRates slew_rates;  ///< ~limits/inclination/slew_rate and so on [unit/s]
+};
+
+/// What records runs, one after the other. Not to be recorded is a way to do so.
+class RunRecording : public FrameSink
+{
+public:
+  virtual bool on() const = 0;
+  virtual const FrameRates& rates() const = 0;
+
+  /// Ends the recording of a run and begins that of the next.
+  virtual void openNext() = 0;
+
+  /// What comes afterwards is not recorded.
+  virtual void close() = 0;
+};
+
+/// Where what a run has to say of itself goes, line by line.
+struct RunLog
+{
+  std::function<void(const std::string&)> inform = [](const std::string&) {};
+  std::function<void(const std::string&)> warn = [](const std::string&) {};
+};
+
+/// How a request went.
+struct Outcome
+{
+  bool success = true;
+  std::string message;  ///< on failure: why; else what is to be said of it, if anything
+};
+
+/// A run under command: paused, stepped, reset, poured on, driven by setpoints. Knows frames and
+/// sinks, but neither topics nor wall time; LiveRun advances, this decides.
+class RunControl
+{
+public:
+  /// Advances the run towards a time by a stride, by advanceTo(); false where the step is to be given up.
+  using Stride = std::function<bool(double time)>;
+
+  /// @param scene YAML of the scene, kept for resets; @param source named in errors
+  /// @param recording takes frames and setpoints; outlives this
+  /// @param pour_observer of each pour that begins a run; see Simulation
+  /// @throws SceneError, std::invalid_argument where the disks of the scene overlap
+  RunControl(const YAML::Node& scene, const std::string& source, const RunParameters& parameters,
+             RunRecording& recording, RunLog log = {}, PourObserver pour_observer = {});
+
+  /// Another sink for the frames; outlives this.
+  void addSink(FrameSink& sink) { sinks_.add(sink); }
+
+  /// Hands the first frames to the sinks.
+  void begin();
+
+  /// Hands the last frames to the sinks and closes the recording.
+  void end();
+
+  const LiveRun& run() const { return *run_; }
+
+  /// Of the scene that runs: see Scene.
+  const std::vector<std::string>& sceneWarnings() const { return scene_warnings_; }
+
+  /// One line where the run's base may turn too fast for its walls; or else empty. See fastTurnText().
+  std::string turnWarning() const;
+  bool paused() const { return paused_; }
+  void pause();
+  void unpause();
+
+  /// Advances to a time, but no further than to the next frame or the end.
+  void advanceTo(double time) { run_->advanceTo(time, sinks_); }
+
+  /// Advances by `duration` [s] or to the end, in strides. Where the end comes first, that is no failure, and
+  /// said.
+  Outcome step(double duration, const Stride& stride);
+
+  /// Takes setpoints, all or none, and steps.
+  /// @param setpoints names and values
+  Outcome lockStep(const std::vector<std::pair<std::string, double>>& setpoints, double duration,
+                   const Stride& stride);
+
+  /// Begins anew, at time 0 or at the present time. @param seed 0: the scene's own
+  Outcome reset(std::uint64_t seed, const std::vector<std::string>& overrides, bool keep_time);
+
+  /// Pours the disks anew, over a base that goes on as it moves; time goes on, to the end, or from there for
+  /// another duration. Fails where the base now stands in disks of `initial`; the run then goes on as it was.
+  Outcome resetWorld();
+
+  Outcome pour(const std::string& species, std::size_t count);
+
+  /// What the base is told to go to.
+  double commanded(Quantity quantity) const;
+
+  /// Commands the base at the present time; a value that is refused changes nothing.
+  Outcome command(const Setpoint& setpoint, double value);
+
+private:
+  std::optional<std::string> whyNoStep(double duration) const;
+  Outcome advance(double duration, const Stride& stride);
+  Scene readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const;
+  void announce(const Scene& scene) const;
+  std::unique_ptr<LiveRun> makeRun(const SceneDefinition& scene, std::vector<CommandFrame> opening,
+                                   double start_time, double end_time) const;
+  void begin(std::unique_ptr<LiveRun> run);
+
+  /// Hands a frame to the sinks and the recording, though none is due.
+  void show(const AnyFrame& frame);
+
+  YAML::Node scene_;
+  std::string source_;
+  RunParameters parameters_;
+  RunRecording& recording_;
+  RunLog log_;
+  PourObserver pour_observer_;
+  FanOut sinks_;
+  std::vector<std::string> scene_warnings_;
+  std::unique_ptr<LiveRun> run_;
+  bool paused_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,156 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <variant>
+
+#include "ratchet_sieve/recording/frames.h"
+
+/// Which kinds of frames there are, once for all: sampling, topics, bags, rates and sinks go through this
+/// list.
+namespace ratchet_sieve
+{
+
+/// In the order in which frames of one time are handed on.
+enum class FrameKind
+{
+  SCENE,
+  COMMANDS,
+  BASE,
+  PARTICLES,
+  BINS,
+  STATISTICS
+};
+
+/// A pointer to a frame of some kind, in the order of FrameKind.
+using FramePointer = std::variant<const SceneFrame*, const CommandFrame*, const BaseFrame*,
+                                  const ParticleFrame*, const BinFrame*, const StatisticsFrame*>;
+
+constexpr std::size_t FRAME_KINDS = std::variant_size_v<FramePointer>;
+
+/// How often each kind of frame is taken [1/s of simulated time]; 0: only first and last.
+struct FrameRates
+{
+  double particles = 60.0;
+  double bins = 60.0;
+  double base = 60.0;
+  double statistics = 10.0;
+};
+
+/// All that is particular to one kind beside its fields (see Fields).
+struct FrameKindInfo
+{
+  FrameKind kind;
+  const char* name;          ///< of its topic, and of its rate among the parameters
+  double FrameRates::*rate;  ///< null for what is taken when it happens: a scene, a command
+};
+
+/// In the order of FrameKind.
+constexpr std::array<FrameKindInfo, FRAME_KINDS> FRAME_LIST = {{
+    {FrameKind::SCENE, "scene", nullptr},
+    {FrameKind::COMMANDS, "commands", nullptr},
+    {FrameKind::BASE, "base", &FrameRates::base},
+    {FrameKind::PARTICLES, "particles", &FrameRates::particles},
+    {FrameKind::BINS, "bins", &FrameRates::bins},
+    {FrameKind::STATISTICS, "statistics", &FrameRates::statistics},
+}};
+
+constexpr const FrameKindInfo& describe(FrameKind kind)
+{
+  return FRAME_LIST[static_cast<std::size_t>(kind)];
+}
+
+template <typename Frame>
+constexpr bool IS_FRAME = std::is_constructible_v<FramePointer, const Frame*>;
+
+/// A frame of any kind, for as long as a sink takes it.
+class AnyFrame
+{
+public:
+  template <typename Frame, typename = std::enable_if_t<IS_FRAME<Frame>>>
+  AnyFrame(const Frame& frame) : frame_(&frame)
+  {
+  }
+
+  FrameKind kind() const { return static_cast<FrameKind>(frame_.index()); }
+
+  /// The frame where it is of this kind, null where it is not.
+  template <typename Frame>
+  const Frame* as() const
+  {
+    const auto* frame = std::get_if<const Frame*>(&frame_);
+    return frame != nullptr ? *frame : nullptr;
+  }
+
+  /// Calls action(const Frame&) with the frame as what it is.
+  template <typename Action>
+  decltype(auto) visit(Action&& action) const
+  {
+    return std::visit([&](const auto* frame) -> decltype(auto) { return action(*frame); }, frame_);
+  }
+
+  double time() const
+  {
+    return visit([](const auto& frame) { return frame.time; });
+  }
+
+private:
+  FramePointer frame_;
+};
+
+template <typename Frame>
+constexpr FrameKind kindOf()
+{
+  return static_cast<FrameKind>(FramePointer(static_cast<const Frame*>(nullptr)).index());
+}
+
+template <typename Frame>
+constexpr bool IS_TAKEN_AT_A_RATE = describe(kindOf<Frame>()).rate != nullptr;
+
+/// Names the type of a frame to a function that is given no frame.
+template <typename FrameOfThatType>
+struct FrameType
+{
+  using Frame = FrameOfThatType;
+};
+
+/// Calls visit(FrameType<Frame>()) for each kind.
+template <std::size_t Index = 0, typename Visit>
+void forEachFrameType(Visit&& visit)
+{
+  if constexpr (Index < FRAME_KINDS)
+  {
+    using Pointer = std::variant_alternative_t<Index, FramePointer>;
+    visit(FrameType<std::remove_const_t<std::remove_pointer_t<Pointer>>>());
+    forEachFrameType<Index + 1>(visit);
+  }
+}
+
+/// The same for the kinds that are taken at a rate.
+template <typename Visit>
+void forEachSampledType(Visit&& visit)
+{
+  forEachFrameType(
+      [&](auto type)
+      {
+        if constexpr (IS_TAKEN_AT_A_RATE<typename decltype(type)::Frame>)
+          visit(type);
+      });
+}
+
+/// A frame of a kind that is taken at a rate. @param window see makeStatisticsFrame()
+template <typename Frame>
+Frame makeFrame(const Simulation& simulation, const StatisticsWindow& window)
+{
+  if constexpr (std::is_same_v<Frame, BaseFrame>)
+    return makeBaseFrame(simulation);
+  else if constexpr (std::is_same_v<Frame, ParticleFrame>)
+    return makeParticleFrame(simulation);
+  else if constexpr (std::is_same_v<Frame, BinFrame>)
+    return makeBinFrame(simulation);
+  else
+    return makeStatisticsFrame(simulation, window);
+}
+
+}  // namespace ratchet_sieve

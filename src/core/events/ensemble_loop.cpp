@@ -1,0 +1,200 @@
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "events/event_loop.h"
+#include "lanes/lane_run.h"
+#include "lanes/worker_pool.h"
+#include "state/machine.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// So many disks are handed to a thread at a time: few enough that all come to an end together.
+constexpr std::size_t DISKS_AT_A_TIME = 16;
+
+/// With fewer disks for each, threads cost more than they bring.
+constexpr std::size_t DISKS_PER_THREAD = 64;
+
+/// Every disk is a loop of its own. The ordinary contacts of all disks are executed many at a time, in the
+/// lanes of the processor's registers (LaneRun), on several threads; what is not ordinary is left to the
+/// machine: see Plan for scenes, laneScene() for times, and CollapseWatch for disks. Which of the two it is
+/// depends on the scene and on the disk's own past alone.
+class EnsembleLoop : public EventLoop
+{
+public:
+  explicit EnsembleLoop(Machine& machine)
+      : machine_(machine), state_(machine.state()), base_(machine.state().motion())
+  {
+    EnsembleLoop::setThreads(1);
+  }
+
+  /// A collapse does not keep the other disks from coming as far: all have to be at one time.
+  double advanceTo(double time) override
+  {
+    behind_.clear();
+    for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
+      if (hasEventBy(slot, time))
+        behind_.push_back(slot);
+    if (const std::optional<LaneScene> scene = laneScene(state_))
+      advanceInLanes(*scene, time);
+    else
+      for (const std::uint32_t slot : behind_)
+        while (hasEventBy(slot, time))
+          executeNext(slot);
+    return time;
+  }
+
+  void added(std::uint32_t slot, double time) override
+  {
+    next_.resize(slot + 1);
+    next_[slot] = search(slot, time);
+  }
+
+  void motionChanged(double time) override
+  {
+    base_.forget();
+    for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
+      if (state_.active(slot))
+        next_[slot] = search(slot, time);
+  }
+
+  void rebase(double length) override
+  {
+    base_.forget();
+    for (BaseEvent& event : next_)
+      event.time -= length;
+  }
+
+  void setThreads(std::size_t threads) override
+  {
+    pool_ = threads > 1 ? std::make_unique<WorkerPool>(threads) : nullptr;
+    runs_.resize(pool_ ? pool_->workers() : 1);
+    for (std::unique_ptr<LaneRun>& run : runs_)
+      if (!run)
+        run = std::make_unique<LaneRun>();
+  }
+
+  void archive(StateArchive& state) override
+  {
+    EventLoop::archive(state);
+    state(next_);
+    requireDisks(next_.size(), state_);
+  }
+
+private:
+  bool hasEventBy(std::uint32_t slot, double time) const
+  {
+    return next_[slot].time <= time && state_.active(slot);
+  }
+
+  /// Advances the disks in behind_; in turns with the machine, where it comes to what is not ordinary.
+  void advanceInLanes(const LaneScene& scene, double time)
+  {
+    while (!behind_.empty())
+    {
+      runLanes(scene, time);
+      behind_.clear();
+      for (const std::unique_ptr<LaneRun>& run : runs_)
+        takeIn(run->takeReport(), time);
+    }
+  }
+
+  void runLanes(const LaneScene& scene, double time)
+  {
+    std::atomic<std::size_t> handed_out{0};
+    const auto work = [&](std::size_t worker)
+    {
+      std::size_t next = 0;
+      std::size_t end = 0;
+      runs_[worker]->advance(machine_, next_, scene, time,
+                             [&](std::uint32_t& slot)
+                             {
+                               if (next == end)
+                               {
+                                 next = handed_out.fetch_add(DISKS_AT_A_TIME, std::memory_order_relaxed);
+                                 end = next + DISKS_AT_A_TIME;
+                               }
+                               if (next >= behind_.size())
+                                 return false;
+                               slot = behind_[next++];
+                               return true;
+                             });
+    };
+    if (pool_ && behind_.size() >= DISKS_PER_THREAD * pool_->workers())
+      pool_->run(work);
+    else
+      work(0);
+  }
+
+  /// What one thread did. Leaves in behind_ the disks that have not come to `time`.
+  void takeIn(const LaneRun::Report& report, double time)
+  {
+    events_ += report.events;
+    machine_.record().take(report.counts, report.contacts);
+    for (const CollisionRecord& record : report.records)
+      machine_.record().collisionObserver()(record);
+    for (const std::uint32_t slot : report.not_for_lanes)
+      if (advanceAlone(slot, time))
+        behind_.push_back(slot);
+  }
+
+  /// Executes an event that is not an ordinary one, and more until they are again.
+  /// @return whether its next event is by `time` still
+  bool advanceAlone(std::uint32_t slot, double time)
+  {
+    do
+      executeNext(slot);
+    while (hasEventBy(slot, time) && machine_.collapseWatch().lossless(slot));
+    return hasEventBy(slot, time);
+  }
+
+  void executeNext(std::uint32_t slot)
+  {
+    BaseEvent& next = next_[slot];
+    const double now = next.time;
+    // For a disk that is stuck there is no later time. The others go on to where the run is stopped.
+    if (machine_.collapseWatch().count(slot, now) && machine_.collapseWatch().stuck(slot))
+      return state_.remove(slot, now);
+    ++events_;
+    if (next.feature)
+      machine_.handleBaseEvent(slot, next.feature, now, base_);
+    bringHome(slot, now);
+    next = search(slot, now);
+  }
+
+  /// Also where a long flight comes down, far from home: the next contact is found on a finer place.
+  void bringHome(std::uint32_t slot, double now)
+  {
+    if (state_.scene().boundary == Boundary::PERIODIC)
+      state_.bringHome(slot, state_.search().seenFromBase(state_.disk(slot), base_.at(now), now).s(), now);
+  }
+
+  BaseEvent search(std::uint32_t slot, double from)
+  {
+    return state_.nextBaseEvent(slot, from, std::numeric_limits<double>::infinity(), base_);
+  }
+
+  Machine& machine_;
+  MachineState& state_;
+  BaseInstant base_;
+  std::vector<BaseEvent> next_;                 ///< per disk
+  std::vector<std::uint32_t> behind_;           ///< disks that have not come as far as they are asked to
+  std::vector<std::unique_ptr<LaneRun>> runs_;  ///< per thread
+  std::unique_ptr<WorkerPool> pool_;            ///< nothing where one thread is enough
+};
+
+}  // namespace
+
+std::unique_ptr<EventLoop> makeEnsembleLoop(Machine& machine)
+{
+  return std::make_unique<EnsembleLoop>(machine);
+}
+
+}  // namespace ratchet_sieve

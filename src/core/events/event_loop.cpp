@@ -1,0 +1,14 @@
+#include "events/event_loop.h"
+
+#include "state/machine_state.h"
+
+namespace ratchet_sieve
+{
+
+void EventLoop::requireDisks(std::size_t count, const MachineState& machine)
+{
+  if (count != machine.disks().size())
+    throw StateError("it is of another number of disks");
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "model/prefetch.h"
+#include "model/two.h"
+#include "ratchet_sieve/core/state_archive.h"
+
+namespace ratchet_sieve
+{
+
+/// One event time per disk, the earliest on top: a complete tournament tree as of Marin & Cordero (Comput.
+/// Phys. Commun. 92, 214 (1995)), with sixteen children to a node instead of two: a node fills two cache
+/// lines, and its minimum takes no branch. Ties go to the smaller id, so that the order of
+/// events is total.
+class EventQueue
+{
+public:
+  static constexpr double NEVER = std::numeric_limits<double>::infinity();
+
+  /// Makes room for ids below `count`; new ones have no event.
+  void resize(std::size_t count)
+  {
+    if (rounds_.empty())
+      rounds_.emplace_back();
+    rounds_.resize(1);
+    rounds_[0].resize(std::max(groupsFor(count), rounds_[0].size()));
+    while (rounds_.back().size() > 1)
+      rounds_.emplace_back(groupsFor(rounds_.back().size()));
+    playAll();
+  }
+
+  void update(std::uint32_t id, double time)
+  {
+    std::size_t child = id;
+    for (std::size_t round = 0;; ++round)
+    {
+      Group& group = rounds_[round][child / GROUP];
+      group.times[child % GROUP] = time;
+      time = group.earliest();
+      child /= GROUP;
+      if (round + 1 == rounds_.size())
+        break;
+      // Where the winner of the group stays the same, so does all above.
+      if (rounds_[round + 1][child / GROUP].times[child % GROUP] == time)
+        return;
+    }
+    top_time_ = time;
+  }
+
+  /// The id whose event is next. @pre resize() was called
+  std::uint32_t top() const
+  {
+    std::size_t child = 0;
+    for (auto round = rounds_.rbegin(); round != rounds_.rend(); ++round)
+      child = child * GROUP + (*round)[child].find(top_time_);
+    return static_cast<std::uint32_t>(child);
+  }
+
+  double topTime() const { return top_time_; }
+
+  /// The ids whose next events are no later than `time`, in increasing order. @param ids are replaced
+  void upTo(double time, std::vector<std::uint32_t>& ids) const
+  {
+    ids.assign(1, 0);
+    for (std::size_t round = rounds_.size(); round-- > 0;)
+    {
+      const std::size_t groups = ids.size();
+      for (std::size_t g = 0; g < groups; ++g)
+      {
+        const std::uint32_t group = ids[g];
+        for (unsigned found = rounds_[round][group].upTo(time); found != 0; found &= found - 1)
+        {
+          const auto child = static_cast<std::uint32_t>(group * GROUP + __builtin_ctz(found));
+          ids.push_back(child);
+          if (round > 0)
+            prefetch(rounds_[round - 1][child]);
+        }
+      }
+      ids.erase(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(groups));
+    }
+  }
+
+  /// Moves every time back by `length`.
+  void rebase(double length)
+  {
+    for (Round& round : rounds_)
+      for (Group& group : round)
+        for (double& time : group.times)
+          time -= length;
+    top_time_ -= length;
+  }
+
+  void archive(StateArchive& state) { state(rounds_, top_time_); }
+
+private:
+  static constexpr std::size_t GROUP = 16;
+
+  struct alignas(64) Group
+  {
+    std::array<double, GROUP> times;
+
+    Group() { times.fill(NEVER); }
+
+    double earliest() const
+    {
+      const auto& t = times;
+      const auto of_two = [](double a, double b) { return a < b ? a : b; };
+      const auto of_four = [&](std::size_t i)
+      { return of_two(of_two(t[i], t[i + 1]), of_two(t[i + 2], t[i + 3])); };
+      return of_two(of_two(of_four(0), of_four(4)), of_two(of_four(8), of_four(12)));
+    }
+
+    /// The first that is no later. @pre there is one
+    std::size_t find(double time) const { return static_cast<std::size_t>(__builtin_ctz(upTo(time))); }
+
+    /// A bit for each that is no later.
+    unsigned upTo(double time) const { return whichUpTo(times.data(), time); }
+
+    void archive(StateArchive& state) { state(times); }
+  };
+  using Round = std::vector<Group>;
+
+  static std::size_t groupsFor(std::size_t count)
+  {
+    return std::max<std::size_t>(1, (count + GROUP - 1) / GROUP);
+  }
+
+  void playAll()
+  {
+    for (std::size_t r = 0; r + 1 < rounds_.size(); ++r)
+      for (std::size_t g = 0; g < rounds_[r].size(); ++g)
+        rounds_[r + 1][g / GROUP].times[g % GROUP] = rounds_[r][g].earliest();
+    top_time_ = rounds_.back()[0].earliest();
+  }
+
+  std::vector<Round> rounds_;  ///< the first among disks, each further one among the groups before
+  double top_time_ = NEVER;
+};
+
+}  // namespace ratchet_sieve

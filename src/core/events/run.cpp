@@ -1,0 +1,224 @@
+#include "events/run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <thread>
+
+#include "state/audit.h"
+#include "state/placement.h"
+#include "state/pour.h"
+
+namespace ratchet_sieve
+{
+
+const Run::MachineEvent Run::MACHINE_EVENTS[] = {{&Run::nextSettle, &Run::settle},
+                                                 {&Run::nextBlockEnd, &Run::endBlock},
+                                                 {&Run::nextPeriodLook, &Run::lookAtPeriod},
+                                                 {&Run::nextSegmentEnd, &Run::beginSegment},
+                                                 {&Run::nextFeed, &Run::feed},
+                                                 {&Run::nextEpochEnd, &Run::endEpoch}};
+
+Run::Run(const SceneDefinition& scene, const Plan& plan, double start_time, const PourObserver& pour_observer)
+    : machine_(scene, plan), random_(scene.seed), energy_watch_(scene), start_(start_time)
+{
+  now_ = machine_.startAt(start_);
+  if (scene.initial.empty())
+    pourDisks(machine_, pourOrder(scene.species, random_), now_, random_, pour_observer);
+  else
+    placeInitialDisks(machine_, now_);
+  loop_ = makeLoop();
+  announce(0);
+}
+
+Run::Run(const SceneDefinition& scene, std::string_view saved_state)
+    : machine_(scene), random_(scene.seed), loop_(makeLoop()), energy_watch_(scene)
+{
+  StateArchive state(saved_state);
+  archive(state);
+  state.requireEnd();
+}
+
+void Run::advanceTo(double time)
+{
+  if (!(time >= this->time()))
+    return;
+  while (true)
+  {
+    const double target = time - machine().epoch().start;
+    const double next = std::min(target, nextMachineEvent());
+    now_ = loop_->advanceTo(next);
+    sorter_.flush();
+    if (hasToStop())
+    {
+      stopAtATimeOfTheRun();
+      throw StallError(collapseWatch().text());
+    }
+    if (!executeMachineEvent() && next == target)
+      return;
+  }
+}
+
+void Run::pour(std::size_t species, std::size_t count)
+{
+  const SceneDefinition& scene = machine().scene();
+  if (species >= scene.species.size())
+    throw std::invalid_argument("there is no species " + std::to_string(species));
+  if (2.0 * scene.species[species].radius > scene.base.width())
+    throw std::invalid_argument("disks of species " + scene.species[species].name +
+                                " are wider than the machine: there is no room for them");
+  const auto before = static_cast<std::uint32_t>(machine().disks().size());
+  pourDisks(machine_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), now_, random_);
+  announce(before);
+}
+
+void Run::setThreads(std::size_t threads)
+{
+  threads_ = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+  loop_->setThreads(threads_);
+}
+
+void Run::observeCollisions(CollisionObserver observer)
+{
+  if (hasPairs())
+    return machine_.record().observeCollisions(std::move(observer));
+  sorter_.setObserver(std::move(observer));
+  machine_.record().observeCollisions(
+      sorter_.watched() ? CollisionObserver([this](const CollisionRecord& record) { sorter_.take(record); })
+                        : nullptr);
+}
+
+std::size_t Run::auditOverlaps()
+{
+  const Audit found = audit(machine(), now_);
+  machine_.record().counts().takeOverlap(found.largest_overlap);
+  return found.behind_surface;
+}
+
+std::unique_ptr<EventLoop> Run::makeLoop()
+{
+  return hasPairs() ? makePairLoop(machine_) : makeEnsembleLoop(machine_);
+}
+
+double Run::nextMachineEvent() const
+{
+  double next = std::numeric_limits<double>::infinity();
+  for (const MachineEvent& event : MACHINE_EVENTS)
+    next = std::min(next, (this->*event.when)().value_or(next));
+  // Records of an ensemble wait until they are sorted: not too many of them.
+  if (sorter_.watched())
+    next = std::min(next, now_ + machine().timeScale());
+  return std::max(next, now_);
+}
+
+bool Run::executeMachineEvent()
+{
+  for (const MachineEvent& event : MACHINE_EVENTS)
+    if (const auto when = (this->*event.when)(); when && *when <= now_)
+    {
+      (this->*event.what)();
+      return true;
+    }
+  return false;
+}
+
+std::optional<double> Run::nextSettle() const
+{
+  return settled_ ? std::nullopt : local(settledTime());
+}
+
+void Run::settle()
+{
+  settled_ = true;
+  machine_.restartMeans(now_);
+}
+
+/// The series from which the errors of the means are found goes by the machine's time scale. Disks that do
+/// not see each other are independent, and need none.
+std::optional<double> Run::nextBlockEnd() const
+{
+  if (!settled_ || !hasPairs())
+    return std::nullopt;
+  return local(settledTime() + static_cast<double>(blocks_ + 1) * machine().timeScale());
+}
+
+void Run::endBlock()
+{
+  ++blocks_;
+  machine_.record().endBlockOfMeans(now_);
+}
+
+void Run::beginSegment()
+{
+  changeMotion([](BaseMotion& motion, double now) { motion.beginSegment(now); });
+}
+
+std::optional<double> Run::nextFeed() const
+{
+  const double rate = machine().scene().feed.rate;
+  return rate > 0.0 ? local(start_ + static_cast<double>(fed_ + 1) / rate) : std::nullopt;
+}
+
+void Run::feed()
+{
+  ++fed_;
+  pour(drawSpecies(machine().scene().species, random_), 1);
+}
+
+void Run::endEpoch()
+{
+  const bool moving = machine().motion().nextChange().has_value();
+  energy_watch_.look(machine(), now_);
+  moveZero(machine().epoch().length);
+  // A machine that is fed for ever would else need more and more memory, and time to look through it.
+  if (machine_.compact())
+    renewLoop();
+  else if (loop_->outgrown(now_) || moving)
+    loop_->motionChanged(now_);
+}
+
+void Run::moveZero(double length)
+{
+  machine_.rebase(length);
+  loop_->rebase(length);
+  periods_.rebase(length);
+  now_ -= length;
+}
+
+/// After slots have become others.
+void Run::renewLoop()
+{
+  const std::uint64_t events = loop_->events();
+  loop_ = makeLoop();
+  loop_->setEvents(events);
+  loop_->setThreads(threads_);
+  announce(0);
+}
+
+/// An ensemble's disks do not come to a collapse in the order of time: it is stopped at the end of an
+/// epoch, in whatever strides it is advanced.
+bool Run::hasToStop() const
+{
+  const CollapseWatch& watch = collapseWatch();
+  return watch.stops() && (hasPairs() || now_ >= machine().epoch().length);
+}
+
+/// An epoch's times are finer than the run's: the run ends at the next of its own, so that another that is
+/// asked to come to time() comes to the same bits.
+void Run::stopAtATimeOfTheRun()
+{
+  const double epoch_start = machine().epoch().start;
+  double end = time();
+  if (end - epoch_start < now_)
+    end = std::nextafter(end, std::numeric_limits<double>::infinity());
+  now_ = end - epoch_start;
+}
+
+void Run::announce(std::uint32_t first)
+{
+  for (std::uint32_t slot = first; slot < machine().disks().size(); ++slot)
+    loop_->added(slot, now_);
+}
+
+}  // namespace ratchet_sieve

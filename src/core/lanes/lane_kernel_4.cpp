@@ -1,0 +1,33 @@
+#include <cstddef>
+#include <cstdint>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+
+// For what stands below, the physics among it, and nothing of the headers above.
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+
+#include "lanes/lane_kernels.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+#define LANES 4
+#include "lanes/lane_kernel.inc"
+}  // namespace
+
+const LaneKernel KERNEL_OF_FOUR_LANES{LANES, collide, search, launch};
+}  // namespace ratchet_sieve
+
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+#endif

@@ -1,0 +1,55 @@
+#include <initializer_list>
+
+#include "lanes/lane_kernels.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+const LaneKernel* asked_for = nullptr;
+
+const LaneKernel& widest()
+{
+  for (const int lanes : {8, 4})
+    if (const LaneKernel* kernel = laneKernel(lanes))
+      return *kernel;
+  return KERNEL_OF_TWO_LANES;
+}
+}  // namespace
+
+const LaneKernel* laneKernel(int lanes)
+{
+  switch (lanes)
+  {
+    case 1:
+      return &KERNEL_OF_ONE_LANE;
+    case 2:
+      return &KERNEL_OF_TWO_LANES;
+#if defined(__x86_64__)
+    case 4:
+      return __builtin_cpu_supports("avx2") ? &KERNEL_OF_FOUR_LANES : nullptr;
+    case 8:
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") ? &KERNEL_OF_EIGHT_LANES
+                                                                                     : nullptr;
+#endif
+    default:
+      return nullptr;
+  }
+}
+
+const LaneKernel& presentLaneKernel()
+{
+  static const LaneKernel& widest_kernel = widest();
+  return asked_for ? *asked_for : widest_kernel;
+}
+
+bool useLanes(int lanes)
+{
+  const LaneKernel* kernel = lanes == 0 ? nullptr : laneKernel(lanes);
+  if (lanes != 0 && !kernel)
+    return false;
+  asked_for = kernel;
+  return true;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "lanes/lane_batch.h"
+#include "model/flight.h"
+
+/// The kernels that there are: each is compiled for its own width of register, together with the physics that
+/// is included here.
+namespace ratchet_sieve
+{
+extern const LaneKernel KERNEL_OF_ONE_LANE;
+extern const LaneKernel KERNEL_OF_TWO_LANES;
+#if defined(__x86_64__)
+extern const LaneKernel KERNEL_OF_FOUR_LANES;
+extern const LaneKernel KERNEL_OF_EIGHT_LANES;
+#endif
+}  // namespace ratchet_sieve

@@ -1,0 +1,170 @@
+#include "lanes/lane_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ratchet_sieve/core/resolution.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// In radians of the drive: a look at the acceleration as it is bounds it for so long better than its bound.
+constexpr double LONGEST_TRIAL = 1.5;
+
+struct LaneContact
+{
+  LaneFeature feature;
+  std::int32_t valley;
+};
+
+LaneContact laneContact(const BaseFeature& feature)
+{
+  switch (feature.kind)
+  {
+    case BaseFeatureKind::NONE:
+      return {LANE_NOTHING, 0};
+    case BaseFeatureKind::LEFT_SLOPE:
+      return {LANE_LEFT_SLOPE, feature.tooth};
+    case BaseFeatureKind::RIGHT_SLOPE:
+      return {LANE_RIGHT_SLOPE, feature.tooth + 1};
+    default:
+      return {LANE_APEX, feature.tooth};
+  }
+}
+
+BaseFeature baseFeature(LaneFeature feature, std::int32_t valley)
+{
+  switch (feature)
+  {
+    case LANE_LEFT_SLOPE:
+      return {BaseFeatureKind::LEFT_SLOPE, valley};
+    case LANE_RIGHT_SLOPE:
+      return {BaseFeatureKind::RIGHT_SLOPE, valley - 1};
+    case LANE_APEX:
+      return {BaseFeatureKind::APEX, valley};
+    default:
+      return {};
+  }
+}
+
+void setTeeth(const Sawtooth& sawtooth, LaneScene& scene)
+{
+  const double w = sawtooth.toothWidth();
+  const double a = sawtooth.apexOffset();
+  scene.tooth_width = w;
+  scene.per_tooth_width = 1.0 / w;
+  scene.width = sawtooth.width();
+  scene.per_width = 1.0 / scene.width;
+  scene.valley_start = (w - a) / w;
+  scene.height = sawtooth.height();
+  scene.left = {a - w, sawtooth.right().normal.x(), sawtooth.right().normal.y()};
+  scene.right = {a, sawtooth.left().normal.x(), sawtooth.left().normal.y()};
+}
+}  // namespace
+
+std::optional<LaneScene> laneScene(const MachineState& machine)
+{
+  const SceneDefinition& definition = machine.scene();
+  const BaseMotion& motion = machine.motion();
+  if (!machine.plan().lanes || motion.nextChange())
+    return std::nullopt;
+  LaneScene scene{};
+  scene.gravity = definition.gravity;
+  scene.base = motion.rotation();
+  const auto gravity = verticalIntoBase(scene.base, definition.gravity);
+  scene.gravity_s = gravity.first;
+  scene.gravity_n = gravity.second;
+  scene.drive = motion.drive();
+  scene.longest_search = machine.epoch().length;
+  scene.resolution = timeResolution(machine.epoch().length);
+  scene.law = definition.contact;
+  setTeeth(machine.sawtooth(), scene);
+  const double w = angularFrequency(scene.drive.frequency);
+  LaneBounds& bounds = scene.bounds;
+  bounds.gravity = static_cast<float>(scene.gravity);
+  bounds.fall = static_cast<float>(std::max(0.0, scene.gravity_n));
+  bounds.amplitude = static_cast<float>(scene.drive.amplitude);
+  bounds.highest = static_cast<float>(scene.drive.amplitude * std::abs(scene.base.cosine));
+  bounds.speed = static_cast<float>(scene.drive.speed);
+  bounds.third_of_jerk = static_cast<float>(scene.drive.acceleration * w / 3.0);
+  bounds.acceleration = static_cast<float>(definition.gravity + scene.drive.acceleration);
+  bounds.longest = static_cast<float>(scene.longest_search);
+  bounds.longest_trial = w > 0.0 ? static_cast<float>(LONGEST_TRIAL / w) : bounds.longest;
+  return scene;
+}
+
+BaseEvent rowEvent(const LaneBatch& batch, std::size_t row)
+{
+  return {batch.event_time[row],
+          baseFeature(static_cast<LaneFeature>(static_cast<std::int32_t>(batch.feature[row])),
+                      static_cast<std::int32_t>(batch.valley[row]))};
+}
+
+void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
+             std::size_t row)
+{
+  const Disk& disk = machine.state().disk(slot);
+  batch.x[row] = disk.position.x();
+  batch.y[row] = disk.position.y();
+  batch.vx[row] = disk.velocity.x();
+  batch.vy[row] = disk.velocity.y();
+  batch.spin[row] = disk.spin;
+  batch.angle[row] = disk.angle;
+  batch.time[row] = disk.time;
+  const SpeciesDefinition& species = machine.state().scene().species[disk.species];
+  const ContactMasses& masses = machine.execution().baseMasses(disk.species);
+  batch.radius[row] = species.radius;
+  batch.restitution[row] = species.contact.restitution;
+  batch.friction[row] = species.contact.friction;
+  batch.normal_mass[row] = masses.normal;
+  batch.sticking_mass[row] = (1.0 + species.contact.tangential_restitution) * masses.tangential;
+  batch.per_mass[row] = 1.0 / species.mass;
+  batch.radius_by_inertia[row] = species.radius / species.inertia();
+  const Passage& passage = machine.state().passages()[slot];
+  batch.offset[row] = passage.offset;
+  batch.translation[row] = passage.translation;
+  batch.rotation[row] = passage.rotation;
+  const Eigen::Vector2d& impulse = machine.record().impulses().of(slot);
+  batch.impulse_x[row] = impulse.x();
+  batch.impulse_y[row] = impulse.y();
+  const LaneContact contact = laneContact(next.feature);
+  batch.event_time[row] = next.time;
+  batch.feature[row] = contact.feature;
+  batch.valley[row] = contact.valley;
+}
+
+void storeRow(const LaneBatch& batch, std::size_t row, Machine& machine, std::uint32_t slot, BaseEvent& next)
+{
+  Disk& disk = machine.state().changeable(slot);
+  disk.position.x() = batch.x[row];
+  disk.position.y() = batch.y[row];
+  disk.velocity.x() = batch.vx[row];
+  disk.velocity.y() = batch.vy[row];
+  disk.spin = batch.spin[row];
+  disk.angle = batch.angle[row];
+  disk.time = batch.time[row];
+  machine.state().passages().setFlown(slot, {batch.offset[row], batch.translation[row], batch.rotation[row]});
+  machine.record().impulses().set(slot, {batch.impulse_x[row], batch.impulse_y[row]});
+  next = rowEvent(batch, row);
+}
+
+void copyRow(LaneBatch& batch, std::size_t from, std::size_t to)
+{
+  for (double* column : {batch.x,           batch.y,
+                         batch.vx,          batch.vy,
+                         batch.spin,        batch.angle,
+                         batch.time,        batch.radius,
+                         batch.restitution, batch.friction,
+                         batch.normal_mass, batch.sticking_mass,
+                         batch.per_mass,    batch.radius_by_inertia,
+                         batch.translation, batch.rotation,
+                         batch.impulse_x,   batch.impulse_y,
+                         batch.offset,      batch.event_time,
+                         batch.valley,      batch.feature,
+                         batch.s,           batch.n,
+                         batch.vs,          batch.vn})
+    column[to] = column[from];
+}
+
+}  // namespace ratchet_sieve

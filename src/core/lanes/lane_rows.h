@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+
+#include "lanes/lane_batch.h"
+#include "search/contact_search.h"
+#include "state/machine.h"
+
+namespace ratchet_sieve
+{
+
+/// What the lanes need to know of the machine; nothing where its plan has none, and while its base is on the
+/// way to a setpoint.
+std::optional<LaneScene> laneScene(const MachineState& machine);
+
+/// Puts a disk and its next event into a row.
+void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
+             std::size_t row);
+
+/// Puts a row's disk and its next event back.
+void storeRow(const LaneBatch& batch, std::size_t row, Machine& machine, std::uint32_t slot, BaseEvent& next);
+
+void copyRow(LaneBatch& batch, std::size_t from, std::size_t to);
+
+/// A row's next event.
+BaseEvent rowEvent(const LaneBatch& batch, std::size_t row);
+
+/// What came of the event of a row, after the kernel executed it. One that had no contact did not close.
+inline ContactOutcome outcomeOf(const LaneBatch& batch, std::size_t row, std::uint32_t slot)
+{
+  // By LaneFeature.
+  constexpr CollisionKind KINDS[] = {CollisionKind::APEX, CollisionKind::RIGHT_SLOPE,
+                                     CollisionKind::LEFT_SLOPE, CollisionKind::APEX};
+  ContactOutcome outcome;
+  outcome.time = batch.time[row];
+  outcome.kind = KINDS[static_cast<std::int32_t>(batch.feature[row])];
+  outcome.i = slot;
+  outcome.normal = {batch.normal_x[row], batch.normal_y[row]};
+  outcome.normal_velocity = batch.normal_velocity[row];
+  outcome.normal_impulse = batch.normal_impulse[row];
+  outcome.tangential_impulse = batch.tangential_impulse[row];
+  outcome.overlap = batch.overlap[row];
+  outcome.closed = batch.normal_velocity[row] < 0.0;
+  return outcome;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,30 @@
+#include "lanes/lane_run.h"
+
+namespace ratchet_sieve
+{
+
+void LaneRun::takeOutcomes(const Machine& machine, std::size_t rows)
+{
+  report_.events += rows;
+  // Counted in registers: the rows' columns may not hold these.
+  ContactCounts counts = report_.counts;
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    const ContactOutcome outcome = outcomeOf(batch_, row, slots_[row]);
+    counts.take(outcome);
+    report_.contacts[species_[row]] += outcome.closed ? 1 : 0;
+  }
+  report_.counts = counts;
+  if (!machine.record().collisionObserver())
+    return;
+  for (std::size_t row = 0; row < rows; ++row)
+    if (const ContactOutcome outcome = outcomeOf(batch_, row, slots_[row]); outcome.closed)
+      report_.records.push_back(recordOf(outcome, machine.state()));
+}
+
+LaneRun::Report LaneRun::takeReport()
+{
+  return std::exchange(report_, Report());
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "lanes/lane_rows.h"
+
+namespace ratchet_sieve
+{
+
+/// One thread's share in advancing an ensemble: disks are taken up into the rows of a batch, and put back
+/// when their next event is later than asked for.
+class LaneRun
+{
+public:
+  struct Report
+  {
+    std::uint64_t events = 0;
+    ContactCounts counts;
+    std::vector<std::uint64_t> contacts;       ///< per species, of its disks
+    std::vector<CollisionRecord> records;      ///< only where somebody watches
+    std::vector<std::uint32_t> not_for_lanes;  ///< slots of disks whose next event is no ordinary one
+  };
+
+  LaneRun() : batch_() {}
+
+  /// Advances the disks that `take` hands out, until it has no more: bool take(std::uint32_t& slot).
+  template <typename Take>
+  void advance(Machine& machine, std::vector<BaseEvent>& next, const LaneScene& scene, double time,
+               Take&& take)
+  {
+    const LaneKernel& kernel = presentLaneKernel();
+    report_.contacts.resize(machine.state().scene().species.size());
+    std::uint32_t slot = 0;
+    std::size_t rows = 0;
+    const auto take_up = [&](std::size_t row)
+    {
+      while (take(slot))
+        if (admit(machine.collapseWatch(), slot, next[slot].time))
+        {
+          loadRow(machine, slot, next[slot], batch_, row);
+          slots_[row] = slot;
+          species_[row] = machine.state().disk(slot).species;
+          return true;
+        }
+      return false;
+    };
+    while (rows < LaneBatch::ROWS && take_up(rows))
+      ++rows;
+    while (rows > 0)
+    {
+      kernel.collide(scene, batch_, rows);
+      takeOutcomes(machine, rows);
+      kernel.search(scene, batch_, rows);
+      for (std::size_t row = 0; row < rows;)
+      {
+        if (batch_.event_time[row] <= time &&
+            admit(machine.collapseWatch(), slots_[row], batch_.event_time[row]))
+        {
+          ++row;
+          continue;
+        }
+        storeRow(batch_, row, machine, slots_[row], next[slots_[row]]);
+        if (take_up(row))
+          ++row;
+        else if (--rows > row)
+        {
+          copyRow(batch_, rows, row);
+          slots_[row] = slots_[rows];
+          species_[row] = species_[rows];
+        }
+      }
+    }
+  }
+
+  /// What has come of it since the last time.
+  Report takeReport();
+
+private:
+  /// Counts the event, if it is an ordinary one.
+  bool admit(CollapseWatch& watch, std::uint32_t slot, double time)
+  {
+    if (watch.countOrdinary(slot, time))
+      return true;
+    report_.not_for_lanes.push_back(slot);
+    return false;
+  }
+
+  /// Tells the observers what came of the events of so many rows.
+  void takeOutcomes(const Machine& machine, std::size_t rows);
+
+  LaneBatch batch_;
+  std::uint32_t slots_[LaneBatch::ROWS];
+  std::uint32_t species_[LaneBatch::ROWS];
+  Report report_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,82 @@
+#include "lanes/worker_pool.h"
+
+#include <exception>
+#include <system_error>
+#include <utility>
+
+namespace ratchet_sieve
+{
+
+WorkerPool::WorkerPool(std::size_t workers)
+{
+  try
+  {
+    for (std::size_t worker = 1; worker < workers; ++worker)
+      threads_.emplace_back([this, worker] { serve(worker); });
+  }
+  catch (const std::system_error&)
+  {
+    // The system gives no more threads: those that there are do all of the work.
+  }
+}
+
+WorkerPool::~WorkerPool()
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    closing_ = true;
+  }
+  begin_.notify_all();
+  for (std::thread& thread : threads_)
+    thread.join();
+}
+
+void WorkerPool::run(const std::function<void(std::size_t)>& work)
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    work_ = &work;
+    at_work_ = threads_.size();
+    ++round_;
+  }
+  begin_.notify_all();
+  call(work, 0);
+  std::unique_lock<std::mutex> lock(mutex_);
+  end_.wait(lock, [this] { return at_work_ == 0; });
+  if (error_)
+    std::rethrow_exception(std::exchange(error_, nullptr));
+}
+
+void WorkerPool::serve(std::size_t worker)
+{
+  std::size_t done = 0;
+  while (true)
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    begin_.wait(lock, [&] { return closing_ || round_ != done; });
+    if (closing_)
+      return;
+    done = round_;
+    const auto& work = *work_;
+    lock.unlock();
+    call(work, worker);
+    lock.lock();
+    if (--at_work_ == 0)
+      end_.notify_one();
+  }
+}
+
+void WorkerPool::call(const std::function<void(std::size_t)>& work, std::size_t worker)
+{
+  try
+  {
+    work(worker);
+  }
+  catch (...)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    error_ = std::current_exception();
+  }
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,270 @@
+#include "model/base_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ratchet_sieve/core/drive_of_scene.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// Ramps whose ends differ by less than this share of the remaining time end together: without it
+/// the rounding of one would leave a segment too short to be told from nothing.
+constexpr double SAME_END = 1e-12;
+
+double fraction(double x)
+{
+  return x - std::floor(x);
+}
+
+Rotation rotationBy(double angle)
+{
+  const auto turned = sineCosineOfTurns(angle / RADIANS_PER_TURN);
+  return {turned.cosine, turned.sine};
+}
+}  // namespace
+
+std::optional<double> BaseMotion::Ramp::remaining() const
+{
+  if (rate == 0.0)
+    return std::nullopt;
+  return (target - start) / rate;
+}
+
+void BaseMotion::Ramp::advance(double elapsed)
+{
+  const auto end = remaining();
+  start = end && *end <= elapsed * (1.0 + SAME_END) ? target : at(elapsed);
+}
+
+BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn, bool always_drive)
+    : orbit_(base),
+      scene_amplitude_(base.amplitude),
+      scaled_(base.amplitude > 0.0),
+      max_turn_(max_turn),
+      always_drive_(always_drive)
+{
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    ramp(q.quantity) = {base.*q.definition, 0.0, base.*q.definition};
+  turns_ = fraction(base.phase / RADIANS_PER_TURN);
+  plan();
+}
+
+double BaseMotion::turns(double elapsed) const
+{
+  return turns_ + elapsed * (frequency_.start + 0.5 * frequency_.rate * elapsed);
+}
+
+std::optional<double> BaseMotion::timeOfTurns(double turns) const
+{
+  const double left = turns - turns_;
+  if (left <= 0.0)
+    return segment_start_;
+  const double squared = frequency_.start * frequency_.start + 2.0 * frequency_.rate * left;
+  if (squared <= 0.0)
+    return std::nullopt;
+  return segment_start_ + 2.0 * left / (frequency_.start + std::sqrt(squared));
+}
+
+void BaseMotion::lookAt(double time, FrameOfBase& frame) const
+{
+  const double elapsed = time - segment_start_;
+  frame.inclination = inclination_.at(elapsed);
+  frame.inclination_rate = inclination_.rate;
+  frame.rotation = rotation_;
+  if (!oscillates_)
+  {
+    frame.displacement = standstill_;
+    frame.velocity.setZero();
+  }
+  else if (!next_change_)
+  {
+    // At its setpoints: the same to the last bit, without the ramps.
+    const auto stroke = strokeAt(drive(), time);
+    frame.displacement = {0.0, stroke.displacement};
+    frame.velocity = {0.0, stroke.velocity};
+  }
+  else
+  {
+    const auto phase = sineCosineOfTurns(turns(elapsed));
+    const auto stroke =
+        strokeAtPhase(driveOf(amplitude_.at(elapsed), frequency_.at(elapsed), time, turns(elapsed)), phase);
+    frame.displacement = {0.0, stroke.displacement};
+    frame.velocity = {0.0, stroke.velocity + amplitude_.rate * phase.sine};
+  }
+  if (orbits_)
+    followOrbit(elapsed, frame);
+  if (!turning())
+    return;
+  frame.rotation = rotationBy(frame.inclination);
+}
+
+void BaseMotion::followOrbit(double elapsed, FrameOfBase& frame) const
+{
+  const Orbit::Point point = orbit_.at(turns(elapsed));
+  const double scale = orbitScale(amplitude_.at(elapsed));
+  const double phase_rate = angularFrequency(frequency_.at(elapsed));
+  frame.displacement += scale * point.displacement;
+  frame.velocity += scale * phase_rate * point.slope + orbitScaleRate() * point.displacement;
+}
+
+DriveState BaseMotion::state(double time) const
+{
+  const double elapsed = time - segment_start_;
+  const FrameOfBase frame = at(time);
+  DriveState state;
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+  {
+    state.*q.applied = ramp(q.quantity).at(elapsed);
+    state.*q.commanded = ramp(q.quantity).target;
+  }
+  state.phase = RADIANS_PER_TURN * fraction(turns(elapsed));
+  state.displacement = frame.displacement.y();
+  state.velocity = frame.velocity.y();
+  state.horizontal_displacement = frame.displacement.x();
+  state.horizontal_velocity = frame.velocity.x();
+  return state;
+}
+
+void BaseMotion::advanceTo(double time)
+{
+  const double elapsed = time - segment_start_;
+  turns_ = fraction(turns(elapsed));
+  for (const auto ramp : RAMPS)
+    (this->*ramp).advance(elapsed);
+  segment_start_ = time;
+}
+
+void BaseMotion::pursue(Ramp& ramp, double slew_rate) const
+{
+  ramp.rate = ramp.start == ramp.target ? 0.0 : std::copysign(slew_rate, ramp.target - ramp.start);
+  const auto remaining = ramp.remaining();
+  if (!remaining || segment_start_ + *remaining > segment_start_)
+    return;
+  // So near that a double cannot tell the end of the ramp from now: it is there.
+  ramp.start = ramp.target;
+  ramp.rate = 0.0;
+}
+
+void BaseMotion::plan()
+{
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    pursue(ramp(q.quantity), slew_rates_.*q.slew_rate);
+
+  rotation_ = rotationBy(inclination_.start);
+
+  next_change_.reset();
+  for (const auto ramp : RAMPS)
+    if (const auto remaining = (this->*ramp).remaining())
+    {
+      const double end = segment_start_ + *remaining;
+      next_change_ = std::min(next_change_.value_or(end), end);
+    }
+  if (turning())
+    next_change_ = std::min(*next_change_, segment_start_ + max_turn_ / std::abs(inclination_.rate));
+  updateBounds();
+  noteDerived();
+}
+
+void BaseMotion::beginSegment(double time)
+{
+  advanceTo(time);
+  plan();
+}
+
+void BaseMotion::rebase(double length)
+{
+  if (segment_start_ < length)
+  {
+    if (next_change_)
+      beginSegment(length);
+    else
+      turns_ = fraction(turns_ + fraction((length - segment_start_) * frequency_.start));
+    segment_start_ = length;
+  }
+  segment_start_ -= length;
+  if (next_change_)
+    next_change_ = *next_change_ - length;
+}
+
+void BaseMotion::command(Quantity quantity, double target, double time)
+{
+  advanceTo(time);
+  ramp(quantity).target = target;
+  plan();
+}
+
+void BaseMotion::setSlewRates(const SlewRates& rates, double time)
+{
+  advanceTo(time);
+  slew_rates_ = rates;
+  plan();
+}
+
+double BaseMotion::speedBound() const
+{
+  const double phase_rate = angularFrequency(std::max(frequency_.start, frequency_.target));
+  const double amplitude = std::max(amplitude_.start, amplitude_.target);
+  const Eigen::Vector2d stroke(0.0, phase_rate * amplitude + std::abs(amplitude_.rate));
+  const Eigen::Vector2d orbit =
+      orbitScale(amplitude) * phase_rate * orbit_.bound(1) + std::abs(orbitScaleRate()) * orbit_.bound(0);
+  return (stroke + orbit).norm();
+}
+
+double BaseMotion::throwHeight(double gravity) const
+{
+  const double speed =
+      drive().speed + orbitScale(amplitude_.start) * angularFrequency(frequency_.start) * orbit_.bound(1).y();
+  return gravity > 0.0 ? 0.5 * speed * speed / gravity : std::numeric_limits<double>::infinity();
+}
+
+void BaseMotion::updateBounds()
+{
+  const double length = next_change_ ? *next_change_ - segment_start_ : 0.0;
+  const double amplitude = std::max(amplitude_.start, amplitude_.at(length));
+  const double phase_rate = angularFrequency(std::max(frequency_.start, frequency_.at(length)));
+  const double phase_acceleration = RADIANS_PER_TURN * std::abs(frequency_.rate);
+  const double scale = orbitScale(amplitude);
+  const Eigen::Vector2d orbit =
+      scale * phase_rate * phase_rate * orbit_.bound(2) +
+      (2.0 * std::abs(orbitScaleRate()) * phase_rate + scale * phase_acceleration) * orbit_.bound(1);
+  const double stroke = amplitude * phase_rate * phase_rate + 2.0 * std::abs(amplitude_.rate) * phase_rate +
+                        amplitude * phase_acceleration;
+  acceleration_bound_ = Eigen::Vector2d(0.0, stroke) + orbit;
+  displacement_bound_ = Eigen::Vector2d(0.0, amplitude) + scale * orbit_.bound(0);
+}
+
+/// Over the present segment, by whatever the phase is.
+bool BaseMotion::hasStroke() const
+{
+  return amplitude_.start != 0.0 || amplitude_.rate != 0.0 || (!orbit_.empty() && !scaled_);
+}
+
+/// What follows from the rest, and is not archived. Without amplitude, or with a phase that stands still, the
+/// drive gives the same displacement over all of the segment, to the last bit.
+void BaseMotion::noteDerived()
+{
+  greatest_acceleration_ = acceleration_bound_.norm();
+  const double cosine = std::abs(rotation_.cosine);
+  const double sine = std::abs(rotation_.sine);
+  const Eigen::Vector2d& bound = displacement_bound_;
+  reach_ = {sine * bound.y() + cosine * bound.x(), cosine * bound.y() + sine * bound.x()};
+  const bool halted = frequency_.start == 0.0 && frequency_.rate == 0.0 && amplitude_.rate == 0.0;
+  oscillates_ = always_drive_ || (hasStroke() && !halted);
+  orbits_ = oscillates_ && !orbit_.empty();
+  standstill_.setZero();
+  if (oscillates_ || !hasStroke())
+    return;
+  standstill_.y() = amplitude_.start * sineCosineOfTurns(turns_).sine;
+  if (!orbit_.empty())
+    standstill_ += orbitScale(amplitude_.start) * orbit_.at(turns_).displacement;
+}
+
+DriveState driveStateAt(const BaseDefinition& base, double time)
+{
+  return BaseMotion(base).state(time);
+}
+
+}  // namespace ratchet_sieve

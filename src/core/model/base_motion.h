@@ -1,0 +1,183 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "model/base_frame.h"
+#include "model/drive.h"
+#include "model/orbit.h"
+#include "ratchet_sieve/core/commanded_quantity.h"
+#include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/observation.h"
+
+namespace ratchet_sieve
+{
+
+/// The base's motion over time: theta, f and A each stand still or follow their setpoint at a
+/// constant rate; the phase of the drive is continuous. What the drive has besides A sin(phi) goes by that
+/// phase, too, and is scaled with A: by A over that of the scene, where the scene has one. Piecewise: within
+/// a segment nothing changes its rate; nextChange() ends it. Times are local to the engine's present epoch
+/// [s].
+class BaseMotion
+{
+public:
+  /// @param max_turn the largest change of theta within one segment [rad]
+  /// @param always_drive works out the drive even where it does not move the base; see Plan
+  explicit BaseMotion(const BaseDefinition& base, double max_turn = std::numeric_limits<double>::infinity(),
+                      bool always_drive = false);
+
+  FrameOfBase at(double time) const
+  {
+    FrameOfBase frame;
+    lookAt(time, frame);
+    return frame;
+  }
+
+  /// The same, put straight where it is wanted.
+  void lookAt(double time, FrameOfBase& frame) const;
+  DriveState state(double time) const;
+
+  double segmentStart() const { return segment_start_; }
+
+  /// By theta at the segment's start: while the base does not turn, by theta as it is.
+  const Rotation& rotation() const { return rotation_; }
+
+  /// A sin(phi) at the segment's start: while nothing changes, as it goes on.
+  Drive drive() const { return driveOf(amplitude_.start, frequency_.start, segment_start_, turns_); }
+
+  /// When the present segment ends; nothing while the base stands at its setpoints.
+  std::optional<double> nextChange() const { return next_change_; }
+
+  /// Begins a new segment at `time`: at nextChange(), or earlier, with setpoints changed.
+  void beginSegment(double time);
+
+  /// Makes `length` the new time zero; whole multiples of a power of two, so that the phase stays exact.
+  void rebase(double length);
+
+  /// The motion begins at `time`, not at 0. @pre nothing was commanded
+  void startAt(double time) { segment_start_ = time; }
+
+  void command(Quantity quantity, double target, double time);
+  void setSlewRates(const SlewRates& rates, double time);
+
+  bool turning() const { return inclination_.rate != 0.0; }
+
+  /// d theta / dt over the present segment [rad/s].
+  double inclinationRate() const { return inclination_.rate; }
+
+  /// Whether the drive moves the base, over the present segment.
+  bool swings() const { return hasStroke() && (frequency_.start != 0.0 || frequency_.rate != 0.0); }
+
+  /// Phase of the drive over 2 pi, and when it has a later one, as the present segment goes on; nothing if it
+  /// never comes there. Whole turns before the segment are not counted.
+  double turnsAt(double time) const { return turns(time - segment_start_); }
+  std::optional<double> timeOfTurns(double turns) const;
+
+  /// sup |d2D/dt2| of each component over the present segment [m/s^2].
+  const Eigen::Vector2d& accelerationBound() const { return acceleration_bound_; }
+
+  /// The length of accelerationBound().
+  double greatestAcceleration() const { return greatest_acceleration_; }
+
+  /// sup |dD/dt| of the oscillation as it is and on the way to its setpoints [m/s].
+  double speedBound() const;
+
+  /// How high the drive throws a disk that leaves it at its highest speed upwards [m]; infinity without
+  /// gravity.
+  double throwHeight(double gravity) const;
+
+  /// sup |D| of each component over the present segment [m].
+  const Eigen::Vector2d& displacementBound() const { return displacement_bound_; }
+
+  /// The same along the base and normal to it, while it does not turn.
+  const Eigen::Vector2d& reach() const { return reach_; }
+
+  void archive(StateArchive& state)
+  {
+    state(inclination_, frequency_, amplitude_, slew_rates_, segment_start_, turns_, rotation_.cosine,
+          rotation_.sine, next_change_, acceleration_bound_.x(), acceleration_bound_.y(),
+          displacement_bound_.x(), displacement_bound_.y());
+    noteDerived();
+  }
+
+private:
+  /// A quantity that moves from `start` at `rate` until it reaches `target`.
+  struct Ramp
+  {
+    double start = 0.0;
+    double rate = 0.0;
+    double target = 0.0;
+
+    double at(double elapsed) const { return start + rate * elapsed; }
+    std::optional<double> remaining() const;
+    void advance(double elapsed);
+    void archive(StateArchive& state) { state(start, rate, target); }
+  };
+
+  Ramp& ramp(Quantity quantity) { return this->*RAMPS[indexOf(quantity)]; }
+  const Ramp& ramp(Quantity quantity) const { return this->*RAMPS[indexOf(quantity)]; }
+  double turns(double elapsed) const;
+  void advanceTo(double time);  ///< moves the segment's start to `time`, on the rates so far
+  void pursue(Ramp& ramp, double slew_rate) const;
+  void plan();  ///< sets the rates from the setpoints, and when they end
+  void updateBounds();
+  void noteDerived();
+  bool hasStroke() const;
+  void followOrbit(double elapsed, FrameOfBase& frame) const;
+
+  /// By what the orbit is scaled where A is this.
+  double orbitScale(double amplitude) const { return scaled_ ? amplitude / scene_amplitude_ : 1.0; }
+  double orbitScaleRate() const { return scaled_ ? amplitude_.rate / scene_amplitude_ : 0.0; }
+
+  Ramp inclination_;
+  Ramp frequency_;
+  Ramp amplitude_;
+  /// In the order of Quantity.
+  static constexpr std::array<Ramp BaseMotion::*, QUANTITIES> RAMPS = {
+      &BaseMotion::inclination_, &BaseMotion::frequency_, &BaseMotion::amplitude_};
+  SlewRates slew_rates_;
+  Orbit orbit_;
+  double scene_amplitude_;  ///< A of the scene [m]
+  bool scaled_;             ///< whether that is one to scale the orbit by
+  double max_turn_;
+  bool always_drive_;
+  double segment_start_ = 0.0;
+  double turns_ = 0.0;  ///< phase of the drive at segment_start_ over 2 pi, in [0, 1)
+  Rotation rotation_{1.0, 0.0};
+  std::optional<double> next_change_;
+  Eigen::Vector2d acceleration_bound_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d displacement_bound_ = Eigen::Vector2d::Zero();
+  double greatest_acceleration_ = 0.0;
+  Eigen::Vector2d reach_ = Eigen::Vector2d::Zero();
+  bool oscillates_ = true;                                ///< over the present segment
+  bool orbits_ = false;                                   ///< oscillates by more than A sin(phi)
+  Eigen::Vector2d standstill_ = Eigen::Vector2d::Zero();  ///< D where the base does not oscillate [m]
+};
+
+/// The base at the instant that was last asked for: what happens at one time asks several times.
+class BaseInstant
+{
+public:
+  explicit BaseInstant(const BaseMotion& motion) : motion_(motion) {}
+
+  const FrameOfBase& at(double time)
+  {
+    if (!(time == time_))
+    {
+      time_ = time;
+      motion_.lookAt(time, frame_);
+    }
+    return frame_;
+  }
+
+  /// The motion, or the zero of time, has changed.
+  void forget() { time_ = std::numeric_limits<double>::quiet_NaN(); }
+
+private:
+  const BaseMotion& motion_;
+  double time_ = std::numeric_limits<double>::quiet_NaN();
+  FrameOfBase frame_;
+};
+
+}  // namespace ratchet_sieve

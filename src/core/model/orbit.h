@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "ratchet_sieve/core/definition.h"
+
+namespace ratchet_sieve
+{
+
+/// What the drive moves the base by besides A sin(phi) upwards: the horizontal part and the harmonics,
+/// D(phi) = sum over k of (A_x,k sin(k phi + phi_x,k), A_k sin(k phi + phi_k)), k = 1 being the horizontal
+/// part alone. World frame. Empty for the paper's machine, which asks for none of this.
+class Orbit
+{
+public:
+  explicit Orbit(const BaseDefinition& base);
+
+  bool empty() const { return terms_.empty(); }
+
+  /// The largest k; 1 where there are none.
+  int highestMultiple() const;
+
+  /// Where a phase takes the base, and by how much it goes on with the phase.
+  struct Point
+  {
+    Eigen::Vector2d displacement;  ///< D [m]
+    Eigen::Vector2d slope;         ///< dD/dphi [m]
+  };
+
+  /// @param turns phi over 2 pi
+  Point at(double turns) const;
+
+  /// sup |d^i D / dphi^i| of each component, i = `derivative` [m]
+  Eigen::Vector2d bound(int derivative) const;
+
+private:
+  struct Term
+  {
+    int multiple;                ///< k
+    Eigen::Vector2d amplitudes;  ///< (A_x,k, A_k) [m]
+    Eigen::Vector2d turns;       ///< (phi_x,k, phi_k) over 2 pi
+  };
+
+  void add(const Term& term);
+
+  std::vector<Term> terms_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,91 @@
+#include "ratchet_sieve/core/plan.h"
+
+#include <algorithm>
+
+#include "model/orbit.h"
+#include "ratchet_sieve/core/drive_of_scene.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// With beta = -1 all of the tangential velocity is kept, whatever the friction: the disk is smooth.
+bool turnsDisks(const ContactCoefficients& contact)
+{
+  return contact.friction > 0.0 && contact.tangential_restitution > -1.0;
+}
+
+/// Of all species, for disks of one with none at the start may be poured on.
+bool hasFriction(const SceneDefinition& scene)
+{
+  for (std::size_t i = 0; i < scene.species.size(); ++i)
+  {
+    if (turnsDisks(scene.species[i].contact))
+      return true;
+    for (std::size_t j = 0; scene.contact.pair_collisions && j < i; ++j)
+      if (turnsDisks(contactBetween(scene, i, j)))
+        return true;
+  }
+  return false;
+}
+
+bool startsWithSpin(const SceneDefinition& scene)
+{
+  return std::any_of(scene.initial.begin(), scene.initial.end(),
+                     [](const InitialDisk& disk) { return disk.spin != 0.0; });
+}
+
+/// Whether what is asked for is in there.
+bool includes(bool there, bool asked)
+{
+  return there || !asked;
+}
+}  // namespace
+
+Plan planOf(const SceneDefinition& scene)
+{
+  Plan plan;
+  // Not how many disks there are: another may be poured on at any time.
+  plan.pairs = scene.contact.pair_collisions;
+  plan.spin = hasFriction(scene) || startsWithSpin(scene);
+  plan.drive = hasStroke(scene.base) && scene.base.frequency > 0.0;
+  plan.orbit = !Orbit(scene.base).empty();
+  plan.contact_times = scene.contact.contact_duration > 0.0;
+  plan.search_above_band = false;
+  plan.lanes = !plan.pairs && scene.boundary == Boundary::PERIODIC && !plan.contact_times && !plan.orbit;
+  return plan;
+}
+
+Plan fullPlan(const SceneDefinition& scene)
+{
+  Plan plan;
+  plan.pairs = scene.contact.pair_collisions;
+  plan.orbit = planOf(scene).orbit;
+  plan.lanes = planOf(scene).lanes;
+  return plan;
+}
+
+bool covers(const Plan& plan, const SceneDefinition& scene)
+{
+  const Plan needed = planOf(scene);
+  return plan.pairs == needed.pairs && plan.orbit == needed.orbit && includes(plan.spin, needed.spin) &&
+         includes(plan.drive, needed.drive) && includes(plan.contact_times, needed.contact_times) &&
+         includes(needed.lanes, plan.lanes);
+}
+
+std::string planText(const Plan& plan)
+{
+  std::string line = plan.pairs ? "pairs" : "no pairs (disks do not see each other)";
+  line += plan.spin ? ", spin" : ", no spin (no friction turns a disk)";
+  line += plan.drive ? ", drive" : ", no drive (the base stands still)";
+  if (plan.orbit)
+    line += " with a horizontal part or harmonics";
+  line += plan.contact_times ? ", contact times" : ", no contact times (contact_duration is 0)";
+  line += plan.search_above_band ? ", base search everywhere" : ", no base search above the base's reach";
+  line += plan.lanes ? ", lanes"
+                     : ", no lanes (for single disks without contact times on a periodic base that is driven "
+                       "up and down by a sine)";
+  return line;
+}
+
+}  // namespace ratchet_sieve

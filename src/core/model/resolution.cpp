@@ -1,0 +1,143 @@
+#include "ratchet_sieve/core/resolution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "model/orbit.h"
+#include "ratchet_sieve/core/drive_of_scene.h"
+#include "ratchet_sieve/core/walls.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// An epoch is at least this many of the machine's time scales long: rare enough to cost nothing,
+/// short enough that times within it are exact to 2^-48 of one.
+constexpr double SCALES_PER_EPOCH = 8.0;
+
+/// In units of a double's resolution at an epoch's end.
+constexpr double RESOLUTION_STEPS = 4.0;
+
+/// Of a disk's radius; the aim of the whole engine.
+constexpr double LARGEST_OVERLAP = 1e-9;
+
+/// Of that overlap, what the way of the base within a step in time may come to: the rest is left to the
+/// rounding of its phase and of places.
+constexpr double BASE_SHARE = 0.5;
+
+/// A gap is worked out of places in a few steps, each of which rounds: so many resolutions of the largest.
+constexpr double ROUNDINGS_PER_GAP = 4.0;
+
+/// Keeps the smallest radius that the scene allows, and why.
+class Finest
+{
+public:
+  void length(double length, const char* what)
+  {
+    const double step = ROUNDINGS_PER_GAP * std::numeric_limits<double>::epsilon() * length;
+    take(step, what, length, "m");
+  }
+
+  void speed(double speed, double time_resolution, const char* what)
+  {
+    take(speed * time_resolution, what, speed, "m/s");
+  }
+
+  FinestDisk result() const { return finest_; }
+
+private:
+  void take(double step, const char* what, double value, const char* unit)
+  {
+    const double radius = step / LARGEST_OVERLAP;
+    if (!(radius > finest_.radius))
+      return;
+    std::ostringstream reason;
+    reason << what << ' ' << value << ' ' << unit;
+    finest_ = {radius, reason.str()};
+  }
+
+  FinestDisk finest_;
+};
+
+double speedOf(const InitialDisk& disk)
+{
+  return std::sqrt(disk.vx * disk.vx + disk.vy * disk.vy);
+}
+
+/// The fastest that the scene itself makes a disk [m/s].
+double startSpeed(const SceneDefinition& scene)
+{
+  double speed = std::max(scene.pour.speed, scene.contact.min_rebound_speed);
+  for (const InitialDisk& disk : scene.initial)
+    speed = std::max(speed, speedOf(disk));
+  return speed;
+}
+}  // namespace
+
+double timeScale(const SceneDefinition& scene)
+{
+  const BaseDefinition& base = scene.base;
+  double scale = std::numeric_limits<double>::infinity();
+  // A frequency without an amplitude moves nothing.
+  if (base.frequency > 0.0 && hasStroke(base))
+    scale = 1.0 / (base.frequency * Orbit(base).highestMultiple());
+  if (scene.gravity > 0.0)
+    scale = std::min(scale, std::sqrt(base.tooth_width / scene.gravity));
+  if (const double speed = startSpeed(scene); speed > 0.0)
+    scale = std::min(scale, base.tooth_width / speed);
+  return std::isfinite(scale) ? scale : 1.0;
+}
+
+double epochLength(double time_scale)
+{
+  return std::exp2(std::ceil(std::log2(SCALES_PER_EPOCH * time_scale)));
+}
+
+double farthestPlace(double radius)
+{
+  return LARGEST_OVERLAP * radius / (ROUNDINGS_PER_GAP * std::numeric_limits<double>::epsilon());
+}
+
+double longestEpoch(double speed, double radius)
+{
+  const double step = BASE_SHARE * LARGEST_OVERLAP * radius / speed;
+  return std::exp2(std::floor(std::log2(step / timeResolution(1.0))));
+}
+
+double timeResolution(double epoch_length)
+{
+  return RESOLUTION_STEPS * std::numeric_limits<double>::epsilon() * epoch_length;
+}
+
+FinestDisk finestDisk(const SceneDefinition& scene)
+{
+  const double resolution = timeResolution(epochLength(timeScale(scene)));
+  const auto after_fall = [&](double speed, double height)
+  { return std::sqrt(speed * speed + 2.0 * scene.gravity * std::max(0.0, height)); };
+
+  Finest finest;
+  finest.length(scene.base.width(), "the base's width is");
+  finest.length(scene.base.tooth_height, "base.tooth_height is");
+  if (scene.boundary == Boundary::WALLED)
+    finest.length(wallHeight(scene), "base.wall_height is");
+  const DriveBounds drive = driveBounds(scene.base);
+  finest.length(drive.displacement,
+                Orbit(scene.base).empty() ? "base.amplitude is" : "the drive's displacement is");
+  finest.speed(drive.speed, resolution, "the drive's speed is");
+  if (scene.initial.empty() || scene.feed.rate > 0.0)
+  {
+    finest.length(scene.pour.drop_height, "pour.drop_height is");
+    finest.speed(after_fall(scene.pour.speed, scene.pour.drop_height), resolution,
+                 "the poured disks come at");
+  }
+  for (const InitialDisk& disk : scene.initial)
+  {
+    finest.length(std::max(std::abs(disk.x), std::abs(disk.y)), "a disk of initial is placed at");
+    finest.speed(after_fall(speedOf(disk), disk.y), resolution, "a disk of initial comes at");
+  }
+  return finest.result();
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "ratchet_sieve/core/numbers.h"
+
+/// Between the axes of the world (x, y) and those of the inclined base (s along it, n normal to it): the one
+/// place where components are turned, for one disk and for the lanes. Component by component and without
+/// Eigen, whose functions the lanes must not take in: see numbers.h.
+namespace ratchet_sieve
+{
+
+/// By the base's inclination theta, counter-clockwise.
+struct Rotation
+{
+  double cosine;
+  double sine;
+};
+
+/// Of a vector, along the first and the second axis.
+template <typename Number>
+struct Components
+{
+  Number first;
+  Number second;
+};
+
+/// (x, y) -> (s, n)
+template <typename Number>
+RATCHET_SIEVE_INLINE Components<Number> intoBase(const Rotation& base, Number x, Number y)
+{
+  return {base.cosine * x + base.sine * y, base.cosine * y - base.sine * x};
+}
+
+/// (0, y) -> (s, n)
+template <typename Number>
+RATCHET_SIEVE_INLINE Components<Number> verticalIntoBase(const Rotation& base, Number y)
+{
+  return {base.sine * y, base.cosine * y};
+}
+
+/// (s, n) -> (x, y)
+template <typename Number>
+RATCHET_SIEVE_INLINE Components<Number> outOfBase(const Rotation& base, Number s, Number n)
+{
+  return {base.cosine * s - base.sine * n, base.sine * s + base.cosine * n};
+}
+
+/// (s, 0) -> (x, y)
+template <typename Number>
+RATCHET_SIEVE_INLINE Components<Number> alongBase(const Rotation& base, Number s)
+{
+  return {base.cosine * s, base.sine * s};
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Core>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace ratchet_sieve
+{
+
+/// Two doubles side by side in one register, as every 64-bit processor has them. Each is worked on as a
+/// double alone would be, to the last bit.
+using Two = double __attribute__((vector_size(16)));
+
+inline Eigen::Vector2d vectorOf(Two x)
+{
+  return {x[0], x[1]};
+}
+
+/// Of what is not negative the square roots, of what is 0.
+inline Two rootOrZero(Two x)
+{
+#if defined(__SSE2__)
+  return _mm_sqrt_pd(_mm_max_pd(x, Two{}));
+#else
+  return Two{std::sqrt(x[0] > 0.0 ? x[0] : 0.0), std::sqrt(x[1] > 0.0 ? x[1] : 0.0)};
+#endif
+}
+
+/// Bit 0 and bit 1: which are less than `limit`.
+inline unsigned whichBelow(Two x, double limit)
+{
+#if defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_pd(_mm_cmplt_pd(x, Two{limit, limit})));
+#else
+  return (x[0] < limit ? 1U : 0U) | (x[1] < limit ? 2U : 0U);
+#endif
+}
+
+/// Bit 0 and bit 1: which are no greater than `limit`.
+inline unsigned whichUpTo(Two x, double limit)
+{
+#if defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_pd(_mm_cmple_pd(x, Two{limit, limit})));
+#else
+  return (x[0] <= limit ? 1U : 0U) | (x[1] <= limit ? 2U : 0U);
+#endif
+}
+
+/// Bit 0 to bit 15: which of sixteen side by side are no greater than `limit`. @pre aligned as Two
+inline unsigned whichUpTo(const double* sixteen, double limit)
+{
+#if defined(__SSE2__)
+  // Each comparison's bits are all set or none, so that narrowing keeps them.
+  const __m128d limits = _mm_set1_pd(limit);
+  const auto two = [&](int i) { return _mm_castpd_si128(_mm_cmple_pd(_mm_load_pd(sixteen + i), limits)); };
+  const auto four = [&](int i) { return _mm_packs_epi32(two(i), two(i + 2)); };
+  const auto eight = [&](int i) { return _mm_packs_epi16(four(i), four(i + 4)); };
+  return static_cast<unsigned>(_mm_movemask_epi8(_mm_packs_epi16(eight(0), eight(8))));
+#else
+  unsigned found = 0;
+  for (unsigned i = 0; i < 16; ++i)
+    found |= (sixteen[i] <= limit ? 1U : 0U) << i;
+  return found;
+#endif
+}
+
+}  // namespace ratchet_sieve

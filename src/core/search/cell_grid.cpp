@@ -1,0 +1,110 @@
+#include "search/cell_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// More cells than this per disk would be empty: memory and crossings for nothing.
+constexpr double MAX_CELLS_PER_DISK = 1.5;
+constexpr double MIN_CELLS = 64.0;
+}  // namespace
+
+CellShape::CellShape(double width, double height, double smallest_side, std::size_t count)
+{
+  const double limit = std::max(MIN_CELLS, MAX_CELLS_PER_DISK * static_cast<double>(count));
+  const double side = std::max(smallest_side, std::sqrt(width * height / limit));
+  columns = static_cast<std::int32_t>(std::clamp(std::floor(width / side), 1.0, limit));
+  rows = static_cast<std::int32_t>(std::clamp(std::floor(height / side), 1.0, limit));
+  side_s = width / columns;
+  side_n = side;
+}
+
+CellGrid::CellGrid(double width, double height, double smallest_side, std::size_t count, bool periodic,
+                   std::int32_t laps)
+    : CellGrid(CellShape(width, height, smallest_side, count), count, periodic, laps)
+{
+}
+
+CellGrid::CellGrid(const CellShape& shape, std::size_t count, bool periodic, std::int32_t laps)
+    : periodic_(periodic),
+      laps_(periodic && shape.columns == 1 ? laps : 0),
+      columns_(shape.columns),
+      rows_(shape.rows),
+      side_s_(shape.side_s),
+      side_n_(shape.side_n)
+{
+  blocks_.resize(static_cast<std::size_t>(columns_) * rows_);
+  resize(count);
+}
+
+void CellGrid::resize(std::size_t count)
+{
+  cells_.resize(count);
+}
+
+void CellGrid::add(std::uint32_t id, Cell cell)
+{
+  cells_[id] = cell;
+  const std::size_t at = index(cell);
+  if (blocks_[at].count == Block::CAPACITY)
+    pushFullBlock(at);
+  Block& block = blocks_[at];
+  block.ids[block.count++] = id;
+}
+
+void CellGrid::remove(std::uint32_t id)
+{
+  const std::size_t at = index(cells_[id]);
+  if (blocks_[at].count == 0)
+    popFullBlock(at);
+  Block& first = blocks_[at];
+  const std::uint32_t last = first.ids[--first.count];
+  if (last == id)
+    return;
+  // The last disk takes the removed one's entry, so that all blocks but the first stay full.
+  for (Block* block = &first;; block = &full_[block->next])
+  {
+    const auto end = block->ids.begin() + block->count;
+    const auto hole = std::find(block->ids.begin(), end, id);
+    if (hole == end)
+      continue;
+    *hole = last;
+    return;
+  }
+}
+
+/// Moves the cell's full block to the overflow list.
+void CellGrid::pushFullBlock(std::size_t cell)
+{
+  std::size_t entry = full_.size();
+  if (free_.empty())
+    full_.emplace_back();
+  else
+  {
+    entry = free_.back();
+    free_.pop_back();
+  }
+  full_[entry] = blocks_[cell];
+  blocks_[cell] = Block();
+  blocks_[cell].next = static_cast<std::uint32_t>(entry);
+}
+
+/// An empty cell takes its last full block back from the overflow list.
+void CellGrid::popFullBlock(std::size_t cell)
+{
+  const std::uint32_t entry = blocks_[cell].next;
+  blocks_[cell] = full_[entry];
+  free_.push_back(entry);
+}
+
+CellGrid::Cell CellGrid::cellAt(double s, double n) const
+{
+  const auto clamped = [](double position, std::int32_t count)
+  { return static_cast<std::int32_t>(std::clamp(std::floor(position), 0.0, count - 1.0)); };
+  return {clamped(s / side_s_, columns_), clamped(n / side_n_, rows_)};
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,174 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "model/prefetch.h"
+#include "ratchet_sieve/core/state_archive.h"
+
+namespace ratchet_sieve
+{
+
+/// How many cells there are and how large, in a machine `width` [m] wide.
+struct CellShape
+{
+  /// @param height that the rows cover [m]
+  /// @param smallest_side of a cell: at least the largest diameter, with a margin [m]
+  /// @param count of disks, to keep the number of cells in proportion
+  CellShape(double width, double height, double smallest_side, std::size_t count);
+
+  std::int32_t columns = 1;
+  std::int32_t rows = 1;
+  double side_s = 0.0;  ///< [m]
+  double side_n = 0.0;  ///< [m]
+};
+
+/// Cells at least a largest diameter wide, so that disks in cells that do not touch cannot touch
+/// either. Columns along s, rows along n, in a frame that stands still. The outermost cells extend
+/// to infinity, but for the columns of a periodic grid, which form a ring. A ring of one column may reach
+/// beyond its ends by whole laps: its disks need not be wrapped so often, and meet any image of each other.
+class CellGrid
+{
+public:
+  struct Cell
+  {
+    std::int32_t column = 0;
+    std::int32_t row = 0;
+
+    void archive(StateArchive& state) { state(column, row); }
+  };
+
+  /// Parameters as of CellShape.
+  /// @param laps by which a ring of one column reaches beyond either end; more columns have none
+  CellGrid(double width, double height, double smallest_side, std::size_t count, bool periodic,
+           std::int32_t laps = 0);
+
+  void add(std::uint32_t id, Cell cell);
+  void remove(std::uint32_t id);
+  void resize(std::size_t count);
+
+  Cell cellAt(double s, double n) const;
+  Cell cellOf(std::uint32_t id) const { return cells_[id]; }
+
+  bool periodic() const { return periodic_; }
+  std::int32_t columns() const { return columns_; }
+  std::int32_t rows() const { return rows_; }
+  std::int32_t laps() const { return laps_; }
+  double columnStart(std::int32_t column) const { return column * side_s_; }
+
+  /// Where a disk leaves a column, to the left and to the right.
+  double leftEdge(std::int32_t column) const { return columnStart(column) - laps_ * side_s_; }
+  double rightEdge(std::int32_t column) const { return columnStart(column + 1) + laps_ * side_s_; }
+  double rowStart(std::int32_t row) const { return row * side_n_; }
+
+  /// Which cells around one: from (column + first_column, row + first_row) to (column + last_column,
+  /// row + last_row), each offset in [-1, 1].
+  struct Surroundings
+  {
+    int first_column = -1;
+    int last_column = 1;
+    int first_row = -1;
+    int last_row = 1;
+  };
+
+  /// Collects the disks in the cells around `cell` and calls visit(ids, count, shift) for as many lists of
+  /// them as there are shifts: how many widths the disk's image lies to the right of the disk. On a ring with
+  /// laps() it is one list, for any shift up to 2 laps() + 2 to either side.
+  /// @param list holds them meanwhile, and grows as needed
+  template <typename Visit>
+  void visit(Cell cell, const Surroundings& around, std::vector<std::uint32_t>& list, Visit&& visit) const
+  {
+    const int first_row = std::max(cell.row + around.first_row, 0);
+    const int last_row = std::min(cell.row + around.last_row, rows_ - 1);
+    const int first_column = cell.column + around.first_column;
+    const int last_column = cell.column + around.last_column;
+    const auto visit_columns = [&](int first, int last, int shift)
+    {
+      std::size_t count = 0;
+      for (int row = first_row; row <= last_row; ++row)
+        for (int column = first; column <= last; ++column)
+          count = collect(index({column, row}), list, count);
+      visit(list.data(), count, shift);
+    };
+    visit_columns(std::max(first_column, 0), std::min(last_column, columns_ - 1), 0);
+    if (!periodic_ || laps_ > 0)
+      return;
+    if (first_column < 0)
+      visit_columns(columns_ - 1, columns_ - 1, -1);
+    if (last_column >= columns_)
+      visit_columns(0, 0, 1);
+  }
+
+  /// Prefetches what cellOf() reads.
+  void prefetchCellOf(std::uint32_t id) const { prefetch(cells_[id]); }
+
+  /// Prefetches what visit() reads of the cells around one, but for those beyond the seam.
+  void prefetchAround(Cell cell) const
+  {
+    for (int row = std::max(cell.row - 1, 0); row <= std::min(cell.row + 1, rows_ - 1); ++row)
+      for (int column = std::max(cell.column - 1, 0); column <= std::min(cell.column + 1, columns_ - 1);
+           ++column)
+        prefetch(blocks_[index({column, row})]);
+  }
+
+  void archive(StateArchive& state)
+  {
+    state(periodic_, laps_, columns_, rows_, side_s_, side_n_, blocks_, full_, free_, cells_);
+  }
+
+private:
+  CellGrid(const CellShape& shape, std::size_t count, bool periodic, std::int32_t laps);
+
+  static constexpr std::uint32_t NONE = 0xffffffff;
+
+  /// The disks of one cell, contiguous, so that a search reads them without a chain of loads. A cell whose
+  /// block is full moves it to the overflow list and starts an empty one.
+  struct Block
+  {
+    static constexpr std::size_t CAPACITY = 6;
+    std::array<std::uint32_t, CAPACITY> ids{};
+    std::uint32_t count = 0;
+    std::uint32_t next = NONE;  ///< the last full block in the overflow list
+
+    void archive(StateArchive& state) { state(ids, count, next); }
+  };
+
+  std::size_t index(Cell cell) const { return static_cast<std::size_t>(cell.row) * columns_ + cell.column; }
+
+  /// Appends the disks of a cell to the first `count` of the list. @return the new count
+  std::size_t collect(std::size_t cell, std::vector<std::uint32_t>& list, std::size_t count) const
+  {
+    const Block* block = &blocks_[cell];
+    while (true)
+    {
+      if (list.size() < count + Block::CAPACITY)
+        list.resize(2 * (count + Block::CAPACITY));
+      // The whole block whatever its count: this needs no branch.
+      std::memcpy(list.data() + count, block->ids.data(), sizeof block->ids);
+      count += block->count;
+      if (block->next == NONE)
+        return count;
+      block = &full_[block->next];
+    }
+  }
+
+  void pushFullBlock(std::size_t cell);
+  void popFullBlock(std::size_t cell);
+
+  bool periodic_;
+  std::int32_t laps_;
+  std::int32_t columns_;
+  std::int32_t rows_;
+  double side_s_;
+  double side_n_;
+  std::vector<Block> blocks_;        ///< per cell
+  std::vector<Block> full_;          ///< overflow: full blocks of cells
+  std::vector<std::uint32_t> free_;  ///< unused entries of full_
+  std::vector<Cell> cells_;          ///< per disk
+};
+
+}  // namespace ratchet_sieve

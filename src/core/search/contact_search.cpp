@@ -1,0 +1,261 @@
+#include "search/contact_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "search/contact_step.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// A search that took as many steps hands back how far it came, so that one flight cannot hold the
+/// rest up. Quadratic convergence needs about six; only grazing flights need more.
+constexpr int MAX_STEPS = 64;
+
+/// Newton's method takes three or four steps, and one more where it starts badly.
+constexpr int MAX_POLISHING = 12;
+
+/// While the base turns, a step spans no more than this angle [rad]: it keeps the bound on the
+/// relative acceleration tight.
+constexpr double MAX_TURN_PER_STEP = 0.05;
+
+/// A step looks no further than this many teeth, lest a fast disk over fine teeth looks at them all.
+constexpr double MAX_TEETH_PER_STEP = 16.0;
+}  // namespace
+
+BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, double until,
+                              BaseInstant& base) const
+{
+  if (staysAbove(disk, radius, from, until))
+    return {until, {}};
+  const Direction forced = forcedDirection();
+  double time = nearTime(disk, radius, from);
+  for (int i = 0; i < MAX_STEPS; ++i)
+  {
+    if (time >= until)
+      return {time, {}};
+    const BasePoint point = seenFromBase(disk, i == 0 ? base.at(time) : motion_.at(time), time);
+    const double span = std::min(until - time, longestSpan());
+    const double acceleration = relativeAccelerationBound(point, span);
+    Step step(point, radius, acceleration, forced, span, time_resolution_);
+    step.noFurtherThan(MAX_TEETH_PER_STEP * sawtooth_.toothWidth() + radius);
+    if (sawtooth_.boundary() != Boundary::PERIODIC)
+      lookAtEnds(step);
+    if (!step.staysOver(sawtooth_.height()))
+      lookAtTeeth(step);
+    if (step.contact())
+      return {time, step.contact()};
+    if (const SureContact* sure = step.sureContact())
+      if (const auto contact = polish(disk, radius, *sure, time))
+        return {*contact, sure->feature};
+    time += step.freeTime();
+    if (point.n() > sawtooth_.height() + radius)
+      time = nearTime(disk, radius, time);
+  }
+  return {time, {}};
+}
+
+/// Newton's method on the gap to the one feature that is to be met: it falls all the way, so that there is
+/// one root between the bounds. Nothing if that does not come to an end.
+std::optional<double> ContactSearch::polish(const Disk& disk, double radius, const SureContact& sure,
+                                            double time) const
+{
+  const double earliest = time + sure.earliest;
+  const double latest = time + sure.latest;
+  double at = std::clamp(time - sure.gap / sure.rate, earliest, latest);
+  for (int i = 0; i < MAX_POLISHING; ++i)
+  {
+    const Approach now = sawtooth_.approach(sure.feature, seenFromBase(disk, motion_.at(at), at), radius);
+    if (!(now.rate < 0.0))
+      return std::nullopt;
+    const double step = -now.gap / now.rate;
+    at = std::clamp(at + step, earliest, latest);
+    // The next step would be no longer than K step^2 / (2 |rate|).
+    if (0.5 * sure.acceleration * step * step <= -now.rate * time_resolution_)
+      return at;
+  }
+  return std::nullopt;
+}
+
+/// Whether the disk is out of the base's reach, wherever that is in its oscillation, at both ends of a time:
+/// then it is in between, for it falls towards the base: not where that hangs upside down. A comparison,
+/// where nearTime() takes a root. May say no where it is.
+bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, double until) const
+{
+  if (search_above_band_ || motion_.turning() || motion_.rotation().cosine <= 0.0 ||
+      sawtooth_.boundary() != Boundary::PERIODIC)
+    return false;
+  const Rotation& rotation = motion_.rotation();
+  const double top = sawtooth_.height() + radius + motion_.reach().y();
+  const auto above = [&](double time)
+  {
+    const Two place = courseAt(disk, time, gravity_).place;
+    return intoBase(rotation, place[0], place[1]).second > top;
+  };
+  return above(until) && above(from);
+}
+
+/// The first time from `from` on at which the base, wherever it is in its oscillation, could reach
+/// the disk: closed form, as long as the base does not turn.
+double ContactSearch::nearTime(const Disk& disk, double radius, double from) const
+{
+  if (search_above_band_ || motion_.turning())
+    return from;
+  FrameOfBase mount;
+  mount.rotation = motion_.rotation();
+  const BasePoint p = seenFromBase(disk, mount, from);
+  const Eigen::Vector2d& reach = motion_.reach();
+  const auto fall = verticalIntoBase(mount.rotation, -gravity_);
+
+  double wait = INFINITE_TIME;
+  const auto approach = [&wait](double gap, double rate, double accel)
+  {
+    if (gap <= 0.0)
+      wait = 0.0;
+    else if (const auto time = firstClosingTime(gap, rate, accel))
+      wait = std::min(wait, *time);
+  };
+  approach(p.n() - sawtooth_.height() - radius - reach.y(), p.velocity.y(), fall.second);
+  if (sawtooth_.boundary() != Boundary::PERIODIC)
+  {
+    const double margin = reach.x() + (sawtooth_.boundary() == Boundary::WALLED ? radius : 0.0);
+    approach(p.s() - margin, p.velocity.x(), fall.first);
+    approach(sawtooth_.width() - margin - p.s(), -p.velocity.x(), -fall.first);
+  }
+  return from + wait;
+}
+
+double ContactSearch::longestSpan() const
+{
+  return motion_.turning() ? MAX_TURN_PER_STEP / std::abs(motion_.inclinationRate()) : INFINITE_TIME;
+}
+
+/// sup |d2/dt2| of the disk's place in the base's frame over the next `span`: gravity, the drive,
+/// and while the base turns at rate w the Coriolis and centrifugal terms, with speed and distance
+/// bounded over the span by themselves: K = a + 2 w (v + K T) + w^2 (q + v T + K T^2), solved for K.
+double ContactSearch::relativeAccelerationBound(const BasePoint& point, double span) const
+{
+  const double plain = gravity_ + motion_.greatestAcceleration();
+  double bound = plain;
+  if (motion_.turning())
+  {
+    const double w = std::abs(motion_.inclinationRate());
+    const double distance = point.place.norm();
+    const double turn = w * span;
+    bound = (plain + 2.0 * w * speedBound(point) + w * w * (distance + speedBound(point) * span)) /
+            (1.0 - 2.0 * turn - turn * turn);
+  }
+  return bound;
+}
+
+/// Gravity is vertical in the world, and so is the drive of the paper's machine. What else there is has its
+/// share of relativeAccelerationBound().
+ContactSearch::Direction ContactSearch::forcedDirection() const
+{
+  if (motion_.turning())
+    return {};
+  const auto vertical = verticalIntoBase(motion_.rotation(), 1.0);
+  Direction forced;
+  forced.any = false;
+  forced.upright = {vertical.first, vertical.second};
+  const Eigen::Vector2d& drive = motion_.accelerationBound();
+  if (drive.x() > 0.0)
+  {
+    const double all = gravity_ + motion_.greatestAcceleration();
+    const auto horizontal = intoBase(motion_.rotation(), 1.0, 0.0);
+    forced.oblique = true;
+    forced.upright *= (gravity_ + drive.y()) / all;
+    forced.sideways = Eigen::Vector2d(horizontal.first, horizontal.second) * (drive.x() / all);
+  }
+  return forced;
+}
+
+/// The walls, if there are any. Open ends, and what is above the walls: the lines that a disk leaves by, and
+/// the corners that it may touch on its way.
+void ContactSearch::lookAtEnds(Step& step) const
+{
+  const auto meet = [&](BaseFeatureKind kind, const Step::Gap& window)
+  {
+    const BaseFeature feature{kind, 0};
+    const Approach a = sawtooth_.approach(feature, step.point, step.radius);
+    step.meetLine(feature, a.gap, a.rate, a.normal, [&] { return window; });
+  };
+  const auto meet_corner = [&](std::int32_t tooth)
+  {
+    const BaseFeature feature{BaseFeatureKind::END_CORNER, tooth};
+    step.meetPoint(feature, sawtooth_.approach(feature, step.point, step.radius));
+  };
+  if (sawtooth_.boundary() == Boundary::WALLED)
+  {
+    const double top = sawtooth_.wallHeight();
+    const bool below = step.staysBelow(top);
+    const Step::Gap window = below ? Step::ALWAYS : Step::Gap{step.point.n() - top, step.point.velocity.y()};
+    meet(BaseFeatureKind::LEFT_WALL, window);
+    meet(BaseFeatureKind::RIGHT_WALL, window);
+    if (below)
+      return;
+  }
+  meet(BaseFeatureKind::LEFT_END, Step::ALWAYS);
+  meet(BaseFeatureKind::RIGHT_END, Step::ALWAYS);
+  meet_corner(0);
+  meet_corner(sawtooth_.teeth());
+}
+
+/// From the tooth below outwards, as far as the shortest guarantee so far reaches.
+void ContactSearch::lookAtTeeth(Step& step) const
+{
+  const std::int32_t here = sawtooth_.toothAt(step.point.s());
+  lookAtTooth(here, step);
+  const double above = std::max(0.0, step.point.n() - sawtooth_.height());
+  const auto reachable = [&](double distance)
+  {
+    const double beside = std::max(0.0, distance);
+    return step.canReach(beside * beside + above * above);
+  };
+  for (std::int32_t tooth = here - 1;
+       sawtooth_.hasTooth(tooth) && reachable(step.point.s() - sawtooth_.toothStart(tooth + 1)); --tooth)
+    lookAtTooth(tooth, step);
+  for (std::int32_t tooth = here + 1;
+       sawtooth_.hasTooth(tooth) && reachable(sawtooth_.toothStart(tooth) - step.point.s()); ++tooth)
+    lookAtTooth(tooth, step);
+}
+
+void ContactSearch::lookAtTooth(std::int32_t tooth, Step& step) const
+{
+  const BasePoint& p = step.point;
+  const double s = p.s() - sawtooth_.toothStart(tooth);
+  // As a call it costs 1.5 % of a run.
+  const auto meet_slope = [&](const Sawtooth::Slope& slope, BaseFeatureKind kind)
+      __attribute__((always_inline))
+  {
+    if (!slope.present)
+      return;
+    const Eigen::Vector2d from_foot(s - slope.foot_s, p.n());
+    const double distance = from_foot.dot(slope.normal);
+    const double rate = p.velocity.dot(slope.normal);
+    // The slope can be met only from in front and between its ends.
+    const auto window = [&]
+    {
+      const double along = from_foot.dot(slope.along);
+      const double along_rate = p.velocity.dot(slope.along);
+      const double slack = sawtooth_.windowSlack();
+      Step::Gap latest{-distance - slack, -rate};
+      if (-along - slack > latest.size)
+        latest = {-along - slack, -along_rate};
+      if (along - slope.length - slack > latest.size)
+        latest = {along - slope.length - slack, along_rate};
+      return latest;
+    };
+    step.meetLine({kind, tooth}, distance - step.radius, rate, slope.normal, window);
+  };
+  meet_slope(sawtooth_.left(), BaseFeatureKind::LEFT_SLOPE);
+  meet_slope(sawtooth_.right(), BaseFeatureKind::RIGHT_SLOPE);
+  const BaseFeature apex{BaseFeatureKind::APEX, tooth};
+  const Eigen::Vector2d from_apex(s - sawtooth_.apexOffset(), p.n() - sawtooth_.height());
+  if (step.canReach(from_apex.squaredNorm()))
+    step.meetPoint(apex, approachToPoint(from_apex, p, step.radius));
+}
+
+}  // namespace ratchet_sieve

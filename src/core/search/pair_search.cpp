@@ -1,0 +1,173 @@
+#include "search/pair_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "model/two.h"
+#include "ratchet_sieve/core/resolution.h"
+#include "search/quadratic.h"
+#include "search/ring_course.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// Steps after which a search across the seam of a turning base takes the disks to touch: even where
+/// they graze the steps shrink by a third each time, so that rounding is all that is left of the gap.
+constexpr int MAX_SEAM_STEPS = 200;
+}  // namespace
+
+PairContact PairSearch::firstAmong(const std::uint32_t* others, std::size_t count, int shift) const
+{
+  PairContact first;
+  if (shift != 0 && scene_.motion.turning())
+  {
+    for (std::size_t i = 0; i < count; ++i)
+      if (const auto time = others[i] == slot_ ? std::nullopt : contactWith(others[i], shift))
+        first.take({*time, others[i], shift});
+    return first;
+  }
+  const Image image = scene_.image(shift, from_);
+  for (std::size_t i = 0; i < count; i += LANES)
+  {
+    first.take(firstOfLanes(others + i, std::min(LANES, count - i), shift, image));
+  }
+  return first;
+}
+
+PairContact PairSearch::firstOnRing(const std::uint32_t* others, std::size_t count, int most_laps) const
+{
+  const BaseMotion& motion = scene_.motion;
+  const double width = scene_.width;
+  const RingCourse ring{motion.rotation(), width, 1.0 / width, most_laps};
+  PairContact first;
+  double horizon = until_ - from_;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Relative seen = relativeTo(others[i], course_.place);
+    const auto touch = ring.firstTouch(vectorOf(seen.place), vectorOf(seen.velocity), seen.distance, horizon);
+    if (!touch || from_ + touch->wait >= until_)
+      continue;
+    first.take({from_ + touch->wait, others[i], touch->shift});
+    horizon = touch->wait;
+  }
+  return first;
+}
+
+/// What decides whether and when a disk touches each of several others.
+struct PairSearch::Lanes
+{
+  // One more, behind all, that is never touched.
+  alignas(Two) std::array<double, LANES + 2> excesses;
+  alignas(Two) std::array<double, LANES + 2> discriminants;
+  alignas(Two) std::array<double, LANES + 2> closings;
+  unsigned touching = 0;  ///< a bit for each that will be touched, whenever that is
+
+  Lanes(const PairSearch& search, const std::uint32_t* others, std::size_t count, const Image& image)
+  {
+    excesses[LANES] = std::numeric_limits<double>::infinity();
+    discriminants[LANES] = 0.0;
+    closings[LANES] = -1.0;
+    const Two place = search.course_.place - Two{image.shift.x(), image.shift.y()};
+    unsigned found = 0;
+    for (std::size_t k = 0; k < count; k += 2)
+    {
+      // An odd one out is looked at twice.
+      const Relative a = search.relativeTo(others[k], place);
+      const Relative b = search.relativeTo(others[std::min(k + 1, count - 1)], place);
+      const Two dx{a.place[0], b.place[0]};
+      const Two dy{a.place[1], b.place[1]};
+      const Two dvx{a.velocity[0], b.velocity[0]};
+      const Two dvy{a.velocity[1], b.velocity[1]};
+      const Two distance{a.distance, b.distance};
+      const Two closing = dx * dvx + dy * dvy;
+      const Two excess = dx * dx + dy * dy - distance * distance;
+      const Two passing = dx * dvy - dy * dvx;
+      const Two discriminant = (dvx * dvx + dvy * dvy) * distance * distance - passing * passing;
+      std::memcpy(&closings[k], &closing, sizeof closing);
+      std::memcpy(&excesses[k], &excess, sizeof excess);
+      std::memcpy(&discriminants[k], &discriminant, sizeof discriminant);
+      found |= (whichBelow(closing, 0.0) & (whichUpTo(excess, 0.0) | ~whichBelow(discriminant, 0.0))) << k;
+    }
+    touching = found & ((1U << count) - 1);
+  }
+
+  /// The next that will be touched; behind all, once there is none.
+  std::size_t takeTouching()
+  {
+    const auto lane = static_cast<std::size_t>(__builtin_ctz(touching | 1U << LANES));
+    touching &= touching - 1;
+    return lane;
+  }
+
+  /// How long until two that will be touched are.
+  Two waits(std::size_t i, std::size_t j) const
+  {
+    const Two excess{excesses[i], excesses[j]};
+    const Two closing{closings[i], closings[j]};
+    const Two wait = excess / (rootOrZero(Two{discriminants[i], discriminants[j]}) - closing);
+    return excess <= 0.0 ? Two{} : wait;
+  }
+};
+
+/// The arithmetic of contact() and timeToTouch(), step by step and for two disks at once: first for all
+/// whether they will touch, without a branch; then for those that will, four at a time, when. Most will not,
+/// and a root takes long.
+PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
+                                     const Image& image) const
+{
+  Lanes lanes(*this, others, count, image);
+  PairContact first;
+  do
+  {
+    std::array<std::size_t, 4> next;
+    for (std::size_t& lane : next)
+      lane = lanes.takeTouching();
+    const Two a = from_ + lanes.waits(next[0], next[1]);
+    const Two b = from_ + lanes.waits(next[2], next[3]);
+    const Two least = a < b ? a : b;
+    const double earliest = std::min(least[0], least[1]);
+    if (earliest >= until_)
+      continue;
+    for (unsigned found = whichUpTo(a, earliest) | whichUpTo(b, earliest) << 2; found != 0;
+         found &= found - 1)
+      first.take({earliest, others[next[__builtin_ctz(found)]], shift});
+  } while (lanes.touching != 0);
+  return first;
+}
+
+std::optional<double> PairSearch::contactAcrossSeam(const Disk& other, int shift, double distance) const
+{
+  if (scene_.motion.turning())
+    return contactAcrossTurningSeam(other, shift, distance);
+  return contact(other, scene_.image(shift, from_), distance);
+}
+
+/// While the base turns, the image moves on an arc, and the search is the base's: steps for which
+/// the distance is free for certain.
+std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, int shift,
+                                                           double distance) const
+{
+  const double gravity = scene_.gravity;
+  const double rate = scene_.motion.inclinationRate();
+  const double acceleration = scene_.width * rate * rate;
+  const double resolution = scene_.time_resolution;
+  double time = from_;
+  for (int step = 0; time < until_; ++step)
+  {
+    const Course a = courseAt(scene_.disks[slot_], time, gravity);
+    const Course b = courseAt(other, time, gravity);
+    const Image there = scene_.image(shift, time);
+    const Eigen::Vector2d place = vectorOf(a.place) - there.shift - vectorOf(b.place);
+    const double length = place.norm();
+    const double opening = place.dot(vectorOf(a.velocity - b.velocity) - there.velocity) / length;
+    const double wait = guaranteedFreeTime(length - distance, opening, acceleration);
+    if (opening < 0.0 && (wait <= resolution || step > MAX_SEAM_STEPS))
+      return time;
+    time += std::max(wait, resolution);
+  }
+  return std::nullopt;
+}
+
+}  // namespace ratchet_sieve

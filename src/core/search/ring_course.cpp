@@ -1,0 +1,79 @@
+#include "search/ring_course.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "search/pair_search.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// Images are looked at up to this share of the distance beyond it, which leaves room for rounding; whether
+/// they are touched is then decided as for any two disks.
+constexpr double REACH_MARGIN = 0.005;
+
+/// What comes nearer to the row more slowly than this does not come at all [m/s]. It keeps times finite.
+constexpr double AT_REST = 1e-200;
+
+/// The least integer that is not below x. @pre an int holds it
+int roundedUp(double x)
+{
+  const int truncated = static_cast<int>(x);
+  return truncated + (truncated < x ? 1 : 0);
+}
+}  // namespace
+
+std::optional<RingCourse::Touch> RingCourse::firstTouch(const Eigen::Vector2d& place,
+                                                        const Eigen::Vector2d& velocity, double distance,
+                                                        double horizon) const
+{
+  const double reach = distance * (1.0 + REACH_MARGIN);
+  const auto in_row = intoBase(rotation, place.x(), place.y());
+  const auto going = intoBase(rotation, velocity.x(), velocity.y());
+  const double across = in_row.second;
+  const double rising = going.second;
+  if (std::abs(across) >= reach && across * rising >= 0.0)
+    return std::nullopt;
+  // From when to when the row is within reach.
+  double from = 0.0;
+  double to = std::numeric_limits<double>::infinity();
+  if (std::abs(rising) > AT_REST)
+  {
+    const double per_rising = 1.0 / rising;
+    const double half = reach * std::abs(per_rising);
+    from = std::max(0.0, -across * per_rising - half);
+    to = -across * per_rising + half;
+  }
+  if (from > horizon)
+    return std::nullopt;
+
+  // Along the row, turned so that the disk flies towards greater places, in widths.
+  const double rate = going.first * per_width;
+  const double sign = rate < 0.0 ? -1.0 : 1.0;
+  const double along = sign * in_row.first * per_width;
+  const double speed = std::abs(rate);
+  const double margin = reach * per_width;
+  const double limit = most_laps;
+  const double last = speed > 0.0 ? along + speed * std::min(to, horizon) : along;
+  const double begin = std::max(along + speed * from - margin, -limit);
+  const double end = std::min(last + margin, limit);
+  if (begin > end)
+    return std::nullopt;
+  std::optional<Touch> first;
+  for (int image = roundedUp(begin); image <= end; ++image)
+  {
+    // The images are come to one after the other.
+    if (first && image - margin > along + speed * first->wait)
+      break;
+    const double shift = sign * image;
+    const auto there = alongBase(rotation, shift * width);
+    const auto wait = timeToTouch(place - Eigen::Vector2d(there.first, there.second), velocity, distance);
+    if (wait && *wait <= horizon && !(first && first->wait <= *wait))
+      first = Touch{*wait, static_cast<int>(shift)};
+  }
+  return first;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,84 @@
+#include "search/room_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// A bin's width in radii: in wider ones less is sure to be full, narrower ones are visited more rarely.
+constexpr double BIN_WIDTH = 1.0;
+
+/// In radii: cells as narrow as this are halved no further.
+constexpr double NARROWEST = 1e-9;
+}  // namespace
+
+RoomSearch::RoomSearch(double lowest, double radius, double column_width)
+    : lowest_(lowest), radius_(radius), bin_width_(std::min(BIN_WIDTH * radius, column_width))
+{
+}
+
+/// @param clamped s, within its bin whatever rounding made of the bin's ends
+RoomSearch::Cells& RoomSearch::cellsAt(double s, double& clamped)
+{
+  const double bin = std::max(0.0, std::floor(s / bin_width_));
+  const double left = bin * bin_width_;
+  const double right = left + bin_width_;
+  clamped = std::clamp(s, left, std::nextafter(right, left));
+  Cells& cells = bins_[static_cast<std::size_t>(bin)];
+  if (cells.empty())
+    cells.push_back({{lowest_, std::numeric_limits<double>::infinity()}, left, right});
+  return cells;
+}
+
+double RoomSearch::lowestFree(double s, const StandingDisks& standing)
+{
+  double clamped = s;
+  Cells& cells = cellsAt(s, clamped);
+  double reached = -std::numeric_limits<double>::infinity();
+  for (std::size_t at = 0; at < cells.size();)
+  {
+    const Cell cell = cells[at];
+    if (clamped < cell.left || clamped >= cell.right || cell.heights.low < reached ||
+        cell.heights.high <= reached)
+    {
+      ++at;
+      continue;
+    }
+    const double height = standing.lowestFree(s, radius_, cell.heights);
+    // The surface, which every disk that comes here raises, is not halved.
+    const bool open = std::isinf(cell.heights.high);
+    replace(cells, at, standing, height > cell.heights.high && !open);
+    if (height <= cell.heights.high)
+      return height;
+    reached = cell.heights.high;
+  }
+  return lowest_;
+}
+
+void RoomSearch::replace(Cells& cells, std::size_t at, const StandingDisks& standing, bool halved) const
+{
+  const Cell cell = cells[at];
+  cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(at));
+  const auto keep = [&](double left, double right)
+  {
+    for (const HeightRange& gap : standing.gaps(left, right, radius_, cell.heights))
+      cells.push_back({gap, left, right});
+  };
+  const auto kept = static_cast<std::ptrdiff_t>(cells.size());
+  if (halved && cell.right - cell.left > NARROWEST * radius_)
+  {
+    const double middle = 0.5 * (cell.left + cell.right);
+    keep(cell.left, middle);
+    keep(middle, cell.right);
+  }
+  else
+    keep(cell.left, cell.right);
+  const auto is_lower = [](const Cell& a, const Cell& b) { return a.heights.low < b.heights.low; };
+  std::sort(cells.begin() + kept, cells.end(), is_lower);
+  std::inplace_merge(cells.begin(), cells.begin() + kept, cells.end(), is_lower);
+}
+
+}  // namespace ratchet_sieve

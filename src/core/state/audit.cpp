@@ -1,0 +1,152 @@
+#include "state/audit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "search/cell_grid.h"
+#include "state/machine_state.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// Disks that touch are legal: an overlap below this share of the radius, or of how finely a double
+/// holds where the disk is, is rounding.
+constexpr double TOUCHING = 1e-12;
+constexpr double ROUNDING = 8.0 * std::numeric_limits<double>::epsilon();
+
+/// Pairs are looked for in cells so many times as wide as the largest disk: fewer cells than the engine has
+/// are soon laid, and a million disks need less memory for a moment.
+constexpr double AUDIT_CELL = 2.0;
+
+/// @param point the centre, in the frame of the base [m]
+double toleratedOverlap(const Eigen::Vector2d& point, double radius)
+{
+  return TOUCHING * radius + ROUNDING * point.lpNorm<1>();
+}
+
+/// Where every disk is, in the frame of the base, wrapped into [0, W) where it is periodic.
+std::vector<Eigen::Vector2d> placesOnBase(const MachineState& machine, double time)
+{
+  const FrameOfBase base = machine.motion().at(time);
+  const double width = machine.sawtooth().width();
+  std::vector<Eigen::Vector2d> points;
+  points.reserve(machine.disks().size());
+  for (const Disk& disk : machine.disks())
+  {
+    const Disk now = flown(disk, time, machine.scene().gravity);
+    const Eigen::Vector2d point = base.into(now.position - base.displacement);
+    const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
+    points.emplace_back(periodic ? point.x() - width * wholeWidths(point.x(), 1.0 / width) : point.x(),
+                        point.y());
+  }
+  return points;
+}
+
+/// How far a disk is from the base and from the walls, < 0 where it overlaps them.
+double gapToBase(const MachineState& machine, const Eigen::Vector2d& point, double radius)
+{
+  const Sawtooth& sawtooth = machine.sawtooth();
+  double gap = point.y() - sawtooth.height();
+  if (gap < radius)
+    gap = sawtooth.heightAbove(point.x(), point.y());
+  return std::min(gap, sawtooth.distanceToWalls(point.x(), point.y())) - radius;
+}
+
+using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overlap)>;
+
+/// Every pair of disks that is near enough to overlap, each once or twice.
+void forEachNearPair(const MachineState& machine, const std::vector<Eigen::Vector2d>& points,
+                     const VisitPair& visit)
+{
+  const double width = machine.sawtooth().width();
+  const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
+  double top = machine.largestDiameter();
+  for (std::uint32_t slot = 0; slot < points.size(); ++slot)
+    if (machine.active(slot))
+      top = std::max(top, points[slot].y());
+  CellGrid grid(width, top, AUDIT_CELL * machine.largestDiameter(), points.size(), periodic);
+  for (std::uint32_t slot = 0; slot < points.size(); ++slot)
+    if (machine.active(slot))
+      grid.add(slot, grid.cellAt(points[slot].x(), points[slot].y()));
+  std::vector<std::uint32_t> list;
+  for (std::uint32_t slot = 0; slot < points.size(); ++slot)
+    if (machine.active(slot))
+      grid.visit(grid.cellOf(slot), {}, list,
+                 [&](const std::uint32_t* ids, std::size_t count, int shift)
+                 {
+                   for (const std::uint32_t* other = ids; other != ids + count; ++other)
+                   {
+                     if (*other >= slot)
+                       continue;
+                     const Eigen::Vector2d way =
+                         points[slot] - points[*other] - Eigen::Vector2d(shift * width, 0.0);
+                     visit(*other, slot, machine.radius(slot) + machine.radius(*other) - way.norm());
+                   }
+                 });
+}
+}  // namespace
+
+Audit audit(const MachineState& machine, double time)
+{
+  Audit result;
+  const auto points = placesOnBase(machine, time);
+  for (std::uint32_t slot = 0; slot < points.size(); ++slot)
+  {
+    if (!machine.active(slot))
+      continue;
+    const double gap = gapToBase(machine, points[slot], machine.radius(slot));
+    result.largest_overlap = std::max(result.largest_overlap, -gap);
+    if (gap <= -machine.radius(slot))
+      ++result.behind_surface;
+  }
+  if (machine.scene().contact.pair_collisions)
+    forEachNearPair(machine, points,
+                    [&](std::uint32_t, std::uint32_t, double overlap)
+                    { result.largest_overlap = std::max(result.largest_overlap, overlap); });
+  return result;
+}
+
+void refuseBadStart(const MachineState& machine, double time)
+{
+  std::ostringstream message;
+  const auto points = placesOnBase(machine, time);
+  for (std::uint32_t slot = 0; slot < points.size(); ++slot)
+  {
+    const double s = points[slot].x();
+    if (s < 0.0 || s > machine.sawtooth().width())
+    {
+      message << "initial." << slot << " is outside the machine: its centre is at s = " << s
+              << " m along the base, allowed is 0 to " << machine.sawtooth().width() << " m";
+      throw std::invalid_argument(message.str());
+    }
+    const double gap = gapToBase(machine, points[slot], machine.radius(slot));
+    if (-gap > toleratedOverlap(points[slot], machine.radius(slot)))
+    {
+      message << "initial." << slot << " is buried: it overlaps the base or a wall by " << -gap << " m";
+      throw std::invalid_argument(message.str());
+    }
+  }
+  if (!machine.scene().contact.pair_collisions)
+    return;
+  double worst = 0.0;
+  forEachNearPair(machine, points,
+                  [&](std::uint32_t first, std::uint32_t second, double overlap)
+                  {
+                    if (overlap <= std::max(worst, toleratedOverlap(points[first], machine.radius(first))))
+                      return;
+                    worst = overlap;
+                    message.str("");
+                    message << "initial." << first << " and initial." << second << " overlap by " << overlap
+                            << " m";
+                  });
+  if (worst > 0.0)
+    throw std::invalid_argument(message.str());
+}
+
+}  // namespace ratchet_sieve

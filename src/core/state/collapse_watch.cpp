@@ -1,0 +1,91 @@
+#include "state/collapse_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <tuple>
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// The first floor under a lossless disk's contacts, as a share of the speed of a fall over a tooth:
+/// hops as low as that come some hundred to the time scale.
+constexpr double FIRST_FLOOR = 1e-3;
+
+/// After as many collapses in a row the floor is beyond any speed of the machine: nothing helps.
+constexpr std::uint32_t MAX_LEVEL = 16;
+}  // namespace
+
+CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale,
+                             const DiskIds& ids)
+    : contact_(contact),
+      ids_(ids),
+      limit_(static_cast<std::uint32_t>(contact.collapse_events)),
+      time_scale_(time_scale),
+      speed_scale_(speed_scale)
+{
+}
+
+double CollapseWatch::floorSpeed(std::uint32_t slot) const
+{
+  const double floor = std::ldexp(FIRST_FLOOR * speed_scale_, static_cast<int>(disks_[slot].level) - 1);
+  return std::max(floor, contact_.min_rebound_speed);
+}
+
+bool CollapseWatch::stuck(std::uint32_t slot) const
+{
+  return disks_[slot].level > MAX_LEVEL;
+}
+
+void CollapseWatch::collapse(std::uint32_t slot, double time)
+{
+  Window& window = disks_[slot];
+  window = {time + time_scale_, 0, window.level + 1};
+  // Disks that do not see each other are advanced one by one, on several threads in any order: the first is
+  // the earliest of them, and of several at one time the one with the smallest id.
+  const double run_time = epoch_start_ + time;
+  const std::uint32_t id = ids_.of(slot);
+  if (counts_.count == 0 || std::tie(run_time, id) < std::tie(counts_.first_time, counts_.first_disk))
+  {
+    counts_.first_time = run_time;
+    counts_.first_disk = id;
+  }
+  ++counts_.count;
+  if (stuck(slot) &&
+      (!first_stuck_ || std::tie(run_time, id) < std::tie(first_stuck_->time, first_stuck_->disk)))
+    first_stuck_ = Stuck{run_time, id};
+  stops_ = first_stuck_ || contact_.on_collapse == CollapseAction::STOP;
+}
+
+void CollapseWatch::keep(const std::vector<std::uint32_t>& slots)
+{
+  keepSlots(disks_, slots);
+}
+
+std::string CollapseWatch::text() const
+{
+  std::ostringstream text;
+  text.precision(12);
+  text << "time all but stopped (inelastic collapse): disk "
+       << (first_stuck_ ? first_stuck_->disk : counts_.first_disk) << " had more than " << limit_
+       << " events within " << time_scale_ << " s at "
+       << (first_stuck_ ? first_stuck_->time : counts_.first_time) << " s";
+  if (first_stuck_)
+    text << ", and losing nothing at its contacts did not help";
+  else if (stops_)
+    text << "; contact.min_rebound_speed above 0 or a larger one may avoid it, contact.on_collapse: rebound "
+            "may go on";
+  else
+    text << ", the first of " << counts_.count << " times; its contacts lost nothing for a while";
+  return text.str();
+}
+
+void CollapseWatch::rebase(double length, double epoch_start)
+{
+  epoch_start_ = epoch_start;
+  for (Window& window : disks_)
+    window.end -= length;
+}
+
+}  // namespace ratchet_sieve

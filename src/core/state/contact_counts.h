@@ -1,0 +1,31 @@
+#pragma once
+
+#include "state/contact_outcome.h"
+
+namespace ratchet_sieve
+{
+
+/// What is counted of contacts: the same in whatever order they come.
+struct ContactCounts
+{
+  CollisionCounts collisions;  ///< of those that closed
+  double max_overlap = 0.0;    ///< [m]
+
+  void take(const ContactOutcome& outcome)
+  {
+    takeOverlap(outcome.overlap);
+    collisions.add(outcome.kind, outcome.closed ? 1 : 0);
+  }
+
+  void takeOverlap(double overlap) { max_overlap = overlap > max_overlap ? overlap : max_overlap; }
+
+  void add(const ContactCounts& more)
+  {
+    takeOverlap(more.max_overlap);
+    collisions.add(more.collisions);
+  }
+
+  void archive(StateArchive& state) { state(collisions, max_overlap); }
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,183 @@
+#include "state/contact_execution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// A way that counts for nothing, as a share of a double's resolution at the base's width: a million of them,
+/// as many as a collapse may have events, come to one resolution.
+constexpr double NEGLIGIBLE_WAY = 0x1p-20 * std::numeric_limits<double>::epsilon();
+
+CollisionKind collisionKind(BaseFeatureKind kind, Boundary boundary)
+{
+  switch (kind)
+  {
+    case BaseFeatureKind::LEFT_SLOPE:
+      return CollisionKind::LEFT_SLOPE;
+    case BaseFeatureKind::RIGHT_SLOPE:
+      return CollisionKind::RIGHT_SLOPE;
+    case BaseFeatureKind::LEFT_WALL:
+    case BaseFeatureKind::RIGHT_WALL:
+      return CollisionKind::WALL;
+    case BaseFeatureKind::END_CORNER:
+      return boundary == Boundary::WALLED ? CollisionKind::WALL : CollisionKind::APEX;
+    default:
+      return CollisionKind::APEX;
+  }
+}
+
+/// The component of a velocity along the tangent: the normal turned by +90 degrees.
+double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
+{
+  return normal.x() * velocity.y() - normal.y() * velocity.x();
+}
+}  // namespace
+
+ContactExecution::ContactExecution(MachineState& machine, const CollapseWatch& collapse_watch,
+                                   const ContactTimes& contact_times)
+    : machine_(machine),
+      collapse_watch_(collapse_watch),
+      contact_times_(contact_times),
+      law_(machine.scene().contact),
+      spin_(machine.plan().spin),
+      negligible_way_(NEGLIGIBLE_WAY * machine.sawtooth().width())
+{
+  const std::vector<SpeciesDefinition>& species = machine.scene().species;
+  for (std::size_t i = 0; i < species.size(); ++i)
+  {
+    base_masses_.push_back(contactMasses(species[i], nullptr));
+    responses_.push_back({1.0 / species[i].mass, species[i].radius / species[i].inertia()});
+    for (std::size_t j = 0; j < species.size(); ++j)
+    {
+      pair_coefficients_.push_back(contactBetween(machine.scene(), i, j));
+      pair_masses_.push_back(contactMasses(species[i], &species[j]));
+    }
+  }
+}
+
+ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseFeature& feature, double time,
+                                                 BaseInstant& base)
+{
+  const SceneDefinition& scene = machine_.scene();
+  const Disk disk = flown(machine_.disk(slot), time, scene.gravity);
+  const SpeciesDefinition& species = scene.species[disk.species];
+  const FrameOfBase& frame = base.at(time);
+  const BasePoint point = frame.see(disk.position, disk.velocity);
+  const Approach approach = machine_.sawtooth().approach(feature, point, species.radius);
+  ContactOutcome outcome;
+  outcome.time = time;
+  outcome.kind = collisionKind(feature.kind, scene.boundary);
+  outcome.i = slot;
+  outcome.overlap = -approach.gap;
+  outcome.closed = approach.rate < 0.0;
+  if (outcome.closed)
+  {
+    outcome.normal = frame.outOf(approach.normal);
+    outcome.normal_velocity = approach.rate;
+    // The base's surface turns with it: at the contact, r below the centre, it differs by r d theta/dt.
+    const double tangential_velocity =
+        across(approach.normal, point.velocity) - species.radius * (disk.spin - frame.inclination_rate);
+    outcome.lossless = lossless(slot, time);
+    ContactCoefficients coefficients = outcome.lossless ? LOSSLESS : species.contact;
+    if (outcome.kind == CollisionKind::WALL)
+      coefficients.friction = 0.0;
+    respond(outcome, coefficients, base_masses_[disk.species], tangential_velocity,
+            reboundFloor(slot, outcome.lossless));
+  }
+  push(slot, disk, outcome, 1.0);
+  return outcome;
+}
+
+ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, int shift, double time)
+{
+  const double gravity = machine_.scene().gravity;
+  const Disk a = flown(machine_.disk(i), time, gravity);
+  const Disk b = flown(machine_.disk(j), time, gravity);
+  const Image there = machine_.image(shift, time);
+  const Eigen::Vector2d place = a.position - there.shift - b.position;
+  const double distance = place.norm();
+  const Eigen::Vector2d velocity = a.velocity - b.velocity - there.velocity;
+  ContactOutcome outcome;
+  outcome.time = time;
+  outcome.kind = CollisionKind::DISK_DISK;
+  outcome.i = i;
+  outcome.j = j;
+  outcome.shift = shift;
+  outcome.overlap = machine_.radius(i) + machine_.radius(j) - distance;
+  // The very sum that the prediction looks at (timeToTouch): were it another, rounding could have a
+  // contact predicted here and left alone there, again and again.
+  outcome.closed = place.dot(velocity) < 0.0;
+  if (outcome.closed)
+  {
+    outcome.normal = place / distance;
+    outcome.normal_velocity = velocity.dot(outcome.normal);
+    // Where that is lost to rounding, the disks still approach, by as much as rounding leaves open.
+    if (outcome.normal_velocity >= 0.0)
+      outcome.normal_velocity = -std::numeric_limits<double>::epsilon() * velocity.norm();
+    const double tangential_velocity =
+        across(outcome.normal, velocity) - (machine_.radius(i) * a.spin + machine_.radius(j) * b.spin);
+    outcome.lossless = lossless(i, time) || lossless(j, time);
+    const std::size_t pair = a.species * machine_.scene().species.size() + b.species;
+    respond(outcome, outcome.lossless ? LOSSLESS : pair_coefficients_[pair], pair_masses_[pair],
+            tangential_velocity,
+            std::max(reboundFloor(i, outcome.lossless), reboundFloor(j, outcome.lossless)));
+  }
+  push(i, a, outcome, 1.0);
+  push(j, b, outcome, -1.0);
+  return outcome;
+}
+
+void ContactExecution::respond(ContactOutcome& outcome, const ContactCoefficients& coefficients,
+                               const ContactMasses& masses, double tangential_velocity, double floor) const
+{
+  CollisionLaw law = law_;
+  law.min_rebound_speed = floor;
+  const Impulse impulse =
+      spin_ ? collide(law, coefficients, masses, outcome.normal_velocity, tangential_velocity)
+            : collideSmooth(law, coefficients, masses, outcome.normal_velocity);
+  outcome.normal_impulse = impulse.normal;
+  outcome.tangential_impulse = impulse.tangential;
+}
+
+/// Gives a partner, which is flown to the contact as `now`, its share of the impulse. The contact lies on the
+/// normal's other side for the second partner, so that the torque of the tangential impulse has the same sign
+/// on both.
+///
+/// In an inelastic collapse contacts follow one another sooner than the disk comes a resolution of its place
+/// further: a place that is rounded at each of them stands still or runs ahead, while the partner moves on,
+/// and the overlap grows by that way. So an impulse that changes the place by nothing to speak of if it is
+/// given at the start of the flight is given there, and the place is left as it was written down.
+void ContactExecution::push(std::uint32_t slot, const Disk& now, const ContactOutcome& contact, double sign)
+{
+  Disk& disk = machine_.changeable(slot);
+  const Response& response = responses_[disk.species];
+  const double change =
+      response.velocity * (std::abs(contact.normal_impulse) + std::abs(contact.tangential_impulse));
+  if (change * (now.time - disk.time) > negligible_way_)
+    machine_.moveTo(slot, now);
+  ++disk.flights;
+  const double per_mass = sign * response.velocity;
+  disk.velocity += per_mass * impulseOf(contact);
+  disk.spin -= response.spin * contact.tangential_impulse;
+}
+
+bool ContactExecution::lossless(std::uint32_t slot, double time) const
+{
+  return collapse_watch_.lossless(slot) ||
+         contact_times_.within(machine_.scene().contact.contact_duration, slot, time);
+}
+
+/// v_min does not apply to a contact that loses nothing: it would put energy in. Where a collapse has made
+/// the disk lossless, it is energy that is asked for.
+double ContactExecution::reboundFloor(std::uint32_t slot, bool no_loss) const
+{
+  if (collapse_watch_.lossless(slot))
+    return collapse_watch_.floorSpeed(slot);
+  return no_loss ? 0.0 : law_.min_rebound_speed;
+}
+
+}  // namespace ratchet_sieve

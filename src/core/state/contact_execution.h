@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/collision_law.h"
+#include "state/collapse_watch.h"
+#include "state/contact_outcome.h"
+#include "state/contact_times.h"
+#include "state/machine_state.h"
+
+namespace ratchet_sieve
+{
+
+/// Executes contacts: applies the collision law to the partners, and says what came of it. Times are local to
+/// the epoch.
+class ContactExecution
+{
+public:
+  /// All of these outlive this. @param contact_times by which a contact soon after another is lossless
+  ContactExecution(MachineState& machine, const CollapseWatch& collapse_watch,
+                   const ContactTimes& contact_times);
+
+  /// A disk collides with the base. A contact that opens changes nothing.
+  /// @pre the feature is none of the ends, at which a disk leaves
+  ContactOutcome collideWithBase(std::uint32_t slot, const BaseFeature& feature, double time,
+                                 BaseInstant& base);
+
+  /// Disk i collides with the image of disk j that lies `shift` widths to the right of j.
+  ContactOutcome collidePair(std::uint32_t i, std::uint32_t j, int shift, double time);
+
+  const ContactMasses& baseMasses(std::uint32_t species) const { return base_masses_[species]; }
+
+private:
+  /// What a unit impulse changes.
+  struct Response
+  {
+    double velocity;  ///< 1 / m [1/kg]
+    double spin;      ///< r / I, of a tangential one [1/(kg m)]
+  };
+
+  bool lossless(std::uint32_t slot, double time) const;
+  double reboundFloor(std::uint32_t slot, bool no_loss) const;
+  void respond(ContactOutcome& outcome, const ContactCoefficients& coefficients, const ContactMasses& masses,
+               double tangential_velocity, double floor) const;
+  void push(std::uint32_t slot, const Disk& now, const ContactOutcome& contact, double sign);
+
+  MachineState& machine_;
+  const CollapseWatch& collapse_watch_;
+  const ContactTimes& contact_times_;
+  CollisionLaw law_;
+  bool spin_;
+  double negligible_way_;  ///< [m]
+
+  std::vector<ContactCoefficients> pair_coefficients_;  ///< per (species, species)
+  std::vector<ContactMasses> pair_masses_;              ///< per (species, species)
+  std::vector<ContactMasses> base_masses_;              ///< per species
+  std::vector<Response> responses_;                     ///< per species
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,91 @@
+#include "state/energy_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "ratchet_sieve/core/layer.h"
+#include "state/machine_state.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double TWO_PI = 6.283185307179586476925;
+
+/// A poured heap is higher than one at rest by less than this factor.
+constexpr double POURED_TO_SETTLED = 2.0;
+
+/// From the base's lowest point to the highest disk [m].
+double highestPlace(const SceneDefinition& scene)
+{
+  double height = scene.pour.drop_height + POURED_TO_SETTLED * settledLayer(scene);
+  for (const InitialDisk& disk : scene.initial)
+    height = std::max({height, std::abs(disk.x), std::abs(disk.y)});
+  // However the base is inclined, its ends are no further apart in height than it is wide.
+  return height + scene.base.width() + scene.base.tooth_height + 2.0 * scene.base.amplitude;
+}
+
+double startSpeed(const SceneDefinition& scene)
+{
+  double speed = std::max(scene.pour.speed, scene.contact.min_rebound_speed);
+  for (const InitialDisk& disk : scene.initial)
+    speed = std::max(speed, std::hypot(disk.vx, disk.vy));
+  return speed;
+}
+
+/// Of the drive and of the end that is raised [m/s].
+double baseSpeed(const MachineState& machine, double time)
+{
+  const DriveState base = machine.motion().state(time);
+  return TWO_PI * base.frequency * base.amplitude +
+         std::abs(machine.motion().inclinationRate()) * machine.sawtooth().width();
+}
+}  // namespace
+
+EnergyWatch::EnergyWatch(const SceneDefinition& scene)
+    : highest_(highestPlace(scene)), start_speed_(startSpeed(scene)), gravity_(scene.gravity)
+{
+}
+
+void EnergyWatch::look(const MachineState& machine, double time)
+{
+  fastest_base_ = std::max(fastest_base_, baseSpeed(machine, time));
+  const double bounce =
+      std::sqrt(2.0 * gravity_ * highest_ + start_speed_ * start_speed_) + 2.0 * fastest_base_;
+  const double scale = 0.5 * bounce * bounce;
+  if (scale <= 0.0)
+    return;
+  const auto& species = machine.scene().species;
+  for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)
+  {
+    if (!machine.active(slot))
+      continue;
+    const Disk& disk = machine.disk(slot);
+    const SpeciesDefinition& kind = species[disk.species];
+    const double rim = disk.spin * kind.radius;
+    const double energy = 0.5 * (disk.velocity.squaredNorm() + kind.inertia_factor * rim * rim) +
+                          gravity_ * std::max(0.0, disk.position.y());
+    const double scales = energy / scale;
+    if (scales <= largest_)
+      continue;
+    largest_ = scales;
+    if (scales > ALARM && !first_)
+      first_ = First{machine.epoch().start + time, kind.mass * energy,
+                     flown(disk, time, gravity_).position.y(), scales, machine.id(slot)};
+  }
+}
+
+std::string EnergyWatch::text() const
+{
+  if (!first_)
+    return "";
+  std::ostringstream out;
+  out << "energy beyond every scale of the machine: at " << first_->time << " s disk " << first_->disk
+      << " had " << first_->energy << " J at a height of " << first_->height << " m, " << first_->scales
+      << " times what an elastic bounce off the base gives it after the highest fall; the most so far: "
+      << largest_ << " times";
+  return out.str();
+}
+
+}  // namespace ratchet_sieve

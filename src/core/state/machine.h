@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+
+#include "state/collapse_watch.h"
+#include "state/contact_execution.h"
+#include "state/machine_state.h"
+#include "state/run_record.h"
+
+namespace ratchet_sieve
+{
+
+/// The machine's state with what acts on it and what is kept of it, held together: a disk is in all of them
+/// or in none, and time zero is one for all.
+class Machine
+{
+public:
+  explicit Machine(const SceneDefinition& scene) : Machine(scene, planOf(scene)) {}
+
+  /// @throws std::invalid_argument unless the plan covers the scene
+  Machine(const SceneDefinition& scene, const Plan& plan);
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+
+  const MachineState& state() const { return state_; }
+  MachineState& state() { return state_; }
+  const CollapseWatch& collapseWatch() const { return collapse_watch_; }
+  CollapseWatch& collapseWatch() { return collapse_watch_; }
+  const RunRecord& record() const { return record_; }
+  RunRecord& record() { return record_; }
+  const ContactExecution& execution() const { return execution_; }
+
+  /// Makes room for so many disks: nothing but memory.
+  void reserve(std::size_t count);
+
+  /// Puts a disk in. @return its slot
+  std::uint32_t add(const Disk& disk);
+
+  /// Executes what a disk's flight meets of the base: a contact, or an end, where it leaves.
+  void handleBaseEvent(std::uint32_t slot, const BaseFeature& feature, double time, BaseInstant& base)
+  {
+    if (feature.kind == BaseFeatureKind::LEFT_END || feature.kind == BaseFeatureKind::RIGHT_END)
+      return state_.leave(slot, feature.kind == BaseFeatureKind::RIGHT_END, time);
+    record_.take(execution_.collideWithBase(slot, feature, time, base));
+  }
+
+  /// See ContactExecution::collidePair().
+  void collidePair(std::uint32_t i, std::uint32_t j, int shift, double time)
+  {
+    record_.take(execution_.collidePair(i, j, shift, time));
+  }
+
+  /// Fetches what an event of this disk reads and writes here.
+  void prefetchEvent(std::uint32_t slot) const
+  {
+    state_.prefetchFlight(slot);
+    collapse_watch_.prefetchWindow(slot);
+  }
+
+  /// Gives up the slots of disks that have left, once they are most.
+  /// @return whether it did: then slots are others than before
+  bool compact();
+
+  /// See MachineState.
+  double startAt(double start);
+  void rebase(double length);
+  void restartMeans(double time);
+
+  /// @throws StateError as StateArchive, or if the state is of another scene
+  void archive(StateArchive& state);
+
+private:
+  MachineState state_;
+  CollapseWatch collapse_watch_;
+  RunRecord record_;
+  ContactExecution execution_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "model/disk.h"
+#include "model/prefetch.h"
+#include "state/disk_ids.h"
+
+namespace ratchet_sieve
+{
+
+/// One disk's stay in the machine: what its flights have summed up to. Where it left, the disk itself still
+/// is.
+struct Passage
+{
+  /// In place of a time: what had left before the counting began.
+  static constexpr double NEVER = std::numeric_limits<double>::infinity();
+
+  double entered_x = 0.0;     ///< [m]
+  double offset = 0.0;        ///< unwraps x [m]
+  double counted_x = 0.0;     ///< unwrapped x where the counting began [m]
+  double counted_from = 0.0;  ///< [s]; or NEVER
+  double translation = 0.0;   ///< integral of v^2 / 2 [m^2/s]
+  double rotation = 0.0;      ///< integral of spin^2 / 2 [1/s]
+  double left_when = 0.0;     ///< [s]
+
+  /// Whether anything of it counts.
+  bool counts() const { return counted_from < NEVER; }
+
+  void archive(StateArchive& state)
+  {
+    state(entered_x, offset, counted_x, counted_from, translation, rotation, left_when);
+  }
+};
+
+/// Displacements, and kinetic energies integrated exactly along every flight, disk by disk: so a sum has the
+/// same bits in whatever strides a run was advanced. Times are the run's (not local to an epoch) unless said
+/// otherwise.
+class Passages
+{
+public:
+  /// @param spin whether disks can spin; see Plan
+  Passages(double gravity, bool spin) : gravity_(gravity), spin_(spin) {}
+
+  std::size_t size() const { return passages_.size(); }
+  const Passage& operator[](std::uint32_t slot) const { return passages_[slot]; }
+  void prefetchPassage(std::uint32_t slot) const { prefetch(passages_[slot]); }
+  void reserve(std::size_t count) { passages_.reserve(count); }
+  void keep(const std::vector<std::uint32_t>& slots) { keepSlots(passages_, slots); }
+
+  void entered(const Disk& disk, double time);
+  void left(std::uint32_t slot, double time) { passages_[slot].left_when = time; }
+
+  /// Takes in the part of a disk's flight from its own time to `time`, both local.
+  void flew(std::uint32_t slot, const Disk& disk, double time) { integrate(passages_[slot], disk, time); }
+
+  /// The disk was moved by -dx in the world by a periodic boundary, and no displacement comes of it.
+  void wrapped(std::uint32_t slot, double dx) { passages_[slot].offset += dx; }
+
+  /// What a disk's passage comes to with the part of its present flight until a local time.
+  Passage until(std::uint32_t slot, const Disk& disk, double local_time) const
+  {
+    Passage passage = passages_[slot];
+    integrate(passage, disk, local_time);
+    return passage;
+  }
+
+  /// What grows with every flight, for a batch that flies disks by itself.
+  struct Flown
+  {
+    double offset;
+    double translation;
+    double rotation;
+  };
+
+  void setFlown(std::uint32_t slot, const Flown& flown)
+  {
+    Passage& passage = passages_[slot];
+    passage.offset = flown.offset;
+    passage.translation = flown.translation;
+    passage.rotation = flown.rotation;
+  }
+
+  /// Forgets all that was counted before: the end of `settle`.
+  /// @param local_time `time` in the epoch of the disks' own times
+  void restart(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
+               double local_time);
+
+  /// World x travelled since the disk entered, unwrapped [m].
+  double displacement(std::uint32_t slot, double x) const
+  {
+    return x + passages_[slot].offset - passages_[slot].entered_x;
+  }
+
+  void archive(StateArchive& state) { state(passages_); }
+
+private:
+  void integrate(Passage& passage, const Disk& disk, double local_time) const;
+
+  double gravity_;
+  bool spin_;
+  std::vector<Passage> passages_;  ///< per slot
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,135 @@
+#include "state/period_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double PART = 1.0 / PeriodWatch::PARTS;
+
+/// Sums about a velocity near the mean: the variance of nearly equal velocities must not drown in their mean.
+struct Velocities
+{
+  Eigen::Vector2d about = Eigen::Vector2d::Zero();
+  double count = 0.0;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  Eigen::Vector2d squares = Eigen::Vector2d::Zero();
+
+  void add(const Eigen::Vector2d& velocity)
+  {
+    if (count == 0.0)
+      about = velocity;
+    const Eigen::Vector2d difference = velocity - about;
+    count += 1.0;
+    sum += difference;
+    squares += difference.cwiseAbs2();
+  }
+
+  std::optional<double> variance() const
+  {
+    if (count < 2.0)
+      return std::nullopt;
+    const Eigen::Vector2d mean = sum * (1.0 / count);
+    const Eigen::Vector2d spread = squares * (1.0 / count) - mean.cwiseAbs2();
+    return std::max(0.0, spread.sum());
+  }
+};
+}  // namespace
+
+std::vector<std::optional<double>> granularTemperatures(const MachineState& machine, double time)
+{
+  const std::vector<SpeciesDefinition>& species = machine.scene().species;
+  std::vector<Velocities> velocities(species.size());
+  for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)
+    if (machine.active(slot))
+    {
+      const Disk& disk = machine.disk(slot);
+      velocities[disk.species].add(vectorOf(courseAt(disk, time, machine.scene().gravity).velocity));
+    }
+  std::vector<std::optional<double>> temperatures;
+  for (std::size_t i = 0; i < species.size(); ++i)
+  {
+    const std::optional<double> variance = velocities[i].variance();
+    temperatures.push_back(variance ? std::optional<double>(0.5 * species[i].mass * *variance)
+                                    : std::nullopt);
+  }
+  return temperatures;
+}
+
+PeriodWatch::PeriodWatch(const MachineState& machine, const CollisionCounts& collisions)
+    : machine_(machine),
+      counted_(collisions),
+      origin_(machine.motion().drive().turns),
+      temperatures_(machine.scene().species.size())
+{
+}
+
+void PeriodWatch::observe(PeriodObserver observer, double now)
+{
+  observer_ = std::move(observer);
+  swings_ = machine_.motion().swings();
+  waitForPeriod(now);
+}
+
+void PeriodWatch::motionChanged(double now)
+{
+  if (swings_ != machine_.motion().swings())
+    waitForPeriod(now);
+  swings_ = machine_.motion().swings();
+}
+
+void PeriodWatch::waitForPeriod(double from)
+{
+  from_ = from;
+  part_ = 0;
+}
+
+std::optional<double> PeriodWatch::next() const
+{
+  const BaseMotion& motion = machine_.motion();
+  if (!observer_ || !swings_)
+    return std::nullopt;
+  // Rounding may have brought the phase past the one awaited before that came: up to half a part is that.
+  const double wanted = origin_ + part_ * PART;
+  const double turns = motion.turnsAt(std::max(from_, motion.segmentStart()));
+  return motion.timeOfTurns(wanted + std::ceil(turns - wanted - 0.5 * PART));
+}
+
+void PeriodWatch::look(double now)
+{
+  if (part_ == 0)
+    return begin(now);
+  sample(now);
+  from_ = now;
+  if (part_++ < PARTS)
+    return;
+  const double start = begun_;
+  const double end = machine_.epoch().start + now;
+  observer_({start, end, end - start, counted_.since(collisions_), temperatures_});
+  if (start + LEAST_SPACING > end)
+    waitForPeriod(start + LEAST_SPACING - machine_.epoch().start);
+  else
+    begin(now);
+}
+
+void PeriodWatch::begin(double now)
+{
+  from_ = now;
+  part_ = 1;
+  begun_ = machine_.epoch().start + now;
+  collisions_ = counted_;
+  std::fill(temperatures_.begin(), temperatures_.end(), TemperatureSum());
+}
+
+void PeriodWatch::sample(double now)
+{
+  const std::vector<std::optional<double>> temperatures = granularTemperatures(machine_, now);
+  for (std::size_t i = 0; i < temperatures.size(); ++i)
+    if (temperatures[i])
+      temperatures_[i].add(*temperatures[i]);
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,88 @@
+#include "state/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "state/audit.h"
+#include "state/pour.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// A pour is observed after so many disks each: some hundred times a second.
+constexpr std::size_t DISKS_PER_LOOK = 1024;
+
+/// A disk where it is at `time`, as the pour sees it.
+PlacedDisk placed(const MachineState& machine, std::uint32_t slot, const FrameOfBase& base, double time)
+{
+  const Disk disk = flown(machine.disk(slot), time, machine.scene().gravity);
+  const double width = machine.sawtooth().width();
+  double s = base.into(Eigen::Vector2d(disk.position.x(), disk.position.y()) - base.displacement).x();
+  if (machine.scene().boundary == Boundary::PERIODIC)
+    s -= width * wholeWidths(s, 1.0 / width);
+  return {s, base.into({disk.position.x(), disk.position.y()}).y(), machine.radius(slot)};
+}
+
+}  // namespace
+
+void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, double time, Random& random,
+               const PourObserver& observer)
+{
+  const MachineState& state = machine.state();
+  const SceneDefinition& scene = state.scene();
+  const FrameOfBase base = state.motion().at(time);
+  BaseDefinition shape = scene.base;
+  shape.amplitude = state.motion().displacementBound().norm();
+  Pour pour(shape, scene.boundary, scene.pour.drop_height, state.largestDiameter(),
+            scene.contact.pair_collisions);
+  for (std::uint32_t slot = 0; slot < state.disks().size(); ++slot)
+    if (state.active(slot))
+      pour.occupy(placed(state, slot, base, time));
+  struct Poured
+  {
+    PlacedDisk room;
+    std::uint32_t species;
+  };
+  std::vector<Poured> poured;
+  poured.reserve(species.size());
+  for (const std::uint32_t kind : species)
+  {
+    poured.push_back({pour.place(scene.species[kind].radius, random), kind});
+    if (observer && poured.size() % DISKS_PER_LOOK == 0)
+      observer(poured.size(), species.size());
+  }
+  // Numbered along the base: neighbours there are neighbours in memory.
+  std::stable_sort(poured.begin(), poured.end(),
+                   [](const Poured& a, const Poured& b) { return a.room.s < b.room.s; });
+  machine.reserve(state.disks().size() + poured.size());
+  for (const auto& [room, kind] : poured)
+  {
+    const Eigen::Vector2d place = base.outOf({room.s + base.into(base.displacement).x(), room.n});
+    Disk disk;
+    disk.position.x() = place.x();
+    disk.position.y() = place.y();
+    disk.velocity.y() = -scene.pour.speed;
+    disk.time = time;
+    disk.species = kind;
+    machine.add(disk);
+  }
+}
+
+void placeInitialDisks(Machine& machine, double time)
+{
+  for (const InitialDisk& initial : machine.state().scene().initial)
+  {
+    Disk disk;
+    disk.position = {initial.x, initial.y};
+    disk.velocity = {initial.vx, initial.vy};
+    disk.spin = initial.spin;
+    disk.time = time;
+    disk.species = static_cast<std::uint32_t>(initial.species);
+    machine.add(disk);
+  }
+  refuseBadStart(machine.state(), time);
+}
+
+}  // namespace ratchet_sieve

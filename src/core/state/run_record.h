@@ -1,0 +1,82 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "ratchet_sieve/core/observation.h"
+#include "state/base_impulses.h"
+#include "state/contact_counts.h"
+#include "state/contact_times.h"
+#include "state/machine_state.h"
+#include "state/tally.h"
+
+namespace ratchet_sieve
+{
+
+/// A contact as it is told outside.
+CollisionRecord recordOf(const ContactOutcome& outcome, const MachineState& machine);
+
+/// What is kept of a run: the observers of its contacts, and the means.
+class RunRecord
+{
+public:
+  /// @param machine outlives this
+  explicit RunRecord(const MachineState& machine);
+
+  /// A contact was executed.
+  void take(const ContactOutcome& outcome)
+  {
+    counts_.take(outcome);
+    if (!outcome.closed)
+      return;
+    impulses_.take(outcome);
+    times_.take(outcome);
+    tally_.collided(machine_.disk(outcome.i).species);
+    if (outcome.j != ContactOutcome::BASE)
+      tally_.collided(machine_.disk(outcome.j).species);
+    if (observer_)
+      observer_(recordOf(outcome, machine_));
+  }
+
+  /// Contacts with the base were executed elsewhere, and their impulses added there.
+  /// @param contacts per species
+  void take(const ContactCounts& counts, const std::vector<std::uint64_t>& contacts)
+  {
+    counts_.add(counts);
+    for (std::uint32_t species = 0; species < contacts.size(); ++species)
+      tally_.collided(species, contacts[species]);
+  }
+
+  void reserve(std::size_t count) { impulses_.reserve(count); }
+  void added();
+
+  /// The disks at these slots of the machine are kept, those at the others are about to be forgotten.
+  void keep(const std::vector<std::uint32_t>& kept, const std::vector<std::uint32_t>& left);
+
+  const ContactCounts& counts() const { return counts_; }
+  ContactCounts& counts() { return counts_; }
+  const ContactTimes& contactTimes() const { return times_; }
+  const BaseImpulses& impulses() const { return impulses_; }
+  BaseImpulses& impulses() { return impulses_; }
+  const CollisionObserver& collisionObserver() const { return observer_; }
+  void observeCollisions(CollisionObserver observer) { observer_ = std::move(observer); }
+
+  void restartMeans();
+  void endBlockOfMeans(double time) { tally_.endBlock(machine_, time); }
+  std::vector<SpeciesMeans> means(double time) const { return tally_.means(machine_, time); }
+
+  void rebase(double length) { times_.rebase(length); }
+
+  /// @throws StateError if the state is not of the machine's disks, which have been restored before
+  void archive(StateArchive& state);
+
+private:
+  const MachineState& machine_;
+  ContactCounts counts_;
+  BaseImpulses impulses_;
+  ContactTimes times_;
+  Tally tally_;
+  CollisionObserver observer_;
+};
+
+}  // namespace ratchet_sieve

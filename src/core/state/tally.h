@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ratchet_sieve/core/block_averages.h"
+#include "ratchet_sieve/core/observation.h"
+#include "state/machine_state.h"
+
+namespace ratchet_sieve
+{
+
+/// Means over disks and time, of the disks' passages. Times are local to the epoch.
+class Tally
+{
+public:
+  explicit Tally(const std::vector<SpeciesDefinition>& species)
+      : species_(species),
+        gone_(species.size()),
+        at_block_end_(species.size()),
+        blocks_(species.size()),
+        contacts_(species.size())
+  {
+  }
+
+  /// Sums up the passages of disks whose slots are given up.
+  void forget(const MachineState& machine, const std::vector<std::uint32_t>& left);
+
+  /// Disks of this species took part in so many contacts: two of one species collide, and each of them did.
+  void collided(std::uint32_t species, std::uint64_t contacts = 1) { contacts_[species] += contacts; }
+
+  /// Forgets all that was counted before.
+  void restart();
+
+  /// Ends a block of the series from which the errors of the means are found; see BlockAverages.
+  void endBlock(const MachineState& machine, double time);
+
+  std::vector<SpeciesMeans> means(const MachineState& machine, double time) const;
+
+  void archive(StateArchive& state) { state(gone_, at_block_end_, blocks_, contacts_); }
+
+private:
+  /// Sums over the passages of one species.
+  struct Sums
+  {
+    double disks = 0.0;
+    double displacement = 0.0;
+    double time = 0.0;
+    double displacement_squared = 0.0;
+    double displacement_time = 0.0;
+    double time_squared = 0.0;
+    double translation = 0.0;
+    double rotation = 0.0;
+
+    /// @param x where the passage has come to [m], @param until when, in the run's time [s]
+    void add(const Passage& passage, double x, double until);
+    void archive(StateArchive& state)
+    {
+      state(disks, displacement, time, displacement_squared, displacement_time, time_squared, translation,
+            rotation);
+    }
+    SpeciesMeans means(const SpeciesDefinition& species) const;
+  };
+
+  /// Adds the passage of a disk that has left, where it counts.
+  static void addLeft(const MachineState& machine, std::uint32_t slot, std::vector<Sums>& sums);
+  std::vector<Sums> sums(const MachineState& machine, double time) const;
+
+  std::vector<SpeciesDefinition> species_;
+  std::vector<Sums> gone_;               ///< per species, of passages that were forgotten
+  std::vector<Sums> at_block_end_;       ///< per species, when the last block ended
+  std::vector<BlockAverages> blocks_;    ///< per species
+  std::vector<std::uint64_t> contacts_;  ///< per species, of its disks, since the counting began
+};
+
+}  // namespace ratchet_sieve

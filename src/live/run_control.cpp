@@ -1,0 +1,291 @@
+#include "ratchet_sieve/live/run_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/recording/commands.h"
+#include "ratchet_sieve/recording/wall_warnings.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+Outcome failure(const std::string& message)
+{
+  return {false, message};
+}
+
+CommandFrame plainCommand(CommandKind kind)
+{
+  CommandFrame command;
+  command.kind = kind;
+  return command;
+}
+
+/// What stamps, which have nanoseconds, do not tell apart is the same time [s]: sums of durations round.
+constexpr double RESOLUTION = 1e-9;
+
+/// A paused run is under way as long as this lives.
+class UnderWay
+{
+public:
+  explicit UnderWay(LiveRun& run) : run_(run) { run_.setUnderWay(true); }
+  ~UnderWay() { run_.setUnderWay(false); }
+  UnderWay(const UnderWay&) = delete;
+  UnderWay& operator=(const UnderWay&) = delete;
+
+private:
+  LiveRun& run_;
+};
+
+/// The scene with its base as it moves now.
+SceneDefinition withBase(SceneDefinition scene, const DriveState& base)
+{
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    scene.base.*q.definition = base.*q.applied;
+  scene.base.phase = base.phase;
+  return scene;
+}
+}  // namespace
+
+RunControl::RunControl(const YAML::Node& scene, const std::string& source, const RunParameters& parameters,
+                       RunRecording& recording, RunLog log, PourObserver pour_observer)
+    : scene_(YAML::Clone(scene)),
+      source_(source),
+      parameters_(parameters),
+      recording_(recording),
+      log_(std::move(log)),
+      pour_observer_(std::move(pour_observer)),
+      paused_(parameters.start_paused)
+{
+  const Scene read = readScene(0, {});
+  scene_warnings_ = read.warnings;
+  announce(read);
+  run_ = makeRun(read.definition, {slewRateCommand(parameters_.slew_rates)}, 0.0, read.definition.duration);
+  run_->setUnderWay(!paused_);
+}
+
+/// Says what of the model a run works out, how large it is and what of its scene can hardly be meant: before
+/// it is poured, which may take long.
+void RunControl::announce(const Scene& scene) const
+{
+  log_.inform("plan: " + planText(planOf(scene.definition)));
+  log_.inform(sizeText(scene.definition));
+  for (const std::string& warning : scene.warnings)
+    log_.warn(source_ + ": " + warning);
+}
+
+std::unique_ptr<LiveRun> RunControl::makeRun(const SceneDefinition& scene, std::vector<CommandFrame> opening,
+                                             double start_time, double end_time) const
+{
+  return std::make_unique<LiveRun>(scene, parameters_.rates, std::move(opening), start_time, end_time,
+                                   std::chrono::steady_clock::now, pour_observer_);
+}
+
+Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const
+{
+  YAML::Node root = YAML::Clone(scene_);
+  for (const std::string& assignment : overrides)
+    applyOverride(root, assignment);
+  if (seed != 0)
+    root["seed"] = seed;
+  return sceneFromYaml(root, source_);
+}
+
+std::string RunControl::turnWarning() const
+{
+  return fastTurnText(run_->simulation().scene(), parameters_.slew_rates.inclination);
+}
+
+void RunControl::begin()
+{
+  if (const std::string warning = turnWarning(); !warning.empty())
+    log_.warn(warning);
+  if (recording_.on())
+    run_->record(recording_, recording_.rates());
+  run_->takeDue(sinks_);
+}
+
+void RunControl::end()
+{
+  run_->takeAll(sinks_);
+  recording_.close();
+}
+
+void RunControl::pause()
+{
+  if (!paused_)
+    run_->give(plainCommand(CommandKind::PAUSE), sinks_);
+  paused_ = true;
+  run_->takeAll(sinks_);
+  run_->setUnderWay(false);
+}
+
+void RunControl::unpause()
+{
+  if (paused_)
+    run_->give(plainCommand(CommandKind::UNPAUSE), sinks_);
+  paused_ = false;
+  run_->setUnderWay(true);
+}
+
+std::optional<std::string> RunControl::whyNoStep(double duration) const
+{
+  if (!paused_)
+    return "the simulation is not paused: pause it first";
+  if (!std::isfinite(duration) || duration <= 0.0)
+    return "duration " + std::to_string(duration) + " s: must be > 0 and finite";
+  if (run_->finished())
+    return run_->stopReason().value_or("the scene's end is reached: reset first");
+  return std::nullopt;
+}
+
+Outcome RunControl::step(double duration, const Stride& stride)
+{
+  if (const auto reason = whyNoStep(duration))
+    return failure(*reason);
+  return advance(duration, stride);
+}
+
+Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& setpoints, double duration,
+                             const Stride& stride)
+{
+  if (const auto reason = whyNoStep(duration))
+    return failure(*reason);
+  std::vector<const Setpoint*> found;
+  for (const auto& [name, value] : setpoints)
+  {
+    const auto setpoint =
+        std::find_if(parameters_.setpoints.begin(), parameters_.setpoints.end(),
+                     [&name = name](const Setpoint& known) { return known.name() == name; });
+    if (setpoint == parameters_.setpoints.end())
+      return failure("setpoint " + name + ": must be inclination, frequency or amplitude");
+    if (const auto refusal = setpoint->refusal(value))
+      return failure(*refusal);
+    found.push_back(&*setpoint);
+  }
+  // One that says nothing new is not given: all disks would be looked at anew, and nothing would come of it.
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (commanded(found[k]->quantity) != setpoints[k].second)
+      command(*found[k], setpoints[k].second);
+  return advance(duration, stride);
+}
+
+Outcome RunControl::advance(double duration, const Stride& stride)
+{
+  const UnderWay under_way(*run_);
+  const double target = run_->time() + duration;
+  while (run_->time() < target && !run_->finished())
+    if (!stride(target))
+      return failure("interrupted");
+  run_->takeAll(sinks_);
+  if (run_->stopped())
+    return failure(*run_->stopReason());
+  if (target - run_->time() < RESOLUTION)
+    return {};
+  return {true, fmt::format("the scene's end came first, at {:.9g} s: {:.9g} s of the step are left",
+                            run_->time(), target - run_->time())};
+}
+
+void RunControl::begin(std::unique_ptr<LiveRun> run)
+{
+  run_->takeAll(sinks_);
+  recording_.openNext();
+  run_ = std::move(run);
+  run_->setUnderWay(!paused_);
+  begin();
+}
+
+Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& overrides, bool keep_time)
+{
+  try
+  {
+    const Scene scene = readScene(seed, overrides);
+    const double start = keep_time ? run_->time() : 0.0;
+    announce(scene);
+    begin(makeRun(scene.definition, {slewRateCommand(parameters_.slew_rates)}, start,
+                  start + scene.definition.duration));
+    scene_warnings_ = scene.warnings;
+    return {};
+  }
+  catch (const SceneError& error)
+  {
+    return failure(error.what());
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return failure(source_ + ": " + error.what());
+  }
+}
+
+void RunControl::show(const AnyFrame& frame)
+{
+  sinks_.take(frame);
+  recording_.take(frame);
+}
+
+Outcome RunControl::resetWorld()
+{
+  try
+  {
+    const DriveState base = run_->simulation().base();
+    std::vector<CommandFrame> opening = {slewRateCommand(parameters_.slew_rates)};
+    for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+      opening.push_back(setpointCommand(q.quantity, base.*q.commanded));
+    const SceneDefinition scene = withBase(run_->simulation().scene(), base);
+    // Disks that are poured at the end have as long as the first had.
+    const bool at_end = run_->time() >= run_->endTime();
+    begin(makeRun(scene, opening, run_->time(), at_end ? run_->time() + scene.duration : run_->endTime()));
+    return {};
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return failure(error.what() + std::string(", as the base stands now; the run goes on as it was"));
+  }
+}
+
+Outcome RunControl::pour(const std::string& species, std::size_t count)
+{
+  if (count < 1 || count > MOST_POURED)
+    return failure("count " + std::to_string(count) + ": must be from 1 to " + std::to_string(MOST_POURED));
+  const auto& all = run_->simulation().scene().species;
+  const auto found = std::find_if(
+      all.begin(), all.end(), [&](const SpeciesDefinition& candidate) { return candidate.name == species; });
+  if (found == all.end())
+    return failure("species " + species + ": there is none of that name");
+  try
+  {
+    CommandFrame command = plainCommand(CommandKind::POUR);
+    command.species = static_cast<std::uint32_t>(found - all.begin());
+    command.count = static_cast<std::uint32_t>(count);
+    run_->give(command, sinks_);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return failure(error.what());
+  }
+  show(run_->particles());
+  show(run_->bins());
+  return {};
+}
+
+double RunControl::commanded(Quantity quantity) const
+{
+  return run_->simulation().base().*describe(quantity).commanded;
+}
+
+Outcome RunControl::command(const Setpoint& setpoint, double value)
+{
+  if (const auto refusal = setpoint.refusal(value))
+    return failure(*refusal);
+  run_->give(setpointCommand(setpoint.quantity, value), sinks_);
+  show(run_->base());
+  return {};
+}
+
+}  // namespace ratchet_sieve

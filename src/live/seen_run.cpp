@@ -1,0 +1,134 @@
+#include "ratchet_sieve/live/seen_run.h"
+
+#include <algorithm>
+
+#include "ratchet_sieve/core/drive_of_scene.h"
+#include "ratchet_sieve/scene/scene_file.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// So many of the last base frames are kept, for disks that come later than the base of their time: more
+/// than a second at the default rates.
+constexpr std::size_t BASES_KEPT = 100;
+
+/// The base a little later: the drive goes on, what slews is left where it was.
+BaseFrame carriedOn(const SceneDefinition& scene, BaseFrame frame, double time)
+{
+  if (frame.time == time)
+    return frame;
+  BaseDefinition drive = withAmplitude(scene.base, frame.base.amplitude);
+  drive.frequency = frame.base.frequency;
+  drive.phase = frame.base.phase;
+  const DriveState later = driveStateAt(drive, time - frame.time);
+  frame.base.phase = later.phase;
+  frame.base.displacement = later.displacement;
+  frame.base.velocity = later.velocity;
+  frame.base.horizontal_displacement = later.horizontal_displacement;
+  frame.base.horizontal_velocity = later.horizontal_velocity;
+  frame.time = time;
+  return frame;
+}
+
+/// The base of a run of which no base was recorded, as its scene has it.
+BaseFrame baseOf(const SceneDefinition& scene)
+{
+  BaseFrame frame;
+  frame.base = driveStateAt(scene.base, 0.0);
+  return frame;
+}
+}  // namespace
+
+void SeenRun::take(const AnyFrame& any)
+{
+  any.visit([this](const auto& frame) { see(frame); });
+}
+
+void SeenRun::see(const SceneFrame& frame)
+{
+  if (scene_ && frame.yaml == yaml_)
+    return;
+  try
+  {
+    scene_ = sceneFromText(frame.yaml, "scene").definition;
+    scene_error_.reset();
+    yaml_ = frame.yaml;
+  }
+  catch (const SceneError& error)
+  {
+    scene_error_ = error.what();
+  }
+}
+
+template <typename Frame>
+void SeenRun::see(const Frame& frame, std::optional<Frame>& last)
+{
+  if (last && frame.time < last->time)
+    leapTo(frame.time);
+  last = frame;
+}
+
+void SeenRun::see(const BaseFrame& frame)
+{
+  if (!bases_.empty() && frame.time < bases_.back().time)
+    leapTo(frame.time);
+  bases_.push_back(frame);
+  if (bases_.size() > BASES_KEPT)
+    bases_.pop_front();
+}
+
+/// What is later was seen before time leapt back, and is no part of what comes now.
+void SeenRun::leapTo(double time)
+{
+  if (particles_ && particles_->time > time)
+    particles_.reset();
+  if (bins_ && bins_->time > time)
+    bins_.reset();
+  if (statistics_ && statistics_->time > time)
+    statistics_.reset();
+  bases_.erase(
+      std::find_if(bases_.begin(), bases_.end(), [time](const BaseFrame& base) { return base.time > time; }),
+      bases_.end());
+}
+
+bool SeenRun::fits(const ParticleFrame& frame) const
+{
+  return std::all_of(frame.disks.begin(), frame.disks.end(),
+                     [this](const DiskState& disk) { return disk.species < scene_->species.size(); });
+}
+
+std::optional<double> SeenRun::time() const
+{
+  if (!scene_)
+    return {};
+  if (particles_)
+    return particles_->time;
+  if (!bases_.empty())
+    return bases_.back().time;
+  return bins_ ? std::optional<double>(bins_->time) : std::nullopt;
+}
+
+BaseFrame SeenRun::baseAt(double time) const
+{
+  if (bases_.empty())
+    return carriedOn(*scene_, baseOf(*scene_), time);
+  const auto later = std::upper_bound(bases_.begin(), bases_.end(), time,
+                                      [](double t, const BaseFrame& base) { return t < base.time; });
+  return carriedOn(*scene_, later == bases_.begin() ? *later : *std::prev(later), time);
+}
+
+Picture SeenRun::picture() const
+{
+  Picture picture{*scene_, baseAt(*time()), {}, {}, {}};
+  if (particles_ && fits(*particles_))
+    picture.particles = particles_;
+  if (bins_ && bins_->bins.size() == scene_->species.size())
+    picture.bins = bins_;
+  if (statistics_ && statistics_->species.size() == scene_->species.size())
+    for (const SpeciesRow& species : statistics_->species)
+      picture.means.push_back(species.means);
+  return picture;
+}
+
+}  // namespace ratchet_sieve

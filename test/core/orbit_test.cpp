@@ -1,0 +1,307 @@
+#include "model/orbit.h"
+#include "ratchet_sieve/core/drive_of_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "model/base_motion.h"
+#include "ratchet_sieve/core/simulation.h"
+#include "reference_loop.h"
+#include "scenes.h"
+#include "state_hash.h"
+
+/// A drive with a horizontal part and harmonics.
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr double PI = 3.14159265358979323846;
+
+SceneDefinition circling(SceneDefinition scene)
+{
+  scene.base.horizontal_amplitude = scene.base.amplitude;
+  scene.base.horizontal_phase = 0.5 * PI;
+  return scene;
+}
+
+/// D by the C library's sine, A as it is over that of the scene being `scale`.
+Eigen::Vector2d placeByHand(const BaseDefinition& base, double phase, double scale)
+{
+  Eigen::Vector2d place(base.horizontal_amplitude * std::sin(phase + base.horizontal_phase),
+                        base.amplitude * std::sin(phase));
+  for (const HarmonicDefinition& harmonic : base.harmonics)
+  {
+    const double turned = harmonic.multiple * phase;
+    place += Eigen::Vector2d(harmonic.horizontal_amplitude * std::sin(turned + harmonic.horizontal_phase),
+                             harmonic.amplitude * std::sin(turned + harmonic.phase));
+  }
+  return scale * place;
+}
+
+TEST(Orbit, IsTheSumOfItsSines)
+{
+  BaseDefinition base = test::onAnOrbit(test::mixture(1)).base;
+  base.phase = 0.3;
+  const BaseMotion motion(base);
+  for (const double time : {0.0, 0.013, 0.7})
+  {
+    const double phase = base.phase + 2.0 * PI * base.frequency * time;
+    EXPECT_LT((motion.at(time).displacement - placeByHand(base, phase, 1.0)).norm(), 1e-15);
+    const DriveState state = motion.state(time);
+    EXPECT_EQ(state.horizontal_displacement, motion.at(time).displacement.x());
+    EXPECT_EQ(state.horizontal_velocity, motion.at(time).velocity.x());
+    EXPECT_EQ(state.displacement, motion.at(time).displacement.y());
+  }
+}
+
+/// Whole turns in its phases take no digits from it.
+TEST(Orbit, OfManyTurnsIsTheSame)
+{
+  BaseDefinition base = test::onAnOrbit(test::mixture(1)).base;
+  base.horizontal_phase = 0.25 * PI;
+  BaseDefinition turned = base;
+  turned.horizontal_phase = 0.25 * PI * (1.0 + 8.0 * 0x1p17);
+  const double step = 1e-7;
+  for (int i = 0; i < 100; ++i)
+  {
+    const double time = i * step;
+    const double off =
+        BaseMotion(base).at(time).displacement.x() - BaseMotion(turned).at(time).displacement.x();
+    const double at_start =
+        BaseMotion(base).at(0.0).displacement.x() - BaseMotion(turned).at(0.0).displacement.x();
+    EXPECT_NEAR(off, at_start, 1e-15);
+  }
+}
+
+/// Velocity and acceleration against differences, on ramps too.
+TEST(Orbit, MovesAtItsVelocityWithinItsBounds)
+{
+  const BaseDefinition base = test::onAnOrbit(test::mixture(1)).base;
+  for (const bool ramps : {false, true})
+  {
+    BaseMotion motion(base);
+    if (ramps)
+    {
+      motion.command(Quantity::AMPLITUDE, 0.004, 0.0);
+      motion.command(Quantity::FREQUENCY, 60.0, 0.0);
+      ASSERT_GT(*motion.nextChange(), 0.9);
+    }
+    const double step = 1e-7;
+    for (int i = 1; i < 2000; ++i)
+    {
+      const double t = i * 4.3e-4;
+      const FrameOfBase before = motion.at(t - step), now = motion.at(t), after = motion.at(t + step);
+      ASSERT_LT((now.velocity - (after.displacement - before.displacement) / (2.0 * step)).norm(), 1e-6);
+      const Eigen::Vector2d acceleration = (after.velocity - before.velocity) / (2.0 * step);
+      ASSERT_TRUE((acceleration.cwiseAbs().array() <= motion.accelerationBound().array() + 1e-6).all());
+      ASSERT_TRUE((now.displacement.cwiseAbs().array() <= motion.displacementBound().array()).all());
+      ASSERT_LE(now.velocity.norm(), motion.speedBound());
+    }
+  }
+}
+
+TEST(Orbit, IsScaledWithTheAmplitude)
+{
+  const BaseDefinition base = test::onAnOrbit(test::mixture(1)).base;
+  BaseMotion motion(base);
+  motion.command(Quantity::AMPLITUDE, 0.001, 0.0);
+  motion.beginSegment(*motion.nextChange());
+  ASSERT_FALSE(motion.nextChange());
+  const BaseMotion half(withAmplitude(base, 0.001));
+  for (const double time : {0.51, 0.53, 1.7})
+    EXPECT_LT((motion.at(time).displacement - half.at(time).displacement).norm(), 1e-16) << time;
+  motion.command(Quantity::AMPLITUDE, 0.0, 2.0);
+  motion.beginSegment(*motion.nextChange());
+  EXPECT_TRUE(motion.at(3.1).displacement.isZero(0.0));
+  EXPECT_FALSE(motion.swings());
+}
+
+TEST(Orbit, WithoutAnAmplitudeOfTheSceneStandsByItself)
+{
+  BaseDefinition base = test::onAnOrbit(test::mixture(1)).base;
+  base.amplitude = 0.0;
+  BaseMotion motion(base);
+  EXPECT_TRUE(motion.swings());
+  motion.command(Quantity::AMPLITUDE, 0.001, 0.0);
+  motion.beginSegment(*motion.nextChange());
+  const double time = 0.73;
+  const double phase = 2.0 * PI * base.frequency * time;
+  const Eigen::Vector2d expected =
+      placeByHand(base, phase, 1.0) + Eigen::Vector2d(0.0, 0.001 * std::sin(phase));
+  EXPECT_LT((motion.at(time).displacement - expected).norm(), 1e-15);
+}
+
+/// A disk falls on a flat base that moves to and fro under it alone. Its contact by hand: the base's surface
+/// moves at V, so that the disk's slips at -V, and rolls or slips by Coulomb's law.
+TEST(Orbit, AFlatBaseThatMovesSidewaysDragsADiskAlong)
+{
+  for (const double friction : {0.05, 10.0})
+  {
+    SceneDefinition scene = test::singleParticles(0);
+    scene.base.tooth_height = 0.0;
+    scene.base.amplitude = 0.0;
+    scene.base.horizontal_amplitude = 0.003;
+    scene.base.horizontal_phase = 0.9;
+    SpeciesDefinition& disk = scene.species[0];
+    disk.contact.friction = friction;
+    const double fall = 0.02;
+    scene.initial = {{0, 0.2, disk.radius + fall, 0.0, 0.0, 0.0}};
+    Simulation simulation(scene);
+    std::vector<CollisionRecord> records;
+    simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
+    const double landed = std::sqrt(2.0 * fall / scene.gravity);
+    simulation.advanceTo(landed + 1e-9);
+    ASSERT_EQ(records.size(), 1u);
+    EXPECT_NEAR(records[0].time, landed, 1e-13);
+    const double rate = 2.0 * PI * scene.base.frequency;
+    const double base_speed = 0.003 * rate * std::cos(rate * landed + 0.9);
+    const double normal = (1.0 + 0.6) * disk.mass * std::sqrt(2.0 * scene.gravity * fall);
+    const double sticking = (1.0 + 0.4) * disk.mass / 3.0 * std::abs(base_speed);  // 1/m_t = 3/m for a disk
+    EXPECT_EQ(friction < 1.0, friction * normal < sticking) << "one of each";
+    const double given = std::copysign(std::min(friction * normal, sticking), base_speed);
+    EXPECT_NEAR(simulation.disks()[0].vx, given / disk.mass, 1e-12);
+    EXPECT_NEAR(simulation.baseImpulse().x(), given, 1e-15);
+  }
+}
+
+/// What an oblique stroke, up and to the right, throws to the right; turned around, to the left.
+TEST(Orbit, AnObliqueFeederFeedsTheWayItStrikes)
+{
+  for (const double side : {1.0, -1.0})
+  {
+    SceneDefinition scene = test::mixture(60);
+    scene.base.tooth_height = 0.0;
+    scene.base.horizontal_amplitude = side * 0.002;
+    Simulation simulation(scene);
+    simulation.advanceTo(5.0);
+    for (const SpeciesMeans& means : simulation.means())
+      EXPECT_GT(side * *means.mean_vx, 0.02);
+  }
+}
+
+/// Where the drive has a frequency of 0, or all of it is scaled to nothing, the base stands where its phase
+/// has it, and lossless disks keep their energy.
+TEST(Orbit, ThatStandsStillKeepsTheEnergyOfLosslessDisks)
+{
+  SceneDefinition scene = test::onAnOrbit(test::mixture(15));
+  scene.base.frequency = 0.0;
+  scene.base.phase = 1.0;
+  scene.base.inclination = 0.1;
+  scene.contact.min_rebound_speed = 0.0;
+  for (SpeciesDefinition& species : scene.species)
+    species.contact.restitution = 1.0, species.contact.tangential_restitution = 1.0,
+    species.contact.friction = 1e9;
+  scene.boundary = Boundary::WALLED;
+  Simulation simulation(scene);
+  const double before = simulation.energy();
+  EXPECT_GT(std::abs(simulation.base().horizontal_displacement), 1e-4);
+  simulation.advanceTo(1.0);
+  EXPECT_GT(simulation.collisions().total(), 100u);
+  EXPECT_NEAR(simulation.energy(), before, 1e-11 * before);
+  EXPECT_EQ(simulation.base().horizontal_velocity, 0.0);
+}
+
+TEST(Orbit, StridesDoNotMatter)
+{
+  for (const bool pairs : {true, false})
+  {
+    SceneDefinition scene = test::onAnOrbit(test::mixture(20));
+    scene.contact.pair_collisions = pairs;
+    scene.base.inclination = 0.05;
+    Simulation one(scene), many(scene);
+    one.advanceTo(1.3);
+    for (int i = 1; i <= 130; ++i)
+      many.advanceTo(i == 130 ? 1.3 : 0.01 * i);
+    EXPECT_EQ(test::stateHash(one), test::stateHash(many));
+  }
+}
+
+/// The loop with its cells, queue and lazy search against the slow reference; and disks that never meet as an
+/// ensemble against the same among each other.
+TEST(Orbit, TheLoopsAgreeWithTheReference)
+{
+  SceneDefinition scene = test::onAnOrbit(test::mixture(6));
+  scene.base.teeth = 3;
+  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::WALLED})
+  {
+    scene.boundary = boundary;
+    const double end = 0.2;
+    Simulation simulation(scene);
+    simulation.advanceTo(end);
+    SceneDefinition placed = scene;
+    for (const DiskState& disk : Simulation(scene).disks())
+      placed.initial.push_back({disk.species, disk.x, disk.y, disk.vx, disk.vy, disk.spin});
+    Machine machine(placed);
+    for (const InitialDisk& initial : placed.initial)
+    {
+      Disk disk;
+      disk.position = {initial.x, initial.y};
+      disk.species = static_cast<std::uint32_t>(initial.species);
+      machine.add(disk);
+    }
+    test::ReferenceLoop(machine).advanceTo(end);
+    EXPECT_GT(machine.record().counts().collisions.total(), 20u);
+    const std::vector<DiskState> states = simulation.disks();
+    for (std::uint32_t id = 0; id < states.size(); ++id)
+    {
+      const Disk disk = flown(machine.state().disk(id), end, scene.gravity);
+      EXPECT_NEAR(std::remainder(disk.position.x() - states[id].x, scene.base.width()), 0.0, 1e-8);
+      EXPECT_NEAR(disk.position.y(), states[id].y, 1e-8);
+    }
+  }
+}
+
+/// Single disks: the ensemble's loop against each disk alone among pairs.
+TEST(Orbit, AnEnsembleIsManyDisksAlone)
+{
+  SceneDefinition scene = test::onAnOrbit(test::singleParticles(0));
+  scene.base.inclination = -0.1;
+  for (int i = 0; i < 10; ++i)
+    scene.initial.push_back({0, 0.03 * i, 0.02, 0.02 * i, 0.0, 3.0 * i});
+  Simulation ensemble(scene);
+  EXPECT_FALSE(ensemble.plan().lanes);
+  ensemble.advanceTo(0.4);
+  const std::vector<DiskState> together = ensemble.disks();
+  for (std::size_t i = 0; i < together.size(); ++i)
+  {
+    SceneDefinition alone = scene;
+    alone.initial = {scene.initial[i]};
+    alone.contact.pair_collisions = true;
+    Simulation single(alone);
+    single.advanceTo(0.4);
+    EXPECT_GT(single.collisions().total(), 2u);
+    EXPECT_NEAR(together[i].displacement, single.disks()[0].displacement, 1e-9);
+    EXPECT_NEAR(together[i].y, single.disks()[0].y, 1e-9);
+  }
+}
+
+TEST(Orbit, FollowsSetpointsWithoutOverlaps)
+{
+  SceneDefinition scene = circling(test::mixture(30));
+  scene.base.teeth = 5;
+  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED})
+  {
+    scene.boundary = boundary;
+    Simulation simulation(scene);
+    simulation.advanceTo(0.5);
+    simulation.command(Quantity::AMPLITUDE, 0.003);
+    simulation.command(Quantity::FREQUENCY, 30.0);
+    simulation.command(Quantity::INCLINATION, 0.05);
+    for (int i = 6; i <= 20; ++i)
+    {
+      simulation.advanceTo(0.1 * i);
+      EXPECT_EQ(simulation.auditOverlaps(), 0u);
+    }
+    EXPECT_LT(simulation.maxOverlap(), 1e-12);
+    const DriveState base = simulation.base();
+    EXPECT_EQ(base.amplitude, 0.003);
+    EXPECT_NEAR(std::hypot(base.displacement, base.horizontal_displacement), 0.003, 1e-15)
+        << "still a circle";
+  }
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

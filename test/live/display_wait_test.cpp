@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include "ratchet_sieve/live/display_wait.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+DisplayWait::Clock::time_point at(double seconds)
+{
+  return DisplayWait::Clock::time_point() + std::chrono::milliseconds(static_cast<int>(1000.0 * seconds));
+}
+
+TEST(DisplayWait, waitsForNothingUnlessTold)
+{
+  DisplayWait wait(0.0);
+  EXPECT_FALSE(wait.look(false, at(0.0)));
+  EXPECT_FALSE(wait.waiting());
+}
+
+TEST(DisplayWait, endsWhenSomebodyWatchesAndSaysSoOnce)
+{
+  DisplayWait wait(60.0);
+  EXPECT_TRUE(wait.waiting());
+  EXPECT_EQ(wait.look(false, at(1.0)), "the run waits until ~markers or ~cloud is watched, for 60 s at most");
+  EXPECT_FALSE(wait.look(false, at(2.0)));
+  EXPECT_TRUE(wait.waiting());
+  EXPECT_EQ(wait.look(true, at(3.5)), "the run may begin: it is watched, after 2.5 s");
+  EXPECT_FALSE(wait.waiting());
+  // Who goes away again does not stop the run.
+  EXPECT_FALSE(wait.look(false, at(4.0)));
+  EXPECT_FALSE(wait.waiting());
+}
+
+TEST(DisplayWait, endsWhereNobodyComes)
+{
+  DisplayWait wait(60.0);
+  wait.look(false, at(0.0));
+  EXPECT_FALSE(wait.look(false, at(59.0)));
+  EXPECT_TRUE(wait.waiting());
+  EXPECT_EQ(wait.look(false, at(60.0)),
+            "nobody watches ~markers or ~cloud after 60 s (~wait_for_display): the run may begin");
+  EXPECT_FALSE(wait.waiting());
+}
+}  // namespace
+}  // namespace ratchet_sieve

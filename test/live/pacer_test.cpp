@@ -1,0 +1,173 @@
+#include "ratchet_sieve/live/pacer.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace ratchet_sieve
+{
+namespace
+{
+using Clock = Pacer::Clock;
+
+Clock::time_point after(Clock::time_point start, double seconds)
+{
+  return start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+/// A pacer whose stride does not bind.
+Pacer widePacer(double factor)
+{
+  Pacer pacer(factor);
+  for (int k = 0; k < 20; ++k)
+    pacer.advanced(pacer.stride(), 0.0);
+  return pacer;
+}
+
+TEST(Pacer, letsSimulatedTimeFollowWallTime)
+{
+  Pacer pacer = widePacer(4.0);
+  const auto start = Clock::now();
+  pacer.anchor(10.0, start);
+  EXPECT_NEAR(pacer.allowed(10.0, after(start, 0.05)), 10.2, 1e-8);
+}
+
+TEST(Pacer, waitsUntilTheNextInstantIsDueButNotLong)
+{
+  Pacer pacer(2.0);
+  const auto start = Clock::now();
+  pacer.anchor(0.0, start);
+  EXPECT_NEAR(pacer.wait(0.01, start), 0.005, 1e-8);
+  EXPECT_EQ(pacer.wait(100.0, start), Pacer::LONGEST_WAIT);
+  EXPECT_EQ(pacer.wait(0.01, after(start, 1.0)), 0.0);
+}
+
+TEST(Pacer, neverWaitsWhenAsFastAsItGoes)
+{
+  Pacer pacer(0.0);
+  EXPECT_EQ(pacer.wait(100.0, Clock::now()), 0.0);
+  EXPECT_EQ(pacer.allowed(1.0, Clock::now()), 1.0 + pacer.stride());
+}
+
+TEST(Pacer, doesNotMakeUpForALongDelay)
+{
+  Pacer pacer = widePacer(1.0);
+  const auto start = Clock::now();
+  pacer.anchor(0.0, start);
+  pacer.allowed(0.0, after(start, 60.0));
+  EXPECT_NEAR(pacer.allowed(0.0, after(start, 60.01)), 0.01, 1e-8);
+}
+
+/// Runs a simulation beside a pacer, on a clock of its own, for `wall` [s].
+struct Paced
+{
+  explicit Paced(double factor) : pacer(widePacer(factor)) { pacer.anchor(time, now); }
+
+  /// @param cost wall time that the simulation takes for simulated time
+  void run(double wall, double cost)
+  {
+    const auto end = after(now, wall);
+    while (now < end)
+    {
+      now = after(now, pacer.wait(time + 0.01, now));
+      const double target = std::max(pacer.allowed(time, now), time);
+      const double taken = cost * (target - time);
+      pacer.advanced(target - time, taken);
+      now = after(now, taken + 1e-5);  // the rest of the loop's turn
+      time = target;
+    }
+  }
+
+  double time = 0.0;  ///< simulated [s]
+  Clock::time_point now = Clock::now();
+  Pacer pacer;
+};
+
+TEST(Pacer, keepsToTheFactorThatIsAskedFor)
+{
+  Paced run(3.0);
+  run.run(10.0, 0.1);
+  EXPECT_NEAR(run.time, 30.0, 0.1);
+  EXPECT_EQ(run.pacer.lost(), 0.0);
+}
+
+TEST(Pacer, doesNotRaceAfterASlowTime)
+{
+  Paced run(1.0);
+  run.run(10.0, 2.0);  // half as fast as asked for
+  EXPECT_NEAR(run.time, 5.0, 0.2);
+  const double slow = run.time;
+  run.run(10.0, 0.01);
+  EXPECT_NEAR(run.time - slow, 10.0, 0.2);  // what it was behind by less than a moment is made up for
+}
+
+TEST(Pacer, saysWhatItGaveUp)
+{
+  Paced run(1.0);
+  run.run(10.0, 2.0);
+  EXPECT_NEAR(run.pacer.lost(), 5.0, 0.2);
+  const double lost = run.pacer.lost();
+  run.run(10.0, 0.01);
+  EXPECT_NEAR(run.pacer.lost(), lost, 0.2);
+
+  Paced twice(2.0);
+  twice.run(10.0, 1.0);  // wall time is lost, whatever the factor
+  EXPECT_NEAR(twice.pacer.lost(), 5.0, 0.2);
+
+  Paced fast(0.0);
+  fast.run(1.0, 5.0);
+  EXPECT_EQ(fast.pacer.lost(), 0.0);
+}
+
+TEST(Pacer, comesRoundOftenEnoughHoweverSlowTheSimulation)
+{
+  Paced run(1.0);
+  const auto turn = [&] { run.run(1e-9, 1e4); };
+  for (int k = 0; k < 50; ++k)  // it learns
+    turn();
+  const auto begin = run.now;
+  for (int k = 0; k < 100; ++k)
+    turn();
+  EXPECT_LE(run.now, after(begin, 101 * Pacer::LONGEST_WAIT));
+}
+
+TEST(Pacer, goesOnAtAnotherFactorWithoutAJump)
+{
+  Paced run(1.0);
+  run.run(2.0, 0.01);
+  double before = run.time;
+  run.pacer.setFactor(5.0, run.time, run.now);
+  EXPECT_EQ(run.pacer.factor(), 5.0);
+  EXPECT_NEAR(run.pacer.allowed(run.time, run.now), before, 1e-9);
+  run.run(2.0, 0.01);
+  EXPECT_NEAR(run.time - before, 10.0, 0.1);
+
+  run.pacer.setFactor(0.0, run.time, run.now);
+  run.run(1.0, 0.01);
+  before = run.time;
+  run.pacer.setFactor(0.5, run.time, run.now);
+  EXPECT_NEAR(run.pacer.allowed(run.time, run.now), before, 1e-9);
+  run.run(2.0, 0.01);
+  EXPECT_NEAR(run.time - before, 1.0, 0.1);
+}
+
+TEST(Pacer, shortensStridesThatTakeLong)
+{
+  Pacer pacer(0.0);
+  const double cost = 1000.0;  // wall over simulated time
+  for (int k = 0; k < 100; ++k)
+    pacer.advanced(pacer.stride(), cost * pacer.stride());
+  EXPECT_LE(cost * pacer.stride(), Pacer::LONGEST_WAIT);
+  EXPECT_GE(cost * pacer.stride(), 0.1 * Pacer::LONGEST_WAIT);
+}
+
+TEST(Pacer, keepsItsStrideWhereFramesCutAdvancesShort)
+{
+  Pacer pacer(0.0);
+  const double stride = pacer.stride();
+  for (int k = 0; k < 100; ++k)
+    pacer.advanced(0.1 * stride, 0.0);
+  EXPECT_EQ(pacer.stride(), stride);
+}
+}  // namespace
+}  // namespace ratchet_sieve

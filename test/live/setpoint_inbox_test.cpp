@@ -1,0 +1,86 @@
+#include "ratchet_sieve/live/setpoint_inbox.h"
+
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace ratchet_sieve
+{
+namespace
+{
+using std::chrono::milliseconds;
+
+/// A run in which a command takes a while, on a clock of its own.
+class SlowRun
+{
+public:
+  explicit SlowRun(milliseconds cost) : cost_(cost) {}
+
+  void deliver(SetpointInbox& inbox, bool wait)
+  {
+    inbox.deliver(
+        wait,
+        [this](Quantity quantity, double value)
+        {
+          commands.emplace_back(quantity, value);
+          now += cost_;
+        },
+        [this] { return now; });
+  }
+
+  std::vector<std::pair<Quantity, double>> commands;
+  SetpointInbox::Clock::time_point now = SetpointInbox::Clock::now();
+
+private:
+  milliseconds cost_;
+};
+
+TEST(SetpointInbox, handsOverTheNewestOfEachQuantityOnce)
+{
+  SetpointInbox inbox;
+  SlowRun run(milliseconds(0));
+  run.deliver(inbox, true);
+  EXPECT_TRUE(run.commands.empty());
+  inbox.put(Quantity::AMPLITUDE, 0.001);
+  inbox.put(Quantity::INCLINATION, 0.1);
+  inbox.put(Quantity::AMPLITUDE, 0.002);
+  run.deliver(inbox, true);
+  run.deliver(inbox, true);
+  const std::vector<std::pair<Quantity, double>> expected = {{Quantity::INCLINATION, 0.1},
+                                                             {Quantity::AMPLITUDE, 0.002}};
+  EXPECT_EQ(run.commands, expected);
+}
+
+TEST(SetpointInbox, takesNoMoreThanItsShareOfTheTime)
+{
+  SetpointInbox inbox;
+  SlowRun run(milliseconds(20));
+  const auto begin = run.now;
+  int sent = 0;
+  while (run.now < begin + std::chrono::seconds(10))
+  {
+    inbox.put(Quantity::FREQUENCY, ++sent);
+    run.deliver(inbox, true);
+    run.now += milliseconds(1);
+  }
+  // 20 ms each, a tenth of the time: 5 a second.
+  EXPECT_NEAR(static_cast<double>(run.commands.size()), 50.0, 2.0);
+  run.now += std::chrono::seconds(1);
+  run.deliver(inbox, true);
+  EXPECT_EQ(run.commands.back().second, sent);
+}
+
+TEST(SetpointInbox, waitsForNothingWhereNothingRuns)
+{
+  SetpointInbox inbox;
+  SlowRun run(milliseconds(20));
+  for (const double value : {1.0, 2.0, 3.0})
+  {
+    inbox.put(Quantity::FREQUENCY, value);
+    run.deliver(inbox, false);
+  }
+  EXPECT_EQ(run.commands.size(), 3u);
+}
+}  // namespace
+}  // namespace ratchet_sieve
