@@ -48,7 +48,7 @@ void timeUntilAPairTouches(benchmark::State& state)
   for (auto _ : state)
   {
     const double* d = &draws[i];
-    benchmark::DoNotOptimize(timeToTouch({d[0], d[1]}, {d[2], d[3]}, 0.1));
+    benchmark::DoNotOptimize(timeToContact({d[0], d[1]}, {d[2], d[3]}, 0.1));
     i = (i + 4) % 4092;
   }
 }

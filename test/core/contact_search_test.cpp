@@ -67,7 +67,7 @@ Thrown drawnDisk(const BaseMotion& motion, const Sawtooth& sawtooth)
     n += 0.1 * radius;
   Thrown thrown;
   thrown.radius = radius;
-  const Eigen::Vector2d place = base.placeOutOf({s, n});
+  const Eigen::Vector2d place = base.positionOutOf({s, n});
   thrown.disk.position.x() = place.x();
   thrown.disk.position.y() = place.y();
   thrown.disk.velocity.x() = drawn(-2.0, 2.0);

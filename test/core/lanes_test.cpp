@@ -251,7 +251,7 @@ Disk drawnDisk(const MachineState& machine)
       n -= machine.sawtooth().heightAbove(s, n) - radius;
   const double speed = *rc::gen::element(0.05, 0.5, 5.0);
   Disk disk;
-  const Eigen::Vector2d place = base.placeOutOf({s, n});
+  const Eigen::Vector2d place = base.positionOutOf({s, n});
   disk.position.x() = place.x();
   disk.position.y() = place.y();
   disk.velocity.x() = drawn(-speed, speed);

@@ -22,11 +22,11 @@ double drawn(double low, double high)
 
 TEST(TimeToTouch, KnownAnswers)
 {
-  EXPECT_DOUBLE_EQ(*timeToTouch({3.0, 0.0}, {-1.0, 0.0}, 1.0), 2.0);
-  EXPECT_FALSE(timeToTouch({3.0, 0.0}, {1.0, 0.0}, 1.0));      // part
-  EXPECT_FALSE(timeToTouch({3.0, 1.1}, {-1.0, 0.0}, 1.0));     // pass
-  EXPECT_EQ(*timeToTouch({0.9, 0.0}, {-1.0, 0.0}, 1.0), 0.0);  // overlap and close: now
-  EXPECT_FALSE(timeToTouch({0.9, 0.0}, {1.0, 0.0}, 1.0));      // overlap and part: left alone
+  EXPECT_DOUBLE_EQ(*timeToContact({3.0, 0.0}, {-1.0, 0.0}, 1.0), 2.0);
+  EXPECT_FALSE(timeToContact({3.0, 0.0}, {1.0, 0.0}, 1.0));      // part
+  EXPECT_FALSE(timeToContact({3.0, 1.1}, {-1.0, 0.0}, 1.0));     // pass
+  EXPECT_EQ(*timeToContact({0.9, 0.0}, {-1.0, 0.0}, 1.0), 0.0);  // overlap and close: now
+  EXPECT_FALSE(timeToContact({0.9, 0.0}, {1.0, 0.0}, 1.0));      // overlap and part: left alone
 }
 
 double gapAt(const MachineState& machine, int shift, double time)

@@ -29,9 +29,9 @@ std::optional<RingCourse::Touch> slowly(const RingCourse& ring, const Eigen::Vec
   {
     const double length = shift * ring.width;
     const Eigen::Vector2d image(length * ring.rotation.cosine, length * ring.rotation.sine);
-    const auto wait = timeToTouch(place - image, velocity, distance);
-    if (wait && (!first || *wait < first->wait))
-      first = RingCourse::Touch{*wait, shift};
+    const auto time_to_contact = timeToContact(place - image, velocity, distance);
+    if (time_to_contact && (!first || *time_to_contact < first->time_to_contact))
+      first = RingCourse::Touch{*time_to_contact, shift};
   }
   return first;
 }
@@ -60,11 +60,12 @@ TEST(RingCourse, FindsWhatLookingAtEveryImageFinds)
         RC_ASSERT(touch.has_value() == expected.has_value());
         if (!touch)
           return;
-        RC_ASSERT(touch->wait == expected->wait);
+        RC_ASSERT(touch->time_to_contact == expected->time_to_contact);
         // With a limit: what comes by then, and nothing after it.
-        RC_ASSERT(ring.firstTouch(place, velocity, distance, expected->wait).has_value());
-        if (expected->wait > 0.0)
-          RC_ASSERT(!ring.firstTouch(place, velocity, distance, 0.999 * expected->wait).has_value());
+        RC_ASSERT(ring.firstTouch(place, velocity, distance, expected->time_to_contact).has_value());
+        if (expected->time_to_contact > 0.0)
+          RC_ASSERT(
+              !ring.firstTouch(place, velocity, distance, 0.999 * expected->time_to_contact).has_value());
       }));
 }
 
@@ -75,7 +76,7 @@ TEST(RingCourse, MeetsAnImageManyLapsAway)
   const auto touch = ring.firstTouch({0.0, 1.0}, {10.0, -1.0}, 0.002, FOR_EVER);
   ASSERT_TRUE(touch);
   EXPECT_EQ(touch->shift, 50);
-  EXPECT_NEAR(touch->wait, 1.0, 0.001);
+  EXPECT_NEAR(touch->time_to_contact, 1.0, 0.001);
   EXPECT_FALSE((RingCourse{{1.0, 0.0}, 0.2, 5.0, 49}.firstTouch({0.0, 1.0}, {10.0, -1.0}, 0.002, FOR_EVER)));
 }
 

@@ -246,7 +246,7 @@ void drawInitial(SceneDefinition& scene, double speed)
     const double margin = scene.boundary == Boundary::PERIODIC ? 1e-6 * base.width() : radius;
     n += radius * (1.001 + zeroOrMagnitude(1e-3, 10.0));
     const double s = margin + (base.width() - 2.0 * margin) * (0.001 + 0.998 * drawnFraction());
-    const Eigen::Vector2d place = frame.placeOutOf({s, n});
+    const Eigen::Vector2d place = frame.positionOutOf({s, n});
     disk.x = place.x();
     disk.y = place.y();
     n += radius;

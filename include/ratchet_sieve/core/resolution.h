@@ -4,7 +4,7 @@
 
 #include "ratchet_sieve/core/definition.h"
 
-/// How finely double precision holds the times and places of a scene.
+/// How finely double precision holds the times and positions of a scene.
 namespace ratchet_sieve
 {
 
@@ -21,10 +21,10 @@ double epochLength(double time_scale);
 /// disk of this radius [m] than it may overlap it. A power of two [s]; infinity where the speed is 0.
 double longestEpoch(double speed, double radius);
 
-/// How far from the origin places are still held finely enough for disks of this radius [m].
+/// How far from the origin positions are still held finely enough for disks of this radius [m].
 double farthestPlace(double radius);
 
-/// The finest step in time that is told from none [s].
+/// Times closer than this count as equal [s].
 double timeResolution(double epoch_length);
 
 /// The smallest disks that a scene may have.
@@ -34,7 +34,7 @@ struct FinestDisk
   std::string reason;   ///< what it takes it from: "the base is 0.4 m wide"
 };
 
-/// Smaller disks would overlap by more than a 1e-9 part of their radius: by how finely places as large
+/// Smaller disks would overlap by more than a 1e-9 part of their radius: by how finely positions as large
 /// as the scene's are held, or by how far its fastest disks go within the finest step in time.
 FinestDisk finestDisk(const SceneDefinition& scene);
 

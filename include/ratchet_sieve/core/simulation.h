@@ -22,7 +22,7 @@ namespace ratchet_sieve
 {
 
 /// The vibrating-ratchet feeder: hard disks over an inclined, shaken sawtooth base, advanced from
-/// collision to collision. The same definition gives the same bits, however often it is looked at
+/// collision to collision. The same definition gives the same bits, however often it is observed
 /// and in whatever strides it is advanced.
 class Simulation
 {

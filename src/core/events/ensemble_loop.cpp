@@ -165,15 +165,16 @@ private:
     ++events_;
     if (next.feature)
       machine_.handleBaseEvent(slot, next.feature, now, base_);
-    bringHome(slot, now);
+    wrapIntoWidth(slot, now);
     next = search(slot, now);
   }
 
-  /// Also where a long flight comes down, far from home: the next contact is found on a finer place.
-  void bringHome(std::uint32_t slot, double now)
+  /// Also where a long flight comes down many widths away: the next search then has finer coordinates.
+  void wrapIntoWidth(std::uint32_t slot, double now)
   {
     if (state_.scene().boundary == Boundary::PERIODIC)
-      state_.bringHome(slot, state_.search().seenFromBase(state_.disk(slot), base_.at(now), now).s(), now);
+      state_.wrapIntoWidth(slot, state_.search().seenFromBase(state_.disk(slot), base_.at(now), now).s(),
+                           now);
   }
 
   BaseEvent search(std::uint32_t slot, double from)

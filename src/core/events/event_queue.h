@@ -16,14 +16,14 @@ namespace ratchet_sieve
 
 /// One event time per disk, the earliest on top: a complete tournament tree as of Marin & Cordero (Comput.
 /// Phys. Commun. 92, 214 (1995)), with sixteen children to a node instead of two: a node fills two cache
-/// lines, and its minimum takes no branch. Ties go to the smaller id, so that the order of
+/// lines, and its minimum takes no branch. Ties go to the smaller slot, so that the order of
 /// events is total.
 class EventQueue
 {
 public:
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-  /// Makes room for ids below `count`; new ones have no event.
+  /// Makes room for slots below `count`; new ones have no event.
   void resize(std::size_t count)
   {
     if (rounds_.empty())
@@ -35,9 +35,9 @@ public:
     playAll();
   }
 
-  void update(std::uint32_t id, double time)
+  void update(std::uint32_t slot, double time)
   {
-    std::size_t child = id;
+    std::size_t child = slot;
     for (std::size_t round = 0;; ++round)
     {
       Group& group = rounds_[round][child / GROUP];
@@ -53,7 +53,7 @@ public:
     top_time_ = time;
   }
 
-  /// The id whose event is next. @pre resize() was called
+  /// The slot whose event is next. @pre resize() was called
   std::uint32_t top() const
   {
     std::size_t child = 0;
@@ -64,25 +64,25 @@ public:
 
   double topTime() const { return top_time_; }
 
-  /// The ids whose next events are no later than `time`, in increasing order. @param ids are replaced
-  void upTo(double time, std::vector<std::uint32_t>& ids) const
+  /// The slots whose next events are no later than `time`, in increasing order. @param slots are replaced
+  void upTo(double time, std::vector<std::uint32_t>& slots) const
   {
-    ids.assign(1, 0);
+    slots.assign(1, 0);
     for (std::size_t round = rounds_.size(); round-- > 0;)
     {
-      const std::size_t groups = ids.size();
+      const std::size_t groups = slots.size();
       for (std::size_t g = 0; g < groups; ++g)
       {
-        const std::uint32_t group = ids[g];
+        const std::uint32_t group = slots[g];
         for (unsigned found = rounds_[round][group].upTo(time); found != 0; found &= found - 1)
         {
           const auto child = static_cast<std::uint32_t>(group * GROUP + __builtin_ctz(found));
-          ids.push_back(child);
+          slots.push_back(child);
           if (round > 0)
             prefetch(rounds_[round - 1][child]);
         }
       }
-      ids.erase(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(groups));
+      slots.erase(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(groups));
     }
   }
 

@@ -23,7 +23,7 @@ public:
 
   void take(const CollisionRecord& record) { waiting_.push_back(record); }
 
-  /// Hands on all that wait. @pre none that is still to come is earlier
+  /// Passes on all that it holds. @pre none that is still to come is earlier
   void flush()
   {
     std::stable_sort(waiting_.begin(), waiting_.end(),

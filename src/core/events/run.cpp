@@ -106,7 +106,7 @@ double Run::nextMachineEvent() const
   double next = std::numeric_limits<double>::infinity();
   for (const MachineEvent& event : MACHINE_EVENTS)
     next = std::min(next, (this->*event.when)().value_or(next));
-  // Records of an ensemble wait until they are sorted: not too many of them.
+  // Records of an ensemble are held until they are sorted: not too many of them.
   if (sorter_.watched())
     next = std::min(next, now_ + machine().timeScale());
   return std::max(next, now_);
@@ -171,7 +171,7 @@ void Run::endEpoch()
   const bool moving = machine().motion().nextChange().has_value();
   energy_watch_.look(machine(), now_);
   moveZero(machine().epoch().length);
-  // A machine that is fed for ever would else need more and more memory, and time to look through it.
+  // A machine that is fed for ever would else need more and more memory, and time to scan it.
   if (machine_.compact())
     renewLoop();
   else if (loop_->outgrown(now_) || moving)

@@ -14,7 +14,7 @@
 namespace ratchet_sieve
 {
 
-/// What a lane's flight meets.
+/// The feature that a lane's flight comes to.
 enum LaneFeature : std::int32_t
 {
   LANE_NOTHING = 0,  ///< free until then
@@ -41,8 +41,8 @@ struct LaneBounds
   float speed;          ///< A w
   float third_of_jerk;  ///< A w^3 / 3
   float acceleration;   ///< g + A w^2
-  float longest_trial;  ///< how far a step looks with the acceleration as it is now [s]
-  float longest;        ///< how far a step looks [s]
+  float longest_trial;  ///< the longest step with the acceleration as it is now [s]
+  float longest;        ///< the longest step [s]
 };
 
 /// What all disks of a machine share while its base stands at its setpoints.
@@ -114,7 +114,7 @@ struct LaneKernel
   void (*collide)(const LaneScene& scene, LaneBatch& batch, std::size_t rows);
 
   /// Finds the next event of the first `rows` flights from `event_time` on, and puts it there.
-  /// @return how many places of flights were looked at
+  /// @return how many points of flights were evaluated
   std::uint64_t (*search)(const LaneScene& scene, LaneBatch& batch, std::size_t rows);
 
   /// For flights that were not set by `collide`: from the disks' states.

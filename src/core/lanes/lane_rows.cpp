@@ -9,7 +9,8 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// In radians of the drive: a look at the acceleration as it is bounds it for so long better than its bound.
+/// In radians of the drive: for so long the present acceleration and the bound on its change are tighter
+/// than the bound on the acceleration itself.
 constexpr double LONGEST_TRIAL = 1.5;
 
 struct LaneContact

@@ -8,17 +8,17 @@
 namespace ratchet_sieve
 {
 
-/// A point's place and velocity in the frame of the base: (s, n), s along the base, n normal to it.
+/// A point's position and velocity in the frame of the base: (s, n), s along the base, n normal to it.
 struct BasePoint
 {
-  Eigen::Vector2d place;     ///< [m]
+  Eigen::Vector2d position;  ///< [m]
   Eigen::Vector2d velocity;  ///< relative to the base there [m/s]
 
-  double s() const { return place.x(); }
-  double n() const { return place.y(); }
+  double s() const { return position.x(); }
+  double n() const { return position.y(); }
 };
 
-/// Another place at which a disk appears: moved along the base by a periodic boundary. World frame.
+/// Another position at which a disk appears: moved along the base by a periodic boundary. World frame.
 struct Image
 {
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();  ///< [m]
@@ -49,13 +49,16 @@ struct FrameOfBase
     return {turned.first, turned.second};
   }
 
-  /// A place in the frame of the base as the world has it.
-  Eigen::Vector2d placeOutOf(const Eigen::Vector2d& place) const { return outOf(place) + displacement; }
-
-  /// What is at this place of the world and moves at this velocity, as seen from the base.
-  BasePoint see(const Eigen::Vector2d& place, const Eigen::Vector2d& speed) const
+  /// A position in the frame of the base as the world has it.
+  Eigen::Vector2d positionOutOf(const Eigen::Vector2d& position) const
   {
-    const auto at = intoBase(rotation, place.x() - displacement.x(), place.y() - displacement.y());
+    return outOf(position) + displacement;
+  }
+
+  /// What is at this position of the world and moves at this velocity, as seen from the base.
+  BasePoint see(const Eigen::Vector2d& position, const Eigen::Vector2d& speed) const
+  {
+    const auto at = intoBase(rotation, position.x() - displacement.x(), position.y() - displacement.y());
     const auto going = intoBase(rotation, speed.x() - velocity.x(), speed.y() - velocity.y());
     return {{at.first, at.second},
             {going.first + inclination_rate * at.second, going.second - inclination_rate * at.first}};

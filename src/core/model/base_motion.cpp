@@ -11,7 +11,7 @@ namespace ratchet_sieve
 namespace
 {
 /// Ramps whose ends differ by less than this share of the remaining time end together: without it
-/// the rounding of one would leave a segment too short to be told from nothing.
+/// the rounding of one would leave a segment shorter than the resolution.
 constexpr double SAME_END = 1e-12;
 
 double fraction(double x)

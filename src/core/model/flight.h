@@ -3,24 +3,24 @@
 #include "ratchet_sieve/core/numbers.h"
 
 /// A disk's free flight for a time `elapsed` [s]. Along each axis of any frame that is not accelerated:
-/// `place` [m], `velocity` [m/s], and `fall`, what gravity takes from the velocity meanwhile: g elapsed,
+/// `position` [m], `velocity` [m/s], and `fall`, what gravity takes from the velocity meanwhile: g elapsed,
 /// downwards [m/s].
 namespace ratchet_sieve
 {
 
 /// @tparam Coordinate a number, or several axes side by side (Two)
 template <typename Coordinate, typename Number>
-RATCHET_SIEVE_INLINE Coordinate placeAfter(Coordinate place, Coordinate velocity, Coordinate fall,
-                                           Number elapsed)
+RATCHET_SIEVE_INLINE Coordinate positionAfter(Coordinate position, Coordinate velocity, Coordinate fall,
+                                              Number elapsed)
 {
-  return place + (velocity - 0.5 * fall) * elapsed;
+  return position + (velocity - 0.5 * fall) * elapsed;
 }
 
 /// Along an axis on which gravity does not act, and of an angle with its spin.
 template <typename Number>
-RATCHET_SIEVE_INLINE Number placeAfter(Number place, Number velocity, Number elapsed)
+RATCHET_SIEVE_INLINE Number positionAfter(Number position, Number velocity, Number elapsed)
 {
-  return place + velocity * elapsed;
+  return position + velocity * elapsed;
 }
 
 template <typename Coordinate>
@@ -44,7 +44,7 @@ RATCHET_SIEVE_INLINE Number rotationOver(Number spin, Number elapsed)
   return 0.5 * elapsed * spin * spin;
 }
 
-/// How many whole widths W a place s along a periodic base is from [0, W).
+/// How many whole widths W a position s along a periodic base is from [0, W).
 /// @param per_width 1 / W [1/m]
 template <typename Number>
 RATCHET_SIEVE_INLINE Number wholeWidths(Number s, double per_width)

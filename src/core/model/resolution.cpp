@@ -24,10 +24,10 @@ constexpr double RESOLUTION_STEPS = 4.0;
 constexpr double LARGEST_OVERLAP = 1e-9;
 
 /// Of that overlap, what the way of the base within a step in time may come to: the rest is left to the
-/// rounding of its phase and of places.
+/// rounding of its phase and of positions.
 constexpr double BASE_SHARE = 0.5;
 
-/// A gap is worked out of places in a few steps, each of which rounds: so many resolutions of the largest.
+/// A gap is worked out of positions in a few steps, each of which rounds: so many resolutions of the largest.
 constexpr double ROUNDINGS_PER_GAP = 4.0;
 
 /// Keeps the smallest radius that the scene allows, and why.

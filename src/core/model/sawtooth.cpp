@@ -8,7 +8,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// By how many resolutions of the farthest place slopes reach beyond their ends; see
+/// By how many resolutions of the farthest position slopes reach beyond their ends; see
 /// Sawtooth::windowSlack().
 constexpr double WINDOW_SLACK = 64.0 * std::numeric_limits<double>::epsilon();
 

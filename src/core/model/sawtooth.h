@@ -98,7 +98,7 @@ public:
   /// The disk (centre `point`, radius) before a feature.
   Approach approach(const BaseFeature& feature, const BasePoint& point, double radius) const;
 
-  /// Signed distance from a point to the base's surface, > 0 above it. By looking at every feature
+  /// Signed distance from a point to the base's surface, > 0 above it. By testing every feature
   /// that could be nearest: for audits and tests.
   double heightAbove(double s, double n) const;
 

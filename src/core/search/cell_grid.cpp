@@ -45,30 +45,30 @@ void CellGrid::resize(std::size_t count)
   cells_.resize(count);
 }
 
-void CellGrid::add(std::uint32_t id, Cell cell)
+void CellGrid::add(std::uint32_t slot, Cell cell)
 {
-  cells_[id] = cell;
+  cells_[slot] = cell;
   const std::size_t at = index(cell);
   if (blocks_[at].count == Block::CAPACITY)
     pushFullBlock(at);
   Block& block = blocks_[at];
-  block.ids[block.count++] = id;
+  block.slots[block.count++] = slot;
 }
 
-void CellGrid::remove(std::uint32_t id)
+void CellGrid::remove(std::uint32_t slot)
 {
-  const std::size_t at = index(cells_[id]);
+  const std::size_t at = index(cells_[slot]);
   if (blocks_[at].count == 0)
     popFullBlock(at);
   Block& first = blocks_[at];
-  const std::uint32_t last = first.ids[--first.count];
-  if (last == id)
+  const std::uint32_t last = first.slots[--first.count];
+  if (last == slot)
     return;
   // The last disk takes the removed one's entry, so that all blocks but the first stay full.
   for (Block* block = &first;; block = &full_[block->next])
   {
-    const auto end = block->ids.begin() + block->count;
-    const auto hole = std::find(block->ids.begin(), end, id);
+    const auto end = block->slots.begin() + block->count;
+    const auto hole = std::find(block->slots.begin(), end, slot);
     if (hole == end)
       continue;
     *hole = last;

@@ -30,7 +30,8 @@ struct CellShape
 /// Cells at least a largest diameter wide, so that disks in cells that do not touch cannot touch
 /// either. Columns along s, rows along n, in a frame that stands still. The outermost cells extend
 /// to infinity, but for the columns of a periodic grid, which form a ring. A ring of one column may reach
-/// beyond its ends by whole laps: its disks need not be wrapped so often, and meet any image of each other.
+/// beyond its ends by whole laps: its disks are wrapped less often, and may collide with any image of each
+/// other.
 class CellGrid
 {
 public:
@@ -47,12 +48,12 @@ public:
   CellGrid(double width, double height, double smallest_side, std::size_t count, bool periodic,
            std::int32_t laps = 0);
 
-  void add(std::uint32_t id, Cell cell);
-  void remove(std::uint32_t id);
+  void add(std::uint32_t slot, Cell cell);
+  void remove(std::uint32_t slot);
   void resize(std::size_t count);
 
   Cell cellAt(double s, double n) const;
-  Cell cellOf(std::uint32_t id) const { return cells_[id]; }
+  Cell cellOf(std::uint32_t slot) const { return cells_[slot]; }
 
   bool periodic() const { return periodic_; }
   std::int32_t columns() const { return columns_; }
@@ -75,7 +76,7 @@ public:
     int last_row = 1;
   };
 
-  /// Collects the disks in the cells around `cell` and calls visit(ids, count, shift) for as many lists of
+  /// Collects the disks in the cells around `cell` and calls visit(slots, count, shift) for as many lists of
   /// them as there are shifts: how many widths the disk's image lies to the right of the disk. On a ring with
   /// laps() it is one list, for any shift up to 2 laps() + 2 to either side.
   /// @param list holds them meanwhile, and grows as needed
@@ -104,7 +105,7 @@ public:
   }
 
   /// Prefetches what cellOf() reads.
-  void prefetchCellOf(std::uint32_t id) const { prefetch(cells_[id]); }
+  void prefetchCellOf(std::uint32_t slot) const { prefetch(cells_[slot]); }
 
   /// Prefetches what visit() reads of the cells around one, but for those beyond the seam.
   void prefetchAround(Cell cell) const
@@ -130,11 +131,11 @@ private:
   struct Block
   {
     static constexpr std::size_t CAPACITY = 6;
-    std::array<std::uint32_t, CAPACITY> ids{};
+    std::array<std::uint32_t, CAPACITY> slots{};
     std::uint32_t count = 0;
     std::uint32_t next = NONE;  ///< the last full block in the overflow list
 
-    void archive(StateArchive& state) { state(ids, count, next); }
+    void archive(StateArchive& state) { state(slots, count, next); }
   };
 
   std::size_t index(Cell cell) const { return static_cast<std::size_t>(cell.row) * columns_ + cell.column; }
@@ -148,7 +149,7 @@ private:
       if (list.size() < count + Block::CAPACITY)
         list.resize(2 * (count + Block::CAPACITY));
       // The whole block whatever its count: this needs no branch.
-      std::memcpy(list.data() + count, block->ids.data(), sizeof block->ids);
+      std::memcpy(list.data() + count, block->slots.data(), sizeof block->slots);
       count += block->count;
       if (block->next == NONE)
         return count;

@@ -10,18 +10,18 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A search that took as many steps hands back how far it came, so that one flight cannot hold the
-/// rest up. Quadratic convergence needs about six; only grazing flights need more.
+/// After this many steps a search returns how far it got, so that one flight cannot hold up the
+/// others. Quadratic convergence needs about six; only grazing flights need more.
 constexpr int MAX_STEPS = 64;
 
 /// Newton's method takes three or four steps, and one more where it starts badly.
-constexpr int MAX_POLISHING = 12;
+constexpr int MAX_REFINEMENTS = 12;
 
 /// While the base turns, a step spans no more than this angle [rad]: it keeps the bound on the
 /// relative acceleration tight.
 constexpr double MAX_TURN_PER_STEP = 0.05;
 
-/// A step looks no further than this many teeth, lest a fast disk over fine teeth looks at them all.
+/// A step reaches no further than this many teeth, lest a fast disk over fine teeth tests them all.
 constexpr double MAX_TEETH_PER_STEP = 16.0;
 }  // namespace
 
@@ -40,15 +40,15 @@ BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, doub
     const double span = std::min(until - time, longestSpan());
     const double acceleration = relativeAccelerationBound(point, span);
     Step step(point, radius, acceleration, forced, span, time_resolution_);
-    step.noFurtherThan(MAX_TEETH_PER_STEP * sawtooth_.toothWidth() + radius);
+    step.limitTo(MAX_TEETH_PER_STEP * sawtooth_.toothWidth() + radius);
     if (sawtooth_.boundary() != Boundary::PERIODIC)
-      lookAtEnds(step);
+      testEnds(step);
     if (!step.staysOver(sawtooth_.height()))
-      lookAtTeeth(step);
+      testTeeth(step);
     if (step.contact())
       return {time, step.contact()};
     if (const SureContact* sure = step.sureContact())
-      if (const auto contact = polish(disk, radius, *sure, time))
+      if (const auto contact = refine(disk, radius, *sure, time))
         return {*contact, sure->feature};
     time += step.freeTime();
     if (point.n() > sawtooth_.height() + radius)
@@ -57,15 +57,15 @@ BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, doub
   return {time, {}};
 }
 
-/// Newton's method on the gap to the one feature that is to be met: it falls all the way, so that there is
-/// one root between the bounds. Nothing if that does not come to an end.
-std::optional<double> ContactSearch::polish(const Disk& disk, double radius, const SureContact& sure,
+/// Newton's method on the gap to the one feature that will be hit: the gap closes all the time between the
+/// bounds, so there is one root. Nothing if it does not converge.
+std::optional<double> ContactSearch::refine(const Disk& disk, double radius, const SureContact& sure,
                                             double time) const
 {
   const double earliest = time + sure.earliest;
   const double latest = time + sure.latest;
   double at = std::clamp(time - sure.gap / sure.rate, earliest, latest);
-  for (int i = 0; i < MAX_POLISHING; ++i)
+  for (int i = 0; i < MAX_REFINEMENTS; ++i)
   {
     const Approach now = sawtooth_.approach(sure.feature, seenFromBase(disk, motion_.at(at), at), radius);
     if (!(now.rate < 0.0))
@@ -91,8 +91,8 @@ bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, dou
   const double top = sawtooth_.height() + radius + motion_.reach().y();
   const auto above = [&](double time)
   {
-    const Two place = courseAt(disk, time, gravity_).place;
-    return intoBase(rotation, place[0], place[1]).second > top;
+    const Two position = courseAt(disk, time, gravity_).position;
+    return intoBase(rotation, position[0], position[1]).second > top;
   };
   return above(until) && above(from);
 }
@@ -109,13 +109,13 @@ double ContactSearch::nearTime(const Disk& disk, double radius, double from) con
   const Eigen::Vector2d& reach = motion_.reach();
   const auto fall = verticalIntoBase(mount.rotation, -gravity_);
 
-  double wait = INFINITE_TIME;
-  const auto approach = [&wait](double gap, double rate, double accel)
+  double time_to_band = INFINITE_TIME;
+  const auto approach = [&time_to_band](double gap, double rate, double accel)
   {
     if (gap <= 0.0)
-      wait = 0.0;
+      time_to_band = 0.0;
     else if (const auto time = firstClosingTime(gap, rate, accel))
-      wait = std::min(wait, *time);
+      time_to_band = std::min(time_to_band, *time);
   };
   approach(p.n() - sawtooth_.height() - radius - reach.y(), p.velocity.y(), fall.second);
   if (sawtooth_.boundary() != Boundary::PERIODIC)
@@ -124,7 +124,7 @@ double ContactSearch::nearTime(const Disk& disk, double radius, double from) con
     approach(p.s() - margin, p.velocity.x(), fall.first);
     approach(sawtooth_.width() - margin - p.s(), -p.velocity.x(), -fall.first);
   }
-  return from + wait;
+  return from + time_to_band;
 }
 
 double ContactSearch::longestSpan() const
@@ -132,7 +132,7 @@ double ContactSearch::longestSpan() const
   return motion_.turning() ? MAX_TURN_PER_STEP / std::abs(motion_.inclinationRate()) : INFINITE_TIME;
 }
 
-/// sup |d2/dt2| of the disk's place in the base's frame over the next `span`: gravity, the drive,
+/// sup |d2/dt2| of the disk's position in the base's frame over the next `span`: gravity, the drive,
 /// and while the base turns at rate w the Coriolis and centrifugal terms, with speed and distance
 /// bounded over the span by themselves: K = a + 2 w (v + K T) + w^2 (q + v T + K T^2), solved for K.
 double ContactSearch::relativeAccelerationBound(const BasePoint& point, double span) const
@@ -142,7 +142,7 @@ double ContactSearch::relativeAccelerationBound(const BasePoint& point, double s
   if (motion_.turning())
   {
     const double w = std::abs(motion_.inclinationRate());
-    const double distance = point.place.norm();
+    const double distance = point.position.norm();
     const double turn = w * span;
     bound = (plain + 2.0 * w * speedBound(point) + w * w * (distance + speedBound(point) * span)) /
             (1.0 - 2.0 * turn - turn * turn);
@@ -174,40 +174,40 @@ ContactSearch::Direction ContactSearch::forcedDirection() const
 
 /// The walls, if there are any. Open ends, and what is above the walls: the lines that a disk leaves by, and
 /// the corners that it may touch on its way.
-void ContactSearch::lookAtEnds(Step& step) const
+void ContactSearch::testEnds(Step& step) const
 {
-  const auto meet = [&](BaseFeatureKind kind, const Step::Gap& window)
+  const auto test_line = [&](BaseFeatureKind kind, const Step::Gap& window)
   {
     const BaseFeature feature{kind, 0};
     const Approach a = sawtooth_.approach(feature, step.point, step.radius);
-    step.meetLine(feature, a.gap, a.rate, a.normal, [&] { return window; });
+    step.testLine(feature, a.gap, a.rate, a.normal, [&] { return window; });
   };
-  const auto meet_corner = [&](std::int32_t tooth)
+  const auto test_corner = [&](std::int32_t tooth)
   {
     const BaseFeature feature{BaseFeatureKind::END_CORNER, tooth};
-    step.meetPoint(feature, sawtooth_.approach(feature, step.point, step.radius));
+    step.testPoint(feature, sawtooth_.approach(feature, step.point, step.radius));
   };
   if (sawtooth_.boundary() == Boundary::WALLED)
   {
     const double top = sawtooth_.wallHeight();
     const bool below = step.staysBelow(top);
     const Step::Gap window = below ? Step::ALWAYS : Step::Gap{step.point.n() - top, step.point.velocity.y()};
-    meet(BaseFeatureKind::LEFT_WALL, window);
-    meet(BaseFeatureKind::RIGHT_WALL, window);
+    test_line(BaseFeatureKind::LEFT_WALL, window);
+    test_line(BaseFeatureKind::RIGHT_WALL, window);
     if (below)
       return;
   }
-  meet(BaseFeatureKind::LEFT_END, Step::ALWAYS);
-  meet(BaseFeatureKind::RIGHT_END, Step::ALWAYS);
-  meet_corner(0);
-  meet_corner(sawtooth_.teeth());
+  test_line(BaseFeatureKind::LEFT_END, Step::ALWAYS);
+  test_line(BaseFeatureKind::RIGHT_END, Step::ALWAYS);
+  test_corner(0);
+  test_corner(sawtooth_.teeth());
 }
 
 /// From the tooth below outwards, as far as the shortest guarantee so far reaches.
-void ContactSearch::lookAtTeeth(Step& step) const
+void ContactSearch::testTeeth(Step& step) const
 {
   const std::int32_t here = sawtooth_.toothAt(step.point.s());
-  lookAtTooth(here, step);
+  testTooth(here, step);
   const double above = std::max(0.0, step.point.n() - sawtooth_.height());
   const auto reachable = [&](double distance)
   {
@@ -216,18 +216,18 @@ void ContactSearch::lookAtTeeth(Step& step) const
   };
   for (std::int32_t tooth = here - 1;
        sawtooth_.hasTooth(tooth) && reachable(step.point.s() - sawtooth_.toothStart(tooth + 1)); --tooth)
-    lookAtTooth(tooth, step);
+    testTooth(tooth, step);
   for (std::int32_t tooth = here + 1;
        sawtooth_.hasTooth(tooth) && reachable(sawtooth_.toothStart(tooth) - step.point.s()); ++tooth)
-    lookAtTooth(tooth, step);
+    testTooth(tooth, step);
 }
 
-void ContactSearch::lookAtTooth(std::int32_t tooth, Step& step) const
+void ContactSearch::testTooth(std::int32_t tooth, Step& step) const
 {
   const BasePoint& p = step.point;
   const double s = p.s() - sawtooth_.toothStart(tooth);
   // As a call it costs 1.5 % of a run.
-  const auto meet_slope = [&](const Sawtooth::Slope& slope, BaseFeatureKind kind)
+  const auto test_slope = [&](const Sawtooth::Slope& slope, BaseFeatureKind kind)
       __attribute__((always_inline))
   {
     if (!slope.present)
@@ -235,7 +235,7 @@ void ContactSearch::lookAtTooth(std::int32_t tooth, Step& step) const
     const Eigen::Vector2d from_foot(s - slope.foot_s, p.n());
     const double distance = from_foot.dot(slope.normal);
     const double rate = p.velocity.dot(slope.normal);
-    // The slope can be met only from in front and between its ends.
+    // A contact with the slope is in front of it and between its ends.
     const auto window = [&]
     {
       const double along = from_foot.dot(slope.along);
@@ -248,14 +248,14 @@ void ContactSearch::lookAtTooth(std::int32_t tooth, Step& step) const
         latest = {along - slope.length - slack, along_rate};
       return latest;
     };
-    step.meetLine({kind, tooth}, distance - step.radius, rate, slope.normal, window);
+    step.testLine({kind, tooth}, distance - step.radius, rate, slope.normal, window);
   };
-  meet_slope(sawtooth_.left(), BaseFeatureKind::LEFT_SLOPE);
-  meet_slope(sawtooth_.right(), BaseFeatureKind::RIGHT_SLOPE);
+  test_slope(sawtooth_.left(), BaseFeatureKind::LEFT_SLOPE);
+  test_slope(sawtooth_.right(), BaseFeatureKind::RIGHT_SLOPE);
   const BaseFeature apex{BaseFeatureKind::APEX, tooth};
   const Eigen::Vector2d from_apex(s - sawtooth_.apexOffset(), p.n() - sawtooth_.height());
   if (step.canReach(from_apex.squaredNorm()))
-    step.meetPoint(apex, approachToPoint(from_apex, p, step.radius));
+    step.testPoint(apex, approachToPoint(from_apex, p, step.radius));
 }
 
 }  // namespace ratchet_sieve

@@ -10,7 +10,7 @@
 namespace ratchet_sieve
 {
 
-/// What a disk's flight will meet of the base.
+/// The next event of a disk's flight with the base.
 struct BaseEvent
 {
   double time = 0.0;    ///< of the contact; without one, free until then
@@ -19,7 +19,7 @@ struct BaseEvent
   void archive(StateArchive& state) { state(time, feature); }
 };
 
-/// Finds when a flying disk first meets the moving base, with certainty: it never steps further
+/// Finds a flying disk's first contact with the moving base, with certainty: it never steps further
 /// than no feature can have come. In the base's frame a disk's acceleration is bounded by K, so
 /// that a gap g with rate g' stays free as long as g + g' t - K t^2 / 2 > 0; this holds for the
 /// distance to a line and for the distance to a point alike. Stepping from bound to bound comes to
@@ -39,13 +39,13 @@ public:
   {
   }
 
-  /// @param resolution the finest step in time that is told from none [s]
+  /// @param resolution times closer than this count as equal [s]
   void setTimeResolution(double resolution) { time_resolution_ = resolution; }
 
   /// The first contact in [from, until], or how far the flight is free for certain (which may be
   /// beyond `until`, or before it where a search took too many steps).
   /// @pre from >= disk.time, until <= the end of the motion's present segment
-  /// @param base as the caller has looked at it last, most often at `from`
+  /// @param base as the caller evaluated it last, most often at `from`
   BaseEvent find(const Disk& disk, double radius, double from, double until, BaseInstant& base) const;
   BaseEvent find(const Disk& disk, double radius, double from, double until) const
   {
@@ -58,7 +58,7 @@ public:
   [[gnu::always_inline]] BasePoint seenFromBase(const Disk& disk, const FrameOfBase& base, double time) const
   {
     const Course now = courseAt(disk, time, gravity_);
-    return base.see(vectorOf(now.place), vectorOf(now.velocity));
+    return base.see(vectorOf(now.position), vectorOf(now.velocity));
   }
   BasePoint seenFromBase(const Disk& disk, double time) const
   {
@@ -69,7 +69,7 @@ private:
   struct Direction;
   class Step;
 
-  /// A feature that will be met between two times from now, its gap closing all the while.
+  /// A feature that will be hit between two times from now, its gap closing all the while.
   struct SureContact
   {
     BaseFeature feature;
@@ -81,14 +81,14 @@ private:
   };
 
   bool staysAbove(const Disk& disk, double radius, double from, double until) const;
-  std::optional<double> polish(const Disk& disk, double radius, const SureContact& sure, double time) const;
+  std::optional<double> refine(const Disk& disk, double radius, const SureContact& sure, double time) const;
   double nearTime(const Disk& disk, double radius, double from) const;
   double relativeAccelerationBound(const BasePoint& point, double span) const;
   Direction forcedDirection() const;
   double longestSpan() const;
-  void lookAtEnds(Step& step) const;
-  void lookAtTeeth(Step& step) const;
-  void lookAtTooth(std::int32_t tooth, Step& step) const;
+  void testEnds(Step& step) const;
+  void testTeeth(Step& step) const;
+  void testTooth(std::int32_t tooth, Step& step) const;
 
   const Sawtooth& sawtooth_;
   const BaseMotion& motion_;

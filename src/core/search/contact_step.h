@@ -38,7 +38,7 @@ struct ContactSearch::Direction
 };
 
 /// One step of the search: the disk as it is, the shortest time any feature guarantees, and whether one
-/// feature is sure to be met before any other.
+/// feature is certain to be hit before any other.
 class ContactSearch::Step
 {
 public:
@@ -59,7 +59,7 @@ public:
   }
 
   /// Ends the step before anything can have come as near as this.
-  void noFurtherThan(double distance)
+  void limitTo(double distance)
   {
     if (reach_ <= distance)
       return;
@@ -67,26 +67,26 @@ public:
     updateReach();
   }
 
-  /// A slope or a wall, met where `gap` is used up; what a slope is met through besides comes as `window`.
+  /// A slope or a wall, in contact where `gap` is 0; the further condition of a slope is the `window`.
   /// @param normal of the line
   template <typename FindWindow>
-  [[gnu::always_inline]] void meetLine(const BaseFeature& feature, double gap, double rate,
+  [[gnu::always_inline]] void testLine(const BaseFeature& feature, double gap, double rate,
                                        const Eigen::Vector2d& normal, FindWindow&& find_window)
   {
     // How fast the distance to the line can be accelerated.
     const double acceleration = acceleration_ * forced_.share(normal);
     if (!staysFree(gap, rate, acceleration))
-      meet(feature, {gap, rate}, acceleration, acceleration, find_window());
+      test(feature, {gap, rate}, acceleration, acceleration, find_window());
   }
 
   /// A corner. The distance to it is accelerated whatever its direction, and by passing, too.
-  void meetPoint(const BaseFeature& feature, const Approach& approach)
+  void testPoint(const BaseFeature& feature, const Approach& approach)
   {
     if (staysFree(approach.gap, approach.rate, acceleration_))
       return;
     const double top_speed = speed_ + acceleration_ * horizon_;
     const double parting = acceleration_ + top_speed * top_speed / radius;
-    meet(feature, {approach.gap, approach.rate}, acceleration_, parting, ALWAYS);
+    test(feature, {approach.gap, approach.rate}, acceleration_, parting, ALWAYS);
   }
 
   bool canReach(double distance_squared) const
@@ -109,7 +109,7 @@ public:
   /// What the disk touches now.
   const BaseFeature& contact() const { return contact_; }
 
-  /// What the disk will meet for certain, and before anything else.
+  /// What the disk will hit for certain, and before anything else.
   const SureContact* sureContact() const { return sure_.latest <= others_free_time_ ? &sure_ : nullptr; }
 
   const BasePoint& point;
@@ -123,12 +123,12 @@ public:
   static constexpr Gap ALWAYS{-INFINITE_TIME, 0.0};
 
 private:
-  /// A feature that is met where `gap` is used up while `window` holds (window <= 0). Each of the
+  /// A feature in contact where `gap` is 0 while `window` holds (window <= 0). Each of the
   /// two alone keeps the disk free, so the longer guarantee counts.
   /// @param approaching, parting bound the gap's acceleration towards the feature and away from it
-  // Called from several places: left to itself, the compiler would call it for the teeth, too, at 1 % of a
+  // Called from several points: left to itself, the compiler would call it for the teeth, too, at 1 % of a
   // run.
-  [[gnu::always_inline]] void meet(const BaseFeature& feature, const Gap& gap, double approaching,
+  [[gnu::always_inline]] void test(const BaseFeature& feature, const Gap& gap, double approaching,
                                    double parting, const Gap& window)
   {
     if (staysFree(window.size, window.rate, acceleration_))
@@ -168,7 +168,7 @@ private:
 
   void updateReach() { reach_ = (speed_ + 0.5 * acceleration_ * horizon_) * horizon_; }
 
-  /// Whether a gap is open for as long as matters: a comparison, where the time itself takes a root.
+  /// Whether a gap stays open through the step: a comparison, where the time itself takes a root.
   bool staysFree(double gap, double rate, double acceleration) const
   {
     const double span = std::max(horizon_, resolution_);

@@ -45,12 +45,13 @@ PairContact PairSearch::firstOnRing(const std::uint32_t* others, std::size_t cou
   double horizon = until_ - from_;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Relative seen = relativeTo(others[i], course_.place);
-    const auto touch = ring.firstTouch(vectorOf(seen.place), vectorOf(seen.velocity), seen.distance, horizon);
-    if (!touch || from_ + touch->wait >= until_)
+    const Relative seen = relativeTo(others[i], course_.position);
+    const auto touch =
+        ring.firstTouch(vectorOf(seen.position), vectorOf(seen.velocity), seen.distance, horizon);
+    if (!touch || from_ + touch->time_to_contact >= until_)
       continue;
-    first.take({from_ + touch->wait, others[i], touch->shift});
-    horizon = touch->wait;
+    first.take({from_ + touch->time_to_contact, others[i], touch->shift});
+    horizon = touch->time_to_contact;
   }
   return first;
 }
@@ -69,15 +70,15 @@ struct PairSearch::Lanes
     excesses[LANES] = std::numeric_limits<double>::infinity();
     discriminants[LANES] = 0.0;
     closings[LANES] = -1.0;
-    const Two place = search.course_.place - Two{image.shift.x(), image.shift.y()};
+    const Two position = search.course_.position - Two{image.shift.x(), image.shift.y()};
     unsigned found = 0;
     for (std::size_t k = 0; k < count; k += 2)
     {
-      // An odd one out is looked at twice.
-      const Relative a = search.relativeTo(others[k], place);
-      const Relative b = search.relativeTo(others[std::min(k + 1, count - 1)], place);
-      const Two dx{a.place[0], b.place[0]};
-      const Two dy{a.place[1], b.place[1]};
+      // An odd one is tested twice.
+      const Relative a = search.relativeTo(others[k], position);
+      const Relative b = search.relativeTo(others[std::min(k + 1, count - 1)], position);
+      const Two dx{a.position[0], b.position[0]};
+      const Two dy{a.position[1], b.position[1]};
       const Two dvx{a.velocity[0], b.velocity[0]};
       const Two dvy{a.velocity[1], b.velocity[1]};
       const Two distance{a.distance, b.distance};
@@ -102,16 +103,16 @@ struct PairSearch::Lanes
   }
 
   /// How long until two that will be touched are.
-  Two waits(std::size_t i, std::size_t j) const
+  Two timesToContact(std::size_t i, std::size_t j) const
   {
     const Two excess{excesses[i], excesses[j]};
     const Two closing{closings[i], closings[j]};
-    const Two wait = excess / (rootOrZero(Two{discriminants[i], discriminants[j]}) - closing);
-    return excess <= 0.0 ? Two{} : wait;
+    const Two time_to_contact = excess / (rootOrZero(Two{discriminants[i], discriminants[j]}) - closing);
+    return excess <= 0.0 ? Two{} : time_to_contact;
   }
 };
 
-/// The arithmetic of contact() and timeToTouch(), step by step and for two disks at once: first for all
+/// The arithmetic of contact() and timeToContact(), step by step and for two disks at once: first for all
 /// whether they will touch, without a branch; then for those that will, four at a time, when. Most will not,
 /// and a root takes long.
 PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
@@ -124,8 +125,8 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
     std::array<std::size_t, 4> next;
     for (std::size_t& lane : next)
       lane = lanes.takeTouching();
-    const Two a = from_ + lanes.waits(next[0], next[1]);
-    const Two b = from_ + lanes.waits(next[2], next[3]);
+    const Two a = from_ + lanes.timesToContact(next[0], next[1]);
+    const Two b = from_ + lanes.timesToContact(next[2], next[3]);
     const Two least = a < b ? a : b;
     const double earliest = std::min(least[0], least[1]);
     if (earliest >= until_)
@@ -159,13 +160,13 @@ std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, in
     const Course a = courseAt(scene_.disks[slot_], time, gravity);
     const Course b = courseAt(other, time, gravity);
     const Image there = scene_.image(shift, time);
-    const Eigen::Vector2d place = vectorOf(a.place) - there.shift - vectorOf(b.place);
-    const double length = place.norm();
-    const double opening = place.dot(vectorOf(a.velocity - b.velocity) - there.velocity) / length;
-    const double wait = guaranteedFreeTime(length - distance, opening, acceleration);
-    if (opening < 0.0 && (wait <= resolution || step > MAX_SEAM_STEPS))
+    const Eigen::Vector2d position = vectorOf(a.position) - there.shift - vectorOf(b.position);
+    const double length = position.norm();
+    const double opening = position.dot(vectorOf(a.velocity - b.velocity) - there.velocity) / length;
+    const double free = guaranteedFreeTime(length - distance, opening, acceleration);
+    if (opening < 0.0 && (free <= resolution || step > MAX_SEAM_STEPS))
       return time;
-    time += std::max(wait, resolution);
+    time += std::max(free, resolution);
   }
   return std::nullopt;
 }

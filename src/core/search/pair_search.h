@@ -11,27 +11,27 @@
 namespace ratchet_sieve
 {
 
-/// How long until two disks touch whose relative place and velocity are these: under one gravity the relative
-/// motion is a straight line. Nothing if they pass or part; 0 where they overlap and close.
-inline std::optional<double> timeToTouch(const Eigen::Vector2d& place, const Eigen::Vector2d& velocity,
-                                         double distance)
+/// How long until two disks touch whose relative position and velocity are these: under one gravity the
+/// relative motion is a straight line. Nothing if they pass or part; 0 where they overlap and close.
+inline std::optional<double> timeToContact(const Eigen::Vector2d& position, const Eigen::Vector2d& velocity,
+                                           double distance)
 {
-  const double closing = place.dot(velocity);
+  const double closing = position.dot(velocity);
   if (closing >= 0.0)
     return std::nullopt;
-  const double excess = place.squaredNorm() - distance * distance;
+  const double excess = position.squaredNorm() - distance * distance;
   if (excess <= 0.0)
     return 0.0;
   // The distance at which they would pass comes from the cross product: as a difference of squares it
   // would lose to rounding what is small against how far apart they are.
-  const double passing = place.x() * velocity.y() - place.y() * velocity.x();
+  const double passing = position.x() * velocity.y() - position.y() * velocity.x();
   const double discriminant = velocity.squaredNorm() * distance * distance - passing * passing;
   if (discriminant < 0.0)
     return std::nullopt;
   return excess / (std::sqrt(discriminant) - closing);
 }
 
-/// What a disk's flight meets first of other disks.
+/// A disk's first contact with another disk.
 struct PairContact
 {
   double time = std::numeric_limits<double>::infinity();  ///< [s]
@@ -65,7 +65,7 @@ struct PairScene
   const BaseMotion& motion;
   double width;            ///< of the base [m]
   double gravity;          ///< [m/s^2]
-  double time_resolution;  ///< the finest step in time that is told from none [s]
+  double time_resolution;  ///< times closer than this count as equal [s]
 
   double radius(std::uint32_t slot) const { return radii[disks[slot].species]; }
 
@@ -111,7 +111,7 @@ public:
   }
 
 private:
-  /// How many disks are looked at side by side.
+  /// How many disks are tested side by side.
   static constexpr std::size_t LANES = 16;
 
   struct Lanes;
@@ -119,17 +119,17 @@ private:
   /// The disk as seen from another.
   struct Relative
   {
-    Two place;        ///< [m]
+    Two position;     ///< [m]
     Two velocity;     ///< [m/s]
     double distance;  ///< at which they touch [m]
   };
 
-  /// @param place of the disk, as the other's image sees it
-  Relative relativeTo(std::uint32_t slot, Two place) const
+  /// @param position of the disk, as the other's image sees it
+  Relative relativeTo(std::uint32_t slot, Two position) const
   {
-    // Beside itself a disk is at rest, to the last bit, and meets nothing.
+    // Relative to itself a disk is at rest, to the last bit: no contact is found.
     const Course other = courseAt(scene_.disks[slot], from_, scene_.gravity);
-    return {place - other.place, course_.velocity - other.velocity, radius_ + scene_.radius(slot)};
+    return {position - other.position, course_.velocity - other.velocity, radius_ + scene_.radius(slot)};
   }
 
   PairContact firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
@@ -139,11 +139,12 @@ private:
   {
     // Under one gravity the parabolas differ by a straight line, but the two states are of different times.
     const Course course = courseAt(other, from_, scene_.gravity);
-    const Eigen::Vector2d place = vectorOf(course_.place) - image.shift - vectorOf(course.place);
-    const auto wait = timeToTouch(place, vectorOf(course_.velocity - course.velocity), distance);
-    if (!wait || from_ + *wait >= until_)
+    const Eigen::Vector2d position = vectorOf(course_.position) - image.shift - vectorOf(course.position);
+    const auto time_to_contact =
+        timeToContact(position, vectorOf(course_.velocity - course.velocity), distance);
+    if (!time_to_contact || from_ + *time_to_contact >= until_)
       return std::nullopt;
-    return from_ + *wait;
+    return from_ + *time_to_contact;
   }
 
   std::optional<double> contactAcrossSeam(const Disk& other, int shift, double distance) const;

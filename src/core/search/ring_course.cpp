@@ -10,7 +10,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Images are looked at up to this share of the distance beyond it, which leaves room for rounding; whether
+/// Images are tested up to this share of the distance beyond it, which leaves room for rounding; whether
 /// they are touched is then decided as for any two disks.
 constexpr double REACH_MARGIN = 0.005;
 
@@ -25,12 +25,12 @@ int roundedUp(double x)
 }
 }  // namespace
 
-std::optional<RingCourse::Touch> RingCourse::firstTouch(const Eigen::Vector2d& place,
+std::optional<RingCourse::Touch> RingCourse::firstTouch(const Eigen::Vector2d& position,
                                                         const Eigen::Vector2d& velocity, double distance,
                                                         double horizon) const
 {
   const double reach = distance * (1.0 + REACH_MARGIN);
-  const auto in_row = intoBase(rotation, place.x(), place.y());
+  const auto in_row = intoBase(rotation, position.x(), position.y());
   const auto going = intoBase(rotation, velocity.x(), velocity.y());
   const double across = in_row.second;
   const double rising = going.second;
@@ -49,7 +49,7 @@ std::optional<RingCourse::Touch> RingCourse::firstTouch(const Eigen::Vector2d& p
   if (from > horizon)
     return std::nullopt;
 
-  // Along the row, turned so that the disk flies towards greater places, in widths.
+  // Along the row, turned so that the disk flies towards greater positions, in widths.
   const double rate = going.first * per_width;
   const double sign = rate < 0.0 ? -1.0 : 1.0;
   const double along = sign * in_row.first * per_width;
@@ -65,13 +65,15 @@ std::optional<RingCourse::Touch> RingCourse::firstTouch(const Eigen::Vector2d& p
   for (int image = roundedUp(begin); image <= end; ++image)
   {
     // The images are come to one after the other.
-    if (first && image - margin > along + speed * first->wait)
+    if (first && image - margin > along + speed * first->time_to_contact)
       break;
     const double shift = sign * image;
     const auto there = alongBase(rotation, shift * width);
-    const auto wait = timeToTouch(place - Eigen::Vector2d(there.first, there.second), velocity, distance);
-    if (wait && *wait <= horizon && !(first && first->wait <= *wait))
-      first = Touch{*wait, static_cast<int>(shift)};
+    const auto time_to_contact =
+        timeToContact(position - Eigen::Vector2d(there.first, there.second), velocity, distance);
+    if (time_to_contact && *time_to_contact <= horizon &&
+        !(first && first->time_to_contact <= *time_to_contact))
+      first = Touch{*time_to_contact, static_cast<int>(shift)};
   }
   return first;
 }

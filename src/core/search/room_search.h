@@ -12,7 +12,7 @@ namespace ratchet_sieve
 /// Finds the lowest room for disks of one radius, again and again while more and more disks stand there.
 ///
 /// A heap has no room left but in a few narrow gaps, and room once taken stays taken. So what may be free is
-/// kept: in cells, each a stretch of the base by a range of heights. A search visits those of its place,
+/// kept: in cells, each a stretch of the base by a range of heights. A search visits those of its position,
 /// from the lowest up. One that turns out to have no room there is halved along the base, and only the parts
 /// that are not sure to be full are kept, as voxels are in random sequential addition (Zhang & Torquato,
 /// Phys. Rev. E 88, 053312 (2013)). What is left under the surface becomes narrower with each visit, so that

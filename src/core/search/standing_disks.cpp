@@ -12,10 +12,10 @@ namespace
 constexpr double SPACING = 1e-6;
 
 /// What is sure to be forbidden to a whole stretch is found with radii smaller by this share: rounding does
-/// not make it forbid more than is forbidden to each place.
+/// not make it forbid more than is forbidden to each position.
 constexpr double SURE = 1e-7;
 
-/// How far above a height its neighbours are looked at in one go, in units of the largest distance at which
+/// How far above a height its neighbours are searched in one go, in units of the largest distance at which
 /// two disks touch.
 constexpr double WINDOW = 1.0;
 

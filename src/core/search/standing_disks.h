@@ -6,7 +6,7 @@
 namespace ratchet_sieve
 {
 
-/// A disk's place: s along the base as it stands now, for its ends and walls swing along with it; n
+/// A disk's position: s along the base as it stands now, for its ends and walls swing along with it; n
 /// over the middle of its oscillation.
 struct PlacedDisk
 {

@@ -20,8 +20,8 @@ namespace
 constexpr double TOUCHING = 1e-12;
 constexpr double ROUNDING = 8.0 * std::numeric_limits<double>::epsilon();
 
-/// Pairs are looked for in cells so many times as wide as the largest disk: fewer cells than the engine has
-/// are soon laid, and a million disks need less memory for a moment.
+/// Pairs are searched in cells so many times as wide as the largest disk: fewer cells than the engine has
+/// are built faster, and a million disks need less memory for a moment.
 constexpr double AUDIT_CELL = 2.0;
 
 /// @param point the centre, in the frame of the base [m]
@@ -78,9 +78,9 @@ void forEachNearPair(const MachineState& machine, const std::vector<Eigen::Vecto
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
     if (machine.active(slot))
       grid.visit(grid.cellOf(slot), {}, list,
-                 [&](const std::uint32_t* ids, std::size_t count, int shift)
+                 [&](const std::uint32_t* slots, std::size_t count, int shift)
                  {
-                   for (const std::uint32_t* other = ids; other != ids + count; ++other)
+                   for (const std::uint32_t* other = slots; other != slots + count; ++other)
                    {
                      if (*other >= slot)
                        continue;

@@ -7,7 +7,7 @@ namespace ratchet_sieve
 
 class MachineState;
 
-/// What a look at all disks at one time has found.
+/// What a check of all disks at one time has found.
 struct Audit
 {
   double largest_overlap = 0.0;    ///< of two disks, or of a disk and the base [m]

@@ -56,7 +56,7 @@ public:
 
 private:
   std::vector<Eigen::Vector2d> given_;              ///< per slot
-  Eigen::Vector2d gone_ = Eigen::Vector2d::Zero();  ///< to disks whose slots were given up
+  Eigen::Vector2d gone_ = Eigen::Vector2d::Zero();  ///< to disks that were compacted away
 };
 
 }  // namespace ratchet_sieve

@@ -66,7 +66,8 @@ public:
   std::size_t disks() const { return disks_.size(); }
   void prefetchWindow(std::uint32_t slot) const { prefetch(disks_[slot]); }
 
-  /// Whether the disk's contacts lose no energy for now. As long as none collapsed, without a look at it.
+  /// Whether the disk's contacts lose no energy for now. As long as none collapsed, without reading its
+  /// state.
   bool lossless(std::uint32_t slot) const { return counts_.count > 0 && disks_[slot].level > 0; }
 
   /// How slowly a lossless disk's contacts may part [m/s].

@@ -98,8 +98,8 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   const Disk a = flown(machine_.disk(i), time, gravity);
   const Disk b = flown(machine_.disk(j), time, gravity);
   const Image there = machine_.image(shift, time);
-  const Eigen::Vector2d place = a.position - there.shift - b.position;
-  const double distance = place.norm();
+  const Eigen::Vector2d position = a.position - there.shift - b.position;
+  const double distance = position.norm();
   const Eigen::Vector2d velocity = a.velocity - b.velocity - there.velocity;
   ContactOutcome outcome;
   outcome.time = time;
@@ -108,12 +108,12 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   outcome.j = j;
   outcome.shift = shift;
   outcome.overlap = machine_.radius(i) + machine_.radius(j) - distance;
-  // The very sum that the prediction looks at (timeToTouch): were it another, rounding could have a
+  // The very sum that the prediction evaluates (timeToContact): were it another, rounding could have a
   // contact predicted here and left alone there, again and again.
-  outcome.closed = place.dot(velocity) < 0.0;
+  outcome.closed = position.dot(velocity) < 0.0;
   if (outcome.closed)
   {
-    outcome.normal = place / distance;
+    outcome.normal = position / distance;
     outcome.normal_velocity = velocity.dot(outcome.normal);
     // Where that is lost to rounding, the disks still approach, by as much as rounding leaves open.
     if (outcome.normal_velocity >= 0.0)
@@ -147,10 +147,11 @@ void ContactExecution::respond(ContactOutcome& outcome, const ContactCoefficient
 /// normal's other side for the second partner, so that the torque of the tangential impulse has the same sign
 /// on both.
 ///
-/// In an inelastic collapse contacts follow one another sooner than the disk comes a resolution of its place
-/// further: a place that is rounded at each of them stands still or runs ahead, while the partner moves on,
-/// and the overlap grows by that way. So an impulse that changes the place by nothing to speak of if it is
-/// given at the start of the flight is given there, and the place is left as it was written down.
+/// In an inelastic collapse contacts follow one another sooner than the disk comes a resolution of its
+/// position further: a position that is rounded at each of them stands still or runs ahead, while the partner
+/// moves on, and the overlap grows by that way. So an impulse that changes the position by nothing to speak
+/// of if it is given at the start of the flight is given there, and the position is left as it was written
+/// down.
 void ContactExecution::push(std::uint32_t slot, const Disk& now, const ContactOutcome& contact, double sign)
 {
   Disk& disk = machine_.changeable(slot);

@@ -10,7 +10,7 @@
 namespace ratchet_sieve
 {
 
-/// What came of an executed contact: all that its observers are told.
+/// The result of an executed contact: all that its observers receive.
 struct ContactOutcome
 {
   /// In place of a second disk: the base.

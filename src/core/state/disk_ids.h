@@ -53,7 +53,7 @@ public:
 private:
   bool compacted_ = false;
   std::uint32_t next_ = 0;
-  std::vector<std::uint32_t> ids_;  ///< by slot, once slots were given up
+  std::vector<std::uint32_t> ids_;  ///< by slot, once compacted
 };
 
 }  // namespace ratchet_sieve

@@ -16,9 +16,9 @@ class MachineState;
 /// elastic disks on a driven base (Fermi acceleration; Ulam, Proc. 4th Berkeley Symp. 3, 315 (1961)), by a
 /// slope that never ends, or by a base that turns.
 ///
-/// The scale is the energy of a disk that falls from the highest place of the scene and leaves the base after
-/// one elastic bounce against its fastest motion: (sqrt(2 g H + v^2) + 2 V)^2 / 2 per mass. What loses energy
-/// in collisions stays within a few of them.
+/// The scale is the energy of a disk that falls from the highest position of the scene and leaves the base
+/// after one elastic bounce against its fastest motion: (sqrt(2 g H + v^2) + 2 V)^2 / 2 per mass. What loses
+/// energy in collisions stays within a few of them.
 class EnergyWatch
 {
 public:

@@ -36,7 +36,7 @@ public:
   /// Puts a disk in. @return its slot
   std::uint32_t add(const Disk& disk);
 
-  /// Executes what a disk's flight meets of the base: a contact, or an end, where it leaves.
+  /// Executes a disk's event with the base: a contact, or passing an end, where it leaves.
   void handleBaseEvent(std::uint32_t slot, const BaseFeature& feature, double time, BaseInstant& base)
   {
     if (feature.kind == BaseFeatureKind::LEFT_END || feature.kind == BaseFeatureKind::RIGHT_END)
@@ -57,7 +57,7 @@ public:
     collapse_watch_.prefetchWindow(slot);
   }
 
-  /// Gives up the slots of disks that have left, once they are most.
+  /// Compacts away the disks that have left, once they are most.
   /// @return whether it did: then slots are others than before
   bool compact();
 

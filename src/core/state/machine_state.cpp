@@ -157,7 +157,7 @@ void MachineState::wrap(std::uint32_t slot, double shift, double time)
   passages_.wrapped(slot, -to.shift.x());
 }
 
-void MachineState::bringHome(std::uint32_t slot, double s, double time)
+void MachineState::wrapIntoWidth(std::uint32_t slot, double s, double time)
 {
   const double laps = wholeWidths(s, 1.0 / sawtooth_.width());
   if (scene_.boundary == Boundary::PERIODIC && laps != 0.0)

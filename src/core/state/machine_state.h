@@ -64,9 +64,9 @@ public:
     passages_.prefetchPassage(slot);
   }
 
-  /// What the disk's flight meets of the base first, searched from `from` and no further than needed
-  /// to know of all before `until`. Nothing for ever, if it meets nothing before the base's motion
-  /// changes: then all is searched anew.
+  /// The disk's first event with the base, searched from `from` and no further than needed to know of
+  /// all before `until`. At infinity if there is none before the base's motion changes, for then
+  /// everything is predicted again.
   BaseEvent nextBaseEvent(std::uint32_t slot, double from, double until, BaseInstant& base) const;
 
   /// Where the image `shift` widths to the right appears at `time`, relative to the disk itself.
@@ -93,8 +93,9 @@ public:
   /// Takes the disk to its image `shift` widths to the right, on the same flight.
   void wrap(std::uint32_t slot, double shift, double time);
 
-  /// Wraps a disk on a periodic base by as many widths as bring `s`, its place along the base, into [0, W).
-  void bringHome(std::uint32_t slot, double s, double time);
+  /// Wraps a disk on a periodic base by as many widths as bring `s`, its position along the base, into [0,
+  /// W).
+  void wrapIntoWidth(std::uint32_t slot, double s, double time);
 
   /// The disk passes an end of the base, into the bin there.
   void leave(std::uint32_t slot, bool to_the_right, double time);
@@ -105,7 +106,7 @@ public:
   /// The slots of disks that are still active, or that are not, rising.
   std::vector<std::uint32_t> slots(bool active) const;
 
-  /// Gives up the slots of disks that have left: those of the others move up. @param kept slots(true)
+  /// Removes disks that have left from the arrays: those of the others move up. @param kept slots(true)
   void compact(const std::vector<std::uint32_t>& kept);
 
   /// What is counted in passages begins now.
@@ -117,8 +118,8 @@ public:
   double startAt(double start);
 
   /// Shortens the epoch where the drive has been commanded to be too fast for the times in it: a run that
-  /// starts without it is not laid out for it. Then the zero of time has to move on to the epoch that `now`
-  /// lies in: rebase().
+  /// starts without it has an epoch too long for it. Then the zero of time has to move on to the epoch that
+  /// `now` lies in: rebase().
   /// @return by how much it has to [s], a multiple of the new length; 0 where nothing changes
   double shortenEpoch(double now);
 

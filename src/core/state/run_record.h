@@ -13,7 +13,7 @@
 namespace ratchet_sieve
 {
 
-/// A contact as it is told outside.
+/// A contact as a caller sees it.
 CollisionRecord recordOf(const ContactOutcome& outcome, const MachineState& machine);
 
 /// What is kept of a run: the observers of its contacts, and the means.
@@ -50,7 +50,7 @@ public:
   void reserve(std::size_t count) { impulses_.reserve(count); }
   void added();
 
-  /// The disks at these slots of the machine are kept, those at the others are about to be forgotten.
+  /// The disks at these slots of the machine are kept, those at the others are about to be compacted away.
   void keep(const std::vector<std::uint32_t>& kept, const std::vector<std::uint32_t>& left);
 
   const ContactCounts& counts() const { return counts_; }

@@ -23,7 +23,7 @@ public:
   {
   }
 
-  /// Sums up the passages of disks whose slots are given up.
+  /// Sums up the passages of disks that are about to be compacted away.
   void forget(const MachineState& machine, const std::vector<std::uint32_t>& left);
 
   /// Disks of this species took part in so many contacts: two of one species collide, and each of them did.
@@ -67,7 +67,7 @@ private:
   std::vector<Sums> sums(const MachineState& machine, double time) const;
 
   std::vector<SpeciesDefinition> species_;
-  std::vector<Sums> gone_;               ///< per species, of passages that were forgotten
+  std::vector<Sums> gone_;               ///< per species, of disks that were compacted away
   std::vector<Sums> at_block_end_;       ///< per species, when the last block ended
   std::vector<BlockAverages> blocks_;    ///< per species
   std::vector<std::uint64_t> contacts_;  ///< per species, of its disks, since the counting began

@@ -1,4 +1,4 @@
-#include "events/look_ahead.h"
+#include "events/prefetch_window.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@ namespace ratchet_sieve
 namespace
 {
 
-TEST(LookAhead, TakesSoManyEventsByThePaceOfThoseBefore)
+TEST(PrefetchWindow, TakesSoManyEventsByThePaceOfThoseBefore)
 {
-  LookAhead ahead(10.0);
+  PrefetchWindow ahead(10.0);
   // An event every quarter of a second, then every sixteenth.
   ahead.begin(1.0, 4);
   EXPECT_EQ(ahead.end(), 1.0 + 10 * 0.25);
@@ -17,17 +17,17 @@ TEST(LookAhead, TakesSoManyEventsByThePaceOfThoseBefore)
   EXPECT_EQ(ahead.end(), 3.0 + 10 * 0.0625);
 }
 
-TEST(LookAhead, KeepsItsPaceWhereNothingHasHappened)
+TEST(PrefetchWindow, KeepsItsPaceWhereNothingHasHappened)
 {
-  LookAhead ahead(10.0);
+  PrefetchWindow ahead(10.0);
   ahead.begin(1.0, 4);
   ahead.begin(8.0, 4);
   EXPECT_EQ(ahead.end(), 8.0 + 10 * 0.25);
 }
 
-TEST(LookAhead, GoesOnAfterTheZeroOfTimeHasMoved)
+TEST(PrefetchWindow, GoesOnAfterTheZeroOfTimeHasMoved)
 {
-  LookAhead ahead(10.0);
+  PrefetchWindow ahead(10.0);
   ahead.begin(1.0, 4);
   ahead.rebase(0.5);
   EXPECT_EQ(ahead.end(), 0.5 + 10 * 0.25);
