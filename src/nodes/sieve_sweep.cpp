@@ -22,8 +22,6 @@ namespace
 
 using namespace ratchet_sieve;
 
-constexpr int INTERRUPTED = 130;
-
 /// More are likely a slip, and are asked about.
 constexpr std::uint64_t MANY_CASES = 1'000'000;
 
@@ -132,9 +130,8 @@ void describe(CLI::App& app, Arguments& arguments)
       ->required()
       ->type_name("FILE");
   app.footer(
-      "Exit status: 0 done; 2 bad arguments or bad sweep, nothing run; 130 interrupted; 1 anything else, "
-      "such as a "
-      "case that failed.");
+      "Exit status: 0 done; 2 bad arguments or bad sweep, nothing run; 1 anything else, such as a case that "
+      "failed, or an interruption.");
 }
 
 void requireFewOrYes(const Sweep& sweep, const Arguments& arguments)
@@ -168,7 +165,7 @@ int runCaseHere(const std::string& file)
 {
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
-  return runCaseFile(file, [] { return stop_signal != 0; }) ? DONE : INTERRUPTED;
+  return runCaseFile(file, [] { return stop_signal != 0; }) ? DONE : FAILED;
 }
 
 int run(const Sweep& sweep, Arguments& arguments)
@@ -199,7 +196,7 @@ int run(const Sweep& sweep, Arguments& arguments)
     std::fprintf(stderr, "sieve_sweep: stopped, %llu of %llu cases to go; the same command goes on\n",
                  static_cast<unsigned long long>(counts.open()),
                  static_cast<unsigned long long>(counts.cases));
-    return INTERRUPTED;
+    return FAILED;
   }
   std::fputs(statusText(sweep, arguments.results).c_str(), stderr);
   return counts.failed == 0 ? DONE : FAILED;

@@ -1,11 +1,22 @@
 """What the tests of the engines share: a sweep, its table, and processes that are killed with all that they started."""
+import ctypes
+import functools
 import json
 import os
 import pathlib
+import shutil
 import signal
 import sqlite3
 import subprocess
+import sys
+import tempfile
 import time
+import unittest
+
+PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
+
+TIME_LIMIT = 120  # of a test [s]; some ten times what it takes alone
+PR_SET_CHILD_SUBREAPER = 36  # of linux/prctl.h
 
 SWEEP = '''
 scene:
@@ -35,18 +46,8 @@ def table(path):
     return rows
 
 
-def count(path):
-    """Rows so far; 0 while there is no table."""
-    try:
-        connection = sqlite3.connect(f'file:{path}?mode=ro', uri=True)
-        with connection:
-            return connection.execute('SELECT COUNT(*) FROM cases').fetchone()[0]
-    except sqlite3.OperationalError:
-        return 0
-
-
 def wait_for(condition, what, process=None):
-    """Waits until it holds; the test's own time limit is the only other one."""
+    """Waits until it holds, or the test's time is over."""
     while not condition():
         if process is not None and process.poll() is not None:
             raise AssertionError(f'ended before {what}: {process.returncode}')
@@ -70,21 +71,98 @@ def descendants(pid):
     return found
 
 
-def kill_all(process):
-    """Kills a process and all that it has started, at once."""
-    for pid in [process.pid] + descendants(process.pid):
+def kill_all(pid):
+    """Kills a process and all that it has started; each is stopped first, so that none starts another meanwhile."""
+    stopped = set()
+    while True:
+        alive = {pid, *descendants(pid)} - stopped
+        if not alive:
+            break
+        send(alive, signal.SIGSTOP)
+        stopped |= alive
+    send(stopped, signal.SIGKILL)
+
+
+def send(pids, number):
+    """Sends a signal to those of the processes that are still there."""
+    for pid in pids:
         try:
-            os.kill(pid, signal.SIGKILL)
+            os.kill(pid, number)
         except ProcessLookupError:
             pass
-    process.wait()
 
 
-def reference(program, directory):
+class EngineTest(unittest.TestCase):
+    """A test with a directory and a time limit of its own, that leaves no process behind however it ends."""
+
+    def setUp(self):
+        # What loses its parent becomes a child of this process, such as a task of Slurm's.
+        ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
+        signal.signal(signal.SIGALRM, self.give_up)
+        signal.alarm(TIME_LIMIT)
+        self.addCleanup(signal.alarm, 0)
+        self.directory = pathlib.Path(tempfile.mkdtemp(prefix='ratchet_sieve_'))
+        self.addCleanup(shutil.rmtree, self.directory, ignore_errors=True)
+        self.addCleanup(self.kill_descendants)
+        (self.directory / 's.yaml').write_text(SWEEP)
+
+    @staticmethod
+    def give_up(*_):
+        raise TimeoutError(f'not through after {TIME_LIMIT} s')
+
+    @staticmethod
+    def kill_descendants():
+        """Of all children, those too that this process has not started itself."""
+        for pid in descendants(os.getpid()):
+            kill_all(pid)
+
+    def background(self, *words, **options):
+        """Starts a program. It ends with the test."""
+        process = subprocess.Popen(words, **options)
+        self.addCleanup(process.wait)
+        self.addCleanup(kill_all, process.pid)
+        return process
+
+    def start_sweep(self, *options, **environment):
+        process = self.background(PROGRAM, 'run', 's.yaml', *options, cwd=self.directory, stderr=subprocess.PIPE, text=True,
+                                  **environment)
+        self.addCleanup(process.stderr.close)
+        return process
+
+    def rows(self):
+        """Rows of the table so far; 0 while there is none."""
+        try:
+            connection = sqlite3.connect(f'file:{self.directory}/s.db?mode=ro', uri=True)
+            with connection:
+                return connection.execute('SELECT COUNT(*) FROM cases').fetchone()[0]
+        except sqlite3.OperationalError:
+            return 0
+
+    def expect_under_way(self):
+        """Some cases are yet to come: else what follows would show nothing."""
+        self.assertLess(self.rows(), CASES)
+
+    def expect_interrupted(self, process):
+        process.send_signal(signal.SIGINT)
+        errors = process.communicate()[1]
+        self.assertEqual(process.returncode, 1, errors)
+        self.assertIn('the same command goes on', errors)
+        self.expect_under_way()
+
+    def expect_same_table(self, process):
+        errors = process.communicate()[1]
+        self.assertEqual(process.returncode, 0, errors)
+        self.assertEqual(table(self.directory / 's.db'), reference())
+        self.assertFalse((self.directory / 's.db.d').exists())
+
+
+@functools.lru_cache(maxsize=None)
+def reference():
     """The table as the threads of one program make it."""
-    (directory / 's.yaml').write_text(SWEEP)
-    subprocess.run([program, 'run', 's.yaml', '--db', 'reference.db'], cwd=directory, check=True,
-                   stderr=subprocess.DEVNULL)
-    rows = table(directory / 'reference.db')
+    with tempfile.TemporaryDirectory(prefix='ratchet_sieve_') as name:
+        directory = pathlib.Path(name)
+        (directory / 's.yaml').write_text(SWEEP)
+        subprocess.run([PROGRAM, 'run', 's.yaml'], cwd=directory, check=True, stderr=subprocess.DEVNULL)
+        rows = table(directory / 's.db')
     assert len(rows) == CASES, len(rows)
     return rows

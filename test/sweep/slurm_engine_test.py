@@ -1,19 +1,16 @@
 #!/usr/bin/python3
 """Slurm, with a controller and two nodes on this machine that the test starts: one slurmd is killed in mid-run with all
 that it runs; the table is the one that the threads of one program make."""
+import getpass
 import os
 import pathlib
 import shutil
 import signal
 import socket
 import subprocess
-import sys
-import tempfile
 import unittest
 
 import engine_cases
-
-PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
 
 CONFIGURATION = '''
 ClusterName=test
@@ -22,8 +19,8 @@ SlurmctldPort={ports[0]}
 AuthType=auth/munge
 AuthInfo=socket={directory}/munge.socket
 CredType=cred/munge
-SlurmUser=root
-SlurmdUser=root
+SlurmUser={user}
+SlurmdUser={user}
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 JobAcctGatherType=jobacct_gather/none
@@ -32,7 +29,10 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
 ReturnToService=2
 JobRequeue=1
-SlurmdTimeout=5
+SlurmdTimeout=3
+MessageTimeout=3
+TCPTimeout=1
+KillWait=1
 SlurmdParameters=config_overrides
 SchedulerParameters=sched_interval=1,bf_interval=1,sched_min_interval=0
 MpiDefault=none
@@ -59,18 +59,26 @@ def free_ports(count):
     return ports
 
 
-@unittest.skipUnless(os.getuid() == 0, 'Slurm starts tasks as root alone')
-class SlurmEngine(unittest.TestCase):
+def case_of(pid):
+    """The file of cases that a process runs; None where it is another program."""
+    try:
+        words = (pathlib.Path('/proc') / str(pid) / 'cmdline').read_bytes().decode().split('\0')
+        directory = pathlib.Path(os.readlink(f'/proc/{pid}/cwd'))
+    except OSError:
+        return None
+    return directory / words[2] if words[1:2] == ['case'] else None
+
+
+class SlurmEngine(engine_cases.EngineTest):
     def setUp(self):
-        self.directory = pathlib.Path(tempfile.mkdtemp(prefix='ratchet_sieve_'))
-        self.addCleanup(shutil.rmtree, self.directory, ignore_errors=True)
+        super().setUp()
         (self.directory / 'slurm.conf').write_text(CONFIGURATION.format(
-            host=socket.gethostname().split('.')[0], directory=self.directory, ports=free_ports(3)))
+            user=getpass.getuser(), host=socket.gethostname().split('.')[0], directory=self.directory,
+            ports=free_ports(3)))
         (self.directory / 'plugstack.conf').write_text('')
         (self.directory / 'state').mkdir()
         (self.directory / 'key').write_bytes(os.urandom(128))
         (self.directory / 'key').chmod(0o400)
-        self.addCleanup(self.kill_leftovers)
         self.environment = dict(os.environ, SLURM_CONF=str(self.directory / 'slurm.conf'))
         names = {name: self.directory / f'munge.{name}' for name in ('socket', 'pid', 'log', 'seed')}
         self.daemon('munged', '--foreground', '--force', '--key-file', self.directory / 'key', '--socket', names['socket'],
@@ -79,24 +87,11 @@ class SlurmEngine(unittest.TestCase):
         self.daemon('slurmctld', '-D')
         self.nodes = [self.daemon('slurmd', '-D', '-N', name) for name in ('node1', 'node2')]
         engine_cases.wait_for(lambda: self.nodes_are('idle') == 2, 'both nodes were idle')
-        self.expected = engine_cases.reference(PROGRAM, self.directory)
-
-    def kill_leftovers(self):
-        """A task's slurmstepd is no child of slurmd, but has its environment."""
-        own = f'SLURM_CONF={self.directory}'.encode()
-        for directory in pathlib.Path('/proc').glob('[0-9]*'):
-            try:
-                if own in (directory / 'environ').read_bytes():
-                    os.kill(int(directory.name), signal.SIGKILL)
-            except OSError:
-                pass
 
     def daemon(self, name, *arguments):
         program = shutil.which(name, path='/usr/sbin:/usr/bin')
         with open(self.directory / f'{name}.out', 'a', encoding='utf-8') as log:
-            process = subprocess.Popen([program, *arguments], env=self.environment, stdout=log, stderr=log)
-        self.addCleanup(engine_cases.kill_all, process)
-        return process
+            return self.background(program, *arguments, env=self.environment, stdout=log, stderr=log)
 
     def ask(self, *words):
         return subprocess.run(words, env=self.environment, capture_output=True, text=True, check=False).stdout
@@ -105,37 +100,62 @@ class SlurmEngine(unittest.TestCase):
         return self.ask('sinfo', '-h', '-N', '-o', '%t').split().count(state)
 
     def start(self):
-        process = subprocess.Popen([PROGRAM, 'run', 's.yaml', '--engine', 'slurm', '--per-job', '2'], cwd=self.directory,
-                                   env=self.environment, stderr=subprocess.PIPE, text=True)
-        self.addCleanup(process.stderr.close)
+        return self.start_sweep('--engine', 'slurm', '--per-job', '3', env=self.environment)
+
+    def start_and_wait(self):
+        process = self.start()
+        engine_cases.wait_for(lambda: self.rows() >= 3, 'a few cases were done', process)
+        self.expect_under_way()
         return process
 
-    def expect_same_table(self, process):
-        errors = process.communicate()[1]
-        self.assertEqual(process.returncode, 0, errors)
-        self.assertEqual(engine_cases.table(self.directory / 's.db'), self.expected)
+    def steps_of(self, node):
+        """The processes of a node that are no children of its slurmd: its tasks, and what Slurm runs each in."""
+        steps = set()
+        for pid in engine_cases.descendants(os.getpid()):
+            directory = pathlib.Path('/proc') / str(pid)
+            try:
+                if f'SLURMD_NODENAME={node}'.encode() in (directory / 'environ').read_bytes().split(b'\0'):
+                    steps |= {pid, int((directory / 'stat').read_text().rsplit(')', 1)[1].split()[1])}
+            except OSError:
+                continue
+        return steps - {os.getpid()}
+
+    def freeze_in_mid_case(self, node):
+        """Stops the tasks of a node, if they are at cases of which there are no results yet."""
+        steps = self.steps_of(node)
+        engine_cases.send(steps, signal.SIGSTOP)
+        cases = [path for path in map(case_of, steps) if path]
+        if cases and not any(path.with_suffix('.results').exists() for path in cases):
+            return True
+        engine_cases.send(steps, signal.SIGCONT)
+        return False
+
+    def start_and_freeze_node2(self):
+        process = self.start_and_wait()
+        engine_cases.wait_for(lambda: self.freeze_in_mid_case('node2'), 'node2 was at a case', process)
+        self.expect_under_way()
+        return process
 
     def test_a_node_killed_in_mid_run_loses_nothing(self):
-        process = self.start()
-        engine_cases.wait_for(lambda: engine_cases.count(self.directory / 's.db') >= 2 and
-                              'node2' in self.ask('squeue', '-h', '-t', 'R', '-o', '%N'), 'node2 worked', process)
-        engine_cases.kill_all(self.nodes[1])
-        self.assertLess(engine_cases.count(self.directory / 's.db'), engine_cases.CASES)
+        process = self.start_and_freeze_node2()
+        steps = self.steps_of('node2')
+        engine_cases.kill_all(self.nodes[1].pid)
+        engine_cases.send(steps, signal.SIGKILL)
+        self.expect_same_table(process)
+
+    def test_a_case_counts_once_that_a_node_given_up_for_lost_runs_on(self):
+        process = self.start_and_freeze_node2()
+        engine_cases.kill_all(self.nodes[1].pid)
+        engine_cases.send(self.steps_of('node2'), signal.SIGCONT)
         self.expect_same_table(process)
 
     def test_a_coordinator_that_is_killed_goes_on(self):
-        process = self.start()
-        engine_cases.wait_for(lambda: engine_cases.count(self.directory / 's.db') >= 2, 'a few cases were done', process)
-        engine_cases.kill_all(process)
-        self.assertLess(engine_cases.count(self.directory / 's.db'), engine_cases.CASES)
+        engine_cases.kill_all(self.start_and_wait().pid)
+        self.expect_under_way()
         self.expect_same_table(self.start())
 
     def test_interrupted_it_leaves_nothing_in_the_queue(self):
-        process = self.start()
-        engine_cases.wait_for(lambda: engine_cases.count(self.directory / 's.db') >= 2, 'a few cases were done', process)
-        process.send_signal(signal.SIGINT)
-        errors = process.communicate()[1]
-        self.assertEqual(process.returncode, 130, errors)
+        self.expect_interrupted(self.start_and_wait())
         self.assertEqual(self.ask('squeue', '-h'), '')
 
 
