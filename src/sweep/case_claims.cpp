@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/core/physics_version.h"
 
 namespace ratchet_sieve
 {
@@ -41,8 +41,8 @@ std::vector<std::pair<std::string, std::uint64_t>> claimsByOwner(const Database&
   Statement select(
       database,
       "SELECT owner, COUNT(*) FROM claims k JOIN plan p ON p.sweep = ?1 AND p.run_hash = k.run_hash "
-      "WHERE version = ?2 GROUP BY owner");
-  select.bind(1, plan.id()).bind(2, std::string(version()));
+      "WHERE physics = ?2 GROUP BY owner");
+  select.bind(1, plan.id()).bind(2, PHYSICS_VERSION);
   std::vector<std::pair<std::string, std::uint64_t>> owners;
   while (select.step())
     owners.emplace_back(select.text(0), static_cast<std::uint64_t>(select.integer(1)));
@@ -88,11 +88,11 @@ CaseClaims::CaseClaims(Database& database, const SweepPlan& plan, const std::str
       plan_(plan),
       select_(database,
               "SELECT position, run_hash FROM plan p WHERE sweep = ?1 AND position >= ?2 "
-              "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = p.run_hash AND c.version = ?3) "
-              "AND NOT EXISTS (SELECT 1 FROM claims k WHERE k.run_hash = p.run_hash AND k.version = ?3) "
+              "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = p.run_hash AND c.physics = ?3) "
+              "AND NOT EXISTS (SELECT 1 FROM claims k WHERE k.run_hash = p.run_hash AND k.physics = ?3) "
               "ORDER BY position LIMIT ?4"),
-      claim_(database, "INSERT INTO claims (run_hash, version, owner) VALUES (?, ?, ?)"),
-      release_(database, "DELETE FROM claims WHERE run_hash = ? AND version = ? AND owner = ?")
+      claim_(database, "INSERT INTO claims (run_hash, physics, owner) VALUES (?, ?, ?)"),
+      release_(database, "DELETE FROM claims WHERE run_hash = ? AND physics = ? AND owner = ?")
 {
 }
 
@@ -113,7 +113,7 @@ std::vector<std::uint64_t> CaseClaims::search(std::size_t most)
   std::vector<std::string> hashes;
   select_.bind(1, plan_.id())
       .bind(2, cursor_)
-      .bind(3, std::string(version()))
+      .bind(3, PHYSICS_VERSION)
       .bind(4, static_cast<std::int64_t>(most));
   while (select_.step())
   {
@@ -122,7 +122,7 @@ std::vector<std::uint64_t> CaseClaims::search(std::size_t most)
   }
   select_.reset();
   for (const std::string& hash : hashes)
-    claim_.bind(1, hash).bind(2, std::string(version())).bind(3, lock_.name()).run();
+    claim_.bind(1, hash).bind(2, PHYSICS_VERSION).bind(3, lock_.name()).run();
   if (!positions.empty())
     cursor_ = static_cast<std::int64_t>(positions.back()) + 1;
   return positions;
@@ -130,7 +130,7 @@ std::vector<std::uint64_t> CaseClaims::search(std::size_t most)
 
 void CaseClaims::release(const std::string& run_hash)
 {
-  release_.bind(1, run_hash).bind(2, std::string(version())).bind(3, lock_.name()).run();
+  release_.bind(1, run_hash).bind(2, PHYSICS_VERSION).bind(3, lock_.name()).run();
 }
 
 void CaseClaims::releaseAll()

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <optional>
 
+#include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
@@ -20,7 +21,11 @@ using Json = nlohmann::ordered_json;
 
 std::string firstLine(const char* kind, std::size_t lines)
 {
-  return Json({{"ratchet_sieve", kind}, {"version", version()}, {"lines", lines}}).dump();
+  return Json({{"ratchet_sieve", kind},
+               {"version", version()},
+               {"physics", PHYSICS_VERSION},
+               {"lines", lines}})
+      .dump();
 }
 
 /// The lines after the first. @throws CaseFileError

@@ -9,6 +9,7 @@
 #include <limits>
 #include <thread>
 
+#include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/version.h"
 
 namespace ratchet_sieve
@@ -27,15 +28,16 @@ constexpr int FORMAT = 1;
 constexpr int MOST_ATTEMPTS = 6000;
 constexpr auto BETWEEN_ATTEMPTS = std::chrono::milliseconds(10);
 
-const std::vector<std::string> FIXED_COLUMNS = {"run_hash", "version",   "scene_hash", "seed",   "status",
-                                                "error",    "wall_time", "host",       "summary"};
+const std::vector<std::string> FIXED_COLUMNS = {"run_hash", "version",   "scene_hash", "seed",    "status",
+                                                "error",    "wall_time", "host",       "summary", "physics"};
 
 constexpr const char* TABLES = R"(
   CREATE TABLE IF NOT EXISTS cases (
-    run_hash TEXT NOT NULL, version TEXT NOT NULL, scene_hash TEXT NOT NULL, seed INTEGER NOT NULL,
+    run_hash TEXT NOT NULL, physics INTEGER NOT NULL, version TEXT NOT NULL, scene_hash TEXT NOT NULL,
+    seed INTEGER NOT NULL,
     status TEXT NOT NULL, error TEXT, wall_time REAL NOT NULL, host TEXT NOT NULL, summary TEXT,
-    PRIMARY KEY (run_hash, version));
-  CREATE INDEX IF NOT EXISTS cases_by_status ON cases (run_hash, version, status);
+    PRIMARY KEY (run_hash, physics));
+  CREATE INDEX IF NOT EXISTS cases_by_status ON cases (run_hash, physics, status);
   CREATE TABLE IF NOT EXISTS sweeps (
     id INTEGER PRIMARY KEY, fingerprint TEXT NOT NULL UNIQUE, source TEXT NOT NULL, planned INTEGER NOT NULL);
   CREATE TABLE IF NOT EXISTS plan (
@@ -43,8 +45,8 @@ constexpr const char* TABLES = R"(
     PRIMARY KEY (sweep, position)) WITHOUT ROWID;
   CREATE UNIQUE INDEX IF NOT EXISTS plan_by_run ON plan (sweep, run_hash);
   CREATE TABLE IF NOT EXISTS claims (
-    run_hash TEXT NOT NULL, version TEXT NOT NULL, owner TEXT NOT NULL,
-    PRIMARY KEY (run_hash, version)) WITHOUT ROWID;)";
+    run_hash TEXT NOT NULL, physics INTEGER NOT NULL, owner TEXT NOT NULL,
+    PRIMARY KEY (run_hash, physics)) WITHOUT ROWID;)";
 
 /// The column of which the best is asked for again and again.
 constexpr const char* BEST_OF = "quality";
@@ -241,6 +243,7 @@ void ResultStore::record(const std::vector<std::string>& keys, const CaseResult&
     statement.bind(9, nullptr);
   else
     statement.bind(9, result.summary.dump(-1, ' ', false, Json::error_handler_t::replace));
+  statement.bind(10, PHYSICS_VERSION);
   int parameter = static_cast<int>(FIXED_COLUMNS.size());
   for (const auto& value : result.values)
     bindValue(statement, ++parameter, value);

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/core/simulation.h"
-#include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/case_builder.h"
@@ -48,7 +48,7 @@ std::int64_t beginPlan(Database& database, const Sweep& sweep)
 
 Statement& bindPlan(Statement& statement, std::int64_t id)
 {
-  return statement.bind(1, id).bind(2, std::string(version()));
+  return statement.bind(1, id).bind(2, PHYSICS_VERSION);
 }
 
 constexpr const char* ROWS_OF_PLAN =
@@ -108,15 +108,15 @@ SweepCounts SweepPlan::counts(Database& database) const
   Statement rows(
       database,
       "SELECT COUNT(*), COUNT(c.status), SUM(c.status IS 'failed') "
-      "FROM plan p LEFT JOIN cases c ON c.run_hash = p.run_hash AND c.version = ?2 WHERE p.sweep = ?1");
+      "FROM plan p LEFT JOIN cases c ON c.run_hash = p.run_hash AND c.physics = ?2 WHERE p.sweep = ?1");
   bindPlan(rows, id_).step();
   SweepCounts counts;
   counts.cases = static_cast<std::uint64_t>(rows.integer(0));
   counts.failed = static_cast<std::uint64_t>(rows.integer(2));
   counts.done = static_cast<std::uint64_t>(rows.integer(1)) - counts.failed;
-  Statement others(database, std::string("SELECT COUNT(*)") + ROWS_OF_PLAN + "AND c.version <> ?2");
+  Statement others(database, std::string("SELECT COUNT(*)") + ROWS_OF_PLAN + "AND c.physics <> ?2");
   bindPlan(others, id_).step();
-  counts.other_versions = static_cast<std::uint64_t>(others.integer(0));
+  counts.other_physics = static_cast<std::uint64_t>(others.integer(0));
   return counts;
 }
 
@@ -128,7 +128,7 @@ std::optional<BestCase> SweepPlan::best(const ResultStore& store) const
   Statement select(
       store.database(),
       "SELECT p.position, c.quality FROM cases c CROSS JOIN plan p ON p.sweep = ?1 AND p.run_hash = "
-      "c.run_hash WHERE c.version = ?2 AND c.quality IS NOT NULL ORDER BY c.quality DESC LIMIT 1");
+      "c.run_hash WHERE c.physics = ?2 AND c.quality IS NOT NULL ORDER BY c.quality DESC LIMIT 1");
   if (!bindPlan(select, id_).step())
     return std::nullopt;
   return BestCase{static_cast<std::uint64_t>(select.integer(0)), select.real(1)};
@@ -151,17 +151,17 @@ void SweepPlan::fillValues(ResultStore& store, const Sweep& sweep) const
   }
   Database& database = store.database();
   Statement select(database, std::string("SELECT p.position, p.run_hash") + ROWS_OF_PLAN +
-                                 "AND c.version = ?2 AND (" + missing + ") ORDER BY p.position");
+                                 "AND c.physics = ?2 AND (" + missing + ") ORDER BY p.position");
   std::vector<std::pair<std::uint64_t, std::string>> rows;
   bindPlan(select, id_);
   while (select.step())
     rows.emplace_back(static_cast<std::uint64_t>(select.integer(0)), select.text(1));
   CaseBuilder builder(sweep);
   Transaction transaction(database);
-  Statement update(database, "UPDATE cases SET " + assignments + " WHERE run_hash = ?1 AND version = ?2");
+  Statement update(database, "UPDATE cases SET " + assignments + " WHERE run_hash = ?1 AND physics = ?2");
   for (const auto& [position, hash] : rows)
   {
-    update.bind(1, hash).bind(2, std::string(version()));
+    update.bind(1, hash).bind(2, PHYSICS_VERSION);
     int parameter = 2;
     for (const auto& value : builder.at(position).values)
       bindValue(update, ++parameter, value);
@@ -174,7 +174,7 @@ std::int64_t SweepPlan::removeFailed(Database& database) const
 {
   Transaction transaction(database);
   Statement remove(database,
-                   "DELETE FROM cases WHERE version = ?2 AND status = 'failed' AND run_hash IN "
+                   "DELETE FROM cases WHERE physics = ?2 AND status = 'failed' AND run_hash IN "
                    "(SELECT run_hash FROM plan WHERE sweep = ?1)");
   bindPlan(remove, id_).run();
   const std::int64_t removed = database.changes();

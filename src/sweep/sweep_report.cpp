@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/headless_run.h"
-#include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/case_builder.h"
@@ -26,11 +26,11 @@ namespace
 constexpr auto LONGEST_MEASUREMENT = std::chrono::seconds(1);
 
 const char* const ROWS =
-    " FROM plan p JOIN cases c ON c.run_hash = p.run_hash WHERE p.sweep = ?1 AND c.version = ?2 ";
+    " FROM plan p JOIN cases c ON c.run_hash = p.run_hash WHERE p.sweep = ?1 AND c.physics = ?2 ";
 
 Statement& bindPlan(Statement& statement, const SweepPlan& plan)
 {
-  return statement.bind(1, plan.id()).bind(2, std::string(version()));
+  return statement.bind(1, plan.id()).bind(2, PHYSICS_VERSION);
 }
 
 std::string failureText(Database& database, const SweepPlan& plan)
@@ -72,7 +72,7 @@ std::string exportColumns(const ResultStore& store, const std::vector<std::strin
   { names += (names.empty() ? "" : ", ") + ("c." + quotedName(name)); };
   std::vector<std::string> first = keys;
   first.insert(first.end(), {"seed", "status", "error"});
-  const std::vector<std::string> last = {"run_hash", "scene_hash", "version", "wall_time", "host"};
+  const std::vector<std::string> last = {"run_hash", "scene_hash", "version", "physics", "wall_time", "host"};
   const auto among = [](const std::vector<std::string>& list, const std::string& name)
   { return std::find(list.begin(), list.end(), name) != list.end(); };
   for (const std::string& name : first)
@@ -101,9 +101,10 @@ std::string statusText(const Sweep& sweep, const std::string& results)
   std::string text =
       fmt::format("{} cases: {} done, {} failed, {} under way, {} to go\n", counts.cases, counts.done,
                   counts.failed, casesUnderWay(database, *plan, workDirectory(results)), counts.open());
-  if (counts.other_versions > 0)
-    text += fmt::format("{} results of these cases are of other versions than {} and count for nothing\n",
-                        counts.other_versions, version());
+  if (counts.other_physics > 0)
+    text += fmt::format(
+        "{} results of these cases are of another physics than version {} and count for nothing\n",
+        counts.other_physics, PHYSICS_VERSION);
   if (const std::optional<BestCase> best = plan->best(store))
     text += fmt::format("best Q {:.4f}: {}\n", best->quality, CaseBuilder(sweep).name(best->position));
   return counts.failed > 0 ? text + failureText(database, *plan) : text;
@@ -141,13 +142,13 @@ void listCases(const Sweep& sweep, const std::string& results, std::ostream& out
   if (std::filesystem::exists(results))
   {
     store.emplace(results, Database::Access::READ);
-    select.emplace(store->database(), "SELECT status FROM cases WHERE run_hash = ? AND version = ?");
+    select.emplace(store->database(), "SELECT status FROM cases WHERE run_hash = ? AND physics = ?");
   }
   CaseBuilder builder(sweep);
   for (std::uint64_t position = 0; position < sweep.size(); ++position)
   {
     out << position + 1 << ": " << builder.name(position);
-    if (select && select->bind(1, runHash(builder.at(position).scene)).bind(2, std::string(version())).step())
+    if (select && select->bind(1, runHash(builder.at(position).scene)).bind(2, PHYSICS_VERSION).step())
       out << "  (" << select->text(0) << ')';
     if (select)
       select->reset();

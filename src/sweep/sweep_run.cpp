@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/atomic_file.h"
-#include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/sweep/case_builder.h"
 #include "ratchet_sieve/sweep/case_claims.h"
@@ -55,23 +55,26 @@ std::string makeDirectory(const std::string& path)
   return path;
 }
 
+/// A case's checkpoint is of one version of the physics, as its result is.
+const std::string CHECKPOINT = ".physics" + std::to_string(PHYSICS_VERSION) + ".checkpoint";
+
 std::string checkpointPath(const std::string& directory, const std::string& run_hash)
 {
-  return directory + '/' + run_hash + ".checkpoint";
+  return directory + '/' + run_hash + CHECKPOINT;
 }
 
 /// Checkpoints of cases of which there is a result: what a process had no time to remove.
 void removeLeftovers(const Database& database, const std::string& directory)
 {
-  Statement select(database, "SELECT 1 FROM cases WHERE run_hash = ? AND version = ?");
+  Statement select(database, "SELECT 1 FROM cases WHERE run_hash = ? AND physics = ?");
   for (const fs::directory_entry& entry : fs::directory_iterator(directory))
   {
     const std::string name = entry.path().filename().string();
-    const std::size_t dot = name.find(".checkpoint");
+    const std::size_t dot = name.find(CHECKPOINT);
     if (dot == std::string::npos)
       continue;
     std::error_code ignored;
-    if (select.bind(1, name.substr(0, dot)).bind(2, std::string(version())).step())
+    if (select.bind(1, name.substr(0, dot)).bind(2, PHYSICS_VERSION).step())
       fs::remove(entry.path(), ignored);
     select.reset();
   }

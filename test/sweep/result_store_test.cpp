@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/version.h"
 #include "sweep_files.h"
 
@@ -50,8 +51,8 @@ TEST_F(ResultStoreTest, KeepsValuesAsWhatTheyAre)
   EXPECT_EQ(text("SELECT \"a.b\" = 0.1 AND c = 20 AND quality = 0.1 AND processed IS NULL AND events = 12 "
                  "FROM cases"),
             "1");
-  EXPECT_EQ(text("SELECT status || seed || host || version FROM cases"),
-            std::string("done3here") + version());
+  EXPECT_EQ(text("SELECT status || seed || host || version || physics FROM cases"),
+            std::string("done3here") + version() + std::to_string(PHYSICS_VERSION));
   EXPECT_EQ(text("SELECT json_extract(summary, '$.events') FROM cases"), "12");
 }
 

@@ -47,7 +47,7 @@ inline std::map<std::string, std::map<std::string, std::string>> tableOf(const s
     if (summary.is_object())
       summary.erase("wall_time");
     row["summary"] = summary.dump();
-    rows[row["run_hash"] + ' ' + row["version"]] = row;
+    rows[row["run_hash"] + ' ' + row["physics"]] = row;
   }
   return rows;
 }

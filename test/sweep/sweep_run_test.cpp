@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/checkpoint.h"
-#include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/case_builder.h"
@@ -48,7 +48,7 @@ TEST_F(SweepRunTest, KeepsWhatSieveRunWouldSay)
   CaseBuilder builder(sweep);
   const SweepCase& last = builder.at(3);
   const nlohmann::ordered_json summary = runCase(last, {})->summary;
-  const auto row = tableOf(results_).at(runHash(last.scene) + ' ' + version());
+  const auto row = tableOf(results_).at(runHash(last.scene) + ' ' + std::to_string(PHYSICS_VERSION));
   EXPECT_EQ(row.at("scene_hash"), sceneHash(last.scene));
   EXPECT_EQ(row.at("seed"), "2");
   EXPECT_EQ(row.at("base.inclination"), "0.1");
@@ -109,21 +109,21 @@ TEST_F(SweepRunTest, MakesAFailureARowAndGoesOn)
   EXPECT_EQ(runSweep(sweep, results_, again).counts.open(), 1u);
 }
 
-TEST_F(SweepRunTest, DoesNotMixResultsOfAnotherVersion)
+TEST_F(SweepRunTest, DoesNotMixResultsOfAnotherPhysics)
 {
   const Sweep sweep = load("grid: {gravity: [8, 9]}\n");
   runSweep(sweep, results_, {});
   const auto before = tableOf(results_);
-  Database(results_, Database::Access::WRITE).execute("UPDATE cases SET version = '0.0.1', quality = 99");
+  Database(results_, Database::Access::WRITE).execute("UPDATE cases SET physics = 0, quality = 99");
   EXPECT_EQ(status(sweep),
-            "2 cases: 0 done, 0 failed, 0 under way, 2 to go\n2 results of these cases are of other "
-            "versions than " +
-                std::string(version()) + " and count for nothing\n");
+            "2 cases: 0 done, 0 failed, 0 under way, 2 to go\n2 results of these cases are of "
+            "another physics than version " +
+                std::to_string(PHYSICS_VERSION) + " and count for nothing\n");
   runSweep(sweep, results_, {});
   EXPECT_EQ(text("SELECT COUNT(*) FROM cases"), "4");
   auto after = tableOf(results_);
   for (auto row = after.begin(); row != after.end();)
-    row = row->second["version"] == "0.0.1" ? after.erase(row) : std::next(row);
+    row = row->second["physics"] == "0" ? after.erase(row) : std::next(row);
   EXPECT_EQ(after, before);
   std::ostringstream csv;
   EXPECT_EQ(exportCsv(sweep, results_, csv), 2u);
@@ -146,7 +146,8 @@ TEST_F(SweepRunTest, StopsAtACheckpointAndGoesOnFromIt)
   EXPECT_TRUE(runSweep(sweep, results_, stopping).stopped);
   CaseBuilder builder(sweep);
   const SweepCase& first = builder.at(0);
-  const std::string path = results_ + ".d/" + runHash(first.scene) + ".checkpoint";
+  const std::string path =
+      results_ + ".d/" + runHash(first.scene) + ".physics" + std::to_string(PHYSICS_VERSION) + ".checkpoint";
   {
     const Checkpoint checkpoint = readCheckpoint(path, first.scene);
     EXPECT_GT(checkpoint.simulation.time(), 0.0);
@@ -162,7 +163,8 @@ TEST_F(SweepRunTest, BeginsACaseAnewWhoseCheckpointIsDamaged)
 {
   const Sweep sweep = load("");
   std::filesystem::create_directory(results_ + ".d");
-  std::ofstream(results_ + ".d/" + runHash(CaseBuilder(sweep).at(0).scene) + ".checkpoint")
+  std::ofstream(results_ + ".d/" + runHash(CaseBuilder(sweep).at(0).scene) + ".physics" +
+                std::to_string(PHYSICS_VERSION) + ".checkpoint")
       << "no checkpoint";
   std::string warning;
   SweepRunOptions options;

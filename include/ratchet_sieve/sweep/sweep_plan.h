@@ -19,7 +19,7 @@ struct SweepCounts
   std::uint64_t cases = 0;  ///< different ones
   std::uint64_t done = 0;
   std::uint64_t failed = 0;
-  std::uint64_t other_versions = 0;  ///< results of these cases of other versions of the physics
+  std::uint64_t other_physics = 0;  ///< results of these cases of other versions of the physics
 
   std::uint64_t open() const { return cases - done - failed; }
 };
