@@ -12,6 +12,11 @@
 
 #include <gtest/gtest.h>
 
+#include "ratchet_sieve/core/physics_version.h"
+#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/recording/checkpoint.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/sweep/case_builder.h"
 #include "sweep_files.h"
 
 namespace ratchet_sieve
@@ -89,6 +94,35 @@ TEST_F(SieveSweep, KilledAgainAndAgainComesToTheSameTable)
   EXPECT_TRUE(had_checkpoint);
   EXPECT_EQ(tableOf(directory_ / "s.db").size(), 12u);
   EXPECT_EQ(tableOf(directory_ / "s.db"), tableOf(directory_ / "whole.db"));
+}
+
+/// The checkpoint is marked, by an energy at the start that the run did not have: begun anew, the case would
+/// not bear it.
+TEST_F(SieveSweep, KilledHalfWayThroughACaseGoesOnFromItsCheckpoint)
+{
+  const std::string file = sweep(SMALL_SCENE + std::string("set: {duration: 500, boundary: periodic}\n"));
+  ASSERT_EQ(run({"run", file, "--db", directory_ / "whole.db"}), 0) << errors();
+  const SceneDefinition scene = CaseBuilder(loadSweep(file)).at(0).scene;
+  const std::string path = directory_ / ("s.db.d/" + runHash(scene) + ".physics" +
+                                         std::to_string(PHYSICS_VERSION) + ".checkpoint");
+  const pid_t child = start({"run", file, "--checkpoint-every", "0.02"});
+  while (!std::filesystem::exists(path) && waitpid(child, nullptr, WNOHANG) == 0)
+    usleep(1000);
+  kill(child, SIGKILL);
+  ASSERT_EQ(end(child), -SIGKILL) << errors();
+  {
+    const Checkpoint half_way = readCheckpoint(path, scene);
+    EXPECT_GT(half_way.simulation.time(), 0.0);
+    EXPECT_LT(half_way.simulation.time(), 500.0);
+    writeCheckpoint(path, half_way.simulation, {1234.5, half_way.progress.through_base});
+  }
+  ASSERT_EQ(run({"run", file}), 0) << errors();
+  const auto value = [this](const char* results, const char* column)
+  { return textOf(directory_ / results, std::string("SELECT ") + column + " FROM cases"); };
+  EXPECT_EQ(value("s.db", "energy_start"), "1234.5");
+  for (const char* column : {"energy_end", "events", "\"mean_vx.A\"", "\"base_impulse.y\""})
+    EXPECT_EQ(value("s.db", column), value("whole.db", column)) << column;
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "s.db.d"));
 }
 
 TEST_F(SieveSweep, TwoAtOnceShareTheWork)
