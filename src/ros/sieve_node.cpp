@@ -47,9 +47,6 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
       real_time_factor_(private_node, parameters_.real_time_factor),
       pacer_(parameters_.real_time_factor),
       clock_(node_, parameters_.clock_rate, parameters_.publish_clock),
-      own_world_(parameters_.mountedElsewhere()
-                     ? publishOwnWorld(node_, parameters_.mount, parameters_.frames)
-                     : ros::Publisher()),
       transforms_(node_, &clock_, parameters_.frames),
       topics_(
           node_, [this]() -> const LiveRun& { return control_.run(); }, parameters_.frames.world, clock_,
@@ -69,6 +66,8 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
     ROS_WARN("%s", clock_.otherText().c_str());
   if (clock_.enabled() && !ros::Time::isSimTime())
     ROS_WARN("this node is the clock, but /use_sim_time is not set: other nodes go by wall time");
+  if (parameters_.mountedElsewhere())
+    own_world_.emplace().sendTransform(ownWorldTransform(parameters_.mount, parameters_.frames));
   control_.addSink(topics_);
   // Not before the scene is known to be good: a run that cannot begin leaves no bag.
   recorder_.open();

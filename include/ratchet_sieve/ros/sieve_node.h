@@ -1,8 +1,10 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 
 #include <ros/node_handle.h>
+#include <tf2_ros/static_transform_broadcaster.h>
 
 #include "ratchet_sieve/live/display_wait.h"
 #include "ratchet_sieve/live/pacer.h"
@@ -62,7 +64,7 @@ private:
   Pacer pacer_;
   SpeedWatch speed_;
   ClockPublisher clock_;
-  ros::Publisher own_world_;  ///< latched, where the sieve has a world of its own
+  std::optional<tf2_ros::StaticTransformBroadcaster> own_world_;  ///< where the sieve has a world of its own
   TransformPublisher transforms_;
   TopicPublisher topics_;
   Display display_;
