@@ -8,6 +8,7 @@
 
 #include "ratchet_sieve/live/display_wait.h"
 #include "ratchet_sieve/live/pacer.h"
+#include "ratchet_sieve/live/pour_log.h"
 #include "ratchet_sieve/live/progress_log.h"
 #include "ratchet_sieve/live/speed_watch.h"
 #include "ratchet_sieve/live/wall_log.h"
@@ -57,7 +58,7 @@ private:
   ros::NodeHandle node_;
   const std::atomic<bool>& stop_;
   NodeParameters parameters_;
-  Pacer::Clock::time_point next_pour_line_;
+  PourLog pour_log_;
   Recorder recorder_;
   RunControl control_;
   RealTimeFactor real_time_factor_;
