@@ -169,6 +169,8 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
       return failure(*refusal);
     found.push_back(&*setpoint);
   }
+  // The answer has statistics.
+  run_->keepStatistics();
   // One that says nothing new is not given: all disks would be looked at anew, and nothing would come of it.
   for (std::size_t k = 0; k < found.size(); ++k)
     if (commanded(found[k]->quantity) != setpoints[k].second)

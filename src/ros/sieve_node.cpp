@@ -15,9 +15,6 @@ namespace
 /// node ends [s of wall time].
 constexpr double FAREWELL = 0.25;
 
-/// Between two lines on how far the pour is, and before the first [s of wall time].
-constexpr std::chrono::seconds BETWEEN_POUR_LINES(2);
-
 void serveCallbacks(double wait)
 {
   ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(wait));
@@ -39,7 +36,6 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
     : node_(private_node),
       stop_(stop),
       parameters_(readNodeParameters(private_node)),
-      next_pour_line_(Pacer::Clock::now() + BETWEEN_POUR_LINES),
       recorder_(parameters_.record, private_node.getNamespace(), parameters_.recording,
                 parameters_.frames.world),
       control_(scene.root, scene.source, parameters_, recorder_, rosLog(),
@@ -47,9 +43,6 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
       real_time_factor_(private_node, parameters_.real_time_factor),
       pacer_(parameters_.real_time_factor),
       clock_(node_, parameters_.clock_rate, parameters_.publish_clock),
-      own_world_(parameters_.mountedElsewhere()
-                     ? publishOwnWorld(node_, parameters_.mount, parameters_.frames)
-                     : ros::Publisher()),
       transforms_(node_, &clock_, parameters_.frames),
       topics_(
           node_, [this]() -> const LiveRun& { return control_.run(); }, parameters_.frames.world, clock_,
@@ -69,6 +62,8 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
     ROS_WARN("%s", clock_.otherText().c_str());
   if (clock_.enabled() && !ros::Time::isSimTime())
     ROS_WARN("this node is the clock, but /use_sim_time is not set: other nodes go by wall time");
+  if (parameters_.mountedElsewhere())
+    own_world_.emplace().sendTransform(ownWorldTransform(parameters_.mount, parameters_.frames));
   control_.addSink(topics_);
   // Not before the scene is known to be good: a run that cannot begin leaves no bag.
   recorder_.open();
@@ -148,16 +143,13 @@ void SieveNode::watchEnergy()
   energy_said_ = !text.empty();
 }
 
-/// Says how far a pour is, once in a while, and gives it up where the node is stopped.
+/// Logs the progress of a pour, and aborts it where the node is stopped.
 void SieveNode::watchPour(std::size_t poured, std::size_t of)
 {
   if (stopped())
     throw std::runtime_error(fmt::format("stopped when {} of {} disks were poured", poured, of));
-  const auto now = Pacer::Clock::now();
-  if (now < next_pour_line_)
-    return;
-  next_pour_line_ = now + BETWEEN_POUR_LINES;
-  ROS_INFO("%zu of %zu disks poured", poured, of);
+  if (const auto line = pour_log_.line(poured, of, PourLog::Clock::now()))
+    ROS_INFO_STREAM(*line);
 }
 
 double SieveNode::waitUntilDue() const

@@ -65,9 +65,12 @@ public:
   ParticleFrame particles() const { return makeParticleFrame(simulation_); }
   BinFrame bins() const { return makeBinFrame(simulation_); }
   BaseFrame base() const { return makeBaseFrame(simulation_); }
-  /// Over the periods that ended since the last one that was due to be published; without the real-time
-  /// factor.
+  /// Over the periods that ended since the last one that was due to be published; over none where nobody
+  /// wanted statistics until now. Without the real-time factor.
   StatisticsFrame statistics() const;
+
+  /// From now on periods are observed for statistics(), also while no sink wants statistics.
+  void keepStatistics() { statistics_kept_ = true; }
 
 private:
   struct Recording
@@ -77,11 +80,15 @@ private:
   };
 
   void show(const CommandFrame& command, FrameSink& sink);
+  void observePeriods(bool observe);
+  bool statisticsWanted(const FrameSink& sink) const;
 
   Simulation simulation_;
   FrameSampler::WallClock wall_clock_;
   FrameSampler sampler_;
   bool under_way_ = true;
+  bool statistics_kept_ = false;
+  bool periods_observed_ = false;
   std::optional<Recording> recording_;
   double end_time_;
   std::vector<CommandFrame> opening_;  ///< that nobody was shown yet

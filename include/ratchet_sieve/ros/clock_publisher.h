@@ -38,9 +38,14 @@ public:
   /// a second of wall time: so much the clock may be behind a stamp.
   void reach(double time);
 
-  /// Where time has leapt back just now: waits for a moment, in which others hear of it. A transform that
-  /// came to a tf2 listener before would be taken for an old one, and thrown away with those.
-  void letLeapBeHeard() const;
+  /// To be called when a transform has been published. A tf2 listener that receives it after a jump back in
+  /// time keeps it as one of the future, and rejects those of the new run as too old: so a jump back waits
+  /// until it has arrived.
+  void transformSent() { transform_sent_ = std::chrono::steady_clock::now(); }
+
+  /// Blocks until subscribers have received the last jump back in time, if that has just happened. A tf2
+  /// listener clears its buffer at the jump, and would clear a transform that it received before with it.
+  void waitForTimeJump() const;
 
 private:
   std::chrono::duration<double> period_;
@@ -49,7 +54,8 @@ private:
   std::optional<std::string> other_;
   std::chrono::steady_clock::time_point last_;
   std::optional<ros::Time> shown_;
-  std::chrono::steady_clock::time_point leapt_;  ///< back, last
+  std::chrono::steady_clock::time_point jumped_back_;     ///< when /clock last did
+  std::chrono::steady_clock::time_point transform_sent_;  ///< the last
 };
 
 }  // namespace ratchet_sieve
