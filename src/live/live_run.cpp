@@ -50,7 +50,7 @@ bool LiveRun::statisticsWanted(const FrameSink& sink) const
          (recording_ && recording_->sink.wants(FrameKind::STATISTICS));
 }
 
-/// Each observed period takes eight looks at all disks.
+/// Each observed period evaluates the velocities of all disks eight times.
 void LiveRun::observePeriods(bool observe)
 {
   if (observe == periods_observed_)

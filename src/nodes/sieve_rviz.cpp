@@ -48,7 +48,7 @@ constexpr double SAY_AGAIN = 30.0;  // between two lines that do
 /// The node whose topics the configuration shows, by its name.
 constexpr const char* SHOWN = "/sieve";
 
-/// Says now and then why nothing is shown yet.
+/// Logs from time to time why nothing is shown yet.
 class WaitingLog
 {
 public:
@@ -65,7 +65,7 @@ private:
   ros::WallTime next_ = ros::WallTime::now() + ros::WallDuration(SILENCE);
 };
 
-/// Ahead of Xlib in RViz: see rviz_windows.cpp.
+/// Preloaded into RViz before Xlib: see rviz_windows.cpp.
 constexpr const char* RVIZ_WINDOWS = "libratchet_sieve_rviz_windows.so";
 
 std::string contents(const std::string& path)

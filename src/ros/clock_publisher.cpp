@@ -18,12 +18,12 @@ constexpr const char* TOPIC = "/clock";
 /// tens of ms for each thread on an overloaded machine. tf2 gives no sign that it has arrived.
 constexpr std::chrono::milliseconds ARRIVAL(250);
 
-/// Frames may come by the ten thousand a second, where a light scene goes as fast as it can: every node would
-/// have its hands full with the time alone. Messages take as long as this on their way.
+/// A small scene that runs as fast as it can makes ten thousand frames per second of wall time, more than
+/// subscribers of /clock can process. Messages are in transit for about as long as this.
 constexpr std::chrono::milliseconds SHORTEST_PERIOD(1);
 
-/// What the clock shows at a time. Never 0, which in ROS is no time at all: `rosbag record` ends with the
-/// first message that it hears at 0, and nodes that wait for a time would wait for as long as a run is paused
+/// The clock's message at a time. Never 0, which means "no time yet" in ROS: `rosbag record` ends with the
+/// first message that it receives at 0, and ros::Time::waitForValid() would block while a run is paused
 /// there.
 ros::Time shownAt(double time)
 {

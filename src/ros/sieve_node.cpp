@@ -11,8 +11,8 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// What was published last leaves through a thread of roscpp's: the time that it gets before the
-/// node ends [s of wall time].
+/// The last messages are sent by a thread of roscpp: the time that it gets before the node ends [s of wall
+/// time].
 constexpr double FAREWELL = 0.25;
 
 void serveCallbacks(double wait)
@@ -79,7 +79,7 @@ bool SieveNode::ended() const
   return control_.run().finished() && parameters_.exit_at_end;
 }
 
-/// Whether the run goes on by itself.
+/// Whether the run advances by itself.
 bool SieveNode::underWay() const
 {
   return !control_.paused() && !display_wait_.waiting();
@@ -90,7 +90,7 @@ void SieveNode::watchDisplay()
   const auto now = Pacer::Clock::now();
   if (!display_wait_.waiting())
     return;
-  if (const auto line = display_wait_.look(display_.watched(), now))
+  if (const auto line = display_wait_.update(display_.watched(), now))
     ROS_INFO_STREAM(*line);
   if (!display_wait_.waiting())
     pacer_.anchor(control_.run().time(), now);
@@ -128,13 +128,13 @@ void SieveNode::watchSpeed()
     ROS_INFO("real-time factor: %g from %.3f s on%s", *factor, run.time(),
              *factor > 0.0 ? "" : ": as fast as it goes");
   }
-  speed_.look(underWay(), run.time(), pacer_.lost(), now);
+  speed_.update(underWay(), run.time(), pacer_.lost(), now);
   if (const auto line = speed_.line(pacer_.factor(), now))
     ROS_LOG_STREAM(line->warning ? ros::console::levels::Warn : ros::console::levels::Info,
                    ROSCONSOLE_DEFAULT_NAME, line->text);
 }
 
-/// Said once in a run.
+/// Warns once in a run.
 void SieveNode::watchEnergy()
 {
   const std::string text = control_.run().simulation().energyText();
@@ -165,7 +165,7 @@ void SieveNode::advance()
     finish();
 }
 
-/// Towards a time, and the pacer learns how long that takes.
+/// Advances towards a time, and reports to the pacer how long that took.
 void SieveNode::advanceTo(double time)
 {
   const auto begin = Pacer::Clock::now();
@@ -175,7 +175,7 @@ void SieveNode::advanceTo(double time)
   pacer_.advanced(control_.run().time() - from, wall.count());
 }
 
-/// One of a step that a service asks for.
+/// One stride of a step requested by a service.
 bool SieveNode::stride(double time)
 {
   keepAlive();

@@ -58,7 +58,7 @@ protected:
   void SetUp() override
   {
     ASSERT_TRUE(sieve.connect());
-    // The listener is greeted before time leaps: who comes in the midst of it may get one transform twice.
+    // The listener subscribes before time jumps: during a reset it might get one transform twice.
     ASSERT_TRUE(waitFor([&] { return buffer.canTransform(WORLD_FRAME_ID, BASE_FRAME_ID, ros::Time(0)); }));
     sieve.resetAndSee();
     ASSERT_TRUE(waitFor([&] { return buffer.canTransform(WORLD_FRAME_ID, BASE_FRAME_ID, ros::Time(0)); }));
@@ -187,7 +187,8 @@ TEST_F(Clock, passesAMessageFilter)
   ros::NodeHandle node;
   tf2_ros::Buffer frames;
   const tf2_ros::TransformListener frames_listener(frames, node, false);
-  sieve.stepAndSee(0.1);  // this listener was not greeted: it hears what comes to the process anyway
+  sieve.stepAndSee(
+      0.1);  // this listener shares the connection of the first, and gets no transform at its start
   ASSERT_TRUE(waitFor([&] { return frames.canTransform(WORLD_FRAME_ID, BASE_FRAME_ID, ros::Time(0)); }));
   message_filters::Subscriber<ParticleStates> subscriber(node, "/sieve/particles", 1000);
   tf2_ros::MessageFilter<ParticleStates> filter(subscriber, frames, BASE_FRAME_ID, 1000, node);
@@ -224,12 +225,12 @@ public:
     return waitFor([this] { return !times.empty(); });
   }
 
-  int leapsBack() const
+  int jumpsBack() const
   {
-    int leaps = 0;
+    int jumps = 0;
     for (std::size_t k = 1; k < times.size(); ++k)
-      leaps += times[k] < times[k - 1] ? 1 : 0;
-    return leaps;
+      jumps += times[k] < times[k - 1] ? 1 : 0;
+    return jumps;
   }
 
   std::vector<ros::Time> times;
@@ -251,11 +252,11 @@ TEST_F(Clock, goesBackAtAResetAndNowhereElse)
   const double paused = sieve.base.frames.back().time;
   ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().time > paused + 0.5; }));
   ASSERT_TRUE(sieve.call("pause_physics"));
-  EXPECT_EQ(clock.leapsBack(), 0);
+  EXPECT_EQ(clock.jumpsBack(), 0);
   sieve.resetAndSee();
   sieve.stepAndSee(0.25);
   ASSERT_TRUE(waitFor([&] { return clock.times.back() == ros::Time(0.25); }));
-  EXPECT_EQ(clock.leapsBack(), 1);
+  EXPECT_EQ(clock.jumpsBack(), 1);
 }
 
 /// rosbag ends with the first message that it hears at time 0.

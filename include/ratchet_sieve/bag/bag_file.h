@@ -18,8 +18,8 @@ namespace ratchet_sieve
 /// writer ends the program where the disk is full, for it throws from a destructor then, and can be
 /// told neither to finish a chunk nor to leave one out.
 ///
-/// A chunk goes into the file in one piece, with its index. So whatever ends the program, all chunks
-/// but the last are whole, and `rosbag reindex` brings them back. It is finished as soon as it holds
+/// A chunk is written to the file at once, with its index. However the program ends, all chunks but the last
+/// are complete, and `rosbag reindex` recovers them. It is finished as soon as it holds
 /// CHUNK_SIZE bytes, or messages of CHUNK_DURATION.
 class BagFile
 {

@@ -11,12 +11,12 @@
 namespace ratchet_sieve
 {
 
-/// A simulation that shows itself while it runs. Times are simulated times.
+/// A simulation that hands frames to sinks while it runs. Times are simulated times.
 class LiveRun
 {
 public:
   /// @param opening commands that hold from its start on; their own times do not matter
-  /// @param start_time not 0 where disks are poured anew without time leaping back [s]
+  /// @param start_time not 0 where disks are poured anew at the present time [s]
   /// @param end_time [s]
   /// @param wall_clock by which the real-time factor is measured
   /// @param pour_observer see Simulation
@@ -33,7 +33,7 @@ public:
   double endTime() const { return end_time_; }
   bool finished() const { return time() >= end_time_ || stopped(); }
 
-  /// Why it goes no further: an inelastic collapse; nothing if it does.
+  /// Why it has stopped: an inelastic collapse; nothing if it has not.
   const std::optional<std::string>& stopReason() const { return stop_reason_; }
   bool stopped() const { return stop_reason_.has_value(); }
 

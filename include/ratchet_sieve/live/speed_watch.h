@@ -7,23 +7,23 @@
 namespace ratchet_sieve
 {
 
-/// "too slow: 19.96 times real time instead of 20", with as many figures as it takes to see a difference.
+/// "too slow: 19.96 times real time instead of 20", with as many digits as are needed to see a difference.
 /// @param achieved less than @param asked, real-time factors
 std::string tooSlowText(double achieved, double asked);
 
-/// Measures how fast simulated time goes by while a run is under way, and says when it cannot keep up with
-/// what is asked for. What a paused run is stepped does not count, nor does a leap of time.
+/// Measures the achieved real-time factor while a run is under way, and reports when it stays below the
+/// requested one. Steps of a paused run and jumps of time do not count.
 class SpeedWatch
 {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// To be told at every turn of the node's loop.
-  /// @param under_way whether it has run since the last time, at its own speed
+  /// To be called at every iteration of the node's loop.
+  /// @param under_way whether the run has advanced by itself since the last call
   /// @param time simulated [s] @param lost wall time given up so far, as Pacer counts it [s]
-  void look(bool under_way, double time, double lost, Clock::time_point now);
+  void update(bool under_way, double time, double lost, Clock::time_point now);
 
-  /// Begins anew: what is asked for has changed.
+  /// Starts measuring anew: the requested factor has changed.
   void forget();
 
   /// Simulated over wall time, over the last full period; nothing before that.
@@ -48,7 +48,7 @@ public:
   static constexpr double BETWEEN_LINES = 10.0;
 
 private:
-  std::optional<Clock::time_point> last_look_;
+  std::optional<Clock::time_point> last_update_;
   double last_time_ = 0.0;
   double wall_ = 0.0;       ///< of the present period [s]
   double simulated_ = 0.0;  ///< of the present period [s]

@@ -10,8 +10,8 @@
 namespace ratchet_sieve
 {
 
-/// Publishes simulated time on /clock, at a rate of wall time, also while it stands still, and before every
-/// message that is stamped later than it: who gets a message knows its time already.
+/// Publishes simulated time on /clock, at a rate of wall time, also while the run is paused, and before every
+/// message with a later stamp, so that a subscriber knows the time of a message when it receives it.
 class ClockPublisher
 {
 public:
@@ -22,20 +22,20 @@ public:
   /// Whether this node is the clock.
   bool enabled() const { return enabled_; }
 
-  /// The node that is the clock in place of this one, which would be.
+  /// The node that already publishes /clock, where this one would otherwise.
   const std::optional<std::string>& other() const { return other_; }
 
-  /// What that means, in a sentence. @pre other()
+  /// A log line about it. @pre other()
   std::string otherText() const;
 
-  /// Publishes, if it is time to. @param time simulated [s]
+  /// Publishes if the period is over. @param time simulated [s]
   void publishDue(double time);
 
-  /// Publishes at once, so that who asks for the time now gets this.
+  /// Publishes at once.
   void publish(double time);
 
-  /// To be called before a message with this stamp is published. Publishes, but no more than a thousand times
-  /// a second of wall time: so much the clock may be behind a stamp.
+  /// To be called before a message with this stamp is published. Publishes at most a thousand times per
+  /// second of wall time, so that the clock may lag a stamp by 1 ms of wall time.
   void reach(double time);
 
   /// To be called when a transform has been published. A tf2 listener that receives it after a jump back in
