@@ -118,7 +118,7 @@ std::vector<geometry_msgs::Point> places(const ParticleFrame& frame, std::uint32
   return points;
 }
 
-TEST_F(Replay, isShownAsItWasRecordedAlsoWhenTimeLeapsBack)
+TEST_F(Replay, isShownAsItWasRecordedAlsoWhenTimeJumpsBack)
 {
   std::map<ros::Time, const ParticleFrame*> at;
   for (const ParticleFrame& frame : recorded.particles)
