@@ -18,7 +18,7 @@ namespace
 {
 constexpr const char* VERSION_LINE = "#ROSBAG V2.0\n";
 
-/// The file's head keeps this size, so that it can be written anew in its place [bytes].
+/// The file's head keeps this size, so that it can be written again in its place [bytes].
 constexpr std::size_t HEAD_SIZE = 4096;
 
 constexpr std::uint32_t INDEX_VERSION = 1;

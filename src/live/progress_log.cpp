@@ -29,7 +29,7 @@ std::string binsText(const BinFrame& frame)
   return text;
 }
 
-/// Where no disk can leave, progress is told by the mean velocity of each species.
+/// Where no disk can leave, progress is shown by the mean velocity of each species.
 std::string driftText(const Simulation& simulation)
 {
   const std::vector<SpeciesMeans> means = simulation.means();

@@ -170,7 +170,8 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
   }
   // The answer has statistics.
   run_->keepStatistics();
-  // A setpoint that changes nothing is not given: it would predict the events of all disks anew, for nothing.
+  // A setpoint that changes nothing is not given: it would predict the events of all disks again, for
+  // nothing.
   for (std::size_t k = 0; k < found.size(); ++k)
     if (commanded(found[k]->quantity) != setpoints[k].second)
       command(*found[k], setpoints[k].second);

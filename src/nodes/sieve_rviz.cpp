@@ -41,7 +41,7 @@ constexpr const char* HELP =
     "Exit status: 2 for bad arguments or a bad parameter, 1 where RViz cannot be run; else RViz's own.\n";
 
 // All of wall time [s].
-constexpr double PATIENCE = 0.1;    // between looks whether the scene has come
+constexpr double PATIENCE = 0.1;    // between checks whether the scene has come
 constexpr double SILENCE = 5.0;     // after which it is said that it has not
 constexpr double SAY_AGAIN = 30.0;  // between two lines that do
 

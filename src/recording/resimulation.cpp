@@ -108,8 +108,9 @@ void Resimulation::finish()
     throw std::invalid_argument("holds no state of the run: there is nothing to compare");
   // A later file of a split recording, by itself.
   if (difference_ && scene_->time > scene_->start_time)
-    *difference_ += fmt::format("; it is recorded from {:g} s on, and not what the run was told since {:g} s",
-                                scene_->time, scene_->start_time);
+    *difference_ +=
+        fmt::format("; it is recorded from {:g} s on, and not what the run was commanded since {:g} s",
+                    scene_->time, scene_->start_time);
 }
 
 void Resimulation::compareInstant()

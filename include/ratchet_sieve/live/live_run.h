@@ -16,7 +16,7 @@ class LiveRun
 {
 public:
   /// @param opening commands that hold from its start on; their own times do not matter
-  /// @param start_time not 0 where disks are poured anew at the present time [s]
+  /// @param start_time not 0 where new disks are poured at the present time [s]
   /// @param end_time [s]
   /// @param wall_clock by which the real-time factor is measured
   /// @param pour_observer see Simulation

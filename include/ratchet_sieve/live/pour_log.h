@@ -17,7 +17,7 @@ public:
 
   static constexpr std::chrono::seconds PERIOD{2};  ///< between lines [s of wall time]
 
-  /// To be called with what a PourObserver is told.
+  /// To be called with the arguments of a PourObserver.
   /// @return a line for the log, if it is time for one
   std::optional<std::string> line(std::size_t poured, std::size_t of, Clock::time_point now);
 

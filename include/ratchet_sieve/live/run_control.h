@@ -16,7 +16,7 @@
 namespace ratchet_sieve
 {
 
-/// What a run under command is told. Names in comments are those of a node's parameters.
+/// The settings of a run under command. Names in comments are those of a node's parameters.
 struct RunParameters
 {
   bool start_paused = false;  ///< ~start_paused
@@ -61,7 +61,7 @@ struct Outcome
 class RunControl
 {
 public:
-  /// Advances the run towards a time by a stride, by advanceTo(); false where the step is to be given up.
+  /// Advances the run towards a time by a stride, by advanceTo(); false where the step is to be aborted.
   using Stride = std::function<bool(double time)>;
 
   /// @param scene YAML of the scene, kept for resets; @param source named in errors
@@ -103,10 +103,10 @@ public:
   Outcome lockStep(const std::vector<std::pair<std::string, double>>& setpoints, double duration,
                    const Stride& stride);
 
-  /// Begins anew, at time 0 or at the present time. @param seed 0: the scene's own
+  /// Restarts, at time 0 or at the present time. @param seed 0: the scene's own
   Outcome reset(std::uint64_t seed, const std::vector<std::string>& overrides, bool keep_time);
 
-  /// Pours the disks anew, over the base as it moves now. Time continues to the end of the run, or, at its
+  /// Pours new disks, over the base as it moves now. Time continues to the end of the run, or, at its
   /// end, for another duration. Fails, and changes nothing, where the base now overlaps disks of `initial`.
   Outcome resetWorld();
 

@@ -20,16 +20,16 @@ public:
 
   /// To be called at every iteration of the node's loop.
   /// @param under_way whether the run has advanced by itself since the last call
-  /// @param time simulated [s] @param lost wall time given up so far, as Pacer counts it [s]
+  /// @param time simulated [s] @param lost wall time lost so far, as Pacer counts it [s]
   void update(bool under_way, double time, double lost, Clock::time_point now);
 
-  /// Starts measuring anew: the requested factor has changed.
+  /// Starts measuring again: the requested factor has changed.
   void forget();
 
   /// Simulated over wall time, over the last full period; nothing before that.
   std::optional<double> achieved() const { return achieved_; }
 
-  /// Whether wall time was given up within the last full period: the one of which achieved() is.
+  /// Whether wall time was lost within the last full period: the one of which achieved() is.
   bool behind() const { return behind_; }
 
   /// A line for the log where it begins to fall behind, now and then while it does, and once when it no
@@ -53,7 +53,7 @@ private:
   double wall_ = 0.0;       ///< of the present period [s]
   double simulated_ = 0.0;  ///< of the present period [s]
   std::optional<double> achieved_;
-  double lost_ = 0.0;           ///< at the last look
+  double lost_ = 0.0;           ///< at the last update
   double lost_at_start_ = 0.0;  ///< of the present period
   bool behind_ = false;
   bool said_ = false;  ///< that it is behind
