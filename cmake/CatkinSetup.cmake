@@ -16,7 +16,7 @@ endif()
 
 set(ROS_PACKAGES
   diagnostic_msgs diagnostic_updater geometry_msgs message_runtime rosbag roscpp roscpp_serialization rosgraph_msgs
-  roslz4 rostime sensor_msgs std_msgs std_srvs tf2_msgs visualization_msgs)
+  roslz4 rostime sensor_msgs std_msgs std_srvs tf2_eigen tf2_msgs tf2_ros visualization_msgs)
 find_package(catkin REQUIRED COMPONENTS ${ROS_PACKAGES})
 find_package(message_generation REQUIRED)
 

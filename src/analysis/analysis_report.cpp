@@ -53,7 +53,7 @@ std::array<std::optional<std::uint64_t>, 4> countsOf(const RunResult& result, st
   return {bins.counted() + bins.on_base, bins.left, bins.right, bins.on_base};
 }
 
-/// As the engine has summed them up; undefined where they were not recorded.
+/// As accumulated by the engine; undefined where they were not recorded.
 SpeciesMeans engineMeans(const RunResult& result, std::size_t species)
 {
   return result.lastStatistics() != nullptr ? result.lastStatistics()->species[species].means
@@ -70,8 +70,8 @@ Json countOrNull(const std::optional<std::uint64_t>& count)
   return count ? Json(*count) : Json(nullptr);
 }
 
-/// The means as the engine has summed them up, if they were recorded: of a disk that falls off, the frames
-/// lack the last stretch.
+/// The means accumulated by the engine, if they were recorded: frames lack the last part of the path of a
+/// disk that falls off.
 std::string engineText(const RunResult& result)
 {
   if (result.lastStatistics() == nullptr)
@@ -92,7 +92,7 @@ std::string engineText(const RunResult& result)
   return text;
 }
 
-/// What is missing, and what would have come of it.
+/// The kinds of frames that are missing, and the results that need them.
 std::string missingText(const RunResult& result)
 {
   const std::map<std::string, std::string> means = {
@@ -106,7 +106,7 @@ std::string missingText(const RunResult& result)
   return text;
 }
 
-/// Whether disks can leave, or have left over the walls: else there are no bins to tell of.
+/// Whether disks can leave, or have left over the walls: bins are reported only then.
 bool isOpen(const RunResult& result)
 {
   const auto something_left = [](const SpeciesBins& bins) { return bins.left + bins.right > 0; };

@@ -95,7 +95,7 @@ std::vector<DriftVelocity> DisplacementTracker::velocities() const
   for (std::size_t i = 0; i < sums.size(); ++i)
   {
     velocities.push_back(sums[i].velocity());
-    // A layer that moves as a whole, now faster, now slower, is not seen by an average over its disks.
+    // The scatter over disks does not contain fluctuations of the layer as a whole.
     const std::optional<double> error = blocks_[i].standardError();
     if (velocities[i].mean && error && *error > velocities[i].mean_stderr.value_or(0.0))
       velocities[i].mean_stderr = error;

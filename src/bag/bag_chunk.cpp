@@ -16,7 +16,7 @@ constexpr std::size_t INDEX_ENTRY_SIZE = 12;
 constexpr std::uint32_t INDEX_VERSION = 1;
 constexpr std::uint32_t NANOSECONDS = 1'000'000'000;
 
-/// Unpacks `from` into `to`. Returns whether it is sound and gives `to_size` bytes exactly.
+/// Decompresses `from` into `to`. Returns whether it is valid and has exactly `to_size` bytes.
 /// The two libraries read through pointers that are not const.
 bool unpack(std::string_view compression, std::string_view from, char* to, unsigned int to_size)
 {
@@ -44,7 +44,7 @@ BagChunk::BagChunk(const BagRecord& record)
     readMessages(record.bytes);
     return;
   }
-  // Not filled, so that a claim that does not hold costs no memory but what is written.
+  // Not initialised, so that a wrong size in the file takes up no more memory than is written.
   const std::unique_ptr<char[]> unpacked(new char[size]);
   if (!unpack(compression, record.bytes, unpacked.get(), size))
     throw DamagedBag("a chunk does not unpack");
@@ -54,7 +54,7 @@ BagChunk::BagChunk(const BagRecord& record)
 void BagChunk::readMessages(std::string_view unpacked)
 {
   BagBytes rest(unpacked);
-  // The index may name a message by the connection records that stand before it.
+  // The index may point to connection records before the message.
   std::vector<std::size_t> leading;
   while (!rest.atEnd())
   {

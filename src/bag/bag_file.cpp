@@ -18,7 +18,7 @@ namespace
 {
 constexpr const char* VERSION_LINE = "#ROSBAG V2.0\n";
 
-/// The file's head keeps this size, so that it can be written anew in its place [bytes].
+/// The file's head keeps this size, so that it can be written again in its place [bytes].
 constexpr std::size_t HEAD_SIZE = 4096;
 
 constexpr std::uint32_t INDEX_VERSION = 1;
@@ -29,13 +29,14 @@ constexpr int BLOCK_SIZE = 6;
 constexpr std::size_t BLOCK_HEAD = 4;   // bytes
 constexpr std::size_t FRAME_HEAD = 64;  // bytes, more than there are
 
-/// Where the disk, the user's share of it or the largest size of a file is full: less would fit.
+/// Errors for a full disk, an exceeded quota or the largest file size: a smaller write might fit.
 bool isFull(int error)
 {
   return error == ENOSPC || error == EDQUOT || error == EFBIG;
 }
 
-/// Chunks make room for an index of so many bytes, and for this many that others may take meanwhile.
+/// To make room for the index, chunks are removed of no more than its size and of this, which other programs
+/// may use up meanwhile [bytes].
 constexpr std::uint64_t ROOM_BESIDE = std::uint64_t{1} << 20;
 
 std::string stampBytes(ros::Time time)
@@ -43,7 +44,7 @@ std::string stampBytes(ros::Time time)
   return bytesOf(time.sec) + bytesOf(time.nsec);
 }
 
-/// A lock that ends with the program, however it ends. A file system that knows no locks refuses none.
+/// A lock that is released when the program ends in any way. File systems without locks grant it always.
 bool refusesLock(int descriptor, int kind)
 {
   return flock(descriptor, kind | LOCK_NB) != 0 && errno == EWOULDBLOCK;
@@ -54,7 +55,7 @@ bool refusesLock(int descriptor, int kind)
 bool BagFile::isBeingWritten(const std::string& path)
 {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  // One that cannot be looked at is taken for one that is.
+  // A file that cannot be opened for the check is assumed to be being written.
   if (descriptor < 0)
     return errno != ENOENT;
   const bool refused = refusesLock(descriptor, LOCK_SH);
@@ -74,7 +75,7 @@ BagFile::BagFile(const std::string& path)
   }
   try
   {
-    // What is no file has no size to be cut.
+    // Only a regular file can be truncated.
     if (ftruncate(descriptor_, 0) != 0 && errno != EINVAL)
       fail(errno);
     const std::string head = VERSION_LINE + headRecord(0);
@@ -260,14 +261,14 @@ void BagFile::fail(int error)
 
 void BagFile::writeIndex()
 {
-  // A file without a message fits even where nothing else does.
+  // Without messages no connections are indexed, so that the index fits on a disk where nothing else does.
   if (chunks_.empty())
     connections_.clear();
-  // What is left of a chunk that could not be written takes the room away.
+  // Remove the partial chunk, which takes up space.
   if (ftruncate(descriptor_, static_cast<off_t>(end_)) != 0)
     fail(errno);
   writeAt(end_, indexOfFile());
-  // Not before the index is there does the head say where.
+  // The header refers to the index only after the index was written.
   writeAt(std::strlen(VERSION_LINE), headRecord(end_));
 }
 
@@ -302,12 +303,12 @@ std::optional<BagFile::Loss> BagFile::close()
   }
   catch (const BagError&)
   {
-    // Told below, once there is an index.
+    // Reported below, after the index was written.
   }
   makeIndex();
   // Another descriptor of the same file holds its lock on.
   lock_ = fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
-  // Some file systems say no earlier that they have lost something.
+  // Some file systems report write errors only here.
   const int closed = ::close(std::exchange(descriptor_, -1));
   if (closed != 0)
     fail(errno);

@@ -27,7 +27,7 @@ constexpr std::size_t UNPACKED_ANYWAY = std::size_t{16} << 20;
 /// How often its chunks may have to be unpacked, all together, for its messages to come in the order of
 /// time: more than a recorder's delays ever bring about.
 constexpr std::size_t MOST_UNPACKINGS = 16;
-/// More than anything writes; rosbag doubles a buffer of 32-bit size until a chunk fits [bytes].
+/// More than any recorder writes; rosbag doubles a buffer of 32-bit size until a chunk fits [bytes].
 constexpr std::size_t LARGEST_CHUNK = std::size_t{1} << 30;
 
 constexpr std::uint32_t CHUNK_INFO_VERSION = 1;
@@ -106,7 +106,7 @@ private:
       throw DamagedBag("its index is not where its header says");
   }
 
-  /// Before a byte of memory is claimed for it.
+  /// Checked before memory is allocated for it.
   void requirePlausible(std::size_t chunk_size)
   {
     unpacked_size_ += chunk_size;

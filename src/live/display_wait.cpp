@@ -5,7 +5,7 @@
 namespace ratchet_sieve
 {
 
-std::optional<std::string> DisplayWait::look(bool watched, Clock::time_point now)
+std::optional<std::string> DisplayWait::update(bool watched, Clock::time_point now)
 {
   if (!waiting())
     return {};

@@ -17,13 +17,6 @@ LiveRun::LiveRun(const SceneDefinition& scene, const FrameRates& rates, std::vec
       end_time_(end_time),
       opening_(std::move(opening))
 {
-  simulation_.observePeriods(
-      [this](const PeriodRecord& period)
-      {
-        sampler_.take(period);
-        if (recording_)
-          recording_->sampler.take(period);
-      });
   for (CommandFrame& command : opening_)
   {
     command.time = start_time;
@@ -51,8 +44,35 @@ double LiveRun::nextTime() const
   return recording_ ? std::min(next, recording_->sampler.nextTime()) : next;
 }
 
+bool LiveRun::statisticsWanted(const FrameSink& sink) const
+{
+  return statistics_kept_ || sink.wants(FrameKind::STATISTICS) ||
+         (recording_ && recording_->sink.wants(FrameKind::STATISTICS));
+}
+
+/// Each observed period evaluates the velocities of all disks eight times.
+void LiveRun::observePeriods(bool observe)
+{
+  if (observe == periods_observed_)
+    return;
+  periods_observed_ = observe;
+  if (!observe)
+    return simulation_.observePeriods({});
+  sampler_.restartWindow(simulation_);
+  if (recording_)
+    recording_->sampler.restartWindow(simulation_);
+  simulation_.observePeriods(
+      [this](const PeriodRecord& period)
+      {
+        sampler_.take(period);
+        if (recording_)
+          recording_->sampler.take(period);
+      });
+}
+
 void LiveRun::advanceTo(double time, FrameSink& sink)
 {
+  observePeriods(statisticsWanted(sink));
   try
   {
     simulation_.advanceTo(std::min(time, nextTime()));
@@ -82,7 +102,7 @@ void LiveRun::takeAll(FrameSink& sink)
 
 StatisticsFrame LiveRun::statistics() const
 {
-  StatisticsWindow window = sampler_.window();
+  StatisticsWindow window = periods_observed_ ? sampler_.window() : StatisticsWindow();
   window.moveTo(simulation_);
   return makeStatisticsFrame(simulation_, window);
 }

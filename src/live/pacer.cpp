@@ -6,7 +6,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A simulation that is this far behind wall time [s] goes on from where it is.
+/// A simulation that lags wall time by more than this [s] continues from its present time.
 constexpr double TOLERATED_LAG = 0.1;
 
 /// Strides are not stretched beyond this: a light scene needs no more [s of simulated time].

@@ -29,7 +29,7 @@ std::string binsText(const BinFrame& frame)
   return text;
 }
 
-/// Where nothing can leave, what there is to tell is how fast each species goes along the base.
+/// Where no disk can leave, progress is shown by the mean velocity of each species.
 std::string driftText(const Simulation& simulation)
 {
   const std::vector<SpeciesMeans> means = simulation.means();

@@ -27,10 +27,10 @@ CommandFrame plainCommand(CommandKind kind)
   return command;
 }
 
-/// What stamps, which have nanoseconds, do not tell apart is the same time [s]: sums of durations round.
+/// Times that differ by less than the nanosecond of a stamp are equal [s]: sums of durations round.
 constexpr double RESOLUTION = 1e-9;
 
-/// A paused run is under way as long as this lives.
+/// A paused run counts as under way during the lifetime of this.
 class UnderWay
 {
 public:
@@ -70,8 +70,7 @@ RunControl::RunControl(const YAML::Node& scene, const std::string& source, const
   run_->setUnderWay(!paused_);
 }
 
-/// Says what of the model a run works out, how large it is and what of its scene can hardly be meant: before
-/// it is poured, which may take long.
+/// Logs the plan, the size and the implausible values of a scene before it is poured, which may take long.
 void RunControl::announce(const Scene& scene) const
 {
   log_.inform("plan: " + planText(planOf(scene.definition)));
@@ -169,7 +168,10 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
       return failure(*refusal);
     found.push_back(&*setpoint);
   }
-  // One that says nothing new is not given: all disks would be looked at anew, and nothing would come of it.
+  // The answer has statistics.
+  run_->keepStatistics();
+  // A setpoint that changes nothing is not given: it would predict the events of all disks again, for
+  // nothing.
   for (std::size_t k = 0; k < found.size(); ++k)
     if (commanded(found[k]->quantity) != setpoints[k].second)
       command(*found[k], setpoints[k].second);

@@ -9,11 +9,11 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// So many of the last base frames are kept, for disks that come later than the base of their time: more
-/// than a second at the default rates.
+/// Base frames kept for disks that arrive after the base of their time: more than a second at the default
+/// rates.
 constexpr std::size_t BASES_KEPT = 100;
 
-/// The base a little later: the drive goes on, what slews is left where it was.
+/// The base extrapolated to a slightly later time: the phase advances, setpoints being slewed to do not.
 BaseFrame carriedOn(const SceneDefinition& scene, BaseFrame frame, double time)
 {
   if (frame.time == time)
@@ -65,21 +65,21 @@ template <typename Frame>
 void SeenRun::see(const Frame& frame, std::optional<Frame>& last)
 {
   if (last && frame.time < last->time)
-    leapTo(frame.time);
+    jumpBackTo(frame.time);
   last = frame;
 }
 
 void SeenRun::see(const BaseFrame& frame)
 {
   if (!bases_.empty() && frame.time < bases_.back().time)
-    leapTo(frame.time);
+    jumpBackTo(frame.time);
   bases_.push_back(frame);
   if (bases_.size() > BASES_KEPT)
     bases_.pop_front();
 }
 
-/// What is later was seen before time leapt back, and is no part of what comes now.
-void SeenRun::leapTo(double time)
+/// Discards the frames of later times, which are from before the jump.
+void SeenRun::jumpBackTo(double time)
 {
   if (particles_ && particles_->time > time)
     particles_.reset();

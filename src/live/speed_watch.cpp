@@ -22,15 +22,15 @@ std::string tooSlowText(double achieved, double asked)
   return fmt::format("too slow: a little less than {:g} times real time", asked);
 }
 
-void SpeedWatch::look(bool under_way, double time, double lost, Clock::time_point now)
+void SpeedWatch::update(bool under_way, double time, double lost, Clock::time_point now)
 {
-  // A time that has leapt back belongs to another run.
-  if (last_look_ && under_way && time >= last_time_)
+  // Where time has jumped back, another run has begun.
+  if (last_update_ && under_way && time >= last_time_)
   {
-    wall_ += std::chrono::duration<double>(now - *last_look_).count();
+    wall_ += std::chrono::duration<double>(now - *last_update_).count();
     simulated_ += time - last_time_;
   }
-  last_look_ = now;
+  last_update_ = now;
   last_time_ = time;
   lost_ = lost;
   if (wall_ < PERIOD)

@@ -8,7 +8,7 @@
 namespace ratchet_sieve
 {
 
-/// Answers --help and --version, before a node looks for a master that may not be there.
+/// Answers --help and --version, before a node asks for a master that may not be there.
 /// @return whether one of them was given
 inline bool answerOptions(int argc, char** argv, const char* program, const char* help)
 {

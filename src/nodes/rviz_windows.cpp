@@ -16,7 +16,7 @@ Function* ofXlib(Function*, const char* name)
 }
 }  // namespace
 
-/// Comes back when the window is there for other connections, too.
+/// Returns when the window exists for other connections, too.
 extern "C" Window XCreateWindow(Display* display, Window parent, int x, int y, unsigned width,
                                 unsigned height, unsigned border_width, int depth, unsigned window_class,
                                 Visual* visual, unsigned long mask, XSetWindowAttributes* attributes)

@@ -32,13 +32,13 @@ int main(int argc, char** argv)
   using namespace ratchet_sieve;
   if (answerOptions(argc, argv, "sieve_node", HELP))
     return 0;
-  // Not ROS's own handler, which shuts the topics before the last messages are out. Until there is
-  // a master, which the node handle waits for, a signal simply ends the program.
+  // ROS's own handler would close the topics before the last messages are sent. While the node handle waits
+  // for a master, a signal ends the program at once.
   ros::init(argc, argv, "sieve", ros::init_options::NoSigintHandler);
   const ros::NodeHandle private_node("~");
   std::signal(SIGINT, requestStop);
   std::signal(SIGTERM, requestStop);
-  // A file that may grow no further is an error of the recording, not the end of the run.
+  // Exceeding the file size limit is an error of the recording, and does not end the run.
   std::signal(SIGXFSZ, SIG_IGN);
   std::unique_ptr<SieveNode> node;
   try

@@ -59,7 +59,7 @@ struct Arguments
   }
 };
 
-/// What is wrong with a time that an option gives; nothing where it is one. CLI11's own validator names the
+/// The error in an option's time; empty if it is valid. CLI11's own validator names the
 /// largest of all doubles, in full.
 std::string requireSeconds(const std::string& text)
 {
@@ -248,8 +248,8 @@ int run(const Arguments& arguments)
   const Scene scene = loadScene(arguments);
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
-  // What refuses a run is found before anything is said of it. A pour refuses nothing and may take long: it
-  // comes last.
+  // All checks that can refuse the run precede its first output. The pour refuses nothing and may take long,
+  // so it is last.
   const bool pours = arguments.resume.empty() && scene.definition.initial.empty();
   std::optional<Checkpoint> start;
   if (!pours)

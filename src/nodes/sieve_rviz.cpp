@@ -41,14 +41,14 @@ constexpr const char* HELP =
     "Exit status: 2 for bad arguments or a bad parameter, 1 where RViz cannot be run; else RViz's own.\n";
 
 // All of wall time [s].
-constexpr double PATIENCE = 0.1;    // between looks whether the scene has come
+constexpr double PATIENCE = 0.1;    // between checks whether the scene has come
 constexpr double SILENCE = 5.0;     // after which it is said that it has not
 constexpr double SAY_AGAIN = 30.0;  // between two lines that do
 
 /// The node whose topics the configuration shows, by its name.
 constexpr const char* SHOWN = "/sieve";
 
-/// Says now and then why nothing is shown yet.
+/// Logs from time to time why nothing is shown yet.
 class WaitingLog
 {
 public:
@@ -65,7 +65,7 @@ private:
   ros::WallTime next_ = ros::WallTime::now() + ros::WallDuration(SILENCE);
 };
 
-/// Ahead of Xlib in RViz: see rviz_windows.cpp.
+/// Preloaded into RViz before Xlib: see rviz_windows.cpp.
 constexpr const char* RVIZ_WINDOWS = "libratchet_sieve_rviz_windows.so";
 
 std::string contents(const std::string& path)

@@ -23,13 +23,13 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// Its number goes up with every change of what a state holds.
+/// Incremented with every change of the content of a state.
 constexpr std::string_view FIRST_LINE = "ratchet_sieve checkpoint 5\n";
 constexpr std::string_view ANY_FIRST_LINE = "ratchet_sieve checkpoint ";
 
 constexpr std::size_t CHECKSUM_DIGITS = 16;
 
-/// Comes out as another number where bytes stand in another order.
+/// Depends on the order of the bytes.
 constexpr std::uint32_t BYTE_ORDER_MARK = 0x01020304;
 
 std::string checksum(std::string_view bytes)
@@ -44,7 +44,7 @@ std::string byteOrder()
   return std::string(reinterpret_cast<const char*>(&BYTE_ORDER_MARK), 1) == "\x01" ? "big" : "little";
 }
 
-/// All that has to be the same for a run to be taken up.
+/// All that has to match for a run to be resumed.
 Json identity(const SceneDefinition& scene)
 {
   Json json;

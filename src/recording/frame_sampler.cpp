@@ -56,7 +56,7 @@ bool FrameSampler::passIfDue(Stream& stream, double time) const
 {
   if (dueTime(stream) > time)
     return false;
-  // A run may be taken up long after the times began: no step for each that was missed.
+  // A run may be resumed long after start_time_: skip the missed frames at once.
   const double missed = (time - start_time_) * std::max(stream.rate, 0.0) - 1.0;
   if (missed > static_cast<double>(stream.next_index))
     stream.next_index = static_cast<std::uint64_t>(missed);
@@ -80,7 +80,7 @@ double FrameSampler::realTimeFactorAt(double time)
 template <typename Frame>
 void FrameSampler::take(const Simulation& simulation, FrameSink& sink)
 {
-  // Also for a frame that nobody wants: those that follow are to be of the same window.
+  // Also for an unwanted frame, so that later windows do not depend on who wanted this one.
   if constexpr (std::is_same_v<Frame, StatisticsFrame>)
     window_.moveTo(simulation);
   if (!sink.wants(kindOf<Frame>()))

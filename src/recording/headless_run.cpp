@@ -20,8 +20,8 @@ constexpr double FIRST_STRIDE = 1e-3;  ///< of simulated time [s]
 constexpr double SHORT_STRIDE = 0.02;  ///< of wall time: shorter ones are lengthened [s]
 constexpr double LONG_STRIDE = 0.08;   ///< of wall time: longer ones are shortened [s]
 
-/// All disks are looked over for overlaps so many time scales of the machine apart: at the same
-/// times for every duration, so that a run that is taken up sees what it would have seen.
+/// Time scales of the machine between audits of all disks for overlaps. Audits fall on the same times for
+/// every duration, so that a resumed run has those of an uninterrupted one.
 constexpr double SCALES_PER_AUDIT = 16.0;
 
 double secondsSince(Clock::time_point start)
@@ -56,7 +56,7 @@ public:
     }
     catch (const StallError&)
     {
-      // Told below, as for a run that came to its end all the same.
+      // Reported below, as for a run that reached its end.
     }
     if (simulation_.stalled())
       outcome_.end = RunEnd::STALLED;
@@ -96,7 +96,7 @@ private:
     }
   }
 
-  /// Advances, and learns how far to go at once for watchers to be served in good time.
+  /// Advances, and adapts the stride so that watchers are served in time.
   void stride(double until)
   {
     const Clock::time_point start = Clock::now();
@@ -135,8 +135,8 @@ private:
     most = std::max(most, simulation_.auditOverlaps());
   }
 
-  /// A run that stalls could not go on from there: what was saved before is worth more. An ensemble is
-  /// stalled for a while before it is stopped.
+  /// A stalled run could not be resumed: the checkpoint before is kept. An ensemble stalls for a while before
+  /// it is stopped.
   void save()
   {
     if (watchers_.save && !simulation_.stalled())

@@ -14,7 +14,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// What the wall clock and the looking on decide counts for nothing.
+/// Fields that depend on the wall clock or on audits are not compared.
 StatisticsFrame comparable(StatisticsFrame frame)
 {
   frame.real_time_factor = 0.0;
@@ -22,7 +22,7 @@ StatisticsFrame comparable(StatisticsFrame frame)
   return frame;
 }
 
-/// The first frames of a later file of a split recording are of periods before it.
+/// The first frames of a later file of a split recording average over periods before that file.
 StatisticsFrame withoutWindow(StatisticsFrame frame)
 {
   frame.window_start = frame.window_end = 0.0;
@@ -82,7 +82,7 @@ void Resimulation::begin(const SceneFrame& frame)
                                              frame.start_time);
 }
 
-/// As the one that recorded it did, from where the recording begins.
+/// As in the recorded run: from the beginning of the recording.
 void Resimulation::observePeriods()
 {
   if (std::exchange(periods_observed_, true))
@@ -108,8 +108,9 @@ void Resimulation::finish()
     throw std::invalid_argument("holds no state of the run: there is nothing to compare");
   // A later file of a split recording, by itself.
   if (difference_ && scene_->time > scene_->start_time)
-    *difference_ += fmt::format("; it is recorded from {:g} s on, and not what the run was told since {:g} s",
-                                scene_->time, scene_->start_time);
+    *difference_ +=
+        fmt::format("; it is recorded from {:g} s on, and not what the run was commanded since {:g} s",
+                    scene_->time, scene_->start_time);
 }
 
 void Resimulation::compareInstant()
@@ -123,7 +124,7 @@ void Resimulation::compareInstant()
   }
   catch (const StallError&)
   {
-    // The run that was recorded ended so, too, or its time tells.
+    // The recorded run stalled as well, or the times differ.
   }
   compareAsThingsAre();
   for (const CommandFrame& command : std::exchange(instant_.commands, {}))

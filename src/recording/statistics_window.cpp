@@ -19,6 +19,12 @@ void StatisticsWindow::take(const PeriodRecord& period)
     ended_->temperatures[i].add(period.temperatures[i]);
 }
 
+void StatisticsWindow::restart(const Simulation& simulation)
+{
+  *this = StatisticsWindow();
+  moveTo(simulation);
+}
+
 void StatisticsWindow::moveTo(const Simulation& simulation)
 {
   const double now = simulation.time();

@@ -36,7 +36,7 @@ public:
     ros::serialization::deserialize(*this, array);
   }
 
-  /// ROS steps beyond the end before it looks where that is.
+  /// ROS steps beyond the end before it checks where that is.
   std::uint8_t* advance(std::uint32_t length)
   {
     if (length > getLength())

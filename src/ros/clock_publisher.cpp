@@ -14,16 +14,16 @@ namespace
 {
 constexpr const char* TOPIC = "/clock";
 
-/// A message of /clock goes through three threads until a tf2 listener knows: a few ms, and some tens for
-/// each thread where the machine has much more to do than it can.
-constexpr std::chrono::milliseconds LEAP_IS_HEARD(250);
+/// A message of /clock or /tf passes three threads on its way to a tf2 listener's buffer: a few ms, and some
+/// tens of ms for each thread on an overloaded machine. tf2 gives no sign that it has arrived.
+constexpr std::chrono::milliseconds ARRIVAL(250);
 
-/// Frames may come by the ten thousand a second, where a light scene goes as fast as it can: every node would
-/// have its hands full with the time alone. Messages take as long as this on their way.
+/// A small scene that runs as fast as it can makes ten thousand frames per second of wall time, more than
+/// subscribers of /clock can process. Messages are in transit for about as long as this.
 constexpr std::chrono::milliseconds SHORTEST_PERIOD(1);
 
-/// What the clock shows at a time. Never 0, which in ROS is no time at all: `rosbag record` ends with the
-/// first message that it hears at 0, and nodes that wait for a time would wait for as long as a run is paused
+/// The clock's message at a time. Never 0, which means "no time yet" in ROS: `rosbag record` ends with the
+/// first message that it receives at 0, and ros::Time::waitForValid() would block while a run is paused
 /// there.
 ros::Time shownAt(double time)
 {
@@ -73,18 +73,19 @@ void ClockPublisher::reach(double time)
   const ros::Time stamp = shownAt(time);
   if (!enabled_ || stamp == shown_)
     return;
-  const auto now = std::chrono::steady_clock::now();
-  const bool leaps_back = shown_ && stamp < *shown_;
-  if (leaps_back)
-    leapt_ = now;
-  else if (shown_ && now - last_ < SHORTEST_PERIOD)
+  const bool jumps_back = shown_ && stamp < *shown_;
+  if (jumps_back)
+    std::this_thread::sleep_until(transform_sent_ + ARRIVAL);
+  else if (shown_ && std::chrono::steady_clock::now() - last_ < SHORTEST_PERIOD)
     return;
   publish(time);
+  if (jumps_back)
+    jumped_back_ = std::chrono::steady_clock::now();
 }
 
-void ClockPublisher::letLeapBeHeard() const
+void ClockPublisher::waitForTimeJump() const
 {
-  std::this_thread::sleep_until(leapt_ + LEAP_IS_HEARD);
+  std::this_thread::sleep_until(jumped_back_ + ARRIVAL);
 }
 
 }  // namespace ratchet_sieve

@@ -13,7 +13,7 @@ namespace
 {
 constexpr std::uint32_t QUEUE_SIZE = 100;
 
-/// Copies how it went into a service's answer, and says in the log what there is to say of it.
+/// Copies an outcome into a service's response, and logs it.
 template <typename Response>
 void answer(const char* service, const Outcome& outcome, Response& response)
 {
@@ -82,7 +82,7 @@ void CommandServer::deliverSetpoints()
 
 void CommandServer::command(Quantity quantity, double value)
 {
-  // A controller that says the same again and again wants nothing new.
+  // Repeating the commanded value changes nothing.
   if (control_.commanded(quantity) == value)
     return;
   const Setpoint& setpoint = setpoints_[indexOf(quantity)];
@@ -96,7 +96,7 @@ void CommandServer::command(Quantity quantity, double value)
     say(ros::console::levels::Info, log.put(line, LogThrottle::Clock::now()));
 }
 
-/// What came before a service was called holds before it.
+/// Setpoints received before a service was called are applied before it.
 void CommandServer::commandAll()
 {
   inbox_.deliver(false, [this](Quantity quantity, double value) { command(quantity, value); });

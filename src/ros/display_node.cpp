@@ -17,13 +17,12 @@ namespace ratchet_sieve
 namespace
 {
 constexpr std::uint32_t QUEUE_SIZE = 100;
-constexpr double SEARCH_PERIOD = 0.2;  // between looks for a sieve [s of wall time]
-constexpr double SILENCE = 5.0;        // after which it is said that nothing came [s of wall time]
-constexpr double MAX_RATE = 1e3;       // [1/s]
+constexpr double SEARCH_PERIOD = 0.2;  // of the search for a sieve [s of wall time]
+constexpr double SILENCE = 5.0;   // after which a warning says that no message was received [s of wall time]
+constexpr double MAX_RATE = 1e3;  // [1/s]
 
-/// So often in the time of a picture is looked whether it is time for one: a timer that is a little early
-/// does not cost a picture.
-constexpr double LOOKS = 4.0;
+/// Timer ticks per picture: a tick that is slightly early then delays a picture by a fraction of its period.
+constexpr double TICKS_PER_PICTURE = 4.0;
 }  // namespace
 
 DisplayNode::DisplayNode(const ros::NodeHandle& private_node)
@@ -35,7 +34,7 @@ DisplayNode::DisplayNode(const ros::NodeHandle& private_node)
 DisplayNode::DisplayNode(const ros::NodeHandle& private_node, const std::string& sieve, double rate)
     : node_(private_node), display_(private_node, rate), transforms_(private_node)
 {
-  show_timer_ = node_.createWallTimer(ros::WallDuration(1.0 / (LOOKS * rate)),
+  show_timer_ = node_.createWallTimer(ros::WallDuration(1.0 / (TICKS_PER_PICTURE * rate)),
                                       [this](const ros::WallTimerEvent&) { show(); });
   silence_timer_ = node_.createWallTimer(ros::WallDuration(SILENCE),
                                          [this](const ros::WallTimerEvent&) { warnOfSilence(); });
@@ -94,9 +93,9 @@ void DisplayNode::see(const Frame& frame, const std::string& publisher, const st
   if (!isStamp(frame.time))
     throw std::invalid_argument("a time that is none");
   seen_.take(frame);
-  // Whether the sieve has a world of its own stands in its messages alone.
+  // Only the messages tell whether the sieve has a world frame of its own.
   frames_.world = frame_id;
-  // Those of a sieve that runs are there: a listener warns of each that comes twice.
+  // A live sieve publishes its transforms itself, and tf2 warns of repeated ones.
   if constexpr (std::is_same_v<Frame, BaseFrame>)
     if (publisher != sieve_)
     {

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include <tf2_eigen/tf2_eigen.h>
+
 #include "marker_style.h"
+#include "plane_in_space.h"
 #include "ratchet_sieve/core/walls.h"
 
 namespace ratchet_sieve
@@ -113,11 +116,8 @@ MarkerArray baseMarkers(const SceneDefinition& scene, const BaseFrame& base)
   markers.markers = {body, outline};
   for (Marker& part : markers.markers)
   {
-    part.pose.position.x = base.base.horizontal_displacement;
-    part.pose.position.z = base.base.displacement;
-    // y of the world points away from the viewer: a turn that raises the right end is negative about it.
-    part.pose.orientation.w = std::cos(0.5 * base.base.inclination);
-    part.pose.orientation.y = -std::sin(0.5 * base.base.inclination);
+    part.pose.position = tf2::toMsg(displacementInSpace(base.base));
+    part.pose.orientation = tf2::toMsg(inclinationInSpace(base.base));
   }
   return markers;
 }

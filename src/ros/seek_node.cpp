@@ -19,7 +19,7 @@ namespace
 constexpr std::uint32_t QUEUE_SIZE = 100;
 
 // All of wall time [s].
-constexpr double WATCH_PERIOD = 0.2;   ///< how often it looks whether the sieve follows
+constexpr double WATCH_PERIOD = 0.2;   ///< how often it checks whether the sieve follows
 constexpr double REPEAT_AFTER = 0.5;   ///< a setpoint that the sieve has not taken is sent again
 constexpr double SILENT_AFTER = 10.0;  ///< without a message
 constexpr double WARN_EVERY = 10.0;
@@ -135,7 +135,7 @@ SeekNode::SeekNode(ros::NodeHandle private_node)
 }
 
 /// A message that comes by another connection than the last one comes from another process: the sieve was
-/// started anew, even if its time is later than that of the one before.
+/// restarted, even if its time is later than that of the one before.
 template <typename Message>
 void SeekNode::hear(const ros::MessageEvent<const Message>& event,
                     boost::shared_ptr<ros::M_string>& connection)

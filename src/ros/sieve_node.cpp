@@ -11,12 +11,9 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// What was published last leaves through a thread of roscpp's: the time that it gets before the
-/// node ends [s of wall time].
+/// The last messages are sent by a thread of roscpp: the time that it gets before the node ends [s of wall
+/// time].
 constexpr double FAREWELL = 0.25;
-
-/// Between two lines on how far the pour is, and before the first [s of wall time].
-constexpr std::chrono::seconds BETWEEN_POUR_LINES(2);
 
 void serveCallbacks(double wait)
 {
@@ -39,7 +36,6 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
     : node_(private_node),
       stop_(stop),
       parameters_(readNodeParameters(private_node)),
-      next_pour_line_(Pacer::Clock::now() + BETWEEN_POUR_LINES),
       recorder_(parameters_.record, private_node.getNamespace(), parameters_.recording,
                 parameters_.frames.world),
       control_(scene.root, scene.source, parameters_, recorder_, rosLog(),
@@ -47,9 +43,6 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
       real_time_factor_(private_node, parameters_.real_time_factor),
       pacer_(parameters_.real_time_factor),
       clock_(node_, parameters_.clock_rate, parameters_.publish_clock),
-      own_world_(parameters_.mountedElsewhere()
-                     ? publishOwnWorld(node_, parameters_.mount, parameters_.frames)
-                     : ros::Publisher()),
       transforms_(node_, &clock_, parameters_.frames),
       topics_(
           node_, [this]() -> const LiveRun& { return control_.run(); }, parameters_.frames.world, clock_,
@@ -69,6 +62,8 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
     ROS_WARN("%s", clock_.otherText().c_str());
   if (clock_.enabled() && !ros::Time::isSimTime())
     ROS_WARN("this node is the clock, but /use_sim_time is not set: other nodes go by wall time");
+  if (parameters_.mountedElsewhere())
+    own_world_.emplace().sendTransform(ownWorldTransform(parameters_.mount, parameters_.frames));
   control_.addSink(topics_);
   // Not before the scene is known to be good: a run that cannot begin leaves no bag.
   recorder_.open();
@@ -84,7 +79,7 @@ bool SieveNode::ended() const
   return control_.run().finished() && parameters_.exit_at_end;
 }
 
-/// Whether the run goes on by itself.
+/// Whether the run advances by itself.
 bool SieveNode::underWay() const
 {
   return !control_.paused() && !display_wait_.waiting();
@@ -95,7 +90,7 @@ void SieveNode::watchDisplay()
   const auto now = Pacer::Clock::now();
   if (!display_wait_.waiting())
     return;
-  if (const auto line = display_wait_.look(display_.watched(), now))
+  if (const auto line = display_wait_.update(display_.watched(), now))
     ROS_INFO_STREAM(*line);
   if (!display_wait_.waiting())
     pacer_.anchor(control_.run().time(), now);
@@ -133,13 +128,13 @@ void SieveNode::watchSpeed()
     ROS_INFO("real-time factor: %g from %.3f s on%s", *factor, run.time(),
              *factor > 0.0 ? "" : ": as fast as it goes");
   }
-  speed_.look(underWay(), run.time(), pacer_.lost(), now);
+  speed_.update(underWay(), run.time(), pacer_.lost(), now);
   if (const auto line = speed_.line(pacer_.factor(), now))
     ROS_LOG_STREAM(line->warning ? ros::console::levels::Warn : ros::console::levels::Info,
                    ROSCONSOLE_DEFAULT_NAME, line->text);
 }
 
-/// Said once in a run.
+/// Warns once in a run.
 void SieveNode::watchEnergy()
 {
   const std::string text = control_.run().simulation().energyText();
@@ -148,16 +143,13 @@ void SieveNode::watchEnergy()
   energy_said_ = !text.empty();
 }
 
-/// Says how far a pour is, once in a while, and gives it up where the node is stopped.
+/// Logs the progress of a pour, and aborts it where the node is stopped.
 void SieveNode::watchPour(std::size_t poured, std::size_t of)
 {
   if (stopped())
     throw std::runtime_error(fmt::format("stopped when {} of {} disks were poured", poured, of));
-  const auto now = Pacer::Clock::now();
-  if (now < next_pour_line_)
-    return;
-  next_pour_line_ = now + BETWEEN_POUR_LINES;
-  ROS_INFO("%zu of %zu disks poured", poured, of);
+  if (const auto line = pour_log_.line(poured, of, PourLog::Clock::now()))
+    ROS_INFO_STREAM(*line);
 }
 
 double SieveNode::waitUntilDue() const
@@ -173,7 +165,7 @@ void SieveNode::advance()
     finish();
 }
 
-/// Towards a time, and the pacer learns how long that takes.
+/// Advances towards a time, and reports to the pacer how long that took.
 void SieveNode::advanceTo(double time)
 {
   const auto begin = Pacer::Clock::now();
@@ -183,7 +175,7 @@ void SieveNode::advanceTo(double time)
   pacer_.advanced(control_.run().time() - from, wall.count());
 }
 
-/// One of a step that a service asks for.
+/// One stride of a step requested by a service.
 bool SieveNode::stride(double time)
 {
   keepAlive();

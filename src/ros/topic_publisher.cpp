@@ -6,15 +6,15 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Half a second of frames at the default rates: a subscriber that is slower than that loses some. Each has a
-/// queue of its own, so that one that takes nothing costs the others nothing.
+/// Half a second of frames at the default rates; a subscriber that lags by more loses frames. roscpp has a
+/// queue for each subscriber, so that a slow one does not delay the others.
 constexpr std::uint32_t QUEUE_SIZE = 30;
 
 }  // namespace
 
-/// Advertises the topic of a kind; who subscribes to it is given the present state.
+/// Advertises the topic of a kind; a new subscriber is sent the present state.
 template <typename Frame>
-void TopicPublisher::greet(ros::NodeHandle& node, Frame (LiveRun::*state)() const)
+void TopicPublisher::advertise(ros::NodeHandle& node, Frame (LiveRun::*state)() const)
 {
   const ros::SubscriberStatusCallback give =
       [current = current_, frame_id = frame_id_, state](const ros::SingleSubscriberPublisher& subscriber)
@@ -30,17 +30,17 @@ TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function
 {
   publisher(FrameKind::SCENE) =
       private_node.advertise<SceneDescription>(describe(FrameKind::SCENE).name, 1, true);
-  greet(private_node, &LiveRun::particles);
-  greet(private_node, &LiveRun::bins);
-  greet(private_node, &LiveRun::base);
-  greet(private_node, &LiveRun::statistics);
+  advertise(private_node, &LiveRun::particles);
+  advertise(private_node, &LiveRun::bins);
+  advertise(private_node, &LiveRun::base);
+  advertise(private_node, &LiveRun::statistics);
   publisher(FrameKind::COMMANDS) =
       private_node.advertise<Command>(describe(FrameKind::COMMANDS).name, QUEUE_SIZE);
 }
 
 bool TopicPublisher::wants(FrameKind kind) const
 {
-  // The base is a few numbers, and the transforms have to know what they last showed.
+  // The transforms need the base also without subscribers, to send the last state to a new one.
   return kind == FrameKind::BASE || isHeard(kind);
 }
 
@@ -48,7 +48,7 @@ template <typename Frame>
 void TopicPublisher::publish(const Frame& frame)
 {
   constexpr FrameKind KIND = kindOf<Frame>();
-  // The scene is latched, for who comes later.
+  // The scene is latched, for later subscribers.
   if (KIND != FrameKind::SCENE && !isHeard(KIND))
     return;
   clock_.reach(frame.time);

@@ -49,7 +49,7 @@ Range densityRange();
 /// Most disks that a scene may have.
 constexpr int MOST_DISKS = 10'000'000;
 
-/// Most harmonics of a drive: all of them are summed up wherever the base is looked at.
+/// Most harmonics of a drive: all of them are summed up wherever the base is evaluated.
 constexpr std::size_t MOST_HARMONICS = 64;
 
 /// Most species that a scene may have: tables of their pairs grow with the square.

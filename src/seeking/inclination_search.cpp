@@ -10,7 +10,7 @@ namespace
 /// Inclinations nearer than this part of the resolution are one: they differ by the rounding of steps.
 constexpr double SAME = 0.125;
 
-/// Trials in a row that have to be worse before it seeks again: one may be bad luck.
+/// Successive worse trials after which it seeks again: a single one may be chance.
 constexpr unsigned DROPS = 2;
 
 double bothErrors(const Score& one, const Score& other)
@@ -92,7 +92,8 @@ double InclinationSearch::inRange(double inclination) const
   return std::clamp(inclination, options_.min, options_.max);
 }
 
-/// One step up where most goes right, one down where most goes left; half a step where that turns back.
+/// One step up where most disks leave right, down where most leave left; half a step where the direction
+/// reverses.
 void InclinationSearch::approach()
 {
   const Score score = at(centre_).score();
@@ -114,8 +115,8 @@ void InclinationSearch::beginClimb()
   step_ = std::max(step_, options_.resolution);
 }
 
-/// Moves on as far as what is known goes, until another trial is needed or the best is found. Each move is
-/// to a higher Q, so that it ends.
+/// Moves to better inclinations among those measured, until another trial is needed or the best is found.
+/// Each move is to a higher Q, so that it terminates.
 void InclinationSearch::climb()
 {
   while (step_ >= options_.resolution)
@@ -166,9 +167,9 @@ std::optional<double> InclinationSearch::untried(const std::vector<double>& incl
   return std::nullopt;
 }
 
-/// The one to try again because the centre might be better or worse than it, as far as is known: of the two
-/// the one of which less is known. Not before the last step: two that are much the same lie on both sides of
-/// the best, and half a step tells more than another trial.
+/// The inclination to try again because its difference from the centre is not significant: of the two, the
+/// one with the larger error. Only at the last step size: two similar ones lie on both sides of the best, and
+/// half a step gains more than another trial.
 std::optional<double> InclinationSearch::uncertain(const std::vector<double>& inclinations)
 {
   if (step_ / 2.0 >= options_.resolution)

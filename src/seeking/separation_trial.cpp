@@ -8,8 +8,8 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A base as near as this to its setpoint stands there [rad, Hz, m]: far finer than any of them is
-/// commanded, and than a sensor of a real feeder tells.
+/// Tolerance within which the base has reached its setpoint [rad, Hz, m]: far finer than setpoints are given,
+/// or a sensor of a real feeder resolves.
 constexpr double REACHED = 1e-6;
 
 bool near(double one, double other)
@@ -17,7 +17,7 @@ bool near(double one, double other)
   return std::abs(one - other) <= REACHED;
 }
 
-/// Whether time or a count went back: the sieve was reset, or is another one.
+/// Whether time or a count has decreased: the sieve was reset or replaced.
 bool isBefore(const BinFrame& frame, const BinFrame& last)
 {
   if (frame.time < last.time || frame.bins.size() != last.bins.size())
@@ -127,7 +127,7 @@ void SeparationTrial::count(const BinFrame& frame)
   end_ = frame;
 }
 
-/// A window in which nothing at all left says nothing, however long it is.
+/// A window in which no disk left has no result, however long it is.
 bool SeparationTrial::isOver(const Separation& separation) const
 {
   const double duration = separation.end - separation.begin;

@@ -108,7 +108,7 @@ TEST(ContactExecution, LeavesAContactAloneThatOpens)
   EXPECT_EQ(pair.normal_impulse, 0.0);
   EXPECT_EQ(bench.velocity(i), Eigen::Vector2d(2.0, SPEED));
   EXPECT_EQ(bench.velocity(j), Eigen::Vector2d(3.0, SPEED));
-  // What was predicted of their flights is looked at anew all the same.
+  // Their flights are predicted again all the same.
   EXPECT_EQ(bench.machine.disk(i).flights, 2u);
   EXPECT_EQ(bench.machine.disk(j).flights, 1u);
 }

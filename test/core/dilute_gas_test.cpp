@@ -54,7 +54,7 @@ SceneDefinition sceneAt(const Simulation& simulation, std::vector<std::uint32_t>
   return scene;
 }
 
-/// Runs on from where the run stands, and beside it the slow reference, which looks at all pairs: collision
+/// Runs on from where the run stands, and beside it the slow reference, which tests all pairs: collision
 /// for collision the same, as far as the collisions of a disk have not yet let roundings grow.
 /// @param turn to this inclination meanwhile, at 1 rad/s
 void expectSameCollisionsFromHere(Watched& run, double span, std::optional<double> turn)

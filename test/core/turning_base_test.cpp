@@ -14,7 +14,7 @@ namespace
 /// The fastest that a node lets itself be told, in rad/s; a feeder does 0.1.
 constexpr double FASTEST = 15.0;
 
-/// Thrown to and fro between +-0.5 rad, and looked at on the way.
+/// Thrown to and fro between +-0.5 rad, and observed on the way.
 void expectThatNothingPasses(SceneDefinition scene, double slew_rate)
 {
   Simulation simulation(scene);

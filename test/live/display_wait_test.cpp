@@ -14,7 +14,7 @@ DisplayWait::Clock::time_point at(double seconds)
 TEST(DisplayWait, waitsForNothingUnlessTold)
 {
   DisplayWait wait(0.0);
-  EXPECT_FALSE(wait.look(false, at(0.0)));
+  EXPECT_FALSE(wait.update(false, at(0.0)));
   EXPECT_FALSE(wait.waiting());
 }
 
@@ -22,23 +22,24 @@ TEST(DisplayWait, endsWhenSomebodyWatchesAndSaysSoOnce)
 {
   DisplayWait wait(60.0);
   EXPECT_TRUE(wait.waiting());
-  EXPECT_EQ(wait.look(false, at(1.0)), "the run waits until ~markers or ~cloud is watched, for 60 s at most");
-  EXPECT_FALSE(wait.look(false, at(2.0)));
+  EXPECT_EQ(wait.update(false, at(1.0)),
+            "the run waits until ~markers or ~cloud is watched, for 60 s at most");
+  EXPECT_FALSE(wait.update(false, at(2.0)));
   EXPECT_TRUE(wait.waiting());
-  EXPECT_EQ(wait.look(true, at(3.5)), "the run may begin: it is watched, after 2.5 s");
+  EXPECT_EQ(wait.update(true, at(3.5)), "the run may begin: it is watched, after 2.5 s");
   EXPECT_FALSE(wait.waiting());
   // Who goes away again does not stop the run.
-  EXPECT_FALSE(wait.look(false, at(4.0)));
+  EXPECT_FALSE(wait.update(false, at(4.0)));
   EXPECT_FALSE(wait.waiting());
 }
 
 TEST(DisplayWait, endsWhereNobodyComes)
 {
   DisplayWait wait(60.0);
-  wait.look(false, at(0.0));
-  EXPECT_FALSE(wait.look(false, at(59.0)));
+  wait.update(false, at(0.0));
+  EXPECT_FALSE(wait.update(false, at(59.0)));
   EXPECT_TRUE(wait.waiting());
-  EXPECT_EQ(wait.look(false, at(60.0)),
+  EXPECT_EQ(wait.update(false, at(60.0)),
             "nobody watches ~markers or ~cloud after 60 s (~wait_for_display): the run may begin");
   EXPECT_FALSE(wait.waiting());
 }

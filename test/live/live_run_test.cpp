@@ -1,5 +1,8 @@
 #include "ratchet_sieve/live/live_run.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "collecting_sink.h"
@@ -38,6 +41,74 @@ TEST(LiveRun, leavesPausesOutOfTheRealTimeFactorThatIsRecorded)
   for (std::size_t k = 0; k < recorded.statistics.size(); ++k)
     EXPECT_EQ(recorded.statistics[k].real_time_factor, shown.statistics[k].real_time_factor);
   EXPECT_NEAR(recorded.statistics.back().real_time_factor, 0.5, 1e-9);
+}
+
+/// Wants all frames, but statistics only while `listening`.
+class Listener : public CollectingSink
+{
+public:
+  bool wants(FrameKind kind) const override { return kind != FrameKind::STATISTICS || listening; }
+
+  bool listening = false;
+};
+
+void advanceTo(LiveRun& run, double time, FrameSink& sink)
+{
+  run.takeDue(sink);
+  while (run.time() < time)
+    run.advanceTo(time, sink);
+}
+
+TEST(LiveRun, ObservesNoPeriodsWhereNobodyWantsStatistics)
+{
+  LiveRun run(smallRing(), FrameRates(), {}, 0.0, 1.0);
+  Listener listener;
+  advanceTo(run, 0.75, listener);
+  const StatisticsFrame now = run.statistics();
+  EXPECT_EQ(now.window_start, 0.75);
+  EXPECT_EQ(now.window_end, 0.75);
+  EXPECT_EQ(now.collision_rates.total(), 0.0);
+  for (const auto& species : now.species)
+    EXPECT_FALSE(species.granular_temperature);
+}
+
+/// Whoever listens now and then sees windows of whole periods that began while he listened, with the rates
+/// and temperatures of these very periods.
+TEST(LiveRun, ShowsPeriodsThatBeganWhileSomebodyListened)
+{
+  std::vector<PeriodRecord> periods;
+  Simulation reference(smallRing());
+  reference.observePeriods([&](const PeriodRecord& period) { periods.push_back(period); });
+  reference.advanceTo(1.0);
+  LiveRun run(smallRing(), {0.0, 0.0, 0.0, 50.0}, {}, 0.0, 1.0);
+  Listener listener;
+  std::size_t windows = 0;
+  // The second time, the listener leaves in the midst of a period, and comes back before the frame is due.
+  for (const auto& [from, until] : {std::pair(0.21, 0.507), std::pair(0.512, 0.9)})
+  {
+    listener.listening = false;
+    advanceTo(run, from, listener);
+    listener.listening = true;
+    listener.statistics.clear();
+    advanceTo(run, until, listener);
+    for (const StatisticsFrame& frame : listener.statistics)
+    {
+      EXPECT_GE(frame.window_start, from);
+      if (frame.window_end == frame.window_start)
+        continue;
+      const auto period = std::find_if(periods.begin(), periods.end(),
+                                       [&](const PeriodRecord& candidate)
+                                       { return std::abs(candidate.start - frame.window_start) < 1e-12; });
+      ASSERT_NE(period, periods.end());
+      EXPECT_NEAR(frame.window_end, period->end, 1e-12);
+      EXPECT_NEAR(frame.collision_rates.disk_disk_rate * period->duration, period->collisions.disk_disk,
+                  1e-9);
+      EXPECT_EQ(frame.species[0].granular_temperature.has_value(),
+                period->temperatures[0].mean().has_value());
+      ++windows;
+    }
+  }
+  EXPECT_GT(windows, 20u);
 }
 }  // namespace
 }  // namespace ratchet_sieve

@@ -10,7 +10,7 @@ namespace
 class Watched
 {
 public:
-  Watched() { watch.look(false, time, lost, now); }
+  Watched() { watch.update(false, time, lost, now); }
 
   /// @param factor simulated over wall time @param loss wall time given up per wall time
   void run(double wall, double factor, double loss = 0.0) { turn(true, wall, factor, loss); }
@@ -32,7 +32,7 @@ private:
       now += std::chrono::milliseconds(10);
       time += factor * STEP;
       lost += loss * STEP;
-      watch.look(under_way, time, lost, now);
+      watch.update(under_way, time, lost, now);
     }
   }
 };

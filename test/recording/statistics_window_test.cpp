@@ -180,7 +180,7 @@ TEST(StatisticsWindow, ComesOutTheSameInARunOfTheRecordedScene)
   EXPECT_EQ(differenceFrom(0.0, sink), temperatures);
   EXPECT_EQ(differenceFrom(0.45, sink), temperatures +
                                             "; it is recorded from 0.45 s on, "
-                                            "and not what the run was told since 0 s");
+                                            "and not what the run was commanded since 0 s");
 }
 
 TEST(StatisticsWindow, ComesOutTheSameInARunThatWasTakenUp)

@@ -31,12 +31,12 @@ Vector rotated(const geometry_msgs::Quaternion& q, const Vector& v)
 }
 
 /// A point of sieve_base in the world.
-Vector inWorld(const tf2_msgs::TFMessage& message, const Vector& point)
+Vector inWorld(const std::vector<geometry_msgs::TransformStamped>& transforms, const Vector& point)
 {
   Vector v = point;
-  for (std::size_t k = message.transforms.size(); k-- > 0;)
+  for (std::size_t k = transforms.size(); k-- > 0;)
   {
-    const geometry_msgs::Transform& transform = message.transforms[k].transform;
+    const geometry_msgs::Transform& transform = transforms[k].transform;
     v = rotated(transform.rotation, v);
     v = {v.x + transform.translation.x, v.y + transform.translation.y, v.z + transform.translation.z};
   }
@@ -53,18 +53,18 @@ BaseFrame inclinedBase(double inclination, double displacement)
 
 TEST(BaseTransforms, leadFromWorldOverMountToBase)
 {
-  const auto message = baseTransforms(inclinedBase(0.1, 0.0));
-  ASSERT_EQ(message.transforms.size(), 2u);
-  EXPECT_EQ(message.transforms[0].header.frame_id, "world");
-  EXPECT_EQ(message.transforms[0].child_frame_id, "sieve_mount");
-  EXPECT_EQ(message.transforms[1].header.frame_id, "sieve_mount");
-  EXPECT_EQ(message.transforms[1].child_frame_id, "sieve_base");
+  const auto transforms = baseTransforms(inclinedBase(0.1, 0.0));
+  ASSERT_EQ(transforms.size(), 2u);
+  EXPECT_EQ(transforms[0].header.frame_id, "world");
+  EXPECT_EQ(transforms[0].child_frame_id, "sieve_mount");
+  EXPECT_EQ(transforms[1].header.frame_id, "sieve_mount");
+  EXPECT_EQ(transforms[1].child_frame_id, "sieve_base");
 }
 
 TEST(BaseTransforms, raiseTheRightEndForPositiveInclination)
 {
-  const auto message = baseTransforms(inclinedBase(0.25, 0.0));
-  const Vector right_end = inWorld(message, {0.4, 0.0, 0.0});
+  const auto transforms = baseTransforms(inclinedBase(0.25, 0.0));
+  const Vector right_end = inWorld(transforms, {0.4, 0.0, 0.0});
   EXPECT_NEAR(right_end.x, 0.4 * std::cos(0.25), 1e-15);
   EXPECT_NEAR(right_end.z, 0.4 * std::sin(0.25), 1e-15);
 }

@@ -38,13 +38,13 @@ TEST(FrameNames, refuseAPrefixThatNoFrameCanHave)
 TEST(FrameNames, standInTheTransforms)
 {
   const FrameNames names = frameNames("s1", true);
-  const auto moving = baseTransforms(BaseFrame(), names).transforms;
+  const auto moving = baseTransforms(BaseFrame(), names);
   ASSERT_EQ(moving.size(), 2u);
   EXPECT_EQ(moving[0].header.frame_id, "s1/sieve_world");
   EXPECT_EQ(moving[0].child_frame_id, "s1/sieve_mount");
   EXPECT_EQ(moving[1].header.frame_id, "s1/sieve_mount");
   EXPECT_EQ(moving[1].child_frame_id, "s1/sieve_base");
-  const auto own = ownWorldTransform({1.0, 2.0, -3.0}, names).transforms.at(0);
+  const auto own = ownWorldTransform({1.0, 2.0, -3.0}, names);
   EXPECT_EQ(own.header.frame_id, "world");
   EXPECT_EQ(own.child_frame_id, "s1/sieve_world");
   EXPECT_EQ(own.transform.translation.x, 1.0);

@@ -349,7 +349,7 @@ TEST_F(Node, broadcastsWhereTheBaseIs)
   command("inclination", 0.1, &DriveState::commanded_inclination);
   sieve.stepAndSee(0.7);
   ASSERT_TRUE(waitFor([&] { return last.transforms.at(0).header.stamp == ros::Time(0.7); }));
-  EXPECT_EQ(last.transforms, baseTransforms(sieve.base.frames.back()).transforms);
+  EXPECT_EQ(last.transforms, baseTransforms(sieve.base.frames.back()));
 }
 
 TEST_F(Node, takesAwayWhatAnotherSceneHasNot)

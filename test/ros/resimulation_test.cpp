@@ -278,7 +278,7 @@ TEST(Resimulation, saysWhereTheBeginningOfTheRunIsMissing)
     recorded.particles.erase(recorded.particles.begin());
   recorded.commands.clear();
   const std::string difference = differenceOf(recorded);
-  EXPECT_NE(difference.find("; it is recorded from 0.45 s on, and not what the run was told since 0 s"),
+  EXPECT_NE(difference.find("; it is recorded from 0.45 s on, and not what the run was commanded since 0 s"),
             std::string::npos)
       << difference;
 }

@@ -332,6 +332,22 @@ TEST(RunControl, stepsInLockWithItsSetpoints)
   EXPECT_TRUE(sameBits(run.seen.particles.back().disks, simulation.disks()));
 }
 
+/// Its answer has statistics, whoever else wants them.
+TEST(RunControl, observesPeriodsForALockStep)
+{
+  Recorder off("", "/sieve");
+  RunControl control(YAML::Load(canonicalYaml(smallMixture())), "scene", pausedParameters(), off);
+  IdleSink idle;
+  control.addSink(idle);
+  control.begin();
+  ASSERT_TRUE(control.lockStep({}, 0.095, stridesOf(control)).success);
+  const StatisticsFrame first = control.run().statistics();
+  EXPECT_EQ(first.window_start, 0.0);
+  EXPECT_NEAR(first.window_end, 2.0 / smallMixture().base.frequency, 1e-9);
+  ASSERT_TRUE(control.lockStep({}, 0.1, stridesOf(control)).success);
+  EXPECT_EQ(control.run().statistics().window_start, first.window_end);
+}
+
 TEST(RunControl, givesASetpointOfALockStepOnce)
 {
   Controlled run;

@@ -35,7 +35,7 @@ public:
                                           });
   }
 
-  /// Waits for a frame of this very time. A sieve greets a subscriber with its present state.
+  /// Waits for a frame of this very time. A sieve sends a new subscriber its present state.
   bool waitForTime(double time)
   {
     return waitFor([&] { return !frames.empty() && frames.back().time == time; });

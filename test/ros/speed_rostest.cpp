@@ -64,7 +64,7 @@ TEST_F(Speed, goesOnFromWhereItIs)
   ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().time > 0.1; }));
   ros::param::set(PARAMETER, STANDSTILL);
   ASSERT_TRUE(waitFor([&] { return asked() == "1e-06"; }));
-  // Had it leapt to where the new factor would have brought it, it would have to stand still for long.
+  // Had it jumped to where the new factor would have brought it, it would have to stand still for long.
   const double before = nextTimes(1).back();
   EXPECT_GE(before, 0.1);
   EXPECT_LT(nextTimes(20).back() - before, 1e-3);

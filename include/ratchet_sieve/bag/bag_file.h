@@ -16,10 +16,10 @@ namespace ratchet_sieve
 
 /// A bag of format 2.0 (wiki.ros.org/Bags/Format/2.0) as it is written, packed with lz4. rosbag's own
 /// writer ends the program where the disk is full, for it throws from a destructor then, and can be
-/// told neither to finish a chunk nor to leave one out.
+/// asked neither to finish a chunk nor to leave one out.
 ///
-/// A chunk goes into the file in one piece, with its index. So whatever ends the program, all chunks
-/// but the last are whole, and `rosbag reindex` brings them back. It is finished as soon as it holds
+/// A chunk is written to the file at once, with its index. However the program ends, all chunks but the last
+/// are complete, and `rosbag reindex` recovers them. It is finished as soon as it holds
 /// CHUNK_SIZE bytes, or messages of CHUNK_DURATION.
 class BagFile
 {
@@ -115,7 +115,7 @@ private:
   ros::Time chunk_start_, chunk_end_;
   std::vector<std::vector<IndexEntry>> chunk_index_;  ///< of each connection
 
-  // Kept from chunk to chunk for their memory: taken anew from the heap each time, in sizes that differ, they
+  // Kept from chunk to chunk for their memory: allocated again each time, in sizes that differ, they
   // leave holes between what stays, and a process of some hundreds of megabytes in an hour.
   std::vector<std::uint8_t> bytes_;  ///< of a message
   std::string packed_, record_;      ///< of a chunk

@@ -7,22 +7,22 @@
 namespace ratchet_sieve
 {
 
-/// Holds the beginning of a run until somebody watches it, such as RViz, which takes seconds to come up; not
-/// for ever.
+/// Holds the start of a run until a display, such as RViz, which takes seconds to start, has subscribed, or
+/// until a timeout.
 class DisplayWait
 {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// @param patience for so long at most [s of wall time]; 0: nothing is waited for
+  /// @param patience timeout [s of wall time]; 0: the run is not held
   explicit DisplayWait(double patience) : patience_(patience) {}
 
   /// Whether the run is to be held.
   bool waiting() const { return !over_ && patience_ > 0.0; }
 
-  /// To be told at every turn of the node's loop. @param watched whether somebody watches
+  /// To be called at every iteration of the node's loop. @param watched whether a display has subscribed
   /// @return a line for the log where waiting begins and where it ends; nothing otherwise
-  std::optional<std::string> look(bool watched, Clock::time_point now);
+  std::optional<std::string> update(bool watched, Clock::time_point now);
 
 private:
   double patience_;

@@ -11,12 +11,12 @@
 namespace ratchet_sieve
 {
 
-/// A simulation that shows itself while it runs. Times are simulated times.
+/// A simulation that hands frames to sinks while it runs. Times are simulated times.
 class LiveRun
 {
 public:
   /// @param opening commands that hold from its start on; their own times do not matter
-  /// @param start_time not 0 where disks are poured anew without time leaping back [s]
+  /// @param start_time not 0 where new disks are poured at the present time [s]
   /// @param end_time [s]
   /// @param wall_clock by which the real-time factor is measured
   /// @param pour_observer see Simulation
@@ -33,7 +33,7 @@ public:
   double endTime() const { return end_time_; }
   bool finished() const { return time() >= end_time_ || stopped(); }
 
-  /// Why it goes no further: an inelastic collapse; nothing if it does.
+  /// Why it has stopped: an inelastic collapse; nothing if it has not.
   const std::optional<std::string>& stopReason() const { return stop_reason_; }
   bool stopped() const { return stop_reason_.has_value(); }
 
@@ -65,9 +65,12 @@ public:
   ParticleFrame particles() const { return makeParticleFrame(simulation_); }
   BinFrame bins() const { return makeBinFrame(simulation_); }
   BaseFrame base() const { return makeBaseFrame(simulation_); }
-  /// Over the periods that ended since the last one that was due to be published; without the real-time
-  /// factor.
+  /// Over the periods that ended since the last one that was due to be published; over none where nobody
+  /// wanted statistics until now. Without the real-time factor.
   StatisticsFrame statistics() const;
+
+  /// From now on periods are observed for statistics(), also while no sink wants statistics.
+  void keepStatistics() { statistics_kept_ = true; }
 
 private:
   struct Recording
@@ -77,11 +80,15 @@ private:
   };
 
   void show(const CommandFrame& command, FrameSink& sink);
+  void observePeriods(bool observe);
+  bool statisticsWanted(const FrameSink& sink) const;
 
   Simulation simulation_;
   FrameSampler::WallClock wall_clock_;
   FrameSampler sampler_;
   bool under_way_ = true;
+  bool statistics_kept_ = false;
+  bool periods_observed_ = false;
   std::optional<Recording> recording_;
   double end_time_;
   std::vector<CommandFrame> opening_;  ///< that nobody was shown yet

@@ -8,8 +8,8 @@
 namespace ratchet_sieve
 {
 
-/// Lets a line of the log through at once, and then one in a period: the newest, with how many it stands for.
-/// So a flood of lines does not fill the log, and the last of them is said all the same.
+/// Limits the rate of log lines: passes the first at once, and then one in a period, the newest, with the
+/// number of lines that it stands for. The last line of a burst is always logged.
 class LogThrottle
 {
 public:

@@ -15,7 +15,7 @@ public:
   /// @param real_time_factor simulated over wall time; 0: as fast as it goes
   explicit Pacer(double real_time_factor) : factor_(real_time_factor) {}
 
-  /// Begins anew: simulated time `elapsed` [s] is now.
+  /// Restarts: simulated time `elapsed` [s] is now.
   void anchor(double elapsed, Clock::time_point now);
 
   /// Another speed from now on, at simulated time `elapsed` [s]: nothing of before is made up for.
@@ -25,13 +25,13 @@ public:
   double factor() const { return factor_; }
 
   /// How far simulated time may be by now [s], no more than one stride. What the simulation has fallen behind
-  /// by more than a moment is given up: it then goes on at the speed that is asked for, and no faster.
+  /// by more than a moment is not made up for: it then goes on at the requested speed, no faster.
   double allowed(double elapsed, Clock::time_point now);
 
   /// Wall time until simulated time `elapsed` is due, at most LONGEST_WAIT [s].
   double wait(double elapsed, Clock::time_point now) const;
 
-  /// Wall time that was given up so far, as the simulation could not keep up [s].
+  /// Wall time lost so far, as the simulation could not keep up [s].
   double lost() const { return lost_; }
 
   /// The longest advance that takes about LONGEST_WAIT of wall time [s of simulated time].

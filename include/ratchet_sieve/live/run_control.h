@@ -16,7 +16,7 @@
 namespace ratchet_sieve
 {
 
-/// What a run under command is told. Names in comments are those of a node's parameters.
+/// The settings of a run under command. Names in comments are those of a node's parameters.
 struct RunParameters
 {
   bool start_paused = false;  ///< ~start_paused
@@ -28,7 +28,7 @@ struct RunParameters
   SlewRates slew_rates;  ///< ~limits/inclination/slew_rate and so on [unit/s]
 };
 
-/// What records runs, one after the other. Not to be recorded is a way to do so.
+/// Records runs, one after the other; recording may be off.
 class RunRecording : public FrameSink
 {
 public:
@@ -38,11 +38,11 @@ public:
   /// Ends the recording of a run and begins that of the next.
   virtual void openNext() = 0;
 
-  /// What comes afterwards is not recorded.
+  /// Later frames are not recorded.
   virtual void close() = 0;
 };
 
-/// Where what a run has to say of itself goes, line by line.
+/// Receives the log lines of a run.
 struct RunLog
 {
   std::function<void(const std::string&)> inform = [](const std::string&) {};
@@ -56,12 +56,12 @@ struct Outcome
   std::string message;  ///< on failure: why; else what is to be said of it, if anything
 };
 
-/// A run under command: paused, stepped, reset, poured on, driven by setpoints. Knows frames and
-/// sinks, but neither topics nor wall time; LiveRun advances, this decides.
+/// Controls a run: pause, step, reset, pour, setpoints. Knows frames and sinks, but neither topics nor wall
+/// time. LiveRun advances the simulation.
 class RunControl
 {
 public:
-  /// Advances the run towards a time by a stride, by advanceTo(); false where the step is to be given up.
+  /// Advances the run towards a time by a stride, by advanceTo(); false where the step is to be aborted.
   using Stride = std::function<bool(double time)>;
 
   /// @param scene YAML of the scene, kept for resets; @param source named in errors
@@ -94,8 +94,8 @@ public:
   /// Advances to a time, but no further than to the next frame or the end.
   void advanceTo(double time) { run_->advanceTo(time, sinks_); }
 
-  /// Advances by `duration` [s] or to the end, in strides. Where the end comes first, that is no failure, and
-  /// said.
+  /// Advances by `duration` [s] or to the end, in strides. Reaching the end first is no failure; the outcome
+  /// says so.
   Outcome step(double duration, const Stride& stride);
 
   /// Takes setpoints, all or none, and steps.
@@ -103,16 +103,16 @@ public:
   Outcome lockStep(const std::vector<std::pair<std::string, double>>& setpoints, double duration,
                    const Stride& stride);
 
-  /// Begins anew, at time 0 or at the present time. @param seed 0: the scene's own
+  /// Restarts, at time 0 or at the present time. @param seed 0: the scene's own
   Outcome reset(std::uint64_t seed, const std::vector<std::string>& overrides, bool keep_time);
 
-  /// Pours the disks anew, over a base that goes on as it moves; time goes on, to the end, or from there for
-  /// another duration. Fails where the base now stands in disks of `initial`; the run then goes on as it was.
+  /// Pours new disks, over the base as it moves now. Time continues to the end of the run, or, at its
+  /// end, for another duration. Fails, and changes nothing, where the base now overlaps disks of `initial`.
   Outcome resetWorld();
 
   Outcome pour(const std::string& species, std::size_t count);
 
-  /// What the base is told to go to.
+  /// The commanded value of a quantity.
   double commanded(Quantity quantity) const;
 
   /// Commands the base at the present time; a value that is refused changes nothing.

@@ -10,9 +10,9 @@
 namespace ratchet_sieve
 {
 
-/// A run as its topics show it: the last frames that came, put together to pictures of one instant. Topics
-/// come one by one, each at its own rate, some perhaps not at all; and time may leap back, where a bag is
-/// played again or a sieve is reset.
+/// A run as reconstructed from its topics: the last frames received, combined into pictures of one instant.
+/// Each topic has a rate of its own and may be missing; time jumps back where a bag is played again or a
+/// sieve is reset.
 class SeenRun : public FrameSink
 {
 public:
@@ -21,12 +21,12 @@ public:
 
   const std::optional<std::string>& sceneError() const { return scene_error_; }
 
-  /// Time of the picture that there is now [s]; nothing before a scene and a frame have come.
+  /// Time of the present picture [s]; nothing before a scene and a frame have been received.
   std::optional<double> time() const;
 
-  /// The disks as they were seen last, and the base at their very time: an earlier or a later one would
-  /// stand in the disks. Without disks, the base as it was seen last. Call only where time() is something.
-  /// Frames that are no part of the scene, as it can be while topics change over to another, are left out.
+  /// The disks of the last frame, and the base at the same time: that of another time would overlap them.
+  /// Without disks, the base of its last frame. Frames that do not fit the scene, which is possible while the
+  /// topics change over to another, are left out. @pre time()
   Picture picture() const;
 
 private:
@@ -38,7 +38,7 @@ private:
   void see(const CommandFrame&) {}
   template <typename Frame>
   void see(const Frame& frame, std::optional<Frame>& last);
-  void leapTo(double time);
+  void jumpBackTo(double time);
   bool fits(const ParticleFrame& frame) const;
   BaseFrame baseAt(double time) const;
 

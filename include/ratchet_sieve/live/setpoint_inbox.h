@@ -11,7 +11,7 @@ namespace ratchet_sieve
 {
 
 /// Good setpoints on their way to the run: the newest of each quantity. After each command all disks are
-/// looked at anew, so that a thousand a second of them could take all of the time there is: they get a share
+/// predicted again, so that a thousand a second of them could take all of the time there is: they get a share
 /// of it, and no more; while they wait the newest wins.
 class SetpointInbox
 {

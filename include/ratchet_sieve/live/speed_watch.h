@@ -7,29 +7,29 @@
 namespace ratchet_sieve
 {
 
-/// "too slow: 19.96 times real time instead of 20", with as many figures as it takes to see a difference.
+/// "too slow: 19.96 times real time instead of 20", with as many digits as are needed to see a difference.
 /// @param achieved less than @param asked, real-time factors
 std::string tooSlowText(double achieved, double asked);
 
-/// Measures how fast simulated time goes by while a run is under way, and says when it cannot keep up with
-/// what is asked for. What a paused run is stepped does not count, nor does a leap of time.
+/// Measures the achieved real-time factor while a run is under way, and reports when it stays below the
+/// requested one. Steps of a paused run and jumps of time do not count.
 class SpeedWatch
 {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// To be told at every turn of the node's loop.
-  /// @param under_way whether it has run since the last time, at its own speed
-  /// @param time simulated [s] @param lost wall time given up so far, as Pacer counts it [s]
-  void look(bool under_way, double time, double lost, Clock::time_point now);
+  /// To be called at every iteration of the node's loop.
+  /// @param under_way whether the run has advanced by itself since the last call
+  /// @param time simulated [s] @param lost wall time lost so far, as Pacer counts it [s]
+  void update(bool under_way, double time, double lost, Clock::time_point now);
 
-  /// Begins anew: what is asked for has changed.
+  /// Starts measuring again: the requested factor has changed.
   void forget();
 
   /// Simulated over wall time, over the last full period; nothing before that.
   std::optional<double> achieved() const { return achieved_; }
 
-  /// Whether wall time was given up within the last full period: the one of which achieved() is.
+  /// Whether wall time was lost within the last full period: the one of which achieved() is.
   bool behind() const { return behind_; }
 
   /// A line for the log where it begins to fall behind, now and then while it does, and once when it no
@@ -48,12 +48,12 @@ public:
   static constexpr double BETWEEN_LINES = 10.0;
 
 private:
-  std::optional<Clock::time_point> last_look_;
+  std::optional<Clock::time_point> last_update_;
   double last_time_ = 0.0;
   double wall_ = 0.0;       ///< of the present period [s]
   double simulated_ = 0.0;  ///< of the present period [s]
   std::optional<double> achieved_;
-  double lost_ = 0.0;           ///< at the last look
+  double lost_ = 0.0;           ///< at the last update
   double lost_at_start_ = 0.0;  ///< of the present period
   bool behind_ = false;
   bool said_ = false;  ///< that it is behind

@@ -29,8 +29,10 @@ public:
   /// further than this.
   double nextTime() const;
 
-  /// What its statistics average over: hand it all of Simulation::observePeriods().
+  /// What its statistics average over: hand it all of Simulation::observePeriods(), and restart the window
+  /// where those were not observed for a while.
   void take(const PeriodRecord& period) { window_.take(period); }
+  void restartWindow(const Simulation& simulation) { window_.restart(simulation); }
   const StatisticsWindow& window() const { return window_; }
 
   /// Hands every frame that is due at simulation.time() to the sink; the first call also the scene.

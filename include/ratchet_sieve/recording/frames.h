@@ -124,7 +124,7 @@ RATCHET_SIEVE_FIELDS(StatisticsFrame)
   RATCHET_SIEVE_FIELD(max_overlap, "m");
 }
 
-/// What a run can be told: first the setpoints, in the order of Quantity.
+/// The quantities and actions of commands: first the setpoints, in the order of Quantity.
 enum class CommandKind : std::uint8_t
 {
   INCLINATION,
@@ -138,7 +138,7 @@ enum class CommandKind : std::uint8_t
 
 constexpr std::uint8_t COMMAND_KINDS = 7;
 
-/// What a run was told, at the time from which on it holds. With the scene and its seed, all that decides
+/// A command to a run, at the time from which on it holds. With the scene and its seed, all that decides
 /// the run.
 struct CommandFrame
 {

@@ -42,13 +42,13 @@ struct RunOutcome
   std::vector<std::string> warnings;  ///< one line each
 };
 
-/// Who looks on while a run goes; each may be empty.
+/// The observers of a run under way; each may be empty.
 struct RunWatchers
 {
   FrameSink* frames = nullptr;  ///< takes frames at `rates`
   FrameRates rates;
   std::function<void(const Simulation&)> progress;                  ///< several times a second of wall time
-  std::function<bool()> stop_wanted;                                ///< looked at several times a second
+  std::function<bool()> stop_wanted;                                ///< asked several times a second
   std::function<void(const Simulation&, const RunProgress&)> save;  ///< now and then, and at the end
   double save_period = 60.0;                                        ///< of wall time [s]
 };

@@ -17,7 +17,7 @@ namespace ratchet_sieve
 /// Runs what was recorded once more, from its scene, its seed and its commands, and compares every frame
 /// with what comes out now, bit for bit. Takes the frames in the order of time.
 ///
-/// What depends on the clock on the wall or on how often someone looked is not compared: the real-time
+/// What depends on the clock on the wall or on how often someone subscribed is not compared: the real-time
 /// factor, and the largest overlap.
 class Resimulation : public FrameSink
 {

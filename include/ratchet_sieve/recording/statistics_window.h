@@ -40,6 +40,10 @@ public:
   /// One after the other, as Simulation::observePeriods() has them.
   void take(const PeriodRecord& period);
 
+  /// Forgets what was taken: a window that is shown from now on begins at simulation.time() or later. To be
+  /// called where periods were not observed for a while, so that no window spans the gap.
+  void restart(const Simulation& simulation);
+
   /// To the frame at simulation.time(); at the same time once more it makes no difference.
   void moveTo(const Simulation& simulation);
 

@@ -10,8 +10,8 @@
 namespace ratchet_sieve
 {
 
-/// Publishes simulated time on /clock, at a rate of wall time, also while it stands still, and before every
-/// message that is stamped later than it: who gets a message knows its time already.
+/// Publishes simulated time on /clock, at a rate of wall time, also while the run is paused, and before every
+/// message with a later stamp, so that a subscriber knows the time of a message when it receives it.
 class ClockPublisher
 {
 public:
@@ -22,25 +22,30 @@ public:
   /// Whether this node is the clock.
   bool enabled() const { return enabled_; }
 
-  /// The node that is the clock in place of this one, which would be.
+  /// The node that already publishes /clock, where this one would otherwise.
   const std::optional<std::string>& other() const { return other_; }
 
-  /// What that means, in a sentence. @pre other()
+  /// A log line about it. @pre other()
   std::string otherText() const;
 
-  /// Publishes, if it is time to. @param time simulated [s]
+  /// Publishes if the period is over. @param time simulated [s]
   void publishDue(double time);
 
-  /// Publishes at once, so that who asks for the time now gets this.
+  /// Publishes at once.
   void publish(double time);
 
-  /// To be called before a message with this stamp is published. Publishes, but no more than a thousand times
-  /// a second of wall time: so much the clock may be behind a stamp.
+  /// To be called before a message with this stamp is published. Publishes at most a thousand times per
+  /// second of wall time, so that the clock may lag a stamp by 1 ms of wall time.
   void reach(double time);
 
-  /// Where time has leapt back just now: waits for a moment, in which others hear of it. A transform that
-  /// came to a tf2 listener before would be taken for an old one, and thrown away with those.
-  void letLeapBeHeard() const;
+  /// To be called when a transform has been published. A tf2 listener that receives it after a jump back in
+  /// time keeps it as one of the future, and rejects those of the new run as too old: so a jump back waits
+  /// until it has arrived.
+  void transformSent() { transform_sent_ = std::chrono::steady_clock::now(); }
+
+  /// Blocks until subscribers have received the last jump back in time, if that has just happened. A tf2
+  /// listener clears its buffer at the jump, and would clear a transform that it received before with it.
+  void waitForTimeJump() const;
 
 private:
   std::chrono::duration<double> period_;
@@ -49,7 +54,8 @@ private:
   std::optional<std::string> other_;
   std::chrono::steady_clock::time_point last_;
   std::optional<ros::Time> shown_;
-  std::chrono::steady_clock::time_point leapt_;  ///< back, last
+  std::chrono::steady_clock::time_point jumped_back_;     ///< when /clock last did
+  std::chrono::steady_clock::time_point transform_sent_;  ///< the last
 };
 
 }  // namespace ratchet_sieve

@@ -22,17 +22,16 @@
 namespace ratchet_sieve
 {
 
-/// Takes the node's services and setpoint topics to the run.
+/// Serves the node's services and setpoint topics.
 class CommandServer
 {
 public:
-  /// @param stride of ~step and ~lock_step; @param time_changed called where simulated time has leapt or the
-  /// run has stopped or gone on; control and diagnostics outlive this
+  /// @param stride of ~step and ~lock_step; @param time_changed called where simulated time has jumped or the
+  /// run was paused or resumed; control and diagnostics outlive this
   CommandServer(ros::NodeHandle private_node, const NodeParameters& parameters, RunControl& control,
                 Diagnostics& diagnostics, RunControl::Stride stride, std::function<void()> time_changed);
 
-  /// Commands what came over the setpoint topics, and says in the log what is to be said of it. To be called
-  /// whenever callbacks were served.
+  /// Applies the setpoints received on topics, and logs them. To be called after callbacks were served.
   void deliverSetpoints();
 
 private:

@@ -39,7 +39,7 @@ public:
   /// A setpoint was refused: shown soon, and until one is taken.
   void setpointRefused(const Setpoint& setpoint, const std::string& why);
 
-  /// The disks were not poured anew: shown soon, and until a run begins.
+  /// No new disks were poured: shown soon, and until a run begins.
   void resetWorldRefused(const std::string& why);
 
   /// A run begins.

@@ -13,8 +13,7 @@
 namespace ratchet_sieve
 {
 
-/// Shows pictures of a run on ~markers and ~cloud, at a rate of wall time: what eyes can follow, however
-/// fast the run goes. Knows nothing of where the pictures come from.
+/// Publishes pictures of a run on ~markers and ~cloud, at a rate of wall time, whatever the speed of the run.
 class Display
 {
 public:
@@ -24,12 +23,12 @@ public:
   /// Whether anybody subscribes to ~markers or ~cloud.
   bool watched() const { return markers_.getNumSubscribers() > 0 || cloud_.getNumSubscribers() > 0; }
 
-  /// Whether a picture of this time would be shown now; false where nobody watches, so that none need be
-  /// made. A run that stands still is shown once a second, for those who come. @param time simulated [s]
+  /// Whether a picture of this time is to be shown now; false without subscribers, so that none need be made.
+  /// A paused run is shown once a second, for new subscribers. @param time simulated [s]
   bool due(double time) const;
 
-  /// Shows it, and takes away what was drawn before and is no part of it. Converts nothing for a topic
-  /// that nobody subscribes to.
+  /// Publishes it, and deletes markers drawn before that are no part of it. Converts nothing for a topic
+  /// without subscribers.
   /// @param frame_id in which the picture is
   void show(const Picture& picture, const std::string& frame_id);
 

@@ -17,7 +17,7 @@ namespace ratchet_sieve
 /// A simulation that is asked for more than this wants 0, as fast as it goes.
 constexpr double MAX_REAL_TIME_FACTOR = 1e6;
 
-/// Everything that the node can be told but the scene. Names in comments are those of the parameters.
+/// The parameters of the node but the scene. Names in comments are those of the parameters.
 struct NodeParameters : RunParameters
 {
   double real_time_factor = 1.0;  ///< ~real_time_factor at the start: see RealTimeFactor

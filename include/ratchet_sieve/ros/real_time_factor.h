@@ -9,8 +9,8 @@
 namespace ratchet_sieve
 {
 
-/// ~real_time_factor, simulated over wall time (0: as fast as it goes), which may be set anew while the node
-/// runs. The first look asks the master, which from then on tells the node of changes: the other looks cost
+/// ~real_time_factor, simulated over wall time (0: as fast as it goes), which may be changed while the node
+/// runs. The first read asks the master, which from then on tells the node of changes: the other reads cost
 /// no more than one into a map.
 class RealTimeFactor
 {

@@ -35,7 +35,7 @@ private:
   bool exit_at_end_ = false;
   std::vector<ScheduleEntry> schedule_;
   std::size_t next_ = 0;
-  double last_time_ = 0.0;  ///< simulated, as last heard [s]
+  double last_time_ = 0.0;  ///< simulated, as last received [s]
   bool base_seen_ = false;
   bool started_ = false;
   ros::ServiceClient unpause_;

@@ -23,8 +23,8 @@ SeekTrial toMessage(const SeekReport& report);
 /// A trial as it is logged.
 std::string trialText(const SeekReport& report);
 
-/// Seeks the inclination at which a sieve separates best: hears ~base, ~bins, ~statistics and ~scene of the
-/// sieve, commands its ~inclination_setpoint, and publishes each trial on ~trials (latched). What is
+/// Seeks the inclination at which a sieve separates best: subscribes to ~base, ~bins, ~statistics and ~scene
+/// of the sieve, commands its ~inclination_setpoint, and publishes each trial on ~trials (latched). What is
 /// decided, SeekControl decides; this connects it.
 class SeekNode
 {
@@ -43,7 +43,7 @@ private:
 
   SeekParameters parameters_;
   SeekControl control_;
-  boost::shared_ptr<ros::M_string> base_connection_;  ///< by which the base was heard last
+  boost::shared_ptr<ros::M_string> base_connection_;  ///< by which the base was received last
   boost::shared_ptr<ros::M_string> bins_connection_;
   std::optional<std::string> scene_hash_;  ///< of what no setpoint changes
   std::optional<double> sent_;             ///< the last setpoint [rad]

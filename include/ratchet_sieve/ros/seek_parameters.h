@@ -12,7 +12,7 @@
 namespace ratchet_sieve
 {
 
-/// Everything that sieve_seek can be told. Names in comments are those of the parameters.
+/// The parameters of sieve_seek. Names in comments are those of the parameters.
 struct SeekParameters
 {
   std::string sieve;            ///< ~sieve: name of the sieve's node, resolved

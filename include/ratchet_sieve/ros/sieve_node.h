@@ -1,11 +1,14 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 
 #include <ros/node_handle.h>
+#include <tf2_ros/static_transform_broadcaster.h>
 
 #include "ratchet_sieve/live/display_wait.h"
 #include "ratchet_sieve/live/pacer.h"
+#include "ratchet_sieve/live/pour_log.h"
 #include "ratchet_sieve/live/progress_log.h"
 #include "ratchet_sieve/live/speed_watch.h"
 #include "ratchet_sieve/live/wall_log.h"
@@ -55,14 +58,14 @@ private:
   ros::NodeHandle node_;
   const std::atomic<bool>& stop_;
   NodeParameters parameters_;
-  Pacer::Clock::time_point next_pour_line_;
+  PourLog pour_log_;
   Recorder recorder_;
   RunControl control_;
   RealTimeFactor real_time_factor_;
   Pacer pacer_;
   SpeedWatch speed_;
   ClockPublisher clock_;
-  ros::Publisher own_world_;  ///< latched, where the sieve has a world of its own
+  std::optional<tf2_ros::StaticTransformBroadcaster> own_world_;  ///< where the sieve has a world of its own
   TransformPublisher transforms_;
   TopicPublisher topics_;
   Display display_;

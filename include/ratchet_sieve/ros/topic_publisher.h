@@ -15,9 +15,8 @@ namespace ratchet_sieve
 {
 
 /// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~commands and, latched, ~scene; the base
-/// on /tf as well, in time for every message of the disks. Converts nothing for a topic that nobody
-/// subscribes to. A subscriber that comes gets the present state at once, so that it need not wait while the
-/// run stands still.
+/// on /tf as well, with a transform at the stamp of every message of the disks. Converts nothing for a topic
+/// without subscribers. A new subscriber gets the present state at once, also while the run is paused.
 class TopicPublisher : public FrameSink
 {
 public:
@@ -37,7 +36,7 @@ private:
     return publishers_[static_cast<std::size_t>(kind)].getNumSubscribers() > 0;
   }
   template <typename Frame>
-  void greet(ros::NodeHandle& node, Frame (LiveRun::*state)() const);
+  void advertise(ros::NodeHandle& node, Frame (LiveRun::*state)() const);
   template <typename Frame>
   void publish(const Frame& frame);
 

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
+#include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <ros/single_subscriber_publisher.h>
-#include <tf2_msgs/TFMessage.h>
+#include <tf2_ros/transform_broadcaster.h>
 
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/ros/clock_publisher.h"
@@ -16,25 +18,20 @@ namespace ratchet_sieve
 {
 
 /// The transforms world -> sieve_mount -> sieve_base at one instant.
-tf2_msgs::TFMessage baseTransforms(const BaseFrame& frame, const FrameNames& names = FrameNames());
+std::vector<geometry_msgs::TransformStamped> baseTransforms(const BaseFrame& frame,
+                                                            const FrameNames& names = FrameNames());
 
-/// The transform from the frame that all share to the sieve's own, which stands still.
+/// The static transform from the frame that all sieves share to the sieve's own.
 /// @param origin of the latter in the former: x, y, z [m]
-tf2_msgs::TFMessage ownWorldTransform(const std::array<double, 3>& origin, const FrameNames& names);
+geometry_msgs::TransformStamped ownWorldTransform(const std::array<double, 3>& origin,
+                                                  const FrameNames& names);
 
-/// Publishes that on /tf_static, as long as the publisher is kept.
-ros::Publisher publishOwnWorld(ros::NodeHandle& node, const std::array<double, 3>& origin,
-                               const FrameNames& names);
-
-/// Publishes them on /tf, none twice with one stamp, which tf2 ignores and warns of; converts nothing where
-/// nobody listens. A subscriber that comes while the run stands still gets the last ones.
-///
-/// Not tf2_ros::TransformBroadcaster: it keeps its publisher to itself, so that it can neither be asked who
-/// listens nor greet who comes.
+/// Broadcasts the base's transforms on /tf, each stamp once (tf2 ignores repeated ones, with a warning), and
+/// only while somebody subscribes. A new subscriber gets the last ones at once, also while the run is paused.
 class TransformPublisher
 {
 public:
-  /// @param clock is brought to the stamp of what is published; outlives this. Nothing: another node is the
+  /// @param clock is brought to the stamp of what is published; outlives this. Null: another node is the
   /// clock
   explicit TransformPublisher(ros::NodeHandle node, ClockPublisher* clock = nullptr,
                               const FrameNames& names = FrameNames());
@@ -47,14 +44,16 @@ public:
   void setNames(const FrameNames& names) { names_ = names; }
 
 private:
-  void greet(const ros::SingleSubscriberPublisher& subscriber);
+  void subscriberConnected(const ros::SingleSubscriberPublisher& subscriber);
+  void subscriberDisconnected();
 
   ClockPublisher* clock_;
   FrameNames names_;
   std::optional<BaseFrame> last_;
-  int reached_ = 0;  ///< subscribers that got those of the last stamp, greeted yet or not
-  int greeted_ = 0;  ///< subscribers that are there, as far as their greeting has come up
-  ros::Publisher publisher_;
+  int reached_ = 0;  ///< subscribers at the last broadcast, whether their connection was reported yet or not
+  int connected_ = 0;  ///< subscribers whose connection was reported
+  tf2_ros::TransformBroadcaster broadcaster_;
+  ros::Publisher subscriptions_;  ///< of the same topic: knows who subscribes, which the broadcaster hides
 };
 
 }  // namespace ratchet_sieve

@@ -21,7 +21,7 @@ struct SeekReport
   double next = 0.0;  ///< the inclination tried next [rad]
 };
 
-/// Seeks the inclination at which a sieve separates best, while it runs: hears its frames, says how its
+/// Seeks the inclination at which a sieve separates best, while it runs: takes its frames, says how its
 /// base is to be commanded. Knows nothing of topics, and of no time but that in the frames.
 class SeekControl
 {
@@ -34,7 +34,7 @@ public:
   std::optional<SeekReport> take(const BinFrame& frame);
   void take(const StatisticsFrame& frame);
 
-  /// Begins the trial anew: the sieve was away, or is another one of the same kind.
+  /// Begins the trial again: the sieve was away, or is another one of the same kind.
   void interrupt() { trial_.interrupt(); }
 
   /// How often that was so, or the sieve's time or counts went back.
@@ -47,10 +47,10 @@ public:
   /// How often it did.
   unsigned restarts() const;
 
-  /// The inclination that the sieve has to be told [rad]; nothing before it was heard.
+  /// The inclination that the sieve has to be commanded to [rad]; nothing before its frames came.
   std::optional<double> setpoint() const;
 
-  /// Whether the sieve, as last heard, is told so.
+  /// Whether the sieve, as last received, is commanded to it.
   bool followed() const { return trial_.followed(); }
 
 private:

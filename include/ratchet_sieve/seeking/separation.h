@@ -17,8 +17,8 @@ struct Separation
   std::vector<std::string> species;  ///< name
   std::vector<SpeciesBins> bins;     ///< per species: fallen within the window; on the base at its end
   std::vector<double> granular_temperature;  ///< per species, mean over the window [J]; 0 where undefined;
-                                             ///< empty if none was heard
-  double real_time_factor = 0.0;             ///< achieved over the window; 0 if none was heard
+                                             ///< empty if none was received
+  double real_time_factor = 0.0;             ///< achieved over the window; 0 if none was received
 };
 
 /// What counts of disks say about the separation.

@@ -21,7 +21,7 @@ struct TrialOptions
 /// Waits until a sieve stands at an inclination, lets what was on its base leave, and then counts what leaves
 /// within a window. Goes by the times in the frames, whenever they come: frames of the base and of the
 /// bins may overtake each other, and some may be lost. A sieve whose time or counts go back, or whose base
-/// is moved by somebody else, is waited for anew.
+/// is moved by somebody else, is awaited again.
 class SeparationTrial
 {
 public:
@@ -44,7 +44,7 @@ public:
   /// How often that was so, or time or counts went back.
   unsigned interruptions() const { return interruptions_; }
 
-  /// Whether the base, as last heard, is told to go to the inclination.
+  /// Whether the base, as last received, is commanded to the inclination.
   bool followed() const { return followed_; }
 
 private:
@@ -60,7 +60,7 @@ private:
   unsigned interruptions_ = 0;
   std::optional<double> base_time_;           ///< of the last frame of the base
   std::optional<double> standing_since_;      ///< of the base's frames
-  std::optional<BinFrame> last_;              ///< the bins as last heard
+  std::optional<BinFrame> last_;              ///< the bins as last received
   std::optional<BinFrame> waiting_;           ///< bins for which the base is not known yet
   std::optional<BinFrame> first_;             ///< the bins at the window's begin
   std::optional<BinFrame> end_;               ///< the bins at the end of the window before

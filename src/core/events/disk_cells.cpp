@@ -39,11 +39,8 @@ void DiskCells::rebuild(std::size_t count, double time)
 
 std::size_t DiskCells::reserve(std::size_t count)
 {
-  if (count > capacity_)
-  {
-    capacity_ = 2 * count;
-    grid_.resize(capacity_);
-  }
+  capacity_ = 2 * count;
+  grid_.resize(capacity_);
   return capacity_;
 }
 

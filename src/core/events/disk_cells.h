@@ -43,7 +43,10 @@ public:
   /// A grid for the disks at slots below `count`, on the base as it stands, with all of them in it.
   void rebuild(std::size_t count, double time);
 
-  /// Makes room for slots below `count`. @return the slots there is room for
+  /// How many slots there is room for.
+  std::size_t capacity() const { return capacity_; }
+
+  /// Makes room for slots below `count`, and as many again. @return capacity()
   std::size_t reserve(std::size_t count);
 
   /// Whether the grid was built for far fewer disks than that: its cells would hold too many each.

@@ -61,7 +61,8 @@ public:
   void added(std::uint32_t slot, double time) override
   {
     predictions_.resize(slot + 1);
-    queue_.resize(cells_.reserve(slot + 1));
+    if (slot + 1 > cells_.capacity())
+      queue_.resize(cells_.reserve(slot + 1));
     if (cells_.crowdedBy(slot + 1))
       return motionChanged(time);
     cells_.add(slot, time);

@@ -15,7 +15,7 @@ namespace ratchet_sieve
 
 const Run::MachineEvent Run::MACHINE_EVENTS[] = {{&Run::nextSettle, &Run::settle},
                                                  {&Run::nextBlockEnd, &Run::endBlock},
-                                                 {&Run::nextPeriodLook, &Run::lookAtPeriod},
+                                                 {&Run::nextPeriodSample, &Run::samplePeriod},
                                                  {&Run::nextSegmentEnd, &Run::beginSegment},
                                                  {&Run::nextFeed, &Run::feed},
                                                  {&Run::nextEpochEnd, &Run::endEpoch}};
@@ -169,7 +169,7 @@ void Run::feed()
 void Run::endEpoch()
 {
   const bool moving = machine().motion().nextChange().has_value();
-  energy_watch_.look(machine(), now_);
+  energy_watch_.check(machine(), now_);
   moveZero(machine().epoch().length);
   // A machine that is fed for ever would else need more and more memory, and time to scan it.
   if (machine_.compact())

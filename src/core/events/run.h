@@ -89,8 +89,8 @@ private:
   void settle();
   std::optional<double> nextBlockEnd() const;
   void endBlock();
-  std::optional<double> nextPeriodLook() const { return periods_.next(); }
-  void lookAtPeriod() { periods_.look(now_); }
+  std::optional<double> nextPeriodSample() const { return periods_.next(); }
+  void samplePeriod() { periods_.sample(now_); }
   std::optional<double> nextSegmentEnd() const { return machine().motion().nextChange(); }
   void beginSegment();
   std::optional<double> nextFeed() const;

@@ -68,7 +68,7 @@ std::optional<double> BaseMotion::timeOfTurns(double turns) const
   return segment_start_ + 2.0 * left / (frequency_.start + std::sqrt(squared));
 }
 
-void BaseMotion::lookAt(double time, FrameOfBase& frame) const
+void BaseMotion::evaluate(double time, FrameOfBase& frame) const
 {
   const double elapsed = time - segment_start_;
   frame.inclination = inclination_.at(elapsed);

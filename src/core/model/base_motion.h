@@ -30,12 +30,12 @@ public:
   FrameOfBase at(double time) const
   {
     FrameOfBase frame;
-    lookAt(time, frame);
+    evaluate(time, frame);
     return frame;
   }
 
   /// The same, put straight where it is wanted.
-  void lookAt(double time, FrameOfBase& frame) const;
+  void evaluate(double time, FrameOfBase& frame) const;
   DriveState state(double time) const;
 
   double segmentStart() const { return segment_start_; }
@@ -166,7 +166,7 @@ public:
     if (!(time == time_))
     {
       time_ = time;
-      motion_.lookAt(time, frame_);
+      motion_.evaluate(time, frame_);
     }
     return frame_;
   }

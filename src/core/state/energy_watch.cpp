@@ -48,7 +48,7 @@ EnergyWatch::EnergyWatch(const SceneDefinition& scene)
 {
 }
 
-void EnergyWatch::look(const MachineState& machine, double time)
+void EnergyWatch::check(const MachineState& machine, double time)
 {
   fastest_base_ = std::max(fastest_base_, baseSpeed(machine, time));
   const double bounce =

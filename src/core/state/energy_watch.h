@@ -28,7 +28,7 @@ public:
   explicit EnergyWatch(const SceneDefinition& scene);
 
   /// Looks at every disk, at `time` (local to the epoch). Energy keeps along a flight: no disk is flown.
-  void look(const MachineState& machine, double time);
+  void check(const MachineState& machine, double time);
 
   /// The largest energy of a disk that was seen, in scales.
   double largest() const { return largest_; }

@@ -50,11 +50,12 @@ public:
     record_.take(execution_.collidePair(i, j, shift, time));
   }
 
-  /// Fetches what an event of this disk reads and writes here.
+  /// Prefetches what an event of this disk reads and writes here.
   void prefetchEvent(std::uint32_t slot) const
   {
     state_.prefetchFlight(slot);
     collapse_watch_.prefetchWindow(slot);
+    record_.prefetchSums(slot);
   }
 
   /// Compacts away the disks that have left, once they are most.

@@ -71,17 +71,17 @@ void PeriodWatch::observe(PeriodObserver observer, double now)
 {
   observer_ = std::move(observer);
   swings_ = machine_.motion().swings();
-  waitForPeriod(now);
+  awaitPeriod(now);
 }
 
 void PeriodWatch::motionChanged(double now)
 {
   if (swings_ != machine_.motion().swings())
-    waitForPeriod(now);
+    awaitPeriod(now);
   swings_ = machine_.motion().swings();
 }
 
-void PeriodWatch::waitForPeriod(double from)
+void PeriodWatch::awaitPeriod(double from)
 {
   from_ = from;
   part_ = 0;
@@ -98,11 +98,11 @@ std::optional<double> PeriodWatch::next() const
   return motion.timeOfTurns(wanted + std::ceil(turns - wanted - 0.5 * PART));
 }
 
-void PeriodWatch::look(double now)
+void PeriodWatch::sample(double now)
 {
   if (part_ == 0)
     return begin(now);
-  sample(now);
+  addTemperatures(now);
   from_ = now;
   if (part_++ < PARTS)
     return;
@@ -110,7 +110,7 @@ void PeriodWatch::look(double now)
   const double end = machine_.epoch().start + now;
   observer_({start, end, end - start, counted_.since(collisions_), temperatures_});
   if (start + LEAST_SPACING > end)
-    waitForPeriod(start + LEAST_SPACING - machine_.epoch().start);
+    awaitPeriod(start + LEAST_SPACING - machine_.epoch().start);
   else
     begin(now);
 }
@@ -124,7 +124,7 @@ void PeriodWatch::begin(double now)
   std::fill(temperatures_.begin(), temperatures_.end(), TemperatureSum());
 }
 
-void PeriodWatch::sample(double now)
+void PeriodWatch::addTemperatures(double now)
 {
   const std::vector<std::optional<double>> temperatures = granularTemperatures(machine_, now);
   for (std::size_t i = 0; i < temperatures.size(); ++i)

@@ -16,7 +16,7 @@ namespace ratchet_sieve
 std::vector<std::optional<double>> granularTemperatures(const MachineState& machine, double time);
 
 /// Averages over whole periods of the drive what swings with it. A sample now and then would show the beat of
-/// its own rate with the drive's (aliasing): so every period is looked at, at instants that go by its phase.
+/// its own rate with the drive's (aliasing): so every period is sampled, at fixed phases.
 /// Periods begin where the drive has the phase that it had at the start of the run, so that they do not
 /// depend on when the watch began. Times are local to the epoch unless said otherwise.
 class PeriodWatch
@@ -25,7 +25,7 @@ public:
   /// Instants in a period: in the layer of Fig. 8 their mean is within 1 % of that of a thousand.
   static constexpr int PARTS = 8;
 
-  /// Of faster drives a period is looked at once in so long [s].
+  /// Of faster drives one period in so long is sampled [s].
   static constexpr double LEAST_SPACING = 0.02;
 
   /// Both outlive this. @param collisions that the machine's run has counted
@@ -36,18 +36,18 @@ public:
   /// A period that was interrupted because the drive came to stand still counts for nothing.
   void motionChanged(double now);
 
-  /// When it wants to look; nothing where nobody watches or the drive stands still.
+  /// The next sample; nothing without an observer or where the drive stands still.
   std::optional<double> next() const;
 
-  /// Looks at all disks. @pre next() has come
-  void look(double now);
+  /// Samples all disks. @pre next() has come
+  void sample(double now);
 
   void rebase(double length) { from_ -= length; }
 
 private:
-  void waitForPeriod(double from);
+  void awaitPeriod(double from);
   void begin(double now);
-  void sample(double now);
+  void addTemperatures(double now);
 
   const MachineState& machine_;
   const CollisionCounts& counted_;

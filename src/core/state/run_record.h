@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/prefetch.h"
 #include "ratchet_sieve/core/observation.h"
 #include "state/base_impulses.h"
 #include "state/contact_counts.h"
@@ -31,9 +32,7 @@ public:
       return;
     impulses_.take(outcome);
     times_.take(outcome);
-    tally_.collided(machine_.disk(outcome.i).species);
-    if (outcome.j != ContactOutcome::BASE)
-      tally_.collided(machine_.disk(outcome.j).species);
+    tally_.take(outcome, machine_);
     if (observer_)
       observer_(recordOf(outcome, machine_));
   }
@@ -43,11 +42,11 @@ public:
   void take(const ContactCounts& counts, const std::vector<std::uint64_t>& contacts)
   {
     counts_.add(counts);
-    for (std::uint32_t species = 0; species < contacts.size(); ++species)
-      tally_.collided(species, contacts[species]);
+    tally_.add(contacts);
   }
 
   void reserve(std::size_t count) { impulses_.reserve(count); }
+  void prefetchSums(std::uint32_t slot) const { prefetch(impulses_.of(slot)); }
   void added();
 
   /// The disks at these slots of the machine are kept, those at the others are about to be compacted away.

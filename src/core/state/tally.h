@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/observation.h"
+#include "state/contact_outcome.h"
 #include "state/machine_state.h"
 
 namespace ratchet_sieve
@@ -26,8 +28,20 @@ public:
   /// Sums up the passages of disks that are about to be compacted away.
   void forget(const MachineState& machine, const std::vector<std::uint32_t>& left);
 
-  /// Disks of this species took part in so many contacts: two of one species collide, and each of them did.
-  void collided(std::uint32_t species, std::uint64_t contacts = 1) { contacts_[species] += contacts; }
+  /// Counts a contact that closed for each disk that takes part in it.
+  void take(const ContactOutcome& outcome, const MachineState& machine)
+  {
+    ++contacts_[machine.disk(outcome.i).species];
+    if (outcome.j != ContactOutcome::BASE)
+      ++contacts_[machine.disk(outcome.j).species];
+  }
+
+  /// Contacts that were counted elsewhere, per species.
+  void add(const std::vector<std::uint64_t>& contacts)
+  {
+    for (std::size_t species = 0; species < contacts.size(); ++species)
+      contacts_[species] += contacts[species];
+  }
 
   /// Forgets all that was counted before.
   void restart();
