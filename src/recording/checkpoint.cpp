@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ratchet_sieve/core/fnv1a.h"
+#include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
@@ -23,8 +24,8 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// Incremented with every change of the content of a state.
-constexpr std::string_view FIRST_LINE = "ratchet_sieve checkpoint 5\n";
+/// Incremented with every change of the file; what a state holds goes by the version of the physics.
+constexpr std::string_view FIRST_LINE = "ratchet_sieve checkpoint 6\n";
 constexpr std::string_view ANY_FIRST_LINE = "ratchet_sieve checkpoint ";
 
 constexpr std::size_t CHECKSUM_DIGITS = 16;
@@ -49,6 +50,7 @@ Json identity(const SceneDefinition& scene)
 {
   Json json;
   json["version"] = version();
+  json["physics"] = PHYSICS_VERSION;
   json["byte_order"] = byteOrder();
   json["scene_hash"] = sceneHash(scene);
   json["seed"] = scene.seed;

@@ -108,7 +108,8 @@ std::vector<SpeciesDefinition> someSpecies(bool counted)
     species.name = names[i];
     species.count = counted ? *rc::gen::inRange(0, 1000) : 0;
     species.share = number(0.001, 5.0);
-    species.radius = number(1e-4, 1e-2);
+    // Large enough for the positions of the widest base and its walls, a hundred and a thousand metres.
+    species.radius = number(5e-3, 1e-2);
     species.mass = number(1e-6, 1.0);
     species.contact = coefficients();
     species.inertia_factor = number(1e-3, 1.0);

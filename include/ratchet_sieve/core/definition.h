@@ -111,7 +111,7 @@ struct FeedDefinition
 };
 
 /// A disk placed by hand, instead of the pour; world frame at t = 0.
-struct InitialDisk
+struct InitialDisk  // scalars, for each is a key of the scene
 {
   std::size_t species = 0;  ///< index into SceneDefinition::species
   double x = 0.0;           ///< [m]

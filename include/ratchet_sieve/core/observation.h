@@ -15,7 +15,8 @@
 namespace ratchet_sieve
 {
 
-/// One disk at the simulation's time, world frame.
+/// One disk at the simulation's time, world frame. Components stand as scalars: each is a column of messages,
+/// bags and tables by its own name (RATCHET_SIEVE_FIELDS).
 struct DiskState
 {
   std::uint32_t id = 0;
