@@ -1,5 +1,7 @@
 #include "ratchet_sieve/ros/scene_parameters.h"
 
+#include <fmt/format.h>
+
 #include "ratchet_sieve/scene/input_file.h"
 
 namespace ratchet_sieve
@@ -21,11 +23,11 @@ YAML::Node sequence(const XmlRpc::XmlRpcValue& value, const std::string& source)
   return node;
 }
 
-YAML::Node map(XmlRpc::XmlRpcValue value, const std::string& source)
+YAML::Node map(const XmlRpc::XmlRpcValue& value, const std::string& source)
 {
   YAML::Node node(YAML::NodeType::Map);
-  for (auto& [key, entry] : value)
-    node[key] = yamlFromParameter(entry, source + "/" + key);
+  for (const auto& [key, entry] : value)
+    node[key] = yamlFromParameter(entry, fmt::format("{}/{}", source, key));
   return node;
 }
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "ratchet_sieve/ros/parameter_reader.h"
 
 namespace ratchet_sieve
@@ -25,7 +27,7 @@ ScheduleEntry entryFromYaml(const YAML::Node& node, const std::string& source)
   for (const auto& item : node)
   {
     const auto key = item.first.as<std::string>();
-    const double value = finiteNumber(item.second, source + "/" + key);
+    const double value = finiteNumber(item.second, fmt::format("{}/{}", source, key));
     const auto* const found = std::find_if(COMMANDED_QUANTITIES.begin(), COMMANDED_QUANTITIES.end(),
                                            [&](const CommandedQuantity& q) { return key == q.name; });
     if (key == "time")
@@ -33,8 +35,8 @@ ScheduleEntry entryFromYaml(const YAML::Node& node, const std::string& source)
     else if (found != COMMANDED_QUANTITIES.end())
       entry.values[indexOf(found->quantity)] = value;
     else
-      throw ParameterError(source + "/" + key +
-                           ": not known: must be time, inclination, frequency or amplitude");
+      throw ParameterError(
+          fmt::format("{}/{}: not known: must be time, inclination, frequency or amplitude", source, key));
   }
   if (std::none_of(entry.values.begin(), entry.values.end(), [](const auto& value) { return value; }))
     throw ParameterError(source + ": commands nothing: must have inclination, frequency or amplitude");
