@@ -76,6 +76,8 @@ class SlurmEngine(engine_cases.EngineTest):
             user=getpass.getuser(), host=socket.gethostname().split('.')[0], directory=self.directory,
             ports=free_ports(3)))
         (self.directory / 'plugstack.conf').write_text('')
+        # Named, for where no control groups are mounted (a bare root) slurmd finds none by itself and ends.
+        (self.directory / 'cgroup.conf').write_text('CgroupPlugin=cgroup/v1\n')
         (self.directory / 'state').mkdir()
         (self.directory / 'key').write_bytes(os.urandom(128))
         (self.directory / 'key').chmod(0o400)
