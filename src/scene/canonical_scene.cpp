@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <functional>
+#include <initializer_list>
 #include <sstream>
 
 #include "ratchet_sieve/core/fnv1a.h"
@@ -113,6 +114,17 @@ std::string motionYaml(const SceneDefinition& scene)
   return out.str();
 }
 
+/// What differs of `accuracy` from the defaults; empty where nothing does.
+std::string accuracyYaml(const AccuracyDefinition& accuracy,
+                         std::initializer_list<const Keys<AccuracyDefinition>*> key_lists)
+{
+  std::ostringstream out;
+  FlowWriter flow(out);
+  for (const Keys<AccuracyDefinition>* keys : key_lists)
+    writeValues(*keys, accuracy, std::ref(flow));
+  return out.str().empty() ? "" : "accuracy: {" + out.str() + "}\n";
+}
+
 std::string hashText(const std::string& text)
 {
   char digits[17];
@@ -127,12 +139,13 @@ std::string canonicalYaml(const SceneDefinition& scene)
   std::ostringstream out;
   out << motionYaml(scene);
   writeRoot(out, runKeys(), scene);
+  out << accuracyYaml(scene.accuracy, {&methodKeys(), &certaintyKeys()});
   return out.str();
 }
 
 std::string sceneHash(const SceneDefinition& scene)
 {
-  return hashText(motionYaml(scene));
+  return hashText(motionYaml(scene) + accuracyYaml(scene.accuracy, {&methodKeys()}));
 }
 
 std::string runHash(const SceneDefinition& scene)

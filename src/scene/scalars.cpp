@@ -26,6 +26,8 @@ constexpr ChoiceNames<Boundary, 3> BOUNDARY_NAMES = {
 constexpr ChoiceNames<CollapseAction, 2> COLLAPSE_ACTION_NAMES = {
     {{CollapseAction::STOP, "stop"}, {CollapseAction::REBOUND, "rebound"}}};
 
+constexpr ChoiceNames<Method, 2> METHOD_NAMES = {{{Method::EVENTS, "events"}, {Method::STEPS, "steps"}}};
+
 template <typename Choice, std::size_t COUNT>
 void readChoice(const Entry& entry, const ChoiceNames<Choice, COUNT>& choices, Choice& value)
 {
@@ -159,6 +161,11 @@ void readScalar(const Entry& entry, const Range&, CollapseAction& value)
   readChoice(entry, COLLAPSE_ACTION_NAMES, value);
 }
 
+void readScalar(const Entry& entry, const Range&, Method& value)
+{
+  readChoice(entry, METHOD_NAMES, value);
+}
+
 std::string scalarText(double value)
 {
   // Every double comes back from 17 digits; most do from fewer, which are easier to read.
@@ -199,6 +206,11 @@ std::string scalarText(Boundary value)
 std::string scalarText(CollapseAction value)
 {
   return choiceText(COLLAPSE_ACTION_NAMES, value);
+}
+
+std::string scalarText(Method value)
+{
+  return choiceText(METHOD_NAMES, value);
 }
 
 }  // namespace ratchet_sieve

@@ -141,10 +141,20 @@ void readBase(const Entry& root, BaseDefinition& base)
   }
 }
 
+void readAccuracy(const Entry& root, AccuracyDefinition& accuracy)
+{
+  if (!root.has("accuracy"))
+    return;
+  const Entry section = root.at("accuracy");
+  section.requireKeys(namesOf(methodKeys(), namesOf(certaintyKeys())), {});
+  readValues(section, methodKeys(), accuracy);
+  readValues(section, certaintyKeys(), accuracy);
+}
+
 void readRoot(const Entry& root, SceneDefinition& scene)
 {
   root.requireKeys(namesOf(motionKeys(), namesOf(runKeys(), {"base", "species", "pairs", "density", "contact",
-                                                             "pour", "feed", "initial"})),
+                                                             "pour", "feed", "initial", "accuracy"})),
                    {"species"});
   readValues(root, motionKeys(), scene);
   readValues(root, runKeys(), scene);
@@ -152,6 +162,7 @@ void readRoot(const Entry& root, SceneDefinition& scene)
   readSection(root, "contact", contactKeys(), scene.contact);
   readSection(root, "pour", pourKeys(), scene.pour);
   readSection(root, "feed", feedKeys(), scene.feed);
+  readAccuracy(root, scene.accuracy);
 }
 
 }  // namespace

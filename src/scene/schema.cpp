@@ -25,6 +25,8 @@ constexpr double LARGEST_DENSITY = 1e6;
 constexpr double LARGEST_FRICTION = 1e9;
 constexpr double SMALLEST_INERTIA = 1e-6;
 constexpr double MOST_TEETH = 1e6;
+constexpr double SHORTEST_STEP = 1e-7;  ///< [s]
+constexpr double LONGEST_STEP = 0.1;    ///< [s]
 constexpr double HIGHEST_MULTIPLE = 100;
 
 const Range ANY{};
@@ -182,6 +184,27 @@ const Keys<InitialDisk>& initialKeys()
       {"vx", [](I& i) -> Slot { return &i.vx; }, within(LARGEST_SPEED, "m/s")},
       {"vy", [](I& i) -> Slot { return &i.vy; }, within(LARGEST_SPEED, "m/s")},
       {"spin", [](I& i) -> Slot { return &i.spin; }, within(LARGEST_SPIN, "rad/s")},
+  };
+  return KEYS;
+}
+
+const Keys<AccuracyDefinition>& methodKeys()
+{
+  using A = AccuracyDefinition;
+  static const Keys<A> KEYS = {
+      {"method", [](A& a) -> Slot { return &a.method; }, ANY, false, false},
+      {"step", [](A& a) -> Slot { return &a.step; }, {SHORTEST_STEP, LONGEST_STEP, "s"}, false, false},
+  };
+  return KEYS;
+}
+
+const Keys<AccuracyDefinition>& certaintyKeys()
+{
+  using A = AccuracyDefinition;
+  static const Keys<A> KEYS = {
+      {"mean_vx", [](A& a) -> Slot { return &a.mean_vx; }, upTo(LARGEST_SPEED, "m/s"), false, false},
+      {"quality", [](A& a) -> Slot { return &a.quality; }, upTo(1.0), false, false},
+      {"confidence", [](A& a) -> Slot { return &a.confidence; }, {0.5, 0.9999, ""}, false, false},
   };
   return KEYS;
 }

@@ -16,7 +16,8 @@
 namespace ratchet_sieve
 {
 
-using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Boundary*, CollapseAction*>;
+using Slot =
+    std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Boundary*, CollapseAction*, Method*>;
 
 /// One key of a part of the scene.
 template <typename Part>
@@ -42,6 +43,8 @@ const Keys<ContactDefinition>& contactKeys();
 const Keys<PourDefinition>& pourKeys();
 const Keys<FeedDefinition>& feedKeys();
 const Keys<InitialDisk>& initialKeys();
+const Keys<AccuracyDefinition>& methodKeys();     ///< of accuracy, decide how the disks move
+const Keys<AccuracyDefinition>& certaintyKeys();  ///< of accuracy, decide only what part of it is run
 
 /// Allowed for `density`, which is not kept but split into counts.
 Range densityRange();

@@ -53,6 +53,11 @@ const std::vector<SceneKey>& sceneKeys()
       {"initial", "vx", K::NUMBER, -1e4, 1e4},
       {"initial", "vy", K::NUMBER, -1e4, 1e4},
       {"initial", "spin", K::NUMBER, -1e9, 1e9},
+      {"accuracy", "method", K::WORD, 0, 0, false, {"events", "steps"}},
+      {"accuracy", "step", K::NUMBER, 1e-7, 0.1},
+      {"accuracy", "mean_vx", K::NUMBER, 0, 1e4},
+      {"accuracy", "quality", K::NUMBER, 0, 1},
+      {"accuracy", "confidence", K::NUMBER, 0.5, 0.9999},
   };
   return KEYS;
 }

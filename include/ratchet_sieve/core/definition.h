@@ -121,6 +121,28 @@ struct InitialDisk  // scalars, for each is a key of the scene
   double spin = 0.0;        ///< counter-clockwise [rad/s]
 };
 
+/// How the disks are advanced.
+enum class Method
+{
+  EVENTS,  ///< from contact to contact, exactly
+  STEPS  ///< by steps of time, contacts found by overlap: faster where contacts are many, and off by a little
+};
+
+/// How faithful a run is to the model, and how sure of its means it has to be before it may end.
+struct AccuracyDefinition
+{
+  Method method = Method::EVENTS;
+  double step = 0.0005;  ///< of Method::STEPS [s]
+
+  double mean_vx =
+      0.0;  ///< half-width of each species' <V_x> at which the run may end [m/s]; 0: not asked for
+  double quality = 0.0;      ///< half-width of Q at which the run may end; 0: not asked for
+  double confidence = 0.95;  ///< with which an interval of these half-widths holds the truth
+
+  /// Whether the run may end before its duration.
+  bool endsEarly() const { return mean_vx > 0.0 || quality > 0.0; }
+};
+
 /// All that decides a run. A plain description: the scene layer reads and validates it.
 struct SceneDefinition
 {
@@ -133,6 +155,7 @@ struct SceneDefinition
   PourDefinition pour;
   FeedDefinition feed;
   std::vector<InitialDisk> initial;
+  AccuracyDefinition accuracy;
   double duration = 100.0;  ///< [s]
   double settle = 0.0;      ///< first seconds of the duration that no mean counts [s]
   std::uint64_t seed = 1;

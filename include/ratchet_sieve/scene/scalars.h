@@ -20,6 +20,7 @@ void readScalar(const Entry& entry, const Range& range, bool& value);
 void readScalar(const Entry& entry, const Range& range, std::string& value);
 void readScalar(const Entry& entry, const Range& range, Boundary& value);
 void readScalar(const Entry& entry, const Range& range, CollapseAction& value);
+void readScalar(const Entry& entry, const Range& range, Method& value);
 
 /// The text that the readers above take back to the same value, bit for bit.
 std::string scalarText(double value);
@@ -29,5 +30,6 @@ std::string scalarText(bool value);
 std::string scalarText(const std::string& value);
 std::string scalarText(Boundary value);
 std::string scalarText(CollapseAction value);
+std::string scalarText(Method value);
 
 }  // namespace ratchet_sieve
