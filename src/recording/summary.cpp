@@ -33,6 +33,7 @@ Json planParts(const Plan& plan)
 {
   Json json;
   json["pairs"] = plan.pairs;
+  json["steps"] = plan.steps;
   json["spin"] = plan.spin;
   json["drive"] = plan.drive;
   json["orbit"] = plan.orbit;

@@ -11,6 +11,7 @@ namespace ratchet_sieve
 struct Plan
 {
   bool pairs = true;   ///< disks see each other: cells, a queue, pair search
+  bool steps = false;  ///< by steps of time, for disks that see each other; contacts are missed: Method::STEPS
   bool spin = true;    ///< tangential impulses, and the rotation they leave
   bool drive = true;   ///< a phase and a sine wherever the base is evaluated, even where it stands still
   bool orbit = false;  ///< the drive has a horizontal part or harmonics

@@ -25,6 +25,10 @@ public:
   /// @return how far it came
   virtual double advanceTo(double time) = 0;
 
+  /// Something is about to happen to the machine as a whole, at a time that it has come to: what a loop has left
+  /// open of the time before is executed.
+  virtual void catchUp(double /*time*/) {}
+
   /// A disk was put into the machine.
   virtual void added(std::uint32_t slot, double time) = 0;
 
@@ -63,5 +67,8 @@ std::unique_ptr<EventLoop> makeEnsembleLoop(Machine& machine);
 
 /// For disks that collide with each other: one queue over all.
 std::unique_ptr<EventLoop> makePairLoop(Machine& machine);
+
+/// For the same disks, by steps of time: Method::STEPS.
+std::unique_ptr<EventLoop> makeStepLoop(Machine& machine);
 
 }  // namespace ratchet_sieve

@@ -68,6 +68,7 @@ void Run::pour(std::size_t species, std::size_t count)
   if (2.0 * scene.species[species].radius > scene.base.width())
     throw std::invalid_argument("disks of species " + scene.species[species].name +
                                 " are wider than the machine: there is no room for them");
+  loop_->catchUp(now_);
   const auto before = static_cast<std::uint32_t>(machine().disks().size());
   pourDisks(machine_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), now_, random_);
   announce(before);
@@ -98,7 +99,9 @@ std::size_t Run::auditOverlaps()
 
 std::unique_ptr<EventLoop> Run::makeLoop()
 {
-  return hasPairs() ? makePairLoop(machine_) : makeEnsembleLoop(machine_);
+  if (!hasPairs())
+    return makeEnsembleLoop(machine_);
+  return machine().plan().steps ? makeStepLoop(machine_) : makePairLoop(machine_);
 }
 
 double Run::nextMachineEvent() const
@@ -169,6 +172,7 @@ void Run::feed()
 void Run::endEpoch()
 {
   const bool moving = machine().motion().nextChange().has_value();
+  loop_->catchUp(now_);
   energy_watch_.check(machine(), now_);
   moveZero(machine().epoch().length);
   // A machine that is fed for ever would else need more and more memory, and time to scan it.

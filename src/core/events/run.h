@@ -52,6 +52,7 @@ public:
   template <typename Command>
   void changeMotion(Command&& command)
   {
+    loop_->catchUp(now_);
     command(machine_.state().motion(), now_);
     if (const double length = machine_.state().shortenEpoch(now_); length > 0.0)
       moveZero(length);

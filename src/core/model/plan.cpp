@@ -47,6 +47,7 @@ Plan planOf(const SceneDefinition& scene)
   Plan plan;
   // Not how many disks there are: another may be poured on at any time.
   plan.pairs = scene.contact.pair_collisions;
+  plan.steps = plan.pairs && scene.accuracy.method == Method::STEPS;
   plan.spin = hasFriction(scene) || startsWithSpin(scene);
   plan.drive = hasStroke(scene.base) && scene.base.frequency > 0.0;
   plan.orbit = !Orbit(scene.base).empty();
@@ -60,6 +61,7 @@ Plan fullPlan(const SceneDefinition& scene)
 {
   Plan plan;
   plan.pairs = scene.contact.pair_collisions;
+  plan.steps = planOf(scene).steps;
   plan.orbit = planOf(scene).orbit;
   plan.lanes = planOf(scene).lanes;
   return plan;
@@ -68,7 +70,7 @@ Plan fullPlan(const SceneDefinition& scene)
 bool covers(const Plan& plan, const SceneDefinition& scene)
 {
   const Plan needed = planOf(scene);
-  return plan.pairs == needed.pairs && plan.orbit == needed.orbit && includes(plan.spin, needed.spin) &&
+  return plan.pairs == needed.pairs && plan.steps == needed.steps && plan.orbit == needed.orbit && includes(plan.spin, needed.spin) &&
          includes(plan.drive, needed.drive) && includes(plan.contact_times, needed.contact_times) &&
          includes(needed.lanes, plan.lanes);
 }
@@ -76,6 +78,7 @@ bool covers(const Plan& plan, const SceneDefinition& scene)
 std::string planText(const Plan& plan)
 {
   std::string line = plan.pairs ? "pairs" : "no pairs (disks do not see each other)";
+  line += plan.steps ? ", by steps (contacts that come and go within one are missed)" : ", from event to event";
   line += plan.spin ? ", spin" : ", no spin (no friction turns a disk)";
   line += plan.drive ? ", drive" : ", no drive (the base stands still)";
   if (plan.orbit)

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "model/sawtooth.h"
+
+namespace ratchet_sieve
+{
+
+/// A contact within a step; stale when the flight of a disk has changed since it was found.
+struct StepContact
+{
+  double time;
+  std::uint32_t slot;
+  std::uint32_t flights;
+  std::uint32_t partner;
+  std::uint32_t partner_flights;
+  int shift;            ///< which image of the partner: so many widths to the right of it
+  BaseFeature feature;  ///< none: with the partner
+
+  /// Ties go to the smaller slots: the order is total.
+  bool isBefore(const StepContact& other) const
+  {
+    return std::tie(time, slot, partner) < std::tie(other.time, other.slot, other.partner);
+  }
+};
+
+/// The contacts of one step, the earliest first. By their times they go into the buckets of a calendar, so many
+/// that few share one: unlike in a heap, hardly a branch depends on how times compare.
+class StepContacts
+{
+public:
+  /// Begins a step. @pre start < end
+  void begin(double start, double end)
+  {
+    start_ = start;
+    buckets_per_time_ = static_cast<double>(BUCKETS) / (end - start);
+    heads_.fill(NONE);
+    present_ = 0;
+    pool_.clear();
+  }
+
+  /// @pre contact.time is no earlier than that of the contact that was taken last
+  void push(const StepContact& contact)
+  {
+    const std::size_t bucket = bucketOf(contact.time);
+    pool_.push_back({contact, heads_[bucket]});
+    heads_[bucket] = static_cast<std::uint32_t>(pool_.size() - 1);
+  }
+
+  /// Takes out the earliest. @return whether there was one
+  bool pop(StepContact& contact)
+  {
+    while (heads_[present_] == NONE)
+      if (++present_ == BUCKETS)
+        return present_ = BUCKETS - 1, false;
+    std::uint32_t* earliest = &heads_[present_];
+    for (std::uint32_t* link = &pool_[*earliest].next; *link != NONE; link = &pool_[*link].next)
+      if (pool_[*link].contact.isBefore(pool_[*earliest].contact))
+        earliest = link;
+    const Entry& found = pool_[*earliest];
+    contact = found.contact;
+    *earliest = found.next;
+    return true;
+  }
+
+private:
+  static constexpr std::size_t BUCKETS = 256;
+  static constexpr std::uint32_t NONE = UINT32_MAX;
+
+  struct Entry
+  {
+    StepContact contact;
+    std::uint32_t next;  ///< in the bucket
+  };
+
+  std::size_t bucketOf(double time) const
+  {
+    const double bucket = std::max(0.0, (time - start_) * buckets_per_time_);
+    return std::max(present_, std::min(BUCKETS - 1, static_cast<std::size_t>(bucket)));
+  }
+
+  double start_ = 0.0;
+  double buckets_per_time_ = 0.0;
+  std::array<std::uint32_t, BUCKETS> heads_{};  ///< into the pool
+  std::size_t present_ = 0;                     ///< the bucket that the time has come to
+  std::vector<Entry> pool_;
+};
+
+}  // namespace ratchet_sieve

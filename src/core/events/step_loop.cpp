@@ -1,0 +1,245 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "events/event_loop.h"
+#include "events/step_contacts.h"
+#include "search/base_overlap.h"
+#include "search/overlap_search.h"
+#include "search/pair_search.h"
+#include "state/machine.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Steps of time instead of a queue over all disks. A step flies every disk to its end and looks for what
+/// overlaps there; only of those the first contacts are worked out, by the searches of the event loops, and
+/// executed at their times and in their order. A disk that a contact sends another way is looked at again. So
+/// a contact is exact where its disks would overlap at the end of the step, and missed where they would
+/// not: a disk that grazes another and is past it by then. Their share falls with the square of the step.
+///
+/// A disk that moves by more than FASTEST of its radius within a step is searched for contacts with the base
+/// without being asked whether it overlaps it: none passes through.
+///
+/// Steps begin at the last change of the machine as a whole (catchUp()), and nowhere else: between them disks fly
+/// on, so that the course does not depend on how far a caller asks to advance.
+class StepLoop : public EventLoop
+{
+public:
+  explicit StepLoop(Machine& machine)
+      : machine_(machine),
+        state_(machine.state()),
+        base_(state_.motion()),
+        step_(state_.scene().accuracy.step),
+        overlaps_(state_.sawtooth().width(), state_.largestDiameter(),
+                  state_.scene().boundary == Boundary::PERIODIC),
+        base_overlap_(state_.sawtooth())
+  {
+  }
+
+  double advanceTo(double time) override
+  {
+    // A caller's times and the steps' round differently.
+    while (start_ + step_ <= time + ROUNDING * step_)
+      if (!advanceBy(start_ + step_))
+        return stopped_at_;
+    return time;
+  }
+
+  void catchUp(double time) override
+  {
+    if (time > start_)
+      advanceBy(time);
+    start_ = time;
+  }
+
+  void added(std::uint32_t /*slot*/, double time) override { start_ = time; }
+
+  void motionChanged(double /*time*/) override { base_.forget(); }
+
+  void rebase(double length) override
+  {
+    base_.forget();
+    start_ -= length;
+  }
+
+  void archive(StateArchive& state) override
+  {
+    EventLoop::archive(state);
+    state(start_);
+  }
+
+private:
+  /// As a share of a step.
+  static constexpr double ROUNDING = 1e-9;
+
+  /// @return false where the run has to stop
+  bool advanceBy(double end)
+  {
+    end_ = end;
+    ring_ = base_.at(end).image(state_.sawtooth().width());
+    contacts_.begin(start_, end);
+    placeDisks();
+    overlaps_.forEachPair([this](std::uint32_t slot, std::uint32_t other, int shift)
+                          { findContact(slot, other, shift, start_); });
+    for (const std::uint32_t slot : near_base_)
+      findBaseContact(slot, start_);
+    for (StepContact next; contacts_.pop(next);)
+      if (!stale(next))
+      {
+        stopped_at_ = next.time;
+        if (machine_.collapseWatch().count(next.slot, next.time) && machine_.collapseWatch().stops())
+          return false;
+        execute(next);
+      }
+    start_ = end;
+    return true;
+  }
+
+  void placeDisks()
+  {
+    near_base_.clear();
+    ends_.resize(state_.disks().size());
+    overlaps_.begin(state_.disks().size());
+    base_reach_ = state_.motion().speedBound() * (end_ - start_);
+    for (std::uint32_t slot = 0; slot < state_.disks().size(); ++slot)
+    {
+      if (!state_.active(slot))
+        continue;
+      Eigen::Vector2d at = flyToEnd(slot);
+      if (at.x() < 0.0 || at.x() >= state_.sawtooth().width())
+      {
+        state_.wrapIntoWidth(slot, at.x(), end_);
+        at = flyToEnd(slot);
+      }
+      overlaps_.place(slot, at.x(), at.y(), state_.radius(slot));
+      if (mayTouchBase(slot, at))
+        near_base_.push_back(slot);
+    }
+    overlaps_.sort();
+  }
+
+  /// Where the disk is at the end of the step, if it touches nothing before. @return that in the frame of the base
+  Eigen::Vector2d flyToEnd(std::uint32_t slot)
+  {
+    ends_[slot] = courseAt(state_.disk(slot), end_, state_.scene().gravity);
+    const FrameOfBase& frame = base_.at(end_);
+    return frame.into(vectorOf(ends_[slot].position) - frame.displacement);
+  }
+
+  bool mayTouchBase(std::uint32_t slot, const Eigen::Vector2d& at) const
+  {
+    const double radius = state_.radius(slot);
+    if (base_overlap_.overlaps(at.x(), at.y(), radius))
+      return true;
+    const Two velocity = ends_[slot].velocity;
+    const double reach = (std::abs(velocity[0]) + std::abs(velocity[1])) * (end_ - start_) + base_reach_;
+    return reach > state_.sawtooth().height() && base_overlap_.overlaps(at.x(), at.y(), radius + reach);
+  }
+
+  /// When two disks that may overlap at the end came to touch, seen from there: under one gravity their relative
+  /// motion is a straight line. Where they touched already at `from`, then, if they were closing.
+  void findContact(std::uint32_t slot, std::uint32_t other, int shift, double from)
+  {
+    const Course& a = ends_[slot];
+    const Course& b = ends_[other];
+    Eigen::Vector2d position = vectorOf(a.position - b.position);
+    Eigen::Vector2d velocity = vectorOf(a.velocity - b.velocity);
+    if (shift != 0)
+    {
+      position -= shift * ring_.shift;
+      velocity -= shift * ring_.velocity;
+    }
+    const double distance = state_.radius(slot) + state_.radius(other);
+    const double excess = position.squaredNorm() - distance * distance;
+    if (excess >= 0.0)
+      return;
+    const double speed_squared = velocity.squaredNorm();
+    const double parting = position.dot(velocity);
+    const double span = end_ - from;
+    double ago = span;
+    const double root = std::sqrt(parting * parting - speed_squared * excess);
+    if (parting + root < speed_squared * span)
+      ago = (parting + root) / speed_squared;
+    else if (parting >= speed_squared * span)
+      return;
+    contacts_.push({end_ - ago, slot, state_.disk(slot).flights, other, state_.disk(other).flights, shift, {}});
+  }
+
+  void findBaseContact(std::uint32_t slot, double from)
+  {
+    const BaseEvent event = state_.nextBaseEvent(slot, from, end_, base_);
+    if (event.feature && event.time <= end_)
+      contacts_.push({event.time, slot, state_.disk(slot).flights, slot, 0, 0, event.feature});
+  }
+
+  bool stale(const StepContact& contact) const
+  {
+    return !state_.active(contact.slot) || state_.disk(contact.slot).flights != contact.flights ||
+           (!contact.feature && (!state_.active(contact.partner) ||
+                                 state_.disk(contact.partner).flights != contact.partner_flights));
+  }
+
+  void execute(const StepContact& contact)
+  {
+    ++events_;
+    if (contact.feature)
+    {
+      machine_.handleBaseEvent(contact.slot, contact.feature, contact.time, base_);
+      if (state_.active(contact.slot))
+        searchFrom(contact.slot, redirect(contact.slot), contact.time);
+      return;
+    }
+    machine_.collidePair(contact.slot, contact.partner, contact.shift, contact.time);
+    const Eigen::Vector2d at = redirect(contact.slot);
+    const Eigen::Vector2d partner_at = redirect(contact.partner);
+    searchFrom(contact.slot, at, contact.time);
+    searchFrom(contact.partner, partner_at, contact.time);
+  }
+
+  /// After its flight has changed. @return where it is at the end, in the frame of the base
+  Eigen::Vector2d redirect(std::uint32_t slot)
+  {
+    const Eigen::Vector2d at = flyToEnd(slot);
+    overlaps_.move(slot, at.x(), at.y());
+    return at;
+  }
+
+  void searchFrom(std::uint32_t slot, const Eigen::Vector2d& at, double now)
+  {
+    overlaps_.forEachAround(slot, [this, now](std::uint32_t disk, std::uint32_t other, int shift)
+                            { findContact(disk, other, shift, now); });
+    if (mayTouchBase(slot, at))
+      findBaseContact(slot, now);
+  }
+
+  Machine& machine_;
+  MachineState& state_;
+  BaseInstant base_;
+  double step_;         ///< [s]
+  double start_ = 0.0;  ///< of the step to come
+  double end_ = 0.0;
+  double base_reach_ = 0.0;  ///< by how much the base may move within the step [m]
+  OverlapSearch overlaps_;
+  BaseOverlap base_overlap_;
+  std::vector<std::uint32_t> near_base_;
+  StepContacts contacts_;
+  std::vector<Course> ends_;  ///< per slot, at the end of the step if nothing is touched before
+  Image ring_;                ///< of the base's width, at the end of the step
+  double stopped_at_ = 0.0;
+};
+
+}  // namespace
+
+std::unique_ptr<EventLoop> makeStepLoop(Machine& machine)
+{
+  return std::make_unique<StepLoop>(machine);
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cmath>
+
+#include "model/sawtooth.h"
+
+namespace ratchet_sieve
+{
+
+/// Whether a disk may overlap the base, or be beyond one of its ends: by the two slopes of the valley that it is
+/// over, each as a whole line. The line contains the slope's apex, so that none that overlaps is missed.
+class BaseOverlap
+{
+public:
+  explicit BaseOverlap(const Sawtooth& sawtooth)
+      : height_(sawtooth.height()),
+        wall_(sawtooth.boundary() == Boundary::WALLED),
+        periodic_(sawtooth.boundary() == Boundary::PERIODIC),
+        width_(sawtooth.width()),
+        tooth_width_(sawtooth.toothWidth()),
+        apex_(sawtooth.apexOffset()),
+        to_the_right_(sawtooth.left().normal),
+        to_the_left_(sawtooth.right().normal)
+  {
+  }
+
+  /// @param s, n of its centre in the frame of the base [m]
+  bool overlaps(double s, double n, double radius) const
+  {
+    if (!periodic_ && beyondEnds(s, wall_ ? radius : 0.0))
+      return true;
+    if (n >= height_ + radius)
+      return false;
+    const double from_foot = s - std::floor((s - apex_) / tooth_width_ + 1.0) * tooth_width_;
+    const double to_left = from_foot * to_the_left_.x() + n * to_the_left_.y();
+    const double to_right = from_foot * to_the_right_.x() + n * to_the_right_.y();
+    return to_left < radius || to_right < radius;
+  }
+
+private:
+  bool beyondEnds(double s, double margin) const { return s < margin || s > width_ - margin; }
+
+  double height_;
+  bool wall_;
+  bool periodic_;
+  double width_;
+  double tooth_width_;
+  double apex_;
+  Eigen::Vector2d to_the_right_;  ///< normal of the slope on the valley's right side
+  Eigen::Vector2d to_the_left_;   ///< normal of the slope on its left side
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "search/overlap_lanes.h"
+
+namespace ratchet_sieve
+{
+
+/// Which disks of one instant may overlap. The disks are sorted into columns across the base, a little wider than
+/// the largest diameter, and what a search tests lies side by side: a disk's own column and its two
+/// neighbours. Positions are in the frame of the base and in single precision, and disks count as larger by what
+/// that leaves open: all that overlap are found, and some that only nearly do.
+///
+/// On a periodic base the columns at its ends stand a second time beyond the other end, as images.
+class OverlapSearch
+{
+public:
+  /// @param width of the base [m], @param largest_diameter of its disks [m]
+  OverlapSearch(double width, double largest_diameter, bool periodic);
+
+  /// Begins another instant, with room for slots below `count`.
+  void begin(std::size_t count);
+
+  /// Puts a disk in, at (s, n) [m] of the base. @pre each slot once, between begin() and sort()
+  void place(std::uint32_t slot, double s, double n, double radius)
+  {
+    placed_.push_back({slot, columnAt(s), static_cast<float>(s), static_cast<float>(n),
+                       static_cast<float>(radius + slack_)});
+  }
+
+  /// After all disks are placed.
+  void sort();
+
+  /// Moves a disk within the same instant: it has taken another way there.
+  void move(std::uint32_t slot, double s, double n);
+
+  /// Calls visit(slot, other, shift) once for each two disks that may overlap; `shift` as in PairContact.
+  template <typename Visit>
+  void forEachPair(Visit&& visit) const
+  {
+    for (std::size_t column = 0; column < columns_; ++column)
+      for (std::uint32_t row = starts_[column + 1]; row < starts_[column + 2]; ++row)
+        forEachIn(row, row + 1, starts_[column + 3], visit);
+  }
+
+  /// Calls visit(slot, other, shift) for each disk that may overlap this one.
+  template <typename Visit>
+  void forEachAround(std::uint32_t slot, Visit&& visit) const
+  {
+    const std::uint32_t row = row_of_[slot];
+    const std::size_t column = columnAt(rows_.s[row]);
+    forEachIn(row, starts_[column], starts_[column + 3], visit);
+  }
+
+private:
+  struct Placed
+  {
+    std::uint32_t slot;
+    std::uint32_t column;
+    float s;
+    float n;
+    float radius;
+  };
+
+  std::uint32_t columnAt(double s) const
+  {
+    const double column = s * columns_per_length_;
+    return column > 0.0 ? (column < last_column_ ? static_cast<std::uint32_t>(column)
+                                                 : static_cast<std::uint32_t>(columns_ - 1))
+                        : 0;
+  }
+
+  template <typename Visit>
+  void forEachIn(std::uint32_t row, std::uint32_t begin, std::uint32_t end, Visit&& visit) const
+  {
+    const OverlapLanes::Disk disk{rows_.s[row], rows_.n[row], rows_.radius[row]};
+    for (std::uint32_t at = begin; at < end; at += OverlapLanes::COUNT)
+    {
+      unsigned found = OverlapLanes::overlaps(disk, &rows_.s[at], &rows_.n[at], &rows_.radius[at]);
+      if (end - at < OverlapLanes::COUNT)
+        found &= (1U << (end - at)) - 1;
+      for (; found != 0; found &= found - 1)
+      {
+        const std::uint32_t other = at + static_cast<std::uint32_t>(__builtin_ctz(found));
+        if (slots_[other] != slots_[row])
+          visit(slots_[row], slots_[other], shiftOf(other));
+      }
+    }
+  }
+
+  void put(std::uint32_t row, const Placed& disk, float s);
+
+  /// Rows before the first disk's are images one width to the left, those behind the last disk's one to the right.
+  int shiftOf(std::uint32_t row) const { return row < first_ ? -1 : row < first_ + disks_ ? 0 : 1; }
+
+  double width_;
+  bool periodic_;
+  std::size_t columns_;
+  double columns_per_length_;
+  double last_column_;
+  double slack_;  ///< of single precision, at the base's width [m]
+
+  std::vector<Placed> placed_;
+  std::vector<std::uint32_t> starts_;  ///< row at which a column begins; with an image's column at both ends
+  std::uint32_t first_ = 0;            ///< row of the first disk
+  std::uint32_t disks_ = 0;
+
+  /// Side by side, in the order of their columns.
+  struct Rows
+  {
+    std::vector<float> s;
+    std::vector<float> n;
+    std::vector<float> radius;
+  } rows_;
+  std::vector<std::uint32_t> slots_;   ///< per row
+  std::vector<std::uint32_t> row_of_;  ///< per slot
+};
+
+}  // namespace ratchet_sieve
