@@ -29,6 +29,9 @@ public:
   /// open of the time before is executed.
   virtual void catchUp(double /*time*/) {}
 
+  /// Until when all contacts up to `time` are executed: disks fly on from there.
+  virtual double executedUntil(double time) const { return time; }
+
   /// A disk was put into the machine.
   virtual void added(std::uint32_t slot, double time) = 0;
 

@@ -92,7 +92,7 @@ void Run::observeCollisions(CollisionObserver observer)
 
 std::size_t Run::auditOverlaps()
 {
-  const Audit found = audit(machine(), now_);
+  const Audit found = audit(machine(), loop_->executedUntil(now_));
   machine_.record().counts().takeOverlap(found.largest_overlap);
   return found.behind_surface;
 }

@@ -30,8 +30,8 @@ struct StepContact
   }
 };
 
-/// The contacts of one step, the earliest first. By their times they go into the buckets of a calendar, so many
-/// that few share one: unlike in a heap, hardly a branch depends on how times compare.
+/// The contacts of one step, the earliest first. By their times they go into the buckets of a calendar, so
+/// many that few share one: unlike in a heap, hardly a branch depends on how times compare.
 class StepContacts
 {
 public:

@@ -27,8 +27,8 @@ namespace
 /// A disk that moves by more than FASTEST of its radius within a step is searched for contacts with the base
 /// without being asked whether it overlaps it: none passes through.
 ///
-/// Steps begin at the last change of the machine as a whole (catchUp()), and nowhere else: between them disks fly
-/// on, so that the course does not depend on how far a caller asks to advance.
+/// Steps begin at the last change of the machine as a whole (catchUp()), and nowhere else: between them disks
+/// fly on, so that the course does not depend on how far a caller asks to advance.
 class StepLoop : public EventLoop
 {
 public:
@@ -37,6 +37,7 @@ public:
         state_(machine.state()),
         base_(state_.motion()),
         step_(state_.scene().accuracy.step),
+        gravity_(state_.scene().gravity),
         overlaps_(state_.sawtooth().width(), state_.largestDiameter(),
                   state_.scene().boundary == Boundary::PERIODIC),
         base_overlap_(state_.sawtooth())
@@ -59,6 +60,8 @@ public:
     start_ = time;
   }
 
+  double executedUntil(double time) const override { return std::min(time, start_); }
+
   void added(std::uint32_t /*slot*/, double time) override { start_ = time; }
 
   void motionChanged(double /*time*/) override { base_.forget(); }
@@ -79,11 +82,24 @@ private:
   /// As a share of a step.
   static constexpr double ROUNDING = 1e-9;
 
+  /// A disk that has as many within a step is left alone until its end: a step takes no longer than that.
+  static constexpr std::uint32_t MOST_CONTACTS = 100;
+
+  /// A disk at the end of the step, if it touches nothing before.
+  struct End
+  {
+    Course course;
+    double radius;           ///< [m]
+    std::uint32_t flights;   ///< those of the disk when this was worked out
+    std::uint32_t contacts;  ///< that it has had within the step
+  };
+
   /// @return false where the run has to stop
   bool advanceBy(double end)
   {
     end_ = end;
-    ring_ = base_.at(end).image(state_.sawtooth().width());
+    frame_ = base_.at(end);
+    ring_ = frame_.image(state_.sawtooth().width());
     contacts_.begin(start_, end);
     placeDisks();
     overlaps_.forEachPair([this](std::uint32_t slot, std::uint32_t other, int shift)
@@ -112,51 +128,58 @@ private:
     {
       if (!state_.active(slot))
         continue;
+      ends_[slot].radius = state_.radius(slot);
+      ends_[slot].contacts = 0;
       Eigen::Vector2d at = flyToEnd(slot);
       if (at.x() < 0.0 || at.x() >= state_.sawtooth().width())
       {
         state_.wrapIntoWidth(slot, at.x(), end_);
         at = flyToEnd(slot);
       }
-      overlaps_.place(slot, at.x(), at.y(), state_.radius(slot));
+      overlaps_.place(slot, at.x(), at.y(), ends_[slot].radius);
       if (mayTouchBase(slot, at))
         near_base_.push_back(slot);
     }
     overlaps_.sort();
   }
 
-  /// Where the disk is at the end of the step, if it touches nothing before. @return that in the frame of the base
+  /// Where the disk is at the end of the step, if it touches nothing before. @return that in the frame of the
+  /// base
   Eigen::Vector2d flyToEnd(std::uint32_t slot)
   {
-    ends_[slot] = courseAt(state_.disk(slot), end_, state_.scene().gravity);
-    const FrameOfBase& frame = base_.at(end_);
-    return frame.into(vectorOf(ends_[slot].position) - frame.displacement);
+    const Disk& disk = state_.disk(slot);
+    End& end = ends_[slot];
+    end.course = courseAt(disk, end_, gravity_);
+    end.flights = disk.flights;
+    return frame_.into(vectorOf(end.course.position) - frame_.displacement);
   }
 
   bool mayTouchBase(std::uint32_t slot, const Eigen::Vector2d& at) const
   {
-    const double radius = state_.radius(slot);
+    const double radius = ends_[slot].radius;
     if (base_overlap_.overlaps(at.x(), at.y(), radius))
       return true;
-    const Two velocity = ends_[slot].velocity;
+    const Two velocity = ends_[slot].course.velocity;
     const double reach = (std::abs(velocity[0]) + std::abs(velocity[1])) * (end_ - start_) + base_reach_;
     return reach > state_.sawtooth().height() && base_overlap_.overlaps(at.x(), at.y(), radius + reach);
   }
 
-  /// When two disks that may overlap at the end came to touch, seen from there: under one gravity their relative
-  /// motion is a straight line. Where they touched already at `from`, then, if they were closing.
+  /// When two disks that may overlap at the end came to touch, seen from there: under one gravity their
+  /// relative motion is a straight line. Where they touched already at `from`, then, if they were closing.
   void findContact(std::uint32_t slot, std::uint32_t other, int shift, double from)
   {
-    const Course& a = ends_[slot];
-    const Course& b = ends_[other];
-    Eigen::Vector2d position = vectorOf(a.position - b.position);
-    Eigen::Vector2d velocity = vectorOf(a.velocity - b.velocity);
+    if (slot == other)
+      return;
+    const End& a = ends_[slot];
+    const End& b = ends_[other];
+    Eigen::Vector2d position = vectorOf(a.course.position - b.course.position);
+    Eigen::Vector2d velocity = vectorOf(a.course.velocity - b.course.velocity);
     if (shift != 0)
     {
       position -= shift * ring_.shift;
       velocity -= shift * ring_.velocity;
     }
-    const double distance = state_.radius(slot) + state_.radius(other);
+    const double distance = a.radius + b.radius;
     const double excess = position.squaredNorm() - distance * distance;
     if (excess >= 0.0)
       return;
@@ -169,7 +192,7 @@ private:
       ago = (parting + root) / speed_squared;
     else if (parting >= speed_squared * span)
       return;
-    contacts_.push({end_ - ago, slot, state_.disk(slot).flights, other, state_.disk(other).flights, shift, {}});
+    contacts_.push({end_ - ago, slot, a.flights, other, b.flights, shift, {}});
   }
 
   void findBaseContact(std::uint32_t slot, double from)
@@ -181,14 +204,16 @@ private:
 
   bool stale(const StepContact& contact) const
   {
-    return !state_.active(contact.slot) || state_.disk(contact.slot).flights != contact.flights ||
-           (!contact.feature && (!state_.active(contact.partner) ||
-                                 state_.disk(contact.partner).flights != contact.partner_flights));
+    return state_.disk(contact.slot).flights != contact.flights ||
+           (!contact.feature && state_.disk(contact.partner).flights != contact.partner_flights);
   }
 
   void execute(const StepContact& contact)
   {
     ++events_;
+    ++ends_[contact.slot].contacts;
+    if (!contact.feature)
+      ++ends_[contact.partner].contacts;
     if (contact.feature)
     {
       machine_.handleBaseEvent(contact.slot, contact.feature, contact.time, base_);
@@ -213,6 +238,8 @@ private:
 
   void searchFrom(std::uint32_t slot, const Eigen::Vector2d& at, double now)
   {
+    if (ends_[slot].contacts >= MOST_CONTACTS)
+      return;
     overlaps_.forEachAround(slot, [this, now](std::uint32_t disk, std::uint32_t other, int shift)
                             { findContact(disk, other, shift, now); });
     if (mayTouchBase(slot, at))
@@ -223,6 +250,7 @@ private:
   MachineState& state_;
   BaseInstant base_;
   double step_;         ///< [s]
+  double gravity_;      ///< [m/s^2]
   double start_ = 0.0;  ///< of the step to come
   double end_ = 0.0;
   double base_reach_ = 0.0;  ///< by how much the base may move within the step [m]
@@ -230,8 +258,9 @@ private:
   BaseOverlap base_overlap_;
   std::vector<std::uint32_t> near_base_;
   StepContacts contacts_;
-  std::vector<Course> ends_;  ///< per slot, at the end of the step if nothing is touched before
-  Image ring_;                ///< of the base's width, at the end of the step
+  std::vector<End> ends_;  ///< per slot
+  FrameOfBase frame_;      ///< at the end of the step
+  Image ring_;             ///< of the base's width, at the end of the step
   double stopped_at_ = 0.0;
 };
 

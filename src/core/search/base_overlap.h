@@ -1,14 +1,13 @@
 #pragma once
 
-#include <cmath>
-
 #include "model/sawtooth.h"
+#include "ratchet_sieve/core/numbers.h"
 
 namespace ratchet_sieve
 {
 
-/// Whether a disk may overlap the base, or be beyond one of its ends: by the two slopes of the valley that it is
-/// over, each as a whole line. The line contains the slope's apex, so that none that overlaps is missed.
+/// Whether a disk may overlap the base, or be beyond one of its ends: by the two slopes of the valley that it
+/// is over, each as a whole line. The line contains the slope's apex, so that none that overlaps is missed.
 class BaseOverlap
 {
 public:
@@ -18,6 +17,7 @@ public:
         periodic_(sawtooth.boundary() == Boundary::PERIODIC),
         width_(sawtooth.width()),
         tooth_width_(sawtooth.toothWidth()),
+        teeth_per_length_(1.0 / sawtooth.toothWidth()),
         apex_(sawtooth.apexOffset()),
         to_the_right_(sawtooth.left().normal),
         to_the_left_(sawtooth.right().normal)
@@ -31,10 +31,10 @@ public:
       return true;
     if (n >= height_ + radius)
       return false;
-    const double from_foot = s - std::floor((s - apex_) / tooth_width_ + 1.0) * tooth_width_;
+    const double from_foot = s - floored((s - apex_) * teeth_per_length_ + 1.0) * tooth_width_;
     const double to_left = from_foot * to_the_left_.x() + n * to_the_left_.y();
     const double to_right = from_foot * to_the_right_.x() + n * to_the_right_.y();
-    return to_left < radius || to_right < radius;
+    return (to_left < radius) | (to_right < radius);
   }
 
 private:
@@ -45,6 +45,7 @@ private:
   bool periodic_;
   double width_;
   double tooth_width_;
+  double teeth_per_length_;
   double apex_;
   Eigen::Vector2d to_the_right_;  ///< normal of the slope on the valley's right side
   Eigen::Vector2d to_the_left_;   ///< normal of the slope on its left side

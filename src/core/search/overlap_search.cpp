@@ -19,7 +19,8 @@ constexpr double ROUNDINGS = 4.0;
 OverlapSearch::OverlapSearch(double width, double largest_diameter, bool periodic)
     : width_(width),
       periodic_(periodic),
-      columns_(static_cast<std::size_t>(std::max(1.0, std::floor(width / (COLUMN_MARGIN * largest_diameter))))),
+      columns_(
+          static_cast<std::size_t>(std::max(1.0, std::floor(width / (COLUMN_MARGIN * largest_diameter))))),
       columns_per_length_(static_cast<double>(columns_) / width),
       last_column_(static_cast<double>(columns_ - 1)),
       slack_(ROUNDINGS * std::numeric_limits<float>::epsilon() * width),
@@ -47,7 +48,7 @@ void OverlapSearch::sort()
   std::partial_sum(starts_.begin() + 1, starts_.end(), starts_.begin() + 1);
   const std::uint32_t rows = starts_[columns_ + 1] + (periodic_ ? in_first : 0);
   starts_[columns_ + 2] = rows;
-  const std::size_t room = rows + OverlapLanes::COUNT;
+  const std::size_t room = rows + OverlapRows::MOST_LANES;
   if (rows_.s.size() < room)
   {
     for (std::vector<float>* values : {&rows_.s, &rows_.n, &rows_.radius})
@@ -67,8 +68,9 @@ void OverlapSearch::sort()
   if (!periodic_)
     return;
   const auto width = static_cast<float>(width_);
-  const auto image = [&](std::uint32_t row, std::uint32_t of, float shift)
-  { put(row, {slots_[of], 0, 0.0F, rows_.n[of], rows_.radius[of]}, rows_.s[of] + shift); };
+  const auto image = [&](std::uint32_t row, std::uint32_t of, float shift) {
+    put(row, {slots_[of], 0, 0.0F, rows_.n[of], rows_.radius[of]}, rows_.s[of] + shift);
+  };
   for (std::uint32_t k = 0; k < in_last; ++k)
     image(k, k + disks_, -width);
   for (std::uint32_t k = 0; k < in_first; ++k)

@@ -4,15 +4,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "search/overlap_lanes.h"
+#include "search/overlap_rows.h"
 
 namespace ratchet_sieve
 {
 
-/// Which disks of one instant may overlap. The disks are sorted into columns across the base, a little wider than
-/// the largest diameter, and what a search tests lies side by side: a disk's own column and its two
-/// neighbours. Positions are in the frame of the base and in single precision, and disks count as larger by what
-/// that leaves open: all that overlap are found, and some that only nearly do.
+/// Which disks of one instant may overlap. The disks are sorted into columns across the base, a little wider
+/// than the largest diameter, and what a search tests lies side by side: a disk's own column and its two
+/// neighbours. Positions are in the frame of the base and in single precision, and disks count as larger by
+/// what that leaves open: all that overlap are found, and some that only nearly do.
 ///
 /// On a periodic base the columns at its ends stand a second time beyond the other end, as images.
 class OverlapSearch
@@ -37,22 +37,23 @@ public:
   /// Moves a disk within the same instant: it has taken another way there.
   void move(std::uint32_t slot, double s, double n);
 
-  /// Calls visit(slot, other, shift) once for each two disks that may overlap; `shift` as in PairContact.
+  /// Calls visit(slot, other, shift) once for each two disks that may overlap; `shift` as in PairContact. A
+  /// disk may be visited with an image of itself.
   template <typename Visit>
-  void forEachPair(Visit&& visit) const
+  void forEachPair(Visit&& visit)
   {
     for (std::size_t column = 0; column < columns_; ++column)
       for (std::uint32_t row = starts_[column + 1]; row < starts_[column + 2]; ++row)
-        forEachIn(row, row + 1, starts_[column + 3], visit);
+        visitHits(hitsIn(row, row + 1, starts_[column + 3]), visit);
   }
 
   /// Calls visit(slot, other, shift) for each disk that may overlap this one.
   template <typename Visit>
-  void forEachAround(std::uint32_t slot, Visit&& visit) const
+  void forEachAround(std::uint32_t slot, Visit&& visit)
   {
     const std::uint32_t row = row_of_[slot];
     const std::size_t column = columnAt(rows_.s[row]);
-    forEachIn(row, starts_[column], starts_[column + 3], visit);
+    visitHits(hitsIn(row, starts_[column], starts_[column + 3]), visit);
   }
 
 private:
@@ -73,27 +74,30 @@ private:
                         : 0;
   }
 
-  template <typename Visit>
-  void forEachIn(std::uint32_t row, std::uint32_t begin, std::uint32_t end, Visit&& visit) const
+  /// @return how many stand in first_hits_ and second_hits_
+  std::size_t hitsIn(std::uint32_t row, std::uint32_t begin, std::uint32_t end)
   {
-    const OverlapLanes::Disk disk{rows_.s[row], rows_.n[row], rows_.radius[row]};
-    for (std::uint32_t at = begin; at < end; at += OverlapLanes::COUNT)
+    const std::size_t room = end - begin + OverlapRows::MOST_LANES;
+    if (first_hits_.size() < room)
     {
-      unsigned found = OverlapLanes::overlaps(disk, &rows_.s[at], &rows_.n[at], &rows_.radius[at]);
-      if (end - at < OverlapLanes::COUNT)
-        found &= (1U << (end - at)) - 1;
-      for (; found != 0; found &= found - 1)
-      {
-        const std::uint32_t other = at + static_cast<std::uint32_t>(__builtin_ctz(found));
-        if (slots_[other] != slots_[row])
-          visit(slots_[row], slots_[other], shiftOf(other));
-      }
+      first_hits_.resize(room);
+      second_hits_.resize(room);
     }
+    return kernel_({rows_.s.data(), rows_.n.data(), rows_.radius.data()}, row, begin, end,
+                   {first_hits_.data(), second_hits_.data()});
+  }
+
+  template <typename Visit>
+  void visitHits(std::size_t count, Visit&& visit) const
+  {
+    for (std::size_t k = 0; k < count; ++k)
+      visit(slots_[first_hits_[k]], slots_[second_hits_[k]], shiftOf(second_hits_[k]));
   }
 
   void put(std::uint32_t row, const Placed& disk, float s);
 
-  /// Rows before the first disk's are images one width to the left, those behind the last disk's one to the right.
+  /// Rows before the first disk's are images one width to the left, those behind the last disk's one to the
+  /// right.
   int shiftOf(std::uint32_t row) const { return row < first_ ? -1 : row < first_ + disks_ ? 0 : 1; }
 
   double width_;
@@ -117,6 +121,9 @@ private:
   } rows_;
   std::vector<std::uint32_t> slots_;   ///< per row
   std::vector<std::uint32_t> row_of_;  ///< per slot
+  std::vector<std::uint32_t> first_hits_;
+  std::vector<std::uint32_t> second_hits_;
+  OverlapKernel kernel_ = widestOverlapKernel();
 };
 
 }  // namespace ratchet_sieve
