@@ -16,6 +16,10 @@ namespace
 /// length of the series. See SteadyMeans.
 constexpr std::size_t POINTS_CUT = 2;
 
+/// Blocks are taken together until there are no more than twice as many: a transient is seen while it is
+/// larger than the scatter of what it is sought in.
+constexpr std::size_t BATCHES = 64;
+
 /// Of a series whose errors are those of groups: enough to find the transient.
 constexpr double BLOCKS_OF_GROUPS = 32.0;
 
@@ -43,6 +47,43 @@ std::vector<BlockSum> groupSums(const SpeciesSeries& species, std::size_t cut)
     if (const BlockSum sum = sumOf(after(group, cut)); sum.weight > 0.0)
       sums.push_back(sum);
   return sums;
+}
+
+/// In batches of so many blocks, without what is left over at the end.
+std::vector<BlockSum> batchesOf(const std::vector<BlockSum>& series, std::size_t size)
+{
+  std::vector<BlockSum> batches;
+  for (std::size_t first = 0; first + size <= series.size(); first += size)
+    batches.push_back(sumOf({series.begin() + static_cast<std::ptrdiff_t>(first),
+                             series.begin() + static_cast<std::ptrdiff_t>(first + size)}));
+  return batches;
+}
+
+/// MSER, in blocks of the series it is given.
+std::size_t leastErrorFrom(const std::vector<BlockSum>& series)
+{
+  double sums = 0.0, weights = 0.0, squares = 0.0, products = 0.0, squared_weights = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t from = 0;
+  for (std::size_t k = series.size(); k-- > 0;)
+  {
+    const auto [sum, weight] = series[k];
+    sums += sum;
+    weights += weight;
+    squares += sum * sum;
+    products += sum * weight;
+    squared_weights += weight * weight;
+    if (2 * k > series.size() || weights <= 0.0)
+      continue;
+    const double mean = sums / weights;
+    const double error =
+        (squares - 2.0 * mean * products + mean * mean * squared_weights) / (weights * weights);
+    if (error > least)
+      continue;
+    least = error;
+    from = k;
+  }
+  return from;
 }
 
 std::optional<SteadyMean> meanAfter(const SpeciesSeries& species, std::size_t cut, double confidence)
@@ -84,28 +125,8 @@ double timesForTrust(const std::vector<BlockSum>& series, const BlockError& erro
 
 std::size_t steadyFrom(const std::vector<BlockSum>& series)
 {
-  double sums = 0.0, weights = 0.0, squares = 0.0, products = 0.0, squared_weights = 0.0;
-  double least = std::numeric_limits<double>::infinity();
-  std::size_t from = 0;
-  for (std::size_t k = series.size(); k-- > 0;)
-  {
-    const auto [sum, weight] = series[k];
-    sums += sum;
-    weights += weight;
-    squares += sum * sum;
-    products += sum * weight;
-    squared_weights += weight * weight;
-    if (2 * k > series.size() || weights <= 0.0)
-      continue;
-    const double mean = sums / weights;
-    const double error =
-        (squares - 2.0 * mean * products + mean * mean * squared_weights) / (weights * weights);
-    if (error > least)
-      continue;
-    least = error;
-    from = k;
-  }
-  return from;
+  const std::size_t size = std::max<std::size_t>(1, series.size() / BATCHES);
+  return size * leastErrorFrom(batchesOf(series, size));
 }
 
 SteadyMeans steadyMeans(const MeanSeries& series, double confidence)

@@ -13,7 +13,7 @@ namespace
 
 using Shape = CorrelatedSeries::Shape;
 
-constexpr int SEEDS = 400;
+constexpr int SEEDS = 300;
 
 MeanSeries seriesOf(const BlockAverages& blocks)
 {
@@ -114,17 +114,18 @@ TEST(SteadyMean, HoldsTheTruthWhereTheFirstHalfWidthsWouldDo)
   // A wide interval is there long before the correlation and the transient are seen.
   expectAsClaimed({2.0, 0.9, 0.0}, 0.8, 50.0);
   expectAsClaimed({2.0, 0.0, 3.0}, 0.8, 300.0);
+  expectAsClaimed({2.0, 0.0, 0.5, 400.0}, 0.8, 3000.0);
 }
 
 TEST(SteadyMean, HoldsItByTheCutAndByTheJoinedBlocks)
 {
-  const Shape transient{2.0, 0.0, 3.0};
+  const Shape transient{2.0, 0.0, 0.5, 400.0};
   const Shape correlated{2.0, 0.8, 0.0};
   EXPECT_LT(endsOf(transient, 0.95, 3000.0, {false, false}).coverage.share(), 0.2);
   EXPECT_LT(endsOf(correlated, 0.95, 1000.0, {true, false}).coverage.share(), 0.7);
   // Joined blocks see the transient as well, and a run without the cut pays with its length.
-  EXPECT_GT(endsOf(transient, 0.95, 3000.0, {false, true}).samples,
-            2.0 * endsOf(transient, 0.95, 3000.0).samples);
+  const Shape brief{2.0, 0.0, 3.0, 50.0};
+  EXPECT_GT(endsOf(brief, 0.95, 3000.0, {false, true}).samples, 1.5 * endsOf(brief, 0.95, 3000.0).samples);
 }
 
 TEST(SteadyMean, FindsWhereATransientEnds)

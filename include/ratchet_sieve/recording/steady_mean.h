@@ -33,7 +33,8 @@ double timesForTrust(const std::vector<BlockSum>& series, const BlockError& erro
 
 /// Where a series that begins with a transient has become steady, in blocks: where the squared standard error
 /// of what is left, as if its blocks were independent, is least. Sought in the first half of the series.
-/// MSER: K. P. White, Simulation 69, 323 (1997), doi:10.1177/003754979706900601.
+/// In batches of blocks, 64 to 127 of them. MSER: K. P. White, Simulation 69, 323 (1997),
+/// doi:10.1177/003754979706900601.
 std::size_t steadyFrom(const std::vector<BlockSum>& series);
 
 /// <V_x> of one species over what is left of a series.
