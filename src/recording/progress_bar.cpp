@@ -59,9 +59,10 @@ void ProgressBar::show(const Simulation& simulation)
   if (!visible_ || now < next_)
     return;
   next_ = now + REDRAW_INTERVAL;
-  const Progress progress{simulation.time() - start_time_, simulation.events() - start_events_,
-                          std::chrono::duration<double>(now - start_).count(),
-                          certaintyOf(simulation).ratio()};
+  const Progress progress{
+      simulation.time() - start_time_, simulation.events() - start_events_,
+      std::chrono::duration<double>(now - start_).count(),
+      simulation.scene().accuracy.endsEarly() ? certaintyOf(simulation).ratio() : std::nullopt};
   fmt::print(stderr, "\r{}\x1b[K", progressText(simulation.time(), duration_, progress));
   std::fflush(stderr);
 }
