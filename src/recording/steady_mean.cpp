@@ -34,9 +34,14 @@ BlockSum sumOf(const std::vector<BlockSum>& blocks)
   return all;
 }
 
+/// Without blocks in which there was no disk.
 std::vector<BlockSum> after(const std::vector<BlockSum>& series, std::size_t cut)
 {
-  return {series.begin() + static_cast<std::ptrdiff_t>(std::min(cut, series.size())), series.end()};
+  std::vector<BlockSum> left;
+  for (std::size_t k = cut; k < series.size(); ++k)
+    if (series[k].weight > 0.0)
+      left.push_back(series[k]);
+  return left;
 }
 
 /// What each group comes to after the cut; without those that have no disks.
@@ -62,6 +67,7 @@ std::vector<BlockSum> batchesOf(const std::vector<BlockSum>& series, std::size_t
 /// MSER, in blocks of the series it is given.
 std::size_t leastErrorFrom(const std::vector<BlockSum>& series)
 {
+  std::size_t weighty = 0;
   double sums = 0.0, weights = 0.0, squares = 0.0, products = 0.0, squared_weights = 0.0;
   double least = std::numeric_limits<double>::infinity();
   std::size_t from = 0;
@@ -73,7 +79,9 @@ std::size_t leastErrorFrom(const std::vector<BlockSum>& series)
     squares += sum * sum;
     products += sum * weight;
     squared_weights += weight * weight;
-    if (2 * k > series.size() || weights <= 0.0)
+    weighty += weight > 0.0 ? 1 : 0;
+    // A machine that has emptied: what the last disks did is no steady state.
+    if (2 * k > series.size() || 2 * weighty < series.size() - k)
       continue;
     const double mean = sums / weights;
     const double error =

@@ -154,6 +154,19 @@ TEST(SteadyMean, WeighsABlockByItsWeight)
   EXPECT_EQ(steadyFrom({{0.0, 0.0}, {0.0, 0.0}}), 0u);
 }
 
+TEST(SteadyMean, OfAMachineThatHasEmptiedSaysNothing)
+{
+  for (const int there : {1, 10, 15})
+  {
+    MeanSeries series;
+    series.block_time = 1.0;
+    series.species.resize(1);
+    for (int k = 0; k < 300; ++k)
+      series.species[0].velocity.push_back(k < there ? BlockSum{1.0 + 0.01 * (k % 2), 1.0} : BlockSum{});
+    EXPECT_FALSE(steadyMeans(series, 0.95).of[0]) << there;
+  }
+}
+
 TEST(SteadyMean, OfATransientThatLastsSaysNothing)
 {
   MeanSeries series;

@@ -62,7 +62,7 @@ struct SteadyMeans
 };
 
 /// Means with their errors. Where disks see each other the error is found of the course in time, and
-/// neighbouring blocks are joined until it grows no more (joinedError()); Of disks that do not see each other
+/// neighbouring blocks are joined until it grows no more (joinedError()). Of disks that do not see each other
 /// it is found of the scatter of groups of them as well, and the larger one counts.
 SteadyMeans steadyMeans(const MeanSeries& series, double confidence);
 
