@@ -48,13 +48,6 @@ double countedHalfWidth(const Share& a, const Share& b, double confidence)
 /// The difference of the shares block by block, about that of all.
 std::vector<BlockSum> deviations(const std::vector<BlockSum>& a, const std::vector<BlockSum>& b)
 {
-  const auto sumOf = [](const std::vector<BlockSum>& blocks)
-  {
-    BlockSum all;
-    for (const BlockSum& block : blocks)
-      all = {all.sum + block.sum, all.weight + block.weight};
-    return all;
-  };
   const BlockSum all_a = sumOf(a);
   const BlockSum all_b = sumOf(b);
   std::vector<BlockSum> blocks;

@@ -23,17 +23,6 @@ constexpr std::size_t BATCHES = 64;
 /// Of a series whose errors are those of groups: enough to find the transient.
 constexpr double BLOCKS_OF_GROUPS = 32.0;
 
-BlockSum sumOf(const std::vector<BlockSum>& blocks)
-{
-  BlockSum all;
-  for (const BlockSum& block : blocks)
-  {
-    all.sum += block.sum;
-    all.weight += block.weight;
-  }
-  return all;
-}
-
 /// Without blocks in which there was no disk.
 std::vector<BlockSum> after(const std::vector<BlockSum>& series, std::size_t cut)
 {
@@ -115,6 +104,17 @@ std::optional<SteadyMean> meanAfter(const SpeciesSeries& species, std::size_t cu
 }
 
 }  // namespace
+
+BlockSum sumOf(const std::vector<BlockSum>& blocks)
+{
+  BlockSum all;
+  for (const BlockSum& block : blocks)
+  {
+    all.sum += block.sum;
+    all.weight += block.weight;
+  }
+  return all;
+}
 
 double halfWidthOver(double confidence, std::size_t blocks)
 {

@@ -50,9 +50,7 @@ std::optional<SteadyMean> meanBy(const Rule& rule, const BlockAverages& blocks, 
   const std::vector<BlockSum> left(blocks.blocks().begin() + static_cast<std::ptrdiff_t>(from),
                                    blocks.blocks().end());
   const BlockError error = rule.joined ? *joinedError(left) : BlockError{scatterError(left), left.size()};
-  BlockSum all;
-  for (const BlockSum& block : left)
-    all = {all.sum + block.sum, all.weight + block.weight};
+  const BlockSum all = sumOf(left);
   return SteadyMean{{all.sum / all.weight, halfWidthOver(confidence, error.blocks) * error.error},
                     timesForTrust(left, error)};
 }

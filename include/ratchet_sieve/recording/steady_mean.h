@@ -23,6 +23,9 @@ struct Estimate
   double half_width = 0.0;
 };
 
+/// Of all blocks.
+BlockSum sumOf(const std::vector<BlockSum>& blocks);
+
 /// Half-width of the interval of a confidence over the standard error, of an error that was found of so many
 /// blocks: Student's t. 0 blocks: of an error that is known, the normal distribution.
 double halfWidthOver(double confidence, std::size_t blocks);
