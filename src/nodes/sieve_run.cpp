@@ -94,10 +94,10 @@ void describe(CLI::App& app, Arguments& arguments)
   app.add_option("--seed", arguments.seed, "Seed, instead of the scene's")->type_name("N");
   app.add_option("--duration", arguments.duration, "Simulated time [s], instead of the scene's")
       ->type_name("S");
-  app.add_option("--until", arguments.until,
-                 "Set accuracy.KEY: end before the duration, once mean_vx [m/s] or quality, or both, are "
-                 "known within "
-                 "so much, with a confidence (0.95); may be given again")
+  app.add_option(
+         "--until", arguments.until,
+         "Set accuracy.KEY: end before the duration, once mean_vx [m/s] or quality, or both, are known "
+         "within so much, with a confidence (0.95); may be given again")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->check(requireCertaintyKey);

@@ -1,6 +1,7 @@
 #include "state/accuracy_series.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ratchet_sieve
 {
@@ -13,6 +14,13 @@ constexpr std::size_t GROUPS = 64;
 BlockSum exitsOf(const SpeciesBins& bins)
 {
   return {static_cast<double>(bins.left), static_cast<double>(bins.counted())};
+}
+
+bool sameLengths(const std::vector<BlockAverages>& rows)
+{
+  return std::all_of(rows.begin(), rows.end(),
+                     [&rows](const BlockAverages& row)
+                     { return row.blocks().size() == rows.front().blocks().size(); });
 }
 
 }  // namespace
@@ -130,15 +138,16 @@ void AccuracySeries::archive(StateArchive& state)
   const std::size_t species = exits_.size();
   state(gone_, at_block_end_, groups_, exited_, exits_);
   if ((groups_.empty() && rows > 0) || (exits_.empty() && species > 0))
-    throw StateError("its run did not ask for what is to be known so surely, and kept no series of it");
-  if (gone_.size() != groups_.size() || at_block_end_.size() != groups_.size() ||
-      exited_.size() != exits_.size())
-    throw StateError("it is of another scene");
+    throw StateError("it has no series of what accuracy asks for, as its run did not ask");
+  if (rows == 0)
+    groups_.clear();
+  if (species == 0)
+    exits_.clear();
   gone_.resize(rows);
   at_block_end_.resize(rows);
-  groups_.resize(rows);
   exited_.resize(species);
-  exits_.resize(species);
+  if (groups_.size() != rows || exits_.size() != species || !sameLengths(groups_) || !sameLengths(exits_))
+    throw StateError("it is of another scene");
 }
 
 }  // namespace ratchet_sieve
