@@ -126,6 +126,16 @@ std::vector<SpeciesMeans> Simulation::means() const
   return implementation_->record().means(implementation_->now());
 }
 
+double Simulation::blockEnd(std::uint64_t blocks) const
+{
+  return implementation_->blockEnd(blocks);
+}
+
+MeanSeries Simulation::meanSeries() const
+{
+  return implementation_->meanSeries();
+}
+
 bool Simulation::swings() const
 {
   return implementation_->machine().motion().swings();

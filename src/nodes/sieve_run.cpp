@@ -39,6 +39,7 @@ struct Arguments
   std::vector<std::string> overrides;
   std::string seed;
   std::string duration;
+  std::vector<std::string> until;
   std::string bag;
   std::string collisions;
   std::string summary;
@@ -47,7 +48,7 @@ struct Arguments
   std::string resume;
   std::size_t threads = 1;
 
-  /// --seed and --duration are overrides too: the scene's own rules check them.
+  /// --seed, --duration and --until are overrides too: the scene's own rules check them.
   std::vector<std::string> allOverrides() const
   {
     std::vector<std::string> all = overrides;
@@ -55,6 +56,8 @@ struct Arguments
       all.push_back("seed=" + seed);
     if (!duration.empty())
       all.push_back("duration=" + duration);
+    for (const std::string& assignment : until)
+      all.push_back("accuracy." + assignment);
     return all;
   }
 };
@@ -64,6 +67,20 @@ struct Arguments
 std::string requireSeconds(const std::string& text)
 {
   return std::strtod(text.c_str(), nullptr) >= 0.0 ? "" : text + ": must be 0 s or more";
+}
+
+/// The error in what --until is to set: accuracy has keys that do not decide when a run ends.
+std::string requireCertaintyKey(const std::string& assignment)
+{
+  const std::string key = assignment.substr(0, assignment.find('='));
+  std::string known;
+  for (const std::string& name : certaintyKeyNames())
+  {
+    if (key == name)
+      return "";
+    known += (known.empty() ? "" : ", ") + name;
+  }
+  return key + ": unknown key; known are " + known;
 }
 
 void describe(CLI::App& app, Arguments& arguments)
@@ -77,6 +94,13 @@ void describe(CLI::App& app, Arguments& arguments)
   app.add_option("--seed", arguments.seed, "Seed, instead of the scene's")->type_name("N");
   app.add_option("--duration", arguments.duration, "Simulated time [s], instead of the scene's")
       ->type_name("S");
+  app.add_option(
+         "--until", arguments.until,
+         "Set accuracy.KEY: end before the duration, once mean_vx [m/s] or quality, or both, are known "
+         "within so much, with a confidence (0.95); may be given again")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->check(requireCertaintyKey);
   app.add_option("--bag", arguments.bag, "Record the run into a ROS bag")->type_name("FILE");
   app.add_option("--collisions", arguments.collisions, "Write every collision as CSV")->type_name("FILE");
   app.add_option("--summary", arguments.summary, "Write the summary there, not to standard output")
@@ -89,9 +113,9 @@ void describe(CLI::App& app, Arguments& arguments)
       ->type_name("S")
       ->check(requireSeconds)
       ->capture_default_str();
-  app.add_option(
-         "--resume", arguments.resume,
-         "Go on, bit for bit, from there to the scene's duration, which alone of the scene may differ")
+  app.add_option("--resume", arguments.resume,
+                 "Go on, bit for bit, from there to the scene's end; of the scene only duration and what "
+                 "--until sets may differ")
       ->type_name("FILE");
   app.add_option(
          "--threads", arguments.threads,
@@ -281,7 +305,8 @@ int run(const Arguments& arguments)
   outcome.warnings.insert(outcome.warnings.begin(), scene.warnings.begin(), scene.warnings.end());
   outputs.finish(summarize(simulation, outcome));
   const bool all_saved = !saver || saver->saved();
-  return outcome.end == RunEnd::COMPLETED && all_saved ? DONE : FAILED;
+  const bool through = outcome.end == RunEnd::COMPLETED || outcome.end == RunEnd::ACCURATE;
+  return through && all_saved ? DONE : FAILED;
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "ratchet_sieve/recording/certainty.h"
 #include "ratchet_sieve/recording/wall_warnings.h"
 
 namespace ratchet_sieve
@@ -40,6 +42,8 @@ public:
   {
     outcome_.progress = so_far;
     audits_ = std::floor(simulation.time() / audit_period_) + 1.0;
+    if (simulation.scene().accuracy.endsEarly())
+      looks_.emplace(simulation);
     if (watchers_.frames != nullptr)
       simulation_.observePeriods([this](const PeriodRecord& period) { sampler_.take(period); });
   }
@@ -60,6 +64,8 @@ public:
     }
     if (simulation_.stalled())
       outcome_.end = RunEnd::STALLED;
+    if (outcome_.end == RunEnd::COMPLETED)
+      outcome_.warnings = shortfalls(simulation_, certaintyOf(simulation_));
     if (simulation_.collapses().count > 0)
       outcome_.warnings.push_back(simulation_.collapseText());
     for (const std::string& text : {simulation_.energyText(), overWallsText(simulation_)})
@@ -81,7 +87,7 @@ private:
   {
     const double duration = simulation_.scene().duration;
     lookAtDue();
-    while (simulation_.time() < duration)
+    while (simulation_.time() < duration && !accurate())
     {
       if (watchers_.stop_wanted && watchers_.stop_wanted())
       {
@@ -89,7 +95,7 @@ private:
         outcome_.warnings.push_back(fmt::format("stopped at {} s of {} s", simulation_.time(), duration));
         return;
       }
-      stride(std::min({simulation_.time() + stride_, nextAudit(), nextFrame(), duration}));
+      stride(std::min({simulation_.time() + stride_, nextAudit(), nextFrame(), nextLook(), duration}));
       lookAtDue();
       if (secondsSince(last_save_) >= watchers_.save_period)
         save();
@@ -122,6 +128,20 @@ private:
       watchers_.progress(simulation_);
   }
 
+  /// Whether it may end, as its scene asks for no more.
+  bool accurate()
+  {
+    if (nextLook() > simulation_.time())
+      return false;
+    looks_->pass();
+    if (!*certaintyOf(simulation_).reached())
+      return false;
+    outcome_.end = RunEnd::ACCURATE;
+    return true;
+  }
+
+  double nextLook() const { return looks_ ? looks_->next() : std::numeric_limits<double>::infinity(); }
+
   double nextAudit() const { return audits_ * audit_period_; }
 
   double nextFrame() const
@@ -147,6 +167,7 @@ private:
   Simulation& simulation_;
   const RunWatchers& watchers_;
   FrameSampler sampler_;
+  std::optional<LookTimes> looks_;  ///< where the run may end before its duration
   RunOutcome outcome_;
   double stride_ = FIRST_STRIDE;
   double audit_period_;  ///< [s]

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "ratchet_sieve/recording/certainty.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -36,6 +38,8 @@ std::string progressText(double time, double duration, const Progress& progress)
     text += fmt::format("  {:.2f} M events/s", 1e-6 * static_cast<double>(progress.events) / progress.wall);
   if (progress.simulated > 0.0 && done < 1.0)
     text += fmt::format("  {} to go", clockText(progress.wall * (duration - time) / progress.simulated));
+  if (progress.certainty_ratio)
+    text += fmt::format("  error {:.2g} x the one asked for", *progress.certainty_ratio);
   return text;
 }
 
@@ -55,8 +59,10 @@ void ProgressBar::show(const Simulation& simulation)
   if (!visible_ || now < next_)
     return;
   next_ = now + REDRAW_INTERVAL;
-  const Progress progress{simulation.time() - start_time_, simulation.events() - start_events_,
-                          std::chrono::duration<double>(now - start_).count()};
+  const Progress progress{
+      simulation.time() - start_time_, simulation.events() - start_events_,
+      std::chrono::duration<double>(now - start_).count(),
+      simulation.scene().accuracy.endsEarly() ? certaintyOf(simulation).ratio() : std::nullopt};
   fmt::print(stderr, "\r{}\x1b[K", progressText(simulation.time(), duration_, progress));
   std::fflush(stderr);
 }

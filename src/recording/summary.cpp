@@ -1,6 +1,7 @@
 #include "ratchet_sieve/recording/summary.h"
 
 #include "ratchet_sieve/core/segregation.h"
+#include "ratchet_sieve/recording/certainty.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 
@@ -55,6 +56,35 @@ Json pairResults(const Simulation& simulation)
   return list;
 }
 
+Json estimateOrNull(const std::optional<Estimate>& estimate)
+{
+  Json json;
+  json["value"] = estimate ? Json(estimate->value) : Json(nullptr);
+  json["half_width"] = estimate ? Json(estimate->half_width) : Json(nullptr);
+  return json;
+}
+
+Json certaintyParts(const Simulation& simulation)
+{
+  const Certainty certainty = certaintyOf(simulation);
+  const SceneDefinition& scene = simulation.scene();
+  Json json;
+  json["reached"] = certainty.reached() ? Json(*certainty.reached()) : Json(nullptr);
+  json["confidence"] = scene.accuracy.confidence;
+  json["transient"] = numberOrNull(certainty.means.transient);
+  json["mean_vx"] = Json::array();
+  for (std::size_t s = 0; s < scene.species.size(); ++s)
+  {
+    const std::optional<SteadyMean>& mean = certainty.means.of[s];
+    Json species = {{"name", scene.species[s].name}};
+    species.update(estimateOrNull(mean ? std::optional(mean->estimate) : std::nullopt));
+    json["mean_vx"].push_back(std::move(species));
+  }
+  json["quality"] =
+      estimateOrNull(certainty.quality ? std::optional(certainty.quality->estimate) : std::nullopt);
+  return json;
+}
+
 }  // namespace
 
 Json collisionCounts(const CollisionCounts& counts)
@@ -95,6 +125,7 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
   if (scene.species.size() > 2)
     json["pair_qualities"] = pairResults(simulation);
   json["processed"] = numberOrNull(processedRatio(simulation.bins()));
+  json["accuracy"] = certaintyParts(simulation);
   json["base_impulse"] = {simulation.baseImpulse().x(), simulation.baseImpulse().y()};
   json["energy_start"] = outcome.progress.energy_start;
   json["energy_end"] = simulation.energy();

@@ -115,6 +115,8 @@ void SieveNode::keepAlive()
     ROS_INFO_STREAM(*line);
   if (const auto line = walls_.line(control_.run().simulation()))
     ROS_WARN_STREAM(*line);
+  if (const auto line = certainty_.line(control_.run().simulation()))
+    ROS_INFO_STREAM(*line);
 }
 
 void SieveNode::watchSpeed()

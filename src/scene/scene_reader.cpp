@@ -190,4 +190,10 @@ Scene sceneFromYaml(const YAML::Node& node, const std::string& source)
   }
 }
 
+std::vector<std::string> certaintyKeyNames()
+{
+  const std::set<std::string> names = namesOf(certaintyKeys());
+  return {names.begin(), names.end()};
+}
+
 }  // namespace ratchet_sieve

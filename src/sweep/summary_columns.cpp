@@ -35,17 +35,24 @@ bool haveColumns(const Json& species)
   return names.size() == species.size() && species.size() <= MOST_COLUMN_SPECIES;
 }
 
-void addSpecies(const Json& species, Columns& columns)
+/// @param prefix of the columns' names
+void addSpecies(const std::string& prefix, const Json& species, Columns& columns)
 {
   if (!haveColumns(species))
     return;
   for (const Json& each : species)
     for (const auto& [field, value] : each.items())
       if (isScalar(value))
-        columns.emplace_back(field + '.' + each.at("name").get<std::string>(), value);
+        columns.emplace_back(
+            std::string(prefix).append(field).append(".").append(each.at("name").get<std::string>()), value);
 }
 
-/// A vector of the plane by its components, a map by its keys.
+bool isOfSpecies(const Json& list)
+{
+  return list.is_array() && !list.empty() && list[0].is_object() && list[0].contains("name");
+}
+
+/// A vector of the plane by its components, a map by its keys, however deep.
 void addParts(const std::string& key, const Json& value, Columns& columns)
 {
   if (value.is_array() && value.size() == 2 && value[0].is_number())
@@ -55,8 +62,15 @@ void addParts(const std::string& key, const Json& value, Columns& columns)
   }
   if (value.is_object())
     for (const auto& [part, scalar] : value.items())
+    {
+      const std::string name = std::string(key).append(".").append(part);
       if (isScalar(scalar))
-        columns.emplace_back(std::string(key).append(".").append(part), scalar);
+        columns.emplace_back(name, scalar);
+      else if (isOfSpecies(scalar))
+        addSpecies(name + '.', scalar, columns);
+      else
+        addParts(name, scalar, columns);
+    }
 }
 
 }  // namespace
@@ -73,7 +87,7 @@ std::vector<std::pair<std::string, Json>> summaryColumns(const Json& summary)
     if (isScalar(value))
       columns.emplace_back(key, value);
     else if (key == "species")
-      addSpecies(value, columns);
+      addSpecies("", value, columns);
     else
       addParts(key, value, columns);
   }

@@ -24,7 +24,7 @@ BELOW = {
 LIBRARIES = {
     'core': ['Eigen'],
     'scene': ['Eigen', 'yaml-cpp'],
-    'recording': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt'],
+    'recording': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'boost'],
     'sweep': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'sqlite3'],
     'analysis': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt'],
     'live': ['Eigen', 'yaml-cpp', 'fmt'],

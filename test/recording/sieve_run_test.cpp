@@ -136,7 +136,7 @@ TEST_F(SieveRun, ShowsItsHelpAndVersion)
 {
   const Result help = run("--help");
   EXPECT_EQ(help.status, 0);
-  for (const char* option : {"--set", "--seed", "--duration", "--bag", "--collisions", "--summary",
+  for (const char* option : {"--set", "--seed", "--duration", "--until", "--bag", "--collisions", "--summary",
                              "--checkpoint", "--checkpoint-every", "--resume", "--version"})
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
   const Result version_result = run("--version");
@@ -246,6 +246,46 @@ TEST_F(SieveRun, GoesOnFromACheckpointToTheSameSummary)
   const std::string nowhere = written_ / "none/run.checkpoint";
   expectRefusal(scene + " --duration 100000000 --checkpoint " + nowhere,
                 nowhere + ": cannot be written: No such file or directory");
+}
+
+TEST_F(SieveRun, EndsWhenItIsAsSureAsAsked)
+{
+  const std::string single = config("paper_fig3.yaml") + " --set species.0.count=200 --duration 200 ";
+  const Result sure = run(single + "--until mean_vx=0.004 --until confidence=0.9");
+  EXPECT_EQ(sure.status, 0) << sure.errors;
+  const Json json = Json::parse(sure.output);
+  EXPECT_EQ(json["accuracy"]["reached"], true);
+  EXPECT_EQ(json["accuracy"]["confidence"], 0.9);
+  EXPECT_LE(json["accuracy"]["mean_vx"][0]["half_width"], 0.004);
+  EXPECT_LT(json["simulated_time"], 200.0);
+  EXPECT_EQ(json["warnings"].size(), 0u);
+
+  const Result unsure = run(single + "--until mean_vx=0.0000001");
+  EXPECT_EQ(unsure.status, 0);
+  const Json missed = Json::parse(unsure.output);
+  EXPECT_EQ(missed["simulated_time"], 200.0);
+  EXPECT_EQ(missed["accuracy"]["reached"], false);
+  ASSERT_EQ(missed["warnings"].size(), 1u);
+  EXPECT_NE(unsure.errors.find(
+                "sieve_run: warning: accuracy.mean_vx = 1e-07 m/s was not reached within 200 s: +- "),
+            std::string::npos)
+      << unsure.errors;
+}
+
+TEST_F(SieveRun, RefusesABadCertainty)
+{
+  const std::string scene = config("demo.yaml");
+  expectRefusal(scene + " --until speed=1",
+                "--until: speed: unknown key; known are confidence, mean_vx, quality; see --help");
+  // A key of accuracy, but not one that decides when a run ends.
+  expectRefusal(scene + " --until step=0.001",
+                "--until: step: unknown key; known are confidence, mean_vx, quality; see --help");
+  expectRefusal(scene + " --until mean_vx=-1",
+                scene + ": accuracy.mean_vx = -1: must be a number from 0 to 10000 m/s");
+  expectRefusal(scene + " --until confidence=1",
+                scene + ": accuracy.confidence = 1: must be a number from 0.5 to 0.9999");
+  expectRefusal(scene + " --until quality",
+                "override accuracy.quality: must be KEY=VALUE, such as base.inclination=0.105");
 }
 
 TEST_F(SieveRun, LeavesAWholeCheckpointWhereverItIsKilled)

@@ -51,7 +51,8 @@ std::string summaries()
     const std::optional<CaseResult> result = runCase(next, {});
     EXPECT_EQ(result->error, "");
     nlohmann::ordered_json summary = result->summary;
-    for (const char* key : {"wall_time", "version", "plan"})
+    // Of the run's cost, its program, and what is worked out of the rest.
+    for (const char* key : {"wall_time", "version", "plan", "accuracy"})
       EXPECT_EQ(summary.erase(key), 1u) << key;
     text += summary.dump() + '\n';
   }

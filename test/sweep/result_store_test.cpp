@@ -141,15 +141,21 @@ TEST(SummaryColumns, AreTheScalars)
       {"quality", nullptr},
       {"collisions", {{"apex", 2}, {"wall", 0}}},
       {"species", {{{"name", "A"}, {"mean_vx", 0.5}}, {{"name", "B"}, {"mean_vx", nullptr}}}},
+      {"accuracy",
+       {{"reached", true},
+        {"mean_vx", {{{"name", "A"}, {"half_width", 0.1}}, {{"name", "B"}, {"half_width", nullptr}}}},
+        {"quality", {{"value", 0.25}}}}},
       {"base_impulse", {1.0, 2.0}},
       {"plan", {{"pairs", true}}},
       {"warnings", {"one", "two"}}};
   Json columns = Json::object();
   for (const auto& [name, value] : summaryColumns(summary))
     columns[name] = value;
-  EXPECT_EQ(columns.dump(),
-            R"({"quality":null,"collisions.apex":2,"collisions.wall":0,"mean_vx.A":0.5,"mean_vx.B":null,)"
-            R"("base_impulse.x":1.0,"base_impulse.y":2.0})");
+  EXPECT_EQ(
+      columns.dump(),
+      R"({"quality":null,"collisions.apex":2,"collisions.wall":0,"mean_vx.A":0.5,"mean_vx.B":null,)"
+      R"("accuracy.reached":true,"accuracy.mean_vx.half_width.A":0.1,"accuracy.mean_vx.half_width.B":null,)"
+      R"("accuracy.quality.value":0.25,"base_impulse.x":1.0,"base_impulse.y":2.0})");
 }
 
 TEST(SummaryColumns, LeaveSpeciesOutThatSqlCannotTellApart)

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/mean_series.h"
 #include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
@@ -41,7 +43,7 @@ public:
   Simulation(const SceneDefinition& scene, const Plan& plan);
 
   /// Takes up a run where it was saved, and goes on bit for bit.
-  /// @param scene the one that it was saved from; `duration` may differ
+  /// @param scene the one that it was saved from; `duration` and the certainty asked for may differ
   /// @throws StateError if the bytes are no state of such a scene
   Simulation(const SceneDefinition& scene, std::string_view saved_state);
 
@@ -87,7 +89,12 @@ public:
   const CollisionCounts& collisions() const;  ///< since the start
   std::uint64_t events() const;               ///< all processed since the start
   std::vector<SpeciesMeans> means() const;    ///< per species, since `settle`; nothing before
-  bool swings() const;                        ///< whether the drive moves the base, now
+
+  /// When so many blocks of meanSeries() have ended, were none joined [s].
+  double blockEnd(std::uint64_t blocks) const;
+  MeanSeries meanSeries() const;  ///< what means() are made of, block by block
+
+  bool swings() const;  ///< whether the drive moves the base, now
   /// Of each species now [J]: half its mass times the variance of its disks' velocities, over both
   /// directions. Nothing with fewer than two disks.
   std::vector<std::optional<double>> granularTemperatures() const;

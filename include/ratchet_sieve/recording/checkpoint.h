@@ -26,8 +26,8 @@ struct Checkpoint
 /// ends the program. @throws OutputError
 void writeCheckpoint(const std::string& path, const Simulation& simulation, const RunProgress& progress);
 
-/// Takes up a run from a file, to go on bit for bit. `duration` may differ from the one it was saved
-/// with, nothing else of the scene.
+/// Takes up a run from a file, to go on bit for bit. `duration` and what decides when a run may end
+/// before it (certaintyKeyNames()) may differ from what it was saved with, nothing else of the scene.
 /// @throws CheckpointError if the file is no checkpoint, damaged, of another version of the program or
 /// of another scene
 Checkpoint readCheckpoint(const std::string& path, const SceneDefinition& scene);

@@ -29,6 +29,7 @@ inline RunProgress firstProgress(Simulation& simulation)
 enum class RunEnd
 {
   COMPLETED,  ///< the scene's duration
+  ACCURATE,   ///< before that, as sure as the scene asks for
   STOPPED,    ///< as asked
   STALLED     ///< time all but stopped (StallError)
 };
@@ -53,8 +54,9 @@ struct RunWatchers
   double save_period = 60.0;                                        ///< of wall time [s]
 };
 
-/// Runs the simulation to its scene's duration, as fast as it goes. In which strides does not
-/// matter to its course. A run that stalls is not saved at its end: it could not go on from there.
+/// Runs the simulation to its scene's duration, or until it is as sure as its scene asks for, as fast as it
+/// goes. In which strides does not matter to its course. A run that stalls is not saved at its end: it could
+/// not go on from there.
 RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers, const RunProgress& so_far);
 
 /// Of a run that begins here.

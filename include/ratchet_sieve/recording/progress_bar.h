@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "ratchet_sieve/core/simulation.h"
@@ -15,9 +16,13 @@ struct Progress
   double simulated = 0.0;  ///< [s]
   std::uint64_t events = 0;
   double wall = 0.0;  ///< [s]
+
+  /// The half-width of what the run is to be sure of over the one that it asks for; see Certainty::ratio().
+  std::optional<double> certainty_ratio = std::nullopt;
 };
 
-/// One line of a progress bar: simulated time, percent, events per second of wall time, time to go.
+/// One line of a progress bar: simulated time, percent, events per second of wall time, time to go at most,
+/// how sure.
 std::string progressText(double time, double duration, const Progress& progress);
 
 /// A progress bar on standard error, where that is a terminal; else nothing. Redrawn ten times a

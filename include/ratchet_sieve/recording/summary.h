@@ -10,8 +10,8 @@
 namespace ratchet_sieve
 {
 
-/// The run in one JSON object: scene_hash, seed, version, plan, times, counts, means, Q and P, energies,
-/// overlaps, warnings. SI units; what is not defined is null.
+/// The run in one JSON object: scene_hash, seed, version, plan, times, counts, means, Q and P, how sure they
+/// are, energies, overlaps, warnings. SI units; what is not defined is null.
 nlohmann::ordered_json summarize(const Simulation& simulation, const RunOutcome& outcome);
 
 /// Collisions of each kind: disk_disk, left_slope, right_slope, apex, wall.

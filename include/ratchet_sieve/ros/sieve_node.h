@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
+#include "ratchet_sieve/live/certainty_log.h"
 #include "ratchet_sieve/live/display_wait.h"
 #include "ratchet_sieve/live/pacer.h"
 #include "ratchet_sieve/live/pour_log.h"
@@ -74,6 +75,7 @@ private:
   ProgressLog progress_;
   bool energy_said_ = false;
   WallLog walls_;
+  CertaintyLog certainty_;
   CommandServer commands_;
 };
 

@@ -47,6 +47,9 @@ std::string readYamlText(const std::string& path);
 /// end. @param source named in errors @throws SceneError
 YAML::Node copyableYaml(const std::string& text, const std::string& source);
 
+/// The keys of `accuracy` that decide when a run ends.
+std::vector<std::string> certaintyKeyNames();
+
 /// Sets KEY=VALUE in a YAML tree. @throws SceneError
 void applyOverride(YAML::Node& root, const std::string& assignment);
 

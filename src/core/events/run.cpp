@@ -12,6 +12,11 @@
 
 namespace ratchet_sieve
 {
+namespace
+{
+/// At the end of a block the lanes run empty: about as often as they do at an epoch's.
+constexpr double SCALES_PER_ENSEMBLE_BLOCK = 8.0;
+}  // namespace
 
 const Run::MachineEvent Run::MACHINE_EVENTS[] = {{&Run::nextSettle, &Run::settle},
                                                  {&Run::nextBlockEnd, &Run::endBlock},
@@ -137,13 +142,17 @@ void Run::settle()
   machine_.restartMeans(now_);
 }
 
-/// The series from which the errors of the means are found goes by the machine's time scale. Disks that do
-/// not see each other are independent, and need none.
 std::optional<double> Run::nextBlockEnd() const
 {
-  if (!settled_ || !hasPairs())
+  if (!settled_ || !record().keepsBlocks())
     return std::nullopt;
-  return local(settledTime() + static_cast<double>(blocks_ + 1) * machine().timeScale());
+  return local(blockEnd(blocks_ + 1));
+}
+
+/// The series from which the errors of the means are found goes by the machine's time scale.
+double Run::blockTime() const
+{
+  return hasPairs() ? machine().timeScale() : SCALES_PER_ENSEMBLE_BLOCK * machine().timeScale();
 }
 
 void Run::endBlock()

@@ -41,6 +41,13 @@ public:
   bool settled() const { return settled_; }
   double now() const { return now_; }
 
+  /// When so many blocks of the series of the means have ended, in the run's time [s].
+  double blockEnd(std::uint64_t blocks) const
+  {
+    return settledTime() + static_cast<double>(blocks) * blockTime();
+  }
+  MeanSeries meanSeries() const { return record().meanSeries(blockTime()); }
+
   /// In the run's time [s].
   double startTime() const { return start_; }
   double time() const { return machine().epoch().start + now_; }
@@ -89,6 +96,7 @@ private:
   std::optional<double> nextSettle() const;
   void settle();
   std::optional<double> nextBlockEnd() const;
+  double blockTime() const;
   void endBlock();
   std::optional<double> nextPeriodSample() const { return periods_.next(); }
   void samplePeriod() { periods_.sample(now_); }

@@ -1,6 +1,5 @@
 #include "ratchet_sieve/core/block_averages.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ratchet_sieve
@@ -9,16 +8,24 @@ namespace
 {
 /// When there are as many blocks, neighbours are joined.
 constexpr std::size_t MAX_BLOCKS = 512;
+
+std::vector<BlockSum> joined(const std::vector<BlockSum>& blocks)
+{
+  std::vector<BlockSum> pairs;
+  for (std::size_t i = 0; i + 1 < blocks.size(); i += 2)
+    pairs.push_back({blocks[i].sum + blocks[i + 1].sum, blocks[i].weight + blocks[i + 1].weight});
+  return pairs;
+}
 }  // namespace
 
 void BlockAverages::add(double displacement, double time)
 {
-  open_.displacement += displacement;
-  open_.time += time;
+  open_.sum += displacement;
+  open_.weight += time;
   if (++samples_ < block_length_)
     return;
   blocks_.push_back(open_);
-  open_ = Block();
+  open_ = BlockSum();
   samples_ = 0;
   if (blocks_.size() < MAX_BLOCKS)
     return;
@@ -26,45 +33,39 @@ void BlockAverages::add(double displacement, double time)
   block_length_ *= 2;
 }
 
-std::vector<BlockAverages::Block> BlockAverages::joined(const std::vector<Block>& blocks)
+double scatterError(const std::vector<BlockSum>& blocks)
 {
-  std::vector<Block> pairs;
-  for (std::size_t i = 0; i + 1 < blocks.size(); i += 2)
-    pairs.push_back(
-        {blocks[i].displacement + blocks[i + 1].displacement, blocks[i].time + blocks[i + 1].time});
-  return pairs;
-}
-
-/// Of the ratio of the sums, from the scatter of each block's displacement about the mean velocity
-/// times its time.
-double BlockAverages::errorOf(const std::vector<Block>& blocks)
-{
-  Block sum;
-  for (const Block& block : blocks)
+  BlockSum all;
+  for (const BlockSum& block : blocks)
   {
-    sum.displacement += block.displacement;
-    sum.time += block.time;
+    all.sum += block.sum;
+    all.weight += block.weight;
   }
-  if (sum.time <= 0.0)
+  if (all.weight <= 0.0)
     return 0.0;
   double scatter = 0.0;
-  for (const Block& block : blocks)
+  for (const BlockSum& block : blocks)
   {
-    const double deviation = block.displacement - sum.displacement / sum.time * block.time;
+    const double deviation = block.sum - all.sum / all.weight * block.weight;
     scatter += deviation * deviation;
   }
   const auto count = static_cast<double>(blocks.size());
-  return std::sqrt(scatter * count / (count - 1.0)) / sum.time;
+  return std::sqrt(scatter * count / (count - 1.0)) / all.weight;
+}
+
+std::optional<BlockError> joinedError(std::vector<BlockSum> blocks)
+{
+  std::optional<BlockError> largest;
+  for (; blocks.size() >= BlockAverages::MIN_BLOCKS; blocks = joined(blocks))
+    if (const double error = scatterError(blocks); !largest || error > largest->error)
+      largest = {error, blocks.size()};
+  return largest;
 }
 
 std::optional<double> BlockAverages::standardError() const
 {
-  if (blocks_.size() < MIN_BLOCKS)
-    return std::nullopt;
-  double error = 0.0;
-  for (std::vector<Block> blocks = blocks_; blocks.size() >= MIN_BLOCKS; blocks = joined(blocks))
-    error = std::max(error, errorOf(blocks));
-  return error;
+  const std::optional<BlockError> largest = joinedError(blocks_);
+  return largest ? std::optional<double>(largest->error) : std::nullopt;
 }
 
 }  // namespace ratchet_sieve

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "model/prefetch.h"
+#include "ratchet_sieve/core/mean_series.h"
 #include "ratchet_sieve/core/observation.h"
+#include "state/accuracy_series.h"
 #include "state/base_impulses.h"
 #include "state/contact_counts.h"
 #include "state/contact_times.h"
@@ -61,7 +63,14 @@ public:
   void observeCollisions(CollisionObserver observer) { observer_ = std::move(observer); }
 
   void restartMeans();
-  void endBlockOfMeans(double time) { tally_.endBlock(machine_, time); }
+
+  /// Whether the series of the means is kept, block by block: always of a layer, whose disks move together.
+  /// Disks that do not see each other are independent, and need none unless the scene asks for a certainty.
+  bool keepsBlocks() const { return machine_.plan().pairs || accuracy_.kept(); }
+  void endBlockOfMeans(double time);
+
+  /// @param block_time of a block that is not joined yet [s]
+  MeanSeries meanSeries(double block_time) const;
   std::vector<SpeciesMeans> means(double time) const { return tally_.means(machine_, time); }
 
   void rebase(double length) { times_.rebase(length); }
@@ -75,6 +84,7 @@ private:
   BaseImpulses impulses_;
   ContactTimes times_;
   Tally tally_;
+  AccuracySeries accuracy_;
   CollisionObserver observer_;
 };
 

@@ -49,6 +49,9 @@ public:
   /// Ends a block of the series from which the errors of the means are found; see BlockAverages.
   void endBlock(const MachineState& machine, double time);
 
+  /// Of a species.
+  const BlockAverages& blocks(std::size_t species) const { return blocks_[species]; }
+
   std::vector<SpeciesMeans> means(const MachineState& machine, double time) const;
 
   void archive(StateArchive& state) { state(gone_, at_block_end_, blocks_, contacts_); }

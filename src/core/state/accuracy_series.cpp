@@ -1,0 +1,153 @@
+#include "state/accuracy_series.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// So many that the error from their scatter is known to a tenth, and few enough to be kept block by block.
+constexpr std::size_t GROUPS = 64;
+
+BlockSum exitsOf(const SpeciesBins& bins)
+{
+  return {static_cast<double>(bins.left), static_cast<double>(bins.counted())};
+}
+
+bool sameLengths(const std::vector<BlockAverages>& rows)
+{
+  return std::all_of(rows.begin(), rows.end(),
+                     [&rows](const BlockAverages& row)
+                     { return row.blocks().size() == rows.front().blocks().size(); });
+}
+
+}  // namespace
+
+AccuracySeries::AccuracySeries(const MachineState& machine) : machine_(machine)
+{
+  const SceneDefinition& scene = machine.scene();
+  const std::size_t species = scene.species.size();
+  if (scene.accuracy.mean_vx > 0.0 && !machine.plan().pairs)
+  {
+    gone_.resize(species * GROUPS);
+    at_block_end_.resize(species * GROUPS);
+    groups_.resize(species * GROUPS);
+  }
+  if (scene.accuracy.quality > 0.0 && scene.feed.rate > 0.0)
+  {
+    exited_.resize(species);
+    exits_.resize(species);
+  }
+}
+
+std::size_t AccuracySeries::row(std::uint32_t slot) const
+{
+  return machine_.disk(slot).species * GROUPS + machine_.id(slot) % GROUPS;
+}
+
+void AccuracySeries::addPassage(std::uint32_t slot, double x, double until, std::vector<BlockSum>& sums) const
+{
+  const Passage& passage = machine_.passages()[slot];
+  if (!passage.counts())
+    return;
+  BlockSum& sum = sums[row(slot)];
+  sum.sum += x + passage.offset - passage.counted_x;
+  sum.weight += until - passage.counted_from;
+}
+
+void AccuracySeries::forget(const std::vector<std::uint32_t>& left)
+{
+  if (groups_.empty())
+    return;
+  for (const std::uint32_t slot : left)
+    addPassage(slot, machine_.disk(slot).position.x(), machine_.passages()[slot].left_when, gone_);
+}
+
+void AccuracySeries::restart()
+{
+  std::fill(gone_.begin(), gone_.end(), BlockSum());
+  std::fill(at_block_end_.begin(), at_block_end_.end(), BlockSum());
+  std::fill(groups_.begin(), groups_.end(), BlockAverages());
+  std::fill(exits_.begin(), exits_.end(), BlockAverages());
+  for (std::size_t s = 0; s < exited_.size(); ++s)
+    exited_[s] = exitsOf(machine_.bins()[s]);
+}
+
+void AccuracySeries::endBlock(double time)
+{
+  if (!groups_.empty())
+    endGroups(time);
+  if (!exits_.empty())
+    endExits();
+}
+
+void AccuracySeries::endGroups(double time)
+{
+  std::vector<BlockSum> now = gone_;
+  const double gravity = machine_.scene().gravity;
+  for (std::uint32_t slot = 0; slot < machine_.disks().size(); ++slot)
+  {
+    const Disk& disk = machine_.disk(slot);
+    if (machine_.active(slot))
+      addPassage(slot, flown(disk, time, gravity).position.x(), machine_.epoch().start + time, now);
+    else
+      addPassage(slot, disk.position.x(), machine_.passages()[slot].left_when, now);
+  }
+  for (std::size_t k = 0; k < groups_.size(); ++k)
+    groups_[k].add(now[k].sum - at_block_end_[k].sum, now[k].weight - at_block_end_[k].weight);
+  at_block_end_ = std::move(now);
+}
+
+void AccuracySeries::endExits()
+{
+  for (std::size_t s = 0; s < exits_.size(); ++s)
+  {
+    const BlockSum now = exitsOf(machine_.bins()[s]);
+    exits_[s].add(now.sum - exited_[s].sum, now.weight - exited_[s].weight);
+    exited_[s] = now;
+  }
+}
+
+void AccuracySeries::addTo(MeanSeries& series) const
+{
+  for (std::size_t s = 0; s < series.species.size(); ++s)
+  {
+    SpeciesSeries& species = series.species[s];
+    if (!exits_.empty())
+      species.exits = exits_[s].blocks();
+    if (groups_.empty())
+      continue;
+    species.velocity.assign(groups_[s * GROUPS].blocks().size(), {});
+    for (std::size_t g = 0; g < GROUPS; ++g)
+    {
+      species.groups.push_back(groups_[s * GROUPS + g].blocks());
+      for (std::size_t k = 0; k < species.velocity.size(); ++k)
+      {
+        species.velocity[k].sum += species.groups[g][k].sum;
+        species.velocity[k].weight += species.groups[g][k].weight;
+      }
+    }
+  }
+}
+
+void AccuracySeries::archive(StateArchive& state)
+{
+  const std::size_t rows = groups_.size();
+  const std::size_t species = exits_.size();
+  state(gone_, at_block_end_, groups_, exited_, exits_);
+  if ((groups_.empty() && rows > 0) || (exits_.empty() && species > 0))
+    throw StateError("it has no series of what accuracy asks for, as its run did not ask");
+  if (rows == 0)
+    groups_.clear();
+  if (species == 0)
+    exits_.clear();
+  gone_.resize(rows);
+  at_block_end_.resize(rows);
+  exited_.resize(species);
+  if (groups_.size() != rows || exits_.size() != species || !sameLengths(groups_) || !sameLengths(exits_))
+    throw StateError("it is of another scene");
+}
+
+}  // namespace ratchet_sieve

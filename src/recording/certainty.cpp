@@ -1,0 +1,168 @@
+#include "ratchet_sieve/recording/certainty.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+constexpr std::uint64_t FIRST_LOOK = 32;      ///< [blocks]
+constexpr std::uint64_t BLOCKS_PER_MORE = 5;  ///< a look at n blocks is followed by one at n (1 + 1 / 5)
+
+/// A need that is far beyond this says nothing.
+constexpr double LARGEST_FACTOR = 1e9;
+
+bool isFed(const SceneDefinition& scene)
+{
+  return scene.feed.rate > 0.0;
+}
+
+/// The largest half-width of a species that has disks; nothing where one's is not known.
+std::optional<double> largestHalfWidth(const Simulation& simulation, const SteadyMeans& means)
+{
+  std::optional<double> largest;
+  const std::vector<SpeciesMeans> all = simulation.means();
+  for (std::size_t s = 0; s < means.of.size(); ++s)
+  {
+    if (!all[s].mean_vx)
+      continue;
+    if (!means.of[s])
+      return std::nullopt;
+    largest = std::max(largest.value_or(0.0), means.of[s]->estimate.half_width);
+  }
+  return largest;
+}
+
+double timesForTrust(const SteadyMeans& means)
+{
+  double times = 0.0;
+  for (const std::optional<SteadyMean>& mean : means.of)
+    if (mean)
+      times = std::max(times, mean->times_for_trust);
+  return times;
+}
+
+Approach approachToMean(const Simulation& simulation, const SteadyMeans& means)
+{
+  Approach approach;
+  if (const std::optional<double> half_width = largestHalfWidth(simulation, means))
+    approach.ratio = *half_width / simulation.scene().accuracy.mean_vx;
+  approach.trusted = means.settled && timesForTrust(means) <= 1.0;
+  return approach;
+}
+
+Approach approachToQuality(const std::optional<QualityEstimate>& quality, double wanted)
+{
+  if (!quality)
+    return {};
+  return {quality->estimate.half_width / wanted, quality->times_for_trust <= 1.0};
+}
+
+std::string meanShortfall(const Simulation& simulation, const Certainty& certainty)
+{
+  const SteadyMeans& means = certainty.means;
+  const std::optional<double> ratio = certainty.to_mean_vx->ratio;
+  const double wanted = simulation.scene().accuracy.mean_vx;
+  const std::string text =
+      fmt::format("accuracy.mean_vx = {:g} m/s was not reached within {:g} s: ", wanted, simulation.time());
+  if (!ratio || !means.transient)
+    return text + "too short a run to know its error";
+  const double times = std::min(std::max(*ratio * *ratio, timesForTrust(means)), LARGEST_FACTOR);
+  const double enough = std::max(*means.transient + means.left * times, CUTS_IN_A_RUN * *means.transient);
+  return text +
+         fmt::format(
+             "+- {:.3g} m/s over {:.3g} s, the first {:.3g} s after settle cut as transient; a duration of "
+             "about {:.2g} s would do",
+             *ratio * wanted, means.left, *means.transient, simulation.blockEnd(0) + enough);
+}
+
+/// What a longer run, or more of them, would have to be: the error falls with the root of what is counted.
+std::string qualityNeed(const Simulation& simulation, const QualityEstimate& quality)
+{
+  const double ratio = quality.sampled / simulation.scene().accuracy.quality;
+  const double times = std::min(std::max(ratio * ratio, quality.times_for_trust), LARGEST_FACTOR);
+  if (isFed(simulation.scene()))
+    return fmt::format("a duration of about {:.2g} s would do", simulation.time() * times);
+  const double runs = std::ceil(times * processedRatio(simulation.bins()).value_or(1.0));
+  return fmt::format("{} disks have not left; about {:g} runs with other seeds, to the last disk, would do",
+                     simulation.activeDisks(), runs);
+}
+
+std::string qualityShortfall(const Simulation& simulation, const std::optional<QualityEstimate>& quality)
+{
+  const std::string text = fmt::format("accuracy.quality = {:g} was not reached within {:g} s: ",
+                                       simulation.scene().accuracy.quality, simulation.time());
+  if (!quality)
+    return text + "too few disks have left to know Q and its error";
+  return text + fmt::format("Q = {:.3g} +- {:.2g}; ", quality->estimate.value, quality->estimate.half_width) +
+         qualityNeed(simulation, *quality);
+}
+
+}  // namespace
+
+std::optional<bool> Certainty::reached() const
+{
+  if (!to_mean_vx && !to_quality)
+    return std::nullopt;
+  return (!to_mean_vx || to_mean_vx->reached()) && (!to_quality || to_quality->reached());
+}
+
+std::optional<double> Certainty::ratio() const
+{
+  std::optional<double> largest;
+  for (const std::optional<Approach>& approach : {to_mean_vx, to_quality})
+  {
+    if (approach && !approach->ratio)
+      return std::nullopt;
+    if (approach)
+      largest = std::max(largest.value_or(0.0), *approach->ratio);
+  }
+  return largest;
+}
+
+Certainty certaintyOf(const Simulation& simulation)
+{
+  const AccuracyDefinition& wanted = simulation.scene().accuracy;
+  const MeanSeries series = simulation.meanSeries();
+  std::vector<std::vector<BlockSum>> exits;
+  if (isFed(simulation.scene()))
+    for (const SpeciesSeries& species : series.species)
+      exits.push_back(species.exits);
+  Certainty certainty;
+  certainty.means = steadyMeans(series, wanted.confidence);
+  certainty.quality = qualityEstimate(simulation.bins(), exits, wanted.confidence);
+  if (wanted.mean_vx > 0.0)
+    certainty.to_mean_vx = approachToMean(simulation, certainty.means);
+  if (wanted.quality > 0.0)
+    certainty.to_quality = approachToQuality(certainty.quality, wanted.quality);
+  return certainty;
+}
+
+std::vector<std::string> shortfalls(const Simulation& simulation, const Certainty& certainty)
+{
+  std::vector<std::string> texts;
+  if (certainty.to_mean_vx && !certainty.to_mean_vx->reached())
+    texts.push_back(meanShortfall(simulation, certainty));
+  if (certainty.to_quality && !certainty.to_quality->reached())
+    texts.push_back(qualityShortfall(simulation, certainty.quality));
+  return texts;
+}
+
+LookTimes::LookTimes(const Simulation& simulation) : simulation_(simulation), blocks_(FIRST_LOOK)
+{
+  next_ = simulation.blockEnd(blocks_);
+  while (next_ < simulation.time())
+    pass();
+}
+
+void LookTimes::pass()
+{
+  blocks_ += (blocks_ + BLOCKS_PER_MORE - 1) / BLOCKS_PER_MORE;
+  next_ = simulation_.blockEnd(blocks_);
+}
+
+}  // namespace ratchet_sieve

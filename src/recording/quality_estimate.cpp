@@ -1,0 +1,109 @@
+#include "ratchet_sieve/recording/quality_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// How many left, and which share of them to the left.
+struct Share
+{
+  explicit Share(const SpeciesBins& bins)
+      : counted(static_cast<double>(bins.counted())), left(static_cast<double>(bins.left) / counted)
+  {
+  }
+
+  double counted;
+  double left;
+};
+
+/// Wilson's interval of a share lies so far below and above it.
+struct Margins
+{
+  double below;
+  double above;
+};
+
+Margins wilson(const Share& share, double z)
+{
+  const double n = share.counted;
+  const double centre = (share.left + z * z / (2.0 * n)) / (1.0 + z * z / n);
+  const double half =
+      z / (1.0 + z * z / n) * std::sqrt(share.left * (1.0 - share.left) / n + z * z / (4.0 * n * n));
+  return {share.left - centre + half, centre + half - share.left};
+}
+
+/// Of counts of disks that leave independently of each other.
+double countedHalfWidth(const Share& a, const Share& b, double confidence)
+{
+  const double z = halfWidthOver(confidence, 0);
+  const Margins of_a = wilson(a, z);
+  const Margins of_b = wilson(b, z);
+  return std::max(std::hypot(of_a.below, of_b.above), std::hypot(of_a.above, of_b.below));
+}
+
+/// The difference of the shares block by block, about that of all.
+std::vector<BlockSum> deviations(const std::vector<BlockSum>& a, const std::vector<BlockSum>& b)
+{
+  const BlockSum all_a = sumOf(a);
+  const BlockSum all_b = sumOf(b);
+  std::vector<BlockSum> blocks;
+  if (all_a.weight <= 0.0 || all_b.weight <= 0.0)
+    return blocks;
+  const auto deviation = [](const BlockSum& block, const BlockSum& all)
+  { return (block.sum - all.sum / all.weight * block.weight) / all.weight; };
+  for (std::size_t k = 0; k < a.size(); ++k)
+    blocks.push_back({deviation(a[k], all_a) - deviation(b[k], all_b), 1.0 / static_cast<double>(a.size())});
+  return blocks;
+}
+
+/// By how much the disks still in the machine can change the share.
+double open(const Share& share, const SpeciesBins& bins)
+{
+  const auto inside = static_cast<double>(bins.on_base);
+  return inside / (share.counted + inside) * std::max(share.left, 1.0 - share.left);
+}
+
+std::optional<PairQuality> bestPair(const std::vector<SpeciesBins>& bins)
+{
+  const std::optional<double> best = bestQuality(bins);
+  if (best)
+    for (const PairQuality& pair : pairQualities(bins))
+      if (pair.quality == best)
+        return pair;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<QualityEstimate> qualityEstimate(const std::vector<SpeciesBins>& bins,
+                                               const std::vector<std::vector<BlockSum>>& exits,
+                                               double confidence)
+{
+  const std::optional<PairQuality> pair = bestPair(bins);
+  if (!pair)
+    return std::nullopt;
+  const Share a(bins[pair->first]);
+  const Share b(bins[pair->second]);
+  QualityEstimate quality;
+  quality.sampled = countedHalfWidth(a, b, confidence);
+  if (exits.empty())
+  {
+    const double rest = open(a, bins[pair->first]) + open(b, bins[pair->second]);
+    quality.estimate = {*pair->quality, quality.sampled + rest};
+    return quality;
+  }
+  const std::vector<BlockSum> blocks = deviations(exits[pair->first], exits[pair->second]);
+  const std::optional<BlockError> in_time = joinedError(blocks);
+  if (!in_time)
+    return std::nullopt;
+  quality.sampled = std::max(quality.sampled, halfWidthOver(confidence, in_time->blocks) * in_time->error);
+  quality.times_for_trust = timesForTrust(blocks, *in_time);
+  quality.estimate = {*pair->quality, quality.sampled};
+  return quality;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,161 @@
+#include "ratchet_sieve/recording/steady_mean.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// What of a transient MSER leaves is as large as the noise: the share of a mean that it makes falls with the
+/// length of the series. See SteadyMeans.
+constexpr std::size_t POINTS_CUT = 2;
+
+/// Blocks are taken together until there are no more than twice as many: a transient is seen while it is
+/// larger than the scatter of what it is sought in.
+constexpr std::size_t BATCHES = 64;
+
+/// Of a series whose errors are those of groups: enough to find the transient.
+constexpr double BLOCKS_OF_GROUPS = 32.0;
+
+/// Without blocks in which there was no disk.
+std::vector<BlockSum> after(const std::vector<BlockSum>& series, std::size_t cut)
+{
+  std::vector<BlockSum> left;
+  for (std::size_t k = cut; k < series.size(); ++k)
+    if (series[k].weight > 0.0)
+      left.push_back(series[k]);
+  return left;
+}
+
+/// What each group comes to after the cut; without those that have no disks.
+std::vector<BlockSum> groupSums(const SpeciesSeries& species, std::size_t cut)
+{
+  std::vector<BlockSum> sums;
+  for (const std::vector<BlockSum>& group : species.groups)
+    if (const BlockSum sum = sumOf(after(group, cut)); sum.weight > 0.0)
+      sums.push_back(sum);
+  return sums;
+}
+
+/// In batches of so many blocks, without what is left over at the end.
+std::vector<BlockSum> batchesOf(const std::vector<BlockSum>& series, std::size_t size)
+{
+  std::vector<BlockSum> batches;
+  for (std::size_t first = 0; first + size <= series.size(); first += size)
+    batches.push_back(sumOf({series.begin() + static_cast<std::ptrdiff_t>(first),
+                             series.begin() + static_cast<std::ptrdiff_t>(first + size)}));
+  return batches;
+}
+
+/// MSER, in blocks of the series it is given.
+std::size_t leastErrorFrom(const std::vector<BlockSum>& series)
+{
+  std::size_t weighty = 0;
+  double sums = 0.0, weights = 0.0, squares = 0.0, products = 0.0, squared_weights = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t from = 0;
+  for (std::size_t k = series.size(); k-- > 0;)
+  {
+    const auto [sum, weight] = series[k];
+    sums += sum;
+    weights += weight;
+    squares += sum * sum;
+    products += sum * weight;
+    squared_weights += weight * weight;
+    weighty += weight > 0.0 ? 1 : 0;
+    // A machine that has emptied: what the last disks did is no steady state.
+    if (2 * k > series.size() || 2 * weighty < series.size() - k)
+      continue;
+    const double mean = sums / weights;
+    const double error =
+        (squares - 2.0 * mean * products + mean * mean * squared_weights) / (weights * weights);
+    if (error > least)
+      continue;
+    least = error;
+    from = k;
+  }
+  return from;
+}
+
+std::optional<SteadyMean> meanAfter(const SpeciesSeries& species, std::size_t cut, double confidence)
+{
+  const std::vector<BlockSum> left = after(species.velocity, cut);
+  const BlockSum all = sumOf(left);
+  const std::optional<BlockError> in_time = joinedError(left);
+  if (!in_time || all.weight <= 0.0)
+    return std::nullopt;
+  SteadyMean mean;
+  mean.estimate = {all.sum / all.weight, halfWidthOver(confidence, in_time->blocks) * in_time->error};
+  mean.times_for_trust = timesForTrust(left, *in_time);
+  if (const std::vector<BlockSum> groups = groupSums(species, cut);
+      groups.size() >= BlockAverages::MIN_BLOCKS)
+  {
+    mean.estimate.half_width =
+        std::max(mean.estimate.half_width, halfWidthOver(confidence, groups.size()) * scatterError(groups));
+    mean.times_for_trust = BLOCKS_OF_GROUPS / static_cast<double>(left.size());
+  }
+  return mean;
+}
+
+}  // namespace
+
+BlockSum sumOf(const std::vector<BlockSum>& blocks)
+{
+  BlockSum all;
+  for (const BlockSum& block : blocks)
+  {
+    all.sum += block.sum;
+    all.weight += block.weight;
+  }
+  return all;
+}
+
+double halfWidthOver(double confidence, std::size_t blocks)
+{
+  const double upper = 0.5 + 0.5 * confidence;
+  if (blocks == 0)
+    return quantile(boost::math::normal(), upper);
+  return quantile(boost::math::students_t(static_cast<double>(blocks - 1)), upper);
+}
+
+double timesForTrust(const std::vector<BlockSum>& series, const BlockError& error)
+{
+  // Joining makes the error larger by the root of how many blocks say the same.
+  const double joined = error.error > 0.0 ? error.error / scatterError(series) : 1.0;
+  return INDEPENDENT_BLOCKS / static_cast<double>(series.size()) * joined * joined;
+}
+
+std::size_t steadyFrom(const std::vector<BlockSum>& series)
+{
+  const std::size_t size = std::max<std::size_t>(1, series.size() / BATCHES);
+  return size * leastErrorFrom(batchesOf(series, size));
+}
+
+SteadyMeans steadyMeans(const MeanSeries& series, double confidence)
+{
+  SteadyMeans means;
+  means.of.resize(series.species.size());
+  std::size_t blocks = 0;
+  std::size_t cut = 0;
+  for (const SpeciesSeries& species : series.species)
+  {
+    blocks = std::max(blocks, species.velocity.size());
+    cut = std::max(cut, POINTS_CUT * steadyFrom(species.velocity));
+  }
+  if (blocks == 0 || 2 * cut > blocks)
+    return means;
+  means.transient = static_cast<double>(cut) * series.block_time;
+  means.settled = CUTS_IN_A_RUN * cut <= blocks;
+  means.left = static_cast<double>(blocks - cut) * series.block_time;
+  for (std::size_t s = 0; s < means.of.size(); ++s)
+    means.of[s] = meanAfter(series.species[s], cut, confidence);
+  return means;
+}
+
+}  // namespace ratchet_sieve

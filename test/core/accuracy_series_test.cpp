@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Short and open, and fed: thousands of disks come, go, and are compacted away.
+SceneDefinition fedEnsemble()
+{
+  SceneDefinition scene = test::mixture(5);
+  scene.base.teeth = 3;
+  scene.base.inclination = 0.3;
+  scene.boundary = Boundary::OPEN;
+  scene.feed.rate = 400.0;
+  scene.settle = 1.0;
+  scene.contact.pair_collisions = false;
+  scene.accuracy.mean_vx = 1e-3;
+  scene.accuracy.quality = 1e-3;
+  return scene;
+}
+
+double ratioOf(const std::vector<BlockSum>& blocks)
+{
+  double sum = 0.0, weight = 0.0;
+  for (const BlockSum& block : blocks)
+  {
+    sum += block.sum;
+    weight += block.weight;
+  }
+  return sum / weight;
+}
+
+TEST(AccuracySeries, OfSingleDisksAddsUpToTheirMeans)
+{
+  Simulation simulation(fedEnsemble());
+  const std::uint64_t blocks = 60;
+  simulation.advanceTo(simulation.blockEnd(blocks));
+  const MeanSeries series = simulation.meanSeries();
+  const std::vector<SpeciesMeans> means = simulation.means();
+  EXPECT_DOUBLE_EQ(series.block_time, 8.0 * simulation.timeScale());
+  for (std::size_t s = 0; s < 2; ++s)
+  {
+    const SpeciesSeries& species = series.species[s];
+    ASSERT_EQ(species.velocity.size(), blocks);
+    EXPECT_EQ(species.groups.size(), 64u);
+    EXPECT_NEAR(ratioOf(species.velocity), *means[s].mean_vx, 1e-9 * std::abs(*means[s].mean_vx));
+    // From the end of settle on.
+    double left = 0.0;
+    for (const BlockSum& block : species.exits)
+      left += block.sum;
+    EXPECT_GT(left, 0.0);
+    EXPECT_LT(left, static_cast<double>(simulation.bins()[s].left));
+  }
+}
+
+TEST(AccuracySeries, OfALayerAddsUpToItsMeans)
+{
+  SceneDefinition scene = test::mixture(10);
+  scene.base.teeth = 3;
+  scene.settle = 0.5;
+  Simulation simulation(scene);
+  simulation.advanceTo(simulation.blockEnd(100));
+  const MeanSeries series = simulation.meanSeries();
+  ASSERT_EQ(series.species[1].velocity.size(), 100u);
+  EXPECT_NEAR(ratioOf(series.species[1].velocity), *simulation.means()[1].mean_vx, 1e-12);
+  EXPECT_EQ(series.block_time, simulation.timeScale());
+  simulation.advanceTo(simulation.blockEnd(512));
+  EXPECT_EQ(simulation.meanSeries().species[0].velocity.size(), 256u);
+  EXPECT_DOUBLE_EQ(simulation.meanSeries().block_time, 2.0 * simulation.timeScale());
+}
+
+TEST(AccuracySeries, IsNotKeptForASceneThatDoesNotAsk)
+{
+  SceneDefinition scene = test::singleParticles(100);
+  Simulation unasked(scene);
+  scene.accuracy.mean_vx = 1e-3;
+  Simulation asked(scene);
+  for (Simulation* simulation : {&unasked, &asked})
+    simulation->advanceTo(5.0);
+  EXPECT_TRUE(unasked.meanSeries().species[0].velocity.empty());
+  EXPECT_TRUE(unasked.meanSeries().species[0].groups.empty());
+  EXPECT_FALSE(asked.meanSeries().species[0].groups.empty());
+  // And the run is the same.
+  EXPECT_EQ(asked.events(), unasked.events());
+  EXPECT_EQ(asked.means()[0].mean_vx, unasked.means()[0].mean_vx);
+  EXPECT_EQ(asked.means()[0].mean_vx_stderr, unasked.means()[0].mean_vx_stderr);
+}
+
+TEST(AccuracySeries, IsSavedWithTheRunAndRefusedWhereItIsMissing)
+{
+  const SceneDefinition asking = fedEnsemble();
+  SceneDefinition silent = asking;
+  silent.accuracy = {};
+  Simulation through(asking), half(asking), unasked(silent);
+  through.advanceTo(12.0);
+  half.advanceTo(6.0);
+  unasked.advanceTo(6.0);
+  Simulation resumed(asking, half.saveState());
+  resumed.advanceTo(12.0);
+  EXPECT_EQ(resumed.saveState(), through.saveState());
+  try
+  {
+    Simulation(asking, unasked.saveState());
+    FAIL() << "not refused";
+  }
+  catch (const StateError& error)
+  {
+    EXPECT_STREQ(error.what(), "it has no series of what accuracy asks for, as its run did not ask");
+  }
+  Simulation dropped(silent, half.saveState());
+  EXPECT_EQ(dropped.saveState().size(), unasked.saveState().size());
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

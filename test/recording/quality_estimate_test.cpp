@@ -1,0 +1,88 @@
+#include "ratchet_sieve/recording/quality_estimate.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "coverage.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+TEST(QualityEstimate, IsOfTheIntervalThatNewcombePrints)
+{
+  // Stat. Med. 17, 873 (1998), table II: 56 of 70 and 48 of 80, method 10: 0.2 in [0.0524, 0.3339].
+  const auto quality = qualityEstimate({{56, 14, 0}, {48, 32, 0}}, {}, 0.95);
+  ASSERT_TRUE(quality);
+  EXPECT_NEAR(quality->estimate.value, 0.2, 1e-12);
+  EXPECT_NEAR(quality->estimate.half_width, 0.2 - 0.0524, 1e-4);
+  // 10 of 10 and 0 of 10: 1 in [0.6075, 1]. An error from the counts' own variance would be 0.
+  EXPECT_NEAR(qualityEstimate({{10, 0, 0}, {0, 10, 0}}, {}, 0.95)->estimate.half_width, 1.0 - 0.6075, 1e-4);
+}
+
+TEST(QualityEstimate, IsNoneWhileQIsNone)
+{
+  EXPECT_FALSE(qualityEstimate({{3, 1, 2}, {0, 0, 4}}, {}, 0.95));
+  EXPECT_FALSE(qualityEstimate({{3, 1, 2}}, {}, 0.95));
+}
+
+TEST(QualityEstimate, IsWidenedByWhatTheRestCouldChange)
+{
+  const double counted = qualityEstimate({{30, 10, 0}, {10, 30, 0}}, {}, 0.95)->estimate.half_width;
+  const auto quality = qualityEstimate({{30, 10, 10}, {10, 30, 0}}, {}, 0.95);
+  EXPECT_NEAR(quality->sampled, counted, 1e-12);
+  // Ten more of A to the right: 30 of 50, where it is 30 of 40.
+  EXPECT_NEAR(quality->estimate.half_width, counted + 0.75 - 0.6, 1e-12);
+}
+
+TEST(QualityEstimate, OfDisksThatLeaveTogetherHasTheErrorOfTheCourse)
+{
+  // Ten at a time, all to one side: as many as a tenth of them would say.
+  std::mt19937_64 bits(3);
+  std::vector<std::vector<BlockSum>> exits(2);
+  std::vector<SpeciesBins> bins(2);
+  for (int k = 0; k < 400; ++k)
+    for (int s = 0; s < 2; ++s)
+    {
+      const std::uint64_t left = bits() >> 63 != 0 ? 10 : 0;
+      exits[s].push_back({static_cast<double>(left), 10.0});
+      bins[s].left += left;
+      bins[s].right += 10 - left;
+    }
+  const double expected = halfWidthOver(0.95, 0) * std::sqrt(2.0 * 0.25 / 400.0);
+  const auto quality = qualityEstimate(bins, exits, 0.95);
+  ASSERT_TRUE(quality);
+  EXPECT_NEAR(quality->estimate.half_width, expected, 0.35 * expected);
+  EXPECT_LE(quality->times_for_trust, 1.0);
+  EXPECT_NEAR(qualityEstimate(bins, {}, 0.95)->estimate.half_width, expected / std::sqrt(10.0),
+              0.05 * expected);
+}
+
+TEST(QualityEstimate, HoldsTheTruthAsOftenAsItClaims)
+{
+  std::mt19937_64 bits(7);
+  const auto drawn = [&bits](int of, double share)
+  {
+    SpeciesBins bins;
+    for (int k = 0; k < of; ++k)
+      ++(static_cast<double>(bits() >> 11) * 0x1p-53 < share ? bins.left : bins.right);
+    return bins;
+  };
+  for (const double confidence : {0.8, 0.95})
+  {
+    Coverage coverage;
+    for (int k = 0; k < 1000; ++k)
+    {
+      const auto quality = qualityEstimate({drawn(40, 0.9), drawn(60, 0.2)}, {}, confidence);
+      coverage.take(std::abs(quality->estimate.value - 0.7) <= quality->estimate.half_width);
+    }
+    EXPECT_GE(coverage.share(), confidence - coverage.tolerance(confidence));
+    // The larger margin of an uneven interval stands for both.
+    EXPECT_LE(coverage.share(), 0.5 + 0.5 * confidence);
+  }
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
