@@ -192,6 +192,11 @@ std::string Simulation::energyText() const
   return implementation_->energyWatch().text();
 }
 
+std::uint64_t Simulation::pushedOut() const
+{
+  return implementation_->record().counts().pushed_out;
+}
+
 double Simulation::maxOverlap() const
 {
   return implementation_->record().counts().max_overlap;

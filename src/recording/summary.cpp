@@ -132,6 +132,8 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
   json["collapses"] = simulation.collapses().count;
   json["max_overlap"] = simulation.maxOverlap();
   json["through_base"] = outcome.progress.through_base;
+  if (simulation.plan().steps)
+    json["pushed_out"] = simulation.pushedOut();
   json["warnings"] = outcome.warnings;
   return json;
 }

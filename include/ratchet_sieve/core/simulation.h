@@ -113,6 +113,9 @@ public:
   std::string energyText() const;    ///< one line with the numbers; empty while no disk is out of scale
   double maxOverlap() const;         ///< largest ever seen at a collision or by auditOverlaps() [m]
 
+  /// How often a disk was found behind the base's surface and was pushed out: by Method::STEPS alone.
+  std::uint64_t pushedOut() const;
+
   /// Looks at every disk and every near pair at time(): takes overlaps into maxOverlap() and
   /// returns how many disks are behind the base's surface (always 0, or the engine is wrong).
   std::size_t auditOverlaps();

@@ -102,6 +102,8 @@ private:
     ring_ = frame_.image(state_.sawtooth().width());
     contacts_.begin(start_, end);
     placeDisks();
+    for (const std::uint32_t slot : near_base_)
+      pushOut(slot);
     overlaps_.forEachPair([this](std::uint32_t slot, std::uint32_t other, int shift)
                           { findContact(slot, other, shift, start_); });
     for (const std::uint32_t slot : near_base_)
@@ -162,6 +164,23 @@ private:
     const Two velocity = ends_[slot].course.velocity;
     const double reach = (std::abs(velocity[0]) + std::abs(velocity[1])) * (end_ - start_) + base_reach_;
     return reach > state_.sawtooth().height() && base_overlap_.overlaps(at.x(), at.y(), radius + reach);
+  }
+
+  /// A contact that was missed may leave a disk behind the surface of the base, where no search would find
+  /// it.
+  void pushOut(std::uint32_t slot)
+  {
+    const Disk now = flown(state_.disk(slot), start_, gravity_);
+    const FrameOfBase& base = base_.at(start_);
+    const Eigen::Vector2d at = base.into(now.position - base.displacement);
+    const auto way = base_overlap_.wayOut(at.x(), at.y(), ends_[slot].radius);
+    if (!way)
+      return;
+    ++machine_.record().counts().pushed_out;
+    state_.moveTo(slot, now);
+    state_.changeable(slot).position += base.outOf(*way);
+    ++state_.changeable(slot).flights;
+    redirect(slot);
   }
 
   /// When two disks that may overlap at the end came to touch, seen from there: under one gravity their

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
+
 #include "model/sawtooth.h"
 #include "ratchet_sieve/core/numbers.h"
 
@@ -31,13 +34,38 @@ public:
       return true;
     if (n >= height_ + radius)
       return false;
-    const double from_foot = s - floored((s - apex_) * teeth_per_length_ + 1.0) * tooth_width_;
-    const double to_left = from_foot * to_the_left_.x() + n * to_the_left_.y();
-    const double to_right = from_foot * to_the_right_.x() + n * to_the_right_.y();
-    return (to_left < radius) | (to_right < radius);
+    const Valley valley = valleyBelow(s, n);
+    return (valley.to_left < radius) | (valley.to_right < radius);
+  }
+
+  /// How a disk whose centre is behind the surface comes to touch it from the free side; nothing if it is in
+  /// front.
+  std::optional<Eigen::Vector2d> wayOut(double s, double n, double radius) const
+  {
+    const Valley valley = valleyBelow(s, n);
+    if (n >= height_ || std::min(valley.to_left, valley.to_right) >= 0.0 ||
+        (!periodic_ && beyondEnds(s, 0.0)))
+      return std::nullopt;
+    if (valley.to_left < valley.to_right)
+      return (radius - valley.to_left) * to_the_left_;
+    return (radius - valley.to_right) * to_the_right_;
   }
 
 private:
+  /// How far a point is from the lines of the two slopes of the valley that it is over, < 0 behind them [m].
+  struct Valley
+  {
+    double to_left;
+    double to_right;
+  };
+
+  Valley valleyBelow(double s, double n) const
+  {
+    const double from_foot = s - floored((s - apex_) * teeth_per_length_ + 1.0) * tooth_width_;
+    return {from_foot * to_the_left_.x() + n * to_the_left_.y(),
+            from_foot * to_the_right_.x() + n * to_the_right_.y()};
+  }
+
   bool beyondEnds(double s, double margin) const { return s < margin || s > width_ - margin; }
 
   double height_;

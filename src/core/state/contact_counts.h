@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "state/contact_outcome.h"
 
 namespace ratchet_sieve
@@ -8,8 +10,9 @@ namespace ratchet_sieve
 /// What is counted of contacts: the same in whatever order they come.
 struct ContactCounts
 {
-  CollisionCounts collisions;  ///< of those that closed
-  double max_overlap = 0.0;    ///< [m]
+  CollisionCounts collisions;    ///< of those that closed
+  double max_overlap = 0.0;      ///< [m]
+  std::uint64_t pushed_out = 0;  ///< how often a disk was found behind the base's surface, and was pushed out
 
   void take(const ContactOutcome& outcome)
   {
@@ -22,10 +25,11 @@ struct ContactCounts
   void add(const ContactCounts& more)
   {
     takeOverlap(more.max_overlap);
+    pushed_out += more.pushed_out;
     collisions.add(more.collisions);
   }
 
-  void archive(StateArchive& state) { state(collisions, max_overlap); }
+  void archive(StateArchive& state) { state(collisions, max_overlap, pushed_out); }
 };
 
 }  // namespace ratchet_sieve
