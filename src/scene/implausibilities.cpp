@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
-#include <utility>
 
+#include "doubts.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
-#include "ratchet_sieve/scene/scalars.h"
 
 namespace ratchet_sieve
 {
@@ -37,60 +35,12 @@ constexpr double HIGH_DROP = 1.0;         ///< [m], where it is
 constexpr double TEETH_IN_DROP = 20.0;    ///< so many tooth widths, too
 constexpr double LONGEST_RUN = 1e6;       ///< in drive periods
 
-/// A figure, to four digits; in whole numbers where it has more.
-std::string number(double value)
-{
-  std::ostringstream out;
-  const bool whole = std::abs(value) >= 1e4 && std::abs(value) < 1e9;
-  out.precision(whole ? 0 : 4);
-  if (whole)
-    out << std::fixed;
-  out << value;
-  return out.str();
-}
-
-std::string quantity(double value, const char* unit)
-{
-  return number(value) + " " + unit;
-}
-
 double largestDiameter(const SceneDefinition& scene)
 {
   double largest = 0.0;
   for (const SpeciesDefinition& species : scene.species)
     largest = std::max(largest, 2.0 * species.radius);
   return largest;
-}
-
-/// The lines, and how one is put.
-class Doubts
-{
-public:
-  /// "KEY = VALUE UNIT: FIGURE; meant MEANT UNIT?"
-  void add(const std::string& key, double value, const char* unit, const std::string& figure,
-           const std::optional<double>& meant = std::nullopt)
-  {
-    std::string line = key + " = " + scalarText(value) + " " + unit + ": " + figure;
-    if (meant)
-      line += "; meant " + quantity(*meant, unit) + "?";
-    lines_.push_back(line);
-  }
-
-  void add(const std::string& line) { lines_.push_back(line); }
-
-  std::size_t size() const { return lines_.size(); }
-
-  std::vector<std::string> take() { return std::move(lines_); }
-
-private:
-  std::vector<std::string> lines_;
-};
-
-/// What a value is where its unit was mistaken by this factor, if that is plausible.
-template <typename Plausible>
-std::optional<double> meant(double value, double factor, Plausible&& plausible)
-{
-  return plausible(value * factor) ? std::optional(value * factor) : std::nullopt;
 }
 
 std::string speciesKey(std::size_t index, const char* key)
@@ -391,6 +341,7 @@ std::vector<std::string> implausibilities(const SceneDefinition& scene)
   for (const auto doubt : {doubtNumbers, doubtRadii, doubtMasses, doubtTeeth, doubtDrive, doubtAngles,
                            doubtGravity, doubtLayer, doubtPour, doubtInitial, doubtContact, doubtDuration})
     doubt(scene, doubts);
+  doubtSteps(scene, ordinarySpeed(scene), doubts);
   return doubts.take();
 }
 

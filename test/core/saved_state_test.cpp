@@ -114,6 +114,15 @@ TEST(SavedState, GoesOnThroughACollapse)
   expectTheSameEnd(scene, undisturbed);
 }
 
+TEST(SavedState, GoesOnByStepsUnderCommands)
+{
+  SceneDefinition scene = shortMixture();
+  scene.base.teeth = 10;
+  scene.accuracy.method = Method::STEPS;
+  scene.accuracy.step = 0.0013;
+  expectTheSameEnd(scene, commanded);
+}
+
 TEST(SavedState, CutShortOrTooLongIsRefused)
 {
   const SceneDefinition scene = shortMixture();

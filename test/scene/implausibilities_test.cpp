@@ -37,6 +37,15 @@ const std::vector<Mistake>& mistakes()
       {{"species.1.radius=0.02"},
        {"species.1.radius = 0.02 m: a disk's diameter, 0.04 m, is larger than a tooth's valley, "
         "base.tooth_width = 0.02 m"}},
+      {{"accuracy.step=0.001"}, {"accuracy.step = 0.001 s: of no effect, for accuracy.method is events"}},
+      {{"accuracy.method=steps", "contact.pair_collisions=false"},
+       {"accuracy.method = steps: of no effect, for disks that do not see each other are advanced from event "
+        "to "
+        "event"}},
+      {{"accuracy.method=steps", "accuracy.step=0.05"},
+       {"accuracy.step = 0.05 s: within which a disk moves by up to 0.06293 m, 31.46 of the smallest "
+        "diameters: many "
+        "contacts are missed; meant 5e-05 s?"}},
       {{"base.tooth_height=0", "species.1.radius=0.15"},
        {"the counts of all species come to 10 disks: at rest a layer of 1.078 m, 3.592 of the largest "
         "diameters thick, on a base 0.4 m wide; a smaller density, smaller counts or larger radii meant?"}},

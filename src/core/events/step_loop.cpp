@@ -83,7 +83,7 @@ private:
   static constexpr double ROUNDING = 1e-9;
 
   /// A disk that has as many within a step is left alone until its end: a step takes no longer than that.
-  static constexpr std::uint32_t MOST_CONTACTS = 100;
+  static constexpr std::uint32_t MOST_CONTACTS = 30;
 
   /// A disk at the end of the step, if it touches nothing before.
   struct End
@@ -135,7 +135,7 @@ private:
       Eigen::Vector2d at = flyToEnd(slot);
       if (at.x() < 0.0 || at.x() >= state_.sawtooth().width())
       {
-        state_.wrapIntoWidth(slot, at.x(), end_);
+        state_.wrapIntoWidth(slot, at.x(), start_);
         at = flyToEnd(slot);
       }
       overlaps_.place(slot, at.x(), at.y(), ends_[slot].radius);
@@ -178,7 +178,7 @@ private:
       return;
     ++machine_.record().counts().pushed_out;
     state_.moveTo(slot, now);
-    state_.changeable(slot).position += base.outOf(*way);
+    state_.changeable(slot).position += base.outOf({0.0, *way});
     ++state_.changeable(slot).flights;
     redirect(slot);
   }

@@ -78,7 +78,8 @@ bool covers(const Plan& plan, const SceneDefinition& scene)
 std::string planText(const Plan& plan)
 {
   std::string line = plan.pairs ? "pairs" : "no pairs (disks do not see each other)";
-  line += plan.steps ? ", by steps (contacts that come and go within one are missed)" : ", from event to event";
+  if (plan.steps)
+    line += ", by steps (contacts that come and go within one are missed)";
   line += plan.spin ? ", spin" : ", no spin (no friction turns a disk)";
   line += plan.drive ? ", drive" : ", no drive (the base stands still)";
   if (plan.orbit)

@@ -38,17 +38,19 @@ public:
     return (valley.to_left < radius) | (valley.to_right < radius);
   }
 
-  /// How a disk whose centre is behind the surface comes to touch it from the free side; nothing if it is in
-  /// front.
-  std::optional<Eigen::Vector2d> wayOut(double s, double n, double radius) const
+  /// How high a disk whose centre is behind the surface has to be raised normal to the base until it is free
+  /// of both slopes [m]; nothing if its centre is in front.
+  std::optional<double> wayOut(double s, double n, double radius) const
   {
     const Valley valley = valleyBelow(s, n);
     if (n >= height_ || std::min(valley.to_left, valley.to_right) >= 0.0 ||
         (!periodic_ && beyondEnds(s, 0.0)))
       return std::nullopt;
-    if (valley.to_left < valley.to_right)
-      return (radius - valley.to_left) * to_the_left_;
-    return (radius - valley.to_right) * to_the_right_;
+    const double over_apices = height_ + radius - n;
+    const auto over = [&](double distance, const Eigen::Vector2d& normal)
+    { return normal.y() > 0.0 ? (radius - distance) / normal.y() : over_apices; };
+    return std::min(over_apices,
+                    std::max(over(valley.to_left, to_the_left_), over(valley.to_right, to_the_right_)));
   }
 
 private:
@@ -75,8 +77,8 @@ private:
   double tooth_width_;
   double teeth_per_length_;
   double apex_;
-  Eigen::Vector2d to_the_right_;  ///< normal of the slope on the valley's right side
-  Eigen::Vector2d to_the_left_;   ///< normal of the slope on its left side
+  Eigen::Vector2d to_the_right_;  ///< normal of the slope on the right side of a valley
+  Eigen::Vector2d to_the_left_;   ///< of the one on its left side
 };
 
 }  // namespace ratchet_sieve

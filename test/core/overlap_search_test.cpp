@@ -1,0 +1,175 @@
+#include "search/overlap_search.h"
+
+#include <cmath>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "scenes.h"
+#include "search/base_overlap.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+constexpr double DIAMETER = 0.004;
+
+struct Placed
+{
+  double s;
+  double n;
+  double radius;
+};
+
+/// The smaller slot, the larger, and by how many widths the larger's image lies to the right.
+using Overlap = std::tuple<std::uint32_t, std::uint32_t, int>;
+
+Overlap ordered(std::uint32_t slot, std::uint32_t other, int shift)
+{
+  return slot < other ? Overlap{slot, other, shift} : Overlap{other, slot, -shift};
+}
+
+double between(double low, double high)
+{
+  return low + (high - low) * *rc::gen::inRange(0, 1 << 20) / double(1 << 20);
+}
+
+std::vector<Placed> someDisks(double width)
+{
+  const auto count = *rc::gen::inRange<std::size_t>(0, 80);
+  std::vector<Placed> disks(count);
+  for (Placed& disk : disks)
+    disk = {between(0.0, width), between(0.0, 0.02), between(0.0005, 0.5 * DIAMETER)};
+  return disks;
+}
+
+OverlapSearch searchOf(const std::vector<Placed>& disks, double width, bool periodic)
+{
+  OverlapSearch search(width, DIAMETER, periodic);
+  search.begin(disks.size());
+  for (std::uint32_t slot = 0; slot < disks.size(); ++slot)
+    search.place(slot, disks[slot].s, disks[slot].n, disks[slot].radius);
+  search.sort();
+  return search;
+}
+
+/// By how much two disks overlap, < 0: apart [m].
+double overlapOf(const Placed& a, const Placed& b, double shift)
+{
+  return a.radius + b.radius - std::hypot(a.s - b.s - shift, a.n - b.n);
+}
+
+RC_GTEST_PROP(OverlapSearch, FindsEachPairThatOverlapsOnceAndNoneThatIsApart, ())
+{
+  const double width = between(DIAMETER, 0.1);
+  const bool periodic = *rc::gen::arbitrary<bool>();
+  const std::vector<Placed> disks = someDisks(width);
+  OverlapSearch search = searchOf(disks, width, periodic);
+  std::multiset<Overlap> found;
+  search.forEachPair([&](std::uint32_t slot, std::uint32_t other, int shift)
+                     { found.insert(ordered(slot, other, shift)); });
+  for (std::uint32_t i = 0; i < disks.size(); ++i)
+    for (std::uint32_t j = i + 1; j < disks.size(); ++j)
+      for (int shift = periodic ? -1 : 0; shift <= (periodic ? 1 : 0); ++shift)
+      {
+        const double overlap = overlapOf(disks[i], disks[j], shift * width);
+        const auto times = found.count({i, j, shift});
+        if (overlap > 0.0)
+          RC_ASSERT(times == 1u);
+        if (overlap < -1e-6)
+          RC_ASSERT(times == 0u);
+      }
+}
+
+RC_GTEST_PROP(OverlapSearch, FindsAllAroundADiskThatWasMoved, ())
+{
+  const double width = between(3.5 * DIAMETER, 0.1);
+  const bool periodic = *rc::gen::arbitrary<bool>();
+  std::vector<Placed> disks = someDisks(width);
+  RC_PRE(!disks.empty());
+  OverlapSearch search = searchOf(disks, width, periodic);
+  const auto moved = *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(disks.size()));
+  disks[moved].s = between(0.0, width);
+  disks[moved].n = between(0.0, 0.02);
+  search.move(moved, disks[moved].s, disks[moved].n);
+  std::multiset<std::pair<std::uint32_t, int>> found;
+  search.forEachAround(moved,
+                       [&](std::uint32_t slot, std::uint32_t other, int shift)
+                       {
+                         RC_ASSERT(slot == moved);
+                         found.insert({other, shift});
+                       });
+  for (std::uint32_t j = 0; j < disks.size(); ++j)
+    for (int shift = periodic ? -1 : 0; shift <= (periodic ? 1 : 0); ++shift)
+      if (j != moved && overlapOf(disks[moved], disks[j], shift * width) > 0.0)
+        RC_ASSERT(found.count({j, shift}) == 1u);
+}
+
+RC_GTEST_PROP(OverlapKernels, OfAllWidthsFindTheSame, ())
+{
+  const auto count = *rc::gen::inRange<std::uint32_t>(1, 70);
+  const std::size_t room = count + OverlapRows::MOST_LANES;
+  std::vector<float> s(room), n(room), radius(room);
+  for (std::uint32_t row = 0; row < count; ++row)
+  {
+    s[row] = static_cast<float>(between(0.0, 0.02));
+    n[row] = static_cast<float>(between(0.0, 0.02));
+    radius[row] = static_cast<float>(between(0.0, 0.002));
+  }
+  const auto row = *rc::gen::inRange<std::uint32_t>(0, count);
+  const auto begin = *rc::gen::inRange<std::uint32_t>(0, count);
+  const auto hitsOf = [&](OverlapKernel kernel)
+  {
+    std::vector<std::uint32_t> first(room), second(room);
+    const std::size_t found =
+        kernel({s.data(), n.data(), radius.data()}, row, begin, count, {first.data(), second.data()});
+    for (std::size_t k = 0; k < found; ++k)
+      RC_ASSERT(first[k] == row);
+    return std::vector<std::uint32_t>(second.begin(), second.begin() + static_cast<std::ptrdiff_t>(found));
+  };
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t other = begin; other < count; ++other)
+  {
+    const float ds = s[other] - s[row];
+    const float dn = n[other] - n[row];
+    const float reach = radius[other] + radius[row];
+    if (other != row && ds * ds + dn * dn < reach * reach)
+      expected.push_back(other);
+  }
+  for (const int lanes : {4, 16})
+    if (const OverlapKernel kernel = overlapKernel(lanes))
+      RC_ASSERT(hitsOf(kernel) == expected);
+}
+
+RC_GTEST_PROP(BaseOverlap, NamesAllDisksThatOverlapTheBase, ())
+{
+  SceneDefinition scene = test::mixture(1);
+  scene.base.asymmetry = between(0.0, 1.0);
+  scene.base.tooth_height = *rc::gen::element(0.0, 0.001, 0.006, 0.03);
+  const Sawtooth sawtooth(scene.base, Boundary::PERIODIC);
+  const BaseOverlap base(sawtooth);
+  const double s = between(0.0, scene.base.width());
+  const double n = between(-0.01, 0.05);
+  const double radius = between(1e-4, 0.005);
+  const double height = sawtooth.heightAbove(s, n);
+  if (height < radius - 1e-12)
+    RC_ASSERT(base.overlaps(s, n, radius));
+  if (n > scene.base.tooth_height + radius)
+    RC_ASSERT(!base.overlaps(s, n, radius));
+  const auto way = base.wayOut(s, n, radius);
+  if (height > 1e-12)
+    RC_ASSERT(!way);
+  if (height < -1e-12)
+  {
+    RC_ASSERT(way.has_value());
+    RC_ASSERT(sawtooth.heightAbove(s, n + *way) > 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

@@ -1,0 +1,192 @@
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+#include "state_hash.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+SceneDefinition bySteps(SceneDefinition scene, double step)
+{
+  scene.accuracy.method = Method::STEPS;
+  scene.accuracy.step = step;
+  return scene;
+}
+
+/// Fig. 8's density over a quarter of its base.
+SceneDefinition layer()
+{
+  SceneDefinition scene = test::mixture(65);
+  scene.base.teeth = 5;
+  scene.settle = 1.0;
+  return scene;
+}
+
+double kinetic(const SpeciesMeans& means)
+{
+  return *means.kinetic_translational + *means.kinetic_rotational;
+}
+
+TEST(StepLoop, IsChosenByTheSceneAndSaidByThePlan)
+{
+  EXPECT_FALSE(Simulation(layer()).plan().steps);
+  const Simulation simulation(bySteps(layer(), 0.001));
+  EXPECT_TRUE(simulation.plan().steps);
+  EXPECT_NE(planText(simulation.plan()).find("by steps"), std::string::npos);
+  EXPECT_FALSE(Simulation(bySteps(test::singleParticles(3), 0.001)).plan().steps);
+}
+
+/// A disk on its own that comes down on a flat base leaves an overlap at the end of every step in which it
+/// touches: no contact is missed, and each is executed at its exact time.
+TEST(StepLoop, MissesNoContactOfABouncingBall)
+{
+  SceneDefinition scene = test::mixture(0);
+  scene.base.tooth_height = 0.0;
+  scene.base.amplitude = 0.0;
+  scene.species[0].contact.restitution = 0.9;
+  InitialDisk disk;
+  disk.x = 0.1;
+  disk.y = 0.1;
+  disk.vx = 0.2;
+  scene.initial = {disk};
+  Simulation exact(scene);
+  Simulation stepped(bySteps(scene, 0.0037));
+  exact.advanceTo(3.0);
+  stepped.advanceTo(3.0);
+  EXPECT_GT(exact.collisions().total(), 10u);
+  EXPECT_EQ(stepped.collisions().total(), exact.collisions().total());
+  EXPECT_NEAR(stepped.disks()[0].y, exact.disks()[0].y, 1e-9);
+  EXPECT_NEAR(stepped.disks()[0].x, exact.disks()[0].x, 1e-9);
+}
+
+/// Elastic and smooth, on a base at rest: what the contacts do, wherever in a step they are, keeps the
+/// energy.
+TEST(StepLoop, KeepsTheEnergyOfElasticDisks)
+{
+  SceneDefinition scene = layer();
+  scene.base.amplitude = 0.0;
+  scene.contact.min_rebound_speed = 0.0;
+  for (SpeciesDefinition& species : scene.species)
+    species.contact = {1.0, 0.0, -1.0};
+  Simulation simulation(bySteps(scene, 0.001));
+  const double before = simulation.energy();
+  simulation.advanceTo(2.0);
+  EXPECT_GT(simulation.collisions().total(), 10000u);
+  EXPECT_EQ(simulation.pushedOut(), 0u);
+  EXPECT_NEAR(simulation.energy(), before, 1e-9 * before);
+}
+
+/// Bounds of docs/accuracy.md, on what is known to 1 % after some seconds.
+TEST(StepLoop, HoldsItsErrorInAShakenLayer)
+{
+  Simulation exact(layer());
+  exact.advanceTo(25.0);
+  for (const double step : {0.002, 0.001})
+  {
+    Simulation stepped(bySteps(layer(), step));
+    stepped.advanceTo(25.0);
+    EXPECT_LT(stepped.events(), exact.events());
+    EXPECT_LE(stepped.auditOverlaps(), 1u);
+    for (std::size_t species : {0u, 1u})
+    {
+      const SpeciesMeans a = exact.means()[species];
+      const SpeciesMeans b = stepped.means()[species];
+      EXPECT_NEAR(kinetic(b), kinetic(a), 0.03 * kinetic(a)) << step;
+      EXPECT_NEAR(*b.collision_rate, *a.collision_rate, 0.03 * *a.collision_rate) << step;
+      EXPECT_NEAR(*b.mean_vx, *a.mean_vx, 4.0 * std::hypot(*a.mean_vx_stderr, *b.mean_vx_stderr)) << step;
+    }
+  }
+}
+
+/// Contacts that leave no overlap are missed, and disks are found behind the surface: they are brought back.
+TEST(StepLoop, LosesNoDiskWhereStepsAreTooLong)
+{
+  SceneDefinition scene = bySteps(layer(), 0.02);
+  Simulation simulation(scene);
+  simulation.advanceTo(5.0);
+  EXPECT_GT(simulation.pushedOut(), 0u);
+  for (const DiskState& disk : simulation.disks())
+    EXPECT_GT(disk.y, -0.05) << disk.id;
+}
+
+/// In any strides, at whatever times it is looked at and audited, setpoints and pours among them.
+TEST(StepLoop, DependsOnNoStride)
+{
+  SceneDefinition scene = bySteps(layer(), 0.0013);
+  scene.feed.rate = 3.0;
+  const auto run = [&scene](double stride)
+  {
+    Simulation simulation(scene);
+    simulation.setSlewRates({0.1, 10.0, 0.01});
+    const auto advance = [&](double to)
+    {
+      for (double time = simulation.time() + stride; time < to; time += stride)
+      {
+        simulation.advanceTo(time);
+        simulation.auditOverlaps();
+        simulation.disks();
+      }
+      simulation.advanceTo(to);
+    };
+    advance(0.7123);
+    simulation.command(Quantity::INCLINATION, 0.05);
+    simulation.command(Quantity::FREQUENCY, 25.0);
+    advance(1.2);
+    simulation.pour(1, 2);
+    advance(2.5);
+    return test::stateHash(simulation);
+  };
+  const std::uint64_t in_one = run(10.0);
+  EXPECT_EQ(run(0.01), in_one);
+  EXPECT_EQ(run(0.00077), in_one);
+}
+
+TEST(StepLoop, NeedsNoReboundFloorToComeToItsEnd)
+{
+  SceneDefinition scene = bySteps(layer(), 0.001);
+  scene.contact.min_rebound_speed = 0.0;
+  scene.base.amplitude = 0.0;
+  Simulation simulation(scene);
+  simulation.advanceTo(0.5);
+  EXPECT_FALSE(simulation.stalled());
+}
+
+TEST(StepLoop, LetsDisksLeaveOpenEndsAndKeepsThemBetweenWalls)
+{
+  SceneDefinition open = bySteps(test::openMixture(30), 0.001);
+  open.base.teeth = 5;
+  open.base.inclination = 0.2;
+  Simulation leaving(open);
+  leaving.advanceTo(20.0);
+  const SpeciesBins a = leaving.bins()[0];
+  EXPECT_GT(a.left + a.right, 20u);
+  EXPECT_EQ(a.left + a.right + a.on_base, 30u);
+  SceneDefinition walled = bySteps(layer(), 0.001);
+  walled.boundary = Boundary::WALLED;
+  Simulation kept(walled);
+  kept.advanceTo(5.0);
+  EXPECT_EQ(kept.activeDisks(), 130u);
+  EXPECT_GT(kept.collisions().wall, 100u);
+}
+
+/// As wide as one tooth: a disk sees its neighbours on both sides, and images of itself.
+TEST(StepLoop, KnowsTheImagesOnANarrowRing)
+{
+  SceneDefinition scene = test::mixture(5);
+  scene.base.teeth = 1;
+  Simulation exact(scene);
+  Simulation stepped(bySteps(scene, 0.001));
+  exact.advanceTo(100.0);
+  stepped.advanceTo(100.0);
+  const auto pairs = static_cast<double>(exact.collisions().disk_disk);
+  EXPECT_NEAR(static_cast<double>(stepped.collisions().disk_disk), pairs, 0.05 * pairs);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
