@@ -10,11 +10,12 @@ namespace ratchet_sieve
 /// What of the model a run works out. What a scene does not need changes no result: it would only cost time.
 struct Plan
 {
-  bool pairs = true;   ///< disks see each other: cells, a queue, pair search
-  bool steps = false;  ///< by steps of time, for disks that see each other; contacts are missed: Method::STEPS
-  bool spin = true;    ///< tangential impulses, and the rotation they leave
-  bool drive = true;   ///< a phase and a sine wherever the base is evaluated, even where it stands still
-  bool orbit = false;  ///< the drive has a horizontal part or harmonics
+  bool pairs = true;  ///< disks see each other: cells, a queue, pair search
+  bool steps =
+      false;          ///< by steps of time, for disks that see each other; contacts are missed: Method::STEPS
+  bool spin = true;   ///< tangential impulses, and the rotation they leave
+  bool drive = true;  ///< a phase and a sine wherever the base is evaluated, even where it stands still
+  bool orbit = false;             ///< the drive has a horizontal part or harmonics
   bool contact_times = true;      ///< when each disk touched last, which t_c asks for
   bool search_above_band = true;  ///< step by step towards the base even from where it cannot reach
 

@@ -250,7 +250,7 @@ private:
   /// After its flight has changed. @return where it is at the end, in the frame of the base
   Eigen::Vector2d redirect(std::uint32_t slot)
   {
-    const Eigen::Vector2d at = flyToEnd(slot);
+    Eigen::Vector2d at = flyToEnd(slot);
     overlaps_.move(slot, at.x(), at.y());
     return at;
   }
