@@ -1,0 +1,34 @@
+"""How far a point is off its reference, and how sure that is."""
+import math
+
+from precision import rungs
+
+
+def limit(points, name):
+    """Of the exact engine as the rebound floor goes to 0: the weighted straight line through the smallest floors.
+    @return value at 0 and its standard error"""
+    floors = [(rungs.floor_of(p), *p.observed(name)) for p in points if rungs.floor_of(p) in rungs.EXTRAPOLATED]
+    s = sx = sy = sxx = sxy = 0.0
+    for x, y, error in floors:
+        w = 1.0 / error ** 2
+        s, sx, sy, sxx, sxy = s + w, sx + w * x, sy + w * y, sxx + w * x * x, sxy + w * x * y
+    determinant = s * sxx - sx * sx
+    return (sxx * sy - sx * sxy) / determinant, math.sqrt(sxx / determinant)
+
+
+def exact(points, name):
+    """@return what is known, or what the exact engine has of the same scene, and its standard error"""
+    point = next(p for p in points if p.family == "exact")
+    if name in point.scene.known:
+        return point.scene.known[name], 0.0
+    return point.observed(name)
+
+
+def relative(point, name, reference):
+    """@return error over the reference's value, and the standard error of that; None where nothing was observed"""
+    observed = point.observed(name)
+    if observed is None:
+        return None
+    value, error = reference
+    spread = 0.0 if math.isnan(observed[1]) else observed[1]
+    return (observed[0] - value) / abs(value), math.hypot(spread, error) / abs(value)
