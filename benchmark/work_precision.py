@@ -58,13 +58,17 @@ def take_runs(arguments):
     if arguments.source:
         taken = json.loads(arguments.source.read_text(encoding="utf-8"))
         return runs.restore(points, taken["points"]), taken["about"]
-    effort = SHORT if arguments.short else 1.0 if arguments.quick else FULL
-    runs.run_all(arguments.programs / "sieve_sweep", points, effort, arguments.rounds, arguments.jobs, arguments.limit)
     about = {**machine.describe(), "rounds": arguments.rounds, "jobs": arguments.jobs}
-    if arguments.out:
-        arguments.out.mkdir(parents=True, exist_ok=True)
-        (arguments.out / "work_precision.json").write_text(
-            json.dumps({"about": about, "points": runs.saved(points)}) + "\n", encoding="utf-8")
+
+    def save():
+        if arguments.out:
+            arguments.out.mkdir(parents=True, exist_ok=True)
+            (arguments.out / "work_precision.json").write_text(
+                json.dumps({"about": about, "points": runs.saved(points)}) + "\n", encoding="utf-8")
+
+    effort = SHORT if arguments.short else 1.0 if arguments.quick else FULL
+    plan = runs.Plan(effort, arguments.rounds, arguments.jobs, arguments.limit)
+    runs.run_all(arguments.programs / "sieve_sweep", points, plan, save)
     return points, about
 
 

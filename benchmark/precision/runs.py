@@ -50,6 +50,14 @@ class Point:
         return bool(self.failures) or self.leaked() > 0
 
 
+@dataclasses.dataclass
+class Plan:
+    effort: float  # times the seeds of --quick
+    rounds: int
+    jobs: int      # points at a time
+    limit: float   # of a point's round [s of wall time]
+
+
 def run_sweep(program, sweep, limit):
     """@return the rows (status, error, summary) and the processor time [s], start and all"""
     with tempfile.TemporaryDirectory() as directory:
@@ -88,16 +96,18 @@ def parts(seeds, rounds):
     return [range(a, b) for a, b in zip(bounds, bounds[1:]) if b > a]
 
 
-def run_all(program, points, effort, rounds, jobs, limit):
+def run_all(program, points, plan, after_round):
     """Round by round, all points in each, so that what slows the machine for a while slows all of them alike."""
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        for number in range(rounds):
+    with concurrent.futures.ThreadPoolExecutor(plan.jobs) as pool:
+        for number in range(plan.rounds):
             started = []
             for point in points:
-                divided = parts(max(rounds, round(point.scene.seeds * effort * rungs.effort(point))), rounds)
-                started.append(pool.submit(run_part, program, point, divided[number], limit))
+                seeds = round(point.scene.seeds * plan.effort * rungs.effort(point))
+                divided = parts(max(plan.rounds, seeds), plan.rounds)
+                started.append(pool.submit(run_part, program, point, divided[number], plan.limit))
             for job in started:
                 job.result()
+            after_round()
 
 
 def saved(points):

@@ -104,7 +104,7 @@ def development():
         bouncing_balls(),
         lossless_gas(),
         Scene("fig3", "Fig. 3, single disks", "paper_fig3.yaml", {"duration": 22.0, "settle": 2.0},
-              {"drift A": mean_vx(0), "K_A": kinetic(0), "short / long": lambda run: run["short_to_long"]}, 16),
+              {"drift A": mean_vx(0), "K_A": kinetic(0), "short / long": lambda run: run["short_to_long"]}, 8),
         fig8(),
         Scene("fig9", "Fig. 9, separation", "paper_fig9.yaml", {"duration": 30.0},
               {"Q": lambda run: run["quality"], "P": lambda run: run["processed"]}, 32),
