@@ -6,8 +6,11 @@ from precision import rungs
 
 def limit(points, name):
     """Of the exact engine as the rebound floor goes to 0: the weighted straight line through the smallest floors.
-    @return value at 0 and its standard error"""
-    floors = [(rungs.floor_of(p), *p.observed(name)) for p in points if rungs.floor_of(p) in rungs.EXTRAPOLATED]
+    @return value at 0 and its standard error; None where that cannot be told"""
+    floors = [(rungs.floor_of(p), *(p.observed(name) or (0.0, 0.0))) for p in points
+              if rungs.floor_of(p) in rungs.EXTRAPOLATED]
+    if not all(error > 0.0 for _, _, error in floors):
+        return None
     s = sx = sy = sxx = sxy = 0.0
     for x, y, error in floors:
         w = 1.0 / error ** 2
@@ -27,8 +30,7 @@ def exact(points, name):
 def relative(point, name, reference):
     """@return error over the reference's value, and the standard error of that; None where nothing was observed"""
     observed = point.observed(name)
-    if observed is None:
+    if observed is None or reference is None:
         return None
     value, error = reference
-    spread = 0.0 if math.isnan(observed[1]) else observed[1]
-    return (observed[0] - value) / abs(value), math.hypot(spread, error) / abs(value)
+    return (observed[0] - value) / abs(value), math.hypot(observed[1], error) / abs(value)

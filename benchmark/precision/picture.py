@@ -12,7 +12,8 @@ METHOD_PANELS = (("ball", "kinetic energy"), ("gas", "K_rot / K_trans"), ("fig8"
                  ("fig8", "drift B"), ("fig9", "Q"), ("dense", "drift B"), ("violent", "K_B"))
 MODEL_PANELS = (("fig3", "drift A"), ("fig8", "drift A"), ("fig8", "drift B"), ("fig9", "Q"), ("dense", "drift B"),
                 ("violent", "K_B"))
-LIMITS = (1e-5, 3.0)  # of the relative error; what is beyond is drawn at the edge
+LIMITS = (3e-4, 3.0)  # of the relative error; what is beyond is drawn at the edge
+ROOM = 4.0            # beside the cheapest and the dearest point: their times this
 
 # Okabe and Ito's colours.
 FAMILIES = {"exact": ("#111111", "D"), "steps": ("#CC79A7", "o"), "rebound floor": ("#0072B2", "s"),
@@ -46,7 +47,8 @@ def draw_family(axes, family, points, name, reference):
         draw_point(axes, point.cost(), found, FAMILIES[family], point.fails())
         drawn.append((point, point.cost(), clip(abs(found[0]))))
     axes.plot([d[1] for d in drawn], [d[2] for d in drawn], color=FAMILIES[family][0], linewidth=0.8, zorder=2)
-    for point, cost, size in drawn[:1] + drawn[-1:] if len(drawn) > 1 else drawn:
+    named = drawn if family == "steps" else drawn[:1] + drawn[1:][-1:]
+    for point, cost, size in named:
         axes.annotate(point.label, (cost, size), textcoords="offset points", xytext=(4, 5), fontsize=6,
                       color=FAMILIES[family][0])
 
@@ -66,8 +68,11 @@ def draw_peers(axes, peers, name):
 
 
 def finish(axes, title, exact_cost):
+    costs = [cost for line in axes.lines for cost in line.get_xdata()] + [exact_cost or 1.0]
     axes.set_xscale("log")
     axes.set_yscale("log")
+    axes.set_xlim(min(costs) / ROOM, max(costs) * ROOM)
+    axes.set_ylim(LIMITS[0] / 1.3, LIMITS[1] * 1.3)
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_title(title, loc="left", fontsize=8)
     if exact_cost:
@@ -104,7 +109,9 @@ def draw_method(by_scene, peers, path):
     with plt.rc_context(STYLE):
         figure, panels = plt.subplots(2, 4, figsize=(12.0, 6.0))
         for (scene, name), axes in zip(METHOD_PANELS, panels.flat):
-            points = by_scene[scene]
+            points = by_scene.get(scene)
+            if not points:
+                continue
             reference = errors.exact(points, name)
             draw_family(axes, "steps", [p for p in points if p.family == "steps"], name, reference)
             if name in points[0].scene.known:
@@ -121,7 +128,9 @@ def draw_model(by_scene, path):
     with plt.rc_context(STYLE):
         figure, panels = plt.subplots(2, 3, figsize=(11.0, 6.5))
         for (scene, name), axes in zip(MODEL_PANELS, panels.flat):
-            points = by_scene[scene]
+            points = by_scene.get(scene)
+            if not points:
+                continue
             reference = errors.limit(points, name)
             for family in families:
                 own = [p for p in points if p.family == family or (family == "rebound floor" and p.family == "exact")]

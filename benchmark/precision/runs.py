@@ -31,16 +31,20 @@ class Point:
         return min(self.costs) if self.costs else None
 
     def observed(self, name):
-        """@return mean over the seeds and its standard error; None where nothing was observed"""
+        """@return mean over the seeds and its standard error, 0 where there is one seed; None where nothing was observed"""
         values = [self.scene.observables[name](summary) for summary in self.summaries]
         values = [value for value in values if value is not None]
         if not values:
             return None
-        error = statistics.stdev(values) / math.sqrt(len(values)) if len(values) > 1 else math.nan
+        error = statistics.stdev(values) / math.sqrt(len(values)) if len(values) > 1 else 0.0
         return statistics.fmean(values), error
 
     def leaked(self):
         return sum(summary["through_base"] for summary in self.summaries)
+
+    def pushed_out(self):
+        """Disks that a missed contact had left behind the base's surface, each time."""
+        return sum(summary.get("pushed_out", 0) for summary in self.summaries)
 
     def overlap(self):
         """The largest that was met [m]."""
@@ -56,6 +60,7 @@ class Plan:
     rounds: int
     jobs: int      # points at a time
     limit: float   # of a point's round [s of wall time]
+    span: object = None  # run so long only after settling [s]
 
 
 def run_sweep(program, sweep, limit):
@@ -77,12 +82,12 @@ def run_sweep(program, sweep, limit):
     return rows, usage.ru_utime + usage.ru_stime, process.returncode
 
 
-def run_part(program, point, seeds, limit):
-    rows, seconds, code = run_sweep(program, point.scene.sweep(point.rung, seeds), limit)
+def run_part(program, point, seeds, plan):
+    rows, seconds, code = run_sweep(program, point.scene.sweep(point.rung, seeds, plan.span), plan.limit)
     done = [json.loads(summary) for status, _, summary in rows if status == "done"]
     failures = [error for status, error, _ in rows if status == "failed"]
     if code == TIMED_OUT:
-        failures.append(f"not at its end within {limit} s")
+        failures.append(f"not at its end within {plan.limit} s")
     simulated = sum(summary["simulated_time"] for summary in done)
     if simulated > 0.0 and not failures:
         point.costs.append(seconds / simulated)
@@ -104,7 +109,7 @@ def run_all(program, points, plan, after_round):
             for point in points:
                 seeds = round(point.scene.seeds * plan.effort * rungs.effort(point))
                 divided = parts(max(plan.rounds, seeds), plan.rounds)
-                started.append(pool.submit(run_part, program, point, divided[number], plan.limit))
+                started.append(pool.submit(run_part, program, point, divided[number], plan))
             for job in started:
                 job.result()
             after_round()

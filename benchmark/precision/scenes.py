@@ -24,9 +24,12 @@ class Scene:
     seeds: int            # of --quick
     known: dict = dataclasses.field(default_factory=dict)
 
-    def sweep(self, rung, seeds):
+    def sweep(self, rung, seeds, span=None):
         scene = self.source if isinstance(self.source, dict) else str(CONFIG / self.source)
-        return {"scene": scene, "set": {**self.settings, **rung},
+        settings = {**self.settings, **rung}
+        if span:
+            settings.update({"settle": 0.0, "duration": span})
+        return {"scene": scene, "set": settings,
                 "seed": {"first": seeds[0], "count": len(seeds)}}
 
 

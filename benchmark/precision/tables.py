@@ -19,6 +19,8 @@ def condition(point):
     said = []
     if point.leaked():
         said.append(f"{point.leaked()} through the base")
+    if point.pushed_out():
+        said.append(f"{point.pushed_out()} pushed out")
     if point.failures:
         said.append(f"{len(point.failures)} ended early")
     return ", ".join(said) or "—"
@@ -69,6 +71,8 @@ def model(by_scene):
 
 
 def verdict(found, bound):
+    if found is None:
+        return "—"
     error, spread = found
     if abs(error) <= bound:
         return "held"
