@@ -100,7 +100,7 @@ private:
     end_ = end;
     frame_ = base_.at(end);
     ring_ = frame_.image(state_.sawtooth().width());
-    contacts_.begin(start_, end);
+    contacts_.begin(start_, end, state_.disks().size());
     placeDisks();
     overlaps_.forEachPair([this](std::uint32_t slot, std::uint32_t other, int shift)
                           { findContact(slot, other, shift, start_); });
