@@ -46,9 +46,9 @@ def all_points(only):
     for scene in scenes.development():
         for family, settings in rungs.of(scene).items():
             points += [runs.Point(scene, family, label, rung) for label, rung in settings]
-    for scene in (*scenes.held_out(), scenes.large()):
+    for scene in (*scenes.held_out(), *scenes.large()):
         points.append(runs.Point(scene, "exact", "exact", {}))
-        steps = (0.002, 0.001, 0.0005) if scene.name == "large" else rungs.CLAIMS
+        steps = (0.002, 0.001, 0.0005) if scene.name.startswith("large") else rungs.CLAIMS
         points += [runs.Point(scene, "steps", f"{1e3 * step:g} ms", rungs.steps(step)) for step in steps]
     return [point for point in points if not only or point.scene.name in only]
 
@@ -83,11 +83,12 @@ def texts(by_scene, about):
     head = (f'{about["date"]}, {about["processor"]}, {about["cores"]} cores, {about["system"]}; one thread a run, '
             f'{about["jobs"]} at a time; processor time, the best of {about["rounds"]} rounds.\n\n')
     held_out = {scene.name for scene in scenes.held_out()}
-    development = {n: p for n, p in by_scene.items() if n not in held_out and n != "large"}
+    development = {n: p for n, p in by_scene.items() if n not in held_out and not n.startswith("large")}
     yield head + tables.method(development)
     yield head + tables.model(development)
     yield head + tables.claims({n: p for n, p in by_scene.items() if n in held_out})
-    yield head + (tables.large(by_scene["large"]) if "large" in by_scene else "")
+    large = [p for n, p in by_scene.items() if n.startswith("large")]
+    yield head + (tables.large(*large) if large else "")
 
 
 def main():
