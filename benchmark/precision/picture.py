@@ -13,7 +13,7 @@ METHOD_PANELS = (("ball", "kinetic energy"), ("gas", "K_rot / K_trans"), ("fig8"
 MODEL_PANELS = (("fig3", "drift A"), ("fig8", "drift A"), ("fig8", "drift B"), ("fig9", "Q"), ("dense", "drift B"),
                 ("violent", "K_B"))
 LIMITS = (3e-4, 3.0)  # of the relative error; what is beyond is drawn at the edge
-ROOM = 4.0            # beside the cheapest and the dearest point: their times this
+ROOM = 3.2            # beside the cheapest and the dearest point: their times this
 
 # Okabe and Ito's colours.
 FAMILIES = {"exact": ("#111111", "D"), "steps": ("#CC79A7", "o"), "rebound floor": ("#0072B2", "s"),
