@@ -2,8 +2,8 @@
 """Measures what accuracy costs: error against processor time, of steps of time (accuracy.method) and of what the model
 may leave out, on scenes with a known answer and on those of the paper. Every point is run by sieve_sweep, one thread
 each, over many seeds; its time is the processor time of the whole program over the simulated time, the best of the
-rounds, and its error bars are standard errors over the seeds. What loses disks, or does not come to its end, is drawn as
-such. Drawing needs matplotlib.
+rounds, and its error bars are standard errors over the seeds. What loses disks, or does not come to its end, is drawn
+as such. Drawing needs matplotlib.
 """
 import argparse
 import json
@@ -23,16 +23,19 @@ def read_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "devel/lib/ratchet_sieve", metavar="DIR",
                         help="where sieve_sweep is")
-    parser.add_argument("--quick", action="store_true", help="some twenty minutes of one core; else eight times as many seeds")
+    parser.add_argument("--quick", action="store_true",
+                        help="some twenty minutes of one core; else eight times as many seeds")
     parser.add_argument("--rounds", type=int, default=2, help="that the seeds are divided into (default: 2)")
     parser.add_argument("--jobs", type=int, default=1, help="points at a time (default: 1)")
     parser.add_argument("--limit", type=float, default=120.0, metavar="S", help="of a point's round, in wall time")
     parser.add_argument("--only", nargs="+", metavar="SCENE", help="run these scenes alone")
     parser.add_argument("--short", action="store_true", help="only whether it runs: its figures mean nothing")
-    parser.add_argument("--from", type=pathlib.Path, metavar="FILE", dest="source", help="run nothing: take the runs of this")
+    parser.add_argument("--from", type=pathlib.Path, metavar="FILE", dest="source",
+                        help="run nothing: take the runs of this")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR",
                         help="pictures, and every run as work_precision.json, into DIR")
-    parser.add_argument("--write", type=pathlib.Path, metavar="FILE", help="put the tables between the marks of this document")
+    parser.add_argument("--write", type=pathlib.Path, metavar="FILE",
+                        help="put the tables between the marks of this document")
     arguments = parser.parse_args()
     if not arguments.source and not (arguments.programs / "sieve_sweep").exists():
         parser.error(f"{arguments.programs} holds no sieve_sweep")
@@ -101,7 +104,8 @@ def main():
             document.put(arguments.write, mark, text)
     if arguments.out:
         from precision import picture
-        picture.draw_method(by_scene, published.read(ROOT / "docs/performance.md"), arguments.out / "accuracy_method.png")
+        peers = published.read(ROOT / "docs/performance.md")
+        picture.draw_method(by_scene, peers, arguments.out / "accuracy_method.png")
         picture.draw_model(by_scene, arguments.out / "accuracy_model.png")
 
 

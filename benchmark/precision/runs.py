@@ -31,7 +31,7 @@ class Point:
         return min(self.costs) if self.costs else None
 
     def observed(self, name):
-        """@return mean over the seeds and its standard error, 0 where there is one seed; None where nothing was observed"""
+        """@return mean over the seeds and its standard error, 0 of one seed; None where nothing was observed"""
         values = [self.scene.observables[name](summary) for summary in self.summaries]
         values = [value for value in values if value is not None]
         if not values:

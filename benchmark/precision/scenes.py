@@ -61,8 +61,9 @@ def weight(count_a, count_b, span):
 
 
 def bouncing_balls():
-    """Balls side by side on the period-one orbit, far from each other: between the hits, each 1/f after the last, a ball
-    flies up with g / (2 f) and comes down as fast, so that its kinetic energy is m g^2 / (24 f^2) in the mean."""
+    """Balls side by side on the period-one orbit, far from each other: between the hits, each 1/f after the last, a
+    ball flies up with g / (2 f) and comes down as fast, so that its kinetic energy is m g^2 / (24 f^2) in the mean.
+    """
     omega = 2.0 * math.pi * BALL_FREQUENCY
     amplitude = BALL_ACCELERATION * GRAVITY / omega ** 2
     restitution = BALL_RESTITUTION
@@ -111,7 +112,8 @@ def development():
         fig8(),
         Scene("fig9", "Fig. 9, separation", "paper_fig9.yaml", {"duration": 30.0},
               {"Q": lambda run: run["quality"], "P": lambda run: run["processed"]}, 32),
-        Scene("dense", "dense heap, d = 8", "paper_fig8.yaml", {"density": 8.0, "settle": 2.0, "duration": 8.0}, LAYER, 3),
+        Scene("dense", "dense heap, d = 8", "paper_fig8.yaml", {"density": 8.0, "settle": 2.0, "duration": 8.0}, LAYER,
+              3),
         Scene("violent", "violent, 40 g", "paper_fig8.yaml",
               {"base.amplitude": 0.0188, "settle": 2.0, "duration": 14.0}, LAYER, 8),
     ]
