@@ -25,8 +25,8 @@ public:
   /// @return how far it came
   virtual double advanceTo(double time) = 0;
 
-  /// Something is about to happen to the machine as a whole, at a time that it has come to: what a loop has left
-  /// open of the time before is executed.
+  /// Something is about to happen to the machine as a whole, at a time that it has come to: what a loop has
+  /// left open of the time before is executed.
   virtual void catchUp(double /*time*/) {}
 
   /// Until when all contacts up to `time` are executed: disks fly on from there.

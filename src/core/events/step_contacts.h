@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
@@ -31,16 +30,17 @@ struct StepContact
 };
 
 /// The contacts of one step, the earliest first. By their times they go into the buckets of a calendar, so
-/// many that few share one: unlike in a heap, hardly a branch depends on how times compare.
+/// many that few share one, however many disks there are: unlike in a heap, hardly a branch depends on how
+/// times compare.
 class StepContacts
 {
 public:
   /// Begins a step. @pre start < end
-  void begin(double start, double end)
+  void begin(double start, double end, std::size_t disks)
   {
     start_ = start;
-    buckets_per_time_ = static_cast<double>(BUCKETS) / (end - start);
-    heads_.fill(NONE);
+    heads_.assign(std::max(FEWEST_BUCKETS, disks / DISKS_PER_BUCKET), NONE);
+    buckets_per_time_ = static_cast<double>(heads_.size()) / (end - start);
     present_ = 0;
     pool_.clear();
   }
@@ -57,8 +57,8 @@ public:
   bool pop(StepContact& contact)
   {
     while (heads_[present_] == NONE)
-      if (++present_ == BUCKETS)
-        return present_ = BUCKETS - 1, false;
+      if (++present_ == heads_.size())
+        return present_ = heads_.size() - 1, false;
     std::uint32_t* earliest = &heads_[present_];
     for (std::uint32_t* link = &pool_[*earliest].next; *link != NONE; link = &pool_[*link].next)
       if (pool_[*link].contact.isBefore(pool_[*earliest].contact))
@@ -70,7 +70,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t BUCKETS = 256;
+  static constexpr std::size_t FEWEST_BUCKETS = 256;
+  static constexpr std::size_t DISKS_PER_BUCKET = 2;
   static constexpr std::uint32_t NONE = UINT32_MAX;
 
   struct Entry
@@ -82,13 +83,13 @@ private:
   std::size_t bucketOf(double time) const
   {
     const double bucket = std::max(0.0, (time - start_) * buckets_per_time_);
-    return std::max(present_, std::min(BUCKETS - 1, static_cast<std::size_t>(bucket)));
+    return std::max(present_, std::min(heads_.size() - 1, static_cast<std::size_t>(bucket)));
   }
 
   double start_ = 0.0;
   double buckets_per_time_ = 0.0;
-  std::array<std::uint32_t, BUCKETS> heads_{};  ///< into the pool
-  std::size_t present_ = 0;                     ///< the bucket that the time has come to
+  std::vector<std::uint32_t> heads_;  ///< into the pool
+  std::size_t present_ = 0;           ///< the bucket that the time has come to
   std::vector<Entry> pool_;
 };
 

@@ -83,7 +83,7 @@ private:
   static constexpr double ROUNDING = 1e-9;
 
   /// A disk that has as many within a step is left alone until its end: a step takes no longer than that.
-  static constexpr std::uint32_t MOST_CONTACTS = 30;
+  static constexpr std::uint32_t MOST_CONTACTS = 100;
 
   /// A disk at the end of the step, if it touches nothing before.
   struct End
@@ -100,7 +100,7 @@ private:
     end_ = end;
     frame_ = base_.at(end);
     ring_ = frame_.image(state_.sawtooth().width());
-    contacts_.begin(start_, end);
+    contacts_.begin(start_, end, state_.disks().size());
     placeDisks();
     for (const std::uint32_t slot : near_base_)
       pushOut(slot);
