@@ -198,7 +198,8 @@ TEST(SceneText, OfAliasesThatMultiplyIsRefusedAtOnce)
     bomb += "]\n";
   }
   EXPECT_EQ(refusalOf(bomb + "species: *k\n"),
-            "s.yaml:1: a: unknown key; known are accuracy, base, boundary, contact, density, duration, feed, gravity, "
+            "s.yaml:1: a: unknown key; known are accuracy, base, boundary, contact, density, duration, feed, "
+            "gravity, "
             "initial, "
             "pairs, pour, seed, settle, species");
 }

@@ -70,9 +70,9 @@ Plan fullPlan(const SceneDefinition& scene)
 bool covers(const Plan& plan, const SceneDefinition& scene)
 {
   const Plan needed = planOf(scene);
-  return plan.pairs == needed.pairs && plan.steps == needed.steps && plan.orbit == needed.orbit && includes(plan.spin, needed.spin) &&
-         includes(plan.drive, needed.drive) && includes(plan.contact_times, needed.contact_times) &&
-         includes(needed.lanes, plan.lanes);
+  return plan.pairs == needed.pairs && plan.steps == needed.steps && plan.orbit == needed.orbit &&
+         includes(plan.spin, needed.spin) && includes(plan.drive, needed.drive) &&
+         includes(plan.contact_times, needed.contact_times) && includes(needed.lanes, plan.lanes);
 }
 
 std::string planText(const Plan& plan)
