@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <tuple>
 #include <vector>
 
 #include "events/event_loop.h"
@@ -24,8 +23,8 @@ namespace
 /// a contact is exact where its disks would overlap at the end of the step, and missed where they would
 /// not: a disk that grazes another and is past it by then. Their share falls with the square of the step.
 ///
-/// A disk that moves by more than FASTEST of its radius within a step is searched for contacts with the base
-/// without being asked whether it overlaps it: none passes through.
+/// A disk that may move by more than the height of a tooth within a step, relative to the base, is searched
+/// for contacts with the base even where it would not overlap it at the end: none passes through a tooth.
 ///
 /// Steps begin at the last change of the machine as a whole (catchUp()), and nowhere else: between them disks
 /// fly on, so that the course does not depend on how far a caller asks to advance.
