@@ -64,6 +64,7 @@ TEST(Summary, HasThePlan)
   scene.contact.contact_duration = 1e-4;
   scene.duration = 0.0;
   EXPECT_EQ(summaryOf(scene)["plan"], Json({{"pairs", true},
+                                            {"steps", false},
                                             {"spin", true},
                                             {"drive", false},
                                             {"orbit", false},

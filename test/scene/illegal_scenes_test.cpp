@@ -108,6 +108,7 @@ TEST(IllegalScenes, AreMadeOfEveryKeyThereIs)
   full.base.horizontal_phase = 1.0;
   full.contact.restitution_speed = 1.0;
   full.contact.restitution_exponent = 0.5;
+  full.accuracy = {Method::STEPS, 0.001, 0.001, 0.02, 0.9};
   std::set<std::string> written = {".density"};
   collectKeys(YAML::Load(canonicalYaml(full)), "", written);
   std::set<std::string> known;
