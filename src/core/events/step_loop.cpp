@@ -9,7 +9,6 @@
 #include "events/step_contacts.h"
 #include "search/base_overlap.h"
 #include "search/overlap_search.h"
-#include "search/pair_search.h"
 #include "state/machine.h"
 
 namespace ratchet_sieve
@@ -230,8 +229,6 @@ private:
   {
     ++events_;
     ++ends_[contact.slot].contacts;
-    if (!contact.feature)
-      ++ends_[contact.partner].contacts;
     if (contact.feature)
     {
       machine_.handleBaseEvent(contact.slot, contact.feature, contact.time, base_);
@@ -239,6 +236,7 @@ private:
         searchFrom(contact.slot, redirect(contact.slot), contact.time);
       return;
     }
+    ++ends_[contact.partner].contacts;
     machine_.collidePair(contact.slot, contact.partner, contact.shift, contact.time);
     const Eigen::Vector2d at = redirect(contact.slot);
     const Eigen::Vector2d partner_at = redirect(contact.partner);
