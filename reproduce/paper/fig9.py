@@ -8,9 +8,9 @@ from reproduce.study import Picture, Study, Sweep
 THETA = "base.inclination"
 TEETH = "base.teeth"
 DENSITY = "density"
-SWEEPS = (Sweep("paper_fig9", {THETA: (0.18, 0.22)}), Sweep("paper_fig9_long", is_quick=False),
-          Sweep("paper_fig9_dilute", is_quick=False), Sweep("paper_fig9_limit", is_quick=False))
 LIMIT = "paper_fig9_limit"
+LONG = ("paper_fig9_long", "paper_fig9_dilute", "paper_fig9_dense", LIMIT)
+SWEEPS = (Sweep("paper_fig9", {THETA: (0.18, 0.22)}), *(Sweep(name, is_quick=False) for name in LONG))
 
 
 def evaluate(rows):
