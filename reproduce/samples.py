@@ -27,8 +27,6 @@ def rounded(value, decimals):
 
 def decimals_of(error):
     """That show an error with two digits where the first is a one, else with one."""
-    if not error or not math.isfinite(error):
-        return 3
     exponent = math.floor(math.log10(error))
     if error / 10.0 ** exponent < 1.95:
         exponent -= 1
@@ -67,6 +65,8 @@ class Mean:
         """As 12.3 ± 0.4, the value times a scale; an error that is not defined is a dash."""
         if self.error is None:
             return f"{rounded(scale * self.value, 3)} ± —"
+        if self.error == 0.0:
+            return f"{rounded(scale * self.value, 3)} ± 0"
         decimals = decimals_of(scale * self.error)
         return f"{rounded(scale * self.value, decimals)} ± {rounded(scale * self.error, decimals)}"
 

@@ -87,17 +87,19 @@ def peaked(numbers):
 
 
 def order(numbers, teeth):
-    """Of each density against the next higher."""
-    densities = axis(numbers, 1)
-    for low, high in zip(densities, densities[1:]):
-        first, second = (numbers["best"][teeth, d].mean for d in (low, high))
-        yield f"{low:g} against {high:g}: {first.text()}, {second.text()}", first.minus(second).surely_above(0.0)
+    """Of the lowest density against the highest: each at its own best θ, and both at that of the lowest."""
+    low, high = axis(numbers, 1)[0], axis(numbers, 1)[-1]
+    first, second = numbers["best"][teeth, low], numbers["best"][teeth, high]
+    yield verdicts.above(f"{teeth:g} teeth: Q at d = {low:g} less that at d = {high:g} is above 0, each at its best θ",
+                         first.mean.minus(second.mean))
+    there = dict(numbers["Q"][teeth, high]).get(first.at)
+    yield verdicts.above(f"{teeth:g} teeth: the same, both at θ = {first.at:g}, the best of d = {low:g}",
+                         there and dict(numbers["Q"][teeth, low])[first.at].minus(there))
 
 
 def claims(numbers):
     checks = [verdicts.counted("Q at its best θ is higher than at the least and at the greatest θ", peaked(numbers))]
-    checks += [verdicts.counted(f"{teeth:g} teeth: Q at its best θ is higher at each d than at the next higher",
-                                order(numbers, teeth)) for teeth in axis(numbers, 0)]
+    checks += [check for teeth in axis(numbers, 0) for check in order(numbers, teeth)]
     return [verdicts.Claim("8", "Fig. 9", "Q over θ has a maximum at some θ, and is higher for low d", tuple(checks))]
 
 
