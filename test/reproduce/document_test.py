@@ -71,7 +71,3 @@ class Quick(unittest.TestCase):
 
     def test_a_range_is_thinned_as_a_list_is(self):
         self.assertEqual(sweeps.thinned({"from": -0.3, "to": 0.3, "count": 7}, ()), [-0.3, -0.1, 0.1, 0.3])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -80,7 +80,3 @@ class Curves(unittest.TestCase):
         best = best_of(rows_of(lambda x: 1.0 - (x - 0.4) ** 2, 0.002), "x", "y")
         self.assertAlmostEqual(best.at, 0.4)
         self.assertAlmostEqual(best.mean.value, 1.0, delta=0.01)
-
-
-if __name__ == "__main__":
-    unittest.main()
