@@ -62,9 +62,9 @@ def about(outcomes, command, costs):
     versions = sorted({row["version"] for rows in sweeps.values() for row in rows})
     physics = sorted({f"{row['physics']:g}" for rows in sweeps.values() for row in rows})
     where = machine.describe()
-    return (f"By `{command}`, {where['date']}: {sum(map(len, sweeps.values()))} runs of ratchet_sieve {', '.join(versions)}, "
-            f"physics version {', '.join(physics)}, in {processor_time(sweeps, costs)} ({where['processor']}, "
-            f"{where['cores']} cores, {where['system']}).")
+    return (f"By `{command}`, {where['date']}: {sum(map(len, sweeps.values()))} runs of ratchet_sieve "
+            f"{', '.join(versions)}, physics version {', '.join(physics)}, in {processor_time(sweeps, costs)} "
+            f"({where['processor']}, {where['cores']} cores, {where['system']}).")
 
 
 def write(path, template, outcomes, command, costs):

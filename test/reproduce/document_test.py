@@ -47,7 +47,8 @@ class Documents(unittest.TestCase):
         with tempfile.TemporaryDirectory() as directory:
             template, path = pathlib.Path(directory) / "template.md", pathlib.Path(directory) / "paper.md"
             template.write_text("# Title\n\n$about\n\n$claims\n\n$study_made\n", encoding="utf-8")
-            document.write(path, template, [Outcome(study, study.evaluate(rows), rows)], "scripts/reproduce", KnownCosts)
+            outcome = Outcome(study, study.evaluate(rows), rows)
+            document.write(path, template, [outcome], "scripts/reproduce", KnownCosts)
             text = path.read_text(encoding="utf-8")
         self.assertIn("| 1 | Fig. 0 | it goes right | ⟨V_x⟩ > 0: 0.60 ± 0.10 (n = 2): undecided | **not told** |", text)
         self.assertIn("![A caption](images/paper_made.png)", text)
