@@ -60,8 +60,8 @@ def claims(means):
     ranges = {kind: range_over_inclinations(means[kind], SHOWN) for kind in KINDS}
     factor = ranges["B"].value / ranges["A"].value
     return [verdicts.Claim("5", "Fig. 7", "θ moves large disks (r = 4 mm) more than small ones (r = 1 mm), over f", (
-        verdicts.above(f"at {SHOWN:g} Hz the large lose more from the least θ to the greatest, {factor:.2f} times as much",
-                       ranges["B"].minus(ranges["A"]), 0.0, drawing.MM, "mm/s more"),
+        verdicts.above(f"at {SHOWN:g} Hz the large lose more from the least θ to the greatest, {factor:.2f} times as "
+                       "much", ranges["B"].minus(ranges["A"]), 0.0, drawing.MM, "mm/s more"),
         verdicts.counted("and so they do at every f", more_moved(means))))]
 
 

@@ -113,8 +113,8 @@ def text(numbers):
     lines = [[f"{theta:g}".replace("-", "−"), kind] + [means[kind][theta, f].text(drawing.MM) for f in frequencies]
              for theta in axis(means["A"], 0) for kind in KINDS]
     turned = [[f"{f:g} Hz", *(shown(turn[part]) for part in ("B", "A", "window"))] for f, turn in turns]
-    return ("Where each kind turns to the left, by a parabola through the means nearest to it, and how far A's angle lies\n"
-            "above B's; errors by leaving out one seed after the other:\n\n"
+    return ("Where each kind turns to the left, by a parabola through the means nearest to it, and how far A's angle "
+            "lies above B's; errors by leaving out one seed after the other:\n\n"
             + table(["f", "B turns, θ [rad]", "A turns, θ [rad]", "width of the window [rad]"], turned)
             + "\n\n⟨V_x⟩ in mm/s:\n\n" + table(["θ [rad]", ""] + [f"{f:g} Hz" for f in frequencies], lines))
 

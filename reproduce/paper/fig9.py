@@ -137,15 +137,16 @@ def curve_table(numbers, what, teeth):
 def text(numbers):
     parts = ["The best θ is chosen, for each seed, by the other seeds.", best_table(numbers)]
     if numbers["limit"]:
-        parts += ["Twice as long a base: Q, and how many disks left within the 100 s. Where both are the same, the ends\n"
-                  "no longer feel each other, Q has reached its limit, and P falls as one over the length.",
+        parts += ["Twice as long a base: Q, and how many disks left within the 100 s. Where both are the same, the "
+                  "ends no longer feel each other, Q has reached its limit, and P falls as one over the length.",
                   limit_table(numbers["limit"])]
     parts += [curve_table(numbers, what, teeth) for teeth in axis(numbers, 0) for what in ("Q", "P")]
     return "\n\n".join(parts)
 
 
 STUDY = Study("fig9", "Fig. 9: quality and processed ratio", SWEEPS, evaluate,
-              (Picture("fig9", "Q and P after 100 s over the inclination, for four densities and several lengths of the "
-                       "base; bars: standard errors over the seeds", draw),
-               Picture("fig9_length", "Q at the best inclination over the length of the base; bars: standard errors over "
-                       "the seeds, the best inclination of each chosen by the others", draw_lengths)), claims, text)
+              (Picture("fig9", "Q and P after 100 s over the inclination, for four densities and several lengths of "
+                       "the base; bars: standard errors over the seeds", draw),
+               Picture("fig9_length", "Q at the best inclination over the length of the base; bars: standard errors "
+                       "over the seeds, the best inclination of each chosen by the others", draw_lengths)),
+              claims, text)

@@ -73,7 +73,8 @@ def claims(numbers):
     best, window = numbers[REFERENCE]["best"].mean, numbers[REFERENCE]["window"]
     text = "the same r with different m, or the same m with different r, segregates worse than the mixture of Fig. 8"
     return [verdicts.Claim("7", "3.2.1", text, (
-        verdicts.counted(f"Q at the best θ is lower than that mixture's, {verdicts.shown(best, 1, '')}", worse(numbers)),
+        verdicts.counted(f"Q at the best θ is lower than that mixture's, {verdicts.shown(best, 1, '')}",
+                         worse(numbers)),
         verdicts.counted("the window of θ in which the kinds part is narrower than that mixture's, "
                          f"{verdicts.shown(window, 1, 'rad') if window else '—'}", narrower(numbers))))]
 
@@ -85,12 +86,13 @@ def shown(mean):
 def text(numbers):
     lines = [[NAMES[mixture], f"{found['best'].at:g}", shown(found["best"].mean), shown(found["B"]), shown(found["A"]),
               shown(found["window"])] for mixture, found in numbers.items()]
-    return ("Q is that of 40 teeth with open ends, after 60 s. Its best θ is chosen, for each seed, by the other seeds.\n\n"
+    return ("Q is that of 40 teeth with open ends, after 60 s. Its best θ is chosen, for each seed, by the other "
+            "seeds.\n\n"
             + table(["mixture A; B", "best θ [rad]", "Q there", "B turns, θ [rad]", "A turns, θ [rad]", "window [rad]"],
                     lines))
 
 
 STUDY = Study("mixtures", "Section 3.2.1: mixtures that differ in the radius or the mass alone",
               (Sweep("paper_mixtures"), Sweep("paper_mixtures_quality")), evaluate,
-              (Picture("mixtures", "Q on 40 teeth with open ends, and how much faster A is than B on a periodic base, of "
-                       "five mixtures, d = 3.93; bars: standard errors over the seeds", draw),), claims, text)
+              (Picture("mixtures", "Q on 40 teeth with open ends, and how much faster A is than B on a periodic base, "
+                       "of five mixtures, d = 3.93; bars: standard errors over the seeds", draw),), claims, text)
