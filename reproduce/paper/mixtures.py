@@ -38,7 +38,7 @@ def evaluate(rows):
 
 
 def draw(numbers):
-    figure, (left, right) = drawing.panels(1, 2, (8.6, 3.8))
+    figure, (left, right) = drawing.panels(1, 2, (9.6, 3.6))
     for (mixture, found), colour in zip(numbers.items(), drawing.COLOURS):
         drawing.curve(left, found["quality"], color=colour, label=NAMES[mixture])
         drawing.curve(right, found["apart"], drawing.MM, color=colour)
@@ -47,7 +47,7 @@ def draw(numbers):
     right.set_ylabel(r"$\langle V_x \rangle$ of A less that of B [mm/s]")
     for axes in (left, right):
         axes.set_xlabel(r"$\theta$ [rad]")
-    figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncol=3)
+    right.legend(*left.get_legend_handles_labels(), loc="center left", bbox_to_anchor=(1.0, 0.5))
     return figure
 
 
