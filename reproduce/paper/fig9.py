@@ -44,6 +44,10 @@ def axis(numbers, index):
     return sorted({place[index] for place in numbers["Q"]})
 
 
+def densities_on(numbers, teeth):
+    return sorted(density for length, density in numbers["Q"] if length == teeth)
+
+
 def draw(numbers):
     lengths, densities = axis(numbers, 0), axis(numbers, 1)
     figure, all_axes = drawing.panels(2, len(lengths), (3.2 * len(lengths) + 0.8, 5.2), sharex=True, sharey="row",
@@ -52,7 +56,7 @@ def draw(numbers):
         for row, what in enumerate(("Q", "P")):
             axes = all_axes[row][column]
             for density, colour in zip(densities, drawing.ramp(len(densities))):
-                drawing.curve(axes, numbers[what][teeth, density], color=colour, label=f"$d$ = {density:g}")
+                drawing.curve(axes, numbers[what].get((teeth, density), ()), color=colour, label=f"$d$ = {density:g}")
             axes.set_ylim(0.0, 1.05)
         all_axes[0][column].set_title(f"{teeth:g} teeth")
         all_axes[1][column].set_xlabel(r"$\theta$ [rad]")
@@ -88,7 +92,7 @@ def peaked(numbers):
 
 def order(numbers, teeth):
     """Of the lowest density against the highest: each at its own best θ, and both at that of the lowest."""
-    low, high = axis(numbers, 1)[0], axis(numbers, 1)[-1]
+    low, *_, high = densities_on(numbers, teeth)
     first, second = numbers["best"][teeth, low], numbers["best"][teeth, high]
     yield verdicts.above(f"{teeth:g} teeth: Q at d = {low:g} less that at d = {high:g} is above 0, each at its best θ",
                          first.mean.minus(second.mean))
@@ -127,7 +131,7 @@ def limit_table(limit):
 
 
 def curve_table(numbers, what, teeth):
-    densities = axis(numbers, 1)
+    densities = densities_on(numbers, teeth)
     curves = {density: dict(numbers[what][teeth, density]) for density in densities}
     thetas = sorted({theta for curve in curves.values() for theta in curve})
     lines = [[f"{theta:g}"] + [shown(curves[density].get(theta)) for density in densities] for theta in thetas]

@@ -28,8 +28,10 @@ class Means(unittest.TestCase):
         self.assertEqual(Mean(-0.00001, 0.0004, 8).text(1e3), "0.0 ± 0.4")
 
     def test_sure_is_an_interval_of_95_percent(self):
-        self.assertAlmostEqual(student(2), 12.71)
-        self.assertAlmostEqual(student(41), 2.021, places=2)  # 40 degrees of freedom, from the printed table
+        self.assertAlmostEqual(student(1), 12.71)
+        self.assertAlmostEqual(student(30), 2.042)
+        self.assertAlmostEqual(student(40), 2.021, places=2)  # from the printed table
+        self.assertAlmostEqual(student(120), 1.980, places=2)
         self.assertIs(Mean(4.4, 1.0, 3).surely_above(0.0), True)
         self.assertIsNone(Mean(4.2, 1.0, 3).surely_above(0.0))
         self.assertIs(Mean(-4.4, 1.0, 3).surely_above(0.0), False)
@@ -40,6 +42,13 @@ class Means(unittest.TestCase):
         means = [mean_of(draws.gauss(0.0, 1.0) for _ in range(4)) for _ in range(4000)]
         outside = sum(mean.surely_above(0.0) is not None for mean in means)
         self.assertAlmostEqual(outside / 4000, 0.05, delta=0.015)
+
+    def test_a_difference_has_the_freedom_of_welch(self):
+        even = Mean(1.0, 0.1, 5).minus(Mean(0.0, 0.1, 5))
+        self.assertAlmostEqual(even.degrees(), 8.0)  # of two alike, that of both together
+        self.assertAlmostEqual(even.error, math.hypot(0.1, 0.1))
+        self.assertAlmostEqual(Mean(1.0, 0.1, 5).minus(Mean(0.0, 1e-9, 3)).degrees(), 4.0)  # one is exact
+        self.assertIs(even.surely_above(0.0), True)
 
     def test_the_jackknife_of_a_mean_is_its_standard_error(self):
         samples = [0.3, 1.4, 2.1, 0.2, 0.9]
