@@ -12,8 +12,8 @@ SLOPE = 2.5      # ... which t approaches by this over the degrees of freedom, t
 
 
 def student(freedom):
-    """Half-width of the interval of 95 % over the standard error, of so many degrees of freedom, which are rounded down;
-    None of fewer than one."""
+    """Half-width of the interval of 95 % over the standard error, of so many degrees of freedom (rounded down); None of
+    fewer than one."""
     whole = math.floor(freedom + ROUNDING)
     if whole < 1:
         return None
@@ -78,7 +78,7 @@ class Mean:
         if self.error is None:
             return f"{rounded(scale * self.value, 3)} ± —"
         if self.error == 0.0:
-            return f"{rounded(scale * self.value, 3)} ± 0"
+            return f"{scale * self.value:.4g} ± 0".replace("-", "−")
         decimals = decimals_of(scale * self.error)
         return f"{rounded(scale * self.value, decimals)} ± {rounded(scale * self.error, decimals)}"
 

@@ -5,6 +5,7 @@ import unittest
 
 from reproduce.best import best_of
 from reproduce.crossings import crossing_of, zero_crossing
+from reproduce.lines import line_through
 from reproduce.rows import Rows
 from reproduce.samples import Mean, jackknife, mean_of, student, variance_of
 
@@ -90,3 +91,14 @@ class Curves(unittest.TestCase):
         best = best_of(rows_of(lambda x: 1.0 - (x - 0.4) ** 2, 0.002), "x", "y")
         self.assertAlmostEqual(best.at, 0.4)
         self.assertAlmostEqual(best.mean.value, 1.0, delta=0.01)
+
+    def test_a_line_goes_through_its_points(self):
+        line = line_through([(x, Mean(2.0 - 3.0 * x, 0.1 + x, 4)) for x in (0.0, 1.0, 2.0, 5.0)])
+        self.assertAlmostEqual(line.intercept.value, 2.0)
+        self.assertAlmostEqual(line.slope.value, -3.0)
+        self.assertAlmostEqual(line.chi_squared, 0.0)
+        self.assertIsNone(line_through([(0.0, Mean(1.0, 0.1, 4)), (1.0, Mean(1.0, 0.1, 4))]))
+
+    def test_the_error_of_a_lines_height_is_that_of_its_mean(self):
+        line = line_through([(x, Mean(1.0, 0.2, 4)) for x in (-1.0, -1.0, 1.0, 1.0)])
+        self.assertAlmostEqual(line.intercept.error, 0.1)
