@@ -175,8 +175,8 @@ def text(numbers):
 
 
 PICTURES = (
-    Picture("fig9", "Q and P after 100 s over the inclination, for four densities and several lengths of the base; bars: "
-            "standard errors over the seeds", draw),
-    Picture("fig9_length", "Q at the best inclination over one through the length of the base, and straight lines; bars: "
-            "standard errors over the seeds, the best inclination of each chosen by the others", draw_lengths))
+    Picture("fig9", "Q and P after 100 s over the inclination, for four densities and several lengths of the base; "
+            "bars: standard errors over the seeds", draw),
+    Picture("fig9_length", "Q at the best inclination over one through the length of the base, and straight lines; "
+            "bars: standard errors over the seeds, the best inclination of each chosen by the others", draw_lengths))
 STUDY = Study("fig9", "Fig. 9: quality and processed ratio", SWEEPS, evaluate, PICTURES, claims, text)
