@@ -10,7 +10,7 @@ THETA = "base.inclination"
 TEETH = "base.teeth"
 DENSITY = "density"
 LIMIT = "paper_fig9_limit"
-LONG = ("paper_fig9_long", "paper_fig9_dilute", "paper_fig9_dense", LIMIT)
+LONG = ("paper_fig9_long", "paper_fig9_dense", LIMIT)
 SWEEPS = (Sweep("paper_fig9", {THETA: (0.18, 0.22)}), *(Sweep(name, is_quick=False) for name in LONG))
 
 
