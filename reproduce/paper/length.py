@@ -90,7 +90,8 @@ def text(numbers):
                   "Q = Q(∞) − c / teeth:", lines_table(numbers)]
     if numbers["doubled"]:
         parts += ["Within 100 s: Q, and how many disks left, on 300 teeth and on twice as many. Where both are the "
-                  "same, the ends no longer feel each other: Q has reached its limit, and P falls as one over the length.",
+                  "same, the ends no longer feel each other: Q has reached its limit, and P falls as one over the "
+                  "length.",
                   doubled_table(numbers["doubled"])]
     return "\n\n".join(parts)
 
@@ -98,5 +99,5 @@ def text(numbers):
 STUDY = Study("length", "The length of the base, and the limit of Q",
               (*fig9.SWEEPS, Sweep(PATIENT, is_quick=False), Sweep(DOUBLE, is_quick=False)), evaluate,
               (Picture("length", "Q at the best inclination over one through the length of the base, and straight "
-                       "lines through those with time enough; bars: standard errors over the seeds, the best inclination "
-                       "of each chosen by the others", draw),), lambda numbers: [], text)
+                       "lines through those with time enough; bars: standard errors over the seeds, the best "
+                       "inclination of each chosen by the others", draw),), lambda numbers: [], text)
