@@ -1,5 +1,5 @@
 """How Q depends on the length of the base, and its limits: of an endless base, within 100 s and with time enough."""
-from reproduce import drawing
+from reproduce import drawing, verdicts
 from reproduce.best import best_of
 from reproduce.document import table
 from reproduce.lines import line_through
@@ -42,7 +42,8 @@ def evaluate(rows):
     points = with_time_enough(curves, rows[PATIENT])
     return {**curves, "points": points, "lines": {density: line_through(own) for density, own in points.items()},
             "doubled": doubled(fig9.over_inclinations(rows), rows[DOUBLE]),
-            "out": [group.mean("processed").value for group in rows[PATIENT].by(DENSITY, THETA).values()]}
+            "patient": {place: (group.mean("quality"), group.mean("processed"))
+                        for place, group in sorted(rows[PATIENT].by(DENSITY, THETA).items())}}
 
 
 def draw(numbers):
@@ -67,10 +68,35 @@ def draw(numbers):
     return figure
 
 
+def of_as_many(places, short):
+    """On the longest base, the density at which it has most nearly as many disks as a short one."""
+    longest = max(teeth for teeth, _ in places)
+    return min((place for place in places if place[0] == longest),
+               key=lambda place: abs(place[0] * place[1] - short[0] * short[1]))
+
+
+def claims(numbers):
+    best = numbers["best"]
+    shortest = min(teeth for teeth, _ in best)
+    short = max(place for place in best if place[0] == shortest)
+    wide = of_as_many(best, short)
+    says = (f"Q at the best θ of {wide[0]:g} teeth, d = {wide[1]:g}, less that of {short[0]:g} teeth, d = {short[1]:g}, "
+            "is above 0")
+    text_of_claim = "many disks are segregated better where the system is wider, and d lower for it"
+    gain = best[wide].mean.minus(best[short].mean)
+    return [verdicts.Claim("8b", "3.2.2", text_of_claim, (verdicts.above(says, gain),))]
+
+
 def lines_table(numbers):
     lines = [[f"{density:g}", shown(line.intercept), shown(line.slope.scaled(-1.0)), f"{line.chi_squared:.1f}"]
              for density, line in numbers["lines"].items() if line]
     return table(["d", "Q(∞)", "c", "χ², of one degree of freedom"], lines)
+
+
+def patient_table(numbers):
+    lines = [[f"{density:g}", f"{theta:g}", shown(quality), shown(ratio)]
+             for (density, theta), (quality, ratio) in numbers["patient"].items()]
+    return table(["d", "θ [rad]", "Q", "P"], lines)
 
 
 def doubled_table(doubled_means):
@@ -84,10 +110,10 @@ def doubled_table(doubled_means):
 def text(numbers):
     parts = []
     if any(numbers["lines"].values()):
-        out = numbers["out"]
+        out = [ratio.value for _, ratio in numbers["patient"].values()]
         parts += [f"With time enough: 100 s where nearly all disks are out by then (P above {NEARLY_ALL:g}), else 500 "
                   f"s, with P from {min(out):.3f} to {max(out):.3f}. A straight line through Q at its best θ, "
-                  "Q = Q(∞) − c / teeth:", lines_table(numbers)]
+                  "Q = Q(∞) − c / teeth:", lines_table(numbers), "After those 500 s:", patient_table(numbers)]
     if numbers["doubled"]:
         parts += ["Within 100 s: Q, and how many disks left, on 300 teeth and on twice as many. Where both are the "
                   "same, the ends no longer feel each other: Q has reached its limit, and P falls as one over the "
@@ -100,4 +126,4 @@ STUDY = Study("length", "The length of the base, and the limit of Q",
               (*fig9.SWEEPS, Sweep(PATIENT, is_quick=False), Sweep(DOUBLE, is_quick=False)), evaluate,
               (Picture("length", "Q at the best inclination over one through the length of the base, and straight "
                        "lines through those with time enough; bars: standard errors over the seeds, the best "
-                       "inclination of each chosen by the others", draw),), lambda numbers: [], text)
+                       "inclination of each chosen by the others", draw),), claims, text)
