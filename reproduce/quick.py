@@ -1,7 +1,7 @@
 """What --quick runs of a sweep, by one rule for all."""
 import math
 
-QUICK_SEEDS = 4   # --quick runs a quarter of the seeds, and so many at least
+QUICK_SEEDS = 3   # --quick runs a quarter of the seeds, and so many at least
 QUICK_VALUES = 4  # of a key with more values than these, every second one
 QUICK_RULE = (f"a quarter of the seeds, but {QUICK_SEEDS} at least, and of a key with more than {QUICK_VALUES} values "
               "every second one and those that a claim needs; the longest sweeps are left out")

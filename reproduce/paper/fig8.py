@@ -123,7 +123,7 @@ def text(numbers):
 CAPTION = "of a mixture of A (1 mm, 10 g) and B (2 mm, 1 g), d = 3.93; bars: standard errors over the seeds"
 STUDY = Study("fig8", "Fig. 8: both kinds of a mixture",
               (Sweep("paper_fig8", {F: (SHOWN,), THETA: (0.0, 0.052, *PARTED)}),
-               Sweep("paper_fig8_window", {F: (SHOWN,)})), evaluate,
+               Sweep("paper_fig8_window", is_quick=False)), evaluate,
               (Picture("fig8", f"Mean velocities over the frequency, for eleven inclinations, {CAPTION}",
                        draw_frequencies),
                Picture("fig8_inclination", f"Mean velocities over the inclination at {SHOWN:g} Hz, {CAPTION}",

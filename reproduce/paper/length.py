@@ -80,8 +80,8 @@ def claims(numbers):
     shortest = min(teeth for teeth, _ in best)
     short = max(place for place in best if place[0] == shortest)
     wide = of_as_many(best, short)
-    says = (f"Q at the best θ of {wide[0]:g} teeth, d = {wide[1]:g}, less that of {short[0]:g} teeth, d = {short[1]:g}, "
-            "is above 0")
+    says = (f"Q at the best θ of {wide[0]:g} teeth, d = {wide[1]:g}, less that of {short[0]:g} teeth, "
+            f"d = {short[1]:g}, is above 0")
     text_of_claim = "many disks are segregated better where the system is wider, and d lower for it"
     gain = best[wide].mean.minus(best[short].mean)
     return [verdicts.Claim("8b", "3.2.2", text_of_claim, (verdicts.above(says, gain),))]
