@@ -5,12 +5,11 @@ import argparse
 import pathlib
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "benchmark/peers"))  # of machine.py
+from reproduce import document, sweeps
+from reproduce.documents import DOCUMENTS
+from reproduce.study import Outcome
 
-from reproduce import document, sweeps  # noqa: E402
-from reproduce.documents import DOCUMENTS  # noqa: E402
-from reproduce.study import Outcome  # noqa: E402
+ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def read_arguments(arguments=None):
@@ -68,7 +67,7 @@ def reproduce(options):
         outcomes = [run_study(study, runner, options.out / "images", doc.name) for study in studies]
         if outcomes and not options.only:
             path = options.out / f"{doc.name}.md"
-            document.write(path, doc.template, outcomes, command)
+            document.write(path, doc.template, outcomes, command, runner.costs)
             print(path)
 
 

@@ -1,16 +1,16 @@
 """Makes a document of studies from its template: one row per claim, then a section per study."""
-import datetime
 import pathlib
 import string
+import sys
 
-import machine
 from reproduce import verdicts
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "benchmark/peers"))
+import machine  # noqa: E402
 
 
 def table(header, lines):
-    """Markdown."""
+    """In Markdown."""
     rows = [header, ["---"] * len(header), *lines]
     return "\n".join("| " + " | ".join(str(cell) for cell in row) + " |" for row in rows)
 
@@ -36,7 +36,7 @@ def settings(outcome):
             lines.append(f"- {file}: left out")
             continue
         line = (f"- {file}: {len(rows)} runs of {span(rows.values('simulated_time'), ' s')}, "
-                f"seeds {span(rows.values('seed'), '')}, {seconds(rows):.0f} s of one core")
+                f"seeds {span(rows.values('seed'), '')}")
         lines.append(line + (f"; **{rows.failed} failed** and are left out" if rows.failed else ""))
     return "\n".join(lines)
 
@@ -50,25 +50,26 @@ def section(outcome, document):
     return "\n\n".join(parts + ([text] if text else []))
 
 
-def seconds(rows):
-    """Of one thread, start and all but the program's own."""
-    return sum(rows.samples("wall_time"))
+def processor_time(names, costs):
+    seconds = [costs.of(name) for name in names]
+    if None in seconds:
+        return "a processor time that is not known"
+    return f"{sum(seconds) / 60.0:.0f} minutes of processor time"
 
 
-def about(outcomes, command):
+def about(outcomes, command, costs):
     sweeps = {name: rows for outcome in outcomes for name, rows in outcome.rows.items() if rows}
     versions = sorted({row["version"] for rows in sweeps.values() for row in rows})
     physics = sorted({f"{row['physics']:g}" for rows in sweeps.values() for row in rows})
     where = machine.describe()
-    return (f"`{command}`, {datetime.date.today()}: {sum(map(len, sweeps.values()))} runs by ratchet_sieve "
-            f"{', '.join(versions)}, physics version {', '.join(physics)}; "
-            f"{sum(map(seconds, sweeps.values())) / 60.0:.0f} minutes of one core in all, as the sum of the runs' wall times, "
-            f"one thread each ({where['processor']}, {where['cores']} cores, {where['system']}).")
+    return (f"By `{command}`, {where['date']}: {sum(map(len, sweeps.values()))} runs of ratchet_sieve {', '.join(versions)}, "
+            f"physics version {', '.join(physics)}, in {processor_time(sweeps, costs)} ({where['processor']}, "
+            f"{where['cores']} cores, {where['system']}).")
 
 
-def write(path, template, outcomes, command):
+def write(path, template, outcomes, command, costs):
     """@param template a file in which $about, $rule, $claims and $study_NAME of each study stand for what came out"""
-    known = {"about": about(outcomes, command), "rule": verdicts.RULE, "claims": claims_table(outcomes)}
+    known = {"about": about(outcomes, command, costs), "rule": verdicts.RULE, "claims": claims_table(outcomes)}
     known.update({f"study_{outcome.study.name}": section(outcome, path.stem) for outcome in outcomes})
     text = string.Template(template.read_text(encoding="utf-8")).substitute(known)
     path.parent.mkdir(parents=True, exist_ok=True)

@@ -7,6 +7,7 @@ import tempfile
 
 import yaml
 
+from reproduce.costs import Costs
 from reproduce.rows import Rows, read_rows
 
 DIRECTORY = pathlib.Path(__file__).resolve().parent.parent / "config/sweeps"
@@ -49,6 +50,7 @@ class Runner:
         self.jobs = jobs
         self.is_quick = is_quick
         self.draw_only = draw_only
+        self.costs = Costs(results)
         self.rows = {}  # of each sweep that was run, as studies may share one
 
     def take(self, study):
@@ -90,7 +92,7 @@ class Runner:
     def call(self, arguments, name, may_fail=False):
         """@param may_fail a sweep of which some cases fail is no reason to end: they are counted"""
         try:
-            code = subprocess.run([str(self.program), *arguments], stdout=sys.stderr, check=False).returncode
+            code = self.costs.run(name, [str(self.program), *arguments], sys.stderr)
         except OSError as error:
             raise SweepFailed(f"{self.program}: {error.strerror}") from error
         if code == 2 or (code != 0 and not may_fail):

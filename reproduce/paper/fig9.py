@@ -1,0 +1,149 @@
+"""Fig. 9: the quality Q and the processed ratio P over the inclination, for several densities and lengths of the base."""
+from reproduce import drawing, verdicts
+from reproduce.best import best_of
+from reproduce.document import table
+from reproduce.rows import Rows
+from reproduce.study import Picture, Study, Sweep
+
+THETA = "base.inclination"
+TEETH = "base.teeth"
+DENSITY = "density"
+LIMIT = "paper_fig9_limit"
+LONG = ("paper_fig9_long", "paper_fig9_dilute", "paper_fig9_dense", LIMIT)
+SWEEPS = (Sweep("paper_fig9", {THETA: (0.18, 0.22)}), *(Sweep(name, is_quick=False) for name in LONG))
+
+
+def evaluate(rows):
+    over_theta = Rows(row for name, own in rows.items() if name != LIMIT for row in own)
+    numbers = {"Q": {}, "P": {}, "best": {}, "limit": limits(over_theta, rows[LIMIT])}
+    for place, group in over_theta.by(TEETH, DENSITY).items():
+        by_theta = sorted(group.by(THETA).items())
+        numbers["Q"][place] = [(theta, own.mean("quality")) for theta, own in by_theta]
+        numbers["P"][place] = [(theta, own.mean("processed")) for theta, own in by_theta]
+        numbers["best"][place] = best_of(group, THETA, "quality")
+    return numbers
+
+
+def left_in_all(row):
+    return row["processed"] * (row["count.A"] + row["count.B"])
+
+
+def limits(shorter, longest):
+    """Of the two longest bases, where they have the same density and inclination: Q and how many disks left.
+    @return map from (d, θ) to a map from the number of teeth to (Q, disks that left)"""
+    found = {}
+    for place, group in sorted(longest.by(DENSITY, THETA).items()):
+        other = shorter.where({DENSITY: place[0], THETA: place[1]})
+        runs = other.where({TEETH: max(other.values(TEETH))}) + group
+        found[place] = {teeth: (own.mean("quality"), own.mean(left_in_all))
+                        for teeth, own in sorted(Rows(runs).by(TEETH).items())}
+    return found
+
+
+def axis(numbers, index):
+    return sorted({place[index] for place in numbers["Q"]})
+
+
+def draw(numbers):
+    lengths, densities = axis(numbers, 0), axis(numbers, 1)
+    figure, all_axes = drawing.panels(2, len(lengths), (3.2 * len(lengths) + 0.8, 5.2), sharex=True, sharey="row",
+                                      squeeze=False)
+    for column, teeth in enumerate(lengths):
+        for row, what in enumerate(("Q", "P")):
+            axes = all_axes[row][column]
+            for density, colour in zip(densities, drawing.ramp(len(densities))):
+                drawing.curve(axes, numbers[what][teeth, density], color=colour, label=f"$d$ = {density:g}")
+            axes.set_ylim(0.0, 1.05)
+        all_axes[0][column].set_title(f"{teeth:g} teeth")
+        all_axes[1][column].set_xlabel(r"$\theta$ [rad]")
+    all_axes[0][0].set_ylabel("quality $Q$")
+    all_axes[1][0].set_ylabel("processed ratio $P$")
+    all_axes[0][-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+def draw_lengths(numbers):
+    figure, axes = drawing.panels(1, 1, (6.4, 3.6))
+    densities = axis(numbers, 1)
+    for density, colour in zip(densities, drawing.ramp(len(densities))):
+        points = [(teeth, best.mean) for (teeth, d), best in sorted(numbers["best"].items()) if d == density]
+        drawing.curve(axes, points, color=colour, label=f"$d$ = {density:g}")
+    axes.set_xscale("log")
+    axes.set_xticks(axis(numbers, 0), [f"{teeth:g}" for teeth in axis(numbers, 0)])
+    axes.set_xticks([], minor=True)
+    axes.set_xlabel("teeth")
+    axes.set_ylabel(r"$Q$ at the best $\theta$")
+    axes.legend()
+    return figure
+
+
+def peaked(numbers):
+    """Q at the best θ against that at the least and at the greatest θ."""
+    for (teeth, density), best in numbers["best"].items():
+        curve = numbers["Q"][teeth, density]
+        for theta, mean in (curve[0], curve[-1]):
+            if mean is not None:
+                yield f"L = {teeth:g}, d = {density:g}, θ = {theta:g}", best.mean.minus(mean).surely_above(0.0)
+
+
+def order(numbers, teeth):
+    """Of each density against the next higher."""
+    densities = axis(numbers, 1)
+    for low, high in zip(densities, densities[1:]):
+        first, second = (numbers["best"][teeth, d].mean for d in (low, high))
+        yield f"{low:g} against {high:g}: {first.text()}, {second.text()}", first.minus(second).surely_above(0.0)
+
+
+def claims(numbers):
+    checks = [verdicts.counted("Q at its best θ is higher than at the least and at the greatest θ", peaked(numbers))]
+    checks += [verdicts.counted(f"{teeth:g} teeth: Q at its best θ is higher at each d than at the next higher",
+                                order(numbers, teeth)) for teeth in axis(numbers, 0)]
+    return [verdicts.Claim("8", "Fig. 9", "Q over θ has a maximum at some θ, and is higher for low d", tuple(checks))]
+
+
+def processed_at_best(numbers, place):
+    return next(mean for theta, mean in numbers["P"][place] if theta == numbers["best"][place].at)
+
+
+def shown(mean):
+    return "—" if mean is None else mean.text()
+
+
+def best_table(numbers):
+    lines = [[f"{teeth:g}", f"{density:g}", f"{best.at:g}", shown(best.mean), best.mean.count,
+              shown(processed_at_best(numbers, (teeth, density)))]
+             for (teeth, density), best in sorted(numbers["best"].items())]
+    return table(["teeth", "d", "best θ [rad]", "Q there", "n", "P there"], lines)
+
+
+def limit_table(limit):
+    lengths = sorted({teeth for found in limit.values() for teeth in found})
+    header = ["d", "θ [rad]"] + [f"Q, {teeth:g} teeth" for teeth in lengths] + [f"left, {teeth:g} teeth" for teeth in lengths]
+    lines = [[f"{density:g}", f"{theta:g}"] + [shown(found[teeth][0]) for teeth in lengths]
+             + [shown(found[teeth][1]) for teeth in lengths] for (density, theta), found in limit.items()]
+    return table(header, lines)
+
+
+def curve_table(numbers, what, teeth):
+    densities = axis(numbers, 1)
+    curves = {density: dict(numbers[what][teeth, density]) for density in densities}
+    thetas = sorted({theta for curve in curves.values() for theta in curve})
+    lines = [[f"{theta:g}"] + [shown(curves[density].get(theta)) for density in densities] for theta in thetas]
+    return f"{what} on {teeth:g} teeth:\n\n" + table(["θ [rad]"] + [f"d = {density:g}" for density in densities], lines)
+
+
+def text(numbers):
+    parts = ["The best θ is chosen, for each seed, by the other seeds.", best_table(numbers)]
+    if numbers["limit"]:
+        parts += ["Twice as long a base: Q, and how many disks left within the 100 s. Where both are the same, the ends no "
+                  "longer feel each other, Q has reached its limit, and P falls as one over the length.",
+                  limit_table(numbers["limit"])]
+    parts += [curve_table(numbers, what, teeth) for teeth in axis(numbers, 0) for what in ("Q", "P")]
+    return "\n\n".join(parts)
+
+
+STUDY = Study("fig9", "Fig. 9: quality and processed ratio", SWEEPS, evaluate,
+              (Picture("fig9", "Q and P after 100 s over the inclination, for four densities and several lengths of the base; "
+                       "bars: standard errors over the seeds", draw),
+               Picture("fig9_length", "Q at the best inclination over the length of the base; bars: standard errors over the "
+                       "seeds, the best inclination of each chosen by the others", draw_lengths)), claims, text)
