@@ -21,9 +21,10 @@ def class_map(axes, xs, ys, class_of, colours):
     label_cells(axes, xs, ys)
 
 
-def class_legend(figure, colours):
-    figure.legend(handles=[Patch(color=colour, label=name) for name, colour in colours.items()],
-                  loc="outside lower center", ncol=len(colours))
+def class_legend(axes, colours):
+    """Beside the axes."""
+    axes.legend(handles=[Patch(facecolor=colour, edgecolor="#999999", label=name) for name, colour in colours.items()],
+                loc="center left", bbox_to_anchor=(1.0, 0.5))
 
 
 def signed_map(axes, xs, ys, mean_of, scale, linear, largest):

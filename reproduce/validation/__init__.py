@@ -1,3 +1,4 @@
 """Other people's machines."""
+from reproduce.validation import bae, okishio
 
-STUDIES = ()
+STUDIES = (bae.STUDY, okishio.STUDY)

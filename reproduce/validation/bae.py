@@ -41,7 +41,7 @@ def draw_regimes(numbers):
         axes.set_xlabel(r"$\Gamma = A (2 \pi f)^2 / g$")
         axes.tick_params(axis="x", rotation=60)
     row[0].set_ylabel("roughness $h / w$")
-    maps.class_legend(figure, currents.COLOURS)
+    maps.class_legend(row[-1], currents.COLOURS)
     return figure
 
 

@@ -26,6 +26,8 @@ def exists(says, means, least, wanted):
     if not found:
         open_ = any(regime(mean, least) == UNTOLD for mean in means.values())
         return verdicts.Check(says, f"at none of {len(means)}", None if open_ else False)
+    if wanted == NONE:
+        return verdicts.Check(says, f"at {len(found)} of {len(means)}", True)
     place = max(found, key=lambda name: abs(found[name].value))
     shown = verdicts.shown(found[place], drawing.MM, "mm/s")
     return verdicts.Check(says, f"at {len(found)} of {len(means)}, most at {place}: {shown}", True)

@@ -1,0 +1,91 @@
+"""Fig. 8's claim over pairs of parameters: whether A goes to the right and B to the left at both of its angles."""
+import dataclasses
+
+from reproduce import drawing, maps, verdicts
+from reproduce.document import table
+from reproduce.paper import parting
+from reproduce.study import Picture, Study, Sweep
+
+
+@dataclasses.dataclass(frozen=True)
+class Pair:
+    sweep: str
+    x: str        # swept key, and as it is written beside the axis
+    x_name: str
+    y: str
+    y_name: str
+    stated: tuple  # the paper's values, and the scenes' of what it leaves open
+
+
+PAIRS = (Pair("parting_density_frequency", "density", "d", "base.frequency", "f [Hz]", (3.93, 23)),
+         Pair("parting_asymmetry_density", "density", "d", "base.asymmetry", "a", (3.93, 0.3)),
+         Pair("parting_asymmetry_frequency", "base.frequency", "f [Hz]", "base.asymmetry", "a", (23, 0.3)),
+         Pair("parting_amplitude_frequency", "base.frequency", "f [Hz]", "base.amplitude", "A [m]", (23, 0.002)),
+         Pair("parting_speed_frequency", "base.frequency", "f [Hz]", "contact.min_rebound_speed", "v_min [m/s]", (23, 0.05)),
+         Pair("parting_friction_restitution", "species.0.friction", "μ", "species.0.restitution", "e", (0.1, 0.6)))
+
+
+def evaluate(rows):
+    """@return of each pair: map from (θ, x, y) to both kinds' mean velocities [m/s]"""
+    return {pair: {place: parting.ways(cell) for place, cell in rows[pair.sweep].by(parting.THETA, pair.x, pair.y).items()}
+            for pair in PAIRS if rows[pair.sweep]}
+
+
+def axis(means, index):
+    return sorted({place[index] for place in means})
+
+
+def draw(numbers):
+    figure, grid = drawing.panels(max(1, len(numbers)), 2, (7.2, 2.3 * len(numbers) + 0.6), squeeze=False)
+    for row, (pair, means) in zip(grid, numbers.items()):
+        for axes, theta in zip(row, parting.ANGLES):
+            xs, ys = axis(means, 1), axis(means, 2)
+            maps.class_map(axes, xs, ys, lambda x, y, m=means, t=theta: parting.class_of(m[t, x, y]), parting.COLOURS)
+            axes.set_title(rf"$\theta$ = {theta:g}")
+            axes.set_xlabel(pair.x_name)
+            if pair.stated[0] in xs and pair.stated[1] in ys:
+                axes.plot(xs.index(pair.stated[0]) + 0.5, ys.index(pair.stated[1]) + 0.5, "ko", markersize=4)
+        row[0].set_ylabel(pair.y_name)
+    maps.class_legend(grid[0][-1], parting.COLOURS)
+    return figure
+
+
+def parted_at(means, theta):
+    """@return places (x, y) where the kinds surely part as the paper's do"""
+    return {(x, y) for angle, x, y in means if angle == theta and parting.class_of(means[angle, x, y]) == parting.PARTED}
+
+
+def places(pair, cells):
+    return "; ".join(f"{pair.x_name.split()[0]} = {x:g}, {pair.y_name.split()[0]} = {y:g}" for x, y in sorted(cells)) or "none"
+
+
+def at_both(numbers):
+    """Those places, of all pairs, where they part at both angles."""
+    return {pair: parted_at(means, parting.ANGLES[0]) & parted_at(means, parting.ANGLES[1]) for pair, means in numbers.items()}
+
+
+def claims(numbers):
+    tried = sum(len(means) // len(parting.ANGLES) for means in numbers.values())
+    found = sum(len(cells) for cells in at_both(numbers).values())
+    checks = [verdicts.Check(f"at θ = {theta:g} somewhere", f"at {count} of {tried} places", count > 0 if tried else None)
+              for theta in parting.ANGLES
+              for count in [sum(len(parted_at(means, theta)) for means in numbers.values())]]
+    checks.append(verdicts.Check("at both, somewhere", f"at {found} of {tried} places", found > 0 if tried else None))
+    return [verdicts.Claim("6b", "Fig. 8", "A right and B left at 0.105 and 0.157, were two parameters other than printed",
+                           tuple(checks))]
+
+
+def text(numbers):
+    lines = []
+    for pair, means in numbers.items():
+        first, second = (parted_at(means, theta) for theta in parting.ANGLES)
+        lines.append([f"{pair.x_name} and {pair.y_name}", len(means) // len(parting.ANGLES), len(first), len(second),
+                      places(pair, first & second)])
+    return ("Places of each map where A goes to the right and B to the left, both with 95 %:\n\n"
+            + table(["over", "places", *(f"at {theta:g}" for theta in parting.ANGLES), "at both"], lines))
+
+
+STUDY = Study("parting_pairs", "Whether any two parameters bring out Fig. 8's claim",
+              tuple(Sweep(pair.sweep, is_quick=False) for pair in PAIRS), evaluate,
+              (Picture("parting_pairs", "Which way both kinds of Fig. 8's mixture go at the two angles of the claim, over pairs "
+                       "of parameters, all others as printed; the dot: as printed", draw),), claims, text)
