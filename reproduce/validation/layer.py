@@ -1,0 +1,110 @@
+"""A layer of one kind: its current over its thickness, and over the frequency (Derényi, Tegzes, Vicsek 1998)."""
+from reproduce import drawing, verdicts
+from reproduce.crossings import crossing_of
+from reproduce.document import table
+from reproduce.study import Picture, Study, Sweep
+from reproduce.validation import currents
+
+D = "density"
+F = "base.frequency"
+E = "species.0.restitution"
+LEAST = 0.0005  # m/s that count as a current
+SUDDEN = 0.5    # of the greatest speed: a current that sets in with more is sudden
+
+
+def evaluate(rows):
+    rows = rows["validation_layer"]
+    return {"means": {place: cell.mean("mean_vx.A") for place, cell in sorted(rows.by(E, F, D).items())},
+            "turns": {place: crossing_of(cell, D, "mean_vx.A") for place, cell in sorted(rows.by(E, F).items())}}
+
+
+def axis(means, index):
+    return sorted({place[index] for place in means})
+
+
+def draw(numbers):
+    means = numbers["means"]
+    restitutions, frequencies = axis(means, 0), axis(means, 1)
+    figure, row = drawing.panels(1, len(restitutions), (8.6, 3.9), sharey=True, squeeze=False)
+    for axes, e in zip(row[0], restitutions):
+        for f, colour in zip(frequencies, drawing.ramp(len(frequencies))):
+            drawing.curve(axes, [(d, means[e, f, d]) for d in axis(means, 2)], drawing.MM, color=colour, label=f"{f:g} Hz")
+        drawing.signed(axes)
+        axes.set_xscale("log", base=2)
+        axes.set_xticks(axis(means, 2), [f"{d:g}" for d in axis(means, 2)])
+        axes.set_title(f"e = {e:g}")
+        axes.set_xlabel("density $d$, about the number of layers")
+    row[0][0].set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
+    row[0][-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+def reversals(means):
+    """@return of each (e, f) whose current goes one way in some layers and the other way in thicker ones: the densities"""
+    found = {}
+    for e in axis(means, 0):
+        for f in axis(means, 1):
+            ways = [(d, currents.regime(means[e, f, d], LEAST)) for d in axis(means, 2)]
+            told = [(d, way) for d, way in ways if way in (currents.NORMAL, currents.REVERSED)]
+            change = next(((a, b) for a, b in zip(told, told[1:]) if a[1] != b[1]), None)
+            if change:
+                found[e, f] = change
+    return found
+
+
+def reverses(means):
+    found = reversals(means)
+    says = "the current turns as the layer is made thicker"
+    tried = len(axis(means, 0)) * len(axis(means, 1))
+    if not found:
+        return verdicts.Check(says, f"at none of {tried} (e, f)", False)
+    (e, f), ((thin, way), (thick, _)) = max(found.items(), key=lambda item: strength(means, item))
+    a, b = (verdicts.shown(means[e, f, d], drawing.MM, "mm/s") for d in (thin, thick))
+    return verdicts.Check(says, f"at {len(found)} of {tried} (e, f), as at e = {e:g}, {f:g} Hz: {a} at d = {thin:g}, {b} at "
+                          f"d = {thick:g}", True)
+
+
+def strength(means, item):
+    """Of a reversal: by how many standard errors the weaker of its two currents is off nought."""
+    (e, f), ((thin, _), (thick, _)) = item
+    return min(abs(means[e, f, d].value) / means[e, f, d].error for d in (thin, thick))
+
+
+def onset(means, e, d):
+    """@return the least frequency with a current, and that current over the greatest of this layer; None without one"""
+    told = [(f, means[e, f, d]) for f in axis(means, 1)
+            if currents.regime(means[e, f, d], LEAST) in (currents.NORMAL, currents.REVERSED)]
+    if not told:
+        return None
+    return told[0][0], abs(told[0][1].value) / max(abs(mean.value) for _, mean in told)
+
+
+def sets_in(means):
+    found = [onset(means, e, d) for e in axis(means, 0) for d in axis(means, 2)]
+    found = [place for place in found if place]
+    first = axis(means, 1)[0]
+    gradual = sum(share < SUDDEN for f, share in found if f > first)
+    late = sum(f > first for f, _ in found)
+    return verdicts.Check(f"it sets in gradually with the frequency: at the least one with a current it is below "
+                          f"{100 * SUDDEN:g} % of its greatest", f"in {gradual} of {late} layers that rest at {first:g} Hz",
+                          gradual == late if late else None)
+
+
+def claims(numbers):
+    means = numbers["means"]
+    return [verdicts.Claim("3", "Derényi 1998, abstract", "increasing the layer's thickness reverses its current, under certain "
+                           "conditions; transport sets in gradually with the frequency", (reverses(means), sets_in(means)))]
+
+
+def text(numbers):
+    means = numbers["means"]
+    densities = axis(means, 2)
+    lines = [[f"{e:g}", f"{f:g}"] + [means[e, f, d].text(drawing.MM) for d in densities] + [turn.text() if turn else "—"]
+             for (e, f), turn in numbers["turns"].items()]
+    return ("⟨V_x⟩ in mm/s, and the density at which it changes its sign:\n\n"
+            + table(["e", "f [Hz]"] + [f"d = {d:g}" for d in densities] + ["turns at d"], lines))
+
+
+STUDY = Study("layer", "A layer over its thickness (Derényi and others 1998)", (Sweep("validation_layer"),), evaluate,
+              (Picture("layer", "Mean velocity of a layer of one kind over its thickness, on steep teeth (w = 6 mm, h = 5 mm, "
+                       "a = 0.3); bars: standard errors over the seeds", draw),), claims, text)
