@@ -2,7 +2,7 @@
 from reproduce import drawing, verdicts
 from reproduce.crossings import crossing_of, distance_of
 from reproduce.document import table
-from reproduce.paper import parting
+from reproduce.paper import parting, parting_follows
 from reproduce.paper.parting import ANGLES, D, PRINTED, THETA
 from reproduce.study import Picture, Study, Sweep
 
@@ -70,7 +70,7 @@ def claims(numbers):
         *(somewhere(part, theta) for theta in ANGLES), at_one(part)))]
 
 
-def limit(mean):
+def shown(mean):
     return "—" if mean is None else mean.text()
 
 
@@ -79,17 +79,18 @@ def off(mean):
 
 
 def text(numbers):
-    parts = ["The angles at which each kind turns to the left, by a parabola through the means nearest to it; errors by leaving "
-             "out one seed after the other:"]
-    lines = [[f"{a:g}", f"{d:g}", *(limit(turn[part]) for part in ("B", "A", "window"))]
-             for a, part_ in numbers.items() for d, turn in part_["turns"].items()]
-    parts.append(table(["a", "d", "B turns, θ [rad]", "A turns, θ [rad]", "width [rad]"], lines))
-    parts.append(f"The other way round: at an angle of the claim, A goes to the right below one density and B to the left above "
-                 f"another. The last column says by which factor d = {PRINTED:g} is above the first:")
-    lines = [[f"{a:g}", f"{theta:g}", limit(found["B"]), limit(found["A"]), off(found["A"])]
-             for a, part in numbers.items() for theta, found in part["limits"].items()]
-    parts.append(table(["a", "θ [rad]", "B left above d", "A right below d", f"{PRINTED:g} over that"], lines))
-    return "\n\n".join(parts)
+    lines = [[f"{a:g}", f"{d:g}", *(shown(turn[kind]) for kind in ("B", "A", "window"))]
+             for a, part in numbers.items() for d, turn in part["turns"].items()]
+    limits = [[f"{a:g}", f"{theta:g}", shown(found["B"]), shown(found["A"]), off(found["A"])]
+              for a, part in numbers.items() for theta, found in part["limits"].items()]
+    return "\n\n".join((
+        "The angles at which each kind turns to the left, by a parabola through the means nearest to it; errors by leaving out "
+        "one seed after the other:",
+        table(["a", "d", "B turns, θ [rad]", "A turns, θ [rad]", "width [rad]"], lines),
+        "The other way round: at an angle of the claim, B goes to the left above one density (— : at all that were measured), "
+        f"and A to the right below another. The last column says by which factor {PRINTED:g} is above the latter:",
+        table(["a", "θ [rad]", "B left above d", "A right below d", f"{PRINTED:g} over that"], limits),
+        parting_follows.text(numbers)))
 
 
 STUDY = Study("parting_window", "The window in which Fig. 8's mixture parts, over the density",
