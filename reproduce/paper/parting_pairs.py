@@ -14,12 +14,13 @@ class Pair:
     x_name: str
     y: str
     y_name: str
-    stated: tuple  # the paper's values, and the scenes' of what it leaves open
+    stated: tuple  # the paper's values, and the scenes' of what it leaves open; of x and y
 
 
 PAIRS = (Pair("parting_density_frequency", "density", "d", "base.frequency", "f [Hz]", (3.93, 23)),
          Pair("parting_asymmetry_density", "density", "d", "base.asymmetry", "a", (3.93, 0.3)),
          Pair("parting_asymmetry_frequency", "base.frequency", "f [Hz]", "base.asymmetry", "a", (23, 0.3)),
+         Pair("parting_steep_frequency", "density", "d (a = 0.1)", "base.frequency", "f [Hz]", (None, None)),
          Pair("parting_amplitude_frequency", "base.frequency", "f [Hz]", "base.amplitude", "A [m]", (23, 0.002)),
          Pair("parting_speed_frequency", "base.frequency", "f [Hz]", "contact.min_rebound_speed", "v_min [m/s]", (23, 0.05)),
          Pair("parting_friction_restitution", "species.0.friction", "μ", "species.0.restitution", "e", (0.1, 0.6)))

@@ -65,7 +65,7 @@ def at_one(part):
 
 def claims(numbers):
     part = numbers[STATED]
-    return [verdicts.Claim("6a", "Fig. 8", "A right and B left at 0.105 and 0.157, all else as printed", (
+    return [verdicts.Claim("6a", "Fig. 8", "A right and B left at 0.105 and 0.157: at the printed density, or at another", (
         *(parting.parted(f"θ = {theta:g}, d = {PRINTED:g}, as printed", part["ways"][PRINTED, theta]) for theta in ANGLES),
         *(somewhere(part, theta) for theta in ANGLES), at_one(part)))]
 
