@@ -1,4 +1,4 @@
-"""The processor time that went into a results file, sweep by sweep: beside it, as a result is taken up again at no cost."""
+"""The processor time that went into a results file, sweep by sweep. Kept beside it: a result is taken up at no cost."""
 import json
 import os
 import subprocess

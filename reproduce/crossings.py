@@ -17,7 +17,7 @@ def parabola(points, x):
 
 
 def zero_crossing(points):
-    """The least x at which y changes its sign, by a parabola through the points on both sides of it and the next nearest.
+    """The least x at which y changes its sign, by a parabola through the points beside it and the next nearest.
     @param points three or more pairs (x, y) in the order of x. @return None where there is no change of sign"""
     for k in range(len(points) - 1):
         (x0, y0), (x1, y1) = points[k], points[k + 1]

@@ -2,11 +2,14 @@
 import pathlib
 import string
 import sys
+import textwrap
 
 from reproduce import verdicts
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "benchmark/peers"))
 import machine  # noqa: E402
+
+WIDTH = 120  # of a line
 
 
 def table(header, lines):
@@ -62,9 +65,16 @@ def about(outcomes, command, costs):
     versions = sorted({row["version"] for rows in sweeps.values() for row in rows})
     physics = sorted({f"{row['physics']:g}" for rows in sweeps.values() for row in rows})
     where = machine.describe()
-    return (f"By `{command}`, {where['date']}: {sum(map(len, sweeps.values()))} runs of ratchet_sieve {', '.join(versions)}, "
-            f"physics version {', '.join(physics)}, in {processor_time(sweeps, costs)} ({where['processor']}, "
-            f"{where['cores']} cores, {where['system']}).")
+    return (f"By `{command}`, {where['date']}: {sum(map(len, sweeps.values()))} runs of ratchet_sieve "
+            f"{', '.join(versions)}, physics version {', '.join(physics)}, in {processor_time(sweeps, costs)} "
+            f"({where['processor']}, {where['cores']} cores, {where['system']}).")
+
+
+def wrapped(block):
+    """A paragraph in lines of WIDTH at most; tables, lists, pictures and titles are left as they are."""
+    if block.startswith(("|", "- ", "![", "#")):
+        return block
+    return textwrap.fill(block, WIDTH, break_long_words=False, break_on_hyphens=False)
 
 
 def write(path, template, outcomes, command, costs):
@@ -73,4 +83,4 @@ def write(path, template, outcomes, command, costs):
     known.update({f"study_{outcome.study.name}": section(outcome, path.stem) for outcome in outcomes})
     text = string.Template(template.read_text(encoding="utf-8")).substitute(known)
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text.rstrip() + "\n", encoding="utf-8")
+    path.write_text("\n\n".join(map(wrapped, text.strip().split("\n\n"))) + "\n", encoding="utf-8")

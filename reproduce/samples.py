@@ -4,8 +4,8 @@ import math
 import statistics
 
 # Two-sided 95 % of Student's t, for 1, 2, ... degrees of freedom.
-STUDENT = (12.71, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131, 2.120,
-           2.110, 2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042)
+STUDENT = (12.71, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131,
+           2.120, 2.110, 2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042)
 NORMAL = 1.960   # the same for infinitely many ...
 SLOPE = 2.5      # ... which t approaches by this over the degrees of freedom, to 0.2 %
 
@@ -27,8 +27,6 @@ def rounded(value, decimals):
 
 def decimals_of(error):
     """That show an error with two digits where the first is a one, else with one."""
-    if not error or not math.isfinite(error):
-        return 3
     exponent = math.floor(math.log10(error))
     if error / 10.0 ** exponent < 1.95:
         exponent -= 1
@@ -67,6 +65,8 @@ class Mean:
         """As 12.3 ± 0.4, the value times a scale; an error that is not defined is a dash."""
         if self.error is None:
             return f"{rounded(scale * self.value, 3)} ± —"
+        if self.error == 0.0:
+            return f"{rounded(scale * self.value, 3)} ± 0"
         decimals = decimals_of(scale * self.error)
         return f"{rounded(scale * self.value, decimals)} ± {rounded(scale * self.error, decimals)}"
 

@@ -1,9 +1,9 @@
 """Whether a claim holds: by checks, each a comparison of a mean with a bound, and one rule for all claims."""
 import dataclasses
 
-RULE = ("A check passes, or fails, where the interval of 95 % (Student's t over the independent samples) lies wholly on one "
-        "side of its bound; else it is undecided. A claim *holds* if all its checks pass, *holds in part* if some do, "
-        "*does not hold* if none does and one fails, and is *not told* if all are undecided.")
+RULE = ("A check passes, or fails, where the interval of 95 % (Student's t over the independent samples) lies wholly "
+        "on one side of its bound; else it is undecided. A claim *holds* if all its checks pass, *holds in part* if "
+        "some do, *does not hold* if none does and one fails, and is *not told* if all are undecided.")
 
 HOLDS = "holds"
 IN_PART = "holds in part"

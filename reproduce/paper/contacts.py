@@ -36,8 +36,8 @@ def is_printed(mean):
 def claims(means):
     fitting = [f"{v:g}" for v, (ratio, _) in means.items() if is_printed(ratio)]
     return [verdicts.Claim("2", "3.1.1", "contacts of short to long slopes are about 0.53 in Fig. 3", (
-        verdicts.within(f"between {PRINTED - ROUNDING:g} and {PRINTED + ROUNDING:g} at v_min = {SCENES:g} m/s, as in the "
-                        f"scenes (so it is at {', '.join(fitting) or 'none'} m/s of those tried)",
+        verdicts.within(f"between {PRINTED - ROUNDING:g} and {PRINTED + ROUNDING:g} at v_min = {SCENES:g} m/s, as in "
+                        f"the scenes (so it is at {', '.join(fitting) or 'none'} m/s of those tried)",
                         means[SCENES][0], PRINTED - ROUNDING, PRINTED + ROUNDING),))]
 
 
@@ -48,5 +48,5 @@ def text(means):
 
 STUDY = Study("contacts", "Short and long slopes, over the smallest rebound speed",
               (Sweep("paper_fig3_contacts", {V_MIN: (SCENES, 0.1)}),), evaluate,
-              (Picture("contacts", "Contacts with short over those with long slopes, of Fig. 3's disks, over v_min; bars: "
-                       "standard errors over the seeds", draw),), claims, text)
+              (Picture("contacts", "Contacts with short over those with long slopes, of Fig. 3's disks, over v_min; "
+                       "bars: standard errors over the seeds", draw),), claims, text)

@@ -87,6 +87,6 @@ def text(samples):
 
 def study(name, title, claims):
     sweep = f"paper_{name}"
-    caption = (f"{title.split(':')[0]}: where single disks are after some times; each disk a run of its own, bars: standard "
-               "errors of the counts")
+    caption = (f"{title.split(':')[0]}: where single disks are after some times; each disk a run of its own, bars: "
+               "standard errors of the counts")
     return Study(name, title, (Sweep(sweep, NEEDED),), evaluator(sweep), (Picture(name, caption, draw),), claims, text)

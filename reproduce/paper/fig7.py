@@ -11,7 +11,8 @@ SHOWN = 23.0  # Hz
 
 def velocities(rows):
     """@return of each kind: map from (θ, f) to the mean velocity [m/s]"""
-    return {kind: {place: group.mean(f"mean_vx.{kind}") for place, group in rows.by(THETA, F).items()} for kind in KINDS}
+    groups = rows.by(THETA, F)
+    return {kind: {place: group.mean(f"mean_vx.{kind}") for place, group in groups.items()} for kind in KINDS}
 
 
 def evaluate(rows):
@@ -59,8 +60,8 @@ def claims(means):
     ranges = {kind: range_over_inclinations(means[kind], SHOWN) for kind in KINDS}
     factor = ranges["B"].value / ranges["A"].value
     return [verdicts.Claim("5", "Fig. 7", "θ moves large disks (r = 4 mm) more than small ones (r = 1 mm), over f", (
-        verdicts.above(f"at {SHOWN:g} Hz the large lose more from the least θ to the greatest ({factor:.2f} times as much)",
-                       ranges["B"].minus(ranges["A"]), 0.0, drawing.MM, "mm/s more"),
+        verdicts.above(f"at {SHOWN:g} Hz the large lose more from the least θ to the greatest, {factor:.2f} times as "
+                       "much", ranges["B"].minus(ranges["A"]), 0.0, drawing.MM, "mm/s more"),
         verdicts.counted("and so they do at every f", more_moved(means))))]
 
 
@@ -73,5 +74,5 @@ def text(means):
 
 STUDY = Study("fig7", "Fig. 7: velocity over frequency, for small and large disks",
               (Sweep("paper_fig7", {F: (SHOWN,), THETA: (0.0, 0.262)}),), evaluate,
-              (Picture("fig7", "Mean velocity of single disks of 1 mm and of 4 mm over the frequency, for ten inclinations; "
-                       "bars: standard errors over the seeds", draw),), claims, text)
+              (Picture("fig7", "Mean velocity of single disks of 1 mm and of 4 mm over the frequency, for ten "
+                       "inclinations; bars: standard errors over the seeds", draw),), claims, text)

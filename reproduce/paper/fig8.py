@@ -3,22 +3,25 @@ from reproduce import drawing, verdicts
 from reproduce.crossings import crossing_of, distance_of
 from reproduce.document import table
 from reproduce.paper.fig7 import F, THETA, axis, draw_kinds, velocities
+from reproduce.rows import Rows
 from reproduce.samples import Mean
 from reproduce.study import Picture, Study, Sweep
 
 SHOWN = 23.0  # Hz, as in Fig. 3
 KINDS = {"A": "A: 1 mm, 10 g", "B": "B: 2 mm, 1 g"}
 LITTLE = 1.0 / 3.0  # of the difference at θ = 0
+CLAIM = ("at θ = 0 both go right and B is faster; at 0.052 they differ little; at 0.105 and 0.157 A goes right and B "
+         "left")
 PARTED = (0.105, 0.157)  # where the paper has A go to the right and B to the left
 
 
 def evaluate(rows):
-    rows = rows["paper_fig8"]
+    printed = rows["paper_fig8"]
     turns = {}
-    for f, group in rows.by(F).items():
+    for f, group in Rows(printed + rows["paper_fig8_window"]).by(F).items():
         turns[f] = {kind: crossing_of(group, THETA, f"mean_vx.{kind}") for kind in KINDS}
         turns[f]["window"] = distance_of(group, THETA, "mean_vx.A", "mean_vx.B")
-    return {"means": velocities(rows), "turns": turns}
+    return {"means": velocities(printed), "turns": turns}
 
 
 def draw_frequencies(numbers):
@@ -43,7 +46,8 @@ def draw_inclinations(numbers):
 
 def shade_window(axes, turns):
     if turns["A"] and turns["B"]:
-        axes.axvspan(turns["B"].value, turns["A"].value, color=drawing.COLOURS[2], alpha=0.3, label="A right, B left here")
+        axes.axvspan(turns["B"].value, turns["A"].value, color=drawing.COLOURS[2], alpha=0.3,
+                     label="A right, B left here")
 
 
 def draw_turns(numbers):
@@ -84,19 +88,19 @@ def parted(means, theta):
     check = verdicts.both(speed(says, a, True), speed(says, b, False))
     seen = [f"{f:g}" for f in axis(means["A"], 1)
             if means["A"][theta, f].surely_above(0.0) and means["B"][theta, f].surely_below(0.0)]
-    return verdicts.Check(says, f"{check.came_out} at {SHOWN:g} Hz (seen at {', '.join(seen) or 'no'} Hz)", check.passes)
+    came_out = f"{check.came_out} at {SHOWN:g} Hz (seen at {', '.join(seen) or 'no'} Hz)"
+    return verdicts.Check(says, came_out, check.passes)
 
 
 def claims(numbers):
     means = numbers["means"]
     level = {kind: means[kind][0.0, SHOWN] for kind in KINDS}
-    right = "θ = 0: both to the right"
-    return [verdicts.Claim("6", "Fig. 8", "at θ = 0 both go right and B is faster; at 0.052 they differ little; at 0.105 and "
-                           "0.157 A goes right and B left", (
-                               verdicts.both(speed(right, level["A"], True), speed(right, level["B"], True)),
-                               verdicts.above("θ = 0: B is faster", level["B"].minus(level["A"]), 0.0, drawing.MM, "mm/s"),
-                               differ_little(means),
-                               *(parted(means, theta) for theta in PARTED)))]
+    right, faster = "θ = 0: both to the right", level["B"].minus(level["A"])
+    return [verdicts.Claim("6", "Fig. 8", CLAIM, (
+        verdicts.both(speed(right, level["A"], True), speed(right, level["B"], True)),
+        verdicts.above("θ = 0: B is faster", faster, 0.0, drawing.MM, "mm/s"),
+        differ_little(means),
+        *(parted(means, theta) for theta in PARTED)))]
 
 
 def shown(mean):
@@ -109,16 +113,18 @@ def text(numbers):
     lines = [[f"{theta:g}".replace("-", "−"), kind] + [means[kind][theta, f].text(drawing.MM) for f in frequencies]
              for theta in axis(means["A"], 0) for kind in KINDS]
     turned = [[f"{f:g} Hz", *(shown(turn[part]) for part in ("B", "A", "window"))] for f, turn in turns]
-    return ("Where each kind turns to the left, by a parabola through the means nearest to it, and how far A's angle lies "
-            "above B's; errors by leaving out one seed after the other:\n\n"
+    return ("Where each kind turns to the left, by a parabola through the means nearest to it, and how far A's angle "
+            "lies above B's; errors by leaving out one seed after the other:\n\n"
             + table(["f", "B turns, θ [rad]", "A turns, θ [rad]", "width of the window [rad]"], turned)
             + "\n\n⟨V_x⟩ in mm/s:\n\n" + table(["θ [rad]", ""] + [f"{f:g} Hz" for f in frequencies], lines))
 
 
 CAPTION = "of a mixture of A (1 mm, 10 g) and B (2 mm, 1 g), d = 3.93; bars: standard errors over the seeds"
 STUDY = Study("fig8", "Fig. 8: both kinds of a mixture",
-              (Sweep("paper_fig8", {F: (SHOWN,), THETA: (0.0, 0.052, *PARTED)}),), evaluate,
-              (Picture("fig8", f"Mean velocities over the frequency, for eleven inclinations, {CAPTION}", draw_frequencies),
+              (Sweep("paper_fig8", {F: (SHOWN,), THETA: (0.0, 0.052, *PARTED)}),
+               Sweep("paper_fig8_window", {F: (SHOWN,)})), evaluate,
+              (Picture("fig8", f"Mean velocities over the frequency, for eleven inclinations, {CAPTION}",
+                       draw_frequencies),
                Picture("fig8_inclination", f"Mean velocities over the inclination at {SHOWN:g} Hz, {CAPTION}",
                        draw_inclinations),
                Picture("fig8_turn", f"The inclinations at which the kinds turn, {CAPTION}", draw_turns)), claims, text)

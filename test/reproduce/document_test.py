@@ -2,7 +2,7 @@ import pathlib
 import tempfile
 import unittest
 
-from reproduce import document, sweeps
+from reproduce import document, quick, sweeps
 from reproduce.documents import DOCUMENTS
 from reproduce.rows import read_rows
 from reproduce.study import Outcome, Picture, Study, Sweep
@@ -47,7 +47,8 @@ class Documents(unittest.TestCase):
         with tempfile.TemporaryDirectory() as directory:
             template, path = pathlib.Path(directory) / "template.md", pathlib.Path(directory) / "paper.md"
             template.write_text("# Title\n\n$about\n\n$claims\n\n$study_made\n", encoding="utf-8")
-            document.write(path, template, [Outcome(study, study.evaluate(rows), rows)], "scripts/reproduce", KnownCosts)
+            outcome = Outcome(study, study.evaluate(rows), rows)
+            document.write(path, template, [outcome], "scripts/reproduce", KnownCosts)
             text = path.read_text(encoding="utf-8")
         self.assertIn("| 1 | Fig. 0 | it goes right | ⟨V_x⟩ > 0: 0.60 ± 0.10 (n = 2): undecided | **not told** |", text)
         self.assertIn("![A caption](images/paper_made.png)", text)
@@ -64,14 +65,10 @@ class Documents(unittest.TestCase):
 
 class Quick(unittest.TestCase):
     def test_quick_runs_some_of_the_cases(self):
-        quick = sweeps.quick_definition({"scene": "s.yaml", "grid": {"a": [1, 2, 3, 4, 5, 6], "b": [1, 2]},
+        made = quick.quick_definition({"scene": "s.yaml", "grid": {"a": [1, 2, 3, 4, 5, 6], "b": [1, 2]},
                                          "seed": {"first": 3, "count": 40}}, {"a": (4.0,)})
-        self.assertEqual(quick["grid"], {"a": [1, 3, 4, 5], "b": [1, 2]})
-        self.assertEqual(quick["seed"], {"first": 3, "count": 10})
+        self.assertEqual(made["grid"], {"a": [1, 3, 4, 5], "b": [1, 2]})
+        self.assertEqual(made["seed"], {"first": 3, "count": 10})
 
     def test_a_range_is_thinned_as_a_list_is(self):
-        self.assertEqual(sweeps.thinned({"from": -0.3, "to": 0.3, "count": 7}, ()), [-0.3, -0.1, 0.1, 0.3])
-
-
-if __name__ == "__main__":
-    unittest.main()
+        self.assertEqual(quick.thinned({"from": -0.3, "to": 0.3, "count": 7}, ()), [-0.3, -0.1, 0.1, 0.3])

@@ -37,7 +37,8 @@ class Means(unittest.TestCase):
 
     def test_intervals_hold_the_truth_as_often_as_they_say(self):
         draws = random.Random(1)
-        outside = sum(mean_of(draws.gauss(0.0, 1.0) for _ in range(4)).surely_above(0.0) is not None for _ in range(4000))
+        means = [mean_of(draws.gauss(0.0, 1.0) for _ in range(4)) for _ in range(4000)]
+        outside = sum(mean.surely_above(0.0) is not None for mean in means)
         self.assertAlmostEqual(outside / 4000, 0.05, delta=0.015)
 
     def test_the_jackknife_of_a_mean_is_its_standard_error(self):
@@ -80,7 +81,3 @@ class Curves(unittest.TestCase):
         best = best_of(rows_of(lambda x: 1.0 - (x - 0.4) ** 2, 0.002), "x", "y")
         self.assertAlmostEqual(best.at, 0.4)
         self.assertAlmostEqual(best.mean.value, 1.0, delta=0.01)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -34,7 +34,3 @@ class Verdicts(unittest.TestCase):
         self.assertIs(check.passes, False)
         self.assertEqual(check.text(), "all: 1 of 3 are sure, 1 are surely the other way (second): **no**")
         self.assertIsNone(verdicts.counted("none", []).passes)
-
-
-if __name__ == "__main__":
-    unittest.main()
