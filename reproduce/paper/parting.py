@@ -26,11 +26,8 @@ def class_of(pair):
     return CLASSES.get(tuple(mean and mean.surely_above(0.0) for mean in pair), UNTOLD)
 
 
-def shown(pair):
-    return ", ".join(f"{name} {verdicts.shown(mean, drawing.MM, 'mm/s')}" for name, mean in zip("AB", pair))
-
-
 def parted(says, pair):
     """A check that A goes to the right and B to the left."""
     a, b = pair
-    return verdicts.both(verdicts.above(says, a, 0.0, drawing.MM, "mm/s"), verdicts.below(says, b, 0.0, drawing.MM, "mm/s"))
+    return verdicts.both(verdicts.above(says, a, 0.0, drawing.MM, "mm/s"),
+                         verdicts.below(says, b, 0.0, drawing.MM, "mm/s"))

@@ -11,7 +11,7 @@ def is_inside(part, theta, d):
 
 
 def is_beyond(part, theta, d, kind):
-    """Whether a kind goes to the left at this angle and density: where it does not turn, as at the density measured next."""
+    """Whether a kind goes to the left at this angle and density; where it does not turn over d, as at the nearest d."""
     turn = part["limits"][theta][kind]
     if turn is not None:
         return d > turn.value
@@ -27,8 +27,9 @@ def angles(part, d):
 
 def at_printed(part):
     turn = part["turns"][PRINTED]
-    return (f"At d = {PRINTED:g} the window reaches from {turn['B'].text()} to {turn['A'].text()} rad: both angles of the claim lie "
-            f"above it, by {(ANGLES[0] - turn['A'].value) / turn['A'].error:.0f} and more of its standard errors.")
+    margin = (ANGLES[0] - turn["A"].value) / turn["A"].error
+    return (f"At d = {PRINTED:g} the window reaches from {turn['B'].text()} to {turn['A'].text()} rad: both angles of "
+            f"the claim lie above it, by {margin:.0f} standard errors at the least.")
 
 
 def too_narrow(part):
@@ -38,8 +39,9 @@ def too_narrow(part):
     if not wide:
         return f"It is nowhere as wide as the {needed:.3g} rad that both angles ask for."
     lower = part["turns"][max(wide)]["B"]
-    return (f"It is as wide as the {needed:.3g} rad that both angles ask for at d = {', '.join(f'{d:g}' for d in wide)} alone, and "
-            f"begins there at {lower.text()} rad at the least, {'above' if lower.value > ANGLES[0] else 'below'} {ANGLES[0]:g}.")
+    return (f"It is as wide as the {needed:.3g} rad that both angles ask for at d = "
+            f"{', '.join(f'{d:g}' for d in wide)} alone, and begins there at {lower.text()} rad at the least, "
+            f"{'above' if lower.value > ANGLES[0] else 'below'} {ANGLES[0]:g}.")
 
 
 def off_by(part):
@@ -57,7 +59,6 @@ def text(numbers):
     stated, steep = numbers[STATED], numbers[STEEP]
     return "\n\n".join((
         "**What follows.** " + " ".join((at_printed(stated), off_by(stated), too_narrow(stated))),
-        f"Were d a sum of radii (d = {RADII:g} by this measure), they would part {angles(stated, RADII)}; were the teeth those of "
-        f"Fig. 9 (a = {STEEP:g}) at the printed d, {angles(steep, PRINTED)}; were it both, {angles(steep, RADII)}. "
-        "So what the paper says of the two angles is not one run of this model with one slip in d. What it says of θ = 0 and of "
-        "0.052, and that there is a window that A enters last, comes out; where the window lies does not."))
+        f"Were d a sum of radii (d = {RADII:g} by this measure), they would part {angles(stated, RADII)}; were the "
+        f"teeth those of Fig. 9 (a = {STEEP:g}) at the printed d, {angles(steep, PRINTED)}; were it both, "
+        f"{angles(steep, RADII)}. On those teeth: {too_narrow(steep)}"))

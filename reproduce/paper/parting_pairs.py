@@ -22,13 +22,15 @@ PAIRS = (Pair("parting_density_frequency", "density", "d", "base.frequency", "f 
          Pair("parting_asymmetry_frequency", "base.frequency", "f [Hz]", "base.asymmetry", "a", (23, 0.3)),
          Pair("parting_steep_frequency", "density", "d (a = 0.1)", "base.frequency", "f [Hz]", (None, None)),
          Pair("parting_amplitude_frequency", "base.frequency", "f [Hz]", "base.amplitude", "A [m]", (23, 0.002)),
-         Pair("parting_speed_frequency", "base.frequency", "f [Hz]", "contact.min_rebound_speed", "v_min [m/s]", (23, 0.05)),
+         Pair("parting_speed_frequency", "base.frequency", "f [Hz]", "contact.min_rebound_speed", "v_min [m/s]",
+              (23, 0.05)),
          Pair("parting_friction_restitution", "species.0.friction", "μ", "species.0.restitution", "e", (0.1, 0.6)))
 
 
 def evaluate(rows):
     """@return of each pair: map from (θ, x, y) to both kinds' mean velocities [m/s]"""
-    return {pair: {place: parting.ways(cell) for place, cell in rows[pair.sweep].by(parting.THETA, pair.x, pair.y).items()}
+    return {pair: {place: parting.ways(cell)
+                   for place, cell in rows[pair.sweep].by(parting.THETA, pair.x, pair.y).items()}
             for pair in PAIRS if rows[pair.sweep]}
 
 
@@ -53,27 +55,31 @@ def draw(numbers):
 
 def parted_at(means, theta):
     """@return places (x, y) where the kinds surely part as the paper's do"""
-    return {(x, y) for angle, x, y in means if angle == theta and parting.class_of(means[angle, x, y]) == parting.PARTED}
+    return {(x, y) for (angle, x, y), pair in means.items()
+            if angle == theta and parting.class_of(pair) == parting.PARTED}
 
 
 def places(pair, cells):
-    return "; ".join(f"{pair.x_name.split()[0]} = {x:g}, {pair.y_name.split()[0]} = {y:g}" for x, y in sorted(cells)) or "none"
+    x_name, y_name = (name.split()[0] for name in (pair.x_name, pair.y_name))
+    return "; ".join(f"{x_name} = {x:g}, {y_name} = {y:g}" for x, y in sorted(cells)) or "none"
 
 
 def at_both(numbers):
     """Those places, of all pairs, where they part at both angles."""
-    return {pair: parted_at(means, parting.ANGLES[0]) & parted_at(means, parting.ANGLES[1]) for pair, means in numbers.items()}
+    first, second = parting.ANGLES
+    return {pair: parted_at(means, first) & parted_at(means, second) for pair, means in numbers.items()}
 
 
 def claims(numbers):
     tried = sum(len(means) // len(parting.ANGLES) for means in numbers.values())
     found = sum(len(cells) for cells in at_both(numbers).values())
-    checks = [verdicts.Check(f"at θ = {theta:g} somewhere", f"at {count} of {tried} places", count > 0 if tried else None)
+    checks = [verdicts.Check(f"at θ = {theta:g} somewhere", f"at {count} of {tried} places",
+                             count > 0 if tried else None)
               for theta in parting.ANGLES
               for count in [sum(len(parted_at(means, theta)) for means in numbers.values())]]
     checks.append(verdicts.Check("at both, somewhere", f"at {found} of {tried} places", found > 0 if tried else None))
-    return [verdicts.Claim("6b", "Fig. 8", "A right and B left at 0.105 and 0.157, were two parameters other than printed",
-                           tuple(checks))]
+    return [verdicts.Claim("6b", "Fig. 8", "A right and B left at 0.105 and 0.157, were two parameters other than "
+                           "printed", tuple(checks))]
 
 
 def text(numbers):
@@ -88,5 +94,5 @@ def text(numbers):
 
 STUDY = Study("parting_pairs", "Whether any two parameters bring out Fig. 8's claim",
               tuple(Sweep(pair.sweep, is_quick=False) for pair in PAIRS), evaluate,
-              (Picture("parting_pairs", "Which way both kinds of Fig. 8's mixture go at the two angles of the claim, over pairs "
-                       "of parameters, all others as printed; the dot: as printed", draw),), claims, text)
+              (Picture("parting_pairs", "Which way both kinds of Fig. 8's mixture go at the two angles of the claim, over "
+                       "pairs of parameters, all others as printed; the dot: as printed", draw),), claims, text)

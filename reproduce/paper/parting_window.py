@@ -14,12 +14,14 @@ NEEDED = ANGLES[1] - ANGLES[0]  # the least width of a window that has both angl
 def turns_of(rows):
     """@return of each density: the angles at which A and B turn to the left, and A's less B's"""
     return {d: {"A": crossing_of(group, THETA, "mean_vx.A"), "B": crossing_of(group, THETA, "mean_vx.B"),
-                "window": distance_of(group, THETA, "mean_vx.A", "mean_vx.B")} for d, group in sorted(rows.by(D).items())}
+                "window": distance_of(group, THETA, "mean_vx.A", "mean_vx.B")}
+            for d, group in sorted(rows.by(D).items())}
 
 
 def limits_of(rows):
     """@return of each angle of the claim: the densities at which A and B turn to the left"""
-    return {theta: {kind: crossing_of(rows.where({THETA: theta}), D, f"mean_vx.{kind}") for kind in "AB"} for theta in ANGLES}
+    return {theta: {kind: crossing_of(rows.where({THETA: theta}), D, f"mean_vx.{kind}") for kind in "AB"}
+            for theta in ANGLES}
 
 
 def evaluate(rows):
@@ -47,27 +49,39 @@ def draw(numbers):
     return figure
 
 
+def densities_of(part):
+    return sorted(part["turns"])
+
+
+def is_parted(part, d, theta):
+    return parting.class_of(part["ways"][d, theta]) == parting.PARTED
+
+
+def listed(densities):
+    return f"d = {', '.join(f'{d:g}' for d in densities)}" if densities else "no d"
+
+
 def somewhere(part, theta):
     """A check that the kinds part at an angle, at one of the densities."""
-    found = [d for (d, angle), pair in sorted(part["ways"].items()) if angle == theta and parting.class_of(pair) == parting.PARTED]
-    return verdicts.Check(f"θ = {theta:g}, at some density", f"at d = {', '.join(f'{d:g}' for d in found) or 'none'}", bool(found))
+    found = [d for d in densities_of(part) if is_parted(part, d, theta)]
+    return verdicts.Check(f"θ = {theta:g}, at some density", f"at {listed(found)}", bool(found))
 
 
 def at_one(part):
     """A check that one density does for both angles."""
-    densities = sorted(part["turns"])
-    found = [d for d in densities if all(parting.class_of(part["ways"][d, theta]) == parting.PARTED for theta in ANGLES)]
+    found = [d for d in densities_of(part) if all(is_parted(part, d, theta) for theta in ANGLES)]
     widths = {d: turn["window"] for d, turn in part["turns"].items() if turn["window"]}
     widest = max(widths, key=lambda d: widths[d].value)
-    return verdicts.Check("at both angles, at one density", f"at d = {', '.join(f'{d:g}' for d in found) or 'none'} (the widest "
-                          f"window, {widths[widest].text()} rad at d = {widest:g}; both angles need {NEEDED:g})", bool(found))
+    return verdicts.Check("at both angles, at one density", f"at {listed(found)} (the widest window: "
+                          f"{widths[widest].text()} rad at d = {widest:g}; both angles need {NEEDED:.3g})", bool(found))
 
 
 def claims(numbers):
     part = numbers[STATED]
-    return [verdicts.Claim("6a", "Fig. 8", "A right and B left at 0.105 and 0.157: at the printed density, or at another", (
-        *(parting.parted(f"θ = {theta:g}, d = {PRINTED:g}, as printed", part["ways"][PRINTED, theta]) for theta in ANGLES),
-        *(somewhere(part, theta) for theta in ANGLES), at_one(part)))]
+    printed = (parting.parted(f"θ = {theta:g}, d = {PRINTED:g}, as printed", part["ways"][PRINTED, theta])
+               for theta in ANGLES)
+    return [verdicts.Claim("6a", "Fig. 8", "A right and B left at 0.105 and 0.157: at the printed density, or at another",
+                           (*printed, *(somewhere(part, theta) for theta in ANGLES), at_one(part)))]
 
 
 def shown(mean):
@@ -84,11 +98,11 @@ def text(numbers):
     limits = [[f"{a:g}", f"{theta:g}", shown(found["B"]), shown(found["A"]), off(found["A"])]
               for a, part in numbers.items() for theta, found in part["limits"].items()]
     return "\n\n".join((
-        "The angles at which each kind turns to the left, by a parabola through the means nearest to it; errors by leaving out "
-        "one seed after the other:",
+        "The angles at which each kind turns to the left (—: none up to the largest θ), by a parabola through the means "
+        "nearest to it; errors by leaving out one seed after the other:",
         table(["a", "d", "B turns, θ [rad]", "A turns, θ [rad]", "width [rad]"], lines),
-        "The other way round: at an angle of the claim, B goes to the left above one density (— : at all that were measured), "
-        f"and A to the right below another. The last column says by which factor {PRINTED:g} is above the latter:",
+        "The other way round: at an angle of the claim, B goes to the left above one density, and A to the right below "
+        f"another (—: at all that were measured). The last column says by which factor {PRINTED:g} is above the latter:",
         table(["a", "θ [rad]", "B left above d", "A right below d", f"{PRINTED:g} over that"], limits),
         parting_follows.text(numbers)))
 
@@ -96,5 +110,6 @@ def text(numbers):
 STUDY = Study("parting_window", "The window in which Fig. 8's mixture parts, over the density",
               (Sweep("parting_window", {THETA: (0.0, 0.052, *ANGLES)}),
                Sweep("parting_window_steep", {THETA: (0.0, 0.052, *ANGLES)})), evaluate,
-              (Picture("parting_window", "The inclinations at which A and B turn to the left, over the density, for the teeth of "
-                       "Fig. 8 as printed and for those of Fig. 9; bars: jackknife errors over the seeds", draw),), claims, text)
+              (Picture("parting_window", "The inclinations at which A and B turn to the left, over the density, for the "
+                       "teeth of Fig. 8 as printed and for those of Fig. 9; bars: jackknife errors over the seeds", draw),),
+              claims, text)

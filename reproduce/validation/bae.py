@@ -25,7 +25,8 @@ def evaluate(rows):
     """@return of each restitution: map from (Γ, h / w) to the mean velocity [m/s]"""
     rows = rows["validation_bae"]
     return {e: {(strength(amplitude), height / WIDTH): cell.mean("mean_vx.A")
-                for (height, amplitude), cell in group.by(HEIGHT, AMPLITUDE).items()} for e, group in sorted(rows.by(E).items())}
+                for (height, amplitude), cell in group.by(HEIGHT, AMPLITUDE).items()}
+            for e, group in sorted(rows.by(E).items())}
 
 
 def axis(means, index):
@@ -35,8 +36,8 @@ def axis(means, index):
 def draw_regimes(numbers):
     figure, row = drawing.panels(1, len(numbers), (3.4 * len(numbers), 3.9), sharey=True)
     for axes, (e, means) in zip(row, numbers.items()):
-        maps.class_map(axes, axis(means, 0), axis(means, 1), lambda x, y, means=means: currents.regime(means[x, y], LEAST),
-                       currents.COLOURS)
+        maps.class_map(axes, axis(means, 0), axis(means, 1),
+                       lambda x, y, means=means: currents.regime(means[x, y], LEAST), currents.COLOURS)
         axes.set_title(f"e = {e:g}")
         axes.set_xlabel(r"$\Gamma = A (2 \pi f)^2 / g$")
         axes.tick_params(axis="x", rotation=60)
@@ -50,7 +51,7 @@ def draw_curves(numbers):
     figure, axes = drawing.panels(1, 1, (6.4, 4.0))
     heights = axis(means, 1)
     for height, colour in zip(heights, drawing.ramp(len(heights))):
-        drawing.curve(axes, [(strength_, means[strength_, height]) for strength_ in axis(means, 0)], drawing.MM, color=colour,
+        drawing.curve(axes, [(gamma, means[gamma, height]) for gamma in axis(means, 0)], drawing.MM, color=colour,
                       label=f"$h / w$ = {height:g}")
     drawing.signed(axes)
     axes.set_xlabel(r"$\Gamma = A (2 \pi f)^2 / g$")
@@ -60,7 +61,8 @@ def draw_curves(numbers):
 
 
 def places(numbers):
-    return {f"e = {e:g}, Γ = {x:g}, h/w = {y:g}": mean for e, means in numbers.items() for (x, y), mean in means.items()}
+    return {f"e = {e:g}, Γ = {x:g}, h/w = {y:g}": mean
+            for e, means in numbers.items() for (x, y), mean in means.items()}
 
 
 def regimes_of(means):
@@ -74,20 +76,23 @@ def depends(numbers, index, name):
     for means in numbers.values():
         for other in axis(means, 1 - index):
             lines += 1
-            several += len(regimes_of({place: mean for place, mean in means.items() if place[1 - index] == other})) > 1
-    return verdicts.Check(f"the regime changes with {name}, all else the same", f"in {several} of {lines} cuts", several > 0)
+            cut = {place: mean for place, mean in means.items() if place[1 - index] == other}
+            several += len(regimes_of(cut)) > 1
+    return verdicts.Check(f"the regime changes with {name}, all else the same", f"in {several} of {lines} cuts",
+                          several > 0)
 
 
 def depends_on_restitution(numbers):
     common = set.intersection(*(set(means) for means in numbers.values()))
     several = sum(len(regimes_of({e: means[place] for e, means in numbers.items()})) > 1 for place in common)
-    return verdicts.Check("the regime changes with e, all else the same", f"at {several} of {len(common)} places", several > 0)
+    return verdicts.Check("the regime changes with e, all else the same", f"at {several} of {len(common)} places",
+                          several > 0)
 
 
 def claims(numbers):
     known = places(numbers)
-    return [verdicts.Claim("4", "Bae 2004, abstract", "one grain has regimes of no, of normal and of reversed current, by the "
-                           "strength of the shaking, the roughness of the teeth and the restitution", (
+    return [verdicts.Claim("4", "Bae 2004, abstract", "one grain has regimes of no, of normal and of reversed current, by "
+                           "the strength of the shaking, the roughness of the teeth and the restitution", (
                                currents.exists("no current", known, LEAST, currents.NONE),
                                currents.exists("normal current", known, LEAST, currents.NORMAL),
                                currents.exists("reversed current", known, LEAST, currents.REVERSED),
@@ -111,12 +116,13 @@ def text(numbers):
     speeds = [[f"{y:g}"] + [means[x, y].text(drawing.MM) for x in strengths] for y in axis(means, 1)]
     return ("Where each regime lies: places of the map, and between which values they lie:\n\n"
             + table(["e", "places", *wanted], lines)
-            + f"\n\n⟨V_x⟩ in mm/s at e = {SLICE:g}:\n\n" + table(["h/w \\ Γ"] + [f"{x:g}" for x in strengths], speeds))
+            + f"\n\n⟨V_x⟩ in mm/s at e = {SLICE:g}:\n\n"
+            + table(["h/w \\ Γ"] + [f"{x:g}" for x in strengths], speeds))
 
 
 STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others 2004)",
-              (Sweep("validation_bae", {}),), evaluate,
-              (Picture("bae_regimes", "Which way single grains go, over the strength of the shaking and the roughness of the "
-                       f"teeth, a = 0.3; a current is more than {LEAST * drawing.MM:g} mm/s with 95 %", draw_regimes),
+              (Sweep("validation_bae"),), evaluate,
+              (Picture("bae_regimes", "Which way single grains go, over the strength of the shaking and the roughness of "
+                       f"the teeth, a = 0.3; a current is more than {LEAST * drawing.MM:g} mm/s with 95 %", draw_regimes),
                Picture("bae_current", f"Mean velocity of single grains over the strength of the shaking, e = {SLICE:g}, "
                        "a = 0.3; bars: standard errors over the seeds", draw_curves)), claims, text)
