@@ -94,5 +94,5 @@ def text(numbers):
 
 STUDY = Study("parting_pairs", "Whether any two parameters bring out Fig. 8's claim",
               tuple(Sweep(pair.sweep, is_quick=False) for pair in PAIRS), evaluate,
-              (Picture("parting_pairs", "Which way both kinds of Fig. 8's mixture go at the two angles of the claim, over "
-                       "pairs of parameters, all others as printed; the dot: as printed", draw),), claims, text)
+              (Picture("parting_pairs", "Which way both kinds of Fig. 8's mixture go at the two angles of the claim, "
+                       "over pairs of parameters, all others as printed; the dot: as printed", draw),), claims, text)

@@ -80,8 +80,8 @@ def claims(numbers):
     part = numbers[STATED]
     printed = (parting.parted(f"θ = {theta:g}, d = {PRINTED:g}, as printed", part["ways"][PRINTED, theta])
                for theta in ANGLES)
-    return [verdicts.Claim("6a", "Fig. 8", "A right and B left at 0.105 and 0.157: at the printed density, or at another",
-                           (*printed, *(somewhere(part, theta) for theta in ANGLES), at_one(part)))]
+    return [verdicts.Claim("6a", "Fig. 8", "A right and B left at 0.105 and 0.157: at the printed density, or at "
+                           "another", (*printed, *(somewhere(part, theta) for theta in ANGLES), at_one(part)))]
 
 
 def shown(mean):
@@ -98,11 +98,12 @@ def text(numbers):
     limits = [[f"{a:g}", f"{theta:g}", shown(found["B"]), shown(found["A"]), off(found["A"])]
               for a, part in numbers.items() for theta, found in part["limits"].items()]
     return "\n\n".join((
-        "The angles at which each kind turns to the left (—: none up to the largest θ), by a parabola through the means "
-        "nearest to it; errors by leaving out one seed after the other:",
+        "The angles at which each kind turns to the left (—: none up to the largest θ), by a parabola through the "
+        "means nearest to it; errors by leaving out one seed after the other:",
         table(["a", "d", "B turns, θ [rad]", "A turns, θ [rad]", "width [rad]"], lines),
-        "The other way round: at an angle of the claim, B goes to the left above one density, and A to the right below "
-        f"another (—: at all that were measured). The last column says by which factor {PRINTED:g} is above the latter:",
+        "The other way round: at an angle of the claim, B goes to the left above one density, and A to the right "
+        "below another (—: at all that were measured). The last column says by which factor "
+        f"{PRINTED:g} is above the latter:",
         table(["a", "θ [rad]", "B left above d", "A right below d", f"{PRINTED:g} over that"], limits),
         parting_follows.text(numbers)))
 
@@ -110,6 +111,7 @@ def text(numbers):
 STUDY = Study("parting_window", "The window in which Fig. 8's mixture parts, over the density",
               (Sweep("parting_window", {THETA: (0.0, 0.052, *ANGLES)}),
                Sweep("parting_window_steep", {THETA: (0.0, 0.052, *ANGLES)})), evaluate,
-              (Picture("parting_window", "The inclinations at which A and B turn to the left, over the density, for the "
-                       "teeth of Fig. 8 as printed and for those of Fig. 9; bars: jackknife errors over the seeds", draw),),
+              (Picture("parting_window", "The inclinations at which A and B turn to the left, over the density, for "
+                       "the teeth of Fig. 8 as printed and for those of Fig. 9; bars: jackknife errors over the seeds",
+                       draw),),
               claims, text)

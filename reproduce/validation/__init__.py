@@ -1,4 +1,4 @@
 """Other people's machines."""
-from reproduce.validation import bae, okishio
+from reproduce.validation import bae, layer, okishio
 
-STUDIES = (bae.STUDY, okishio.STUDY)
+STUDIES = (layer.STUDY, bae.STUDY, okishio.STUDY)

@@ -91,8 +91,8 @@ def depends_on_restitution(numbers):
 
 def claims(numbers):
     known = places(numbers)
-    return [verdicts.Claim("4", "Bae 2004, abstract", "one grain has regimes of no, of normal and of reversed current, by "
-                           "the strength of the shaking, the roughness of the teeth and the restitution", (
+    return [verdicts.Claim("4", "Bae 2004, abstract", "one grain has regimes of no, of normal and of reversed "
+                           "current, by the strength of the shaking, the roughness of the teeth and the restitution", (
                                currents.exists("no current", known, LEAST, currents.NONE),
                                currents.exists("normal current", known, LEAST, currents.NORMAL),
                                currents.exists("reversed current", known, LEAST, currents.REVERSED),
@@ -122,7 +122,8 @@ def text(numbers):
 
 STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others 2004)",
               (Sweep("validation_bae"),), evaluate,
-              (Picture("bae_regimes", "Which way single grains go, over the strength of the shaking and the roughness of "
-                       f"the teeth, a = 0.3; a current is more than {LEAST * drawing.MM:g} mm/s with 95 %", draw_regimes),
-               Picture("bae_current", f"Mean velocity of single grains over the strength of the shaking, e = {SLICE:g}, "
-                       "a = 0.3; bars: standard errors over the seeds", draw_curves)), claims, text)
+              (Picture("bae_regimes", "Which way single grains go, over the strength of the shaking and the roughness "
+                       f"of the teeth, a = 0.3; a current is more than {LEAST * drawing.MM:g} mm/s with 95 %",
+                       draw_regimes),
+               Picture("bae_current", "Mean velocity of single grains over the strength of the shaking, "
+                       f"e = {SLICE:g}, a = 0.3; bars: standard errors over the seeds", draw_curves)), claims, text)

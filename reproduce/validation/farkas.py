@@ -13,7 +13,8 @@ USEFUL = 0.5  # Q from which a mixture counts as segregated: half way from mixed
 
 def velocities(rows):
     """@return map from (d, a, f, θ) to both kinds' mean velocities and B's less A's, of each seed [m/s]"""
-    return {place: (cell.mean("mean_vx.A"), cell.mean("mean_vx.B"), cell.mean(lambda row: row["mean_vx.B"] - row["mean_vx.A"]))
+    return {place: (cell.mean("mean_vx.A"), cell.mean("mean_vx.B"),
+                    cell.mean(lambda row: row["mean_vx.B"] - row["mean_vx.A"]))
             for place, cell in rows.by(D, ASYMMETRY, F, THETA).items()}
 
 
@@ -21,7 +22,8 @@ def evaluator(name):
     def evaluate(rows):
         open_rows = rows[f"validation_farkas_{name}_open"]
         return {"means": velocities(rows[f"validation_farkas_{name}"]),
-                "quality": {theta: (cell.mean("quality"), cell.mean("processed")) for theta, cell in open_rows.by(THETA).items()},
+                "quality": {theta: (cell.mean("quality"), cell.mean("processed"))
+                            for theta, cell in open_rows.by(THETA).items()},
                 "best": best_of(open_rows, THETA, "quality")}
     return evaluate
 
@@ -34,7 +36,8 @@ def drawer(kinds):
     def draw(numbers):
         means = numbers["means"]
         densities, asymmetries, frequencies = (axis(means, index) for index in range(3))
-        figure, grid = drawing.panels(len(densities), len(asymmetries), (8.6, 6.0), sharex=True, sharey=True, squeeze=False)
+        figure, grid = drawing.panels(len(densities), len(asymmetries), (8.6, 6.0), sharex=True, sharey=True,
+                                      squeeze=False)
         for row, d in zip(grid, densities):
             for axes, a in zip(row, asymmetries):
                 for f, colour in zip(frequencies, drawing.COLOURS):
@@ -56,7 +59,8 @@ def drawer(kinds):
 def draw_quality(numbers):
     figure, axes = drawing.panels(1, 1, (6.0, 3.6))
     for index, (name, colour) in enumerate(zip("QP", drawing.COLOURS)):
-        drawing.curve(axes, [(theta, pair[index]) for theta, pair in sorted(numbers["quality"].items())], color=colour, label=name)
+        points = [(theta, pair[index]) for theta, pair in sorted(numbers["quality"].items())]
+        drawing.curve(axes, points, color=colour, label=name)
     axes.set_ylim(0.0, 1.05)
     axes.set_xlabel(r"$\theta$ [rad]")
     axes.set_ylabel("$Q$ and $P$ after 100 s")
@@ -125,7 +129,7 @@ def study(number, name, word, kinds, scene):
     sweep = f"validation_farkas_{name}"
     return Study(f"farkas_{name}", f"One size, another {word} (Farkas and others 2002)",
                  (Sweep(sweep), Sweep(f"{sweep}_open")), evaluator(name),
-                 (Picture(f"farkas_{name}", f"Mean velocities of two kinds that differ in {word} alone, over the inclination; "
-                          "bars: standard errors over the seeds", drawer(kinds)),
-                  Picture(f"farkas_{name}_quality", f"Quality and processed share of that mixture on an open base ({scene}); "
-                          "bars: standard errors over the seeds", draw_quality)), claimer(number, word), text)
+                 (Picture(f"farkas_{name}", f"Mean velocities of two kinds that differ in {word} alone, over the "
+                          "inclination; bars: standard errors over the seeds", drawer(kinds)),
+                  Picture(f"farkas_{name}_quality", "Quality and processed share of that mixture on an open base "
+                          f"({scene}); bars: standard errors over the seeds", draw_quality)), claimer(number, word), text)

@@ -28,7 +28,8 @@ def draw(numbers):
     figure, row = drawing.panels(1, len(restitutions), (8.6, 3.9), sharey=True, squeeze=False)
     for axes, e in zip(row[0], restitutions):
         for f, colour in zip(frequencies, drawing.ramp(len(frequencies))):
-            drawing.curve(axes, [(d, means[e, f, d]) for d in axis(means, 2)], drawing.MM, color=colour, label=f"{f:g} Hz")
+            points = [(d, means[e, f, d]) for d in axis(means, 2)]
+            drawing.curve(axes, points, drawing.MM, color=colour, label=f"{f:g} Hz")
         drawing.signed(axes)
         axes.set_xscale("log", base=2)
         axes.set_xticks(axis(means, 2), [f"{d:g}" for d in axis(means, 2)])
@@ -60,8 +61,8 @@ def reverses(means):
         return verdicts.Check(says, f"at none of {tried} (e, f)", False)
     (e, f), ((thin, way), (thick, _)) = max(found.items(), key=lambda item: strength(means, item))
     a, b = (verdicts.shown(means[e, f, d], drawing.MM, "mm/s") for d in (thin, thick))
-    return verdicts.Check(says, f"at {len(found)} of {tried} (e, f), as at e = {e:g}, {f:g} Hz: {a} at d = {thin:g}, {b} at "
-                          f"d = {thick:g}", True)
+    return verdicts.Check(says, f"at {len(found)} of {tried} (e, f), as at e = {e:g}, {f:g} Hz: {a} at d = {thin:g}, "
+                          f"{b} at d = {thick:g}", True)
 
 
 def strength(means, item):
@@ -86,25 +87,26 @@ def sets_in(means):
     gradual = sum(share < SUDDEN for f, share in found if f > first)
     late = sum(f > first for f, _ in found)
     return verdicts.Check(f"it sets in gradually with the frequency: at the least one with a current it is below "
-                          f"{100 * SUDDEN:g} % of its greatest", f"in {gradual} of {late} layers that rest at {first:g} Hz",
-                          gradual == late if late else None)
+                          f"{100 * SUDDEN:g} % of its greatest",
+                          f"in {gradual} of {late} layers that rest at {first:g} Hz", gradual == late if late else None)
 
 
 def claims(numbers):
     means = numbers["means"]
-    return [verdicts.Claim("3", "Derényi 1998, abstract", "increasing the layer's thickness reverses its current, under certain "
-                           "conditions; transport sets in gradually with the frequency", (reverses(means), sets_in(means)))]
+    return [verdicts.Claim("3", "Derényi 1998, abstract", "increasing the layer's thickness reverses its current, under "
+                           "certain conditions; transport sets in gradually with the frequency",
+                           (reverses(means), sets_in(means)))]
 
 
 def text(numbers):
     means = numbers["means"]
     densities = axis(means, 2)
-    lines = [[f"{e:g}", f"{f:g}"] + [means[e, f, d].text(drawing.MM) for d in densities] + [turn.text() if turn else "—"]
+    lines = [[f"{e:g}", f"{f:g}", *(means[e, f, d].text(drawing.MM) for d in densities), turn.text() if turn else "—"]
              for (e, f), turn in numbers["turns"].items()]
     return ("⟨V_x⟩ in mm/s, and the density at which it changes its sign:\n\n"
             + table(["e", "f [Hz]"] + [f"d = {d:g}" for d in densities] + ["turns at d"], lines))
 
 
 STUDY = Study("layer", "A layer over its thickness (Derényi and others 1998)", (Sweep("validation_layer"),), evaluate,
-              (Picture("layer", "Mean velocity of a layer of one kind over its thickness, on steep teeth (w = 6 mm, h = 5 mm, "
-                       "a = 0.3); bars: standard errors over the seeds", draw),), claims, text)
+              (Picture("layer", "Mean velocity of a layer of one kind over its thickness, on steep teeth (w = 6 mm, "
+                       "h = 5 mm, a = 0.3); bars: standard errors over the seeds", draw),), claims, text)

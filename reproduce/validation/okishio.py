@@ -68,8 +68,8 @@ def steepest(means):
 
 def claims(numbers):
     means = numbers["means"]
-    return [verdicts.Claim("6", "Okishio 2022, abstract", "one ball is transported to where the gentler slopes face; its mean "
-                           "velocity is a function of the asymmetry", (
+    return [verdicts.Claim("5", "Okishio 2022, abstract", "one ball is transported to where the gentler slopes face; its "
+                           "mean velocity is a function of the asymmetry", (
                                verdicts.counted("so it is at every asymmetry and restitution", gentler(means)),
                                verdicts.within("at a = 0.5 less than 1 mm/s, in the mean over e", numbers["symmetric"],
                                                -NO_DRIFT, NO_DRIFT, drawing.MM, "mm/s"),
@@ -86,5 +86,5 @@ def text(numbers):
 
 STUDY = Study("okishio", "One ball over the asymmetry (Okishio and others 2022)",
               (Sweep("validation_okishio", {A: (SYMMETRIC,)}),), evaluate,
-              (Picture("okishio", "Mean velocity of single balls over the asymmetry of the teeth; bars: standard errors over the "
-                       "seeds", draw),), claims, text)
+              (Picture("okishio", "Mean velocity of single balls over the asymmetry of the teeth; bars: standard errors "
+                       "over the seeds", draw),), claims, text)
