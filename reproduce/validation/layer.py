@@ -66,9 +66,9 @@ def reverses(means):
 
 
 def strength(means, item):
-    """Of a reversal: by how many standard errors the weaker of its two currents is off nought."""
+    """Of a reversal: the weaker of its two currents [m/s]."""
     (e, f), ((thin, _), (thick, _)) = item
-    return min(abs(means[e, f, d].value) / means[e, f, d].error for d in (thin, thick))
+    return min(abs(means[e, f, d].value) for d in (thin, thick))
 
 
 def onset(means, e, d):
