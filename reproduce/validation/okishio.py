@@ -55,7 +55,7 @@ def mirrored(means):
 def mirror(means):
     ratios = sorted(mirrored(means))
     median = ratios[len(ratios) // 2]
-    # The median of |t| with the 3 to 6 degrees of freedom of four seeds on each side is 0.72 to 0.76.
+    # The median of |t| with the 3 to 6 degrees of freedom of a few seeds on each side is 0.70 to 0.76.
     return verdicts.Check("1 − a is the mirror image of a: |v(a) + v(1 − a)| has a median below its standard error",
                           f"{median:.2f} standard errors, of {len(ratios)} pairs", median < 1.0)
 
