@@ -41,11 +41,11 @@ def segregates(numbers):
 
 def claimer(number, word):
     def claims(numbers):
-        checks = [check(means, ratchet) for ratchet, means in numbers["means"].items()
-                  for check in (kinds.differing, kinds.opposed)]
+        means_of = numbers["means"]
+        differing = (kinds.differing(means, ratchet) for ratchet, means in means_of.items())
         return [verdicts.Claim(number, "Farkas 2002, abstract", "two kinds of the same size that differ only in their "
                                f"{word} coefficient can be segregated by an appropriately chosen ratchet",
-                               (*checks, segregates(numbers)))]
+                               (*differing, kinds.opposed(means_of), segregates(numbers)))]
     return claims
 
 

@@ -79,12 +79,15 @@ def opposed_at(means):
     return {place: means[place] for place, (a, b) in sorted(ways.items()) if None not in (a, b) and a != b}
 
 
-def opposed(means, ratchet):
-    found = opposed_at(means)
-    says = f"somewhere they go opposite ways, on {ratchet.about}"
-    if not found:
-        return verdicts.Check(says, f"at none of {len(means)} places", False)
-    most = max(found, key=lambda place: min(abs(mean.value) for mean in found[place][:2]))
-    a, b, _ = found[most]
-    return verdicts.Check(says, f"at {len(found)} of {len(means)} places, as at {named(most, ratchet)}: A {shown(a)}, "
-                          f"B {shown(b)}", True)
+def opposed(means_of):
+    """A check that on one of the ratchets the kinds go opposite ways. @param means_of ratchet -> velocities()"""
+    counts, best = [], None
+    for ratchet, means in means_of.items():
+        found = opposed_at(means)
+        counts.append(f"on {ratchet.about} at {len(found)} of {len(means)} places")
+        for place, pair in found.items():
+            weaker = min(abs(mean.value) for mean in pair[:2])
+            if best is None or weaker > best[0]:
+                best = weaker, f"{ratchet.about}, {named(place, ratchet)}: A {shown(pair[0])}, B {shown(pair[1])}"
+    says = "somewhere they go opposite ways"
+    return verdicts.Check(says, "; ".join(counts) + (f"; most on {best[1]}" if best else ""), best is not None)
