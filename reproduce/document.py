@@ -44,11 +44,17 @@ def settings(outcome):
     return "\n".join(lines)
 
 
+def samples(outcome):
+    """How many independent ones the sweeps have, for a caption."""
+    counts = sorted({len(rows.values("seed")) for rows in outcome.rows.values() if rows})
+    return f"n = {span(counts, '')}" if counts else "n = 0"
+
+
 def section(outcome, document):
     parts = [f"## {outcome.study.title}", settings(outcome)]
     for picture in outcome.study.pictures:
         parts.append(f"![{picture.caption}](images/{document}_{picture.name}.png)")
-        parts.append(f"*{picture.caption}*")
+        parts.append(f"*{picture.caption}; {samples(outcome)}*")
     text = outcome.study.text(outcome.numbers).strip()
     return "\n\n".join(parts + ([text] if text else []))
 

@@ -7,14 +7,17 @@ import statistics
 STUDENT = (12.71, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131,
            2.120, 2.110, 2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042)
 NORMAL = 1.960   # the same for infinitely many ...
+ROUNDING = 1e-9  # of degrees of freedom that were worked out
 SLOPE = 2.5      # ... which t approaches by this over the degrees of freedom, to 0.2 %
 
 
-def student(count):
-    """Half-width of the interval of 95 % over the standard error, of that many samples; None of fewer than two."""
-    if count < 2:
+def student(freedom):
+    """Half-width of the interval of 95 % over the standard error, of so many degrees of freedom (rounded down); None of
+    fewer than one."""
+    whole = math.floor(freedom + ROUNDING)
+    if whole < 1:
         return None
-    return STUDENT[count - 2] if count - 2 < len(STUDENT) else NORMAL + SLOPE / (count - 1)
+    return STUDENT[whole - 1] if whole <= len(STUDENT) else NORMAL + SLOPE / whole
 
 
 def rounded(value, decimals):
@@ -38,11 +41,15 @@ class Mean:
     """A mean and its standard error, None of one sample; an estimate of another kind with its jackknife error."""
     value: float
     error: float
-    count: int  # independent samples
+    count: int  # independent samples; of a difference, the fewer
+    freedom: float = None  # degrees of freedom; None: one less than samples
+
+    def degrees(self):
+        return self.count - 1 if self.freedom is None else self.freedom
 
     def surely_above(self, bound):
         """@return True and False where the interval of 95 % says so, None where the bound lies within it"""
-        factor = student(self.count)
+        factor = student(self.degrees())
         if factor is None or self.error is None:
             return None
         if self.value - factor * self.error > bound:
@@ -54,19 +61,24 @@ class Mean:
         return None if above is None else not above
 
     def scaled(self, factor):
-        return Mean(factor * self.value, None if self.error is None else abs(factor) * self.error, self.count)
+        return dataclasses.replace(self, value=factor * self.value,
+                                   error=None if self.error is None else abs(factor) * self.error)
 
     def minus(self, other):
-        """Of two independent means; as sure as the one of fewer samples."""
-        error = None if self.error is None or other.error is None else math.hypot(self.error, other.error)
-        return Mean(self.value - other.value, error, min(self.count, other.count))
+        """Of two independent means, with the degrees of freedom of Welch and Satterthwaite."""
+        value, count = self.value - other.value, min(self.count, other.count)
+        if self.error is None or other.error is None:
+            return Mean(value, None, count)
+        a, b = self.error ** 2, other.error ** 2
+        parts = a * a / self.degrees() + b * b / other.degrees()
+        return Mean(value, math.sqrt(a + b), count, (a + b) ** 2 / parts if parts > 0.0 else count - 1)
 
     def text(self, scale=1.0):
         """As 12.3 ± 0.4, the value times a scale; an error that is not defined is a dash."""
         if self.error is None:
             return f"{rounded(scale * self.value, 3)} ± —"
         if self.error == 0.0:
-            return f"{rounded(scale * self.value, 3)} ± 0"
+            return f"{scale * self.value:.4g} ± 0".replace("-", "−")
         decimals = decimals_of(scale * self.error)
         return f"{rounded(scale * self.value, decimals)} ± {rounded(scale * self.error, decimals)}"
 

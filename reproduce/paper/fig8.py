@@ -4,7 +4,6 @@ from reproduce.crossings import crossing_of, distance_of
 from reproduce.document import table
 from reproduce.paper.fig7 import F, THETA, axis, draw_kinds, velocities
 from reproduce.rows import Rows
-from reproduce.samples import Mean
 from reproduce.study import Picture, Study, Sweep
 
 SHOWN = 23.0  # Hz, as in Fig. 3
@@ -76,19 +75,21 @@ def speed(says, mean, is_right):
 def differ_little(means):
     """That at 0.052 they differ by less than a part of what they differ by at 0."""
     level, tilted = (means["B"][theta, SHOWN].minus(means["A"][theta, SHOWN]) for theta in (0.0, 0.052))
-    size = Mean(abs(tilted.value), tilted.error, tilted.count)
+    size = tilted.scaled(-1.0 if tilted.value < 0.0 else 1.0)
     check = verdicts.below("", size.minus(level.scaled(LITTLE)))
     return verdicts.Check("θ = 0.052: they differ by less than a third of that at 0",
                           f"{verdicts.shown(size, drawing.MM, 'mm/s')} against {level.text(drawing.MM)}", check.passes)
 
 
-def parted(means, theta):
+def parted(numbers, theta):
+    means, turns = numbers["means"], numbers["turns"][SHOWN]
     a, b = (means[kind][theta, SHOWN] for kind in KINDS)
     says = f"θ = {theta:g}: A to the right, B to the left"
     check = verdicts.both(speed(says, a, True), speed(says, b, False))
     seen = [f"{f:g}" for f in axis(means["A"], 1)
             if means["A"][theta, f].surely_above(0.0) and means["B"][theta, f].surely_below(0.0)]
-    came_out = f"{check.came_out} at {SHOWN:g} Hz (seen at {', '.join(seen) or 'no'} Hz)"
+    came_out = (f"{check.came_out} at {SHOWN:g} Hz, where they part between θ = {shown(turns['B'])} and "
+                f"{shown(turns['A'])} (at this θ they are seen to part at {', '.join(seen) or 'no'} Hz)")
     return verdicts.Check(says, came_out, check.passes)
 
 
@@ -100,7 +101,7 @@ def claims(numbers):
         verdicts.both(speed(right, level["A"], True), speed(right, level["B"], True)),
         verdicts.above("θ = 0: B is faster", faster, 0.0, drawing.MM, "mm/s"),
         differ_little(means),
-        *(parted(means, theta) for theta in PARTED)))]
+        *(parted(numbers, theta) for theta in PARTED)))]
 
 
 def shown(mean):

@@ -52,6 +52,7 @@ class Documents(unittest.TestCase):
             text = path.read_text(encoding="utf-8")
         self.assertIn("| 1 | Fig. 0 | it goes right | ⟨V_x⟩ > 0: 0.60 ± 0.10 (n = 2): undecided | **not told** |", text)
         self.assertIn("![A caption](images/paper_made.png)", text)
+        self.assertIn("*A caption; n = 2*", text)
         self.assertIn("2 runs of 10 s, seeds 1 to 2; **1 failed** and are left out", text)
         self.assertIn("ratchet_sieve 0.1.0, physics version 1, in 2 minutes of processor time", text)
 

@@ -5,6 +5,7 @@ import unittest
 
 from reproduce.best import best_of
 from reproduce.crossings import crossing_of, zero_crossing
+from reproduce.lines import line_through
 from reproduce.rows import Rows
 from reproduce.samples import Mean, jackknife, mean_of, student, variance_of
 
@@ -28,8 +29,10 @@ class Means(unittest.TestCase):
         self.assertEqual(Mean(-0.00001, 0.0004, 8).text(1e3), "0.0 ± 0.4")
 
     def test_sure_is_an_interval_of_95_percent(self):
-        self.assertAlmostEqual(student(2), 12.71)
-        self.assertAlmostEqual(student(41), 2.021, places=2)  # 40 degrees of freedom, from the printed table
+        self.assertAlmostEqual(student(1), 12.71)
+        self.assertAlmostEqual(student(30), 2.042)
+        self.assertAlmostEqual(student(40), 2.021, places=2)  # from the printed table
+        self.assertAlmostEqual(student(120), 1.980, places=2)
         self.assertIs(Mean(4.4, 1.0, 3).surely_above(0.0), True)
         self.assertIsNone(Mean(4.2, 1.0, 3).surely_above(0.0))
         self.assertIs(Mean(-4.4, 1.0, 3).surely_above(0.0), False)
@@ -40,6 +43,13 @@ class Means(unittest.TestCase):
         means = [mean_of(draws.gauss(0.0, 1.0) for _ in range(4)) for _ in range(4000)]
         outside = sum(mean.surely_above(0.0) is not None for mean in means)
         self.assertAlmostEqual(outside / 4000, 0.05, delta=0.015)
+
+    def test_a_difference_has_the_freedom_of_welch(self):
+        even = Mean(1.0, 0.1, 5).minus(Mean(0.0, 0.1, 5))
+        self.assertAlmostEqual(even.degrees(), 8.0)  # of two alike, that of both together
+        self.assertAlmostEqual(even.error, math.hypot(0.1, 0.1))
+        self.assertAlmostEqual(Mean(1.0, 0.1, 5).minus(Mean(0.0, 1e-9, 3)).degrees(), 4.0)  # one is exact
+        self.assertIs(even.surely_above(0.0), True)
 
     def test_the_jackknife_of_a_mean_is_its_standard_error(self):
         samples = [0.3, 1.4, 2.1, 0.2, 0.9]
@@ -81,3 +91,14 @@ class Curves(unittest.TestCase):
         best = best_of(rows_of(lambda x: 1.0 - (x - 0.4) ** 2, 0.002), "x", "y")
         self.assertAlmostEqual(best.at, 0.4)
         self.assertAlmostEqual(best.mean.value, 1.0, delta=0.01)
+
+    def test_a_line_goes_through_its_points(self):
+        line = line_through([(x, Mean(2.0 - 3.0 * x, 0.1 + x, 4)) for x in (0.0, 1.0, 2.0, 5.0)])
+        self.assertAlmostEqual(line.intercept.value, 2.0)
+        self.assertAlmostEqual(line.slope.value, -3.0)
+        self.assertAlmostEqual(line.chi_squared, 0.0)
+        self.assertIsNone(line_through([(0.0, Mean(1.0, 0.1, 4)), (1.0, Mean(1.0, 0.1, 4))]))
+
+    def test_the_error_of_a_lines_height_is_that_of_its_mean(self):
+        line = line_through([(x, Mean(1.0, 0.2, 4)) for x in (-1.0, -1.0, 1.0, 1.0)])
+        self.assertAlmostEqual(line.intercept.error, 0.1)
