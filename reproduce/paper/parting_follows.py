@@ -55,10 +55,15 @@ def off_by(part):
     return f"d would have to be {'; '.join(told)}." if told else "No density does."
 
 
+def other_readings(stated, steep):
+    told = f"Were d a sum of radii (d = {RADII:g} by this measure), they would part {angles(stated, RADII)}"
+    if steep is None:
+        return told + "."
+    return (f"{told}; were the teeth those of Fig. 9 (a = {STEEP:g}) at the printed d, {angles(steep, PRINTED)}; were it "
+            f"both, {angles(steep, RADII)}. On those teeth: {too_narrow(steep)}")
+
+
 def text(numbers):
-    stated, steep = numbers[STATED], numbers[STEEP]
-    return "\n\n".join((
-        "**What follows.** " + " ".join((at_printed(stated), off_by(stated), too_narrow(stated))),
-        f"Were d a sum of radii (d = {RADII:g} by this measure), they would part {angles(stated, RADII)}; were the "
-        f"teeth those of Fig. 9 (a = {STEEP:g}) at the printed d, {angles(steep, PRINTED)}; were it both, "
-        f"{angles(steep, RADII)}. On those teeth: {too_narrow(steep)}"))
+    stated = numbers[STATED]
+    return "\n\n".join(("**What follows.** " + " ".join((at_printed(stated), off_by(stated), too_narrow(stated))),
+                        other_readings(stated, numbers.get(STEEP))))

@@ -9,7 +9,7 @@ THETA = kinds.THETA
 USEFUL = 0.5  # Q from which a mixture counts as segregated: half way from mixed to pure
 RATCHETS = (kinds.Ratchet("", "the teeth of Fig. 3", "base.asymmetry", "a = {:g}", "base.frequency", "f = {:g} Hz"),
             kinds.Ratchet("_steep", "small steep teeth", "base.tooth_height", "h = {:g} mm", "base.amplitude",
-                          "A = {:g} mm", drawing.MM))
+                          "amplitude {:g} mm", drawing.MM))
 
 
 def evaluator(name):
