@@ -59,8 +59,8 @@ def other_readings(stated, steep):
     told = f"Were d a sum of radii (d = {RADII:g} by this measure), they would part {angles(stated, RADII)}"
     if steep is None:
         return told + "."
-    return (f"{told}; were the teeth those of Fig. 9 (a = {STEEP:g}) at the printed d, {angles(steep, PRINTED)}; were it "
-            f"both, {angles(steep, RADII)}. On those teeth: {too_narrow(steep)}")
+    return (f"{told}; were the teeth those of Fig. 9 (a = {STEEP:g}) at the printed d, {angles(steep, PRINTED)}; were "
+            f"it both, {angles(steep, RADII)}. On those teeth: {too_narrow(steep)}")
 
 
 def text(numbers):

@@ -25,7 +25,8 @@ def evaluator(name):
 def draw_quality(numbers):
     figure, axes = drawing.panels(1, 1, (6.0, 3.6))
     for index, (name, colour) in enumerate(zip("QP", drawing.COLOURS)):
-        drawing.curve(axes, [(theta, pair[index]) for theta, pair in numbers["quality"].items()], color=colour, label=name)
+        points = [(theta, pair[index]) for theta, pair in numbers["quality"].items()]
+        drawing.curve(axes, points, color=colour, label=name)
     axes.set_ylim(0.0, 1.05)
     axes.set_xlabel(r"$\theta$ [rad]")
     axes.set_ylabel("$Q$ and $P$")

@@ -57,7 +57,7 @@ def draw_onset(numbers):
 
 
 def reversals(means):
-    """@return of each (e, f) whose current goes one way in some layers and the other way in thicker ones: the densities"""
+    """@return of each (e, f) whose current goes the other way in thicker layers: both densities and ways"""
     found = {}
     for e in axis(means, 0):
         for f in axis(means, 1):
@@ -106,8 +106,8 @@ def sets_in(means):
 
 def claims(numbers):
     means = numbers["means"]
-    return [verdicts.Claim("3", "Derényi 1998, abstract", "increasing the layer's thickness reverses its current, under "
-                           "certain conditions; transport sets in gradually with the frequency",
+    return [verdicts.Claim("3", "Derényi 1998, abstract", "increasing the layer's thickness reverses its current, "
+                           "under certain conditions; transport sets in gradually with the frequency",
                            (reverses(means), sets_in(numbers["onset"])))]
 
 
@@ -120,8 +120,9 @@ def text(numbers):
             + table(["e", "f [Hz]"] + [f"d = {d:g}" for d in densities] + ["turns at d"], lines))
 
 
-STUDY = Study("layer", "A layer over its thickness (Derényi and others 1998)", (Sweep("validation_layer"), Sweep("validation_layer_onset", is_quick=False)), evaluate,
+STUDY = Study("layer", "A layer over its thickness (Derényi and others 1998)",
+              (Sweep("validation_layer"), Sweep("validation_layer_onset", is_quick=False)), evaluate,
               (Picture("layer", "Mean velocity of a layer of one kind over its thickness, on steep teeth (w = 6 mm, "
                        "h = 5 mm, a = 0.3); bars: standard errors over the seeds", draw),
-               Picture("layer_onset", "Mean velocity of a thin and of a thick layer over the frequency, on the same teeth; "
-                       "bars: standard errors over the seeds", draw_onset)), claims, text)
+               Picture("layer_onset", "Mean velocity of a thin and of a thick layer over the frequency, on the same "
+                       "teeth; bars: standard errors over the seeds", draw_onset)), claims, text)

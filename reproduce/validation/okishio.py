@@ -1,6 +1,7 @@
 """One ball over the asymmetry of the teeth (Okishio, Ito, Kitahata 2022)."""
 from reproduce import drawing, verdicts
 from reproduce.document import table
+from reproduce.rows import Rows
 from reproduce.samples import mean_of
 from reproduce.study import Picture, Study, Sweep
 
@@ -11,7 +12,7 @@ NO_DRIFT = 0.001  # m/s
 
 
 def evaluate(rows):
-    """@return map from (e, a) to the mean velocity, that of the symmetric teeth over all e, and of mirrored teeth [m/s]"""
+    """@return mean velocities [m/s]: of each (e, a); of symmetric teeth over all e; mirror_of()"""
     rows = rows["validation_okishio"]
     symmetric = rows.where({A: SYMMETRIC}).by("seed").values()
     return {"means": {place: cell.mean("mean_vx.A") for place, cell in sorted(rows.by(E, A).items())},
@@ -44,8 +45,8 @@ def gentler(means):
 
 def mirror_of(rows):
     """v(a) + v(1 − a) in the mean over all a and e, a sample a seed: nought where they are mirror images."""
-    means = (group.mean(lambda row: row["mean_vx.A"] if row[A] != SYMMETRIC else None) for group in rows.by("seed").values())
-    return mean_of(2.0 * mean.value for mean in means)
+    pairs = Rows(row for row in rows if row[A] != SYMMETRIC)
+    return mean_of(2.0 * group.mean("mean_vx.A").value for group in pairs.by("seed").values())
 
 
 def steepest(means):
@@ -56,13 +57,13 @@ def steepest(means):
 
 def claims(numbers):
     means = numbers["means"]
-    return [verdicts.Claim("5", "Okishio 2022, abstract", "one ball is transported to where the gentler slopes face; its "
-                           "mean velocity is a function of the asymmetry", (
+    return [verdicts.Claim("5", "Okishio 2022, abstract", "one ball is transported to where the gentler slopes face; "
+                           "its mean velocity is a function of the asymmetry", (
                                verdicts.counted("so it is at every asymmetry and restitution", gentler(means)),
                                verdicts.within("at a = 0.5 less than 1 mm/s, in the mean over e", numbers["symmetric"],
                                                -NO_DRIFT, NO_DRIFT, drawing.MM, "mm/s"),
-                               verdicts.within("1 − a is the mirror image of a: v(a) + v(1 − a), in the mean over both, is "
-                                               "less than 1 mm/s", numbers["mirror"], -NO_DRIFT, NO_DRIFT, drawing.MM,
+                               verdicts.within("1 − a is the mirror image of a: v(a) + v(1 − a), in the mean over both, "
+                                               "is less than 1 mm/s", numbers["mirror"], -NO_DRIFT, NO_DRIFT, drawing.MM,
                                                "mm/s")))]
 
 
@@ -76,5 +77,5 @@ def text(numbers):
 
 STUDY = Study("okishio", "One ball over the asymmetry (Okishio and others 2022)",
               (Sweep("validation_okishio", {A: (SYMMETRIC,)}),), evaluate,
-              (Picture("okishio", "Mean velocity of single balls over the asymmetry of the teeth; bars: standard errors "
-                       "over the seeds", draw),), claims, text)
+              (Picture("okishio", "Mean velocity of single balls over the asymmetry of the teeth; bars: standard "
+                       "errors over the seeds", draw),), claims, text)

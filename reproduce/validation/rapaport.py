@@ -51,10 +51,10 @@ def claims(means):
         most = max(found, key=lambda place: min(abs(mean.value) for mean in means[place]))
         small, large = (verdicts.shown(mean, drawing.MM, "mm/s") for mean in means[most])
         e, f, d = most
-        check = verdicts.Check(says, f"at {len(found)} of {len(means)} (e, f, d), as at e = {e:g}, {f:g} Hz, d = {d:g}: "
-                               f"small {small}, large {large}", True)
-    return [verdicts.Claim("6", "Rapaport 2001, abstract", "in a vertically vibrated layer on a sawtooth large and small "
-                           "particles are horizontally driven in opposite directions", (check,))]
+        check = verdicts.Check(says, f"at {len(found)} of {len(means)} (e, f, d), as at e = {e:g}, {f:g} Hz, "
+                               f"d = {d:g}: small {small}, large {large}", True)
+    return [verdicts.Claim("6", "Rapaport 2001, abstract", "in a vertically vibrated layer on a sawtooth large and "
+                           "small particles are horizontally driven in opposite directions", (check,))]
 
 
 def text(means):
@@ -65,5 +65,5 @@ def text(means):
 
 
 STUDY = Study("rapaport", "Large and small disks in a layer (Rapaport 2001)", (Sweep("validation_rapaport"),), evaluate,
-              (Picture("rapaport", "Mean velocities of small (0.5 mm) and large (1 mm) disks in a layer over its thickness, "
-                       "on steep teeth; bars: standard errors over the seeds", draw),), claims, text)
+              (Picture("rapaport", "Mean velocities of small (0.5 mm) and large (1 mm) disks in a layer over its "
+                       "thickness, on steep teeth; bars: standard errors over the seeds", draw),), claims, text)
