@@ -2,22 +2,25 @@
 from reproduce import drawing, verdicts
 from reproduce.best import best_of
 from reproduce.document import table
-from reproduce.lines import line_through
 from reproduce.rows import Rows
 from reproduce.study import Picture, Study, Sweep
 
 THETA = "base.inclination"
 TEETH = "base.teeth"
 DENSITY = "density"
-LIMIT = "paper_fig9_limit"
-LONG = ("paper_fig9_long", "paper_fig9_dense", LIMIT)
-SWEEPS = (Sweep("paper_fig9", {THETA: (0.18, 0.22)}), *(Sweep(name, is_quick=False) for name in LONG))
+SWEEPS = (Sweep("paper_fig9", {THETA: (0.18, 0.22)}), Sweep("paper_fig9_long", is_quick=False),
+          Sweep("paper_fig9_dense", is_quick=False))
+
+
+def over_inclinations(rows):
+    """All runs of this figure's sweeps, which have no case in common."""
+    return Rows(row for sweep in SWEEPS for row in rows[sweep.name])
 
 
 def evaluate(rows):
-    over_theta = Rows(row for name, own in rows.items() if name != LIMIT for row in own)
-    numbers = {"Q": {}, "P": {}, "left": {}, "best": {}, "limit": limits(over_theta, rows[LIMIT])}
-    for place, group in over_theta.by(TEETH, DENSITY).items():
+    """@return of Q, P and what left: map from (teeth, d) to a curve over θ; and of Q what is best"""
+    numbers = {"Q": {}, "P": {}, "left": {}, "best": {}}
+    for place, group in over_inclinations(rows).by(TEETH, DENSITY).items():
         by_theta = sorted(group.by(THETA).items())
         for what, field in (("Q", "quality"), ("P", "processed"), ("left", left_in_all)):
             numbers[what][place] = [(theta, own.mean(field)) for theta, own in by_theta]
@@ -27,18 +30,6 @@ def evaluate(rows):
 
 def left_in_all(row):
     return row["processed"] * (row["count.A"] + row["count.B"])
-
-
-def limits(shorter, longest):
-    """Of the two longest bases, where they have the same density and inclination: Q and how many disks left.
-    @return map from (d, θ) to a map from the number of teeth to (Q, disks that left)"""
-    found = {}
-    for place, group in sorted(longest.by(DENSITY, THETA).items()):
-        other = shorter.where({DENSITY: place[0], THETA: place[1]})
-        runs = other.where({TEETH: max(other.values(TEETH))}) + group
-        found[place] = {teeth: (own.mean("quality"), own.mean(left_in_all))
-                        for teeth, own in sorted(Rows(runs).by(TEETH).items())}
-    return found
 
 
 def axis(numbers, index):
@@ -64,30 +55,6 @@ def draw(numbers):
     all_axes[0][0].set_ylabel("quality $Q$")
     all_axes[1][0].set_ylabel("processed ratio $P$")
     all_axes[0][-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    return figure
-
-
-def over_length(numbers, density):
-    """Q at the best θ over one through the number of teeth."""
-    return [(1.0 / teeth, best.mean) for (teeth, d), best in sorted(numbers["best"].items()) if d == density]
-
-
-def draw_lengths(numbers):
-    figure, axes = drawing.panels(1, 1, (6.4, 3.8))
-    densities = axis(numbers, 1)
-    for density, colour in zip(densities, drawing.ramp(len(densities))):
-        points = over_length(numbers, density)
-        drawing.curve(axes, points, color=colour, linestyle="none", markersize=4, label=f"$d$ = {density:g}")
-        line = line_through(points)
-        if line:
-            ends = (0.0, max(x for x, _ in points))
-            axes.plot(ends, [line.at(x) for x in ends], color=colour, linewidth=0.9, linestyle="--")
-    lengths = axis(numbers, 0)
-    axes.set_xticks([0.0] + [1.0 / teeth for teeth in lengths], ["∞"] + [f"{teeth:g}" for teeth in lengths])
-    axes.set_xlim(left=0.0)
-    axes.set_xlabel("teeth, on a scale of 1 / teeth")
-    axes.set_ylabel(r"$Q$ at the best $\theta$")
-    axes.legend()
     return figure
 
 
@@ -135,24 +102,6 @@ def best_table(numbers):
                  [best_line(numbers, place) for place in sorted(numbers["best"])])
 
 
-def lines_table(numbers):
-    lines = []
-    for density in axis(numbers, 1):
-        line = line_through(over_length(numbers, density))
-        if line:
-            lines.append([f"{density:g}", shown(line.intercept), shown(line.slope.scaled(-1.0)),
-                          f"{line.chi_squared:.1f} / {line.freedom}"])
-    return table(["d", "Q of an endless base", "c", "χ² / degrees of freedom"], lines) if lines else ""
-
-
-def limit_table(limit):
-    lengths = sorted({teeth for found in limit.values() for teeth in found})
-    header = ["d", "θ [rad]"] + [f"{what}, {teeth:g} teeth" for what in ("Q", "left") for teeth in lengths]
-    lines = [[f"{density:g}", f"{theta:g}"] + [shown(found[teeth][0]) for teeth in lengths]
-             + [shown(found[teeth][1]) for teeth in lengths] for (density, theta), found in limit.items()]
-    return table(header, lines)
-
-
 def curve_table(numbers, what, teeth):
     densities = densities_on(numbers, teeth)
     curves = {density: dict(numbers[what][teeth, density]) for density in densities}
@@ -163,20 +112,10 @@ def curve_table(numbers, what, teeth):
 
 def text(numbers):
     parts = ["The best θ is chosen, for each seed, by the other seeds.", best_table(numbers)]
-    lines = lines_table(numbers)
-    if lines:
-        parts += ["A straight line through Q at its best θ over one through the length, Q = Q(∞) − c / teeth:", lines]
-    if numbers["limit"]:
-        parts += ["Twice as long a base: Q, and how many disks left within the 100 s. Where both are the same, the "
-                  "ends no longer feel each other, Q has reached its limit, and P falls as one over the length.",
-                  limit_table(numbers["limit"])]
     parts += [curve_table(numbers, what, teeth) for teeth in axis(numbers, 0) for what in ("Q", "P")]
     return "\n\n".join(parts)
 
 
-PICTURES = (
-    Picture("fig9", "Q and P after 100 s over the inclination, for four densities and several lengths of the base; "
-            "bars: standard errors over the seeds", draw),
-    Picture("fig9_length", "Q at the best inclination over one through the length of the base, and straight lines; "
-            "bars: standard errors over the seeds, the best inclination of each chosen by the others", draw_lengths))
-STUDY = Study("fig9", "Fig. 9: quality and processed ratio", SWEEPS, evaluate, PICTURES, claims, text)
+STUDY = Study("fig9", "Fig. 9: quality and processed ratio", SWEEPS, evaluate,
+              (Picture("fig9", "Q and P after 100 s over the inclination, for four densities and several lengths of "
+                       "the base; bars: standard errors over the seeds", draw),), claims, text)
