@@ -22,5 +22,13 @@ def class_map(axes, xs, ys, class_of, colours):
 
 def class_legend(axes, colours):
     """Beside the axes."""
-    axes.legend(handles=[Patch(facecolor=colour, edgecolor="#999999", label=name) for name, colour in colours.items()],
-                loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return axes.legend(handles=[Patch(facecolor=colour, edgecolor="#999999", label=name)
+                                for name, colour in colours.items()], loc="center left", bbox_to_anchor=(1.0, 0.5))
+
+
+def lone_legend(axes, colours):
+    """In place of the axes."""
+    axes.axis("off")
+    legend = class_legend(axes, colours)
+    legend.set_bbox_to_anchor((0.0, 0.5))
+    legend.set_in_layout(False)

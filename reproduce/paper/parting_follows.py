@@ -37,9 +37,9 @@ def too_narrow(part):
     needed = ANGLES[1] - ANGLES[0]
     wide = [d for d in widths if widths[d].value > needed]
     if not wide:
-        return f"It is nowhere as wide as the {needed:.3g} rad that both angles ask for."
+        return f"The window is nowhere as wide as the {needed:.3g} rad that both angles ask for."
     lower = part["turns"][max(wide)]["B"]
-    return (f"It is as wide as the {needed:.3g} rad that both angles ask for at d = "
+    return (f"The window is as wide as the {needed:.3g} rad that both angles ask for at d = "
             f"{', '.join(f'{d:g}' for d in wide)} alone, and begins there at {lower.text()} rad at the least, "
             f"{'above' if lower.value > ANGLES[0] else 'below'} {ANGLES[0]:g}.")
 
@@ -60,7 +60,7 @@ def other_readings(stated, steep):
     if steep is None:
         return told + "."
     return (f"{told}; were the teeth those of Fig. 9 (a = {STEEP:g}) at the printed d, {angles(steep, PRINTED)}; were "
-            f"it both, {angles(steep, RADII)}. On those teeth: {too_narrow(steep)}")
+            f"it both, {angles(steep, RADII)}. On the teeth of Fig. 9: {too_narrow(steep)}")
 
 
 def text(numbers):
