@@ -113,7 +113,7 @@ def text(numbers):
     lines = [[f"{e:g}", len(means), *(extent(means, name) for name in wanted)] for e, means in numbers.items()]
     means = numbers[SLICE]
     strengths = axis(means, 0)
-    speeds = [[f"{y:g}"] + [means[x, y].text(drawing.MM) for x in strengths] for y in axis(means, 1)]
+    speeds = [[f"{y:g}"] + [currents.speed_text(means[x, y]) for x in strengths] for y in axis(means, 1)]
     return ("Where each regime lies: places of the map, and between which values they lie:\n\n"
             + table(["e", "places", *wanted], lines)
             + f"\n\n⟨V_x⟩ in mm/s at e = {SLICE:g}:\n\n"

@@ -5,6 +5,7 @@ NORMAL = "normal"      # to where the gentler slopes face: to the right, as a < 
 REVERSED = "reversed"
 NONE = "none"
 UNTOLD = "not told"
+STILL = 0.00001  # m/s
 COLOURS = {NORMAL: drawing.COLOURS[0], NONE: "#D9D9D9", REVERSED: drawing.COLOURS[1], UNTOLD: "#FFFFFF"}
 
 
@@ -17,6 +18,13 @@ def regime(mean, least):
     if mean.surely_below(-least):
         return REVERSED
     return NONE if verdicts.all_of((mean.surely_above(-least), mean.surely_below(least))) else UNTOLD
+
+
+def speed_text(mean):
+    """In mm/s. Grains that stay in their grooves move by what is left of a bounce, which says nothing."""
+    if mean.error is not None and abs(mean.value) + mean.error < STILL:
+        return f"below {STILL * drawing.MM:g}"
+    return mean.text(drawing.MM)
 
 
 def exists(says, means, least, wanted):

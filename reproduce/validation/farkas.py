@@ -53,6 +53,8 @@ def claimer(number, word):
 def opposed_table(means, ratchet):
     lines = [[kinds.named(place, ratchet), *(mean.text(drawing.MM) for mean in pair)]
              for place, pair in kinds.opposed_at(means).items()]
+    if not lines:
+        return f"On {ratchet.about} the kinds go opposite ways nowhere."
     return (f"Where the kinds go opposite ways on {ratchet.about}, velocities in mm/s:\n\n"
             + table(["where", "A", "B", "B less A"], lines))
 

@@ -57,15 +57,15 @@ def draw_onset(numbers):
 
 
 def reversals(means):
-    """@return of each (e, f) whose current goes the other way in thicker layers: both densities and ways"""
+    """@return of each (e, f) whose current turns in thicker layers: of each turn both densities and ways"""
     found = {}
     for e in axis(means, 0):
         for f in axis(means, 1):
             ways = [(d, currents.regime(means[e, f, d], LEAST)) for d in axis(means, 2)]
             told = [(d, way) for d, way in ways if way in (currents.NORMAL, currents.REVERSED)]
-            change = next(((a, b) for a, b in zip(told, told[1:]) if a[1] != b[1]), None)
-            if change:
-                found[e, f] = change
+            changes = [(a, b) for a, b in zip(told, told[1:]) if a[1] != b[1]]
+            if changes:
+                found[e, f] = changes
     return found
 
 
@@ -75,15 +75,17 @@ def reverses(means):
     tried = len(axis(means, 0)) * len(axis(means, 1))
     if not found:
         return verdicts.Check(says, f"at none of {tried} (e, f)", False)
-    (e, f), ((thin, way), (thick, _)) = max(found.items(), key=lambda item: strength(means, item))
+    (e, f), changes = max(found.items(), key=lambda item: strength(means, item))
+    (thin, _), (thick, _) = changes[0]
     a, b = (verdicts.shown(means[e, f, d], drawing.MM, "mm/s") for d in (thin, thick))
     return verdicts.Check(says, f"at {len(found)} of {tried} (e, f), as at e = {e:g}, {f:g} Hz: {a} at d = {thin:g}, "
                           f"{b} at d = {thick:g}", True)
 
 
 def strength(means, item):
-    """Of a reversal: the weaker of its two currents [m/s]."""
-    (e, f), ((thin, _), (thick, _)) = item
+    """Of a first reversal: the weaker of its two currents [m/s]."""
+    (e, f), changes = item
+    (thin, _), (thick, _) = changes[0]
     return min(abs(means[e, f, d].value) for d in (thin, thick))
 
 
@@ -114,9 +116,11 @@ def claims(numbers):
 def text(numbers):
     means = numbers["means"]
     densities = axis(means, 2)
-    lines = [[f"{e:g}", f"{f:g}", *(means[e, f, d].text(drawing.MM) for d in densities), turn.text() if turn else "—"]
+    lines = [[f"{e:g}", f"{f:g}", *(currents.speed_text(means[e, f, d]) for d in densities), turn.text() if turn else "—"]
              for (e, f), turn in numbers["turns"].items()]
-    return ("⟨V_x⟩ in mm/s, and the density at which it changes its sign:\n\n"
+    again = [f"e = {e:g}, {f:g} Hz" for (e, f), changes in reversals(means).items() if len(changes) > 1]
+    return (f"The current turns a second time, in still thicker layers, at {'; '.join(again) or 'no e and f'}. ⟨V_x⟩ in "
+            "mm/s, and the density at which it first changes its sign:\n\n"
             + table(["e", "f [Hz]"] + [f"d = {d:g}" for d in densities] + ["turns at d"], lines))
 
 
