@@ -1,7 +1,7 @@
 """Section 3.2.1: mixtures of kinds that have the same radius or the same mass, against the mixture of Fig. 8."""
 from reproduce import drawing, verdicts
 from reproduce.best import best_of
-from reproduce.crossings import crossing_of, distance_of
+from reproduce.crossings import apart_between, crossing_of, distance_of
 from reproduce.document import table
 from reproduce.study import Picture, Study, Sweep
 
@@ -30,6 +30,7 @@ def evaluate(rows):
             "A": crossing_of(drifts, THETA, "mean_vx.A"),
             "B": crossing_of(drifts, THETA, "mean_vx.B"),
             "window": distance_of(drifts, THETA, "mean_vx.A", "mean_vx.B"),
+            "middle": apart_between(drifts, THETA, "mean_vx.A", "mean_vx.B"),
             "apart": [(theta, group.mean(lambda row: row["mean_vx.A"] - row["mean_vx.B"]))
                       for theta, group in sorted(drifts.by(THETA).items())],
             "quality": [(theta, group.mean("quality")) for theta, group in sorted(machine.by(THETA).items())],
@@ -85,11 +86,12 @@ def shown(mean):
 
 def text(numbers):
     lines = [[NAMES[mixture], f"{found['best'].at:g}", shown(found["best"].mean), shown(found["B"]), shown(found["A"]),
-              shown(found["window"])] for mixture, found in numbers.items()]
+              shown(found["window"]), shown(found["middle"] and found["middle"].scaled(drawing.MM))]
+             for mixture, found in numbers.items()]
     return ("Q is that of 40 teeth with open ends, after 60 s. Its best θ is chosen, for each seed, by the other "
             "seeds.\n\n"
-            + table(["mixture A; B", "best θ [rad]", "Q there", "B turns, θ [rad]", "A turns, θ [rad]", "window [rad]"],
-                    lines))
+            + table(["mixture A; B", "best θ [rad]", "Q there", "B turns, θ [rad]", "A turns, θ [rad]", "window [rad]",
+                     "A less B in its middle [mm/s]"], lines))
 
 
 STUDY = Study("mixtures", "Section 3.2.1: mixtures that differ in the radius or the mass alone",

@@ -4,7 +4,7 @@ import statistics
 import unittest
 
 from reproduce.best import best_of
-from reproduce.crossings import crossing_of, zero_crossing
+from reproduce.crossings import apart_between, crossing_of, distance_of, zero_crossing
 from reproduce.lines import line_through
 from reproduce.rows import Rows
 from reproduce.samples import Mean, jackknife, mean_of, student, variance_of
@@ -82,6 +82,12 @@ class Curves(unittest.TestCase):
         found = crossing_of(rows_of(lambda x: 1.0 - 3.0 * x, 0.02), "x", "y")
         self.assertLess(abs(found.value - 1.0 / 3.0), 4.0 * found.error)
         self.assertLess(found.error, 0.01)
+
+    def test_two_lines_part_as_they_do(self):
+        rows = Rows({**row, "z": 0.2 - row["x"]} for row in rows_of(lambda x: 0.5 - x, 1e-4))
+        distance, apart = distance_of(rows, "x", "y", "z"), apart_between(rows, "x", "y", "z")
+        self.assertAlmostEqual(distance.value, 0.3, delta=0.001)
+        self.assertAlmostEqual(apart.value, 0.3, delta=0.001)
 
     def test_the_best_of_noise_is_not_above_it(self):
         gains = [best_of(rows_of(lambda x: 0.0, 1.0, seeds), "x", "y").mean.value for seeds in range(4, 24)]
