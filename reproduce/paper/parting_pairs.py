@@ -106,8 +106,8 @@ def conclusion(numbers):
     if not numbers or any(at_both(numbers).values()):
         return ""
     return ("\n\n**What follows.** What shifts the window takes both of its ends along: nothing that was tried, a "
-            "density or any of these pairs, puts both angles into it. So the paper's 0.105 and 0.157 are not two angles of one "
-            "machine of this model, with a slip in one or two of these parameters. Either they come from runs that "
+            "density or any of these pairs, puts both angles into it. So the paper's 0.105 and 0.157 are not two angles "
+            "of one machine of this model, with a slip in one or two of these parameters. Either they come from runs that "
             "differ in more than θ, or from a model that differs in more than what the paper leaves open.")
 
 

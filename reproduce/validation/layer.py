@@ -116,11 +116,11 @@ def claims(numbers):
 def text(numbers):
     means = numbers["means"]
     densities = axis(means, 2)
-    lines = [[f"{e:g}", f"{f:g}", *(currents.speed_text(means[e, f, d]) for d in densities), turn.text() if turn else "—"]
-             for (e, f), turn in numbers["turns"].items()]
+    lines = [[f"{e:g}", f"{f:g}", *(currents.speed_text(means[e, f, d]) for d in densities),
+              turn.text() if turn else "—"] for (e, f), turn in numbers["turns"].items()]
     again = [f"e = {e:g}, {f:g} Hz" for (e, f), changes in reversals(means).items() if len(changes) > 1]
-    return (f"The current turns a second time, in still thicker layers, at {'; '.join(again) or 'no e and f'}. ⟨V_x⟩ in "
-            "mm/s, and the density at which it first changes its sign:\n\n"
+    return (f"The current turns a second time, in still thicker layers, at {'; '.join(again) or 'no e and f'}. ⟨V_x⟩ "
+            "in mm/s, and the density at which it first changes its sign:\n\n"
             + table(["e", "f [Hz]"] + [f"d = {d:g}" for d in densities] + ["turns at d"], lines))
 
 
