@@ -1,0 +1,52 @@
+"""Claim 2: contacts with the short slope over those with the long one, over the smallest rebound speed."""
+import math
+
+from reproduce import drawing, verdicts
+from reproduce.document import table
+from reproduce.study import Picture, Study, Sweep
+
+V_MIN = "contact.min_rebound_speed"
+SCENES = 0.05        # v_min of the scenes [m/s]
+PRINTED = 0.53
+ROUNDING = 0.015     # "about 0.53": what is nearer to it than to 0.5 or 0.56
+LENGTHS = math.hypot(0.3 * 20.0, 6.0) / math.hypot(0.7 * 20.0, 6.0)  # of the slopes, short over long
+
+
+def evaluate(rows):
+    groups = sorted(rows["paper_fig3_contacts"].by(V_MIN).items())
+    return {v: (group.mean("short_to_long"), group.mean("mean_vx.A")) for v, group in groups}
+
+
+def draw(means):
+    figure, axes = drawing.panels(1, 1, (6.4, 3.6))
+    drawing.curve(axes, [(v, ratio) for v, (ratio, _) in means.items()], color=drawing.COLOURS[0])
+    axes.axhspan(PRINTED - ROUNDING, PRINTED + ROUNDING, color=drawing.COLOURS[4], alpha=0.3, label="about 0.53")
+    axes.axhline(LENGTHS, color=drawing.GREY, linewidth=0.8, linestyle="--", label=f"slopes' lengths, {LENGTHS:.3f}")
+    axes.set_xscale("log")
+    axes.set_xlabel(r"$v_\mathrm{min}$ [m/s]")
+    axes.set_ylabel("short to long contacts")
+    axes.legend(loc="lower right")
+    return figure
+
+
+def is_printed(mean):
+    return verdicts.all_of((mean.surely_above(PRINTED - ROUNDING), mean.surely_below(PRINTED + ROUNDING)))
+
+
+def claims(means):
+    fitting = [f"{v:g}" for v, (ratio, _) in means.items() if is_printed(ratio)]
+    return [verdicts.Claim("2", "3.1.1", "contacts of short to long slopes are about 0.53 in Fig. 3", (
+        verdicts.within(f"between {PRINTED - ROUNDING:g} and {PRINTED + ROUNDING:g} at v_min = {SCENES:g} m/s, as in "
+                        f"the scenes (so it is at {', '.join(fitting) or 'none'} m/s of those tried)",
+                        means[SCENES][0], PRINTED - ROUNDING, PRINTED + ROUNDING),))]
+
+
+def text(means):
+    return table(["v_min [m/s]", "short to long", "⟨V_x⟩ [mm/s]"],
+                 [[f"{v:g}", ratio.text(), speed.text(drawing.MM)] for v, (ratio, speed) in means.items()])
+
+
+STUDY = Study("contacts", "Short and long slopes, over the smallest rebound speed",
+              (Sweep("paper_fig3_contacts", {V_MIN: (SCENES, 0.1)}),), evaluate,
+              (Picture("contacts", "Contacts with short over those with long slopes, of Fig. 3's disks, over v_min; "
+                       "bars: standard errors over the seeds", draw),), claims, text)

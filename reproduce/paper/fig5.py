@@ -1,0 +1,74 @@
+"""Fig. 5: the mean velocity of single disks over the frequency, for nine asymmetries of the tooth."""
+from reproduce import drawing, verdicts
+from reproduce.document import table
+from reproduce.samples import mean_of
+from reproduce.study import Picture, Study, Sweep
+
+A = "base.asymmetry"
+F = "base.frequency"
+SYMMETRIC = 0.5
+NO_DRIFT = 0.001  # m/s
+
+
+def evaluate(rows):
+    """@return mean velocities: of each (a, f), and of the symmetric tooth over all f [m/s]"""
+    rows = rows["paper_fig5"]
+    seeds = rows.where({A: SYMMETRIC}).by("seed").values()
+    return {"means": {place: group.mean("mean_vx.A") for place, group in rows.by(A, F).items()},
+            "symmetric": mean_of(group.mean("mean_vx.A").value for group in seeds)}
+
+
+def axis(means, index):
+    return sorted({place[index] for place in means})
+
+
+def draw(numbers):
+    means = numbers["means"]
+    figure, axes = drawing.panels(1, 1, (6.4, 4.2))
+    asymmetries = axis(means, 0)
+    for a, colour in zip(asymmetries, drawing.ramp(len(asymmetries))):
+        drawing.curve(axes, [(f, means[a, f]) for f in axis(means, 1)], drawing.MM, color=colour, label=f"$a$ = {a:g}")
+    drawing.signed(axes)
+    axes.set_xlabel("$f$ [Hz]")
+    axes.set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
+    axes.legend(ncol=1, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+def direction(means):
+    for (a, f), mean in means.items():
+        if a != SYMMETRIC:
+            yield f"a = {a:g} at {f:g} Hz", mean.surely_above(0.0) if a < SYMMETRIC else mean.surely_below(0.0)
+
+
+def order(means):
+    """At each f, of each two neighbouring asymmetries on one side of 1/2."""
+    for f in axis(means, 1):
+        for side in (lambda a: a <= SYMMETRIC, lambda a: a >= SYMMETRIC):
+            values = [a for a in axis(means, 0) if side(a)]
+            for less, more in zip(values, values[1:]):
+                yield f"{less:g} and {more:g} at {f:g} Hz", means[less, f].minus(means[more, f]).surely_above(0.0)
+
+
+def claims(numbers):
+    means = numbers["means"]
+    return [verdicts.Claim("4", "Fig. 5", "the more asymmetric the tooth, the faster; a decides the direction", (
+        verdicts.counted("to the right for a < 0.5, to the left for a > 0.5, at every f", direction(means)),
+        verdicts.counted("of each two neighbouring a on one side of 0.5 the more asymmetric is faster, at every f",
+                         order(means)),
+        verdicts.within("at a = 0.5 less than 1 mm/s, in the mean over f", numbers["symmetric"], -NO_DRIFT, NO_DRIFT,
+                        drawing.MM, "mm/s")))]
+
+
+def text(numbers):
+    means = numbers["means"]
+    frequencies = axis(means, 1)
+    return ("⟨V_x⟩ in mm/s:\n\n"
+            + table(["a"] + [f"{f:g} Hz" for f in frequencies],
+                    [[f"{a:g}"] + [means[a, f].text(drawing.MM) for f in frequencies] for a in axis(means, 0)]))
+
+
+STUDY = Study("fig5", "Fig. 5: velocity over frequency, for nine asymmetries",
+              (Sweep("paper_fig5", {A: (0.5,)}),), evaluate,
+              (Picture("fig5", "Mean velocity of single disks over the frequency; bars: standard errors over the seeds",
+                       draw),), claims, text)

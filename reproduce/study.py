@@ -1,0 +1,40 @@
+"""What a study is: its sweeps, what its rows come to, its pictures and its claims."""
+import dataclasses
+from typing import Callable
+
+
+@dataclasses.dataclass(frozen=True)
+class Sweep:
+    """A file of config/sweeps, by its name without .yaml."""
+    name: str
+    needed: dict = dataclasses.field(default_factory=dict)  # values that --quick keeps, of some keys
+    is_quick: bool = True  # False: --quick leaves it out, and the study gets no rows of it
+
+
+@dataclasses.dataclass(frozen=True)
+class Picture:
+    name: str      # of its files, after the document's
+    caption: str   # one line
+    draw: Callable  # numbers -> matplotlib figure
+
+
+@dataclasses.dataclass(frozen=True)
+class Study:
+    name: str
+    title: str
+    sweeps: tuple      # of Sweep
+    evaluate: Callable  # {sweep's name: Rows} -> numbers, whatever the study's other parts take
+    pictures: tuple    # of Picture
+    claims: Callable   # numbers -> list of Claim
+    text: Callable = lambda numbers: ""  # numbers -> Markdown that follows the pictures: tables
+
+
+@dataclasses.dataclass
+class Outcome:
+    """A study that was run."""
+    study: Study
+    numbers: object
+    rows: dict  # of each sweep
+
+    def claims(self):
+        return self.study.claims(self.numbers)

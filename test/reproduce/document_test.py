@@ -1,0 +1,75 @@
+import pathlib
+import tempfile
+import unittest
+
+from reproduce import document, quick, sweeps
+from reproduce.documents import DOCUMENTS
+from reproduce.rows import read_rows
+from reproduce.study import Outcome, Picture, Study, Sweep
+from reproduce.verdicts import Claim, above
+
+CSV = """base.frequency,seed,status,error,simulated_time,mean_vx.A,quality,version,physics,scene_hash
+20,1,done,,10,0.5,,0.1.0,1,1e5
+20,2,done,,10,0.7,,0.1.0,1,1e6
+20,3,failed,no memory,,,,0.1.0,1,ab
+"""
+
+
+def hand_made_rows():
+    with tempfile.TemporaryDirectory() as directory:
+        path = pathlib.Path(directory) / "rows.csv"
+        path.write_text(CSV, encoding="utf-8")
+        return read_rows(path)
+
+
+class KnownCosts:
+    @staticmethod
+    def of(_):
+        return 90.0
+
+
+def hand_made_study():
+    return Study("made", "Made by hand", (Sweep("paper_fig5"),), lambda rows: rows["paper_fig5"].mean("mean_vx.A"),
+                 (Picture("made", "A caption", None),),
+                 lambda mean: [Claim("1", "Fig. 0", "it goes right", (above("⟨V_x⟩ > 0", mean),))])
+
+
+class Documents(unittest.TestCase):
+    def test_rows_are_read_and_the_failed_are_counted(self):
+        rows = hand_made_rows()
+        self.assertEqual((len(rows), rows.failed), (2, 1))
+        self.assertIsNone(rows[0]["quality"])
+        self.assertEqual(rows[0]["scene_hash"], "1e5")
+        self.assertEqual(rows.where({"base.frequency": 20}).samples("mean_vx.A"), [0.5, 0.7])
+
+    def test_a_document_says_what_came_out(self):
+        study, rows = hand_made_study(), {"paper_fig5": hand_made_rows()}
+        with tempfile.TemporaryDirectory() as directory:
+            template, path = pathlib.Path(directory) / "template.md", pathlib.Path(directory) / "paper.md"
+            template.write_text("# Title\n\n$about\n\n$claims\n\n$study_made\n", encoding="utf-8")
+            outcome = Outcome(study, study.evaluate(rows), rows)
+            document.write(path, template, [outcome], "scripts/reproduce", KnownCosts)
+            text = path.read_text(encoding="utf-8")
+        self.assertIn("| 1 | Fig. 0 | it goes right | ⟨V_x⟩ > 0: 0.60 ± 0.10 (n = 2): undecided | **not told** |", text)
+        self.assertIn("![A caption](images/paper_made.png)", text)
+        self.assertIn("*A caption; n = 2*", text)
+        self.assertIn("2 runs of 10 s, seeds 1 to 2; **1 failed** and are left out", text)
+        self.assertIn("ratchet_sieve 0.1.0, physics version 1, in 2 minutes of processor time", text)
+
+    def test_every_study_has_a_place_in_its_document_and_its_sweeps_exist(self):
+        for doc in DOCUMENTS:
+            for study in doc.studies:
+                self.assertIn(f"$study_{study.name}", doc.template.read_text(encoding="utf-8"))
+                for sweep in study.sweeps:
+                    self.assertTrue((sweeps.DIRECTORY / f"{sweep.name}.yaml").exists(), sweep.name)
+
+
+class Quick(unittest.TestCase):
+    def test_quick_runs_some_of_the_cases(self):
+        made = quick.quick_definition({"scene": "s.yaml", "grid": {"a": [1, 2, 3, 4, 5, 6], "b": [1, 2]},
+                                         "seed": {"first": 3, "count": 40}}, {"a": (4.0,)})
+        self.assertEqual(made["grid"], {"a": [1, 3, 4, 5], "b": [1, 2]})
+        self.assertEqual(made["seed"], {"first": 3, "count": 10})
+
+    def test_a_range_is_thinned_as_a_list_is(self):
+        self.assertEqual(quick.thinned({"from": -0.3, "to": 0.3, "count": 7}, ()), [-0.3, -0.1, 0.1, 0.3])
