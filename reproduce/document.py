@@ -20,7 +20,7 @@ def table(header, lines):
 
 def claims_table(outcomes):
     claims = [claim for outcome in outcomes for claim in outcome.claims()]
-    claims.sort(key=lambda claim: (len(claim.number), claim.number))
+    claims.sort(key=lambda claim: (int(claim.number.rstrip(string.ascii_lowercase)), claim.number))
     return table(["#", "where", "claim", "what came out", "verdict"],
                  [[claim.number, claim.where, claim.text, "<br>".join(check.text() for check in claim.checks),
                    f"**{claim.verdict()}**"] for claim in claims])

@@ -1,3 +1,4 @@
+import dataclasses
 import pathlib
 import tempfile
 import unittest
@@ -55,6 +56,12 @@ class Documents(unittest.TestCase):
         self.assertIn("*A caption; n = 2*", text)
         self.assertIn("2 runs of 10 s, seeds 1 to 2; **1 failed** and are left out", text)
         self.assertIn("ratchet_sieve 0.1.0, physics version 1, in 2 minutes of processor time", text)
+
+    def test_claims_stand_in_the_order_of_their_numbers(self):
+        study = dataclasses.replace(hand_made_study(), claims=lambda _: [
+            Claim(number, "", "", ()) for number in ("10", "6b", "7", "6", "6a")])
+        lines = document.claims_table([Outcome(study, None, {})]).splitlines()[2:]
+        self.assertEqual([line.split(" | ")[0] for line in lines], ["| 6", "| 6a", "| 6b", "| 7", "| 10"])
 
     def test_every_study_has_a_place_in_its_document_and_its_sweeps_exist(self):
         for doc in DOCUMENTS:
