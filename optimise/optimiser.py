@@ -4,6 +4,8 @@
 Q of one seed is noisy: a trial is the mean over some seeds, the sampler draws from densities over all trials, which no
 single lucky one decides, and what is told of a machine in the end comes from seeds that took no part (held_out).
 """
+import warnings
+
 import optuna
 
 from optimise.machine import Machine
@@ -14,6 +16,7 @@ FIRST = 16    # trials that are spread over the ranges before densities say anyt
 SEED = 1      # of the sampler: the same search tries the same machines
 
 optuna.logging.set_verbosity(optuna.logging.WARNING)
+warnings.filterwarnings("ignore", category=optuna.exceptions.ExperimentalWarning)
 
 
 def suggested(trial, search, kind):
