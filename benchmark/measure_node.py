@@ -31,28 +31,28 @@ SUBSCRIBED = '`sieve_node`, one subscriber to `~particles`'
 EVERYTHING = '`sieve_node`, one to each of its topics, those for RViz too'
 RECORD = '`sieve_node` with `~record`'
 
+FOR_PROGRAMS = ['particles', 'bins', 'base', 'statistics']
 FOR_EYES = ['markers', 'cloud']
-TOPICS = ['particles', 'bins', 'base', 'statistics', *FOR_EYES]
-LISTENED = {IDLE: [], SUBSCRIBED: TOPICS[:1], EVERYTHING: TOPICS, RECORD: []}
+LISTENED = {IDLE: [], SUBSCRIBED: ['particles'], EVERYTHING: FOR_PROGRAMS + FOR_EYES, RECORD: []}
 TARGETS = {BAG: 75, IDLE: 95, SUBSCRIBED: 85, RECORD: 75}  # percent of the headless rate
 START_TARGET = 30.0  # ms
 
 
-def mixture(teeth, duration):
-    """The scene of Fig. 8 on so many teeth."""
+def mixture(teeth, duration, **keys):
+    """The scene of Fig. 8 on so many teeth, with other keys set otherwise."""
     scene = yaml.safe_load((ROOT / 'config/paper_fig8.yaml').read_text())
     scene['base']['teeth'] = teeth
-    scene.update(duration=duration, settle=0.0)
+    scene.update(duration=duration, settle=0.0, **keys)
     return scene
 
 
 class Bench:
     """The mixture of Fig. 8 on so many teeth, run for so long by one program after the other."""
 
-    def __init__(self, programs, scratch, client, teeth, duration):
+    def __init__(self, programs, scratch, client, teeth, duration, **keys):
         self.programs, self.scratch, self.client = programs, scratch, client
         self.duration = duration
-        self.scene = scene = mixture(teeth, duration)
+        self.scene = scene = mixture(teeth, duration, **keys)
         self.scene_file = scratch / f'{teeth}.yaml'
         self.scene_file.write_text(yaml.safe_dump(scene))
         self.bag = scratch / 'run.bag'
@@ -92,21 +92,21 @@ class Bench:
         finished = ros_processes.run([self.programs / 'sieve_run', self.scene_file, '--bag', self.bag])
         return finished, self.lost_in_bag()
 
-    def node(self, case):
-        topics = [f'/sieve/{topic}' for topic in LISTENED[case]]
+    def node(self, topics, records, **parameters):
+        """Runs a node with a listener to each topic. @return what it took, how many messages were lost"""
         # Every frame that sieve_run records, too, for the two to be compared.
-        parameters = {'scene': self.scene, 'record': str(self.bag) if case == RECORD else '',
-                      'recording': {'particles': RATE}}
-        finished, received = ros_processes.run_node(self.client, self.programs / 'sieve_node', parameters, topics)
+        parameters.update(scene=self.scene, record=str(self.bag) if records else '', recording={'particles': RATE})
+        finished, received = ros_processes.run_node(self.client, self.programs / 'sieve_node', parameters,
+                                                    [f'/sieve/{topic}' for topic in topics])
         lost = sum(self.lost_on(topic.rpartition('/')[2], heard) for topic, heard in received.items())
-        return finished, lost + (self.lost_in_bag() if case == RECORD else 0)
+        return finished, lost + (self.lost_in_bag() if records else 0)
 
     def round(self):
         """@return the wall time of sieve_run, and each case beside it"""
         alone, with_start = self.headless()
         compared = {BAG: Compared(with_start, *self.recorded())}
-        for case in LISTENED:
-            compared[case] = Compared(alone, *self.node(case))
+        for case, topics in LISTENED.items():
+            compared[case] = Compared(alone, *self.node(topics, case == RECORD))
         return alone.wall, compared
 
 

@@ -101,10 +101,11 @@ def listener(topic):
 
 
 def run_node(client, program, parameters, topics):
-    """Runs a sieve_node, with a listener on each topic, from its unpausing to its scene's end.
+    """Runs a sieve_node, with a listener on each topic, from its unpausing to its scene's end: as fast as it goes,
+    where its parameters ask for nothing else.
     @return what it took, and the times of the messages of each listener"""
     client.setParam('/use_sim_time', True)
-    client.setParam('/sieve', dict(parameters, start_paused=True, real_time_factor=0.0))
+    client.setParam('/sieve', {'real_time_factor': 0.0, **parameters, 'start_paused': True})
     command = [program, '__name:=sieve']
     with contextlib.ExitStack() as stack:
         process = stack.enter_context(

@@ -33,6 +33,9 @@ MODEL = {
 # What a recommended step is off by at most, in drifts, energies, Q and P, over what the exact engine has.
 CLAIMS = {0.001: 0.05, 0.0005: 0.03}
 
+# A drift may be off by this whatever it is: near the angle at which it turns, no share of it says anything.
+SMALLEST_DRIFT_ERROR = 0.001  # m/s
+
 
 def floor_of(point):
     """Of those points whose only rung it is; None of others."""

@@ -125,7 +125,7 @@ def held_out():
     return [
         Scene("tilted", "mixture, θ = 0.105, d = 2, 30 Hz", "paper_fig8.yaml",
               {"base.inclination": 0.105, "density": 2.0, "base.frequency": 30.0, "settle": 2.0, "duration": 22.0},
-              LAYER, 12),
+              LAYER, 48),
         Scene("asymmetry", "mixture, a = 0.1, B of 5 mm, d = 4", "paper_fig8.yaml",
               {"base.asymmetry": 0.1, "species.1.radius": 0.005, "settle": 2.0, "duration": 22.0}, LAYER, 12),
         Scene("equal", "r = 1 and 4 mm, both 1 g, d = 3", "paper_fig8.yaml",

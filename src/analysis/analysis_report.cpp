@@ -23,6 +23,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double MM_PER_M = 1e3;
 constexpr double UJ_PER_J = 1e6;
+constexpr double MS_PER_S = 1e3;
 
 std::string ratioText(const std::optional<double>& value)
 {
@@ -51,6 +52,12 @@ std::array<std::optional<std::uint64_t>, 4> countsOf(const RunResult& result, st
     return {};
   const SpeciesBins& bins = result.lastBins()->bins[species];
   return {bins.counted() + bins.on_base, bins.left, bins.right, bins.on_base};
+}
+
+/// Whether the run is exact, or contacts may have been missed.
+std::string methodText(const SceneDefinition& scene)
+{
+  return planOf(scene).steps ? fmt::format(" by steps of {:g} ms", MS_PER_S * scene.accuracy.step) : "";
 }
 
 /// As accumulated by the engine; undefined where they were not recorded.
@@ -189,10 +196,10 @@ Json speciesJson(const RunResult& result)
 
 std::string reportText(const RunResult& result)
 {
-  return fmt::format("scene {}, seed {}, version {}: {:.6g} s to {:.6g} s, {} frames of particles\n\n",
+  return fmt::format("scene {}, seed {}, version {}: {:.6g} s to {:.6g} s{}, {} frames of particles\n\n",
                      shownText(result.scene_frame.scene_hash), result.scene_frame.seed,
                      shownText(result.scene_frame.version), result.start, result.end,
-                     result.particle_frames) +
+                     methodText(result.scene), result.particle_frames) +
          speciesTable(result) + "\n" + segregationText(result) + contactText(result) + engineText(result) +
          missingText(result);
 }
@@ -204,6 +211,7 @@ Json reportJson(const RunResult& result)
   json["scene_hash"] = result.scene_frame.scene_hash;
   json["seed"] = result.scene_frame.seed;
   json["version"] = result.scene_frame.version;
+  json["plan"] = planParts(planOf(result.scene));
   json["start_time"] = result.start;
   json["simulated_time"] = result.end;
   json["particle_frames"] = result.particle_frames;

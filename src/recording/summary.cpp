@@ -30,20 +30,6 @@ Json speciesResults(const Simulation& simulation)
   return list;
 }
 
-Json planParts(const Plan& plan)
-{
-  Json json;
-  json["pairs"] = plan.pairs;
-  json["steps"] = plan.steps;
-  json["spin"] = plan.spin;
-  json["drive"] = plan.drive;
-  json["orbit"] = plan.orbit;
-  json["contact_times"] = plan.contact_times;
-  json["search_above_band"] = plan.search_above_band;
-  json["lanes"] = plan.lanes;
-  return json;
-}
-
 Json pairResults(const Simulation& simulation)
 {
   Json list = Json::array();
@@ -86,6 +72,20 @@ Json certaintyParts(const Simulation& simulation)
 }
 
 }  // namespace
+
+Json planParts(const Plan& plan)
+{
+  Json json;
+  json["pairs"] = plan.pairs;
+  json["steps"] = plan.steps;
+  json["spin"] = plan.spin;
+  json["drive"] = plan.drive;
+  json["orbit"] = plan.orbit;
+  json["contact_times"] = plan.contact_times;
+  json["search_above_band"] = plan.search_above_band;
+  json["lanes"] = plan.lanes;
+  return json;
+}
 
 Json collisionCounts(const CollisionCounts& counts)
 {

@@ -28,6 +28,19 @@ TEST(ReportText, IsATableToRead)
             "kinetic_rotational undefined, collision_rate undefined\n");
 }
 
+TEST(ReportText, SaysThatARunWentBySteps)
+{
+  RunResult result = handMadeResult();
+  result.scene.accuracy.method = Method::STEPS;
+  result.scene.accuracy.step = 0.0005;
+  EXPECT_EQ(reportText(result).find(
+                "scene 0123456789abcdef, seed 7, version 1.2.3: 0 s to 2.5 s by steps of 0.5 ms, "
+                "151 frames of particles\n"),
+            0u);
+  EXPECT_EQ(reportJson(result)["plan"]["steps"], true);
+  EXPECT_EQ(reportJson(handMadeResult())["plan"]["steps"], false);
+}
+
 TEST(ReportText, HasNoBinsWhereNothingLeft)
 {
   RunResult result = handMadeResult();

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/headless_run.h"
 
@@ -13,6 +14,9 @@ namespace ratchet_sieve
 /// The run in one JSON object: scene_hash, seed, version, plan, times, counts, means, Q and P, how sure they
 /// are, energies, overlaps, warnings. SI units; what is not defined is null.
 nlohmann::ordered_json summarize(const Simulation& simulation, const RunOutcome& outcome);
+
+/// What of the model is worked out: each part of the plan by its name, true or false.
+nlohmann::ordered_json planParts(const Plan& plan);
 
 /// Collisions of each kind: disk_disk, left_slope, right_slope, apex, wall.
 nlohmann::ordered_json collisionCounts(const CollisionCounts& counts);

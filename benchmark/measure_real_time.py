@@ -1,0 +1,85 @@
+#!/usr/bin/python3
+"""Measures whether a live node keeps up with real time, by events and by steps of time, and what is lost where it does
+not: the mixture of Fig. 8, with a listener to each of its topics for programs, while it records. Prints a table.
+Exit status 1 where a message was lost. Needs ROS on the path, but no master: it starts its own.
+"""
+import argparse
+import pathlib
+import sys
+import tempfile
+
+import document
+import ros_processes
+from measure_node import FOR_PROGRAMS, ROOT, Bench, description
+
+METHODS = {'events': {}, **{f'steps of {1e3 * step:g} ms': {'accuracy': {'method': 'steps', 'step': step}}
+                            for step in (0.001, 0.002, 0.004)}}
+TEETH = 382
+SPANS = (1.0, 4.0)  # in the first second all disks land within a few steps [s]
+SHORT = (4, (0.2, 0.4), 1)
+
+
+class Row:
+    """A method at both spans. Walls are those of the best rounds, which nobody else disturbed."""
+
+    def __init__(self, benches):
+        self.benches = benches
+        self.walls = [float('inf')] * len(benches)
+        self.lost = 0
+
+    def round(self):
+        for k, bench in enumerate(self.benches):
+            finished, lost = bench.node(FOR_PROGRAMS, records=True, real_time_factor=1.0)
+            self.walls[k] = min(self.walls[k], finished.wall)
+            self.lost += lost
+
+    def text(self, name):
+        first, whole = self.benches
+        after = (whole.duration - first.duration) / (self.walls[1] - self.walls[0])
+        return f'| {name} | {first.duration / self.walls[0]:.2f} | {after:.2f} | {self.lost} |'
+
+
+def table(rows):
+    first, whole = next(iter(rows.values())).benches
+    yield f'{first.disks()} disks, asked for in real time:'
+    yield ''
+    yield (f'| | simulated over wall time, first {first.duration:g} s | from there to {whole.duration:g} s '
+           '| messages lost, bag included |')
+    yield '|---|---|---|---|'
+    yield from (row.text(name) for name, row in rows.items())
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve',
+                        metavar='DIR', help='where sieve_node is')
+    parser.add_argument('--rounds', type=int, default=3, help='repetitions of every case, one after the other')
+    parser.add_argument('--write', type=pathlib.Path, metavar='FILE', help='put the table into this document')
+    parser.add_argument('--short', action='store_true', help='few disks, one round: only that nothing is lost')
+    arguments = parser.parse_args()
+    if arguments.write:
+        document.require_place(parser, arguments.write, 'real-time')
+    return arguments
+
+
+def main():
+    arguments = parse_arguments()
+    about = description()
+    teeth, spans, rounds = SHORT if arguments.short else (TEETH, SPANS, arguments.rounds)
+    with tempfile.TemporaryDirectory() as directory:
+        scratch = pathlib.Path(directory)
+        with ros_processes.master(scratch) as client:
+            rows = {name: Row([Bench(arguments.programs, scratch, client, teeth, span, **keys) for span in spans])
+                    for name, keys in METHODS.items()}
+            for _ in range(rounds):
+                for row in rows.values():
+                    row.round()
+    lines = [f'{about}. The best of {rounds} rounds.', '', *table(rows)]
+    print('\n'.join(lines))
+    if arguments.write:
+        document.put(arguments.write, 'real-time', '\n'.join(lines))
+    return 1 if any(row.lost for row in rows.values()) else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,132 @@
+"""A layer of one kind: its current over its thickness, and over the frequency (Derényi, Tegzes, Vicsek 1998)."""
+from reproduce import drawing, verdicts
+from reproduce.crossings import crossing_of
+from reproduce.document import table
+from reproduce.study import Picture, Study, Sweep
+from reproduce.validation import currents
+
+D = "density"
+F = "base.frequency"
+E = "species.0.restitution"
+LEAST = 0.0005  # m/s that count as a current
+SUDDEN = 0.5    # of the greatest current within one step of the frequency: an onset that is sudden
+
+
+def evaluate(rows):
+    onset = rows["validation_layer_onset"]
+    rows = rows["validation_layer"]
+    return {"means": {place: cell.mean("mean_vx.A") for place, cell in sorted(rows.by(E, F, D).items())},
+            "turns": {place: crossing_of(cell, D, "mean_vx.A") for place, cell in sorted(rows.by(E, F).items())},
+            "onset": {place: cell.mean("mean_vx.A") for place, cell in sorted(onset.by(E, F, D).items())}}
+
+
+def axis(means, index):
+    return sorted({place[index] for place in means})
+
+
+def draw(numbers):
+    means = numbers["means"]
+    restitutions, frequencies = axis(means, 0), axis(means, 1)
+    figure, row = drawing.panels(1, len(restitutions), (8.6, 3.9), sharey=True, squeeze=False)
+    for axes, e in zip(row[0], restitutions):
+        for f, colour in zip(frequencies, drawing.ramp(len(frequencies))):
+            points = [(d, means[e, f, d]) for d in axis(means, 2)]
+            drawing.curve(axes, points, drawing.MM, color=colour, label=f"{f:g} Hz")
+        drawing.signed(axes)
+        axes.set_xscale("log", base=2)
+        axes.set_xticks(axis(means, 2), [f"{d:g}" for d in axis(means, 2)])
+        axes.set_title(f"e = {e:g}")
+        axes.set_xlabel("density $d$, about the number of layers")
+    row[0][0].set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
+    row[0][-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+def draw_onset(numbers):
+    means = numbers["onset"]
+    figure, axes = drawing.panels(1, 1, (6.4, 3.8))
+    for (e, d), colour in zip(((e, d) for e in axis(means, 0) for d in axis(means, 2)), drawing.COLOURS):
+        points = [(f, means[e, f, d]) for f in axis(means, 1)]
+        drawing.curve(axes, points, drawing.MM, color=colour, label=f"e = {e:g}, d = {d:g}")
+    drawing.signed(axes)
+    axes.set_xlabel("$f$ [Hz]")
+    axes.set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
+    if means:
+        axes.legend()
+    return figure
+
+
+def reversals(means):
+    """@return of each (e, f) whose current turns in thicker layers: of each turn both densities and ways"""
+    found = {}
+    for e in axis(means, 0):
+        for f in axis(means, 1):
+            ways = [(d, currents.regime(means[e, f, d], LEAST)) for d in axis(means, 2)]
+            told = [(d, way) for d, way in ways if way in (currents.NORMAL, currents.REVERSED)]
+            changes = [(a, b) for a, b in zip(told, told[1:]) if a[1] != b[1]]
+            if changes:
+                found[e, f] = changes
+    return found
+
+
+def reverses(means):
+    found = reversals(means)
+    says = "the current turns as the layer is made thicker"
+    tried = len(axis(means, 0)) * len(axis(means, 1))
+    if not found:
+        return verdicts.Check(says, f"at none of {tried} (e, f)", False)
+    (e, f), changes = max(found.items(), key=lambda item: strength(means, item))
+    (thin, _), (thick, _) = changes[0]
+    a, b = (verdicts.shown(means[e, f, d], drawing.MM, "mm/s") for d in (thin, thick))
+    return verdicts.Check(says, f"at {len(found)} of {tried} (e, f), as at e = {e:g}, {f:g} Hz: {a} at d = {thin:g}, "
+                          f"{b} at d = {thick:g}", True)
+
+
+def strength(means, item):
+    """Of a first reversal: the weaker of its two currents [m/s]."""
+    (e, f), changes = item
+    (thin, _), (thick, _) = changes[0]
+    return min(abs(means[e, f, d].value) for d in (thin, thick))
+
+
+def largest_step(means, e, d):
+    """@return the greatest change of the velocity from one frequency to the next, over its greatest size; from where"""
+    speeds = [(f, means[e, f, d].value) for f in axis(means, 1)]
+    greatest = max(abs(speed) for _, speed in speeds)
+    return max((abs(late - early) / greatest, f) for (f, early), (_, late) in zip(speeds, speeds[1:]))
+
+
+def sets_in(means):
+    """A check that no single step of the frequency makes the most of the current."""
+    says = f"it sets in gradually: of the greatest current no step of 1 Hz makes {100 * SUDDEN:g} %"
+    if not means:
+        return verdicts.Check(says, "—", None)
+    steps = {(e, d): largest_step(means, e, d) for e in axis(means, 0) for d in axis(means, 2)}
+    told = "; ".join(f"e = {e:g}, d = {d:g}: {100 * share:.0f} % from {f:g} Hz" for (e, d), (share, f) in steps.items())
+    return verdicts.Check(says, told, all(share < SUDDEN for share, _ in steps.values()))
+
+
+def claims(numbers):
+    means = numbers["means"]
+    return [verdicts.Claim("3", "Derényi 1998, abstract", "increasing the layer's thickness reverses its current, "
+                           "under certain conditions; transport sets in gradually with the frequency",
+                           (reverses(means), sets_in(numbers["onset"])))]
+
+
+def text(numbers):
+    means = numbers["means"]
+    densities = axis(means, 2)
+    lines = [[f"{e:g}", f"{f:g}", *(currents.speed_text(means[e, f, d]) for d in densities),
+              turn.text() if turn else "—"] for (e, f), turn in numbers["turns"].items()]
+    again = [f"e = {e:g}, {f:g} Hz" for (e, f), changes in reversals(means).items() if len(changes) > 1]
+    return (f"The current turns a second time, in still thicker layers, at {'; '.join(again) or 'no e and f'}. ⟨V_x⟩ "
+            "in mm/s, and the density at which it first changes its sign:\n\n"
+            + table(["e", "f [Hz]"] + [f"d = {d:g}" for d in densities] + ["turns at d"], lines))
+
+
+STUDY = Study("layer", "A layer over its thickness (Derényi and others 1998)",
+              (Sweep("validation_layer"), Sweep("validation_layer_onset", is_quick=False)), evaluate,
+              (Picture("layer", "Mean velocity of a layer of one kind over its thickness, on steep teeth (w = 6 mm, "
+                       "h = 5 mm, a = 0.3); bars: standard errors over the seeds", draw),
+               Picture("layer_onset", "Mean velocity of a thin and of a thick layer over the frequency, on the same "
+                       "teeth; bars: standard errors over the seeds", draw_onset)), claims, text)
