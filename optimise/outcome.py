@@ -4,7 +4,7 @@ import dataclasses
 from optimise.machine import front
 from optimise.optimiser import seek
 
-MOST_ON_FRONT = 12  # machines that are measured anew; of a longer front the ends and those between, evenly
+MOST_ON_FRONT = 8  # machines that are measured anew; of a longer front the ends and those between, evenly
 
 
 @dataclasses.dataclass(frozen=True)
