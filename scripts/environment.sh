@@ -43,3 +43,23 @@ enter_ros()
 {
   if [ -e /opt/ros/noetic/setup.bash ]; then source_ros /opt/ros/noetic/setup.bash; fi
 }
+
+# Runs a Python package of this project, PACKAGE, with sieve_sweep as its --program; installs and builds what is
+# missing before, but not for --help. IMPORTS, a line of Python, says what the package needs; GROUP, an argument of
+# scripts/setup, may be empty. SIEVE_SWEEP, where it is set, is the program to use.
+run_with_sieve_sweep()
+{
+  local package=$1 imports=$2 group=$3
+  shift 3
+  local program=${SIEVE_SWEEP:-$devel_dir/lib/ratchet_sieve/sieve_sweep}
+  case " $* " in
+    *" --help "* | *" -h "*) ;;
+    *)
+      if [ ! -x "$program" ] || ! python3 -c "$imports" 2>/dev/null; then
+        "$project_dir/scripts/setup" ${group:+"$group"} >&2
+        if [ -z "${SIEVE_SWEEP:-}" ]; then "$project_dir/scripts/build" --target sieve_sweep >&2; fi
+      fi
+      ;;
+  esac
+  PYTHONPATH=$project_dir exec python3 -u -m "$package" --program "$program" "$@"
+}

@@ -1,0 +1,1 @@
+"""Searches for the machine that separates best: see __main__.py."""

@@ -1,0 +1,51 @@
+"""Searches for the machine that separates two kinds best, by a kept optimiser: the front of quality against throughput
+and the best machine as a scene, both by seeds that took no part in the search. Machines are measured by sieve_sweep; what
+was measured once is not measured again, so that a search that was stopped goes on by the same command."""
+import argparse
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SEARCHES = ROOT / "config/searches"
+
+
+def make_parser():
+    parser = argparse.ArgumentParser(prog="optimise", description=__doc__)
+    parser.add_argument("search", nargs="*", type=pathlib.Path, metavar="SEARCH",
+                        help="searches' files (default: all of config/searches, and docs/machines.md is written anew)")
+    parser.add_argument("--results", type=pathlib.Path, default=ROOT / "out/optimise/results.db", metavar="FILE",
+                        help="where the results are kept (default: out/optimise/results.db)")
+    parser.add_argument("--jobs", type=int, default=0, metavar="N", help="runs at a time (default: as many as cores)")
+    parser.add_argument("--out", type=pathlib.Path, metavar="DIR",
+                        help="document, pictures and scenes into DIR (default: docs, docs/images and config; "
+                             "out/optimise where searches are named)")
+    parser.add_argument("--program", type=pathlib.Path, metavar="FILE", help=argparse.SUPPRESS)
+    return parser
+
+
+def places(options):
+    """@return the document, and where pictures and scenes go"""
+    if options.out or options.search:
+        out = options.out or ROOT / "out/optimise"
+        return out / "machines.md", out / "images", out
+    return ROOT / "docs/machines.md", ROOT / "docs/images", ROOT / "config"
+
+
+def main():
+    parser = make_parser()
+    options = parser.parse_args()
+    if options.jobs < 0:
+        parser.error(f"--jobs {options.jobs}: 0 or more")
+    from optimise import course
+    try:
+        course.run(options, options.search or sorted(SEARCHES.glob("*.yaml")), *places(options))
+    except course.BadSearch as error:
+        sys.exit(f"optimise: {error}")
+    except course.SweepFailed as error:
+        sys.exit(f"optimise: {error}")
+    except KeyboardInterrupt:
+        sys.exit(130)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,97 @@
+"""A search's file: what it varies, of which scene, for which machines."""
+import dataclasses
+
+import yaml
+
+
+class BadSearch(Exception):
+    """In one line: file, key, value and what is allowed."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Range:
+    low: float
+    high: float
+    is_whole: bool  # both bounds are whole numbers, and so are all values
+
+
+@dataclasses.dataclass(frozen=True)
+class Seeds:
+    first: int
+    count: int
+
+
+@dataclasses.dataclass(frozen=True)
+class Kind:
+    """A kind of machine: what may be varied of it, and in how many trials."""
+    name: str
+    keys: tuple
+    trials: int
+    start: dict  # values, in the machines of the kind before, of keys that it does not vary
+
+
+@dataclasses.dataclass(frozen=True)
+class Search:
+    path: object
+    title: str
+    scene: str         # absolute
+    settings: dict     # keys of the scene that are the same for all
+    ranges: dict       # key -> Range
+    kinds: tuple       # of Kind
+    least_processed: float   # P that a machine has to reach
+    throughput: float  # at which the best machine is chosen, at least [disks / (s m)]
+    seeds: Seeds       # that machines are found by ...
+    held_out: Seeds    # ... and those that are told of them come from
+
+
+KNOWN = {"title", "scene", "set", "search", "machines", "least_processed", "throughput", "seeds", "held_out"}
+
+
+def read_range(path, key, value):
+    if not (isinstance(value, dict) and set(value) == {"from", "to"}
+            and all(isinstance(bound, (int, float)) and not isinstance(bound, bool) for bound in value.values())
+            and value["from"] < value["to"]):
+        raise BadSearch(f"{path}: search.{key}: {value}: must be {{from: LOW, to: HIGH}}, LOW below HIGH")
+    low, high = value["from"], value["to"]
+    return Range(low, high, isinstance(low, int) and isinstance(high, int))
+
+
+def read_kind(path, name, value, ranges):
+    if not isinstance(value, dict) or not {"vary", "trials"} <= set(value) <= {"vary", "trials", "start"}:
+        raise BadSearch(f"{path}: machines.{name}: must have vary and trials, and may have start")
+    for key in (*value["vary"], *value.get("start", {})):
+        if key not in ranges:
+            raise BadSearch(f"{path}: machines.{name}: {key} has no range in search; there are {', '.join(ranges)}")
+    if not isinstance(value["trials"], int) or value["trials"] < 1:
+        raise BadSearch(f"{path}: machines.{name}.trials: {value['trials']}: must be a whole number above 0")
+    return Kind(name, tuple(value["vary"]), value["trials"], dict(value.get("start", {})))
+
+
+def read_seeds(path, key, value):
+    if not (isinstance(value, dict) and set(value) == {"first", "count"}
+            and all(isinstance(number, int) and number > 0 for number in value.values())):
+        raise BadSearch(f"{path}: {key}: {value}: must be {{first: N, count: N}}, whole numbers above 0")
+    return Seeds(value["first"], value["count"])
+
+
+def read_search(path):
+    try:
+        definition = yaml.safe_load(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+        raise BadSearch(f"{path}: {' '.join(str(error).split())}") from error
+    if not isinstance(definition, dict) or set(definition) != KNOWN:
+        wrong = sorted(set(definition if isinstance(definition, dict) else ()) ^ KNOWN)
+        raise BadSearch(f"{path}: must have {', '.join(sorted(KNOWN))}, each once and nothing else; look at "
+                        f"{', '.join(wrong)}")
+    ranges = {key: read_range(path, key, value) for key, value in definition["search"].items()}
+    seeds, held_out = (read_seeds(path, key, definition[key]) for key in ("seeds", "held_out"))
+    if max(seeds.first, held_out.first) < min(seeds.first + seeds.count, held_out.first + held_out.count):
+        raise BadSearch(f"{path}: held_out: {held_out.first}: seeds that are searched by are among them")
+    kinds = tuple(read_kind(path, name, value, ranges) for name, value in definition["machines"].items())
+    for before, kind in zip(kinds, kinds[1:]):
+        missing = set(kind.keys) - set(before.keys) - set(kind.start)
+        if missing:
+            raise BadSearch(f"{path}: machines.{kind.name}.start: has no {', '.join(sorted(missing))}, which "
+                            f"{before.name} does not vary")
+    return Search(path, definition["title"], str((path.parent / definition["scene"]).resolve()), definition["set"],
+                  ranges, kinds, definition["least_processed"], definition["throughput"], seeds, held_out)

@@ -1,0 +1,42 @@
+"""Measures machines by sieve_sweep: what was measured once is not measured again."""
+import pathlib
+import subprocess
+import tempfile
+
+import yaml
+
+from optimise.machine import measured, read_scene
+from reproduce.rows import read_rows
+
+
+class SweepFailed(Exception):
+    """In one line."""
+
+
+class Trials:
+    def __init__(self, program, results, jobs, search):
+        self.program, self.results, self.jobs, self.search = program, results, jobs, search
+        self.scene = read_scene(search.scene)
+
+    def measure(self, machines, seeds):
+        """@param machines all with the same keys. @return what each does, in their order"""
+        sweep = {"scene": self.search.scene, "set": self.search.settings,
+                 "cases": [machine.values for machine in machines],
+                 "seed": {"first": seeds.first, "count": seeds.count}}
+        with tempfile.TemporaryDirectory() as directory:
+            file = pathlib.Path(directory) / "machines.yaml"
+            file.write_text(yaml.safe_dump(sweep, sort_keys=False), encoding="utf-8")
+            table = file.with_suffix(".csv")
+            common = [str(file), "--db", str(self.results)]
+            # A machine that fails is one that nobody wants: no reason to end.
+            self.call(["run", *common, "--threads", str(self.jobs)], (0, 1))
+            self.call(["export", *common, "--out", str(table)], (0,))
+            rows = read_rows(table)
+        return [measured(rows.where(machine.values), self.scene, machine, seeds) for machine in machines]
+
+    def call(self, arguments, allowed):
+        process = subprocess.run([str(self.program), *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                                 text=True, check=False)
+        if process.returncode not in allowed:
+            raise SweepFailed(process.stderr.strip().splitlines()[-1] if process.stderr.strip()
+                              else f"sieve_sweep {arguments[0]} ended with {process.returncode}")

@@ -1,0 +1,53 @@
+import unittest
+
+from optimise.machine import Machine, Measured, front, throughput_of
+from optimise.outcome import MOST_ON_FRONT, best_at, thinned
+from optimise.report import put
+from reproduce.samples import Mean
+
+
+def point(quality, throughput):
+    return Machine("any", {"base.teeth": 10}), Measured(Mean(quality, 0.01, 2), Mean(0.9, 0.01, 2),
+                                                        Mean(throughput, 1.0, 2))
+
+
+class Front(unittest.TestCase):
+    def test_has_what_nothing_beats_in_both(self):
+        points = [point(0.5, 100.0), point(0.9, 10.0), point(0.4, 90.0), point(0.8, 20.0), point(0.5, 50.0)]
+        self.assertEqual([(m.quality.value, m.throughput.value) for _, m in front(points)],
+                         [(0.9, 10.0), (0.8, 20.0), (0.5, 100.0)])
+
+    def test_keeps_two_that_are_alike(self):
+        self.assertEqual(len(front([point(0.5, 10.0), point(0.5, 10.0)])), 2)
+
+    def test_is_thinned_to_its_ends_and_some_between(self):
+        points = [point(1.0 - 0.01 * k, float(k)) for k in range(50)]
+        some = thinned(points)
+        self.assertEqual(len(some), MOST_ON_FRONT)
+        self.assertEqual((some[0], some[-1]), (points[0], points[-1]))
+        self.assertEqual(thinned(points[:3]), points[:3])
+
+    def test_the_best_has_enough_throughput(self):
+        points = [point(0.9, 10.0), point(0.7, 40.0), point(0.8, 30.0)]
+        self.assertEqual(best_at(points, 30.0), points[2])
+        self.assertIsNone(best_at(points, 50.0))
+
+
+class Throughput(unittest.TestCase):
+    def test_is_over_time_and_length(self):
+        row = {"processed": 0.5, "count.A": 60.0, "count.B": 40.0, "simulated_time": 20.0}
+        scene = {"base": {"teeth": 40, "tooth_width": 0.02}}
+        self.assertAlmostEqual(throughput_of(row, scene, Machine("any", {})), 50.0 / (20.0 * 0.8))
+        self.assertAlmostEqual(throughput_of(row, scene, Machine("any", {"base.teeth": 10})), 50.0 / (20.0 * 0.2))
+
+
+class Put(unittest.TestCase):
+    def test_follows_maps_lists_and_what_is_not_there(self):
+        scene = {"base": {"teeth": 3}, "species": [{"mass": 1.0}]}
+        for key, value in {"base.teeth": 5, "species.0.mass": 2.0, "feed.rate": 7.0}.items():
+            put(scene, key, value)
+        self.assertEqual(scene, {"base": {"teeth": 5}, "species": [{"mass": 2.0}], "feed": {"rate": 7.0}})
+
+
+if __name__ == "__main__":
+    unittest.main()
