@@ -28,12 +28,13 @@ protected:
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
+  /// A run on a short base.
   std::string record(const std::string& arguments) const
   {
     const std::string bag = directory_ / "run.bag";
     const std::string scene = std::string(std::getenv("CONFIG_DIRECTORY")) + "/paper_fig9.yaml";
-    EXPECT_EQ(run("SIEVE_RUN",
-                  scene + " --bag " + bag + " --summary " + (directory_ / "run.json") + " " + arguments),
+    EXPECT_EQ(run("SIEVE_RUN", scene + " --set base.teeth=40 --set density=2 --bag " + bag + " --summary " +
+                                   (directory_ / "run.json") + " " + arguments),
               0)
         << contents(directory_ / "errors");
     return bag;
