@@ -75,7 +75,9 @@ def gain(found):
     for other in others:
         if first.best and other.best:
             difference = other.best[1].quality.minus(first.best[1].quality)
-            yield f"{other.kind.name}: Q higher than {first.kind.name}'s by {difference.text()}"
+            times = other.best[1].throughput.value / first.best[1].throughput.value
+            yield (f"With {other.kind.name} Q is higher by {difference.text()} than with {first.kind.name}, at "
+                   f"{times:.2g} times the throughput")
 
 
 def section(search, found, picture):

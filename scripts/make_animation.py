@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""Films RViz on a screen in memory while a sieve tilts and its two kinds of disks part: the pictures of the README.
+"""Films RViz on a screen in memory while a sieve tilts and its two kinds of disks part: the pictures of the documents.
 
-Usage: make_animation.py SCENE OUT [--teeth N] [--duration S] [--rate HZ] [--still S] [--width PIXELS]
+Usage: make_animation.py SCENE OUT [--teeth N] [--inclination RAD] [--from S] [--duration S] [--rate HZ] [--still S]
+                         [--width PIXELS]
 
 Writes OUT.gif, and OUT.png, the whole window at --still. The sieve is stepped from frame to frame, so that the same
 scene gives the same film on a slow machine. Run it where `rosrun ratchet_sieve` works.
@@ -24,8 +25,7 @@ from std_msgs.msg import Float64
 from ratchet_sieve.srv import StepSimulation
 from virtual_screen import VirtualScreen, wait_for
 
-# What is commanded at the beginning [rad], and how fast the base follows [rad/s].
-INCLINATION = 0.19
+# How fast the base follows what is commanded [rad/s].
 SLEW_RATE = 0.5
 
 # The part of RViz's window, of 1280 by 800 pixels, that shows the scene: rows, columns.
@@ -40,9 +40,11 @@ def arguments():
     parser.add_argument('scene', type=Path)
     parser.add_argument('out', type=Path)
     parser.add_argument('--teeth', type=int, help="of the base, instead of the scene's")
+    parser.add_argument('--inclination', type=float, default=0.19, help='commanded at the beginning [rad]')
+    parser.add_argument('--from', type=float, default=0.0, dest='begin', help='when the film begins [s]')
     parser.add_argument('--duration', type=float, default=8.0, help='simulated [s]')
     parser.add_argument('--rate', type=float, default=12.5, help='frames per simulated second')
-    parser.add_argument('--still', type=float, default=4.0, help='when OUT.png is taken [s]')
+    parser.add_argument('--still', type=float, default=4.0, help='when OUT.png is taken, of the film [s]')
     parser.add_argument('--width', type=int, default=760, help='of OUT.gif [pixels]')
     return parser.parse_args()
 
@@ -124,8 +126,11 @@ def take(options, frames):
         step.wait_for_service()
         wait_for(lambda: setpoint.get_num_connections() > 0, 'the sieve takes setpoints')
         wait_for(lambda: shows_disks(screen), 'RViz shows the disks')
-        setpoint.publish(INCLINATION)
+        setpoint.publish(options.inclination)
         film = Film(screen)
+        if options.begin > 0.0:
+            film.next()
+            step(options.begin)
         for k in range(round(options.duration * options.rate)):
             write(film.next()[VIEW], frames / f'{k:05}.png')
             if k == round(options.still * options.rate):
