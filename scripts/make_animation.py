@@ -125,12 +125,11 @@ def take(options, frames):
         step = rospy.ServiceProxy('/sieve/step', StepSimulation)
         step.wait_for_service()
         wait_for(lambda: setpoint.get_num_connections() > 0, 'the sieve takes setpoints')
+        if options.begin > 0.0:
+            step(options.begin)
         wait_for(lambda: shows_disks(screen), 'RViz shows the disks')
         setpoint.publish(options.inclination)
         film = Film(screen)
-        if options.begin > 0.0:
-            film.next()
-            step(options.begin)
         for k in range(round(options.duration * options.rate)):
             write(film.next()[VIEW], frames / f'{k:05}.png')
             if k == round(options.still * options.rate):

@@ -81,6 +81,11 @@ std::vector<Line> legendLines(const Picture& picture)
 
 }  // namespace
 
+double captionHeight(double inclination)
+{
+  return std::max(CAPTION_HEIGHT, 0.5 * std::sin(inclination) + CAPTION_GAP);
+}
+
 MarkerArray captionMarkers(const Picture& picture)
 {
   const BaseDefinition& base = picture.scene.base;
@@ -88,7 +93,7 @@ MarkerArray captionMarkers(const Picture& picture)
   const double letter = LETTER * base.width();
   const double x = 0.5 * base.width();
   const double middle = 0.5 * base.width() * std::sin(inclination);
-  const double above = std::max(CAPTION_HEIGHT * base.width(), middle + CAPTION_GAP * base.width());
+  const double above = captionHeight(inclination) * base.width();
   const double below = std::min(0.0, middle) - LEGEND_DEPTH * base.width();
   MarkerArray markers;
   addLines(picture.base.time, {"caption", 0, x, above}, letter, captionLines(picture), markers);

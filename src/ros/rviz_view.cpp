@@ -6,11 +6,13 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "ratchet_sieve/ros/scene_markers.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
-/// What there is to see, in widths of the base: with a bin at each end, and without.
+/// What there is to see of a level machine, in widths of the base: with a bin at each end, and without.
 constexpr double OPEN_WIDTH = 1.36;
 constexpr double CLOSED_WIDTH = 1.25;
 
@@ -48,8 +50,9 @@ Frame wholeMachine(const SceneDefinition& scene)
 {
   const double width = scene.base.width();
   const bool open = scene.boundary == Boundary::OPEN;
-  return {0.5 * width, width * (open ? OPEN_MIDDLE : CLOSED_MIDDLE),
-          width * (open ? OPEN_WIDTH : CLOSED_WIDTH)};
+  const double rise = captionHeight(scene.base.inclination) - captionHeight(0.0);
+  return {0.5 * width, width * ((open ? OPEN_MIDDLE : CLOSED_MIDDLE) + 0.5 * rise),
+          width * ((open ? OPEN_WIDTH : CLOSED_WIDTH) + ASPECT * rise)};
 }
 
 /// @param along_base middle of the teeth, from the base's left end [m]

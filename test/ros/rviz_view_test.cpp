@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "ratchet_sieve/ros/rviz_view.h"
+#include "ratchet_sieve/ros/scene_markers.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -18,6 +19,22 @@ std::string ownConfig()
 YAML::Node viewOf(const std::string& config)
 {
   return YAML::Load(config)["Visualization Manager"]["Views"]["Current"];
+}
+
+TEST(RvizView, showsTheCaptionOverASteepBase)
+{
+  SceneDefinition scene = smallMixture();
+  const auto roomAbove = [&scene](double inclination)
+  {
+    scene.base.inclination = inclination;
+    const YAML::Node view = viewOf(fittedToScene(ownConfig(), scene, RvizView::MACHINE));
+    const double height =
+        2.0 * view["Distance"].as<double>() * std::tan(0.5 * view["Field of View"].as<double>());
+    return view["Focal Point"]["Z"].as<double>() + 0.5 * height -
+           captionHeight(inclination) * scene.base.width();
+  };
+  for (const double inclination : {-0.4, 0.2, 0.35, 0.7})
+    EXPECT_NEAR(roomAbove(inclination), roomAbove(0.0), 1e-9) << inclination;
 }
 
 TEST(RvizView, showsAllOfTheMachine)

@@ -23,6 +23,10 @@ visualization_msgs::MarkerArray diskMarkers(const SceneDefinition& scene, const 
 visualization_msgs::MarkerArray binMarkers(const SceneDefinition& scene, const BinFrame& frame,
                                            const BaseFrame& base);
 
+/// How high the caption begins, over the left end of a base of this inclination [widths of the base]: a steep
+/// one pushes it up.
+double captionHeight(double inclination);
+
 /// Time, theta, f and A (with their setpoints, while they are on the way), Q and P above the machine; each
 /// species' name, size, number and mean velocity with its standard error below it, in its colour.
 visualization_msgs::MarkerArray captionMarkers(const Picture& picture);
