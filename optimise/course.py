@@ -49,7 +49,7 @@ def run(options, paths, document, pictures, scenes):
         picture = save_picture(search, found, pictures)
         print(picture)
         save_scene(search, found, scenes)
-        sections.append(report.section(search, found, picture.name))
+        sections.append(report.section(search, found, picture.name, pictures))
     about = machine.describe()
     known = {"about": f"{about['date']}, {about['processor']}, {about['cores']} cores, {about['system']}.",
              "searches": "\n\n".join(sections)}

@@ -80,7 +80,15 @@ def gain(found):
                    f"{times:.2g} times the throughput")
 
 
-def section(search, found, picture):
+def film(search, found, pictures):
+    """That of the best machine of the last kind, where there is one: scripts/make_animation.py makes it from the scene."""
+    name = f"machine_{search.path.stem}_rviz.gif"
+    if found[-1].best and (pictures / name).is_file():
+        yield f"![In RViz: the best machine of the last kind, five seconds of it](images/{name})"
+
+
+def section(search, found, picture, pictures):
+    """@param picture the name of its file in the directory `pictures`"""
     tried = "; ".join(f"{one.kind.name}: {one.kind.trials} machines tried, {len(one.tried)} allowed" for one in found)
     return "\n\n".join([
         f"## {search.title}",
@@ -93,4 +101,5 @@ def section(search, found, picture):
         f"(n = {search.held_out.count}; bars: standard errors); stars: the best.*",
         machine_table(search, found),
         "\n".join(f"- {line}." for line in gain(found)),
+        *film(search, found, pictures),
     ])

@@ -99,7 +99,7 @@ class Film:
 def shows_disks(screen):
     """Whether there is something coloured in the middle of the window."""
     middle = screen.pixels()[300:500].astype(int)
-    return (middle.max(axis=2) - middle.min(axis=2) > 60).sum() > 500
+    return (middle.max(axis=2) - middle.min(axis=2) > 60).sum() > 100
 
 
 def write(pixels, path):
