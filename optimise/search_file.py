@@ -47,9 +47,27 @@ class Search:
 KNOWN = {"title", "scene", "set", "search", "machines", "least_processed", "throughput", "seeds", "held_out"}
 
 
+def is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def require_parts(path, definition):
+    """That each part is of its type; what is in a part is looked at by who reads it."""
+    for key, is_right, what in (
+            ("title", lambda value: isinstance(value, str), "a text"),
+            ("scene", lambda value: isinstance(value, str) and (path.parent / value).is_file(),
+             "a scene's file, by its path from here"),
+            ("set", lambda value: isinstance(value, dict), "a map, may be empty"),
+            ("search", lambda value: isinstance(value, dict) and value, "a map from keys to ranges"),
+            ("machines", lambda value: isinstance(value, dict) and value, "a map from names to kinds of machines"),
+            ("least_processed", lambda value: is_number(value) and 0.0 <= value <= 1.0, "a number from 0 to 1"),
+            ("throughput", lambda value: is_number(value) and value >= 0.0, "a number, 0 or more")):
+        if not is_right(definition[key]):
+            raise BadSearch(f"{path}: {key}: {definition[key]}: must be {what}")
+
+
 def read_range(path, key, value):
-    if not (isinstance(value, dict) and set(value) == {"from", "to"}
-            and all(isinstance(bound, (int, float)) and not isinstance(bound, bool) for bound in value.values())
+    if not (isinstance(value, dict) and set(value) == {"from", "to"} and all(map(is_number, value.values()))
             and value["from"] < value["to"]):
         raise BadSearch(f"{path}: search.{key}: {value}: must be {{from: LOW, to: HIGH}}, LOW below HIGH")
     low, high = value["from"], value["to"]
@@ -83,6 +101,7 @@ def read_search(path):
         wrong = sorted(set(definition if isinstance(definition, dict) else ()) ^ KNOWN)
         raise BadSearch(f"{path}: must have {', '.join(sorted(KNOWN))}, each once and nothing else; look at "
                         f"{', '.join(wrong)}")
+    require_parts(path, definition)
     ranges = {key: read_range(path, key, value) for key, value in definition["search"].items()}
     seeds, held_out = (read_seeds(path, key, definition[key]) for key in ("seeds", "held_out"))
     if max(seeds.first, held_out.first) < min(seeds.first + seeds.count, held_out.first + held_out.count):

@@ -19,6 +19,7 @@ class SearchFile(unittest.TestCase):
         with tempfile.TemporaryDirectory() as directory:
             path = pathlib.Path(directory) / "search.yaml"
             path.write_text(yaml.safe_dump({**GOOD, **changes}, sort_keys=False), encoding="utf-8")
+            (path.parent / "scene.yaml").touch()
             return read_search(path)
 
     def refused(self, why, **changes):
@@ -41,6 +42,11 @@ class SearchFile(unittest.TestCase):
         self.refused("machines.short.trials: 0", machines={"short": {"vary": ["base.teeth"], "trials": 0}})
         self.refused("held_out: 2: seeds that are searched by are among them", held_out={"first": 2, "count": 5})
         self.refused("look at typo", typo=1)
+        self.refused("scene: none.yaml: must be a scene's file", scene="none.yaml")
+        self.refused("search: .*: must be a map", search=[])
+        self.refused("machines: None: must be a map", machines=None)
+        self.refused("least_processed: 1.5: must be a number from 0 to 1", least_processed=1.5)
+        self.refused("throughput: much: must be a number", throughput="much")
 
     def test_searches_of_the_package_are_good(self):
         directory = pathlib.Path(__file__).resolve().parent.parent.parent / "config/searches"
