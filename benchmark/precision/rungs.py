@@ -31,7 +31,7 @@ MODEL = {
 
 
 # What a recommended step is off by at most, in drifts, energies, Q and P, over what the exact engine has.
-CLAIMS = {0.001: 0.05, 0.0005: 0.03}
+CLAIMS = {0.002: 0.05, 0.001: 0.05, 0.0005: 0.03}
 
 # A drift may be off by this whatever it is: near the angle at which it turns, no share of it says anything.
 SMALLEST_DRIFT_ERROR = 0.001  # m/s
