@@ -1,14 +1,15 @@
 """From searches' files to pictures, scenes and the document."""
-import string
 import pathlib
+import string
 import sys
 
 from optimise import report
 from optimise.outcome import find
 from optimise.search_file import BadSearch, read_search
-from optimise.trials import SweepFailed, Trials
+from optimise.trials import Trials
+from reproduce import drawing
 from reproduce.document import machine, wrapped
-from reproduce.drawing import STYLE, plt
+from reproduce.sweeps import SweepFailed
 
 __all__ = ["BadSearch", "SweepFailed", "run"]
 
@@ -17,17 +18,6 @@ TEMPLATE = pathlib.Path(__file__).resolve().parent / "template.md"
 
 def say(text):
     print(text, file=sys.stderr, flush=True)
-
-
-def save_picture(search, found, directory):
-    directory.mkdir(parents=True, exist_ok=True)
-    path = directory / f"machine_{search.path.stem}.png"
-    with plt.rc_context({**STYLE, "svg.hashsalt": "ratchet_sieve"}):
-        figure = report.draw(search, found)
-        figure.savefig(path)
-        figure.savefig(path.with_suffix(".svg"), metadata={"Date": None})
-        plt.close(figure)
-    return path
 
 
 def save_scene(search, found, directory):
@@ -46,7 +36,7 @@ def run(options, paths, document, pictures, scenes):
     for search in searches:
         say(f"{search.path.name}:")
         found = find(search, Trials(options.program, options.results, options.jobs, search), say)
-        picture = save_picture(search, found, pictures)
+        picture = drawing.save(lambda: report.draw(search, found), pictures / f"machine_{search.path.stem}.png")
         print(picture)
         save_scene(search, found, scenes)
         sections.append(report.section(search, found, picture.name, pictures))

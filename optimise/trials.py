@@ -7,10 +7,7 @@ import yaml
 
 from optimise.machine import measured, read_scene
 from reproduce.rows import read_rows
-
-
-class SweepFailed(Exception):
-    """In one line."""
+from reproduce.sweeps import SweepFailed
 
 
 class Trials:

@@ -8,7 +8,7 @@ from plot_analysis import COLOURS, GREY, STYLE, matplotlib, plt  # noqa: E402
 MM = 1e3  # per m
 RAMP = "viridis"  # of curves that are ordered by a number
 
-__all__ = ["COLOURS", "GREY", "MM", "curve", "panels", "plt", "ramp", "save_all", "signed"]
+__all__ = ["COLOURS", "GREY", "MM", "curve", "panels", "plt", "ramp", "save", "save_all", "signed"]
 
 
 def ramp(count):
@@ -34,16 +34,18 @@ def signed(axes):
     axes.axhline(0.0, color=GREY, linewidth=0.8, zorder=1)
 
 
+def save(draw, path):
+    """Draws a figure and saves it. @param draw makes the figure, @param path of the PNG; the SVG stands beside it"""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with plt.rc_context({**STYLE, "svg.hashsalt": "ratchet_sieve"}):
+        figure = draw()
+        figure.savefig(path)
+        figure.savefig(path.with_suffix(".svg"), metadata={"Date": None})
+        plt.close(figure)
+    return path
+
+
 def save_all(outcome, directory, document):
     """@return paths of the PNGs"""
-    directory.mkdir(parents=True, exist_ok=True)
-    paths = []
-    with plt.rc_context({**STYLE, "svg.hashsalt": "ratchet_sieve"}):
-        for picture in outcome.study.pictures:
-            figure = picture.draw(outcome.numbers)
-            path = directory / f"{document}_{picture.name}"
-            figure.savefig(path.with_suffix(".png"))
-            figure.savefig(path.with_suffix(".svg"), metadata={"Date": None})
-            plt.close(figure)
-            paths.append(path.with_suffix(".png"))
-    return paths
+    return [save(lambda draw=picture.draw: draw(outcome.numbers), directory / f"{document}_{picture.name}.png")
+            for picture in outcome.study.pictures]
