@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Runs one scene in this project and in what else there is, one program after another, and writes the table.
+"""Runs one scene in this project and in other programs, one after another, and writes the table.
 
-The scene is the mixture of Fig. 8 at theta = 0: peers/mixture_scene.cpp. What is not installed is left out, and the
-table says so. In full it takes less than ten minutes. Drawing needs matplotlib.
+The scene is the mixture of Fig. 8 at theta = 0: peers/mixture_scene.cpp. The table names programs that are not
+installed. In full it takes less than ten minutes. Drawing needs matplotlib.
 """
 import argparse
 import json
@@ -10,7 +10,9 @@ import pathlib
 import sys
 
 import document
-from peers import cases, machine, measure, table
+from peers import cases, machine, measure, points, table
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def read_arguments():
@@ -23,12 +25,15 @@ def read_arguments():
                         help="put the table between the marks of this document")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="write every run as JSON into DIR/peers.json")
     parser.add_argument("--picture", type=pathlib.Path, metavar="FILE",
-                        help="draw drift over time for many steps: some minutes more")
-    parser.add_argument("--short", action="store_true", help="only whether it runs: its figures mean nothing")
+                        help="draw drift over time for many steps, and write ../data/peers.csv beside it: some minutes "
+                             "more")
+    parser.add_argument("--short", action="store_true", help="test whether it runs: its figures mean nothing")
     parser.add_argument("--from", type=pathlib.Path, metavar="FILE", dest="source",
                         help="run nothing: take the runs of a peers.json")
+    parser.add_argument("--draw-only", action="store_true",
+                        help="run nothing: draw docs/images/peers.png from docs/data/peers.csv")
     arguments = parser.parse_args()
-    if not (arguments.programs / "ratchet_mixture").exists() and not arguments.source:
+    if not (arguments.programs / "ratchet_mixture").exists() and not (arguments.source or arguments.draw_only):
         parser.error(f"{arguments.programs} holds no ratchet_mixture: build with -DRATCHET_SIEVE_BENCHMARKS=ON")
     if arguments.write:
         document.require_place(parser, arguments.write, "peers")
@@ -46,8 +51,16 @@ def take_runs(arguments):
             "libraries": machine.libraries(arguments.programs, arguments.lammps, runs)}
 
 
+def draw(data, path):
+    from peers import picture
+    picture.draw(points.read(data), path)
+
+
 def main():
     arguments = read_arguments()
+    if arguments.draw_only:
+        draw(ROOT / "docs/data/peers.csv", ROOT / "docs/images/peers.png")
+        return
     taken = take_runs(arguments)
     if arguments.out:
         arguments.out.mkdir(parents=True, exist_ok=True)
@@ -55,10 +68,12 @@ def main():
     text = table.render(taken)
     if arguments.write:
         document.put(arguments.write, "peers", text)
+        document.quote(arguments.write, "peers", table.figures(taken), taken["machine"])
     print(text)
     if arguments.picture:
-        from peers import picture
-        picture.draw(taken["runs"], arguments.picture)
+        data = arguments.picture.parent.parent / "data/peers.csv"
+        points.write(data, points.of_runs(taken["runs"], taken["machine"]))
+        draw(data, arguments.picture)
     if any(run["program"] == cases.OURS and (run["lost"] or run["behind_base"]) for run in taken["runs"]):
         sys.exit("this project has lost a disk")
 

@@ -30,7 +30,7 @@ LOOK, BLOCK = 0.01, 0.5      # [s], as in peers/mixture_run.h
 
 
 def contact(mass):
-    """A linear contact of that effective mass: e and the contact time exactly, by the solved oscillator."""
+    """A linear contact of that effective mass, with exact e and contact time, from the solution of the oscillator."""
     damping = -2.0 * math.log(RESTITUTION) / CONTACT_TIME  # per mass [1/s]
     stiffness = mass * ((math.pi / CONTACT_TIME) ** 2 + damping ** 2 / 4.0)
     return (f"hooke {stiffness:.9g} {damping:.9g} tangential linear_nohistory "
@@ -44,7 +44,7 @@ def contacts():
 
 
 def tooth(k):
-    """What does not lie below both slopes of tooth k."""
+    """The region that is not below both slopes of tooth k."""
     apex = (k + ASYMMETRY) * TOOTH_WIDTH
     left, right = ASYMMETRY * TOOTH_WIDTH, (1.0 - ASYMMETRY) * TOOTH_WIDTH
     name = f"t{k + 1}"
@@ -54,8 +54,8 @@ def tooth(k):
 
 
 def base():
-    """The walls. A and B have theirs apart, for their masses differ; and so that not every disk asks every tooth,
-    each column of teeth is a wall for those disks only that are low over it."""
+    """The walls. A and B have their own, since their masses differ. Each column of teeth is a wall for the low disks
+    above it alone, so that a disk does not test every tooth."""
     lines = [f"group kind{kind} type {kind}" for kind in range(1, len(MASSES) + 1)]
     for k in range(-1, TEETH + 1):
         lines += tooth(k)
@@ -173,11 +173,11 @@ def run(arguments, directory):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--start", required=True, help="ratchet_mixture, which says where the disks start")
+    parser.add_argument("--start", required=True, help="ratchet_mixture, which prints where the disks start")
     parser.add_argument("--lammps", default="lmp", help="LAMMPS's program")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--settle", type=float, default=2.0, help="simulated before anything is counted [s]")
-    parser.add_argument("--duration", type=float, default=8.0, help="simulated after that [s]")
+    parser.add_argument("--settle", type=float, default=2.0, help="simulated time before counting [s]")
+    parser.add_argument("--duration", type=float, default=8.0, help="simulated time of counting [s]")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         disks, log, step, wall, processor = run(arguments, pathlib.Path(name))

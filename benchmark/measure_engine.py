@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Measures the engine against what it is meant to reach: collisions per second of processor time of layers of many
-sizes and of single disks, and the memory that a disk takes. Prints a Markdown table.
+"""Measures the engine against its targets: collisions per second of processor time of layers of many sizes and of
+single disks, and the memory of a disk. Prints a Markdown table.
 """
 import argparse
 import dataclasses
@@ -26,6 +26,7 @@ duration: 0.07
 
 @dataclasses.dataclass
 class Row:
+    key: str  # in performance.json
     what: str
     target: str
     stretch: str
@@ -33,7 +34,7 @@ class Row:
 
 
 def collisions(program, rounds):
-    """@return per benchmark the collisions per second of its best round: what others do on the machine takes away"""
+    """@return benchmark -> collisions per second of its best round, which other load on the machine disturbs least"""
     best = {}
     command = [program, '--benchmark_filter=^(mixture/|singleParticles)', '--benchmark_format=json']
     for _ in range(rounds):
@@ -46,7 +47,7 @@ def collisions(program, rounds):
 
 
 def bytes_per_disk(sieve_run, teeth):
-    """Of a run from its start to when the layer has come down, everything included."""
+    """Memory per disk of a run until the layer has come down, everything included."""
     count = teeth * 131 // 10
     with tempfile.TemporaryDirectory() as directory:
         scene = pathlib.Path(directory) / 'large.yaml'
@@ -66,31 +67,31 @@ def rows(best, memory):
     def times(name, other):
         return f'{best[name] / best[other]:.2f}'
 
-    yield Row('Fig. 8, 524 disks, θ = 0: collisions per second', '1.8 M', '2.5 M', millions('mixture/20'))
-    yield Row('the same layer with 10⁴ disks', '1.2 M', '1.7 M', millions('mixture/382'))
-    yield Row('with 10⁵ disks', '0.8 M', '1.2 M', millions('mixture/3817'))
-    yield Row('cost of a collision among 10⁵ disks, over that among 10³', '≤ 2.5', '≤ 1.6',
+    yield Row('fig8.collisions', 'Fig. 8, 524 disks, θ = 0: collisions per second', '1.8 M', '2.5 M',
+              millions('mixture/20'))
+    yield Row('disks_1e4.collisions', 'the same layer with 10⁴ disks', '1.2 M', '1.7 M', millions('mixture/382'))
+    yield Row('disks_1e5.collisions', 'with 10⁵ disks', '0.8 M', '1.2 M', millions('mixture/3817'))
+    yield Row('size_cost', 'cost of a collision among 10⁵ disks, over that among 10³', '≤ 2.5', '≤ 1.6',
               times('mixture/38', 'mixture/3817'))
     if memory:
-        yield Row('10⁶ disks: bytes a disk, everything included', '≤ 400', '≤ 250', f'{memory:.0f}')
-    yield Row('single disks (Fig. 3): collisions per second, as many lanes as there are', '8 M', '20 M',
-              millions('singleParticles'))
+        yield Row('bytes_per_disk', '10⁶ disks: bytes a disk, everything included', '≤ 400', '≤ 250', f'{memory:.0f}')
+    yield Row('single.collisions', 'single disks (Fig. 3): collisions per second, as many lanes as there are', '8 M',
+              '20 M', millions('singleParticles'))
     for lanes in (1, 2, 4, 8):
         if f'singleParticlesInLanes/{lanes}' in best:
-            yield Row(f'in {lanes} lane{"s" if lanes > 1 else ""}, in long strides', '', '',
+            yield Row(f'single.lanes_{lanes}', f'in {lanes} lane{"s" if lanes > 1 else ""}, in long strides', '', '',
                       millions(f'singleParticlesInLanes/{lanes}'))
-    yield Row('10⁴ single disks: two threads over one, wall time', '≥ 1.9', '',
+    yield Row('single.two_threads', '10⁴ single disks: two threads over one, wall time', '≥ 1.9', '',
               times('singleParticlesOnThreads/2', 'singleParticlesOnThreads/1'))
 
 
-def table(best, memory, rounds):
-    about = machine.describe()
+def table(all_rows, rounds, about):
     yield (f'{about["date"]}, {about["processor"]}, {about["cores"]} cores, {about["system"]}; the best of {rounds} '
            'rounds.')
     yield ''
     yield '| | wanted | hoped for | measured |'
     yield '|---|---|---|---|'
-    for row in rows(best, memory):
+    for row in all_rows:
         yield f'| {row.what} | {row.target} | {row.stretch} | {row.measured} |'
 
 
@@ -98,8 +99,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve', metavar='DIR',
                         help='where engine_benchmark and sieve_run are')
-    parser.add_argument('--rounds', type=int, default=5, help='of everything, one after the other')
-    parser.add_argument('--without-memory', action='store_true', help='leave the million disks out')
+    parser.add_argument('--rounds', type=int, default=5, help='repetitions of all benchmarks (default: 5)')
+    parser.add_argument('--without-memory', action='store_true', help='leave out the run of a million disks')
     parser.add_argument('--write', type=pathlib.Path, metavar='FILE',
                         help='put the table between the marks of this document')
     arguments = parser.parse_args()
@@ -107,10 +108,12 @@ def main():
         document.require_place(parser, arguments.write, 'engine')
     memory = None if arguments.without_memory else bytes_per_disk(arguments.programs / 'sieve_run', LARGE)
     best = collisions(arguments.programs / 'engine_benchmark', arguments.rounds)
-    text = '\n'.join(table(best, memory, arguments.rounds))
+    about, all_rows = machine.describe(), list(rows(best, memory))
+    text = '\n'.join(table(all_rows, arguments.rounds, about))
     print(text)
     if arguments.write:
         document.put(arguments.write, 'engine', text)
+        document.quote(arguments.write, 'engine', {row.key: row.measured for row in all_rows}, about)
 
 
 if __name__ == '__main__':

@@ -27,9 +27,9 @@ FED_RECORDED, FED, STAYING = 'fed, recorded', 'fed, not recorded', 'not fed, rec
 FEED_RATE = 20.0  # disks per second
 TEETH = 10
 
-# What may be added in the second half [MB]: nothing but what the heap takes for a page here and there, ...
+# Allowed growth in the second half [MB]: some pages of the heap, ...
 ALLOWED = 1.0
-# ... and the places of a thousand disks that have left, which the engine gives up only then [MB].
+# ... and the places of a thousand disks that have left, which the engine frees only then [MB].
 ALLOWED_FED = 1.0
 
 
@@ -46,7 +46,7 @@ def scene(case, duration):
 
 
 def resident(process):
-    """The memory that a process has in the machine [MB]."""
+    """The resident memory of a process [MB]."""
     status = pathlib.Path(f'/proc/{process.pid}/status').read_text()
     return int(re.search(r'VmRSS:\s+(\d+) kB', status).group(1)) * 1024 / 1e6
 
@@ -84,7 +84,8 @@ def watch(client, program, scratch, case, times):
 
 
 def grows(case, rows):
-    """Whether the memory grows by more than it may in the second half: at first every buffer finds its size."""
+    """Whether the memory grows by more than is allowed in the second half. In the first half buffers reach their
+    sizes."""
     (_, before), (_, after) = rows[len(rows) // 2 - 1], rows[-1]
     allowed = ALLOWED + (0.0 if case == STAYING else ALLOWED_FED)
     if after - before <= allowed:
@@ -109,9 +110,9 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve',
                         metavar='DIR', help='where sieve_node is')
-    parser.add_argument('--hours', type=float, default=1.0, help='of simulated time')
+    parser.add_argument('--hours', type=float, default=1.0, help='simulated time (default: 1)')
     parser.add_argument('--write', type=pathlib.Path, metavar='FILE', help='put the table into this document')
-    parser.add_argument('--short', action='store_true', help='two minutes instead')
+    parser.add_argument('--short', action='store_true', help='two simulated minutes, for a test')
     arguments = parser.parse_args()
     if arguments.write:
         document.require_place(parser, arguments.write, 'memory')

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Measures what the live node, the recording and the start of the programs cost beside the engine, and prints
-a table. Each is a ratio to sieve_run without a bag in the same round, as rounds share the machine with whatever
-else runs on it. Exit status 1 where a message was lost. Needs ROS on the path, but no master: it starts its own.
+"""Measures what the live node, the recording and the start of the programs cost beside the engine, and prints a table.
+Each is a ratio to sieve_run without a bag in the same round, so that other load on the machine counts for both. Exit
+status 1 if a message was lost. Needs ROS on the path, but no master: it starts its own.
 """
 import argparse
 import dataclasses
@@ -34,12 +34,14 @@ RECORD = '`sieve_node` with `~record`'
 FOR_PROGRAMS = ['particles', 'bins', 'base', 'statistics']
 FOR_EYES = ['markers', 'cloud']
 LISTENED = {IDLE: [], SUBSCRIBED: ['particles'], EVERYTHING: FOR_PROGRAMS + FOR_EYES, RECORD: []}
+KEYS = ('bag', 'nobody', 'particles', 'all', 'record')  # of those cases in performance.json ...
+SIZES = ('large', 'fig8')  # ... and of the sizes
 TARGETS = {BAG: 75, IDLE: 95, SUBSCRIBED: 85, RECORD: 75}  # percent of the headless rate
 START_TARGET = 30.0  # ms
 
 
 def mixture(teeth, duration, **keys):
-    """The scene of Fig. 8 on so many teeth, with other keys set otherwise."""
+    """The scene of Fig. 8 on so many teeth, with other keys changed."""
     scene = yaml.safe_load((ROOT / 'config/paper_fig8.yaml').read_text())
     scene['base']['teeth'] = teeth
     scene.update(duration=duration, settle=0.0, **keys)
@@ -119,8 +121,8 @@ class Compared:
 
 
 def rates(cases):
-    """Simulated over wall time, as a part of that of sieve_run: of the best rounds of both, which nobody else
-    disturbed, and the median and the range of the rounds."""
+    """Simulated over wall time, relative to sieve_run: of the best rounds of both, which other load disturbed least,
+    and the median and range of all rounds."""
     best = min(one.headless.wall for one in cases) / min(one.other.wall for one in cases)
     return f'{100 * best:.1f}', percent([one.headless.wall / one.other.wall for one in cases])
 
@@ -166,8 +168,17 @@ def tables(benches, rounds, start):
             yield f'| {case} | {best} | {wanted} | {every} | {times} | {sum(one.lost for one in cases)} |'
 
 
-def description():
-    about = machine.describe()
+def figures(benches, rounds, start):
+    """Those of performance.json."""
+    known = {'start_ms': f'{start["sieve_run"]:.1f}'}
+    for name, measured in zip(SIZES, rounds):
+        for key, case in zip(KEYS, (BAG, *LISTENED)):
+            known[f'{name}.{key}'] = rates([compared[case] for _, compared in measured])[0]
+    return known
+
+
+def description(about=None):
+    about = about or machine.describe()
     return (f'{about["date"]}, {about["processor"]}, {about["cores"]} cores, {about["system"]}, load '
             f'{os.getloadavg()[1]:.1f} before the first round')
 
@@ -176,9 +187,9 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve',
                         metavar='DIR', help='where sieve_run and sieve_node are')
-    parser.add_argument('--rounds', type=int, default=7, help='repetitions of every case, one after the other')
+    parser.add_argument('--rounds', type=int, default=7, help='repetitions of every case (default: 7)')
     parser.add_argument('--write', type=pathlib.Path, metavar='FILE', help='put the tables into this document')
-    parser.add_argument('--short', action='store_true', help='few disks, one round: only that nothing is lost')
+    parser.add_argument('--short', action='store_true', help='few disks, one round: test only that nothing is lost')
     arguments = parser.parse_args()
     if arguments.write:
         document.require_place(parser, arguments.write, 'node')
@@ -187,7 +198,8 @@ def parse_arguments():
 
 def main():
     arguments = parse_arguments()
-    about = description()
+    about = machine.describe()
+    origin = description(about)
     sizes, rounds, starts = [(382, 1.0), (20, 15.0)], arguments.rounds, 50
     if arguments.short:
         # No more messages than a publisher's queue holds: a slow machine loses none.
@@ -198,10 +210,11 @@ def main():
         with ros_processes.master(scratch) as client:
             benches = [Bench(arguments.programs, scratch, client, *size) for size in sizes]
             measured = [[bench.round() for _ in range(rounds)] for bench in benches]
-    lines = [about + '. Medians, in brackets the range.', '', *tables(benches, measured, start)]
+    lines = [origin + '. Medians, in brackets the range.', '', *tables(benches, measured, start)]
     print('\n'.join(lines))
     if arguments.write:
         document.put(arguments.write, 'node', '\n'.join(lines))
+        document.quote(arguments.write, 'node', figures(benches, measured, start), about)
     return 1 if any(one.lost for rounds in measured for _, compared in rounds for one in compared.values()) else 0
 
 

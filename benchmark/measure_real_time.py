@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Measures whether a live node keeps up with real time, by events and by steps of time, and what is lost where it does
-not: the mixture of Fig. 8, with a listener to each of its topics for programs, while it records. Prints a table.
-Exit status 1 where a message was lost. Needs ROS on the path, but no master: it starts its own.
+"""Measures whether a live node keeps up with real time, by events and by steps of time, and the messages lost if it
+does not: the mixture of Fig. 8, with a listener to each of its topics for programs, while it records. Prints a table.
+Exit status 1 if a message was lost. Needs ROS on the path, but no master: it starts its own.
 """
 import argparse
 import pathlib
@@ -20,7 +20,7 @@ SHORT = (4, (0.2, 0.4), 1)
 
 
 class Row:
-    """A method at both spans. Walls are those of the best rounds, which nobody else disturbed."""
+    """A method at both spans. Wall times are of the best rounds, which other load disturbed least."""
 
     def __init__(self, benches):
         self.benches = benches
@@ -53,9 +53,9 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve',
                         metavar='DIR', help='where sieve_node is')
-    parser.add_argument('--rounds', type=int, default=3, help='repetitions of every case, one after the other')
+    parser.add_argument('--rounds', type=int, default=3, help='repetitions of every case (default: 3)')
     parser.add_argument('--write', type=pathlib.Path, metavar='FILE', help='put the table into this document')
-    parser.add_argument('--short', action='store_true', help='few disks, one round: only that nothing is lost')
+    parser.add_argument('--short', action='store_true', help='few disks, one round: test only that nothing is lost')
     arguments = parser.parse_args()
     if arguments.write:
         document.require_place(parser, arguments.write, 'real-time')

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Runs the benchmarks of what a scene's plan leaves out and prints what each choice saves: the processor time with it
-worked out all the same, over the time without.
+"""Runs the benchmarks of the parts that a scene's plan leaves out, and prints what each saves: the processor time with
+the part over the time without it.
 """
 import argparse
 import json
@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def measure(program, rounds):
-    """@return per choice, "full" and "lean": the processor times of the rounds [ms]"""
+    """@return choice -> "full" and "lean" -> processor times of the rounds [ms]"""
     times = {}
     for _ in range(rounds):
         finished = subprocess.run([program, '--benchmark_filter=^plan/', '--benchmark_format=json'], check=True,
@@ -31,7 +31,7 @@ def lines(times, rounds):
     yield (f'{about["date"]}, {about["processor"]}, {about["cores"]} cores, {about["system"]}; {rounds} rounds; '
            'processor time of a stride. The ratio is that of the best rounds, in brackets the median of all.')
     yield ''
-    yield '| | worked out all the same, ms | left out, ms | ratio |'
+    yield '| | computed, ms | left out, ms | ratio |'
     yield '|---|---|---|---|'
     for choice, sides in times.items():
         full, lean = min(sides['full']), min(sides['lean'])
@@ -43,7 +43,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--program', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve/engine_benchmark',
                         metavar='FILE', help='the benchmark of the engine')
-    parser.add_argument('--rounds', type=int, default=15, help='of all choices, one after the other')
+    parser.add_argument('--rounds', type=int, default=15, help='repetitions of all benchmarks (default: 15)')
     parser.add_argument('--write', type=pathlib.Path, metavar='FILE',
                         help='put the table between the marks of this document')
     arguments = parser.parse_args()

@@ -1,4 +1,4 @@
-"""Starts a ROS master of its own, nodes and listeners, and takes the time of programs."""
+"""Starts a ROS master, nodes and listeners, and measures the time of programs."""
 import contextlib
 import dataclasses
 import json
@@ -21,7 +21,7 @@ TICKS = os.sysconf('SC_CLK_TCK')
 
 @dataclasses.dataclass
 class Finished:
-    """A program that has ended well."""
+    """A program that has ended with status 0."""
     wall: float    # [s]
     cpu: float     # of all its threads [s]
     output: str
@@ -54,7 +54,7 @@ def run(command):
 
 
 def cpu_time(process):
-    """What a running program has used so far, all its threads [s]."""
+    """The processor time of a running program, of all its threads [s]."""
     fields = pathlib.Path(f'/proc/{process.pid}/stat').read_text().rpartition(')')[2].split()
     return (int(fields[11]) + int(fields[12])) / TICKS
 
@@ -118,6 +118,6 @@ def run_node(client, program, parameters, topics):
         begin = time.time()
         rospy.ServiceProxy(unpause, Empty)()
         finished = finish(process, begin, cpu_before)
-        # The node lingers a little after its end, for its last messages to go out.
+        # The node stays for a moment after its end, until its last messages are sent.
         finished.wall = float(re.search(r'([\d.]+) ended at', finished.output).group(1)) - begin
         return finished, {topic: end() for topic, end in received.items()}

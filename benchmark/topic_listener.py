@@ -30,7 +30,7 @@ def main():
 
     subscriber = rospy.Subscriber(sys.argv[1], rospy.AnyMsg, take, buff_size=BUFFER)
     sys.stdin.readline()
-    # What the sieve sent before it ended may not have been read yet.
+    # The last messages of the sieve may not have been read yet.
     deadline = time.monotonic() + PATIENCE
     while subscriber.get_num_connections() > 0 and time.monotonic() < deadline:
         time.sleep(0.01)

@@ -1,22 +1,26 @@
 #!/usr/bin/python3
-"""Measures what accuracy costs: error against processor time, of steps of time (accuracy.method) and of what the model
-may leave out, on scenes with a known answer and on those of the paper. Every point is run by sieve_sweep, one thread
-each, over many seeds; its time is the processor time of the whole program over the simulated time, the best of the
-rounds, and its error bars are standard errors over the seeds. What loses disks, or does not come to its end, is drawn
-as such. Drawing needs matplotlib.
+"""Measures error against processor time: of steps of time (accuracy.method), and of what the model may leave out, on
+scenes with a known answer and on those of the paper. sieve_sweep runs each setting on one thread over many seeds. The
+time is the processor time of the whole program over the simulated time, that of the best round.
+
+Writes data/accuracy.csv, data/accuracy_costs.csv, data/accuracy.json, pictures in images/ and the tables in
+accuracy.md. Drawing needs matplotlib.
 """
 import argparse
-import json
 import pathlib
-
-import document
-from peers import machine
-from precision import published, rungs, runs, scenes, tables
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-MARKS = ("accuracy-method", "accuracy-model", "accuracy-claims", "accuracy-large")
+sys.path.insert(0, str(ROOT))
+
+import document  # noqa: E402
+from documents.figures import write_figures  # noqa: E402
+from peers import machine  # noqa: E402
+from precision import data, points, quoted, runs, scenes, tables  # noqa: E402
+
 FULL = 8.0     # times the seeds of --quick
 SHORT = (1e-9, 0.3)  # one seed a round, so long [s]
+MARKS = ("accuracy-bounds", "accuracy-method", "accuracy-floors", "accuracy-model", "accuracy-claims", "accuracy-large")
 
 
 def read_arguments():
@@ -24,89 +28,67 @@ def read_arguments():
     parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "devel/lib/ratchet_sieve", metavar="DIR",
                         help="where sieve_sweep is")
     parser.add_argument("--quick", action="store_true",
-                        help="some twenty minutes of one core; else eight times as many seeds")
+                        help="about 40 minutes of one core; without it eight times as many seeds")
     parser.add_argument("--rounds", type=int, default=2, help="that the seeds are divided into (default: 2)")
-    parser.add_argument("--jobs", type=int, default=1, help="points at a time (default: 1)")
-    parser.add_argument("--limit", type=float, default=120.0, metavar="S", help="of a point's round, in wall time")
-    parser.add_argument("--only", nargs="+", metavar="SCENE", help="run these scenes alone")
-    parser.add_argument("--short", action="store_true", help="only whether it runs: its figures mean nothing")
-    parser.add_argument("--from", type=pathlib.Path, metavar="FILE", dest="source",
-                        help="run nothing: take the runs of this")
-    parser.add_argument("--out", type=pathlib.Path, metavar="DIR",
-                        help="pictures, and every run as work_precision.json, into DIR")
-    parser.add_argument("--write", type=pathlib.Path, metavar="FILE",
-                        help="put the tables between the marks of this document")
+    parser.add_argument("--jobs", type=int, default=1, help="settings at a time (default: 1)")
+    parser.add_argument("--limit", type=float, default=600.0, metavar="S", help="wall time of a setting's round")
+    parser.add_argument("--only", nargs="+", metavar="SCENE", help="measure these scenes alone; the others are kept")
+    parser.add_argument("--errors-only", action="store_true",
+                        help="keep the times: for a machine that is busy with other work")
+    parser.add_argument("--short", action="store_true", help="test whether it runs: its figures mean nothing")
+    parser.add_argument("--draw-only", action="store_true", help="measure nothing: write all from the CSV files")
+    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs", metavar="DIR",
+                        help="directory with accuracy.md (default: docs)")
     arguments = parser.parse_args()
-    if not arguments.source and not (arguments.programs / "sieve_sweep").exists():
+    if not arguments.draw_only and not (arguments.programs / "sieve_sweep").exists():
         parser.error(f"{arguments.programs} holds no sieve_sweep")
-    for mark in MARKS if arguments.write else ():
-        document.require_place(parser, arguments.write, mark)
+    if arguments.draw_only and not (arguments.out / "data" / data.RESULTS).exists():
+        parser.error(f"--draw-only: {arguments.out / 'data' / data.RESULTS} does not exist")
+    for mark in MARKS:
+        document.require_place(parser, arguments.out / "accuracy.md", mark)
     return arguments
 
 
-def all_points(only):
-    points = []
-    for scene in scenes.development():
-        for family, settings in rungs.of(scene).items():
-            points += [runs.Point(scene, family, label, rung) for label, rung in settings]
-    for scene in (*scenes.held_out(), *scenes.large()):
-        points.append(runs.Point(scene, "exact", "exact", {}))
-        steps = (0.002, 0.001, 0.0005) if scene.name.startswith("large") else rungs.CLAIMS
-        points += [runs.Point(scene, "steps", f"{1e3 * step:g} ms", rungs.steps(step)) for step in steps]
-    return [point for point in points if not only or point.scene.name in only]
-
-
-def take_runs(arguments):
-    points = all_points(arguments.only)
-    if arguments.source:
-        taken = json.loads(arguments.source.read_text(encoding="utf-8"))
-        return runs.restore(points, taken["points"]), taken["about"]
-    about = {**machine.describe(), "rounds": arguments.rounds, "jobs": arguments.jobs}
-
-    def save():
-        if arguments.out:
-            arguments.out.mkdir(parents=True, exist_ok=True)
-            (arguments.out / "work_precision.json").write_text(
-                json.dumps({"about": about, "points": runs.saved(points)}) + "\n", encoding="utf-8")
-
+def measure(arguments):
+    chosen = points.planned(arguments.only)
     effort, span = SHORT if arguments.short else (1.0 if arguments.quick else FULL, None)
-    plan = runs.Plan(effort, arguments.rounds, arguments.jobs, arguments.limit, span)
-    runs.run_all(arguments.programs / "sieve_sweep", points, plan, save)
-    return points, about
+    runs.run_all(arguments.programs / "sieve_sweep", chosen,
+                 runs.Plan(effort, arguments.rounds, arguments.jobs, arguments.limit, span))
+    about = machine.describe()
+    origin = data.Origin(about["date"], f'{about["processor"]}, {about["cores"]} cores, {about["system"]}',
+                         document.physics_version())
+    data.save(arguments.out / "data", chosen, origin, not arguments.errors_only)
 
 
-def group(points):
-    by_scene = {}
-    for point in points:
-        by_scene.setdefault(point.scene.name, []).append(point)
-    return by_scene
+def said(origin):
+    return ", ".join(part for part in (origin.date, origin.machine, f"physics version {origin.physics}") if part)
 
 
-def texts(by_scene, about):
-    head = (f'{about["date"]}, {about["processor"]}, {about["cores"]} cores, {about["system"]}; one thread a run, '
-            f'{about["jobs"]} at a time; processor time, the best of {about["rounds"]} rounds.\n\n')
+def texts(groups, large, results, costs):
+    """@return mark -> the tables between them"""
     held_out = {scene.name for scene in scenes.held_out()}
-    development = {n: p for n, p in by_scene.items() if n not in held_out and not n.startswith("large")}
-    yield head + tables.method(development)
-    yield head + tables.model(development)
-    yield head + tables.claims({n: p for n, p in by_scene.items() if n in held_out})
-    large = [p for n, p in by_scene.items() if n.startswith("large")]
-    yield head + (tables.large(*large) if large else "")
+    development = {name: own for name, own in groups.items() if name not in held_out}
+    origin = f"*Errors: {'; '.join(map(said, results))}. Times: {'; '.join(map(said, costs))}.*\n\n"
+    tested = {name: own for name, own in groups.items() if name in held_out}
+    return dict(zip(MARKS, (origin + tables.bounds(development), tables.method(development), tables.floors(development),
+                            tables.model(development), tables.claims(tested), tables.large(large))))
 
 
 def main():
     arguments = read_arguments()
-    points, about = take_runs(arguments)
-    by_scene = group(points)
-    for mark, text in zip(MARKS, texts(by_scene, about)):
-        print(text)
-        if arguments.write:
-            document.put(arguments.write, mark, text)
-    if arguments.out:
-        from precision import picture
-        peers = published.read(ROOT / "docs/performance.md")
-        picture.draw_method(by_scene, peers, arguments.out / "accuracy_method.png")
-        picture.draw_model(by_scene, arguments.out / "accuracy_model.png")
+    if not arguments.draw_only:
+        measure(arguments)
+    every = points.planned()
+    results, costs = data.load(arguments.out / "data", every)
+    large = [point for point in every if point.scene.name.startswith("large")]
+    groups = points.by_scene(point for point in every if point.is_measured() and point not in large)
+    for mark, text in texts(groups, large, results, costs).items():
+        document.put(arguments.out / "accuracy.md", mark, text)
+    write_figures(arguments.out / "data/accuracy.json", quoted.figures(groups, large, results, costs))
+    from precision import picture
+    from reproduce import drawing
+    for draw in (picture.draw_method, picture.draw_model):
+        print(drawing.save(lambda: draw(groups), arguments.out / f"images/accuracy_{draw.__name__[5:]}.png"))
 
 
 if __name__ == "__main__":

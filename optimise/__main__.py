@@ -1,6 +1,6 @@
-"""Searches for the machine that separates two kinds best, by a kept optimiser: the front of quality against throughput
-and the best machine as a scene, both by seeds that took no part in the search. Machines are measured by sieve_sweep; what
-was measured once is not measured again, so that a search that was stopped goes on by the same command."""
+"""Searches for the machine that separates two kinds best, with Optuna. Reports the front of quality against throughput,
+and the best machine as a scene, from fresh seeds. sieve_sweep measures each machine once: the same command continues a
+search that was interrupted."""
 import argparse
 import pathlib
 import sys
@@ -12,13 +12,15 @@ SEARCHES = ROOT / "config/searches"
 def make_parser():
     parser = argparse.ArgumentParser(prog="optimise", description=__doc__)
     parser.add_argument("search", nargs="*", type=pathlib.Path, metavar="SEARCH",
-                        help="searches' files (default: all of config/searches, and docs/machines.md is written anew)")
+                        help="search files (default: all of config/searches, for docs/machines.md)")
     parser.add_argument("--results", type=pathlib.Path, default=ROOT / "out/optimise/results.db", metavar="FILE",
                         help="where the results are kept (default: out/optimise/results.db)")
     parser.add_argument("--jobs", type=int, default=0, metavar="N", help="runs at a time (default: as many as cores)")
+    parser.add_argument("--draw-only", action="store_true",
+                        help="run nothing: draw the pictures and write the document from data/machines.csv")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR",
-                        help="document, pictures and scenes into DIR (default: docs, docs/images and config; "
-                             "out/optimise where searches are named)")
+                        help="document, table, pictures and scenes into DIR (default: docs, docs/data, docs/images and "
+                             "config; out/optimise where searches are named)")
     parser.add_argument("--program", type=pathlib.Path, metavar="FILE", help=argparse.SUPPRESS)
     return parser
 
@@ -36,6 +38,7 @@ def main():
     options = parser.parse_args()
     if options.jobs < 0:
         parser.error(f"--jobs {options.jobs}: 0 or more")
+    # What follows needs matplotlib, optuna and yaml, which --help does without.
     from optimise import course
     try:
         course.run(options, options.search or sorted(SEARCHES.glob("*.yaml")), *places(options))
@@ -43,6 +46,8 @@ def main():
         sys.exit(f"optimise: {error}")
     except course.SweepFailed as error:
         sys.exit(f"optimise: {error}")
+    except OSError as error:
+        sys.exit(f"optimise: {error.filename}: {error.strerror}")
     except KeyboardInterrupt:
         sys.exit(130)
 

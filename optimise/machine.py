@@ -1,8 +1,10 @@
-"""Machines, and what they were measured to do."""
+"""Machines and their measured results."""
 import dataclasses
+import pathlib
 
 import yaml
 
+from optimise.search_file import BadSearch
 from reproduce.samples import Mean
 
 TEETH = "base.teeth"
@@ -44,12 +46,14 @@ def measured(rows, scene, machine, seeds):
 
 
 def read_scene(path):
-    with open(path, encoding="utf-8") as file:
-        return yaml.safe_load(file)
+    try:
+        return yaml.safe_load(pathlib.Path(path).read_text(encoding="utf-8"))
+    except (UnicodeDecodeError, yaml.YAMLError) as error:
+        raise BadSearch(f"{path}: {' '.join(str(error).split())}") from error
 
 
 def front(points):
-    """Of pairs (machine, Measured) those that no other beats in both quality and throughput, by rising throughput."""
+    """The pairs (machine, Measured) that no other beats in both quality and throughput, by rising throughput."""
     def beaten(one):
         return any(other is not one and other.quality.value >= one.quality.value
                    and other.throughput.value >= one.throughput.value

@@ -1,18 +1,19 @@
-"""Seeks machines of one kind with a high quality and a high throughput, by Optuna's tree-structured Parzen estimators
-(Watanabe, arXiv 2304.11127; of several objectives: Ozaki et al., GECCO 2020, doi 10.1145/3377930.3389817).
+"""Searches for machines of one kind with a high quality and a high throughput, by Optuna's tree-structured Parzen
+estimators (Watanabe, arXiv 2304.11127; of several objectives: Ozaki et al., GECCO 2020, doi 10.1145/3377930.3389817).
 
-Q of one seed is noisy: a trial is the mean over some seeds, the sampler draws from densities over all trials, which no
-single lucky one decides, and what is told of a machine in the end comes from seeds that took no part (held_out).
+Q of one seed is noisy: a trial is the mean over some seeds, the sampler draws from densities over all trials, so
+that a single lucky one does not decide, and the results come from fresh seeds (held_out).
 """
 import warnings
 
 import optuna
 
 from optimise.machine import Machine
+from reproduce.samples import counted
 
 BATCH = 8     # trials at a time, for the cores to share
-DIGITS = 4    # of a value that is tried: a scene has to be read
-FIRST = 16    # trials that are spread over the ranges before densities say anything
+DIGITS = 4    # of a value that is tried, so that scenes are readable
+FIRST = 16    # trials that are spread over the ranges before densities are used
 SEED = 1      # of the sampler: the same search tries the same machines
 
 optuna.logging.set_verbosity(optuna.logging.WARNING)
@@ -31,7 +32,7 @@ def suggested(trial, search, kind):
 
 
 def lacking(trial):
-    """By how much P is short of what it has to be: above 0 where a machine is not allowed."""
+    """How far P is below its limit: above 0 for a machine that is not allowed."""
     return trial.user_attrs["lacking"]
 
 
@@ -54,8 +55,8 @@ def tell(study, trial, found, search):
 
 
 def seek(search, kind, known, trials, say):
-    """@param known machines that are tried first: good ones of a kind that varies less
-    @return pairs (machine, Measured by the search's seeds) of all that are allowed, in the order of their trials"""
+    """@param known machines that are tried first: good ones of the kind before
+    @return pairs (machine, Measured by the search's seeds) of all allowed machines, in the order of their trials"""
     study, allowed = make_study(kind, known), []
     for first in range(0, kind.trials, BATCH):
         asked = [study.ask() for _ in range(min(BATCH, kind.trials - first))]
@@ -65,6 +66,6 @@ def seek(search, kind, known, trials, say):
             if found.is_whole() and found.processed.value >= search.least_processed:
                 allowed.append((machine, found))
         best = max((found.quality.value for _, found in allowed), default=None)
-        say(f"{kind.name}: {first + len(asked)} of {kind.trials} machines, {len(allowed)} allowed, best Q "
+        say(f"{kind.name}: {first + len(asked)} of {counted(kind.trials, 'machine')}, {len(allowed)} allowed, best Q "
             + ("—" if best is None else f"{best:.3f}"))
     return allowed

@@ -1,19 +1,20 @@
-"""What a search comes to: of each kind of machine the front, and the best one, by seeds that were not searched by."""
+"""The results of a search: the front and the best machine of each kind, from fresh seeds."""
 import dataclasses
 
 from optimise.machine import front
 from optimise.optimiser import seek
+from reproduce.samples import counted
 
-MOST_ON_FRONT = 8  # machines that are measured anew; of a longer front the ends and those between, evenly
+MOST_ON_FRONT = 8  # machines that are measured anew: of a longer front both ends and some between, evenly
 
 
 @dataclasses.dataclass(frozen=True)
 class Found:
-    """A kind of machine."""
+    """The results of one kind of machine."""
     kind: object
     tried: list   # pairs (machine, Measured by the search's seeds) of all that are allowed
     front: list   # pairs (machine, Measured by held-out seeds)
-    best: object  # such a pair: highest Q, by the search's seeds, at the search's throughput; None: there is none
+    best: object  # such a pair: the highest Q by the search's seeds, at the search's throughput; None: there is none
 
 
 def thinned(points):
@@ -29,7 +30,7 @@ def best_at(points, throughput):
 
 
 def find(search, trials, say):
-    """@return a Found for each kind; each begins with what was best of the one before"""
+    """@return a Found for each kind; each search begins with the best machines of the kind before"""
     found, chosen = [], []
     for kind in search.kinds:
         tried = seek(search, kind, chosen, trials, say)
@@ -37,7 +38,8 @@ def find(search, trials, say):
         chosen = [machine for machine, _ in thinned(front(tried))]
         if best and best[0] not in chosen:
             chosen.append(best[0])
-        say(f"{kind.name}: {len(chosen)} machines again, with {search.held_out.count} other seeds")
+        say(f"{kind.name}: {counted(len(chosen), 'machine')} again, by "
+            f"{counted(search.held_out.count, 'fresh seed')}")
         again = [pair for pair in zip(chosen, trials.measure(chosen, search.held_out) if chosen else ())
                  if pair[1].is_whole()]
         anew = next((pair for pair in again if best and pair[0] == best[0]), None)

@@ -1,36 +1,57 @@
-"""A search as a picture, a scene of the best machine, and a section of a document."""
+"""A search as a picture, a scene of the best machine, a section of a document, and quotable figures."""
 import copy
+import re
 
 import yaml
 
-from optimise.machine import read_scene
+from optimise.machine import front, read_scene
 from reproduce import drawing
 from reproduce.document import table
+from reproduce.samples import counted
 
-HEADER = "# {title}: the best machine that\n# scripts/optimise {search} found; `docs/machines.md` has what it does. Every key is explained in paper_fig8.yaml.\n"
+HEADER = ("# {title}: the best machine that\n"
+          "# scripts/optimise {search} found; docs/machines.md has its results. Every key is explained in paper_fig8.yaml."
+          "\n")
+
+
+def draw_kind(axes, one, colour):
+    """The machines that were tried, those that were measured anew, and the front of the latter."""
+    axes.plot([m.throughput.value for _, m in one.tried], [m.quality.value for _, m in one.tried], ".",
+              color=colour, alpha=0.25, markersize=3)
+    for _, m in one.front:
+        axes.errorbar(m.throughput.value, m.quality.value, xerr=m.throughput.error or 0.0, yerr=m.quality.error or 0.0,
+                      color=colour, marker="o", markersize=4, markerfacecolor="white", elinewidth=0.9, capsize=2)
+    best = front(one.front)
+    axes.plot([m.throughput.value for _, m in best], [m.quality.value for _, m in best], "o-", color=colour,
+              markersize=4, linewidth=1.2, zorder=3, label=one.kind.name)
+    if one.best:
+        axes.plot(one.best[1].throughput.value, one.best[1].quality.value, "*", color=colour, markersize=13,
+                  markeredgecolor="white", zorder=4)
 
 
 def draw(search, found):
-    figure, all_axes = drawing.panels(1, 1, (6.4, 4.2), squeeze=False)
+    """Quality over throughput, with the limits that the best machine is chosen by."""
+    figure, all_axes = drawing.panels(1, 1, (6.8, 5.0), squeeze=False)
     axes = all_axes[0][0]
     for one, colour in zip(found, drawing.COLOURS):
-        axes.plot([m.throughput.value for _, m in one.tried], [m.quality.value for _, m in one.tried], ".",
-                  color=colour, alpha=0.25, markersize=3)
-        front = sorted(one.front, key=lambda pair: pair[1].throughput.value)
-        axes.errorbar([m.throughput.value for _, m in front], [m.quality.value for _, m in front],
-                      xerr=[m.throughput.error or 0.0 for _, m in front],
-                      yerr=[m.quality.error or 0.0 for _, m in front], color=colour, marker="o", markersize=4,
-                      linewidth=1.0, capsize=2, label=one.kind.name)
-        if one.best:
-            axes.plot(one.best[1].throughput.value, one.best[1].quality.value, "*", color=colour, markersize=13,
-                      markeredgecolor="white")
+        draw_kind(axes, one, colour)
     axes.axvline(search.throughput, color=drawing.GREY, linewidth=0.8, linestyle=":")
-    axes.set_xlabel("throughput [disks / (s m)]")
+    axes.annotate(f"least throughput of the best: {search.throughput:g}", (search.throughput, 0.99), xytext=(4, 0),
+                  textcoords="offset points", xycoords=("data", "axes fraction"), va="top", fontsize=7,
+                  color=drawing.GREY)
+    axes.set_xlabel(f"throughput [disks / (s m)], of machines with $P$ ≥ {search.least_processed:g}")
     axes.set_ylabel("quality $Q$")
-    axes.set_ylim(0.0, 1.02)
+    highest = max((m.quality.value for one in found for _, m in (*one.tried, *one.front)), default=1.0)
+    axes.set_ylim(0.0, 1.12 * highest)
     axes.set_xlim(left=0.0)
     axes.set_title(search.title, fontsize=10)
-    axes.legend(loc="best")
+    held_out = search.held_out.count
+    for marker, face, text in (("o", drawing.GREY, f"measured anew (n = {held_out}): on the front"),
+                               ("o", "white", f"measured anew (n = {held_out}): beaten by another"),
+                               (".", drawing.GREY, f"tried (n = {search.seeds.count})"),
+                               ("*", drawing.GREY, "chosen as the best by the search's seeds")):
+        axes.plot([], [], marker, color=drawing.GREY, markerfacecolor=face, label=text)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncol=2)
     return figure
 
 
@@ -57,49 +78,83 @@ def shown(value):
 
 
 def machine_table(search, found):
-    keys = list(search.ranges)
-    lines = []
-    for one in found:
-        if one.best is None:
-            lines.append([one.kind.name, "—", "—", "—", *["—" for _ in keys]])
-            continue
-        machine, measured = one.best
-        lines.append([one.kind.name, measured.quality.text(), measured.throughput.text(), measured.processed.text(),
-                      *[shown(machine.values[key]) if key in machine.values else "" for key in keys]])
-    return table(["machine", "Q", "disks / (s m)", "P", *[f"`{key}`" for key in keys]], lines)
+    """A column for each kind."""
+    chosen = [one.best for one in found]
+    lines = [[title, *(getattr(best[1], name).text() if best else "—" for best in chosen)]
+             for title, name in (("Q", "quality"), ("disks / (s m)", "throughput"), ("P", "processed"))]
+    lines += [[f"`{key}`", *(shown(best[0].values[key]) if best and key in best[0].values else "" for best in chosen)]
+              for key in search.ranges]
+    return table(["", *(one.kind.name for one in found)], lines)
 
 
 def gain(found):
-    """Of each kind against the first."""
+    """Of each kind against the first. @return triples (Found, difference of Q, ratio of the throughputs)"""
     first, *others = found
-    for other in others:
-        if first.best and other.best:
-            difference = other.best[1].quality.minus(first.best[1].quality)
-            times = other.best[1].throughput.value / first.best[1].throughput.value
-            yield (f"With {other.kind.name} Q is higher by {difference.text()} than with {first.kind.name}, at "
-                   f"{times:.2g} times the throughput")
+    return [(other, other.best[1].quality.minus(first.best[1].quality),
+             other.best[1].throughput.value / first.best[1].throughput.value)
+            for other in others if first.best and other.best]
+
+
+def gain_lines(found):
+    for other, difference, times in gain(found):
+        yield (f"- With {other.kind.name} Q is higher by {difference.text()} than with {found[0].kind.name}, at "
+               f"{times:.2g} times the throughput.")
+
+
+def summary(results):
+    """The best machine of each search and kind. @param results pairs (search, found)"""
+    kinds = list(dict.fromkeys(one.kind.name for _, found in results for one in found))
+    lines = []
+    for search, found in results:
+        cells = {one.kind.name: f"{one.best[1].quality.text()}<br>at {one.best[1].throughput.text()}" for one in found
+                 if one.best}
+        gains = [difference.text() for other, difference, _ in gain(found) if other is found[-1]]
+        lines.append([search.title, *(cells.get(kind, "—") for kind in kinds), *(gains or ["—"])])
+    return table(["Q, at disks / (s m)", *kinds, "gain of the last over the first"], lines)
+
+
+def key_of(name):
+    return re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")
+
+
+def figures(results):
+    """Those of machines.json. @param results pairs (search, found)"""
+    known = {}
+    for search, found in results:
+        for one in found:
+            if one.best:
+                prefix = f"{key_of(search.path.stem)}.{key_of(one.kind.name)}"
+                for key, name in (("q", "quality"), ("throughput", "throughput"), ("p", "processed")):
+                    known[f"{prefix}.{key}"] = getattr(one.best[1], name).text()
+        for other, difference, times in gain(found):
+            prefix = f"{key_of(search.path.stem)}.{key_of(other.kind.name)}"
+            known.update({f"{prefix}.gain": difference.text(), f"{prefix}.times_throughput": f"{times:.2g}"})
+    return known
 
 
 def film(search, found, pictures):
-    """That of the best machine of the last kind, where there is one: scripts/make_animation.py makes it from the scene."""
+    """The film that scripts/make_animation.py made of the best machine of the last kind; nothing where there is
+    none."""
     name = f"machine_{search.path.stem}_rviz.gif"
     if found[-1].best and (pictures / name).is_file():
-        yield f"![In RViz: the best machine of the last kind, five seconds of it](images/{name})"
+        yield f"![In RViz: the best machine of the last kind, for five seconds](images/{name})"
+
+
+def seeds_text(seeds):
+    return f"{seeds.first} to {seeds.first + seeds.count - 1}"
 
 
 def section(search, found, picture, pictures):
     """@param picture the name of its file in the directory `pictures`"""
-    tried = "; ".join(f"{one.kind.name}: {one.kind.trials} machines tried, {len(one.tried)} allowed" for one in found)
+    tried = "; ".join(f"{one.kind.name}: {counted(one.kind.trials, 'machine')} tried, {len(one.tried)} allowed"
+                      for one in found)
     return "\n\n".join([
         f"## {search.title}",
-        f"[{search.path.name}](../config/searches/{search.path.name}). {tried}. Found by seeds {search.seeds.first} to "
-        f"{search.seeds.first + search.seeds.count - 1}; all below by {search.held_out.count} others, "
-        f"{search.held_out.first} to {search.held_out.first + search.held_out.count - 1}. The best are those of the "
-        f"highest Q, by the first seeds, with P ≥ {search.least_processed:g} and {search.throughput:g} disks / (s m).",
-        f"![Quality over throughput: {search.title}](images/{picture})",
-        f"*Dots: machines that were tried (n = {search.seeds.count}). Circles: the front of each kind, measured anew "
-        f"(n = {search.held_out.count}; bars: standard errors); stars: the best.*",
         machine_table(search, found),
-        "\n".join(f"- {line}." for line in gain(found)),
+        "\n".join(gain_lines(found)),
+        f"![Quality over throughput: {search.title}](images/{picture})",
         *film(search, found, pictures),
+        f"Search: [{search.path.name}](../config/searches/{search.path.name}). Machines: {tried}. Seeds of the search: "
+        f"{seeds_text(search.seeds)}; of all results: {seeds_text(search.held_out)}. The best have the highest Q in "
+        f"the search, with P ≥ {search.least_processed:g} and at least {search.throughput:g} disks / (s m).",
     ])

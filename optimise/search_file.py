@@ -1,11 +1,11 @@
-"""A search's file: what it varies, of which scene, for which machines."""
+"""The file of a search: a scene, the keys that it varies, the kinds of machines."""
 import dataclasses
 
 import yaml
 
 
 class BadSearch(Exception):
-    """In one line: file, key, value and what is allowed."""
+    """One line: file, key, value and what is allowed."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -23,11 +23,11 @@ class Seeds:
 
 @dataclasses.dataclass(frozen=True)
 class Kind:
-    """A kind of machine: what may be varied of it, and in how many trials."""
+    """A kind of machine: the keys that are varied, and the number of trials."""
     name: str
     keys: tuple
     trials: int
-    start: dict  # values, in the machines of the kind before, of keys that it does not vary
+    start: dict  # values of keys that the kind before does not vary
 
 
 @dataclasses.dataclass(frozen=True)
@@ -38,10 +38,10 @@ class Search:
     settings: dict     # keys of the scene that are the same for all
     ranges: dict       # key -> Range
     kinds: tuple       # of Kind
-    least_processed: float   # P that a machine has to reach
-    throughput: float  # at which the best machine is chosen, at least [disks / (s m)]
-    seeds: Seeds       # that machines are found by ...
-    held_out: Seeds    # ... and those that are told of them come from
+    least_processed: float   # P of an allowed machine
+    throughput: float  # of the best machine, at least [disks / (s m)]
+    seeds: Seeds       # of the search
+    held_out: Seeds    # of the reported results
 
 
 KNOWN = {"title", "scene", "set", "search", "machines", "least_processed", "throughput", "seeds", "held_out"}
@@ -52,7 +52,7 @@ def is_number(value):
 
 
 def require_parts(path, definition):
-    """That each part is of its type; what is in a part is looked at by who reads it."""
+    """Checks the type of each part. The contents are checked where they are read."""
     for key, is_right, what in (
             ("title", lambda value: isinstance(value, str), "a text"),
             ("scene", lambda value: isinstance(value, str) and (path.parent / value).is_file(),
@@ -105,7 +105,7 @@ def read_search(path):
     ranges = {key: read_range(path, key, value) for key, value in definition["search"].items()}
     seeds, held_out = (read_seeds(path, key, definition[key]) for key in ("seeds", "held_out"))
     if max(seeds.first, held_out.first) < min(seeds.first + seeds.count, held_out.first + held_out.count):
-        raise BadSearch(f"{path}: held_out: {held_out.first}: seeds that are searched by are among them")
+        raise BadSearch(f"{path}: held_out: {held_out.first}: must not overlap seeds")
     kinds = tuple(read_kind(path, name, value, ranges) for name, value in definition["machines"].items())
     for before, kind in zip(kinds, kinds[1:]):
         missing = set(kind.keys) - set(before.keys) - set(kind.start)

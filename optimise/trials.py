@@ -1,4 +1,4 @@
-"""Measures machines by sieve_sweep: what was measured once is not measured again."""
+"""Measures machines by sieve_sweep, each once."""
 import pathlib
 import subprocess
 import tempfile
@@ -14,9 +14,10 @@ class Trials:
     def __init__(self, program, results, jobs, search):
         self.program, self.results, self.jobs, self.search = program, results, jobs, search
         self.scene = read_scene(search.scene)
+        self.version = None  # of the program that made the results
 
     def measure(self, machines, seeds):
-        """@param machines all with the same keys. @return what each does, in their order"""
+        """@param machines all with the same keys. @return their results, in their order"""
         sweep = {"scene": self.search.scene, "set": self.search.settings,
                  "cases": [machine.values for machine in machines],
                  "seed": {"first": seeds.first, "count": seeds.count}}
@@ -25,10 +26,12 @@ class Trials:
             file.write_text(yaml.safe_dump(sweep, sort_keys=False), encoding="utf-8")
             table = file.with_suffix(".csv")
             common = [str(file), "--db", str(self.results)]
-            # A machine that fails is one that nobody wants: no reason to end.
+            # A machine whose run fails is not allowed: the search goes on.
             self.call(["run", *common, "--threads", str(self.jobs)], (0, 1))
             self.call(["export", *common, "--out", str(table)], (0,))
             rows = read_rows(table)
+        for row in rows:
+            self.version = f"{row['version']}, physics version {row['physics']:g}"
         return [measured(rows.where(machine.values), self.scene, machine, seeds) for machine in machines]
 
     def call(self, arguments, allowed):

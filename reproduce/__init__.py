@@ -1,1 +1,1 @@
-"""Studies: sweeps of runs, what they say about a printed claim, their pictures, and the document made of them."""
+"""Studies: sweeps of runs, the claims that they test, their pictures, and the documents made from them."""

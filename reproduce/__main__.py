@@ -1,6 +1,6 @@
-"""Reproduces published figures: runs the sweeps behind them by sieve_sweep, draws each as PNG and SVG with error bars,
-holds the numbers against each printed claim, and writes docs/paper.md and docs/validation.md from all that. A result
-that is there is not computed again."""
+"""Repeats published experiments: runs their sweeps by sieve_sweep, draws each as PNG and SVG with error bars, tests
+each printed claim, and writes docs/paper.md, docs/validation.md and docs/data. Existing results are not computed
+again."""
 import argparse
 import pathlib
 import sys
@@ -12,17 +12,17 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 def make_parser():
     parser = argparse.ArgumentParser(prog="reproduce", description=__doc__)
-    parser.add_argument("--quick", action="store_true", help=f"some minutes: {QUICK_RULE}")
+    parser.add_argument("--quick", action="store_true", help=f"takes minutes: {QUICK_RULE}")
     parser.add_argument("--only", nargs="+", metavar="NAME",
-                        help="these studies alone, and no document; --list has them")
+                        help="only these studies, without a document; --list names them")
     parser.add_argument("--list", action="store_true", help="list the studies and their sweeps")
     parser.add_argument("--results", type=pathlib.Path, default=ROOT / "out/reproduce/results.db", metavar="FILE",
                         help="where the results are kept (default: out/reproduce/results.db)")
     parser.add_argument("--jobs", type=int, default=0, metavar="N", help="runs at a time (default: as many as cores)")
-    parser.add_argument("--draw-only", action="store_true", help="run nothing: draw and write what is in the results")
+    parser.add_argument("--draw-only", action="store_true", help="run nothing; draw and write what the results have")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR",
-                        help="documents into DIR, pictures into DIR/images (default: docs, but out/reproduce with "
-                             "--quick or --only)")
+                        help="documents into DIR, pictures into DIR/images, data into DIR/data (default: docs, but "
+                             "out/reproduce with --quick or --only)")
     parser.add_argument("--program", type=pathlib.Path, metavar="FILE", help=argparse.SUPPRESS)
     return parser
 
@@ -59,6 +59,8 @@ def main():
         course.run(options, DOCUMENTS)
     except course.SweepFailed as error:
         sys.exit(f"reproduce: {error}")
+    except OSError as error:
+        sys.exit(f"reproduce: {error.filename}: {error.strerror}")
     except KeyboardInterrupt:
         sys.exit(130)
 

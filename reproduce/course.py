@@ -1,4 +1,4 @@
-"""From the sweeps of the studies to their pictures and documents."""
+"""Runs studies, draws their pictures and writes their documents."""
 import sys
 
 from reproduce import document, drawing
@@ -26,7 +26,7 @@ def run_study(study, runner, directory, name):
 
 
 def run(options, documents):
-    """Of each document all studies, or those that were asked for: then there is no document."""
+    """All studies of each document, or only those that the options name: then no document is written."""
     options.results.parent.mkdir(parents=True, exist_ok=True)
     runner = Runner(options.program, options.results, options.jobs, options.quick, options.draw_only)
     command = "scripts/reproduce" + (" --quick" if options.quick else "")

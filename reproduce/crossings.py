@@ -1,7 +1,7 @@
-"""Where a measured curve passes through nought, and how sure that is."""
+"""Where a measured curve passes through zero, and the error of that place."""
 from reproduce.samples import jackknife, mean_of
 
-BISECTIONS = 60  # of an interval: past the last bit
+BISECTIONS = 60  # of an interval: below the last bit
 
 
 def parabola(points, x):
@@ -17,7 +17,7 @@ def parabola(points, x):
 
 
 def zero_crossing(points):
-    """The least x at which y changes its sign, by a parabola through the points beside it and the next nearest.
+    """The least x at which y changes its sign, by a parabola through the points beside it and the nearest other one.
     @param points three or more pairs (x, y) in the order of x. @return None where there is no change of sign"""
     for k in range(len(points) - 1):
         (x0, y0), (x1, y1) = points[k], points[k + 1]
@@ -51,12 +51,12 @@ def curve_of(rows, key, field, seeds):
 
 def crossing_of(rows, key, field):
     """@return the value of the key at which the field changes its sign, with its jackknife error over the seeds; None
-    where it does not, in all seeds together or without one of them"""
+    where it does not change, with all seeds or without one of them"""
     return jackknife(lambda seeds: zero_crossing(curve_of(rows, key, field, seeds)), rows.values("seed"))
 
 
 def distance_of(rows, key, first, second):
-    """How far the crossing of the first field lies beyond that of the second, as crossing_of()."""
+    """The crossing of the first field less that of the second, with its jackknife error."""
     def estimate(seeds):
         found = [zero_crossing(curve_of(rows, key, field, seeds)) for field in (first, second)]
         return None if None in found else found[0] - found[1]
@@ -64,7 +64,7 @@ def distance_of(rows, key, first, second):
 
 
 def value_between(points, x):
-    """Of straight lines from point to point. @return None beyond them"""
+    """On straight lines from point to point. @return None outside the points"""
     for (x0, y0), (x1, y1) in zip(points, points[1:]):
         if x0 <= x <= x1:
             return y0 + (y1 - y0) * (x - x0) / (x1 - x0)

@@ -1,15 +1,21 @@
-"""Makes a document of studies from its template: one row per claim, then a section per study."""
+"""Makes a document of studies from its template: a table of the claims, then a section per study."""
+import csv
 import pathlib
 import string
 import sys
 import textwrap
 
+from documents.figures import write_figures
 from reproduce import verdicts
+from reproduce.samples import counted, span
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "benchmark/peers"))
 import machine  # noqa: E402
 
 WIDTH = 120  # of a line
+SAID = {verdicts.HOLDS: ("holds", "hold"), verdicts.IN_PART: ("holds in part", "hold in part"),
+        verdicts.POSSIBLE: ("is possible", "are possible"), verdicts.FAILS: ("does not hold", "do not hold"),
+        verdicts.UNDECIDED: ("is undecided", "are undecided")}  # of one claim, of several
 
 
 def table(header, lines):
@@ -18,16 +24,38 @@ def table(header, lines):
     return "\n".join("| " + " | ".join(str(cell) for cell in row) + " |" for row in rows)
 
 
-def claims_table(outcomes):
-    claims = [claim for outcome in outcomes for claim in outcome.claims()]
-    claims.sort(key=lambda claim: (int(claim.number.rstrip(string.ascii_lowercase)), claim.number))
-    return table(["#", "where", "claim", "what came out", "verdict"],
-                 [[claim.number, claim.where, claim.text, "<br>".join(check.text() for check in claim.checks),
-                   f"**{claim.verdict()}**"] for claim in claims])
+def transposed(header, lines):
+    """The same table with its columns as rows."""
+    return table(*(lambda rows: (rows[0], rows[1:]))(list(map(list, zip(header, *lines)))))
 
 
-def span(values, unit):
-    return f"{values[0]:g}{unit}" if len(values) == 1 else f"{values[0]:g} to {values[-1]:g}{unit}"
+def order(claim):
+    return (claim.is_addition(), int(claim.number.strip(string.ascii_letters)), claim.number)
+
+
+def claims_of(outcomes):
+    return sorted((claim for outcome in outcomes for claim in outcome.claims()), key=order)
+
+
+def claims_table(claims):
+    return table(["#", "where", "claim", "verdict"],
+                 [[claim.number, claim.where, claim.text, f"**{claim.verdict()}** {claim.condition}".strip()]
+                  for claim in claims])
+
+
+def listed(claims, verdict):
+    return [claim.number for claim in claims if claim.verdict() == verdict]
+
+
+def summary(claims):
+    """How many claims came out, in one paragraph."""
+    own = [claim for claim in claims if not claim.is_addition()]
+    told = []
+    for verdict, (one, several) in SAID.items():
+        numbers = listed(own, verdict)
+        if numbers:
+            told.append(f"{len(numbers)} {one if len(numbers) == 1 else several} ({', '.join(numbers)})")
+    return f"Of {counted(len(own), 'claim')} {', '.join(told)}."
 
 
 def settings(outcome):
@@ -38,25 +66,31 @@ def settings(outcome):
         if not rows:
             lines.append(f"- {file}: left out")
             continue
-        line = (f"- {file}: {len(rows)} runs of {span(rows.values('simulated_time'), ' s')}, "
-                f"seeds {span(rows.values('seed'), '')}")
-        lines.append(line + (f"; **{rows.failed} failed** and are left out" if rows.failed else ""))
+        line = (f"- {file}: {counted(len(rows), 'run')} of {span(rows.values('simulated_time'), ' s')}, "
+                f"seeds {span(rows.values('seed'))}")
+        lines.append(line + (f"; **{rows.failed} failed** and left out" if rows.failed else ""))
     return "\n".join(lines)
 
 
-def samples(outcome):
-    """How many independent ones the sweeps have, for a caption."""
-    counts = sorted({len(rows.values("seed")) for rows in outcome.rows.values() if rows})
-    return f"n = {span(counts, '')}" if counts else "n = 0"
+def checks(claim):
+    """What came out of a claim, a line for each check."""
+    kind = "Addition" if claim.is_addition() else "Claim"
+    head = f"{kind} {claim.number}, {claim.text}: **{claim.verdict()}**"
+    return "\n\n".join((head + (f" {claim.condition}" if claim.condition else "") + ".",
+                        "\n".join(f"- {check.text()}" for check in claim.checks)))
 
 
 def section(outcome, document):
-    parts = [f"## {outcome.study.title}", settings(outcome)]
+    parts = [f"## {outcome.study.title}", *map(checks, sorted(outcome.claims(), key=order))]
     for picture in outcome.study.pictures:
+        note = outcome.samples(picture)
         parts.append(f"![{picture.caption}](images/{document}_{picture.name}.png)")
-        parts.append(f"*{picture.caption}; {samples(outcome)}*")
+        parts.append(f"*{picture.caption}; {note}*")
     text = outcome.study.text(outcome.numbers).strip()
-    return "\n\n".join(parts + ([text] if text else []))
+    files = [f"[{document}_{name}.csv](data/{document}_{name}.csv)" for name in outcome.study.tables(outcome.numbers)]
+    parts += [text] if text else []
+    parts += [f"All numbers: {', '.join(files)}."] if files else []
+    return "\n\n".join([*parts, "Sweeps:", settings(outcome)])
 
 
 def processor_time(names, costs):
@@ -66,14 +100,23 @@ def processor_time(names, costs):
     return f"{sum(seconds) / 60.0:.0f} minutes of processor time"
 
 
+def versions_of(outcomes):
+    rows = [row for outcome in outcomes for rows in outcome.rows.values() for row in rows]
+    return (", ".join(sorted({row["version"] for row in rows})),
+            ", ".join(sorted({f"{row['physics']:g}" for row in rows})))
+
+
+def machine_line():
+    where = machine.describe()
+    return f"{where['processor']}, {where['cores']} cores, {where['system']}"
+
+
 def about(outcomes, command, costs):
     sweeps = {name: rows for outcome in outcomes for name, rows in outcome.rows.items() if rows}
-    versions = sorted({row["version"] for rows in sweeps.values() for row in rows})
-    physics = sorted({f"{row['physics']:g}" for rows in sweeps.values() for row in rows})
-    where = machine.describe()
-    return (f"By `{command}`, {where['date']}: {sum(map(len, sweeps.values()))} runs of ratchet_sieve "
-            f"{', '.join(versions)}, physics version {', '.join(physics)}, in {processor_time(sweeps, costs)} "
-            f"({where['processor']}, {where['cores']} cores, {where['system']}).")
+    version, physics = versions_of(outcomes)
+    return (f"By `{command}`, {machine.describe()['date']}: {counted(sum(map(len, sweeps.values())), 'run')} of "
+            f"ratchet_sieve {version}, physics version {physics}, in {processor_time(sweeps, costs)} "
+            f"({machine_line()}).")
 
 
 def wrapped(block):
@@ -84,9 +127,41 @@ def wrapped(block):
 
 
 def write(path, template, outcomes, command, costs):
-    """@param template a file in which $about, $rule, $claims and $study_NAME of each study stand for what came out"""
-    known = {"about": about(outcomes, command, costs), "rule": verdicts.RULE, "claims": claims_table(outcomes)}
+    """@param template a file in which $about, $rule, $summary, $claims, $additions and $study_NAME of each study stand
+    for what came out"""
+    claims = claims_of(outcomes)
+    known = {"about": about(outcomes, command, costs), "rule": verdicts.RULE, "summary": summary(claims),
+             "claims": claims_table([claim for claim in claims if not claim.is_addition()]),
+             "additions": claims_table([claim for claim in claims if claim.is_addition()])}
     known.update({f"study_{outcome.study.name}": section(outcome, path.stem) for outcome in outcomes})
     text = string.Template(template.read_text(encoding="utf-8")).substitute(known)
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text("\n\n".join(map(wrapped, text.strip().split("\n\n"))) + "\n", encoding="utf-8")
+    write_data(path, outcomes, claims)
+
+
+def write_data(path, outcomes, claims):
+    """Beside the document: data/NAME.json with what other documents quote, and the studies' tables."""
+    directory = path.parent / "data"
+    directory.mkdir(exist_ok=True)
+    version, physics = versions_of(outcomes)
+    figures = {"date": machine.describe()["date"], "version": f"{version}, physics version {physics}",
+               "machine": machine_line(), **verdict_figures(claims)}
+    for outcome in outcomes:
+        figures.update(outcome.study.figures(outcome.numbers))
+        for name, (header, lines) in outcome.study.tables(outcome.numbers).items():
+            with open(directory / f"{path.stem}_{name}.csv", "w", newline="", encoding="utf-8") as file:
+                csv.writer(file, lineterminator="\n").writerows([header, *lines])
+    write_figures(directory / f"{path.stem}.json", figures)
+
+
+def verdict_figures(claims):
+    """The number of each verdict and the claims that have it; additions are not counted."""
+    own = [claim for claim in claims if not claim.is_addition()]
+    found = {"claims.count": str(len(own))}
+    for verdict in SAID:
+        key = f"verdicts.{verdict.replace(' ', '_')}"
+        found[f"{key}.count"] = str(len(listed(own, verdict)))
+        found[f"{key}.list"] = ", ".join(listed(own, verdict)) or "none"
+    found.update({f"claim.{claim.number.lower()}.verdict": claim.verdict() for claim in claims})
+    return found

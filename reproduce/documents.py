@@ -14,6 +14,5 @@ class Document:
     studies: tuple
 
 
-# One without studies is not written.
 DOCUMENTS = (Document("paper", HERE / "paper/template.md", paper.STUDIES),
              Document("validation", HERE / "validation/template.md", validation.STUDIES))

@@ -12,8 +12,22 @@ class Line:
     chi_squared: float
     freedom: int  # of chi_squared
 
+    def probability(self):
+        """Of a chi squared at least as large, where the line is true."""
+        return chi_squared_tail(self.chi_squared, self.freedom)
+
     def at(self, x):
         return self.intercept.value + self.slope.value * x
+
+
+def chi_squared_tail(x, freedom):
+    """The probability of more than x, by recursion of the incomplete gamma function in steps of two degrees."""
+    half = 0.5 * x
+    a, tail = (1.0, math.exp(-half)) if freedom % 2 == 0 else (0.5, math.erfc(math.sqrt(half)))
+    while a < 0.5 * freedom - 0.25:
+        tail += half ** a * math.exp(-half) / math.gamma(a + 1.0)
+        a += 1.0
+    return tail
 
 
 def line_through(points):

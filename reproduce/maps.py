@@ -1,10 +1,10 @@
-"""Maps over two keys: into which of some classes each place falls."""
+"""Maps over two keys that show the class of each place."""
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.patches import Patch
 
 
 def label_cells(axes, xs, ys):
-    """Cells of one size, whatever the values: they are chosen, not evenly spaced."""
+    """Cells of one size, since the values are not evenly spaced."""
     axes.set_xticks([k + 0.5 for k in range(len(xs))], [f"{x:g}" for x in xs])
     axes.set_yticks([k + 0.5 for k in range(len(ys))], [f"{y:g}" for y in ys])
     axes.grid(False)

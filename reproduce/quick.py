@@ -1,4 +1,4 @@
-"""What --quick runs of a sweep, by one rule for all."""
+"""Which cases of a sweep --quick runs: one rule for all sweeps."""
 import math
 
 QUICK_SEEDS = 3   # --quick runs a quarter of the seeds, and so many at least

@@ -1,4 +1,4 @@
-"""The results of a sweep, a row a run, as sieve_sweep exports them."""
+"""The results of a sweep as sieve_sweep exports them: one row for each run."""
 import csv
 import math
 
@@ -6,7 +6,7 @@ from reproduce.samples import mean_of
 
 
 def read_value(text):
-    """A field as a number, as the text that it is, or None where it is not defined."""
+    """A field as a number or as text; None where it is not defined."""
     if text == "":
         return None
     try:
@@ -22,7 +22,7 @@ def same(a, b):
 
 
 class Rows(list):
-    """Of the runs that are done, each a map from column to value; in the order of the sweep."""
+    """The runs that are done, each a map from column to value, in the order of the sweep."""
 
     failed = 0  # runs that failed, and are not among these
 
@@ -31,11 +31,11 @@ class Rows(list):
         return Rows(row for row in self if all(same(row.get(key), value) for key, value in conditions.items()))
 
     def values(self, key):
-        """The different ones, in order."""
+        """The different values of a column, in order."""
         return sorted({row[key] for row in self if row.get(key) is not None})
 
     def by(self, *keys):
-        """@return map from the values of these keys (of one key: its value) to their rows"""
+        """@return map from the values of these keys to their rows; of one key, from its value"""
         groups = {}
         for row in self:
             place = tuple(row[key] for key in keys)
@@ -43,12 +43,12 @@ class Rows(list):
         return groups
 
     def samples(self, field):
-        """What is defined of a column, or of a function of a row, one a run."""
+        """The defined values of a column, or of a function of a row: one for each run."""
         take = field if callable(field) else lambda row: row.get(field)
         return [value for value in map(take, self) if value is not None]
 
     def mean(self, field):
-        """Over the runs, which are independent: their seeds differ. None where it is defined in none."""
+        """The mean over the runs, which are independent: their seeds differ. None where no run defines the field."""
         return mean_of(self.samples(field))
 
 

@@ -1,35 +1,33 @@
-"""Means of independent samples, their standard errors, and how sure a comparison of them is."""
+"""Means of independent samples, their standard errors, and tests of them."""
 import dataclasses
 import math
 import statistics
 
-# Two-sided 95 % of Student's t, for 1, 2, ... degrees of freedom.
-STUDENT = (12.71, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131,
-           2.120, 2.110, 2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042)
-NORMAL = 1.960   # the same for infinitely many ...
-ROUNDING = 1e-9  # of degrees of freedom that were worked out
-SLOPE = 2.5      # ... which t approaches by this over the degrees of freedom, to 0.2 %
+from reproduce import student
 
-
-def student(freedom):
-    """Half-width of the interval of 95 % over the standard error, of so many degrees of freedom (rounded down); None of
-    fewer than one."""
-    whole = math.floor(freedom + ROUNDING)
-    if whole < 1:
-        return None
-    return STUDENT[whole - 1] if whole <= len(STUDENT) else NORMAL + SLOPE / whole
+LEVEL = 0.05  # of a test: an interval of 95 %
 
 
 def rounded(value, decimals):
-    """With a true minus sign, and no minus before a nought."""
+    """With a true minus sign, and no minus before a zero."""
     text = f"{value:.{decimals}f}"
     if float(text) == 0.0:
         text = text.lstrip("-")
     return text.replace("-", "−")
 
 
+def counted(number, noun):
+    """`1 run`, `2 runs`."""
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def span(values, unit=""):
+    """From the first to the last."""
+    return f"{values[0]:g}{unit}" if len(values) == 1 else f"{values[0]:g} to {values[-1]:g}{unit}"
+
+
 def decimals_of(error):
-    """That show an error with two digits where the first is a one, else with one."""
+    """How many decimals show an error: two digits where the first is a one, else one digit."""
     exponent = math.floor(math.log10(error))
     if error / 10.0 ** exponent < 1.95:
         exponent -= 1
@@ -38,23 +36,31 @@ def decimals_of(error):
 
 @dataclasses.dataclass(frozen=True)
 class Mean:
-    """A mean and its standard error, None of one sample; an estimate of another kind with its jackknife error."""
+    """A mean and its standard error (None for one sample), or another estimate and its jackknife error."""
     value: float
     error: float
-    count: int  # independent samples; of a difference, the fewer
+    count: int  # independent samples; of a difference, the smaller number
     freedom: float = None  # degrees of freedom; None: one less than samples
 
     def degrees(self):
         return self.count - 1 if self.freedom is None else self.freedom
 
+    def p_value(self, bound):
+        """Of the two-sided test that the true mean is the bound (Student's t). 1 where there is no error."""
+        if self.error is None or self.degrees() <= 0.0:
+            return 1.0
+        distance = abs(self.value - bound)
+        if self.error == 0.0:
+            return 0.0 if distance else 1.0
+        return student.two_sided(distance / self.error, self.degrees())
+
+    def half_width(self):
+        """Of the interval of 95 %."""
+        return student.quantile(self.degrees(), LEVEL) * self.error
+
     def surely_above(self, bound):
         """@return True and False where the interval of 95 % says so, None where the bound lies within it"""
-        factor = student(self.degrees())
-        if factor is None or self.error is None:
-            return None
-        if self.value - factor * self.error > bound:
-            return True
-        return False if self.value + factor * self.error < bound else None
+        return self.value > bound if self.p_value(bound) < LEVEL else None
 
     def surely_below(self, bound):
         above = self.surely_above(bound)
@@ -74,7 +80,7 @@ class Mean:
         return Mean(value, math.sqrt(a + b), count, (a + b) ** 2 / parts if parts > 0.0 else count - 1)
 
     def text(self, scale=1.0):
-        """As 12.3 ± 0.4, the value times a scale; an error that is not defined is a dash."""
+        """As 12.3 ± 0.4, times a scale. An undefined error is a dash."""
         if self.error is None:
             return f"{rounded(scale * self.value, 3)} ± —"
         if self.error == 0.0:
@@ -93,8 +99,9 @@ def mean_of(values):
 
 
 def jackknife(estimate, samples):
-    """Of an estimate from samples (a list of anything, one a seed): its value and its error, from leaving out one
-    after the other (Quenouille; Tukey). @return None where the estimate, of all or of any but one, is not defined"""
+    """An estimate and its error, from leaving out one sample after the other (Quenouille; Tukey).
+    @param samples a list of anything, one for each seed
+    @return None where the estimate is not defined, for all samples or without one of them"""
     samples = list(samples)
     value = estimate(samples)
     if value is None:

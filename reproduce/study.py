@@ -1,6 +1,8 @@
-"""What a study is: its sweeps, what its rows come to, its pictures and its claims."""
+"""What a study is: its sweeps, what its rows come to, its pictures, its claims and its figures."""
 import dataclasses
 from typing import Callable
+
+from reproduce.samples import span
 
 
 @dataclasses.dataclass(frozen=True)
@@ -16,6 +18,7 @@ class Picture:
     name: str      # of its files, after the document's
     caption: str   # one line
     draw: Callable  # numbers -> matplotlib figure
+    sweeps: tuple = ()  # names of those that it shows; empty: all of the study
 
 
 @dataclasses.dataclass(frozen=True)
@@ -27,6 +30,8 @@ class Study:
     pictures: tuple    # of Picture
     claims: Callable   # numbers -> list of Claim
     text: Callable = lambda numbers: ""  # numbers -> Markdown that follows the pictures: tables
+    figures: Callable = lambda numbers: {}  # numbers -> key -> text: what other documents may quote
+    tables: Callable = lambda numbers: {}  # numbers -> file's name without .csv -> (header, lines)
 
 
 @dataclasses.dataclass
@@ -38,3 +43,11 @@ class Outcome:
 
     def claims(self):
         return self.study.claims(self.numbers)
+
+    def samples(self, picture):
+        """How many independent ones each point of a picture has, in words."""
+        counts = set()
+        for name, rows in self.rows.items():
+            if rows and (not picture.sweeps or name in picture.sweeps):
+                counts.add(len(rows.values("seed")))
+        return f"n = {span(sorted(counts))} {'runs' if counts != {1} else 'run'} a point" if counts else ""

@@ -1,4 +1,4 @@
-"""Runs the sweeps of a study by sieve_sweep, whole or quick, and reads their rows."""
+"""Runs the sweeps of a study by sieve_sweep and reads their rows."""
 import pathlib
 import subprocess
 import sys
@@ -6,15 +6,12 @@ import tempfile
 
 import yaml
 
-from reproduce.costs import Costs
+from reproduce.costs import Costs, SweepFailed
 from reproduce.quick import quick_definition
 from reproduce.rows import Rows, read_rows
+from reproduce.samples import counted
 
 DIRECTORY = pathlib.Path(__file__).resolve().parent.parent / "config/sweeps"
-
-
-class SweepFailed(Exception):
-    """In one line."""
 
 
 class Runner:
@@ -28,7 +25,7 @@ class Runner:
         self.rows = {}  # of each sweep that was run, as studies may share one
 
     def take(self, study):
-        """Runs what there is no result of yet. @return rows of each sweep of the study"""
+        """Runs the cases without a result. @return rows of each sweep of the study"""
         return {sweep.name: self.rows_of(sweep) for sweep in study.sweeps}
 
     def rows_of(self, sweep):
@@ -64,7 +61,7 @@ class Runner:
         return rows
 
     def call(self, arguments, name, may_fail=False):
-        """@param may_fail a sweep of which some cases fail is no reason to end: they are counted"""
+        """@param may_fail failed cases of a sweep do not end the program: they are counted"""
         try:
             code = self.costs.run(name, [str(self.program), *arguments], sys.stderr)
         except OSError as error:
@@ -73,10 +70,10 @@ class Runner:
             raise SweepFailed(f"sieve_sweep {arguments[0]} {name} ended with {code}")
 
     def require_all(self, rows, common, name):
-        """What is missing would be drawn as if it did not exist."""
+        """A missing case would not be seen in a picture."""
         listed = subprocess.run([str(self.program), "run", *common, "--dry-run"], capture_output=True, text=True,
                                 check=True).stdout
         missing = len(listed.splitlines()) - len(rows) - rows.failed
         if missing:
-            raise SweepFailed(f"{missing} cases of {name} have no result in {self.results}"
+            raise SweepFailed(f"{counted(missing, 'case')} of {name} without a result in {self.results}"
                               + ("; run it without --draw-only" if self.draw_only else ""))

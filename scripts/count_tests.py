@@ -33,7 +33,7 @@ def main(log, results):
     passed = failed = 0
     reported = set()
     for report in sorted(Path(results).rglob('*.xml')):
-        # rostest sums up in a report of its own what its tests have reported themselves.
+        # The report of rostest repeats those of its tests.
         counts = report_counts(report)
         is_summary = report.name.startswith('rostest-')
         passed += 0 if is_summary else counts[0]

@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """Draws the tables that sieve_analyze wrote into a directory, and prints the paths of the pictures."""
 import argparse
+import contextlib
 import csv
+import io
 import math
 import pathlib
 import sys
@@ -17,7 +19,7 @@ UJ = 1e6  # per J
 
 FEWEST_DISKS = 5  # of which a distribution is drawn
 
-# Okabe and Ito's colours, which colour-blind readers tell apart.
+# Okabe and Ito's colours, which colour-blind readers can distinguish.
 COLOURS = ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9']
 GREY = '#555555'
 
@@ -37,25 +39,56 @@ STYLE = {
 }
 
 
-def number(text):
-    """A field as a number; an empty one is not defined and breaks a line."""
-    return float(text) if text else math.nan
+class Refusal(Exception):
+    """An error of reading or drawing, in one line."""
+
+
+class Row(dict):
+    """A line of a table, from column to text."""
+
+    def __init__(self, path, columns, line):
+        super().__init__(zip(columns, line))
+        self.path = path
+
+    def __missing__(self, column):
+        raise Refusal(f'{self.path}: has no column {column}')
+
+    def number(self, column):
+        """An empty field is undefined: NaN, which interrupts a drawn line."""
+        try:
+            return float(self[column]) if self[column] else math.nan
+        except ValueError as error:
+            raise Refusal(f'{self.path}: {column}: {self[column]}: must be a number') from error
+
+
+def read_csv(path):
+    """@return the names of the columns, and lines of as many fields. @throws Refusal a damaged or cut file"""
+    try:
+        text = pathlib.Path(path).read_bytes().decode('utf-8')
+        lines = list(csv.reader(io.StringIO(text, newline=''), strict=True))
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise Refusal(f'{path}: no table: {error}') from error
+    if not text.endswith('\n'):
+        raise Refusal(f'{path}: cut off, its last line has no end')
+    for count, line in enumerate(lines, 1):
+        if len(line) != len(lines[0]):
+            raise Refusal(f'{path}: line {count}: {len(line)} fields, must be {len(lines[0])}')
+    return lines[0], lines[1:]
 
 
 class Table:
     """A CSV file by its columns, which are named without their units."""
 
     def __init__(self, path):
-        with open(path, newline='', encoding='utf-8') as file:
-            lines = csv.reader(file)
-            names = [column.split(' [')[0] for column in next(lines, [])]
-            self.rows = [dict(zip(names, line)) for line in lines]
+        columns, lines = read_csv(path)
+        names = [column.split(' [')[0] for column in columns]
+        self.rows = [Row(path, names, line) for line in lines]
 
     def numbers(self, column, scale=1.0):
-        return [scale * number(row[column]) for row in self.rows]
+        return [scale * row.number(column) for row in self.rows]
 
     def values(self, column):
-        """The different values of a column, in the order in which they come."""
+        """The distinct values of a column, in the order of the file."""
         return list(dict.fromkeys(row[column] for row in self.rows))
 
     def where(self, column, value):
@@ -65,18 +98,43 @@ class Table:
 
 
 def of_run(directory):
-    """What the tables are of, as sieve_analyze wrote it down."""
-    return Table(directory / 'run.csv').rows[0]
+    """The run that the tables were made from."""
+    path = directory / 'run.csv'
+    for row in Table(path).rows:
+        return row
+    raise Refusal(f'{path}: has no line below its head')
+
+
+@contextlib.contextmanager
+def writing(path):
+    """Adds the file's name to an error of writing, such as a full disk."""
+    try:
+        yield
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from error
+
+
+def run_program(name, draw):
+    """Draws. An error is one line: exit status 2 if something cannot be read or drawn, 1 if it cannot be written."""
+    try:
+        with matplotlib.rc_context(STYLE):
+            draw()
+    except OSError as error:
+        sys.exit(f'{name}: {error.filename}: {error.strerror}')
+    except Refusal as refusal:
+        print(f'{name}: {refusal}', file=sys.stderr)
+        sys.exit(2)
 
 
 def write(figure, path, run):
-    """Writes a picture that says which run it is of, and prints its path."""
+    """Writes a picture with the run's hash, seed and version, and prints its path."""
     figure.align_ylabels()
     lowest_left = min(figure.axes, key=lambda axes: (axes.get_position().y0, axes.get_position().x0))
     lowest_left.annotate(f"scene {run['scene_hash']}, seed {run['seed']}, ratchet_sieve {run['version']}",
                          (0.0, 0.0), (0.0, -36.0), xycoords='axes fraction', textcoords='offset points', va='top',
                          fontsize=7, color=GREY)
-    figure.savefig(path, bbox_inches='tight')
+    with writing(path):
+        figure.savefig(path, bbox_inches='tight')
     plt.close(figure)
     print(path)
 
@@ -90,7 +148,7 @@ def say_undefined(axes, text):
 
 
 def beside(axes, **options):
-    """A legend to the right of the axes, where it covers nothing; none where nothing was recorded."""
+    """A legend to the right of the axes; none if nothing was recorded."""
     if not axes.get_legend_handles_labels()[0]:
         return
     axes.legend(loc='upper left', bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0, **options)
@@ -167,13 +225,13 @@ def scale_by_decades(axes):
 
 
 def positive(values):
-    """Without what a scale of decades cannot show."""
+    """Values of 0 and below, which a logarithmic scale cannot show, become NaN."""
     return [value if value > 0.0 else math.nan for value in values]
 
 
 def plot_contacts(axes, contacts):
     """Each kind's rate, from the end of the first window on."""
-    contacts.rows = [row for row in contacts.rows if number(row['window_end']) > number(row['window_start'])]
+    contacts.rows = [row for row in contacts.rows if row.number('window_end') > row.number('window_start')]
     for colour, (kind, label) in zip(COLOURS, CONTACTS.items()):
         rates = positive(contacts.numbers(kind + '_rate'))
         if any_defined(rates):
@@ -188,7 +246,7 @@ def plot_contacts(axes, contacts):
 
 
 def draw_course(directory):
-    """Bins and segregation over the drive; where no disk can leave, drift and contacts."""
+    """Bins and segregation above the drive; if no disk can leave, drift and contacts."""
     heights = (3, 2, 1.1, 1.1, 1.1)
     figure, axes = plt.subplots(5, 1, sharex=True, figsize=(7.5, 8.5), gridspec_kw={'height_ratios': heights})
     if disks_can_leave(directory):
@@ -248,7 +306,7 @@ def draw_velocities(directory):
         axes.plot(time, mean, color=colour, label=row['species'])
         axes.fill_between(time, [m - e for m, e in zip(mean, error)], [m + e for m, e in zip(mean, error)],
                           color=colour, alpha=0.25, linewidth=0)
-        final, final_error = MM * number(row['mean_vx']), MM * number(row['mean_vx_stderr'])
+        final, final_error = MM * row.number('mean_vx'), MM * row.number('mean_vx_stderr')
         if not math.isnan(final):
             bars.errorbar([row['species']], [final], yerr=[0.0 if math.isnan(final_error) else final_error],
                           color=colour, marker='o', markersize=5, capsize=4)
@@ -270,14 +328,14 @@ def draw_velocities(directory):
 
 
 def steady(values):
-    """Without the first twentieth, in which a mean over hardly any time leaps about."""
+    """Without the first twentieth, in which a mean over a short time fluctuates."""
     defined = [value for value in values if not math.isnan(value)]
     return defined[len(defined) // 20:]
 
 
 def reach(row):
-    """The ends of a species' error bar, where it has one."""
-    mean, error = MM * number(row['mean_vx']), MM * number(row['mean_vx_stderr'])
+    """The ends of a species' error bar, if it has one."""
+    mean, error = MM * row.number('mean_vx'), MM * row.number('mean_vx_stderr')
     return [value for value in (mean - error, mean + error) if not math.isnan(value)]
 
 
@@ -330,13 +388,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('directory', metavar='DIR', type=pathlib.Path, help='with the CSV files of sieve_analyze --out')
     directory = parser.parse_args().directory
-    try:
-        with matplotlib.rc_context(STYLE):
-            for name, draw in drawings(directory).items():
-                write(draw(directory), directory / name, of_run(directory))
-    except OSError as error:
-        where = f'{error.filename}: ' if error.filename else ''
-        sys.exit(f'plot_analysis.py: {where}{error.strerror}')
+
+    def draw_all():
+        for name, draw in drawings(directory).items():
+            write(draw(directory), directory / name, of_run(directory))
+
+    run_program('plot_analysis.py', draw_all)
 
 
 if __name__ == '__main__':

@@ -1,14 +1,13 @@
 #!/usr/bin/python3
-"""Draws how sieve_seek went, from the tables that sieve_analyze wrote of the recorded bag: inclination, frequency, and
-Q of the disks that left within the last seconds, over time. Prints the path of the picture."""
+"""Draws a search of sieve_seek, from the tables that sieve_analyze wrote from its bag: inclination, frequency, and Q of
+the disks that left within the last seconds, over time. Prints the path of the picture."""
 import argparse
 import bisect
 import math
 import pathlib
-import sys
 
-from plot_analysis import (COLOURS, GREY, STYLE, MaxNLocator, Table, any_defined, beside, matplotlib, of_run, plot_drive,
-                           plt, say_undefined, write)
+from plot_analysis import (COLOURS, GREY, MaxNLocator, Table, any_defined, beside, of_run, plot_drive, plt, run_program,
+                           say_undefined, write)
 
 
 def fallen(bins, species):
@@ -37,10 +36,11 @@ def windowed_quality(bins, window):
 
 
 def draw_best(axes, best, column):
+    """The known best, with its values in the legend."""
+    values = ', '.join(f'{line[column]:g}' for line in best)
     for k, line in enumerate(best):
-        begin, end = line[:2]
-        axes.plot([begin, end], [line[column]] * 2, color=GREY, linestyle='--', linewidth=1.0,
-                  label='best, by a sweep' if k == 0 else None)
+        axes.plot(line[:2], [line[column]] * 2, color=GREY, linestyle='--', linewidth=1.2, zorder=3,
+                  label=f'best by a sweep:\n{values}' if k == 0 else None)
 
 
 def draw(directory, window, best):
@@ -70,14 +70,11 @@ def main():
     parser.add_argument('directory', metavar='DIR', type=pathlib.Path, help='with the CSV files of sieve_analyze --out')
     parser.add_argument('--window', type=float, default=10.0, help='seconds over which Q is taken (10)')
     parser.add_argument('--best', type=float, nargs=4, action='append', default=[],
-                        metavar=('FROM', 'TO', 'THETA', 'Q'), help='what is known to be best between two times')
+                        metavar=('FROM', 'TO', 'THETA', 'Q'),
+                        help='the known best inclination and Q between two times, drawn dashed')
     options = parser.parse_args()
-    try:
-        with matplotlib.rc_context(STYLE):
-            figure = draw(options.directory, options.window, options.best)
-            write(figure, options.directory / 'seek.png', of_run(options.directory))
-    except OSError as error:
-        sys.exit(f'plot_seek.py: {error.filename}: {error.strerror}')
+    run_program('plot_seek.py', lambda: write(draw(options.directory, options.window, options.best),
+                                              options.directory / 'seek.png', of_run(options.directory)))
 
 
 if __name__ == '__main__':

@@ -10,7 +10,7 @@ import time
 
 import numpy
 
-PATIENCE = 60.0  # for what a slow machine may take long to do [s]
+PATIENCE = 60.0  # on a slow machine [s]
 
 
 def wait_for(condition, what):
@@ -23,8 +23,7 @@ def wait_for(condition, what):
 
 
 class VirtualScreen:
-    """An X server that shows what is drawn on it to nobody. Ends with its `with` block, with all that was
-    started on it."""
+    """An X server without a display. It ends with its `with` block, with all programs that were started on it."""
 
     def __init__(self, width=1280, height=800):
         self.width, self.height = width, height
@@ -32,8 +31,7 @@ class VirtualScreen:
 
     def __enter__(self):
         read_end, write_end = os.pipe()
-        # Without -noreset it begins anew whenever its last client goes, and turns away who comes meanwhile: RViz,
-        # while a picture of the screen is taken.
+        # Without -noreset it restarts when its last client ends, and meanwhile refuses clients, such as RViz.
         self._server = subprocess.Popen(
             ['Xvfb', '-displayfd', str(write_end), '-screen', '0', f'{self.width}x{self.height}x24',
              '-nolisten', 'tcp', '-noreset'],
@@ -43,7 +41,7 @@ class VirtualScreen:
             number = pipe.readline().strip()
         if not number:
             raise RuntimeError('Xvfb does not start')
-        # Drawn without a graphics card, the same everywhere.
+        # Software rendering is the same everywhere.
         self.environment = dict(os.environ, DISPLAY=f':{number}', LIBGL_ALWAYS_SOFTWARE='1')
         return self
 
@@ -60,7 +58,7 @@ class VirtualScreen:
         return program
 
     def end(self, program):
-        """Interrupts a program and what it has started, and waits; kills what does not listen."""
+        """Interrupts a program and its children, and waits; kills those that do not end."""
         for request in (signal.SIGINT, signal.SIGKILL):
             if program.poll() is None:
                 os.killpg(program.pid, request)
@@ -72,7 +70,7 @@ class VirtualScreen:
             self._programs.remove(program)
 
     def pixels(self):
-        """What is on the screen: rows of pixels of red, green and blue, 0 to 255."""
+        """The screen: rows of pixels of red, green and blue, 0 to 255."""
         raw = subprocess.run(['import', '-silent', '-window', 'root', '-depth', '8', 'rgb:-'],
                              env=self.environment, check=True, stdout=subprocess.PIPE)
         return numpy.frombuffer(raw.stdout, numpy.uint8).reshape(self.height, self.width, 3)

@@ -13,8 +13,9 @@ namespace
 using namespace ratchet_sieve;
 using peers::Point;
 
-/// A millimetre is a unit, so that disks are 1 and 2 units: Box2D is made for 0.1 to 10. Its clock runs
-/// by the root of that faster, so that gravity keeps its number and speeds stay in the range it expects.
+/// A millimetre is a unit, so that disks have sizes of 1 and 2 units: Box2D is designed for 0.1 to 10. Its
+/// time unit is scaled by the square root, so that gravity keeps its value and speeds stay in the expected
+/// range.
 constexpr double PER_METRE = 1000.0;
 const double PER_SECOND = std::sqrt(PER_METRE);
 
@@ -38,7 +39,7 @@ public:
 
   void step(long long k)
   {
-    // It takes the base to the place where it has to be at the step's end.
+    // Moves the base to its position at the end of the step.
     const double y = peers::baseAt(scene_.base, static_cast<double>(k + 1) * step_).y * PER_METRE;
     const double dt = step_ * PER_SECOND;
     const double speed = (y - static_cast<double>(base_->GetPosition().y)) / dt;
@@ -69,7 +70,7 @@ private:
     return {static_cast<float>(point.x * PER_METRE), static_cast<float>(point.y * PER_METRE)};
   }
 
-  /// Box2D takes the larger e of two and the root of the product of two mu: both are the scene's.
+  /// Box2D uses the larger e of two and the geometric mean of two mu: both are the scene's.
   b2FixtureDef fixture(const b2Shape& shape) const
   {
     b2FixtureDef definition;
@@ -80,7 +81,7 @@ private:
     return definition;
   }
 
-  /// A chain is solid on one side and smooth where its edges join.
+  /// A chain is solid on one side, with smooth joints between its edges.
   void addBase()
   {
     b2BodyDef definition;
@@ -89,7 +90,7 @@ private:
     const std::vector<Point> outline = peers::outline(scene_.base);
     std::vector<b2Vec2> points;
     for (auto point = outline.rbegin(); point != outline.rend(); ++point)
-      points.push_back(inUnits(*point));  // From right to left: the free side is on the right hand.
+      points.push_back(inUnits(*point));  // From right to left, so that the free side is on the right.
     b2ChainShape chain;
     chain.CreateChain(points.data(), static_cast<int32>(points.size()), points.front() + b2Vec2(1.0F, 0.0F),
                       points.back() - b2Vec2(1.0F, 0.0F));

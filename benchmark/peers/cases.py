@@ -1,10 +1,11 @@
-"""What is run: the rows of the table, and the steps of the picture."""
+"""The cases: the rows of the table, and the steps of the picture."""
 import dataclasses
 import pathlib
 import shutil
 import sys
 
 OURS = "ratchet_sieve"
+ROW = "this project"
 
 # Box2D's clock runs faster than the scene's by the root of the scale of its lengths: see box2d_mixture.cpp.
 BOX2D_CLOCK = 1000.0 ** 0.5
@@ -13,12 +14,12 @@ MAIN_STEP = 1e-4                      # where the drift has converged [s]
 BOX2D_STEP = 1.0 / 60.0 / BOX2D_CLOCK  # its manual's 1/60 s, of its own clock [s]
 CHIPMUNK_STEPS = (1.0 / 60.0, 1.0 / 240.0)  # as it is commonly run [s]
 
-# Below this a disk moves less than half its radius within a step: then looking for contacts within a step, which
-# costs Box2D time, finds nothing more [s].
+# Below this step a disk moves less than half its radius within a step. Contacts within a step, which cost Box2D time,
+# are then not needed [s].
 NO_TUNNELLING = 3e-4
 
-# Below this a disk cannot pass through teeth made of segments, which are cheaper than solid ones; above it solid
-# teeth lose fewer [s].
+# Below this step a disk cannot pass through teeth made of segments, which are cheaper than solid ones. Above it solid
+# teeth lose fewer disks [s].
 THIN_BASE = 2e-3
 
 SWEEP = (1e-2, 1.0 / 240.0, 2e-3, 1e-3, BOX2D_STEP, 2e-4, MAIN_STEP, 3e-5)  # [s]
@@ -28,11 +29,11 @@ FINE = 5e-5  # what steps finer than this is run for a shorter time [s]
 @dataclasses.dataclass
 class Case:
     """One program with one set of options."""
-    row: str       # "" for what is only in the picture
+    row: str       # "" if it is only in the picture
     command: list
     settle: float = 2.0     # [s]
     duration: float = 8.0   # [s]
-    repeated: bool = True   # false: too slow to be repeated
+    repeated: bool = True   # false: too slow
 
     def arguments(self, seed, short):
         settle, duration = (0.1, 0.5) if short else (self.settle, self.duration)
@@ -50,9 +51,9 @@ def box2d(programs, step, row="", **more):
 
 
 def rows(programs, lammps):
-    """The table's rows, and the names of the programs that are not there."""
+    """@return the rows of the table, and the names of missing programs"""
     ours = str(programs / "ratchet_mixture")
-    found = [Case("this project", [ours], duration=40.0),
+    found = [Case(ROW, [ours], duration=40.0),
              Case("this project, β = 0 as the others", [ours, "--tangential", "none"], duration=40.0)]
     missing = []
     if (programs / "chipmunk_mixture").exists():
@@ -75,7 +76,7 @@ def rows(programs, lammps):
 
 
 def sweep(programs):
-    """The steps of the picture that are no row of the table."""
+    """The steps of the picture that are not in the table."""
     cases = []
     for step in SWEEP:
         length = {"settle": 1.0, "duration": 5.0} if step < FINE else {}

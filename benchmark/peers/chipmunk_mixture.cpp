@@ -16,12 +16,12 @@ using peers::Point;
 /// Millimetres, so that the disks are larger than the library's length tolerances (1e-5).
 constexpr double PER_METRE = 1000.0;
 
-/// Penetration that the solver leaves alone: a hundredth of the smallest radius. The default, 0.1, would be a
-/// tenth.
+/// Penetration that the solver does not correct: a hundredth of the smallest radius. The default, 0.1, would
+/// be a tenth.
 constexpr double SLOP = 0.01;
 
-/// Width and number of the cells: the largest diameter was the fastest of 2, 3, 4 and 6 mm; ten times the
-/// disks.
+/// Width and number of the cells: of 2, 3, 4 and 6 mm, the largest diameter was the fastest; ten cells per
+/// disk.
 constexpr double HASH_CELL = 4.0;
 constexpr int HASH_CELLS = 5240;
 
@@ -80,7 +80,7 @@ public:
   std::uint64_t contacts() const { return contacts_; }
 
 private:
-  /// Two coefficients are multiplied: each side has the root.
+  /// The library multiplies the two coefficients: each side gets the square root.
   void setContact(cpShape* shape) const
   {
     cpShapeSetElasticity(shape, std::sqrt(peers::contactOf(scene_).restitution));
@@ -134,7 +134,7 @@ private:
     disks_.push_back(body);
   }
 
-  /// The base is where the drive says, to the last bit, and not where its velocity has added up to.
+  /// Sets the base's position exactly from the drive instead of integrating its velocity.
   static void followDrive(cpBody* body, cpFloat)
   {
     const World& world = *static_cast<World*>(cpBodyGetUserData(body));

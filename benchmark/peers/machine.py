@@ -1,4 +1,4 @@
-"""What the figures were taken on, and with which versions."""
+"""The machine and the versions of a measurement."""
 import datetime
 import os
 import pathlib
@@ -29,7 +29,7 @@ def describe():
 
 
 def package_version(path):
-    """Of the system's package that a file belongs to; None if it belongs to none."""
+    """The package that a file belongs to, with its version; None if there is none."""
     if not shutil.which("dpkg-query"):
         return None
     for name in (path, os.path.realpath(path)):
@@ -43,14 +43,14 @@ def package_version(path):
 
 
 def linked_library(program, name):
-    """The shared library of that name which a program loads."""
+    """The path of the shared library of that name that a program loads."""
     listing = subprocess.run(["ldd", str(program)], capture_output=True, text=True, check=False).stdout
     found = re.search(rf"lib{name}\S* => (\S+)", listing)
     return found.group(1) if found else None
 
 
 def libraries(programs, lammps, runs):
-    """One line for each program that was run besides this project's."""
+    """One line for each other program."""
     lines = []
     for name, (program, title) in LIBRARIES.items():
         own = [run for run in runs if run["program"] == name]
@@ -59,7 +59,7 @@ def libraries(programs, lammps, runs):
             continue
         line = f"{title} {own[0]['version']} ({library and package_version(library) or 'not from a package'}"
         if any(run["debug"] for run in own):
-            line += "; a debug build, as it says itself at the start"
+            line += "; a debug build, by its own message"
         elif library and b"__assert_fail" in pathlib.Path(library).read_bytes():
             line += "; with its assertions compiled in"
         lines.append(line + ")")

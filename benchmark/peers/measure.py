@@ -1,4 +1,4 @@
-"""Runs programs one after another on one core, and takes means over their runs."""
+"""Runs programs one after another on one core, and computes means over their runs."""
 import json
 import shutil
 import os
@@ -6,11 +6,11 @@ import statistics
 import subprocess
 import sys
 
-TIMEOUT = 900.0  # of wall time [s]: what takes longer has hung
+TIMEOUT = 900.0  # of wall time [s]: a longer run has hung
 
 
 def pinned(command):
-    """On the last core this process may use: the first has the machine's own work to do."""
+    """On the last core that this process may use: the first one serves the system."""
     if not shutil.which("taskset"):
         return command
     return ["taskset", "-c", str(max(os.sched_getaffinity(0))), *command]
@@ -24,13 +24,13 @@ def run(case, seed, short):
     *said, line = ran.stdout.strip().splitlines()
     result = json.loads(line)
     result["row"] = case.row
-    result["debug"] = any("Debug Enabled" in text for text in (*said, ran.stderr))  # Chipmunk says so
+    result["debug"] = any("Debug Enabled" in text for text in (*said, ran.stderr))  # printed by Chipmunk
     return result
 
 
 def in_turns(cases, repetitions, short):
-    """Every case once, then every case again: what slows the machine for a while slows them all. Each time with
-    another seed, so that the drift's scatter is seen, too."""
+    """Every case once, then every case again, so that a load on the machine affects all alike. Each repetition has
+    another seed, for the scatter of the drift."""
     runs = []
     for repetition in range(repetitions):
         for case in cases:
@@ -47,14 +47,15 @@ def speed(runs, key="processor_seconds"):
 
 
 def collision_rate(runs):
-    """Per simulated second; None where the program does not count."""
+    """Collisions per simulated second; None if the program does not count them."""
     if runs[0]["collisions"] is None:
         return None
     return statistics.median(run["collisions"] / run["duration"] for run in runs)
 
 
 def drift(runs):
-    """Per species: the mean over all blocks of time of all runs, and its standard error (None of one block) [m/s]."""
+    """For each species the mean over all blocks of time of all runs, and its standard error (None of one block)
+    [m/s]."""
     blocks = [block for run in runs for block in run["drift_blocks"]]
     return [(statistics.mean(values), statistics.stdev(values) / len(values) ** 0.5 if len(values) > 1 else None)
             for values in zip(*blocks)]

@@ -15,12 +15,12 @@ constexpr const char* COMPILER = __VERSION__;
 constexpr const char* COMPILER = "GCC " __VERSION__;
 #endif
 
-/// Disks this near to an end are left out of the audit: there a program without a periodic boundary moves
-/// disks onto each other, which is not its solver's fault, and some of them take a tenth of a second to part.
-/// Two teeth [m].
+/// Disks this near to an end are left out of the audit [m]: two teeth. A program without a periodic boundary
+/// moves disks onto each other there, independently of its solver, and some need a tenth of a second to
+/// separate.
 constexpr double SEAM = 0.040;
 
-/// A share of a block, so that rounding of k * LOOK does not put its end off to the next look.
+/// A fraction of a block, so that the rounding of k * LOOK does not delay its end to the next sample.
 constexpr double ROUNDING = 1e-6;
 }  // namespace
 

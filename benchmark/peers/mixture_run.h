@@ -14,16 +14,16 @@
 namespace ratchet_sieve::peers
 {
 
-/// What every program of the comparison takes.
+/// The options of every program of the comparison.
 struct RunOptions
 {
   std::uint64_t seed = 1;
-  double settle = 2.0;    ///< simulated before anything is counted [s]
-  double duration = 8.0;  ///< simulated after that [s]
-  double step = 1e-4;     ///< of the programs that step through time [s]
+  double settle = 2.0;    ///< simulated before the measurement [s]
+  double duration = 8.0;  ///< simulated during the measurement [s]
+  double step = 1e-4;     ///< integration step of the time-stepping programs [s]
 };
 
-/// Adds up the time between start() and stop().
+/// Sums the time between start() and stop().
 class StopWatch
 {
 public:
@@ -40,7 +40,7 @@ public:
   void clear() { wall_ = processor_ = 0.0; }
   double wallSeconds() const { return wall_; }
 
-  /// Less than the wall time where other programs wanted the processor, too.
+  /// Less than the wall time if other programs use the processor.
   double processorSeconds() const { return processor_; }
 
 private:
@@ -51,16 +51,16 @@ private:
   double processor_ = 0.0;
 };
 
-/// What is looked at from outside, with the clock stopped, at fixed times: the same for every program.
+/// Measurements at fixed times with the clock stopped, the same for every program.
 class Watch
 {
 public:
   Watch(const SceneDefinition& scene, std::vector<std::uint32_t> species);
 
-  /// Takes a look. @param x unwrapped, @param place wrapped, both in the order of the disks
+  /// Takes a sample. @param x unwrapped, @param place wrapped, both in the order of the disks
   void look(double time, double base_y, const std::vector<double>& x, const std::vector<Point>& place);
 
-  /// Forgets what came before: the end of the settling. The mean velocities count from `x` on.
+  /// Forgets earlier samples: the end of the settling. Mean velocities are measured from `x` on.
   void restart(double time, const std::vector<double>& x);
 
   /// Mean velocity of each species over each block of time [m/s].
@@ -84,13 +84,12 @@ private:
   std::size_t most_behind_base_ = 0;
 };
 
-/// The times at which a run is looked at: every LOOK seconds, of which a block of the drift has several.
+/// The sampling interval of a run. A block of the drift has several samples.
 constexpr double LOOK = 0.01;   ///< [s]
 constexpr double BLOCK = 0.5;   ///< [s]
-constexpr double TIDY = 0.001;  ///< how often a stepping program moves what has left to the other end [s]
+constexpr double TIDY = 0.001;  ///< interval at which a stepping program moves disks to the other end [s]
 
-/// The options from the command line; `add` takes the program's own ones. Ends the program on --help or a
-/// mistake.
+/// The command line's options; `add` adds the program's own. Exits the program on --help or an error.
 struct OwnOption
 {
   std::string name;
@@ -100,7 +99,7 @@ struct OwnOption
 RunOptions readOptions(int argc, char** argv, const std::string& what, const std::vector<OwnOption>& own = {},
                        std::vector<std::string>* chosen = nullptr);
 
-/// The line that every program prints.
+/// The output line of every program.
 struct Outcome
 {
   std::string program;

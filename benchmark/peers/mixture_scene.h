@@ -10,7 +10,7 @@
 namespace ratchet_sieve::peers
 {
 
-/// Teeth beyond each end, where the disks that are about to be moved to the other end find a base.
+/// Teeth beyond each end, for disks that have passed an end and are not yet moved.
 constexpr int EXTRA_TEETH = 2;
 
 struct BaseState
@@ -31,7 +31,7 @@ SceneDefinition mixtureScene(std::uint64_t seed);
 /// The scene's coefficients, the same for every contact.
 const ContactCoefficients& contactOf(const SceneDefinition& scene);
 
-/// Where this project pours the disks at t = 0: at rest, none touching.
+/// This project's pour at t = 0: at rest, without contacts.
 std::vector<DiskState> startOf(const SceneDefinition& scene);
 
 /// The base's outline at Y = 0: foot, apex, foot, ... from left to right, EXTRA_TEETH beyond either end.

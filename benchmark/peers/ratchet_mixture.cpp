@@ -19,7 +19,7 @@ void printStart(const SceneDefinition& scene)
   std::printf("%s\n", disks.dump().c_str());
 }
 
-/// Looks at the simulation with the clock stopped.
+/// Takes a sample with the clock stopped.
 void look(Simulation& simulation, peers::Watch& watch, bool restart)
 {
   std::vector<double> x;

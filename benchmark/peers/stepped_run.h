@@ -10,12 +10,12 @@
 namespace ratchet_sieve::peers
 {
 
-/// A disk whose centre is this far below the feet has fallen through the base and is put back on top [m].
+/// A disk with its centre this far below the feet has fallen through the base and is put back on top [m].
 constexpr double LOST_DEPTH = 0.010;
 
-/// Runs the scene in a program that steps through time and knows no periodic boundary.
-/// World: step(k) takes the k-th step, to (k + 1) dt; place(i) a disk's centre [m]; moveTo(i, point, stop)
-/// puts it elsewhere, at rest if `stop`; contacts() contacts begun since the start.
+/// Runs the scene in a time-stepping program without a periodic boundary. World: step(k) executes step k, to
+/// (k + 1) dt; place(i) a disk's centre [m]; moveTo(i, point, stop) moves it, at rest if `stop`; contacts()
+/// number of contacts begun since the start.
 template <class World>
 class SteppedRun
 {
@@ -122,7 +122,7 @@ private:
     }
   }
 
-  /// Above every disk of the column over x.
+  /// A height above every disk of the column at x.
   double clearHeight(std::size_t i, double x) const
   {
     double y = scene_.base.tooth_height + scene_.base.amplitude + scene_.pour.drop_height;
@@ -138,7 +138,7 @@ private:
   Watch watch_;
   StopWatch clock_;
   std::vector<double> radii_;
-  std::vector<double> wraps_;  ///< how many widths a disk has been moved
+  std::vector<double> wraps_;  ///< widths by which a disk was moved
   std::uint64_t contacts_at_start_ = 0;
   std::size_t lost_ = 0;
 };

@@ -2,7 +2,7 @@
 from peers import cases, measure
 
 MM = 1e3  # per m
-BUSY = 0.95  # a run that had less of the processor than this shared it
+BUSY = 0.95  # a run with a smaller share of its core did not have it alone
 
 HEAD = ("| | s per simulated s | × this project | Collisions per simulated s | Drift of A, mm/s | of B, mm/s "
         "| Disks lost | Largest overlap, mm: two disks, disk and base |\n|---|---|---|---|---|---|---|---|\n")
@@ -46,3 +46,20 @@ def render(taken):
     lines += ["\n", HEAD]
     lines += [row(name, of_row, ours) for name, of_row in by_row.items()]
     return "".join(lines)
+
+
+KEYS = {"Chipmunk, 0.1 ms": "chipmunk_0_1ms", "Chipmunk, 1/60 s": "chipmunk_1_60s",
+        "Chipmunk, 1/240 s": "chipmunk_1_240s", "Box2D, 0.1 ms": "box2d_0_1ms", "Box2D, 1/60 s of its clock: 0.53 ms": "box2d_manual", "LAMMPS, 5 µs": "lammps"}
+
+
+def figures(taken):
+    """Those of performance.json."""
+    speeds = {}
+    for run in taken["runs"]:
+        speeds.setdefault(run["row"], []).append(run)
+    ours = measure.speed(speeds[cases.ROW])
+    known = {"ours.cost": f"{ours:.3g}"}
+    for row, key in KEYS.items():
+        if row in speeds:
+            known[f"{key}.times"] = f"{measure.speed(speeds[row]) / ours:.3g}"
+    return known

@@ -1,142 +1,153 @@
-"""Error over processor time, a panel for each scene: of the method (steps), and of what the model leaves out."""
-import matplotlib
+"""Error over speed-up, a panel for each of four scenes: of the method (steps), and of what the model leaves out."""
+from matplotlib.ticker import LogLocator, NullFormatter
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.ticker import NullFormatter  # noqa: E402
+from precision import errors, labels, rungs, tables
+from precision.points import find
+from reproduce import drawing
 
-from peers.picture import LOOKS, STYLE  # noqa: E402
-from precision import errors, rungs  # noqa: E402
+METHOD_PANELS = {"gas": ("K_rot / K_trans",), "fig8": ("drift A", "drift B", "K_B"), "dense": ("drift B", "K_B"),
+                 "violent": ("drift B", "K_B")}
+MODEL_PANELS = {"fig3": "short / long", "fig8": "drift A", "fig9": "Q", "dense": "drift A"}
+LIMITS = (0.2, 1000.0)  # of the error [%]
 
-METHOD_PANELS = (("ball", "kinetic energy"), ("gas", "K_rot / K_trans"), ("fig8", "N m g T"), ("fig8", "drift A"),
-                 ("fig8", "drift B"), ("fig9", "Q"), ("dense", "drift B"), ("violent", "K_B"))
-MODEL_PANELS = (("fig3", "drift A"), ("fig8", "drift A"), ("fig8", "drift B"), ("fig9", "Q"), ("dense", "drift B"),
-                ("violent", "K_B"))
-LIMITS = (3e-4, 3.0)  # of the relative error; what is beyond is drawn at the edge
-ROOM = 3.2            # beside the cheapest and the dearest point: their times this
+# The recommended points: scene -> family, label.
+EVENTS = ("exact", "exact")
+USE_METHOD = {"gas": EVENTS, "fig8": ("steps", "1 ms"), "dense": EVENTS, "violent": EVENTS}
+USE_MODEL = {"fig8": ("floor, in steps of 1 ms", "0.025 m/s"), "fig9": EVENTS,
+             "dense": ("rebound floor", "0.0125 m/s")}
 
-# Okabe and Ito's colours.
-FAMILIES = {"exact": ("#111111", "D"), "steps": ("#CC79A7", "o"), "rebound floor": ("#0072B2", "s"),
-            "contact duration": ("#D55E00", "^"), "restitution by speed": ("#009E73", "v"),
-            "floor, in steps of 1 ms": ("#CC79A7", "o"), "no spin": ("#E69F00", "P"), "no pairs": ("#56B4E9", "X")}
-
-
-def clip(value):
-    return min(max(value, LIMITS[0]), LIMITS[1])
+LOOKS = {"drift A": (0, "o"), "drift B": (1, "s"), "K_B": (2, "^"), "K_rot / K_trans": (3, "D"),
+         "rebound floor": (0, "s"), "contact duration": (1, "^"), "restitution by speed": (2, "v"),
+         "floor, in steps of 1 ms": (3, "o"), "no spin": (4, "P"), "no pairs": (5, "X")}
 
 
-def draw_point(axes, cost, found, look, fails):
-    """Filled where it is off by more than two standard errors, open where that is not sure, a cross where it fails."""
-    colour, marker = look
-    error, spread = found
-    size = clip(abs(error))
-    axes.plot([cost, cost], [clip(abs(error) - spread), clip(abs(error) + spread)], color=colour, linewidth=1.0)
-    if fails:
-        axes.plot(cost, size, "x", color=colour, markersize=8, markeredgewidth=2, zorder=4)
-        return
-    axes.plot(cost, size, marker, color=colour, markersize=5, zorder=3,
-              markerfacecolor=colour if abs(error) > 2.0 * spread else "white")
+def look(name):
+    colour, marker = LOOKS[name]
+    return drawing.COLOURS[colour], marker
 
 
-def draw_family(axes, family, points, name, reference):
-    drawn = []
-    for point in points:
-        found = errors.relative(point, name, reference)
-        if found is None or point.cost() is None:
-            continue
-        draw_point(axes, point.cost(), found, FAMILIES[family], point.fails())
-        drawn.append((point, point.cost(), clip(abs(found[0]))))
-    axes.plot([d[1] for d in drawn], [d[2] for d in drawn], color=FAMILIES[family][0], linewidth=0.8, zorder=2)
-    named = drawn if family == "steps" else drawn[:1] + drawn[1:][-1:]
-    for point, cost, size in named:
-        axes.annotate(point.label, (cost, size), textcoords="offset points", xytext=(4, 5), fontsize=6,
-                      color=FAMILIES[family][0])
+def draw_point(axes, speed, error, name):
+    """Filled, with its interval, where an error is seen; else open, at its bound, with an arrow below.
+    @return where it was drawn"""
+    colour, marker = look(name)
+    bound = errors.PERCENT * errors.bound(error)
+    if not errors.is_seen(error):
+        size = max(bound, LIMITS[0])
+        axes.annotate("", (speed, size / 1.9), (speed, size),
+                      arrowprops={"arrowstyle": "->", "color": colour, "lw": 0.8})
+        axes.plot(speed, size, marker, color=colour, markersize=4.5, markerfacecolor="white", zorder=3)
+        return speed, size
+    size = errors.PERCENT * abs(error.value)
+    axes.plot([speed, speed], [max(LIMITS[0], 2.0 * size - bound), bound], color=colour, linewidth=0.9)
+    axes.plot(speed, size, marker, color=colour, markersize=4.5, zorder=3)
+    return speed, size
 
 
-def draw_peers(axes, peers, name):
-    """Against this project without tangential restitution, as they are."""
-    species = {"drift A": 0, "drift B": 1}[name]
-    value, error = peers.reference[species]
-    for program in LOOKS:
-        rows = [row for row in peers.rows if row.program == program]
-        for row in rows:
-            drift, spread = row.drifts[species]
-            found = (drift - value) / value, (spread ** 2 + error ** 2) ** 0.5 / value
-            draw_point(axes, row.cost, found, LOOKS[program][1:3], row.lost)
-        axes.plot([r.cost for r in rows], [clip(abs(r.drifts[species][0] / value - 1.0)) for r in rows],
-                  color=LOOKS[program][1], linewidth=0.8)
+def draw_series(axes, points, chosen, name, quantity, reference):
+    """@param chosen the points of one line. @return triples (place, label, point)"""
+    exact, drawn = find(points, "exact"), []
+    for point in chosen:
+        speed = tables.speed_up(point, exact)
+        error = errors.relative(point.means.get(quantity), reference(points, quantity))
+        if speed is not None and error is not None:
+            drawn.append((draw_point(axes, speed, error, name), point.label, point))
+    axes.plot([place[0] for place, _, _ in drawn], [place[1] for place, _, _ in drawn], color=look(name)[0],
+              linewidth=0.8, zorder=2, label="_")
+    return drawn
 
 
-def finish(axes, title, exact_cost):
-    costs = [cost for line in axes.lines for cost in line.get_xdata()] + [exact_cost or 1.0]
-    axes.set_xscale("log")
+def finish(axes, points, drawn, used):
+    """Scales, the exact engine, and the recommended point."""
+    axes.set_xscale("log", base=2)
     axes.set_yscale("log")
-    axes.set_xlim(min(costs) / ROOM, max(costs) * ROOM)
-    axes.set_ylim(LIMITS[0] / 1.3, LIMITS[1] * 1.3)
+    axes.set_ylim(*LIMITS)
+    speeds = [place[0] for place, _, _ in drawn] + [1.0]
+    axes.set_xlim(min(speeds) / 1.5, max(speeds) * 1.6)
+    axes.xaxis.set_major_locator(LogLocator(base=2.0))
+    axes.xaxis.set_major_formatter("{x:g}")
     axes.xaxis.set_minor_formatter(NullFormatter())
-    axes.set_title(title, loc="left", fontsize=8)
-    if exact_cost:
-        axes.axvline(exact_cost, color=FAMILIES["exact"][0], linewidth=0.8, linestyle=":")
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.tick_params(which="minor", length=0)
+    axes.axvline(1.0, color=drawing.GREY, linewidth=0.8, linestyle=":")
+    axes.set_title(f"{points[0].scene.title} ({tables.seeds([point for _, _, point in drawn])})", loc="left")
+    found = [place for place, _, point in drawn if used == (point.family, point.label)]
+    if used == EVENTS and not found:  # they are the reference
+        found = [(1.0, LIMITS[0] * 1.15)]
+    for place in found:
+        axes.plot(*place, "*", color="#E6B800", markersize=15, markeredgecolor="black", markeredgewidth=0.7, zorder=2.5,
+                  clip_on=False)
+
+
+def write_labels(axes, drawn, labelled):
+    chosen = [(place, text, look(name)[0]) for name, place, text in labelled]
+    lines = [line.get_xydata() for line in axes.lines if len(line.get_xydata()) > 2]
+    labels.place(axes, chosen, [place for place, _, _ in drawn], lines)
 
 
 def legend(figure, axes, names):
     for name in names:
-        colour, marker = FAMILIES[name] if name in FAMILIES else LOOKS[name][1:3]
-        axes.plot([], [], marker + "-", color=colour, markersize=5, label=LOOKS[name][0] if name in LOOKS else name)
-    axes.plot([], [], "o", color="#555555", markerfacecolor="white", markersize=5, label="not told from 0 (2 σ)")
-    axes.plot([], [], "x", color="#555555", markersize=7, markeredgewidth=2, label="lost disks, or ended early")
-    axes.plot([], [], ":", color="#111111", label="cost of the exact engine")
-    handles, labels = axes.get_legend_handles_labels()
-    figure.legend(handles, labels, ncol=min(len(labels), 5), loc="lower center")
+        colour, marker = look(name)
+        axes.plot([], [], marker + "-", color=colour, markersize=4.5, label=name)
+    axes.plot([], [], "o", color=drawing.GREY, markerfacecolor="white", markersize=4.5,
+              label="not told from 0: at most so much (95 %)")
+    axes.plot([], [], "*", color="#E6B800", markeredgecolor="black", markersize=11, label="recommended")
+    axes.plot([], [], ":", color=drawing.GREY, label="events, as the scene stands")
+    handles, texts = axes.get_legend_handles_labels()
+    figure.legend(handles, texts, ncol=4, loc="lower center")
 
 
-def save(figure, panels, path):
-    for axes in panels[-1]:
-        axes.set_xlabel("processor s per simulated s")
-    for row in panels:
-        row[0].set_ylabel("relative error")
-    figure.tight_layout(rect=(0.0, 0.08, 1.0, 1.0))
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path)
-    plt.close(figure)
+def panels():
+    figure, grid = drawing.plt.subplots(2, 2, figsize=(10.0, 8.2))
+    figure.subplots_adjust(left=0.08, right=0.98, top=0.95, bottom=0.15, hspace=0.28, wspace=0.18)
+    for axes in grid[:, 0]:
+        axes.set_ylabel("error, %")
+    for axes in grid[1]:
+        axes.set_xlabel("times faster than events")
+    return figure, list(grid.flat)
 
 
-def cost_of_exact(points):
-    return next((p.cost() for p in points if p.family == "exact"), None)
+def draw_method(groups):
+    """Steps against the known value or the exact engine."""
+    figure, grid = panels()
+    for axes, (scene, names) in zip(grid, METHOD_PANELS.items()):
+        points = groups.get(scene, [])
+        series = {name: draw_series(axes, points, tables.measured(points, "steps"), name, name, errors.exact)
+                  for name in names} if points else {}
+        drawn = [one for own in series.values() for one in own]
+        if not drawn:
+            continue
+        finish(axes, points, drawn, USE_METHOD.get(scene))
+        # One label for each step, at the point that is highest.
+        highest = {}
+        for name, own in series.items():
+            for place, text, _ in own:
+                if text not in highest or place[1] > highest[text][1][1]:
+                    highest[text] = (name, place, text)
+        write_labels(axes, drawn, highest.values())
+    legend(figure, grid[0], dict.fromkeys(name for names in METHOD_PANELS.values() for name in names))
+    return figure
 
 
-def draw_method(by_scene, peers, path):
-    with plt.rc_context(STYLE):
-        figure, panels = plt.subplots(2, 4, figsize=(12.0, 6.0))
-        for (scene, name), axes in zip(METHOD_PANELS, panels.flat):
-            points = by_scene.get(scene)
-            if not points:
-                continue
-            reference = errors.exact(points, name)
-            draw_family(axes, "steps", [p for p in points if p.family == "steps"], name, reference)
-            if name in points[0].scene.known:
-                draw_family(axes, "exact", [p for p in points if p.family == "exact"], name, reference)
-            if scene == "fig8" and name.startswith("drift") and peers:
-                draw_peers(axes, peers, name)
-            finish(axes, f"{points[0].scene.title}: {name}", cost_of_exact(points))
-        legend(figure, panels[0][0], ["steps", "exact", *(LOOKS if peers else ())])
-        save(figure, panels, path)
-
-
-def draw_model(by_scene, path):
-    families = ["rebound floor", *(name for name in rungs.MODEL if name != "rebound floor")]
-    with plt.rc_context(STYLE):
-        figure, panels = plt.subplots(2, 3, figsize=(11.0, 6.5))
-        for (scene, name), axes in zip(MODEL_PANELS, panels.flat):
-            points = by_scene.get(scene)
-            if not points:
-                continue
-            reference = errors.limit(points, name)
-            for family in families:
-                own = [p for p in points if p.family == family or (family == "rebound floor" and p.family == "exact")]
-                if family == "rebound floor":
-                    own.sort(key=rungs.floor_of, reverse=True)
-                draw_family(axes, family, own, name, reference)
-            finish(axes, f"{points[0].scene.title}: {name}", cost_of_exact(points))
-        legend(figure, panels[0][0], families)
-        save(figure, panels, path)
+def draw_model(groups):
+    """What the model leaves out against the least floor; labelled are the ends of each family."""
+    figure, grid = panels()
+    for axes, (scene, quantity) in zip(grid, MODEL_PANELS.items()):
+        points, drawn, labelled = groups.get(scene, []), [], []
+        for family in rungs.MODEL:
+            own = tables.measured(points, family)
+            if family == "rebound floor":
+                own = sorted((point for point in points if rungs.floor_of(point) and point.is_measured()
+                              and rungs.floor_of(point) != rungs.REFERENCE_FLOOR), key=rungs.floor_of, reverse=True)
+            found = draw_series(axes, points, own, family, quantity, errors.least_floor)
+            drawn += found
+            used = USE_MODEL.get(scene)
+            labelled += [(family, place, text if point.family != "exact" else f"{rungs.SCENES_FLOOR:g} m/s")
+                         for place, text, point in found
+                         if point in (found[0][2], found[-1][2]) or used == (family, text) or point.family == "exact"]
+        if not drawn:
+            continue
+        finish(axes, points, drawn, USE_MODEL.get(scene))
+        axes.set_title(axes.get_title(loc="left") + f": {quantity}", loc="left")
+        write_labels(axes, drawn, labelled)
+    legend(figure, grid[0], rungs.MODEL)
+    return figure

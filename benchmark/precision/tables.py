@@ -1,117 +1,178 @@
-"""The points as Markdown."""
-from precision import errors, rungs, scenes
+"""The points as Markdown: a column for each setting, a row for each quantity."""
+from precision import errors, rungs
+from precision.points import by_scene, find
 
 MM = 1e3  # per m
+ROUNDING = 1e-12  # overlaps up to this are rounding [m]
+ENERGIES = ("K_A", "K_B", "kinetic energy", "K_rot / K_trans")
+DRIFTS = ("drift A", "drift B")
 
 
-def percent(found):
-    if found is None:
-        return "—"
-    error, spread = found
-    if spread == 0.0:
-        return f"{100.0 * error:+.2g}" if error else "0"
-    digits = 1 if spread < 0.02 else 0
-    return f"{100.0 * error:+.{digits}f} ± {100.0 * spread:.{digits}f}"
+def markdown(header, lines):
+    return "\n".join("| " + " | ".join(line) + " |" for line in (header, ["---"] * len(header), *lines))
 
 
 def condition(point):
-    """What went wrong in it, in few words."""
-    said = []
-    if point.leaked():
-        said.append(f"{point.leaked()} through the base")
-    if point.pushed_out():
-        said.append(f"{point.pushed_out()} pushed out")
-    if point.failures:
-        said.append(f"{len(point.failures)} ended early")
-    return ", ".join(said) or "—"
+    """What went wrong in it."""
+    parts = [(point.through_base, "through the base"), (point.pushed_out, "pushed out"),
+             (point.ended_early, "ended early")]
+    return ", ".join(f"{count:g} {what}" for count, what in parts if count) or "—"
 
 
-def cost(point):
-    return "—" if point.cost() is None else f"{point.cost():.3g}"
+def overlap_text(point):
+    return f"{MM * point.overlap:.1g}" if point.overlap > ROUNDING else "rounding"
 
 
-def gain(point, exact):
-    return "—" if point.cost() is None or not exact.cost() else f"{exact.cost() / point.cost():.2f}"
+def speed_up(point, exact):
+    """@return exact time over the point's; None where one was not measured"""
+    return exact.cost / point.cost if exact and exact.cost and point and point.cost else None
 
 
-def names(points):
-    return list(points[0].scene.observables)
+def speed_text(speed):
+    return "—" if speed is None else f"{speed:.{0 if speed >= 10.0 else 1 if speed >= 1.0 else 2}f}"
 
 
-def sections(by_scene, families, reference):
-    """A table for each scene: its columns are what is observed there."""
-    for points in by_scene.values():
-        own = [p for p in points if p.family in families and (p.costs or p.failures)]
-        if not own:
+def seeds(points):
+    counts = sorted({mean.count for point in points for mean in point.means.values()})
+    return f"n = {counts[0]}" if len(counts) == 1 else f"n = {counts[0]} to {counts[-1]}"
+
+
+def quantities(point):
+    """In the order of the scene."""
+    return list(point.scene.observables)
+
+
+def section(points, columns, reference):
+    """The table of a scene. @param columns the points that are its columns"""
+    exact = find(points, "exact")
+    lines = [["times faster", *(speed_text(speed_up(point, exact)) for point in columns)]]
+    for name in quantities(points[0]):
+        known = reference(points, name)
+        lines.append([f"{name}, %", *(errors.text(errors.relative(point.means.get(name), known)) for point in columns)])
+    lines.append(["largest overlap, mm", *(overlap_text(point) for point in columns)])
+    if any(condition(point) != "—" for point in columns):
+        lines.append(["disks", *(condition(point) for point in columns)])
+    return f"**{points[0].scene.title}** ({seeds(columns)})\n\n" + markdown(
+        ["", *(point.label for point in columns)], lines)
+
+
+def measured(points, family):
+    return [point for point in points if point.family == family and point.is_measured()]
+
+
+def method(groups):
+    """Steps against the known value or the exact engine."""
+    return "\n\n".join(section(points, measured(points, "steps"), errors.exact)
+                       for points in groups.values() if measured(points, "steps"))
+
+
+def bounds(groups):
+    """The largest bound of each scene's drifts, energies and others, by step."""
+    lines = []
+    for points in groups.values():
+        steps = {point.label: point for point in measured(points, "steps")}
+        exact = find(points, "exact")
+        names = [f"{1e3 * step:g} ms" for step in rungs.STEPS]
+        if not steps:
             continue
-        exact = next(p for p in points if p.family == "exact")
-        yield f"**{points[0].scene.title}**"
-        yield ""
-        yield "| | s per simulated s | times faster | " + " | ".join(f"{n}, %" for n in names(points)) + \
-            " | largest overlap, mm | failed |"
-        yield "|---" * (5 + len(names(points))) + "|"
-        for point in own:
-            found = [percent(errors.relative(point, name, reference(points, name))) for name in names(points)]
-            label = point.label if point.family in ("exact", "steps") else f"{point.family}, {point.label}"
-            yield f"| {label} | {cost(point)} | {gain(point, exact)} | " + " | ".join(found) + \
-                f" | {MM * point.overlap():.2g} | {condition(point)} |"
-        yield ""
+        lines.append([points[0].scene.title, "times faster",
+                      *(speed_text(speed_up(steps.get(name), exact)) for name in names)])
+        for title, chosen in parts_of(points):
+            lines.append(["", f"{title}, ≤ %", *(errors.bound_text(step_bound(points, steps.get(name), chosen))
+                                                 for name in names)])
+    return markdown(["scene", "", *(f"{1e3 * step:g} ms" for step in rungs.STEPS)], lines)
 
 
-def method(by_scene):
-    """Steps, held against what is known, or the exact engine on the same scene."""
-    return "\n".join(sections(by_scene, ("exact", "steps"), errors.exact))
+def parts_of(points):
+    """@return pairs (title, names of quantities) of a scene"""
+    groups = (("drifts", DRIFTS), ("energies", ENERGIES), ("Q", ("Q",)), ("P", ("P",)))
+    for title, names in groups:
+        own = [name for name in quantities(points[0]) if name in names]
+        if own:
+            yield title, own
 
 
-def model(by_scene):
-    """Rungs of the model, held against the exact engine as the floor goes to 0."""
-    limited = {name: points for name, points in by_scene.items()
-               if any(p.family == "rebound floor" for p in points)}
-    return "\n".join(sections(limited, ("exact", *rungs.MODEL), errors.limit))
+def step_bound(points, point, names):
+    if point is None:
+        return None
+    return errors.largest(errors.relative(point.means.get(name), errors.exact(points, name)) for name in names)
 
 
-def verdict(found, bound):
-    if found is None:
+def floors(groups):
+    """Rebound floors against the least one."""
+    texts = []
+    for points in groups.values():
+        own = sorted((point for point in points if rungs.floor_of(point) and point.is_measured()
+                      and rungs.floor_of(point) != rungs.REFERENCE_FLOOR), key=rungs.floor_of, reverse=True)
+        if not any(point.family == "rebound floor" for point in own):
+            continue
+        table = section(points, own, errors.least_floor)
+        texts.append(table.replace("| exact |", f"| {rungs.SCENES_FLOOR:g} m/s |", 1))
+    return "\n\n".join(texts)
+
+
+def model(groups):
+    """Other parts of the model against the least floor: a row for each setting, for it has many."""
+    texts = []
+    for points in groups.values():
+        own = [point for family in rungs.MODEL if family != "rebound floor" for point in measured(points, family)]
+        if not own or points[0].scene.name != "fig8":
+            continue
+        names = [name for name in quantities(points[0]) if name != "N m g T"]
+        exact = find(points, "exact")
+        lines = [[f"{point.family}, {point.label}", speed_text(speed_up(point, exact)),
+                  *(errors.text(errors.relative(point.means.get(name), errors.least_floor(points, name)))
+                    for name in names)] for point in own]
+        texts.append(f"**{points[0].scene.title}** ({seeds(own)})\n\n" + markdown(
+            ["", "times faster", *(f"{name}, %" for name in names)], lines))
+    return "\n\n".join(texts)
+
+
+def verdict(error, claim):
+    """Of a bound that was set before the scene was run."""
+    if error is None:
         return "—"
-    error, spread = found
-    if abs(error) <= bound:
-        return "held"
-    return "not sure: within two standard errors" if abs(error) <= bound + 2.0 * spread else "**exceeded**"
+    if errors.bound(error) <= claim:
+        return "holds"
+    return "fails the original bound" if abs(error.value) - error.half_width() > claim else "not decided"
 
 
-def bound_of(claim, name, reference):
-    """What may be off, over the reference's value."""
-    if reference is None or name not in scenes.DRIFTS:
-        return claim
-    return max(claim, rungs.SMALLEST_DRIFT_ERROR / abs(reference[0]))
+def claims(groups):
+    """The held-out scenes: a row for each step and quantity, a column for each scene."""
+    scenes = list(groups.values())
+    if not scenes:
+        return ""
+    lines = []
+    for step, claim in rungs.CLAIMS.items():
+        label = f"{1e3 * step:g} ms"
+        columns = [find(points, "steps", label) for points in scenes]
+        lines.append([f"**{label}**: times faster", "", *(
+            speed_text(speed_up(point, find(points, "exact"))) for points, point in zip(scenes, columns))])
+        for name in quantities(scenes[0][0]):
+            cells = []
+            for points, point in zip(scenes, columns):
+                error = point and errors.relative(point.means.get(name), errors.exact(points, name))
+                cells.append(f"{errors.text(error)}: {verdict(error, claim)}")
+            lines.append([name, f"≤ {100.0 * claim:g}", *cells])
+    return markdown(["", "bound set before, %", *(f"{points[0].scene.title} ({seeds(points)})" for points in scenes)],
+                    lines)
 
 
-def claims(by_scene):
-    """Of scenes that no setting was chosen by."""
-    lines = ["| scene | step, ms | times faster | | claimed, % | found, % | |", "|---|---|---|---|---|---|---|"]
-    for points in by_scene.values():
-        exact = next(p for p in points if p.family == "exact")
-        for step, claim in rungs.CLAIMS.items():
-            point = next(p for p in points if p.rung.get("accuracy.step") == step)
-            for name in names(points):
-                reference = errors.exact(points, name)
-                found = errors.relative(point, name, reference)
-                bound = bound_of(claim, name, reference)
-                lines.append(f"| {points[0].scene.title} | {1e3 * step:g} | {gain(point, exact)} | {name} | "
-                             f"≤ {100.0 * bound:.2g} | {percent(found)} | {verdict(found, bound)} |")
-    return "\n".join(lines)
+def large_costs(points):
+    """@return pairs (setting, (cost of the first second [s], of a simulated second after it [s]))"""
+    scenes = list(by_scene([point for point in points if point.cost]).values())
+    if len(scenes) != 2:
+        return []
+    found = []
+    for first in scenes[0]:
+        for whole in (point for point in scenes[1] if point.label == first.label):
+            start, end = (point.scene.settings["duration"] for point in (first, whole))
+            found.append((first, (first.cost * start, (whole.cost * end - first.cost * start) / (end - start))))
+    return found
 
 
-def large(short, longer):
-    """@param short, longer the points of the run that is short, and of the one that goes on"""
-    lines = ["| | first second, s | s per simulated s after it | times faster | failed |", "|---|---|---|---|---|"]
-    after = []
-    for first, whole in zip(short, longer):
-        if first.cost() is None or whole.cost() is None:
-            lines.append(f"| {first.label} | — | — | — | {condition(whole)} |")
-            continue
-        spans = [point.scene.settings["duration"] for point in (first, whole)]
-        after.append((whole.cost() * spans[1] - first.cost() * spans[0]) / (spans[1] - spans[0]))
-        lines.append(f"| {first.label} | {first.cost() * spans[0]:.2f} | {after[-1]:.2f} | "
-                     f"{after[0] / after[-1]:.2f} | {condition(whole)} |")
-    return "\n".join(lines)
+def large(points):
+    found = large_costs(points)
+    lines = [[point.label, f"{first:.2f}", f"{after:.2f}", f"{found[0][1][1] / after:.1f}"]
+             for point, (first, after) in found]
+    return markdown(["", "first second, s", "s per simulated s after it", "times faster"], lines)

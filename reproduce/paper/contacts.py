@@ -1,4 +1,4 @@
-"""Claim 2: contacts with the short slope over those with the long one, over the smallest rebound speed."""
+"""Claim 2: contacts with short over those with long slopes, over the smallest rebound speed v_min."""
 import math
 
 from reproduce import drawing, verdicts
@@ -8,7 +8,7 @@ from reproduce.study import Picture, Study, Sweep
 V_MIN = "contact.min_rebound_speed"
 SCENES = 0.05        # v_min of the scenes [m/s]
 PRINTED = 0.53
-ROUNDING = 0.015     # "about 0.53": what is nearer to it than to 0.5 or 0.56
+ROUNDING = 0.015     # "about 0.53": nearer to it than to 0.5 or 0.56
 LENGTHS = math.hypot(0.3 * 20.0, 6.0) / math.hypot(0.7 * 20.0, 6.0)  # of the slopes, short over long
 
 
@@ -33,12 +33,32 @@ def is_printed(mean):
     return verdicts.all_of((mean.surely_above(PRINTED - ROUNDING), mean.surely_below(PRINTED + ROUNDING)))
 
 
+def fitting(means):
+    """The values of v_min at which the ratio is the printed one."""
+    return [v for v, (ratio, _) in means.items() if is_printed(ratio)]
+
+
+def condition(means):
+    """In which range of v_min the claim holds, in words."""
+    found = fitting(means)
+    if not found:
+        return "at no v_min that was tried"
+    least = min(means)
+    return (f"for v_min from {found[0]:g} to {found[-1]:g} m/s ({means[least][0].value:.2f} at {least:g} m/s)")
+
+
 def claims(means):
-    fitting = [f"{v:g}" for v, (ratio, _) in means.items() if is_printed(ratio)]
     return [verdicts.Claim("2", "3.1.1", "contacts of short to long slopes are about 0.53 in Fig. 3", (
         verdicts.within(f"between {PRINTED - ROUNDING:g} and {PRINTED + ROUNDING:g} at v_min = {SCENES:g} m/s, as in "
-                        f"the scenes (so it is at {', '.join(fitting) or 'none'} m/s of those tried)",
-                        means[SCENES][0], PRINTED - ROUNDING, PRINTED + ROUNDING),))]
+                        "the scenes", means[SCENES][0], PRINTED - ROUNDING, PRINTED + ROUNDING),), condition(means))]
+
+
+def figures(means):
+    least = min(means)
+    found = fitting(means)
+    return {"contacts.short_to_long": means[SCENES][0].text(),
+            "contacts.short_to_long.least_v_min": means[least][0].text(),
+            "contacts.v_min.range": f"{found[0]:g} to {found[-1]:g} m/s" if found else "none"}
 
 
 def text(means):
@@ -49,4 +69,4 @@ def text(means):
 STUDY = Study("contacts", "Short and long slopes, over the smallest rebound speed",
               (Sweep("paper_fig3_contacts", {V_MIN: (SCENES, 0.1)}),), evaluate,
               (Picture("contacts", "Contacts with short over those with long slopes, of Fig. 3's disks, over v_min; "
-                       "bars: standard errors over the seeds", draw),), claims, text)
+                       "bars: standard errors over the seeds", draw),), claims, text, figures)

@@ -6,7 +6,7 @@ from reproduce.paper import displacements
 def claims(samples):
     return [verdicts.Claim("1", "Fig. 3", "the displacement distribution drifts to the right and spreads with time", (
         verdicts.above("⟨V_x⟩ > 0", displacements.velocity(samples), 0.0, drawing.MM, "mm/s"),
-        verdicts.counted("its mean moves on to the right from each time to the next",
+        verdicts.counted("its mean moves to the right from each time to the next",
                          displacements.further(samples, 1.0)),
         displacements.spreads(samples)))]
 

@@ -6,7 +6,7 @@ from reproduce.paper import displacements
 def claims(samples):
     return [verdicts.Claim("3", "Fig. 4", "θ = 0.209 turns that current to the left", (
         verdicts.below("⟨V_x⟩ < 0", displacements.velocity(samples), 0.0, drawing.MM, "mm/s"),
-        verdicts.counted("its mean moves on to the left from each time to the next",
+        verdicts.counted("its mean moves to the left from each time to the next",
                          displacements.further(samples, -1.0)),
         displacements.spreads(samples)))]
 

@@ -26,19 +26,22 @@ def draw(numbers):
     means = numbers["means"]
     figure, axes = drawing.panels(1, 1, (6.4, 4.2))
     asymmetries = axis(means, 0)
-    for a, colour in zip(asymmetries, drawing.ramp(len(asymmetries))):
-        drawing.curve(axes, [(f, means[a, f]) for f in axis(means, 1)], drawing.MM, color=colour, label=f"$a$ = {a:g}")
+    frequencies = axis(means, 1)
+    ends = []
+    for a, colour in zip(asymmetries, drawing.signed_ramp([round(SYMMETRIC - a, 9) for a in asymmetries])):
+        drawing.curve(axes, [(f, means[a, f]) for f in frequencies], drawing.MM, color=colour)
+        ends.append((drawing.MM * means[a, frequencies[-1]].value, f"{a:g}", colour))
     drawing.signed(axes)
     axes.set_xlabel("$f$ [Hz]")
     axes.set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
-    axes.legend(ncol=1, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    drawing.end_labels(axes, ends, "$a$")
     return figure
 
 
 def direction(means):
     for (a, f), mean in means.items():
         if a != SYMMETRIC:
-            yield f"a = {a:g} at {f:g} Hz", mean.surely_above(0.0) if a < SYMMETRIC else mean.surely_below(0.0)
+            yield f"a = {a:g} at {f:g} Hz", mean.scaled(1.0 if a < SYMMETRIC else -1.0)
 
 
 def order(means):
@@ -47,7 +50,7 @@ def order(means):
         for side in (lambda a: a <= SYMMETRIC, lambda a: a >= SYMMETRIC):
             values = [a for a in axis(means, 0) if side(a)]
             for less, more in zip(values, values[1:]):
-                yield f"{less:g} and {more:g} at {f:g} Hz", means[less, f].minus(means[more, f]).surely_above(0.0)
+                yield f"{less:g} and {more:g} at {f:g} Hz", means[less, f].minus(means[more, f])
 
 
 def claims(numbers):
@@ -62,10 +65,10 @@ def claims(numbers):
 
 def text(numbers):
     means = numbers["means"]
-    frequencies = axis(means, 1)
+    asymmetries = axis(means, 0)
     return ("⟨V_x⟩ in mm/s:\n\n"
-            + table(["a"] + [f"{f:g} Hz" for f in frequencies],
-                    [[f"{a:g}"] + [means[a, f].text(drawing.MM) for f in frequencies] for a in axis(means, 0)]))
+            + table(["f"] + [f"a = {a:g}" for a in asymmetries],
+                    [[f"{f:g} Hz"] + [means[a, f].text(drawing.MM) for a in asymmetries] for f in axis(means, 1)]))
 
 
 STUDY = Study("fig5", "Fig. 5: velocity over frequency, for nine asymmetries",

@@ -2,7 +2,7 @@
 from reproduce import drawing, verdicts
 from reproduce.crossings import crossing_of, distance_of
 from reproduce.document import table
-from reproduce.paper.fig7 import F, THETA, axis, draw_kinds, velocities
+from reproduce.paper.fig7 import F, THETA, at_one_frequency, axis, draw_kinds, more_moved, velocities, velocity_lines
 from reproduce.rows import Rows
 from reproduce.study import Picture, Study, Sweep
 
@@ -12,15 +12,18 @@ LITTLE = 1.0 / 3.0  # of the difference at θ = 0
 CLAIM = ("at θ = 0 both go right and B is faster; at 0.052 they differ little; at 0.105 and 0.157 A goes right and B "
          "left")
 PARTED = (0.105, 0.157)  # where the paper has A go to the right and B to the left
+QUOTED = (0.0, 0.052, *PARTED)  # inclinations that other documents may quote
+NEAR = (-0.01, 0.09)  # inclinations of the inset [rad]
 
 
 def evaluate(rows):
     printed = rows["paper_fig8"]
+    every = Rows(printed + rows["paper_fig8_window"])
     turns = {}
-    for f, group in Rows(printed + rows["paper_fig8_window"]).by(F).items():
+    for f, group in every.by(F).items():
         turns[f] = {kind: crossing_of(group, THETA, f"mean_vx.{kind}") for kind in KINDS}
         turns[f]["window"] = distance_of(group, THETA, "mean_vx.A", "mean_vx.B")
-    return {"means": velocities(printed), "turns": turns}
+    return {"means": velocities(printed), "all": velocities(every), "turns": turns}
 
 
 def draw_frequencies(numbers):
@@ -28,18 +31,25 @@ def draw_frequencies(numbers):
 
 
 def draw_inclinations(numbers):
-    figure, axes = drawing.panels(1, 1, (6.4, 3.8))
+    figure, axes = drawing.panels(1, 1, (6.8, 4.0))
+    inset = axes.inset_axes([0.6, 0.63, 0.39, 0.36])
     for kind, colour in zip(KINDS, drawing.COLOURS):
-        points = [(theta, numbers["means"][kind][theta, SHOWN]) for theta in axis(numbers["means"][kind], 0)]
+        points = [(theta, numbers["all"][kind][theta, SHOWN]) for theta in axis(numbers["all"][kind], 0)
+                  if (theta, SHOWN) in numbers["all"][kind]]
+        near = [point for point in points if NEAR[0] <= point[0] <= NEAR[1]]
         drawing.curve(axes, points, drawing.MM, color=colour, label=KINDS[kind])
-    shade_window(axes, numbers["turns"][SHOWN])
+        drawing.curve(inset, near, drawing.MM, color=colour)
     for k, theta in enumerate(PARTED):
         axes.axvline(theta, color=drawing.GREY, linewidth=0.8, linestyle="--",
                      label=None if k else "A right, B left in the paper")
-    drawing.signed(axes)
+    for own in (axes, inset):
+        shade_window(own, numbers["turns"][SHOWN])
+        drawing.signed(own)
+    inset.set_xlim(NEAR)
+    inset.tick_params(labelsize=7)
     axes.set_xlabel(r"$\theta$ [rad]")
     axes.set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
-    axes.legend()
+    axes.legend(loc="lower left")
     return figure
 
 
@@ -89,7 +99,7 @@ def parted(numbers, theta):
     seen = [f"{f:g}" for f in axis(means["A"], 1)
             if means["A"][theta, f].surely_above(0.0) and means["B"][theta, f].surely_below(0.0)]
     came_out = (f"{check.came_out} at {SHOWN:g} Hz, where they part between θ = {shown(turns['B'])} and "
-                f"{shown(turns['A'])} (at this θ they are seen to part at {', '.join(seen) or 'no'} Hz)")
+                f"{shown(turns['A'])} (at this θ they part at {', '.join(seen) or 'no'} Hz)")
     return verdicts.Check(says, came_out, check.passes)
 
 
@@ -98,10 +108,13 @@ def claims(numbers):
     level = {kind: means[kind][0.0, SHOWN] for kind in KINDS}
     right, faster = "θ = 0: both to the right", level["B"].minus(level["A"])
     return [verdicts.Claim("6", "Fig. 8", CLAIM, (
-        verdicts.both(speed(right, level["A"], True), speed(right, level["B"], True)),
-        verdicts.above("θ = 0: B is faster", faster, 0.0, drawing.MM, "mm/s"),
-        differ_little(means),
-        *(parted(numbers, theta) for theta in PARTED)))]
+                verdicts.both(speed(right, level["A"], True), speed(right, level["B"], True)),
+                verdicts.above("θ = 0: B is faster", faster, 0.0, drawing.MM, "mm/s"),
+                differ_little(means),
+                *(parted(numbers, theta) for theta in PARTED)), "at the printed parameters (see A2, A3 and A7)"),
+            verdicts.Claim("10", "3.2.1", "in the mixture θ acts more on B than on A", (
+                verdicts.counted("B loses more than A from the least θ to the greatest, at every f", more_moved(means)),
+                ))]
 
 
 def shown(mean):
@@ -109,23 +122,33 @@ def shown(mean):
 
 
 def text(numbers):
-    means, turns = numbers["means"], sorted(numbers["turns"].items())
-    frequencies = axis(means["A"], 1)
-    lines = [[f"{theta:g}".replace("-", "−"), kind] + [means[kind][theta, f].text(drawing.MM) for f in frequencies]
-             for theta in axis(means["A"], 0) for kind in KINDS]
-    turned = [[f"{f:g} Hz", *(shown(turn[part]) for part in ("B", "A", "window"))] for f, turn in turns]
+    turned = [[f"{f:g} Hz", *(shown(turn[part]) for part in ("B", "A", "window"))]
+              for f, turn in sorted(numbers["turns"].items())]
     return ("Where each kind turns to the left, by a parabola through the means nearest to it, and how far A's angle "
             "lies above B's; errors by leaving out one seed after the other:\n\n"
             + table(["f", "B turns, θ [rad]", "A turns, θ [rad]", "width of the window [rad]"], turned)
-            + "\n\n⟨V_x⟩ in mm/s:\n\n" + table(["θ [rad]", ""] + [f"{f:g} Hz" for f in frequencies], lines))
+            + "\n\n" + at_one_frequency(numbers["means"]))
+
+
+def figures(numbers):
+    """Fig. 8's drifts at 23 Hz and its window."""
+    found = {}
+    for theta in QUOTED:
+        place = f"theta_{theta:g}".replace(".", "_")
+        for kind in KINDS:
+            found[f"fig8.drift.{kind.lower()}.{place}"] = numbers["means"][kind][theta, SHOWN].text(drawing.MM)
+    turns = numbers["turns"][SHOWN]
+    found["fig8.window.from"], found["fig8.window.to"] = shown(turns["B"]), shown(turns["A"])
+    return found
 
 
 CAPTION = "of a mixture of A (1 mm, 10 g) and B (2 mm, 1 g), d = 3.93; bars: standard errors over the seeds"
 STUDY = Study("fig8", "Fig. 8: both kinds of a mixture",
-              (Sweep("paper_fig8", {F: (SHOWN,), THETA: (0.0, 0.052, *PARTED)}),
+              (Sweep("paper_fig8", {F: (SHOWN,), THETA: QUOTED}),
                Sweep("paper_fig8_window", is_quick=False)), evaluate,
               (Picture("fig8", f"Mean velocities over the frequency, for eleven inclinations, {CAPTION}",
                        draw_frequencies),
-               Picture("fig8_inclination", f"Mean velocities over the inclination at {SHOWN:g} Hz, {CAPTION}",
-                       draw_inclinations),
-               Picture("fig8_turn", f"The inclinations at which the kinds turn, {CAPTION}", draw_turns)), claims, text)
+               Picture("fig8_inclination", f"Mean velocities over the inclination at {SHOWN:g} Hz, near zero enlarged, "
+                       f"{CAPTION}", draw_inclinations),
+               Picture("fig8_turn", f"The inclinations at which the kinds turn, {CAPTION}", draw_turns)), claims, text,
+              figures, lambda numbers: {"fig8": velocity_lines(numbers["means"])})

@@ -10,7 +10,7 @@ PARTED = "A right, B left"
 RIGHT = "both right"
 LEFT = "both left"
 OTHER = "A left, B right"
-UNTOLD = "not told"
+UNTOLD = "undecided"
 COLOURS = {PARTED: drawing.COLOURS[2], RIGHT: drawing.COLOURS[5], LEFT: drawing.COLOURS[4], OTHER: drawing.COLOURS[3],
            UNTOLD: "#EEEEEE"}
 CLASSES = {(True, False): PARTED, (True, True): RIGHT, (False, False): LEFT, (False, True): OTHER}
@@ -22,7 +22,7 @@ def ways(rows):
 
 
 def class_of(pair):
-    """@param pair of ways(); None in either is not told"""
+    """@param pair of ways(); None in either is undecided"""
     return CLASSES.get(tuple(mean and mean.surely_above(0.0) for mean in pair), UNTOLD)
 
 

@@ -2,7 +2,6 @@
 from reproduce.paper.parting import ANGLES, PRINTED
 
 RADII = 0.5 * PRINTED  # by this measure, of a layer whose sum of radii over W is the printed d
-STATED, STEEP = 0.3, 0.1
 
 
 def is_inside(part, theta, d):
@@ -27,9 +26,10 @@ def angles(part, d):
 
 def at_printed(part):
     turn = part["turns"][PRINTED]
-    margin = (ANGLES[0] - turn["A"].value) / turn["A"].error
-    return (f"At d = {PRINTED:g} the window reaches from {turn['B'].text()} to {turn['A'].text()} rad: both angles of "
-            f"the claim lie above it, by {margin:.0f} standard errors at the least.")
+    beyond, half = ANGLES[0] - turn["A"].value, turn["A"].half_width()
+    return (f"At d = {PRINTED:g} the window reaches from {turn['B'].text()} to {turn['A'].text()} rad. The smaller "
+            f"angle of the claim lies {beyond - half:.3f} to {beyond + half:.3f} rad above it (interval of 95 % by "
+            f"Student's t, {turn['A'].degrees():g} degrees of freedom).")
 
 
 def too_narrow(part):
@@ -37,9 +37,9 @@ def too_narrow(part):
     needed = ANGLES[1] - ANGLES[0]
     wide = [d for d in widths if widths[d].value > needed]
     if not wide:
-        return f"The window is nowhere as wide as the {needed:.3g} rad that both angles ask for."
+        return f"The window is nowhere as wide as the {needed:.3g} rad that both angles need."
     lower = part["turns"][max(wide)]["B"]
-    return (f"The window is as wide as the {needed:.3g} rad that both angles ask for at d = "
+    return (f"The window is as wide as the {needed:.3g} rad that both angles need at d = "
             f"{', '.join(f'{d:g}' for d in wide)} alone, and begins there at {lower.text()} rad at the least, "
             f"{'above' if lower.value > ANGLES[0] else 'below'} {ANGLES[0]:g}.")
 
@@ -55,15 +55,6 @@ def off_by(part):
     return f"d would have to be {'; '.join(told)}." if told else "No density does."
 
 
-def other_readings(stated, steep):
-    told = f"Were d a sum of radii (d = {RADII:g} by this measure), they would part {angles(stated, RADII)}"
-    if steep is None:
-        return told + "."
-    return (f"{told}; were the teeth those of Fig. 9 (a = {STEEP:g}) at the printed d, {angles(steep, PRINTED)}; were "
-            f"it both, {angles(steep, RADII)}. On the teeth of Fig. 9: {too_narrow(steep)}")
-
-
-def text(numbers):
-    stated = numbers[STATED]
-    return "\n\n".join(("**What follows.** " + " ".join((at_printed(stated), off_by(stated), too_narrow(stated))),
-                        other_readings(stated, numbers.get(STEEP))))
+def text(part):
+    return ("**What follows.** " + " ".join((at_printed(part), off_by(part), too_narrow(part)))
+            + f" Were d a sum of radii (d = {RADII:g} by this measure), they would part {angles(part, RADII)}.")

@@ -4,7 +4,7 @@ from reproduce import drawing, verdicts
 NORMAL = "normal"      # to where the gentler slopes face: to the right, as a < 0.5
 REVERSED = "reversed"
 NONE = "none"
-UNTOLD = "not told"
+UNTOLD = "undecided"
 STILL = 0.00001  # m/s
 COLOURS = {NORMAL: drawing.COLOURS[0], NONE: "#D9D9D9", REVERSED: drawing.COLOURS[1], UNTOLD: "#FFFFFF"}
 
@@ -21,21 +21,22 @@ def regime(mean, least):
 
 
 def speed_text(mean):
-    """In mm/s. Grains that stay in their grooves move by what is left of a bounce, which says nothing."""
+    """In mm/s. A grain that stays in its groove moves by the remainder of a bounce, which is no current."""
     if mean.error is not None and abs(mean.value) + mean.error < STILL:
         return f"below {STILL * drawing.MM:g}"
     return mean.text(drawing.MM)
 
 
 def exists(says, means, least, wanted):
-    """A check that a regime is somewhere; it fails only where each place surely has another.
+    """A check that a regime is somewhere, by a search of the places; it fails only where each surely has another.
     @param means map from the place's name to its Mean"""
     found = {place: mean for place, mean in means.items() if regime(mean, least) == wanted}
     if not found:
         open_ = any(regime(mean, least) == UNTOLD for mean in means.values())
         return verdicts.Check(says, f"at none of {len(means)}", None if open_ else False)
     if wanted == NONE:
-        return verdicts.Check(says, f"at {len(found)} of {len(means)}", True)
+        return verdicts.Check(says, f"at {len(found)} of {len(means)}", True, is_searched=True)
     place = max(found, key=lambda name: abs(found[name].value))
     shown = verdicts.shown(found[place], drawing.MM, "mm/s")
-    return verdicts.Check(says, f"at {len(found)} of {len(means)}, most at {place}: {shown}", True)
+    return verdicts.Check(says, f"at {len(found)} of {len(means)}, most at {place}: {shown}", True,
+                          is_searched=True)

@@ -34,7 +34,7 @@ def axis(means, index):
 
 def draw(means, ratchet, kinds):
     rows, columns, curves = (axis(means, index) for index in range(3))
-    figure, grid = drawing.panels(len(rows), len(columns), (8.6, 6.0), sharex=True, squeeze=False)
+    figure, grid = drawing.panels(len(rows), len(columns), (8.6, 0.6 + 2.7 * len(rows)), sharex=True, squeeze=False)
     for line, row in zip(grid, rows):
         for axes, column in zip(line, columns):
             for curve, colour in zip(curves, drawing.COLOURS):
@@ -46,6 +46,7 @@ def draw(means, ratchet, kinds):
             axes.set_title(f"{ROW_NAME} = {row:g}, {ratchet.column.format(ratchet.scale * column)}")
     for axes in grid[-1]:
         axes.set_xlabel(r"$\theta$ [rad]")
+        axes.locator_params(axis="x", nbins=5)
     for line in grid:
         line[0].set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
     grid[0][-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
@@ -63,14 +64,13 @@ def shown(mean):
 
 
 def differing(means, ratchet):
-    """A check that the kinds have different velocities somewhere, and where most."""
+    """Where the search has kinds of different velocities, and where they differ most, in words."""
     sure = {place: pair[2] for place, pair in means.items() if pair[2].surely_above(0.0) is not None}
-    says = f"the kinds drift at different speeds, on {ratchet.about}"
     if not sure:
-        return verdicts.Check(says, f"at none of {len(means)} places", None)
+        return f"On {ratchet.about} the kinds drift at different speeds at none of {len(means)} places."
     most = max(sure, key=lambda place: abs(sure[place].value))
-    return verdicts.Check(says, f"at {len(sure)} of {len(means)} places, most at {named(most, ratchet)}: B less A "
-                          + shown(sure[most]), True)
+    return (f"On {ratchet.about} the kinds drift at different speeds at {len(sure)} of {len(means)} places, most at "
+            f"{named(most, ratchet)}: B less A {shown(sure[most])}.")
 
 
 def opposed_at(means):
@@ -80,14 +80,7 @@ def opposed_at(means):
 
 
 def opposed(means_of):
-    """A check that on one of the ratchets the kinds go opposite ways. @param means_of ratchet -> velocities()"""
-    counts, best = [], None
-    for ratchet, means in means_of.items():
-        found = opposed_at(means)
-        counts.append(f"on {ratchet.about} at {len(found)} of {len(means)} places")
-        for place, pair in found.items():
-            weaker = min(abs(mean.value) for mean in pair[:2])
-            if best is None or weaker > best[0]:
-                best = weaker, f"{ratchet.about}, {named(place, ratchet)}: A {shown(pair[0])}, B {shown(pair[1])}"
-    says = "somewhere they go opposite ways"
-    return verdicts.Check(says, "; ".join(counts) + (f"; most on {best[1]}" if best else ""), best is not None)
+    """On how many places of each ratchet the search has kinds that go opposite ways, in words."""
+    counts = [f"{len(opposed_at(means))} of {len(means)} places on {ratchet.about}"
+              for ratchet, means in means_of.items()]
+    return f"They go opposite ways at {' and at '.join(counts)}."

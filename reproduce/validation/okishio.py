@@ -40,11 +40,11 @@ def gentler(means):
     """To where the gentler slopes face: to the right for a < 1/2."""
     for (e, a), mean in means.items():
         if a != SYMMETRIC:
-            yield f"e = {e:g}, a = {a:g}", mean.surely_above(0.0) if a < SYMMETRIC else mean.surely_below(0.0)
+            yield f"e = {e:g}, a = {a:g}", mean.scaled(1.0 if a < SYMMETRIC else -1.0)
 
 
 def mirror_of(rows):
-    """v(a) + v(1 − a) in the mean over all a and e, a sample a seed: nought where they are mirror images."""
+    """v(a) + v(1 − a) in the mean over all a and e, a sample a seed: zero where they are mirror images."""
     pairs = Rows(row for row in rows if row[A] != SYMMETRIC)
     return mean_of(2.0 * group.mean("mean_vx.A").value for group in pairs.by("seed").values())
 

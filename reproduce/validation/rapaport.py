@@ -46,13 +46,13 @@ def opposite(means):
 def claims(means):
     found = opposite(means)
     says = "large and small go opposite ways"
-    check = verdicts.Check(says, f"at none of {len(means)} (e, f, d)", False)
+    check = verdicts.Check(says, f"at none of {len(means)} (e, f, d), which does not exclude other parameters", None)
     if found:
         most = max(found, key=lambda place: min(abs(mean.value) for mean in means[place]))
         small, large = (verdicts.shown(mean, drawing.MM, "mm/s") for mean in means[most])
         e, f, d = most
         check = verdicts.Check(says, f"at {len(found)} of {len(means)} (e, f, d), as at e = {e:g}, {f:g} Hz, "
-                               f"d = {d:g}: small {small}, large {large}", True)
+                               f"d = {d:g}: small {small}, large {large}", True, is_searched=True)
     return [verdicts.Claim("6", "Rapaport 2001, abstract", "in a vertically vibrated layer on a sawtooth large and "
                            "small particles are horizontally driven in opposite directions", (check,))]
 

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
@@ -44,8 +45,8 @@ std::string temperatureText(const std::optional<double>& temperature)
   return temperature ? fmt::format("{:.3g}", UJ_PER_J * *temperature) : "undefined";
 }
 
-/// A species' disks, all of them, to the left, to the right and on the base, at the end; nothing where the
-/// bins were not recorded.
+/// The number of a species' disks at the end: all, left, right and on the base; nothing if the bins were not
+/// recorded.
 std::array<std::optional<std::uint64_t>, 4> countsOf(const RunResult& result, std::size_t species)
 {
   if (result.lastBins() == nullptr)
@@ -54,13 +55,13 @@ std::array<std::optional<std::uint64_t>, 4> countsOf(const RunResult& result, st
   return {bins.counted() + bins.on_base, bins.left, bins.right, bins.on_base};
 }
 
-/// Whether the run is exact, or contacts may have been missed.
+/// A note whether the run is exact, or may have missed contacts.
 std::string methodText(const SceneDefinition& scene)
 {
   return planOf(scene).steps ? fmt::format(" by steps of {:g} ms", MS_PER_S * scene.accuracy.step) : "";
 }
 
-/// As accumulated by the engine; undefined where they were not recorded.
+/// The means accumulated by the engine; undefined if they were not recorded.
 SpeciesMeans engineMeans(const RunResult& result, std::size_t species)
 {
   return result.lastStatistics() != nullptr ? result.lastStatistics()->species[species].means
@@ -77,13 +78,13 @@ Json countOrNull(const std::optional<std::uint64_t>& count)
   return count ? Json(*count) : Json(nullptr);
 }
 
-/// The means accumulated by the engine, if they were recorded: frames lack the last part of the path of a
-/// disk that falls off.
+/// The means accumulated by the engine, if they were recorded. They include the last part of the path of a
+/// disk that leaves, which frames lack.
 std::string engineText(const RunResult& result)
 {
   if (result.lastStatistics() == nullptr)
     return "";
-  std::string text = "summed up by the engine:\n";
+  std::string text = "accumulated by the engine:\n";
   for (std::size_t i = 0; i < result.species.size(); ++i)
   {
     std::string values;
@@ -105,7 +106,7 @@ std::string missingText(const RunResult& result)
   const std::map<std::string, std::string> means = {
       {"particles", "no <V_x>, no displacements"},
       {"bins", "no counts, no Q, no P"},
-      {"base", "no course of inclination, frequency and amplitude"},
+      {"base", "no inclination, frequency and amplitude over time"},
       {"statistics", "no temperatures, no contacts"}};
   std::string text;
   for (const std::string& kind : result.missing())
@@ -113,7 +114,7 @@ std::string missingText(const RunResult& result)
   return text;
 }
 
-/// Whether disks can leave, or have left over the walls: bins are reported only then.
+/// Whether disks can leave, or have left over the walls. Bins are reported only then.
 bool isOpen(const RunResult& result)
 {
   const auto something_left = [](const SpeciesBins& bins) { return bins.left + bins.right > 0; };
@@ -147,7 +148,7 @@ std::string speciesTable(const RunResult& result)
 std::string segregationText(const RunResult& result)
 {
   if (!isOpen(result))
-    return "nothing leaves this base: no bins, no Q, no P\n";
+    return "no disk can leave this base: no bins, no Q, no P\n";
   const BinFrame* bins = result.lastBins();
   std::string text =
       fmt::format("Q = {}, P = {}\n", ratioText(bins != nullptr ? bins->quality : std::nullopt),
@@ -196,10 +197,10 @@ Json speciesJson(const RunResult& result)
 
 std::string reportText(const RunResult& result)
 {
-  return fmt::format("scene {}, seed {}, version {}: {:.6g} s to {:.6g} s{}, {} frames of particles\n\n",
+  return fmt::format("scene {}, seed {}, version {}: {:.6g} s to {:.6g} s{}, {} of particles\n\n",
                      shownText(result.scene_frame.scene_hash), result.scene_frame.seed,
                      shownText(result.scene_frame.version), result.start, result.end,
-                     methodText(result.scene), result.particle_frames) +
+                     methodText(result.scene), countText(result.particle_frames, "frame")) +
          speciesTable(result) + "\n" + segregationText(result) + contactText(result) + engineText(result) +
          missingText(result);
 }

@@ -13,13 +13,12 @@ namespace
 constexpr double FEWEST_BINS = 10.0;
 constexpr double MOST_BINS = 200.0;
 
-/// Where displacements differ by hardly more than their rounding, bins any finer would have edges that
-/// round to each other: width over displacement, ...
+/// Smallest width of a bin over the displacements: the edges of finer bins would round to the same value. ...
 constexpr double FINEST = 1e-12;
-/// ... and in itself, far below an atom [m].
+/// ... and absolute smallest width, far below the size of an atom [m].
 constexpr double SMALLEST_WIDTH = 1e-15;
 
-/// The bins that all distributions share.
+/// The common bins of all distributions.
 struct Bins
 {
   double first_edge = 0.0;
@@ -33,7 +32,7 @@ struct Bins
   }
 };
 
-/// The least of 1, 2, 5, 10, ... times a power of ten that is not below `width`.
+/// The smallest of 1, 2, 5, 10, ... times a power of ten that is not below `width`.
 double roundedUp(double width)
 {
   const double power = std::pow(10.0, std::floor(std::log10(width)));
@@ -43,8 +42,8 @@ double roundedUp(double width)
   return 10.0 * power;
 }
 
-/// Round edges, and twice as many bins as Rice's rule has for the most numerous sample (2 n^(1/3)),
-/// as the early distributions are narrow beside the late ones.
+/// Round edges, and twice the number of bins of Rice's rule for the largest sample (2 n^(1/3)), because the
+/// early distributions are narrow compared to the late ones.
 Bins commonBins(double lowest, double highest, std::size_t largest_sample)
 {
   const double wanted =

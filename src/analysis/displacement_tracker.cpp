@@ -38,7 +38,8 @@ struct Sums
     velocity.mean = mean;
     if (disks > 1)
     {
-      // The ratio estimator's error: the scatter of what each disk travelled about its share of the mean.
+      // The error of a ratio estimator: the scatter of each disk's displacement about the mean times its
+      // time.
       const double count = static_cast<double>(disks);
       const double scatter =
           displacement_squared - 2.0 * mean * displacement_time + mean * mean * time_squared;
@@ -59,7 +60,7 @@ void DisplacementTracker::take(const ParticleFrame& frame)
 {
   if (frame.time < settle_)
     return;
-  std::vector<Sums> steps(blocks_.size());  // since the frame before
+  std::vector<Sums> steps(blocks_.size());  // since the previous frame
   for (const DiskState& disk : frame.disks)
   {
     const auto [place, is_new] = tracks_.try_emplace(disk.id);

@@ -17,8 +17,8 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Further than any disk comes in the longest run (10^9 s) at the highest speed of a scene (10^4 m/s),
-/// and short of where products of two displacements overflow [m].
+/// Further than any disk moves in the longest run (10^9 s) at the highest speed of a scene (10^4 m/s), and
+/// small enough that products of two displacements do not overflow [m].
 constexpr double FARTHEST = 1e15;
 
 /// Disks have ids of 32 bits.
@@ -38,7 +38,7 @@ void requireSpecies(std::size_t count, const SceneDefinition& scene)
                                     describeFrame<Frame>(), count, scene.species.size()));
 }
 
-/// The name of a field that holds a number that is not finite; null where there is none.
+/// The name of a field with a number that is not finite; null if there is none.
 template <typename T>
 const char* notFinite(const char* name, const T& value)
 {

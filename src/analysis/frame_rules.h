@@ -3,12 +3,12 @@
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/recording/frames.h"
 
-/// What a frame has to be for an analysis to take it: a bag may hold anything.
+/// The conditions that a frame must meet for the analysis, because a bag may contain anything.
 namespace ratchet_sieve
 {
 
-/// @throws AnalysisError: a number that is not finite, a count or a place beyond any machine, or species
-/// that are not the scene's
+/// @throws AnalysisError for a number that is not finite, an impossible count or position, or species that
+/// are not in the scene
 template <typename Frame>
 void requireSound(const Frame& frame, const SceneDefinition& scene);
 

@@ -15,7 +15,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Displacements are distributed at the ends of this many equal parts of the duration.
+/// Distributions are taken at the ends of this many equal parts of the duration.
 constexpr int DISTRIBUTION_TIMES = 4;
 
 std::vector<double> distributionTimes(double duration)
@@ -44,7 +44,7 @@ Drift driftOf(const ParticleFrame& frame, std::size_t species_count)
 
 }  // namespace
 
-/// All that is kept of one run.
+/// The accumulated data of one run.
 struct RunAnalysis::Run
 {
   Run(const SceneFrame& frame, SceneDefinition definition)
@@ -88,7 +88,7 @@ void RunAnalysis::Run::take(const ParticleFrame& frame)
 
 void RunAnalysis::Run::take(const BinFrame& frame)
 {
-  // Q and P from the counts, not as the frame says: the analysis is to stand on its own.
+  // Q and P are computed from the counts, not copied from the frame, so that the analysis is independent.
   BinFrame counted = frame;
   counted.quality = bestQuality(frame.bins);
   counted.processed = processedRatio(frame.bins);

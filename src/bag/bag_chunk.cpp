@@ -13,7 +13,6 @@ namespace
 /// An entry of an index: seconds, nanoseconds and offset, each of 32 bits [bytes].
 constexpr std::size_t INDEX_ENTRY_SIZE = 12;
 
-constexpr std::uint32_t INDEX_VERSION = 1;
 constexpr std::uint32_t NANOSECONDS = 1'000'000'000;
 
 /// Decompresses `from` into `to`. Returns whether it is valid and has exactly `to_size` bytes.
@@ -27,7 +26,7 @@ bool unpack(std::string_view compression, std::string_view from, char* to, unsig
     return roslz4_buffToBuffDecompress(source, source_size, to, &size) == ROSLZ4_OK && size == to_size;
   if (compression == "bz2")
     return BZ2_bzBuffToBuffDecompress(to, &size, source, source_size, 0, 0) == BZ_OK && size == to_size;
-  throw DamagedBag("a chunk is packed in an unknown way");
+  throw DamagedBag("a chunk has an unknown compression");
 }
 
 }  // namespace
@@ -40,14 +39,14 @@ BagChunk::BagChunk(const BagRecord& record)
   if (compression == "none")
   {
     if (size != record.bytes.size())
-      throw DamagedBag("a chunk has another size than it says");
+      throw DamagedBag("the size of a chunk differs from its header");
     readMessages(record.bytes);
     return;
   }
   // Not initialised, so that a wrong size in the file takes up no more memory than is written.
   const std::unique_ptr<char[]> unpacked(new char[size]);
   if (!unpack(compression, record.bytes, unpacked.get(), size))
-    throw DamagedBag("a chunk does not unpack");
+    throw DamagedBag("a chunk cannot be decompressed");
   readMessages({unpacked.get(), size});
 }
 
@@ -81,18 +80,18 @@ void BagChunk::takeIndex(const BagRecord& record)
   if (record.fields.number("ver") != INDEX_VERSION)
     throw DamagedBag("an index is of an unknown version");
   if (record.bytes.size() != INDEX_ENTRY_SIZE * record.fields.number("count"))
-    throw DamagedBag("an index has another size than it says");
+    throw DamagedBag("the size of an index differs from its header");
   BagBytes rest(record.bytes);
   while (!rest.atEnd())
   {
     const std::uint32_t seconds = rest.takeNumber();
     const std::uint32_t nanoseconds = rest.takeNumber();
     if (nanoseconds >= NANOSECONDS || (seconds == 0 && nanoseconds == 0))
-      throw DamagedBag("an index has a time that is none");
+      throw DamagedBag("an index has an invalid time");
     const auto entry = entries_.find(rest.takeNumber());
     const auto message = entry == entries_.end() ? unindexed_.end() : unindexed_.find(entry->second);
     if (message == unindexed_.end() || message->second != connection)
-      throw DamagedBag("an index does not lead to a message");
+      throw DamagedBag("an index entry points to no message");
     unindexed_.erase(message);
     times_.push_back(std::uint64_t{seconds} * NANOSECONDS + nanoseconds);
   }

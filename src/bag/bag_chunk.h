@@ -11,34 +11,36 @@
 namespace ratchet_sieve
 {
 
-/// One chunk of a bag: where its messages stand in it, and which of them the index has named.
+/// One chunk of a bag: the positions of its messages, and which of them are in the index.
 class BagChunk
 {
 public:
-  /// Unpacks the chunk and goes through all that is in it.
-  /// @throws DamagedBag where it does not unpack to the size that it claims, or holds what is no message
+  /// Decompresses the chunk and checks its content.
+  /// @throws DamagedBag if it does not decompress to its declared size, or contains an invalid record
   explicit BagChunk(const BagRecord& record);
 
-  /// The size that a chunk claims to unpack to [bytes].
+  /// The declared uncompressed size of a chunk [bytes].
   static std::uint32_t claimedSize(const BagRecord& record) { return record.fields.number("size"); }
 
   /// Takes an index record of this chunk.
-  /// @throws DamagedBag where it names what is no message of its connection, or one that was named before
+  /// @throws DamagedBag if an entry is no message of its connection, or occurs twice
   void takeIndex(const BagRecord& record);
 
-  /// @throws DamagedBag if the index has not named every message
+  /// @throws DamagedBag if a message is not in the index
   void requireIndexed() const;
 
   std::size_t indexRecords() const { return index_records_; }
 
-  /// When each message was recorded, in the order of the index [ns].
+  /// Recording time of each message, in the order of the index [ns].
   const std::vector<std::uint64_t>& times() const { return times_; }
 
 private:
   void readMessages(std::string_view unpacked);
 
-  std::map<std::size_t, std::size_t> entries_;      ///< offsets that lead to a message, and its own offset
-  std::map<std::size_t, std::uint32_t> unindexed_;  ///< messages not named yet, by offset: connection
+  std::map<std::size_t, std::size_t>
+      entries_;  ///< offsets to which the index may point, and the offset of the message
+  std::map<std::size_t, std::uint32_t>
+      unindexed_;  ///< messages not in the index so far, by offset: connection
   std::vector<std::uint64_t> times_;
   std::size_t index_records_ = 0;
 };

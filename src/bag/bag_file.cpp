@@ -10,24 +10,20 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "bag_record.h"
 #include "record_text.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-constexpr const char* VERSION_LINE = "#ROSBAG V2.0\n";
-
-/// The file's head keeps this size, so that it can be written again in its place [bytes].
+/// Fixed size of the file's header, so that it can be overwritten in place [bytes].
 constexpr std::size_t HEAD_SIZE = 4096;
 
-constexpr std::uint32_t INDEX_VERSION = 1;
-constexpr std::uint32_t CHUNK_INFO_VERSION = 1;
-
-/// Blocks of 1 MiB, as rosbag packs them; a block that does not get smaller is stored as it is.
+/// Blocks of 1 MiB, as in rosbag; incompressible blocks are stored uncompressed.
 constexpr int BLOCK_SIZE = 6;
 constexpr std::size_t BLOCK_HEAD = 4;   // bytes
-constexpr std::size_t FRAME_HEAD = 64;  // bytes, more than there are
+constexpr std::size_t FRAME_HEAD = 64;  // bytes, an upper bound
 
 /// Errors for a full disk, an exceeded quota or the largest file size: a smaller write might fit.
 bool isFull(int error)
@@ -35,8 +31,8 @@ bool isFull(int error)
   return error == ENOSPC || error == EDQUOT || error == EFBIG;
 }
 
-/// To make room for the index, chunks are removed of no more than its size and of this, which other programs
-/// may use up meanwhile [bytes].
+/// Chunks are removed for the index up to the size of the index plus this reserve, because other programs may
+/// use up space at the same time [bytes].
 constexpr std::uint64_t ROOM_BESIDE = std::uint64_t{1} << 20;
 
 std::string stampBytes(ros::Time time)
@@ -44,7 +40,8 @@ std::string stampBytes(ros::Time time)
   return bytesOf(time.sec) + bytesOf(time.nsec);
 }
 
-/// A lock that is released when the program ends in any way. File systems without locks grant it always.
+/// Tries a lock that the kernel releases when the program ends in any way. File systems without locks always
+/// grant it.
 bool refusesLock(int descriptor, int kind)
 {
   return flock(descriptor, kind | LOCK_NB) != 0 && errno == EWOULDBLOCK;
@@ -78,7 +75,7 @@ BagFile::BagFile(const std::string& path)
     // Only a regular file can be truncated.
     if (ftruncate(descriptor_, 0) != 0 && errno != EINVAL)
       fail(errno);
-    const std::string head = VERSION_LINE + headRecord(0);
+    const std::string head = std::string(VERSION_LINE) + headRecord(0);
     writeAt(0, head);
     end_ = head.size();
   }
@@ -133,7 +130,7 @@ void BagFile::finishMessage(std::uint32_t connection, ros::Time time)
     endChunk();
 }
 
-/// chunk_ into packed_. The library reads through a pointer that is not const.
+/// Compresses chunk_ into packed_.
 void BagFile::pack()
 {
   const std::size_t blocks =
@@ -147,8 +144,8 @@ void BagFile::pack()
 }
 
 /// The records of a chunk's index.
-/// @param counts takes how many messages each connection has in it, as the file's index says it
-/// @return how many connections have some
+/// @param counts takes the number of messages per connection, in the format of the file's index
+/// @return number of connections with messages
 std::uint32_t BagFile::appendIndexes(std::string& to, std::string& counts) const
 {
   std::uint32_t connections = 0;
@@ -269,7 +266,7 @@ void BagFile::writeIndex()
     fail(errno);
   writeAt(end_, indexOfFile());
   // The header refers to the index only after the index was written.
-  writeAt(std::strlen(VERSION_LINE), headRecord(end_));
+  writeAt(VERSION_LINE.size(), headRecord(end_));
 }
 
 void BagFile::makeIndex()
@@ -306,7 +303,7 @@ std::optional<BagFile::Loss> BagFile::close()
     // Reported below, after the index was written.
   }
   makeIndex();
-  // Another descriptor of the same file holds its lock on.
+  // Another descriptor of the same file keeps its lock.
   lock_ = fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
   // Some file systems report write errors only here.
   const int closed = ::close(std::exchange(descriptor_, -1));

@@ -18,7 +18,7 @@ BagFields::BagFields(std::string_view header)
     const std::string_view field = rest.takeSized();
     const std::size_t equals = field.find('=');
     if (equals == std::string_view::npos || field.size() > LONGEST_FIELD)
-      throw DamagedBag("a record's header holds no fields");
+      throw DamagedBag("a record's header has an invalid field");
     if (!values_.emplace(field.substr(0, equals), field.substr(equals + 1)).second)
       throw DamagedBag("a record's header has a field twice");
   }
@@ -36,13 +36,13 @@ void BagRecord::requireOp(BagOp op) const
 {
   if (fields.op() != op)
     throw DamagedBag("a record of kind " + std::to_string(static_cast<int>(fields.op())) +
-                     " stands where one of kind " + std::to_string(static_cast<int>(op)) + " has to");
+                     " is in place of one of kind " + std::to_string(static_cast<int>(op)) + " has to");
 }
 
 std::string_view BagBytes::take(std::size_t count)
 {
   if (count > bytes_.size() - position_)
-    throw DamagedBag("a record at byte " + std::to_string(position_) + " goes on beyond the end");
+    throw DamagedBag("a record at byte " + std::to_string(position_) + " extends beyond the end");
   const std::string_view taken = bytes_.substr(position_, count);
   position_ += count;
   return taken;

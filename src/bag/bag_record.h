@@ -8,18 +8,22 @@
 #include <string>
 #include <string_view>
 
-/// The records that a bag is made of (format 2.0, wiki.ros.org/Bags/Format/2.0), read without trust in
-/// any length that they give of themselves. Integers are little-endian, as the machines that run this.
+/// The records of a bag (format 2.0, wiki.ros.org/Bags/Format/2.0). All lengths in the file are checked.
+/// Integers are little-endian, as on the supported machines.
 namespace ratchet_sieve
 {
 
-/// What is wrong with a bag's bytes.
+constexpr std::string_view VERSION_LINE = "#ROSBAG V2.0\n";  ///< a bag's first line
+constexpr std::uint32_t INDEX_VERSION = 1;
+constexpr std::uint32_t CHUNK_INFO_VERSION = 1;
+
+/// An error in a bag's bytes.
 struct DamagedBag : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// What a record is.
+/// The type of a record.
 enum class BagOp : std::uint8_t
 {
   MESSAGE = 2,
@@ -30,11 +34,11 @@ enum class BagOp : std::uint8_t
   CONNECTION = 7
 };
 
-/// The named values of a record's header, within the bag's bytes.
+/// The named fields of a record's header, as views into the bag's bytes.
 class BagFields
 {
 public:
-  /// @throws DamagedBag where a field reaches beyond the header, has no name, or stands there twice
+  /// @throws DamagedBag if a field extends beyond the header, has no name, or occurs twice
   explicit BagFields(std::string_view header);
 
   /// @throws DamagedBag if there is none of this name
@@ -70,7 +74,7 @@ struct BagRecord
   void requireOp(BagOp op) const;
 };
 
-/// A bag's bytes, or a chunk's, taken from the front on and never beyond their end.
+/// A reader for the bytes of a bag or a chunk, which never reads beyond their end.
 class BagBytes
 {
 public:
@@ -80,10 +84,10 @@ public:
   std::size_t size() const { return bytes_.size(); }
   bool atEnd() const { return position_ == bytes_.size(); }
 
-  /// All throw DamagedBag where fewer are left.
+  /// All throw DamagedBag if fewer bytes are left.
   std::string_view take(std::size_t count);
   std::uint32_t takeNumber();
-  std::string_view takeSized();  ///< a length of 32 bits, and as many bytes
+  std::string_view takeSized();  ///< a length of 32 bits, and this many bytes
   BagRecord takeRecord();
 
 private:

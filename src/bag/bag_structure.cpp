@@ -17,21 +17,18 @@ namespace ratchet_sieve
 namespace
 {
 
-constexpr std::string_view VERSION_LINE = "#ROSBAG V2.0\n";
-
-/// What a bag may unpack to: so many times its own size, which is lz4's limit and more than numbers
-/// ever give, ...
+/// Largest uncompressed size of a bag in multiples of its own size: the limit of lz4, and more than numbers
+/// ever reach, ...
 constexpr std::size_t MOST_RATIO = 255;
-/// ... and this besides, so that a short run of disks at rest is not refused in bz2 [bytes].
+/// ... plus this, so that a short bz2 recording of disks at rest is accepted [bytes].
 constexpr std::size_t UNPACKED_ANYWAY = std::size_t{16} << 20;
-/// How often its chunks may have to be unpacked, all together, for its messages to come in the order of
-/// time: more than a recorder's delays ever bring about.
+/// How often, on average, a chunk may have to be decompressed to read the messages in the order of time: more
+/// than a recorder's delays can cause.
 constexpr std::size_t MOST_UNPACKINGS = 16;
 /// More than any recorder writes; rosbag doubles a buffer of 32-bit size until a chunk fits [bytes].
 constexpr std::size_t LARGEST_CHUNK = std::size_t{1} << 30;
 
-constexpr std::uint32_t CHUNK_INFO_VERSION = 1;
-/// Of a connection in a chunk's info: its number and a count, each of 32 bits [bytes].
+/// A connection in a chunk's info: its number and a count, each of 32 bits [bytes].
 constexpr std::size_t CHUNK_INFO_ENTRY_SIZE = 8;
 
 /// A bag that has no index: one that is still being written, or whose writer died.
@@ -51,14 +48,14 @@ public:
     readConnections();
     readChunkInfos();
     if (!rest_.atEnd())
-      throw DamagedBag("it goes on behind its index");
+      throw DamagedBag("it continues after its index");
     requireOrder();
   }
 
   void readHead()
   {
     if (rest_.size() < VERSION_LINE.size() || rest_.take(VERSION_LINE.size()) != VERSION_LINE)
-      throw DamagedBag("it does not begin as a bag of format 2.0");
+      throw DamagedBag("it is not of format 2.0");
     const BagRecord head = rest_.takeRecord();
     head.requireOp(BagOp::FILE_HEADER);
     if (head.fields.has("encryptor") && !head.fields.text("encryptor").empty())
@@ -111,11 +108,11 @@ private:
   {
     unpacked_size_ += chunk_size;
     if (chunk_size > LARGEST_CHUNK || unpacked_size_ > MOST_RATIO * rest_.size() + UNPACKED_ANYWAY)
-      throw DamagedBag("it claims to unpack to far more than its size");
+      throw DamagedBag("its declared uncompressed size is too large");
   }
 
-  /// rosbag keeps one chunk unpacked, and reads in the order of time: chunks whose messages alternate are
-  /// unpacked again for each of them.
+  /// rosbag keeps one chunk decompressed and reads in the order of time. So chunks with interleaved messages
+  /// are decompressed again for each message.
   void requireOrder()
   {
     std::sort(messages_.begin(), messages_.end(),
@@ -154,7 +151,7 @@ private:
       const auto chunk = index_records_.find(record.fields.position("chunk_pos"));
       if (record.fields.number("ver") != CHUNK_INFO_VERSION || chunk == index_records_.end() ||
           chunk->second != count || record.bytes.size() != CHUNK_INFO_ENTRY_SIZE * count)
-        throw DamagedBag("what it says of a chunk does not fit it");
+        throw DamagedBag("its information on a chunk does not match the chunk");
       index_records_.erase(chunk);
     }
     if (!index_records_.empty())
@@ -178,7 +175,7 @@ private:
   std::size_t index_position_ = 0;
   std::uint32_t connections_ = 0;
   std::uint32_t chunk_infos_ = 0;
-  std::size_t unpacked_size_ = 0;                       ///< of the chunks so far, as they claim [bytes]
+  std::size_t unpacked_size_ = 0;                       ///< declared total of the chunks so far [bytes]
   std::set<std::uint32_t> indexed_connections_;         ///< that have messages
   std::map<std::uint64_t, std::size_t> index_records_;  ///< of each chunk, by its position
 };
@@ -214,7 +211,7 @@ bool isIndexedBag(const std::string& path)
   {
     return false;
   }
-  catch (const std::runtime_error&)  // no bag, or not to be read
+  catch (const std::runtime_error&)  // no bag, or unreadable
   {
     return false;
   }

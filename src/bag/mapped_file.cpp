@@ -16,7 +16,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// A file that is open for as long as this is.
+/// Closes a file descriptor at the end of its life.
 struct OpenFile
 {
   explicit OpenFile(const std::string& path) : descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
@@ -47,7 +47,7 @@ MappedFile::MappedFile(const std::string& path)
   if (file.descriptor < 0 || fstat(file.descriptor, &status) != 0)
     fail(path, std::strerror(errno));
   if (!S_ISREG(status.st_mode))
-    fail(path, "is no file");
+    fail(path, "is not a file");
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size == 0)
     return;

@@ -6,11 +6,11 @@
 namespace ratchet_sieve
 {
 
-/// A file's bytes to be read in place, however many they are.
+/// A file mapped into memory for reading.
 class MappedFile
 {
 public:
-  /// @throws BagError where there is no such file, or it cannot be read
+  /// @throws BagError if there is no such file, or it cannot be read
   explicit MappedFile(const std::string& path);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;

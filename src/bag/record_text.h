@@ -8,14 +8,14 @@
 namespace ratchet_sieve
 {
 
-/// A number as it stands in a bag: its bytes, little-endian, as on the machines that run this.
+/// A number in a bag: its bytes, little-endian, as on the supported machines.
 template <typename Number>
 std::string bytesOf(Number number)
 {
   return {reinterpret_cast<const char*>(&number), sizeof number};
 }
 
-/// The named values of a header, as BagFields reads them.
+/// The named fields of a header, as BagFields reads them.
 class FieldText
 {
 public:
@@ -35,14 +35,14 @@ private:
   std::string text_;
 };
 
-/// A length of 32 bits, and so many bytes.
+/// A length of 32 bits, and this many bytes.
 inline void appendSized(std::string& to, std::string_view bytes)
 {
   to += bytesOf(static_cast<std::uint32_t>(bytes.size()));
   to += bytes;
 }
 
-/// A whole record, as BagBytes::takeRecord() reads it.
+/// A complete record, as BagBytes::takeRecord() reads it.
 inline void appendRecord(std::string& to, const FieldText& fields, std::string_view bytes)
 {
   appendSized(to, fields.text());

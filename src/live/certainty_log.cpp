@@ -23,8 +23,7 @@ std::optional<std::string> CertaintyLog::line(const Simulation& simulation)
   if (!due || !*certaintyOf(simulation).reached())
     return std::nullopt;
   said_ = true;
-  return fmt::format("at {:g} s the means are as sure as the scene's accuracy asks for; the run goes on",
-                     last_time_);
+  return fmt::format("at {:g} s the requested accuracy is reached; the run continues", last_time_);
 }
 
 }  // namespace ratchet_sieve

@@ -15,12 +15,12 @@ std::optional<std::string> DisplayWait::update(bool watched, Clock::time_point n
   const double waited = std::chrono::duration<double>(now - *begin_).count();
   over_ = watched || waited >= patience_;
   if (watched)
-    return fmt::format("the run may begin: it is watched, after {:.1f} s", waited);
+    return fmt::format("a display has subscribed after {:.1f} s: the wait is over", waited);
   if (over_)
     return fmt::format(
-        "nobody watches ~markers or ~cloud after {:g} s (~wait_for_display): the run may begin", patience_);
+        "no subscriber to ~markers or ~cloud after {:g} s (~wait_for_display): the wait is over", patience_);
   if (first)
-    return fmt::format("the run waits until ~markers or ~cloud is watched, for {:g} s at most", patience_);
+    return fmt::format("the run waits for a subscriber to ~markers or ~cloud, for at most {:g} s", patience_);
   return {};
 }
 

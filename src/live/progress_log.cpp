@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
@@ -22,8 +23,9 @@ std::uint64_t total(const BinFrame& frame, std::uint64_t SpeciesBins::*bin)
 
 std::string binsText(const BinFrame& frame)
 {
-  std::string text = fmt::format("{} disks left, {} right, {} on the base", total(frame, &SpeciesBins::left),
-                                 total(frame, &SpeciesBins::right), total(frame, &SpeciesBins::on_base));
+  std::string text =
+      fmt::format("{} left, {} right, {} on the base", countText(total(frame, &SpeciesBins::left), "disk"),
+                  total(frame, &SpeciesBins::right), total(frame, &SpeciesBins::on_base));
   if (frame.quality)
     text += fmt::format(", Q = {:.3f}", *frame.quality);
   return text;

@@ -168,10 +168,9 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
       return failure(*refusal);
     found.push_back(&*setpoint);
   }
-  // The answer has statistics.
+  // The response contains statistics.
   run_->keepStatistics();
-  // A setpoint that changes nothing is not given: it would predict the events of all disks again, for
-  // nothing.
+  // A setpoint that changes nothing is not applied, because it would require new predictions for all disks.
   for (std::size_t k = 0; k < found.size(); ++k)
     if (commanded(found[k]->quantity) != setpoints[k].second)
       command(*found[k], setpoints[k].second);
@@ -182,16 +181,17 @@ Outcome RunControl::advance(double duration, const Stride& stride)
 {
   const UnderWay under_way(*run_);
   const double target = run_->time() + duration;
-  while (run_->time() < target && !run_->finished())
-    if (!stride(target))
-      return failure("interrupted");
+  bool aborted = false;
+  while (run_->time() < target && !run_->finished() && !aborted)
+    aborted = !stride(target);
   run_->takeAll(sinks_);
   if (run_->stopped())
     return failure(*run_->stopReason());
   if (target - run_->time() < RESOLUTION)
     return {};
-  return {true, fmt::format("the scene's end came first, at {:.9g} s: {:.9g} s of the step are left",
-                            run_->time(), target - run_->time())};
+  return {!aborted, fmt::format("{} at {:.9g} s: {:.9g} s of the step are left",
+                                aborted ? "interrupted" : "the end of the run was reached", run_->time(),
+                                target - run_->time())};
 }
 
 void RunControl::begin(std::unique_ptr<LiveRun> run)
@@ -240,14 +240,14 @@ Outcome RunControl::resetWorld()
     for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
       opening.push_back(setpointCommand(q.quantity, base.*q.commanded));
     const SceneDefinition scene = withBase(run_->simulation().scene(), base);
-    // Disks that are poured at the end have as long as the first had.
+    // Disks poured at the end of a run get the same duration as the first.
     const bool at_end = run_->time() >= run_->endTime();
     begin(makeRun(scene, opening, run_->time(), at_end ? run_->time() + scene.duration : run_->endTime()));
     return {};
   }
   catch (const std::invalid_argument& error)
   {
-    return failure(error.what() + std::string(", as the base stands now; the run goes on as it was"));
+    return failure(error.what() + std::string(", with the base in its present position; the run continues"));
   }
 }
 

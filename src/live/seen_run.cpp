@@ -31,7 +31,7 @@ BaseFrame carriedOn(const SceneDefinition& scene, BaseFrame frame, double time)
   return frame;
 }
 
-/// The base of a run of which no base was recorded, as its scene has it.
+/// The base at the scene's setpoints, for a run without recorded base.
 BaseFrame baseOf(const SceneDefinition& scene)
 {
   BaseFrame frame;

@@ -16,7 +16,7 @@ std::optional<std::string> Setpoint::refusal(double value) const
   if (limits.contains(value))
     return std::nullopt;
   std::ostringstream text;
-  // The sign of a NaN says nothing.
+  // Without the sign of a NaN, which has no meaning.
   text << setpointTopic(quantity) << " " << (std::isnan(value) ? std::abs(value) : value) << " " << unit()
        << " refused: must be from " << limits.min << " to " << limits.max << " " << unit();
   return text.str();

@@ -24,7 +24,7 @@ std::string tooSlowText(double achieved, double asked)
 
 void SpeedWatch::update(bool under_way, double time, double lost, Clock::time_point now)
 {
-  // Where time has jumped back, another run has begun.
+  // A jump back of time means that another run has begun.
   if (last_update_ && under_way && time >= last_time_)
   {
     wall_ += std::chrono::duration<double>(now - *last_update_).count();

@@ -10,7 +10,7 @@ namespace ratchet_sieve
 std::optional<std::string> WallLog::line(const Simulation& simulation)
 {
   const std::uint64_t count = disksOverWalls(simulation);
-  // After a reset there are fewer.
+  // After a reset the count is smaller.
   said_ = std::min(said_, count);
   if (count == 0 || count < 2 * said_)
     return std::nullopt;

@@ -11,7 +11,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Never unloads the library: ROS's libraries are not made to be unloaded.
+/// Never unloads the library, because ROS's libraries do not support it.
 std::unique_ptr<BagPlugin> openBag(const std::string& path)
 {
   void* library = dlopen(BAG_PLUGIN_FILE, RTLD_NOW | RTLD_LOCAL);

@@ -8,11 +8,11 @@
 namespace ratchet_sieve
 {
 
-/// A bag that takes a run's frames, whether or not this build has the ROS that it takes.
+/// A bag that takes the frames of a run. Without ROS it cannot be opened.
 class BagOutput
 {
 public:
-  /// @throws std::runtime_error if it cannot be written, or if this build has no ROS
+  /// @throws std::runtime_error if it cannot be written or this build has no ROS
   explicit BagOutput(const std::string& path);
   ~BagOutput();
 

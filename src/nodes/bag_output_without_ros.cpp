@@ -12,7 +12,7 @@ struct BagOutput::Implementation
 
 BagOutput::BagOutput(const std::string& path)
 {
-  throw std::runtime_error("--bag " + path + ": this build has no ROS, which bags need");
+  throw std::runtime_error("--bag " + path + ": bags need ROS, and this build has none");
 }
 
 BagOutput::~BagOutput() = default;

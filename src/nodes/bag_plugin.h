@@ -2,11 +2,11 @@
 
 #include "ratchet_sieve/recording/frame_sink.h"
 
-/// What sieve_run asks of the library that it loads for --bag: ROS's libraries stay out of a run without.
+/// Interface of the library that sieve_run loads for --bag only, so that other runs need not load ROS.
 namespace ratchet_sieve
 {
 
-/// A bag that is being written.
+/// A bag being written.
 class BagPlugin
 {
 public:
@@ -18,10 +18,10 @@ public:
   virtual void close() = 0;
 };
 
-/// Opens a bag, which the caller deletes. @throws std::runtime_error
+/// Opens a bag; the caller deletes it. @throws std::runtime_error
 using OpenBagPlugin = BagPlugin*(const char* path);
 
-/// The library, found where those are that the program is linked to, and the function in it.
+/// The library, in the library path of the program, and the function in it.
 constexpr const char* BAG_PLUGIN_FILE = "libratchet_sieve_bag_plugin.so";
 constexpr const char* BAG_PLUGIN_FUNCTION = "ratchetSieveOpenBag";
 

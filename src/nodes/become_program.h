@@ -11,9 +11,9 @@
 namespace ratchet_sieve
 {
 
-/// This process becomes another program, found on PATH.
-/// @param self says on stderr what is wrong @param words the program and its arguments
-/// @return an exit status, where it cannot be run
+/// Replaces this process by another program, found on PATH.
+/// @param self name of this program in an error line @param words the program and its arguments
+/// @return an exit status, if it cannot be run
 inline int becomeProgram(const char* self, std::vector<std::string> words)
 {
   std::vector<char*> argv;

@@ -7,17 +7,17 @@
 namespace ratchet_sieve
 {
 
-/// Saves a run as it goes. A disk that is full for a while does not end it: standard error says so.
+/// Saves a run periodically. A full disk does not end the run, but causes a warning.
 class CheckpointSaver
 {
 public:
-  /// Saves the run as it begins: whatever is wrong with the path shows before any work is done.
+  /// Saves the start of the run, so that a bad path is an error before any work is done.
   /// @throws OutputError
   CheckpointSaver(const std::string& path, const Simulation& simulation, const RunProgress& progress);
 
   void save(const Simulation& simulation, const RunProgress& progress);
 
-  /// Whether the last one was saved.
+  /// Whether the last checkpoint was saved.
   bool saved() const { return failure_.empty(); }
 
 private:

@@ -3,11 +3,13 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "help_format.h"
 #include "ratchet_sieve/recording/version.h"
 
 namespace ratchet_sieve
@@ -18,24 +20,38 @@ constexpr int DONE = 0;
 constexpr int FAILED = 1;
 constexpr int REFUSED = 2;
 
-/// Bad arguments or a bad scene: nothing was written.
+/// Bad arguments or a bad scene; nothing was written.
 struct Refusal : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// Says what is wrong in one line.
+/// Prints one error line. @return the status
 inline int complain(const CLI::App& app, const std::string& what, int status)
 {
   std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), what.c_str());
   return status;
 }
 
-/// Parses the arguments into what `app` describes and --version, runs the program, and lets no exception out.
-/// @return the exit status
+/// Gives the program and its subcommands --help, --version, the format of their help and the footer.
+inline void describeHelp(CLI::App& app)
+{
+  app.set_version_flag("--version", app.get_name() + " " + version(), "Print the version and exit");
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.formatter(std::make_shared<HelpFormat>());
+  for (CLI::App* command : app.get_subcommands(nullptr))
+  {
+    command->set_help_flag("-h,--help", "Print this help and exit");
+    command->formatter(app.get_formatter());
+    command->footer(app.get_footer());
+  }
+}
+
+/// Parses the arguments that `app` describes, --help and --version, and runs the program. Every exception
+/// becomes an error line. @return the exit status
 inline int runProgram(CLI::App& app, int argc, char** argv, const std::function<int()>& program)
 {
-  app.set_version_flag("--version", app.get_name() + " " + version());
+  describeHelp(app);
   try
   {
     app.parse(argc, argv);

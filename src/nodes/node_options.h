@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "ratchet_sieve/recording/version.h"
@@ -8,7 +9,16 @@
 namespace ratchet_sieve
 {
 
-/// Answers --help and --version, before a node asks for a master that may not be there.
+/// Flushes standard output after each log line, also into a pipe or a file. To be called before any output.
+/// ROS reads its own switch before main(), so it is set for programs that replace this one, unless the user
+/// has set it.
+inline void writeLogByLines()
+{
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  setenv("ROSCONSOLE_STDOUT_LINE_BUFFERED", "1", 0);
+}
+
+/// Answers --help and --version. To be called before the node looks for a master, which may be missing.
 /// @return whether one of them was given
 inline bool answerOptions(int argc, char** argv, const char* program, const char* help)
 {

@@ -15,10 +15,14 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Runs a program to its end. @return its wait status
-int runScript(const std::string& program, std::vector<std::string> arguments)
+/// The system's Python, which has matplotlib, as in the first lines of the scripts. The copies in the build
+/// tree are not executable.
+constexpr const char* PYTHON = "/usr/bin/python3";
+
+/// Runs a script to its end. @return its wait status
+int runScript(const std::string& script, std::vector<std::string> arguments)
 {
-  arguments.insert(arguments.begin(), program);
+  arguments.insert(arguments.begin(), {PYTHON, script});
   std::vector<char*> argv;
   argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments)
@@ -27,12 +31,12 @@ int runScript(const std::string& program, std::vector<std::string> arguments)
   const pid_t child = fork();
   if (child == 0)
   {
-    execv(program.c_str(), argv.data());
+    execv(PYTHON, argv.data());
     _exit(127);
   }
   int status = 0;
   if (child < 0 || waitpid(child, &status, 0) < 0)
-    throw std::runtime_error(program + ": cannot be run: " + std::strerror(errno));
+    throw std::runtime_error(script + ": cannot be run: " + std::strerror(errno));
   return status;
 }
 
@@ -42,11 +46,11 @@ int plotTables(const std::string& name, const std::vector<std::string>& argument
 {
   const std::filesystem::path script = std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;
   if (!std::filesystem::exists(script))
-    throw std::runtime_error(script.string() + ": not there, so that nothing can be plotted");
+    throw std::runtime_error(script.string() + ": no such file; nothing is plotted");
   const int status = runScript(script.string(), arguments);
-  if (!WIFEXITED(status) || (WEXITSTATUS(status) != 0 && WEXITSTATUS(status) != REFUSED))
+  if (!WIFEXITED(status) || WEXITSTATUS(status) > REFUSED)
     throw std::runtime_error(script.string() + ": failed on " + arguments.front());
-  return WEXITSTATUS(status);
+  return WEXITSTATUS(status);  // the script has printed the error
 }
 
 }  // namespace ratchet_sieve

@@ -1,14 +1,14 @@
-// Loaded into RViz ahead of Xlib, by sieve_rviz. Ogre creates RViz's window on one connection to the X server
-// and Mesa asks for its size on another; nothing makes the server do the one before the other. Where it asks
-// first, the call fails, Mesa goes on with what happens to be on the stack for a size (168 by 0 pixels), and
-// llvmpipe draws past the end of a buffer of 0 bytes: RViz crashes a moment after its start, in one start of
-// ten beside two busy programs. At RViz's end the window is gone before the last picture: the same again.
+// sieve_rviz loads this library into RViz before Xlib. It works around a race that crashes RViz: Ogre creates
+// RViz's window on one connection to the X server, Mesa asks for its size on another, and the server may
+// answer Mesa first. That call then fails, Mesa uses an uninitialised size (such as 168 by 0 pixels), and
+// llvmpipe writes past the end of a buffer of 0 bytes. Next to two busy programs one start of RViz in ten
+// crashed. The same happens at RViz's end, when the window is destroyed before the last picture.
 #include <X11/Xlib.h>
 #include <dlfcn.h>
 
 namespace
 {
-/// Xlib's own function of a name, behind ours.
+/// Xlib's own function with the name of ours.
 template <typename Function>
 Function* ofXlib(Function*, const char* name)
 {
@@ -16,7 +16,7 @@ Function* ofXlib(Function*, const char* name)
 }
 }  // namespace
 
-/// Returns when the window exists for other connections, too.
+/// Returns when the window exists on all connections.
 extern "C" Window XCreateWindow(Display* display, Window parent, int x, int y, unsigned width,
                                 unsigned height, unsigned border_width, int depth, unsigned window_class,
                                 Visual* visual, unsigned long mask, XSetWindowAttributes* attributes)
@@ -28,7 +28,7 @@ extern "C" Window XCreateWindow(Display* display, Window parent, int x, int y, u
   return window;
 }
 
-/// A window that does not exist has one pixel, the least that one can have.
+/// Gives a window that does not exist one pixel, the least possible size.
 extern "C" Status XGetGeometry(Display* display, Drawable drawable, Window* root, int* x, int* y,
                                unsigned* width, unsigned* height, unsigned* border_width, unsigned* depth)
 {

@@ -1,4 +1,6 @@
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <memory>
 #include <string>
@@ -17,7 +19,7 @@ namespace
 
 using namespace ratchet_sieve;
 
-/// What a bag calls its version or scene may be no text at all.
+/// Version and scene of a damaged bag may be invalid UTF-8.
 constexpr auto REPLACE = nlohmann::ordered_json::error_handler_t::replace;
 
 struct Arguments
@@ -29,12 +31,22 @@ struct Arguments
 
 void describe(CLI::App& app, Arguments& arguments)
 {
-  app.add_option("BAG", arguments.bags, "A recorded run; all its files, where it was split")
+  app.add_option("BAG", arguments.bags, "Bag of a recorded run; all files of a split one")
       ->required()
       ->type_name("FILE");
-  app.add_option("--summary", arguments.summary, "Write the results as JSON")->type_name("FILE");
-  app.add_option("--out", arguments.directory, "Write tables (CSV) and plots (PNG) there")->type_name("DIR");
-  app.footer("Exit status: 0 done; 2 bad arguments; 1 anything else, such as a bag that cannot be read.");
+  app.add_option("--summary", arguments.summary, "Write the results as JSON to a file")->type_name("FILE");
+  app.add_option("--out", arguments.directory, "Write tables (CSV) and plots (PNG) to a directory")
+      ->type_name("DIR");
+  app.footer(
+      "Exit status: 0 if done; 2 for bad arguments; 1 for any other failure, such as a bag that cannot be "
+      "read.");
+}
+
+/// @throws OutputError if standard output could not be written in full, as on a full disk
+void requirePrinted()
+{
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw OutputError(std::string("standard output: cannot be written: ") + std::strerror(errno));
 }
 
 int analyze(const Arguments& arguments)
@@ -46,6 +58,7 @@ int analyze(const Arguments& arguments)
   readBags(arguments.bags, analysis);
   const RunResult result = analysis.result();
   std::fputs(reportText(result).c_str(), stdout);
+  requirePrinted();
   if (summary)
   {
     summary->stream() << reportJson(result).dump(2, ' ', false, REPLACE) << '\n';
@@ -56,7 +69,7 @@ int analyze(const Arguments& arguments)
     std::puts("\nTables and plots:");
     for (const std::string& path : writeTables(result, arguments.directory))
       std::puts(path.c_str());
-    std::fflush(stdout);
+    requirePrinted();
     return plotTables("plot_analysis.py", {arguments.directory});
   }
   return DONE;
@@ -67,7 +80,10 @@ int analyze(const Arguments& arguments)
 int main(int argc, char** argv)
 {
   Arguments arguments;
-  CLI::App app("Analyses a recorded run: Q, P, mean velocities, displacements, contacts.", "sieve_analyze");
+  CLI::App app(
+      "Analyse a recorded run: separation quality Q, processed share P, mean velocities, displacements, "
+      "contacts.",
+      "sieve_analyze");
   describe(app, arguments);
   return runProgram(app, argc, argv, [&] { return analyze(arguments); });
 }

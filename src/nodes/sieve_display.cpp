@@ -9,15 +9,17 @@
 namespace
 {
 constexpr const char* HELP =
-    "Shows a sieve from its topics alone, live or played from a bag: ~markers and ~cloud; of a bag also\n"
-    "/tf, which a sieve that runs publishes by itself.\n"
+    "Draw a sieve from its topics, live or played from a bag: publish ~markers and ~cloud, and for a bag\n"
+    "also /tf, which a running sieve publishes itself.\n"
     "\n"
     "Usage: rosrun ratchet_sieve sieve_display [--help | --version] [ROS ARGUMENT...]\n"
     "\n"
-    "Parameters: ~sieve, the name of the sieve's node, `sieve` by default; empty: the sieve that there is.\n"
-    "~frame_prefix of its frames, where it has one of its own.\n"
-    "~rates/display, pictures per second of wall time, 30 by default. See launch/replay.launch.\n"
-    "Exit status: 0 when it is stopped; 2 for a bad parameter.\n";
+    "Parameters (see launch/replay.launch):\n"
+    "  ~sieve          name of the sieve's node; empty: the only sieve (default: sieve)\n"
+    "  ~frame_prefix   prefix of its frames (default: derived from the name of the sieve's node)\n"
+    "  ~rates/display  pictures per second [Hz of wall time] (default: 30)\n"
+    "\n"
+    "Exit status: 0 if it is stopped; 2 for a bad parameter.\n";
 }  // namespace
 
 int main(int argc, char** argv)
@@ -25,6 +27,7 @@ int main(int argc, char** argv)
   using namespace ratchet_sieve;
   if (answerOptions(argc, argv, "sieve_display", HELP))
     return 0;
+  writeLogByLines();
   ros::init(argc, argv, "sieve_display");
   try
   {

@@ -12,12 +12,14 @@
 namespace
 {
 constexpr const char* HELP =
-    "The ROS node: runs a sieve, takes setpoints and services, publishes and records.\n"
+    "Run a sieve as a ROS node: take setpoints and service calls, publish and record.\n"
     "\n"
     "Usage: rosrun ratchet_sieve sieve_node [--help | --version] [ROS ARGUMENT...]\n"
     "\n"
-    "Everything is told by parameters, the scene under ~scene: see launch/sieve.launch.\n"
-    "Exit status: 0 at the scene's end or when stopped; 2 for a bad scene or parameter; 1 else.\n";
+    "The scene is the parameter ~scene; for the other parameters see launch/sieve.launch.\n"
+    "\n"
+    "Exit status: 0 at the end of the scene or if it is stopped; 2 for a bad scene or parameter; 1 for any\n"
+    "other failure.\n";
 
 std::atomic<bool> stop{false};
 
@@ -32,13 +34,14 @@ int main(int argc, char** argv)
   using namespace ratchet_sieve;
   if (answerOptions(argc, argv, "sieve_node", HELP))
     return 0;
-  // ROS's own handler would close the topics before the last messages are sent. While the node handle waits
-  // for a master, a signal ends the program at once.
+  writeLogByLines();
+  // ROS's own signal handler would close the topics before the last messages are sent. While the node handle
+  // waits for a master, a signal still ends the program at once.
   ros::init(argc, argv, "sieve", ros::init_options::NoSigintHandler);
   const ros::NodeHandle private_node("~");
   std::signal(SIGINT, requestStop);
   std::signal(SIGTERM, requestStop);
-  // Exceeding the file size limit is an error of the recording, and does not end the run.
+  // Exceeding the file size limit ends the recording with an error, but not the run.
   std::signal(SIGXFSZ, SIG_IGN);
   std::unique_ptr<SieveNode> node;
   try

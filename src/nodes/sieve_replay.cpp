@@ -3,6 +3,7 @@
 
 #include "become_program.h"
 #include "command_line.h"
+#include "node_options.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 
 namespace
@@ -18,16 +19,17 @@ struct Arguments
 
 void describe(CLI::App& app, Arguments& arguments)
 {
-  app.add_option("BAG", arguments.bags, "A recorded run; all its files, where it was split")
+  app.add_option("BAG", arguments.bags, "Bag of a recorded run; all files of a split one")
       ->required()
       ->type_name("FILE");
-  app.add_option("--sieve", arguments.sieve, "Node whose run it is to be; else any")->type_name("NAME");
+  app.add_option("--sieve", arguments.sieve, "Require that the bags are of the run of this node")
+      ->type_name("NAME");
   app.footer(
-      "What follows `--` goes to `rosbag play`, such as --clock; so do ROS's own arguments.\n"
-      "Exit status: 1 for a bag that cannot be shown, 2 for bad arguments; else that of rosbag.");
+      "Arguments after `--`, such as --clock, and remappings (NAME:=VALUE) are passed to `rosbag play`.\n"
+      "Exit status: 1 for a bag that cannot be shown; 2 for bad arguments; otherwise that of `rosbag play`.");
 }
 
-/// What is for this program alone comes before `--`.
+/// Arguments of this program, which come before `--`, and those of rosbag.
 struct SplitArguments
 {
   std::vector<char*> own;
@@ -37,13 +39,13 @@ struct SplitArguments
 SplitArguments split(int argc, char** argv)
 {
   SplitArguments arguments;
-  bool behind = false;
+  bool after_dashes = false;
   for (int k = 0; k < argc; ++k)
   {
     const std::string word = argv[k];
-    if (!behind && word == "--")
-      behind = true;
-    else if (behind || word.find(":=") != std::string::npos)
+    if (!after_dashes && word == "--")
+      after_dashes = true;
+    else if (after_dashes || word.find(":=") != std::string::npos)
       arguments.passed_on.push_back(word);
     else
       arguments.own.push_back(argv[k]);
@@ -58,6 +60,7 @@ int replay(const Arguments& arguments, const std::vector<std::string>& passed_on
   std::vector<std::string> words = {"rosrun", "rosbag", "play"};
   words.insert(words.end(), passed_on.begin(), passed_on.end());
   words.insert(words.end(), arguments.bags.begin(), arguments.bags.end());
+  writeLogByLines();
   return becomeProgram("sieve_replay", words);
 }
 
@@ -66,8 +69,7 @@ int replay(const Arguments& arguments, const std::vector<std::string>& passed_on
 int main(int argc, char** argv)
 {
   Arguments arguments;
-  CLI::App app("Sees that a sieve can be shown from recorded bags, and becomes `rosbag play` of them.",
-               "sieve_replay");
+  CLI::App app("Check that recorded bags can be shown, then play them with `rosbag play`.", "sieve_replay");
   describe(app, arguments);
   SplitArguments given = split(argc, argv);
   return runProgram(app, static_cast<int>(given.own.size()), given.own.data(),

@@ -7,6 +7,7 @@
 
 #include "command_line.h"
 #include "ratchet_sieve/bag/bag_error.h"
+#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/recording/resimulation.h"
 #include "ratchet_sieve/recording/version.h"
@@ -17,7 +18,7 @@ namespace
 
 using namespace ratchet_sieve;
 
-/// Other versions may round differently: said before a difference is.
+/// Other versions may round differently. Called before a difference is printed.
 void warnOfVersion(const Resimulation& resimulation)
 {
   if (const auto& scene = resimulation.scene(); scene && scene->version != version())
@@ -55,8 +56,9 @@ int resimulate(const std::vector<std::string>& bags)
     fmt::print("differs: {}\n", *difference);
     return FAILED;
   }
-  fmt::print("the same, bit for bit: {} frames over {:g} s, with {} commands\n", resimulation.frames(),
-             resimulation.time() - resimulation.scene()->start_time, resimulation.commands());
+  fmt::print("the same, bit for bit: {} over {:g} s, with {}\n", countText(resimulation.frames(), "frame"),
+             resimulation.time() - resimulation.scene()->start_time,
+             countText(resimulation.commands(), "command"));
   return DONE;
 }
 
@@ -66,12 +68,14 @@ int main(int argc, char** argv)
 {
   std::vector<std::string> bags;
   CLI::App app(
-      "Runs a recorded run again, from its scene, seed and commands, and says whether every recorded\n"
-      "state comes out bit for bit.",
+      "Run a recorded run again, from its scene, seed and commands, and compare every recorded state bit for "
+      "bit.",
       "sieve_resimulate");
-  app.add_option("BAG", bags, "A recorded run: its bag, or all the files of a split one")
+  app.add_option("BAG", bags, "Bag of a recorded run; all files of a split one")
       ->required()
       ->type_name("FILE");
-  app.footer("Exit status: 0 the same; 1 it differs, or the bag cannot be read; 2 bad arguments.");
+  app.footer(
+      "Exit status: 0 if all states are the same; 1 if one differs or the bag cannot be read; 2 for bad "
+      "arguments.");
   return runProgram(app, argc, argv, [&] { return resimulate(bags); });
 }

@@ -29,26 +29,30 @@ namespace
 using namespace ratchet_sieve;
 
 constexpr const char* HELP =
-    "Opens RViz on a sieve, its camera moved so that all of the machine is in the picture.\n"
+    "Open RViz on a sieve, with the camera on the whole machine.\n"
     "\n"
-    "Usage: rosrun ratchet_sieve sieve_rviz CONFIG.rviz [RVIZ ARGUMENT...] [ROS ARGUMENT...]\n"
+    "Usage: rosrun ratchet_sieve sieve_rviz [--help | --version]\n"
+    "       rosrun ratchet_sieve sieve_rviz CONFIG.rviz [RVIZ ARGUMENT...] [ROS ARGUMENT...]\n"
     "\n"
-    "Waits for the scene of the sieve and for a node that draws it (the sieve itself, or sieve_display),\n"
-    "and becomes RViz. Parameters: ~sieve, the name of the sieve's node, `sieve` by default; empty: the\n"
-    "sieve that there is. ~view, what the camera shows: machine, all of it (default); teeth, ten in the\n"
-    "middle of the base; config, what CONFIG.rviz says, and nothing is waited for. RViz gets a copy of\n"
-    "CONFIG.rviz, in ~/.ros; for config CONFIG.rviz itself.\n"
-    "Exit status: 2 for bad arguments or a bad parameter, 1 where RViz cannot be run; else RViz's own.\n";
+    "Waits for the scene of the sieve and for a node that draws it (the sieve itself or sieve_display),\n"
+    "then starts RViz on a copy of CONFIG.rviz in ~/.ros.\n"
+    "\n"
+    "Parameters:\n"
+    "  ~sieve  name of the sieve's node; empty: the only sieve (default: sieve)\n"
+    "  ~view   what the camera shows: the whole machine (machine), ten teeth in the middle of the base\n"
+    "          (teeth), or what CONFIG.rviz says, without waiting (config) (default: machine)\n"
+    "\n"
+    "Exit status: 2 for bad arguments or a bad parameter; 1 if RViz cannot be run; otherwise RViz's.\n";
 
-// All of wall time [s].
-constexpr double PATIENCE = 0.1;    // between checks whether the scene has come
-constexpr double SILENCE = 5.0;     // after which it is said that it has not
-constexpr double SAY_AGAIN = 30.0;  // between two lines that do
+// All in wall time [s].
+constexpr double POLL_PERIOD = 0.1;   // between two checks for the scene
+constexpr double WARN_AFTER = 5.0;    // until the first warning that it is missing
+constexpr double WARN_PERIOD = 30.0;  // between two warnings
 
-/// The node whose topics the configuration shows, by its name.
+/// Name of the node whose topics the configuration shows.
 constexpr const char* SHOWN = "/sieve";
 
-/// Logs from time to time why nothing is shown yet.
+/// Warns periodically why nothing is shown yet.
 class WaitingLog
 {
 public:
@@ -57,12 +61,12 @@ public:
     const ros::WallTime now = ros::WallTime::now();
     if (now < next_)
       return;
-    next_ = now + ros::WallDuration(SAY_AGAIN);
+    next_ = now + ros::WallDuration(WARN_PERIOD);
     ROS_WARN("waiting: %s", why().c_str());
   }
 
 private:
-  ros::WallTime next_ = ros::WallTime::now() + ros::WallDuration(SILENCE);
+  ros::WallTime next_ = ros::WallTime::now() + ros::WallDuration(WARN_AFTER);
 };
 
 /// Preloaded into RViz before Xlib: see rviz_windows.cpp.
@@ -78,15 +82,15 @@ std::string contents(const std::string& path)
   return text.str();
 }
 
-/// The scene of a sieve and the frame in which it stands.
+/// The scene of a sieve and its frame.
 struct PlacedScene
 {
   SceneDefinition definition;
   std::string frame_id;
 };
 
-/// The scene, when it has come; nothing where this program is stopped before.
-/// @param sieve name of its node; empty: the one that there is
+/// Waits for the scene. @return nothing if this program is stopped before
+/// @param sieve name of its node; empty: the only sieve
 std::optional<PlacedScene> waitForScene(ros::NodeHandle node, std::string sieve)
 {
   std::optional<PlacedScene> scene;
@@ -103,14 +107,14 @@ std::optional<PlacedScene> waitForScene(ros::NodeHandle node, std::string sieve)
           [&scene](const SceneDescription::ConstPtr& message) {
             scene = {sceneFromText(message->yaml, "scene").definition, message->header.frame_id};
           });
-    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(PATIENCE));
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(POLL_PERIOD));
     if (!subscriber)
-      ros::WallDuration(PATIENCE).sleep();
+      ros::WallDuration(POLL_PERIOD).sleep();
   }
   return scene;
 }
 
-/// The node that draws the sieve: the one that the launch names, or else the one that there is.
+/// Waits for the node that draws the sieve: the one that the launch names, or else the only one.
 std::optional<std::string> waitForDisplay()
 {
   const std::string markers = ros::names::resolve(std::string(SHOWN) + "/markers");
@@ -122,15 +126,15 @@ std::optional<std::string> waitForDisplay()
     log.say(
         []
         {
-          return "nothing draws the sieve: a bag that is played needs `rosrun ratchet_sieve sieve_display` "
-                 "beside it";
+          return "no node draws the sieve: to show a played bag, also run `rosrun ratchet_sieve "
+                 "sieve_display`";
         });
-    ros::WallDuration(PATIENCE).sleep();
+    ros::WallDuration(POLL_PERIOD).sleep();
   }
   return display;
 }
 
-/// Beside the logs of ROS, named after this node. @return its path
+/// Writes the configuration into ~/.ros, under the name of this node. @return its path
 std::string writtenToFile(const std::string& config, const std::string& node_name)
 {
   const char* ros_home = std::getenv("ROS_HOME");
@@ -139,7 +143,7 @@ std::string writtenToFile(const std::string& config, const std::string& node_nam
                                               ? std::filesystem::path(ros_home)
                                               : std::filesystem::path(home ? home : "/tmp") / ".ros";
   std::filesystem::create_directories(directory);
-  // Nodes of one name in different namespaces run side by side.
+  // Nodes with the same name may run in different namespaces.
   std::string file_name = node_name.substr(1);
   std::replace(file_name.begin(), file_name.end(), '/', '_');
   std::string path = directory / (file_name + ".rviz");
@@ -149,7 +153,7 @@ std::string writtenToFile(const std::string& config, const std::string& node_nam
   return path;
 }
 
-/// Has the programs that this one becomes load a library of this package, first of all.
+/// Makes the program that replaces this one load a library of this package before all others.
 void preload(const char* library)
 {
   const auto program = std::filesystem::read_symlink("/proc/self/exe");
@@ -159,8 +163,8 @@ void preload(const char* library)
   setenv("LD_PRELOAD", libraries.c_str(), 1);
 }
 
-/// @param frame_id that RViz holds still, unless the arguments say another; empty: the configuration's
-/// @param arguments as given, those of ROS as well: RViz is to have this node's name
+/// @param frame_id RViz's fixed frame, unless the arguments contain one; empty: that of the configuration
+/// @param arguments as given, including those of ROS, so that RViz has the name of this node
 int becomeRviz(const std::string& config, const std::string& frame_id,
                const std::vector<std::string>& arguments)
 {
@@ -174,18 +178,18 @@ int becomeRviz(const std::string& config, const std::string& frame_id,
   return becomeProgram("sieve_rviz", words);
 }
 
-/// RViz with its camera on the sieve, once there is one; nothing where this program is stopped before.
+/// Waits for a sieve and starts RViz with its camera on it. @return 0 if this program is stopped before
 int showSieve(const std::string& config, const std::string& view, std::vector<std::string> arguments)
 {
   if (view != "machine" && view != "teeth")
     throw std::invalid_argument("~view = " + view + ": must be machine, teeth or config");
-  const ros::NodeHandle node("~");  // with the last of its handles, this node would end
+  const ros::NodeHandle node("~");  // the node ends with its last handle
   const auto scene = waitForScene(node, ParameterReader(node).text("sieve", DEFAULT_SIEVE));
   const std::optional<std::string> display = scene ? waitForDisplay() : std::nullopt;
   ros::shutdown();
   if (!display)
     return 0;
-  // Of two remappings of one name the last holds.
+  // The last of two remappings of one name applies.
   for (const std::string topic : {"/markers", "/cloud"})
     arguments.push_back(std::string(SHOWN).append(topic).append(":=").append(*display).append(topic));
   const RvizView shown = view == "teeth" ? RvizView::TEETH : RvizView::MACHINE;
@@ -198,6 +202,7 @@ int main(int argc, char** argv)
 {
   if (answerOptions(argc, argv, "sieve_rviz", HELP))
     return 0;
+  writeLogByLines();
   if (argc < 2)
   {
     std::fputs("sieve_rviz: no configuration is given; see --help\n", stderr);

@@ -9,15 +9,20 @@
 namespace
 {
 constexpr const char* HELP =
-    "Commands a sieve over its setpoint topics, at given simulated times.\n"
+    "Command a sieve over its setpoint topics at given simulated times.\n"
     "\n"
     "Usage: rosrun ratchet_sieve sieve_schedule [--help | --version] [ROS ARGUMENT...]\n"
     "\n"
-    "Parameters: ~sieve, the name of the sieve's node, `sieve` by default; ~schedule, a list of\n"
-    "{time: s, inclination: rad, frequency: Hz, amplitude: m}, times ascending, one of the three at least;\n"
-    "~exit_at_end (false): end when the last entry was sent, or else play it again after a reset.\n"
-    "A sieve that was started paused is set going once this node is connected to it.\n"
-    "Exit status: 0 when it is over or stopped; 2 for a bad parameter.\n";
+    "Parameters:\n"
+    "  ~sieve        name of the sieve's node (default: sieve)\n"
+    "  ~schedule     list of {time: [s], inclination: [rad], frequency: [Hz], amplitude: [m]}, with times\n"
+    "                in ascending order and at least one quantity in each entry\n"
+    "  ~exit_at_end  exit after the last entry; if false, repeat the schedule after a reset\n"
+    "                (default: false)\n"
+    "\n"
+    "A sieve that was started paused is set running when this node is connected to it.\n"
+    "\n"
+    "Exit status: 0 at the end of the schedule or if it is stopped; 2 for a bad parameter.\n";
 }  // namespace
 
 int main(int argc, char** argv)
@@ -25,6 +30,7 @@ int main(int argc, char** argv)
   using namespace ratchet_sieve;
   if (answerOptions(argc, argv, "sieve_schedule", HELP))
     return 0;
+  writeLogByLines();
   ros::init(argc, argv, "sieve_schedule");
   try
   {

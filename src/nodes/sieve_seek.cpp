@@ -9,26 +9,32 @@
 namespace
 {
 constexpr const char* HELP =
-    "Seeks the inclination at which a sieve separates best, while it runs and is fed: commands one over\n"
-    "~inclination_setpoint of the sieve, counts what leaves, compares, goes on from the better one, and\n"
-    "watches the best when it is found.\n"
+    "Search for the inclination at which a running, fed sieve separates best: command an inclination over\n"
+    "~inclination_setpoint of the sieve, count the disks that leave, compare Q and continue from\n"
+    "the better inclination. After the search, monitor the best one.\n"
     "\n"
     "Usage: rosrun ratchet_sieve sieve_seek [--help | --version] [ROS ARGUMENT...]\n"
     "\n"
-    "Publishes each trial on ~trials (ratchet_sieve/SeekTrial). Parameters; times are simulated:\n"
-    "  ~sieve                   name of the sieve's node (sieve)\n"
-    "  ~inclination/start       to begin at [rad] (where the sieve is)\n"
-    "  ~inclination/min, max    that are tried [rad] (the sieve's own limits)\n"
-    "  ~inclination/step        first step [rad] (0.1)\n"
-    "  ~inclination/resolution  least step [rad] (0.02)\n"
-    "  ~dwell                   from when an inclination is reached until counting begins [s] (4)\n"
-    "  ~window                  time over which it is counted, at least [s] (4)\n"
-    "  ~least_disks             of each species in a window, which is prolonged for them (100)\n"
-    "  ~longest_window          [s], though a species is kept back (60)\n"
-    "  ~confidence              standard errors by which one has to be better, or is tried again (1.5)\n"
-    "  ~most_trials             at one inclination before one is taken all the same (3)\n"
-    "  ~drop                    of Q below what was held, on which the search begins again (0.15)\n"
-    "Exit status: 0 when it is stopped; 2 for a bad parameter.\n";
+    "Publishes every trial on ~trials (ratchet_sieve/SeekTrial).\n"
+    "\n"
+    "Parameters (all times are simulated):\n"
+    "  ~sieve                   name of the sieve's node (default: sieve)\n"
+    "  ~inclination/start       first inclination [rad] (default: the present one)\n"
+    "  ~inclination/min, max    range of the search [rad] (default: the limits of the sieve)\n"
+    "  ~inclination/step        first step [rad] (default: 0.1)\n"
+    "  ~inclination/resolution  last step [rad] (default: 0.02)\n"
+    "  ~dwell                   wait after the inclination is reached, before counting [s] (default: 4)\n"
+    "  ~window                  least time of counting [s] (default: 4)\n"
+    "  ~least_disks             least number of disks of each species that are counted, for which the\n"
+    "                           window is extended (default: 100)\n"
+    "  ~longest_window          longest time of counting [s] (default: 60)\n"
+    "  ~confidence              difference in Q at which one inclination is better than another [standard\n"
+    "                           errors]; at a smaller one the trial is repeated (default: 1.5)\n"
+    "  ~most_trials             trials at one inclination before it is decided anyway (default: 3)\n"
+    "  ~drop                    decrease of Q at the best inclination that restarts the search\n"
+    "                           (default: 0.15)\n"
+    "\n"
+    "Exit status: 0 if it is stopped; 2 for a bad parameter.\n";
 }  // namespace
 
 int main(int argc, char** argv)
@@ -36,6 +42,7 @@ int main(int argc, char** argv)
   using namespace ratchet_sieve;
   if (answerOptions(argc, argv, "sieve_seek", HELP))
     return 0;
+  writeLogByLines();
   ros::init(argc, argv, "sieve_seek");
   try
   {

@@ -10,10 +10,13 @@
 
 #include "command_line.h"
 #include "plot_script.h"
+#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/sweep/case_builder.h"
 #include "ratchet_sieve/sweep/case_file.h"
 #include "ratchet_sieve/sweep/engine_run.h"
+#include "ratchet_sieve/sweep/floor_check.h"
 #include "ratchet_sieve/sweep/sweep_report.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
 
@@ -22,7 +25,7 @@ namespace
 
 using namespace ratchet_sieve;
 
-/// More are likely a slip, and are asked about.
+/// More cases than this are likely a mistake, and need --yes.
 constexpr std::uint64_t MANY_CASES = 1'000'000;
 
 volatile std::sig_atomic_t stop_signal = 0;
@@ -42,68 +45,121 @@ struct Arguments
   std::string program;
   std::vector<std::string> engine_options;
   std::vector<std::string> plot_options;
+  std::vector<std::string> where;
+  bool check_floor = false;
   bool dry_run = false;
   bool yes = false;
   SweepRunOptions options;
 };
 
-void describeRun(CLI::App& run, Arguments& arguments)
+void describeThreads(CLI::App& command, Arguments& arguments)
 {
-  run.add_option("--threads", arguments.options.threads,
-                 "Cases at a time, 0: as many as there are processors")
+  command
+      .add_option("--threads", arguments.options.threads,
+                  "Number of cases run at the same time, at most 1024; 0: one per processor")
       ->type_name("N")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  run.add_option("--checkpoint-every", arguments.options.checkpoint_period,
-                 "Save a case under way so often, in seconds of wall time")
-      ->type_name("S")
-      ->check(CLI::Range(0.0, 1e9))
+}
+
+/// The limits for the best setting, which is the one with the highest mean Q.
+void describeBest(CLI::App& command, Arguments& arguments)
+{
+  command
+      .add_option("--least-processed", arguments.options.best.least_processed,
+                  "Least P of the best setting, averaged over its seeds, from 0 to 1")
+      ->type_name("P")
+      ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+  command
+      .add_option("--least-counted", arguments.options.best.least_counted,
+                  "Least number of disks that left in the best setting, averaged over its seeds: Q of few "
+                  "disks can be "
+                  "high by chance")
+      ->type_name("N")
+      ->check(CLI::Range(0.0, 1e12))
+      ->capture_default_str();
+}
+
+void describeEngine(CLI::App& run, Arguments& arguments)
+{
   run.add_option(
          "--engine", arguments.engine,
-         "What runs the cases: the threads of this program, GNU parallel over ssh, or an array of Slurm's")
+         "What runs the cases: threads of this program, GNU parallel over ssh (parallel), or a job array of "
+         "Slurm (slurm)")
+      ->type_name("threads|parallel|slurm")
       ->check(CLI::IsMember({"threads", "parallel", "slurm"}))
       ->capture_default_str();
-  run.add_option("--hosts", arguments.hosts, "Hosts of --engine parallel, as its --sshloginfile has them")
+  run.add_option("--hosts", arguments.hosts,
+                 "Hosts of --engine parallel, in the format of its --sshloginfile")
       ->type_name("FILE");
   run.add_option("--per-job", arguments.options.per_job,
-                 "Cases that an engine runs in one job; 0: so many that there are a thousand jobs at most")
+                 "Number of cases in one job of an engine; 0: as many as give at most a thousand jobs")
       ->type_name("N")
       ->check(CLI::Range(0, 1'000'000'000))
       ->capture_default_str();
   run.add_option("--sbatch", arguments.engine_options,
-                 "An option of sbatch, such as --sbatch=--partition=short; may be given again")
+                 "Option of sbatch, such as --sbatch=--partition=short; repeatable")
       ->type_name("OPTION")
       ->allow_extra_args(false);
-  run.add_option("--program", arguments.program, "This program on the hosts; without it where it is here")
+  run.add_option("--program", arguments.program,
+                 "Path of this program on the hosts; without this option the same as here")
       ->type_name("FILE");
-  run.add_flag("--retry-failed", arguments.options.retry_failed, "Run cases again that failed");
-  run.add_flag("--dry-run", arguments.dry_run, "List the cases, run none");
-  run.add_flag("--yes", arguments.yes, "Run more than a million cases");
+}
+
+void describeRun(CLI::App& run, Arguments& arguments)
+{
+  describeThreads(run, arguments);
+  describeBest(run, arguments);
+  run.add_option("--checkpoint-every", arguments.options.checkpoint_period,
+                 "Period at which a running case is saved [s of wall time]")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
+  describeEngine(run, arguments);
+  run.add_flag("--retry-failed", arguments.options.retry_failed, "Run failed cases again");
+  run.add_flag("--dry-run", arguments.dry_run, "List the cases and run none");
+  run.add_flag("--yes", arguments.yes, "Confirm a sweep of more than a million cases");
+}
+
+/// Options that plot_sweep.py takes as well.
+void describePlots(CLI::App& report, Arguments& arguments)
+{
+  const auto plot_option = [&](const std::string& name, const char* type, const char* text)
+  {
+    const auto take = [&arguments, name](const std::vector<std::string>& values)
+    {
+      for (const std::string& value : values)
+      {
+        arguments.plot_options.insert(arguments.plot_options.end(), {name, value});
+        if (name == "--where")
+          arguments.where.push_back(value);
+      }
+    };
+    report.add_option_function<std::vector<std::string>>(name, take, text)
+        ->type_name(type)
+        ->allow_extra_args(false);
+  };
+  plot_option("--x", "KEY", "Key on the x axis; without this option the key with the most values");
+  plot_option("--y", "KEY", "Key on the y axis of maps, with one curve for each of its values");
+  plot_option("--field", "NAME",
+              "Column to draw, repeatable; without this option Q, P, the disks that leave and velocities");
+  plot_option("--where", "KEY=VALUE", "Draw only the cases with this value; repeatable");
 }
 
 void describeReport(CLI::App& report, Arguments& arguments)
 {
   report
       .add_option("--out", arguments.out,
-                  "Directory of the report; without it SWEEP_report, beside the sweep")
+                  "Directory of the report; without this option SWEEP_report beside the sweep")
       ->type_name("DIR");
-  const auto plot_option = [&](const std::string& name, const char* type, const char* text)
-  {
-    const auto take = [&arguments, name](const std::vector<std::string>& values)
-    {
-      for (const std::string& value : values)
-        arguments.plot_options.insert(arguments.plot_options.end(), {name, value});
-    };
-    report.add_option_function<std::vector<std::string>>(name, take, text)
-        ->type_name(type)
-        ->allow_extra_args(false);
-  };
-  plot_option("--x", "KEY", "Along x; without it the key with the most values");
-  plot_option("--y", "KEY", "Along y of a map, and one curve for each of its values");
-  plot_option("--field", "NAME",
-              "A column to be drawn, may be given again; without it Q, P, what leaves, velocities");
-  plot_option("--where", "KEY=VALUE", "Only cases of this value, may be given again");
+  describePlots(report, arguments);
+  describeBest(report, arguments);
+  report.add_flag(
+      "--check-floor", arguments.check_floor,
+      "Run the seeds of the best setting again at a half and a quarter of contact.min_rebound_speed, into "
+      "the results file, and print whether Q depends on it");
+  describeThreads(report, arguments);
 }
 
 void describe(CLI::App& app, Arguments& arguments)
@@ -112,26 +168,28 @@ void describe(CLI::App& app, Arguments& arguments)
   const auto verb = [&](const char* name, const char* text)
   {
     CLI::App* command = app.add_subcommand(name, text);
-    command->add_option("SWEEP", arguments.sweep, "The sweep, a YAML file")->required()->type_name("FILE");
-    command->add_option("--db", arguments.results, "Results file; without it SWEEP.db, beside the sweep")
+    command->add_option("SWEEP", arguments.sweep, "Sweep file (YAML)")->required()->type_name("FILE");
+    command
+        ->add_option("--db", arguments.results, "Results file; without this option SWEEP.db beside the sweep")
         ->type_name("FILE");
     return command;
   };
-  describeRun(*verb("run", "Run the cases of which there is no result yet"), arguments);
-  verb("status", "Say how far the sweep is");
+  describeRun(*verb("run", "Run the cases that have no result yet"), arguments);
+  describeBest(*verb("status", "Print the progress of the sweep and its best setting"), arguments);
   verb("export", "Write the results as CSV")
-      ->add_option("--out", arguments.out, "Into this file, not to standard output")
+      ->add_option("--out", arguments.out, "Write to a file instead of standard output")
       ->type_name("FILE");
   describeReport(
-      *verb("report", "Draw curves and maps of the results, averaged over the seeds, and a page of them"),
+      *verb("report", "Draw curves and maps of the results, averaged over the seeds, as an HTML page"),
       arguments);
-  app.add_subcommand("case", "Run the cases of a file that an engine hands over")
-      ->add_option("CASE", arguments.sweep, "The file; what comes of it is written beside it")
+  app.add_subcommand("case", "Run the cases of a case file; engines call this")
+      ->add_option("CASE", arguments.sweep, "Case file; the results are written beside it")
       ->required()
       ->type_name("FILE");
   app.footer(
-      "Exit status: 0 done; 2 bad arguments or bad sweep, nothing run; 1 anything else, such as a case that "
-      "failed, or an interruption.");
+      "Exit status: 0 if done; 2 for bad arguments or a bad sweep (nothing is run); 1 for any other failure, "
+      "such as a "
+      "failed case, or if it was stopped.");
 }
 
 void requireFewOrYes(const Sweep& sweep, const Arguments& arguments)
@@ -140,8 +198,8 @@ void requireFewOrYes(const Sweep& sweep, const Arguments& arguments)
     return;
   const std::size_t threads = std::max<std::size_t>(arguments.options.threads, 1);
   throw Refusal(sweep.source + ": has " + std::to_string(sweep.size()) + " cases, which take " +
-                estimateText(sweep, threads) + " on " + std::to_string(threads) +
-                " threads; --yes runs them");
+                estimateText(sweep, threads) + " on " + countText(threads, "thread") +
+                "; use --yes to run them");
 }
 
 SweepOutcome runCases(const Sweep& sweep, const Arguments& arguments)
@@ -168,37 +226,49 @@ int runCaseHere(const std::string& file)
   return runCaseFile(file, [] { return stop_signal != 0; }) ? DONE : FAILED;
 }
 
+void warn(const std::string& text)
+{
+  std::fprintf(stderr, "sieve_sweep: warning: %s\n", text.c_str());
+}
+
+/// Runs cases, with handlers of signals, warnings and progress.
+template <typename Run>
+auto runAttended(SweepRunOptions& options, const Run& cases)
+{
+  std::signal(SIGINT, onSignal);
+  std::signal(SIGTERM, onSignal);
+  options.stop_wanted = [] { return stop_signal != 0; };
+  options.warn = warn;
+  SweepProgressLine line;
+  if (line.isVisible())
+    options.progress = [&line](const SweepProgress& progress) { line.show(progress); };
+  return cases();
+}
+
+int listOnly(const Sweep& sweep, const Arguments& arguments)
+{
+  for (const std::string& line : requireLegal(sweep).lines(sweep.size(), "case"))
+    warn(line);
+  listCases(sweep, arguments.results, std::cout);
+  return DONE;
+}
+
 int run(const Sweep& sweep, Arguments& arguments)
 {
   if (arguments.options.threads == 0)
     arguments.options.threads = std::max(1u, std::thread::hardware_concurrency());
   requireFewOrYes(sweep, arguments);
   if (arguments.dry_run)
-  {
-    requireLegal(sweep);
-    listCases(sweep, arguments.results, std::cout);
-    return DONE;
-  }
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
-  arguments.options.stop_wanted = [] { return stop_signal != 0; };
-  arguments.options.warn = [](const std::string& text)
-  { std::fprintf(stderr, "sieve_sweep: warning: %s\n", text.c_str()); };
-  SweepOutcome outcome;
-  {
-    SweepProgressLine line;
-    arguments.options.progress = [&line](const SweepProgress& progress) { line.show(progress); };
-    outcome = runCases(sweep, arguments);
-  }
+    return listOnly(sweep, arguments);
+  const SweepOutcome outcome = runAttended(arguments.options, [&] { return runCases(sweep, arguments); });
   const SweepCounts& counts = outcome.counts;
   if (outcome.stopped)
   {
-    std::fprintf(stderr, "sieve_sweep: stopped, %llu of %llu cases to go; the same command goes on\n",
-                 static_cast<unsigned long long>(counts.open()),
-                 static_cast<unsigned long long>(counts.cases));
+    std::fprintf(stderr, "sieve_sweep: stopped with %llu of %s to go; run the same command to continue\n",
+                 static_cast<unsigned long long>(counts.open()), countText(counts.cases, "case").c_str());
     return FAILED;
   }
-  std::fputs(statusText(sweep, arguments.results).c_str(), stderr);
+  std::fputs(statusText(sweep, arguments.results, arguments.options.best).c_str(), stderr);
   return counts.failed == 0 ? DONE : FAILED;
 }
 
@@ -217,8 +287,45 @@ int exportResults(const Sweep& sweep, const Arguments& arguments)
   return DONE;
 }
 
+/// Adds its results to the findings. @return false if it was stopped
+bool checkFloor(const Sweep& sweep, Arguments& arguments, SweepFindings& findings,
+                nlohmann::ordered_json& json)
+{
+  if (!findings.best)
+    throw Refusal("--check-floor: there is no best setting to check");
+  const std::uint64_t point = findings.best->point;
+  if (CaseBuilder(sweep).at(point * sweep.seedCount()).scene.contact.min_rebound_speed <= 0.0)
+    throw Refusal(
+        "--check-floor: contact.min_rebound_speed of the best setting is 0: there is no floor to check");
+  const auto means =
+      runAttended(arguments.options, [&]
+                  { return runSettingAtLowerFloors(sweep, point, arguments.results, arguments.options); });
+  if (!means)
+    return false;
+  for (const std::string& line : floorCheckLines(*means))
+    findings.lines.push_back(line);
+  json = floorCheckJson(*means);
+  return true;
+}
+
+void writeFindings(const Sweep& sweep, const SweepFindings& findings,
+                   const nlohmann::ordered_json& floor_check, const std::string& directory)
+{
+  nlohmann::ordered_json json = findingsJson(sweep, findings);
+  json["floor_check"] = floor_check;
+  AtomicFile file(directory + "/findings.json");
+  file.stream() << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  file.commit();
+}
+
 int report(const Sweep& sweep, Arguments& arguments)
 {
+  for (const std::string& condition : arguments.where)
+  {
+    const std::size_t equals = condition.find('=');
+    arguments.options.best.where.push_back(
+        {condition.substr(0, equals), equals == std::string::npos ? "" : condition.substr(equals + 1)});
+  }
   const std::filesystem::path file = arguments.sweep;
   if (arguments.out.empty())
     arguments.out = (file.parent_path() / file.stem()).string() + "_report";
@@ -229,12 +336,24 @@ int report(const Sweep& sweep, Arguments& arguments)
   AtomicFile table(arguments.out + "/cases.csv");
   exportCsv(sweep, arguments.results, table.stream());
   table.commit();
+  SweepFindings findings = findingsOf(sweep, arguments.results, arguments.options.best);
+  nlohmann::ordered_json floor_check;
+  if (arguments.check_floor && !checkFloor(sweep, arguments, findings, floor_check))
+  {
+    std::fputs("sieve_sweep: stopped; run the same command to continue\n", stderr);
+    return FAILED;
+  }
+  writeFindings(sweep, findings, floor_check, arguments.out);
   std::vector<std::string> options = {arguments.out, "--title", file.stem().string()};
   options.insert(options.end(), arguments.plot_options.begin(), arguments.plot_options.end());
-  return plotTables("plot_sweep.py", options);
+  const int status = plotTables("plot_sweep.py", options);
+  if (status == DONE)
+    for (const std::string& line : findings.lines)
+      std::fprintf(stderr, "%s\n", line.c_str());
+  return status;
 }
 
-int obey(const CLI::App& app, Arguments& arguments)
+int dispatch(const CLI::App& app, Arguments& arguments)
 {
   if (app.got_subcommand("case"))
     return runCaseHere(arguments.sweep);
@@ -249,7 +368,7 @@ int obey(const CLI::App& app, Arguments& arguments)
       return exportResults(sweep, arguments);
     if (app.got_subcommand("report"))
       return report(sweep, arguments);
-    std::fputs(statusText(sweep, arguments.results).c_str(), stdout);
+    std::fputs(statusText(sweep, arguments.results, arguments.options.best).c_str(), stdout);
     return DONE;
   }
   catch (const SceneError& error)
@@ -263,7 +382,7 @@ int obey(const CLI::App& app, Arguments& arguments)
 int main(int argc, char** argv)
 {
   Arguments arguments;
-  CLI::App app("Runs many cases of a scene, and keeps what comes of them in one file.", "sieve_sweep");
+  CLI::App app("Run many cases of one scene and keep the results in one file.", "sieve_sweep");
   describe(app, arguments);
-  return runProgram(app, argc, argv, [&] { return obey(app, arguments); });
+  return runProgram(app, argc, argv, [&] { return dispatch(app, arguments); });
 }

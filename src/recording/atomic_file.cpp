@@ -23,7 +23,7 @@ std::string writtenPath(const std::string& path)
   return path + ".part" + std::to_string(getpid());
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& reason)
+[[noreturn]] void failToWrite(const std::string& path, const std::string& reason)
 {
   throw OutputError(path + ": cannot be written: " + reason);
 }
@@ -35,7 +35,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), written_path_(wri
   errno = 0;
   stream_.open(written_path_, std::ios::binary | std::ios::trunc);
   if (!stream_)
-    refuse(path_, std::strerror(errno));
+    failToWrite(path_, std::strerror(errno));
 }
 
 AtomicFile::~AtomicFile()
@@ -52,13 +52,13 @@ void AtomicFile::commit()
   errno = 0;
   stream_.close();
   if (!stream_)
-    refuse(path_, errno != 0 ? std::strerror(errno) : "not all of it was taken");
+    failToWrite(path_, errno != 0 ? std::strerror(errno) : "it was not written completely");
   if (written_path_ != path_)
   {
     std::error_code error;
     fs::rename(written_path_, path_, error);
     if (error)
-      refuse(path_, error.message());
+      failToWrite(path_, error.message());
   }
   committed_ = true;
 }

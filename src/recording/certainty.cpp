@@ -5,15 +5,18 @@
 
 #include <fmt/format.h>
 
+#include "ratchet_sieve/core/count_text.h"
+#include "ratchet_sieve/core/layer.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
 
 constexpr std::uint64_t FIRST_LOOK = 32;      ///< [blocks]
-constexpr std::uint64_t BLOCKS_PER_MORE = 5;  ///< a look at n blocks is followed by one at n (1 + 1 / 5)
+constexpr std::uint64_t BLOCKS_PER_MORE = 5;  ///< checks follow at n and n (1 + 1 / 5) blocks
 
-/// A need that is far beyond this says nothing.
+/// A larger factor is not informative.
 constexpr double LARGEST_FACTOR = 1e9;
 
 bool isFed(const SceneDefinition& scene)
@@ -21,7 +24,7 @@ bool isFed(const SceneDefinition& scene)
   return scene.feed.rate > 0.0;
 }
 
-/// The largest half-width of a species that has disks; nothing where one's is not known.
+/// The largest half-width of the species that have disks; nothing if one is unknown.
 std::optional<double> largestHalfWidth(const Simulation& simulation, const SteadyMeans& means)
 {
   std::optional<double> largest;
@@ -70,26 +73,34 @@ std::string meanShortfall(const Simulation& simulation, const Certainty& certain
   const std::string text =
       fmt::format("accuracy.mean_vx = {:g} m/s was not reached within {:g} s: ", wanted, simulation.time());
   if (!ratio || !means.transient)
-    return text + "too short a run to know its error";
+    return text + "the run is too short to estimate the error";
+  // Small enough, but from too few blocks to be reliable.
+  const std::string error = *ratio <= 1.0 ? "the run is too short for a reliable error, "
+                                          : fmt::format("+- {:.3g} m/s ", *ratio * wanted);
+  const std::string found =
+      error + fmt::format("over {:.3g} s, the first {:.3g} s after settle cut as transient; ", means.left,
+                          *means.transient);
+  if (empties(simulation.scene()))
+    return text + found + "the base runs empty, so a longer run does not help";
   const double times = std::min(std::max(*ratio * *ratio, timesForTrust(means)), LARGEST_FACTOR);
   const double enough = std::max(*means.transient + means.left * times, CUTS_IN_A_RUN * *means.transient);
-  return text +
-         fmt::format(
-             "+- {:.3g} m/s over {:.3g} s, the first {:.3g} s after settle cut as transient; a duration of "
-             "about {:.2g} s would do",
-             *ratio * wanted, means.left, *means.transient, simulation.blockEnd(0) + enough);
+  return text + found +
+         fmt::format("a duration of about {:.2g} s is needed", simulation.blockEnd(0) + enough);
 }
 
-/// What a longer run, or more of them, would have to be: the error falls with the root of what is counted.
+/// The required length or number of runs: the error is inversely proportional to the square root of the
+/// counts.
 std::string qualityNeed(const Simulation& simulation, const QualityEstimate& quality)
 {
   const double ratio = quality.sampled / simulation.scene().accuracy.quality;
   const double times = std::min(std::max(ratio * ratio, quality.times_for_trust), LARGEST_FACTOR);
   if (isFed(simulation.scene()))
-    return fmt::format("a duration of about {:.2g} s would do", simulation.time() * times);
+    return fmt::format("a duration of about {:.2g} s is needed", simulation.time() * times);
   const double runs = std::ceil(times * processedRatio(simulation.bins()).value_or(1.0));
-  return fmt::format("{} disks have not left; about {:g} runs with other seeds, to the last disk, would do",
-                     simulation.activeDisks(), runs);
+  const std::size_t disks = simulation.activeDisks();
+  return fmt::format(
+      "{} {} not left; about {:g} run{} with other seeds, until all disks have left, would be enough",
+      countText(disks, "disk"), disks == 1 ? "has" : "have", runs, runs == 1.0 ? "" : "s");
 }
 
 std::string qualityShortfall(const Simulation& simulation, const std::optional<QualityEstimate>& quality)
@@ -97,7 +108,7 @@ std::string qualityShortfall(const Simulation& simulation, const std::optional<Q
   const std::string text = fmt::format("accuracy.quality = {:g} was not reached within {:g} s: ",
                                        simulation.scene().accuracy.quality, simulation.time());
   if (!quality)
-    return text + "too few disks have left to know Q and its error";
+    return text + "too few disks have left to estimate Q and its error";
   return text + fmt::format("Q = {:.3g} +- {:.2g}; ", quality->estimate.value, quality->estimate.half_width) +
          qualityNeed(simulation, *quality);
 }

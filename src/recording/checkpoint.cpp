@@ -15,8 +15,8 @@
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/input_file.h"
 
-// The file: a line that names it, a line with the checksum of all that follows, a line of JSON that
-// says what it is of, and the simulation's state.
+// The file: a line with its type, a line with the checksum of the rest, a line of JSON that identifies the
+// run, and the simulation's state.
 namespace ratchet_sieve
 {
 namespace
@@ -24,7 +24,7 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// Incremented with every change of the file; what a state holds goes by the version of the physics.
+/// Incremented with every change of the file format; the state's format depends on the physics version.
 constexpr std::string_view FIRST_LINE = "ratchet_sieve checkpoint 7\n";
 constexpr std::string_view ANY_FIRST_LINE = "ratchet_sieve checkpoint ";
 
@@ -45,7 +45,7 @@ std::string byteOrder()
   return std::string(reinterpret_cast<const char*>(&BYTE_ORDER_MARK), 1) == "\x01" ? "big" : "little";
 }
 
-/// All that has to match for a run to be resumed.
+/// All that must match for a run to be resumed.
 Json identity(const SceneDefinition& scene)
 {
   Json json;
@@ -71,7 +71,7 @@ std::string readAll(const std::string& path)
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// What follows the checksum, which is right.
+/// The content after the checksum. @throws if the checksum is wrong
 std::string_view checkedContent(const std::string& path, std::string_view file)
 {
   if (file.substr(0, ANY_FIRST_LINE.size()) != ANY_FIRST_LINE)

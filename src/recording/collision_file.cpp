@@ -7,7 +7,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Lines are gathered up to here, so that writing them costs little beside the collisions. [bytes]
+/// Lines are collected up to this size, so that the cost of writing is small [bytes].
 constexpr std::size_t FLUSH_SIZE = 1u << 20;
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "ratchet_sieve/core/count_text.h"
 namespace ratchet_sieve
 {
 namespace
@@ -14,7 +16,7 @@ void requireCount(const std::vector<double>& values, std::size_t count)
                                 std::to_string(count));
 }
 
-/// A value that lies within bounds: one that is not a number does not.
+/// The value, if it is within bounds; a NaN is not.
 double within(double value, const Interval& allowed)
 {
   if (!allowed.contains(value))
@@ -77,7 +79,7 @@ void apply(const CommandFrame& command, Simulation& simulation)
       return simulation.setSlewRates(slewRatesOf(values));
     case CommandKind::POUR:
       if (command.count > MOST_POURED)
-        throw std::invalid_argument("a command pours " + std::to_string(command.count) + " disks");
+        throw std::invalid_argument("a command pours " + countText(command.count, "disk"));
       return simulation.pour(command.species, command.count);
     default:
       return;

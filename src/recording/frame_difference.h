@@ -10,7 +10,7 @@
 namespace ratchet_sieve
 {
 
-/// The first field in which a frame, or a part of one, differs from what was recorded, with both values.
+/// The first field in which a frame, or a part of one, differs from the recorded one, with both values.
 /// @param name of the part; empty for the whole @pre !sameBits(recorded, now)
 template <typename T>
 std::string firstDifference(const std::string& name, const T& recorded, const T& now)
@@ -30,7 +30,7 @@ std::string firstDifference(const std::string& name, const T& recorded, const T&
   else if constexpr (IS_VECTOR<T>)
   {
     if (recorded.size() != now.size())
-      return fmt::format("{} {} were recorded, {} are there", recorded.size(), name, now.size());
+      return fmt::format("{} {} were recorded, {} were computed", recorded.size(), name, now.size());
     std::size_t k = 0;
     while (sameBits(recorded[k], now[k]))
       ++k;

@@ -80,7 +80,7 @@ double FrameSampler::realTimeFactorAt(double time)
 template <typename Frame>
 void FrameSampler::take(const Simulation& simulation, FrameSink& sink)
 {
-  // Also for an unwanted frame, so that later windows do not depend on who wanted this one.
+  // Also for an unwanted frame, so that later windows do not depend on the subscribers.
   if constexpr (std::is_same_v<Frame, StatisticsFrame>)
     window_.moveTo(simulation);
   if (!sink.wants(kindOf<Frame>()))

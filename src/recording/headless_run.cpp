@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/certainty.h"
 #include "ratchet_sieve/recording/wall_warnings.h"
 
@@ -75,9 +76,9 @@ public:
     audit();
     if (watchers_.frames != nullptr)
       sampler_.takeLast(simulation_, *watchers_.frames);
-    if (outcome_.progress.through_base > 0)
-      outcome_.warnings.push_back(
-          fmt::format("{} disks were found behind the base's surface", outcome_.progress.through_base));
+    if (const std::size_t through = outcome_.progress.through_base; through > 0)
+      outcome_.warnings.push_back(fmt::format("{} {} found below the base's surface",
+                                              countText(through, "disk"), through == 1 ? "was" : "were"));
     outcome_.wall_time = secondsSince(start);
     return std::move(outcome_);
   }
@@ -128,7 +129,7 @@ private:
       watchers_.progress(simulation_);
   }
 
-  /// Whether it may end, as its scene asks for no more.
+  /// Whether the run has reached the accuracy that its scene requests.
   bool accurate()
   {
     if (nextLook() > simulation_.time())
@@ -155,8 +156,8 @@ private:
     most = std::max(most, simulation_.auditOverlaps());
   }
 
-  /// A stalled run could not be resumed: the checkpoint before is kept. An ensemble stalls for a while before
-  /// it is stopped.
+  /// A stalled run could not be resumed: the previous checkpoint is kept. An ensemble stalls for a while
+  /// before it is stopped.
   void save()
   {
     if (watchers_.save && !simulation_.stalled())
@@ -167,7 +168,7 @@ private:
   Simulation& simulation_;
   const RunWatchers& watchers_;
   FrameSampler sampler_;
-  std::optional<LookTimes> looks_;  ///< where the run may end before its duration
+  std::optional<LookTimes> looks_;  ///< present if the run may end before its duration
   RunOutcome outcome_;
   double stride_ = FIRST_STRIDE;
   double audit_period_;  ///< [s]

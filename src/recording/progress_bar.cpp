@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/certainty.h"
 
 namespace ratchet_sieve
@@ -39,7 +40,7 @@ std::string progressText(double time, double duration, const Progress& progress)
   if (progress.simulated > 0.0 && done < 1.0)
     text += fmt::format("  {} to go", clockText(progress.wall * (duration - time) / progress.simulated));
   if (progress.certainty_ratio)
-    text += fmt::format("  error {:.2g} x the one asked for", *progress.certainty_ratio);
+    text += fmt::format("  error {:.2g} x the requested one", *progress.certainty_ratio);
   return text;
 }
 
@@ -84,7 +85,7 @@ void PourBar::show(std::size_t poured, std::size_t of)
   if (!visible_ || now < next_)
     return;
   next_ = now + REDRAW_INTERVAL;
-  fmt::print(stderr, "\r{} of {} disks poured\x1b[K", poured, of);
+  fmt::print(stderr, "\r{} of {} poured\x1b[K", poured, countText(of, "disk"));
   std::fflush(stderr);
 }
 

@@ -8,7 +8,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// How many left, and which share of them to the left.
+/// The number of disks that left, and the fraction of them that left on the left.
 struct Share
 {
   explicit Share(const SpeciesBins& bins)
@@ -20,7 +20,7 @@ struct Share
   double left;
 };
 
-/// Wilson's interval of a share lies so far below and above it.
+/// Distances of the ends of Wilson's interval below and above a proportion.
 struct Margins
 {
   double below;
@@ -36,7 +36,7 @@ Margins wilson(const Share& share, double z)
   return {share.left - centre + half, centre + half - share.left};
 }
 
-/// Of counts of disks that leave independently of each other.
+/// For independent disks.
 double countedHalfWidth(const Share& a, const Share& b, double confidence)
 {
   const double z = halfWidthOver(confidence, 0);
@@ -45,7 +45,7 @@ double countedHalfWidth(const Share& a, const Share& b, double confidence)
   return std::max(std::hypot(of_a.below, of_b.above), std::hypot(of_a.above, of_b.below));
 }
 
-/// The difference of the shares block by block, about that of all.
+/// The difference of the fractions per block, relative to the overall one.
 std::vector<BlockSum> deviations(const std::vector<BlockSum>& a, const std::vector<BlockSum>& b)
 {
   const BlockSum all_a = sumOf(a);
@@ -60,7 +60,7 @@ std::vector<BlockSum> deviations(const std::vector<BlockSum>& a, const std::vect
   return blocks;
 }
 
-/// By how much the disks still in the machine can change the share.
+/// Largest change of the fraction by the disks still in the machine.
 double open(const Share& share, const SpeciesBins& bins)
 {
   const auto inside = static_cast<double>(bins.on_base);

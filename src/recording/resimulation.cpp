@@ -105,11 +105,11 @@ void Resimulation::finish()
 {
   compareInstant();
   if (!difference_ && frames_ == 0)
-    throw std::invalid_argument("holds no state of the run: there is nothing to compare");
+    throw std::invalid_argument("contains no state of the run: there is nothing to compare");
   // A later file of a split recording, by itself.
   if (difference_ && scene_->time > scene_->start_time)
     *difference_ +=
-        fmt::format("; it is recorded from {:g} s on, and not what the run was commanded since {:g} s",
+        fmt::format("; the recording begins at {:g} s, so earlier commands since {:g} s are missing",
                     scene_->time, scene_->start_time);
 }
 

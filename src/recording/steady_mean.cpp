@@ -12,15 +12,15 @@ namespace ratchet_sieve
 namespace
 {
 
-/// What of a transient MSER leaves is as large as the noise: the share of a mean that it makes falls with the
+/// The transient that remains after MSER is as large as the noise; its effect on the mean decreases with the
 /// length of the series. See SteadyMeans.
 constexpr std::size_t POINTS_CUT = 2;
 
-/// Blocks are taken together until there are no more than twice as many: a transient is seen while it is
-/// larger than the scatter of what it is sought in.
+/// Blocks are grouped until there are at most twice as many batches: a transient is found if it is larger
+/// than the scatter of the batches.
 constexpr std::size_t BATCHES = 64;
 
-/// Of a series whose errors are those of groups: enough to find the transient.
+/// Number of blocks for finding the transient, if the errors come from groups.
 constexpr double BLOCKS_OF_GROUPS = 32.0;
 
 /// Without blocks in which there was no disk.
@@ -33,7 +33,7 @@ std::vector<BlockSum> after(const std::vector<BlockSum>& series, std::size_t cut
   return left;
 }
 
-/// What each group comes to after the cut; without those that have no disks.
+/// The sum of each group after the cut, without groups that have no disks.
 std::vector<BlockSum> groupSums(const SpeciesSeries& species, std::size_t cut)
 {
   std::vector<BlockSum> sums;
@@ -43,7 +43,7 @@ std::vector<BlockSum> groupSums(const SpeciesSeries& species, std::size_t cut)
   return sums;
 }
 
-/// In batches of so many blocks, without what is left over at the end.
+/// Groups blocks into batches of this size, without the remainder at the end.
 std::vector<BlockSum> batchesOf(const std::vector<BlockSum>& series, std::size_t size)
 {
   std::vector<BlockSum> batches;
@@ -69,7 +69,7 @@ std::size_t leastErrorFrom(const std::vector<BlockSum>& series)
     products += sum * weight;
     squared_weights += weight * weight;
     weighty += weight > 0.0 ? 1 : 0;
-    // A machine that has emptied: what the last disks did is no steady state.
+    // An emptied machine: the motion of the last disks is no steady state.
     if (2 * k > series.size() || 2 * weighty < series.size() - k)
       continue;
     const double mean = sums / weights;
@@ -126,7 +126,7 @@ double halfWidthOver(double confidence, std::size_t blocks)
 
 double timesForTrust(const std::vector<BlockSum>& series, const BlockError& error)
 {
-  // Joining makes the error larger by the root of how many blocks say the same.
+  // Joining increases the error by the square root of the number of correlated blocks.
   const double joined = error.error > 0.0 ? error.error / scatterError(series) : 1.0;
   return INDEPENDENT_BLOCKS / static_cast<double>(series.size()) * joined * joined;
 }

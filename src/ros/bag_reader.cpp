@@ -21,10 +21,10 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Of an error, which may name a topic [characters].
+/// Longest error message shown; it may contain a topic name [characters].
 constexpr std::size_t LONGEST_REASON = 300;
 
-/// One topic's frames, the next one read ahead.
+/// The frames of one topic, with one frame of read-ahead.
 class Stream
 {
 public:
@@ -66,7 +66,7 @@ private:
     if (TopicStream::done())
       return;
     if (!position_->isType<Message>())
-      throw std::invalid_argument(position_->getTopic() + " is not what its type says");
+      throw std::invalid_argument(position_->getTopic() + " does not have its declared type");
     std::vector<std::uint8_t> bytes(position_->size());
     if (bytes.empty())
       throw std::invalid_argument(position_->getTopic() + " has an empty message");
@@ -76,7 +76,7 @@ private:
     BoundedStream(bytes).next(message);
     frame_ = toFrame(message);
     if (!isStamp(frame_.time))
-      throw std::invalid_argument(position_->getTopic() + " has a message at a time that is none");
+      throw std::invalid_argument(position_->getTopic() + " has a message with an invalid time");
   }
 
   rosbag::View view_;
@@ -148,10 +148,10 @@ void requireSceneOf(const std::string& sieve, rosbag::View& all)
   const std::string topic = (sieve.front() == '/' ? "" : "/") + sieve + "/scene";
   if (topics.count(topic) == 0)
     throw std::invalid_argument("holds no " + topic + ", but " + *topics.begin() +
-                                ": name its sieve, or none");
+                                ": name that sieve, or none");
 }
 
-/// Runs that begin at one time lie upon one another in a bag: their frames cannot be told apart.
+/// Runs that begin at the same time would be mixed in a bag, and their frames could not be distinguished.
 void requireOneRunAtATime(const rosbag::Bag& bag, const std::string& topic)
 {
   std::set<double> starts;
@@ -162,7 +162,7 @@ void requireOneRunAtATime(const rosbag::Bag& bag, const std::string& topic)
                                   "node's ~record, or reset with keep_time");
 }
 
-/// @param begins_run whether the scene is to be handed on, with which a run begins
+/// @param begins_run whether to hand over the scene, which begins a run
 void readOpened(const rosbag::Bag& bag, bool begins_run, FrameSink& sink)
 {
   rosbag::View all(bag);
@@ -184,7 +184,7 @@ struct RunPart
 {
   std::string path;
   SceneFrame scene;
-  ros::Time start, end;  ///< of its first message and its last, by the bag
+  ros::Time start, end;  ///< of its first and its last message, bag time
 };
 
 RunPart partOf(const rosbag::Bag& bag, const std::string& path)
@@ -203,8 +203,8 @@ bool sameRun(const SceneFrame& a, const SceneFrame& b)
          a.seed == b.seed && a.version == b.version;
 }
 
-/// That the files follow one another without a gap: each begins at the very time at which the one
-/// before it ends.
+/// Checks that the files follow one another without a gap: each begins at the time at which the previous one
+/// ends.
 void requireOneRun(const std::vector<RunPart>& parts)
 {
   for (std::size_t k = 1; k < parts.size(); ++k)
@@ -215,12 +215,12 @@ void requireOneRun(const std::vector<RunPart>& parts)
       throw BagError(part.path + ": is of another run than " + before.path);
     if (part.start != before.end)
       throw BagError(part.path + ": begins at " + std::to_string(part.start.toSec()) +
-                     " s, and does not go on from " + before.path + ", which ends at " +
+                     " s, and does not continue " + before.path + ", which ends at " +
                      std::to_string(before.end.toSec()) + " s");
   }
 }
 
-/// Opens a bag for `read`, and says what is wrong in the words of a BagError.
+/// Opens a bag for `read`, and converts errors to BagError.
 template <typename Read>
 void withBag(const std::string& path, const Read& read)
 {

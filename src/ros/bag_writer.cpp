@@ -24,17 +24,18 @@ BagError cannotBeWritten(const std::string& path, const std::string& why)
   return BagError(path + ": cannot be written: " + why);
 }
 
-/// What is no file, such as a directory or a device, cannot be a bag: a device would be replaced by one.
+/// Anything that is not a regular file is refused: a directory cannot be a bag, and a device would be
+/// replaced.
 /// @throws BagError
 void requireNothingOrFile(const std::string& path)
 {
   std::error_code none;
   const std::filesystem::file_status status = std::filesystem::status(path, none);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw BagError("it is there, and no file");
+    throw BagError("it exists and is not a regular file");
 }
 
-/// A name that no file has, as far as can be seen.
+/// An unused file name.
 std::string unfinishedPath(const std::string& path)
 {
   const std::string stem = path + ".unfinished";
@@ -45,7 +46,7 @@ std::string unfinishedPath(const std::string& path)
   return name;
 }
 
-/// A recording that nobody closed holds all but its index: it is not to be overwritten.
+/// Renames a recording that was not closed. It contains all but its index and must not be overwritten.
 /// @throws BagError
 void setAside(const std::string& path, const std::string& active_path)
 {
@@ -53,15 +54,15 @@ void setAside(const std::string& path, const std::string& active_path)
   if (!std::filesystem::is_regular_file(active_path, none))
     return;
   if (BagFile::isBeingWritten(active_path))
-    return;  // and will not be opened
+    return;  // open() reports the error
   const std::string unfinished = unfinishedPath(path);
   const bool indexed = isIndexedBag(active_path);
   if (std::rename(active_path.c_str(), unfinished.c_str()) != 0)
     throw BagError("there is " + active_path +
-                   ", which was not closed, and cannot be set aside: " + std::strerror(errno));
-  const std::string advice = indexed ? "it has its index, and can be read as it is"
-                                     : "`rosbag reindex " + unfinished + "` gives it its index";
-  ROS_WARN("%s was not closed, by a program that was killed: set aside as %s; %s", active_path.c_str(),
+                   ", which was not closed and cannot be renamed: " + std::strerror(errno));
+  const std::string advice =
+      indexed ? "it has an index and can be read" : "`rosbag reindex " + unfinished + "` adds its index";
+  ROS_WARN("%s was left by a program that was killed: renamed to %s; %s", active_path.c_str(),
            unfinished.c_str(), advice.c_str());
 }
 
@@ -116,7 +117,8 @@ void BagWriter::close()
     throw cannotBeWritten(path_, error.what() + ("; the bag is " + active_path_ + ", for `rosbag reindex`"));
   }
   if (std::rename(active_path_.c_str(), path_.c_str()) != 0)
-    throw BagError(path_ + ": cannot be named so: " + std::strerror(errno) + "; the bag is " + active_path_);
+    throw BagError(path_ + ": the bag cannot be renamed to it: " + std::strerror(errno) + "; the bag is " +
+                   active_path_);
   if (loss && loss->end.isZero())
     throw cannotBeWritten(path_, loss->reason + "; the bag is empty");
   if (loss)

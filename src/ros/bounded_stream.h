@@ -10,12 +10,12 @@
 namespace ratchet_sieve
 {
 
-/// Reads a message as ros::serialization::IStream does, but claims no memory for an array that the
-/// message is too short to hold: ROS resizes to whatever length the message names.
+/// Reads a message as ros::serialization::IStream does, but allocates no memory for an array that is longer
+/// than the message. ROS would resize it to any length given in the message.
 class BoundedStream : public ros::serialization::Stream
 {
 public:
-  // The name is what roscpp's serialization asks for. NOLINTNEXTLINE(readability-identifier-naming)
+  // The name is required by roscpp's serialization. NOLINTNEXTLINE(readability-identifier-naming)
   static const ros::serialization::StreamType stream_type = ros::serialization::stream_types::Input;
 
   explicit BoundedStream(std::vector<std::uint8_t>& bytes)
@@ -36,7 +36,7 @@ public:
     ros::serialization::deserialize(*this, array);
   }
 
-  /// ROS steps beyond the end before it checks where that is.
+  /// The check must come first: ROS moves the pointer beyond the end before it checks.
   std::uint8_t* advance(std::uint32_t length)
   {
     if (length > getLength())
@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  /// @param element_size the least that an entry of the array that follows takes [bytes]
+  /// @param element_size smallest size of an entry of the following array [bytes]
   void requireRoom(std::uint32_t element_size)
   {
     BoundedStream ahead = *this;
@@ -53,7 +53,7 @@ private:
     ahead.next(length);
     if (length > ahead.getLength() / element_size)
       throw std::invalid_argument("a message names an array of " + std::to_string(length) +
-                                  " entries and ends before");
+                                  " entries but is shorter");
   }
 };
 

@@ -16,14 +16,14 @@ namespace
 using visualization_msgs::MarkerArray;
 
 /// In widths of the base.
-constexpr double CAPTION_HEIGHT = 0.345;  // above the base's left end, and
-constexpr double CAPTION_GAP = 0.23;      // at least, above its middle
-constexpr double LEGEND_DEPTH = 0.12;     // of its first line, below the lower of both
+constexpr double CAPTION_HEIGHT = 0.345;  // above the base's left end
+constexpr double CAPTION_GAP = 0.23;      // above its middle, at least
+constexpr double LEGEND_DEPTH = 0.12;     // of its first line below the lower end of the base
 
 constexpr double MM_PER_M = 1e3;  // and mm/s per m/s
 constexpr double G_PER_KG = 1e3;
 
-/// "theta = +0.100 rad"; on its way to a setpoint "theta = +0.100 -> +0.190 rad".
+/// "theta = +0.100 rad"; during a ramp to a setpoint "theta = +0.100 -> +0.190 rad".
 std::string quantityText(const char* name, const char* format, double applied, double commanded,
                          const char* unit)
 {

@@ -47,8 +47,8 @@ ClockPublisher::ClockPublisher(ros::NodeHandle node, double rate, bool enabled)
 std::string ClockPublisher::otherText() const
 {
   return *other_ +
-         " publishes /clock already: this node does not, and its stamps, which are its own simulated "
-         "time, are not those of /clock";
+         " already publishes /clock, so this node does not: its stamps are its own simulated "
+         "time, not that of /clock";
 }
 
 void ClockPublisher::publishDue(double time)

@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 #include <ros/console.h>
 
+#include "queue_size.h"
 #include "ratchet_sieve/ros/conversions.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-constexpr std::uint32_t QUEUE_SIZE = 100;
 
 /// Copies an outcome into a service's response, and logs it.
 template <typename Response>
@@ -37,7 +37,8 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
                              std::function<void()> time_changed)
     : control_(control),
       diagnostics_(diagnostics),
-      stride_(std::move(stride)),
+      stride_([this, stride = std::move(stride)](double time)
+              { return !interrupting_.any() && stride(time); }),
       time_changed_(std::move(time_changed)),
       frame_id_(parameters.frames.world),
       setpoints_(parameters.setpoints)
@@ -47,10 +48,12 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
         setpointTopic(setpoint.quantity), QUEUE_SIZE,
         [this, setpoint](const std_msgs::Float64::ConstPtr& message) { takeSetpoint(setpoint, *message); },
         ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
-  services_ = {private_node.advertiseService("pause_physics", &CommandServer::pause, this),
-               private_node.advertiseService("unpause_physics", &CommandServer::unpause, this),
-               private_node.advertiseService("reset_world", &CommandServer::resetWorld, this),
-               private_node.advertiseService("reset", &CommandServer::reset, this),
+  ros::NodeHandle interrupting_node(private_node);
+  interrupting_node.setCallbackQueue(&interrupting_);
+  services_ = {interrupting_node.advertiseService("pause_physics", &CommandServer::pause, this),
+               interrupting_node.advertiseService("unpause_physics", &CommandServer::unpause, this),
+               interrupting_node.advertiseService("reset_world", &CommandServer::resetWorld, this),
+               interrupting_node.advertiseService("reset", &CommandServer::reset, this),
                private_node.advertiseService("step", &CommandServer::step, this),
                private_node.advertiseService("lock_step", &CommandServer::lockStep, this),
                private_node.advertiseService("pour", &CommandServer::pour, this)};
@@ -125,13 +128,13 @@ bool CommandServer::resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Respo
   time_changed_();
   if (!outcome.success)
   {
-    // The answer has no room for the reason.
+    // The response has no field for the reason.
     ROS_ERROR("reset_world: %s", outcome.message.c_str());
     diagnostics_.resetWorldRefused(outcome.message);
     return false;
   }
   diagnostics_.begunAnew();
-  ROS_INFO("disks poured anew at %.3f s", control_.run().time());
+  ROS_INFO("new disks poured at %.3f s", control_.run().time());
   return true;
 }
 
@@ -143,7 +146,7 @@ bool CommandServer::reset(ResetSimulation::Request& request, ResetSimulation::Re
   if (!response.success)
     return true;
   diagnostics_.begunAnew();
-  ROS_INFO("begun anew at %g s with seed %lu", control_.run().time(),
+  ROS_INFO("reset: new run from %g s with seed %lu", control_.run().time(),
            static_cast<unsigned long>(control_.run().simulation().scene().seed));
   return true;
 }

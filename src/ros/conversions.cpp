@@ -15,7 +15,7 @@ namespace
 {
 constexpr double LATEST_STAMP = 4294967295.0;  // s
 
-/// From a frame into a message, field by field.
+/// Copies a frame into a message, field by field.
 struct Writer
 {
   template <typename From, typename To>
@@ -64,7 +64,7 @@ private:
   }
 };
 
-/// From a message into a frame, field by field. All arrays of a message have one entry for each disk or
+/// Copies a message into a frame, field by field. All arrays of a message have one entry per disk or per
 /// species.
 class Reader
 {
@@ -125,7 +125,7 @@ private:
   static CommandKind commandKind(std::uint8_t kind)
   {
     if (kind >= COMMAND_KINDS)
-      throw std::invalid_argument("a command has the kind " + std::to_string(kind) + ", which is none");
+      throw std::invalid_argument("a command has the kind " + std::to_string(kind) + ", which is unknown");
     return static_cast<CommandKind>(kind);
   }
 

@@ -13,11 +13,10 @@ using diagnostic_msgs::DiagnosticStatus;
 
 constexpr std::chrono::duration<double> PERIOD(1.0);
 
-/// What is new and bad is shown earlier, but not more often than this: bad setpoints may come by the
-/// thousand.
+/// A new problem is shown earlier, but not more often than this: thousands of bad setpoints may arrive.
 constexpr std::chrono::duration<double> PRESSING_PERIOD(0.1);
 
-/// Overlaps below this share of the smallest radius are rounding.
+/// Overlaps below this fraction of the smallest radius are rounding.
 constexpr double TOLERATED_OVERLAP = 1e-9;
 
 double smallestRadius(const SceneDefinition& scene)
@@ -87,7 +86,7 @@ void Diagnostics::reportRun(Status& status)
   else if (!simulation.energyText().empty())
     status.summary(DiagnosticStatus::WARN, simulation.energyText());
   else if (control_.paused())
-    status.summary(DiagnosticStatus::OK, run.finished() ? "at its end" : "paused");
+    status.summary(DiagnosticStatus::OK, run.finished() ? "finished" : "paused");
   else
     status.summary(DiagnosticStatus::OK, "running");
   if (const std::string text = overWallsText(simulation); !text.empty())
@@ -120,15 +119,15 @@ void Diagnostics::reportSpeed(Status& status)
   else if (speed_.watch.behind())
     status.summary(DiagnosticStatus::WARN, tooSlowText(*achieved, asked));
   else
-    status.summary(DiagnosticStatus::OK, asked > 0.0 ? "keeps up" : "as fast as it goes");
+    status.summary(DiagnosticStatus::OK, asked > 0.0 ? "keeps up" : "as fast as possible");
   if (!speed_.parameter.refusal().empty())
     status.mergeSummary(DiagnosticStatus::WARN, speed_.parameter.refusal());
-  status.add("real-time factor, asked for", asked);
+  status.add("real-time factor, requested", asked);
   if (achieved)
     status.add("real-time factor, achieved", *achieved);
   else
     status.add("real-time factor, achieved", "not measured yet");
-  status.add("wall time given up [s]", speed_.pacer.lost());
+  status.add("wall time lost [s]", speed_.pacer.lost());
 }
 
 void Diagnostics::reportSetpoints(Status& status)
@@ -160,9 +159,9 @@ void Diagnostics::reportClock(Status& status)
   if (clock_.other())
     status.summary(DiagnosticStatus::WARN, clock_.otherText());
   else
-    status.summary(DiagnosticStatus::OK, clock_.enabled() ? "this node is the clock" : "off");
+    status.summary(DiagnosticStatus::OK, clock_.enabled() ? "this node publishes /clock" : "off");
   if (!clock_.enabled() && ros::Time::isSimTime())
-    status.add("simulated time less /clock [s]", control_.run().time() - ros::Time::now().toSec());
+    status.add("simulated time minus /clock [s]", control_.run().time() - ros::Time::now().toSec());
 }
 
 }  // namespace ratchet_sieve

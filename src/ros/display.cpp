@@ -11,8 +11,8 @@ namespace
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-constexpr std::uint32_t QUEUE_SIZE = 2;
-constexpr double STILL_PERIOD = 1.0;  // between pictures of a run that stands still [s]
+constexpr std::uint32_t PICTURE_QUEUE_SIZE = 2;
+constexpr double STILL_PERIOD = 1.0;  // between pictures of a paused run [s]
 
 Marker deleteAll()
 {
@@ -24,8 +24,8 @@ Marker deleteAll()
 
 Display::Display(ros::NodeHandle private_node, double rate)
     : rate_(rate),
-      markers_(private_node.advertise<MarkerArray>("markers", QUEUE_SIZE)),
-      cloud_(private_node.advertise<sensor_msgs::PointCloud2>("cloud", QUEUE_SIZE))
+      markers_(private_node.advertise<MarkerArray>("markers", PICTURE_QUEUE_SIZE)),
+      cloud_(private_node.advertise<sensor_msgs::PointCloud2>("cloud", PICTURE_QUEUE_SIZE))
 {
 }
 
@@ -54,7 +54,7 @@ void Display::showMarkers(const Picture& picture, const std::string& frame_id)
     marker.header.frame_id = frame_id;
     names.emplace(marker.ns, marker.id);
   }
-  // Another scene: what it has not is not to stay on the screen.
+  // Another scene: markers of the previous one are deleted.
   if (names != last_names_)
     all.markers.insert(all.markers.begin(), deleteAll());
   last_names_ = std::move(names);

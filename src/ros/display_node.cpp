@@ -7,6 +7,7 @@
 #include <ros/message_event.h>
 #include <ros/names.h>
 
+#include "queue_size.h"
 #include "ratchet_sieve/ros/conversions.h"
 #include "ratchet_sieve/ros/node_parameters.h"
 #include "ratchet_sieve/ros/parameter_reader.h"
@@ -16,7 +17,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-constexpr std::uint32_t QUEUE_SIZE = 100;
 constexpr double SEARCH_PERIOD = 0.2;  // of the search for a sieve [s of wall time]
 constexpr double SILENCE = 5.0;   // after which a warning says that no message was received [s of wall time]
 constexpr double MAX_RATE = 1e3;  // [1/s]
@@ -91,7 +91,7 @@ template <typename Frame>
 void DisplayNode::see(const Frame& frame, const std::string& publisher, const std::string& frame_id)
 {
   if (!isStamp(frame.time))
-    throw std::invalid_argument("a time that is none");
+    throw std::invalid_argument("an invalid time");
   seen_.take(frame);
   // Only the messages tell whether the sieve has a world frame of its own.
   frames_.world = frame_id;
@@ -107,7 +107,7 @@ void DisplayNode::see(const Frame& frame, const std::string& publisher, const st
       ROS_ERROR("the scene cannot be shown: %s", seen_.sceneError()->c_str());
 }
 
-/// Once, where nothing has come in time.
+/// Logs one warning if no message was received in time.
 void DisplayNode::warnOfSilence()
 {
   silence_timer_.stop();

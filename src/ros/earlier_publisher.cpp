@@ -15,9 +15,9 @@ namespace
 {
 using XmlRpc::XmlRpcValue;
 
-/// A node answers within milliseconds. One that is stopped, or whose machine is off, does not answer at all
-/// [s of wall time].
-constexpr double PATIENCE = 2.0;
+/// Timeout for an answer [s of wall time]. A live node answers within milliseconds; a stopped one, or one on
+/// a machine that is switched off, does not answer.
+constexpr double ANSWER_TIMEOUT = 2.0;
 
 XmlRpcValue arguments(const std::string& second = "")
 {
@@ -28,8 +28,8 @@ XmlRpcValue arguments(const std::string& second = "")
   return arguments;
 }
 
-/// Of a topic, in the order of the master, which is that of their coming. Waits for a master that is too busy
-/// to answer at once, as advertising does.
+/// The publishers of a topic, in the order of registration at the master. Waits if the master is too busy to
+/// answer at once, as advertising does.
 std::vector<std::string> publishersOf(const std::string& topic)
 {
   XmlRpcValue response, state;
@@ -44,18 +44,18 @@ std::vector<std::string> publishersOf(const std::string& topic)
   return names;
 }
 
-/// Calls a node, not the master. @return false where no answer comes in time
+/// Calls a node's XML-RPC server. @return false if no answer comes in time
 bool call(const std::string& uri, const char* method, XmlRpcValue& response)
 {
   std::string host;
   std::uint32_t port = 0;
-  // This very node may have got the port of one that was killed.
+  // This node may have got the port of one that was killed.
   if (uri == ros::XMLRPCManager::instance()->getServerURI() || !ros::network::splitURI(uri, host, port))
     return false;
   XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
   if (!client.executeNonBlock(method, arguments()))
     return false;
-  client._disp.work(PATIENCE);  // until it is done
+  client._disp.work(ANSWER_TIMEOUT);  // until done
   return client.executeCheckDone(response) && !client.isFault();
 }
 
@@ -67,14 +67,14 @@ bool publishes(const std::string& node, const std::string& topic)
     return false;
   try
   {
-    XmlRpcValue& topics = response[2];  // after the status and what there is to say of it
+    XmlRpcValue& topics = response[2];  // after the status code and the status message
     for (int k = 0; k < topics.size(); ++k)
       if (static_cast<std::string&>(topics[k][0]) == topic)
         return true;
   }
   catch (const XmlRpc::XmlRpcException&)
   {
-    // No node of ROS answers so.
+    // Not the answer of a ROS node.
   }
   return false;
 }

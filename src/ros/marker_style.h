@@ -10,7 +10,7 @@
 namespace ratchet_sieve
 {
 
-/// A colour for each species, told apart by the colour-blind too (Okabe & Ito), over again after eight.
+/// A colour for each species, distinguishable with colour blindness (Okabe & Ito); repeated after eight.
 std_msgs::ColorRGBA speciesColor(std::size_t species, float opacity = 1.0f);
 
 std_msgs::ColorRGBA grey(float brightness, float opacity = 1.0f);
@@ -25,7 +25,7 @@ visualization_msgs::Marker marker(double time, const std::string& name, int id, 
 /// Adds a rectangle to a TRIANGLE_LIST. @param x, y of its lower left corner [m]
 void addRectangle(visualization_msgs::Marker& triangles, double x, double y, double width, double height);
 
-/// Of a capital letter, in widths of the base.
+/// Height of a capital letter, in widths of the base.
 constexpr double LETTER = 0.024;
 
 /// A line of text.
@@ -35,7 +35,7 @@ struct Line
   std_msgs::ColorRGBA color = grey(0.15f);
 };
 
-/// Where lines of text begin.
+/// The position of the first line of a text.
 struct TextPlace
 {
   std::string name;  ///< namespace of the markers
@@ -44,8 +44,8 @@ struct TextPlace
   double y;  ///< middle of the first line [m]
 };
 
-/// Adds text that faces the viewer, a marker for each line: RViz spaces the lines within a marker by a length
-/// of its own, of 1 cm, which fits no machine of another size. @param letter its height [m]
+/// Adds text that faces the viewer, one marker per line: RViz separates lines within a marker by a fixed
+/// distance of 1 cm, which does not suit machines of other sizes. @param letter its height [m]
 void addLines(double time, const TextPlace& place, double letter, const std::vector<Line>& lines,
               visualization_msgs::MarkerArray& markers);
 

@@ -10,7 +10,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-constexpr double MAX_RATE = 1e5;        // 1/s
 constexpr double MAX_SPLIT_SIZE = 1e6;  // MB
 constexpr double MAX_DISTANCE = 1e6;    // m
 
@@ -23,7 +22,7 @@ double readSetpoint(ParameterReader& reader, double slew_rate, Setpoint& setpoin
   const std::string prefix = std::string("limits/") + q.name + "/";
   setpoint.limits.min =
       reader.number(prefix + "min", setpoint.limits.min, q.widest_limits.min, q.widest_limits.max);
-  // A least value beyond the usual largest one, by itself, would leave nothing that is allowed.
+  // A lower limit above the default upper limit raises the upper limit; otherwise no value would be allowed.
   const double usual = std::max(setpoint.limits.max, setpoint.limits.min);
   setpoint.limits.max = reader.number(prefix + "max", usual, setpoint.limits.min, q.widest_limits.max);
   return reader.number(prefix + "slew_rate", slew_rate, q.slew_rates.min, q.slew_rates.max);
@@ -33,7 +32,7 @@ void readRates(ParameterReader& reader, const std::string& prefix, FrameRates& r
 {
   for (const FrameKindInfo& kind : FRAME_LIST)
     if (kind.rate != nullptr)
-      rates.*kind.rate = reader.number(prefix + kind.name, rates.*kind.rate, 0.0, MAX_RATE);
+      rates.*kind.rate = reader.number(prefix + kind.name, rates.*kind.rate, 0.0, MAX_FRAME_RATE);
 }
 
 void readRecording(ParameterReader& reader, RecordingParameters& recording)

@@ -11,13 +11,14 @@ namespace
 [[noreturn]] void refuse(const std::string& name, const XmlRpc::XmlRpcValue& value,
                          const std::string& allowed)
 {
+  using ::operator<<;  // the messages' operators would hide it
   std::ostringstream text;
   text << "parameter " << name << ": " << value << ": must be " << allowed;
   throw ParameterError(text.str());
 }
 }  // namespace
 
-// The value is a copy, as it gives its content to none but a non-const reference.
+// A copy, because XmlRpcValue converts only through non-const references.
 double numberFrom(const std::string& name, const XmlRpc::XmlRpcValue& given, double least, double most)
 {
   XmlRpc::XmlRpcValue value = given;

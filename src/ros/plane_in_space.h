@@ -8,13 +8,14 @@
 namespace ratchet_sieve
 {
 
-/// The rotation by the inclination. Positive where the right end is raised, which is negative about y.
+/// The rotation by the inclination. It is positive if the right end is raised, which is a negative rotation
+/// about y.
 inline Eigen::Quaterniond inclinationInSpace(const DriveState& base)
 {
   return Eigen::Quaterniond(Eigen::AngleAxisd(-base.inclination, Eigen::Vector3d::UnitY()));
 }
 
-/// The drive's displacement, in the world [m].
+/// The drive's displacement, in the world frame [m].
 inline Eigen::Vector3d displacementInSpace(const DriveState& base)
 {
   return {base.horizontal_displacement, 0.0, base.displacement};

@@ -11,10 +11,10 @@ namespace
 {
 constexpr const char* NAME = "real_time_factor";
 
-/// Soon enough for a hand at the keyboard, and too seldom to be felt [wall time].
+/// Interval between checks: short for a user, long compared to the cost [wall time].
 constexpr std::chrono::duration<double> BETWEEN_LOOKS(0.02);
 
-/// What the master tells of a parameter that was taken away.
+/// The value that the master sends for a deleted parameter.
 bool isNothing(const XmlRpc::XmlRpcValue& value)
 {
   return value.getType() == XmlRpc::XmlRpcValue::TypeStruct && value.size() == 0;

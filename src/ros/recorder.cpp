@@ -20,7 +20,7 @@ std::string withSuffix(const std::string& path, const std::string& suffix)
   return path.substr(0, stem) + suffix + path.substr(stem);
 }
 
-/// Where a file is, for those who read of it elsewhere: roslaunch starts its nodes in ~/.ros.
+/// The absolute path, for log lines: roslaunch starts its nodes in ~/.ros.
 std::string absolutePath(const std::string& path)
 {
   std::error_code error;
@@ -92,7 +92,7 @@ void Recorder::close()
   }
 }
 
-/// The error of closing says more than that of writing: where the rest is.
+/// The error of closing has more information than that of writing: the location of the rest.
 void Recorder::giveUp(const BagError& error)
 {
   failure_ = error.what();
@@ -108,7 +108,7 @@ void Recorder::giveUp(const BagError& error)
   bag_.reset();
   if (first_failure_.empty())
     first_failure_ = failure_;
-  ROS_ERROR("the recording broke off: %s", failure_.c_str());
+  ROS_ERROR("the recording was aborted: %s", failure_.c_str());
 }
 
 double Recorder::megabytes() const

@@ -12,17 +12,17 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// What there is to see of a level machine, in widths of the base: with a bin at each end, and without.
+/// Width of the visible part of a level machine, in widths of the base: with a bin at each end, and without.
 constexpr double OPEN_WIDTH = 1.36;
 constexpr double CLOSED_WIDTH = 1.25;
 
-/// The middle of the captions above and the bins or the legend below [widths of the base].
+/// Middle between the captions above and the bins or the legend below [widths of the base].
 constexpr double OPEN_MIDDLE = 0.05;
 constexpr double CLOSED_MIDDLE = 0.06;
 
 constexpr int TEETH_SHOWN = 10;
-constexpr double TEETH_WIDTH = 1.05;   // of the picture, in widths of those teeth, and
-constexpr double TEETH_MIDDLE = 0.35;  // where they stand in it, in heights of it above its lower edge
+constexpr double TEETH_WIDTH = 1.05;   // of the picture, in widths of the teeth
+constexpr double TEETH_MIDDLE = 0.35;  // their height above its lower edge, in its heights
 
 /// Names of the saved views in sieve.rviz.
 constexpr const char* MACHINE_VIEW = "Whole machine";
@@ -32,7 +32,7 @@ constexpr const char* LEFT_VIEW = "Ten teeth at the left end";
 /// Width over height of the part of the window that shows the scene: 1248 by 640 of 1280 by 800 pixels.
 constexpr double ASPECT = 1.95;
 
-/// Height of what a camera sees over its distance. @param field_of_view in the vertical [rad]
+/// Visible height over the distance of the camera. @param field_of_view vertical [rad]
 double heightPerDistance(double field_of_view)
 {
   return 2.0 * std::tan(0.5 * field_of_view);
@@ -41,8 +41,8 @@ double heightPerDistance(double field_of_view)
 /// A part of the machine's plane.
 struct Frame
 {
-  double x;      ///< of its middle [m]
-  double y;      ///< of its middle, up [m]
+  double x;      ///< middle [m]
+  double y;      ///< middle, upwards [m]
   double width;  ///< [m]
 };
 

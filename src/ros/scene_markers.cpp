@@ -17,23 +17,21 @@ namespace
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-/// Proportions of what is only drawn, in widths of the base.
+/// Proportions of the decoration, in widths of the base.
 constexpr double BEAM_HEIGHT = 0.02;
 constexpr double WALL_THICKNESS = 0.01;
-constexpr double WALL_SHOWN = 0.22;  // at most: what is higher is out of the view, which fits the base
+constexpr double WALL_SHOWN = 0.22;  // at most: a higher wall is cut off, because the view fits the base
 constexpr double LINE_WIDTH = 0.001;
-constexpr double OUTLINE_WIDTH =
-    0.03;  // of the teeth, at most, in widths of one: on a long base they are small
+constexpr double OUTLINE_WIDTH = 0.03;  // of the teeth, at most, in widths of a tooth
 constexpr double BIN_WIDTH = 0.14;
 constexpr double BIN_HEIGHT = 0.17;
 constexpr double BIN_GAP = 0.02;  // between the base's end and a bin
 
-/// A dot on each disk, off its centre, shows how it turns. In radii of the disk.
+/// A dot off the centre of each disk shows its rotation. In radii of the disk.
 constexpr double DOT_RADIUS = 0.28;
 constexpr double DOT_OFFSET = 0.55;
 
-/// Where a disk, which is drawn as a sphere, has its dot: on the side of the viewer, towards whom y is
-/// negative.
+/// The position of the dot on a disk, which is drawn as a sphere: on the viewer's side, where y is negative.
 geometry_msgs::Point dotPoint(const DiskState& disk, double radius)
 {
   const double offset = DOT_OFFSET * radius;
@@ -64,7 +62,7 @@ void addWalls(const SceneDefinition& scene, Marker& triangles)
                  BEAM_HEIGHT * width + height);
 }
 
-/// One of the two bins: its lower left corner, in a world that stands still.
+/// One of the two bins, by its lower left corner in the world frame.
 struct BinPlace
 {
   const char* name;
@@ -142,7 +140,7 @@ MarkerArray diskMarkers(const SceneDefinition& scene, const ParticleFrame& frame
     markers.markers[count + disk.species].points.push_back(
         dotPoint(disk, scene.species[disk.species].radius));
   }
-  // RViz calls an empty list an error.
+  // RViz reports an empty list as an error.
   for (Marker& spheres : markers.markers)
     if (spheres.points.empty())
       spheres.action = Marker::DELETE;

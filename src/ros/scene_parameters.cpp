@@ -8,7 +8,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-// XmlRpcValue reads its content through non-const conversions: hence the copies of small values.
+// XmlRpcValue converts its content only through non-const references: hence the copies of small values.
 template <typename T>
 YAML::Node scalar(XmlRpc::XmlRpcValue value)
 {
@@ -55,9 +55,9 @@ YAML::Node yamlFromParameter(const XmlRpc::XmlRpcValue& value, const std::string
 
 namespace
 {
-/// The parameter server knows no lines: where the scene is bad, the file that it was loaded from is read for
-/// them.
-/// @throws SceneError where that is bad, too
+/// Reads the file from which the scene was loaded, because the parameter server knows no line numbers for an
+/// error message.
+/// @throws SceneError if the file is bad as well
 void requireGoodFile(const ros::NodeHandle& node)
 {
   const std::string file = node.param<std::string>("scene_file", "");

@@ -9,6 +9,7 @@
 #include <std_msgs/Float64.h>
 #include <std_srvs/Empty.h>
 
+#include "queue_size.h"
 #include "ratchet_sieve/ros/node_parameters.h"
 #include "ratchet_sieve/ros/parameter_reader.h"
 #include "ratchet_sieve/ros/scene_parameters.h"
@@ -18,11 +19,9 @@ namespace ratchet_sieve
 {
 namespace
 {
-constexpr std::uint32_t QUEUE_SIZE = 100;
-
 // Both of wall time [s].
-constexpr double PATIENCE = 10.0;  ///< with a sieve that is not there, until it is said
-constexpr double FAREWELL = 0.5;   ///< for the last setpoint to leave, before the node ends
+constexpr double PATIENCE = 10.0;  ///< before the first warning that the sieve is missing
+constexpr double FAREWELL = 0.5;   ///< for sending the last setpoint before the node exits
 
 std::string sourceOf(const ros::NodeHandle& node)
 {
@@ -37,7 +36,7 @@ std::vector<ScheduleEntry> readSchedule(const ros::NodeHandle& node)
   return scheduleFromYaml(yamlFromParameter(value, sourceOf(node)), sourceOf(node));
 }
 
-/// A sieve that starts later may have other limits: no more than a warning.
+/// Only a warning, because a sieve that starts later may have other limits.
 void warnOfRefusals(const std::vector<ScheduleEntry>& schedule, const std::string& source,
                     const std::string& sieve)
 {
@@ -47,7 +46,7 @@ void warnOfRefusals(const std::vector<ScheduleEntry>& schedule, const std::strin
   for (std::size_t k = 0; k < schedule.size(); ++k)
     for (std::size_t q = 0; q < limited.size(); ++q)
       if (const auto refusal = limited[q].refusal(schedule[k].values[q].value_or(limited[q].limits.min)))
-        ROS_WARN("%s/%zu: %s, as the parameters of %s have it", source.c_str(), k, refusal->c_str(),
+        ROS_WARN("%s/%zu: %s, according to the parameters of %s", source.c_str(), k, refusal->c_str(),
                  sieve.c_str());
 }
 }  // namespace
@@ -68,7 +67,7 @@ ScheduleNode::ScheduleNode(ros::NodeHandle private_node)
         [this](const ros::SingleSubscriberPublisher&) { startOnceConnected(); },
         [this](const ros::SingleSubscriberPublisher& subscriber)
         {
-          // Whoever else listens, such as `rosbag record`, may come and go.
+          // Other subscribers, such as `rosbag record`, do not matter.
           if (started_ && subscriber.getSubscriberName() == sieve_)
             beginAnew();
         }));
@@ -79,15 +78,15 @@ ScheduleNode::ScheduleNode(ros::NodeHandle private_node)
                                           [this](const ros::SteadyTimerEvent&)
                                           {
                                             if (!started_)
-                                              ROS_WARN("%s is not there: waiting for it", sieve_.c_str());
+                                              ROS_WARN("%s is not running: waiting for it", sieve_.c_str());
                                           });
 }
 
 void ScheduleNode::beginAnew()
 {
-  // One that ends after the schedule is over ends as it should.
+  // No warning if the sieve ends after the schedule is complete.
   if (next_ < schedule_.size())
-    ROS_WARN("%s is gone before the schedule is over, after %.3f s: it begins anew when %s is back",
+    ROS_WARN("%s stopped at %.3f s, before the end of the schedule, which restarts when %s is back",
              sieve_.c_str(), last_time_, sieve_.c_str());
   started_ = base_seen_ = false;
   next_ = 0;
@@ -100,7 +99,7 @@ void ScheduleNode::follow(const BaseState& base)
   startOnceConnected();
   if (base.time < last_time_ && next_ > 0)
   {
-    ROS_INFO("time went back from %.3f to %.3f s: the schedule begins anew", last_time_, base.time);
+    ROS_INFO("time jumped back from %.3f to %.3f s: the schedule restarts", last_time_, base.time);
     next_ = 0;
   }
   last_time_ = base.time;
@@ -145,7 +144,7 @@ void ScheduleNode::startOnceConnected()
   if (started_ || !connected())
     return;
   started_ = true;
-  ROS_INFO("%s is there: the schedule begins", sieve_.c_str());
+  ROS_INFO("%s is running: the schedule starts", sieve_.c_str());
   std_srvs::Empty nothing;
   if (!unpause_.waitForExistence() || !unpause_.call(nothing))
     ROS_ERROR("%s cannot be called", unpause_.getService().c_str());

@@ -7,6 +7,7 @@
 #include <ros/console.h>
 #include <std_msgs/Float64.h>
 
+#include "queue_size.h"
 #include "ratchet_sieve/live/setpoint.h"
 #include "ratchet_sieve/ros/conversions.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
@@ -16,15 +17,13 @@ namespace ratchet_sieve
 {
 namespace
 {
-constexpr std::uint32_t QUEUE_SIZE = 100;
-
 // All of wall time [s].
-constexpr double WATCH_PERIOD = 0.2;   ///< how often it checks whether the sieve follows
-constexpr double REPEAT_AFTER = 0.5;   ///< a setpoint that the sieve has not taken is sent again
-constexpr double SILENT_AFTER = 10.0;  ///< without a message
+constexpr double WATCH_PERIOD = 0.2;   ///< interval between checks whether the sieve has taken the setpoint
+constexpr double REPEAT_AFTER = 0.5;   ///< until a setpoint that was not taken is sent again
+constexpr double SILENT_AFTER = 10.0;  ///< warning after this time without a message
 constexpr double WARN_EVERY = 10.0;
 
-/// The scene but for what setpoints change and where the disks are.
+/// The scene without the keys that setpoints change and without the positions of disks.
 SceneDefinition withoutState(SceneDefinition scene)
 {
   scene.base.inclination = scene.base.frequency = scene.base.amplitude = scene.base.phase = 0.0;
@@ -37,12 +36,11 @@ SceneDefinition withoutState(SceneDefinition scene)
 void warnOfScene(const std::string& sieve, const SceneDefinition& scene)
 {
   if (scene.boundary != Boundary::OPEN)
-    ROS_WARN("the boundary of %s is not open: nothing leaves it, so that there is nothing to go by",
-             sieve.c_str());
+    ROS_WARN("the boundary of %s is not open: no disk leaves, so Q is undefined", sieve.c_str());
   else if (scene.species.size() < 2)
     ROS_WARN("%s has one species: there is nothing to separate", sieve.c_str());
   else if (scene.feed.rate == 0.0)
-    ROS_WARN("%s is not fed: when its base is empty, the search stands still", sieve.c_str());
+    ROS_WARN("%s has no feed: the search stops when its base is empty", sieve.c_str());
 }
 
 std::string binsText(const Separation& separation)
@@ -134,16 +132,16 @@ SeekNode::SeekNode(ros::NodeHandle private_node)
                                           [this](const ros::SteadyTimerEvent&) { watch(); });
 }
 
-/// A message that comes by another connection than the last one comes from another process: the sieve was
-/// restarted, even if its time is later than that of the one before.
+/// A message over another connection comes from another process: the sieve was restarted, even if the stamps
+/// continue to increase.
 template <typename Message>
 void SeekNode::hear(const ros::MessageEvent<const Message>& event,
                     boost::shared_ptr<ros::M_string>& connection)
 {
   if (connection && connection != event.getConnectionHeaderPtr())
   {
-    if (&connection == &base_connection_)  // once, of the two topics
-      ROS_INFO("%s was started anew: the trial begins again", parameters_.sieve.c_str());
+    if (&connection == &base_connection_)  // on one of the two topics, so that it counts once
+      ROS_INFO("%s was restarted: the trial begins again", parameters_.sieve.c_str());
     control_.interrupt();
   }
   connection = event.getConnectionHeaderPtr();
@@ -189,10 +187,10 @@ void SeekNode::takeScene(const SceneDescription& message)
 void SeekNode::command()
 {
   if (control_.restarts() > restarts_)
-    ROS_WARN("%s is no longer what it was (its Q, drive or scene): the search begins again at %.4f rad",
+    ROS_WARN("%s has changed (its Q, drive or scene): the search restarts at %.4f rad",
              parameters_.sieve.c_str(), *control_.setpoint());
   restarts_ = control_.restarts();
-  // A sieve that was reset has forgotten its setpoint: no need to wait for it to be late.
+  // A sieve that was reset has lost its setpoint: it is sent again at once.
   if (control_.interruptions() > interruptions_)
     sent_.reset();
   interruptions_ = control_.interruptions();
@@ -206,8 +204,8 @@ void SeekNode::command()
   message.data = *setpoint;
   setpoint_.publish(message);
   if (sent_ == setpoint)
-    ROS_WARN_THROTTLE(WARN_EVERY, "%s does not go to %.4f rad: told again", parameters_.sieve.c_str(),
-                      *setpoint);
+    ROS_WARN_THROTTLE(WARN_EVERY, "%s does not follow the setpoint %.4f rad: sent again",
+                      parameters_.sieve.c_str(), *setpoint);
   sent_ = setpoint;
   sent_at_ = now;
 }
@@ -225,10 +223,10 @@ void SeekNode::warnOfSilence()
 {
   const bool silent = (ros::SteadyTime::now() - heard_at_).toSec() > SILENT_AFTER;
   if (silent && !silent_)
-    ROS_WARN("nothing heard of %s for %g s: it is paused, or not there", parameters_.sieve.c_str(),
+    ROS_WARN("no message from %s for %g s: it is paused or not running", parameters_.sieve.c_str(),
              SILENT_AFTER);
   if (!silent && silent_)
-    ROS_INFO("%s is heard again", parameters_.sieve.c_str());
+    ROS_INFO("messages from %s arrive again", parameters_.sieve.c_str());
   silent_ = silent;
 }
 

@@ -17,10 +17,10 @@ constexpr double MOST_DISKS = 1e9;      // of a window
 constexpr double MOST_TRIALS = 1e3;     // at one inclination
 constexpr double MOST_CONFIDENCE = 10;  // standard errors
 
-/// Steps finer than this part of the range would never be done.
+/// Smallest step, as a fraction of the range; the search would not end with smaller ones.
 constexpr double FINEST = 1e-4;
 
-/// Where the sieve takes an inclination, as its parameters have it.
+/// The limits of the sieve's inclination, from its parameters.
 Interval inclinationLimits(const std::string& sieve)
 {
   ParameterReader reader{ros::NodeHandle(sieve)};

@@ -7,13 +7,14 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include "ratchet_sieve/core/count_text.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
-/// The last messages are sent by a thread of roscpp: the time that it gets before the node ends [s of wall
-/// time].
-constexpr double FAREWELL = 0.25;
+/// Time for roscpp's thread to send the last messages before the node exits [s of wall time].
+constexpr double FLUSH_TIME = 0.25;
 
 void serveCallbacks(double wait)
 {
@@ -61,11 +62,11 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
   if (clock_.other())
     ROS_WARN("%s", clock_.otherText().c_str());
   if (clock_.enabled() && !ros::Time::isSimTime())
-    ROS_WARN("this node is the clock, but /use_sim_time is not set: other nodes go by wall time");
+    ROS_WARN("this node publishes /clock, but /use_sim_time is not set: other nodes use wall time");
   if (parameters_.mountedElsewhere())
     own_world_.emplace().sendTransform(ownWorldTransform(parameters_.mount, parameters_.frames));
   control_.addSink(topics_);
-  // Not before the scene is known to be good: a run that cannot begin leaves no bag.
+  // After the scene was checked, so that a run that cannot begin leaves no bag.
   recorder_.open();
 }
 
@@ -79,7 +80,7 @@ bool SieveNode::ended() const
   return control_.run().finished() && parameters_.exit_at_end;
 }
 
-/// Whether the run advances by itself.
+/// Whether the run is not paused.
 bool SieveNode::underWay() const
 {
   return !control_.paused() && !display_wait_.waiting();
@@ -128,7 +129,7 @@ void SieveNode::watchSpeed()
     pacer_.setFactor(*factor, run.time(), now);
     speed_.forget();
     ROS_INFO("real-time factor: %g from %.3f s on%s", *factor, run.time(),
-             *factor > 0.0 ? "" : ": as fast as it goes");
+             *factor > 0.0 ? "" : ": as fast as possible");
   }
   speed_.update(underWay(), run.time(), pacer_.lost(), now);
   if (const auto line = speed_.line(pacer_.factor(), now))
@@ -136,7 +137,7 @@ void SieveNode::watchSpeed()
                    ROSCONSOLE_DEFAULT_NAME, line->text);
 }
 
-/// Warns once in a run.
+/// Warns once per run.
 void SieveNode::watchEnergy()
 {
   const std::string text = control_.run().simulation().energyText();
@@ -145,11 +146,11 @@ void SieveNode::watchEnergy()
   energy_said_ = !text.empty();
 }
 
-/// Logs the progress of a pour, and aborts it where the node is stopped.
+/// Logs the progress of a pour, and cancels it if the node is stopped.
 void SieveNode::watchPour(std::size_t poured, std::size_t of)
 {
   if (stopped())
-    throw std::runtime_error(fmt::format("stopped when {} of {} disks were poured", poured, of));
+    throw std::runtime_error(fmt::format("stopped when {} of {} were poured", poured, countText(of, "disk")));
   if (const auto line = pour_log_.line(poured, of, PourLog::Clock::now()))
     ROS_INFO_STREAM(*line);
 }
@@ -198,7 +199,7 @@ void SieveNode::finish()
 void SieveNode::run()
 {
   const LiveRun& run = control_.run();
-  ROS_INFO("%zu disks, %g s, seed %lu%s%s", run.simulation().activeDisks(), run.endTime(),
+  ROS_INFO("%s, %g s, seed %lu%s%s", countText(run.simulation().activeDisks(), "disk").c_str(), run.endTime(),
            static_cast<unsigned long>(run.simulation().scene().seed),
            recorder_.path().empty() ? "" : ", recorded into ", recorder_.path().c_str());
   control_.begin();
@@ -215,7 +216,7 @@ void SieveNode::run()
   if (ended() && control_.run().stopped())
     throw StallError(*control_.run().stopReason());
   if (!recorder_.firstFailure().empty())
-    throw BagError("the run was not recorded to its end: " + recorder_.firstFailure());
+    throw BagError("the recording of the run is incomplete: " + recorder_.firstFailure());
 }
 
 void SieveNode::end()
@@ -223,8 +224,10 @@ void SieveNode::end()
   const std::string path = recorder_.path();
   control_.end();
   clock_.publish(control_.run().time());
-  ROS_INFO("ended at %.3f s%s%s", control_.run().time(), path.empty() ? "" : ", recorded in ", path.c_str());
-  const auto until = Pacer::Clock::now() + std::chrono::duration<double>(FAREWELL);
+  const bool well = ended() && !control_.run().stopped() && recorder_.firstFailure().empty();
+  ROS_INFO("ended at %.3f s%s%s%s", control_.run().time(), path.empty() ? "" : ", recorded in ", path.c_str(),
+           well ? ": all done; what roslaunch says next, that a required process has died, is no error" : "");
+  const auto until = Pacer::Clock::now() + std::chrono::duration<double>(FLUSH_TIME);
   while (ros::ok() && Pacer::Clock::now() < until)
     serveCallbacks(Pacer::LONGEST_WAIT);
 }

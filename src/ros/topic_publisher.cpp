@@ -8,7 +8,7 @@ namespace
 {
 /// Half a second of frames at the default rates; a subscriber that lags by more loses frames. roscpp has a
 /// queue for each subscriber, so that a slow one does not delay the others.
-constexpr std::uint32_t QUEUE_SIZE = 30;
+constexpr std::uint32_t FRAME_QUEUE_SIZE = 30;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ void TopicPublisher::advertise(ros::NodeHandle& node, Frame (LiveRun::*state)() 
       [current = current_, frame_id = frame_id_, state](const ros::SingleSubscriberPublisher& subscriber)
   { subscriber.publish(inFrame(frame_id, toMessage((current().*state)()))); };
   const FrameKind kind = kindOf<Frame>();
-  publisher(kind) = node.advertise<MessageOf<Frame>>(describe(kind).name, QUEUE_SIZE, give);
+  publisher(kind) = node.advertise<MessageOf<Frame>>(describe(kind).name, FRAME_QUEUE_SIZE, give);
 }
 
 TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
@@ -35,7 +35,7 @@ TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function
   advertise(private_node, &LiveRun::base);
   advertise(private_node, &LiveRun::statistics);
   publisher(FrameKind::COMMANDS) =
-      private_node.advertise<Command>(describe(FrameKind::COMMANDS).name, QUEUE_SIZE);
+      private_node.advertise<Command>(describe(FrameKind::COMMANDS).name, FRAME_QUEUE_SIZE);
 }
 
 bool TopicPublisher::wants(FrameKind kind) const

@@ -6,16 +6,13 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include "plane_in_space.h"
+#include "queue_size.h"
 #include "ratchet_sieve/ros/conversions.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-/// That of tf2_ros::TransformBroadcaster: all publishers of a node share one queue for a topic, of the length
-/// that the first of them asked for.
-constexpr std::uint32_t QUEUE_SIZE = 100;
-
 geometry_msgs::TransformStamped transformBetween(const std::string& parent, const std::string& child,
                                                  const Eigen::Quaterniond& rotation,
                                                  const Eigen::Vector3d& translation)

@@ -70,7 +70,7 @@ void writeBase(std::ostream& out, const BaseDefinition& base)
   out << "}\n";
 }
 
-/// `name:` and an entry a line, each written by write_entry(entry, flow); `name: []` for none.
+/// `name:` and one line for each entry, written by write_entry(entry, flow); `name: []` for an empty list.
 template <typename Entry, typename WriteEntry>
 void writeList(std::ostream& out, const char* name, const std::vector<Entry>& entries,
                WriteEntry&& write_entry)
@@ -114,7 +114,7 @@ std::string motionYaml(const SceneDefinition& scene)
   return out.str();
 }
 
-/// What differs of `accuracy` from the defaults; empty where nothing does.
+/// The keys of `accuracy` that differ from their defaults; empty if none does.
 std::string accuracyYaml(const AccuracyDefinition& accuracy,
                          std::initializer_list<const Keys<AccuracyDefinition>*> key_lists)
 {

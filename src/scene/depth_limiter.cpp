@@ -18,14 +18,14 @@ public:
   void OnDocumentStart(const YAML::Mark& mark) override
   {
     if (++documents_ > 1)
-      throw YAML::ParserException(mark, "a second document; a scene is one");
+      throw YAML::ParserException(mark, "a second document; a scene must be a single one");
   }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override
   {
     if (aliases_ == Aliases::REFUSED)
-      throw YAML::ParserException(mark, "an alias, which has no place here");
+      throw YAML::ParserException(mark, "an alias, which is not allowed here");
   }
   void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
   void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,

@@ -5,21 +5,22 @@
 namespace ratchet_sieve
 {
 
-/// Deepest nesting of lists and maps that any scene could want.
+/// Deepest nesting of lists and maps; no scene needs as much.
 constexpr int DEEPEST_NESTING = 16;
 
-/// Whether a text may name a part of itself again (*name). What reads a scene by its schema may be given
-/// that; what copies a tree would copy it without end where a part holds itself, or grow without bound.
+/// Whether a text may contain YAML aliases (*name). Code that reads a scene by its schema can handle them.
+/// Code that copies a tree cannot: a part that contains itself, or nested aliases, would make it endless or
+/// huge.
 enum class Aliases
 {
   ALLOWED,
   REFUSED
 };
 
-/// Reads the text without keeping anything of it, before it is built into a tree: a few bytes can
-/// nest so deeply that a recursive reader runs out of stack.
-/// @throws YAML::ParserException if it nests deeper, holds a second document or an alias that is refused,
-/// or is not YAML
+/// Checks the text before a tree is built from it: a short text can nest so deeply that a recursive reader
+/// runs out of stack.
+/// @throws YAML::ParserException if it nests deeper than DEEPEST_NESTING, has a second document or a refused
+/// alias, or is not YAML
 void requireShallow(const std::string& text, Aliases aliases);
 
 }  // namespace ratchet_sieve

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -9,13 +10,19 @@
 #include <vector>
 
 #include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/scene/scalars.h"
 
-/// How a doubt about a scene is put: see implausibilities().
+/// The texts of doubts about a scene: see implausibilities().
 namespace ratchet_sieve
 {
 
-/// A figure, to four digits; in whole numbers where it has more.
+constexpr double PI = 3.14159265358979323846;
+
+/// Highest plausible speed of the drive, of disks and of their rims [m/s].
+constexpr double FASTEST = 150.0;
+
+/// A number with four significant digits; a larger one is rounded to an integer.
 inline std::string number(double value)
 {
   std::ostringstream out;
@@ -32,17 +39,17 @@ inline std::string quantity(double value, const char* unit)
   return number(value) + " " + unit;
 }
 
-/// The lines, and how one is put.
+/// Collects the lines.
 class Doubts
 {
 public:
-  /// "KEY = VALUE UNIT: FIGURE; meant MEANT UNIT?"
-  void add(const std::string& key, double value, const char* unit, const std::string& figure,
+  /// "KEY = VALUE UNIT: REASON; did you mean MEANT UNIT?"
+  void add(const std::string& key, double value, const char* unit, const std::string& reason,
            const std::optional<double>& meant = std::nullopt)
   {
-    std::string line = key + " = " + scalarText(value) + " " + unit + ": " + figure;
+    std::string line = key + " = " + scalarText(value) + " " + unit + ": " + reason;
     if (meant)
-      line += "; meant " + quantity(*meant, unit) + "?";
+      line += "; did you mean " + quantity(*meant, unit) + "?";
     lines_.push_back(line);
   }
 
@@ -56,15 +63,27 @@ private:
   std::vector<std::string> lines_;
 };
 
-/// What a value is where its unit was mistaken by this factor, if that is plausible.
+/// The value times the factor between two units, if that is plausible.
 template <typename Plausible>
 std::optional<double> meant(double value, double factor, Plausible&& plausible)
 {
   return plausible(value * factor) ? std::optional(value * factor) : std::nullopt;
 }
 
-/// About accuracy.method and accuracy.step.
-/// @param speed of the fastest disks, without a collision [m/s]
-void doubtSteps(const SceneDefinition& scene, double speed, Doubts& doubts);
+/// Whether a drive is strong enough to throw disks up, or nearly so.
+bool shakes(const DriveBounds& drive, double gravity);
+
+void doubtDrive(const SceneDefinition& scene, Doubts& doubts);
+void doubtAngles(const SceneDefinition& scene, Doubts& doubts);
+void doubtGravity(const SceneDefinition& scene, Doubts& doubts);
+
+/// About `accuracy`.
+/// @param speed of the fastest disks, after the start [m/s]
+void doubtAccuracy(const SceneDefinition& scene, double speed, Doubts& doubts);
+
+/// The line on a wrong unit in many keys, such as all lengths in mm, if the scene is plausible without this
+/// mistake.
+std::optional<std::string> unitSlip(const SceneDefinition& scene,
+                                    const std::function<bool(const SceneDefinition&)>& plausible);
 
 }  // namespace ratchet_sieve

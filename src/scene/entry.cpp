@@ -30,7 +30,7 @@ std::string suggestion(const std::string& name, const std::set<std::string>& kno
     return "did you mean " + *nearest + "?";
   std::string list;
   for (const std::string& word : known)
-    list += (list.empty() ? "known are " : ", ") + word;
+    list += (list.empty() ? "must be one of " : ", ") + word;
   return list;
 }
 
@@ -44,7 +44,7 @@ bool Entry::has(const std::string& name) const
 Entry Entry::at(const std::string& name) const
 {
   Entry entry = child(node_[name], name);
-  // Nothing has no place in the text: YAML gives it that of whatever follows.
+  // For an empty value yaml-cpp gives the line of whatever follows; take the line of the key.
   if (entry.node_.IsDefined() && entry.node_.IsNull())
     for (const auto& item : node_)
       if (item.first.Scalar() == name)
@@ -92,7 +92,7 @@ std::vector<std::string> Entry::keys() const
     }
     const std::string& name = item.first.Scalar();
     if (!seen.insert(name).second)
-      child(item.first, name).refuse("stands there twice");
+      child(item.first, name).refuse("is given twice");
     names.push_back(name);
   }
   return names;

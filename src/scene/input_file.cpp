@@ -12,7 +12,7 @@ namespace ratchet_sieve
 std::optional<std::string> whyUnreadable(const std::string& path)
 {
   struct stat status;
-  // Not opened to find out: the writer of a named pipe would lose its reader.
+  // Not opened: that would disturb the writer of a named pipe.
   if (stat(path.c_str(), &status) != 0)
     return errno == ENOENT || errno == ENOTDIR ? "no such file" : std::strerror(errno);
   if (S_ISDIR(status.st_mode))

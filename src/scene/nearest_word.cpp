@@ -36,7 +36,7 @@ std::optional<std::string> nearestWord(const std::string& word, const std::set<s
   std::size_t least = word.size() / 2 + 1;
   for (const std::string& candidate : known)
   {
-    // So many letters have to be left out at least; a word may be megabytes long.
+    // The difference in length is a lower bound of the distance. Saves time on words of megabytes.
     if (word.size() >= candidate.size() + least)
       continue;
     const std::size_t distance = editDistance(word, candidate);

@@ -7,8 +7,8 @@
 namespace ratchet_sieve
 {
 
-/// The known word that takes the fewest letters put in, left out or changed to come to `word`
-/// (Levenshtein's distance); nothing if that is more than half of them.
+/// The known word with the least Levenshtein distance to `word`; nothing if the distance is more than half of
+/// the length of `word`.
 std::optional<std::string> nearestWord(const std::string& word, const std::set<std::string>& known);
 
 }  // namespace ratchet_sieve

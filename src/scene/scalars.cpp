@@ -17,6 +17,11 @@ namespace
 /// Longest name of a species [characters].
 constexpr std::size_t LONGEST_NAME = 64;
 
+/// A smaller value is unlikely to be in degrees, percent or ms.
+constexpr double LEAST_SLIP = 2.0;
+
+constexpr double DEGREE = 3.14159265358979323846 / 180.0;  ///< [rad]
+
 template <typename Choice, std::size_t COUNT>
 using ChoiceNames = std::array<std::pair<Choice, const char*>, COUNT>;
 
@@ -29,19 +34,24 @@ constexpr ChoiceNames<CollapseAction, 2> COLLAPSE_ACTION_NAMES = {
 constexpr ChoiceNames<Method, 2> METHOD_NAMES = {{{Method::EVENTS, "events"}, {Method::STEPS, "steps"}}};
 
 template <typename Choice, std::size_t COUNT>
+LegalValues legalChoice(const ChoiceNames<Choice, COUNT>& choices)
+{
+  std::string names;
+  for (std::size_t i = 0; i < COUNT; ++i)
+    names += (i == 0 ? "" : i + 1 < COUNT ? ", " : " or ") + std::string(choices[i].second);
+  return {"choice", names};
+}
+
+template <typename Choice, std::size_t COUNT>
 void readChoice(const Entry& entry, const ChoiceNames<Choice, COUNT>& choices, Choice& value)
 {
-  std::string allowed;
-  for (std::size_t i = 0; i < COUNT; ++i)
-  {
-    if (entry.node().IsScalar() && entry.node().Scalar() == choices[i].second)
+  for (const auto& [choice, name] : choices)
+    if (entry.node().IsScalar() && entry.node().Scalar() == name)
     {
-      value = choices[i].first;
+      value = choice;
       return;
     }
-    allowed += (i == 0 ? "" : i + 1 < COUNT ? ", " : " or ") + std::string(choices[i].second);
-  }
-  entry.refuseValue("must be " + allowed);
+  entry.refuseValue("must be " + legalChoice(choices).values);
 }
 
 template <typename Choice, std::size_t COUNT>
@@ -53,7 +63,7 @@ std::string choiceText(const ChoiceNames<Choice, COUNT>& choices, Choice value)
   return "";
 }
 
-/// The text of a scalar that is not in quotes: YAML's text in quotes is never a number.
+/// The text of a scalar, unless it is in quotes: in YAML quoted text is never a number.
 std::optional<std::string> plainText(const Entry& entry)
 {
   if (!entry.node().IsScalar() || entry.node().Tag() == "!")
@@ -61,7 +71,7 @@ std::optional<std::string> plainText(const Entry& entry)
   return entry.node().Scalar();
 }
 
-/// The whole text as a value, whatever the program's locale.
+/// The whole text as a value, in the classic locale.
 template <typename T>
 std::optional<T> parsed(const std::string& text)
 {
@@ -82,6 +92,26 @@ std::string formatted(double value, int digits)
   return stream.str();
 }
 
+/// A suggestion for a number that is out of range: it may be in degrees, ms or percent. Empty if the
+/// converted number is out of range, too.
+std::string hint(const Range& range, double value)
+{
+  const std::string unit = range.unit;
+  const auto meant = [&](double factor, const char* as)
+  {
+    const double other = factor * value;
+    return std::abs(value) < LEAST_SLIP || !range.holds(other)
+               ? ""
+               : "; did you mean " + formatted(other, 4) + (unit.empty() ? "" : " " + unit) + " (" +
+                     formatted(value, 4) + " " + as + ")?";
+  };
+  if (unit == "rad")
+    return meant(DEGREE, "degrees");
+  if (unit == "s")
+    return meant(1e-3, "ms");
+  return unit.empty() && range.highest <= 1.0 ? meant(0.01, "%") : "";
+}
+
 bool allowedInName(char c)
 {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
@@ -90,16 +120,16 @@ bool allowedInName(char c)
 
 }  // namespace
 
+std::string Range::values() const
+{
+  return isBounded() ? scalarText(lowest) + " to " + scalarText(highest) : "any";
+}
+
 std::string Range::text() const
 {
-  const bool floor = std::isfinite(lowest);
-  const bool ceiling = std::isfinite(highest);
-  const std::string unit_text = *unit == '\0' ? "" : std::string(" ") + unit;
-  if (floor && ceiling)
-    return "from " + scalarText(lowest) + " to " + scalarText(highest) + unit_text;
-  if (floor)
-    return "of at least " + scalarText(lowest) + unit_text;
-  return "that is finite";
+  if (!isBounded())
+    return "that is finite";
+  return "from " + values() + (*unit == '\0' ? "" : std::string(" ") + unit);
 }
 
 void readScalar(const Entry& entry, const Range& range, double& value)
@@ -107,7 +137,7 @@ void readScalar(const Entry& entry, const Range& range, double& value)
   const std::optional<std::string> text = plainText(entry);
   const std::optional<double> number = text ? parsed<double>(*text) : std::nullopt;
   if (!number || !std::isfinite(*number) || !range.holds(*number))
-    entry.refuseValue("must be a number " + range.text());
+    entry.refuseValue("must be a number " + range.text() + (number ? hint(range, *number) : ""));
   value = *number;
 }
 
@@ -120,34 +150,32 @@ void readScalar(const Entry& entry, const Range& range, int& value)
   value = *number;
 }
 
-void readScalar(const Entry& entry, const Range&, std::uint64_t& value)
+void readScalar(const Entry& entry, const Range& range, std::uint64_t& value)
 {
   const std::optional<std::string> text = plainText(entry);
   const bool digits =
       text && std::all_of(text->begin(), text->end(), [](char c) { return c >= '0' && c <= '9'; });
   const std::optional<std::uint64_t> number = digits ? parsed<std::uint64_t>(*text) : std::nullopt;
   if (!number)
-    entry.refuseValue("must be an integer from 0 to " +
-                      scalarText(std::numeric_limits<std::uint64_t>::max()));
+    entry.refuseValue("must be an integer from " + legalValues(range, value).values);
   value = *number;
 }
 
-void readScalar(const Entry& entry, const Range&, bool& value)
+void readScalar(const Entry& entry, const Range& range, bool& value)
 {
   const std::optional<std::string> text = plainText(entry);
   if (!text || (*text != "true" && *text != "false"))
-    entry.refuseValue("must be true or false");
+    entry.refuseValue("must be " + legalValues(range, value).values);
   value = *text == "true";
 }
 
-void readScalar(const Entry& entry, const Range&, std::string& value)
+void readScalar(const Entry& entry, const Range& range, std::string& value)
 {
   const bool legal = entry.node().IsScalar() && !entry.node().Scalar().empty() &&
                      entry.node().Scalar().size() <= LONGEST_NAME &&
                      std::all_of(entry.node().Scalar().begin(), entry.node().Scalar().end(), allowedInName);
   if (!legal)
-    entry.refuseValue("must be a name of 1 to " + std::to_string(LONGEST_NAME) +
-                      " letters, digits, '_', '-' or '.'");
+    entry.refuseValue("must be a name of " + legalValues(range, value).values);
   value = entry.node().Scalar();
 }
 
@@ -166,9 +194,49 @@ void readScalar(const Entry& entry, const Range&, Method& value)
   readChoice(entry, METHOD_NAMES, value);
 }
 
+LegalValues legalValues(const Range& range, double)
+{
+  return {"number", range.values()};
+}
+
+LegalValues legalValues(const Range& range, int)
+{
+  return {"integer", range.values()};
+}
+
+LegalValues legalValues(const Range&, std::uint64_t)
+{
+  return {"integer", "0 to " + scalarText(std::numeric_limits<std::uint64_t>::max())};
+}
+
+LegalValues legalValues(const Range&, bool)
+{
+  return {"boolean", "true or false"};
+}
+
+LegalValues legalValues(const Range&, const std::string&)
+{
+  return {"name", "1 to " + std::to_string(LONGEST_NAME) + " letters, digits, '_', '-' or '.'"};
+}
+
+LegalValues legalValues(const Range&, Boundary)
+{
+  return legalChoice(BOUNDARY_NAMES);
+}
+
+LegalValues legalValues(const Range&, CollapseAction)
+{
+  return legalChoice(COLLAPSE_ACTION_NAMES);
+}
+
+LegalValues legalValues(const Range&, Method)
+{
+  return legalChoice(METHOD_NAMES);
+}
+
 std::string scalarText(double value)
 {
-  // Every double comes back from 17 digits; most do from fewer, which are easier to read.
+  // 17 digits restore every double; fewer restore most, and are easier to read.
   for (int digits = 15; digits < 17; ++digits)
   {
     std::string text = formatted(value, digits);

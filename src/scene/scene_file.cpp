@@ -11,14 +11,14 @@ namespace ratchet_sieve
 namespace
 {
 
-/// A scene that places a hundred thousand disks one by one has some ten megabytes. yaml-cpp takes up to
-/// 250 times as much memory for its tokens and nodes.
+/// A scene that places a hundred thousand disks one by one has about ten megabytes. yaml-cpp needs up to 250
+/// times as much memory for its tokens and nodes.
 constexpr std::size_t LARGEST_TEXT = 16u << 20;  ///< [bytes]
 
 YAML::Node parseText(const std::string& text, const std::string& source, Aliases aliases)
 {
   if (text.size() > LARGEST_TEXT)
-    throw SceneError(source + ": too large; a scene has at most " + std::to_string(LARGEST_TEXT) + " bytes");
+    throw SceneError(source + ": too large; must have at most " + std::to_string(LARGEST_TEXT) + " bytes");
   try
   {
     requireShallow(text, aliases);

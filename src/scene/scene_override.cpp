@@ -22,13 +22,13 @@ std::vector<std::string> splitPath(const std::string& path, const std::string& a
   for (std::string part; std::getline(stream, part, '.');)
   {
     if (part.empty())
-      refuse(assignment, "the path has an empty part");
+      refuse(assignment, "the key has an empty part");
     parts.push_back(part);
   }
   return parts;
 }
 
-/// A copy that claims no line of the file it is put into.
+/// A copy without line numbers, which would not be those of the file it is put into.
 YAML::Node withoutMarks(const YAML::Node& node)
 {
   YAML::Node copy(node.Type());
@@ -60,7 +60,7 @@ YAML::Node parseValue(const std::string& text, const std::string& assignment)
   }
 }
 
-/// The child named by a part of the path; a map that does not have it gets it.
+/// The child named by a part of the path; added to a map that does not have it.
 /// @param name of the parent, for errors
 YAML::Node childOf(YAML::Node parent, const std::string& name, const std::string& part,
                    const std::string& assignment)
@@ -69,9 +69,11 @@ YAML::Node childOf(YAML::Node parent, const std::string& name, const std::string
     refuse(assignment, shownText(name) + " is a single value and has no key " + shownText(part));
   if (!parent.IsSequence())
     return parent[part];
-  const bool digits = part.size() <= 9 && part.find_first_not_of("0123456789") == std::string::npos;
-  if (!digits || std::stoul(part) >= parent.size())
-    refuse(assignment, shownText(part) + " is no index of " + shownText(name) + ", a list of " +
+  // 00 would be a second name of the first element.
+  const bool is_index = part.size() <= 9 && part.find_first_not_of("0123456789") == std::string::npos &&
+                        (part == "0" || part.front() != '0');
+  if (!is_index || std::stoul(part) >= parent.size())
+    refuse(assignment, shownText(part) + " is not an index of " + shownText(name) + ", a list of length " +
                            std::to_string(parent.size()));
   return parent[std::stoul(part)];
 }

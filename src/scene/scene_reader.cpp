@@ -53,7 +53,7 @@ SpeciesIndex readAllSpecies(const Entry& root, bool count_required, SceneDefinit
       entry.at("name").refuseValue("another species has this name already");
   }
   if (index.empty())
-    root.at("species").refuse("must have one species or more");
+    root.at("species").refuse("must have at least one species");
   return index;
 }
 
@@ -81,7 +81,7 @@ PairDefinition readPair(const Entry& entry, const SpeciesIndex& index, const Sce
   pair.second = readSpeciesName(names[1], index);
   if (pair.first == pair.second)
     entry.at("species").refuse(
-        "must be two different species; disks of one kind have that species' own coefficients");
+        "must be two different species; contacts within a species have its own coefficients");
   pair.contact = contactBetween(scene, pair.first, pair.second);
   readValues(entry, coefficientKeys(), pair.contact);
   return pair;
@@ -153,9 +153,9 @@ void readAccuracy(const Entry& root, AccuracyDefinition& accuracy)
 
 void readRoot(const Entry& root, SceneDefinition& scene)
 {
-  root.requireKeys(namesOf(motionKeys(), namesOf(runKeys(), {"base", "species", "pairs", "density", "contact",
-                                                             "pour", "feed", "initial", "accuracy"})),
-                   {"species"});
+  const std::set<std::string> parts = {"base", "species", "pairs",   "contact",
+                                       "pour", "feed",    "initial", "accuracy"};
+  root.requireKeys(namesOf(motionKeys(), namesOf(densityKeys(), namesOf(runKeys(), parts))), {"species"});
   readValues(root, motionKeys(), scene);
   readValues(root, runKeys(), scene);
   readBase(root, scene.base);

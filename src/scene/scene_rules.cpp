@@ -18,25 +18,26 @@ double sumOfShares(const SceneDefinition& scene)
                          [](double sum, const SpeciesDefinition& species) { return sum + species.share; });
 }
 
-/// A count of none is not worth a word where there will be none: so stands every count of a scene that has
-/// been read and written out again.
+/// Warns of counts that are ignored, except for counts of 0 where none are poured: a scene that was read and
+/// written out again has those.
 void warnOfCounts(const Entry& root, const std::string& winner, bool none_poured, Scene& scene)
 {
   const std::vector<Entry> entries = root.at("species").list();
   for (std::size_t i = 0; i < entries.size(); ++i)
     if (entries[i].has("count") && !(none_poured && scene.definition.species[i].count == 0))
-      scene.warnings.push_back(entries[i].keyOf("count") + " is ignored where " + winner);
+      scene.warnings.push_back(entries[i].keyOf("count") + " is ignored because " + winner);
 }
 
-void splitDensity(const Entry& entry, SceneDefinition& scene)
+void splitDensity(const Entry& root, SceneDefinition& scene)
 {
   double density = 0.0;
-  readScalar(entry, densityRange(), density);
+  readValues(root, densityKeys(), density);
+  const Entry entry = root.at("density");
   double diameters = 0.0;
   for (const SpeciesDefinition& species : scene.species)
     diameters += species.share * 2.0 * species.radius;
   if (density > 0.0 && diameters <= 0.0)
-    entry.refuseValue("cannot be split up: needs a species with a share above 0");
+    entry.refuseValue("needs a species with a share above 0");
   for (SpeciesDefinition& species : scene.species)
   {
     const double count =
@@ -52,8 +53,8 @@ void settleWithinDuration(const Entry& root, const SceneDefinition& scene)
 {
   if (scene.settle > scene.duration)
     root.at("settle").refuseValue("must be at most the duration, " + scalarText(scene.duration) +
-                                  " s: shorten settle or lengthen the duration, in the scene or with "
-                                  "sieve_run's --set settle=0 or --duration");
+                                  " s; change settle or duration in the scene, or with --set settle=0 or "
+                                  "--duration of sieve_run");
 }
 
 void feedHasSpecies(const Entry& root, const SceneDefinition& scene)
@@ -68,11 +69,11 @@ void disksCountable(const Entry& root, const SceneDefinition& scene)
   for (const SpeciesDefinition& species : scene.species)
     disks += static_cast<std::size_t>(species.count);
   if (disks > MOST_DISKS)
-    root.at("species").refuse("must have at most " + std::to_string(MOST_DISKS) + " disks, all together");
+    root.at("species").refuse("must have at most " + std::to_string(MOST_DISKS) + " disks in total");
 }
 
-/// A disk wider than a periodic machine would meet itself; one wider than a machine with ends has
-/// no place to be poured.
+/// A disk wider than a periodic base would collide with itself; one wider than a base with ends cannot be
+/// poured.
 void disksFitMachine(const Entry& root, const SceneDefinition& scene)
 {
   const bool poured =
@@ -87,13 +88,19 @@ void disksFitMachine(const Entry& root, const SceneDefinition& scene)
     return;
   const std::vector<Entry> entries = root.at("species").list();
   for (std::size_t i = 0; i < scene.species.size(); ++i)
-    if (2.0 * scene.species[i].radius > scene.base.width())
+  {
+    const double radius = scene.species[i].radius;
+    const double teeth = 2e-3 * radius / scene.base.tooth_width;
+    const bool in_mm = teeth <= 1.0 && teeth >= 0.05;
+    if (2.0 * radius > scene.base.width())
       entries[i].at("radius").refuseValue(
           "the diameter must be at most the base's width (teeth times tooth_width), " +
-          scalarText(scene.base.width()) + " m");
+          scalarText(scene.base.width()) + " m" +
+          (in_mm ? "; did you mean " + scalarText(1e-3 * radius) + " m?" : ""));
+  }
 }
 
-/// No disk so small that the scene's places and times are too coarse for it.
+/// Positions and times of the scene must resolve the smallest disk.
 void disksFineEnough(const Entry& root, const SceneDefinition& scene)
 {
   const FinestDisk finest = finestDisk(scene);
@@ -101,9 +108,8 @@ void disksFineEnough(const Entry& root, const SceneDefinition& scene)
   for (std::size_t i = 0; i < scene.species.size(); ++i)
     if (scene.species[i].radius < finest.radius)
       entries[i].at("radius").refuseValue(
-          "must be at least " + scalarText(finest.radius) + " m here, for " + finest.reason +
-          ": at double precision smaller disks would overlap by more than a 1e-9 part "
-          "of their radius");
+          "must be at least " + scalarText(finest.radius) + " m in this scene, because " + finest.reason +
+          ": with double precision, smaller disks would overlap by more than 1e-9 of their radius");
 }
 
 }  // namespace
@@ -114,7 +120,7 @@ void resolveCounts(const Entry& root, Scene& scene)
   if (!definition.initial.empty())
   {
     if (root.has("density"))
-      root.at("density").refuse("must be absent where initial places the disks");
+      root.at("density").refuse("must be absent because initial places the disks");
     warnOfCounts(root, "initial places the disks", true, scene);
     for (SpeciesDefinition& species : definition.species)
       species.count = 0;
@@ -122,7 +128,7 @@ void resolveCounts(const Entry& root, Scene& scene)
   else if (root.has("density"))
   {
     warnOfCounts(root, "a density is given", false, scene);
-    splitDensity(root.at("density"), definition);
+    splitDensity(root, definition);
   }
 }
 

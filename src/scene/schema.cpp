@@ -8,8 +8,8 @@ namespace ratchet_sieve
 namespace
 {
 
-// The limits below, as those of scene_limits.h and of the commanded quantities, keep products of the values
-// far from overflow; no machine comes near them.
+// These limits, those of scene_limits.h and those of the commanded quantities keep products of the values far
+// from overflow. They are far beyond any real machine.
 constexpr double SMALLEST_LENGTH = 1e-9;  ///< [m]
 constexpr double LARGEST_LENGTH = 1e3;    ///< [m]
 constexpr double LARGEST_POSITION = 1e9;  ///< [m]
@@ -31,14 +31,19 @@ constexpr double HIGHEST_MULTIPLE = 100;
 
 const Range ANY{};
 
+Range between(double lowest, double highest, const char* unit = "")
+{
+  return {lowest, highest, unit};
+}
+
 Range upTo(double highest, const char* unit = "")
 {
-  return {0.0, highest, unit};
+  return between(0.0, highest, unit);
 }
 
 Range within(double magnitude, const char* unit)
 {
-  return {-magnitude, magnitude, unit};
+  return between(-magnitude, magnitude, unit);
 }
 
 Range legal(Quantity quantity)
@@ -47,7 +52,7 @@ Range legal(Quantity quantity)
   return {described.legal.min, described.legal.max, described.unit};
 }
 
-/// Of an amplitude that turns its part of the drive around where it is below 0.
+/// Of an amplitude that may be negative, which reverses its part of the drive.
 Range eitherWay()
 {
   const CommandedQuantity& amplitude = describe(Quantity::AMPLITUDE);
@@ -56,17 +61,16 @@ Range eitherWay()
 
 }  // namespace
 
-Range densityRange()
-{
-  return upTo(LARGEST_DENSITY);
-}
-
 const Keys<SceneDefinition>& motionKeys()
 {
   using S = SceneDefinition;
   static const Keys<S> KEYS = {
-      {"boundary", [](S& s) -> Slot { return &s.boundary; }, ANY},
-      {"gravity", [](S& s) -> Slot { return &s.gravity; }, upTo(LARGEST_GRAVITY, "m/s^2")},
+      {"boundary", [](S& s) -> Slot { return &s.boundary; }, ANY,
+       "What happens to a disk at an end of the base: it enters at the other end (periodic), it "
+       "falls into the bin of that end (open), or it does so only if it passes over a wall "
+       "(walled)."},
+      {"gravity", [](S& s) -> Slot { return &s.gravity; }, upTo(LARGEST_GRAVITY, "m/s^2"),
+       "Gravitational acceleration g, downwards."},
   };
   return KEYS;
 }
@@ -75,9 +79,22 @@ const Keys<SceneDefinition>& runKeys()
 {
   using S = SceneDefinition;
   static const Keys<S> KEYS = {
-      {"duration", [](S& s) -> Slot { return &s.duration; }, upTo(LONGEST_DURATION, "s")},
-      {"settle", [](S& s) -> Slot { return &s.settle; }, upTo(LONGEST_DURATION, "s")},
-      {"seed", [](S& s) -> Slot { return &s.seed; }, ANY},
+      {"duration", [](S& s) -> Slot { return &s.duration; }, upTo(LONGEST_DURATION, "s"),
+       "Simulated time of the run; an upper bound if accuracy.mean_vx or accuracy.quality is set."},
+      {"settle", [](S& s) -> Slot { return &s.settle; }, upTo(LONGEST_DURATION, "s"),
+       "Initial part of the duration that is left out of every mean; at most the duration."},
+      {"seed", [](S& s) -> Slot { return &s.seed; }, ANY,
+       "Seed of the random numbers: the same scene and seed give the same run, bit for bit."},
+  };
+  return KEYS;
+}
+
+const Keys<double>& densityKeys()
+{
+  static const Keys<double> KEYS = {
+      {"density", [](double& density) -> Slot { return &density; }, upTo(LARGEST_DENSITY),
+       "Sum of all disks' diameters over the width of the base, in place of every species' count.",
+       Presence::OPTIONAL, "-"},
   };
   return KEYS;
 }
@@ -86,19 +103,32 @@ const Keys<BaseDefinition>& baseKeys()
 {
   using B = BaseDefinition;
   static const Keys<B> KEYS = {
-      {"teeth", [](B& b) -> Slot { return &b.teeth; }, {1, MOST_TEETH, ""}},
-      {"tooth_width", [](B& b) -> Slot { return &b.tooth_width; }, {SMALLEST_LENGTH, LARGEST_LENGTH, "m"}},
-      {"tooth_height", [](B& b) -> Slot { return &b.tooth_height; }, upTo(LARGEST_LENGTH, "m")},
-      {"asymmetry", [](B& b) -> Slot { return &b.asymmetry; }, upTo(1.0)},
-      {"inclination", [](B& b) -> Slot { return &b.inclination; }, legal(Quantity::INCLINATION)},
-      {"amplitude", [](B& b) -> Slot { return &b.amplitude; }, legal(Quantity::AMPLITUDE)},
-      {"frequency", [](B& b) -> Slot { return &b.frequency; }, legal(Quantity::FREQUENCY)},
-      {"phase", [](B& b) -> Slot { return &b.phase; }, within(LARGEST_PHASE, "rad")},
-      {"wall_height", [](B& b) -> Slot { return &b.wall_height; }, upTo(LARGEST_LENGTH, "m"), false, false},
-      {"horizontal_amplitude", [](B& b) -> Slot { return &b.horizontal_amplitude; }, eitherWay(), false,
-       false},
+      {"teeth", [](B& b) -> Slot { return &b.teeth; }, between(1, MOST_TEETH),
+       "Number of teeth L; the base is L times tooth_width wide."},
+      {"tooth_width", [](B& b) -> Slot { return &b.tooth_width; },
+       between(SMALLEST_LENGTH, LARGEST_LENGTH, "m"), "Width w of a tooth."},
+      {"tooth_height", [](B& b) -> Slot { return &b.tooth_height; }, upTo(LARGEST_LENGTH, "m"),
+       "Height h of a tooth; 0: a flat base."},
+      {"asymmetry", [](B& b) -> Slot { return &b.asymmetry; }, upTo(1.0),
+       "Asymmetry a: the left slope of a tooth spans a w, the right one (1 - a) w."},
+      {"inclination", [](B& b) -> Slot { return &b.inclination; }, legal(Quantity::INCLINATION),
+       "Inclination theta of the base; above 0 the right end is raised."},
+      {"amplitude", [](B& b) -> Slot { return &b.amplitude; }, legal(Quantity::AMPLITUDE),
+       "Amplitude A of the vertical drive A sin(2 pi f t + phase)."},
+      {"frequency", [](B& b) -> Slot { return &b.frequency; }, legal(Quantity::FREQUENCY),
+       "Frequency f of the drive."},
+      {"phase", [](B& b) -> Slot { return &b.phase; }, within(LARGEST_PHASE, "rad"),
+       "Phase of the drive at t = 0."},
+      {"wall_height", [](B& b) -> Slot { return &b.wall_height; }, upTo(LARGEST_LENGTH, "m"),
+       "Height of the walls of a walled base above the feet of the teeth; 0: ten base widths above "
+       "the poured disks.",
+       Presence::ADDED},
+      {"horizontal_amplitude", [](B& b) -> Slot { return &b.horizontal_amplitude; }, eitherWay(),
+       "Amplitude A_x of the horizontal drive A_x sin(2 pi f t + phase + horizontal_phase); below 0 "
+       "it is reversed.",
+       Presence::ADDED},
       {"horizontal_phase", [](B& b) -> Slot { return &b.horizontal_phase; }, within(LARGEST_PHASE, "rad"),
-       false, false},
+       "Phase of the horizontal drive relative to the vertical one.", Presence::ADDED},
   };
   return KEYS;
 }
@@ -107,11 +137,16 @@ const Keys<HarmonicDefinition>& harmonicKeys()
 {
   using H = HarmonicDefinition;
   static const Keys<H> KEYS = {
-      {"multiple", [](H& h) -> Slot { return &h.multiple; }, {2, HIGHEST_MULTIPLE, ""}, true},
-      {"amplitude", [](H& h) -> Slot { return &h.amplitude; }, eitherWay()},
-      {"phase", [](H& h) -> Slot { return &h.phase; }, within(LARGEST_PHASE, "rad")},
-      {"horizontal_amplitude", [](H& h) -> Slot { return &h.horizontal_amplitude; }, eitherWay()},
-      {"horizontal_phase", [](H& h) -> Slot { return &h.horizontal_phase; }, within(LARGEST_PHASE, "rad")},
+      {"multiple", [](H& h) -> Slot { return &h.multiple; }, between(2, HIGHEST_MULTIPLE),
+       "Multiple k of the drive frequency f.", Presence::REQUIRED},
+      {"amplitude", [](H& h) -> Slot { return &h.amplitude; }, eitherWay(),
+       "Vertical amplitude A_k of A_k sin(k (2 pi f t + base.phase) + phase)."},
+      {"phase", [](H& h) -> Slot { return &h.phase; }, within(LARGEST_PHASE, "rad"),
+       "Phase of the vertical part."},
+      {"horizontal_amplitude", [](H& h) -> Slot { return &h.horizontal_amplitude; }, eitherWay(),
+       "Horizontal amplitude A_x,k, with horizontal_phase in place of phase."},
+      {"horizontal_phase", [](H& h) -> Slot { return &h.horizontal_phase; }, within(LARGEST_PHASE, "rad"),
+       "Phase of the horizontal part."},
   };
   return KEYS;
 }
@@ -120,12 +155,22 @@ const Keys<SpeciesDefinition>& speciesKeys()
 {
   using S = SpeciesDefinition;
   static const Keys<S> KEYS = {
-      {"name", [](S& s) -> Slot { return &s.name; }, ANY, true},
-      {"count", [](S& s) -> Slot { return &s.count; }, upTo(MOST_DISKS)},
-      {"share", [](S& s) -> Slot { return &s.share; }, upTo(LARGEST_SHARE)},
-      {"radius", [](S& s) -> Slot { return &s.radius; }, {SMALLEST_LENGTH, LARGEST_LENGTH, "m"}, true},
-      {"mass", [](S& s) -> Slot { return &s.mass; }, {SMALLEST_MASS, LARGEST_MASS, "kg"}, true},
-      {"inertia_factor", [](S& s) -> Slot { return &s.inertia_factor; }, {SMALLEST_INERTIA, 1.0, ""}},
+      {"name", [](S& s) -> Slot { return &s.name; }, ANY,
+       "Name of the species; no two species have the same.", Presence::REQUIRED},
+      {"count", [](S& s) -> Slot { return &s.count; }, upTo(MOST_DISKS),
+       "Number of disks poured at the start; required unless density or initial is given, which "
+       "replace it.",
+       Presence::OPTIONAL, "-"},
+      {"share", [](S& s) -> Slot { return &s.share; }, upTo(LARGEST_SHARE),
+       "Weight of the species in the split of density and among the disks that are fed."},
+      {"radius", [](S& s) -> Slot { return &s.radius; }, between(SMALLEST_LENGTH, LARGEST_LENGTH, "m"),
+       "Radius r; a disk must fit into the base, and the smallest must not be too small for double "
+       "precision.",
+       Presence::REQUIRED},
+      {"mass", [](S& s) -> Slot { return &s.mass; }, between(SMALLEST_MASS, LARGEST_MASS, "kg"), "Mass m.",
+       Presence::REQUIRED},
+      {"inertia_factor", [](S& s) -> Slot { return &s.inertia_factor; }, between(SMALLEST_INERTIA, 1.0),
+       "Moment of inertia over m r^2; 0.5: a uniform disk."},
   };
   return KEYS;
 }
@@ -134,9 +179,13 @@ const Keys<ContactCoefficients>& coefficientKeys()
 {
   using C = ContactCoefficients;
   static const Keys<C> KEYS = {
-      {"restitution", [](C& c) -> Slot { return &c.restitution; }, upTo(1.0)},
-      {"friction", [](C& c) -> Slot { return &c.friction; }, upTo(LARGEST_FRICTION)},
-      {"tangential_restitution", [](C& c) -> Slot { return &c.tangential_restitution; }, within(1.0, "")},
+      {"restitution", [](C& c) -> Slot { return &c.restitution; }, upTo(1.0),
+       "Normal coefficient of restitution e."},
+      {"friction", [](C& c) -> Slot { return &c.friction; }, upTo(LARGEST_FRICTION),
+       "Coulomb friction coefficient mu."},
+      {"tangential_restitution", [](C& c) -> Slot { return &c.tangential_restitution; }, within(1.0, ""),
+       "Tangential coefficient of restitution beta of contacts that stick: 1 reverses the "
+       "tangential velocity of the contact point, -1 leaves it as it is."},
   };
   return KEYS;
 }
@@ -145,15 +194,25 @@ const Keys<ContactDefinition>& contactKeys()
 {
   using C = ContactDefinition;
   static const Keys<C> KEYS = {
-      {"pair_collisions", [](C& c) -> Slot { return &c.pair_collisions; }, ANY},
-      {"min_rebound_speed", [](C& c) -> Slot { return &c.min_rebound_speed; }, upTo(LARGEST_SPEED, "m/s")},
-      {"contact_duration", [](C& c) -> Slot { return &c.contact_duration; }, upTo(LONGEST_DURATION, "s")},
-      {"on_collapse", [](C& c) -> Slot { return &c.on_collapse; }, ANY},
-      {"collapse_events", [](C& c) -> Slot { return &c.collapse_events; }, {1e3, 1e9, ""}},
+      {"pair_collisions", [](C& c) -> Slot { return &c.pair_collisions; }, ANY,
+       "Whether disks collide with each other; false: an ensemble of independent single disks."},
+      {"min_rebound_speed", [](C& c) -> Slot { return &c.min_rebound_speed; }, upTo(LARGEST_SPEED, "m/s"),
+       "Least normal speed v_min after a contact; 0: none."},
+      {"contact_duration", [](C& c) -> Slot { return &c.contact_duration; }, upTo(LONGEST_DURATION, "s"),
+       "Contact duration t_c of the TC model: a contact within t_c of the disk's last one loses no "
+       "energy; 0: not used."},
+      {"on_collapse", [](C& c) -> Slot { return &c.on_collapse; }, ANY,
+       "What happens at an inelastic collapse: the run ends with an error (stop), or the disk's "
+       "contacts lose no energy for a while and the run counts it (rebound)."},
+      {"collapse_events", [](C& c) -> Slot { return &c.collapse_events; }, between(1e3, 1e9),
+       "Number of events of one disk within a drive period (or the time of a fall over a tooth, if "
+       "shorter) above which it is in a collapse."},
       {"restitution_speed", [](C& c) -> Slot { return &c.restitution_speed; }, upTo(LARGEST_SPEED, "m/s"),
-       false, false},
-      {"restitution_exponent", [](C& c) -> Slot { return &c.restitution_exponent; }, upTo(10.0), false,
-       false},
+       "Speed v_0 below which contacts lose less energy: e(v) = 1 - (1 - e) (v / v_0)^q; 0: e at "
+       "every speed.",
+       Presence::ADDED},
+      {"restitution_exponent", [](C& c) -> Slot { return &c.restitution_exponent; }, upTo(10.0),
+       "Exponent q of e(v).", Presence::ADDED},
   };
   return KEYS;
 }
@@ -162,8 +221,10 @@ const Keys<PourDefinition>& pourKeys()
 {
   using P = PourDefinition;
   static const Keys<P> KEYS = {
-      {"drop_height", [](P& p) -> Slot { return &p.drop_height; }, upTo(LARGEST_LENGTH, "m")},
-      {"speed", [](P& p) -> Slot { return &p.speed; }, upTo(LARGEST_SPEED, "m/s")},
+      {"drop_height", [](P& p) -> Slot { return &p.drop_height; }, upTo(LARGEST_LENGTH, "m"),
+       "Height of the undersides of the lowest disks above the highest point that the base reaches."},
+      {"speed", [](P& p) -> Slot { return &p.speed; }, upTo(LARGEST_SPEED, "m/s"),
+       "Initial downward speed of the disks."},
   };
   return KEYS;
 }
@@ -171,7 +232,9 @@ const Keys<PourDefinition>& pourKeys()
 const Keys<FeedDefinition>& feedKeys()
 {
   using F = FeedDefinition;
-  static const Keys<F> KEYS = {{"rate", [](F& f) -> Slot { return &f.rate; }, upTo(LARGEST_RATE, "1/s")}};
+  static const Keys<F> KEYS = {
+      {"rate", [](F& f) -> Slot { return &f.rate; }, upTo(LARGEST_RATE, "1/s"),
+       "Disks poured per second while the machine runs, species drawn by their shares; 0: none."}};
   return KEYS;
 }
 
@@ -179,11 +242,16 @@ const Keys<InitialDisk>& initialKeys()
 {
   using I = InitialDisk;
   static const Keys<I> KEYS = {
-      {"x", [](I& i) -> Slot { return &i.x; }, within(LARGEST_POSITION, "m"), true},
-      {"y", [](I& i) -> Slot { return &i.y; }, within(LARGEST_POSITION, "m"), true},
-      {"vx", [](I& i) -> Slot { return &i.vx; }, within(LARGEST_SPEED, "m/s")},
-      {"vy", [](I& i) -> Slot { return &i.vy; }, within(LARGEST_SPEED, "m/s")},
-      {"spin", [](I& i) -> Slot { return &i.spin; }, within(LARGEST_SPIN, "rad/s")},
+      {"x", [](I& i) -> Slot { return &i.x; }, within(LARGEST_POSITION, "m"),
+       "Horizontal position of the centre, in the world frame.", Presence::REQUIRED},
+      {"y", [](I& i) -> Slot { return &i.y; }, within(LARGEST_POSITION, "m"),
+       "Vertical position of the centre, in the world frame.", Presence::REQUIRED},
+      {"vx", [](I& i) -> Slot { return &i.vx; }, within(LARGEST_SPEED, "m/s"),
+       "Horizontal velocity, in the world frame."},
+      {"vy", [](I& i) -> Slot { return &i.vy; }, within(LARGEST_SPEED, "m/s"),
+       "Vertical velocity, in the world frame."},
+      {"spin", [](I& i) -> Slot { return &i.spin; }, within(LARGEST_SPIN, "rad/s"),
+       "Angular velocity, counter-clockwise."},
   };
   return KEYS;
 }
@@ -192,8 +260,12 @@ const Keys<AccuracyDefinition>& methodKeys()
 {
   using A = AccuracyDefinition;
   static const Keys<A> KEYS = {
-      {"method", [](A& a) -> Slot { return &a.method; }, ANY, false, false},
-      {"step", [](A& a) -> Slot { return &a.step; }, {SHORTEST_STEP, LONGEST_STEP, "s"}, false, false},
+      {"method", [](A& a) -> Slot { return &a.method; }, ANY,
+       "How disks that collide with each other are advanced: exactly, from contact to contact "
+       "(events), or approximately, by time steps (steps).",
+       Presence::ADDED},
+      {"step", [](A& a) -> Slot { return &a.step; }, between(SHORTEST_STEP, LONGEST_STEP, "s"),
+       "Time step of method steps; a contact that begins and ends within a step is missed.", Presence::ADDED},
   };
   return KEYS;
 }
@@ -202,9 +274,16 @@ const Keys<AccuracyDefinition>& certaintyKeys()
 {
   using A = AccuracyDefinition;
   static const Keys<A> KEYS = {
-      {"mean_vx", [](A& a) -> Slot { return &a.mean_vx; }, upTo(LARGEST_SPEED, "m/s"), false, false},
-      {"quality", [](A& a) -> Slot { return &a.quality; }, upTo(1.0), false, false},
-      {"confidence", [](A& a) -> Slot { return &a.confidence; }, {0.5, 0.9999, ""}, false, false},
+      {"mean_vx", [](A& a) -> Slot { return &a.mean_vx; }, upTo(LARGEST_SPEED, "m/s"),
+       "Half-width of the confidence interval of each species' mean V_x at which the run may end "
+       "before its duration; 0: not required.",
+       Presence::ADDED},
+      {"quality", [](A& a) -> Slot { return &a.quality; }, upTo(1.0),
+       "Half-width of the confidence interval of the separation quality Q at which the run may end "
+       "before its duration; 0: not required.",
+       Presence::ADDED},
+      {"confidence", [](A& a) -> Slot { return &a.confidence; }, between(0.5, 0.9999),
+       "Confidence level of these intervals.", Presence::ADDED},
   };
   return KEYS;
 }

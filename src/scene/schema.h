@@ -11,23 +11,31 @@
 #include "ratchet_sieve/scene/range.h"
 #include "ratchet_sieve/scene/scalars.h"
 
-/// Every key of a scene that holds one value, in tables: they are what is read, checked, written
-/// and suggested.
+/// Every key of a scene that holds one value, in tables: one row serves reading, checking, writing, hashing,
+/// suggestions and `sieve_run --keys`.
 namespace ratchet_sieve
 {
 
 using Slot =
     std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Boundary*, CollapseAction*, Method*>;
 
+enum class Presence
+{
+  OPTIONAL,  ///< has a default, and is always written
+  REQUIRED,
+  ADDED  ///< optional, and not written at its default: scenes older than the key keep their hash
+};
+
 /// One key of a part of the scene.
 template <typename Part>
 struct Key
 {
   const char* name;
-  Slot (*slot)(Part&);  ///< where its value lives
+  Slot (*slot)(Part&);  ///< where its value is stored
   Range range;
-  bool required = false;
-  bool written_at_default = true;  ///< false for a key that came later: scenes without it keep their hash
+  const char* meaning;  ///< one sentence
+  Presence presence = Presence::OPTIONAL;
+  const char* default_text = nullptr;  ///< where the default is not the struct's
 };
 
 template <typename Part>
@@ -35,6 +43,7 @@ using Keys = std::vector<Key<Part>>;
 
 const Keys<SceneDefinition>& motionKeys();  ///< at the root, decide how the disks move
 const Keys<SceneDefinition>& runKeys();     ///< at the root, decide only what part of it is run
+const Keys<double>& densityKeys();          ///< at the root; not stored, but split into counts
 const Keys<BaseDefinition>& baseKeys();
 const Keys<HarmonicDefinition>& harmonicKeys();  ///< of an entry of base.harmonics
 const Keys<SpeciesDefinition>& speciesKeys();
@@ -46,19 +55,16 @@ const Keys<InitialDisk>& initialKeys();
 const Keys<AccuracyDefinition>& methodKeys();     ///< of accuracy, decide how the disks move
 const Keys<AccuracyDefinition>& certaintyKeys();  ///< of accuracy, decide only what part of it is run
 
-/// Allowed for `density`, which is not kept but split into counts.
-Range densityRange();
-
 /// Most disks that a scene may have.
 constexpr int MOST_DISKS = 10'000'000;
 
-/// Most harmonics of a drive: all of them are summed up wherever the base is evaluated.
+/// Most harmonics of a drive: each evaluation of the base's motion sums all of them.
 constexpr std::size_t MOST_HARMONICS = 64;
 
-/// Most species that a scene may have: tables of their pairs grow with the square.
+/// Most species that a scene may have: tables of pairs grow with its square.
 constexpr std::size_t MOST_SPECIES = 256;
 
-/// The names of the keys, after those given.
+/// The names of the keys, added to those given.
 template <typename Part>
 std::set<std::string> namesOf(const Keys<Part>& keys, std::set<std::string> names = {})
 {
@@ -71,12 +77,12 @@ template <typename Part>
 std::set<std::string> requiredOf(const Keys<Part>& keys, std::set<std::string> names = {})
 {
   for (const Key<Part>& key : keys)
-    if (key.required)
+    if (key.presence == Presence::REQUIRED)
       names.insert(key.name);
   return names;
 }
 
-/// Reads those of the keys that the map has. @throws SceneError for a bad value
+/// Reads the keys that the map has. @throws SceneError for a bad value
 template <typename Part>
 void readValues(const Entry& map, const Keys<Part>& keys, Part& part)
 {
@@ -85,16 +91,21 @@ void readValues(const Entry& map, const Keys<Part>& keys, Part& part)
       std::visit([&](auto* value) { readScalar(map.at(key.name), key.range, *value); }, key.slot(part));
 }
 
-/// Calls write(name, text) for every key, but for those that came later and have their default.
+/// The text of a key's value, as it is written.
+template <typename Part>
+std::string valueText(const Key<Part>& key, Part& part)
+{
+  return std::visit([](const auto* value) { return scalarText(*value); }, key.slot(part));
+}
+
+/// Calls write(name, text) for every key, except for added ones that have their default.
 template <typename Part, typename Write>
 void writeValues(const Keys<Part>& keys, Part part, Write&& write)
 {
-  const auto text = [](const Key<Part>& key, Part& of)
-  { return std::visit([](const auto* value) { return scalarText(*value); }, key.slot(of)); };
-  Part plain;
+  Part plain{};
   for (const Key<Part>& key : keys)
-    if (key.written_at_default || text(key, part) != text(key, plain))
-      write(key.name, text(key, part));
+    if (key.presence != Presence::ADDED || valueText(key, part) != valueText(key, plain))
+      write(key.name, valueText(key, part));
 }
 
 }  // namespace ratchet_sieve

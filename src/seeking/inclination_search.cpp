@@ -7,10 +7,10 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Inclinations nearer than this part of the resolution are one: they differ by the rounding of steps.
+/// Inclinations that differ by less than this fraction of the resolution are equal, because steps round.
 constexpr double SAME = 0.125;
 
-/// Successive worse trials after which it seeks again: a single one may be chance.
+/// Number of consecutive worse trials that restarts the search; a single one may be chance.
 constexpr unsigned DROPS = 2;
 
 double bothErrors(const Score& one, const Score& other)
@@ -144,8 +144,8 @@ void InclinationSearch::hold()
   next_ = centre_;
 }
 
-/// Those a step away on both sides that lie in the range, or its end in place of one that does not; first the
-/// one to which the balance points.
+/// The inclinations one step away on both sides, clamped to the range; first the one indicated by the
+/// balance.
 std::vector<double> InclinationSearch::neighbours() const
 {
   const double direction = bestScore().balance < 0.0 ? -1.0 : 1.0;
@@ -167,8 +167,8 @@ std::optional<double> InclinationSearch::untried(const std::vector<double>& incl
   return std::nullopt;
 }
 
-/// The inclination to try again because its difference from the centre is not significant: of the two, the
-/// one with the larger error. Only at the last step size: two similar ones lie on both sides of the best, and
+/// The inclination to try again because its difference from the centre is not significant: the one with the
+/// larger error. Only at the smallest step: two similar inclinations are on both sides of the best one, and
 /// half a step gains more than another trial.
 std::optional<double> InclinationSearch::uncertain(const std::vector<double>& inclinations)
 {

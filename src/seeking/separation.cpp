@@ -6,7 +6,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Variance of the share of a species that goes right. One disk more on either side than were counted
+/// Variance of the fraction of a species that leaves on the right. One disk is added on either side
 /// (Laplace's rule): ten of ten do not prove that all of them do.
 double shareVariance(const SpeciesBins& bins)
 {

@@ -15,7 +15,7 @@ namespace
 
 constexpr double MOST_VALUES = 1e15;  ///< of one range: below 2^53, so that a double counts them
 
-/// What ends a plain scalar within a flow map or list, or could.
+/// Characters that end a plain scalar within a flow map or list, or might.
 constexpr const char* FLOW_MARKS = ",[]{}#:&*!|>'\"%@`\n\t";
 
 std::string quoted(const std::string& text)
@@ -123,7 +123,7 @@ Axis readZip(const Entry& zip)
     if (columns.back().count != columns.front().count)
       zip.at(key).refuse("has " + std::to_string(columns.back().count) + " values, but " + axis.keys.front() +
                          " has " + std::to_string(columns.front().count) +
-                         "; side by side they must be equally many");
+                         "; the lists of a zip must be equally long");
   }
   axis.size = columns.front().count;
   axis.text = flowText(zip.node());

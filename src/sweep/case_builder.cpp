@@ -23,7 +23,8 @@ std::optional<std::string> valueAt(const YAML::Node& tree, const std::string& pa
     const YAML::Node& parent = node;
     if (parent.IsScalar() || !parent.IsDefined())
       return std::nullopt;
-    // Of a list the part is an index: applyOverride() or the reader of the scene has refused any other.
+    // An element of a list is named by its index; applyOverride() or the scene reader has refused other
+    // names.
     const YAML::Node child = parent.IsSequence() ? parent[std::stoul(part)] : parent[part];
     if (!child.IsDefined() || child.IsNull())
       return std::nullopt;
@@ -74,17 +75,23 @@ void CaseBuilder::build(std::uint64_t point)
   own_seed_ = case_.scene.seed;
   case_.values.clear();
   for (const std::string& key : keys_)
-    case_.values.push_back(valueAt(tree, key));
+    case_.values.emplace_back(key, valueAt(tree, key));
 }
 
 std::string CaseBuilder::name(std::uint64_t position) const
 {
+  std::string setting = settingName(position / sweep_.seedCount());
+  if (sweep_.seeds.count == 0)
+    return setting;
+  const std::string seed = "seed=" + std::to_string(sweep_.seeds.first + position % sweep_.seeds.count);
+  return keys_.empty() ? seed : setting + ' ' + seed;
+}
+
+std::string CaseBuilder::settingName(std::uint64_t point) const
+{
   std::string text;
-  for (const Assignment& assignment : sweep_.point(position / sweep_.seedCount()))
+  for (const Assignment& assignment : sweep_.point(point))
     text += (text.empty() ? "" : " ") + assignment.key + '=' + assignment.value;
-  if (sweep_.seeds.count > 0)
-    text += (text.empty() ? "" : " ") +
-            ("seed=" + std::to_string(sweep_.seeds.first + position % sweep_.seeds.count));
   return text.empty() ? "the scene itself" : text;
 }
 

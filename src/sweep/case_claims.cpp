@@ -3,7 +3,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <random>
+#include <regex>
 #include <utility>
 
 #include <fcntl.h>
@@ -18,21 +20,54 @@ namespace ratchet_sieve
 namespace
 {
 
+constexpr const char* PREFIX = "owner-";
+
 std::string newName()
 {
   std::random_device device;
   char name[48];
-  std::snprintf(name, sizeof name, "owner-%ld-%08x%08x.lock", static_cast<long>(getpid()), device(),
-                device());
+  std::snprintf(name, sizeof name, "%s%ld-%08x%08x%s", PREFIX, static_cast<long>(getpid()), device(),
+                device(), OwnerLock::EXTENSION);
   return name;
 }
 
-/// Whether what is open is what the path names: another may have removed a lock before it was taken.
+/// Whether newName() can have produced it: names are read from a results file and become paths.
+bool isOwnerName(const std::string& name)
+{
+  static const std::regex FORM(std::string(PREFIX) + "[0-9]{1,20}-[0-9a-f]{16}" + OwnerLock::EXTENSION);
+  return std::regex_match(name, FORM);
+}
+
+std::string processOf(const std::string& owner)
+{
+  const std::size_t first = std::strlen(PREFIX);
+  return owner.substr(first, owner.find('-', first) - first);
+}
+
+/// Whether the descriptor still is the file at the path: another process may have removed a lock file before
+/// it was locked.
 bool isThere(const std::string& path, int descriptor)
 {
   struct stat named;
   struct stat opened;
   return stat(path.c_str(), &named) == 0 && fstat(descriptor, &opened) == 0 && named.st_ino == opened.st_ino;
+}
+
+/// Calls `act` while no other process can take the lock at that path. @return whether no process holds it, or
+/// there is none
+template <typename Act>
+bool whereNobodyHolds(const std::string& path, Act&& act)
+{
+  // Opened for reading and with a shared lock: there may be no write permission, and others may check at the
+  // same time.
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (descriptor < 0)
+    return errno == ENOENT;
+  const bool is_free = flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+  if (is_free)
+    act(path);
+  close(descriptor);
+  return is_free;
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> claimsByOwner(const Database& database,
@@ -58,6 +93,8 @@ OwnerLock::OwnerLock(const std::string& directory) : directory_(directory), name
   {
     if (descriptor_ >= 0)
       close(descriptor_);
+    std::error_code ignored;  // another process, the last one, may have removed it
+    std::filesystem::create_directories(directory_, ignored);
     descriptor_ = open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
     if (descriptor_ < 0 || flock(descriptor_, LOCK_EX) != 0)
       throw DatabaseError(path + ": cannot be locked: " + std::strerror(errno));
@@ -72,13 +109,16 @@ OwnerLock::~OwnerLock()
 
 bool OwnerLock::isGone(const std::string& directory, const std::string& name)
 {
-  const std::string path = directory + '/' + name;
-  const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC);
-  if (descriptor < 0)
-    return errno == ENOENT;
-  const bool gone = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
-  close(descriptor);
-  return gone;
+  return !isOwnerName(name) || whereNobodyHolds(directory + '/' + name, [](const std::string&) {});
+}
+
+void OwnerLock::removeGone(const std::string& directory)
+{
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error))
+    if (isOwnerName(entry->path().filename().string()))
+      whereNobodyHolds(entry->path().string(), [](const std::string& path) { unlink(path.c_str()); });
 }
 
 CaseClaims::CaseClaims(Database& database, const SweepPlan& plan, const std::string& directory)
@@ -154,10 +194,25 @@ std::uint64_t CaseClaims::freeAbandoned()
       continue;
     }
     Statement(database_, "DELETE FROM claims WHERE owner = ?").bind(1, owner).run();
-    unlink((directory_ + '/' + owner).c_str());
   }
   transaction.commit();
   return held;
+}
+
+void CaseClaims::requireNone() const
+{
+  Statement select(database_, "SELECT 1 FROM claims WHERE owner = ?");
+  if (select.bind(1, lock_.name()).step())
+    throw DatabaseError(database_.path() +
+                        ": lists other cases than the sweep has: remove it, or use another with --db");
+}
+
+void CaseClaims::sayOthers(const std::function<void(const std::string&)>& say)
+{
+  for (const auto& [owner, cases] : claimsByOwner(database_, plan_))
+    if (owner != lock_.name() && !OwnerLock::isGone(directory_, owner) && said_.insert(owner).second && say)
+      say("process " + processOf(owner) + " also runs this sweep (cases: " + std::to_string(cases) +
+          "); waiting for it");
 }
 
 std::uint64_t casesUnderWay(const Database& database, const SweepPlan& plan, const std::string& directory)

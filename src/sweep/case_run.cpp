@@ -18,7 +18,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Thrown out of a pour that is not to go on.
+/// Thrown to cancel a pour.
 struct PourStopped
 {
 };
@@ -30,7 +30,7 @@ public:
   {
   }
 
-  /// @return the summary, or nothing where it was stopped
+  /// @return the summary, or nothing if stopped
   std::optional<nlohmann::ordered_json> run(std::string& error)
   {
     Checkpoint start = begin();
@@ -43,7 +43,7 @@ public:
     if (outcome.end == RunEnd::STOPPED)
       return std::nullopt;
     if (outcome.end == RunEnd::STALLED)
-      error = outcome.warnings.empty() ? "time all but stopped" : outcome.warnings.front();
+      error = outcome.warnings.empty() ? "inelastic collapse" : outcome.warnings.front();
     outcome.warnings.insert(outcome.warnings.begin(), case_.warnings.begin(), case_.warnings.end());
     return summarize(start.simulation, outcome);
   }
@@ -59,7 +59,7 @@ private:
       }
       catch (const CheckpointError& error)
       {
-        warn(std::string(error.what()) + "; the case begins anew");
+        warn(std::string(error.what()) + "; the case restarts");
       }
     }
     Simulation simulation(case_.scene, 0.0,
@@ -72,7 +72,7 @@ private:
     return {progress, std::move(simulation)};
   }
 
-  /// A run that is through needs no checkpoint any more.
+  /// A completed run needs no checkpoint.
   void save(const Simulation& simulation, const RunProgress& progress) const
   {
     if (simulation.time() >= simulation.scene().duration)

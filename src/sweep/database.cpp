@@ -1,36 +1,98 @@
 #include "ratchet_sieve/sweep/database.h"
 
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
 #include <sqlite3.h>
+
+#include "quoted_word.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
 
-/// For so long one waits for another that writes [ms]. Their transactions take milliseconds; a disk may stand
-/// still.
+namespace fs = std::filesystem;
+
+/// Timeout for another process's write transaction [ms]. Transactions take milliseconds, but a disk may
+/// stall.
 constexpr int BUSY_TIMEOUT = 60'000;
+
+std::string unchangingUri(const std::string& path)
+{
+  std::string uri = "file:";
+  char code[4];
+  for (const unsigned char c : path)
+  {
+    std::snprintf(code, sizeof code, "%%%02X", c);
+    uri += std::isalnum(c) != 0 || c == '/' ? std::string(1, static_cast<char>(c)) : code;
+  }
+  return uri + "?immutable=1";
+}
 
 }  // namespace
 
 Database::Database(const std::string& path, Access access) : path_(path)
 {
-  // A reader that may write nothing at all would leave the files of the write-ahead log behind.
-  const int flags = SQLITE_OPEN_READWRITE | (access == Access::WRITE ? SQLITE_OPEN_CREATE : 0);
-  if (sqlite3_open_v2(path.c_str(), &connection_, flags | SQLITE_OPEN_NOMUTEX, nullptr) != SQLITE_OK)
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw DatabaseError(path + ": is no regular file");
+  // An absolute path, because SQLite treats some names, such as :memory:, specially. A reader without write
+  // permission could not remove the files of the write-ahead log.
+  open(fs::absolute(path).string(),
+       SQLITE_OPEN_READWRITE | (access == Access::WRITE ? SQLITE_OPEN_CREATE : 0));
+  if (access == Access::WRITE)
+    return;
+  if (needsWritableDirectory())
+    openUnchanging();
+  execute("PRAGMA query_only = 1");
+}
+
+void Database::open(const std::string& name, int flags)
+{
+  if (sqlite3_open_v2(name.c_str(), &connection_, flags | SQLITE_OPEN_NOMUTEX, nullptr) != SQLITE_OK)
   {
     const std::string reason = sqlite3_errmsg(connection_);
     sqlite3_close(connection_);
-    throw DatabaseError(path + ": " + reason);
+    throw DatabaseError(path_ + ": " + reason);
   }
   sqlite3_busy_timeout(connection_, BUSY_TIMEOUT);
-  if (access == Access::READ)
-    execute("PRAGMA query_only = 1");
+}
+
+/// The write-ahead log needs a file beside the database, even for a reader.
+bool Database::needsWritableDirectory() const
+{
+  const int result = sqlite3_exec(connection_, "SELECT 1 FROM sqlite_master", nullptr, nullptr, nullptr);
+  return (result & 0xff) == SQLITE_CANTOPEN || (result & 0xff) == SQLITE_READONLY;
+}
+
+/// Opens the database as immutable, which needs no log.
+void Database::openUnchanging()
+{
+  const std::string log = sqlite3_filename_wal(sqlite3_db_filename(connection_, "main"));
+  std::error_code error;
+  const std::uintmax_t log_size = fs::file_size(log, error);
+  if (!error && log_size > 0)
+    throw DatabaseError(path_ + ": part of its data is in " + log +
+                        ", which needs a writable directory: copy both files to one");
+  sqlite3_close(std::exchange(connection_, nullptr));
+  open(unchangingUri(fs::absolute(path_).string()), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 
 Database::~Database()
 {
   sqlite3_close(connection_);
+}
+
+void Database::requireInPlace() const
+{
+  int moved = 0;
+  sqlite3_file_control(connection_, "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+  if (moved != 0)
+    throw DatabaseError(path_ + ": was removed or replaced while it was in use; later results are lost");
 }
 
 void Database::execute(const std::string& sql)
@@ -48,20 +110,17 @@ void Database::fail() const
 {
   const std::string text = path_ + ": " + sqlite3_errmsg(connection_);
   const int code = sqlite3_extended_errcode(connection_);
-  // A limit on the size of files, too, shows as a write that fails.
+  // A limit on the size of files also appears as a write error.
   if (code == SQLITE_FULL || code == SQLITE_IOERR_WRITE || code == SQLITE_IOERR_SHMSIZE)
     throw DatabaseFull(text);
-  if ((code & 0xff) == SQLITE_BUSY)  // whatever more its extended code says
+  if ((code & 0xff) == SQLITE_BUSY)  // for all extended codes
     throw DatabaseBusy(text);
   throw DatabaseError(text);
 }
 
 std::string quotedName(const std::string& name)
 {
-  std::string text = "\"";
-  for (const char c : name)
-    text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + '"';
+  return '"' + replaced(name, '"', "\"\"") + '"';
 }
 
 Statement::Statement(const Database& database, const std::string& sql) : database_(database)
@@ -182,7 +241,7 @@ Transaction::~Transaction()
   }
   catch (const DatabaseError&)
   {
-    // SQLite has rolled it back already, as it does where the disk is full.
+    // SQLite has already rolled back, as it does on a full disk.
   }
 }
 
@@ -190,6 +249,7 @@ void Transaction::commit()
 {
   database_.execute("COMMIT");
   open_ = false;
+  database_.requireInPlace();
 }
 
 }  // namespace ratchet_sieve

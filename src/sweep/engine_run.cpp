@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/sweep/case_builder.h"
-#include "ratchet_sieve/sweep/case_claims.h"
 #include "ratchet_sieve/sweep/case_file.h"
+#include "ratchet_sieve/sweep/sweep_ledger.h"
+#include "result_intake.h"
 
 namespace ratchet_sieve
 {
@@ -20,12 +20,11 @@ namespace
 {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
-/// So often the coordinator looks for results.
+/// Interval at which the coordinator looks for results.
 constexpr auto LOOK_AROUND = std::chrono::milliseconds(200);
 
-/// Most files of a round: as many tasks as an array of Slurm has by default, and few enough for a directory.
+/// Largest number of files per round: the default limit of a Slurm array, and small enough for a directory.
 constexpr std::size_t MOST_FILES = 1000;
 
 class EngineRun
@@ -35,55 +34,67 @@ public:
             const std::string& directory, const SweepRunOptions& options)
       : engine_(engine),
         options_(options),
-        directory_(fs::absolute(directory + "/cases").string()),
-        keys_(sweep.keys()),
         builder_(sweep),
-        store_(store),
-        plan_(plan),
-        claims_(store.database(), plan, directory)
+        ledger_(sweep, store, plan, directory),
+        folder_(jobFolder(fs::absolute(directory).string(), ledger_.claims().owner())),
+        intake_(sweep, plan, store, directory, options.warn)
   {
-    const SweepCounts counts = plan.counts(store.database());
-    progress_.cases = counts.cases;
-    progress_.done = counts.done;
-    progress_.failed = counts.failed;
-    if (const std::optional<BestCase> best = plan.best(store))
-      progress_.best_quality = best->quality;
   }
 
   /// @return whether it was stopped
   bool run()
   {
-    // What an earlier coordinator had no time to gather.
-    fs::create_directories(directory_);
-    gather();
-    while (!stopWanted() && plan_.counts(store_.database()).open() > 0)
-    {
-      const std::uint64_t before = progress_.finished_here;
-      round();
-      if (!stopWanted() && progress_.finished_here == before)
-        throw EngineError("no result came back; " + directory_ + "/log says why");
-    }
+    ledger_.claims().freeAbandoned();
+    while (!stopWanted() && ledger_.countOpen() > 0)
+      if (!round())
+      {
+        ledger_.claims().sayOthers(options_.warn);
+        std::this_thread::sleep_for(LOOK_AROUND);
+      }
+    std::error_code ignored;  // a late job may be writing into it
     if (!stopWanted())
-      fs::remove_all(directory_);
+      fs::remove_all(folder_, ignored);
     return stopWanted();
   }
 
 private:
   bool stopWanted() const { return options_.stop_wanted && options_.stop_wanted(); }
 
-  /// Hands everything over that is missing, and waits until the engine has ended.
-  void round()
+  /// Submits all missing cases that no other process has claimed, and waits until the engine has ended.
+  /// @return whether there were any
+  bool round()
   {
-    claims_.freeAbandoned();
-    std::vector<std::uint64_t> positions;
+    intake_.takeAbandoned();
+    const std::vector<std::uint64_t> positions = claim();
+    if (positions.empty())
+      return false;
+    const std::uint64_t before = ledger_.countOpen();
+    fs::create_directories(folder_);
+    engine_.start(folder_, writeCases(positions));
+    running_ = positions.size();
+    try
     {
-      Transaction transaction(store_.database());
-      positions = claims_.take(plan_.counts(store_.database()).open());
-      transaction.commit();
+      awaitEngine();
     }
-    progress_.running = positions.size();
-    if (!positions.empty())
-      engine_.start(directory_, writeCases(positions));
+    catch (...)
+    {
+      engine_.stop();
+      throw;
+    }
+    ledger_.claims().releaseAll();
+    if (ledger_.countOpen() == before && !stopWanted())
+      throw EngineError("no result came back; " + folder_ + "/log says why");
+    return true;
+  }
+
+  std::vector<std::uint64_t> claim()
+  {
+    ledger_.claims().freeAbandoned();
+    return ledger_.exchange({}, ledger_.countOpen());
+  }
+
+  void awaitEngine()
+  {
     bool stopped = false;
     while (engine_.isRunning())
     {
@@ -94,7 +105,6 @@ private:
       std::this_thread::sleep_for(LOOK_AROUND);
     }
     gather();
-    claims_.releaseAll();
   }
 
   /// @return the names of the files
@@ -109,71 +119,29 @@ private:
       if (cases.size() < per_file && k + 1 < positions.size())
         continue;
       names.push_back(fmt::format("{:04}.case", names.size()));
-      writeCaseFile(directory_ + '/' + names.back(), cases);
+      writeCaseFile(folder_ + '/' + names.back(), cases);
       cases.clear();
     }
     return names;
   }
 
-  /// Takes what has come into the table, and out of the directory.
+  /// Stores the results that have arrived, and removes their files.
   void gather()
   {
-    for (const fs::directory_entry& entry : fs::directory_iterator(directory_))
-      if (entry.path().extension() == ".results")
-        take(entry.path());
-    progress_.wall = std::chrono::duration<double>(Clock::now() - start_).count();
+    const std::vector<CaseResult> results = intake_.take(folder_);
+    ledger_.count(results);
+    running_ -= std::min<std::uint64_t>(running_, results.size());
     if (options_.progress)
-      options_.progress(progress_);
-  }
-
-  void take(const fs::path& path)
-  {
-    std::vector<CaseResult> results;
-    try
-    {
-      results = readResultFile(path.string());
-    }
-    catch (const CaseFileError& error)
-    {
-      if (options_.warn)
-        options_.warn(std::string(error.what()) + "; its cases run again");
-    }
-    {
-      Transaction transaction(store_.database());
-      for (const CaseResult& result : results)
-      {
-        store_.record(keys_, result);
-        claims_.release(result.run_hash);
-      }
-      transaction.commit();
-    }
-    for (const CaseResult& result : results)
-      count(result);
-    // The cases first: a task that comes late finds nothing to run.
-    fs::remove(fs::path(path).replace_extension(".case"));
-    fs::remove(path);
-  }
-
-  void count(const CaseResult& result)
-  {
-    ++(result.error.empty() ? progress_.done : progress_.failed);
-    ++progress_.finished_here;
-    progress_.running -= std::min<std::uint64_t>(progress_.running, 1);
-    if (result.summary.contains("quality") && result.summary["quality"].is_number())
-      progress_.best_quality =
-          std::max(progress_.best_quality.value_or(0.0), result.summary["quality"].get<double>());
+      options_.progress(ledger_.progress(running_, options_.best));
   }
 
   Engine& engine_;
   const SweepRunOptions& options_;
-  std::string directory_;
-  std::vector<std::string> keys_;
   CaseBuilder builder_;
-  ResultStore& store_;
-  const SweepPlan& plan_;
-  CaseClaims claims_;
-  SweepProgress progress_;
-  Clock::time_point start_ = Clock::now();
+  SweepLedger ledger_;
+  std::string folder_;  ///< of this process alone
+  ResultIntake intake_;
+  std::uint64_t running_ = 0;  ///< submitted and not returned
 };
 
 }  // namespace

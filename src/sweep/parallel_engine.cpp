@@ -3,17 +3,70 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <utility>
 
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "quoted_word.h"
 #include "ratchet_sieve/scene/input_file.h"
 #include "ratchet_sieve/sweep/engine.h"
 
 namespace ratchet_sieve
 {
+namespace
+{
+
+/// Replaces ssh for this machine: runs the command in the run's directory, because the home may be read-only.
+constexpr const char* LOCAL_SHELL = R"(# sh local_shell HOST [--] COMMAND...
+shift
+[ "$1" = -- ] && shift
+exec sh -c "$*"
+)";
+
+void write(const std::string& path, const std::string& text)
+{
+  std::ofstream file(path);
+  file << text;
+  file.close();
+  if (!file)
+    throw EngineError(path + ": cannot be written");
+}
+
+/// The host as given, except `:`, this machine, to which parallel transfers no files: it becomes a host with
+/// its own remote shell.
+std::string hostText(std::string host)
+{
+  host.erase(host.find_last_not_of(" \t\r") + 1);
+  const std::size_t colon = host.size() - 1;
+  const bool is_here = host == ":" || (host.size() > 1 && host.compare(colon - 1, 2, "/:") == 0);
+  return is_here ? host.substr(0, colon) + "sh ./local_shell localhost" : host;
+}
+
+std::string hostsText(const std::string& path)
+{
+  std::ifstream file(path);
+  std::string text;
+  for (std::string line; std::getline(file, line);)
+  {
+    std::istringstream hosts(line);
+    const char* between = "";
+    for (std::string host; std::getline(hosts, host, ','); between = ",")
+      text += between + hostText(host);
+    text += '\n';
+  }
+  return text;
+}
+
+/// Quoted for the host's shell, and without parallel's replacement strings, such as {}.
+std::string programWord(const std::string& program)
+{
+  return replaced(quotedWord(program), '{', "{''");
+}
+
+}  // namespace
 
 void ChildProgram::start(const std::vector<std::string>& words, const std::string& directory,
                          const std::string& output)
@@ -72,17 +125,16 @@ ParallelEngine::ParallelEngine(const std::string& hosts, std::string program)
 
 void ParallelEngine::start(const std::string& directory, const std::vector<std::string>& files)
 {
-  std::ofstream list(directory + "/list");
+  std::string list;
   for (const std::string& file : files)
-    list << file << '\n';
-  list.close();
-  if (!list)
-    throw EngineError(directory + "/list: cannot be written");
-  // Three attempts, each on another host as long as there is one. The rest is the caller's, who sees what is
-  // missing.
-  child_.start({"parallel", "--will-cite", "--sshloginfile", hosts_, "--retries", "3", "--joblog", "joblog",
+    list += file + '\n';
+  write(directory + "/list", list);
+  write(directory + "/local_shell", LOCAL_SHELL);
+  write(directory + "/hosts", hostsText(hosts_));
+  // Three attempts, each on another host if possible. The caller handles cases that are still missing.
+  child_.start({"parallel", "--will-cite", "--sshloginfile", "hosts", "--retries", "3", "--joblog", "joblog",
                 "--workdir", "...", "--transferfile", "{}", "--return", "{.}.results", "--cleanup",
-                program_ + " case {}", "::::", "list"},
+                programWord(program_) + " case {}", "::::", "list"},
                directory, directory + "/log");
 }
 

@@ -1,7 +1,6 @@
 #include "ratchet_sieve/sweep/result_store.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <limits>
 #include <thread>
 
+#include "lower_case.h"
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/version.h"
 
@@ -19,10 +19,10 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// "sieS": what SQLite's header says of a file that is a sweep's.
+/// "sieS": the application id in the SQLite header of a results file.
 constexpr int APPLICATION_ID = 0x73696553;
 
-/// Goes up with every change of the tables below.
+/// Incremented with every change of the tables below.
 constexpr int FORMAT = 1;
 
 constexpr int MOST_ATTEMPTS = 6000;
@@ -48,13 +48,14 @@ constexpr const char* TABLES = R"(
     run_hash TEXT NOT NULL, physics INTEGER NOT NULL, owner TEXT NOT NULL,
     PRIMARY KEY (run_hash, physics)) WITHOUT ROWID;)";
 
-/// The column of which the best is asked for again and again.
-constexpr const char* BEST_OF = "quality";
+/// Largest number of columns for a summary's scalars. SQLite allows 2000; the keys of sweeps are in addition.
+constexpr std::size_t MOST_COLUMNS = 1000;
+constexpr std::size_t LONGEST_COLUMN_NAME = 200;  ///< [bytes]
 
-std::string lowerCase(std::string text)
+bool isColumnName(const std::string& name)
 {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
+  return !name.empty() && name.size() <= LONGEST_COLUMN_NAME &&
+         std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' '; });
 }
 
 std::int64_t pragma(const Database& database, const std::string& name)
@@ -69,7 +70,8 @@ bool isEmpty(const Database& database)
   return !statement.step() || statement.integer(0) == 0;
 }
 
-/// Where others open the file at the same time, SQLite does not wait to go over to the log, but refuses.
+/// When several processes open the file, SQLite does not wait for the switch to the write-ahead log, but
+/// fails.
 void enterWriteAheadLog(const Database& database)
 {
   for (int attempt = 1;; ++attempt)
@@ -88,7 +90,7 @@ void enterWriteAheadLog(const Database& database)
   }
 }
 
-/// An integer of 64 bits without a sign, which SQL has none for, is text where it is too large.
+/// Binds an unsigned 64-bit integer; as text if it is too large for SQL's signed integer.
 void bindUnsigned(Statement& statement, int parameter, std::uint64_t value)
 {
   if (value <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
@@ -107,6 +109,8 @@ void bindJson(Statement& statement, int parameter, const Json& value)
     statement.bind(parameter, value.get<std::int64_t>());
   else if (value.is_number())
     statement.bind(parameter, value.get<double>());
+  else if (value.is_string())
+    statement.bind(parameter, value.get<std::string>());
   else
     statement.bind(parameter, nullptr);
 }
@@ -139,7 +143,7 @@ void bindValue(Statement& statement, int parameter, const std::optional<std::str
 
 ResultStore::ResultStore(const std::string& path, Database::Access access) : database_(path, access)
 {
-  // The tables before the marks: another process may be about to write both, at once.
+  // Tables before the header's marks: another process may be writing both at the same time.
   const bool empty = isEmpty(database_);
   if (empty ? access == Database::Access::READ : pragma(database_, "application_id") != APPLICATION_ID)
     throw DatabaseError(path + ": is no results file of sieve_sweep");
@@ -152,7 +156,7 @@ ResultStore::ResultStore(const std::string& path, Database::Access access) : dat
 
 void ResultStore::makeTables()
 {
-  // With the write-ahead log and this what is committed outlives the process, whatever ends it, and nothing
+  // With the write-ahead log and this setting, commits survive the end of the process in any way, and nothing
   // waits for the disk.
   enterWriteAheadLog(database_);
   database_.execute("PRAGMA synchronous = NORMAL");
@@ -200,8 +204,6 @@ void ResultStore::addColumns(const std::vector<std::string>& names)
     if (!hasColumn(name))
     {
       database_.execute("ALTER TABLE cases ADD COLUMN " + quotedName(name));
-      if (name == BEST_OF)
-        database_.execute("CREATE INDEX IF NOT EXISTS cases_by_quality ON cases (quality)");
       columns_.insert(lowerCase(name));
     }
 }
@@ -222,11 +224,33 @@ Statement& ResultStore::insertion(const std::vector<std::string>& columns)
   return *statement;
 }
 
-void ResultStore::record(const std::vector<std::string>& keys, const CaseResult& result)
+/// The scalars of its summary that get a column: each name once, and no more than the table can hold.
+SummaryColumns ResultStore::columnsOf(const CaseResult& result) const
+{
+  std::set<std::string> taken;
+  for (const std::string& name : FIXED_COLUMNS)
+    taken.insert(lowerCase(name));
+  for (const auto& value : result.values)
+    taken.insert(lowerCase(value.first));
+  std::size_t room = MOST_COLUMNS - std::min(MOST_COLUMNS, columns_.size());
+  SummaryColumns columns;
+  for (auto& scalar : summaryColumns(result.summary))
+  {
+    const bool is_new = !hasColumn(scalar.first);
+    if (!isColumnName(scalar.first) || (is_new && room == 0) || !taken.insert(lowerCase(scalar.first)).second)
+      continue;
+    room -= is_new ? 1 : 0;
+    columns.push_back(std::move(scalar));
+  }
+  return columns;
+}
+
+bool ResultStore::record(const CaseResult& result)
 {
   std::vector<std::string> columns = FIXED_COLUMNS;
-  columns.insert(columns.end(), keys.begin(), keys.end());
-  const auto scalars = summaryColumns(result.summary);
+  for (const auto& value : result.values)
+    columns.push_back(value.first);
+  const SummaryColumns scalars = columnsOf(result);
   for (const auto& scalar : scalars)
     columns.push_back(scalar.first);
   addColumns(columns);
@@ -246,10 +270,11 @@ void ResultStore::record(const std::vector<std::string>& keys, const CaseResult&
   statement.bind(10, PHYSICS_VERSION);
   int parameter = static_cast<int>(FIXED_COLUMNS.size());
   for (const auto& value : result.values)
-    bindValue(statement, ++parameter, value);
+    bindValue(statement, ++parameter, value.second);
   for (const auto& scalar : scalars)
     bindJson(statement, ++parameter, scalar.second);
   statement.run();
+  return database_.changes() > 0;
 }
 
 }  // namespace ratchet_sieve

@@ -7,6 +7,7 @@
 
 #include <sys/wait.h>
 
+#include "quoted_word.h"
 #include "ratchet_sieve/sweep/engine.h"
 
 namespace ratchet_sieve
@@ -14,7 +15,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// So often Slurm is asked, which serves others as well.
+/// Interval between queries to Slurm, which serves others as well.
 constexpr auto BETWEEN_QUESTIONS = std::chrono::seconds(1);
 
 struct Answer
@@ -22,14 +23,6 @@ struct Answer
   int status = -1;
   std::string text;  ///< standard output and error
 };
-
-std::string quotedWord(const std::string& word)
-{
-  std::string quoted = "'";
-  for (const char c : word)
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + '\'';
-}
 
 Answer ask(const std::vector<std::string>& words)
 {
@@ -62,7 +55,7 @@ void SlurmEngine::start(const std::string& directory, const std::vector<std::str
   words.insert(words.end(), options_.begin(), options_.end());
   words.insert(words.end(),
                {"--array=0-" + std::to_string(files.size() - 1), "--chdir=" + directory,
-                "--output=" + directory + "/log",
+                "--output=" + replaced(directory, '%', "%%") + "/log",
                 "--wrap=exec " + quotedWord(program_) + " case $(printf %04d.case $SLURM_ARRAY_TASK_ID)"});
   const Answer answer = ask(words);
   job_ = answer.text.substr(0, answer.text.find_first_not_of("0123456789"));
@@ -77,7 +70,7 @@ bool SlurmEngine::isRunning()
     return !job_.empty();
   next_ = now + BETWEEN_QUESTIONS;
   const Answer answer = ask({"squeue", "--noheader", "--jobs=" + job_, "--format=%i %t %r"});
-  // A controller that does not answer for a while knows the job still.
+  // If the controller does not answer for a while, the job is assumed to exist.
   if (answer.status != 0 && answer.text.find("Invalid job id") == std::string::npos)
     return true;
   if (answer.status != 0 || answer.text.empty())
@@ -87,7 +80,8 @@ bool SlurmEngine::isRunning()
   return !job_.empty();
 }
 
-/// A task whose node was lost is held for two minutes, in which other nodes may be idle.
+/// Starts tasks at once whose node was lost: Slurm holds them for two minutes, although other nodes may be
+/// idle.
 void SlurmEngine::startRequeued(const std::string& tasks)
 {
   std::istringstream lines(tasks);

@@ -1,7 +1,7 @@
-#include <algorithm>
-#include <cctype>
+#include <map>
 #include <set>
 
+#include "lower_case.h"
 #include "ratchet_sieve/sweep/case_result.h"
 
 namespace ratchet_sieve
@@ -10,9 +10,8 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
-using Columns = std::vector<std::pair<std::string, Json>>;
 
-/// Stand in every row, or say what the scene is and not what came of it.
+/// In every row already, or part of the scene rather than of the result.
 const std::set<std::string> LEFT_OUT = {"scene_hash", "seed", "version", "wall_time", "plan"};
 
 bool isScalar(const Json& value)
@@ -20,31 +19,34 @@ bool isScalar(const Json& value)
   return value.is_number() || value.is_boolean() || value.is_null();
 }
 
-std::string lowerCase(std::string text)
+/// The species' names in columns. SQL ignores case in column names: if names differ only in case, the second
+/// in byte order gets the suffix ` (2)`, and so on.
+std::map<std::string, std::string> columnNames(const Json& species)
 {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
-/// SQL takes no notice of a letter's case in a column's name.
-bool haveColumns(const Json& species)
-{
-  std::set<std::string> names;
+  std::map<std::string, std::string> names;
   for (const Json& each : species)
-    names.insert(lowerCase(each.at("name").get<std::string>()));
-  return names.size() == species.size() && species.size() <= MOST_COLUMN_SPECIES;
+    names[each.at("name").get<std::string>()];
+  std::map<std::string, int> alike;
+  for (auto& [name, column] : names)
+  {
+    const int place = ++alike[lowerCase(name)];
+    column = place == 1 ? name : name + " (" + std::to_string(place) + ')';
+  }
+  return names;
 }
 
 /// @param prefix of the columns' names
-void addSpecies(const std::string& prefix, const Json& species, Columns& columns)
+void addSpecies(const std::string& prefix, const Json& species, SummaryColumns& columns)
 {
-  if (!haveColumns(species))
+  if (species.size() > MOST_COLUMN_SPECIES)
     return;
+  const std::map<std::string, std::string> names = columnNames(species);
   for (const Json& each : species)
     for (const auto& [field, value] : each.items())
       if (isScalar(value))
-        columns.emplace_back(
-            std::string(prefix).append(field).append(".").append(each.at("name").get<std::string>()), value);
+        columns.emplace_back(std::string(prefix).append(field).append(".").append(
+                                 names.at(each.at("name").get<std::string>())),
+                             value);
 }
 
 bool isOfSpecies(const Json& list)
@@ -52,8 +54,27 @@ bool isOfSpecies(const Json& list)
   return list.is_array() && !list.empty() && list[0].is_object() && list[0].contains("name");
 }
 
-/// A vector of the plane by its components, a map by its keys, however deep.
-void addParts(const std::string& key, const Json& value, Columns& columns)
+/// The number of warnings, and their texts.
+void addWarnings(const Json& warnings, SummaryColumns& columns)
+{
+  std::string texts;
+  for (const Json& warning : warnings)
+    texts += (texts.empty() ? "" : " | ") + warning.get<std::string>();
+  columns.emplace_back("warnings", warnings.size());
+  columns.emplace_back("warning_text", texts.empty() ? Json(nullptr) : Json(texts));
+}
+
+/// Disks of all species that left.
+void addCounted(const Json& species, SummaryColumns& columns)
+{
+  std::uint64_t counted = 0;
+  for (const Json& each : species)
+    counted += each.value("left", std::uint64_t{0}) + each.value("right", std::uint64_t{0});
+  columns.emplace_back("counted", counted);
+}
+
+/// One column per component of a vector or key of a map, at any depth.
+void addParts(const std::string& key, const Json& value, SummaryColumns& columns)
 {
   if (value.is_array() && value.size() == 2 && value[0].is_number())
   {
@@ -75,9 +96,9 @@ void addParts(const std::string& key, const Json& value, Columns& columns)
 
 }  // namespace
 
-std::vector<std::pair<std::string, Json>> summaryColumns(const Json& summary)
+SummaryColumns summaryColumns(const Json& summary)
 {
-  Columns columns;
+  SummaryColumns columns;
   if (!summary.is_object())
     return columns;
   for (const auto& [key, value] : summary.items())
@@ -87,7 +108,12 @@ std::vector<std::pair<std::string, Json>> summaryColumns(const Json& summary)
     if (isScalar(value))
       columns.emplace_back(key, value);
     else if (key == "species")
+    {
       addSpecies("", value, columns);
+      addCounted(value, columns);
+    }
+    else if (key == "warnings")
+      addWarnings(value, columns);
     else
       addParts(key, value, columns);
   }

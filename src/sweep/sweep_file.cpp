@@ -13,6 +13,8 @@ namespace
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t MOST_KEYS = 500;  ///< swept keys: each is a column, and SQLite allows 2000
+
 void readScene(const Entry& root, Sweep& sweep)
 {
   const Entry scene = root.at("scene");
@@ -59,7 +61,21 @@ void readSeeds(const Entry& root, Sweep& sweep)
     entry.refuse("the last seed must be below 2^64");
 }
 
-/// No key is set in two places, and what `seed` says is said there alone.
+/// Parts of a map or list that is set in every case may be swept. Setting both a key and a part of it is
+/// refused otherwise, because one would undo the other.
+void requireNoneWithin(const Entry& root, const std::map<std::string, std::string>& places)
+{
+  for (const auto& [key, place] : places)
+    for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1))
+    {
+      const auto holder = places.find(key.substr(0, dot));
+      if (holder != places.end() && (holder->second != "set" || place == "set"))
+        root.at(place).refuse(key + " is a part of " + holder->first + ", which is set in " + holder->second +
+                              " as well");
+    }
+}
+
+/// No key may be set in two places, and seeds only in `seed`.
 void requireOnce(const Entry& root, const Sweep& sweep)
 {
   std::map<std::string, std::string> seen;
@@ -81,6 +97,9 @@ void requireOnce(const Entry& root, const Sweep& sweep)
     if (root.has(place))
       for (const std::string& key : sweep.axes[k++].keys)
         take(key, place);
+  requireNoneWithin(root, seen);
+  if (sweep.keys().size() > MOST_KEYS)
+    root.refuse("has more than " + std::to_string(MOST_KEYS) + " keys");
 }
 
 void requireCountable(const Entry& root, const Sweep& sweep)

@@ -13,11 +13,11 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Rows of a transaction while a plan is written: enough for it to cost little, and few enough for another
-/// process to get in between.
+/// Rows per transaction while a plan is written: enough to be fast, few enough that other processes are not
+/// blocked for long.
 constexpr std::uint64_t ROWS_AT_ONCE = 2000;
 
-/// Disks that are placed by hand may overlap, which is seen where they are set up; a pour refuses nothing.
+/// Disks placed by hand may overlap, which only their placement detects; a pour never fails.
 void requirePlaceable(const CaseBuilder& builder, const Sweep& sweep, const SweepCase& next)
 {
   if (next.scene.initial.empty())
@@ -46,6 +46,26 @@ std::int64_t beginPlan(Database& database, const Sweep& sweep)
   return id;
 }
 
+/// Creates temporary tables for a plan, visible to this connection only. SQL prefers them to those of the
+/// file.
+void shadowPlanTables(Database& database)
+{
+  std::vector<std::string> definitions;
+  {
+    Statement select(
+        database,
+        "SELECT name, sql FROM main.sqlite_master WHERE name IN ('sweeps', 'plan', 'plan_by_run') "
+        "ORDER BY type = 'index'");
+    while (select.step())
+    {
+      const std::string sql = select.text(1);
+      definitions.push_back(std::string(sql).insert(sql.find(select.text(0)), "temp."));
+    }
+  }
+  for (const std::string& definition : definitions)
+    database.execute(definition);
+}
+
 Statement& bindPlan(Statement& statement, std::int64_t id)
 {
   return statement.bind(1, id).bind(2, PHYSICS_VERSION);
@@ -56,11 +76,17 @@ constexpr const char* ROWS_OF_PLAN =
 
 }  // namespace
 
-void requireLegal(const Sweep& sweep)
+WarningTally requireLegal(const Sweep& sweep)
 {
   CaseBuilder builder(sweep);
+  WarningTally warnings;
   for (std::uint64_t point = 0; point < sweep.points(); ++point)
-    requirePlaceable(builder, sweep, builder.at(point * sweep.seedCount()));
+  {
+    const SweepCase& first = builder.at(point * sweep.seedCount());
+    requirePlaceable(builder, sweep, first);
+    warnings.add(first.warnings, sweep.seedCount());
+  }
+  return warnings;
 }
 
 std::optional<SweepPlan> SweepPlan::find(Database& database, const Sweep& sweep)
@@ -103,6 +129,18 @@ std::optional<SweepPlan> SweepPlan::make(Database& database, const Sweep& sweep,
   return SweepPlan(id);
 }
 
+SweepPlan SweepPlan::findOrWorkOut(Database& database, const Sweep& sweep)
+{
+  if (const std::optional<SweepPlan> plan = find(database, sweep))
+    return *plan;
+  database.execute("PRAGMA query_only = 0");
+  shadowPlanTables(database);
+  SweepPlan plan = *make(database, sweep, {});
+  database.execute("PRAGMA query_only = 1");
+  plan.in_file_ = false;
+  return plan;
+}
+
 SweepCounts SweepPlan::counts(Database& database) const
 {
   Statement rows(
@@ -120,18 +158,30 @@ SweepCounts SweepPlan::counts(Database& database) const
   return counts;
 }
 
-std::optional<BestCase> SweepPlan::best(const ResultStore& store) const
+WarningTally SweepPlan::warnings(const ResultStore& store) const
 {
-  if (!store.hasColumn("quality"))
-    return std::nullopt;
-  // From the best of all results on, down to the first that is this sweep's.
-  Statement select(
-      store.database(),
-      "SELECT p.position, c.quality FROM cases c CROSS JOIN plan p ON p.sweep = ?1 AND p.run_hash = "
-      "c.run_hash WHERE c.physics = ?2 AND c.quality IS NOT NULL ORDER BY c.quality DESC LIMIT 1");
-  if (!bindPlan(select, id_).step())
-    return std::nullopt;
-  return BestCase{static_cast<std::uint64_t>(select.integer(0)), select.real(1)};
+  // Rows of earlier versions lack this column; their summaries are read one by one.
+  const std::string with_some = store.hasColumn("warnings") ? "AND COALESCE(c.warnings, 1) > 0 " : "";
+  Statement select(store.database(), std::string("SELECT p.position, w.value FROM plan p JOIN cases c ON ") +
+                                         "c.run_hash = p.run_hash, json_each(c.summary, '$.warnings') w "
+                                         "WHERE p.sweep = ?1 AND c.physics = ?2 AND c.status = 'done' " +
+                                         with_some + "ORDER BY p.position, w.key");
+  bindPlan(select, id_);
+  WarningTally tally;
+  std::vector<std::string> texts;
+  std::int64_t position = -1;
+  while (select.step())
+  {
+    if (select.integer(0) != position)
+    {
+      tally.add(texts);
+      texts.clear();
+      position = select.integer(0);
+    }
+    texts.push_back(select.text(1));
+  }
+  tally.add(texts);
+  return tally;
 }
 
 void SweepPlan::fillValues(ResultStore& store, const Sweep& sweep) const
@@ -164,7 +214,7 @@ void SweepPlan::fillValues(ResultStore& store, const Sweep& sweep) const
     update.bind(1, hash).bind(2, PHYSICS_VERSION);
     int parameter = 2;
     for (const auto& value : builder.at(position).values)
-      bindValue(update, ++parameter, value);
+      bindValue(update, ++parameter, value.second);
     update.run();
   }
   transaction.commit();

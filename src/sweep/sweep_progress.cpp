@@ -37,6 +37,8 @@ std::string sweepProgressText(const SweepProgress& progress)
       fmt::format("{} of {} done, {} running", progress.done, progress.cases, progress.running);
   if (progress.failed > 0)
     text += fmt::format(", {} failed", progress.failed);
+  if (progress.warned > 0)
+    text += fmt::format(", {} with warnings", progress.warned);
   if (progress.finished_here > 0 && progress.wall > 0.0)
   {
     const double rate = static_cast<double>(progress.finished_here) / progress.wall;
@@ -44,8 +46,10 @@ std::string sweepProgressText(const SweepProgress& progress)
         "  {:.3g} cases/s  {} to go", rate,
         durationText(static_cast<double>(progress.cases - std::min(finished, progress.cases)) / rate));
   }
-  if (progress.best_quality)
-    text += fmt::format("  best Q {:.3f}", *progress.best_quality);
+  if (progress.best)
+    text += fmt::format("  best mean Q {:.3f}", progress.best->quality);
+  if (progress.best && progress.best->error)
+    text += fmt::format(" +- {:.3f}", *progress.best->error);
   return text;
 }
 

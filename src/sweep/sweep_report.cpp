@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/headless_run.h"
+#include "ratchet_sieve/recording/summary.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/case_builder.h"
@@ -44,6 +46,22 @@ std::string failureText(Database& database, const SweepPlan& plan)
   return text;
 }
 
+SweepFindings findingsOf(const Sweep& sweep, ResultStore& store, const SweepPlan& plan,
+                         const BestCriteria& criteria)
+{
+  SweepFindings findings = {criteria, bestSetting(store, plan, sweep, criteria), 0, {}};
+  const std::string best = bestText(store, plan, sweep, criteria, findings.best);
+  if (!best.empty())
+    findings.lines.push_back(best);
+  const SweepCounts counts = plan.counts(store.database());
+  const std::string noun = counts.done < counts.cases ? "finished case" : "case";
+  const WarningTally warnings = plan.warnings(store);
+  findings.warned = warnings.warned();
+  for (const std::string& line : warnings.lines(counts.done, noun))
+    findings.lines.push_back("warning " + line);
+  return findings;
+}
+
 /// A field of CSV, in quotes where it needs them.
 std::string csvField(const std::string& text)
 {
@@ -64,74 +82,132 @@ std::string csvField(const Statement& row, int column)
   return csvField(row.text(column));
 }
 
-/// First what the sweep changes, then what came of it; the summary's JSON is left to the results file.
+/// First the swept keys, then the results; without the summary's JSON.
 std::string exportColumns(const ResultStore& store, const std::vector<std::string>& keys)
 {
-  std::string names;
-  const auto add = [&names](const std::string& name)
-  { names += (names.empty() ? "" : ", ") + ("c." + quotedName(name)); };
+  std::string names = "p.position";
   std::vector<std::string> first = keys;
   first.insert(first.end(), {"seed", "status", "error"});
   const std::vector<std::string> last = {"run_hash", "scene_hash", "version", "physics", "wall_time", "host"};
   const auto among = [](const std::vector<std::string>& list, const std::string& name)
   { return std::find(list.begin(), list.end(), name) != list.end(); };
   for (const std::string& name : first)
-    add(name);
+    names += ", " + (store.hasColumn(name) ? "c." + quotedName(name) : "NULL AS " + quotedName(name));
   for (const std::string& name : store.columnNames())
     if (!among(first, name) && !among(last, name) && name != "summary")
-      add(name);
+      names += ", c." + quotedName(name);
   for (const std::string& name : last)
-    add(name);
+    names += ", c." + quotedName(name);
   return names;
 }
 
+/// The values of swept keys that a row lacks because another sweep has run its case.
+class SweptValuesOf
+{
+public:
+  SweptValuesOf(const Sweep& sweep, const Database& database)
+      : builder_(sweep), sqlite_value_(database, "SELECT ?1")
+  {
+  }
+
+  /// In the same form as from the table.
+  std::string csv(std::uint64_t position, int key)
+  {
+    bindValue(sqlite_value_, 1, builder_.at(position).values[static_cast<std::size_t>(key)].second);
+    sqlite_value_.step();
+    std::string text = csvField(sqlite_value_, 0);
+    sqlite_value_.reset();
+    return text;
+  }
+
+private:
+  CaseBuilder builder_;
+  Statement sqlite_value_;
+};
+
 }  // namespace
 
-std::string statusText(const Sweep& sweep, const std::string& results)
+SweepFindings findingsOf(const Sweep& sweep, const std::string& results, const BestCriteria& criteria)
+{
+  ResultStore store(results, Database::Access::READ);
+  const SweepPlan plan = SweepPlan::findOrWorkOut(store.database(), sweep);
+  return findingsOf(sweep, store, plan, criteria);
+}
+
+nlohmann::ordered_json findingsJson(const Sweep& sweep, const SweepFindings& findings)
+{
+  nlohmann::ordered_json json = {{"lines", findings.lines},
+                                 {"least_processed", findings.criteria.least_processed},
+                                 {"least_counted", findings.criteria.least_counted},
+                                 {"best", nullptr}};
+  if (!findings.best)
+    return json;
+  const SettingMean& best = *findings.best;
+  nlohmann::ordered_json values = nlohmann::ordered_json::object();
+  CaseBuilder builder(sweep);
+  for (const auto& [key, value] : builder.at(best.point * sweep.seedCount()).values)
+    values[key] = value.value_or("");
+  json["best"] = {{"values", values},
+                  {"quality", best.quality},
+                  {"quality_stderr", numberOrNull(best.error)},
+                  {"seeds", best.seeds},
+                  {"processed", best.processed},
+                  {"counted", best.counted},
+                  {"at_edge", keysAtEdge(sweep, best.point, findings.criteria.where)}};
+  return json;
+}
+
+std::string statusText(const Sweep& sweep, const std::string& results, const BestCriteria& criteria)
 {
   if (!std::filesystem::exists(results))
-    return fmt::format("{} cases, not begun\n", sweep.size());
+    return countText(sweep.size(), "case") + ", not begun\n";
   ResultStore store(results, Database::Access::READ);
   Database& database = store.database();
-  const std::optional<SweepPlan> plan = SweepPlan::find(database, sweep);
-  if (!plan)
-    return fmt::format("{} cases, not begun as the sweep stands now; {} has results of others\n",
-                       sweep.size(), results);
-  const SweepCounts counts = plan->counts(database);
-  std::string text =
-      fmt::format("{} cases: {} done, {} failed, {} under way, {} to go\n", counts.cases, counts.done,
-                  counts.failed, casesUnderWay(database, *plan, workDirectory(results)), counts.open());
+  const SweepPlan plan = SweepPlan::findOrWorkOut(database, sweep);
+  const SweepCounts counts = plan.counts(database);
+  const SweepFindings findings = findingsOf(sweep, store, plan, criteria);
+  std::string text = fmt::format("{}: {} done, {} failed, {} under way, {} to go",
+                                 countText(counts.cases, "case"), counts.done, counts.failed,
+                                 casesUnderWay(database, plan, workDirectory(results)), counts.open());
+  text += findings.warned > 0 ? fmt::format(", {} with warnings\n", findings.warned) : "\n";
+  if (!plan.isInFile())
+    text +=
+        "the sweep file has changed since it was run, or was never run: the figures are for the present "
+        "file\n";
   if (counts.other_physics > 0)
-    text += fmt::format(
-        "{} results of these cases are of another physics than version {} and count for nothing\n",
-        counts.other_physics, PHYSICS_VERSION);
-  if (const std::optional<BestCase> best = plan->best(store))
-    text += fmt::format("best Q {:.4f}: {}\n", best->quality, CaseBuilder(sweep).name(best->position));
-  return counts.failed > 0 ? text + failureText(database, *plan) : text;
+    text += fmt::format("{} of these cases {} of another physics version than {} and {} not counted\n",
+                        countText(counts.other_physics, "result"), counts.other_physics == 1 ? "is" : "are",
+                        PHYSICS_VERSION, counts.other_physics == 1 ? "is" : "are");
+  for (const std::string& line : findings.lines)
+    text += line + '\n';
+  return counts.failed > 0 ? text + failureText(database, plan) : text;
 }
 
 std::uint64_t exportCsv(const Sweep& sweep, const std::string& results, std::ostream& out)
 {
   ResultStore store(results, Database::Access::READ);
   Database& database = store.database();
-  const std::optional<SweepPlan> plan = SweepPlan::find(database, sweep);
-  if (!plan)
-    throw DatabaseError(results + ": has no results of this sweep as it stands now: run it first");
-  for (const std::string& key : sweep.keys())
-    if (!store.hasColumn(key))
-      throw DatabaseError(results + ": has no results of this sweep yet");
+  const SweepPlan plan = SweepPlan::findOrWorkOut(database, sweep);
   Statement select(database, "SELECT " + exportColumns(store, sweep.keys()) + ROWS + "ORDER BY p.position");
-  bindPlan(select, *plan);
-  for (int column = 0; column < select.columns(); ++column)
-    out << (column == 0 ? "" : ",") << csvField(select.columnName(column));
+  bindPlan(select, plan);
+  if (!select.step())
+    throw DatabaseError(results + ": has no results of this sweep file: run it first");
+  for (int column = 1; column < select.columns(); ++column)
+    out << (column == 1 ? "" : ",") << csvField(select.columnName(column));
   out << "\r\n";
+  const int keys = static_cast<int>(sweep.keys().size());
+  SweptValuesOf values(sweep, database);
   std::uint64_t rows = 0;
-  for (; select.step(); ++rows)
+  do
   {
-    for (int column = 0; column < select.columns(); ++column)
-      out << (column == 0 ? "" : ",") << csvField(select, column);
+    const auto position = static_cast<std::uint64_t>(select.integer(0));
+    for (int column = 1; column < select.columns(); ++column)
+      out << (column == 1 ? "" : ",")
+          << (column <= keys && select.isNull(column) ? values.csv(position, column - 1)
+                                                      : csvField(select, column));
     out << "\r\n";
-  }
+    ++rows;
+  } while (select.step());
   return rows;
 }
 
@@ -181,13 +257,13 @@ std::string estimateText(const Sweep& sweep, std::size_t threads)
     if (part > 0.0)
       return "about " +
              durationText(wall / part * static_cast<double>(sweep.size()) / static_cast<double>(threads)) +
-             " by the first case";
+             " according to the first case";
   }
   catch (const TooLate&)
   {
-    // Said below.
+    // Reported below.
   }
-  return "a time that is unknown: the first case takes long to begin";
+  return "an unknown time: the first case takes long to start";
 }
 
 }  // namespace ratchet_sieve

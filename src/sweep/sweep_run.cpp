@@ -9,13 +9,15 @@
 #include <utility>
 #include <vector>
 
+#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/sweep/case_builder.h"
-#include "ratchet_sieve/sweep/case_claims.h"
 #include "ratchet_sieve/sweep/case_pool.h"
 #include "ratchet_sieve/sweep/case_run.h"
+#include "ratchet_sieve/sweep/sweep_ledger.h"
+#include "result_intake.h"
 
 namespace ratchet_sieve
 {
@@ -25,16 +27,16 @@ namespace
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Results are gathered for so long, while no thread waits for work: a transaction costs as much as a small
-/// case.
+/// Results are collected for this long, unless a thread waits for work: a transaction costs as much as a
+/// small case.
 constexpr auto GATHER = std::chrono::milliseconds(20);
-/// So often the coordinator looks whether it is to stop, and whether others have left something behind.
-constexpr auto LOOK_AROUND = std::chrono::milliseconds(100);
-/// Work for so long is claimed ahead of the threads [s]. Nothing, where cases take longer: another process
-/// may come.
+/// Interval at which the coordinator checks whether to stop, and whether other processes have abandoned
+/// cases.
+constexpr auto POLL_PERIOD = std::chrono::milliseconds(100);
+/// Work claimed in advance for the threads [s]; none if cases take longer, to leave them to other processes.
 constexpr double CLAIMED_AHEAD = 0.05;
 constexpr double MOST_AHEAD = 2000.0;  ///< [cases]
-constexpr double RATE_WEIGHT = 0.3;    ///< of the newest rate in the running mean
+constexpr double RATE_WEIGHT = 0.3;    ///< weight of the newest rate in the running mean
 
 double secondsSince(Clock::time_point start)
 {
@@ -55,7 +57,7 @@ std::string makeDirectory(const std::string& path)
   return path;
 }
 
-/// A case's checkpoint is of one version of the physics, as its result is.
+/// A checkpoint is valid for one physics version, as a result is.
 const std::string CHECKPOINT = ".physics" + std::to_string(PHYSICS_VERSION) + ".checkpoint";
 
 std::string checkpointPath(const std::string& directory, const std::string& run_hash)
@@ -63,7 +65,7 @@ std::string checkpointPath(const std::string& directory, const std::string& run_
   return directory + '/' + run_hash + CHECKPOINT;
 }
 
-/// Checkpoints of cases of which there is a result: what a process had no time to remove.
+/// Removes checkpoints of cases with a result, which a killed process has left.
 void removeLeftovers(const Database& database, const std::string& directory)
 {
   Statement select(database, "SELECT 1 FROM cases WHERE run_hash = ? AND physics = ?");
@@ -89,17 +91,10 @@ public:
         directory_(directory),
         store_(store),
         plan_(plan),
-        keys_(sweep.keys()),
-        claims_(store.database(), plan, directory),
+        ledger_(sweep, store, plan, directory),
         threads_(threadCount(options.threads)),
         pool_(threads_, [this, &sweep] { return makeWork(sweep); })
   {
-    const SweepCounts counts = plan.counts(store.database());
-    progress_.cases = counts.cases;
-    progress_.done = counts.done;
-    progress_.failed = counts.failed;
-    if (const std::optional<BestCase> best = plan.best(store))
-      progress_.best_quality = best->quality;
   }
   ~SweepRun() { stop_ = true; }
   SweepRun(const SweepRun&) = delete;
@@ -116,7 +111,7 @@ public:
     {
       giveUp(error.what());
     }
-    claims_.releaseAll();
+    ledger_.claims().releaseAll();
     return stopWanted();
   }
 
@@ -162,47 +157,25 @@ private:
 
   void takeFinished()
   {
-    std::vector<FinishedCase> finished = pool_.take(GATHER, LOOK_AROUND);
+    std::vector<FinishedCase> finished = pool_.take(GATHER, POLL_PERIOD);
     for (FinishedCase& each : finished)
       if (each.result)
         unsaved_.push_back(std::move(*each.result));
   }
 
-  /// Writes down what is finished, and claims what comes next.
+  /// Stores finished cases, and claims new ones.
   void exchange(std::size_t wanted)
   {
     if (unsaved_.empty() && wanted == 0)
       return;
-    std::vector<std::uint64_t> positions;
-    try
-    {
-      Transaction transaction(store_.database());
-      for (const CaseResult& result : unsaved_)
-      {
-        store_.record(keys_, result);
-        claims_.release(result.run_hash);
-      }
-      if (wanted > 0)
-        positions = claims_.take(wanted);
-      transaction.commit();
-    }
-    catch (const DatabaseError&)
-    {
-      store_.forgetColumns();
-      throw;
-    }
-    pool_.give(positions);
-    countSaved();
+    pool_.give(ledger_.exchange(unsaved_, wanted));
+    forgetSaved();
   }
 
-  void countSaved()
+  void forgetSaved()
   {
     for (const CaseResult& result : unsaved_)
     {
-      ++(result.error.empty() ? progress_.done : progress_.failed);
-      if (result.summary.contains("quality") && result.summary["quality"].is_number())
-        progress_.best_quality =
-            std::max(progress_.best_quality.value_or(0.0), result.summary["quality"].get<double>());
       std::error_code ignored;
       fs::remove(checkpointPath(directory_, result.run_hash), ignored);
     }
@@ -210,22 +183,29 @@ private:
     if (interval > 0.0)
       rate_ += RATE_WEIGHT * (static_cast<double>(unsaved_.size()) / interval - rate_);
     last_saved_ = Clock::now();
-    progress_.finished_here += unsaved_.size();
     unsaved_.clear();
   }
 
   void showProgress()
   {
-    progress_.running = pool_.unfinished() - std::min(pool_.unfinished(), pool_.waiting());
-    progress_.wall = secondsSince(start_);
+    const std::size_t running = pool_.unfinished() - std::min(pool_.unfinished(), pool_.waiting());
     if (options_.progress)
-      options_.progress(progress_);
+      options_.progress(ledger_.progress(running, options_.best));
   }
 
-  /// Whether there is nothing left: not with this process, nor with another, which may yet be killed.
-  bool isThrough() { return claims_.freeAbandoned() == 0 && plan_.counts(store_.database()).open() == 0; }
+  /// Whether no case is left: neither in this process nor in another, which may still be killed.
+  bool isThrough()
+  {
+    if (ledger_.claims().freeAbandoned() == 0)
+    {
+      ledger_.claims().requireNone();
+      return plan_.counts(store_.database()).open() == 0;
+    }
+    ledger_.claims().sayOthers(options_.warn);
+    return false;
+  }
 
-  /// Stops the threads, and tries once more to write down what is finished.
+  /// Stops the threads, and tries once more to store the finished cases.
   [[noreturn]] void giveUp(const std::string& reason)
   {
     stop_ = true;
@@ -237,29 +217,33 @@ private:
     }
     catch (const DatabaseFull&)
     {
-      // Said below, with how many it concerns.
+      // Reported below, with the number of cases affected.
     }
-    throw DatabaseFull(reason + "; what it holds is safe, " + std::to_string(unsaved_.size()) +
-                       " finished cases found no room: make room and start again, it goes on");
+    throw DatabaseFull(reason + "; stored results are safe, " + countText(unsaved_.size(), "finished case") +
+                       " could not be stored: free some space and start again");
   }
 
   const SweepRunOptions& options_;
   std::string directory_;
   ResultStore& store_;
   const SweepPlan& plan_;
-  std::vector<std::string> keys_;
-  CaseClaims claims_;
+  SweepLedger ledger_;
   std::vector<CaseResult> unsaved_;
-  SweepProgress progress_;
   double rate_ = 0.0;  ///< running mean [cases/s]
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_saved_ = start_;
+  Clock::time_point last_saved_ = Clock::now();
   std::atomic<bool> stop_{false};
   std::size_t threads_;
-  CasePool pool_;  ///< last: its threads use the others
+  CasePool pool_;  ///< last, because its threads use the other members
 };
 
-/// The plan that the file has, or else a new one: what is illegal is found before anything is written.
+void warnOf(const WarningTally& warnings, const Sweep& sweep, const SweepRunOptions& options)
+{
+  if (options.warn)
+    for (const std::string& line : warnings.lines(sweep.size(), "case"))
+      options.warn(line);
+}
+
+/// The plan in the file, or else a new one. Illegal cases are found before anything is written.
 std::optional<SweepPlan> findOrMakePlan(const Sweep& sweep, const std::string& results,
                                         std::optional<ResultStore>& store, const SweepRunOptions& options)
 {
@@ -269,7 +253,7 @@ std::optional<SweepPlan> findOrMakePlan(const Sweep& sweep, const std::string& r
     if (std::optional<SweepPlan> plan = SweepPlan::find(store->database(), sweep))
       return plan;
   }
-  requireLegal(sweep);
+  warnOf(requireLegal(sweep), sweep, options);
   if (!store)
     store.emplace(results, Database::Access::WRITE);
   return SweepPlan::make(store->database(), sweep, options.stop_wanted);
@@ -286,18 +270,24 @@ std::optional<SweepPlan> prepareSweep(const Sweep& sweep, const std::string& res
                                       std::optional<ResultStore>& store, const SweepRunOptions& options)
 {
   const std::optional<SweepPlan> plan = findOrMakePlan(sweep, results, store, options);
-  if (plan && options.retry_failed)
+  if (!plan)
+    return plan;
+  const std::string directory = makeDirectory(workDirectory(results));
+  for (const std::string& kept : ResultIntake(sweep, *plan, *store, directory, options.warn).takeAbandoned())
+    if (options.warn)
+      options.warn(kept + ": has results of other sweeps, which are kept");
+  removeLeftovers(store->database(), directory);
+  if (options.retry_failed)
     plan->removeFailed(store->database());
-  if (plan)
-    removeLeftovers(store->database(), makeDirectory(workDirectory(results)));
   return plan;
 }
 
 void finishSweep(const SweepPlan& plan, ResultStore& store, const Sweep& sweep, const std::string& results)
 {
   plan.fillValues(store, sweep);
+  OwnerLock::removeGone(workDirectory(results));
   std::error_code ignored;
-  fs::remove(workDirectory(results), ignored);  // where it is empty
+  fs::remove(workDirectory(results), ignored);  // only if it is empty
 }
 
 SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const SweepRunOptions& options)

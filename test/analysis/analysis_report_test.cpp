@@ -21,7 +21,7 @@ TEST(ReportText, IsATableToRead)
             "Q = 0.750, P = 0.500\n"
             "contacts: 100 disk-disk, 20 left slope, 40 right slope, 3 apex, 0 wall\n"
             "short to long slope: 0.500\n"
-            "summed up by the engine:\n"
+            "accumulated by the engine:\n"
             "  A: mean_vx 0.5 m/s, mean_vx_stderr undefined, kinetic_translational undefined, "
             "kinetic_rotational undefined, collision_rate 40 1/s\n"
             "  long-name: mean_vx undefined, mean_vx_stderr undefined, kinetic_translational undefined, "
@@ -55,7 +55,7 @@ TEST(ReportText, HasNoBinsWhereNothingLeft)
                         "A              10       +12.50 +- 0.50        150\n"
                         "long-name       1 -250.00 +- undefined  undefined\n"
                         "\n"
-                        "nothing leaves this base: no bins, no Q, no P\n"
+                        "no disk can leave this base: no bins, no Q, no P\n"
                         "contacts: "),
               std::string::npos)
         << text;
@@ -82,7 +82,7 @@ TEST(ReportText, SaysWhatIsNotDefined)
                       "contacts: undefined\n"
                       "not recorded: particles (no <V_x>, no displacements)\n"
                       "not recorded: bins (no counts, no Q, no P)\n"
-                      "not recorded: base (no course of inclination, frequency and amplitude)\n"
+                      "not recorded: base (no inclination, frequency and amplitude over time)\n"
                       "not recorded: statistics (no temperatures, no contacts)\n"),
             std::string::npos)
       << text;

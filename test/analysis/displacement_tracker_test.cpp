@@ -24,7 +24,7 @@ TEST(DisplacementTracker, GivesDisplacementOverTime)
   EXPECT_FALSE(velocities[1].mean_stderr);
 }
 
-/// Two disks that swing together about a mean velocity of 1 m/s.
+/// Two disks that oscillate together about a mean velocity of 1 m/s.
 DriftVelocity swinging(bool independent)
 {
   DisplacementTracker tracker(1, 0.0, independent);

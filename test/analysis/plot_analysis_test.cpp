@@ -1,4 +1,4 @@
-// The script that draws the tables, on the tables as they are written.
+// The plotting script, run on tables written by writeTables().
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ int draw(const std::string& directory, const std::string& output, const char* sc
       (std::string(std::getenv(script)) + " " + directory + options + " >" + output + " 2>&1").c_str());
 }
 
-/// Whether a file is a PNG of a fair size: its signature, and its width and height as its header has them.
+/// Whether a file is a PNG of a reasonable size, by its signature and the width and height in its header.
 bool isPicture(const std::string& path)
 {
   const std::string bytes = contents(path);
@@ -35,7 +35,7 @@ bool isPicture(const std::string& path)
   return number(16) > 500 && number(20) > 300;
 }
 
-/// @param course the picture of bins and segregation, or of the drift where no disk can leave
+/// @param course the picture of bins and segregation, or of the drift if no disk can leave
 void expectPictures(const RunResult& result, const char* course)
 {
   const ScratchDirectory directory;

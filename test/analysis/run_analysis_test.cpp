@@ -18,7 +18,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Runs a scene to its end under the analysis' eyes.
+/// Runs a scene to its end with the analysis as sink.
 RunResult analyzed(Simulation& simulation, double particle_rate = 60.0)
 {
   RunAnalysis analysis;
@@ -48,8 +48,9 @@ TEST(RunAnalysis, KnowsTheSceneThatRan)
 TEST(RunAnalysis, FindsTheEnginesVelocitiesFromDisplacementsAlone)
 {
   SceneDefinition scene = smallRing();
-  scene.settle = 0.25;                    // a time at which a frame falls
-  scene.contact.pair_collisions = false;  // errors over disks alone; blocks of time are not the engine's
+  scene.settle = 0.25;  // equal to the time of a frame
+  scene.contact.pair_collisions =
+      false;  // errors over disks only, because blocks of time differ from the engine's
   Simulation simulation(scene);
   const RunResult result = analyzed(simulation);
   for (std::size_t i = 0; i < 2; ++i)
@@ -79,7 +80,7 @@ TEST(RunAnalysis, SaysTheCollisionRatesOfTheSummary)
   }
 }
 
-/// A recording holds the disks less often than all else.
+/// A recording has fewer frames of the disks than of the other kinds.
 TEST(RunAnalysis, SaysTheSameOfDisksThatAreSeenMoreSeldom)
 {
   SceneDefinition scene = smallRing();
@@ -105,7 +106,7 @@ TEST(RunAnalysis, SaysTheSameOfDisksThatAreSeenMoreSeldom)
   }
 }
 
-/// Disks that fall off are last seen up to a frame earlier.
+/// Disks that leave are last seen up to one frame earlier.
 TEST(RunAnalysis, LosesTheLastStretchOfDisksThatFallOff)
 {
   SceneDefinition scene = smallMixture();
@@ -121,7 +122,7 @@ TEST(RunAnalysis, LosesTheLastStretchOfDisksThatFallOff)
   EXPECT_EQ(decimated.lastBins()->processed, full.lastBins()->processed);
   for (std::size_t i = 0; i < 2; ++i)
   {
-    // Two of each leave within the first tenth of a second: seen once, they have no velocity.
+    // Two of each leave within the first 0.1 s: seen only once, they have no velocity.
     EXPECT_EQ(decimated.velocities[i].disks + 2, full.velocities[i].disks);
     EXPECT_NEAR(decimated.velocities[i].mean.value(), full.velocities[i].mean.value(),
                 full.velocities[i].mean_stderr.value());

@@ -1,4 +1,4 @@
-// sieve_analyze as its users run it, on a bag that sieve_run has recorded.
+// sieve_analyze run as a program, on a bag recorded by sieve_run.
 #include <algorithm>
 #include <cstdlib>
 
@@ -19,10 +19,11 @@ using Json = nlohmann::json;
 class SieveAnalyze : public testing::Test
 {
 protected:
-  /// Runs a program that an environment variable names. @return its exit status
-  int run(const char* program, const std::string& arguments) const
+  /// Runs a program named by an environment variable. @param limits shell commands before it
+  /// @return its exit status
+  int run(const char* program, const std::string& arguments, const std::string& limits = "") const
   {
-    const std::string command = std::string(std::getenv(program)) + " " + arguments + " >" +
+    const std::string command = "(" + limits + std::string(std::getenv(program)) + " " + arguments + ") >" +
                                 (directory_ / "output") + " 2>" + (directory_ / "errors");
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -61,7 +62,7 @@ TEST_F(SieveAnalyze, FindsInTheBagWhatTheRunSummedUp)
   {
     for (const char* key : {"name", "count", "left", "right"})
       EXPECT_EQ(analysis["species"][i][key], summary["species"][i][key]) << key;
-    // Disks that left are last seen up to a frame before they did.
+    // Disks that left were last seen up to one frame before.
     EXPECT_NEAR(analysis["species"][i]["mean_vx"].get<double>(),
                 summary["species"][i]["mean_vx"].get<double>(),
                 summary["species"][i]["mean_vx_stderr"].get<double>());
@@ -84,6 +85,29 @@ TEST_F(SieveAnalyze, PrintsATableAndThePathsOfTheFiles)
     ++files;
   }
   EXPECT_EQ(files, 14u);
+}
+
+TEST_F(SieveAnalyze, CountsTheFramesThatTheRunWasToldToRecord)
+{
+  for (const auto& [rate, frames] : {std::pair("0", "2 frames"), {"2.5", "4 frames"}, {"60", "61 frames"}})
+  {
+    ASSERT_EQ(run("SIEVE_ANALYZE", record("--duration 1 --bag-rate " + std::string(rate))), 0) << errors();
+    EXPECT_NE(output().find(std::string(", ") + frames + " of particles"), std::string::npos) << output();
+  }
+}
+
+/// A limit on the file size has the same effect as a full disk [blocks of 512 bytes].
+TEST_F(SieveAnalyze, NamesTheFileForWhichThereIsNoRoom)
+{
+  const std::string bag = record("--duration 1");
+  const std::string out = directory_ / "out";
+  EXPECT_EQ(run("SIEVE_ANALYZE", bag + " --out " + out, "ulimit -f 2; trap '' XFSZ; "), 1);
+  EXPECT_EQ(errors().rfind("sieve_analyze: " + out + "/", 0), 0u) << errors();
+  EXPECT_NE(errors().find(".csv: cannot be written: "), std::string::npos) << errors();
+  EXPECT_EQ(run("SIEVE_ANALYZE", bag + " --out " + out, "ulimit -f 60; "), 1);
+  EXPECT_EQ(errors(), "plot_analysis.py: " + out + "/segregation.png: File too large\n");
+  EXPECT_EQ(run("SIEVE_ANALYZE", bag + " >/dev/full"), 1);
+  EXPECT_EQ(errors(), "sieve_analyze: standard output: cannot be written: No space left on device\n");
 }
 
 TEST_F(SieveAnalyze, RefusesWhatIsNoBag)

@@ -8,7 +8,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Short and open, and fed: thousands of disks come, go, and are compacted away.
+/// Short, open, with a feed: thousands of disks come, leave, and are compacted away.
 SceneDefinition fedEnsemble()
 {
   SceneDefinition scene = test::mixture(5);
@@ -48,7 +48,7 @@ TEST(AccuracySeries, OfSingleDisksAddsUpToTheirMeans)
     ASSERT_EQ(species.velocity.size(), blocks);
     EXPECT_EQ(species.groups.size(), 64u);
     EXPECT_NEAR(ratioOf(species.velocity), *means[s].mean_vx, 1e-9 * std::abs(*means[s].mean_vx));
-    // From the end of settle on.
+    // From the end of `settle` on.
     double left = 0.0;
     for (const BlockSum& block : species.exits)
       left += block.sum;
@@ -84,7 +84,7 @@ TEST(AccuracySeries, IsNotKeptForASceneThatDoesNotAsk)
   EXPECT_TRUE(unasked.meanSeries().species[0].velocity.empty());
   EXPECT_TRUE(unasked.meanSeries().species[0].groups.empty());
   EXPECT_FALSE(asked.meanSeries().species[0].groups.empty());
-  // And the run is the same.
+  // The run itself does not depend on it.
   EXPECT_EQ(asked.events(), unasked.events());
   EXPECT_EQ(asked.means()[0].mean_vx, unasked.means()[0].mean_vx);
   EXPECT_EQ(asked.means()[0].mean_vx_stderr, unasked.means()[0].mean_vx_stderr);
@@ -109,7 +109,8 @@ TEST(AccuracySeries, IsSavedWithTheRunAndRefusedWhereItIsMissing)
   }
   catch (const StateError& error)
   {
-    EXPECT_STREQ(error.what(), "it has no series of what accuracy asks for, as its run did not ask");
+    EXPECT_STREQ(error.what(),
+                 "it lacks the series for the requested accuracy, which its own scene did not request");
   }
   Simulation dropped(silent, half.saveState());
   EXPECT_EQ(dropped.saveState().size(), unasked.saveState().size());

@@ -4,11 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include "constants.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
-constexpr double PI = 3.14159265358979323846;
 constexpr double UNLIMITED = 10.0;
 
 BaseDefinition figureThree()
@@ -140,10 +141,10 @@ TEST(BaseMotion, APhaseThatDoesNotDivideTheEpochStaysExactToo)
   BaseMotion motion(base, UNLIMITED);
   for (int epoch = 0; epoch < 250000; ++epoch)
     motion.rebase(4.0);
-  // 22.7 as a double times 10^6 s, its fraction taken in long double.
+  // 22.7 as a double times 10^6 s; its fraction in long double.
   const long double turns = static_cast<long double>(22.7) * 1.0e6L;
   const double phase = 2.0 * PI * static_cast<double>(turns - std::floor(turns));
-  // 250,000 roundings of at most 2^-54 turns each: 2 pi 250,000 / 2^54 = 9e-11 if all went one way.
+  // 250,000 roundings of at most 2^-54 turns each: 2 pi 250,000 / 2^54 = 9e-11 if all have the same sign.
   EXPECT_NEAR(std::remainder(motion.state(0.0).phase - phase, 2.0 * PI), 0.0, 9e-11);
 }
 

@@ -11,9 +11,9 @@ namespace ratchet_sieve
 namespace
 {
 
-/// The error that BlockAverages finds over the true one, averaged over many series of
-/// x[k] = memory x[k-1] + noise. The mean of n members of such a series has, for n large, the
-/// variance s^2 / n (1 + memory) / (1 - memory), s^2 = var(noise) / (1 - memory^2).
+/// The error estimated by BlockAverages over the true one, averaged over many series of x[k] = memory x[k-1]
+/// + noise. For large n, the mean of n members has the variance s^2 / n (1 + memory) / (1 - memory), s^2 =
+/// var(noise) / (1 - memory^2).
 double foundOverTrue(double memory, int length)
 {
   Random random(11);
@@ -36,8 +36,8 @@ double foundOverTrue(double memory, int length)
 
 TEST(BlockAverages, FindTheErrorOfACorrelatedSeries)
 {
-  // The largest of several estimates is a little too large, by its own scatter of some 18 %
-  // (1 / sqrt(2 * 16)); what averaging without blocks gives is too small by up to 4.4.
+  // The largest of several estimates is a little too large, because of its own scatter of about 18 % (1 /
+  // sqrt(2 * 16)). An error estimated without blocks is too small by a factor of up to 4.4.
   EXPECT_NEAR(foundOverTrue(0.0, 4000), 1.05, 0.15);
   EXPECT_NEAR(foundOverTrue(0.5, 4000), 1.05, 0.15);
   EXPECT_NEAR(foundOverTrue(0.9, 4000), 1.05, 0.15);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "constants.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 
@@ -11,36 +12,33 @@
 /// form (Luck & Mehta, Phys. Rev. E 48, 3988 (1993), doi:10.1103/PhysRevE.48.3988; Holmes, J. Sound Vib. 84,
 /// 173 (1982), doi:10.1016/S0022-460X(82)80002-3, in the limit of high bounces). Gamma = A w^2 / g.
 ///
-/// Period one: flights of T = 2 pi / w between equal heights begin with v = g T / 2 and end with -v, so that
-/// the plate's speed at the hit is u = v (1 - e) / (1 + e), which gives its phase: cos p = pi (1 - e) /
-/// (Gamma (1 + e)).
+/// Period one: flights of T = 2 pi / w between equal heights begin with v = g T / 2 and end with -v. So the
+/// plate's speed at the hit is u = v (1 - e) / (1 + e), which gives the phase of the hit: cos p = pi (1 - e)
+/// / (Gamma (1 + e)).
 ///
 /// Its stability: with Y = A sin(w t), a hit at t and a take-off at v lead to t' and v' by
 ///   Y(t') = Y(t) + v (t' - t) - g (t' - t)^2 / 2,    v' = -e (v - g (t' - t)) + (1 + e) Y'(t').
-/// Varied about the orbit, where v = g T / 2 and u + v = g T / (1 + e):
+/// Linearised about the orbit, where v = g T / 2 and u + v = g T / (1 + e):
 ///   dt' = dt + (1 + e) / g dv,    dv' = -(1 + e) a dt + (e^2 - (1 + e)^2 a / g) dv,    a = A w^2 sin p,
-/// of determinant e^2 and trace 1 + e^2 - (1 + e)^2 a / g. It is unstable for a < 0, and once the trace is
-/// below
-/// -(1 + e^2): period doubling at a / g = 2 (1 + e^2) / (1 + e)^2. No approximation has been made.
+/// with determinant e^2 and trace 1 + e^2 - (1 + e)^2 a / g. It is unstable for a < 0, and for a trace below
+/// -(1 + e^2): period doubling at a / g = 2 (1 + e^2) / (1 + e)^2. This is exact.
 namespace ratchet_sieve
 {
 namespace
 {
 
-constexpr double PI = 3.14159265358979323846;
-constexpr double GRAVITY = 9.81;
 constexpr double FREQUENCY = 50.0;
 constexpr double OMEGA = 2.0 * PI * FREQUENCY;
 constexpr double PERIOD = 1.0 / FREQUENCY;
 constexpr double RADIUS = 0.001;
 
-/// Gamma below which there is no period-one orbit.
+/// The smallest Gamma with a period-one orbit.
 double periodOneFrom(double restitution)
 {
   return PI * (1.0 - restitution) / (1.0 + restitution);
 }
 
-/// Gamma above which the period-one orbit is unstable.
+/// The largest Gamma with a stable period-one orbit.
 double periodOneTo(double restitution)
 {
   const double e = restitution;
@@ -60,8 +58,8 @@ SceneDefinition ballOnPlate(double restitution, double gamma, double min_rebound
   return scene;
 }
 
-/// Starts a little off the period-one orbit, so that it has to find it: 1e-6 m above the plate, with the
-/// speed of the orbit, at the phase of its hits less 0.05.
+/// Starts near the period-one orbit, so that the run converges to it: 1e-6 m above the plate, with the speed
+/// of the orbit, at the phase of its hits minus 0.05.
 double startNearPeriodOne(SceneDefinition& scene, double gamma, double restitution)
 {
   const double phase = std::acos(periodOneFrom(restitution) / gamma);
@@ -82,7 +80,8 @@ std::vector<CollisionRecord> hits(const SceneDefinition& scene, double until)
 
 TEST(BouncingBall, HitsAPlateAtRestInAGeometricSeries)
 {
-  // Dropped from H it hits at t = sqrt(2 H / g), and then after flights of 2 t e, 2 t e^2, ...: any textbook.
+  // Dropped from H it hits at t = sqrt(2 H / g), and then after flights of 2 t e, 2 t e^2, ...: textbook
+  // result.
   SceneDefinition scene = ballOnPlate(0.6, 0.0);
   scene.initial = {{0, 0.1, RADIUS + 0.05, 0.0, 0.0, 0.0}};
   const double fall = std::sqrt(2.0 * 0.05 / GRAVITY);
@@ -92,8 +91,8 @@ TEST(BouncingBall, HitsAPlateAtRestInAGeometricSeries)
   double time = fall, flight = 2.0 * fall;
   for (std::size_t k = 0; k < 25; ++k)
   {
-    // 4e-5 of 0.4 s are left before the last of these; a double holds the place, 0.001 m, to 2e-19 m, which
-    // is g 2e-19 m / v = 4e-13 m/s of the speed v with which it comes to the plate, 5e-6 m/s or more.
+    // 4e-5 of 0.4 s are left before the last of these. A double resolves the position, 0.001 m, to 2e-19 m.
+    // That is g 2e-19 m / v = 4e-13 m/s of the impact speed v, which is at least 5e-6 m/s.
     EXPECT_NEAR(records[k].time, time, 1e-13) << k;
     EXPECT_NEAR(records[k].normal_speed, GRAVITY * fall * std::pow(0.6, k), 1e-12) << k;
     flight *= 0.6;
@@ -103,7 +102,7 @@ TEST(BouncingBall, HitsAPlateAtRestInAGeometricSeries)
 
 TEST(BouncingBall, LosesLessTheSlowerItHits)
 {
-  // Each hit at v takes off with e(v) v and comes back as fast, 2 e(v) v / g later.
+  // Each hit at v takes off with e(v) v and returns with the same speed after 2 e(v) v / g.
   for (const double exponent : {0.75, 0.2, 1.0, 2.0})
   {
     SceneDefinition scene = ballOnPlate(0.6, 0.0);
@@ -112,7 +111,7 @@ TEST(BouncingBall, LosesLessTheSlowerItHits)
     scene.initial = {{0, 0.1, RADIUS + 0.05, 0.0, 0.0, 0.0}};
     double speed = std::sqrt(2.0 * 0.05 * GRAVITY);
     double time = speed / GRAVITY;
-    // Short of the end of its hits, which with q = 1/5 comes at 0.489 s.
+    // Before the accumulation point of its hits, which is at 0.489 s for q = 1/5.
     const auto records = hits(scene, exponent < 0.5 ? 0.45 : 0.9);
     ASSERT_GT(records.size(), 6u);
     for (const CollisionRecord& record : records)
@@ -125,8 +124,8 @@ TEST(BouncingBall, LosesLessTheSlowerItHits)
   }
 }
 
-/// With a = (1 - e) / v_0^q the speed after n hits falls as (q a n)^(-1/q). The sum of the flights that
-/// follow is finite for q < 1: 1.2 s from here. For q = 2 there are some (20 s / 0.37 s)^2 hits in 20 s.
+/// With a = (1 - e) / v_0^q the speed after n hits decreases as (q a n)^(-1/q). The sum of the following
+/// flights is finite for q < 1: 1.2 s here. For q = 2 there are about (20 s / 0.37 s)^2 hits in 20 s.
 TEST(BouncingBall, ComesToRestWithASmallExponentAndNotWithALargeOne)
 {
   for (const double exponent : {0.75, 2.0})
@@ -156,7 +155,7 @@ TEST(BouncingBall, FindsThePhaseOfItsPeriodOneOrbit)
       ASSERT_GT(records.size(), 1400u);
       for (std::size_t k = records.size() - 100; k < records.size(); ++k)
       {
-        // Rounding is all that keeps it off the orbit: times of 30 s are held to 4e-15 s, phases to 1e-12.
+        // Only rounding keeps it off the orbit: times of 30 s are resolved to 4e-15 s, phases to 1e-12.
         EXPECT_NEAR(records[k].time - records[k - 1].time, PERIOD, 1e-12) << e << " " << gamma;
         EXPECT_NEAR(std::remainder(OMEGA * records[k].time + scene.base.phase - phase, 2.0 * PI), 0.0, 1e-10);
         EXPECT_NEAR(records[k].normal_speed, GRAVITY * PERIOD / (1.0 + e), 1e-11);
@@ -164,7 +163,7 @@ TEST(BouncingBall, FindsThePhaseOfItsPeriodOneOrbit)
     }
 }
 
-/// How much the last two flights differ, once it had 200 s (10^4 hits) to settle.
+/// The difference of the last two flights after 200 s (10^4 hits).
 double alternation(double restitution, double gamma)
 {
   SceneDefinition scene = ballOnPlate(restitution, gamma);
@@ -175,7 +174,7 @@ double alternation(double restitution, double gamma)
     ADD_FAILURE() << "it hit " << n << " times in 10^4 periods";
   const double last = records[n - 1].time - records[n - 2].time;
   const double last_but_one = records[n - 2].time - records[n - 3].time;
-  // Times of 200 s are held to 3e-14 s.
+  // Times of 200 s are resolved to 3e-14 s.
   EXPECT_NEAR(last + last_but_one, 2.0 * PERIOD, 1e-12) << "locked to two periods, if not to one";
   return std::abs(last - last_but_one);
 }
@@ -185,12 +184,13 @@ TEST(BouncingBall, DoublesItsPeriodAtTheLimit)
   for (const double e : {0.3, 0.6, 0.85})
   {
     const double limit = periodOneTo(e);
-    // 0.2 % below the limit the slower multiplier is -0.97 (e = 0.85) or nearer to 0: nothing but rounding is
-    // left of the start after 10^4 hits.
+    // 0.2 % below the limit, the multiplier of the slower mode is -0.97 (e = 0.85) or closer to 0: after 10^4
+    // hits, only rounding is left of the initial deviation.
     for (const double share : {0.97, 0.99, 0.998})
       EXPECT_LT(alternation(e, share * limit), 1e-12) << e << " at " << share;
-    // Above it the two flights differ by as much as the square root of the distance (a pitchfork), which
-    // gives the limit anew: within 0.1 %, for the square root is only the first term.
+    // Above the limit, the two flights differ in proportion to the square root of the distance (a pitchfork
+    // bifurcation). That gives the limit again, to within 0.1 %, because the square root is only the leading
+    // term.
     const double near = std::pow(alternation(e, 1.002 * limit), 2);
     const double far = std::pow(alternation(e, 1.010 * limit), 2);
     EXPECT_GT(near, std::pow(0.01 * PERIOD, 2)) << e;
@@ -200,16 +200,16 @@ TEST(BouncingBall, DoublesItsPeriodAtTheLimit)
 
 constexpr double FLOOR = 1e-4;  // [m/s]
 
-/// With a rebound floor v a ball rests on its plate by flights that begin with v and end with about v. Over
-/// one of them the plate's pull G = g - A w^2 sin(w t) varies by G' t, t = 2 v / G, and the flight ends with
-/// v (1 + 2/3 G' v / G^2); |G'| <= Gamma g w, G >= g (1 - Gamma).
+/// With a minimum rebound speed v, a resting ball makes flights that begin with v and end with about v.
+/// During a flight the relative acceleration G = g - A w^2 sin(w t) changes by G' t, t = 2 v / G, and the
+/// flight ends with v (1 + 2/3 G' v / G^2); |G'| <= Gamma g w, G >= g (1 - Gamma).
 double largestRestingSpeed(double gamma)
 {
   return FLOOR * (1.0 + 2.0 / 3.0 * gamma * OMEGA * FLOOR / (GRAVITY * (1.0 - gamma) * (1.0 - gamma)));
 }
 
-/// It has come to rest by `from`: every later hit is at the floor's speed, and it is hit as often as that
-/// takes.
+/// Checks that the ball is at rest from `from` on: each later hit has the minimum rebound speed, and the
+/// number of hits is right.
 void expectRest(const std::vector<CollisionRecord>& records, double gamma, double from, double until)
 {
   std::size_t count = 0;
@@ -236,7 +236,7 @@ TEST(BouncingBall, ComesToRestBelowGammaOneWhereThereIsNoPeriodOne)
 
 TEST(BouncingBall, RestsOrBouncesWhereItCanDoEither)
 {
-  // Between pi (1 - e) / (1 + e) = 0.785 and 1 the start decides.
+  // Between pi (1 - e) / (1 + e) = 0.785 and 1 the final state depends on the start.
   const double gamma = 0.85;
   ASSERT_GT(gamma, periodOneFrom(0.6));
   SceneDefinition scene = ballOnPlate(0.6, gamma, FLOOR);
@@ -244,12 +244,12 @@ TEST(BouncingBall, RestsOrBouncesWhereItCanDoEither)
   expectRest(hits(scene, 2.0), gamma, 1.0, 2.0);
   startNearPeriodOne(scene, gamma, 0.6);
   const auto records = hits(scene, 20.0);
-  // The floor is far below the speed with which it leaves, and does nothing.
+  // The minimum rebound speed is far below the take-off speed and has no effect.
   EXPECT_NEAR(records.back().normal_speed, GRAVITY * PERIOD / 1.6, 1e-11);
 }
 
-/// Relative speed at which a ball comes down that rested until the plate fell away from it: it takes off at
-/// sin p = 1 / Gamma, with the plate's speed (Mehta & Luck, Phys. Rev. Lett. 65, 393 (1990),
+/// Relative landing speed of a ball that rests until the plate falls away from it: it takes off at sin p = 1
+/// / Gamma, with the plate's speed (Mehta & Luck, Phys. Rev. Lett. 65, 393 (1990),
 /// doi:10.1103/PhysRevLett.65.393).
 double landingSpeedFromRest(double gamma)
 {
@@ -266,19 +266,21 @@ double landingSpeedFromRest(double gamma)
 
 TEST(BouncingBall, TakesOffAboveGammaOneWhereThePlateFallsAwayFromIt)
 {
-  // e = 0.2 has come to rest again long before the plate falls away the next time: one landing a period, and
-  // the next hits are five times slower each.
+  // With e = 0.2 the ball is at rest again long before the next take-off: one landing per period, and each
+  // following hit is five times slower.
   const double gamma = 1.2;
   const double landing = landingSpeedFromRest(gamma);
   const double floor = 1e-5;
   SceneDefinition scene = ballOnPlate(0.2, gamma, floor);
   scene.initial = {{0, 0.1, RADIUS, 0.0, 0.0, 0.0}};
-  // By its hops at the floor's speed it leaves with so much more or less than the plate's speed; until it
-  // lands, less than a period later, that grows by no more than 1 + (landing pull) T / (landing speed).
+  // Because of its hops, its take-off speed differs from the plate's speed by up to the minimum rebound
+  // speed. Until it lands, less than a period later, that difference grows at most by 1 + (landing
+  // acceleration) T / (landing speed).
   const double tolerance = floor * (1.0 + GRAVITY * (1.0 + gamma) * PERIOD / landing);
   std::size_t landings = 0;
   for (const CollisionRecord& record : hits(scene, 52 * PERIOD))
-    if (record.time > 2 * PERIOD && record.normal_speed > 0.5 * landing)  // it starts at rest in the world
+    if (record.time > 2 * PERIOD &&
+        record.normal_speed > 0.5 * landing)  // the ball starts at rest in the world
     {
       ++landings;
       EXPECT_NEAR(record.normal_speed, landing, tolerance) << "at " << record.time;

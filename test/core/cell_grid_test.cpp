@@ -75,7 +75,7 @@ TEST(CellGrid, RemovedDisksAreGone)
   EXPECT_EQ(sightings(grid, grid.cellOf(0), {0, 0, 0, 0}), (std::set<Sighting>{{0, 0}, {2, 0}}));
 }
 
-/// One cell takes in far more than its block holds, and lets them go in any order.
+/// One cell takes many more disks than its block can hold, and loses them in any order.
 TEST(CellGrid, FollowsASetThroughRandomComingAndGoing)
 {
   EXPECT_TRUE(rc::check(
@@ -127,7 +127,7 @@ TEST(CellGrid, ARingOfOneColumnReachesBeyondItsEndsAndListsEachDiskOnce)
   for (std::uint32_t id = 0; id < 2; ++id)
     ring.add(id, ring.cellAt(0.5, 0.5));
   EXPECT_EQ(sightings(ring, ring.cellOf(0), {}), (std::set<Sighting>{{0, 0}, {1, 0}}));
-  // More columns, or ends: none of it.
+  // With more columns, or open ends, there are no laps.
   EXPECT_EQ(CellGrid(1.0, 1.0, 0.4, 2, true, 5).laps(), 0);
   EXPECT_EQ(CellGrid(1.0, 1.0, 0.6, 2, false, 5).laps(), 0);
 }

@@ -10,7 +10,7 @@ namespace
 {
 constexpr double LEAST_SIDE = 0.004;
 
-/// Disks side by side and one above the other, all at `speed`.
+/// Disks in a rectangular lattice, all at `speed`.
 std::vector<BasePoint> lattice(int columns, int rows, double spacing, double speed)
 {
   std::vector<BasePoint> points;

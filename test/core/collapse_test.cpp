@@ -14,8 +14,8 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Disks that fall on a base at rest and lose energy there with nothing to end it: the time between a
-/// disk's rebounds goes to zero as a geometric series.
+/// Disks that fall on a base at rest without a minimum rebound speed: the times between a disk's rebounds are
+/// a geometric series that converges to zero.
 SceneDefinition collapsing(bool pair_collisions)
 {
   SceneDefinition scene = test::mixture(30);
@@ -40,7 +40,7 @@ TEST(Collapse, StopsTheRunWhereAllDisksAreInOrder)
     EXPECT_LT(simulation.maxOverlap(), 1e-12);
     EXPECT_GT(simulation.time(), 0.05);
     EXPECT_LT(simulation.time(), 10.0);
-    // It stays where it is.
+    // The time stays.
     const double time = simulation.time();
     EXPECT_THROW(simulation.advanceTo(20.0), StallError);
     EXPECT_EQ(simulation.time(), time);
@@ -87,7 +87,7 @@ TEST(Collapse, SaysWhichDiskAndWhenInNumbers)
   Simulation simulation(scene);
   EXPECT_EQ(simulation.collapseText(), "");
   EXPECT_THROW(simulation.advanceTo(10.0), StallError);
-  // It falls for sqrt(2 H / g) and hops for (1 + e) / (1 - e) of that in all.
+  // It falls for sqrt(2 H / g); the hops take (1 + e) / (1 - e) times that, including the fall.
   const double height = scene.pour.drop_height + scene.base.amplitude;
   const double end = std::sqrt(2.0 * height / 9.81) * (1.0 + 2.0 * 0.1 / 0.9);
   EXPECT_NEAR(simulation.collapses().first_time, end, 1e-9);
@@ -99,8 +99,8 @@ TEST(Collapse, SaysWhichDiskAndWhenInNumbers)
 
 TEST(Collapse, OfManyDisksGoesOnWhereTheSceneSaysSo)
 {
-  // Among many collapsing disks a contact that rounding shows closing to the search and opening to the
-  // execution would be met for ever: this is where it was seen.
+  // If rounding makes a contact approaching for the search and separating for the execution, it is predicted
+  // again and again. This was found with many collapsing disks.
   for (const bool pair_collisions : {true, false})
   {
     SceneDefinition scene = collapsing(pair_collisions);
@@ -117,9 +117,9 @@ TEST(Collapse, OfManyDisksGoesOnWhereTheSceneSaysSo)
   }
 }
 
-/// Disks without rebound slide along steep slopes, through collapse after collapse. Their places are tens of
-/// metres from the origin and are not as fine as the way between two of the contacts: rounded at each, they
-/// would stay behind the base by more with every one of them.
+/// Disks without rebound slide along steep slopes, through many collapses. Their positions are tens of metres
+/// from the origin, with a resolution coarser than the displacement between two contacts. If the position
+/// were rounded at each contact, the overlap would grow with each.
 TEST(Collapse, OfSlidingDisksDoesNotPressThemIntoTheBase)
 {
   SceneDefinition scene = test::mixture(15);
@@ -143,7 +143,7 @@ TEST(Collapse, OfSlidingDisksDoesNotPressThemIntoTheBase)
 
 TEST(Collapse, OfOneDiskLetsTheOthersOfAnEnsembleBe)
 {
-  // The first disk lies on a flat base; the second hops beside it without loss, and is not touched.
+  // The first disk is at rest on a flat base. The second hops beside it without loss, and is not affected.
   SceneDefinition scene = collapsing(false);
   scene.contact.on_collapse = CollapseAction::REBOUND;
   scene.base.tooth_height = 0.0;
@@ -158,7 +158,8 @@ TEST(Collapse, OfOneDiskLetsTheOthersOfAnEnsembleBe)
   EXPECT_NEAR(energy / (9.81 * 0.052), 1.0, 1e-10);
 }
 
-/// Threads come to the disks of an ensemble in any order: what is said of the first must not depend on it.
+/// Threads advance the disks of an ensemble in any order; the report of the first collapse must not depend on
+/// it.
 TEST(Collapse, OfSeveralDisksAtOneTimeTheSmallestIdIsTheFirst)
 {
   ContactDefinition contact;
@@ -178,8 +179,8 @@ TEST(Collapse, OfSeveralDisksAtOneTimeTheSmallestIdIsTheFirst)
   EXPECT_NE(watch.text().find("disk 0 had"), std::string::npos) << watch.text();
 }
 
-/// Disk 1 fits exactly between two walls: once it has been pushed to a side there is no time between its
-/// contacts. Disk 2 comes to rest before that, disk 0 later.
+/// Disk 1 fits exactly between two walls: once pushed to one side, it has contacts without time between them.
+/// Disk 2 comes to rest earlier, disk 0 later.
 SceneDefinition jammed()
 {
   SceneDefinition scene = collapsing(false);

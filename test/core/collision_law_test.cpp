@@ -40,7 +40,8 @@ TEST(ContactMasses, PairOfDifferentMassesAndInertias)
 
 TEST(ContactMasses, InertiaCountsInTheTangentialOneOnly)
 {
-  // m / (1 + 1 / alpha): 2 / 3.5 for a sphere, 2 / 2 for a ring, 2 / 11 where the mass is near the centre.
+  // m / (1 + 1 / alpha): 2 / 3.5 for a sphere, 2 / 2 for a ring, 2 / 11 for a mass concentrated near the
+  // centre.
   const double cases[][2] = {{0.4, 4.0 / 7.0}, {1.0, 1.0}, {0.1, 2.0 / 11.0}};
   for (const auto& [alpha, tangential] : cases)
   {
@@ -59,7 +60,7 @@ struct LawCase
   double j_n, j_t;
 };
 
-/// Worked out by hand for m_n = 2 kg, m_t = 2/3 kg.
+/// Computed by hand for m_n = 2 kg, m_t = 2/3 kg.
 const LawCase CASES[] = {
     {"smooth, elastic", {1.0, 0.0, 0.0}, -3.0, 5.0, 0.0, 12.0, 0.0},
     {"smooth, inelastic", {0.5, 0.0, 0.0}, -3.0, 5.0, 0.0, 9.0, 0.0},
@@ -102,7 +103,7 @@ void expectByHand(const LawCase (&cases)[N], const ContactMasses& masses)
   for (const LawCase& c : cases)
   {
     const Impulse impulse = collide({c.v_min, 0.0, 0.0}, c.coefficients, masses, c.v_n, c.v_t);
-    // Rounding of numbers about 10.
+    // Rounding of values of about 10.
     EXPECT_NEAR(impulse.normal, c.j_n, 1e-14) << c.branch;
     EXPECT_NEAR(impulse.tangential, c.j_t, 1e-14) << c.branch;
   }
@@ -121,7 +122,7 @@ struct SlowCase
   double j_n;
 };
 
-/// Worked out by hand for m_n = 2 kg: J_n = 2 (1 + e(v)) |v_n|.
+/// Computed by hand for m_n = 2 kg: J_n = 2 (1 + e(v)) |v_n|.
 const SlowCase SLOW_CASES[] = {
     {"(1/16)^(3/4) = 1/8: e = 1 - 0.5 / 8", 0.5, 1.0, 0.75, -0.0625, 0.0, 1.9375 * 0.125},
     {"the same share of another v_0", 0.5, 4.0, 0.75, -0.25, 0.0, 1.9375 * 0.5},
@@ -149,7 +150,7 @@ TEST(Collide, ASlowContactLosesLess)
   }
 }
 
-/// At most 18 digits, each a root within two roundings and a product, ten whole powers, and the series.
+/// At most 18 digits, each with a root of two roundings and a product, ten whole powers, and the series.
 TEST(Power, AgreesWithTheLibraryInLongDouble)
 {
   constexpr long double TOLERANCE = 80 * 0x1p-53L;
@@ -201,8 +202,8 @@ SceneDefinition weightless()
   return scene;
 }
 
-/// Places are met as finely as a double holds them at 0.1 m, normals of disks of 1 mm are as good as 1e-14
-/// then, velocities of 1 m/s and spins of 100 /s no worse than that by their size.
+/// A double resolves positions of 0.1 m so that normals of disks of 1 mm have errors of 1e-14. Velocities of
+/// 1 m/s and spins of 100 /s have relative errors no larger than that.
 void expectVelocity(const DiskState& disk, double vx, double vy, double spin)
 {
   EXPECT_NEAR(disk.vx, vx, 1e-13);
@@ -249,8 +250,8 @@ TEST(CollisionByHand, ADiskSlidesOnALeftSlope)
   expectVelocity(simulation.disks()[0], -0.6656, 0.1008, 256.0);
 }
 
-/// A comes down with 1 m/s onto B, which is at rest, and they touch with n = (0.6, 0.8) from B to A,
-/// t = (-0.8, 0.6): v_n = -0.8, v_t = -0.6 - (0.001 * 100 + 0.002 * 50) = -0.8. m_n = 1.2 g, m_t = 0.375 g.
+/// A falls with 1 m/s onto B, which is at rest. They touch with n = (0.6, 0.8) from B to A, t = (-0.8, 0.6):
+/// v_n = -0.8, v_t = -0.6 - (0.001 * 100 + 0.002 * 50) = -0.8. m_n = 1.2 g, m_t = 0.375 g.
 std::vector<DiskState> afterThePairMet(SceneDefinition scene, bool a_first)
 {
   scene.initial = {{0, 0.1 + 0.0018, 0.05 + 0.0024 + 0.002, 0.0, -1.0, 100.0},
@@ -295,9 +296,9 @@ TEST(CollisionByHand, APairWithCoefficientsOfItsOwnSticks)
 
 TEST(CollisionByHand, BetweenWallsTheContactDurationDecides)
 {
-  // Half a gap of 18 mm to the first wall at 1 m/s, then 18 mm at 0.6 m/s: 0.03 s. With t_c below that every
-  // contact takes 0.4 of the speed away; with t_c above it only the first does, for each contact counts anew.
-  // Walls are smooth: the spin stays.
+  // Half a gap of 18 mm to the first wall at 1 m/s, then 18 mm at 0.6 m/s: 0.03 s. With t_c below that, every
+  // contact reduces the speed by 0.4. With t_c above it, only the first does, because each contact restarts
+  // t_c. Walls are smooth: the spin is unchanged.
   for (const double duration : {0.0, 0.029, 0.031})
   {
     SceneDefinition scene = weightless();
@@ -321,7 +322,7 @@ TEST(CollisionByHand, BetweenWallsTheContactDurationDecides)
   }
 }
 
-/// That the first contact of a scene, at 1/16 m/s and v_0 = 1 m/s, has J_n = (1 + e(v)) m_n / 16.
+/// Checks that the first contact of a scene, at 1/16 m/s and v_0 = 1 m/s, has J_n = (1 + e(v)) m_n / 16.
 void expectSlowContact(SceneDefinition scene, CollisionKind kind, double mass, double restitution)
 {
   scene.contact.restitution_speed = 1.0;
@@ -360,9 +361,9 @@ TEST(CollisionByHand, SlowContactsLoseLessWhateverIsMet)
 
 TEST(CollisionByHand, TheFloorDoesNotApplyWithinTheContactDuration)
 {
-  // A leaves the base at the floor, 0.1 m/s, after 1 ms. 8 ms later it is at B, which goes ahead of it at
-  // 0.05 m/s: J_n = 2 * 0.05 * 0.0012 within t_c, also with a restitution by speed; else (0.05 + 0.1) *
-  // 0.0012.
+  // A leaves the base at the minimum rebound speed, 0.1 m/s, after 1 ms. 8 ms later it reaches B, which moves
+  // ahead of it at 0.05 m/s: J_n = 2 * 0.05 * 0.0012 within t_c, also with a speed-dependent restitution;
+  // otherwise (0.05 + 0.1) * 0.0012.
   for (const double v_0 : {0.0, 1.0})
     for (const bool within : {true, false})
     {
@@ -383,7 +384,7 @@ TEST(CollisionByHand, TheFloorDoesNotApplyWithinTheContactDuration)
     }
 }
 
-/// A meets the flat base at 0.6 times its speed, and B a little later, counted from then.
+/// A hits the flat base at 0.6 times its speed, and later B; times are counted from the first contact.
 struct SecondContact
 {
   double a_height, a_speed;  // [m], [m/s] downwards

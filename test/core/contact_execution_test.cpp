@@ -1,4 +1,4 @@
-// Known answers, worked out by hand, of what executed contacts come to.
+// Outcomes of executed contacts, compared with values computed by hand.
 #include "state/contact_execution.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace
 constexpr double SPEED = 1.0;
 constexpr double RADIUS = 0.001;
 
-/// What a contact's execution needs, without the rest of a machine.
+/// The objects that a contact's execution needs.
 struct Bench
 {
   explicit Bench(const SceneDefinition& scene)
@@ -44,7 +44,7 @@ struct Bench
   BaseInstant base;
 };
 
-/// Teeth that stand still.
+/// A sawtooth base at rest.
 SceneDefinition resting(Boundary boundary)
 {
   SceneDefinition scene = test::mixture(0);
@@ -108,7 +108,7 @@ TEST(ContactExecution, LeavesAContactAloneThatOpens)
   EXPECT_EQ(pair.normal_impulse, 0.0);
   EXPECT_EQ(bench.velocity(i), Eigen::Vector2d(2.0, SPEED));
   EXPECT_EQ(bench.velocity(j), Eigen::Vector2d(3.0, SPEED));
-  // Their flights are predicted again all the same.
+  // Their flights are nevertheless predicted again.
   EXPECT_EQ(bench.machine.disk(i).flights, 2u);
   EXPECT_EQ(bench.machine.disk(j).flights, 1u);
 }

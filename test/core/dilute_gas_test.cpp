@@ -15,7 +15,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Disks that a strong drive throws metres high, so that most of their way nothing is near.
+/// Disks that a strong drive throws to heights of metres, so that they mostly have no neighbours.
 SceneDefinition gas(int count, int teeth, double amplitude)
 {
   SceneDefinition scene = test::mixture(count);
@@ -24,7 +24,7 @@ SceneDefinition gas(int count, int teeth, double amplitude)
   return scene;
 }
 
-/// The collisions of a run, and what of it is needed to run on from an instant in another way.
+/// The collisions of a run, and the data for continuing the run by another method.
 struct Watched
 {
   explicit Watched(const SceneDefinition& scene) : simulation(scene)
@@ -36,7 +36,7 @@ struct Watched
   std::vector<CollisionRecord> records;
 };
 
-/// The scene that begins as the run stands. @param ids of its disks in the run
+/// A scene that begins at the run's present state. @param ids of its disks in the run
 SceneDefinition sceneAt(const Simulation& simulation, std::vector<std::uint32_t>& ids)
 {
   SceneDefinition scene = simulation.scene();
@@ -54,9 +54,9 @@ SceneDefinition sceneAt(const Simulation& simulation, std::vector<std::uint32_t>
   return scene;
 }
 
-/// Runs on from where the run stands, and beside it the slow reference, which tests all pairs: collision
-/// for collision the same, as far as the collisions of a disk have not yet let roundings grow.
-/// @param turn to this inclination meanwhile, at 1 rad/s
+/// Continues the run, and in parallel the reference loop, which tests all pairs. All collisions must agree
+/// until rounding errors have grown too large.
+/// @param turn inclination to turn to meanwhile, at 1 rad/s
 void expectSameCollisionsFromHere(Watched& run, double span, std::optional<double> turn)
 {
   std::vector<std::uint32_t> ids;
@@ -67,8 +67,7 @@ void expectSameCollisionsFromHere(Watched& run, double span, std::optional<doubl
   machine.record().observeCollisions([&](const CollisionRecord& record) { expected.push_back(record); });
   if (turn)
   {
-    machine.state().motion().setSlewRates({1.0, 10.0, 0.002}, 0.0);
-    machine.state().motion().command(Quantity::INCLINATION, *turn, 0.0);
+    test::turn(machine.state(), 1.0, *turn, 0.0);
     run.simulation.setSlewRates({1.0, 10.0, 0.002});
     run.simulation.command(Quantity::INCLINATION, *turn);
   }
@@ -79,7 +78,8 @@ void expectSameCollisionsFromHere(Watched& run, double span, std::optional<doubl
   run.records.clear();
   run.simulation.advanceTo(start + span);
   ASSERT_EQ(run.records.size(), expected.size()) << "from " << start;
-  const auto partners = [](std::uint32_t i, std::uint32_t j) { return std::minmax(i, j); };
+  const auto partners = [](std::uint32_t i, std::uint32_t j) -> std::pair<std::uint32_t, std::uint32_t>
+  { return std::minmax(i, j); };
   for (std::size_t k = 0; k < expected.size(); ++k)
   {
     const CollisionRecord& is = run.records[k];
@@ -88,20 +88,20 @@ void expectSameCollisionsFromHere(Watched& run, double span, std::optional<doubl
     const std::uint32_t j = ids[was.j.value_or(was.i)];
     ASSERT_NEAR(is.time - start, was.time, 1e-6) << "collision " << k << " from " << start;
     ASSERT_EQ(is.kind, was.kind) << "collision " << k << " from " << start;
-    ASSERT_EQ(std::pair(partners(is.i, is.j.value_or(is.i))), std::pair(partners(i, j)));
+    ASSERT_EQ(partners(is.i, is.j.value_or(is.i)), partners(i, j));
   }
 }
 
-/// What a gas is held against the reference with.
+/// The parameters of a comparison of a gas with the reference.
 struct Check
 {
   SceneDefinition scene;
-  double events_per_collision;  ///< that it may take at most
+  double events_per_collision;  ///< upper limit
   double warm_up = 3.0;         ///< [s]
-  double swing = 0.0;           ///< where the base turns to and fro between this and its negative [rad]
+  double swing = 0.0;           ///< amplitude of the inclination of a base that turns to and fro [rad]
 };
 
-/// Holds a run against the reference again and again, and counts what it did for a collision.
+/// Compares a run with the reference several times, and counts its events per collision.
 void expectNothingMissed(const Check& check)
 {
   constexpr double SPAN = 0.015;
@@ -165,9 +165,9 @@ TEST(DiluteGas, MissesNothingOnAnOpenBaseThatTurns)
   expectNothingMissed({scene, 100.0, 2.0, 0.1});
 }
 
-/// The lattice turns against the cells, and a disk that went round the ring many times has to be brought
-/// home. Its images do not fly freely then, so that a run that begins anew would be another: looked at so
-/// often instead that no two disks can pass through each other unseen.
+/// The lattice turns relative to the cells, and a disk that went round the ring many times must be wrapped
+/// back. Images are not in free flight then, so a restarted run would be a different one. Instead, the run is
+/// audited so often that no two disks can pass through each other unnoticed.
 TEST(DiluteGas, MissesNothingWhileTheRingTurnsAndStandsInTurns)
 {
   constexpr double LOOK = 1e-4;
@@ -176,7 +176,7 @@ TEST(DiluteGas, MissesNothingWhileTheRingTurnsAndStandsInTurns)
   simulation.advanceTo(3.0);
   for (int swing = 0; swing < 10; ++swing)
   {
-    // 0.1 s to turn, and as long to stand.
+    // 0.1 s of turning, then 0.1 s at rest.
     simulation.command(Quantity::INCLINATION, swing % 2 == 0 ? 0.1 : 0.0);
     const double start = simulation.time();
     for (int look = 1; look <= 2000; ++look)
@@ -189,7 +189,7 @@ TEST(DiluteGas, MissesNothingWhileTheRingTurnsAndStandsInTurns)
   EXPECT_LT(simulation.maxOverlap(), 1e-9 * 0.001);
 }
 
-/// Where nothing is lost disks get ever faster and higher, and there is ever less that they touch.
+/// Without losses, disks get faster and higher, and have fewer neighbours.
 TEST(DiluteGas, CostsNoMoreTheHigherItFlies)
 {
   SceneDefinition scene = gas(5, 10, 0.01);
@@ -207,7 +207,7 @@ TEST(DiluteGas, CostsNoMoreTheHigherItFlies)
   EXPECT_EQ(simulation.auditOverlaps(), 0u);
 }
 
-/// Cells that were laid for a gas are too large for the layer that it becomes.
+/// Cells chosen for a gas are too large for the layer that it condenses to.
 TEST(DiluteGas, CellsShrinkAgainWhereItCondenses)
 {
   const auto near = [](const SceneDefinition& scene, double hot, double amplitude)
@@ -219,7 +219,8 @@ TEST(DiluteGas, CellsShrinkAgainWhereItCondenses)
     simulation.advanceTo(hot + 10.0);
     return simulation.saveState().size();
   };
-  // The state holds the cells: as many as for a run that was never hot, within what both happen to hold.
+  // The state includes the cells: their size must be that of a run that was never hot, apart from the disks
+  // that they contain.
   const SceneDefinition scene = gas(60, 10, 0.1);
   SceneDefinition calm = scene;
   calm.base.amplitude = 0.002;

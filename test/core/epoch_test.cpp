@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "constants.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 #include "state_hash.h"
@@ -10,13 +11,13 @@ namespace ratchet_sieve
 {
 namespace
 {
-constexpr double PI = 3.14159265358979323846;
 constexpr double LARGEST_OVERLAP = 1e-9;  // of the radius
 
-/// Setpoints are reached within a fraction of a period, but no faster than the drive itself moves.
+/// Setpoints are reached within a fraction of a period, but not faster than the drive itself moves.
 constexpr SlewRates SOON{1e3, 1e9, 10.0};
 
-/// Disks so small that a fast drive needs finer times than the scene, which has none, was laid out for.
+/// Very small disks: a fast drive needs a finer time resolution than the scene, which has no drive, was set
+/// up for.
 SceneDefinition tinyDisksAtRest(bool pairs)
 {
   SceneDefinition scene = pairs ? test::mixture(10) : test::singleParticles(10);
@@ -44,7 +45,7 @@ TEST(Epoch, AFrequencyWithoutAnAmplitudeCostsNothing)
   }
 }
 
-/// Nothing falls and next to nothing moves, so that epochs are of seconds, until the base hits the disks.
+/// Nothing falls and almost nothing moves, so epochs last seconds, until the base hits the disks.
 TEST(Epoch, GetsFinerWhereADriveIsCommandedThatNeedsIt)
 {
   for (const bool pairs : {true, false})
@@ -99,7 +100,7 @@ TEST(Epoch, ThatGotFinerIsInTheSavedState)
   EXPECT_EQ(again.events(), simulation.events());
 }
 
-/// Strides are no business of a run: also where its zero of time moves with a command.
+/// Results do not depend on the calls of advanceTo(), even if a command moves the zero of time.
 TEST(Epoch, GetsFinerWithTheSameBitsInAnyStrides)
 {
   const auto run = [](double stride)

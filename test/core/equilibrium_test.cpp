@@ -6,28 +6,27 @@
 
 #include <gtest/gtest.h>
 
+#include "constants.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 
-/// Lossless disks over a base at rest are a gas in equilibrium, of which statistical mechanics knows all
-/// (e.g. Landau & Lifshitz, Statistical Physics, 3rd ed., Part 1: section 44, equipartition; section 29,
-/// Maxwell's distribution; section 38, the barometric formula). Energy is all that is kept over teeth: a
-/// slope takes up momentum in every direction. Over a flat base the momentum along x is kept as well, see
-/// below.
+/// Lossless disks over a base at rest are a gas in equilibrium, for which statistical mechanics gives exact
+/// results (e.g. Landau & Lifshitz, Statistical Physics, 3rd ed., Part 1: section 44, equipartition; section
+/// 29, Maxwell's distribution; section 38, the barometric formula). Over teeth, only energy is conserved,
+/// because a slope takes up momentum in every direction. Over a flat base the momentum along x is conserved
+/// as well, see below.
 namespace ratchet_sieve
 {
 namespace
 {
 
-constexpr double GRAVITY = 9.81;
-
-/// Of the ratio of two mean energies over 10^6 collisions of 200 disks and more. With six seeds it scattered
-/// by 0.5 % (rms), and by 0.9 % where one disk weighs as much as 30 others and gives little energy away at a
-/// time, over 250 s; that mixture is given 600 s. At 100 : 1 it would be 2.5 %.
+/// Tolerance of the ratio of two mean energies over 10^6 collisions of at least 200 disks. With six seeds it
+/// scattered by 0.5 % (rms), and by 0.9 % over 250 s for a mass ratio of 30, where little energy is exchanged
+/// per collision; that mixture runs for 600 s. At 100 : 1 it would be 2.5 %.
 constexpr double OF_MEANS = 0.03;
 
-/// A right engine fails a Kolmogorov-Smirnov test with this probability, if its rounding is changed. Seeds
-/// are fixed, so that it is drawn once for all.
+/// A correct engine fails a Kolmogorov-Smirnov test with this probability after a change of its rounding.
+/// Seeds are fixed, so the result is reproducible.
 constexpr double P_VALUE = 1e-3;
 
 struct Kind
@@ -82,7 +81,7 @@ TEST(Equilibrium, EverySpeciesHasTheSameTranslationalEnergy)
 
 TEST(Equilibrium, ARoughDiskTurnsWithHalfTheEnergyOfItsTranslation)
 {
-  // One degree of freedom to two, whatever the inertia.
+  // One rotational degree of freedom to two translational ones, for any inertia.
   const Kind mixtures[][2] = {{{0.010, 0.001, 0.5}, {0.001, 0.002, 0.5}},
                               {{0.001, 0.001, 1.0}, {0.010, 0.003, 0.1}}};
   for (const auto& mixture : mixtures)
@@ -102,9 +101,9 @@ TEST(Equilibrium, ARoughDiskTurnsWithHalfTheEnergyOfItsTranslation)
 
 TEST(Equilibrium, OverAFlatBaseTwoDisksShareWhatKeepingTheirMomentumLeaves)
 {
-  // Smooth disks over a flat base keep their momentum along x, here 0. Of two disks then p_y of each and
-  // p_x = p_A = -p_B are free, every one of them with T/2: K_A = T/2 (1 + m_B / M), K_B = T/2 (1 + m_A / M).
-  // For 10 : 1 that is 12/11 : 21/11 and far from equal parts.
+  // Smooth disks over a flat base conserve their momentum along x, here 0. For two disks, p_y of each and p_x
+  // = p_A = -p_B are free, each with T/2: K_A = T/2 (1 + m_B / M), K_B = T/2 (1 + m_A / M). For 10 : 1 that
+  // is 12/11 : 21/11, far from equal.
   SceneDefinition scene = closed({0.010, 0.005, 0.5}, {0.001, 0.010, 0.5}, SMOOTH);
   scene.species[0].count = scene.species[1].count = 0;
   scene.base.tooth_height = 0.0;
@@ -118,7 +117,7 @@ TEST(Equilibrium, OverAFlatBaseTwoDisksShareWhatKeepingTheirMomentumLeaves)
               12.0 / 21.0 * OF_MEANS);
 }
 
-/// sqrt(n) times the largest distance of the sample's distribution from the one it is held to be of.
+/// sqrt(n) times the largest distance between the sample's distribution function and the expected one.
 double kolmogorovSmirnov(std::vector<double> sample, const std::function<double(double)>& distribution)
 {
   std::sort(sample.begin(), sample.end());
@@ -133,9 +132,9 @@ double kolmogorovSmirnov(std::vector<double> sample, const std::function<double(
   return std::sqrt(n) * farthest;
 }
 
-/// The probability of a statistic as large or larger, n large: 2 sum (-1)^(k-1) exp(-2 k^2 x^2) (Kolmogorov
-/// 1933; e.g. Marsaglia, Tsang & Wang, J. Stat. Softw. 8(18) (2003), doi:10.18637/jss.v008.i18). For x > 0.3,
-/// say, twenty terms are all.
+/// The probability of a statistic this large or larger, for large n: 2 sum (-1)^(k-1) exp(-2 k^2 x^2)
+/// (Kolmogorov 1933; e.g. Marsaglia, Tsang & Wang, J. Stat. Softw. 8(18) (2003), doi:10.18637/jss.v008.i18).
+/// For x > 0.3, twenty terms are enough.
 double probabilityBeyond(double statistic)
 {
   double sum = 0.0;
@@ -144,7 +143,8 @@ double probabilityBeyond(double statistic)
   return std::min(1.0, sum);
 }
 
-/// Correlation of values about their known mean with those one sample later, `stride` values further on.
+/// Correlation of values, about their known mean, with the values one sample later, `stride` entries further
+/// on.
 double correlation(const std::vector<double>& values, std::size_t stride, double mean)
 {
   double products = 0.0, squares = 0.0;
@@ -158,14 +158,14 @@ double correlation(const std::vector<double>& values, std::size_t stride, double
 
 TEST(Equilibrium, VelocitiesAreMaxwells)
 {
-  // The variance T/m is not the sample's, but comes from the engine's integral of the kinetic energy over the
-  // whole run: its error of 0.3 % moves the distribution by 0.0004, and that N = 200 disks are not infinitely
-  // many (an excess kurtosis of -6 / (4 N + 2)) by 0.0002; the test sees 1.95 / sqrt(30000) = 0.011.
+  // The variance T/m is taken from the engine's integral of the kinetic energy over the whole run, not from
+  // the sample. Its error of 0.3 % changes the distribution by 0.0004, and the finite number N = 200 of disks
+  // (an excess kurtosis of -6 / (4 N + 2)) by 0.0002. The test detects 1.95 / sqrt(30000) = 0.011.
   SceneDefinition scene = closed({0.010, 0.001, 0.5}, {0.001, 0.002, 0.5}, SMOOTH);
   Simulation simulation(scene);
   simulation.advanceTo(scene.settle);
   std::vector<double> vx[2], vy[2];
-  // A disk meets about 36 others or the base in a second.
+  // A disk has about 36 collisions per second.
   for (int k = 1; k <= 300; ++k)
   {
     simulation.advanceTo(scene.settle + k);
@@ -185,7 +185,7 @@ TEST(Equilibrium, VelocitiesAreMaxwells)
       const auto normal = [&](double v) { return 0.5 * std::erfc(-v / scale); };
       const double statistic = kolmogorovSmirnov(sample, normal);
       EXPECT_GT(probabilityBeyond(statistic), P_VALUE);
-      // Samples a second apart are independent: their correlation is 0 within four errors.
+      // Samples one second apart are independent: their correlation is 0 within four standard errors.
       EXPECT_NEAR(correlation(sample, 100, 0.0), 0.0, 4.0 / std::sqrt(30000.0));
     }
   }
@@ -193,10 +193,10 @@ TEST(Equilibrium, VelocitiesAreMaxwells)
 
 TEST(Equilibrium, DensityFollowsTheBarometricFormula)
 {
-  // Nothing of the run goes into what it is held against: a gas of 2 N degrees of motion and of N heights in
-  // a uniform field has 2 N T above all disks' lying on the base. At the base the disks cover 0.2 % of the
-  // plane; that they keep apart shifts the density by 0.7 % there, and B's mean height by 1 % (their second
-  // virial coefficient).
+  // The expected distribution uses no result of the run: a gas of 2 N translational degrees of freedom and N
+  // heights in a uniform field has the energy 2 N T above the state with all disks on the base. At the base
+  // the disks cover 0.2 % of the plane. Their excluded volume shifts the density there by 0.7 %, and B's mean
+  // height by 1 % (second virial coefficient).
   SceneDefinition scene = closed({0.003, 0.001, 0.5}, {0.001, 0.002, 0.5}, SMOOTH);
   scene.base.teeth = 200;
   scene.base.tooth_height = 0.0;
@@ -225,7 +225,8 @@ TEST(Equilibrium, DensityFollowsTheBarometricFormula)
     EXPECT_NEAR(*simulation.means()[species].kinetic_translational / temperature, 1.0, OF_MEANS);
     const auto barometric = [&](double height) { return 1.0 - std::exp(-height / scale); };
     EXPECT_GT(probabilityBeyond(kolmogorovSmirnov(heights[species], barometric)), P_VALUE);
-    // Five seconds apart the correlation is 0.05: 30000 samples are worth 27000 independent ones.
+    // Samples five seconds apart have a correlation of 0.05: 30000 samples are equivalent to 27000
+    // independent ones.
     EXPECT_LT(correlation(heights[species], 100, mean), 0.1);
   }
 }

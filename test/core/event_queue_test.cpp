@@ -23,7 +23,7 @@ TEST(EventQueue, FollowsASortedSetThroughRandomUpdates)
         std::set<std::pair<double, std::uint32_t>> reference;
         for (std::uint32_t id = 0; id < count; ++id)
           reference.emplace(EventQueue::NEVER, id);
-        // Few different times, so that ties are common.
+        // Few different times, so that ties are frequent.
         const auto updates = *rc::gen::container<std::vector<std::pair<std::uint32_t, int>>>(
             rc::gen::pair(rc::gen::inRange<std::uint32_t>(0, count), rc::gen::inRange(0, 12)));
         for (const auto& [id, when] : updates)

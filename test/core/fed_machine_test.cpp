@@ -9,7 +9,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Short and open, and fed: thousands of disks come and go.
+/// Short, open, with a feed: thousands of disks come and leave.
 SceneDefinition fedSieve(bool pairs)
 {
   SceneDefinition scene = test::mixture(5);
@@ -24,7 +24,7 @@ SceneDefinition fedSieve(bool pairs)
   return scene;
 }
 
-constexpr double LONG = 25.0;  // s: long enough for places to be given up twice
+constexpr double LONG = 25.0;  // s: long enough for two compactions
 
 TEST(FedMachine, ForgetsTheDisksThatHaveLeft)
 {
@@ -80,7 +80,7 @@ TEST(FedMachine, NumbersEveryDiskThatEntersOnce)
 
 TEST(FedMachine, SumsUpWhatItForgets)
 {
-  // The means, taken from what was seen of every disk.
+  // The means, computed from the observed states of every disk.
   Simulation simulation(fedSieve(true));
   simulation.advanceTo(1.0);
   double displacement = 0.0;
@@ -109,7 +109,7 @@ TEST(FedMachine, SumsUpWhatItForgets)
     before = now;
   }
   const double mean = simulation.means().at(0).mean_vx.value();
-  // Of each disk the last piece of a step, and a piece of the first, are not seen.
+  // The last part of each disk's path, and a part of the first step, are not observed.
   EXPECT_NEAR(mean, displacement / time_sum, 0.02 * std::abs(mean));
 }
 

@@ -9,8 +9,8 @@ namespace ratchet_sieve
 namespace
 {
 
-/// The bits of a run, the same on every machine, with every compiler and at every optimisation
-/// level. A change of the engine that changes them is a change of results: say so in the CHANGELOG.
+/// The bits of a run, the same on every machine, with every compiler and at every optimisation level. A
+/// change of the engine that changes them changes results: mention it in the CHANGELOG.
 TEST(Golden, Ensemble)
 {
   Simulation simulation(test::singleParticles(50));
@@ -28,7 +28,7 @@ TEST(Golden, Mixture)
   EXPECT_EQ(test::stateHash(simulation), 18277699463035252649ull);
 }
 
-/// So many disks that what the next events need is fetched ahead.
+/// Enough disks for the prefetching of the next events.
 TEST(Golden, LargeMixture)
 {
   SceneDefinition scene = test::mixture(16000);
@@ -47,6 +47,47 @@ TEST(Golden, SetpointsWhileItRuns)
   simulation.command(Quantity::FREQUENCY, 26.0);
   simulation.advanceTo(4.0);
   EXPECT_EQ(test::stateHash(simulation), 2012284987454928914ull);
+}
+
+/// The seam of a periodic base that turns, with and without disk-disk collisions.
+TEST(Golden, RingsThatTurn)
+{
+  const auto hash = [](const SceneDefinition& scene)
+  {
+    Simulation simulation(scene);
+    for (const double setpoint : {0.1, -0.05, 0.0})
+    {
+      simulation.command(Quantity::INCLINATION, setpoint);
+      simulation.advanceTo(simulation.time() + 0.7);
+    }
+    return test::stateHash(simulation);
+  };
+  SceneDefinition ring = test::mixture(30);
+  ring.base.teeth = 3;
+  EXPECT_EQ(hash(ring), 896679363650628338ull);
+  ring.contact.pair_collisions = false;
+  EXPECT_EQ(hash(ring), 16120940586382281798ull);
+}
+
+/// Setpoints that arrive within steps, on both kinds of base.
+TEST(Golden, StepsWithSetpointsWhileTheyRun)
+{
+  const auto hash = [](SceneDefinition scene)
+  {
+    scene.accuracy.method = Method::STEPS;
+    scene.accuracy.step = 0.0013;
+    Simulation simulation(scene);
+    simulation.advanceTo(0.5);
+    simulation.command(Quantity::INCLINATION, 0.1);
+    simulation.command(Quantity::FREQUENCY, 26.0);
+    simulation.advanceTo(2.0);
+    EXPECT_GT(simulation.collisions().disk_disk, 1000u);
+    return test::stateHash(simulation);
+  };
+  SceneDefinition ring = test::mixture(60);
+  ring.base.teeth = 5;
+  EXPECT_EQ(hash(ring), 9125396403478974930ull);
+  EXPECT_EQ(hash(test::openMixture(30)), 5592656848024464036ull);
 }
 
 }  // namespace

@@ -1,13 +1,17 @@
 #include "lanes/lane_rows.h"
+#include "model/lane_limit.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "draws.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 
@@ -15,9 +19,9 @@ namespace ratchet_sieve
 {
 namespace
 {
-constexpr double HORIZON = 0.4;
+constexpr double SEARCH_HORIZON = 0.4;
 
-/// Has simulations use so many lanes for a while.
+/// Sets the number of lanes of all simulations for its lifetime.
 class Lanes
 {
 public:
@@ -32,7 +36,7 @@ private:
   bool present_;
 };
 
-/// Fig. 3, and what is different from it in each respect that the lanes know.
+/// Fig. 3, and variants of it in each property that the SIMD code distinguishes.
 std::vector<SceneDefinition> scenes()
 {
   std::vector<SceneDefinition> scenes(7, test::singleParticles(150));
@@ -63,7 +67,7 @@ std::vector<SceneDefinition> scenes()
   return scenes;
 }
 
-/// All that a run holds at its end, to the last bit.
+/// The complete state of a run at its end, bit for bit.
 std::string stateAfter(const SceneDefinition& scene, int strides, std::size_t threads)
 {
   constexpr double END = 1.9;
@@ -113,6 +117,33 @@ TEST(Lanes, OneAndTwoAreInEveryMachine)
   EXPECT_TRUE(useLanes(0));
 }
 
+TEST(Lanes, AreLimitedByTheEnvironment)
+{
+  // The limit, or 0 if the run is refused.
+  const auto limited = [](const std::string& text)
+  {
+    setenv("RATCHET_SIEVE_LANES", text.c_str(), 1);
+    int limit = 0;
+    try
+    {
+      Simulation simulation(test::singleParticles(1));
+      limit = laneLimit();
+    }
+    catch (const std::invalid_argument& error)
+    {
+      EXPECT_EQ(error.what(),
+                "environment variable RATCHET_SIEVE_LANES = " + text + ": must be 1, 2, 4 or 8");
+    }
+    unsetenv("RATCHET_SIEVE_LANES");
+    return limit;
+  };
+  EXPECT_EQ(laneLimit(), 8);
+  EXPECT_EQ(limited("1"), 1);
+  EXPECT_EQ(limited("4"), 4);
+  for (const char* text : {"3", "", "16", "08", "4 "})
+    EXPECT_EQ(limited(text), 0) << text;
+}
+
 std::vector<CollisionRecord> recordsOf(std::size_t threads)
 {
   Simulation simulation(test::singleParticles(300));
@@ -141,7 +172,7 @@ TEST(Lanes, WhoeverWatchesIsToldInTheSameOrder)
   }
 }
 
-/// The scene's plan, with the machine's own code instead of the lanes.
+/// The scene's plan without SIMD.
 Plan withoutLanes(const SceneDefinition& scene)
 {
   Plan plan = planOf(scene);
@@ -156,15 +187,17 @@ TEST(Lanes, OnlyWhereThePlanHasThemAndTheBaseStandsAtItsSetpoints)
   EXPECT_FALSE(laneScene(MachineState(scene, withoutLanes(scene))));
   MachineState machine(scene);
   EXPECT_TRUE(laneScene(machine));
-  machine.motion().command(Quantity::FREQUENCY, 30.0, 0.1);
+  machine.changeMotion([](BaseMotion& motion, double now) { motion.command(Quantity::FREQUENCY, 30.0, now); },
+                       0.1);
   EXPECT_FALSE(laneScene(machine));
 }
 
-/// Before chaos takes over, each disk goes the same way in both; every contact's outcome is among it.
+/// Before rounding errors grow, each disk follows the same path in both; the outcomes of all contacts are
+/// compared as well.
 TEST(Lanes, GoTheSameWayAsTheMachine)
 {
   std::vector<SceneDefinition> all = scenes();
-  // Where disks come to rest, the last bits are all that is left of their ways.
+  // For disks that come to rest, the final positions differ only by rounding.
   all.pop_back();
   for (SceneDefinition& scene : all)
   {
@@ -183,7 +216,7 @@ TEST(Lanes, GoTheSameWayAsTheMachine)
             std::abs(one[i].vy - other[i].vy) < 1e-7 && std::abs(one[i].angle - other[i].angle) < 1e-6 &&
             std::abs(one[i].spin - other[i].spin) < 1e-5 + 1e-9 / scene.species[one[i].species].radius))
         ++apart;
-    // A flight that all but grazes an apex, and then does or does not, parts the two.
+    // A flight that nearly grazes an apex may hit it in one version only.
     EXPECT_LE(apart, static_cast<int>(one.size()) / 50) << &scene - all.data();
     EXPECT_NEAR(in_lanes.energy(), without.energy(), 1e-2 * std::abs(without.energy()));
   }
@@ -201,7 +234,7 @@ TEST(Lanes, GiveTheSameMeansAsTheMachine)
   const SpeciesMeans one = in_lanes.means()[0];
   const SpeciesMeans other = without.means()[0];
   EXPECT_NEAR(*one.mean_vx, *other.mean_vx, 4.0 * std::hypot(*one.mean_vx_stderr, *other.mean_vx_stderr));
-  // Some 200,000 contacts each.
+  // About 200,000 contacts each.
   EXPECT_NEAR(*one.kinetic_translational / *other.kinetic_translational, 1.0, 0.02);
   EXPECT_NEAR(*one.kinetic_rotational / *other.kinetic_rotational, 1.0, 0.03);
   EXPECT_NEAR(*in_lanes.collisions().shortToLong(0.3) / *without.collisions().shortToLong(0.3), 1.0, 0.03);
@@ -214,12 +247,7 @@ TEST(Lanes, GiveTheSameMeansAsTheMachine)
   EXPECT_NEAR(in_lanes.baseImpulse().y() / without.baseImpulse().y(), 1.0, 0.01);
 }
 
-double drawn(double low, double high)
-{
-  return low + (high - low) * (*rc::gen::inRange(0, 1000001) * 1e-6);
-}
-
-SceneDefinition drawnScene()
+SceneDefinition drawnSceneForLanes()
 {
   SceneDefinition scene = test::singleParticles(0);
   BaseDefinition& base = scene.base;
@@ -236,7 +264,7 @@ SceneDefinition drawnScene()
   return scene;
 }
 
-/// A disk that starts anywhere clear of the base, or where it touches it, in any direction.
+/// A disk that starts anywhere free of the base, or touching it, in any direction.
 Disk drawnDisk(const MachineState& machine)
 {
   const double radius = machine.scene().species[0].radius;
@@ -268,7 +296,7 @@ BaseEvent searchInLanes(const Machine& machine)
   BaseEvent event{0.0, {}};
   loadRow(machine, 0, event, batch, 0);
   kernel.launch(scene, batch, 1);
-  for (int i = 0; i < 2000 && !event.feature && event.time < HORIZON; ++i)
+  for (int i = 0; i < 2000 && !event.feature && event.time < SEARCH_HORIZON; ++i)
   {
     kernel.search(scene, batch, 1);
     event = rowEvent(batch, 0);
@@ -278,7 +306,7 @@ BaseEvent searchInLanes(const Machine& machine)
 
 bool isClear(const MachineState& machine, const BaseEvent& event)
 {
-  if (!event.feature || event.time >= HORIZON)
+  if (!event.feature || event.time >= SEARCH_HORIZON)
     return false;
   const BasePoint point = machine.search().seenFromBase(machine.disk(0), event.time);
   return machine.sawtooth().approach(event.feature, point, machine.radius(0)).rate < -1e-2;
@@ -287,12 +315,12 @@ bool isClear(const MachineState& machine, const BaseEvent& event)
 BaseEvent searchInMachine(const MachineState& machine)
 {
   BaseEvent event{0.0, {}};
-  for (int i = 0; i < 2000 && !event.feature && event.time < HORIZON; ++i)
-    event = machine.search().find(machine.disk(0), machine.radius(0), event.time, HORIZON);
+  for (int i = 0; i < 2000 && !event.feature && event.time < SEARCH_HORIZON; ++i)
+    event = machine.search().find(machine.disk(0), machine.radius(0), event.time, SEARCH_HORIZON);
   return event;
 }
 
-/// Nothing touches at any of many instants before the contact; at the contact the rim touches and closes.
+/// At many times before the contact, nothing touches; at the contact the rim touches and approaches.
 void checkAgainstScan(const MachineState& machine, const BaseEvent& event)
 {
   const double radius = machine.radius(0);
@@ -301,9 +329,9 @@ void checkAgainstScan(const MachineState& machine, const BaseEvent& event)
     const BasePoint point = machine.search().seenFromBase(machine.disk(0), time);
     return machine.sawtooth().heightAbove(point.s(), point.n()) - radius;
   };
-  // What a disk of this size overlapped at its start is rounding; places of up to a few metres are seen.
+  // The initial overlap of a disk of this size is rounding; positions are up to a few metres.
   const double tolerance = 1e-9 * radius + 1e-14;
-  const double end = std::min(event.time, HORIZON);
+  const double end = std::min(event.time, SEARCH_HORIZON);
   for (int i = 0; i < 1000; ++i)
     RC_ASSERT(gapAt(end * i / 1000.0) > -tolerance);
   if (!event.feature)
@@ -320,13 +348,13 @@ TEST(Lanes, FindTheFirstContactOfRandomFlights)
   EXPECT_TRUE(rc::check(
       []
       {
-        Machine machine(drawnScene());
+        Machine machine(drawnSceneForLanes());
         machine.add(drawnDisk(machine.state()));
         const Lanes lanes(*rc::gen::element(1, 2, 0));
         const BaseEvent found = searchInLanes(machine);
         checkAgainstScan(machine.state(), found);
         const BaseEvent expected = searchInMachine(machine.state());
-        // Whether a graze is one hangs on the last bit.
+        // Rounding decides whether a grazing contact occurs.
         const bool clear = isClear(machine.state(), found) && isClear(machine.state(), expected);
         RC_CLASSIFY(!clear, "no contact, or a graze");
         RC_ASSERT(static_cast<bool>(found.feature) || !isClear(machine.state(), expected));
@@ -335,7 +363,7 @@ TEST(Lanes, FindTheFirstContactOfRandomFlights)
       }));
 }
 
-/// What came of a row's event, executed in the lanes and by the machine, field by field.
+/// Compares the outcome of a row's event by SIMD and by the machine, field by field.
 void expectSameOutcome(const ContactOutcome& lanes, const ContactOutcome& machine)
 {
   constexpr double ROUNDING = 1e-11;
@@ -359,7 +387,7 @@ TEST(Lanes, HandOverTheSameOutcomesAsTheMachine)
   EXPECT_TRUE(rc::check(
       []
       {
-        SceneDefinition scene = drawnScene();
+        SceneDefinition scene = drawnSceneForLanes();
         scene.contact.restitution_speed = *rc::gen::element(0.0, 0.4);
         scene.contact.min_rebound_speed = *rc::gen::element(0.0, 0.05);
         Machine machine(scene);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "constants.h"
 #include "model/base_motion.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "reference_loop.h"
@@ -18,7 +19,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-constexpr double PI = 3.14159265358979323846;
 
 SceneDefinition circling(SceneDefinition scene)
 {
@@ -27,7 +27,7 @@ SceneDefinition circling(SceneDefinition scene)
   return scene;
 }
 
-/// D by the C library's sine, A as it is over that of the scene being `scale`.
+/// D with the C library's sine, for `scale` = A over the scene's A.
 Eigen::Vector2d placeByHand(const BaseDefinition& base, double phase, double scale)
 {
   Eigen::Vector2d place(base.horizontal_amplitude * std::sin(phase + base.horizontal_phase),
@@ -57,7 +57,7 @@ TEST(Orbit, IsTheSumOfItsSines)
   }
 }
 
-/// Whole turns in its phases take no digits from it.
+/// Whole turns in the phases cost no precision.
 TEST(Orbit, OfManyTurnsIsTheSame)
 {
   BaseDefinition base = test::onAnOrbit(test::mixture(1)).base;
@@ -76,7 +76,7 @@ TEST(Orbit, OfManyTurnsIsTheSame)
   }
 }
 
-/// Velocity and acceleration against differences, on ramps too.
+/// Velocity and acceleration compared with finite differences, also on ramps.
 TEST(Orbit, MovesAtItsVelocityWithinItsBounds)
 {
   const BaseDefinition base = test::onAnOrbit(test::mixture(1)).base;
@@ -134,8 +134,8 @@ TEST(Orbit, WithoutAnAmplitudeOfTheSceneStandsByItself)
   EXPECT_LT((motion.at(time).displacement - expected).norm(), 1e-15);
 }
 
-/// A disk falls on a flat base that moves to and fro under it alone. Its contact by hand: the base's surface
-/// moves at V, so that the disk's slips at -V, and rolls or slips by Coulomb's law.
+/// A disk falls on a flat base that moves horizontally. Its contact by hand: the base's surface moves at V,
+/// so that the disk's surface slips at -V, and rolls or slips by Coulomb's law.
 TEST(Orbit, AFlatBaseThatMovesSidewaysDragsADiskAlong)
 {
   for (const double friction : {0.05, 10.0})
@@ -167,7 +167,7 @@ TEST(Orbit, AFlatBaseThatMovesSidewaysDragsADiskAlong)
   }
 }
 
-/// What an oblique stroke, up and to the right, throws to the right; turned around, to the left.
+/// An oblique stroke, up and to the right, transports to the right; mirrored, to the left.
 TEST(Orbit, AnObliqueFeederFeedsTheWayItStrikes)
 {
   for (const double side : {1.0, -1.0})
@@ -182,8 +182,8 @@ TEST(Orbit, AnObliqueFeederFeedsTheWayItStrikes)
   }
 }
 
-/// Where the drive has a frequency of 0, or all of it is scaled to nothing, the base stands where its phase
-/// has it, and lossless disks keep their energy.
+/// If the frequency or the scale of the drive is 0, the base is at rest at its phase, and lossless disks
+/// conserve their energy.
 TEST(Orbit, ThatStandsStillKeepsTheEnergyOfLosslessDisks)
 {
   SceneDefinition scene = test::onAnOrbit(test::mixture(15));
@@ -219,8 +219,8 @@ TEST(Orbit, StridesDoNotMatter)
   }
 }
 
-/// The loop with its cells, queue and lazy search against the slow reference; and disks that never meet as an
-/// ensemble against the same among each other.
+/// The loop with cells, queue and lazy search is compared with the reference loop. For disks that never meet,
+/// the ensemble loop is compared with the pair loop.
 TEST(Orbit, TheLoopsAgreeWithTheReference)
 {
   SceneDefinition scene = test::onAnOrbit(test::mixture(6));
@@ -254,7 +254,7 @@ TEST(Orbit, TheLoopsAgreeWithTheReference)
   }
 }
 
-/// Single disks: the ensemble's loop against each disk alone among pairs.
+/// Independent disks: the ensemble loop is compared with each disk alone in the pair loop.
 TEST(Orbit, AnEnsembleIsManyDisksAlone)
 {
   SceneDefinition scene = test::onAnOrbit(test::singleParticles(0));

@@ -26,7 +26,7 @@ struct Placed
   double radius;
 };
 
-/// The smaller slot, the larger, and by how many widths the larger's image lies to the right.
+/// The smaller slot, the larger, and the image of the larger, in widths to the right.
 using Overlap = std::tuple<std::uint32_t, std::uint32_t, int>;
 
 Overlap ordered(std::uint32_t slot, std::uint32_t other, int shift)
@@ -58,7 +58,7 @@ OverlapSearch searchOf(const std::vector<Placed>& disks, double width, bool peri
   return search;
 }
 
-/// By how much two disks overlap, < 0: apart [m].
+/// Overlap of two disks, < 0: apart [m].
 double overlapOf(const Placed& a, const Placed& b, double shift)
 {
   return a.radius + b.radius - std::hypot(a.s - b.s - shift, a.n - b.n);

@@ -38,9 +38,9 @@ std::vector<CollisionRecord> collisionsOf(const SceneDefinition& scene, double e
   return records;
 }
 
-/// The two run the same physics in different roundings, and the system is chaotic: an error of
-/// 1e-16 grows about tenfold with each collision of a disk. Over the first ten or so collisions of
-/// every disk they must agree collision for collision.
+/// The two run the same physics with different rounding, and the system is chaotic: an error of 1e-16 grows
+/// about tenfold with each collision of a disk. Over the first ten or so collisions of every disk they must
+/// agree collision for collision.
 void expectSameCollisions(const SceneDefinition& scene, double end, std::size_t count)
 {
   const auto fast = collisionsOf(scene, end, false);
@@ -91,7 +91,7 @@ TEST(PairLoop, MeetsTheSameCollisionsAsTheReferenceWalled)
 
 TEST(PairLoop, ImagesAreSeenOnARingOfOneCell)
 {
-  // Two disks of 15 mm on a ring of 20 mm: each meets the other on both sides.
+  // Two disks of 15 mm on a ring of 20 mm: each collides with the other on both sides.
   SceneDefinition scene = test::mixture(1);
   scene.base.teeth = 1;
   scene.species[0].radius = 0.0075;

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "draws.h"
+#include "reference_loop.h"
 #include "scenes.h"
 
 namespace ratchet_sieve
@@ -15,18 +17,13 @@ namespace ratchet_sieve
 namespace
 {
 
-double drawn(double low, double high)
-{
-  return low + (high - low) * (*rc::gen::inRange(0, 1000001) * 1e-6);
-}
-
 TEST(TimeToTouch, KnownAnswers)
 {
   EXPECT_DOUBLE_EQ(*timeToContact({3.0, 0.0}, {-1.0, 0.0}, 1.0), 2.0);
   EXPECT_FALSE(timeToContact({3.0, 0.0}, {1.0, 0.0}, 1.0));      // part
   EXPECT_FALSE(timeToContact({3.0, 1.1}, {-1.0, 0.0}, 1.0));     // pass
-  EXPECT_EQ(*timeToContact({0.9, 0.0}, {-1.0, 0.0}, 1.0), 0.0);  // overlap and close: now
-  EXPECT_FALSE(timeToContact({0.9, 0.0}, {1.0, 0.0}, 1.0));      // overlap and part: left alone
+  EXPECT_EQ(*timeToContact({0.9, 0.0}, {-1.0, 0.0}, 1.0), 0.0);  // overlapping and approaching: now
+  EXPECT_FALSE(timeToContact({0.9, 0.0}, {1.0, 0.0}, 1.0));      // overlapping and separating: ignored
 }
 
 double gapAt(const MachineState& machine, int shift, double time)
@@ -49,8 +46,7 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
         SceneDefinition scene = test::mixture(0);
         scene.base.teeth = 4;
         MachineState machine(scene);
-        machine.motion().setSlewRates({*rc::gen::element(0.1, 1.0, 5.0), 10.0, 0.002}, 0.0);
-        machine.motion().command(Quantity::INCLINATION, *rc::gen::element(-1.0, 1.0), 0.0);
+        test::turn(machine, *rc::gen::element(0.1, 1.0, 5.0), *rc::gen::element(-1.0, 1.0), 0.0);
         const double until = *machine.motion().nextChange();
         Disk left, right;
         left.position.x() = drawn(0.002, 0.006);
@@ -76,7 +72,7 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
       }));
 }
 
-/// Many disks side by side give what each alone gives, to the last bit.
+/// Many disks side by side give the same results as each alone, bit for bit.
 TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
 {
   EXPECT_TRUE(rc::check(
@@ -112,7 +108,8 @@ TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
       }));
 }
 
-/// A ring of disks that closes around one: they touch it at the same time, but for less than a time can say.
+/// A ring of disks that closes around one: they touch it at times that differ by less than the time
+/// resolution.
 TEST(PairSearch, TiesGoToTheSmallestId)
 {
   constexpr std::uint32_t COUNT = 40;

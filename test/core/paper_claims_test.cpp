@@ -1,10 +1,12 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 
-/// What the paper (Granular segregation by an oscillating ratchet mechanism) says, and what other
-/// programs found for the same machine.
+/// The claims of the paper (Granular segregation by an oscillating ratchet mechanism), and the results of
+/// other programs for the same machine.
 namespace ratchet_sieve
 {
 namespace
@@ -39,7 +41,7 @@ TEST(PaperClaims, Fig3SpreadsWithTime)
   simulation.advanceTo(5.0);
   const double early = spread();
   simulation.advanceTo(20.0);
-  EXPECT_GT(spread(), 2.5 * early);  // diffusion: four times, give or take the sampling
+  EXPECT_GT(spread(), 2.5 * early);  // diffusion: four times, within the sampling error
 }
 
 TEST(PaperClaims, Fig4InclinationTurnsTheCurrent)
@@ -66,7 +68,9 @@ TEST(PaperClaims, Fig8MixtureAtRestAngleBothGoRightAndBIsFaster)
   EXPECT_LT(simulation.maxOverlap(), 1e-9 * 0.001);
 }
 
-TEST(PaperClaims, Fig8MixtureInclinedGoesBothWays)
+/// In the paper, A moves to the right at this angle. Here it does not, for any way of measuring:
+/// docs/paper.md.
+TEST(PaperClaims, Fig8MixtureInclinedBothGoLeftAndBIsFaster)
 {
   SceneDefinition scene = test::mixture(262);
   scene.base.inclination = 0.157;
@@ -74,8 +78,10 @@ TEST(PaperClaims, Fig8MixtureInclinedGoesBothWays)
   Simulation simulation(scene);
   simulation.advanceTo(22.0);
   const auto means = simulation.means();
-  EXPECT_LT(*means[1].mean_vx, -5.0 * *means[1].mean_vx_stderr) << "B goes left";
-  EXPECT_GT(*means[0].mean_vx, *means[1].mean_vx);
+  for (const SpeciesMeans& species : means)
+    EXPECT_LT(*species.mean_vx, -5.0 * *species.mean_vx_stderr);
+  EXPECT_LT(*means[1].mean_vx - *means[0].mean_vx,
+            -5.0 * std::hypot(*means[0].mean_vx_stderr, *means[1].mean_vx_stderr));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ std::vector<PeriodRecord> periodsOf(Simulation& simulation, double end)
   return periods;
 }
 
-/// Whether the drive stands at the phase of the run's start at the ends of a period, and nowhere within it.
+/// Checks that the drive has the phase of the run's start at the ends of a period, and nowhere within it.
 void expectWhole(const SceneDefinition& scene, const PeriodRecord& period, Simulation& same)
 {
   same.advanceTo(period.end);
@@ -69,7 +69,7 @@ TEST(PeriodWatch, AveragesAtInstantsEvenlySpreadOverThePhase)
   }
 }
 
-/// Against a thousand instants in each of 23 periods.
+/// Compared with a thousand samples in each of 23 periods.
 TEST(PeriodWatch, ComesNearTheMeanOverAllOfThePeriod)
 {
   constexpr int INSTANTS = 1000;
@@ -130,7 +130,7 @@ TEST(PeriodWatch, DropsAPeriodThatWasInterrupted)
   EXPECT_FALSE(simulation.swings());
   simulation.command(Quantity::AMPLITUDE, 0.001);
   simulation.advanceTo(1.2);
-  // The phase went on meanwhile: the first whole period begins with the 24th turn.
+  // The phase continued meanwhile: the first whole period begins with the 24th turn.
   ASSERT_GT(periods.size(), 11u);
   EXPECT_NEAR(periods[11].start, 23.0 / 23.0, 1e-12);
 }
@@ -157,7 +157,8 @@ TEST(PeriodWatch, LooksAtSomePeriodsOfAFastDrive)
   EXPECT_NEAR(periods[4].start, 4.0 * PeriodWatch::LEAST_SPACING, 1.1e-5);
 }
 
-/// Watching stops a run more often, which must not show in it: with and without pairs, while told things.
+/// Observation adds stops of the run, which must not change its results: with and without pairs, with
+/// commands.
 TEST(PeriodWatch, ChangesNotABitOfTheRun)
 {
   for (const SceneDefinition& scene : {test::mixture(30), test::singleParticles(50), test::openMixture(10)})

@@ -29,7 +29,7 @@ SceneDefinition smooth(SceneDefinition scene)
   return scene;
 }
 
-/// All but the search above the band, which comes to a contact by other steps and rounds otherwise.
+/// Without the search above the band, which reaches a contact by other steps and rounds differently.
 Plan exactFullPlan(const SceneDefinition& scene)
 {
   Plan plan = fullPlan(scene);
@@ -131,24 +131,24 @@ TEST(Plan, HasLanesOnlyForSingleDisksOnAPeriodicBaseWithoutContactTimes)
 TEST(Plan, SaysWhatItIs)
 {
   const std::string no_lanes =
-      ", no lanes (for single disks without contact times on a periodic base that is "
-      "driven up and down by a sine)";
+      ", no lanes (only for independent disks without contact times on a periodic base with a vertical sine "
+      "drive)";
   EXPECT_EQ(
       planText(planOf(smallMixture())),
       "pairs, spin, drive, no contact times (contact_duration is 0), no base search above the base's reach" +
           no_lanes);
-  EXPECT_EQ(
-      planText(planOf(test::singleParticles(5))),
-      "no pairs (disks do not see each other), spin, drive, no contact times (contact_duration is 0), no "
-      "base search above the base's reach, lanes");
+  EXPECT_EQ(planText(planOf(test::singleParticles(5))),
+            "no pairs (disks do not collide with each other), spin, drive, no contact times "
+            "(contact_duration is 0), no "
+            "base search above the base's reach, lanes");
   SceneDefinition scene = smooth(test::singleParticles(5));
   scene.base.amplitude = 0.0;
   scene.contact.contact_duration = 1e-4;
-  EXPECT_EQ(
-      planText(planOf(scene)),
-      "no pairs (disks do not see each other), no spin (no friction turns a disk), no drive (the base stands "
-      "still), contact times, no base search above the base's reach" +
-          no_lanes);
+  EXPECT_EQ(planText(planOf(scene)),
+            "no pairs (disks do not collide with each other), no spin (no friction turns a disk), no drive "
+            "(the base stands "
+            "still), contact times, no base search above the base's reach" +
+                no_lanes);
 }
 
 TEST(Plan, ThatLeavesOutWhatTheSceneNeedsIsRefused)
@@ -165,7 +165,7 @@ TEST(Plan, ThatLeavesOutWhatTheSceneNeedsIsRefused)
   EXPECT_THROW(Simulation(singles, Plan()), std::invalid_argument) << "they would collide";
 }
 
-/// With commands that set a standing base going, turn it and bring it to rest again.
+/// With commands that start a standing base, turn it and stop it again.
 void runThrough(Simulation& simulation)
 {
   simulation.setSlewRates({0.3, 40.0, 0.004});
@@ -201,7 +201,7 @@ void expectTheSameBits(const SceneDefinition& scene)
   }
 }
 
-/// Every scene of this test has something that its plan leaves out.
+/// The plan of every scene in this test leaves out something.
 TEST(Plan, LeavesOutWhatChangesNoBit)
 {
   for (const bool pairs : {true, false})
@@ -231,8 +231,8 @@ std::vector<CollisionRecord> collisionsOf(Simulation simulation)
   return records;
 }
 
-/// The two come to a contact by other steps, each to the resolution of time; what rounding makes of that
-/// grows with every collision, so that only the first ones can be set beside each other.
+/// The two searches reach a contact by different steps, each within the time resolution. The resulting
+/// rounding errors grow with every collision, so only the first ones can be compared.
 TEST(Plan, WaitsAboveTheBandForTheSameContacts)
 {
   constexpr double ROUNDING = 1e-10;  // s and m/s, over three or four bounces

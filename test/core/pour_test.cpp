@@ -42,7 +42,7 @@ TEST(Pour, NoTwoDisksOverlapAndNoneIsBelowTheDropHeight)
       }));
 }
 
-/// The lowest height at which a disk touches none of the others, found by climbing over all of them.
+/// The lowest height at which a disk touches none of the others, found by testing all of them.
 double lowestByClimbing(const PlacedDisk& disk, double lowest, const std::vector<PlacedDisk>& others,
                         double width, bool periodic)
 {
@@ -65,7 +65,7 @@ double lowestByClimbing(const PlacedDisk& disk, double lowest, const std::vector
   return height;
 }
 
-/// Heaps some tens of disks high, in which the room that is left lies deep under the surface.
+/// Heaps of some tens of disks, in which the free positions are deep below the surface.
 TEST(Pour, PlacesEachDiskAsLowAsThereIsRoomToTheBit)
 {
   EXPECT_TRUE(rc::check(
@@ -110,7 +110,7 @@ TEST(Pour, PlacesAreUniformAlongTheBase)
   double distance = 0.0;
   for (int i = 0; i < count; ++i)
     distance = std::max(distance, std::abs(places[i] - (i + 0.5) / count));
-  // Kolmogorov-Smirnov: 1.63 / sqrt(n) is passed by one uniform sample in a hundred; the seed is fixed.
+  // Kolmogorov-Smirnov: one uniform sample in a hundred exceeds 1.63 / sqrt(n); the seed is fixed.
   EXPECT_LT(distance, 1.63 / std::sqrt(count));
 }
 
@@ -120,7 +120,7 @@ TEST(Pour, OrderHasEverySpeciesAsOftenAsAskedForAndMixed)
   const auto order = pourOrder(test::mixture(500).species, random);
   ASSERT_EQ(order.size(), 1000u);
   EXPECT_EQ(std::count(order.begin(), order.end(), 0u), 500);
-  // In a fair shuffle half of the first 500 are of either kind, give or take 3 sigma = 34.
+  // In a fair shuffle half of the first 500 are of each kind, within 3 sigma = 34.
   EXPECT_NEAR(std::count(order.begin(), order.begin() + 500, 0u), 250, 34);
 }
 

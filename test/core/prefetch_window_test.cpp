@@ -10,7 +10,7 @@ namespace
 TEST(PrefetchWindow, TakesSoManyEventsByThePaceOfThoseBefore)
 {
   PrefetchWindow ahead(10.0);
-  // An event every quarter of a second, then every sixteenth.
+  // One event per quarter of a second, then one per sixteenth.
   ahead.begin(1.0, 4);
   EXPECT_EQ(ahead.end(), 1.0 + 10 * 0.25);
   ahead.begin(3.0, 36);

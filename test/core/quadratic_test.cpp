@@ -3,15 +3,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "draws.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
-
-double drawn(double low, double high)
-{
-  return low + (high - low) * (*rc::gen::inRange(0, 1000001) * 1e-6);
-}
 
 TEST(FirstClosingTime, KnownAnswers)
 {
@@ -20,8 +17,8 @@ TEST(FirstClosingTime, KnownAnswers)
   EXPECT_FALSE(firstClosingTime(1.0, -1.0, 2.0));               // turns around at 3/4
   EXPECT_DOUBLE_EQ(*firstClosingTime(0.5, 0.0, -1.0), 1.0);     // falls
   EXPECT_DOUBLE_EQ(*firstClosingTime(0.0, 3.0, -2.0), 3.0);     // thrown up from contact
-  EXPECT_EQ(*firstClosingTime(-1e-18, -1.0, 0.0), 0.0);         // overlaps and closes: now
-  EXPECT_DOUBLE_EQ(*firstClosingTime(-1e-18, 3.0, -2.0), 3.0);  // overlaps and opens: left alone
+  EXPECT_EQ(*firstClosingTime(-1e-18, -1.0, 0.0), 0.0);         // overlapping and approaching: now
+  EXPECT_DOUBLE_EQ(*firstClosingTime(-1e-18, 3.0, -2.0), 3.0);  // overlapping and separating: ignored
   EXPECT_FALSE(firstClosingTime(-1e-18, 3.0, 0.0));
 }
 
@@ -48,7 +45,7 @@ TEST(GuaranteedFreeTime, NoGapWithinTheBoundCloses)
   EXPECT_TRUE(rc::check(
       []
       {
-        // A gap whose second derivative lies anywhere within the bound: a parabola plus a sine.
+        // A gap whose second derivative is anywhere within the bound: a parabola plus a sine.
         const double bound = drawn(0.1, 50.0);
         const double omega = drawn(1.0, 200.0);
         const double wave = drawn(0.0, 0.5) * bound / (omega * omega);

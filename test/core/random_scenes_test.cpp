@@ -12,7 +12,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Between low and high, each order of magnitude as likely as the others.
+/// Log-uniform between low and high.
 double drawnMagnitude(double low, double high)
 {
   const double share = *rc::gen::inRange(0, 1001) * 1e-3;
@@ -25,7 +25,7 @@ ContactCoefficients drawnCoefficients()
           *rc::gen::element(-1.0, 0.0, 0.4, 1.0)};
 }
 
-/// Any machine that the scene layer would let pass, small enough to run in a blink.
+/// Any scene that the scene layer accepts, small enough to run fast.
 SceneDefinition drawnScene()
 {
   SceneDefinition scene = test::mixture(*rc::gen::inRange(0, 20));
@@ -86,7 +86,7 @@ void checkState(Simulation& simulation)
   double smallest = 1.0;
   for (const SpeciesDefinition& species : simulation.scene().species)
     smallest = std::min(smallest, species.radius);
-  // A double holds places of up to some metres, at speeds of up to some ten m/s, no finer than this.
+  // The resolution of a double at positions of a few metres and speeds of about ten m/s.
   const double rounding = 1e-13;
   RC_ASSERT(simulation.maxOverlap() <= 1e-9 * smallest + rounding);
   std::uint64_t on_base = 0;
@@ -120,7 +120,7 @@ TEST(RandomScenes, NothingLeaksOverlapsOrGetsLost)
         }
         catch (const StallError&)
         {
-          // A jam, such as a disk wedged between two faces, is said and not hidden.
+          // A jam, for example a disk wedged between two faces, is reported.
           ++stalls;
         }
       }));

@@ -10,12 +10,24 @@
 namespace ratchet_sieve::test
 {
 
-/// The slow reference: before every event it looks at every pair, all images, and at every disk
-/// against the base; no queue, no cells, nothing remembered. It follows a base that moves to its setpoints.
+/// Turns the base to an inclination [rad], at `rate` [rad/s], from `time` [s] on.
+inline void turn(MachineState& machine, double rate, double inclination, double time)
+{
+  machine.changeMotion(
+      [=](BaseMotion& motion, double now)
+      {
+        motion.setSlewRates({rate, 10.0, 0.002}, now);
+        motion.command(Quantity::INCLINATION, inclination, now);
+      },
+      time);
+}
+
+/// The slow reference: before every event it tests every pair with all images, and every disk against the
+/// base; no queue, no cells, no stored predictions. It follows a base that moves to its setpoints.
 class ReferenceLoop
 {
 public:
-  /// @param images of a disk on a ring, to either side, that are looked at
+  /// @param images number of images of a disk on a ring that are tested on either side
   explicit ReferenceLoop(Machine& machine, int images = 3)
       : machine_(machine), state_(machine.state()), images_(images)
   {
@@ -29,7 +41,7 @@ public:
         break;
       advanceWithinSegment(*change);
       now_ = *change;
-      state_.motion().beginSegment(now_);
+      state_.changeMotion([](BaseMotion& motion, double now) { motion.beginSegment(now); }, now_);
     }
     advanceWithinSegment(end);
   }

@@ -62,11 +62,11 @@ TEST(Resolution, AnEpochIsAPowerOfTwoOfEightTimeScalesOrMore)
 TEST(Resolution, TheFinestDiskComesOfTheLargestPlaceOrTheFastestSpeed)
 {
   SceneDefinition scene = test::mixture(1);
-  // Four roundings of 2^-52, to a 1e-9 part: 8.9e-7 of the width.
+  // Four roundings of 2^-52 over 1e-9: 8.9e-7 of the width.
   scene.base.teeth = 5000;
   EXPECT_NEAR(finestDisk(scene).radius, 8.88e-7 * 100.0, 1e-6);
   EXPECT_EQ(finestDisk(scene).reason, "the base's width is 100 m");
-  // 6283 m/s, within four roundings of 1/64 s.
+  // 6283 m/s times four roundings of 1/64 s.
   scene.base.teeth = 5;
   scene.base.frequency = 1000.0;
   scene.base.amplitude = 1.0;

@@ -7,6 +7,7 @@
 #include <rapidcheck.h>
 #include <Eigen/Geometry>
 
+#include "draws.h"
 #include "search/pair_search.h"
 
 namespace ratchet_sieve
@@ -14,11 +15,6 @@ namespace ratchet_sieve
 namespace
 {
 constexpr double FOR_EVER = std::numeric_limits<double>::infinity();
-
-double drawn(double low, double high)
-{
-  return low + (high - low) * (*rc::gen::inRange(0, 1000001) * 1e-6);
-}
 
 /// Every image, one by one.
 std::optional<RingCourse::Touch> slowly(const RingCourse& ring, const Eigen::Vector2d& place,
@@ -46,7 +42,7 @@ TEST(RingCourse, FindsWhatLookingAtEveryImageFinds)
         const RingCourse ring{
             {std::cos(angle), std::sin(angle)}, width, 1.0 / width, *rc::gen::inRange(1, 40)};
         const double distance = drawn(0.0001, 1.0) * width;
-        // Slow, too, across the row: so that several images are passed on the way through its reach.
+        // Also slow across the row, so that several images are passed while it is within reach.
         const double across_rate = drawn(-1.0, 1.0) * std::pow(10.0, drawn(-6.0, 1.0));
         const double along_rate = drawn(-1.0, 1.0) * std::pow(10.0, drawn(-2.0, 1.0));
         const double across = drawn(-3.0, 3.0) * (*rc::gen::arbitrary<bool>() ? distance : width);
@@ -61,7 +57,7 @@ TEST(RingCourse, FindsWhatLookingAtEveryImageFinds)
         if (!touch)
           return;
         RC_ASSERT(touch->time_to_contact == expected->time_to_contact);
-        // With a limit: what comes by then, and nothing after it.
+        // With a time limit: only contacts up to it are found.
         RC_ASSERT(ring.firstTouch(place, velocity, distance, expected->time_to_contact).has_value());
         if (expected->time_to_contact > 0.0)
           RC_ASSERT(
@@ -72,7 +68,7 @@ TEST(RingCourse, FindsWhatLookingAtEveryImageFinds)
 TEST(RingCourse, MeetsAnImageManyLapsAway)
 {
   const RingCourse ring{{1.0, 0.0}, 0.2, 5.0, 100};
-  // A metre above the row, at 10 m/s along it and 1 m/s towards it: 10 m, 50 widths on.
+  // One metre above the row, at 10 m/s along it and 1 m/s towards it: 10 m, 50 widths away.
   const auto touch = ring.firstTouch({0.0, 1.0}, {10.0, -1.0}, 0.002, FOR_EVER);
   ASSERT_TRUE(touch);
   EXPECT_EQ(touch->shift, 50);

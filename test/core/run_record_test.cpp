@@ -1,4 +1,4 @@
-// What the observers of contacts make of outcomes.
+// What the observers of contacts record for given outcomes.
 #include "state/run_record.h"
 
 #include <gtest/gtest.h>

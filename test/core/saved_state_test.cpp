@@ -11,7 +11,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// What is done to a simulation while it runs, a piece of it each time.
+/// An action on a simulation while it runs, for a part of the run at a time.
 using Course = void (*)(Simulation&, double from, double to);
 
 void undisturbed(Simulation& simulation, double, double to)
@@ -28,7 +28,7 @@ void commanded(Simulation& simulation, double from, double to)
   simulation.advanceTo(to);
 }
 
-/// A base that stands still is set going by a setpoint, which has been reached when the run is saved.
+/// A setpoint starts a standing base and is reached before the run is saved.
 void setGoing(Simulation& simulation, double from, double to)
 {
   if (from == 0.0)
@@ -36,8 +36,8 @@ void setGoing(Simulation& simulation, double from, double to)
   simulation.advanceTo(to);
 }
 
-/// A run that was saved in its middle and taken up has the same state at its end, to the last bit of
-/// all that it holds, as the run that went through.
+/// A run that was saved in its middle and resumed has the same final state, bit for bit, as the run without
+/// interruption.
 void expectTheSameEnd(const SceneDefinition& scene, Course course)
 {
   constexpr double MIDDLE = 1.37;

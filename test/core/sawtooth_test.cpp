@@ -18,7 +18,7 @@ TEST(Sawtooth, NormalsPointOutOfTheBase)
   EXPECT_NEAR(sawtooth.left().normal.y(), std::sqrt(0.5), 1e-15);
   EXPECT_NEAR(sawtooth.right().normal.x(), 6.0 / std::hypot(6.0, 14.0), 1e-15);
   EXPECT_NEAR(sawtooth.right().normal.y(), 14.0 / std::hypot(6.0, 14.0), 1e-15);
-  // The ratio of the slopes' lengths that the paper's ratio of contacts is held against.
+  // The ratio of the slopes' lengths, which the paper compares with the ratio of contacts.
   EXPECT_NEAR(sawtooth.left().length / sawtooth.right().length, 0.557, 5e-4);
 }
 

@@ -45,7 +45,7 @@ inline SceneDefinition openMixture(int count)
   return scene;
 }
 
-/// With all that a drive can have, none of it in phase with the rest.
+/// With all parts that a drive can have, at different phases.
 inline SceneDefinition onAnOrbit(SceneDefinition scene)
 {
   const double amplitude = 0.002;

@@ -25,7 +25,7 @@ std::uint64_t hashAfter(const SceneDefinition& scene, double end, int strides)
   return test::stateHash(simulation);
 }
 
-/// All that a run has summed up, to the last bit.
+/// All sums of a run, bit for bit.
 std::vector<double> sumsAfter(const SceneDefinition& scene, int strides)
 {
   Simulation simulation(scene);
@@ -125,8 +125,8 @@ TEST(Simulation, DisksThatStartManyLapsAwayMeetAllTheSame)
 
 TEST(Simulation, ContactsWithinTheContactDurationLoseNothing)
 {
-  // A disk dropped on a flat base at rest rebounds with e; within t_c of that contact a second one,
-  // with a disk above it, is elastic and smooth, and later it is neither.
+  // A disk dropped on a flat base at rest rebounds with e. Within t_c of that contact a second one, with a
+  // disk above it, is elastic and smooth; later it is not.
   for (const double duration : {0.0, 0.05})
   {
     SceneDefinition scene = test::mixture(0);
@@ -352,7 +352,7 @@ TEST(Simulation, RefusesABadStartAndNamesTheDisks)
   scene.initial = {{0, 0.1, 0.05, 0, 0, 0}, {1, 0.2, 0.05, 0, 0, 0}, {1, 0.1025, 0.05, 0, 0, 0}};
   EXPECT_EQ(refusal(scene), "initial.0 and initial.2 overlap by 0.0005 m");
   scene.initial = {{0, 0.1, 0.0005, 0, 0, 0}};
-  EXPECT_NE(refusal(scene).find("initial.0 is buried"), std::string::npos);
+  EXPECT_NE(refusal(scene).find("initial.0 overlaps the base"), std::string::npos);
   scene.initial = {{0, 0.1, 0.05, 0, 0, 0}, {0, 0.5, 0.05, 0, 0, 0}};
   scene.boundary = Boundary::OPEN;
   EXPECT_NE(refusal(scene).find("initial.1 is outside"), std::string::npos);
@@ -373,7 +373,7 @@ TEST(Simulation, DisksThatTouchAreALegalStartEvenFarFromTheOrigin)
 
 TEST(Simulation, DisksThatRestAgainstAWallAreFree)
 {
-  // Nothing moves them towards the wall that they touch: no event comes of it.
+  // Nothing moves them towards the wall that they touch: there is no event.
   SceneDefinition scene = test::mixture(0);
   scene.boundary = Boundary::WALLED;
   scene.base.amplitude = 0.0;
@@ -393,7 +393,7 @@ TEST(Simulation, DisksThatRestAgainstAWallAreFree)
 
 TEST(Simulation, FlightsThatGoFarAndHighComeDownWhereTheBaseIs)
 {
-  // 10^4 g by its amplitude: disks fly for minutes, over hundreds of kilometres.
+  // An acceleration of 10^4 g: disks fly for minutes, over hundreds of kilometres.
   SceneDefinition scene = test::singleParticles(20);
   scene.base.amplitude = 4.7;
   Simulation simulation(scene);

@@ -17,7 +17,7 @@ TEST(Sine, AgreesWithTheLibraryInLongDouble)
   {
     const double turns = i * 1.2345e-5;
     const auto value = sineCosineOfTurns(turns);
-    // 2 pi in a double is off by 2^-54 of itself: that and two roundings make four units at most.
+    // 2 pi as a double has a relative error of 2^-54: with two roundings, at most four units.
     const double tolerance = 2.0 * std::numeric_limits<double>::epsilon();
     ASSERT_NEAR(value.sine, static_cast<double>(std::sin(TWO_PI * turns)), tolerance) << turns;
     ASSERT_NEAR(value.cosine, static_cast<double>(std::cos(TWO_PI * turns)), tolerance) << turns;

@@ -9,7 +9,7 @@ namespace
 {
 TEST(StartTime, IsWhereTimeCountsFrom)
 {
-  // Rounding of the time of contacts grows as in any run: by some tenfold a collision of a disk.
+  // Rounding errors of contact times grow as in any run: about tenfold per collision of a disk.
   constexpr double SOON = 0.03;  // s
   constexpr double NEAR = 1e-9;
   SceneDefinition scene = test::mixture(20);
@@ -30,7 +30,7 @@ TEST(StartTime, IsWhereTimeCountsFrom)
       EXPECT_NEAR(disks[k].x, expected[k].x, NEAR);
       EXPECT_NEAR(disks[k].y, expected[k].y, NEAR);
     }
-    // Whatever time is asked for is the time that it has then, in any epoch.
+    // time() is exactly the requested time, in any epoch.
     for (int k = 1; k < 60; ++k)
     {
       later.advanceTo(start + k / 7.0);

@@ -7,19 +7,18 @@
 
 #include <gtest/gtest.h>
 
+#include "constants.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 
-/// What the equations of motion do not change under, the engine must not change under either.
+/// The symmetries of the equations of motion must be symmetries of the engine.
 namespace ratchet_sieve
 {
 namespace
 {
 
-constexpr double PI = 3.14159265358979323846;
-
-/// `count` disks, the species in turn, in two rows well apart, each with a velocity and a spin of its own.
-/// Disks that nearly touch would meet at once, in an order that rounding decides.
+/// `count` disks, the species in turn, in two rows well apart, each with its own velocity and spin. Disks
+/// that nearly touch would collide at once, in an order determined by rounding.
 SceneDefinition stirred(SceneDefinition scene, int count, unsigned seed = 1)
 {
   std::mt19937 random(seed);
@@ -36,8 +35,8 @@ SceneDefinition stirred(SceneDefinition scene, int count, unsigned seed = 1)
   return scene;
 }
 
-/// The first collisions of a scene. Which partner of a pair is called i is not told apart: on both the
-/// tangential impulse has the same sign.
+/// The first collisions of a scene. The order of i and j in a pair is ignored: the tangential impulse has the
+/// same sign for both.
 std::vector<CollisionRecord> firstCollisions(const SceneDefinition& scene, std::size_t count)
 {
   Simulation simulation(scene);
@@ -55,8 +54,8 @@ std::vector<CollisionRecord> firstCollisions(const SceneDefinition& scene, std::
   return records;
 }
 
-/// Rounding, 1e-17 s of the first contacts' times and 1e-15 m/s of speeds, grows from contact to contact: to
-/// 2e-11 at most after as many contacts as are compared (see COMPARED), and to 1e-8 and more after three
+/// Initial rounding errors, 1e-17 s of the first contact times and 1e-15 m/s of speeds, grow from contact to
+/// contact: to at most 2e-11 over the compared contacts (see COMPARED), and to 1e-8 and more after three
 /// times as many. In s, m/s, and N s per kg of the first species.
 constexpr double GROWN_ROUNDING = 1e-10;
 
@@ -91,8 +90,8 @@ struct Compared
   bool orbit = false;
 };
 
-/// How many of the first collisions are compared: five a disk, where no disks scatter each other, and one and
-/// a half where they do. Between a wall and a slope a disk meets both very often, and its errors grow fast.
+/// Number of collisions that are compared: five per disk without disk-disk collisions, and one and a half
+/// with them. Between a wall and a slope a disk has many contacts, and its errors grow fast.
 const Compared COMPARED[] = {{"single", false, Boundary::PERIODIC, 0.0, 50, 240},
                              {"single, inclined", false, Boundary::PERIODIC, 0.1, 50, 240},
                              {"mixture", true, Boundary::PERIODIC, 0.0, 100, 160},
@@ -114,8 +113,8 @@ SceneDefinition sceneOf(const Compared& compared)
   return stirred(compared.orbit ? test::onAnOrbit(scene) : scene, compared.disks);
 }
 
-/// The base mirrored, s -> W - s, and its drive with it. It turns about the foot at s = 0, which is another
-/// foot then, so that in the world x -> W cos(theta) - x and y -> y - W sin(theta).
+/// The base mirrored, s -> W - s, and its drive with it. It turns about the foot at s = 0, which is the other
+/// foot after mirroring, so that in the world x -> W cos(theta) - x and y -> y - W sin(theta).
 SceneDefinition mirrored(SceneDefinition scene)
 {
   BaseDefinition& base = scene.base;
@@ -194,7 +193,7 @@ TEST(Symmetry, TheOrderInWhichDisksAreListedDoesNotMatter)
   }
 }
 
-/// Units of time 2^k times, of length 4^k times as large, so that gravity is the same number, and of mass.
+/// A unit of time of 2^k, a unit of length of 4^k, so that gravity keeps its value, and a unit of mass.
 struct Units
 {
   double time, length, mass;
@@ -231,7 +230,7 @@ SceneDefinition scaled(SceneDefinition scene, const Units& units)
   return scene;
 }
 
-/// All that comes out of a run of 3 units of time with setpoints under way, in the units given.
+/// All results of a run of 3 units of time with setpoints, in the given units.
 std::vector<double> outcome(const SceneDefinition& scene, const Units& units)
 {
   const double speed = units.length / units.time, impulse = units.mass * speed, energy = impulse * speed;
@@ -265,9 +264,9 @@ std::vector<double> outcome(const SceneDefinition& scene, const Units& units)
 
 TEST(Symmetry, LengthsTimesAndMassesScaleToTheLastBit)
 {
-  // Products, quotients and roots by powers of four only move the exponent. So does all of the engine, if no
-  // number in it has a unit of its own (a tolerance of 1e-9 m, say): all bits are asked for, over 10^4
-  // collisions.
+  // Products, quotients and roots by powers of four only change the exponent. The same holds for the whole
+  // engine if it contains no constant with a unit (a tolerance of 1e-9 m, for example): all bits are
+  // compared, over 10^4 collisions.
   for (const bool pairs : {false, true})
     for (const Boundary boundary : {Boundary::PERIODIC, Boundary::WALLED, Boundary::OPEN})
     {
@@ -291,9 +290,9 @@ TEST(Symmetry, LengthsTimesAndMassesScaleToTheLastBit)
     }
 }
 
-/// How far from its start [m] the farthest disk is that flew for `duration`, had its velocity and spin turned
-/// about, and flew as long again. The base goes back as well: sin(k phi(T - t) + phi_k) = sin(k phi'(t) + (1
-/// - k) pi - phi_k), where phi' = pi - phi(T) + w t.
+/// The largest distance of a disk from its start [m] after a flight of `duration`, a reversal of all
+/// velocities and spins, and another flight of `duration`. The base moves back as well: sin(k phi(T - t) +
+/// phi_k) = sin(k phi'(t) + (1 - k) pi - phi_k), where phi' = pi - phi(T) + w t.
 double errorThereAndBack(const SceneDefinition& scene, double duration)
 {
   Simulation there(scene);
@@ -321,16 +320,16 @@ double errorThereAndBack(const SceneDefinition& scene, double duration)
   return farthest;
 }
 
-/// What rounding has become after a duration [m]. Over 101 starts the median was 3e-15 to 3e-14 m after 0.1 s
-/// and 2e-8 to 6e-6 m after 0.6 s: it grows with an exponent of 31 to 38 / s (2 to 5 contacts a disk in 0.1
-/// s, each of which turns two disks apart by their distance over their radius), with 40 / s here.
+/// The rounding error after a duration [m]. Over 101 starts the median was 3e-15 to 3e-14 m after 0.1 s and
+/// 2e-8 to 6e-6 m after 0.6 s. It grows with an exponent of 31 to 38 / s (2 to 5 contacts per disk in 0.1 s,
+/// each of which amplifies an error by distance over radius); 40 / s is used here.
 double grownRounding(double duration)
 {
   return 2e-15 * std::exp(40.0 * duration);
 }
 
-/// After 0.1 s none of the starts was off by more than 7e-10 m; one that meets a disk otherwise on its way
-/// back is off by 1e-3 m and more.
+/// After 0.1 s the largest error of all starts was 7e-10 m. A start with a different collision on the way
+/// back has an error of at least 1e-3 m.
 constexpr double FARTHEST_AFTER_THE_FIRST = 1e-8;
 
 TEST(Symmetry, LosslessDisksFindTheirWayBack)

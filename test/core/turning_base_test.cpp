@@ -11,10 +11,10 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// The fastest that a node lets itself be told, in rad/s; a feeder does 0.1.
+/// The largest slew rate that a node accepts, in rad/s; a feeder has 0.1.
 constexpr double FASTEST = 15.0;
 
-/// Thrown to and fro between +-0.5 rad, and observed on the way.
+/// Turns to and fro between +-0.5 rad, with audits on the way.
 void expectThatNothingPasses(SceneDefinition scene, double slew_rate)
 {
   Simulation simulation(scene);
@@ -25,7 +25,7 @@ void expectThatNothingPasses(SceneDefinition scene, double slew_rate)
   {
     simulation.command(Quantity::INCLINATION, target);
     target = -target;
-    // Sometimes it gets there, sometimes it is turned back on the way.
+    // Sometimes it reaches the setpoint, sometimes it is reversed on the way.
     for (int look = 0; look < 10 + 3 * (turn % 4); ++look)
     {
       simulation.advanceTo(time += 0.005);
@@ -33,7 +33,7 @@ void expectThatNothingPasses(SceneDefinition scene, double slew_rate)
     }
   }
   EXPECT_GT(simulation.collisions().total(), 50u);
-  // Rounding: a 1e-11 part of the smallest radius.
+  // Rounding: 1e-11 of the smallest radius.
   EXPECT_LT(simulation.maxOverlap(), 1e-11 * 0.001);
 }
 
@@ -52,7 +52,7 @@ TEST(TurningBase, PassesThroughNoDiskAtAnySlewRate)
       }
 }
 
-/// A walled base that is tilted to and fro for 6.4 s, as fast as it may follow.
+/// A walled base that is tilted to and fro for 6.4 s, at its largest slew rate.
 struct Tilting
 {
   double width;      ///< [m]
@@ -60,7 +60,7 @@ struct Tilting
   double swing;      ///< [rad]
   bool pairs = true;
 
-  double highest = 0.0;  ///< place of a disk over the base [m]
+  double highest = 0.0;  ///< largest height of a disk over the base [m]
   std::uint64_t over = 0;
 
   Simulation run()
@@ -90,7 +90,7 @@ struct Tilting
   }
 };
 
-/// Between walls without an end these threw their disks to 50 km, and did not come to an end.
+/// With infinitely high walls, these runs threw disks to 50 km and did not end.
 TEST(TurningBase, ThrowsNoDiskFarBeyondItsWalls)
 {
   for (Tilting tilting : {Tilting{0.2, 3.0, 1.2}, Tilting{0.2, 5.0, 1.2}, Tilting{2.0, 3.0, 0.5},

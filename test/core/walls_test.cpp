@@ -12,9 +12,10 @@ namespace ratchet_sieve
 namespace
 {
 constexpr double HEIGHT = 0.05;  // of the walls [m]
-constexpr double RADIUS = 0.001;
+constexpr double DISK_RADIUS = 0.001;
 
-/// A walled base at rest without gravity, and one elastic disk that flies to the right, `above` the walls.
+/// A walled base at rest without gravity, and one elastic disk that flies to the right, `above` the top of
+/// the walls.
 SceneDefinition thrownOver(double above)
 {
   SceneDefinition scene = test::mixture(0);
@@ -30,16 +31,16 @@ SceneDefinition thrownOver(double above)
 TEST(Walls, ADiskStrikesTheTopOfAWall)
 {
   // Half a radius above it: the normal is 30 degrees above the horizontal.
-  Simulation simulation(thrownOver(0.5 * RADIUS));
+  Simulation simulation(thrownOver(0.5 * DISK_RADIUS));
   std::vector<CollisionRecord> records;
   simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
   simulation.advanceTo(0.2);
   ASSERT_EQ(records.size(), 1u);
   const double cosine = std::sqrt(0.75);
   EXPECT_EQ(records[0].kind, CollisionKind::WALL);
-  EXPECT_NEAR(records[0].time, 0.1 - cosine * RADIUS, 1e-15);
+  EXPECT_NEAR(records[0].time, 0.1 - cosine * DISK_RADIUS, 1e-15);
   EXPECT_NEAR(records[0].normal_speed, cosine, 1e-12);
-  // A wall is smooth, its end as well: the spin is kept, and the speed across the normal.
+  // A wall and its end are smooth: the spin and the tangential speed are unchanged.
   const DiskState disk = simulation.disks().front();
   EXPECT_NEAR(disk.vx, 1.0 - 2.0 * cosine * cosine, 1e-12);
   EXPECT_NEAR(disk.vy, 2.0 * cosine * 0.5, 1e-12);
@@ -57,7 +58,7 @@ TEST(Walls, BelowItsTopAWallIsFlat)
 
 TEST(Walls, ADiskThatClearsAWallIsCountedBehindIt)
 {
-  Simulation simulation(thrownOver(RADIUS + 1e-12));
+  Simulation simulation(thrownOver(DISK_RADIUS + 1e-12));
   simulation.advanceTo(0.1 - 1e-12);
   EXPECT_EQ(simulation.activeDisks(), 1u);
   simulation.advanceTo(0.1 + 1e-12);
@@ -67,11 +68,11 @@ TEST(Walls, ADiskThatClearsAWallIsCountedBehindIt)
   EXPECT_EQ(simulation.bins()[0].left, 0u);
 }
 
-/// Turned about its foot with all that is on it: the same in its own frame.
+/// Rotated about its foot together with all disks: the result is the same in the base's frame.
 TEST(Walls, StandUprightOnAnInclinedBase)
 {
   for (const double angle : {0.4, -1.1})
-    for (const double above : {0.5 * RADIUS, RADIUS + 1e-9})
+    for (const double above : {0.5 * DISK_RADIUS, DISK_RADIUS + 1e-9})
     {
       SceneDefinition scene = thrownOver(above);
       scene.base.inclination = angle;
@@ -83,8 +84,8 @@ TEST(Walls, StandUprightOnAnInclinedBase)
       disk.vy = std::sin(angle);
       Simulation simulation(scene);
       simulation.advanceTo(0.11);
-      EXPECT_EQ(simulation.collisions().wall, above < RADIUS ? 1u : 0u) << angle;
-      EXPECT_EQ(simulation.bins()[0].right, above < RADIUS ? 0u : 1u) << angle;
+      EXPECT_EQ(simulation.collisions().wall, above < DISK_RADIUS ? 1u : 0u) << angle;
+      EXPECT_EQ(simulation.bins()[0].right, above < DISK_RADIUS ? 0u : 1u) << angle;
     }
 }
 
@@ -127,7 +128,7 @@ TEST(Walls, RunOverWhereMoreIsFedThanTheyHold)
   EXPECT_GT(over, 20u);
   EXPECT_EQ(over + simulation.activeDisks(), 200u);
   EXPECT_EQ(simulation.auditOverlaps(), 0u);
-  EXPECT_LT(simulation.maxOverlap(), 1e-9 * RADIUS);
+  EXPECT_LT(simulation.maxOverlap(), 1e-9 * DISK_RADIUS);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// A file in memory, filled anew with every input.
+/// A file in memory, rewritten with every input.
 class MemoryFile
 {
 public:

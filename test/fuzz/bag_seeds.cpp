@@ -10,8 +10,8 @@
 #include "ratchet_sieve/ros/conversions.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
-/// Writes what the fuzzers of bags and messages begin with: one small run as bags, one for each way in
-/// which rosbag packs, and as the messages alone.
+/// Writes the seed inputs of the fuzzers of bags and messages: one small run as bags, one per compression of
+/// rosbag, and as messages only.
 namespace ratchet_sieve
 {
 namespace
@@ -24,15 +24,14 @@ species: [{name: A, count: 2, radius: 0.001, mass: 0.010}, {name: B, count: 1, r
 duration: 0.1
 )";
 
-/// As BagWriter writes, but without the definitions of the messages, which nothing here reads: they
-/// would be most of the bag.
+/// As BagWriter, but without the message definitions, which are not read here and would be most of the bag.
 class SeedBag : public FrameSink
 {
 public:
   SeedBag(const std::string& path, rosbag::CompressionType compression) : bag_(path, rosbag::bagmode::Write)
   {
     bag_.setCompression(compression);
-    // Several chunks, but one in bz2, which takes milliseconds for each.
+    // Several chunks, but only one for bz2, which takes milliseconds per chunk.
     if (compression != rosbag::compression::BZ2)
       bag_.setChunkThreshold(1500);
   }
@@ -57,7 +56,7 @@ private:
   rosbag::Bag bag_;
 };
 
-/// As message_fuzz takes them.
+/// In the format of message_fuzz.
 class SeedMessages : public FrameSink
 {
 public:

@@ -7,14 +7,14 @@
 namespace ratchet_sieve
 {
 
-/// Stops the fuzzer, which keeps the input.
+/// Aborts the fuzzer, which saves the input.
 [[noreturn]] inline void finding(const char* what, const std::string& text)
 {
   std::fprintf(stderr, "%s:\n%s\n", what, text.c_str());
   std::abort();
 }
 
-/// An error is one line that a terminal can show.
+/// An error message must be one printable line.
 inline void requireOneLine(const std::string& error)
 {
   if (error.empty())

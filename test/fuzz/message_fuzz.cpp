@@ -18,7 +18,7 @@ namespace
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// As the bag reader does once it has a message's bytes.
+/// As in the bag reader, from a message's bytes.
 void show(FrameKind kind, Bytes bytes, FrameSink& sink)
 {
   try

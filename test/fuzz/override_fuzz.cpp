@@ -39,7 +39,7 @@ void applyAll(const std::string& assignments)
 }  // namespace
 }  // namespace ratchet_sieve
 
-/// What `--set` is given, one assignment after the other, a zero byte between them.
+/// Arguments of `--set`, separated by zero bytes.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
   ratchet_sieve::applyAll(std::string(bytes, bytes + size));

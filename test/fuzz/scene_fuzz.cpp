@@ -14,7 +14,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// A legal scene is written out so that it reads back the same.
+/// A legal scene is written in a form that reads back the same.
 void requireCanonical(const SceneDefinition& scene)
 {
   const std::string yaml = canonicalYaml(scene);
@@ -30,7 +30,7 @@ void requireCanonical(const SceneDefinition& scene)
   }
 }
 
-/// Whether a moment of the run costs little: few disks, and no motion that takes a step a nanometre.
+/// Whether a short run is cheap: few disks, and no motion so fast that it needs very small steps.
 bool isTame(const SceneDefinition& scene)
 {
   std::size_t disks = scene.initial.size();

@@ -18,7 +18,7 @@ SceneDefinition asking(double mean_vx)
   return scene;
 }
 
-/// How many lines come of a run that is looked at each tenth of a second.
+/// Number of log lines of a run that is checked every 0.1 s.
 int linesOf(CertaintyLog& log, const SceneDefinition& scene, double start, double duration)
 {
   Simulation simulation(scene, start);

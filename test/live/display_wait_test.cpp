@@ -23,12 +23,12 @@ TEST(DisplayWait, endsWhenSomebodyWatchesAndSaysSoOnce)
   DisplayWait wait(60.0);
   EXPECT_TRUE(wait.waiting());
   EXPECT_EQ(wait.update(false, at(1.0)),
-            "the run waits until ~markers or ~cloud is watched, for 60 s at most");
+            "the run waits for a subscriber to ~markers or ~cloud, for at most 60 s");
   EXPECT_FALSE(wait.update(false, at(2.0)));
   EXPECT_TRUE(wait.waiting());
-  EXPECT_EQ(wait.update(true, at(3.5)), "the run may begin: it is watched, after 2.5 s");
+  EXPECT_EQ(wait.update(true, at(3.5)), "a display has subscribed after 2.5 s: the wait is over");
   EXPECT_FALSE(wait.waiting());
-  // Who goes away again does not stop the run.
+  // A display that disconnects again does not stop the run.
   EXPECT_FALSE(wait.update(false, at(4.0)));
   EXPECT_FALSE(wait.waiting());
 }
@@ -40,7 +40,7 @@ TEST(DisplayWait, endsWhereNobodyComes)
   EXPECT_FALSE(wait.update(false, at(59.0)));
   EXPECT_TRUE(wait.waiting());
   EXPECT_EQ(wait.update(false, at(60.0)),
-            "nobody watches ~markers or ~cloud after 60 s (~wait_for_display): the run may begin");
+            "no subscriber to ~markers or ~cloud after 60 s (~wait_for_display): the wait is over");
   EXPECT_FALSE(wait.waiting());
 }
 }  // namespace

@@ -12,7 +12,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A recording is a sampler of its own, with a clock and pauses of its own.
+/// A recording has its own sampler, with its own clock and pauses.
 TEST(LiveRun, leavesPausesOutOfTheRealTimeFactorThatIsRecorded)
 {
   std::chrono::steady_clock::time_point now;
@@ -72,8 +72,8 @@ TEST(LiveRun, ObservesNoPeriodsWhereNobodyWantsStatistics)
     EXPECT_FALSE(species.granular_temperature);
 }
 
-/// Whoever listens now and then sees windows of whole periods that began while he listened, with the rates
-/// and temperatures of these very periods.
+/// A listener that disconnects at times sees windows of whole periods that began while it was connected, with
+/// the rates and temperatures of these periods.
 TEST(LiveRun, ShowsPeriodsThatBeganWhileSomebodyListened)
 {
   std::vector<PeriodRecord> periods;
@@ -83,7 +83,7 @@ TEST(LiveRun, ShowsPeriodsThatBeganWhileSomebodyListened)
   LiveRun run(smallRing(), {0.0, 0.0, 0.0, 50.0}, {}, 0.0, 1.0);
   Listener listener;
   std::size_t windows = 0;
-  // The second time, the listener leaves in the midst of a period, and comes back before the frame is due.
+  // The second time, the listener disconnects within a period, and reconnects before the frame is due.
   for (const auto& [from, until] : {std::pair(0.21, 0.507), std::pair(0.512, 0.9)})
   {
     listener.listening = false;

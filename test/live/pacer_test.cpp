@@ -15,7 +15,7 @@ Clock::time_point after(Clock::time_point start, double seconds)
   return start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-/// A pacer whose stride does not bind.
+/// A pacer whose stride has no effect.
 Pacer widePacer(double factor)
 {
   Pacer pacer(factor);
@@ -58,12 +58,12 @@ TEST(Pacer, doesNotMakeUpForALongDelay)
   EXPECT_NEAR(pacer.allowed(0.0, after(start, 60.01)), 0.01, 1e-8);
 }
 
-/// Runs a simulation beside a pacer, on a clock of its own, for `wall` [s].
+/// Runs a simulation with a pacer, on a simulated clock, for `wall` [s].
 struct Paced
 {
   explicit Paced(double factor) : pacer(widePacer(factor)) { pacer.anchor(time, now); }
 
-  /// @param cost wall time that the simulation takes for simulated time
+  /// @param cost wall time per simulated time
   void run(double wall, double cost)
   {
     const auto end = after(now, wall);
@@ -73,7 +73,7 @@ struct Paced
       const double target = std::max(pacer.allowed(time, now), time);
       const double taken = cost * (target - time);
       pacer.advanced(target - time, taken);
-      now = after(now, taken + 1e-5);  // the rest of the loop's turn
+      now = after(now, taken + 1e-5);  // the rest of the loop
       time = target;
     }
   }
@@ -94,11 +94,11 @@ TEST(Pacer, keepsToTheFactorThatIsAskedFor)
 TEST(Pacer, doesNotRaceAfterASlowTime)
 {
   Paced run(1.0);
-  run.run(10.0, 2.0);  // half as fast as asked for
+  run.run(10.0, 2.0);  // half the requested factor
   EXPECT_NEAR(run.time, 5.0, 0.2);
   const double slow = run.time;
   run.run(10.0, 0.01);
-  EXPECT_NEAR(run.time - slow, 10.0, 0.2);  // what it was behind by less than a moment is made up for
+  EXPECT_NEAR(run.time - slow, 10.0, 0.2);  // a short delay is caught up
 }
 
 TEST(Pacer, saysWhatItGaveUp)
@@ -111,7 +111,7 @@ TEST(Pacer, saysWhatItGaveUp)
   EXPECT_NEAR(run.pacer.lost(), lost, 0.2);
 
   Paced twice(2.0);
-  twice.run(10.0, 1.0);  // wall time is lost, whatever the factor
+  twice.run(10.0, 1.0);  // wall time is lost for any factor
   EXPECT_NEAR(twice.pacer.lost(), 5.0, 0.2);
 
   Paced fast(0.0);

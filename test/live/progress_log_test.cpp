@@ -10,7 +10,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// What is said of a run from `start` to `end` that is looked at every eighth of a second.
+/// The log lines of a run from `start` to `end`, checked every eighth of a second.
 std::vector<std::string> linesOf(double start, double end, ProgressLog& log)
 {
   LiveRun run(smallMixture(), FrameRates(), {}, start, end);
@@ -39,7 +39,7 @@ TEST(ProgressLog, speaksAtEveryTenth)
   EXPECT_EQ(linesOf(0.0, 0.5, log), (Lines{" 20 %: 0.1", " 50 %: 0.2", " 70 %: 0.4", "100 %: 0.5"}));
 }
 
-/// As after a reset that keeps the time, or one that pours the disks anew.
+/// As after a reset with keep_time, or after reset_world.
 TEST(ProgressLog, countsFromTheStartOfARun)
 {
   ProgressLog log;
@@ -53,7 +53,7 @@ TEST(ProgressLog, beginsAnewWithARun)
   EXPECT_EQ(linesOf(0.0, 0.5, log), first);
 }
 
-/// The line of a run at its end, behind the time.
+/// The last line of a run, without its time.
 std::string lastLineOf(const SceneDefinition& scene)
 {
   LiveRun run(scene, FrameRates(), {}, 0.0, scene.duration);

@@ -43,7 +43,7 @@ BaseFrame baseAt(double time, double inclination = 0.0)
   return frame;
 }
 
-/// A run whose scene has come.
+/// A run whose scene was received.
 class Seen : public testing::Test
 {
 protected:
@@ -89,7 +89,7 @@ TEST_F(Seen, carriesTheDriveOnToTheTimeOfTheDisks)
   EXPECT_NEAR(shown.base.velocity, later.base.velocity, 1e-12);
 }
 
-/// After a setpoint of the amplitude, which scales all of it.
+/// After a setpoint of the amplitude, which scales the whole orbit.
 TEST_F(Seen, carriesAnOrbitOnToTheTimeOfTheDisks)
 {
   SceneDefinition scene = smallMixture();

@@ -11,7 +11,7 @@ namespace
 {
 using std::chrono::milliseconds;
 
-/// A run in which a command takes a while, on a clock of its own.
+/// A run in which a command takes some time, on a simulated clock.
 class SlowRun
 {
 public:
@@ -64,7 +64,7 @@ TEST(SetpointInbox, takesNoMoreThanItsShareOfTheTime)
     run.deliver(inbox, true);
     run.now += milliseconds(1);
   }
-  // 20 ms each, a tenth of the time: 5 a second.
+  // 20 ms each, with a share of a tenth: 5 per second.
   EXPECT_NEAR(static_cast<double>(run.commands.size()), 50.0, 2.0);
   run.now += std::chrono::seconds(1);
   run.deliver(inbox, true);

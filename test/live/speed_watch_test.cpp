@@ -6,13 +6,13 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A run that is watched, on a clock of its own.
+/// A run with a speed watch, on a simulated clock.
 class Watched
 {
 public:
   Watched() { watch.update(false, time, lost, now); }
 
-  /// @param factor simulated over wall time @param loss wall time given up per wall time
+  /// @param factor simulated over wall time @param loss wall time lost per wall time
   void run(double wall, double factor, double loss = 0.0) { turn(true, wall, factor, loss); }
   void stand(double wall) { turn(false, wall, 0.0, 0.0); }
 
@@ -82,12 +82,12 @@ TEST(SpeedWatch, isBehindUntilAFullPeriodWithoutALoss)
   run.run(1.0, 1.0);
   run.run(0.5, 1.0);
   EXPECT_FALSE(run.watch.behind());
-  run.lost += 0.2;  // a single hitch counts, too
+  run.lost += 0.2;  // a single delay counts as well
   run.run(0.6, 1.0);
   EXPECT_TRUE(run.watch.behind());
 }
 
-/// A loss is told together with the speed of its own period, not with that of the one before, which was good.
+/// A loss is reported with the speed of the same period, not with that of the one before.
 TEST(SpeedWatch, tellsALossWithTheSpeedThatItCameFrom)
 {
   Watched run;

@@ -1,8 +1,11 @@
+import pathlib
+import tempfile
 import unittest
 
-from optimise.machine import Machine, Measured, front, throughput_of
+from optimise.machine import Machine, Measured, front, read_scene, throughput_of
 from optimise.outcome import MOST_ON_FRONT, best_at, thinned
 from optimise.report import put
+from optimise.search_file import BadSearch
 from reproduce.samples import Mean
 
 
@@ -31,6 +34,15 @@ class Front(unittest.TestCase):
         points = [point(0.9, 10.0), point(0.7, 40.0), point(0.8, 30.0)]
         self.assertEqual(best_at(points, 30.0), points[2])
         self.assertIsNone(best_at(points, 50.0))
+
+
+class Scene(unittest.TestCase):
+    def test_that_is_cut_off_is_named(self):
+        with tempfile.TemporaryDirectory() as directory:
+            path = pathlib.Path(directory) / "scene.yaml"
+            path.write_text("base: {teeth: [", encoding="utf-8")
+            with self.assertRaisesRegex(BadSearch, f"^{path}: [^\\n]*$"):
+                read_scene(path)
 
 
 class Throughput(unittest.TestCase):

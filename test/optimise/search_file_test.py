@@ -40,7 +40,7 @@ class SearchFile(unittest.TestCase):
                      machines={"short": {"vary": ["base.teeth"], "trials": 4},
                                "any": {"vary": ["base.frequency"], "trials": 4}})
         self.refused("machines.short.trials: 0", machines={"short": {"vary": ["base.teeth"], "trials": 0}})
-        self.refused("held_out: 2: seeds that are searched by are among them", held_out={"first": 2, "count": 5})
+        self.refused("held_out: 2: must not overlap seeds", held_out={"first": 2, "count": 5})
         self.refused("look at typo", typo=1)
         self.refused("scene: none.yaml: must be a scene's file", scene="none.yaml")
         self.refused("search: .*: must be a map", search=[])

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Checks that no layer includes a header of a layer above it, and no ROS below the ROS layer; within the core, that no
-floor includes one above it."""
+"""Checks that no layer includes a header of a layer above it, and that only the ROS layer and those above use ROS; within
+the core, that no sublayer ("floor") includes one above it."""
 
 import re
 import sys
@@ -19,7 +19,7 @@ BELOW = {
     'ros': ['core', 'scene', 'recording', 'analysis', 'live', 'seeking', 'bag'],
     'nodes': ['core', 'scene', 'recording', 'sweep', 'analysis', 'live', 'seeking', 'bag', 'ros'],
 }
-# The libraries from outside that a layer may use, by the first folder or name of the include, or the header;
+# External libraries that a layer may use, by the first folder or name of the include, or the header;
 # None: any.
 LIBRARIES = {
     'core': ['Eigen'],
@@ -33,16 +33,16 @@ LIBRARIES = {
     'ros': None,
     'nodes': None,
 }
-# C++'s own headers have no dot and no slash, POSIX's and the compilers' own are these.
+# Standard C++ headers have no dot and no slash; these are the headers of POSIX and of compilers.
 POSIX = {'unistd.h', 'signal.h', 'fcntl.h', 'sys'}
 COMPILER = {'emmintrin.h', 'immintrin.h'}
-# The core's floors, folders of src/core, from the ground up; what stands in no folder is on top of them all.
+# The core's sublayers ("floors"), folders of src/core, from the lowest up; files in no folder are above them all.
 FLOORS = ['model', 'search', 'state', 'lanes', 'events']
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
 def errors_in(layer, path):
-    """Yields what is wrong with the includes of one file of a layer."""
+    """Yields the errors in the includes of one file of a layer."""
     for quote, header in INCLUDE.findall(path.read_text()):
         own = re.match(r'ratchet_sieve/(\w+)/', header)
         if own and own.group(1) in BELOW:
@@ -58,17 +58,17 @@ def errors_in(layer, path):
 
 
 def source_root(path):
-    """The directory src/LAYER that a file is in, or its own."""
+    """The directory src/LAYER of a file, or the file's own directory."""
     return next((p for p in path.parents if p.parent.name == 'src'), path.parent)
 
 
 def floor_of(folder):
-    """How high a folder of the core stands; None if it is no floor."""
+    """Index of a folder of the core among the floors; None if it is none."""
     return FLOORS.index(folder) if folder in FLOORS else None
 
 
 def floor_errors(root):
-    """Yields what is wrong with the includes between the core's floors."""
+    """Yields the errors in the includes between the core's floors."""
     core = root / 'src/core'
     for path in layer_files(root, 'core'):
         own = floor_of(path.parent.name)

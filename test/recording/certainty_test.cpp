@@ -1,5 +1,4 @@
-// That a run ends when it is as sure as its scene asks for, always at the same time, and says what it
-// reached.
+// A run ends when it reaches the requested accuracy, always at the same time, and reports what it reached.
 #include "ratchet_sieve/recording/certainty.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +40,7 @@ SceneDefinition ensemble(double mean_vx)
   return scene;
 }
 
-/// Fig. 9, short, and fed.
+/// Fig. 9, short, with a feed.
 SceneDefinition fedSieve(double quality)
 {
   SceneDefinition scene = smallMixture();
@@ -53,7 +52,7 @@ SceneDefinition fedSieve(double quality)
   return scene;
 }
 
-/// Runs with as many seeds; each has ended as asked.
+/// One run per seed, each to its early end.
 std::vector<Simulation> runs(SceneDefinition scene, std::uint64_t seeds)
 {
   std::vector<Simulation> ended;
@@ -66,7 +65,7 @@ std::vector<Simulation> runs(SceneDefinition scene, std::uint64_t seeds)
   return ended;
 }
 
-/// Against the mean of all of them, which is ten times as sure.
+/// Compared with the mean of all runs, whose error is ten times smaller.
 void expectMeansAsClaimed(const SceneDefinition& scene, std::uint64_t seeds)
 {
   const std::vector<Simulation> ended = runs(scene, seeds);
@@ -125,7 +124,7 @@ TEST(Certainty, OfQHoldsTheTruthAsOftenAsItClaims)
   EXPECT_NEAR(coverage.share(), 0.8, coverage.tolerance(0.8));
 }
 
-/// Runs to the end, also from a checkpoint that was saved on the way.
+/// Runs to the end, also from a checkpoint saved on the way.
 void expectTheSameEnd(const SceneDefinition& scene)
 {
   Simulation alone(scene);
@@ -159,7 +158,7 @@ void expectTheSameEnd(const SceneDefinition& scene)
   Simulation tightened = readCheckpoint(directory / "loose", scene).simulation;
   runToEnd(tightened, {}, {});
   EXPECT_EQ(tightened.saveState(), alone.saveState());
-  // What has ended does not go on.
+  // A completed run does not continue.
   Simulation ended = readCheckpoint(directory / "loose", loose).simulation;
   EXPECT_EQ(runToEnd(ended, {}, {}).end, RunEnd::ACCURATE);
   EXPECT_EQ(ended.time(), sooner.time());
@@ -198,7 +197,7 @@ TEST(Certainty, ThatIsNotReachedIsSaidWithWhatItWouldTake)
   EXPECT_EQ(outcome.warnings[0].rfind("accuracy.mean_vx = 0.001 m/s was not reached within 20 s: +- 0.0", 0),
             0u)
       << outcome.warnings[0];
-  // The error falls with the root of the time.
+  // The error is inversely proportional to the square root of the time.
   const double half_width = *certaintyOf(simulation).to_mean_vx->ratio * 0.001;
   const std::string marker = "a duration of about ";
   const double told = std::stod(outcome.warnings[0].substr(outcome.warnings[0].find(marker) + marker.size()));
@@ -207,10 +206,41 @@ TEST(Certainty, ThatIsNotReachedIsSaidWithWhatItWouldTake)
 
   scene.duration = 0.3;
   Simulation brief(scene);
-  EXPECT_EQ(
-      runToEnd(brief, {}).warnings,
-      std::vector<std::string>{
-          "accuracy.mean_vx = 0.001 m/s was not reached within 0.3 s: too short a run to know its error"});
+  EXPECT_EQ(runToEnd(brief, {}).warnings,
+            std::vector<std::string>{"accuracy.mean_vx = 0.001 m/s was not reached within 0.3 s: the run is "
+                                     "too short to estimate the error"});
+}
+
+/// Any error is below 0.5 m/s: what is missing is a longer run to estimate it.
+TEST(Certainty, ThatCannotBeTrustedYetIsNotSaidToBeTooSmall)
+{
+  SceneDefinition scene = layer(0.5);
+  scene.duration = 2.0;
+  Simulation brief(scene);
+  ASSERT_LT(certaintyOf(brief).to_mean_vx->ratio.value_or(0.0), 1.0);
+  const std::vector<std::string> warnings = runToEnd(brief, {}).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  const std::string start =
+      "accuracy.mean_vx = 0.5 m/s was not reached within 2 s: the run is too short for a reliable error, "
+      "over ";
+  EXPECT_EQ(warnings[0].rfind(start, 0), 0u) << warnings[0];
+  const std::string marker = "a duration of about ";
+  const double told = std::stod(warnings[0].substr(warnings[0].find(marker) + marker.size()));
+  scene.duration = 2.0 * told;
+  Simulation longer(scene);
+  EXPECT_EQ(runToEnd(longer, {}).end, RunEnd::ACCURATE);
+}
+
+TEST(Certainty, OfAMachineThatEmptiesIsNotSaidToTakeALongerRun)
+{
+  SceneDefinition scene = smallMixture();
+  scene.duration = 5.0;
+  scene.accuracy.mean_vx = 1e-6;
+  Simulation simulation(scene);
+  const std::vector<std::string> warnings = runToEnd(simulation, {}).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("the base runs empty, so a longer run does not help"), std::string::npos)
+      << warnings[0];
 }
 
 TEST(Certainty, OfQThatOnePourCannotGiveIsSaidWithTheRunsThatCould)

@@ -10,7 +10,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// The summary but for how long it took.
+/// The summary without wall times.
 nlohmann::ordered_json resultOf(Simulation& simulation, const RunProgress& so_far,
                                 const RunWatchers& watchers = {})
 {

@@ -5,7 +5,7 @@
 namespace ratchet_sieve
 {
 
-/// How often intervals held the truth.
+/// Counts how often intervals contained the true value.
 struct Coverage
 {
   int held = 0;
@@ -18,7 +18,7 @@ struct Coverage
   }
   double share() const { return static_cast<double>(held) / of; }
 
-  /// Three standard deviations of the share, were it as claimed.
+  /// Three standard deviations of the fraction, if it is as claimed.
   double tolerance(double claimed) const { return 3.0 * std::sqrt(claimed * (1.0 - claimed) / of); }
 };
 

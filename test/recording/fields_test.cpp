@@ -14,7 +14,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Where a member is within its struct.
+/// The position of a member within its struct.
 struct Extent
 {
   std::size_t begin;
@@ -22,7 +22,7 @@ struct Extent
   std::size_t alignment;
 };
 
-/// The bytes of a struct that no described field takes, nor the padding between them.
+/// The bytes of a struct that are neither in a described field nor padding between them.
 template <typename Struct>
 std::size_t bytesLeftOut()
 {
@@ -66,7 +66,7 @@ TEST(FrameFields, LeaveOutNoMember)
   EXPECT_EQ(bytesLeftOut<StatisticsFrame>(), 0u);
 }
 
-/// A field that is described twice would hide one that is not.
+/// A field that is described twice could hide one that is missing.
 TEST(FrameFields, AreEachComparedByThemselves)
 {
   const StatisticsFrame before;

@@ -100,7 +100,7 @@ TEST(FrameSampler, TakesOneFrameForTimesThatWerePassedOver)
   EXPECT_EQ(sampler.nextTime(), 6 / 10.0);
 }
 
-/// Wants particles and statistics at some times only.
+/// Wants particles and statistics only at some times.
 class ChoosySink : public CollectingSink
 {
 public:
@@ -125,7 +125,7 @@ TEST(FrameSampler, MakesNothingThatIsNotWanted)
   EXPECT_TRUE(sink.particles.empty());
   EXPECT_TRUE(sink.statistics.empty());
 
-  // Who comes later begins with the next frame; what was missed is not made up for.
+  // A later subscriber begins with the next frame; skipped frames are not made up for.
   sink.choosy = false;
   sampler.takeDue(simulation, sink);
   EXPECT_TRUE(sink.particles.empty());
@@ -138,7 +138,7 @@ TEST(FrameSampler, MakesNothingThatIsNotWanted)
   EXPECT_EQ(sink.statistics[0].real_time_factor, 0.0);
 }
 
-/// Wall time as the test has it.
+/// A wall clock set by the test.
 struct HandClock
 {
   std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
@@ -157,7 +157,7 @@ TEST(FrameSampler, LeavesOutOfTheRealTimeFactorWhatTheRunStoodStill)
   FrameSampler sampler({0.0, 0.0, 0.0, 10.0}, 0.0, [&] { return clock.now; });
   CollectingSink sink;
   sampler.takeDue(simulation, sink);
-  // Twice as fast as wall time; paused in the midst of the second frame, stepped through the fourth.
+  // Twice real time; paused in the middle of the second frame, stepped through the fourth.
   clock.pass(0.05);
   simulation.advanceTo(0.1);
   sampler.takeDue(simulation, sink);
@@ -189,8 +189,8 @@ TEST(FrameSampler, LeavesOutOfTheRealTimeFactorWhatTheRunStoodStill)
   EXPECT_EQ(factors[0], 0.0);
   EXPECT_NEAR(factors[1], 2.0, 1e-6);
   EXPECT_NEAR(factors[2], 2.0, 1e-6);
-  EXPECT_NEAR(factors[3], 2.5, 1e-6);  // to the pause: 0.05 s in 0.02 s
-  EXPECT_NEAR(factors[4], 5.0, 1e-6);  // from there: 0.05 s in 0.01 s
+  EXPECT_NEAR(factors[3], 2.5, 1e-6);  // before the pause: 0.05 s in 0.02 s
+  EXPECT_NEAR(factors[4], 5.0, 1e-6);  // after it: 0.05 s in 0.01 s
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST(HeadlessRun, StopsWhenAskedAndSaysWhere)
 
 TEST(HeadlessRun, ReportsAStallAndKeepsWhatWas)
 {
-  // A lone disk without a rebound floor or a contact duration settles on a base at rest: inelastic collapse.
+  // A single disk without minimum rebound speed or contact duration on a base at rest: inelastic collapse.
   SceneDefinition scene = smallRing();
   scene.base.tooth_height = 0.0;
   scene.base.amplitude = 0.0;
@@ -99,7 +99,7 @@ TEST(HeadlessRun, ReportsAStallAndKeepsWhatWas)
 
 TEST(HeadlessRun, ReportsAnEnergyBeyondTheMachinesScale)
 {
-  // Down a slope that never ends.
+  // An endless slope.
   SceneDefinition scene = smallRing();
   scene.base.inclination = 1.5;
   scene.contact.pair_collisions = false;

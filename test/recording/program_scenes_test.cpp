@@ -1,5 +1,4 @@
-// Scenes at random through the program itself: a legal one runs, an illegal one is refused with nothing
-// written.
+// Random scenes as input of the program: a legal one runs, an illegal one is refused and nothing is written.
 #include <cstdlib>
 
 #include <sys/wait.h>
@@ -32,7 +31,7 @@ std::string scenePath(const ScratchDirectory& directory)
   return directory / "scene.yaml";
 }
 
-/// Runs the scene. @param with_file whether the summary is to go to a file
+/// Runs the scene. @param with_file whether the summary goes to a file
 Result run(const ScratchDirectory& streams, const std::string& text, bool with_file)
 {
   const ScratchDirectory written;
@@ -69,7 +68,7 @@ TEST(ProgramScenes, ThatAreLegalRun)
                              }));
 }
 
-/// Refused in one line that starts so and holds the words; nothing written.
+/// Refused with one line that begins with `start` and contains the words; nothing is written.
 void checkRefused(const Result& result, const std::string& start, const std::vector<std::string>& words)
 {
   RC_LOG() << "status " << result.status << ", said: " << result.errors;

@@ -17,7 +17,7 @@ TEST(ProgressText, SaysHowSureARunIsThatMayEndSooner)
 {
   EXPECT_EQ(progressText(25.0, 100.0, {25.0, 3000000, 2.0, 1.74}),
             "[######..................]  25.0 %  25.00 of 100 s simulated  1.50 M events/s  0:06 to go  "
-            "error 1.7 x the one asked for");
+            "error 1.7 x the requested one");
 }
 
 TEST(ProgressText, CountsHours)

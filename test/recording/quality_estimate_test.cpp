@@ -18,7 +18,7 @@ TEST(QualityEstimate, IsOfTheIntervalThatNewcombePrints)
   ASSERT_TRUE(quality);
   EXPECT_NEAR(quality->estimate.value, 0.2, 1e-12);
   EXPECT_NEAR(quality->estimate.half_width, 0.2 - 0.0524, 1e-4);
-  // 10 of 10 and 0 of 10: 1 in [0.6075, 1]. An error from the counts' own variance would be 0.
+  // 10 of 10 and 0 of 10: 1 in [0.6075, 1]. The error from the variance of the counts would be 0.
   EXPECT_NEAR(qualityEstimate({{10, 0, 0}, {0, 10, 0}}, {}, 0.95)->estimate.half_width, 1.0 - 0.6075, 1e-4);
 }
 
@@ -33,13 +33,13 @@ TEST(QualityEstimate, IsWidenedByWhatTheRestCouldChange)
   const double counted = qualityEstimate({{30, 10, 0}, {10, 30, 0}}, {}, 0.95)->estimate.half_width;
   const auto quality = qualityEstimate({{30, 10, 10}, {10, 30, 0}}, {}, 0.95);
   EXPECT_NEAR(quality->sampled, counted, 1e-12);
-  // Ten more of A to the right: 30 of 50, where it is 30 of 40.
+  // Ten more of A on the right: 30 of 50 instead of 30 of 40.
   EXPECT_NEAR(quality->estimate.half_width, counted + 0.75 - 0.6, 1e-12);
 }
 
 TEST(QualityEstimate, OfDisksThatLeaveTogetherHasTheErrorOfTheCourse)
 {
-  // Ten at a time, all to one side: as many as a tenth of them would say.
+  // Groups of ten that leave on the same side: the information of a tenth of the disks.
   std::mt19937_64 bits(3);
   std::vector<std::vector<BlockSum>> exits(2);
   std::vector<SpeciesBins> bins(2);
@@ -79,7 +79,7 @@ TEST(QualityEstimate, HoldsTheTruthAsOftenAsItClaims)
       coverage.take(std::abs(quality->estimate.value - 0.7) <= quality->estimate.half_width);
     }
     EXPECT_GE(coverage.share(), confidence - coverage.tolerance(confidence));
-    // The larger margin of an uneven interval stands for both.
+    // The larger margin of an asymmetric interval is used for both.
     EXPECT_LE(coverage.share(), 0.5 + 0.5 * confidence);
   }
 }

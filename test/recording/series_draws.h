@@ -10,23 +10,23 @@
 namespace ratchet_sieve
 {
 
-/// x[k] = memory x[k-1] + noise, of variance 1 about a mean, with a transient that decays: a series of which
-/// all is known. Ends in blocks as a run's does. From the generator's bits alone, for the library's own
-/// distributions differ.
+/// x[k] = memory x[k-1] + noise, with variance 1 about a mean, and a transient that decays: a series with
+/// known properties. In blocks, as a run's. Uses the generator's bits only, because the library's
+/// distributions differ between implementations.
 class CorrelatedSeries
 {
 public:
   struct Shape
   {
     double mean = 2.0;
-    double memory = 0.0;     ///< of one sample to the next
+    double memory = 0.0;     ///< correlation of neighbouring samples
     double transient = 0.0;  ///< at the first sample
     double decay = 50.0;     ///< of the transient [samples]
   };
 
   CorrelatedSeries(const Shape& shape, std::uint64_t seed) : shape_(shape), bits_(seed), value_(normal()) {}
 
-  /// Adds samples until there are so many.
+  /// Adds samples up to this number.
   void extendTo(std::size_t samples)
   {
     for (; samples_ < samples; ++samples_)

@@ -1,4 +1,4 @@
-// The program as its users run it: arguments in, exit status, standard output and error, and files out.
+// sieve_run as a program: arguments, exit status, standard output and error, and files.
 #include <algorithm>
 #include <cstdlib>
 
@@ -48,7 +48,7 @@ protected:
     return streams_ / "scene.yaml";
   }
 
-  /// Refused with this one line, and nothing written.
+  /// Refused with this one line; nothing is written.
   void expectRefusal(const std::string& arguments, const std::string& line) const
   {
     const Result result = run(arguments);
@@ -69,8 +69,8 @@ TEST_F(SieveRun, SumsUpOnStandardOutput)
   EXPECT_EQ(result.errors,
             "sieve_run: plan: pairs, spin, drive, no contact times (contact_duration is 0), "
             "no base search above the base's reach, "
-            "no lanes (for single disks without contact times on a periodic base that is driven up and down "
-            "by a sine)\n"
+            "no lanes (only for independent disks without contact times on a periodic base with a vertical "
+            "sine drive)\n"
             "sieve_run: 266 disks, at rest a layer of about 0.0166 m, about 1 MB of memory\n");
   const Json json = Json::parse(result.output);
   EXPECT_EQ(json["seed"], 7);
@@ -90,9 +90,38 @@ TEST_F(SieveRun, WarnsOfASceneThatCannotBeMeant)
       << result.errors;
 }
 
+TEST_F(SieveRun, ChecksTheReboundFloorByRunsAtLowerOnes)
+{
+  const std::string scene = config("demo.yaml") + " --duration 3 --set base.inclination=0.2";
+  const Result checked = run(scene + " --check-floor --set contact.min_rebound_speed=0.08");
+  EXPECT_EQ(checked.status, 0) << checked.errors;
+  const Json runs = Json::parse(checked.output)["floor_check"];
+  ASSERT_EQ(runs.size(), 3u);
+  for (const Json& each : runs)
+  {
+    const std::string floor = each["min_rebound_speed"].dump();
+    const Json alone = Json::parse(run(scene + " --set contact.min_rebound_speed=" + floor).output);
+    EXPECT_FALSE(alone.contains("floor_check"));
+    EXPECT_EQ(each["quality"]["value"], alone["accuracy"]["quality"]["value"]) << floor;
+    EXPECT_EQ(each["processed"]["value"], alone["processed"]) << floor;
+    EXPECT_NE(checked.errors.find("\nsieve_run: " + floor + "  "), std::string::npos) << checked.errors;
+  }
+  EXPECT_EQ(runs[2]["min_rebound_speed"], 0.02);
+  EXPECT_NE(checked.errors.find("\nsieve_run: quality changes by "), std::string::npos) << checked.errors;
+  expectRefusal(scene + " --check-floor --set contact.min_rebound_speed=0",
+                "--check-floor: contact.min_rebound_speed of " + config("demo.yaml") +
+                    " is 0: there is no floor to check");
+}
+
+TEST_F(SieveRun, SaysOneDiskOfOne)
+{
+  const Result result = run(config("paper_fig3.yaml") + " --duration 0 --set species.0.count=1");
+  EXPECT_NE(result.errors.find("sieve_run: 1 disk, about "), std::string::npos) << result.errors;
+}
+
 TEST_F(SieveRun, SaysHowLargeAPourIsAndGivesItUpWhenInterrupted)
 {
-  // Some millions of disks: half a minute to pour.
+  // Some millions of disks, whose pour takes half a minute.
   const std::string errors = streams_ / "errors";
   const std::string script = std::string(std::getenv("SIEVE_RUN")) + " " + config("demo.yaml") +
                              " --set density=20000 --summary " + (written_ / "s.json") + " --checkpoint " +
@@ -136,12 +165,29 @@ TEST_F(SieveRun, ShowsItsHelpAndVersion)
 {
   const Result help = run("--help");
   EXPECT_EQ(help.status, 0);
-  for (const char* option : {"--set", "--seed", "--duration", "--until", "--bag", "--collisions", "--summary",
-                             "--checkpoint", "--checkpoint-every", "--resume", "--version"})
+  for (const char* option :
+       {"--set", "--seed", "--duration", "--until", "--bag", "--bag-rate", "--collisions", "--summary",
+        "--checkpoint", "--checkpoint-every", "--resume", "--version"})
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
   const Result version_result = run("--version");
   EXPECT_EQ(version_result.status, 0);
   EXPECT_EQ(version_result.output, std::string("sieve_run ") + version() + "\n");
+}
+
+TEST_F(SieveRun, ListsTheKeysOfAScene)
+{
+  const Result all = run("--keys");
+  EXPECT_EQ(all.status, 0);
+  EXPECT_EQ(all.errors, "");
+  for (const char* row : {"\nboundary                                choice   -      periodic, open or "
+                          "walled   periodic\n    What",
+                          "\nspecies.N.radius                        number   m      1e-09 to 1000           "
+                          "   required\n    Radius"})
+    EXPECT_NE(all.output.find(row), std::string::npos) << row;
+  const Result some = run("--keys friction");
+  EXPECT_NE(some.output.find("\npairs.N.friction "), std::string::npos);
+  EXPECT_EQ(some.output.find("restitution "), std::string::npos) << some.output;
+  expectRefusal("--keys colour", "--keys colour: no key of a scene contains this");
 }
 
 TEST_F(SieveRun, RefusesBadArguments)
@@ -153,6 +199,10 @@ TEST_F(SieveRun, RefusesBadArguments)
   EXPECT_EQ(std::count(unknown.errors.begin(), unknown.errors.end(), '\n'), 1);
   expectRefusal(config("demo.yaml") + " --set seed",
                 "override seed: must be KEY=VALUE, such as base.inclination=0.105");
+  for (const char* rate : {"-1", "nan", "1e6"})
+    expectRefusal(config("demo.yaml") + " --bag " + (written_ / "run.bag") + " --bag-rate=" + rate,
+                  std::string("--bag-rate: ") + rate + ": must be a number from 0 to 100000 Hz; see --help");
+  expectRefusal(config("demo.yaml") + " --bag-rate 10", "--bag-rate requires --bag; see --help");
   expectRefusal(config("demo.yaml") + " --checkpoint-every -1",
                 "--checkpoint-every: -1: must be 0 s or more; see --help");
 }
@@ -204,7 +254,7 @@ TEST_F(SieveRun, RefusesABagWithoutRos)
 {
   const std::string bag = written_ / "run.bag";
   expectRefusal(config("demo.yaml") + " --bag " + bag,
-                "--bag " + bag + ": this build has no ROS, which bags need");
+                "--bag " + bag + ": bags need ROS, and this build has none");
 }
 #endif
 
@@ -276,10 +326,10 @@ TEST_F(SieveRun, RefusesABadCertainty)
 {
   const std::string scene = config("demo.yaml");
   expectRefusal(scene + " --until speed=1",
-                "--until: speed: unknown key; known are confidence, mean_vx, quality; see --help");
-  // A key of accuracy, but not one that decides when a run ends.
+                "--until: speed: unknown key; must be one of confidence, mean_vx, quality; see --help");
+  // A key of accuracy, but none that decides when a run ends.
   expectRefusal(scene + " --until step=0.001",
-                "--until: step: unknown key; known are confidence, mean_vx, quality; see --help");
+                "--until: step: unknown key; must be one of confidence, mean_vx, quality; see --help");
   expectRefusal(scene + " --until mean_vx=-1",
                 scene + ": accuracy.mean_vx = -1: must be a number from 0 to 10000 m/s");
   expectRefusal(scene + " --until confidence=1",
@@ -291,19 +341,20 @@ TEST_F(SieveRun, RefusesABadCertainty)
 TEST_F(SieveRun, LeavesAWholeCheckpointWhereverItIsKilled)
 {
   const std::string checkpoint = streams_ / "run.checkpoint";
-  // Enough disks for the writing to take a good part of the time.
+  // Enough disks that writing takes a considerable part of the time.
   const std::string run_of_many = config("demo.yaml") + " --set density=40 --duration 100000000";
   const std::string program = std::string(std::getenv("SIEVE_RUN")) + " " + run_of_many +
                               " --checkpoint-every 0 --checkpoint " + checkpoint;
   for (int kills = 0; kills < 4; ++kills)
   {
-    // Saved over and over; killed as soon as a writing is seen to have begun beside a checkpoint.
+    // Checkpoints are saved continuously; the program is killed as soon as a temporary file appears beside a
+    // checkpoint.
     const std::string script = program + (kills > 0 ? " --resume " + checkpoint : "") +
                                " & run=$!; for ((look = 0; look < 1000000; ++look)); do [ -e " + checkpoint +
                                " ] && [ -e " + checkpoint +
                                ".part$run ] && break; done; kill -9 $run; wait $run";
     EXPECT_EQ(WEXITSTATUS(std::system(("bash -c '" + script + "' >/dev/null 2>&1").c_str())), 128 + 9);
-    // Taken up: all that is refused is where the next one should go.
+    // Resumed: only the path of the next checkpoint is refused.
     const std::string nowhere = written_ / "none/x";
     expectRefusal(run_of_many + " --resume " + checkpoint + " --checkpoint " + nowhere,
                   nowhere + ": cannot be written: No such file or directory");
@@ -312,7 +363,7 @@ TEST_F(SieveRun, LeavesAWholeCheckpointWhereverItIsKilled)
 
 TEST_F(SieveRun, EndsCleanlyWhenInterrupted)
 {
-  // The signal comes as soon as the run has written its first collisions.
+  // The signal is sent as soon as the run has written its first collisions.
   const std::string script = std::string(std::getenv("SIEVE_RUN")) + " " + config("paper_fig3.yaml") +
                              " --duration 100000000 --summary " + (written_ / "s.json") + " --collisions " +
                              (written_ / "c.csv") +
@@ -322,7 +373,7 @@ TEST_F(SieveRun, EndsCleanlyWhenInterrupted)
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 1);
   const Json json = Json::parse(contents(written_ / "s.json"));
-  // Besides, that so long a duration cannot be meant.
+  // The second warning: the duration is implausibly long.
   ASSERT_EQ(json["warnings"].size(), 2u);
   EXPECT_EQ(json["warnings"][1].get<std::string>().rfind("stopped at ", 0), 0u);
   EXPECT_EQ(contents(written_ / "c.csv").back(), '\n');

@@ -12,7 +12,7 @@
 namespace ratchet_sieve
 {
 
-/// Two species on a base with open ends, of which some fall into the bins within a second or two.
+/// Two species on a base with open ends; some disks fall into the bins within a second or two.
 inline SceneDefinition smallMixture()
 {
   SceneDefinition scene;
@@ -30,7 +30,7 @@ inline SceneDefinition smallMixture()
   return scene;
 }
 
-/// Four disks on a ring that never leave.
+/// Four disks on a ring.
 inline SceneDefinition smallRing()
 {
   SceneDefinition scene = smallMixture();
@@ -41,7 +41,7 @@ inline SceneDefinition smallRing()
   return scene;
 }
 
-/// An empty directory for one test, gone with it.
+/// An empty directory for one test, removed at its end.
 class ScratchDirectory
 {
 public:

@@ -22,7 +22,7 @@ namespace
 {
 constexpr double TWO_PI = 6.283185307179586476925;
 
-/// Fig. 8: a layer that a drive of 23 Hz throws up.
+/// Fig. 8: a layer on a drive of 23 Hz.
 SceneDefinition layer()
 {
   SceneDefinition scene = smallRing();
@@ -44,7 +44,7 @@ CollectingSink recorded(const SceneDefinition& scene, double rate)
   return sink;
 }
 
-/// The part of a series' variance that is at `frequency`. @pre it is sampled over whole periods of that
+/// The part of a series' variance at `frequency`. @pre it is sampled over whole periods of it
 double varianceAt(double frequency, double rate, const std::vector<double>& series)
 {
   const double count = static_cast<double>(series.size());
@@ -55,7 +55,7 @@ double varianceAt(double frequency, double rate, const std::vector<double>& seri
   return 2.0 * std::norm(sum / count);
 }
 
-/// Ten samples per second of what swings at 23 Hz seem to swing at 3 Hz.
+/// An oscillation of 23 Hz sampled ten times per second appears at 3 Hz.
 TEST(StatisticsWindow, ShowsNoBeatOfItsRateWithTheDrive)
 {
   constexpr double RATE = 10.0;
@@ -77,7 +77,7 @@ TEST(StatisticsWindow, ShowsNoBeatOfItsRateWithTheDrive)
   ASSERT_EQ(sampled.size(), 100u);
   const double before = varianceAt(ALIAS, RATE, sampled);
   EXPECT_LT(varianceAt(ALIAS, RATE, temperatures), 0.02 * before);
-  // That of the samples stands out by far: the test would see it.
+  // The peak of the instantaneous samples is clear: the test would detect it.
   EXPECT_GT(before, 20.0 * varianceAt(2.5, RATE, sampled));
   EXPECT_LT(varianceAt(ALIAS, RATE, rates),
             10.0 * varianceAt(2.5, RATE, rates) + varianceAt(3.5, RATE, rates));
@@ -151,7 +151,7 @@ TEST(StatisticsWindow, IsTheTimeBetweenFramesWhereNothingSwings)
   EXPECT_GT(sink.statistics[5].collision_rates.total(), 0.0);
 }
 
-/// What a run of the recorded scene has to say against its statistics from `from` on.
+/// The first difference between a repeated run of the recorded scene and its statistics from `from` on.
 std::string differenceFrom(double from, const CollectingSink& sink)
 {
   Resimulation resimulation;
@@ -179,8 +179,8 @@ TEST(StatisticsWindow, ComesOutTheSameInARunOfTheRecordedScene)
       temperature, was);
   EXPECT_EQ(differenceFrom(0.0, sink), temperatures);
   EXPECT_EQ(differenceFrom(0.45, sink), temperatures +
-                                            "; it is recorded from 0.45 s on, "
-                                            "and not what the run was commanded since 0 s");
+                                            "; the recording begins at 0.45 s, "
+                                            "so earlier commands since 0 s are missing");
 }
 
 TEST(StatisticsWindow, ComesOutTheSameInARunThatWasTakenUp)
@@ -219,7 +219,7 @@ TEST(StatisticsWindow, DoesNotDependOnWhoElseIsShownFrames)
   for (std::size_t k = 0; k < alone.statistics.size(); ++k)
   {
     StatisticsFrame frame = to_ten.statistics[k];
-    frame.max_overlap = alone.statistics[k].max_overlap;  // a run of sieve_run looks all disks over
+    frame.max_overlap = alone.statistics[k].max_overlap;  // sieve_run audits all disks
     EXPECT_TRUE(sameButForSpeed(frame, alone.statistics[k])) << k;
   }
 }

@@ -1,4 +1,4 @@
-// That an interval holds the truth as often as it claims: of series of which the truth is known.
+// An interval contains the true value as often as it claims, for series with a known mean.
 #include "ratchet_sieve/recording/steady_mean.h"
 
 #include <gtest/gtest.h>
@@ -23,20 +23,20 @@ MeanSeries seriesOf(const BlockAverages& blocks)
   return series;
 }
 
-/// The half-width that a known error would have after so many samples.
+/// The half-width of a known error after this number of samples.
 double halfWidthAfter(double samples, double memory, double confidence)
 {
   return halfWidthOver(confidence, 0) * std::sqrt((1.0 + memory) / (1.0 - memory) / samples);
 }
 
-/// Parts of the rule, to see what each is for.
+/// Parts of the rule that can be switched off.
 struct Rule
 {
   bool cut = true;
   bool joined = true;
 };
 
-/// The steady part's mean, trusted or not.
+/// The steady part's mean, reliable or not.
 std::optional<SteadyMean> meanBy(const Rule& rule, const BlockAverages& blocks, double confidence)
 {
   if (rule.cut && rule.joined)
@@ -61,7 +61,7 @@ struct End
   std::size_t samples = 0;
 };
 
-/// How a series ends that is looked at as a run is (LookTimes).
+/// The end of a series that is checked at the times of a run (LookTimes).
 End endOf(const Shape& shape, std::uint64_t seed, double confidence, double wanted, const Rule& rule)
 {
   CorrelatedSeries series(shape, seed);
@@ -109,7 +109,7 @@ TEST(SteadyMean, HoldsTheTruthAsOftenAsItClaims)
 
 TEST(SteadyMean, HoldsTheTruthWhereTheFirstHalfWidthsWouldDo)
 {
-  // A wide interval is there long before the correlation and the transient are seen.
+  // A wide interval is reached long before the correlation and the transient are detected.
   expectAsClaimed({2.0, 0.9, 0.0}, 0.8, 50.0);
   expectAsClaimed({2.0, 0.0, 3.0}, 0.8, 300.0);
   expectAsClaimed({2.0, 0.0, 0.5, 400.0}, 0.8, 3000.0);
@@ -121,14 +121,14 @@ TEST(SteadyMean, HoldsItByTheCutAndByTheJoinedBlocks)
   const Shape correlated{2.0, 0.8, 0.0};
   EXPECT_LT(endsOf(transient, 0.95, 3000.0, {false, false}).coverage.share(), 0.2);
   EXPECT_LT(endsOf(correlated, 0.95, 1000.0, {true, false}).coverage.share(), 0.7);
-  // Joined blocks see the transient as well, and a run without the cut pays with its length.
+  // Joined blocks include the transient as well; without the cut, a run needs to be longer.
   const Shape brief{2.0, 0.0, 3.0, 50.0};
   EXPECT_GT(endsOf(brief, 0.95, 3000.0, {false, true}).samples, 1.5 * endsOf(brief, 0.95, 3000.0).samples);
 }
 
 TEST(SteadyMean, FindsWhereATransientEnds)
 {
-  // A step: no block of it is left, and few more are cut.
+  // A step: none of its blocks is left, and few more are cut.
   std::vector<BlockSum> series;
   for (int k = 0; k < 400; ++k)
     series.push_back({k < 60 ? 5.0 : 1.0 + 0.1 * (k % 2), 1.0});
@@ -140,7 +140,7 @@ TEST(SteadyMean, FindsWhereATransientEnds)
 
 TEST(SteadyMean, WeighsABlockByItsWeight)
 {
-  // The same velocity with ever fewer disks is no transient; another velocity of no disks is none either.
+  // The same velocity with fewer and fewer disks is no transient; neither is another velocity of no disks.
   std::vector<BlockSum> series;
   for (int k = 0; k < 200; ++k)
   {
@@ -180,7 +180,7 @@ TEST(SteadyMean, OfATransientThatLastsSaysNothing)
 
 TEST(SteadyMean, OfGroupsHasTheErrorOfTheirScatter)
 {
-  // Groups that each keep a velocity of their own: their sum does not change at all in time.
+  // Groups with constant, different velocities: their sum is constant in time.
   MeanSeries series;
   series.block_time = 1.0;
   series.species.resize(1);

@@ -1,4 +1,5 @@
 import dataclasses
+import json
 import pathlib
 import tempfile
 import unittest
@@ -32,7 +33,8 @@ class KnownCosts:
 def hand_made_study():
     return Study("made", "Made by hand", (Sweep("paper_fig5"),), lambda rows: rows["paper_fig5"].mean("mean_vx.A"),
                  (Picture("made", "A caption", None),),
-                 lambda mean: [Claim("1", "Fig. 0", "it goes right", (above("⟨V_x⟩ > 0", mean),))])
+                 lambda mean: [Claim("1", "Fig. 0", "it goes right", (above("⟨V_x⟩ > 0", mean),))],
+                 figures=lambda mean: {"made.drift": mean.text()}, tables=lambda mean: {"made": (["f"], [["20"]])})
 
 
 class Documents(unittest.TestCase):
@@ -51,17 +53,27 @@ class Documents(unittest.TestCase):
             outcome = Outcome(study, study.evaluate(rows), rows)
             document.write(path, template, [outcome], "scripts/reproduce", KnownCosts)
             text = path.read_text(encoding="utf-8")
-        self.assertIn("| 1 | Fig. 0 | it goes right | ⟨V_x⟩ > 0: 0.60 ± 0.10 (n = 2): undecided | **not told** |", text)
+            figures = json.loads((path.parent / "data/paper.json").read_text(encoding="utf-8"))
+            table = (path.parent / "data/paper_made.csv").read_text(encoding="utf-8")
+        self.assertIn("| 1 | Fig. 0 | it goes right | **undecided** |", text)
+        self.assertIn("- ⟨V_x⟩ > 0: 0.60 ± 0.10 (n = 2): undecided", text)
         self.assertIn("![A caption](images/paper_made.png)", text)
-        self.assertIn("*A caption; n = 2*", text)
-        self.assertIn("2 runs of 10 s, seeds 1 to 2; **1 failed** and are left out", text)
+        self.assertIn("*A caption; n = 2 runs a point*", text)
+        self.assertEqual((figures["made.drift"], figures["verdicts.undecided.list"]), ("0.60 ± 0.10", "1"))
+        self.assertEqual(table, "f\n20\n")
+        self.assertIn("2 runs of 10 s, seeds 1 to 2; **1 failed** and left out", text)
         self.assertIn("ratchet_sieve 0.1.0, physics version 1, in 2 minutes of processor time", text)
 
     def test_claims_stand_in_the_order_of_their_numbers(self):
         study = dataclasses.replace(hand_made_study(), claims=lambda _: [
-            Claim(number, "", "", ()) for number in ("10", "6b", "7", "6", "6a")])
-        lines = document.claims_table([Outcome(study, None, {})]).splitlines()[2:]
-        self.assertEqual([line.split(" | ")[0] for line in lines], ["| 6", "| 6a", "| 6b", "| 7", "| 10"])
+            Claim(number, "", "", ()) for number in ("10", "A2", "7", "6", "A1")])
+        lines = document.claims_table(document.claims_of([Outcome(study, None, {})])).splitlines()[2:]
+        self.assertEqual([line.split(" | ")[0] for line in lines], ["| 6", "| 7", "| 10", "| A1", "| A2"])
+
+    def test_additions_do_not_count_as_claims(self):
+        claims = [Claim(number, "", "", ()) for number in ("1", "A1")]
+        self.assertEqual(document.summary(claims), 'Of 1 claim 1 is undecided (1).')
+        self.assertEqual(document.verdict_figures(claims)["claims.count"], "1")
 
     def test_every_study_has_a_place_in_its_document_and_its_sweeps_exist(self):
         for doc in DOCUMENTS:
@@ -69,6 +81,13 @@ class Documents(unittest.TestCase):
                 self.assertIn(f"$study_{study.name}", doc.template.read_text(encoding="utf-8"))
                 for sweep in study.sweeps:
                     self.assertTrue((sweeps.DIRECTORY / f"{sweep.name}.yaml").exists(), sweep.name)
+
+
+    def test_every_sweep_of_these_documents_belongs_to_a_study(self):
+        used = {sweep.name for doc in DOCUMENTS for study in doc.studies for sweep in study.sweeps}
+        there = {path.stem for path in sweeps.DIRECTORY.glob("*.yaml")
+                 if path.stem.startswith(("paper_", "parting_", "validation_"))}
+        self.assertEqual(there, used)
 
 
 class Quick(unittest.TestCase):

@@ -1,9 +1,9 @@
-"""Which way two kinds go, which way one goes, and what follows from where they part, by hand-made numbers."""
+"""Directions of two species and of one, and the resulting windows of separation, from hand-made numbers."""
 import unittest
 
-from reproduce.paper import parting, parting_follows
+from reproduce.paper import open_base, parting, parting_follows
 from reproduce.samples import Mean
-from reproduce.validation import currents
+from reproduce.validation import currents, rapaport
 
 
 def sure(value):
@@ -17,7 +17,7 @@ class Parting(unittest.TestCase):
         self.assertEqual(parting.class_of((sure(-0.1), sure(-0.1))), parting.LEFT)
         self.assertEqual(parting.class_of((sure(-0.1), sure(0.1))), parting.OTHER)
 
-    def test_an_unsure_sign_is_not_told(self):
+    def test_an_unsure_sign_is_undecided(self):
         self.assertEqual(parting.class_of((sure(0.0005), sure(-0.1))), parting.UNTOLD)
         self.assertEqual(parting.class_of((None, sure(-0.1))), parting.UNTOLD)
 
@@ -25,7 +25,8 @@ class Parting(unittest.TestCase):
 class Follows(unittest.TestCase):
     def setUp(self):
         nothing = {(1.0, theta): (sure(0.1), sure(-0.1)) for theta in parting.ANGLES}
-        self.part = {"limits": {0.105: {"A": sure(2.2), "B": sure(1.2)}, 0.157: {"A": sure(0.9), "B": None}}, "ways": nothing}
+        self.part = {"limits": {0.105: {"A": sure(2.2), "B": sure(1.2)}, 0.157: {"A": sure(0.9), "B": None}},
+                     "ways": nothing}
 
     def test_density_between_both_turns_is_inside(self):
         self.assertTrue(parting_follows.is_inside(self.part, 0.105, 2.0))
@@ -39,6 +40,20 @@ class Follows(unittest.TestCase):
     def test_angles_are_named(self):
         self.assertEqual(parting_follows.angles(self.part, 2.0), "at 0.105 rad")
         self.assertEqual(parting_follows.angles(self.part, 3.0), "at neither angle")
+
+
+class Searches(unittest.TestCase):
+    def test_what_a_search_has_nowhere_is_undecided(self):
+        self.assertEqual(rapaport.claims({(0.6, 15.0, 1.0): (sure(0.1), sure(0.1))})[0].verdict(), "undecided")
+
+    def test_what_a_search_has_somewhere_is_possible(self):
+        self.assertEqual(rapaport.claims({(0.6, 15.0, 1.0): (sure(-0.1), sure(0.1))})[0].verdict(), "possible")
+
+
+class OpenBase(unittest.TestCase):
+    def test_the_density_that_is_left_counts_diameters(self):
+        row = {"count.A": 10, "left.A": 2, "right.A": 3, "count.B": 10, "left.B": 10, "right.B": 0}
+        self.assertAlmostEqual(open_base.left_on(row), 3.93 * 5 / 30)
 
 
 class Currents(unittest.TestCase):

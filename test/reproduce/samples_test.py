@@ -3,11 +3,12 @@ import random
 import statistics
 import unittest
 
-from reproduce.best import best_of
+from reproduce import student
+from reproduce.best import best_of, vertex
 from reproduce.crossings import apart_between, crossing_of, distance_of, zero_crossing
-from reproduce.lines import line_through
+from reproduce.lines import chi_squared_tail, line_through
 from reproduce.rows import Rows
-from reproduce.samples import Mean, jackknife, mean_of, student, variance_of
+from reproduce.samples import Mean, jackknife, mean_of, variance_of
 
 
 class Means(unittest.TestCase):
@@ -29,10 +30,9 @@ class Means(unittest.TestCase):
         self.assertEqual(Mean(-0.00001, 0.0004, 8).text(1e3), "0.0 ± 0.4")
 
     def test_sure_is_an_interval_of_95_percent(self):
-        self.assertAlmostEqual(student(1), 12.71)
-        self.assertAlmostEqual(student(30), 2.042)
-        self.assertAlmostEqual(student(40), 2.021, places=2)  # from the printed table
-        self.assertAlmostEqual(student(120), 1.980, places=2)
+        for freedom, printed in ((1, 12.706), (3, 3.182), (30, 2.042), (120, 1.980)):  # from the printed table
+            self.assertAlmostEqual(student.quantile(freedom), printed, places=3)
+        self.assertAlmostEqual(student.quantile(5, 0.001), 6.869, places=3)
         self.assertIs(Mean(4.4, 1.0, 3).surely_above(0.0), True)
         self.assertIsNone(Mean(4.2, 1.0, 3).surely_above(0.0))
         self.assertIs(Mean(-4.4, 1.0, 3).surely_above(0.0), False)
@@ -46,7 +46,7 @@ class Means(unittest.TestCase):
 
     def test_a_difference_has_the_freedom_of_welch(self):
         even = Mean(1.0, 0.1, 5).minus(Mean(0.0, 0.1, 5))
-        self.assertAlmostEqual(even.degrees(), 8.0)  # of two alike, that of both together
+        self.assertAlmostEqual(even.degrees(), 8.0)  # of two equal ones, their combined error
         self.assertAlmostEqual(even.error, math.hypot(0.1, 0.1))
         self.assertAlmostEqual(Mean(1.0, 0.1, 5).minus(Mean(0.0, 1e-9, 3)).degrees(), 4.0)  # one is exact
         self.assertIs(even.surely_above(0.0), True)
@@ -64,8 +64,8 @@ class Means(unittest.TestCase):
         self.assertAlmostEqual(variance.error, 4.0 * math.sqrt(2.0 / 20000.0), delta=0.003)  # sigma^2 sqrt(2 / n)
 
 
-def rows_of(curve, noise, seeds=6):
-    draws = random.Random(3)
+def rows_of(curve, noise, seeds=6, draws_of=3):
+    draws = random.Random(draws_of)
     return Rows({"x": 0.1 * k, "seed": float(seed), "y": curve(0.1 * k) + draws.gauss(0.0, noise)}
                 for k in range(8) for seed in range(1, seeds + 1))
 
@@ -90,13 +90,31 @@ class Curves(unittest.TestCase):
         self.assertAlmostEqual(apart.value, 0.3, delta=0.001)
 
     def test_the_best_of_noise_is_not_above_it(self):
-        gains = [best_of(rows_of(lambda x: 0.0, 1.0, seeds), "x", "y").mean.value for seeds in range(4, 24)]
-        self.assertLess(abs(statistics.fmean(gains)), 0.3)  # choosing by the same samples gains more than that
+        sets = [rows_of(lambda x: 0.0, 1.0, 6, draws_of) for draws_of in range(200)]
+        halves = [best_of(rows, "x", "y").mean.value for rows in sets]
+        naive = [max(cell.mean("y").value for cell in rows.by("x").values()) for rows in sets]
+        self.assertLess(abs(statistics.fmean(halves)), 0.1)
+        self.assertGreater(statistics.fmean(naive), 0.4)  # selection by the same samples
+
+    def test_each_half_of_the_seeds_chooses_for_the_other(self):
+        rows = Rows({"x": x, "seed": float(seed), "y": y} for x, ys in ((1.0, (5.0, 0.0)), (2.0, (0.0, 3.0)))
+                    for seed, y in zip((1, 2), ys))
+        self.assertEqual(best_of(rows, "x", "y").mean.value, 0.0)  # seed 1 chooses x = 1, where seed 2 has 0; and so on
 
     def test_the_best_is_found(self):
         best = best_of(rows_of(lambda x: 1.0 - (x - 0.4) ** 2, 0.002), "x", "y")
         self.assertAlmostEqual(best.at, 0.4)
         self.assertAlmostEqual(best.mean.value, 1.0, delta=0.01)
+        self.assertAlmostEqual(best.peak.value, 1.0, delta=0.01)
+
+    def test_a_peak_between_the_places_is_found(self):
+        self.assertAlmostEqual(vertex([(x, 2.0 - (x - 1.3) ** 2) for x in (0.0, 1.0, 2.5)]), 2.0)
+        self.assertIsNone(vertex([(0.0, 1.0), (1.0, 0.0), (2.0, 1.0)]))
+        self.assertIsNone(vertex([(0.0, 0.0), (1.0, 1.0), (2.0, 1.9)]))  # rises on beyond them
+
+    def test_chi_squared_has_the_tail_of_print(self):
+        for x, freedom in ((3.841, 1), (5.991, 2), (7.815, 3), (9.488, 4)):
+            self.assertAlmostEqual(chi_squared_tail(x, freedom), 0.05, places=4)
 
     def test_a_line_goes_through_its_points(self):
         line = line_through([(x, Mean(2.0 - 3.0 * x, 0.1 + x, 4)) for x in (0.0, 1.0, 2.0, 5.0)])

@@ -5,10 +5,11 @@ from reproduce.samples import Mean
 from reproduce.verdicts import Check, Claim
 
 SURE, UNSURE = Mean(1.0, 0.01, 8), Mean(0.01, 0.01, 8)
+ONCE = Mean(1.0, 0.3, 8)  # p = 0.013: sure alone, not among five
 
 
-def verdict(*outcomes):
-    return Claim("1", "here", "so it is", tuple(Check("", "", outcome) for outcome in outcomes)).verdict()
+def verdict(*outcomes, **options):
+    return Claim("1", "here", "so it is", tuple(Check("", "", outcome, **options) for outcome in outcomes)).verdict()
 
 
 class Verdicts(unittest.TestCase):
@@ -17,8 +18,12 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(verdict(True, False), "holds in part")
         self.assertEqual(verdict(True, None), "holds in part")
         self.assertEqual(verdict(False, None), "does not hold")
-        self.assertEqual(verdict(None, None), "not told")
-        self.assertEqual(verdict(), "not told")
+        self.assertEqual(verdict(None, None), "undecided")
+        self.assertEqual(verdict(), "undecided")
+
+    def test_what_was_searched_for_is_possible_at_most(self):
+        self.assertEqual(verdict(True, is_searched=True), "possible")
+        self.assertEqual(verdict(None, is_searched=True), "undecided")
 
     def test_a_check_follows_from_the_numbers(self):
         self.assertIs(verdicts.above("", SURE).passes, True)
@@ -30,7 +35,19 @@ class Verdicts(unittest.TestCase):
         self.assertIsNone(verdicts.within("", SURE, 0.99, 1.1).passes)
 
     def test_many_comparisons_say_which_is_the_other_way(self):
-        check = verdicts.counted("all", [("first", True), ("second", False), ("third", None)])
+        check = verdicts.counted("all", [("first", SURE), ("second", SURE.scaled(-1.0)), ("third", UNSURE)])
         self.assertIs(check.passes, False)
-        self.assertEqual(check.text(), "all: 1 of 3 are sure, 1 are surely the other way (second): **no**")
+        self.assertEqual(check.text(), "all: 1 of 3 are sure, 1 surely the other way (second): **no**")
         self.assertIsNone(verdicts.counted("none", []).passes)
+
+    def test_holm_of_the_textbook(self):
+        self.assertEqual(verdicts.holm([0.01, 0.04, 0.03, 0.005]), [True, False, False, True])
+        self.assertEqual(verdicts.holm([0.04]), [True])
+        self.assertEqual(verdicts.holm([0.03, 0.03]), [False, False])
+
+    def test_many_comparisons_are_corrected_for_their_number(self):
+        self.assertIs(verdicts.counted("one", [("alone", ONCE)]).passes, True)
+        self.assertIsNone(verdicts.counted("five", [(str(k), ONCE) for k in range(5)]).passes)
+
+    def test_a_mean_without_an_error_is_not_sure(self):
+        self.assertEqual(verdicts.signs([None, Mean(1.0, None, 1), SURE]), [None, None, True])

@@ -17,7 +17,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Numbers that do not get smaller by packing.
+/// Incompressible numbers.
 std_msgs::Float64MultiArray noise(std::size_t count, unsigned seed)
 {
   std::mt19937_64 random(seed);
@@ -107,13 +107,13 @@ TEST(BagFile, writesAChunkOutOnceItIsASecondLongOrLarge)
   EXPECT_EQ(file.size(), size());
 }
 
-/// Of what was written before the disk was full all is there but the last chunk or two, wherever the
-/// limit falls: within a chunk, within its index, or so that the file's index finds no room.
+/// After a full disk, all data but the last chunk or two are readable, for any limit: within a chunk, within
+/// its index, or without space for the file's index.
 TEST(BagFile, keepsWhatFitsWhereTheDiskIsFull)
 {
   const ScratchDirectory scratch;
   const std::string path = scratch / "a.bag";
-  constexpr std::size_t COUNT = 50;  // numbers a message: 0.4 kB
+  constexpr std::size_t COUNT = 50;  // numbers per message: 0.4 kB
   for (std::size_t limit = 4'200; limit < 30'000; limit += 389)
   {
     const FileSizeLimit full(limit);
@@ -132,7 +132,7 @@ TEST(BagFile, keepsWhatFitsWhereTheDiskIsFull)
 
     EXPECT_NO_THROW(requireSoundBag(path)) << limit;
     const auto read = readNoise(path);
-    // Of the limit 4.1 kB are the file's head, twice 1.7 kB the connection, and a chunk is 2.2 kB.
+    // Of the limit, the file's header takes 4.1 kB, the connection twice 1.7 kB, and a chunk 2.2 kB.
     EXPECT_GE(read.size() * 560 + 4'100 + 2 * 1'700 + 2'200, limit);
     EXPECT_LE(read.size(), written);
     for (std::uint32_t k = 0; k < read.size(); ++k)

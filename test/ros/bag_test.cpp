@@ -21,7 +21,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A short run into the sink.
+/// Hands a short run to the sink.
 void showRun(FrameSink& sink)
 {
   Simulation simulation(smallMixture());
@@ -49,7 +49,7 @@ std::string refusalOf(const std::string& path)
   return "read";
 }
 
-/// Takes a run twice: into a bag, and to compare with.
+/// Takes a run twice: into a bag, and into memory for comparison.
 class Both : public CollectingSink
 {
 public:
@@ -128,7 +128,7 @@ TEST(Bag, isReadInTheOrderOfTheFramesOwnTimes)
   rosbag::Bag file(scratch / "late.bag", rosbag::bagmode::Write);
   BaseFrame base;
   BinFrame bins;
-  // As `rosbag record` may have it: quantised bag times, the topics one behind the other.
+  // As `rosbag record` may write it: rounded bag times, one topic after the other.
   file.write("/sieve/scene", ros::Time(5.0), toMessage(SceneFrame()));
   for (const double time : {1.0, 2.0, 3.0})
   {
@@ -204,7 +204,7 @@ TEST(Bag, refusesWhatWasNotClosedOrIsCutOff)
   }
 }
 
-/// As `rosbag record` leaves them where the sieve is reset to time 0.
+/// As `rosbag record` leaves them after a reset to time 0.
 TEST(Bag, refusesRunsThatLieUponOneAnother)
 {
   const ScratchDirectory scratch;
@@ -223,7 +223,7 @@ TEST(Bag, refusesRunsThatLieUponOneAnother)
                 "with the node's ~record, or reset with keep_time");
 }
 
-/// A node that comes again after it was killed, twice, before anybody has looked after what it left.
+/// A node is killed and restarted twice before the user handles its files.
 TEST(Bag, setsAsideWhatWasNotClosed)
 {
   const ScratchDirectory scratch;
@@ -239,14 +239,14 @@ TEST(Bag, setsAsideWhatWasNotClosed)
   EXPECT_EQ(contents(path + ".unfinished2.active"), "second");
   EXPECT_EQ(refusalOf(path), "read");
   const std::string first = path + ".unfinished.active";
-  EXPECT_EQ(log.with(path + ".active was not closed, by a program that was killed: set aside as " + first +
-                     "; `rosbag reindex " + first + "` gives it its index")
+  EXPECT_EQ(log.with(path + ".active was left by a program that was killed: renamed to " + first +
+                     "; `rosbag reindex " + first + "` adds its index")
                 .size(),
             1u);
   EXPECT_EQ(log.with("run.bag.unfinished2.active").size(), 1u);
 }
 
-/// What `rosbag reindex` has been at keeps its name, FILE.active.
+/// `rosbag reindex` keeps the name, FILE.active.
 TEST(Bag, advisesNoIndexWhereThereIsOne)
 {
   const ScratchDirectory scratch;
@@ -259,12 +259,12 @@ TEST(Bag, advisesNoIndexWhereThereIsOne)
   const CaughtLog log;
   BagWriter bag(path);
   const std::string aside = path + ".unfinished.active";
-  EXPECT_EQ(log.with("set aside as " + aside + "; it has its index, and can be read as it is").size(), 1u);
+  EXPECT_EQ(log.with("renamed to " + aside + "; it has an index and can be read").size(), 1u);
   EXPECT_TRUE(log.with("reindex").empty());
   EXPECT_EQ(refusalOf(aside), "read");
 }
 
-/// As where the name is as long as a name may be, and none is left for what is to be set aside.
+/// For a file name of the maximum length, no longer name is possible.
 TEST(Bag, leavesAloneWhatCannotBeSetAside)
 {
   constexpr std::size_t LONGEST_NAME = 255;
@@ -280,7 +280,7 @@ TEST(Bag, leavesAloneWhatCannotBeSetAside)
   catch (const BagError& error)
   {
     EXPECT_EQ(error.what(), path + ": cannot be written: there is " + path + active +
-                                ", which was not closed, and cannot be set aside: File name too long");
+                                ", which was not closed and cannot be renamed: File name too long");
   }
   EXPECT_EQ(contents(path + active), "first");
 }

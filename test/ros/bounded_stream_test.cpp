@@ -11,7 +11,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Before the first array of a message: seq, stamp, frame_id and time, and so many numbers more [bytes].
+/// Size before the first array of a message: seq, stamp, frame_id and time, and this many numbers [bytes].
 constexpr std::size_t beforeArrays(std::size_t numbers)
 {
   return 4 + 8 + 4 + 5 + 8 + 8 * numbers;
@@ -26,7 +26,7 @@ std::vector<std::uint8_t> serialized(const Message& message)
   return bytes;
 }
 
-/// Reads a message whose first array claims another length.
+/// Reads a message whose first array declares another length.
 /// @param numbers between its time and its first array
 template <typename Message>
 void readWithLength(const Message& message, std::uint32_t length, std::size_t numbers)
@@ -37,7 +37,7 @@ void readWithLength(const Message& message, std::uint32_t length, std::size_t nu
   BoundedStream(bytes).next(read);
 }
 
-/// Lengths of which the last two, times the entry's size, come to a small number in 32 bits.
+/// The last two lengths, multiplied by the entry's size, overflow to a small number in 32 bits.
 const std::uint32_t LENGTHS[] = {1000, 0x7fffffff, 0xffffffff, 0x20000001, 0x40000001};
 
 TEST(BoundedStream, ReadsWhatWasWritten)

@@ -9,8 +9,7 @@
 namespace ratchet_sieve
 {
 
-/// What this process says in its log at WARN and above while this lives: ROS's libraries say there what they
-/// do not return.
+/// Captures this process's log lines at WARN and above: ROS libraries log errors that they do not return.
 class CaughtLog : public ros::console::LogAppender
 {
 public:
@@ -27,7 +26,7 @@ public:
     lines_.emplace_back(text);
   }
 
-  /// @return the lines in which this stands
+  /// @return the lines that contain the words
   std::vector<std::string> with(const std::string& words) const
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -16,17 +16,18 @@
 namespace ratchet_sieve
 {
 
-/// A program of this package, started beside the test, its errors caught. Ended with the test.
+/// A program of this package that runs during the test, with its standard error captured. Terminated with the
+/// test.
 class ChildNode
 {
 public:
   explicit ChildNode(const std::string& program, const std::vector<std::string>& arguments = {})
   {
-    // Programs of one package stand in one folder.
+    // All programs of a package are in one folder.
     const std::string path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / program;
     if (pipe(errors_.data()) != 0)
       throw std::runtime_error("no pipe");
-    // Nobody reads before it has ended: what it says must not hold it up.
+    // Nobody reads before the program ends, so its output must not block it.
     fcntl(errors_[1], F_SETPIPE_SZ, 1 << 20);
     process_ = fork();
     if (process_ == 0)
@@ -48,7 +49,7 @@ public:
 
   void interrupt() { kill(process_, SIGINT); }
 
-  /// As a crash does, or the kernel where memory runs out.
+  /// Like a crash, or like the kernel when memory is exhausted.
   void killAtOnce() { kill(process_, SIGKILL); }
 
   bool running() const
@@ -60,7 +61,7 @@ public:
 
   pid_t process() const { return process_; }
 
-  /// Reads what it writes to stderr until this is in it. @return false where it ends before
+  /// Reads its standard error until it contains this. @return false if the program ends before
   bool waitForError(const std::string& text)
   {
     while (errors_text_.find(text) == std::string::npos)
@@ -69,7 +70,7 @@ public:
     return true;
   }
 
-  /// Waits until it ends. @return its exit status; -1 where a signal ended it
+  /// Waits until it ends. @return its exit status; -1 after a signal
   int wait()
   {
     while (readErrors())
@@ -81,11 +82,11 @@ public:
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
-  /// What it wrote to stderr, after wait().
+  /// Its standard error, after wait().
   const std::string& errors() const { return errors_text_; }
 
 private:
-  /// Waits for more. @return false at the end
+  /// Waits for more output. @return false at the end
   bool readErrors()
   {
     std::array<char, 4096> chunk{};
@@ -100,7 +101,7 @@ private:
     dup2(errors_[1], STDERR_FILENO);
     close(errors_[0]);
     close(errors_[1]);
-    std::signal(SIGXFSZ, SIG_DFL);  // which a FileSizeLimit of the test ignores
+    std::signal(SIGXFSZ, SIG_DFL);  // ignored by a FileSizeLimit of the test
     std::vector<char*> argv = {const_cast<char*>(path.c_str())};
     for (const std::string& argument : arguments)
       argv.push_back(const_cast<char*>(argument.c_str()));

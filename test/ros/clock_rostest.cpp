@@ -24,7 +24,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// What tf2 complains of while this lives. It does not use ROS's log.
+/// Captures tf2's warnings, which do not go to ROS's log.
 class Complaints : public console_bridge::OutputHandler
 {
 public:
@@ -51,20 +51,20 @@ private:
   std::vector<std::string> lines_;
 };
 
-/// A paused sieve, begun anew for each test, with another program's view of time and frames.
+/// A paused sieve, reset for each test, observed from another program with its own time and tf buffer.
 class Clock : public testing::Test
 {
 protected:
   void SetUp() override
   {
     ASSERT_TRUE(sieve.connect());
-    // The listener subscribes before time jumps: during a reset it might get one transform twice.
+    // The listener subscribes before time jumps, because during a reset it might get a transform twice.
     ASSERT_TRUE(waitFor([&] { return buffer.canTransform(WORLD_FRAME_ID, BASE_FRAME_ID, ros::Time(0)); }));
     sieve.resetAndSee();
     ASSERT_TRUE(waitFor([&] { return buffer.canTransform(WORLD_FRAME_ID, BASE_FRAME_ID, ros::Time(0)); }));
   }
 
-  /// Where the base was at the stamp of every message of the disks.
+  /// Checks that a transform exists at the stamp of every message of the disks.
   void expectTransformsOfAllParticles()
   {
     ASSERT_FALSE(sieve.particles.stamps.empty());
@@ -72,9 +72,10 @@ protected:
       ASSERT_TRUE(waitFor([&] { return knows(stamp); }, 5.0)) << "at " << stamp;
   }
 
-  /// Steps, and waits until the listener has noted a time near the step's end. tf2 reads the clock only when
-  /// a transform arrives, and finds a jump back in time by what it read last; the clock of a fast step may
-  /// arrive after the step's transforms. So the transforms of a second step follow when the clock is there.
+  /// Steps, and waits until the listener has a time near the step's end. tf2 reads the clock only when a
+  /// transform arrives, and detects a jump back in time by comparing with its last reading. The clock of a
+  /// fast step may arrive after its transforms. So the transforms of a second step follow after the clock has
+  /// arrived.
   void stepAndHear(double duration)
   {
     constexpr double SECOND_STEP = 0.02;
@@ -84,7 +85,7 @@ protected:
     ASSERT_TRUE(waitFor([&] { return knows(sieve.particles.stamps.back()); }));
   }
 
-  /// ros::Time(0) means the latest to tf2: a message of the first instant is then transformed by that.
+  /// ros::Time(0) means "latest" to tf2: a message at time 0 is then transformed with the latest transform.
   bool knows(const ros::Time& stamp) const
   {
     return buffer.canTransform(WORLD_FRAME_ID, BASE_FRAME_ID, stamp);
@@ -110,7 +111,7 @@ TEST_F(Clock, transformsEveryMessageAtItsStamp)
     sieve.stepAndSee(0.3);
   EXPECT_GT(sieve.particles.frames.size(), 70u);
   expectTransformsOfAllParticles();
-  // Of that very instant, not from between two others: A = 2 mm, f = 23 Hz.
+  // The transform of that time, not interpolated between two others: A = 2 mm, f = 23 Hz.
   for (const ros::Time& stamp : sieve.particles.stamps)
   {
     const double expected = 0.002 * std::sin(2.0 * M_PI * 23.0 * stamp.toSec());
@@ -123,11 +124,11 @@ TEST_F(Clock, transformsEveryMessageAtItsStamp)
 
 TEST_F(Clock, transformsOnAfterAReset)
 {
-  // Further than the buffer remembers: what is then taken for old is thrown away.
+  // Longer than tf2's buffer: older transforms are then rejected.
   ASSERT_NO_FATAL_FAILURE(stepAndHear(12.0));
   for (int k = 0; k < 3; ++k)
   {
-    // With so many disks that their first message takes a while: the clock does not wait for it.
+    // With so many disks that the first message takes a while: the clock does not wait for it.
     sieve.forget();
     ASSERT_TRUE(
         sieve.reset(0, {"boundary=periodic", "contact.pair_collisions=false", "species.0.count=20000"})
@@ -148,7 +149,7 @@ TEST_F(Clock, transformsOnAfterTheWorldWasReset)
 {
   sieve.stepAndSee(0.1);
   expectTransformsOfAllParticles();
-  const std::size_t jumps = log.with("jump back").size();  // of the reset before
+  const std::size_t jumps = log.with("jump back").size();  // from the reset before
   for (int k = 0; k < 5; ++k)
   {
     sieve.stepAndSee(0.1234);
@@ -182,8 +183,8 @@ TEST_F(Clock, hasNoTransformTwiceWhereADisplayLooksOn)
 
 TEST_F(Clock, passesAMessageFilter)
 {
-  // The transforms come in this thread: where they have one of their own, tf2 0.7's filter loses what comes
-  // while it notes that it waits for it (https://github.com/ros2/geometry2/pull/307).
+  // Transforms are received in this thread: with a separate thread, the filter of tf2 0.7 loses messages that
+  // arrive while it registers its wait (https://github.com/ros2/geometry2/pull/307).
   ros::NodeHandle node;
   tf2_ros::Buffer frames;
   const tf2_ros::TransformListener frames_listener(frames, node, false);
@@ -209,7 +210,7 @@ TEST_F(Clock, passesAMessageFilter)
   }
 }
 
-/// All that comes on /clock.
+/// All messages on /clock.
 class ClockTopic
 {
 public:
@@ -259,7 +260,7 @@ TEST_F(Clock, goesBackAtAResetAndNowhereElse)
   EXPECT_EQ(clock.jumpsBack(), 1);
 }
 
-/// rosbag ends with the first message that it hears at time 0.
+/// rosbag stops at the first message that it receives at time 0.
 TEST_F(Clock, letsRosbagRecordAcrossAReset)
 {
   const ScratchDirectory scratch;
@@ -282,7 +283,7 @@ TEST_F(Clock, letsRosbagRecordAcrossAReset)
 
 TEST_F(Clock, isThereBeforeAMessageWithALaterStamp)
 {
-  // By itself it comes once a second: here it comes for the sake of the messages.
+  // At a rate of once a second, nearly all clock messages come with the other messages.
   ClockTopic clock(sieve.node);
   ASSERT_TRUE(clock.connect());
   ASSERT_TRUE(sieve.call("unpause_physics"));
@@ -292,7 +293,7 @@ TEST_F(Clock, isThereBeforeAMessageWithALaterStamp)
   const std::set<ros::Time> shown(clock.times.begin(), clock.times.end());
   const auto known = [&](const ros::Time& stamp) { return shown.count(stamp) > 0; };
   const auto count = std::count_if(sieve.particles.stamps.begin(), sieve.particles.stamps.end(), known);
-  // Where several come at a time, only the newest is sent.
+  // If several are due at the same time, only the newest is sent.
   EXPECT_GT(2 * static_cast<std::size_t>(count), sieve.particles.stamps.size());
 }
 }  // namespace

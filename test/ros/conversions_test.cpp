@@ -16,7 +16,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A message as it arrives after a way over the wire.
+/// A message after serialization and deserialization.
 template <typename Message>
 Message overTheWire(const Message& message)
 {
@@ -43,7 +43,7 @@ TEST(Conversions, keepEveryBit)
       });
 }
 
-/// The fields of a message, by its definition: neither constants nor comments, nor the header.
+/// The fields of a message, from its definition: without constants, comments and the header.
 template <typename Message>
 std::set<std::string> fieldsOfMessage()
 {
@@ -60,7 +60,7 @@ std::set<std::string> fieldsOfMessage()
   return names;
 }
 
-/// The fields of the message of a described struct, by the description.
+/// The fields of a described struct's message, from the description.
 template <typename Struct>
 std::set<std::string> describedFields()
 {

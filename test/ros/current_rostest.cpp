@@ -8,7 +8,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Mean and its standard error over the disks of how far they went between two frames.
+/// Mean and standard error, over the disks, of the displacement between two frames.
 struct Current
 {
   double mean = 0.0;     ///< [m]
@@ -33,10 +33,10 @@ Current currentBetween(const ParticleFrame& before, const ParticleFrame& after)
   return {mean, std::sqrt((squares / n - mean * mean) / (n - 1.0))};
 }
 
-/// A sign counts if it is this many standard errors from zero.
+/// A sign is significant if it is this many standard errors from zero.
 constexpr double BEYOND_DOUBT = 5.0;
 
-/// Fig. 3 and Fig. 4 of the paper: single disks go right on a level base, left at theta = 0.209.
+/// Fig. 3 and Fig. 4 of the paper: single disks move right on a level base, left at theta = 0.209.
 TEST(Current, isTurnedByTheInclinationThatIsCommanded)
 {
   SieveClient sieve("/sieve");
@@ -57,7 +57,7 @@ TEST(Current, isTurnedByTheInclinationThatIsCommanded)
   EXPECT_LT(uphill.mean, -BEYOND_DOUBT * uphill.stderr_);
 }
 
-/// Below A (2 pi f)^2 = g nothing is thrown, and the current dies.
+/// Below A (2 pi f)^2 = g no disk is thrown up, and the current vanishes.
 TEST(Current, endsWhereTheFrequencyIsCommandedTooLow)
 {
   SieveClient sieve("/sieve");

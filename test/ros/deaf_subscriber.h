@@ -16,12 +16,12 @@
 namespace ratchet_sieve
 {
 
-/// Subscribes to a topic of a node and then reads nothing of it, ever: a program that hangs. roscpp's own
-/// subscriber would not do, as a thread of its reads whatever comes.
+/// Subscribes to a topic of a node and then reads nothing: like a program that hangs. roscpp's own subscriber
+/// cannot do that, because its thread reads all messages.
 class DeafSubscriber
 {
 public:
-  /// @param md5 of the message @throws std::runtime_error where the node does not let it in
+  /// @param md5 of the message @throws std::runtime_error if the node rejects the connection
   DeafSubscriber(const std::string& node, const std::string& topic, const std::string& md5)
   {
     socket_ = socket(AF_INET, SOCK_STREAM, 0);
@@ -29,7 +29,7 @@ public:
     setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &little, sizeof(little));
     connectTo(node, topic);
     send({"callerid=/deaf", "topic=" + topic, "md5sum=" + md5, "type=*"});
-    // The length of the node's answer, which comes where it agrees.
+    // The length of the node's answer, which comes if it accepts.
     std::uint32_t length = 0;
     if (recv(socket_, &length, sizeof(length), MSG_WAITALL) != sizeof(length))
       throw std::runtime_error(node + " does not let a subscriber in");
@@ -39,7 +39,7 @@ public:
   DeafSubscriber& operator=(const DeafSubscriber&) = delete;
 
 private:
-  /// Asks the master for the node, the node for the port of its topics.
+  /// Asks the master for the node, and the node for its topic port.
   void connectTo(const std::string& node, const std::string& topic)
   {
     XmlRpc::XmlRpcValue request, response, payload;

@@ -8,7 +8,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// The demo as it is launched, only faster: level at first, then tilted by its schedule.
+/// The demo as launched, but faster: first level, then tilted by its schedule.
 TEST(Demo, separatesTheMixtureUnderCommand)
 {
   SieveClient sieve("/sieve");

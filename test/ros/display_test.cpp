@@ -96,7 +96,7 @@ TEST(SceneMarkers, drawTheBaseWhereTheEngineHasIt)
     EXPECT_NEAR(sawtooth.heightAbove(point.x, point.z), 0.0, 1e-12);
 }
 
-/// The highest and the farthest that the base is drawn, in its own frame.
+/// The highest and the furthest point of the drawn base, in its own frame.
 Vector reachOfBase(const SceneDefinition& scene)
 {
   Vector reach{0.0, 0.0, 0.0};
@@ -113,7 +113,7 @@ TEST(SceneMarkers, drawWallsBesideTheBaseUpToTheirHeight)
   scene.base.wall_height = 0.013;
   EXPECT_NEAR(reachOfBase(scene).z, 0.013, 1e-15);
   EXPECT_GT(reachOfBase(scene).x, scene.base.width());
-  // Those of their own height, ten widths and more, are cut off where the view ends.
+  // The default walls, at least ten widths high, are cut off at the edge of the view.
   scene.base.wall_height = 0.0;
   EXPECT_LT(reachOfBase(scene).z, 0.3 * scene.base.width());
   EXPECT_GT(reachOfBase(scene).z, 0.1 * scene.base.width());
@@ -164,7 +164,7 @@ TEST(SceneMarkers, markEachDiskWhereItHasTurnedTo)
     const double x = dots.points[k].x - disk.x;
     const double z = dots.points[k].z - disk.y;
     EXPECT_NEAR(std::atan2(z, x), disk.angle, 1e-12);
-    // On the sphere, on the side from which it is seen.
+    // On the sphere, on the viewer's side.
     EXPECT_NEAR(std::hypot(x, z, dots.points[k].y), scene.species[1].radius, 1e-15);
     EXPECT_LT(dots.points[k].y, 0.0);
   }

@@ -7,8 +7,8 @@
 namespace ratchet_sieve
 {
 
-/// No file of this program, and of those it starts meanwhile, can grow beyond a size while this lives:
-/// as good as a full disk, and to be had without a disk.
+/// Limits the file size of this program and of programs started during its lifetime: equivalent to a full
+/// disk.
 class FileSizeLimit
 {
 public:

@@ -24,7 +24,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// What the address sanitizer keeps of freed memory, to find who uses it [bytes].
+/// Freed memory that the address sanitizer keeps, to detect later use [bytes].
 #ifdef __SANITIZE_ADDRESS__
 constexpr std::size_t FREED_AND_KEPT = std::size_t{256} << 20;
 #else
@@ -34,7 +34,7 @@ constexpr std::size_t FREED_AND_KEPT = 0;
 constexpr double DOUBLE_NAN = std::numeric_limits<double>::quiet_NaN();
 constexpr double DOUBLE_INFINITY = std::numeric_limits<double>::infinity();
 
-/// Starts and ends nodes itself. The scene is on the parameter server, under each node's name.
+/// Starts and stops nodes itself. The scene is on the parameter server, under each node's name.
 class Hardship : public testing::Test
 {
 protected:
@@ -53,7 +53,7 @@ protected:
   ScratchDirectory scratch_;
 };
 
-/// Where a node is, as the master has it; empty if it knows none of that name.
+/// The address of a node according to the master; empty if the master does not know it.
 std::string addressOf(const std::string& node)
 {
   XmlRpc::XmlRpcValue request, response, payload;
@@ -64,7 +64,7 @@ std::string addressOf(const std::string& node)
              : std::string();
 }
 
-/// Everything under a name that the master holds: publishers, subscribers and services, each with its nodes.
+/// All entries of the master under a name: publishers, subscribers and services, each with its nodes.
 std::map<std::string, std::vector<std::string>> registered(const std::string& prefix)
 {
   XmlRpc::XmlRpcValue request, response, payload;
@@ -83,7 +83,7 @@ std::map<std::string, std::vector<std::string>> registered(const std::string& pr
   return all;
 }
 
-/// Waits until the controller sees nothing more of the node.
+/// Waits until this process has lost all connections to the node.
 bool isGone(SieveClient& sieve)
 {
   return waitFor(
@@ -139,7 +139,7 @@ TEST_F(Hardship, aScheduleBeginsAnewWithANodeThatComesAgain)
   XmlRpc::XmlRpcValue schedule;
   schedule[0]["time"] = 0.25;
   schedule[0]["inclination"] = 0.05;
-  schedule[1]["time"] = 1000.0;  // which never comes
+  schedule[1]["time"] = 1000.0;  // never reached
   schedule[1]["inclination"] = 0.0;
   ros::param::set("/conductor/schedule", schedule);
   ros::param::set("/conductor/sieve", "/staged");
@@ -160,8 +160,7 @@ TEST_F(Hardship, aScheduleBeginsAnewWithANodeThatComesAgain)
     node.killAtOnce();
     node.wait();
     ASSERT_TRUE(isGone(sieve));
-    ASSERT_TRUE(
-        waitFor([&] { return log.count("/staged is gone before the schedule is over") == life + 1; }));
+    ASSERT_TRUE(waitFor([&] { return log.count("before the end of the schedule") == life + 1; }));
     sieve.forget();
     sieve.scene.forget();
   }
@@ -185,11 +184,11 @@ TEST_F(Hardship, aScheduleThatIsOverDoesNotMindTheEnd)
   EXPECT_EQ(first.wait(), 0) << first.errors();
   ASSERT_TRUE(isGone(sieve));
 
-  // It has noticed where it begins once more.
+  // The schedule has restarted.
   const auto before = log.count("the schedule is over");
   ChildNode second("sieve_node", named("/finite"));
   ASSERT_TRUE(waitFor([&] { return log.count("the schedule is over") > before; }));
-  EXPECT_EQ(log.count("is gone"), 0);
+  EXPECT_EQ(log.count("before the end of the schedule"), 0);
 }
 
 TEST_F(Hardship, aThousandSetpointsASecond)
@@ -219,14 +218,14 @@ TEST_F(Hardship, aThousandSetpointsASecond)
   node.interrupt();
   EXPECT_EQ(node.wait(), 0) << node.errors();
 
-  // As many frames of the bins as without a setpoint, each in its time.
+  // As many frames of the bins as without setpoints, each at its time.
   CollectingSink recorded;
   readBag(bag, recorded);
   const double ended = recorded.bins.back().time;
   ASSERT_GE(recorded.bins.size(), static_cast<std::size_t>(60.0 * ended));
   for (std::size_t k = 0; k + 1 < recorded.bins.size(); ++k)
     ASSERT_EQ(recorded.bins[k].time, static_cast<double>(k) / 60.0);
-  // One setpoint takes some 200 bytes: its own message and one of the base.
+  // One setpoint takes about 200 bytes: its own message and one of the base.
   rosbag::Bag file(bag);
   rosbag::View setpoints(file, rosbag::TopicQuery("/flooded/inclination_setpoint"));
   EXPECT_GT(setpoints.size(), 100u);
@@ -235,7 +234,7 @@ TEST_F(Hardship, aThousandSetpointsASecond)
   EXPECT_LT(std::filesystem::file_size(bag), recorded.bins.size() * 3000 + COUNT * 500);
   ChildNode again("sieve_resimulate", {bag});
   EXPECT_EQ(again.wait(), 0) << again.errors();
-  // A line a second, and some from its start.
+  // One line per second, and some at the start.
   EXPECT_LT(log.lines.size(), 20 + 2 * static_cast<std::size_t>(ended));
 }
 
@@ -267,7 +266,7 @@ TEST_F(Hardship, aBurstOfGarbage)
   EXPECT_EQ(sieve.base.frames.back().base.frequency, 23.0);
   EXPECT_LT(log.lines.size(), 100u);
 
-  // And 100,000 good ones: the last of them holds.
+  // Then 100,000 legal ones: the last one is applied.
   for (int k = 0; k < 100000; ++k)
     sieve.publish("inclination", 1e-6 * k);
   sieve.publish("inclination", 0.25);
@@ -318,7 +317,7 @@ TEST_F(Hardship, messagesThatAreNoSetpoints)
   EXPECT_TRUE(node.running());
 }
 
-/// What a process holds of the machine's memory [bytes].
+/// Memory of a process in RAM [bytes].
 std::size_t residentMemory(pid_t process)
 {
   std::ifstream file("/proc/" + std::to_string(process) + "/statm");
@@ -329,7 +328,7 @@ std::size_t residentMemory(pid_t process)
 
 TEST_F(Hardship, oneSubscriberHangsAndTheOtherGetsEveryMessage)
 {
-  // 4000 disks that do not see each other: a message of some 270 kB.
+  // 4000 disks without disk-disk collisions: a message of about 270 kB.
   prepare("/talkative", true);
   ros::param::set("/talkative/scene/boundary", "periodic");
   ros::param::set("/talkative/scene/contact/pair_collisions", false);
@@ -357,7 +356,7 @@ TEST_F(Hardship, oneSubscriberHangsAndTheOtherGetsEveryMessage)
     if (k == 7)
       memory_before = residentMemory(node.process());
   }
-  // 600 messages have come since: 160 MB, if they were kept.
+  // 600 messages were sent since: 160 MB if they were kept.
   EXPECT_LT(residentMemory(node.process()), memory_before + FREED_AND_KEPT + (50u << 20));
 }
 

@@ -4,8 +4,15 @@
 Usage: launch_rostest.py BAG [ROS ARGUMENT...]; part of launch.test, which has started a master. BAG is a recorded run.
 """
 
+import os
+import re
+import shlex
+import shutil
+import signal
+import subprocess
 import sys
 import tempfile
+import xmlrpc.client
 from pathlib import Path
 
 import roslaunch.config
@@ -15,10 +22,10 @@ import yaml
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
-from launched import PACKAGE, Launched, message, wait_for
+from launched import PACKAGE, PATIENCE, Launched, message, wait_for
 from ratchet_sieve.msg import BaseState, SceneDescription, SeekTrial
 
-# A sieve that stands still and stays.
+# A paused sieve that does not exit.
 STILL = ['paused:=true', 'exit_at_end:=false']
 
 
@@ -27,7 +34,7 @@ def scene_of(sieve):
 
 
 class Launch(Launched):
-    # On a master that goes on, each launch has its own parameters and no others.
+    # With a master that keeps running, each launch sees only its own parameters.
 
     def test_leaves_no_key_of_the_scene_before(self):
         seek = self.launch('sieve.launch', f'scene:={PACKAGE}/config/seek.yaml', *STILL)
@@ -66,7 +73,64 @@ class Launch(Launched):
             self.assertTrue(ours)
             self.assertEqual([name for name in ours if name not in config.clear_params], [], path.name)
 
-    # What is launched under ROS_NAMESPACE finds itself there.
+    # Topics of the display, and their times.
+
+    def test_log_lines_are_there_at_once(self):
+        """The log of a running node."""
+        self.master.setParam('/hasty/scene', yaml.safe_load((PACKAGE / 'test/ros/mixture.yaml').read_text()))
+        self.master.setParam('/hasty/start_paused', True)
+        with tempfile.NamedTemporaryFile('r') as log:
+            self.start(['rosrun', 'ratchet_sieve', 'sieve_node', '__name:=hasty'], stdout=log)
+            wait_for(lambda: '30 disks, 20 s, seed 7' in Path(log.name).read_text(), 'the start is logged')
+
+    def test_replay_of_names_with_spaces(self):
+        with tempfile.TemporaryDirectory(prefix='two words ') as scratch:
+            bag = Path(scratch) / 'a run.bag'
+            shutil.copy(sys.argv[1], bag)
+            self.launch('replay.launch', f'bag:={bag}', 'loop:=true', 'rviz:=false')
+            scene_of('/sieve')
+
+    def test_replay_splits_between_bags(self):
+        for given, names in (('run.bag', ['run.bag']), ('a b/run_0.bag a b/run_1.bag', ['a b/run_0.bag', 'a b/run_1.bag']),
+                             ('run_0.bag run.bag.active ', ['run_0.bag', 'run.bag.active'])):
+            config = roslaunch.config.load_config_default(
+                [(str(PACKAGE / 'launch/replay.launch'), [f'bag:={given}', 'rviz:=false'])], None)
+            player = next(node for node in config.nodes if node.name == 'player')
+            self.assertEqual(shlex.split(player.args)[:len(names) + 1], [*names, '--sieve'])
+
+    # The controller of docs/node.md, saved as it says there.
+
+    def saved_controller(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        script = Path(scratch.name) / 'controller.py'
+        script.write_text(re.search(r'^```python\n(#!/usr/bin/python3\n.*?)^```', (PACKAGE / 'docs/node.md').read_text(),
+                                    re.DOTALL | re.MULTILINE)[1])
+        script.chmod(0o755)
+        return script
+
+    def launch_for_control(self, duration):
+        """@return the controller"""
+        controller = self.saved_controller()
+        scene = controller.with_name('scene.yaml')
+        scene.write_text((PACKAGE / 'test/ros/mixture.yaml').read_text().replace('duration: 20.0', f'duration: {duration}'))
+        self.launch('sieve.launch', f'scene:={scene}', *STILL)
+        return controller
+
+    def test_controller_runs_to_the_end(self):
+        done = subprocess.run([self.launch_for_control(20.0)], capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual((done.returncode, done.stderr), (0, ''))
+        self.assertRegex(done.stdout, r'^20\.0 [0-9.]+ $')
+
+    def test_controller_says_in_one_line_that_its_sieve_is_gone(self):
+        run = subprocess.Popen([self.launch_for_control(1e6)], stderr=subprocess.PIPE, text=True)
+        wait_for(lambda: message('/sieve/base', BaseState).header.stamp.to_sec() > 1.0, 'it is under way')
+        with xmlrpc.client.ServerProxy(self.master.lookupNode('/sieve')) as node:
+            os.kill(node.getPid('/launch_rostest')[2], signal.SIGKILL)
+        self.assertRegex(run.communicate(timeout=PATIENCE)[1], r'\Acontroller.py: /sieve/lock_step: .*\n\Z')
+        self.assertEqual(run.returncode, 1)
+
+    # Nodes launched under ROS_NAMESPACE find each other.
 
     def test_demo_in_a_namespace(self):
         self.launch('demo.launch', namespace='plant1')

@@ -1,4 +1,4 @@
-"""Launch files of this package, started beside a test and on its master, as users start them."""
+"""Starts launch files of this package during a test, on its master, as users start them."""
 
 import os
 import signal
@@ -16,12 +16,12 @@ from virtual_screen import PATIENCE, wait_for  # noqa: E402, F401
 
 
 def message(topic, kind):
-    """The next message on a topic, or what is latched there."""
+    """The next or latched message on a topic."""
     return rospy.wait_for_message(topic, kind, PATIENCE)
 
 
 class Launched(unittest.TestCase):
-    """A test that launches; what it has launched ends with it."""
+    """A test with launch files, which end with it."""
 
     def setUp(self):
         self.master = rosgraph.Master('/launched')
@@ -29,21 +29,21 @@ class Launched(unittest.TestCase):
     def launch(self, *arguments, namespace='', **environment):
         return self.start(['roslaunch', 'ratchet_sieve', *arguments], ROS_NAMESPACE=namespace, **environment)
 
-    def start(self, command, **environment):
+    def start(self, command, stdout=subprocess.DEVNULL, **environment):
         program = subprocess.Popen(command, cwd=PACKAGE, env=dict(os.environ, **environment), start_new_session=True,
-                                   stdout=subprocess.DEVNULL)
+                                   stdout=stdout)
         self.addCleanup(self.end, program)
         return program
 
     @staticmethod
     def end(program):
-        """As Ctrl-C does, which roslaunch hands on to its nodes."""
+        """Like Ctrl-C, which roslaunch forwards to its nodes."""
         if program.poll() is None:
             program.send_signal(signal.SIGINT)
         program.wait(PATIENCE)
 
     def publishers(self, topic):
-        """The names of a topic's publishers, as the master has them."""
+        """The names of a topic's publishers, according to the master."""
         return dict(self.master.getSystemState()[0]).get(topic, [])
 
     def subscribers(self, topic):

@@ -13,7 +13,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// The words of roscpp, on stderr.
+/// roscpp's message on standard error.
 constexpr const char* WAITING = "Failed to contact master at [localhost:";
 
 TEST(Masterless, aNodeSaysThatItWaitsForTheMasterAndCanBeEnded)
@@ -23,7 +23,7 @@ TEST(Masterless, aNodeSaysThatItWaitsForTheMasterAndCanBeEnded)
   ASSERT_TRUE(node.waitForError(WAITING)) << node.errors();
   EXPECT_TRUE(node.running());
   node.interrupt();
-  EXPECT_EQ(node.wait(), -1);  // by the signal
+  EXPECT_EQ(node.wait(), -1);  // ended by the signal
   EXPECT_EQ(node.errors().find(WAITING), node.errors().rfind(WAITING)) << node.errors();
 }
 
@@ -33,13 +33,13 @@ TEST(Masterless, aNodeGoesOnOnceThereIsAMaster)
   ChildNode node("sieve_node", {"__name:=early"});
   ASSERT_TRUE(node.waitForError(WAITING)) << node.errors();
   master.start();
-  // It comes as far as to miss its scene.
+  // It proceeds to the missing scene.
   EXPECT_EQ(node.wait(), 2);
   EXPECT_NE(node.errors().find("sieve_node: parameter /early/scene: not set"), std::string::npos)
       << node.errors();
 }
 
-/// The only test in which this process is a node: the rest of it knows no other master.
+/// The only test in which this process is a node, because it can use only one master.
 TEST(Masterless, runGoesOnWhereTheMasterGoesAway)
 {
   OwnMaster master;
@@ -71,7 +71,7 @@ TEST(Masterless, runGoesOnWhereTheMasterGoesAway)
   master.kill();
   ASSERT_FALSE(ros::master::check());
 
-  // Frames and setpoints go from node to node; only new connections need the master.
+  // Frames and setpoints are exchanged directly between nodes; only new connections need the master.
   const double orphaned = sieve.base.frames.back().time;
   ASSERT_TRUE(waitFor([&] { return sieve.particles.frames.back().time > orphaned + 1.0; }));
   sieve.publish("inclination", 0.125);
@@ -79,6 +79,12 @@ TEST(Masterless, runGoesOnWhereTheMasterGoesAway)
   const double commanded = sieve.base.frames.back().time;
   ASSERT_TRUE(waitFor([&] { return sieve.statistics.frames.back().time > commanded + 0.2; }));
   EXPECT_TRUE(node.running());
+
+  // A new master does not know the node, which continues and ends normally.
+  master.start();
+  ASSERT_TRUE(waitFor([] { return ros::master::check(); }));
+  const double under_another = sieve.base.frames.back().time;
+  ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().time > under_another + 0.2; }));
   node.interrupt();
   EXPECT_EQ(node.wait(), 0) << node.errors();
 
@@ -87,7 +93,7 @@ TEST(Masterless, runGoesOnWhereTheMasterGoesAway)
   EXPECT_EQ(recorded.particles.front().time, 0.0);
   EXPECT_GT(recorded.particles.back().time, commanded);
   EXPECT_EQ(recorded.bases.back().base.commanded_inclination, 0.125);
-  // What came over the air is what is in the bag, to the end.
+  // The received frames are equal to those in the bag, to the end.
   for (const BinFrame& seen : sieve.bins.frames)
   {
     const auto same = [&](const BinFrame& frame) { return frame.time == seen.time; };

@@ -13,7 +13,7 @@
 namespace ratchet_sieve
 {
 
-/// What a node says in its log, as it comes over /rosout.
+/// Collects the log lines of a node from /rosout.
 class NodeLog
 {
 public:
@@ -28,7 +28,7 @@ public:
                                                        });
   }
 
-  /// Whether every node that has a log is heard: one that runs already is not at once.
+  /// Whether all nodes that log are connected; a node that already runs connects with a delay.
   bool connected() const
   {
     XmlRpc::XmlRpcValue caller, state, payload;
@@ -41,7 +41,7 @@ public:
     return false;
   }
 
-  /// In how many lines this stands.
+  /// Number of lines that contain the words.
   std::ptrdiff_t count(const std::string& words) const
   {
     return std::count_if(lines.begin(), lines.end(),

@@ -23,7 +23,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A sieve that roslaunch has started paused, begun anew for each test; and its scene, to run beside.
+/// A sieve started paused by roslaunch, reset for each test; and a simulation of its scene for comparison.
 class Node : public testing::Test
 {
 protected:
@@ -39,7 +39,7 @@ protected:
     return sceneFromYaml(parameter.root, parameter.source).definition;
   }
 
-  /// Commands and waits until the sieve shows it.
+  /// Sends a command and waits until the sieve's base shows it.
   void command(const std::string& quantity, double value, double DriveState::*commanded)
   {
     sieve.publish(quantity, value);
@@ -129,7 +129,7 @@ TEST_F(Node, saysThatACollapseStoppedIt)
         const auto& status = statuses["sieve: simulation"];
         return status.level == diagnostic_msgs::DiagnosticStatus::ERROR && status.message == answer.message;
       }));
-  // Not before it is begun anew does it go on.
+  // It continues only after a reset.
   EXPECT_EQ(sieve.step(1.0).message, answer.message);
   sieve.resetAndSee();
   EXPECT_TRUE(sieve.step(1.0).success);
@@ -173,13 +173,13 @@ TEST_F(Node, warnsOfASceneThatCannotBeMeantUntilAnotherRuns)
       waitFor([&] { return statuses["sieve: scene"].level == diagnostic_msgs::DiagnosticStatus::OK; }));
 }
 
-/// Down a slope that never ends.
+/// An endless slope.
 TEST_F(Node, warnsOnceThatTheEnergyLeavesTheMachinesScale)
 {
   Statuses statuses(sieve.node);
   const NodeLog log("/sieve");
   ASSERT_TRUE(waitFor([&] { return log.connected(); }));
-  const std::string words = "energy beyond every scale of the machine: at ";
+  const std::string words = "implausibly large energy: at ";
   const std::vector<std::string> slope = {"base.inclination=1.5", "boundary=periodic",
                                           "contact.pair_collisions=false", "duration=200"};
   ASSERT_TRUE(sieve.reset(0, slope).success);
@@ -213,7 +213,7 @@ TEST_F(Node, warnsOfDisksThatGoOverTheWalls)
 TEST_F(Node, warnsOfAWalledBaseThatMayTurnTooFast)
 {
   Statuses statuses(sieve.node);
-  // Where little falls, little is held down: at 0.01 m/s^2 a base may turn at no more than 0.11 rad/s.
+  // Small gravity holds the disks less: at 0.01 m/s^2 a base may turn at no more than 0.11 rad/s.
   ASSERT_TRUE(sieve.reset(0, {"boundary=walled", "gravity=0.01"}).success);
   EXPECT_TRUE(waitFor(
       [&]
@@ -296,7 +296,7 @@ TEST_F(Node, failsToPlaceDisksAnewWhereTheBaseStandsAndGoesOn)
   {
     const auto& status = statuses["sieve: simulation"];
     return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
-           status.message.rfind("reset_world: initial.0 is buried", 0) == 0;
+           status.message.rfind("reset_world: initial.0 overlaps the base", 0) == 0;
   };
   ASSERT_TRUE(sieve.reset(0, {"initial=[{species: A, x: 0.07, y: 0.0075}]"}).success);
   command("inclination", 0.1, &DriveState::commanded_inclination);
@@ -314,7 +314,7 @@ TEST_F(Node, saysThatTheEndCameBeforeAStepWasDone)
   ASSERT_TRUE(sieve.reset(0, {"duration=0.5"}).success);
   const StepSimulation::Response answer = sieve.step(0.75);
   EXPECT_TRUE(answer.success);
-  EXPECT_EQ(answer.message, "the scene's end came first, at 0.5 s: 0.25 s of the step are left");
+  EXPECT_EQ(answer.message, "the end of the run was reached at 0.5 s: 0.25 s of the step are left");
   EXPECT_EQ(answer.time, 0.5);
 }
 
@@ -381,7 +381,7 @@ TEST(BadScene, isToldWithFileAndLineUnderRoslaunch)
       << launch.errors();
 }
 
-/// As where a launch file sets a key besides.
+/// For example if a launch file sets an additional key.
 TEST(BadScene, isToldWithItsParameterWhereTheFileIsGood)
 {
   const ScratchDirectory scratch;

@@ -18,7 +18,7 @@
 namespace ratchet_sieve
 {
 
-/// A port that is free now.
+/// A port that is free at present.
 inline int freePort()
 {
   const int listener = socket(AF_INET, SOCK_STREAM, 0);
@@ -33,8 +33,8 @@ inline int freePort()
   return ntohs(address.sin_port);
 }
 
-/// A ROS master of the test's own, which it may take away. This process and its children are to go by it,
-/// from construction on, whether it runs yet or not.
+/// A ROS master started by the test, which can kill it. From construction on, this process and its children
+/// use it, whether it runs or not.
 class OwnMaster
 {
 public:
@@ -57,7 +57,7 @@ public:
     _exit(127);
   }
 
-  /// As a crash does.
+  /// As in a crash.
   void kill()
   {
     if (process_ > 0)

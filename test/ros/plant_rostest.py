@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Several sieves on one master: the README's recipe, line by line, and which of them is the clock.
+"""Several sieves on one master: the recipe of docs/node.md, line by line, and which of them publishes /clock.
 
 Usage: plant_rostest.py [ROS ARGUMENT...]; part of plant.test, which has started a master.
 """
@@ -21,18 +21,18 @@ from launched import PACKAGE, Launched, message, wait_for
 from ratchet_sieve.msg import BaseState, ParticleStates, SceneDescription, SeekTrial
 from virtual_screen import VirtualScreen
 
-RECIPE = '### A plant of several sieves'
+RECIPE = '## Several sieves'
 STILL = ['paused:=true', 'exit_at_end:=false', f'scene:={PACKAGE}/test/ros/mixture.yaml']
 
 
 def recipe():
-    """The commands that stand under that heading in the README."""
-    section = (PACKAGE / 'README.md').read_text().split(RECIPE)[1]
+    """The commands that stand under that heading in docs/node.md."""
+    section = (PACKAGE / 'docs/node.md').read_text().split(RECIPE)[1]
     return section.split('```sh\n')[1].split('```')[0].splitlines()
 
 
 def gathered(topic, kind, entries, enough):
-    """What `entries`, (key, value) pairs, makes of the messages on a topic, as soon as it is enough."""
+    """Collects `entries`, (key, value) pairs, from the messages on a topic until there are enough."""
     found = {}
     subscriber = rospy.Subscriber(topic, kind, lambda message: found.update(entries(message)))
     wait_for(lambda: enough(found), f'enough on {topic}')
@@ -41,7 +41,7 @@ def gathered(topic, kind, entries, enough):
 
 
 def clock_statuses(*sieves):
-    """What each of the sieves, named without slash, says of the clock on /diagnostics."""
+    """The clock status of each sieve (names without slash) on /diagnostics."""
     names = [f'{sieve}: clock' for sieve in sieves]
     found = gathered('/diagnostics', DiagnosticArray,
                      lambda array: [(s.name, s) for s in array.status if s.message != 'Node starting up'],
@@ -50,7 +50,7 @@ def clock_statuses(*sieves):
 
 
 def links(topic, count):
-    """Parent, child and origin of `count` transforms, as they come."""
+    """Parent, child and origin of the next `count` transforms."""
     return gathered(topic, TFMessage, lambda tf: [((t.header.frame_id, t.child_frame_id), t.transform.translation)
                                                   for t in tf.transforms], lambda found: len(found) >= count)
 
@@ -90,8 +90,8 @@ class Plant(Launched):
         self.assertEqual(clock.level, DiagnosticStatus.OK)
         for status in others:
             self.assertEqual(status.level, DiagnosticStatus.WARN)
-            self.assertIn('/s1 publishes /clock already', status.message)
-            behind = {entry.key: float(entry.value) for entry in status.values}['simulated time less /clock [s]']
+            self.assertIn('/s1 already publishes /clock', status.message)
+            behind = {entry.key: float(entry.value) for entry in status.values}['simulated time minus /clock [s]']
             self.assertNotEqual(behind, 0.0)
 
     def shell(self, line, display):

@@ -4,11 +4,11 @@
 
 #include "ratchet_sieve/core/fields.h"
 
-/// Frames of any content, for properties that hold whatever a run may show.
+/// Frames of arbitrary content, for properties that hold for any run.
 namespace ratchet_sieve
 {
 
-/// From 0 to a month, no multiple of a nanosecond.
+/// From 0 to a month, usually no multiple of a nanosecond.
 inline double anyTime()
 {
   return *rc::gen::inRange(0, 1 << 30) / 379.0;

@@ -94,7 +94,7 @@ TEST_F(Record, endsWithTheSceneAndClosesTheBag)
   EXPECT_TRUE(recorded.bins.back().quality);
 }
 
-/// How many times there are, up to one.
+/// Number of times up to `until`.
 template <typename Frame>
 std::size_t instantsUpTo(double last, const std::vector<Frame>& frames)
 {
@@ -105,7 +105,7 @@ std::size_t instantsUpTo(double last, const std::vector<Frame>& frames)
   return times.size();
 }
 
-/// That every recorded frame was published so, and of those up to the last recorded one none is missing.
+/// Checks that every recorded frame was published, and that none is missing up to the last recorded one.
 template <typename Frame, typename Same>
 void expectPublished(const std::vector<Frame>& recorded, const std::vector<Frame>& published,
                      const Same& same)
@@ -137,7 +137,7 @@ CollectingSink readAll(const std::vector<std::string>& paths)
   return read;
 }
 
-/// Steps in strides of no more frames than a publisher's queue holds, so that none is lost on the way here.
+/// Steps with at most as many frames as a publisher's queue holds, so that none is lost.
 void stepAndSeeAll(SieveClient& sieve, int quarters)
 {
   for (int k = 0; k < quarters; ++k)
@@ -167,7 +167,7 @@ TEST_F(Record, holdsWhatItIsAskedToInFilesOfItsOwn)
   EXPECT_TRUE(recorded.particles.empty());
   EXPECT_TRUE(recorded.bases.empty());
   EXPECT_EQ(recorded.bins.size(), 26u);
-  EXPECT_EQ(recorded.statistics.size(), 8u);  // that at 1.25 s is the last
+  EXPECT_EQ(recorded.statistics.size(), 8u);  // the last one is at 1.25 s
   EXPECT_TRUE(sameBits(recorded.bins.back(), sieve.bins.frames.back()));
   EXPECT_EQ(recorded.bins.at(1).time, 0.05);
   EXPECT_FALSE(std::filesystem::exists(scratch_ / "run_3.bag"));
@@ -192,7 +192,7 @@ TEST_F(Record, losesNoMoreThanASecondWhenKilled)
   const std::string active = bag() + ".active";
   EXPECT_FALSE(std::filesystem::exists(bag()));
   EXPECT_THROW(readAll({active}), BagError);
-  // The same as it were, had a chunk been half written.
+  // The same with a partially written chunk.
   const std::string torn = scratch_ / "torn.bag";
   std::filesystem::copy_file(active, torn);
   constexpr std::size_t HEAD = 4117;  // bytes before the first chunk
@@ -221,7 +221,7 @@ TEST_F(Record, endsOneRunAndBeginsTheNextAtAReset)
   ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().base.commanded_frequency == 25.0; }));
   sieve.stepAndSee(0.321);
   ASSERT_TRUE(sieve.reset(5).success);
-  // Nothing of the second run has been looked at yet.
+  // Before any frame of the second run was compared.
   const CollectingSink first = readAll({bag()});
   EXPECT_EQ(first.scenes.at(0).seed, 7u);
   EXPECT_EQ(first.particles.back().time, 1.821);
@@ -269,10 +269,10 @@ TEST_F(Record, goesOnWhereTheDiskIsFull)
   node->interrupt();
   EXPECT_EQ(node->wait(), 1);
   const std::string& said = node->errors();
-  const std::size_t told = said.find("the recording broke off: " + reason);
+  const std::size_t told = said.find("the recording was aborted: " + reason);
   EXPECT_NE(told, std::string::npos) << said;
-  EXPECT_EQ(said.find("the recording broke off", told + 1), std::string::npos) << said;
-  EXPECT_NE(said.find("sieve_node: the run was not recorded to its end"), std::string::npos) << said;
+  EXPECT_EQ(said.find("the recording was aborted", told + 1), std::string::npos) << said;
+  EXPECT_NE(said.find("sieve_node: the recording of the run is incomplete"), std::string::npos) << said;
   EXPECT_TRUE(sameBits(readAll({bag()}).bins, recorded.bins));
 }
 

@@ -18,8 +18,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// The run of the small mixture, from `start` to `end` of published time, recorded; shown to the sink at
-/// the rates of the topics.
+/// Records the small mixture from `start` to `end`; hands frames to the sink at the rates of the topics.
 void recordRun(Recorder& recorder, FrameSink& sink, double start = 0.0, double end = 2.0)
 {
   LiveRun run(smallMixture(), FrameRates(), {}, start, end);
@@ -68,7 +67,7 @@ std::string refusalOf(const std::vector<std::string>& paths)
   return "read";
 }
 
-void expectSame(const CollectingSink& read, const CollectingSink& whole)
+void expectSameRun(const CollectingSink& read, const CollectingSink& whole)
 {
   EXPECT_TRUE(sameBits(read.scenes, whole.scenes));
   EXPECT_TRUE(sameBits(read.particles, whole.particles));
@@ -123,7 +122,7 @@ TEST(Recorder, recordsOfSixPublishedFramesOne)
   EXPECT_TRUE(sameBits(read.bases, shown.bases));
 }
 
-/// One file, several by time, several by size: the same run.
+/// One file, several files by time, several files by size: the same run.
 TEST(Recorder, splitsARunIntoFilesThatTogetherAreOne)
 {
   const ScratchDirectory scratch;
@@ -146,9 +145,9 @@ TEST(Recorder, splitsARunIntoFilesThatTogetherAreOne)
     ASSERT_GT(paths.size(), 3u);
     EXPECT_EQ(recorder.failure(), "");
 
-    expectSame(readAll(paths), whole);
+    expectSameRun(readAll(paths), whole);
     std::shuffle(paths.begin(), paths.end(), std::mt19937(1));
-    expectSame(readAll(paths), whole);
+    expectSameRun(readAll(paths), whole);
 
     RunAnalysis of_parts, of_whole;
     readBags(paths, of_parts);
@@ -197,10 +196,10 @@ TEST(Recorder, isReadWithoutAHoleAndNotMixedWithAnother)
   const auto path = [&](const std::string& name) { return scratch / name; };
   EXPECT_EQ(refusalOf({path("run_1.bag"), path("run_2.bag"), path("run_3.bag")}), "read");
   EXPECT_EQ(refusalOf({path("run_3.bag"), path("run_1.bag")}),
-            path("run_3.bag") + ": begins at 1.500000 s, and does not go on from " + path("run_1.bag") +
+            path("run_3.bag") + ": begins at 1.500000 s, and does not continue " + path("run_1.bag") +
                 ", which ends at 1.000000 s");
-  EXPECT_NE(refusalOf({path("run_0.bag"), path("run_0.bag")}).find("does not go on from"), std::string::npos);
-  EXPECT_NE(refusalOf({path("run_0.bag"), path("run_run2_0.bag")}).find("does not go on from"),
+  EXPECT_NE(refusalOf({path("run_0.bag"), path("run_0.bag")}).find("does not continue"), std::string::npos);
+  EXPECT_NE(refusalOf({path("run_0.bag"), path("run_run2_0.bag")}).find("does not continue"),
             std::string::npos);
 
   SceneFrame other = shown.scenes.front();
@@ -236,14 +235,14 @@ TEST(Recorder, goesOnWithoutADiskAndSaysSo)
     EXPECT_TRUE(sameBits(read.particles[k], shown.particles[k]));
   EXPECT_EQ(recorder.failure(), begin + std::to_string(read.bins.back().time) + " s");
 
-  // The next run finds as much room again.
+  // The next run has enough space again.
   recorder.openNext();
   EXPECT_EQ(recorder.failure(), "");
   recordRun(recorder, shown, 0.0, 0.1);
   recorder.close();
   EXPECT_EQ(recorder.failure(), "");
   EXPECT_EQ(readAll({scratch / "run_run2.bag"}).bins.back().time, 0.1);
-  // What was lost of the first stays lost.
+  // The loss in the first run is still reported.
   EXPECT_EQ(recorder.firstFailure().rfind(begin, 0), 0u) << recorder.firstFailure();
 }
 

@@ -24,9 +24,10 @@ namespace ratchet_sieve
 {
 namespace
 {
-std::string bag_path;  // the one that roslaunch has given to replay.launch, and to this test
+std::string bag_path;  // given by roslaunch to replay.launch and to this test
 
-/// The frames of one whole pass over the bag: from one jump back in time to the next; none before both.
+/// The frames of one complete pass over the bag: from one jump back in time to the next; none before two
+/// jumps.
 template <typename Frame>
 std::vector<Frame> wholePass(const std::vector<Frame>& frames)
 {
@@ -38,7 +39,7 @@ std::vector<Frame> wholePass(const std::vector<Frame>& frames)
   return last == frames.end() ? std::vector<Frame>() : std::vector<Frame>(std::next(before), std::next(last));
 }
 
-/// The bag is played over and over by replay.launch, the engine nowhere.
+/// The bag is played repeatedly by replay.launch; no simulation runs.
 class Replay : public testing::Test
 {
 protected:
@@ -102,7 +103,7 @@ TEST_F(Replay, bringsTheSceneAlsoToThoseWhoComeLate)
   EXPECT_TRUE(sameBits(scene.frames.back(), recorded.scenes.at(0)));
 }
 
-/// Where the disks of a species are drawn, and where they were recorded.
+/// The positions of the disks of a species, as drawn and as recorded.
 std::vector<geometry_msgs::Point> places(const ParticleFrame& frame, std::uint32_t species)
 {
   std::vector<geometry_msgs::Point> points;
@@ -139,7 +140,7 @@ TEST_F(Replay, isShownAsItWasRecordedAlsoWhenTimeJumpsBack)
   };
   const ros::Subscriber markers =
       node.subscribe<visualization_msgs::MarkerArray>("/sieve_display/markers", 1000, look);
-  // Twice back to the beginning, and on.
+  // Two jumps back to the beginning, and further frames.
   const auto jumps = [&]
   {
     std::size_t count = 0;
@@ -169,7 +170,7 @@ TEST_F(Replay, movesTheTransforms)
   EXPECT_EQ(right, seen);
 }
 
-/// Bags that people give by mistake, and what is said of each behind its name.
+/// Bags that users may give by mistake, and the error message for each after its name.
 std::vector<std::pair<std::string, std::string>> badBags(const ScratchDirectory& scratch)
 {
   const std::string whole = contents(bag_path);
@@ -179,7 +180,7 @@ std::vector<std::pair<std::string, std::string>> badBags(const ScratchDirectory&
       .write("/number", ros::TIME_MIN, std_msgs::Float64());
   return {{scratch / "missing.bag", "no such file"},
           {scratch / "cut.bag", "was not closed, or is damaged: try `rosbag reindex`"},
-          {scratch / "text.bag", "cannot be read as a bag: it does not begin as a bag of format 2.0"},
+          {scratch / "text.bag", "cannot be read as a bag: it is not of format 2.0"},
           {scratch / "foreign.bag", "holds no run: no topic of type ratchet_sieve/SceneDescription"}};
 }
 
@@ -195,7 +196,7 @@ TEST_F(Replay, isRefusedForABagThatCannotBeShown)
   ChildNode other("sieve_replay", {bag_path, "--sieve", "s1"});
   EXPECT_EQ(other.wait(), 1);
   EXPECT_EQ(other.errors(), "sieve_replay: " + bag_path +
-                                ": holds no /s1/scene, but /sieve/scene: name its sieve, or none\n");
+                                ": holds no /s1/scene, but /sieve/scene: name that sieve, or none\n");
   ChildNode none("sieve_replay", {"--", "--clock"});
   EXPECT_EQ(none.wait(), 2);
 }
@@ -213,7 +214,7 @@ TEST_F(Replay, endsItsLaunchWhereTheBagCannotBeShown)
   }
 }
 
-/// Whose name is another than it was told.
+/// Its name differs from the requested one.
 TEST_F(Replay, isMissedByADisplayOfAnotherSieve)
 {
   ChildNode display("sieve_display", {"__name:=other_display", "_sieve:=/s1"});

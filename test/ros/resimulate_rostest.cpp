@@ -13,7 +13,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Starts nodes that record, as fast as they go; the scene is on the parameter server.
+/// Starts nodes that record, as fast as possible; the scene is on the parameter server.
 class Resimulate : public testing::Test
 {
 protected:
@@ -42,7 +42,7 @@ protected:
   ScratchDirectory scratch_;
 };
 
-/// Runs on, until the sieve shows the setpoint as it goes by: whenever that may be.
+/// Commands during the run, and waits until the sieve shows the setpoint.
 void commandWhileItRuns(SieveClient& sieve, const std::string& quantity, double value,
                         double DriveState::*commanded)
 {
@@ -105,13 +105,13 @@ TEST_F(Resimulate, saysThatSomethingIsMissing)
   EXPECT_EQ(resimulate(bag("nowhere.bag")), 1);
 }
 
-/// A controller that tilts to where more disks have left, in lock step. @return what it saw at its end
+/// A controller that tilts to the side on which more disks have left, in lock step. @return its last response
 LockStep::Response controlledRun(const std::string& sieve, std::uint64_t seed)
 {
   ResetSimulation reset;
   reset.request.seed = seed;
   EXPECT_TRUE(ros::service::call(sieve + "/reset", reset));
-  // One connection for all steps, as a controller keeps it.
+  // One connection for all steps, as a real controller would use.
   ros::ServiceClient lock_step = ros::NodeHandle().serviceClient<LockStep>(sieve + "/lock_step", true);
   LockStep step;
   step.request.duration = 0.05;

@@ -23,7 +23,7 @@ namespace
 {
 constexpr double STRIDE = 0.01;
 
-/// A recorded run that is told things at random.
+/// A recorded run with random commands.
 class RecordedRun
 {
 public:
@@ -45,7 +45,7 @@ public:
                  });
   }
 
-  /// Commands, pours, pauses and begins anew, a little time between all of them.
+  /// Commands, pours, pauses and resets, with a short run in between.
   void drawOperation()
   {
     step(*rc::gen::inRange(1, 300) / 1237.0);
@@ -136,7 +136,7 @@ RC_GTEST_PROP(Resimulation, givesEveryBagOfARunAgain, ())
     expectTheSame(scratch / ("run_run" + std::to_string(bag) + ".bag"));
 }
 
-/// A short run, recorded as a list that can be tampered with.
+/// A short recorded run in memory, which tests can modify.
 CollectingSink commandedRun()
 {
   const ScratchDirectory scratch;
@@ -150,7 +150,7 @@ CollectingSink commandedRun()
   return recorded;
 }
 
-/// What a run that was recorded so comes to.
+/// The first difference found when such a recording is repeated.
 std::string differenceOf(const CollectingSink& recorded)
 {
   Resimulation resimulation;
@@ -196,7 +196,7 @@ TEST(Resimulation, missesADisk)
   CollectingSink recorded = commandedRun();
   recorded.particles.at(10).disks.pop_back();
   const std::string difference = differenceOf(recorded);
-  EXPECT_NE(difference.find("3 disks were recorded, 4 are there"), std::string::npos) << difference;
+  EXPECT_NE(difference.find("3 disks were recorded, 4 were computed"), std::string::npos) << difference;
 }
 
 TEST(Resimulation, isOfOneRun)
@@ -235,7 +235,7 @@ TEST(Resimulation, refusesCommandsThatMakeNoSense)
   refuses(CommandKind::POUR, {}, 0, MOST_POURED + 1);
 }
 
-/// Slew rates without bound would keep it busy for ever.
+/// Unlimited slew rates would keep the run busy forever.
 TEST(Resimulation, takesTheSlewRatesThatANodeTakes)
 {
   const auto takes = [](SlewRates rates)
@@ -269,7 +269,7 @@ TEST(Resimulation, refusesARunThatBeganAtATimeThatIsNone)
   }
 }
 
-/// A file of a split recording but the first does not hold what the run was told before.
+/// A file of a split recording, except the first, lacks the earlier commands.
 TEST(Resimulation, saysWhereTheBeginningOfTheRunIsMissing)
 {
   CollectingSink recorded = commandedRun();
@@ -278,7 +278,7 @@ TEST(Resimulation, saysWhereTheBeginningOfTheRunIsMissing)
     recorded.particles.erase(recorded.particles.begin());
   recorded.commands.clear();
   const std::string difference = differenceOf(recorded);
-  EXPECT_NE(difference.find("; it is recorded from 0.45 s on, and not what the run was commanded since 0 s"),
+  EXPECT_NE(difference.find("; the recording begins at 0.45 s, so earlier commands since 0 s are missing"),
             std::string::npos)
       << difference;
 }

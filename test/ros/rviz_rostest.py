@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""RViz on a screen in memory: shows disks where a sieve runs or is replayed, and none where none does.
+"""RViz on a virtual screen shows disks if a sieve runs or is replayed, and none otherwise.
 
 Usage: rviz_rostest.py BAG [ROS ARGUMENT...]; part of rviz.test, which has started a master. BAG is a run of mixture.yaml.
 """
@@ -25,23 +25,23 @@ from virtual_screen import VirtualScreen, wait_for  # noqa: E402
 SPECIES = ((0, 114, 178), (213, 94, 0))
 BACKGROUND = (250, 250, 250)
 
-# A sphere's shading makes its colour darker or lighter by these factors, and leaves its hue but for so much.
+# Shading changes a sphere's brightness within these factors, and its hue by at most this much.
 SHADES = (0.3, 1.3)
 HUE_TOLERANCE = 40.0
 
-# A pixel inside something so wide that no letter is drawn with such strokes [pixels to each side].
+# A pixel with this many pixels of the same colour on each side is not part of a letter.
 INSIDE = 3
 
-# Far more than a stray pixel, less than half of what the disks of mixture.yaml are seen to have.
+# Far more than stray pixels, less than half of the pixels of the disks of mixture.yaml.
 DISK_PIXELS = 90
 
-# Messages on /clock, a hundred a second: of a run that goes on, all but the first few are later than its first.
+# Messages on /clock, a hundred per second: in a running simulation, all but the first few are later than the first.
 CLOCKS = 50
 
-# What /clock begins with: 0 is no time in ROS [s].
+# First time on /clock, because 0 means "no time" in ROS [s].
 FIRST_CLOCK = 1e-9
 
-# Half the window: RViz has come up and has drawn.
+# Half the window: RViz has started and drawn.
 DRAWN_PIXELS = 400000
 
 
@@ -50,7 +50,7 @@ def count_background(pixels):
 
 
 def coloured(pixels, colour):
-    """Where the pixels are a shade of the colour."""
+    """Mask of the pixels with a shade of the colour."""
     colour = numpy.array(colour, float)
     pixels = pixels.astype(float)
     shade = pixels @ colour / (colour @ colour)
@@ -59,18 +59,18 @@ def coloured(pixels, colour):
 
 
 def inside(mask):
-    """Where all of the neighbourhood is set."""
+    """Mask of the pixels whose whole neighbourhood is set."""
     for axis in (0, 1):
         mask = numpy.logical_and.reduce([numpy.roll(mask, k, axis) for k in range(-INSIDE, INSIDE + 1)])
     return mask
 
 
 def disk_pixels(pixels):
-    """Per species, the pixels inside a disk of its colour."""
+    """Per species, the number of pixels inside disks of its colour."""
     return [int(inside(coloured(pixels, colour)).sum()) for colour in SPECIES]
 
 
-# Xlib, and the calls of it that sieve_rviz replaces in RViz (rviz_windows.cpp). Xlib finds one window in twenty missing.
+# Xlib, and the calls that sieve_rviz replaces in RViz (rviz_windows.cpp). One window in twenty is missing for Xlib.
 XLIB = ctypes.CDLL('libX11.so.6')
 WINDOW_CALLS = ctypes.CDLL('libratchet_sieve_rviz_windows.so')
 XLIB.XOpenDisplay.restype = ctypes.c_void_p
@@ -87,7 +87,7 @@ WINDOWS = 1000
 
 @ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)
 def ignore_error(_display, _event):
-    """Where there is no such window, Xlib would end this program."""
+    """Prevents Xlib from ending this program if a window does not exist."""
     return 0
 
 
@@ -118,7 +118,7 @@ class Rviz(unittest.TestCase):
         self.addCleanup(self.screen.__exit__)
 
     def start(self, command):
-        """Starts a program; it has to go on running while something is waited for."""
+        """Starts a program, which must keep running while the test waits."""
         program = self.screen.start(command, stdout=subprocess.DEVNULL)
 
         def goes_on():

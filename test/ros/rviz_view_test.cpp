@@ -48,7 +48,7 @@ TEST(RvizView, showsAllOfTheMachine)
       const YAML::Node view = viewOf(fittedToScene(ownConfig(), scene, RvizView::MACHINE));
       const double width = scene.base.width();
       EXPECT_DOUBLE_EQ(view["Focal Point"]["X"].as<double>(), 0.5 * width);
-      // Seen in a window of 1248 by 640: the base, and the bins of an open one, but not much else.
+      // In a window of 1248 by 640: the base, and the bins of an open one, fill most of the view.
       const double height =
           2.0 * view["Distance"].as<double>() * std::tan(0.5 * view["Field of View"].as<double>());
       const double seen = height * 1248.0 / 640.0;
@@ -58,7 +58,7 @@ TEST(RvizView, showsAllOfTheMachine)
     }
 }
 
-/// What a view sees of the plane: x and z of its lower left corner and its size, in a window of 1248 by 640.
+/// The visible part of the plane: x and z of its lower left corner and its size, in a window of 1248 by 640.
 struct Seen
 {
   double x, z, width, height;
@@ -80,13 +80,13 @@ TEST(RvizView, showsTenTeethOfALongBaseLargeEnoughToSeeDisks)
   scene.base.inclination = 0.1;
   const Seen seen = seenBy(viewOf(fittedToScene(ownConfig(), scene, RvizView::TEETH)));
   EXPECT_NEAR(seen.width, 10.5 * scene.base.tooth_width, 0.01 * scene.base.tooth_width);
-  // The middle of the base is in the picture, with room for disks above and teeth below.
+  // The middle of the base is visible, with space for disks above and teeth below.
   const double x = 0.5 * scene.base.width() * std::cos(0.1);
   const double z = 0.5 * scene.base.width() * std::sin(0.1);
   EXPECT_NEAR(x, seen.x + 0.5 * seen.width, 1e-9);
   EXPECT_GT(z, seen.z + 2.0 * scene.base.tooth_height);
   EXPECT_LT(z, seen.z + 0.5 * seen.height);
-  // Pixels of the smallest disk.
+  // Diameter of the smallest disk in pixels.
   EXPECT_GT(2.0 * scene.species[0].radius * 640.0 / seen.height, 10.0);
 }
 

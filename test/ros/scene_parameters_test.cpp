@@ -12,7 +12,7 @@ namespace
 {
 using XmlRpc::XmlRpcValue;
 
-/// The way of a scene file over roslaunch: YAML as the parameter server keeps it.
+/// A scene file as loaded by roslaunch: YAML as stored on the parameter server.
 XmlRpcValue asParameter(const YAML::Node& node)
 {
   XmlRpcValue value;
@@ -25,7 +25,7 @@ XmlRpcValue asParameter(const YAML::Node& node)
   }
   if (node.IsMap())
   {
-    value.begin();  // makes it a struct, an empty one as well
+    value.begin();  // turns it into a struct, even an empty one
     for (const auto& item : node)
       value[item.first.as<std::string>()] = asParameter(item.second);
     return value;

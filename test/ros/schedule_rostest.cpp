@@ -8,7 +8,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// The first time at which the base shows a command; nothing if it never does.
+/// The first time at which the base's frames show a command; nothing if none does.
 std::optional<double> commandedAt(const std::vector<BaseFrame>& frames, double DriveState::*commanded,
                                   double value)
 {
@@ -18,7 +18,7 @@ std::optional<double> commandedAt(const std::vector<BaseFrame>& frames, double D
   return std::nullopt;
 }
 
-/// The sieve was started paused, and it is the schedule that sets it going.
+/// The sieve was started paused; the schedule unpauses it.
 TEST(Schedule, commandsTheRunningSieveInTime)
 {
   SieveClient sieve("/sieve");
@@ -33,7 +33,7 @@ TEST(Schedule, commandsTheRunningSieveInTime)
   EXPECT_GE(*shrunk, 1.0);
 }
 
-/// Time goes back, and the base is as it was at first: it is commanded once more.
+/// Time jumps back, the base is at its initial state, and is commanded again.
 TEST(Schedule, playsAgainAfterAReset)
 {
   SieveClient sieve("/sieve");

@@ -10,7 +10,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-std::string refusalOf(const std::string& yaml)
+std::string refusalOfSchedule(const std::string& yaml)
 {
   try
   {
@@ -39,14 +39,15 @@ TEST(Schedule, readsTimesAndWhatToCommand)
 
 TEST(Schedule, refusesWhatItCannotFollow)
 {
-  EXPECT_EQ(refusalOf("{time: 1}"), "schedule: must be a list of {time, inclination, frequency, amplitude}");
-  EXPECT_EQ(refusalOf("[{inclination: 1}]"), "schedule/0: must be a map with the key time");
-  EXPECT_EQ(refusalOf("[{time: soon}]"), "schedule/0/time: must be a finite number");
-  EXPECT_EQ(refusalOf("[{time: 1, angle: 2}]"),
+  EXPECT_EQ(refusalOfSchedule("{time: 1}"),
+            "schedule: must be a list of {time, inclination, frequency, amplitude}");
+  EXPECT_EQ(refusalOfSchedule("[{inclination: 1}]"), "schedule/0: must be a map with the key time");
+  EXPECT_EQ(refusalOfSchedule("[{time: soon}]"), "schedule/0/time: must be a finite number");
+  EXPECT_EQ(refusalOfSchedule("[{time: 1, angle: 2}]"),
             "schedule/0/angle: not known: must be time, inclination, frequency or amplitude");
-  EXPECT_EQ(refusalOf("[{time: 1}]"),
+  EXPECT_EQ(refusalOfSchedule("[{time: 1}]"),
             "schedule/0: commands nothing: must have inclination, frequency or amplitude");
-  EXPECT_EQ(refusalOf("[{time: 2, frequency: 1}, {time: 1, frequency: 1}]"),
+  EXPECT_EQ(refusalOfSchedule("[{time: 2, frequency: 1}, {time: 1, frequency: 1}]"),
             "schedule/1/time: must not be before that of the entry above");
 }
 }  // namespace

@@ -9,19 +9,19 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A search that meets with hardship may take this long [s of wall time]; it takes about ten.
+/// A search with restarts and interruptions may take this long [s of wall time]; usually about ten.
 constexpr double PATIENCE = 120.0;
 
-/// Of two seconds: a trial takes some seven of them.
+/// Of two seconds: a trial takes about seven steps.
 constexpr int MOST_STEPS = 300;
 
-/// Q of config/seek.yaml by docs/seeking.md: 0.43 at 0.15 rad, above 0.33 from 0.1 to 0.19, 0.15 at the
-/// level. A trial of Q has a standard error of 0.06, what is held one of 0.03.
+/// Q of config/seek.yaml by docs/seeking.md: 0.43 at 0.15 rad, above 0.33 from 0.1 to 0.19, 0.15 at 0. A
+/// trial's Q has a standard error of 0.06, that of the held inclination 0.03.
 constexpr double LEAST_BEST = 0.09;
 constexpr double MOST_BEST = 0.21;
 constexpr double CLEAR_GAIN = 0.1;
 
-/// Everything that the node says of its search.
+/// Receives all trials of the node.
 class SeekClient
 {
 public:
@@ -48,8 +48,8 @@ private:
   ros::Subscriber subscriber_;
 };
 
-/// The node as it is launched, the sieve as fast as it goes; on the way the sieve is reset, and stepped
-/// while it is paused.
+/// The node as launched, the sieve as fast as possible; meanwhile the sieve is reset, and stepped while
+/// paused.
 TEST(Seek, findsTheBestInclinationFromAPoorOne)
 {
   SeekClient seek;
@@ -62,11 +62,11 @@ TEST(Seek, findsTheBestInclinationFromAPoorOne)
   EXPECT_EQ(first.trial, 1u);
   EXPECT_EQ(first.phase, "approach");
   EXPECT_EQ(first.inclination, 0.0);
-  EXPECT_GT(first.balance, 0.5);  // nearly all goes to the right
+  EXPECT_GT(first.balance, 0.5);  // nearly all disks leave on the right
   EXPECT_EQ(first.next_inclination, 0.1);
   EXPECT_EQ(first.species, (std::vector<std::string>{"A", "B"}));
 
-  // Time goes back, and the base is level: it is told its inclination again, the trial begins anew.
+  // Time jumps back, and the base is level: the setpoint is sent again, and the trial restarts.
   ASSERT_TRUE(sieve.call("pause_physics"));
   sieve.resetAndSee();
   ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().base.commanded_inclination != 0.0; }));
@@ -101,7 +101,7 @@ TEST(Seek, findsTheBestInclinationFromAPoorOne)
   ASSERT_TRUE(waitFor([&] { return seek.trials.back().granular_temperature.size() == 2; }, PATIENCE));
 }
 
-/// What was found holds for a drive: another one is another search.
+/// A result is valid for one drive: another drive needs another search.
 TEST(Seek, seeksAgainWhereTheDriveIsChanged)
 {
   SeekClient seek;

@@ -18,7 +18,7 @@
 namespace ratchet_sieve
 {
 
-/// One topic of a sieve: every frame that came.
+/// All frames received on one topic of a sieve.
 template <typename Message>
 class Topic
 {
@@ -35,7 +35,7 @@ public:
                                           });
   }
 
-  /// Waits for a frame of this very time. A sieve sends a new subscriber its present state.
+  /// Waits for a frame of exactly this time. A sieve sends a new subscriber its present state.
   bool waitForTime(double time)
   {
     return waitFor([&] { return !frames.empty() && frames.back().time == time; });
@@ -54,7 +54,7 @@ private:
   ros::Subscriber subscriber_;
 };
 
-/// A paused sieve, looked at and commanded as any other program would.
+/// A client of a paused sieve, which observes and commands it over topics and services.
 class SieveClient
 {
 public:
@@ -69,7 +69,7 @@ public:
     statistics.subscribe(node, "statistics");
   }
 
-  /// Waits until every topic has brought its first message and every setpoint has its listener.
+  /// Waits for the first message of every topic and for a subscriber of every setpoint.
   bool connect()
   {
     return waitFor(
@@ -91,7 +91,7 @@ public:
     return service.response;
   }
 
-  /// Steps and waits for all that is published at the step's end.
+  /// Steps and waits for all frames at the step's end.
   void stepAndSee(double duration)
   {
     const StepSimulation::Response stepped = step(duration);
@@ -113,7 +113,7 @@ public:
     return service.response;
   }
 
-  /// Resets, waits for the first frames of the new run, and forgets all that was seen before.
+  /// Resets, waits for the first frames of the new run, and forgets all frames before.
   void resetAndSee()
   {
     forget();

@@ -13,10 +13,10 @@ namespace
 constexpr const char* PARAMETER = "/sieve/real_time_factor";
 constexpr const char* STATUS = "sieve: speed";
 
-/// So slow that no frame comes while a test waits: 20 s of wall time are 20 us.
+/// So slow that no frame is due during a test: 20 s of wall time are 20 us.
 constexpr double STANDSTILL = 1e-6;
 
-/// A sieve that was launched with this factor, begun anew for each test.
+/// A sieve launched with this factor, reset for each test.
 class Speed : public testing::Test
 {
 protected:
@@ -29,10 +29,10 @@ protected:
   }
   void TearDown() override { sieve.call("pause_physics"); }
 
-  std::string asked() { return statuses.value(STATUS, "real-time factor, asked for"); }
+  std::string asked() { return statuses.value(STATUS, "real-time factor, requested"); }
   std::uint8_t level() { return statuses[STATUS].level; }
 
-  /// The next so many times on the clock.
+  /// The next `count` times on /clock.
   std::vector<double> nextTimes(std::size_t count)
   {
     std::vector<double> times;
@@ -52,7 +52,7 @@ TEST_F(Speed, changesWhileItRuns)
   ASSERT_TRUE(sieve.call("unpause_physics"));
   EXPECT_LT(nextTimes(50).back(), 1e-3);
   ros::param::set(PARAMETER, 0);              // as `rosparam set` gives it: an integer
-  ASSERT_TRUE(sieve.bins.waitForTime(20.0));  // the scene's end
+  ASSERT_TRUE(sieve.bins.waitForTime(20.0));  // the end of the run
   EXPECT_TRUE(waitFor([&] { return asked() == "0"; }));
 }
 
@@ -64,7 +64,7 @@ TEST_F(Speed, goesOnFromWhereItIs)
   ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().time > 0.1; }));
   ros::param::set(PARAMETER, STANDSTILL);
   ASSERT_TRUE(waitFor([&] { return asked() == "1e-06"; }));
-  // Had it jumped to where the new factor would have brought it, it would have to stand still for long.
+  // If time had jumped ahead to that of the new factor, it would have to stop for long now.
   const double before = nextTimes(1).back();
   EXPECT_GE(before, 0.1);
   EXPECT_LT(nextTimes(20).back() - before, 1e-3);
@@ -109,7 +109,7 @@ TEST_F(Speed, staysWhereTheParameterIsTakenAway)
   EXPECT_EQ(level(), diagnostic_msgs::DiagnosticStatus::OK);
 }
 
-/// No machine does 30 disks a million times as fast as they fall.
+/// No machine simulates 30 disks at a million times real time.
 TEST_F(Speed, saysThatItCannotKeepUp)
 {
   ros::param::set(PARAMETER, 1e6);
@@ -118,8 +118,8 @@ TEST_F(Speed, saysThatItCannotKeepUp)
   ASSERT_TRUE(waitFor([&] { return statuses[STATUS].message.rfind("too slow: ", 0) == 0; }));
   EXPECT_NE(statuses[STATUS].message.find(" times real time instead of 1e+06"), std::string::npos);
   EXPECT_EQ(level(), diagnostic_msgs::DiagnosticStatus::WARN);
-  EXPECT_GT(std::stod(statuses.value(STATUS, "wall time given up [s]")), 0.0);
-  // It goes on at what it is asked for, and no faster.
+  EXPECT_GT(std::stod(statuses.value(STATUS, "wall time lost [s]")), 0.0);
+  // It continues at the requested factor, not faster.
   ros::param::set(PARAMETER, STANDSTILL);
   ASSERT_TRUE(waitFor([&] { return asked() == "1e-06"; }));
   const double before = nextTimes(1).back();

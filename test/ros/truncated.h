@@ -7,7 +7,7 @@
 namespace ratchet_sieve
 {
 
-/// Says that it is a std_msgs/Float64, and is three bytes long.
+/// Declares the type std_msgs/Float64, but has a length of three bytes.
 struct Truncated
 {
 };

@@ -9,7 +9,7 @@
 namespace ratchet_sieve
 {
 
-/// Serves callbacks until `holds`. @return false where it does not within the patience of a test [s]
+/// Serves callbacks until `holds`. @return false after a timeout [s]
 inline bool waitFor(const std::function<bool()>& holds, double patience = 30.0)
 {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);

@@ -171,7 +171,7 @@ Expected noSpecies(SceneTree& root)
     return {"species", "", "missing"};
   }
   root["species"] = SceneTree::list();
-  return {"species", "", "one species or more"};
+  return {"species", "", "at least one species"};
 }
 
 Expected pairTwice(SceneTree& root)

@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
 
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -21,7 +22,7 @@ TEST(ConfigScenes, AllLoadWithoutAWarning)
   for (const auto& entry : std::filesystem::directory_iterator(CONFIG_DIRECTORY))
   {
     const std::string name = entry.path().filename();
-    if (entry.is_directory() || name.find("_schedule") != std::string::npos)
+    if (entry.is_directory() || name.find("_schedule") != std::string::npos || name == "materials.yaml")
       continue;
     SCOPED_TRACE(entry.path().filename());
     const Scene scene = loadSceneFile(entry.path().string());
@@ -29,6 +30,30 @@ TEST(ConfigScenes, AllLoadWithoutAWarning)
     ++count;
   }
   EXPECT_GE(count, 10u);
+}
+
+/// Their other key is the density, which gives the mass of a ball.
+TEST(ConfigScenes, MaterialsAreCoefficientsOfASpecies)
+{
+  const YAML::Node materials = YAML::LoadFile(std::string(CONFIG_DIRECTORY) + "/materials.yaml");
+  ASSERT_GE(materials.size(), 4u);
+  for (const auto& material : materials)
+  {
+    SCOPED_TRACE(material.first.as<std::string>());
+    std::vector<std::string> overrides;
+    for (const char* key : {"restitution", "friction", "tangential_restitution"})
+      overrides.push_back(std::string("species.0.") + key + "=" + material.second[key].as<std::string>());
+    EXPECT_EQ(material.second.size(), overrides.size() + 1);
+    constexpr double CUBIC_MILLIMETRE = 1e-9;
+    const double mass = material.second["density"].as<double>() * CUBIC_MILLIMETRE * 4.0 / 3.0 * 3.14159265;
+    overrides.push_back("species.0.mass=" + std::to_string(mass));
+    const Scene scene = loadSceneFile(std::string(CONFIG_DIRECTORY) + "/demo.yaml", overrides);
+    EXPECT_TRUE(scene.warnings.empty());
+    const ContactCoefficients& contact = scene.definition.species[0].contact;
+    EXPECT_EQ(contact.restitution, material.second["restitution"].as<double>());
+    EXPECT_EQ(contact.friction, material.second["friction"].as<double>());
+    EXPECT_EQ(contact.tangential_restitution, material.second["tangential_restitution"].as<double>());
+  }
 }
 
 TEST(ConfigScenes, OfSingleParticlesAreEnsembles)

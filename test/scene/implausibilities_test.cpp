@@ -2,6 +2,8 @@
 #include "ratchet_sieve/scene/implausibilities.h"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -28,76 +30,111 @@ const std::vector<Mistake>& mistakes()
 {
   static const std::vector<Mistake> ALL = {
       {{"species.0.radius=1", "species.1.radius=2"},
-       {"no disk at all: every species.N.count is 0, initial is empty and feed.rate is 0; a density gives a "
-        "disk where it times the base's width, 0.4 m, comes to the disks' diameters, the largest 4 m",
-        "species.0.radius = 1 m: a disk's diameter, 2 m, is larger than the base's width, 0.4 m; meant 0.001 "
-        "m?",
-        "species.1.radius = 2 m: a disk's diameter, 4 m, is larger than the base's width, 0.4 m; meant 0.002 "
-        "m?"}},
+       {"no disks: every species.N.count is 0, initial is empty and feed.rate is 0; a density, if given, is "
+        "too small: the base is 0.4 m wide and the largest diameter is 4 m",
+        "species.0.radius = 1 m: a disk's diameter, 2 m, is larger than the base's width, 0.4 m; did you "
+        "mean 0.001 m?",
+        "species.1.radius = 2 m: a disk's diameter, 4 m, is larger than the base's width, 0.4 m; did you "
+        "mean 0.002 m?"}},
       {{"species.1.radius=0.02"},
-       {"species.1.radius = 0.02 m: a disk's diameter, 0.04 m, is larger than a tooth's valley, "
-        "base.tooth_width = 0.02 m"}},
-      {{"accuracy.step=0.001"}, {"accuracy.step = 0.001 s: of no effect, for accuracy.method is events"}},
+       {"species.1.radius = 0.02 m: a disk's diameter, 0.04 m, is larger than a tooth, base.tooth_width = "
+        "0.02 m"}},
+      {{"accuracy.step=0.001"},
+       {"accuracy.step = 0.001 s: has no effect, because accuracy.method is events"}},
       {{"accuracy.method=steps", "contact.pair_collisions=false"},
-       {"accuracy.method = steps: of no effect, for disks that do not see each other are advanced from event "
-        "to "
-        "event"}},
+       {"accuracy.method = steps: has no effect, because contact.pair_collisions is false"}},
+      {{"accuracy.method=steps", "accuracy.step=0.004"}, {}},
       {{"accuracy.method=steps", "accuracy.step=0.05"},
-       {"accuracy.step = 0.05 s: within which a disk moves by up to 0.06293 m, 31.46 of the smallest "
-        "diameters: many "
-        "contacts are missed; meant 5e-05 s?"}},
+       {"accuracy.step = 0.05 s: a disk moves by up to 0.03161 m within a step, 15.8 of the smallest "
+        "diameters: many contacts are missed; use at most 0.004429 s"}},
+      // A violent drive: energies come out a third too high (docs/accuracy.md).
+      {{"accuracy.method=steps", "accuracy.step=0.001", "base.amplitude=0.0188"},
+       {"accuracy.step = 0.001 s: a disk moves by up to 0.00306 m within a step, 1.53 of the smallest "
+        "diameters: many contacts are missed; use at most 0.000915 s"}},
+      {{"accuracy.method=steps", "accuracy.step=0.0005", "base.amplitude=0.0188"}, {}},
+      {{"accuracy.method=steps", "accuracy.step=0.000001"},
+       {"accuracy.step = 1e-06 s: 1000000 steps per simulated second take about 16 s of processor time: "
+        "slower than method events, which is exact; did you mean 0.001 s?"}},
+      {{"accuracy.mean_vx=100"},
+       {"accuracy.mean_vx = 100 m/s: too coarse for disks whose speeds reach 0.6321 m/s; did you mean 0.1 "
+        "m/s?"}},
+      {{"accuracy.mean_vx=0.01", "boundary=open"},
+       {"accuracy.mean_vx = 0.01 m/s: an open base that is not fed empties, and has no steady <V_x>; "
+        "boundary must be periodic or feed.rate above 0"}},
+      {{"accuracy.mean_vx=0.01", "boundary=open", "feed.rate=10"}, {}},
+      {{"accuracy.quality=0.02"},
+       {"accuracy.quality = 0.02: cannot be reached, because no disk leaves a periodic base; boundary must "
+        "be open or walled"}},
+      {{"accuracy.quality=0.02", "boundary=open"}, {}},
       {{"base.tooth_height=0", "species.1.radius=0.15"},
-       {"the counts of all species come to 10 disks: at rest a layer of 1.078 m, 3.592 of the largest "
-        "diameters thick, on a base 0.4 m wide; a smaller density, smaller counts or larger radii meant?"}},
+       {"the counts of all species sum to 10 disks: at rest a layer 1.078 m thick, 3.592 of the largest "
+        "diameters, on a base 0.4 m wide; did you mean a smaller density, smaller counts or larger radii?"}},
       {{"density=0.001"},
-       {"no disk at all: every species.N.count is 0, initial is empty and feed.rate is 0; a density gives a "
-        "disk where it times the base's width, 0.4 m, comes to the disks' diameters, the largest 0.004 m"}},
+       {"no disks: every species.N.count is 0, initial is empty and feed.rate is 0; a density, if given, is "
+        "too small: the base is 0.4 m wide and the largest diameter is 0.004 m"}},
       {{"base.amplitude=2"},
-       {"base.amplitude = 2 m: 100 times base.tooth_width, and at base.frequency = 23 Hz the base moves at "
-        "up to 289 m/s and 41768 m/s^2, 4258 times gravity; meant 0.002 m?"}},
+       {"base.amplitude = 2 m: 100 times base.tooth_width, and at base.frequency = 23 Hz the base reaches "
+        "289 m/s and 41768 m/s^2, 4258 times gravity; did you mean 0.002 m?"}},
       {{"base.amplitude=0.2"},
-       {"base.amplitude = 0.2 m: 10 times base.tooth_width, and at base.frequency = 23 Hz the base moves at "
-        "up to 28.9 m/s and 4177 m/s^2, 425.8 times gravity"}},
+       {"base.amplitude = 0.2 m: 10 times base.tooth_width, and at base.frequency = 23 Hz the base reaches "
+        "28.9 m/s and 4177 m/s^2, 425.8 times gravity"}},
       {{"base.frequency=1380"},
-       {"base.frequency = 1380 Hz: with base.amplitude = 0.002 m the base moves at up to 17.34 m/s and "
-        "150365 m/s^2, 15328 times gravity; meant 23 Hz?"}},
+       {"base.frequency = 1380 Hz: with base.amplitude = 0.002 m the base reaches 17.34 m/s and 150365 "
+        "m/s^2, 15328 times gravity; did you mean 23 Hz?"}},
       {{"base.frequency=144.5"},
-       {"base.frequency = 144.5 Hz: with base.amplitude = 0.002 m the base moves at up to 1.816 m/s and 1649 "
-        "m/s^2, 168.1 times gravity; meant 23 Hz?"}},
+       {"base.frequency = 144.5 Hz: with base.amplitude = 0.002 m the base reaches 1.816 m/s and 1649 m/s^2, "
+        "168.1 times gravity; did you mean 23 Hz?"}},
+      {{"base.frequency=23000"},
+       {"base.frequency = 23000 Hz: with base.amplitude = 0.002 m the base reaches 289 m/s and 41768166 "
+        "m/s^2, 4257713 times gravity; did you mean 23 Hz?"}},
+      {{"base.amplitude=0.1"},
+       {"base.amplitude = 0.1 m: 5 times base.tooth_width, and at base.frequency = 23 Hz the base reaches "
+        "14.45 m/s and 2088 m/s^2, 212.9 times gravity"}},
       {{"base.frequency=0.023"},
-       {"base.frequency = 0.023 Hz: with base.amplitude = 0.002 m the base moves at up to 0.000289 m/s and "
-        "4.177e-05 m/s^2, 4.258e-06 times gravity, and no disk leaves it; meant 23 Hz?"}},
+       {"base.frequency = 0.023 Hz: with base.amplitude = 0.002 m the base reaches 0.000289 m/s and "
+        "4.177e-05 m/s^2, 4.258e-06 times gravity, too weak to lift a disk; did you mean 23 Hz?"}},
       {{"base.amplitude=2", "base.frequency=0"},
-       {"base.amplitude = 2 m: 100 times base.tooth_width, and at base.frequency = 0 Hz the base moves at up "
-        "to 0 m/s and 0 m/s^2, 0 times gravity"}},
-      {{"base.inclination=1"}, {"base.inclination = 1 rad: 57.3 degrees; meant 0.01745 rad?"}},
-      {{"base.phase=90"}, {"base.phase = 90 rad: 14.32 turns of the drive; meant 1.571 rad?"}},
+       {"base.amplitude = 2 m: 100 times base.tooth_width, and at base.frequency = 0 Hz the base reaches 0 "
+        "m/s and 0 m/s^2, 0 times gravity"}},
+      {{"base.inclination=1"}, {"base.inclination = 1 rad: 57.3 degrees; did you mean 0.01745 rad?"}},
+      {{"base.phase=90"}, {"base.phase = 90 rad: 14.32 turns of the drive; did you mean 1.571 rad?"}},
       {{"base.tooth_width=20", "density=0.01"},
-       {"base.tooth_width = 20 m: 5000 times the diameter of the largest disks, 0.004 m; meant 0.02 m?"}},
+       {"base.tooth_width = 20 m: 5000 times the diameter of the largest disks, 0.004 m; did you mean 0.02 "
+        "m?"}},
       {{"base.tooth_height=6"},
-       {"base.tooth_height = 6 m: needles, 300 times as high as base.tooth_width = 0.02 m; meant 0.006 m?"}},
-      {{"gravity=981"}, {"gravity = 981 m/s^2: 100 times that of the earth; meant 9.81 m/s^2?"}},
-      {{"gravity=9810"}, {"gravity = 9810 m/s^2: 1000 times that of the earth; meant 9.81 m/s^2?"}},
+       {"base.tooth_height = 6 m: 300 times base.tooth_width = 0.02 m; did you mean 0.006 m?"}},
+      {{"gravity=981"}, {"gravity = 981 m/s^2: 100 times that of the earth; did you mean 9.81 m/s^2?"}},
+      {{"gravity=9810"}, {"gravity = 9810 m/s^2: 1000 times that of the earth; did you mean 9.81 m/s^2?"}},
+      {{"gravity=0.00981"},
+       {"gravity = 0.00981 m/s^2: 0.001 times that of the earth, and the base reaches 41.77 m/s^2; did you "
+        "mean 9.81 m/s^2?"}},
       {{"density=393"},
-       {"the counts of all species come to 52400 disks: at rest a layer of 1.255 m, 313.7 of the largest "
-        "diameters thick, on a base 0.4 m wide; a smaller density, smaller counts or larger radii meant?"}},
+       {"the counts of all species sum to 52400 disks: at rest a layer 1.255 m thick, 313.7 of the largest "
+        "diameters, on a base 0.4 m wide; did you mean a smaller density, smaller counts or larger radii?"}},
       {{"pour.drop_height=20"},
-       {"pour.drop_height = 20 m: 1000 times base.tooth_width; disks come down at 19.81 m/s; meant 0.02 m?"}},
+       {"pour.drop_height = 20 m: 1000 times base.tooth_width; disks land at 19.81 m/s; did you mean 0.02 "
+        "m?"}},
       {{"pour.speed=500"},
-       {"pour.speed = 500 m/s: 25 times base.tooth_width in a millisecond; meant 0.5 m/s?"}},
+       {"pour.speed = 500 m/s: 25 times base.tooth_width per millisecond; did you mean 0.5 m/s?"}},
       {{"contact.min_rebound_speed=50"},
-       {"contact.min_rebound_speed = 50 m/s: faster than fall, pour and drive together make a disk, 1.259 "
-        "m/s: every contact throws disks apart; meant 0.05 m/s?"}},
+       {"contact.min_rebound_speed = 50 m/s: higher than any speed from fall, pour and drive, 1.259 m/s: "
+        "every contact accelerates the disks; did you mean 0.05 m/s?"}},
       {{"contact.contact_duration=1"},
-       {"contact.contact_duration = 1 s: longer than the machine's time scale, 0.04348 s: hardly any contact "
-        "loses energy; meant 0.001 s?"}},
+       {"contact.contact_duration = 1 s: longer than the machine's time scale, 0.04348 s: almost no contact "
+        "loses energy; did you mean 0.001 s?"}},
       {{"feed.rate=40000"},
-       {"feed.rate = 40000 1/s: raises the layer by 0.9578 m/s, 10.41 disks within the machine's time scale "
-        "of 0.04348 s; meant 40 1/s?"}},
+       {"feed.rate = 40000 1/s: raises the layer by 0.9578 m/s, 10.41 of the largest diameters within the "
+        "machine's time scale, 0.04348 s; did you mean 40 1/s?"}},
       {{"species.0.mass=10"},
-       {"species.0.mass = 10 kg: with species.0.radius = 0.001 m a sphere of 2.387e+09 kg/m^3, where osmium "
-        "has 22590; meant 0.01 kg?"}},
-      {{"duration=100000"}, {"duration = 100000 s: 27.78 hours, 2300000 drive periods; meant 100 s?"}},
+       {"species.0.mass = 10 kg: with species.0.radius = 0.001 m the density of a sphere would be 2.387e+09 "
+        "kg/m^3; osmium has 22590 kg/m^3; did you mean 0.01 kg?"}},
+      {{"species.1.mass=1"},
+       {"species.1.mass = 1 kg: with species.1.radius = 0.002 m the density of a sphere would be 29841552 "
+        "kg/m^3; osmium has 22590 kg/m^3; did you mean 0.001 kg?"}},
+      {{"species.0.radius=0.000001"},
+       {"species.0.radius = 1e-06 m: with species.0.mass = 0.01 kg the density of a sphere would be "
+        "2.387e+15 kg/m^3; osmium has 22590 kg/m^3; did you mean 0.001 m?"}},
+      {{"duration=100000"}, {"duration = 100000 s: 27.78 hours, 2300000 drive periods; did you mean 100 s?"}},
   };
   return ALL;
 }
@@ -111,6 +148,95 @@ TEST(Implausibilities, OfEachMistakeAreItsFigureAndWhatWasMeant)
   }
 }
 
+/// How a mistake with units is said that goes through many keys.
+struct Slip
+{
+  std::vector<void (*)(SceneDefinition&)> parts;
+  std::string line;
+};
+
+void scaleBase(SceneDefinition& scene)
+{
+  for (double* length : {&scene.base.tooth_width, &scene.base.tooth_height, &scene.base.amplitude})
+    *length *= 1e3;
+}
+
+void scaleDisks(SceneDefinition& scene)
+{
+  scene.pour.drop_height *= 1e3;
+  for (SpeciesDefinition& species : scene.species)
+    species.radius *= 1e3;
+}
+
+void scaleMasses(SceneDefinition& scene)
+{
+  for (SpeciesDefinition& species : scene.species)
+    species.mass *= 1e3;
+}
+
+void scaleSpeeds(SceneDefinition& scene)
+{
+  scene.gravity *= 1e3;
+  scene.contact.min_rebound_speed *= 1e3;
+}
+
+/// As many as the density then asks for.
+void scaleCounts(SceneDefinition& scene)
+{
+  for (SpeciesDefinition& species : scene.species)
+    species.count *= 1000;
+}
+
+TEST(Implausibilities, OfAMistakeThatGoesThroughAllKeysIsOneLine)
+{
+  const std::string width = "the base is 400 m wide and reaches 289 m/s; are lengths ";
+  const Slip slips[] = {
+      {{scaleBase, scaleDisks},
+       "base.tooth_width = 20 m, base.amplitude = 2 m, species.0.radius = 1 m: " + width +
+           "in mm? Did you mean 0.02 m, 0.002 m, 0.001 m?"},
+      {{scaleBase, scaleDisks, scaleMasses},
+       "base.tooth_width = 20 m, base.amplitude = 2 m, species.0.radius = 1 m, species.0.mass = 10 kg: " +
+           width + "in mm and masses in g? Did you mean 0.02 m, 0.002 m, 0.001 m, 0.01 kg?"},
+      {{scaleBase, scaleDisks, scaleSpeeds},
+       "base.tooth_width = 20 m, base.amplitude = 2 m, species.0.radius = 1 m, gravity = 9810 m/s^2: " +
+           width +
+           "in mm, speeds in mm/s and gravity in mm/s^2? Did you mean 0.02 m, 0.002 m, 0.001 m, 9.81 m/s^2?"},
+      {{scaleBase},
+       "base.tooth_width = 20 m, base.amplitude = 2 m: " + width +
+           "of the base in mm? Did you mean 0.02 m, 0.002 m?"},
+      {{scaleBase, scaleCounts},
+       "base.tooth_width = 20 m, base.amplitude = 2 m: " + width +
+           "of the base in mm? Did you mean 0.02 m, 0.002 m?"},
+  };
+  for (const Slip& slip : slips)
+  {
+    SCOPED_TRACE(slip.line);
+    SceneDefinition scene = loadSceneFile(configFile("paper_fig8.yaml")).definition;
+    for (const auto part : slip.parts)
+      part(scene);
+    EXPECT_EQ(implausibilities(scene), std::vector<std::string>{slip.line});
+  }
+}
+
+/// Of every scene that is there, and of each of the mistakes that people make most: the first line names it.
+TEST(Implausibilities, OfTheUsualMistakesNameTheirKeyFirstInEveryScene)
+{
+  for (const char* name :
+       {"circular_feeder.yaml", "demo.yaml", "machine_restitution.yaml", "oblique_feeder.yaml",
+        "paper_fig3.yaml", "paper_fig7.yaml", "paper_fig8.yaml", "seek.yaml"})
+    for (const char* mistake :
+         {"base.amplitude=2", "base.frequency=1380", "base.frequency=23000", "base.frequency=0.023",
+          "base.inclination=0.7", "base.phase=90", "base.tooth_width=20", "base.tooth_height=6",
+          "gravity=9810", "gravity=981", "gravity=0.00981", "pour.drop_height=20", "species.0.mass=10"})
+    {
+      SCOPED_TRACE(std::string(name) + " with " + mistake);
+      const std::vector<std::string> lines = loadSceneFile(configFile(name), {mistake}).warnings;
+      const std::string text = mistake;
+      ASSERT_FALSE(lines.empty());
+      EXPECT_EQ(lines.front().rfind(text.substr(0, text.find('=')) + " = ", 0), 0u) << lines.front();
+    }
+}
+
 TEST(Implausibilities, OfDisksPlacedByHandAreSaidOfTheFirst)
 {
   SceneDefinition scene = loadSceneFile(configFile("paper_fig8.yaml")).definition;
@@ -120,9 +246,9 @@ TEST(Implausibilities, OfDisksPlacedByHandAreSaidOfTheFirst)
       {0, 0.1, 0.05, 1.0, -1.0, 10.0}, {0, 0.1, 50.0, 300.0, 0.0, 1e6}, {0, 0.2, 50.0, 0.0, 0.0, 0.0}};
   EXPECT_EQ(implausibilities(scene),
             (std::vector<std::string>{
-                "initial.1.y = 50 m: 50 m above the base, 2500 times base.tooth_width; meant 0.05 m?",
-                "initial.1: a speed of 300 m/s (vx, vy): given in mm/s?",
-                "initial.1.spin = 1000000 rad/s: the disk's rim goes at 1000 m/s"}));
+                "initial.1.y = 50 m: 50 m above the base, 2500 times base.tooth_width; did you mean 0.05 m?",
+                "initial.1: the speed (vx, vy) is 300 m/s; is it in mm/s?",
+                "initial.1.spin = 1000000 rad/s: the rim of the disk moves at 1000 m/s"}));
   scene.initial.resize(1);
   EXPECT_EQ(implausibilities(scene), std::vector<std::string>());
 }

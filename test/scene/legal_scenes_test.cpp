@@ -130,8 +130,8 @@ private:
     RC_ASSERT(last_collision_ <= simulation_.time());
   }
 
-  /// A base at rest gives no energy, and no contact makes any: unless a rebound has a floor, disks come or
-  /// go, or a wrap takes a disk to another height.
+  /// A base at rest gives no energy, and no contact makes any: unless a rebound has a floor, also that of a
+  /// collapse, disks come or go, or a wrap takes a disk to another height.
   void checkEnergy()
   {
     const double before = energy_;
@@ -142,7 +142,8 @@ private:
     const bool at_rest = driveBounds(scene_.base).speed == 0.0;
     const bool level =
         scene_.boundary != Boundary::PERIODIC || scene_.gravity * scene_.base.inclination == 0.0;
-    if (!same_disks || !at_rest || !level || scene_.contact.min_rebound_speed > 0.0)
+    const bool floor = scene_.contact.min_rebound_speed > 0.0 || simulation_.collapses().count > 0;
+    if (!same_disks || !at_rest || !level || floor)
       return;
     ++energy_checks_;
     double terms = 0.0;

@@ -63,7 +63,7 @@ MisplacedScene drawnMisplacedScene(Misplaced how)
     }
     case Misplaced::BURIED:
       move(scene, disk, 0.0, -onBase(scene, disk).second - radius * drawnMagnitude(1e-3, 1e1));
-      words = {nameOf(at) + " is buried"};
+      words = {nameOf(at) + " overlaps the base"};
       break;
     case Misplaced::OUTSIDE:
       // Walls might be in the way of the other disks.

@@ -27,6 +27,7 @@ constexpr double SCALES_PER_FALL = 1000.0;
 constexpr double TEETH_PER_FALL = 300.0;
 constexpr double TEETH_PER_RUN = 10.0;
 constexpr double REST_PER_TIME_SCALE = 0.01;
+constexpr double SHORTEST_CONTACT = 1e-4;  ///< of those that can be meant, per time scale
 constexpr double RADIUS_PER_TOOTH = 1e-3;
 constexpr double FITTING = 0.499;  ///< of the width: radii that leave room to be placed between walls
 constexpr double RADIUS_PER_WIDTH = 4e-6;
@@ -206,7 +207,9 @@ void drawContact(SceneDefinition& scene)
 {
   ContactDefinition& contact = scene.contact;
   contact.pair_collisions = !drawnChance(30);
-  contact.contact_duration = drawnChance(30) ? drawnNumber(0.0, 1e9) : 0.0;
+  if (drawnChance(30))
+    contact.contact_duration =
+        drawnChance(50) ? timeScale(scene) * drawnMagnitude(SHORTEST_CONTACT, 1.0) : drawnNumber(0.0, 1e9);
   if (drawnChance(20))
   {
     contact.restitution_speed = drawnMagnitude(1e-9, LARGEST_SPEED);

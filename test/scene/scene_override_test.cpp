@@ -95,9 +95,11 @@ TEST(SceneOverride, ThatIsNoAssignmentIsRefused)
 TEST(SceneOverride, BeyondAListIsRefused)
 {
   EXPECT_EQ(refusalOfOverride("species.2.radius=0.1"),
-            "override species.2.radius=0.1: 2 is no index of species, a list of 2");
+            "override species.2.radius=0.1: 2 is not an index of species, a list of length 2");
   EXPECT_EQ(refusalOfOverride("species.A.radius=0.1"),
-            "override species.A.radius=0.1: A is no index of species, a list of 2");
+            "override species.A.radius=0.1: A is not an index of species, a list of length 2");
+  EXPECT_EQ(refusalOfOverride("species.00.radius=0.1"),
+            "override species.00.radius=0.1: 00 is not an index of species, a list of length 2");
 }
 
 TEST(SceneOverride, BelowASingleValueIsRefused)
@@ -108,7 +110,7 @@ TEST(SceneOverride, BelowASingleValueIsRefused)
 
 TEST(SceneOverride, WithAnEmptyPartIsRefused)
 {
-  EXPECT_EQ(refusalOfOverride("base..teeth=3"), "override base..teeth=3: the path has an empty part");
+  EXPECT_EQ(refusalOfOverride("base..teeth=3"), "override base..teeth=3: the key has an empty part");
 }
 
 TEST(SceneOverride, WhoseValueIsNoYamlIsRefused)
@@ -119,7 +121,7 @@ TEST(SceneOverride, WhoseValueIsNoYamlIsRefused)
 
 TEST(SceneOverride, ThatHoldsItselfOrMultipliesIsRefused)
 {
-  const std::string alias = "the value is not YAML: an alias, which has no place here";
+  const std::string alias = "the value is not YAML: an alias, which is not allowed here";
   EXPECT_EQ(refusalOfOverride("base=&a [*a]"), "override base=&a [*a]: " + alias);
   std::string bomb = "base=[&a0 [1, 1]";
   for (int i = 1; i < 40; ++i)

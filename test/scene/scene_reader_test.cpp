@@ -153,7 +153,8 @@ species:
 density: 1.0
 )");
   EXPECT_EQ(scene.definition.species[0].count, 200);
-  EXPECT_EQ(scene.warnings, std::vector<std::string>{"species.0.count is ignored where a density is given"});
+  EXPECT_EQ(scene.warnings,
+            std::vector<std::string>{"species.0.count is ignored because a density is given"});
 }
 
 TEST(SceneReader, PoursNothingWhereInitialPlacesTheDisks)
@@ -168,7 +169,7 @@ initial:
 )");
   EXPECT_EQ(scene.definition.species[0].count, 0);
   EXPECT_EQ(scene.warnings,
-            std::vector<std::string>{"species.0.count is ignored where initial places the disks"});
+            std::vector<std::string>{"species.0.count is ignored because initial places the disks"});
   ASSERT_EQ(scene.definition.initial.size(), 2u);
   EXPECT_EQ(scene.definition.initial[0].species, 1u);
   EXPECT_EQ(scene.definition.initial[0].vx, -1.0);

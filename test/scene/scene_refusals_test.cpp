@@ -42,9 +42,8 @@ const Refusal SHAPES[] = {
     {"UnknownKeyInASection",
      "tooth_width:", "tooth_witdh:", "s.yaml:1: base.tooth_witdh: unknown key; did you mean tooth_width?"},
     {"UnknownKeyInAList", "mass: 0.002", "weight: 0.002",
-     "s.yaml:5: species.1.weight: unknown key; known are count, friction, inertia_factor, mass, name, "
-     "radius, "
-     "restitution, share, tangential_restitution"},
+     "s.yaml:5: species.1.weight: unknown key; must be one of count, friction, inertia_factor, mass, name, "
+     "radius, restitution, share, tangential_restitution"},
     {"UnknownKeyInAHarmonic", "teeth: 20", "harmonics: [{multiple: 2, amplitud: 1}], teeth: 20",
      "s.yaml:1: base.harmonics.0.amplitud: unknown key; did you mean amplitude?"},
     {"HarmonicWithoutAMultiple", "teeth: 20", "harmonics: [{amplitude: 1}], teeth: 20",
@@ -59,8 +58,8 @@ const Refusal SHAPES[] = {
     {"MissingRadius", "radius: 0.002, ", "", "s.yaml:5: species.1.radius: missing"},
     {"MissingMass", ", mass: 0.001", "", "s.yaml:4: species.0.mass: missing"},
     {"MissingCount", "count: 10, ", "", "s.yaml:4: species.0.count: missing"},
-    {"KeyTwiceInAMap", "teeth: 20", "teeth: 20, teeth: 21", "s.yaml:1: base.teeth: stands there twice"},
-    {"KeyTwiceAtTheRoot", "seed: 1", "seed: 1\nseed: 2", "s.yaml:12: seed: stands there twice"},
+    {"KeyTwiceInAMap", "teeth: 20", "teeth: 20, teeth: 21", "s.yaml:1: base.teeth: is given twice"},
+    {"KeyTwiceAtTheRoot", "seed: 1", "seed: 1\nseed: 2", "s.yaml:12: seed: is given twice"},
     {"ListForAMap", "{teeth: 20, tooth_width: 0.02}", "[1, 2]", "s.yaml:1: base = a list: must be a map"},
     {"ValueForAMap", "{teeth: 20, tooth_width: 0.02}", "20", "s.yaml:1: base = 20: must be a map"},
     {"NothingForAMap", "{teeth: 20, tooth_width: 0.02}", "", "s.yaml:1: base = nothing: must be a map"},
@@ -98,6 +97,11 @@ const Refusal VALUES[] = {
      "s.yaml:1: base.asymmetry = -0.1: must be a number from 0 to 1"},
     {"Inclination", "teeth: 20", "inclination: 1.6",
      "s.yaml:1: base.inclination = 1.6: must be a number from -1.5 to 1.5 rad"},
+    {"InclinationInDegrees", "teeth: 20", "inclination: 11",
+     "s.yaml:1: base.inclination = 11: must be a number from -1.5 to 1.5 rad; did you mean 0.192 rad (11 "
+     "degrees)?"},
+    {"RestitutionInPercent", "mass: 0.001", "mass: 0.001, restitution: 60",
+     "s.yaml:4: species.0.restitution = 60: must be a number from 0 to 1; did you mean 0.6 (60 %)?"},
     {"FractionForAnInteger", "count: 10", "count: 1.5",
      "s.yaml:4: species.0.count = 1.5: must be an integer from 0 to 10000000"},
     {"NegativeCount", "count: 10", "count: -1",
@@ -120,8 +124,7 @@ const Refusal VALUES[] = {
     {"LongValueIsCut", "periodic",
      "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa",
      "s.yaml:2: boundary = aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa...: must be "
-     "periodic, open "
-     "or walled"},
+     "periodic, open or walled"},
     {"ValueOfTwoLinesTakesOne", "periodic", "\"a\\nb\"",
      "s.yaml:2: boundary = \"a b\": must be periodic, open or walled"},
 };
@@ -135,7 +138,7 @@ const Refusal RULES[] = {
     {"PairOfOneSpecies", "[]", "[{species: [A]}]",
      "s.yaml:6: pairs.0.species: must be a list of two species"},
     {"PairWithItself", "[]", "[{species: [A, A]}]",
-     "s.yaml:6: pairs.0.species: must be two different species; disks of one kind have that species' own "
+     "s.yaml:6: pairs.0.species: must be two different species; contacts within a species have its own "
      "coefficients"},
     {"PairTwice", "[]", "[{species: [A, B]}, {species: [B, A]}]",
      "s.yaml:6: pairs.1.species: another pair has these two species already"},
@@ -144,11 +147,10 @@ const Refusal RULES[] = {
      "s.yaml:6: initial.0.species = C: unknown species; must be one of A, B"},
     {"InitialWithoutAPlace", "pairs: []", "initial: [{species: A, x: 0}]", "s.yaml:6: initial.0.y: missing"},
     {"InitialAndDensity", "pairs: []", "initial: [{species: A, x: 0, y: 0.1}]\ndensity: 1.0",
-     "s.yaml:7: density: must be absent where initial places the disks"},
+     "s.yaml:7: density: must be absent because initial places the disks"},
     {"SettleLongerThanDuration", "settle: 0.0", "settle: 10.5",
-     "s.yaml:10: settle = 10.5: must be at most the duration, 10 s: shorten settle or lengthen the duration, "
-     "in "
-     "the scene or with sieve_run's --set settle=0 or --duration"},
+     "s.yaml:10: settle = 10.5: must be at most the duration, 10 s; change settle or duration in the scene, "
+     "or with --set settle=0 or --duration of sieve_run"},
     {"NegativeDensity", "pairs: []", "density: -1",
      "s.yaml:6: density = -1: must be a number from 0 to 1000000"},
     {"DensityOfTooManyDisks", "pairs: []", "density: 1000000",
@@ -156,6 +158,11 @@ const Refusal RULES[] = {
     {"DiskWiderThanAPeriodicBase", "radius: 0.002", "radius: 0.21",
      "s.yaml:5: species.1.radius = 0.21: the diameter must be at most the base's width (teeth times "
      "tooth_width), 0.4 m"},
+    {"DiskInMillimetres", "radius: 0.002", "radius: 2",
+     "s.yaml:5: species.1.radius = 2: the diameter must be at most the base's width (teeth times "
+     "tooth_width), 0.4 m; did you mean 0.002 m?"},
+    {"StepInMilliseconds", "pairs: []", "accuracy: {method: steps, step: 4}",
+     "s.yaml:6: accuracy.step = 4: must be a number from 1e-07 to 0.1 s; did you mean 0.004 s (4 ms)?"},
 };
 INSTANTIATE_TEST_SUITE_P(Rules, SceneRefusals, testing::ValuesIn(RULES), ruleName);
 
@@ -172,13 +179,13 @@ TEST(SceneText, ThatIsEmptyIsRefused)
 TEST(SceneText, WithoutSpeciesIsRefused)
 {
   EXPECT_EQ(refusalOf("seed: 2\n"), "s.yaml:1: species: missing");
-  EXPECT_EQ(refusalOf("species: []\n"), "s.yaml:1: species: must have one species or more");
+  EXPECT_EQ(refusalOf("species: []\n"), "s.yaml:1: species: must have at least one species");
 }
 
 TEST(SceneText, OfTwoDocumentsIsRefused)
 {
   EXPECT_EQ(refusalOf(std::string(GOOD_SCENE) + "---\nseed: 2\n"),
-            "s.yaml:12: not YAML: a second document; a scene is one");
+            "s.yaml:12: not YAML: a second document; a scene must be a single one");
 }
 
 TEST(SceneText, ThatNestsWithoutEndIsRefused)
@@ -198,16 +205,14 @@ TEST(SceneText, OfAliasesThatMultiplyIsRefusedAtOnce)
     bomb += "]\n";
   }
   EXPECT_EQ(refusalOf(bomb + "species: *k\n"),
-            "s.yaml:1: a: unknown key; known are accuracy, base, boundary, contact, density, duration, feed, "
-            "gravity, "
-            "initial, "
-            "pairs, pour, seed, settle, species");
+            "s.yaml:1: a: unknown key; must be one of accuracy, base, boundary, contact, density, duration, "
+            "feed, gravity, initial, pairs, pour, seed, settle, species");
 }
 
 TEST(SceneText, ThatIsHugeIsRefused)
 {
   EXPECT_EQ(refusalOf(std::string((16u << 20) + 1, '\n')),
-            "s.yaml: too large; a scene has at most 16777216 bytes");
+            "s.yaml: too large; must have at most 16777216 bytes");
 }
 
 TEST(SceneFile, ThatCannotBeReadIsRefused)
@@ -237,7 +242,7 @@ TEST(SceneFile, ThatIsEmptyOrEndlessIsRefused)
   }
   catch (const SceneError& error)
   {
-    EXPECT_STREQ(error.what(), "/dev/zero: too large; a scene has at most 16777216 bytes");
+    EXPECT_STREQ(error.what(), "/dev/zero: too large; must have at most 16777216 bytes");
   }
 }
 
@@ -246,7 +251,7 @@ TEST(SceneText, IsShownInOneLineAndCut)
   EXPECT_EQ(refusalOf(goodSceneWith("seed:", "\"se\\ned\\x7f\":")),
             "s.yaml:11: se ed : unknown key; did you mean seed?");
   const std::string refusal = refusalOf(goodSceneWith("seed:", std::string(1000, 'x') + ":"));
-  EXPECT_EQ(refusal.rfind("s.yaml:11: " + std::string(60, 'x') + "...: unknown key; known are ", 0), 0u)
+  EXPECT_EQ(refusal.rfind("s.yaml:11: " + std::string(60, 'x') + "...: unknown key; must be one of ", 0), 0u)
       << refusal;
 }
 
@@ -258,27 +263,22 @@ TEST(SceneRules, SpeciesAndDisksHaveALimit)
   EXPECT_EQ(refusalOf(species), "");
   EXPECT_EQ(refusalOf(species + "  - {name: X, count: 1, radius: 0.001, mass: 1}\n"),
             "s.yaml:2: species: must have at most 256 species");
-  EXPECT_EQ(refusalOf("species:\n"
-                      "  - {name: A, count: 10000000, radius: 0.001, mass: 1}\n"
-                      "  - {name: B, count: 1, radius: 0.001, mass: 1}\n"),
-            "s.yaml:2: species: must have at most 10000000 disks, all together");
+  EXPECT_EQ(refusalOf("species:\n  - {name: A, count: 10000000, radius: 0.001, mass: 1}\n  - {name: B, "
+                      "count: 1, radius: 0.001, mass: 1}\n"),
+            "s.yaml:2: species: must have at most 10000000 disks in total");
 }
 
 TEST(SceneRules, AFeedNeedsASpeciesToDrawFrom)
 {
   const std::string text =
-      "species: [{name: A, count: 0, share: 0, radius: 0.001, mass: 0.001}]\n"
-      "feed: {rate: 2.0}\n";
+      "species: [{name: A, count: 0, share: 0, radius: 0.001, mass: 0.001}]\nfeed: {rate: 2.0}\n";
   EXPECT_EQ(refusalOf(text), "s.yaml:2: feed.rate = 2.0: needs a species with a share above 0");
 }
 
 TEST(SceneRules, ADensityNeedsASpeciesToSplitInto)
 {
-  const std::string text =
-      "species: [{name: A, share: 0, radius: 0.001, mass: 0.001}]\n"
-      "density: 1.0\n";
-  EXPECT_EQ(refusalOf(text),
-            "s.yaml:2: density = 1.0: cannot be split up: needs a species with a share above 0");
+  const std::string text = "species: [{name: A, share: 0, radius: 0.001, mass: 0.001}]\ndensity: 1.0\n";
+  EXPECT_EQ(refusalOf(text), "s.yaml:2: density = 1.0: needs a species with a share above 0");
 }
 
 TEST(SceneRules, AWideDiskIsRefusedOnlyWhereItMatters)
@@ -287,8 +287,7 @@ TEST(SceneRules, AWideDiskIsRefusedOnlyWhereItMatters)
   { return "base: {teeth: 1, tooth_width: 0.02}\nspecies: [{name: A, radius: 0.011, mass: 0.001, " + rest; };
   const std::string refusal =
       "s.yaml:2: species.0.radius = 0.011: the diameter must be at most the base's width (teeth times "
-      "tooth_width), "
-      "0.02 m";
+      "tooth_width), 0.02 m";
   EXPECT_EQ(refusalOf(scene("count: 1}]\n")), "");  // alone on its ring
   EXPECT_EQ(refusalOf(scene("count: 2}]\n")), refusal);
   EXPECT_EQ(refusalOf(scene("count: 2}]\ncontact: {pair_collisions: false}\n")), "");

@@ -207,7 +207,7 @@ void addWrongKeys(std::vector<Spoiler>& spoilers)
                           if (!place.map->has(key.name))
                             place.map->force(key.name, SceneTree("1"));
                           place.map->force(key.name, SceneTree((*place.map)[key.name]));
-                          return Expected{place.prefix + key.name, "", "stands there twice"};
+                          return Expected{place.prefix + key.name, "", "is given twice"};
                         }});
     if (key.required)
       spoilers.push_back({key.part + "." + key.name + " missing", [key](SceneTree& root)

@@ -204,7 +204,7 @@ bool tooMuch(const SceneTree& root)
   {
     const std::string refusal = error.what();
     return refusal.find("double precision") != std::string::npos ||
-           refusal.find("all together") != std::string::npos;
+           refusal.find("in total") != std::string::npos;
   }
 }
 

@@ -11,13 +11,12 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A sieve of which the truth is known: each species turns from the right to the left around an angle of its
-/// own.
+/// A model sieve with a known best inclination: each species changes from right to left around its own angle.
 struct KnownSieve
 {
-  double first_turn = 0.2;    ///< where as many of A go left as right [rad]
+  double first_turn = 0.2;    ///< where half of A leave on each side [rad]
   double second_turn = 0.1;   ///< the same of B [rad]
-  double width = 0.04;        ///< over which they turn [rad]
+  double width = 0.04;        ///< width of the change [rad]
   std::uint64_t disks = 100;  ///< of each species in a trial
 
   double rightShare(double inclination, double turn) const
@@ -30,10 +29,10 @@ struct KnownSieve
     return std::abs(rightShare(inclination, first_turn) - rightShare(inclination, second_turn));
   }
 
-  /// Both turn alike, so that they part most in the middle.
+  /// Both change in the same way, so that they separate best in the middle.
   double best() const { return (first_turn + second_turn) / 2.0; }
 
-  /// A trial without chance.
+  /// A trial without noise.
   std::vector<SpeciesBins> expected(double inclination) const
   {
     std::vector<SpeciesBins> bins;
@@ -59,7 +58,7 @@ struct KnownSieve
   }
 };
 
-/// Trials until it holds; the most that there can be are far fewer than this.
+/// Bound on the number of trials until it holds, far above the possible maximum.
 constexpr int MOST = 2000;
 
 template <typename Trial>
@@ -169,17 +168,17 @@ double anyInclination()
 RC_GTEST_PROP(InclinationSearch, findsTheBestFromAnywhere, ())
 {
   KnownSieve sieve = anySieve();
-  sieve.disks = 100000000;  // so that there is no chance in it
+  sieve.disks = 100000000;  // so many that there is no noise
   RC_PRE(sieve.quality(sieve.best()) > 0.05);
   const SearchOptions options;
   InclinationSearch search(options, anyInclination());
   const int trials = seek(search, [&](double inclination) { return sieve.expected(inclination); });
   RC_ASSERT(trials < 60);
-  // Its last comparisons are less than two resolutions away; Q falls alike on both sides of the best.
+  // Its last comparisons are less than two resolutions away; Q decreases equally on both sides of the best.
   RC_ASSERT(std::abs(search.best() - sieve.best()) <= options.resolution);
 }
 
-/// Where chance enters nothing is sure, but a bad choice is rare: over many sieves the mean loss is small.
+/// With noise nothing is certain, but a bad choice is rare: the mean loss over many sieves is small.
 TEST(InclinationSearch, findsTheBestInNoise)
 {
   std::mt19937_64 random(1);
@@ -199,11 +198,11 @@ TEST(InclinationSearch, findsTheBestInNoise)
     loss += lost / SIEVES;
     worst = std::max(worst, lost);
   }
-  EXPECT_LT(loss, 0.015);  // without trials that are repeated: 0.018
+  EXPECT_LT(loss, 0.015);  // without repeated trials: 0.018
   EXPECT_LT(worst, 0.3);
 }
 
-/// Whatever it is told, it stays in its range and comes to an end.
+/// For any input, it stays in its range and terminates.
 RC_GTEST_PROP(InclinationSearch, endsWhateverItIsTold, ())
 {
   SearchOptions options;
@@ -224,12 +223,12 @@ RC_GTEST_PROP(InclinationSearch, endsWhateverItIsTold, ())
   RC_ASSERT(trials < MOST);
 }
 
-/// Left and right are alike to it: the mirror of a sieve is sought in the mirror of the inclinations.
+/// Mirror symmetry: for the mirrored sieve the search gives the mirrored inclinations.
 RC_GTEST_PROP(InclinationSearch, knowsNoLeftFromRight, ())
 {
   KnownSieve sieve = anySieve();
   sieve.disks = 100000000;
-  const double start = anyInclination() + 1e-4;  // no two inclinations that are equally good
+  const double start = anyInclination() + 1e-4;  // no two inclinations are equally good
   InclinationSearch search({}, start);
   InclinationSearch mirrored({}, -start);
   for (int k = 0; k < 60; ++k)

@@ -9,13 +9,13 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// The engine and the search in one process, in step: the same bits every time.
+/// Engine and search in one process, in lock step: reproducible bit for bit.
 class ClosedLoop
 {
 public:
   explicit ClosedLoop(std::uint64_t seed, double start) : control_({}, {}, start), simulation_(scene(seed)) {}
 
-  /// Until it holds an inclination, or the patience [s] is over.
+  /// Runs until it holds an inclination, or for at most `patience` [s].
   void runUntilHeld(double patience)
   {
     const double end = simulation_.time() + patience;
@@ -34,7 +34,7 @@ public:
     hear(control_.take(makeBinFrame(simulation_)));
   }
 
-  /// As after ~reset, with another seed: level, time 0.
+  /// As after ~reset with another seed: level, time 0.
   void reset(std::uint64_t seed) { simulation_ = Simulation(scene(seed)); }
 
   Simulation& simulation() { return simulation_; }
@@ -62,7 +62,7 @@ private:
 };
 
 // Q of config/seek.yaml by docs/seeking.md: 0.43 at 0.15 rad, 0.39 at 0.125 and 0.175, 0.30 at 0.2, 0.15 at
-// the level; at 18 Hz 0.35 at 0.05, 0.32 at 0.075, 0.22 at 0.15.
+// 0; at 18 Hz 0.35 at 0.05, 0.32 at 0.075, 0.22 at 0.15.
 constexpr double LEAST_BEST = 0.09;
 constexpr double MOST_BEST = 0.21;
 
@@ -126,6 +126,7 @@ TEST(SeekControl, seeksAgainWhereTheDriveIsChanged)
   EXPECT_LT(loop.reports.back().best, 0.11);
 }
 
-/// A step of the approach: all that left at the level went to the right, and nothing was tried further up.
+/// A step of the approach: all disks at inclination 0 left on the right, and no larger inclination was tried
+/// yet.
 }  // namespace
 }  // namespace ratchet_sieve

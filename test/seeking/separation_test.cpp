@@ -19,7 +19,7 @@ TEST(Score, isThePapersQualityWithItsError)
   const Score score = scoreOf({fallen(10, 90), fallen(70, 30)});
   EXPECT_TRUE(score.defined);
   EXPECT_NEAR(score.quality, 0.6, 1e-12);
-  // Binomial: 0.9 * 0.1 / 100 + 0.7 * 0.3 / 100, and a little more for what was not seen.
+  // Binomial: 0.9 * 0.1 / 100 + 0.7 * 0.3 / 100, and a little more because of Laplace's rule.
   EXPECT_NEAR(score.error, std::sqrt((0.09 + 0.21) / 100.0), 0.002);
   EXPECT_NEAR(score.balance, (0.8 - 0.4) / 2.0, 1e-12);
 }

@@ -24,7 +24,7 @@ BaseFrame baseAt(double time, double applied = ANGLE, double commanded = ANGLE)
   return frame;
 }
 
-/// Each second ten of A fall to the right, and five of B to the left.
+/// Every second ten of A fall on the right, and five of B on the left.
 BinFrame binsAt(double time)
 {
   BinFrame frame;
@@ -166,7 +166,7 @@ TEST(SeparationTrial, beginsAnewWhereTimeGoesBack)
     SeparationTrial trial(options());
     trial.begin(ANGLE);
     run(trial, 5.0, 9.0);
-    // After a reset the two topics come in any order, and old frames may come in between.
+    // After a reset the two topics may arrive in any order, with old frames in between.
     if (base_first)
     {
       trial.take(baseAt(0.0));
@@ -219,7 +219,7 @@ TEST(SeparationTrial, isInterrupted)
   EXPECT_EQ(trial.result()->begin, 12.0);
 }
 
-/// The topics come by connections of their own: either may be ahead, however far.
+/// The topics have separate connections: either may be ahead by any time.
 TEST(SeparationTrial, goesByTheTimesInTheFrames)
 {
   for (const double ahead : {-5.0, -0.5, 0.5, 5.0})
@@ -239,7 +239,7 @@ TEST(SeparationTrial, goesByTheTimesInTheFrames)
   }
 }
 
-/// What the bins said while the base, as is heard later, was moved does not count.
+/// Bins from a time at which the base was moved, according to a later frame, do not count.
 TEST(SeparationTrial, judgesBinsByTheBaseOfTheirTime)
 {
   SeparationTrial trial(options());
@@ -253,13 +253,13 @@ TEST(SeparationTrial, judgesBinsByTheBaseOfTheirTime)
   EXPECT_GE(trial.result()->begin, 7.0);
 }
 
-/// A frame that is left over from before a reset is not waited for, though no count tells it.
+/// A frame from before a reset must not delay the trial, although no count shows the reset.
 TEST(SeparationTrial, waitsForNoTimeThatWasTakenBack)
 {
   SeparationTrial trial(options());
   trial.begin(ANGLE);
   BinFrame empty = binsAt(0.0);
-  empty.time = 100.0;  // before anything fell
+  empty.time = 100.0;  // before any disk has fallen
   trial.take(baseAt(0.0));
   trial.take(empty);
   for (double time = 0.5; time <= 6.0; time += 0.5)
@@ -282,7 +282,7 @@ TEST(SeparationTrial, tellsTheMeanTemperatureAndPaceOfTheWindow)
     statistics.real_time_factor = pace;
     trial.take(statistics);
   };
-  // A window that is broken off does not count.
+  // An interrupted window does not count.
   run(trial, 0.0, 3.0);
   hear(3.0, 50.0, 50.0);
   trial.take(baseAt(3.5, 0.1));

@@ -1,12 +1,12 @@
-"""Scenes at the extremes of what can be asked for, and what each has to come to."""
+"""Scenes at the limits of legal parameters, and the expected result of each."""
 import copy
 import math
 from typing import NamedTuple
 
 RUNS = "runs"          # to its end, without a collapse
 GOES_ON = "goes on"    # to its end, through collapses that it counts
-STOPS = "stops"        # at a collapse, and says so
-REFUSED = "refused"    # before it starts, by the key that is wrong
+STOPS = "stops"        # to a collapse, which it reports
+REFUSED = "refused"    # refused before it starts, with the wrong key
 
 
 class Extreme(NamedTuple):
@@ -84,7 +84,7 @@ def frequency_of(acceleration):
 
 
 def collisions():
-    """The ends of the collision law's coefficients."""
+    """Limits of the collision law's coefficients."""
     for value in (0.0, 1.0):
         yield "restitution", f"e = {value:g}", changed(mixture(), species={"restitution": value}), RUNS
     yield ("restitution", "e = 1, no rebound floor",
@@ -92,7 +92,7 @@ def collisions():
     for friction in (0.0, 1e3):
         for tangential in (-1.0, 0.0, 1.0):
             coefficients = {"friction": friction, "tangential_restitution": tangential}
-            # A disk that neither slips nor loses spin wedges between two faces within seconds, in most runs.
+            # A disk that neither slips nor loses spin gets wedged between two faces within seconds, in most runs.
             wedges = friction > 0.0 and tangential == 1.0
             yield ("friction", f"μ = {friction:g}, β = {tangential:g}",
                    changed(mixture(), species=coefficients, duration=2.0 if wedges else 5.0), RUNS)
@@ -103,7 +103,7 @@ def collisions():
 
 
 def shapes():
-    """Teeth that are no teeth, or too much of one."""
+    """Degenerate and extreme teeth."""
     yield "teeth", "a = 0: left faces vertical", mixture(asymmetry=0.0), RUNS
     yield "teeth", "a = 1: right faces vertical", mixture(asymmetry=1.0), RUNS
     yield "teeth", "h = 0: flat", mixture(tooth_height=0.0), RUNS
@@ -115,7 +115,7 @@ def shapes():
 
 
 def sizes():
-    """Disks against teeth, against the machine, and against each other."""
+    """Ratios of disks to teeth, to the machine, and to each other."""
     for ratio in (1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0):
         radius = ratio * 0.02
         teeth = max(3, int(8 * ratio))
@@ -130,7 +130,7 @@ def sizes():
 
 
 def drives():
-    """Slopes, and drives from none to far beyond any feeder's."""
+    """Inclinations, and drives from none to far beyond any feeder's."""
     for angle in (1.5, -1.5, 0.8):
         for boundary in ("periodic", "walled", "open"):
             yield "inclination", f"θ = {angle:g} rad, {boundary}", changed(
@@ -168,7 +168,7 @@ def orbits():
 
 
 def walls():
-    """Walls from lower than a disk to as high as may be."""
+    """Walls from lower than a disk to the largest legal height."""
     for height in (1e-4, 0.01, 1000.0):
         yield "walls", f"{height:g} m high", changed(
             mixture(wall_height=height), boundary="walled", duration=10.0), RUNS
@@ -178,7 +178,7 @@ def walls():
 
 
 def amounts():
-    """From no disk to many, and of them at rest."""
+    """From no disk to many, and heaps at rest."""
     for count in (0, 1, 2):
         yield "number", f"N = {count}", sized(mixture(), (0.001, 0.002), (count, 0)), RUNS
     many = changed(sized(mixture(teeth=3822), (0.001, 0.002), (50000, 50000)), duration=1.0)
@@ -194,7 +194,7 @@ def amounts():
 
 
 def floors():
-    """The rebound floor from none to faster than the drive."""
+    """The minimum rebound speed from 0 to more than the drive's speed."""
     yield "rebound floor", "v_min = 0", changed(mixture(), contact={"min_rebound_speed": 0.0}), STOPS
     yield "rebound floor", "v_min = 0, goes on", changed(mixture(), contact={
         "min_rebound_speed": 0.0, "on_collapse": "rebound", "collapse_events": 10000}), GOES_ON
@@ -204,12 +204,12 @@ def floors():
 
 
 def by_speed():
-    """A restitution that depends on the speed, with neither of the other rules."""
+    """A speed-dependent restitution, without minimum rebound speed and contact duration."""
     def scene(speed, exponent=0.75, of=mixture):
         return changed(of(), contact={"min_rebound_speed": 0.0, "restitution_speed": speed,
                                       "restitution_exponent": exponent})
     for speed in (10.0, 1.0, 0.1, 0.01):
-        # The disks come to the base with about 1 m/s; what slows down little only below that comes to rest.
+        # The disks reach the base with about 1 m/s. With a v_0 far below that they come to rest.
         yield "restitution by speed", f"v_0 = {speed:g} m/s, q = 0.75", scene(speed), RUNS if speed >= 1.0 else STOPS
     yield "restitution by speed", "v_0 = 1 m/s, q = 0.2", scene(1.0, 0.2), STOPS
     yield "restitution by speed", "v_0 = 1 m/s, q = 2", scene(1.0, 2.0), RUNS

@@ -1,4 +1,4 @@
-"""One ball on a flat plate for a very long time: its phase is as good at the end as at the start."""
+"""One ball on a flat plate for a very long time: its phase is as accurate at the end as at the start."""
 import csv
 import json
 import math
@@ -13,7 +13,7 @@ OMEGA = 2.0 * math.pi * FREQUENCY
 # The period-one orbit hits at this phase (Luck & Mehta, Phys. Rev. E 48, 3988 (1993)).
 PHASE = math.acos(GRAVITY * (1.0 - RESTITUTION) / (2.0 * FREQUENCY * AMPLITUDE * OMEGA * (1.0 + RESTITUTION)))
 
-SETTLED = 60.0  # when the orbit has been found [s]
+SETTLED = 60.0  # time at which the run has converged to the orbit [s]
 WATCHED = 20.0  # [s]
 HEAD = ("| Simulated time | Collisions so far | Hits watched | Largest deviation from the orbit's phase [rad] "
         "| Of that, a double's resolution of the time | Largest overlap so far / radius |\n|---|---|---|---|---|---|\n")
@@ -30,7 +30,7 @@ def scene():
 
 
 class Run:
-    """A run of the ball that goes on from checkpoint to checkpoint."""
+    """A run of the ball that is continued from checkpoint to checkpoint."""
 
     def __init__(self, program, directory):
         self.program = program
@@ -48,7 +48,7 @@ class Run:
         return json.loads(run.stdout)
 
     def watch(self, time):
-        """Goes to `time`, then watches the hits. Returns a row of the table, and the largest deviation."""
+        """Runs to `time`, then records the hits. Returns a row of the table, and the largest deviation."""
         hits = self.directory / "hits.csv"
         self.advance(time)
         summary = self.advance(time + WATCHED, "--collisions", hits)
@@ -65,7 +65,7 @@ class Run:
 
 
 def measure(program, end):
-    """The rows of the table, and how many of them are not as they have to be."""
+    """The rows of the table, and the number of failures."""
     rows, failed = [], 0
     with tempfile.TemporaryDirectory() as directory:
         run = Run(program, directory)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs sieve_run at the extremes and says what came of each: exit 1 where it is not what it has to be."""
+"""Runs sieve_run on extreme scenes and reports the results; exit status 1 if one is not as expected."""
 import argparse
 import concurrent.futures
 import datetime
@@ -16,7 +16,7 @@ import extremes
 import long_run
 
 LARGEST_OVERLAP = 1e-9  # of the smallest radius
-TIMEOUT = 1500.0        # of wall time [s]: what takes longer does not end
+TIMEOUT = 1500.0        # timeout, wall time [s]
 
 EXIT_STATUS = {extremes.RUNS: 0, extremes.GOES_ON: 0, extremes.STOPS: 1, extremes.REFUSED: 2}
 
@@ -26,7 +26,7 @@ def finite(text):
 
 
 def complaints(extreme, run, summary):
-    """What is wrong with a run, each in words."""
+    """The errors of a run."""
     if run.returncode != EXIT_STATUS[extreme.comes_to]:
         yield f"exit status {run.returncode}: {run.stderr.strip()}"
         return
@@ -49,7 +49,7 @@ def relative_overlap(extreme, summary):
 
 
 def measure(program, extreme, short):
-    """Runs it. Returns the summary (None for a refusal), what the program said, and the complaints."""
+    """Runs a scene. Returns the summary (None for a refusal), the result in words, and the errors."""
     scene = dict(extreme.scene, duration=extreme.short if short else extreme.scene["duration"])
     with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
         json.dump(scene, file)
@@ -97,10 +97,10 @@ def machine():
 
 
 def measure_all(program, short, jobs):
-    """The rows of the table, and how many runs were not what they have to be."""
+    """The rows of the table, and the number of failures."""
     rows, failed = [], 0
     everything = list(extremes.extremes())
-    if short:  # The whole of what is slow to start is for the long form.
+    if short:  # Scenes that start slowly run in full only in the long form.
         everything = [e for e in everything if "100,000" not in e.what]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         results = pool.map(lambda extreme: measure(program, extreme, short), everything)

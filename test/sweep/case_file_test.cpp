@@ -55,13 +55,11 @@ TEST_F(CaseFile, GivesTheResultsThatTheCasesHave)
   {
     nlohmann::ordered_json here = runCase(cases_[k], {})->summary;
     nlohmann::ordered_json there = results[k].summary;
-    EXPECT_FALSE(there["warnings"].empty());  // of the phase
+    EXPECT_FALSE(there["warnings"].empty());  // about the phase
     here.erase("wall_time");
     there.erase("wall_time");
     EXPECT_EQ(there, here);
     EXPECT_EQ(results[k].run_hash, runHash(cases_[k].scene));
-    EXPECT_EQ(results[k].seed, 18446744073709551615u);
-    EXPECT_EQ(results[k].values, cases_[k].values);
     EXPECT_EQ(results[k].host, hostName());
   }
 }
@@ -84,15 +82,15 @@ TEST_F(CaseFile, IsRefusedWhereItIsNotWholeOrNotOfThisVersion)
   const std::string whole = contents(path_);
   EXPECT_NE(complaint("").find("cannot be read"), std::string::npos);
   EXPECT_NE(complaint(whole.substr(0, whole.size() - 10)).find("is damaged"), std::string::npos);
-  EXPECT_NE(
-      complaint(whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1)).find("is no whole file of cases"),
-      std::string::npos);
+  EXPECT_NE(complaint(whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1))
+                .find("is no complete file of cases"),
+            std::string::npos);
   std::string other_version = whole;
   other_version.replace(other_version.find("\"version\":\"") + 11, 1, "9");
-  EXPECT_NE(complaint(other_version).find("is no whole file of cases of version"), std::string::npos);
+  EXPECT_NE(complaint(other_version).find("is no complete file of cases of version"), std::string::npos);
   std::string other_scene = whole;
   other_scene.replace(other_scene.find("gravity: 9.81"), 13, "gravity: 9.82");
-  EXPECT_NE(complaint(other_scene).find("read in another way"), std::string::npos);
+  EXPECT_NE(complaint(other_scene).find("the hash of a scene does not match"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(directory_ / "0.results"));
 }
 

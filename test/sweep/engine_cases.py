@@ -1,4 +1,4 @@
-"""What the tests of the engines share: a sweep, its table, and processes that are killed with all that they started."""
+"""Shared by the tests of the engines: a sweep, its table, and processes that are killed with all their children."""
 import ctypes
 import functools
 import json
@@ -15,7 +15,7 @@ import unittest
 
 PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
 
-TIME_LIMIT = 120  # of a test [s]; some ten times what it takes alone
+TIME_LIMIT = 120  # of a test [s]; about ten times its duration on an idle machine
 PR_SET_CHILD_SUBREAPER = 36  # of linux/prctl.h
 
 SWEEP = '''
@@ -33,7 +33,7 @@ CASES = 36
 
 
 def table(path):
-    """Every row, without what differs from run to run."""
+    """Every row, without the columns that differ between runs."""
     connection = sqlite3.connect(path)
     connection.row_factory = sqlite3.Row
     rows = {}
@@ -47,7 +47,7 @@ def table(path):
 
 
 def wait_for(condition, what, process=None):
-    """Waits until it holds, or the test's time is over."""
+    """Waits for a condition, at most until the test's time limit."""
     while not condition():
         if process is not None and process.poll() is not None:
             raise AssertionError(f'ended before {what}: {process.returncode}')
@@ -55,7 +55,7 @@ def wait_for(condition, what, process=None):
 
 
 def descendants(pid):
-    """The processes that one has started, and those have."""
+    """All descendants of a process."""
     children = {}
     for directory in pathlib.Path('/proc').glob('[0-9]*'):
         try:
@@ -72,7 +72,7 @@ def descendants(pid):
 
 
 def kill_all(pid):
-    """Kills a process and all that it has started; each is stopped first, so that none starts another meanwhile."""
+    """Kills a process and its descendants. Each is stopped first, so that none starts another meanwhile."""
     stopped = set()
     while True:
         alive = {pid, *descendants(pid)} - stopped
@@ -84,7 +84,7 @@ def kill_all(pid):
 
 
 def send(pids, number):
-    """Sends a signal to those of the processes that are still there."""
+    """Sends a signal to those processes that still exist."""
     for pid in pids:
         try:
             os.kill(pid, number)
@@ -93,10 +93,10 @@ def send(pids, number):
 
 
 class EngineTest(unittest.TestCase):
-    """A test with a directory and a time limit of its own, that leaves no process behind however it ends."""
+    """A test with its own directory and time limit, which leaves no process behind in any case."""
 
     def setUp(self):
-        # What loses its parent becomes a child of this process, such as a task of Slurm's.
+        # An orphaned process, for example a task of Slurm, becomes a child of this process.
         ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
         signal.signal(signal.SIGALRM, self.give_up)
         signal.alarm(TIME_LIMIT)
@@ -112,7 +112,7 @@ class EngineTest(unittest.TestCase):
 
     @staticmethod
     def kill_descendants():
-        """Of all children, those too that this process has not started itself."""
+        """Kills all children, including adopted ones."""
         for pid in descendants(os.getpid()):
             kill_all(pid)
 
@@ -123,14 +123,14 @@ class EngineTest(unittest.TestCase):
         self.addCleanup(kill_all, process.pid)
         return process
 
-    def start_sweep(self, *options, **environment):
-        process = self.background(PROGRAM, 'run', 's.yaml', *options, cwd=self.directory, stderr=subprocess.PIPE, text=True,
+    def start_sweep(self, *options, sweep='s.yaml', **environment):
+        process = self.background(PROGRAM, 'run', sweep, *options, cwd=self.directory, stderr=subprocess.PIPE, text=True,
                                   **environment)
         self.addCleanup(process.stderr.close)
         return process
 
     def rows(self):
-        """Rows of the table so far; 0 while there is none."""
+        """Number of rows in the table; 0 if there is no table."""
         try:
             connection = sqlite3.connect(f'file:{self.directory}/s.db?mode=ro', uri=True)
             with connection:
@@ -139,26 +139,27 @@ class EngineTest(unittest.TestCase):
             return 0
 
     def expect_under_way(self):
-        """Some cases are yet to come: else what follows would show nothing."""
+        """Checks that some cases are not done yet; otherwise the test would show nothing."""
         self.assertLess(self.rows(), CASES)
 
     def expect_interrupted(self, process):
         process.send_signal(signal.SIGINT)
         errors = process.communicate()[1]
         self.assertEqual(process.returncode, 1, errors)
-        self.assertIn('the same command goes on', errors)
+        self.assertIn('run the same command to continue', errors)
         self.expect_under_way()
 
     def expect_same_table(self, process):
         errors = process.communicate()[1]
-        self.assertEqual(process.returncode, 0, errors)
+        logs = ''.join(path.read_text() for path in self.directory.glob('s.db.d/*/log'))
+        self.assertEqual(process.returncode, 0, errors + logs)
         self.assertEqual(table(self.directory / 's.db'), reference())
         self.assertFalse((self.directory / 's.db.d').exists())
 
 
 @functools.lru_cache(maxsize=None)
 def reference():
-    """The table as the threads of one program make it."""
+    """The table of a run on threads."""
     with tempfile.TemporaryDirectory(prefix='ratchet_sieve_') as name:
         directory = pathlib.Path(name)
         (directory / 's.yaml').write_text(SWEEP)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""GNU parallel over ssh, on two hosts that are sshd on this machine: one of them is killed in mid-run, then the
-coordinator is; the table is the one that the threads of one program make."""
+"""GNU parallel over ssh, on two hosts that are sshd on this machine: one of them is killed during the run, then
+the coordinator; the table equals that of a run on threads."""
 import getpass
 import os
 import shutil
@@ -17,8 +17,8 @@ def free_port():
 
 
 class Host:
-    """An sshd of its own, by a name that only this test's ssh knows. Who logs in finds an empty home: the user's own shell
-    scripts may do anything."""
+    """An sshd under a name known only to this test's ssh. Logins have an empty home directory, because the user's own
+    shell scripts may have any effect."""
 
     def __init__(self, test, name):
         directory = test.directory
@@ -59,6 +59,14 @@ class ParallelEngine(engine_cases.EngineTest):
     def start(self):
         return self.start_sweep('--engine', 'parallel', '--hosts', 'hosts', '--per-job', '6')
 
+    def start_with(self, hosts, *options, **environment):
+        (self.directory / 'hosts').write_text(hosts)
+        return self.start_sweep('--engine', 'parallel', '--hosts', 'hosts', '--per-job', '6', *options, **environment)
+
+    def joblog(self):
+        """GNU parallel's log of completed jobs."""
+        return ''.join(path.read_text() for path in self.directory.glob('s.db.d/*.cases/joblog'))
+
     def start_and_wait(self):
         process = self.start()
         engine_cases.wait_for(lambda: self.rows() >= 3, 'a few cases were done', process)
@@ -67,8 +75,7 @@ class ParallelEngine(engine_cases.EngineTest):
 
     def test_a_host_killed_in_mid_run_loses_nothing(self):
         process = self.start()
-        joblog = self.directory / 's.db.d/cases/joblog'
-        engine_cases.wait_for(lambda: joblog.exists() and 'host2' in joblog.read_text(), 'the second host worked', process)
+        engine_cases.wait_for(lambda: 'host2' in self.joblog(), 'the second host worked', process)
         engine_cases.kill_all(self.hosts[1].sshd.pid)
         self.expect_under_way()
         self.expect_same_table(process)
@@ -81,6 +88,37 @@ class ParallelEngine(engine_cases.EngineTest):
     def test_interrupted_it_stops_and_goes_on(self):
         self.expect_interrupted(self.start_and_wait())
         self.expect_same_table(self.start())
+
+    def test_this_machine_may_be_the_only_host_and_its_home_read_only(self):
+        self.expect_same_table(self.start_with('# slots/login\n2/:\n', env=dict(os.environ, HOME='/proc')))
+
+    def test_this_machine_works_beside_others_wherever_the_program_stands(self):
+        place = self.directory / "a b; 'c' {} {.} $d"
+        place.mkdir()
+        (place / 'sieve_sweep').symlink_to(engine_cases.PROGRAM)
+        process = self.start_with('1/:\n1/' + (self.directory / 'hosts').read_text().splitlines()[0][2:] + '\n',
+                                  '--program', place / 'sieve_sweep')
+        engine_cases.wait_for(lambda: all(name in self.joblog() for name in ('host1', 'localhost')), 'both worked', process)
+        self.expect_same_table(process)
+
+    def test_two_coordinators_of_one_sweep_share_it(self):
+        both = [self.start(), self.start()]
+        errors = [process.communicate()[1] for process in both]
+        self.assertEqual([process.returncode for process in both], [0, 0], errors)
+        self.assertIn('also runs this sweep', ''.join(errors))
+        self.assertEqual(engine_cases.table(self.directory / 's.db'), engine_cases.reference())
+
+    def test_two_sweeps_of_one_results_file_keep_apart(self):
+        (self.directory / 't.yaml').write_text(engine_cases.SWEEP.replace(
+            'grid: {', 'set: {duration: 20}\ngrid: {base.frequency: [23, 20], '))
+        options = ('--engine', 'parallel', '--hosts', 'hosts', '--per-job', '6', '--db')
+        both = [self.start_sweep(*options, 's.db'), self.start_sweep(*options, 's.db', sweep='t.yaml')]
+        errors = [process.communicate()[1] for process in both]
+        self.assertEqual([process.returncode for process in both], [0, 0], errors)
+        for sweep in ('s.yaml', 't.yaml'):
+            process = self.start_sweep('--db', 'threads.db', sweep=sweep)
+            process.communicate()
+        self.assertEqual(engine_cases.table(self.directory / 's.db'), engine_cases.table(self.directory / 'threads.db'))
 
     def test_hosts_that_do_not_answer_are_an_error(self):
         for host in self.hosts:

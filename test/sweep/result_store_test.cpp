@@ -27,11 +27,12 @@ CaseResult resultOf(const std::string& run_hash)
 class ResultStoreTest : public testing::Test
 {
 protected:
-  void record(const std::vector<std::string>& keys, const CaseResult& result)
+  bool record(const CaseResult& result)
   {
     Transaction transaction(store_.database());
-    store_.record(keys, result);
+    const bool added = store_.record(result);
     transaction.commit();
+    return added;
   }
   std::string text(const std::string& query) { return textOf(path_, query); }
 
@@ -43,8 +44,8 @@ protected:
 TEST_F(ResultStoreTest, KeepsValuesAsWhatTheyAre)
 {
   CaseResult result = resultOf("1");
-  result.values = {"0.1", "20", "open", std::nullopt, "1e400"};
-  record({"a.b", "c", "d \"e\"", "f", "g"}, result);
+  result.values = {{"a.b", "0.1"}, {"c", "20"}, {"d \"e\"", "open"}, {"f", std::nullopt}, {"g", "1e400"}};
+  record(result);
   EXPECT_EQ(text("SELECT typeof(\"a.b\") || typeof(c) || typeof(\"d \"\"e\"\"\") || typeof(f) || typeof(g) "
                  "FROM cases"),
             "realintegertextnulltext");
@@ -58,24 +59,24 @@ TEST_F(ResultStoreTest, KeepsValuesAsWhatTheyAre)
 
 TEST_F(ResultStoreTest, CountsACaseOnce)
 {
-  record({}, resultOf("1"));
+  EXPECT_TRUE(record(resultOf("1")));
   CaseResult again = resultOf("1");
   again.error = "should not be seen";
-  record({}, again);
-  record({}, resultOf("2"));
+  EXPECT_FALSE(record(again));
+  EXPECT_TRUE(record(resultOf("2")));
   EXPECT_EQ(text("SELECT COUNT(*) || ' ' || SUM(status = 'done') FROM cases"), "2 2");
 }
 
 TEST_F(ResultStoreTest, GrowsColumnsWithWhatComes)
 {
   CaseResult done = resultOf("1");
-  done.values = {"5"};
-  record({"a"}, done);
+  done.values = {{"a", "5"}};
+  record(done);
   CaseResult failed = resultOf("2");
   failed.error = "it stalls";
   failed.summary = nullptr;
-  failed.values = {"x"};
-  record({"A.c"}, failed);
+  failed.values = {{"A.c", "x"}};
+  record(failed);
   EXPECT_EQ(text("SELECT \"A.c\" || error || (summary IS NULL) || (quality IS NULL) FROM cases WHERE "
                  "run_hash = '2'"),
             "xit stalls11");
@@ -85,13 +86,13 @@ TEST_F(ResultStoreTest, ToleratesColumnsOfAnotherProcess)
 {
   ResultStore other(path_, Database::Access::WRITE);
   CaseResult first = resultOf("1");
-  first.values = {"4"};
-  record({"a"}, first);
+  first.values = {{"a", "4"}};
+  record(first);
   {
     Transaction transaction(other.database());
     CaseResult result = resultOf("2");
-    result.values = {"5"};
-    other.record({"a"}, result);
+    result.values = {{"a", "5"}};
+    other.record(result);
     transaction.commit();
   }
   EXPECT_EQ(text("SELECT a FROM cases WHERE run_hash = '2'"), "5");
@@ -100,15 +101,59 @@ TEST_F(ResultStoreTest, ToleratesColumnsOfAnotherProcess)
 TEST_F(ResultStoreTest, UndoesColumnsWithTheTransaction)
 {
   CaseResult result = resultOf("1");
-  result.values = {"5"};
+  result.values = {{"a", "5"}};
   {
     const Transaction transaction(store_.database());
-    store_.record({"a"}, result);
+    store_.record(result);
   }
   store_.forgetColumns();
   EXPECT_FALSE(store_.hasColumn("a"));
-  record({"a"}, result);
+  record(result);
   EXPECT_EQ(text("SELECT SUM(a) || COUNT(*) FROM cases"), "51");
+}
+
+TEST_F(ResultStoreTest, KeepsARowWhoseSummaryHasMoreThanATableHolds)
+{
+  CaseResult result = resultOf("1");
+  for (int k = 0; k < 3000; ++k)
+    result.summary["key" + std::to_string(k)] = k;
+  result.summary["Status"] = 3;
+  result.summary["Quality"] = 4;
+  result.summary[""] = 5;
+  result.summary[std::string("a\0b", 3)] = 6;
+  result.summary[std::string(1000, 'x')] = 7;
+  result.values = {{"a", "5"}};
+  EXPECT_TRUE(record(result));
+  EXPECT_EQ(text("SELECT a || status || quality || key900 FROM cases"), "5done0.1900");
+  EXPECT_EQ(text("SELECT json_extract(summary, '$.key2999') FROM cases"), "2999");
+  CaseResult other_keys = resultOf("2");
+  other_keys.values = {{"b", "6"}};
+  EXPECT_TRUE(record(other_keys));
+  EXPECT_EQ(text("SELECT b FROM cases WHERE run_hash = '2'"), "6");
+}
+
+TEST_F(ResultStoreTest, IsAFileWhateverItsName)
+{
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(directory_ / "");
+  {
+    ResultStore store(":memory:", Database::Access::WRITE);
+    Transaction transaction(store.database());
+    store.record(resultOf("1"));
+    transaction.commit();
+  }
+  EXPECT_EQ(textOf(":memory:", "SELECT run_hash FROM cases"), "1");
+  std::filesystem::current_path(before);
+  EXPECT_THROW(Database("/dev/null", Database::Access::WRITE), DatabaseError);
+}
+
+TEST_F(ResultStoreTest, CommitsToNoFileThatIsGoneOrAnother)
+{
+  record(resultOf("1"));
+  std::filesystem::rename(path_, directory_ / "other.db");
+  EXPECT_THROW(record(resultOf("2")), DatabaseError);
+  const ResultStore new_one(path_, Database::Access::WRITE);
+  EXPECT_THROW(record(resultOf("3")), DatabaseError);
 }
 
 TEST_F(ResultStoreTest, RefusesAFileThatIsNone)
@@ -140,7 +185,9 @@ TEST(SummaryColumns, AreTheScalars)
       {"seed", 3},
       {"quality", nullptr},
       {"collisions", {{"apex", 2}, {"wall", 0}}},
-      {"species", {{{"name", "A"}, {"mean_vx", 0.5}}, {{"name", "B"}, {"mean_vx", nullptr}}}},
+      {"species",
+       {{{"name", "A"}, {"mean_vx", 0.5}, {"left", 3}, {"right", 4}},
+        {{"name", "B"}, {"mean_vx", nullptr}, {"left", 0}, {"right", 5}}}},
       {"accuracy",
        {{"reached", true},
         {"mean_vx", {{{"name", "A"}, {"half_width", 0.1}}, {{"name", "B"}, {"half_width", nullptr}}}},
@@ -153,15 +200,27 @@ TEST(SummaryColumns, AreTheScalars)
     columns[name] = value;
   EXPECT_EQ(
       columns.dump(),
-      R"({"quality":null,"collisions.apex":2,"collisions.wall":0,"mean_vx.A":0.5,"mean_vx.B":null,)"
+      R"({"quality":null,"collisions.apex":2,"collisions.wall":0,"mean_vx.A":0.5,"left.A":3,"right.A":4,)"
+      R"("mean_vx.B":null,"left.B":0,"right.B":5,"counted":12,)"
       R"("accuracy.reached":true,"accuracy.mean_vx.half_width.A":0.1,"accuracy.mean_vx.half_width.B":null,)"
-      R"("accuracy.quality.value":0.25,"base_impulse.x":1.0,"base_impulse.y":2.0})");
+      R"("accuracy.quality.value":0.25,"base_impulse.x":1.0,"base_impulse.y":2.0,"warnings":2,)"
+      R"("warning_text":"one | two"})");
 }
 
-TEST(SummaryColumns, LeaveSpeciesOutThatSqlCannotTellApart)
+TEST(SummaryColumns, TellSpeciesApartThatSqlDoesNot)
 {
-  EXPECT_TRUE(
-      summaryColumns({{"species", {{{"name", "a"}, {"left", 1}}, {{"name", "A"}, {"left", 2}}}}}).empty());
+  const auto columns = [](const Json& species)
+  {
+    Json names = Json::object();
+    for (const auto& [name, value] : summaryColumns({{"species", species}}))
+      names[name] = value;
+    return names;
+  };
+  const Json small = {{"name", "a"}, {"left", 1}};
+  const Json large = {{"name", "A"}, {"left", 2}};
+  EXPECT_EQ(columns(Json::array({small, large})), Json({{"left.a (2)", 1}, {"left.A", 2}, {"counted", 3}}));
+  EXPECT_EQ(columns(Json::array({large, small})), Json({{"left.A", 2}, {"left.a (2)", 1}, {"counted", 3}}));
+  EXPECT_EQ(columns(Json::array({small})), Json({{"left.a", 1}, {"counted", 1}}));
 }
 
 }  // namespace

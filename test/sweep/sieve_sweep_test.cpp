@@ -1,4 +1,4 @@
-// The program as its users run it: killed, interrupted, twice at once, and refused.
+// sieve_sweep as a program: killed, interrupted, run twice at once, and refused.
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -34,7 +34,7 @@ seed: {first: 1, count: 4}
 class SieveSweep : public testing::Test
 {
 protected:
-  /// Starts it, its standard error in the file `errors`.
+  /// Starts the program, with its standard error in the file `errors`.
   pid_t start(const std::vector<std::string>& arguments, const std::string& errors = "errors") const
   {
     std::vector<std::string> words = {std::getenv("SIEVE_SWEEP")};
@@ -54,7 +54,7 @@ protected:
     _exit(127);
   }
 
-  /// Its exit status; of one that a signal ended, less than 0.
+  /// Its exit status; negative after a signal.
   static int end(pid_t child)
   {
     int status = 0;
@@ -96,8 +96,7 @@ TEST_F(SieveSweep, KilledAgainAndAgainComesToTheSameTable)
   EXPECT_EQ(tableOf(directory_ / "s.db"), tableOf(directory_ / "whole.db"));
 }
 
-/// The checkpoint is marked, by an energy at the start that the run did not have: begun anew, the case would
-/// not bear it.
+/// The checkpoint is marked by an impossible initial energy, which a restarted case would not have.
 TEST_F(SieveSweep, KilledHalfWayThroughACaseGoesOnFromItsCheckpoint)
 {
   const std::string file = sweep(SMALL_SCENE + std::string("set: {duration: 500, boundary: periodic}\n"));
@@ -143,12 +142,13 @@ TEST_F(SieveSweep, InterruptedSaysHowToGoOn)
 {
   const std::string file = sweep(LONG_SWEEP);
   const pid_t child = start({"run", file});
-  // It answers signals once it has begun to write.
+  // It handles signals once it has begun to write.
   while (!std::filesystem::exists(directory_ / "s.db.d") && waitpid(child, nullptr, WNOHANG) == 0)
     usleep(1000);
   kill(child, SIGINT);
   EXPECT_EQ(end(child), 1);
-  EXPECT_NE(errors().find("of 12 cases to go; the same command goes on\n"), std::string::npos) << errors();
+  EXPECT_NE(errors().find("of 12 cases to go; run the same command to continue\n"), std::string::npos)
+      << errors();
   EXPECT_EQ(run({"run", file}), 0) << errors();
   EXPECT_EQ(tableOf(directory_ / "s.db").size(), 12u);
 }
@@ -176,7 +176,9 @@ TEST_F(SieveSweep, RefusesBeforeAnythingIsRun)
                  "case 1 (base.inclination=9): ");
   const std::string huge = sweep(SMALL_SCENE + std::string("seed: {first: 1, count: 1000000000}\n"));
   expect_refusal({"run", huge, "--threads", "2"}, "s.yaml: has 1000000000 cases, which take about ");
-  EXPECT_NE(errors().find(" by the first case on 2 threads; --yes runs them"), std::string::npos) << errors();
+  EXPECT_NE(errors().find(" according to the first case on 2 threads; use --yes to run them"),
+            std::string::npos)
+      << errors();
   expect_refusal({"run", directory_ / "none.yaml"}, "none.yaml: no such file");
   expect_refusal({"run"}, "SWEEP is required");
   expect_refusal({}, "subcommand is required");
@@ -240,6 +242,102 @@ TEST_F(SieveSweep, ReportsMeansOverTheSeedsAndTheirErrors)
     EXPECT_NEAR(error, std::sqrt((squares - expected * expected) / 2), 1e-9);
   }
   EXPECT_EQ(lines, 6);
+}
+
+TEST_F(SieveSweep, HatchesWhatHasTooFewDisksForItsQ)
+{
+  const std::string file =
+      sweep(SMALL_SCENE + std::string("grid: {base.inclination: [-0.2, 0.1, 0.2], base.frequency: [20, 25]}\n"
+                                      "set: {duration: 10}\nseed: {first: 1, count: 2}\n"));
+  ASSERT_EQ(run({"run", file}), 0) << errors();
+  const auto is_hatched = [this](const std::string& field)
+  { return contents(directory_ / ("s_report/" + field + "_map.svg")).find("<pattern") != std::string::npos; };
+  ASSERT_EQ(run({"report", file}), 0) << errors();
+  EXPECT_EQ(errors().rfind("no best Q: ", 0), 0u) << errors();
+  EXPECT_TRUE(is_hatched("quality"));
+  EXPECT_FALSE(is_hatched("processed"));
+  EXPECT_NE(contents(directory_ / "s_report/report.html").find("fewer than 50 disks counted"),
+            std::string::npos);
+  ASSERT_EQ(run({"report", file, "--least-counted", "6", "--least-processed", "0.1"}), 0) << errors();
+  EXPECT_FALSE(is_hatched("quality"));
+  const std::string best = "best mean Q ";
+  EXPECT_EQ(errors().rfind(best, 0), 0u) << errors();
+  EXPECT_NE(contents(directory_ / "s_report/report.html").find(best), std::string::npos);
+}
+
+TEST_F(SieveSweep, ChecksTheFloorOfTheBestSetting)
+{
+  const std::string file =
+      sweep(SMALL_SCENE + std::string("grid: {base.inclination: [0.1, 0.2]}\n"
+                                      "set: {duration: 10}\nseed: {first: 1, count: 3}\n"));
+  ASSERT_EQ(run({"run", file}), 0) << errors();
+  EXPECT_EQ(run({"report", file, "--check-floor"}), 2);
+  EXPECT_EQ(errors(), "sieve_sweep: --check-floor: there is no best setting to check\n");
+  ASSERT_EQ(run({"report", file, "--check-floor", "--least-counted", "6"}), 0) << errors();
+  EXPECT_NE(errors().find("\nbest setting at contact.min_rebound_speed = 0.0125 m/s: Q "), std::string::npos)
+      << errors();
+  const auto findings = nlohmann::json::parse(contents(directory_ / "s_report/findings.json"));
+  ASSERT_EQ(findings["floor_check"].size(), 3u);
+  EXPECT_EQ(findings["floor_check"][0]["quality"], findings["best"]["quality"]);
+  EXPECT_EQ(tableOf(directory_ / "s.db").size(), 12u);
+  EXPECT_EQ(run({"status", file}), 0);
+  EXPECT_EQ(output().rfind("6 cases: 6 done, 0 failed, 0 under way, 0 to go\n", 0), 0u) << output();
+}
+
+TEST_F(SieveSweep, WarnsBeforeItRunsAndCountsWarningsAfterIt)
+{
+  const std::string file =
+      sweep(SMALL_SCENE + std::string("set: {base.tooth_width: 20}\ngrid: {gravity: [8, 9]}\n"));
+  const std::string warning = "in every case: base.tooth_width = 20 m: ";
+  EXPECT_EQ(run({"run", file, "--dry-run"}), 0);
+  EXPECT_EQ(errors().rfind("sieve_sweep: warning: " + warning, 0), 0u) << errors();
+  EXPECT_EQ(run({"run", file}), 0);
+  const std::string said = errors();
+  EXPECT_LT(said.find("sieve_sweep: warning: " + warning), said.find("2 cases: ")) << said;
+  EXPECT_NE(said.find("2 cases: 2 done, 0 failed, 0 under way, 0 to go, 2 with warnings\n"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("\nwarning " + warning), std::string::npos) << said;
+  EXPECT_EQ(textOf(directory_ / "s.db",
+                   "SELECT COUNT(*) FROM cases WHERE warnings > 0 AND warning_text LIKE "
+                   "'%base.tooth_width = 20 m%'"),
+            "2");
+  EXPECT_EQ(run({"report", file, "--field", "events"}), 0) << errors();
+  EXPECT_NE(contents(directory_ / "s_report/report.html").find("; 2 with warnings"), std::string::npos);
+}
+
+TEST_F(SieveSweep, SaysAndReportsWhatIsDoneOfASweepThatHasChanged)
+{
+  ASSERT_EQ(run({"run", sweep(SMALL_SCENE + std::string("grid: {gravity: [8, 9]}\n"))}), 0) << errors();
+  const auto before = tableOf(directory_ / "s.db");
+  const std::string file =
+      sweep(SMALL_SCENE + std::string("grid: {gravity: [8, 8.5, 9], base.phase: [0, 1]}\n"));
+  EXPECT_EQ(run({"status", file}), 0) << errors();
+  EXPECT_EQ(
+      output().rfind("6 cases: 2 done, 0 failed, 0 under way, 4 to go\nthe sweep file has changed since it "
+                     "was run",
+                     0),
+      0u)
+      << output();
+  EXPECT_EQ(run({"export", file}), 0) << errors();
+  EXPECT_EQ(output().rfind("gravity,base.phase,seed,status,", 0), 0u) << output();
+  EXPECT_NE(output().find("\r\n8,0,1,done,"), std::string::npos) << output();
+  EXPECT_NE(output().find("\r\n9,0,1,done,"), std::string::npos) << output();
+  EXPECT_EQ(run({"report", file, "--field", "events"}), 0) << errors();
+  EXPECT_EQ(tableOf(directory_ / "s.db"), before);
+  EXPECT_EQ(textOf(directory_ / "s.db", "SELECT COUNT(*) FROM sweeps"), "1");
+  EXPECT_EQ(run({"export", sweep(SMALL_SCENE + std::string("grid: {gravity: [7]}\n"))}), 1);
+  EXPECT_EQ(errors(),
+            "sieve_sweep: " + (directory_ / "s.db") + ": has no results of this sweep file: run it first\n");
+}
+
+TEST_F(SieveSweep, SaysOneCaseOfOne)
+{
+  const std::string file = sweep(SMALL_SCENE);
+  EXPECT_EQ(run({"status", file}), 0);
+  EXPECT_EQ(output(), "1 case, not begun\n");
+  EXPECT_EQ(run({"run", file}), 0);
+  EXPECT_EQ(errors().rfind("1 case: 1 done, ", 0), 0u) << errors();
 }
 
 TEST_F(SieveSweep, RefusesAReportOfWhatThereIsNot)

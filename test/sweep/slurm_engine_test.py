@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Slurm, with a controller and two nodes on this machine that the test starts: one slurmd is killed in mid-run with all
-that it runs; the table is the one that the threads of one program make."""
+"""Slurm, with a controller and two nodes on this machine that the test starts: one slurmd is killed during the run with
+all its tasks; the table equals that of a run on threads."""
 import getpass
 import os
 import pathlib
@@ -60,7 +60,7 @@ def free_ports(count):
 
 
 def case_of(pid):
-    """The file of cases that a process runs; None where it is another program."""
+    """The case file that a process runs; None for other programs."""
     try:
         words = (pathlib.Path('/proc') / str(pid) / 'cmdline').read_bytes().decode().split('\0')
         directory = pathlib.Path(os.readlink(f'/proc/{pid}/cwd'))
@@ -76,7 +76,7 @@ class SlurmEngine(engine_cases.EngineTest):
             user=getpass.getuser(), host=socket.gethostname().split('.')[0], directory=self.directory,
             ports=free_ports(3)))
         (self.directory / 'plugstack.conf').write_text('')
-        # Named, for where no control groups are mounted (a bare root) slurmd finds none by itself and ends.
+        # Given explicitly, because slurmd exits if no control groups are mounted (in a bare root).
         (self.directory / 'cgroup.conf').write_text('CgroupPlugin=cgroup/v1\n')
         (self.directory / 'state').mkdir()
         (self.directory / 'key').write_bytes(os.urandom(128))
@@ -111,7 +111,7 @@ class SlurmEngine(engine_cases.EngineTest):
         return process
 
     def steps_of(self, node):
-        """The processes of a node that are no children of its slurmd: its tasks, and what Slurm runs each in."""
+        """The processes of a node that are no children of its slurmd: its tasks and their slurmstepd."""
         steps = set()
         for pid in engine_cases.descendants(os.getpid()):
             directory = pathlib.Path('/proc') / str(pid)
@@ -123,7 +123,7 @@ class SlurmEngine(engine_cases.EngineTest):
         return steps - {os.getpid()}
 
     def freeze_in_mid_case(self, node):
-        """Stops the tasks of a node, if they are at cases of which there are no results yet."""
+        """Stops the tasks of a node if they run cases without results."""
         steps = self.steps_of(node)
         engine_cases.send(steps, signal.SIGSTOP)
         cases = [path for path in map(case_of, steps) if path]
@@ -155,6 +155,14 @@ class SlurmEngine(engine_cases.EngineTest):
         engine_cases.kill_all(self.start_and_wait().pid)
         self.expect_under_way()
         self.expect_same_table(self.start())
+
+    def test_a_directory_may_be_named_like_a_pattern_of_slurm(self):
+        place = self.directory / 'a b; %j'
+        place.mkdir()
+        process = self.start_sweep('--engine', 'slurm', '--per-job', '3', '--db', place / 's.db', env=self.environment)
+        errors = process.communicate()[1]
+        self.assertEqual(process.returncode, 0, errors)
+        self.assertEqual(engine_cases.table(place / 's.db'), engine_cases.reference())
 
     def test_interrupted_it_leaves_nothing_in_the_queue(self):
         self.expect_interrupted(self.start_and_wait())

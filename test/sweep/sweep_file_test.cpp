@@ -1,4 +1,4 @@
-// What a sweep's file says: the cases that come of it, in their order, and what is refused.
+// A sweep file's cases, in their order, and its refusals.
 #include <gtest/gtest.h>
 
 #include "ratchet_sieve/scene/canonical_scene.h"
@@ -88,10 +88,11 @@ seed: {first: 18446744073709551614, count: 2}
   EXPECT_EQ(last.scene.gravity, 9.81);
   EXPECT_EQ(last.scene.species[1].name, "1");
   EXPECT_EQ(last.scene.seed, 18446744073709551615u);
-  // A key that a case leaves as it is has the scene's value, where that is written down.
-  const std::vector<std::optional<std::string>> values = {"0.25", std::nullopt, "\"1\""};
+  // A key without an assignment in a case gets the scene's value in the table.
+  const CaseValues values = {
+      {"base.inclination", "0.25"}, {"gravity", std::nullopt}, {"species.1.name", "\"1\""}};
   EXPECT_EQ(last.values, values);
-  EXPECT_EQ(first.values[2], "B");
+  EXPECT_EQ(first.values[2].second, "B");
 }
 
 TEST_F(SweepFile, FindsItsSceneBesideItself)
@@ -123,20 +124,45 @@ TEST_F(SweepFile, RefusesWhatIsNoSweep)
                 "sweep.yaml:2: grid.density.count = 0: must be a number from 1 to 1e+15");
   expectRefusal(
       scene + "zip: {density: [1, 2], gravity: [9]}",
-      "sweep.yaml:2: zip.gravity: has 1 values, but density has 2; side by side they must be equally many");
+      "sweep.yaml:2: zip.gravity: has 1 values, but density has 2; the lists of a zip must be equally long");
   expectRefusal(scene + "cases: []", "sweep.yaml:2: cases: must have one case or more");
   expectRefusal(scene + "seed: {first: 1, count: 0}", "sweep.yaml:2: seed.count = 0: must be 1 or more");
   expectRefusal(scene + "seed: {first: 18446744073709551615, count: 2}",
                 "sweep.yaml:2: seed: the last seed must be below 2^64");
   expectRefusal(scene + "set: {density: 1}\ngrid: {density: [1]}",
                 "sweep.yaml:3: grid: density is set in set as well");
+  expectRefusal(scene + "grid: {base.inclination: [0, 0.1], base: [{teeth: 4}]}",
+                "sweep.yaml:2: grid: base.inclination is a part of base, which is set in grid as well");
+  expectRefusal(scene + "cases: [{species: []}]\nzip: {species.0.radius: [0.1]}",
+                "sweep.yaml:3: zip: species.0.radius is a part of species, which is set in cases as well");
+  expectRefusal(scene + "set: {base.teeth: 4}\ngrid: {base: [{teeth: 5}]}",
+                "sweep.yaml:2: set: base.teeth is a part of base, which is set in grid as well");
+  expectRefusal(scene + "set: {base.teeth: 4, base: {teeth: 5}}",
+                "sweep.yaml:2: set: base.teeth is a part of base, which is set in set as well");
   expectRefusal(scene + "grid: {seed: [1]}",
                 "sweep.yaml:2: grid: seeds are given by the sweep's own key, seed: {first: .., count: ..}");
   expectRefusal(scene +
                     "grid: {density: {from: 1, to: 2, count: 1000000000}, gravity: {from: 1, to: 2, count: "
                     "1000000000}}",
                 "sweep.yaml: sweep: has more than 1000000000000000 cases");
-  expectRefusal("a: &a {b: *a}", "sweep.yaml:1: not YAML: an alias, which has no place here");
+  expectRefusal("a: &a {b: *a}", "sweep.yaml:1: not YAML: an alias, which is not allowed here");
+}
+
+TEST_F(SweepFile, MaySweepAPartOfWhatIsSetInEveryCase)
+{
+  const Sweep sweep =
+      load(SMALL_SCENE + std::string("set: {base: {teeth: 7}}\ngrid: {base.inclination: [0.1, 0.2]}\n"));
+  const SweepCase last = CaseBuilder(sweep).at(1);
+  EXPECT_EQ(last.scene.base.teeth, 7);
+  EXPECT_EQ(last.scene.base.inclination, 0.2);
+}
+
+TEST_F(SweepFile, HasNoMoreKeysThanTheTableHasColumns)
+{
+  std::string keys;
+  for (int k = 0; k < 501; ++k)
+    keys += "species." + std::to_string(k) + ".radius: [0.1], ";
+  expectRefusal("scene: {}\ngrid: {" + keys + "}", "sweep.yaml: sweep: has more than 500 keys");
 }
 
 TEST_F(SweepFile, RefusesACaseWhoseSceneIsIllegalAndSaysWhich)
@@ -145,16 +171,20 @@ TEST_F(SweepFile, RefusesACaseWhoseSceneIsIllegalAndSaysWhich)
   expectRefusal(scene + "grid: {base.teeth: [3, 4], base.inclination: [0, 9]}\nseed: {first: 4, count: 10}",
                 "sweep.yaml: case 11 (base.teeth=3 base.inclination=9 seed=4): sweep.yaml: scene: "
                 "base.inclination = 9: "
-                "must be a number from -1.5 to 1.5 rad");
+                "must be a number from -1.5 to 1.5 rad; did you mean 0.1571 rad (9 degrees)?");
   expectRefusal(scene + "cases: [{gravity: 9}, {base.inclinaton: 0.1}]",
                 "sweep.yaml: case 2 (base.inclinaton=0.1): sweep.yaml: scene: base.inclinaton: unknown key; "
                 "did you mean "
                 "inclination?");
-  expectRefusal(
-      scene + "grid: {species.3.radius: [0.1]}",
-      "sweep.yaml: case 1 (species.3.radius=0.1): override species.3.radius=0.1: 3 is no index of species, a "
-      "list of 1");
-  // Only setting the disks up shows that they overlap.
+  expectRefusal(scene + "grid: {species.3.radius: [0.1]}",
+                "sweep.yaml: case 1 (species.3.radius=0.1): override species.3.radius=0.1: 3 is not an index "
+                "of species, a "
+                "list of length 1");
+  expectRefusal(scene + "grid: {species.0.radius: [0.1], species.00.radius: [0.2]}",
+                "sweep.yaml: case 1 (species.0.radius=0.1 species.00.radius=0.2): override "
+                "species.00.radius=0.2: 00 is "
+                "not an index of species, a list of length 1");
+  // Only placing the disks shows that they overlap.
   expectRefusal(scene + "set: {initial: [{species: A, x: 0.1, y: 0.1}, {species: A, x: 0.1, y: 0.1}]}",
                 "sweep.yaml: case 1 (the scene itself): initial.0 and initial.1 overlap by 0.002 m");
 }

@@ -23,14 +23,14 @@ scene:
   duration: 0.2
 )";
 
-/// Without a rebound floor or a contact duration, and on a base at rest, a lone disk stalls.
+/// A single disk on a base at rest, without minimum rebound speed or contact duration: it ends in a collapse.
 constexpr const char* STALLING_CASE =
     "{contact.min_rebound_speed: 0, base.amplitude: 0, base.tooth_height: 0, species.0.count: 1, "
     "species.1.count: 0, "
     "duration: 100}";
 
-/// Every row of `cases` by its run_hash, each column by its name, as text; without what differs from run to
-/// run.
+/// Every row of `cases` by its run_hash, each column by its name, as text; without columns that differ
+/// between runs.
 inline std::map<std::string, std::map<std::string, std::string>> tableOf(const std::string& results)
 {
   const Database database(results, Database::Access::READ);
@@ -59,7 +59,7 @@ inline std::string textOf(const std::string& results, const std::string& query)
   return select.step() ? select.text(0) : "";
 }
 
-/// A file of a text, in a directory that is gone with it.
+/// Writes a text to a file in a temporary directory.
 inline std::string written(const ScratchDirectory& directory, const std::string& name,
                            const std::string& text)
 {

@@ -17,9 +17,14 @@ TEST(SweepProgress, SaysWhatIsKnown)
   progress.failed = 2;
   progress.finished_here = 20;
   progress.wall = 10.0;
-  progress.best_quality = 0.75;
-  EXPECT_EQ(sweepProgressText(progress),
-            "118 of 240 done, 2 running, 2 failed  2 cases/s  1:00 to go  best Q 0.750");
+  progress.warned = 6;
+  progress.best = SettingMean{};
+  progress.best->quality = 0.75;
+  EXPECT_EQ(
+      sweepProgressText(progress),
+      "118 of 240 done, 2 running, 2 failed, 6 with warnings  2 cases/s  1:00 to go  best mean Q 0.750");
+  progress.best->error = 0.03;
+  EXPECT_NE(sweepProgressText(progress).find("  best mean Q 0.750 +- 0.030"), std::string::npos);
 }
 
 TEST(SweepProgress, NamesADurationAsPeopleDo)

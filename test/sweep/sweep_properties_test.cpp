@@ -1,4 +1,4 @@
-// Whatever is swept: how many cases come of it, in which order, and that only what is new is run.
+// Properties of any sweep: the number of cases, their order, and that only new cases are run.
 #include <algorithm>
 #include <numeric>
 #include <set>

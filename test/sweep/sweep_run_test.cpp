@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <sstream>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -33,6 +37,39 @@ protected:
   }
   std::string text(const std::string& query) const { return textOf(results_, query); }
   std::string status(const Sweep& sweep) const { return statusText(sweep, results_); }
+
+  /// What a process says that may write neither the directory nor its files.
+  std::string readElsewhere(const std::function<std::string()>& read) const
+  {
+    namespace fs = std::filesystem;
+    const fs::path place = fs::path(results_).parent_path();
+    fs::permissions(place, fs::perms(0555));
+    int ends[2];
+    EXPECT_EQ(pipe(ends), 0);
+    const pid_t child = fork();
+    if (child == 0)
+    {
+      std::string text;
+      try
+      {
+        text = getuid() != 0 || setuid(65534) == 0 ? read() : "setuid";
+      }
+      catch (const std::exception& error)
+      {
+        text = error.what();
+      }
+      _exit(::write(ends[1], text.data(), text.size()) < 0 ? 1 : 0);
+    }
+    close(ends[1]);
+    std::string text;
+    char part[4096];
+    for (ssize_t size = 0; (size = ::read(ends[0], part, sizeof part)) > 0;)
+      text.append(part, static_cast<std::size_t>(size));
+    close(ends[0]);
+    waitpid(child, nullptr, 0);
+    fs::permissions(place, fs::perms(0755));
+    return text;
+  }
 
   ScratchDirectory directory_;
   std::string results_ = directory_ / "r.db";
@@ -117,8 +154,8 @@ TEST_F(SweepRunTest, DoesNotMixResultsOfAnotherPhysics)
   Database(results_, Database::Access::WRITE).execute("UPDATE cases SET physics = 0, quality = 99");
   EXPECT_EQ(status(sweep),
             "2 cases: 0 done, 0 failed, 0 under way, 2 to go\n2 results of these cases are of "
-            "another physics than version " +
-                std::to_string(PHYSICS_VERSION) + " and count for nothing\n");
+            "another physics version than " +
+                std::to_string(PHYSICS_VERSION) + " and are not counted\n");
   runSweep(sweep, results_, {});
   EXPECT_EQ(text("SELECT COUNT(*) FROM cases"), "4");
   auto after = tableOf(results_);
@@ -170,7 +207,7 @@ TEST_F(SweepRunTest, BeginsACaseAnewWhoseCheckpointIsDamaged)
   SweepRunOptions options;
   options.warn = [&warning](const std::string& text) { warning = text; };
   EXPECT_EQ(runSweep(sweep, results_, options).counts.done, 1u);
-  EXPECT_NE(warning.find("it is no checkpoint; the case begins anew"), std::string::npos) << warning;
+  EXPECT_NE(warning.find("it is no checkpoint; the case restarts"), std::string::npos) << warning;
 }
 
 TEST_F(SweepRunTest, SaysThatTheDiskIsFullAndLosesNothing)
@@ -187,7 +224,7 @@ TEST_F(SweepRunTest, SaysThatTheDiskIsFullAndLosesNothing)
     complaint = error.what();
   }
   EXPECT_EQ(complaint.rfind(results_ + ": ", 0), 0u) << complaint;
-  EXPECT_NE(complaint.find("finished cases found no room: make room and start again, it goes on"),
+  EXPECT_NE(complaint.find("finished cases could not be stored: free some space and start again"),
             std::string::npos)
       << complaint;
   EXPECT_EQ(text("PRAGMA integrity_check"), "ok");
@@ -238,6 +275,52 @@ TEST_F(SweepRunTest, ExportsWhatRfc4180Allows)
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 2);
   EXPECT_EQ(said.substr(said.size() - 2), "\r\n");
   EXPECT_NE(said.find("\r\n0.1,1,done,\"one, \"\"two\"\"\",0.2,"), std::string::npos) << said;
+}
+
+TEST_F(SweepRunTest, IsReadWhereNothingCanBeWritten)
+{
+  const Sweep sweep = load("grid: {gravity: [8, 9]}\n");
+  runSweep(sweep, results_, {});
+  const std::string said = status(sweep);
+  std::ostringstream csv;
+  exportCsv(sweep, results_, csv);
+  EXPECT_EQ(readElsewhere([&] { return status(sweep); }), said);
+  EXPECT_EQ(readElsewhere(
+                [&]
+                {
+                  std::ostringstream again;
+                  exportCsv(sweep, results_, again);
+                  return again.str();
+                }),
+            csv.str());
+  // A part of the results is not in the file yet.
+  std::ofstream(results_ + "-wal") << "a log";
+  EXPECT_EQ(readElsewhere([&] { return status(sweep); }),
+            results_ + ": part of its data is in " + results_ +
+                "-wal, which needs a writable directory: copy both files to one");
+}
+
+TEST_F(SweepRunTest, IsAnErrorWhereTheResultsFileIsRemovedMeanwhile)
+{
+  const Sweep sweep = load("seed: {first: 1, count: 20}\n");
+  SweepRunOptions removing;
+  removing.progress = [this](const SweepProgress& progress)
+  {
+    if (progress.finished_here > 0)
+      std::filesystem::remove(results_);
+  };
+  EXPECT_THROW(runSweep(sweep, results_, removing), DatabaseError);
+  EXPECT_EQ(runSweep(sweep, results_, {}).counts.done, 20u);
+}
+
+TEST_F(SweepRunTest, EndsWhereTheFileListsOtherCasesThanTheSweepHas)
+{
+  const Sweep sweep = load("grid: {gravity: [8, 9]}\n");
+  SweepRunOptions none;
+  none.stop_wanted = [] { return true; };
+  runSweep(sweep, results_, none);
+  Database(results_, Database::Access::WRITE).execute("UPDATE plan SET run_hash = 'x' WHERE position = 1");
+  EXPECT_THROW(runSweep(sweep, results_, {}), DatabaseError);
 }
 
 TEST_F(SweepRunTest, ListsCasesAndWhatIsDone)

@@ -9,10 +9,10 @@
 namespace ratchet_sieve
 {
 
-/// The result as a table to read: counts per bin and species, <V_x> with standard errors, Q, P, contacts.
+/// The result as a readable table: counts per bin and species, <V_x> with standard errors, Q, P, contacts.
 std::string reportText(const RunResult& result);
 
-/// The result as one JSON object, with the names of a run's summary where they mean the same.
+/// The result as a JSON object, with the names of a run's summary for the same quantities.
 nlohmann::ordered_json reportJson(const RunResult& result);
 
 }  // namespace ratchet_sieve

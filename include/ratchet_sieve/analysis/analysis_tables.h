@@ -8,8 +8,8 @@
 namespace ratchet_sieve
 {
 
-/// Writes a run's result as CSV into a directory, which it makes where it is not there. SI units, which stand
-/// behind a column's name: "time [s]"; what is not defined is an empty field.
+/// Writes a run's result as CSV files into a directory, which is created if missing. SI units, given in the
+/// column's name: "time [s]". An undefined value is an empty field.
 ///   run.csv            scene_hash, seed, version, open_ends (1 or 0), first and last time
 ///   bins.csv           per time and species: left, right, on_base
 ///   segregation.csv    per time: quality, processed

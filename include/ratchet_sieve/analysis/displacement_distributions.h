@@ -9,8 +9,7 @@
 namespace ratchet_sieve
 {
 
-/// How the displacements of one species' disks in the machine, each since it entered, are
-/// distributed at one time.
+/// A histogram of the displacements, since entry, of one species' disks that are in the machine at one time.
 struct DisplacementDistribution
 {
   double time = 0.0;  ///< [s]
@@ -28,13 +27,13 @@ struct DisplacementDistribution
 class DisplacementDistributions
 {
 public:
-  /// @param times at which to take them, ascending [s]: the first frame at or after each is taken
+  /// @param times ascending [s]: the first frame at or after each time is used
   DisplacementDistributions(std::size_t species_count, std::vector<double> times);
 
   void take(const ParticleFrame& frame);
 
-  /// By time, then by species; those without a disk are left out. The last is that of the last
-  /// frame, when ever that was. All have the same bins, for them to be compared.
+  /// By time, then by species, without those that have no disk. The last time is always that of the last
+  /// frame. All have the same bins, so that they can be compared.
   std::vector<DisplacementDistribution> distributions() const;
 
 private:

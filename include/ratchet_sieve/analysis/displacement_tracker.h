@@ -15,22 +15,22 @@ namespace ratchet_sieve
 /// <V_x> of one species.
 struct DriftVelocity
 {
-  std::size_t disks = 0;       ///< that were seen for some time
+  std::size_t disks = 0;       ///< disks observed for a time above 0
   std::optional<double> mean;  ///< sum of displacements / sum of times [m/s], world x
   std::optional<double>
-      mean_stderr;  ///< standard error of that ratio [m/s]: the larger one of that over disks
-                    ///< (two at least) and that over blocks of time (see BlockAverages)
+      mean_stderr;  ///< standard error of that ratio [m/s]: the larger of the one over disks (at least two)
+                    ///< and the one over blocks of time (see BlockAverages)
 };
 
-/// How far each disk came between its first frame after `settle` and its last.
+/// Measures the displacement of each disk between its first frame after `settle` and its last frame.
 class DisplacementTracker
 {
 public:
-  /// @param settle time before which nothing counts [s]
-  /// @param independent disks do not see each other: what they scatter is the whole error
+  /// @param settle time before which nothing is measured [s]
+  /// @param independent disks do not collide with each other: the scatter between disks is the whole error
   DisplacementTracker(std::size_t species_count, double settle, bool independent);
 
-  /// Frames come at even intervals, as a FrameSampler takes them.
+  /// @pre frames come at equal intervals, as a FrameSampler takes them
   void take(const ParticleFrame& frame);
 
   /// Per species.

@@ -17,13 +17,13 @@
 namespace ratchet_sieve
 {
 
-/// Frames that do not fit together: no scene before them, or species that the scene does not have.
+/// Frames that do not fit together: no scene before them, or species that are not in the scene.
 struct AnalysisError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// How far the disks have come that are in the machine at one time, each since it entered.
+/// The mean displacements, since entry, of the disks in the machine at one time.
 struct Drift
 {
   double time = 0.0;                                 ///< [s]
@@ -31,7 +31,7 @@ struct Drift
   std::vector<std::optional<double>> displacements;  ///< per species, mean [m]; nothing without disks
 };
 
-/// What came of a run, from its frames alone. Series are thinned (ThinnedSeries), but for the bins,
+/// The result of a run, computed from its frames alone. Series are thinned (ThinnedSeries), except the bins,
 /// of which every change is kept.
 struct RunResult
 {
@@ -51,23 +51,23 @@ struct RunResult
   std::vector<BaseFrame> base;
   std::vector<StatisticsFrame> statistics;
 
-  /// Contacts with the shorter slope over those with the longer one, since the start.
+  /// Contacts with the shorter slope over contacts with the longer one, since the start.
   std::optional<double> shortToLong() const;
-  /// The kinds of frames that were not recorded: what comes of them is missing, not zero.
+  /// The kinds of frames that were not recorded. Quantities computed from them are undefined, not zero.
   std::vector<std::string> missing() const;
   const BinFrame* lastBins() const { return bins.empty() ? nullptr : &bins.back(); }
   const StatisticsFrame* lastStatistics() const { return statistics.empty() ? nullptr : &statistics.back(); }
 };
 
-/// Analyses a run while its frames go by: its memory grows with the disks, not with the frames.
-/// A scene frame begins a new analysis and drops what was before.
+/// Analyses a run frame by frame: memory grows with the number of disks, not with the number of frames. A
+/// scene frame begins a new analysis and discards the previous one.
 class RunAnalysis : public FrameSink
 {
 public:
   RunAnalysis();
   ~RunAnalysis() override;
 
-  /// @throws SceneError if a scene's YAML is none
+  /// @throws SceneError if a scene's YAML is invalid
   /// @throws AnalysisError for frames that do not fit the scene
   void take(const AnyFrame& frame) override;
 

@@ -8,13 +8,12 @@
 namespace ratchet_sieve
 {
 
-/// A series of samples of which, however many come, no more than a fixed number is kept: every
-/// 2^k-th, and the last.
+/// A series of samples that keeps at most a fixed number of them: every 2^k-th, and the last.
 template <typename Sample>
 class ThinnedSeries
 {
 public:
-  /// @param capacity how many to keep; even, 2 at least
+  /// @param capacity largest number to keep; even, at least 2
   explicit ThinnedSeries(std::size_t capacity = 4096) : capacity_(capacity) {}
 
   void take(Sample sample)
@@ -40,7 +39,7 @@ public:
   }
 
 private:
-  /// Keeps every other one. @pre an odd number of them, so that the last stays
+  /// Keeps every second sample. @pre the number of samples is odd, so that the last one stays
   void thin()
   {
     for (std::size_t i = 0; 2 * i < kept_.size(); ++i)
@@ -53,7 +52,7 @@ private:
   std::size_t taken_ = 0;
   std::size_t stride_ = 1;
   std::vector<Sample> kept_;
-  std::optional<Sample> last_;  ///< where it is not among those kept
+  std::optional<Sample> last_;  ///< if it is not among those kept
 };
 
 }  // namespace ratchet_sieve

@@ -5,7 +5,7 @@
 namespace ratchet_sieve
 {
 
-/// A bag that cannot be read or written: one line that names the file and what is wrong with it.
+/// A bag that cannot be read or written. One line names the file and the error.
 struct BagError : std::runtime_error
 {
   using std::runtime_error::runtime_error;

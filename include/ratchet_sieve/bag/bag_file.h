@@ -14,32 +14,32 @@
 namespace ratchet_sieve
 {
 
-/// A bag of format 2.0 (wiki.ros.org/Bags/Format/2.0) as it is written, packed with lz4. rosbag's own
-/// writer ends the program where the disk is full, for it throws from a destructor then, and can be
-/// asked neither to finish a chunk nor to leave one out.
+/// Writes a bag of format 2.0 (wiki.ros.org/Bags/Format/2.0), compressed with lz4. rosbag's own writer is not
+/// used, for two reasons. On a full disk it throws from a destructor, which ends the program. It can neither
+/// be asked to finish a chunk nor to leave one out.
 ///
-/// A chunk is written to the file at once, with its index. However the program ends, all chunks but the last
-/// are complete, and `rosbag reindex` recovers them. It is finished as soon as it holds
-/// CHUNK_SIZE bytes, or messages of CHUNK_DURATION.
+/// A chunk is finished when it holds CHUNK_SIZE bytes or CHUNK_DURATION of messages. It is written to the
+/// file at once, with its index. If the program is killed, all chunks but the last are complete, and `rosbag
+/// reindex` recovers them.
 class BagFile
 {
 public:
-  static constexpr std::size_t CHUNK_SIZE = 768 * 1024;  ///< before packing [bytes]; as rosbag has
+  static constexpr std::size_t CHUNK_SIZE = 768 * 1024;  ///< before compression, as in rosbag [bytes]
   static constexpr double CHUNK_DURATION = 1.0;          ///< of simulated time [s]
 
-  /// Overwrites what is there. @throws BagError where the file cannot be written, or another program writes
-  /// it
+  /// Overwrites an existing file. @throws BagError if the file cannot be written, or is being written by
+  /// another program
   explicit BagFile(const std::string& path);
   ~BagFile();
   BagFile(const BagFile&) = delete;
   BagFile& operator=(const BagFile&) = delete;
 
-  /// Whether some BagFile, of this program or another, is open at this path.
+  /// Whether this or another program has a BagFile open at this path.
   static bool isBeingWritten(const std::string& path);
 
-  /// @param time not earlier than that of the message before
-  /// @param latched whether a replay is to keep it for who subscribes later
-  /// @throws BagError; then all that can still be done is to close
+  /// @param time not earlier than the time of the previous message
+  /// @param latched whether a replay keeps the message for later subscribers
+  /// @throws BagError; then only close() can still be called
   template <typename Message>
   void write(const std::string& topic, ros::Time time, const Message& message, bool latched = false)
   {
@@ -53,21 +53,21 @@ public:
     finishMessage(connection, time);
   }
 
-  /// Bytes in the file, and those that wait to be packed.
+  /// Bytes in the file, and bytes not yet compressed.
   std::uint64_t size() const { return end_ + chunk_.size(); }
 
-  /// How a file ended that could not be written to its end.
+  /// The end of a file that could not be written completely.
   struct Loss
   {
     std::string reason;
-    ros::Time end;  ///< of the last message that is in the file
+    ros::Time end;  ///< time of the last message in the file
   };
 
-  /// Finishes the file. Where there is no room for its index, chunks make room for it, from the last on.
-  /// As long as this lives the file stays locked: nobody takes it for one to set aside before it has its
-  /// name.
-  /// @return what was lost, if anything was
-  /// @throws BagError where the file could not be given an index: `rosbag reindex` can
+  /// Finishes the file. If there is no space for its index, chunks are removed from the end until there is.
+  /// The file stays locked as long as this object lives, so that no other program sets it aside before it has
+  /// its final name.
+  /// @return the loss, if anything was lost
+  /// @throws BagError if no index could be written: `rosbag reindex` can add one
   std::optional<Loss> close();
 
 private:
@@ -80,14 +80,14 @@ private:
   struct IndexEntry
   {
     ros::Time time;
-    std::uint32_t offset;  ///< in the chunk, unpacked
+    std::uint32_t offset;  ///< in the uncompressed chunk
   };
 
   struct Chunk
   {
     std::uint64_t position;   ///< in the file
     ros::Time end;            ///< of its last message
-    std::size_t info_offset;  ///< of what chunk_infos_ says of it
+    std::size_t info_offset;  ///< of its record in chunk_infos_
   };
 
   void startMessage(ros::Time time);
@@ -106,21 +106,21 @@ private:
 
   int descriptor_;
   int lock_ = -1;          ///< a second descriptor, once the first is closed
-  std::uint64_t end_ = 0;  ///< of the last whole chunk
+  std::uint64_t end_ = 0;  ///< end of the last complete chunk
   std::vector<Connection> connections_;
   std::vector<Chunk> chunks_;
-  std::string chunk_infos_;  ///< records of the file's index, one to a chunk
+  std::string chunk_infos_;  ///< records of the file's index, one per chunk
 
-  std::string chunk_;  ///< that is being filled, unpacked
+  std::string chunk_;  ///< the chunk that is being filled, uncompressed
   ros::Time chunk_start_, chunk_end_;
   std::vector<std::vector<IndexEntry>> chunk_index_;  ///< of each connection
 
-  // Kept from chunk to chunk for their memory: allocated again each time, in sizes that differ, they
-  // leave holes between what stays, and a process of some hundreds of megabytes in an hour.
+  // These buffers are reused for all chunks. Allocating them anew in varying sizes fragments the heap: a
+  // process grew by some hundreds of megabytes in an hour.
   std::vector<std::uint8_t> bytes_;  ///< of a message
   std::string packed_, record_;      ///< of a chunk
 
-  int failure_ = 0;  ///< errno where nothing more can be written
+  int failure_ = 0;  ///< errno after which nothing more can be written
 };
 
 }  // namespace ratchet_sieve

@@ -9,7 +9,8 @@
 namespace ratchet_sieve
 {
 
-/// One block of a series of which the ratio of the sums is wanted: of displacements over times, say.
+/// One block of a series, for the mean of a ratio: the sum of the displacements and the sum of the times, for
+/// example.
 struct BlockSum
 {
   double sum = 0.0;
@@ -18,49 +19,53 @@ struct BlockSum
   void archive(StateArchive& state) { state(sum, weight); }
 };
 
-/// The standard error of such a ratio, and of how many blocks it was found.
+/// The standard error of the ratio, and the number of blocks from which it was estimated.
 struct BlockError
 {
   double error = 0.0;
   std::size_t blocks = 0;
 };
 
-/// From the scatter of each block's sum about the ratio times its weight. Of two blocks at least; 0 where
-/// nothing weighs.
+/// The standard error from the scatter of the blocks' sums about ratio times weight. Needs two blocks at
+/// least; 0 if all weights are 0.
 double scatterError(const std::vector<BlockSum>& blocks);
 
-/// The largest of the errors that the series has as it is and as neighbouring blocks are joined, down to
-/// BlockAverages::MIN_BLOCKS; nothing for fewer.
+/// The largest of the standard errors of the series at every block size: as it is, and with neighbouring
+/// blocks joined again and again, down to BlockAverages::MIN_BLOCKS blocks. Nothing for a shorter series.
 std::optional<BlockError> joinedError(std::vector<BlockSum> blocks);
 
-/// The standard error of a mean velocity over a series whose members are correlated, as those of one
-/// run are: the layer of disks moves as a whole now faster, now slower, and averaging over disks does
-/// not see it. Neighbouring blocks of time are joined until the scatter of the blocks' means says
-/// the same at every size; the largest error over the sizes is taken. H. Flyvbjerg & H. G. Petersen,
-/// J. Chem. Phys. 91, 461 (1989), doi:10.1063/1.457480. Memory does not grow with the series.
+/// The standard error of a mean velocity over a correlated series. The samples of one run are correlated: the
+/// layer of disks speeds up and slows down as a whole, and the average over disks does not reduce that.
+/// Neighbouring blocks of time are joined until the error no longer depends on the block size; the largest
+/// error over all sizes is used. H. Flyvbjerg & H. G. Petersen, J. Chem. Phys. 91, 461 (1989),
+/// doi:10.1063/1.457480. Memory does not grow with the series.
 class BlockAverages
 {
 public:
-  /// The next sample of the series: the displacement [m] and the time [s], each summed over the disks
-  /// that were there. All samples are of one length in time; with disks that come and go they weigh by
-  /// how many there were.
+  /// Adds the next sample: displacement [m] and time [s], each summed over the disks present. All samples
+  /// span the same time. When disks enter and leave, a sample weighs by the number of disks.
   void add(double displacement, double time);
 
-  /// Of the sum of displacements over the sum of times [m/s]; nothing for fewer than MIN_BLOCKS samples.
+  /// Standard error of (sum of displacements) / (sum of times) [m/s]; nothing for fewer than MIN_BLOCKS
+  /// samples.
   std::optional<double> standardError() const;
 
-  /// Those that are full, in order; each of blockLength() samples, of which the rest is left out.
+  /// The complete blocks, in order, of blockLength() samples each. The incomplete last block is left out.
   const std::vector<BlockSum>& blocks() const { return blocks_; }
   std::size_t blockLength() const { return block_length_; }
 
-  void archive(StateArchive& state) { state(blocks_, open_, samples_, block_length_); }
+  void archive(StateArchive& state)
+  {
+    state(blocks_, open_, samples_, block_length_);
+    state.require(block_length_ > 0 && samples_ < block_length_, "the block length of its means is 0");
+  }
 
-  /// Fewer blocks than this say nothing of their scatter.
+  /// Fewer blocks than this give no reliable scatter.
   static constexpr std::size_t MIN_BLOCKS = 16;
 
 private:
   std::vector<BlockSum> blocks_;
-  BlockSum open_;                 ///< gathers samples until it is as long as the others
+  BlockSum open_;                 ///< the incomplete block that collects samples
   std::size_t samples_ = 0;       ///< in open_
   std::size_t block_length_ = 1;  ///< samples to a block
 };

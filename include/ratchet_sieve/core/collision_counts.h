@@ -9,7 +9,7 @@
 namespace ratchet_sieve
 {
 
-/// What a disk has hit.
+/// What a disk collided with.
 enum class CollisionKind
 {
   DISK_DISK,

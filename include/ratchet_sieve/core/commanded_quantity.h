@@ -11,7 +11,7 @@
 namespace ratchet_sieve
 {
 
-/// What of the base is commanded while it runs.
+/// A quantity of the base that can be commanded during a run.
 enum class Quantity : std::uint8_t
 {
   INCLINATION,
@@ -41,7 +41,7 @@ struct Interval
   constexpr bool contains(double value) const { return value >= min && value <= max; }
 };
 
-/// All that is particular to one commanded quantity: whoever treats them alike goes through
+/// All that is particular to one commanded quantity. Code that treats the quantities alike iterates over
 /// COMMANDED_QUANTITIES.
 struct CommandedQuantity
 {
@@ -52,11 +52,13 @@ struct CommandedQuantity
   double DriveState::*applied;
   double DriveState::*commanded;
   double SlewRates::*slew_rate;
-  Interval legal;          ///< in a scene and in a command; keeps products of the values far from overflow
-  Interval usual;          ///< what a node takes unless its parameters say otherwise
-  Interval widest_limits;  ///< of a node's parameters: beyond, a slip of a unit (degrees, millimetres) shows
-  /// From 0 to the largest of the widest limits in a tenth of a second at least, and in as long as a scene
-  /// may last at most. Faster is no feeder, and has the disks predicted anew so often that a run may not end.
+  Interval legal;  ///< in a scene and in a command; keeps products of the values far from overflow
+  Interval usual;  ///< a node's default limits
+  Interval
+      widest_limits;  ///< for a node's parameters; values outside suggest a wrong unit (degrees, millimetres)
+  /// Legal slew rates. Fastest: from 0 to the largest of the widest limits in 0.1 s. Slowest: the same in the
+  /// longest duration that a scene may have. A faster base is no feeder, and requires new predictions for all
+  /// disks so often that a run may not end.
   Interval slew_rates;
 };
 
@@ -69,7 +71,7 @@ constexpr std::array<CommandedQuantity, QUANTITIES> COMMANDED_QUANTITIES = {{
      &DriveState::inclination,
      &DriveState::commanded_inclination,
      &SlewRates::inclination,
-     // Short of a base that stands upright.
+     // Less than an upright base.
      {-1.5, 1.5},
      {-0.5, 0.5},
      {-1.5, 1.5},

@@ -15,8 +15,8 @@ enum class Boundary
 {
   PERIODIC,  ///< What leaves one end enters at the other; displacements are counted unwrapped.
   OPEN,      ///< A disk whose centre passes an end falls into that end's bin and leaves the machine.
-  WALLED  ///< Two smooth walls stand at the ends, normal to the base, and move with it. A disk that goes over
-          ///< one has left the machine, and is counted in the bin behind it.
+  WALLED  ///< Two smooth walls stand at the ends, normal to the base, and move with it. A disk that crosses
+          ///< the top of a wall has left the machine and is counted in the bin behind that wall.
 };
 
 /// A sine of a multiple k of the drive's phase: (A_x,k sin(k phi + phi_x,k), A_k sin(k phi + phi_k)).
@@ -42,9 +42,9 @@ struct BaseDefinition
   double amplitude = 0.002;     ///< A [m]
   double frequency = 23.0;      ///< f [Hz]
   double phase = 0.0;           ///< phi at t = 0 [rad]
-  double wall_height = 0.0;     ///< of the walls of a walled base over n = 0 [m]; 0: as wallHeight() has it
+  double wall_height = 0.0;     ///< height of the walls of a walled base above n = 0 [m]; 0: see wallHeight()
 
-  double horizontal_amplitude = 0.0;  ///< A_x; < 0 turns that part around [m]
+  double horizontal_amplitude = 0.0;  ///< A_x [m]; a negative value reverses the horizontal part
   double horizontal_phase = 0.0;      ///< phi_x [rad]
   std::vector<HarmonicDefinition> harmonics;
 
@@ -63,17 +63,17 @@ struct ContactCoefficients
 struct SpeciesDefinition
 {
   std::string name = "A";
-  int count = 0;                ///< disks that are poured at the start
-  double share = 1.0;           ///< weight in the split of a density or of a feed
+  int count = 0;                ///< number of disks poured at the start
+  double share = 1.0;           ///< relative share when a density or a feed is split among the species
   double radius = 0.001;        ///< [m]
   double mass = 0.001;          ///< [kg]
-  ContactCoefficients contact;  ///< with the base, and with disks of its own kind
+  ContactCoefficients contact;  ///< with the base, and with disks of the same species
   double inertia_factor = 0.5;  ///< alpha = I / (m r^2); 1/2 for a uniform disk
 
   double inertia() const { return inertia_factor * mass * radius * radius; }  ///< I [kg m^2]
 };
 
-/// Coefficients of one pair of different species, where they are not the mean of the two's own.
+/// Coefficients of a pair of different species, if they are not the mean of the two species' own.
 struct PairDefinition
 {
   std::size_t first = 0;   ///< index into SceneDefinition::species
@@ -81,37 +81,38 @@ struct PairDefinition
   ContactCoefficients contact;
 };
 
-/// What a run does when time all but stops for a disk.
+/// What a run does when a disk undergoes an inelastic collapse: more and more contacts in less and less time.
 enum class CollapseAction
 {
-  STOP,    ///< The run ends there and says so.
-  REBOUND  ///< The disk's contacts lose nothing for a while, and the run counts it; see CollapseWatch.
+  STOP,    ///< The run ends with an error. An ensemble of independent disks ends at the end of its epoch.
+  REBOUND  ///< The disk's contacts are elastic for a while, and the run counts the collapse; see
+           ///< CollapseWatch.
 };
 
 /// Which contacts are modelled, by which law, and how the inelastic collapse is avoided.
 struct ContactDefinition : CollisionLaw
 {
-  bool pair_collisions = true;    ///< false: an ensemble of disks that do not see each other
+  bool pair_collisions = true;    ///< false: an ensemble of independent disks, without disk-disk collisions
   double contact_duration = 0.0;  ///< t_c [s], Luding & McNamara, Granular Matter 1, 113 (1998); 0: none
   CollapseAction on_collapse = CollapseAction::STOP;
-  int collapse_events = 1000000;  ///< more of one disk within the machine's time scale are a collapse
+  int collapse_events = 1000000;  ///< more events of one disk within timeScale() are a collapse
 };
 
 /// How the disks start: spatially uniform along the base, without overlap.
 struct PourDefinition
 {
-  double drop_height = 0.02;  ///< of the lowest disks' undersides above the base's highest reach [m]
+  double drop_height = 0.02;  ///< of the lowest disks' undersides above the base's highest position [m]
   double speed = 0.0;         ///< downwards [m/s]
 };
 
-/// Disks poured on while the machine runs.
+/// Disks that are added at a constant rate during the run.
 struct FeedDefinition
 {
-  double rate = 0.0;  ///< [1/s], species drawn by their shares; 0: none
+  double rate = 0.0;  ///< [1/s]; species are drawn by their shares; 0: no feed
 };
 
-/// A disk placed by hand, instead of the pour; world frame at t = 0.
-struct InitialDisk  // scalars, for each is a key of the scene
+/// A disk placed by hand instead of poured; world frame at t = 0.
+struct InitialDisk  // scalars, because each is a key of the scene
 {
   std::size_t species = 0;  ///< index into SceneDefinition::species
   double x = 0.0;           ///< [m]
@@ -124,26 +125,25 @@ struct InitialDisk  // scalars, for each is a key of the scene
 /// How the disks are advanced.
 enum class Method
 {
-  EVENTS,  ///< from contact to contact, exactly
-  STEPS  ///< by steps of time, contacts found by overlap: faster where contacts are many, and off by a little
+  EVENTS,  ///< event-driven: from contact to contact, exactly
+  STEPS    ///< fixed integration steps, contacts found by overlap: faster for dense scenes, less accurate
 };
 
-/// How faithful a run is to the model, and how sure of its means it has to be before it may end.
+/// How accurately the model is solved, and the statistical error at which the run may end early.
 struct AccuracyDefinition
 {
   Method method = Method::EVENTS;
   double step = 0.0005;  ///< of Method::STEPS [s]
 
-  double mean_vx =
-      0.0;  ///< half-width of each species' <V_x> at which the run may end [m/s]; 0: not asked for
-  double quality = 0.0;      ///< half-width of Q at which the run may end; 0: not asked for
-  double confidence = 0.95;  ///< with which an interval of these half-widths holds the truth
+  double mean_vx = 0.0;      ///< the run may end when each <V_x> has this half-width [m/s]; 0: not used
+  double quality = 0.0;      ///< the run may end when Q has this half-width; 0: not used
+  double confidence = 0.95;  ///< confidence level of these half-widths
 
   /// Whether the run may end before its duration.
   bool endsEarly() const { return mean_vx > 0.0 || quality > 0.0; }
 };
 
-/// All that decides a run. A plain description: the scene layer reads and validates it.
+/// The complete definition of a run. A plain struct: the scene layer reads and validates it.
 struct SceneDefinition
 {
   BaseDefinition base;
@@ -157,7 +157,7 @@ struct SceneDefinition
   std::vector<InitialDisk> initial;
   AccuracyDefinition accuracy;
   double duration = 100.0;  ///< [s]
-  double settle = 0.0;      ///< first seconds of the duration that no mean counts [s]
+  double settle = 0.0;      ///< initial part of the duration that the means leave out [s]
   std::uint64_t seed = 1;
 };
 

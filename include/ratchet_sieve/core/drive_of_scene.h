@@ -8,8 +8,8 @@
 namespace ratchet_sieve
 {
 
-/// The drive as a scene has it: bounds on |D|, |dD/dt| and |d2D/dt2|, which a drive without harmonics comes
-/// to.
+/// Bounds on |D|, |dD/dt| and |d2D/dt2| of the drive at the scene's setpoints. A drive without harmonics
+/// reaches them.
 struct DriveBounds
 {
   double displacement;  ///< [m]
@@ -19,14 +19,14 @@ struct DriveBounds
 
 DriveBounds driveBounds(const BaseDefinition& base);
 
-/// Whether the drive moves the base at all, given a frequency.
+/// Whether the drive moves the base at a frequency above 0.
 bool hasStroke(const BaseDefinition& base);
 
-/// The base at another setpoint of A: the whole drive is scaled, as one knob of a feeder scales it. Where A
-/// is 0 in `base`, there is nothing to scale by, and the rest stays as it is.
+/// The base with amplitude A set to `amplitude`: all parts of the drive are scaled in proportion, as a
+/// feeder's single amplitude setting scales them. If A is 0 in `base`, only A is changed.
 BaseDefinition withAmplitude(const BaseDefinition& base, double amplitude);
 
-/// The base as its definition has it, `time` after the drive was at its phase [s].
+/// The state of the base at its defined setpoints, `time` [s] after the drive had its initial phase.
 DriveState driveStateAt(const BaseDefinition& base, double time);
 
 }  // namespace ratchet_sieve

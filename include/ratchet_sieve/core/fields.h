@@ -4,19 +4,19 @@
 #include <type_traits>
 #include <vector>
 
-/// What a struct consists of, listed once, below the struct: comparison, conversion to messages and back, and
-/// checks go through that list. A new field is a line in its struct, a line in the list, and a line in the
+/// A list of a struct's fields, written once below the struct. Comparison, conversion to and from messages,
+/// and checks use that list. A new field takes a line in its struct, a line in the list, and a line in the
 /// message.
 namespace ratchet_sieve
 {
 
 struct FieldInfo
 {
-  const char* name;  ///< of the struct's member, and of the message's
-  const char* unit;  ///< empty for what is no quantity
+  const char* name;  ///< of the member in the struct and in the message
+  const char* unit;  ///< empty for fields that are no physical quantity
 };
 
-/// How an optional number stands in a message: a value, 0 where there is none, and a flag.
+/// An optional number in a message: the value (0 if there is none) and a flag.
 template <typename Number, typename Flag>
 struct Flagged
 {
@@ -24,7 +24,7 @@ struct Flagged
   Flag& defined;
 };
 
-/// How a vector of structs stands in a message: an array for each of their fields.
+/// A vector of structs in a message: one array for each field.
 template <typename Message>
 struct Columns
 {
@@ -32,8 +32,8 @@ struct Columns
 };
 
 /// The fields of a struct: `each(visit, object, others...)` calls visit(FieldInfo, of_object, of_others...)
-/// for each of them, where the others may be messages: of a message a field is the member of that name, a
-/// Flagged for an optional number, a Columns for a vector that is spread over arrays.
+/// for each field. The others may be messages. The field of a message is its member of the same name; a
+/// Flagged for an optional number; a Columns for a vector that is stored as arrays.
 template <typename Struct>
 struct Fields
 {
@@ -53,9 +53,9 @@ constexpr bool IS_VECTOR = false;
 template <typename T>
 constexpr bool IS_VECTOR<std::vector<T>> = true;
 
-// C++17 cannot list the members of a struct, nor have a name both as a member and as a text. Hence macros.
+// Macros, because C++17 can neither list the members of a struct nor turn a member's name into text.
 
-/// Begins the list of a struct; in braces one of the lines below for each of its members.
+/// Begins the list of a struct. One of the macros below follows in braces for each member.
 #define RATCHET_SIEVE_FIELDS(STRUCT)                                \
   template <>                                                       \
   struct Fields<STRUCT>                                             \
@@ -68,10 +68,10 @@ constexpr bool IS_VECTOR<std::vector<T>> = true;
   template <typename Visit, typename... Objects>                    \
   constexpr void Fields<STRUCT>::each(Visit&& visit, Objects&... objects)
 
-/// A member that a message has, too.
+/// A member that the message has as well.
 #define RATCHET_SIEVE_FIELD(NAME, UNIT) visit(FieldInfo{#NAME, UNIT}, objects.NAME...)
 
-/// An optional number; in a message NAME and NAME_defined.
+/// An optional number; NAME and NAME_defined in a message.
 #define RATCHET_SIEVE_OPTIONAL(NAME, UNIT)                                              \
   visit(FieldInfo{#NAME, UNIT},                                                         \
         [](auto& object) -> decltype(auto)                                              \
@@ -84,7 +84,7 @@ constexpr bool IS_VECTOR<std::vector<T>> = true;
                 object.NAME, object.NAME##_defined};                                    \
         }(objects)...)
 
-/// A described struct whose fields a message has among its own.
+/// A described struct whose fields are fields of the message itself.
 #define RATCHET_SIEVE_PART(NAME)                                                                     \
   Fields<decltype(Struct::NAME)>::each(                                                              \
       visit, [](auto& object) -> auto& {                                                             \
@@ -95,7 +95,7 @@ constexpr bool IS_VECTOR<std::vector<T>> = true;
           return object;                                                                             \
       }(objects)...)
 
-/// A vector of described structs; in a message an array for each of their fields.
+/// A vector of described structs; one array for each field in a message.
 #define RATCHET_SIEVE_COLUMNS(NAME)                                          \
   visit(FieldInfo{#NAME, ""},                                                \
         [](auto& object) -> decltype(auto)                                   \

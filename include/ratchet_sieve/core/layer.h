@@ -5,22 +5,27 @@
 
 #include "ratchet_sieve/core/definition.h"
 
-/// How many disks a scene has, and how much room they take.
+/// The number of disks in a scene, and the height of their layer.
 namespace ratchet_sieve
 {
 
-/// That are poured or placed at the start.
+/// The number of disks poured or placed at the start.
 std::size_t disksAtStart(const SceneDefinition& scene);
 
-/// The height to which the disks of the start fill the base where they lie in a heap [m]; 0 where they do not
-/// see each other.
+/// Whether the machine runs empty: disks leave over open ends, and there is no feed.
+bool empties(const SceneDefinition& scene);
+
+/// The largest diameter of all species, including species with no disks [m]; 0 without species.
+double largestDiameter(const SceneDefinition& scene);
+
+/// The height of the settled layer of the disks present at the start [m]; 0 if disks do not collide with each
+/// other.
 double settledLayer(const SceneDefinition& scene);
 
-/// By how much the feed raises such a layer, as long as nothing leaves it [m/s].
+/// The speed at which the feed raises the settled layer while no disk leaves [m/s].
 double feedGrowth(const SceneDefinition& scene);
 
-/// One line for a human, before the disks are poured: how many, how high they will lie, how much memory they
-/// take.
+/// One line for the user, printed before the pour: number of disks, layer height, memory.
 std::string sizeText(const SceneDefinition& scene);
 
 }  // namespace ratchet_sieve

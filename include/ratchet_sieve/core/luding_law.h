@@ -5,7 +5,7 @@
 namespace ratchet_sieve
 {
 
-/// What of the law holds for all contacts of a scene.
+/// The parameters of the collision law that hold for all contacts of a scene.
 struct CollisionLaw
 {
   double min_rebound_speed = 0.05;     ///< v_min [m/s], Farkas et al., Phys. Rev. E 60, 7022 (1999); 0: none
@@ -13,7 +13,7 @@ struct CollisionLaw
   double restitution_exponent = 0.75;  ///< q
 };
 
-/// What two surfaces bring to their contact.
+/// The coefficients and effective masses of a contact of two surfaces.
 template <typename Number>
 struct ContactNumbers
 {
@@ -45,8 +45,8 @@ RATCHET_SIEVE_INLINE PushOf<Number> pushOf(const ImpulseOf<Number>& impulse, Num
   return {impulse.normal * nx - impulse.tangential * ny, impulse.normal * ny + impulse.tangential * nx};
 }
 
-/// J_n = (v' - v_n) m_n, with the normal speed after the contact v' = e |v_n|, but no less than v_min. Where
-/// e depends on the speed, v_min bounds what comes of it.
+/// J_n = (v' - v_n) m_n, with the normal speed after the contact v' = max(e |v_n|, v_min). If e depends on
+/// the speed, v_min is applied after that dependence.
 /// @param normal_velocity v_n of the surfaces, < 0: approaching [m/s]
 template <typename Number>
 RATCHET_SIEVE_INLINE Number normalImpulse(const CollisionLaw& law, const ContactNumbers<Number>& contact,
@@ -61,8 +61,8 @@ RATCHET_SIEVE_INLINE Number normalImpulse(const CollisionLaw& law, const Contact
   return (rebound_speed - normal_velocity) * contact.normal_mass;
 }
 
-/// The collision law of Luding, Phys. Rev. E 52, 4442 (1995), doi:10.1103/PhysRevE.52.4442:
-/// J_t = -sign(v_t) min(mu J_n, (1 + beta) m_t |v_t|), with the floor under the rebound of normalImpulse().
+/// The collision law of Luding, Phys. Rev. E 52, 4442 (1995), doi:10.1103/PhysRevE.52.4442: J_t = -sign(v_t)
+/// min(mu J_n, (1 + beta) m_t |v_t|), with the minimum rebound speed of normalImpulse().
 /// @param tangential_velocity v_t of the surfaces at the contact [m/s]
 template <typename Number>
 RATCHET_SIEVE_INLINE ImpulseOf<Number> ludingImpulse(const CollisionLaw& law,

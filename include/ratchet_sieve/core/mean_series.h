@@ -12,17 +12,17 @@ struct SpeciesSeries
 {
   std::vector<BlockSum> velocity;  ///< displacement [m] over time [s], each summed over the disks
 
-  /// The same of groups of disks that know nothing of each other. None where all disks see each other.
+  /// The same for groups of independent disks. Empty if disks collide with each other.
   std::vector<std::vector<BlockSum>> groups;
 
-  /// Disks that left to the left over all that left. Kept where a scene that is fed asks for
+  /// Disks that left on the left over all disks that left. Recorded for scenes with a feed and
   /// accuracy.quality.
   std::vector<BlockSum> exits;
 };
 
-/// What the means since `settle` are made of, block by block of time. Of disks that do not see each other it
-/// is kept for scenes that ask for accuracy.mean_vx alone. As a run gets longer its blocks are joined: there
-/// are some hundreds at most.
+/// The series from which the means since `settle` are computed, in blocks of time. For an ensemble of
+/// independent disks it is recorded only if the scene sets accuracy.mean_vx. Neighbouring blocks are joined
+/// as the run gets longer: there are at most a few hundred.
 struct MeanSeries
 {
   double block_time = 0.0;  ///< of each block [s]

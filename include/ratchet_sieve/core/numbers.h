@@ -1,12 +1,12 @@
 #pragma once
 
-/// The operations over which the physics is written once (sine.h, drive.h, flight.h, luding_law.h): here for
-/// one double; lane_pairs.inc has them for packs of doubles, one to a lane. Each rounds as the plain
-/// operation on a double does, so that the bits do not depend on the number type.
+/// The arithmetic operations of the physics, which is written once as templates over the number type (sine.h,
+/// drive.h, flight.h, luding_law.h). This file defines them for a double; lane_pairs.inc defines them for
+/// SIMD packs of doubles. Both round alike, so the bits of a result do not depend on the number type.
 ///
-/// The headers of the physics include no other headers than each other and hold nothing but templates over
-/// the number type and functions that are always inlined: the lane kernels compile them for registers that
-/// not every processor has, and the linker must find no copy of them that another file could be given.
+/// These headers include only each other and contain only templates over the number type and functions that
+/// are always inlined. Reason: the SIMD kernels compile them for instruction sets that not every processor
+/// has. The linker must find no copy of such a function that another translation unit could use.
 #define RATCHET_SIEVE_INLINE inline __attribute__((always_inline))
 
 namespace ratchet_sieve
@@ -55,7 +55,7 @@ RATCHET_SIEVE_INLINE double like(double /*pattern*/, double value)
 template <typename Number>
 RATCHET_SIEVE_INLINE Number rounded(Number a)
 {
-  constexpr double TO_INTEGER = 6755399441055744.0;  // 1.5 * 2^52: adding it leaves no bits of a fraction
+  constexpr double TO_INTEGER = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
   return (a + TO_INTEGER) - TO_INTEGER;
 }
 

@@ -11,23 +11,23 @@
 #include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/state_archive.h"
 
-/// What a caller sees of a run.
+/// The state and the results of a run, as a caller reads them.
 namespace ratchet_sieve
 {
 
-/// One disk at the simulation's time, world frame. Components stand as scalars: each is a column of messages,
-/// bags and tables by its own name (RATCHET_SIEVE_FIELDS).
+/// One disk at the simulation's time, world frame. All members are scalars because each is a column of
+/// messages, bags and tables (RATCHET_SIEVE_FIELDS).
 struct DiskState
 {
   std::uint32_t id = 0;
   std::uint32_t species = 0;
-  double x = 0.0;             ///< [m], wrapped into the machine where the boundary is periodic
+  double x = 0.0;             ///< [m], wrapped into the machine if the boundary is periodic
   double y = 0.0;             ///< [m]
   double angle = 0.0;         ///< counter-clockwise, in [-pi, pi) [rad]
   double vx = 0.0;            ///< [m/s]
   double vy = 0.0;            ///< [m/s]
   double spin = 0.0;          ///< counter-clockwise [rad/s]
-  double displacement = 0.0;  ///< world x travelled since the disk entered, unwrapped [m]
+  double displacement = 0.0;  ///< unwrapped path along world x since the disk entered [m]
 };
 
 RATCHET_SIEVE_FIELDS(DiskState)
@@ -74,14 +74,14 @@ RATCHET_SIEVE_FIELDS(DriveState)
   RATCHET_SIEVE_FIELD(horizontal_velocity, "m/s");
 }
 
-/// One executed collision.
+/// One collision that was executed.
 struct CollisionRecord
 {
   double time = 0.0;  ///< [s]
   CollisionKind kind = CollisionKind::DISK_DISK;
   std::uint32_t i = 0;
   std::optional<std::uint32_t> j;   ///< empty for the base
-  double normal_speed = 0.0;        ///< of approach, > 0 [m/s]
+  double normal_speed = 0.0;        ///< normal speed of approach, > 0 [m/s]
   double normal_impulse = 0.0;      ///< J_n >= 0 [N s]
   double tangential_impulse = 0.0;  ///< J_t on disk i along its tangent (normal turned by +90 deg) [N s]
 };
@@ -95,7 +95,7 @@ struct SpeciesMeans
   std::optional<double> mean_vx_stderr;         ///< standard error [m/s]; see BlockAverages
   std::optional<double> kinetic_translational;  ///< [J], mean over disks and time
   std::optional<double> kinetic_rotational;     ///< [J], mean over disks and time
-  std::optional<double> collision_rate;  ///< contacts in which a disk takes part, per disk and time [1/s]
+  std::optional<double> collision_rate;         ///< contacts per disk and time [1/s]
 };
 
 RATCHET_SIEVE_FIELDS(SpeciesMeans)
@@ -111,7 +111,7 @@ RATCHET_SIEVE_FIELDS(SpeciesMeans)
 struct TemperatureSum
 {
   double sum = 0.0;            ///< [J]
-  std::uint64_t instants = 0;  ///< at which the species had two disks at least
+  std::uint64_t instants = 0;  ///< at which the species had at least two disks
 
   void add(double temperature)
   {
@@ -129,19 +129,19 @@ struct TemperatureSum
   }
 };
 
-/// A whole period of the drive, or several.
+/// One whole period of the drive, or several.
 struct PeriodRecord
 {
   double start = 0.0;                        ///< [s]
   double end = 0.0;                          ///< [s]
-  double duration = 0.0;                     ///< end - start; less where periods between are left out [s]
-  CollisionCounts collisions;                ///< within the duration
-  std::vector<TemperatureSum> temperatures;  ///< per species, at instants evenly spread over its phase
+  double duration = 0.0;                     ///< end - start, without periods left out in between [s]
+  CollisionCounts collisions;                ///< during `duration`
+  std::vector<TemperatureSum> temperatures;  ///< per species, sampled at equal intervals of the phase
 };
 
 using PeriodObserver = std::function<void(const PeriodRecord&)>;
 
-/// How often time all but stopped for a disk: an inelastic collapse, or a jam; see CollapseWatch.
+/// The number of inelastic collapses or jams; see CollapseWatch.
 struct CollapseCounts
 {
   std::uint64_t count = 0;
@@ -151,13 +151,13 @@ struct CollapseCounts
   void archive(StateArchive& state) { state(count, first_time, first_disk); }
 };
 
-/// Time has all but stopped for a disk, and the scene says that the run ends there.
+/// An inelastic collapse of a disk in a scene whose `on_collapse` ends the run; see CollapseAction.
 struct StallError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// Is called now and then while the disks of the start are poured; may throw to give that up.
+/// Called repeatedly while the initial disks are poured; may throw to cancel the pour.
 using PourObserver = std::function<void(std::size_t poured, std::size_t of)>;
 
 }  // namespace ratchet_sieve

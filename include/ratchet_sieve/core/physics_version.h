@@ -5,10 +5,12 @@
 namespace ratchet_sieve
 {
 
-/// Goes up with every change by which a scene and a seed give another state or another summary than before,
-/// be it in the last bit. Sweeps keep results by it: those of one version are taken for one another,
-/// whichever package they are of. A run is resumed by the same version alone. PhysicsVersion in test/sweep
-/// fails until it is raised.
-constexpr std::int64_t PHYSICS_VERSION = 1;
+/// Increases with every change that alters the state or the summary of any scene and seed, even in the last
+/// bit. Sweeps store results under this version and reuse results of the same version, whatever the package
+/// version. A run can only be resumed by the version that saved it. The test PhysicsVersion in test/sweep
+/// fails until it is increased.
+///
+/// 2: runs on a periodic base that turns; runs by steps; the saved state.
+constexpr std::int64_t PHYSICS_VERSION = 2;
 
 }  // namespace ratchet_sieve

@@ -4,38 +4,43 @@
 
 #include "ratchet_sieve/core/definition.h"
 
-/// How finely double precision holds the times and positions of a scene.
+/// How finely double precision resolves the times and positions of a scene.
 namespace ratchet_sieve
 {
 
-/// The shortest of the drive's period (where it has an amplitude), of a fall over a tooth and of the way over
-/// a tooth at the speed of the pour, of an initial disk or of the rebound floor [s]: what is short against it
-/// is short for this machine. 1 s where nothing moves.
+/// The largest of the pour speed, the speeds of the initial disks and the minimum rebound speed [m/s].
+double startSpeed(const SceneDefinition& scene);
+
+/// The time scale of the machine [s]. It is the shortest of: the drive's period, if it has an amplitude; the
+/// free fall from a tooth's height; the time to cross a tooth at the largest of the pour speed, the initial
+/// speeds and the minimum rebound speed. 1 s if nothing moves.
 double timeScale(const SceneDefinition& scene);
 
-/// Times are counted from the start of an epoch, so that they are as fine at the end of a long run as at
-/// its start. A power of two [s], so that nothing rounds.
+/// Times are counted from the start of an epoch, so that their resolution does not degrade in a long run. A
+/// power of two [s], so that no rounding occurs.
 double epochLength(double time_scale);
 
-/// The longest epoch in whose finest step in time a base that moves at `speed` [m/s] comes no nearer to a
-/// disk of this radius [m] than it may overlap it. A power of two [s]; infinity where the speed is 0.
+/// The longest epoch for a base that moves at `speed` [m/s] and disks of `radius` [m]: within one step of the
+/// time resolution, the base moves less than the overlap allowed for such a disk. A power of two [s];
+/// infinity if the speed is 0.
 double longestEpoch(double speed, double radius);
 
-/// How far from the origin positions are still held finely enough for disks of this radius [m].
+/// The largest distance from the origin at which positions are resolved finely enough for disks of this
+/// radius [m].
 double farthestPlace(double radius);
 
-/// Times closer than this count as equal [s].
+/// Times that differ by less than this are treated as equal [s].
 double timeResolution(double epoch_length);
 
-/// The smallest disks that a scene may have.
+/// The smallest disk radius that a scene may have.
 struct FinestDisk
 {
   double radius = 0.0;  ///< [m]
-  std::string reason;   ///< what it takes it from: "the base is 0.4 m wide"
+  std::string reason;   ///< the reason for the limit, for example "the base is 0.4 m wide"
 };
 
-/// Smaller disks would overlap by more than a 1e-9 part of their radius: by how finely positions as large
-/// as the scene's are held, or by how far its fastest disks go within the finest step in time.
+/// Smaller disks would overlap by more than 1e-9 of their radius. Two causes: the rounding of positions as
+/// large as the scene's, or the distance that the fastest disks move within the time resolution.
 FinestDisk finestDisk(const SceneDefinition& scene);
 
 }  // namespace ratchet_sieve

@@ -5,11 +5,10 @@
 namespace ratchet_sieve
 {
 
-/// x^exponent, 0 <= x <= 1, 0 <= exponent <= 10, to within 80 roundings of a double. Our own, so that every
-/// machine gives the same bits: square roots and products round the same everywhere. The exponent is taken
-/// apart into its binary digits, the digit of 2^-k by the k-th square root: two of them for 3/4. After so
-/// many that the root is next to 1 (710 / 2^18 below it at most), the binomial series does the rest of an
-/// exponent that has one.
+/// x^exponent for 0 <= x <= 1 and 0 <= exponent <= 10, with an error of at most 80 roundings of a double. Own
+/// code, because square roots and products round the same on every machine and std::pow does not. Each binary
+/// digit 2^-k of the exponent contributes the k-th repeated square root: two of them for 3/4. When the root
+/// is close to 1 (at most 710 / 2^18 below it), the binomial series covers the remaining digits.
 template <typename Number>
 RATCHET_SIEVE_INLINE Number power(Number x, double exponent)
 {
@@ -38,8 +37,8 @@ RATCHET_SIEVE_INLINE Number power(Number x, double exponent)
   return product * series;
 }
 
-/// A restitution that depends on the speed of the contact: e(v) = 1 - (1 - e) (|v_n| / v_0)^q where |v_n| <
-/// v_0, and e above. Bizon et al., Phys. Rev. Lett. 80, 57 (1998), doi:10.1103/PhysRevLett.80.57.
+/// Restitution that depends on the speed of the contact: e(v) = 1 - (1 - e) (|v_n| / v_0)^q for |v_n| < v_0,
+/// and e above. Bizon et al., Phys. Rev. Lett. 80, 57 (1998), doi:10.1103/PhysRevLett.80.57.
 /// @param speed v_0 > 0 [m/s]
 /// @param exponent q
 template <typename Number>

@@ -12,7 +12,7 @@
 namespace ratchet_sieve
 {
 
-/// Where the disks of one species are.
+/// The numbers of disks of one species by place.
 struct SpeciesBins
 {
   std::uint64_t left = 0;     ///< fallen into the left bin
@@ -47,11 +47,11 @@ struct PairQuality
 /// Q of every pair of species, first < second, in order.
 std::vector<PairQuality> pairQualities(const std::vector<SpeciesBins>& bins);
 
-/// The quality of the whole: of the one pair, or with more species the best pair's. Nothing while
-/// no pair has one.
+/// The Q of the machine: of its one pair, or of the best pair if there are more than two species. Nothing if
+/// no pair has a Q.
 std::optional<double> bestQuality(const std::vector<SpeciesBins>& bins);
 
-/// P, eq. (3) of the paper: counted disks over all disks. Nothing until one disk was counted.
+/// P, eq. (3) of the paper: disks in the bins over all disks. Nothing until there was a disk.
 std::optional<double> processedRatio(const std::vector<SpeciesBins>& bins);
 
 }  // namespace ratchet_sieve

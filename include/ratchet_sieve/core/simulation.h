@@ -23,27 +23,27 @@
 namespace ratchet_sieve
 {
 
-/// The vibrating-ratchet feeder: hard disks over an inclined, shaken sawtooth base, advanced from
-/// collision to collision. The same definition gives the same bits, however often it is observed
-/// and in whatever strides it is advanced.
+/// The vibrating-ratchet feeder: hard disks over an inclined, shaken sawtooth base, simulated by events or by
+/// integration steps (Method). The same definition gives the same bits, regardless of how often the run is
+/// observed and of the arguments of advanceTo().
 class Simulation
 {
 public:
   using CollisionObserver = ratchet_sieve::CollisionObserver;
   using PeriodObserver = ratchet_sieve::PeriodObserver;
 
-  /// Pours the scene. @throws std::invalid_argument if disks of `initial` overlap each other or
+  /// Pours the disks of the scene. @throws std::invalid_argument if disks of `initial` overlap each other or
   /// the base, or lie outside the machine; the message names them.
-  /// @param start_time from which time counts [s]; the scene's phase is that of the drive then
+  /// @param start_time the time of the pour [s]; the scene's phase is the phase of the drive at this time
   explicit Simulation(const SceneDefinition& scene, double start_time = 0.0,
                       const PourObserver& pour_observer = {});
 
-  /// The same with more worked out than the scene needs, to see what that costs.
+  /// The same with a plan that computes more than the scene needs, to measure the cost.
   /// @throws std::invalid_argument also if the plan does not cover the scene
   Simulation(const SceneDefinition& scene, const Plan& plan);
 
-  /// Takes up a run where it was saved, and goes on bit for bit.
-  /// @param scene the one that it was saved from; `duration` and the certainty asked for may differ
+  /// Resumes a saved run, bit for bit.
+  /// @param scene the scene of the saved run; only `duration` and the requested accuracy may differ
   /// @throws StateError if the bytes are no state of such a scene
   Simulation(const SceneDefinition& scene, std::string_view saved_state);
 
@@ -53,33 +53,33 @@ public:
 
   const SceneDefinition& scene() const;
 
-  /// What of the model the run works out from its start on.
+  /// The parts of the model that this run computes.
   const Plan& plan() const;
 
   double startTime() const;
 
-  /// Simulated time [s], as last asked for.
+  /// Simulated time [s]: the latest time given to advanceTo().
   double time() const;
 
   /// See ratchet_sieve::timeScale() [s].
   double timeScale() const;
 
-  /// Executes every event up to and including `time` [s]; earlier times do nothing.
-  /// @throws StallError; time() is then when the run came to its end
+  /// Executes every event up to and including `time` [s]. An earlier time does nothing.
+  /// @throws StallError; time() is then the time at which the run ended
   void advanceTo(double time);
 
-  /// On how many threads it runs from now on; 0: as many as there are processors. Used by disks that do not
-  /// see each other; results do not depend on it.
+  /// Sets the number of threads; 0: one per processor. Only used for ensembles of independent disks. Results
+  /// do not depend on it.
   void setThreads(std::size_t threads);
 
-  /// Takes effect at time(): the base moves to the setpoint at its slew rate. The caller has checked the
-  /// value to be legal: see CommandedQuantity.
+  /// Takes effect at time(): the base moves to the setpoint at its slew rate. @pre the value is legal, see
+  /// CommandedQuantity.
   void command(Quantity quantity, double setpoint);
   void setSlewRates(const SlewRates& rates);
 
-  /// Pours `count` more disks of a species on at time(), as low as there is room.
-  /// @throws std::invalid_argument if there is no such species, or if its disks are wider than the
-  /// machine; nothing has changed then
+  /// Pours `count` more disks of a species at time(), at the lowest free positions.
+  /// @throws std::invalid_argument if there is no such species, or if its disks are wider than the machine;
+  /// the state is then unchanged
   void pour(std::size_t species, std::size_t count);
 
   DriveState base() const;
@@ -87,47 +87,49 @@ public:
   std::vector<DiskState> disks() const;       ///< disks in the machine, by id, at time()
   std::vector<SpeciesBins> bins() const;      ///< per species
   const CollisionCounts& collisions() const;  ///< since the start
-  std::uint64_t events() const;               ///< all processed since the start
-  std::vector<SpeciesMeans> means() const;    ///< per species, since `settle`; nothing before
+  std::uint64_t events() const;               ///< all events since the start
+  std::vector<SpeciesMeans> means() const;    ///< per species, since `settle`; empty before
 
-  /// When so many blocks of meanSeries() have ended, were none joined [s].
+  /// The time at which this number of blocks of meanSeries() has ended, counting blocks of the original
+  /// length [s].
   double blockEnd(std::uint64_t blocks) const;
-  MeanSeries meanSeries() const;  ///< what means() are made of, block by block
+  MeanSeries meanSeries() const;  ///< the series behind means(), in blocks
 
-  bool swings() const;  ///< whether the drive moves the base, now
-  /// Of each species now [J]: half its mass times the variance of its disks' velocities, over both
-  /// directions. Nothing with fewer than two disks.
+  bool swings() const;  ///< whether the drive moves the base at present
+  /// The present granular temperature of each species [J]: half its mass times the variance of its disks'
+  /// velocities, over both directions. Nothing with fewer than two disks.
   std::vector<std::optional<double>> granularTemperatures() const;
   Eigen::Vector2d baseImpulse() const;  ///< given by the base to the disks since `settle`, 0 before [N s]
 
-  /// disks() into a buffer that is used again and again.
+  /// As disks(), into a buffer that the caller reuses.
   void disks(std::vector<DiskState>& states) const;
 
-  /// Kinetic + potential energy of disks() [J]. On an inclined periodic base a disk that is wrapped by
-  /// a width W changes its potential energy by m g W sin(theta).
+  /// Kinetic and potential energy of disks() [J]. On an inclined periodic base, the potential energy of a
+  /// disk changes by m g W sin(theta) when it is wrapped by a width W.
   double energy() const;
-  bool stalled() const;  ///< whether a collapse ends the run, at the latest when an epoch ends
+  bool stalled() const;  ///< whether a collapse ends the run, at the end of the epoch at the latest
   const CollapseCounts& collapses() const;
-  std::string collapseText() const;  ///< one line with the numbers; empty without a collapse
-  double largestEnergy() const;      ///< of a disk at an epoch's end so far, in scales of EnergyWatch
-  std::string energyText() const;    ///< one line with the numbers; empty while no disk is out of scale
-  double maxOverlap() const;         ///< largest ever seen at a collision or by auditOverlaps() [m]
+  std::string collapseText() const;  ///< one line with the figures; empty without a collapse
+  double largestEnergy() const;      ///< largest energy of a disk at the end of an epoch, see EnergyWatch
+  std::string energyText()
+      const;  ///< one line with the figures; empty unless a disk's energy is implausibly large
+  double maxOverlap() const;  ///< largest overlap so far, at a collision or in auditOverlaps() [m]
 
-  /// How often a disk was found behind the base's surface and was pushed out: by Method::STEPS alone.
+  /// How often a disk was found below the base's surface and moved out; only with Method::STEPS.
   std::uint64_t pushedOut() const;
 
-  /// Looks at every disk and every near pair at time(): takes overlaps into maxOverlap() and
-  /// returns how many disks are behind the base's surface (always 0, or the engine is wrong).
+  /// Checks every disk and every pair of near disks at time(): updates maxOverlap() and returns the number of
+  /// disks below the base's surface. Any value other than 0 is an error of the engine.
   std::size_t auditOverlaps();
 
-  /// All that has become of the scene, as bytes; the scene itself is not among them. Saving changes nothing.
+  /// The state of the run as bytes, without its scene. Saving changes nothing.
   std::string saveState() const;
 
-  /// Calls `observer` after each collision, in the order of time. Empty: nobody watches.
+  /// Calls `observer` after each collision, in the order of time. An empty function removes the observer.
   void observeCollisions(CollisionObserver observer);
 
-  /// Calls `observer` after each whole period of the drive from now on; of a drive of more than 50 Hz, after
-  /// some of them: see PeriodWatch. Empty: nobody watches. Changes nothing of the run.
+  /// Calls `observer` after each whole period of the drive from now on. At more than 50 Hz it is called after
+  /// several periods: see PeriodWatch. An empty function removes the observer. The run does not depend on it.
   void observePeriods(PeriodObserver observer);
 
 private:

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -17,14 +19,14 @@
 namespace ratchet_sieve
 {
 
-/// A saved state that cannot be: cut short, too long, or of another scene.
+/// An invalid saved state: too short, too long, of another scene, or with impossible values.
 struct StateError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// Takes a state apart into bytes or puts it together again, bit for bit, in the machine's own byte
-/// order. A class says once what its state is, for both ways:
+/// Converts a state into bytes and back, bit for bit, in the machine's own byte order. A class lists its
+/// state once for both directions:
 ///
 ///     void archive(StateArchive& state) { state(position_, velocities_); }
 class StateArchive
@@ -33,26 +35,34 @@ public:
   /// Saves.
   StateArchive() = default;
 
-  /// Restores; the bytes outlive this.
+  /// Restores. @pre `bytes` outlives this object
   explicit StateArchive(std::string_view bytes) : restoring_(true), rest_(bytes) {}
 
   bool restoring() const { return restoring_; }
 
-  /// What was saved.
+  /// The saved bytes.
   std::string takeBytes() { return std::move(saved_); }
 
-  /// Saves or restores all of them, in order. @throws StateError where too few bytes are left
+  /// Saves or restores all values, in order. @throws StateError if too few bytes are left
   template <typename... Values>
   void operator()(Values&... values)
   {
     (one(values), ...);
   }
 
+  /// To be called by a restored class: checks that its values are possible in a run. @throws StateError if
+  /// `legal` is false
+  void require(bool legal, const char* what) const
+  {
+    if (restoring_ && !legal)
+      throw StateError(std::string("it is damaged: ") + what);
+  }
+
   /// @throws StateError unless every byte was used
   void requireEnd() const
   {
     if (!rest_.empty())
-      throw StateError("there is more of it than there should be");
+      throw StateError("it is too long");
   }
 
 private:
@@ -62,8 +72,10 @@ private:
   template <typename Value>
   void one(Value& value)
   {
-    if constexpr (IS_PLAIN<Value>)
-      bytes(&value, sizeof value);
+    if constexpr (std::is_same_v<Value, bool>)
+      flag(value);
+    else if constexpr (IS_PLAIN<Value>)
+      plain(&value, 1);
     else
       value.archive(*this);
   }
@@ -73,13 +85,14 @@ private:
   {
     std::uint64_t size = list.size();
     one(size);
-    // Every element takes a byte at least: a size that is not true cannot ask for more memory than that.
+    // Every element takes at least one byte. So a corrupt size cannot request more memory than there are
+    // bytes.
     constexpr std::size_t SMALLEST = IS_PLAIN<Element> ? sizeof(Element) : 1;
     if (restoring_ && size > rest_.size() / SMALLEST)
       throw StateError("it is cut short");
     list.resize(size);
     if constexpr (IS_PLAIN<Element>)
-      bytes(list.data(), size * sizeof(Element));
+      plain(list.data(), size);
     else
       for (Element& element : list)
         one(element);
@@ -104,7 +117,24 @@ private:
       one(element);
   }
 
-  void one(Eigen::Vector2d& vector) { bytes(vector.data(), 2 * sizeof(double)); }
+  void one(Eigen::Vector2d& vector) { plain(vector.data(), 2); }
+
+  void flag(bool& value)
+  {
+    std::uint8_t byte = value ? 1 : 0;
+    one(byte);
+    require(byte <= 1, "a flag is neither true nor false");
+    value = byte == 1;
+  }
+
+  template <typename Plain>
+  void plain(Plain* values, std::size_t count)
+  {
+    bytes(values, count * sizeof(Plain));
+    if constexpr (std::is_floating_point_v<Plain>)
+      require(std::none_of(values, values + count, [](Plain value) { return std::isnan(value); }),
+              "it contains a NaN");
+  }
 
   void one(std::string& text)
   {

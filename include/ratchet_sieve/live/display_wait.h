@@ -7,21 +7,21 @@
 namespace ratchet_sieve
 {
 
-/// Holds the start of a run until a display, such as RViz, which takes seconds to start, has subscribed, or
-/// until a timeout.
+/// Delays the start of a run until a display has subscribed, or until a timeout. RViz, for example, takes
+/// seconds to start.
 class DisplayWait
 {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// @param patience timeout [s of wall time]; 0: the run is not held
+  /// @param patience timeout [s of wall time]; 0: no delay
   explicit DisplayWait(double patience) : patience_(patience) {}
 
-  /// Whether the run is to be held.
+  /// Whether the start is still delayed.
   bool waiting() const { return !over_ && patience_ > 0.0; }
 
-  /// To be called at every iteration of the node's loop. @param watched whether a display has subscribed
-  /// @return a line for the log where waiting begins and where it ends; nothing otherwise
+  /// To be called in every iteration of the node's loop. @param watched whether a display has subscribed
+  /// @return a line for the log at the begin and at the end of the delay; nothing otherwise
   std::optional<std::string> update(bool watched, Clock::time_point now);
 
 private:

@@ -15,10 +15,10 @@ namespace ratchet_sieve
 class LiveRun
 {
 public:
-  /// @param opening commands that hold from its start on; their own times do not matter
-  /// @param start_time not 0 where new disks are poured at the present time [s]
+  /// @param opening commands that hold from the start on; their own times are ignored
+  /// @param start_time present simulated time if new disks are poured during a session, otherwise 0 [s]
   /// @param end_time [s]
-  /// @param wall_clock by which the real-time factor is measured
+  /// @param wall_clock for the real-time factor
   /// @param pour_observer see Simulation
   LiveRun(const SceneDefinition& scene, const FrameRates& rates, std::vector<CommandFrame> opening,
           double start_time, double end_time,
@@ -33,27 +33,27 @@ public:
   double endTime() const { return end_time_; }
   bool finished() const { return time() >= end_time_ || stopped(); }
 
-  /// Why it has stopped: an inelastic collapse; nothing if it has not.
+  /// Why the run has stopped: an inelastic collapse; nothing if it has not.
   const std::optional<std::string>& stopReason() const { return stop_reason_; }
   bool stopped() const { return stop_reason_.has_value(); }
 
-  /// Hands frames to a recorder as well, at rates of its own. @param recorder outlives this
+  /// Also hands frames to a recorder, at rates of its own. @param recorder outlives this
   void record(FrameSink& recorder, const FrameRates& rates);
 
-  /// When the next frame is due, or the end where that is earlier [s].
+  /// The time of the next frame or the end of the run, whichever is earlier [s].
   double nextTime() const;
 
-  /// Advances no further than nextTime(), and hands on the frames that are due.
+  /// Advances to `time`, at most to nextTime(), and hands over the frames that are due.
   void advanceTo(double time, FrameSink& sink);
 
-  /// Hands on the frames that are due; at the beginning the scene, the first of each kind and the opening
-  /// commands.
+  /// Hands over the frames that are due. The first call hands over the scene, the first frame of each kind
+  /// and the opening commands.
   void takeDue(FrameSink& sink);
 
-  /// Hands on one of each kind as things stand, where none was taken at this very time.
+  /// Hands over a present frame of each kind, except for kinds that already have a frame of this time.
   void takeAll(FrameSink& sink);
 
-  /// Gives the run a command at its present time, and hands it on. @throws std::invalid_argument
+  /// Applies a command at the run's present time, and hands it over. @throws std::invalid_argument
   void give(CommandFrame command, FrameSink& sink);
 
   /// See FrameSampler.
@@ -65,11 +65,11 @@ public:
   ParticleFrame particles() const { return makeParticleFrame(simulation_); }
   BinFrame bins() const { return makeBinFrame(simulation_); }
   BaseFrame base() const { return makeBaseFrame(simulation_); }
-  /// Over the periods that ended since the last one that was due to be published; over none where nobody
-  /// wanted statistics until now. Without the real-time factor.
+  /// The statistics over the periods since the last statistics frame that was due; over none if no sink has
+  /// wanted statistics so far. Leaves real_time_factor at 0.
   StatisticsFrame statistics() const;
 
-  /// From now on periods are observed for statistics(), also while no sink wants statistics.
+  /// From now on periods are observed for statistics() even if no sink wants statistics.
   void keepStatistics() { statistics_kept_ = true; }
 
 private:
@@ -91,7 +91,7 @@ private:
   bool periods_observed_ = false;
   std::optional<Recording> recording_;
   double end_time_;
-  std::vector<CommandFrame> opening_;  ///< that nobody was shown yet
+  std::vector<CommandFrame> opening_;  ///< opening commands not yet handed over
   std::optional<std::string> stop_reason_;
 };
 

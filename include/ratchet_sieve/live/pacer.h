@@ -5,39 +5,39 @@
 namespace ratchet_sieve
 {
 
-/// Keeps simulated time in step with wall time, and says how far to advance in one go so that the
-/// loop comes round often enough for callbacks.
+/// Keeps simulated time in step with wall time, and limits the length of one advance so that callbacks are
+/// served often enough.
 class Pacer
 {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// @param real_time_factor simulated over wall time; 0: as fast as it goes
+  /// @param real_time_factor simulated over wall time; 0: as fast as possible
   explicit Pacer(double real_time_factor) : factor_(real_time_factor) {}
 
-  /// Restarts: simulated time `elapsed` [s] is now.
+  /// Restarts the pacing: simulated time `elapsed` [s] corresponds to `now`.
   void anchor(double elapsed, Clock::time_point now);
 
-  /// Another speed from now on, at simulated time `elapsed` [s]: nothing of before is made up for.
+  /// Sets another real-time factor from simulated time `elapsed` [s] on. An earlier delay is not caught up.
   void setFactor(double real_time_factor, double elapsed, Clock::time_point now);
 
-  /// Simulated over wall time, as it is asked for; 0: as fast as it goes.
+  /// The requested simulated over wall time; 0: as fast as possible.
   double factor() const { return factor_; }
 
-  /// How far simulated time may be by now [s], no more than one stride. What the simulation has fallen behind
-  /// by more than a moment is not made up for: it then goes on at the requested speed, no faster.
+  /// The simulated time that may be reached now [s], at most one stride ahead. A delay longer than a moment
+  /// is not caught up: the run continues at the requested factor, not faster.
   double allowed(double elapsed, Clock::time_point now);
 
   /// Wall time until simulated time `elapsed` is due, at most LONGEST_WAIT [s].
   double wait(double elapsed, Clock::time_point now) const;
 
-  /// Wall time lost so far, as the simulation could not keep up [s].
+  /// Total wall time by which the simulation has fallen behind without catching up [s].
   double lost() const { return lost_; }
 
-  /// The longest advance that takes about LONGEST_WAIT of wall time [s of simulated time].
+  /// The longest advance that takes about LONGEST_WAIT of wall time [simulated s].
   double stride() const { return stride_; }
 
-  /// Learns from an advance over `simulated` that took `wall` [s].
+  /// Updates the stride from an advance by `simulated` [s] that took `wall` [s].
   void advanced(double simulated, double wall);
 
   /// Callbacks are served at least this often [s of wall time].

@@ -9,15 +9,15 @@
 namespace ratchet_sieve
 {
 
-/// What a display shows of a run at one instant, wherever the frames come from: the engine, topics, a bag.
-/// Kinds of frames that nobody has recorded are left out.
+/// The input of a display at one instant, from the engine, from topics or from a bag. Kinds of frames that
+/// were not recorded are empty.
 struct Picture
 {
   const SceneDefinition& scene;  ///< outlives this
   BaseFrame base;
   std::optional<BinFrame> bins;
   std::optional<ParticleFrame> particles;
-  std::vector<SpeciesMeans> means = {};  ///< per species; empty: not known
+  std::vector<SpeciesMeans> means = {};  ///< per species; empty if unknown
 };
 
 }  // namespace ratchet_sieve

@@ -9,7 +9,7 @@
 namespace ratchet_sieve
 {
 
-/// Lines on the progress of pours that take long: the first when a pour has lasted for a period.
+/// Progress lines for slow pours. The first line comes when a pour has lasted for one period.
 class PourLog
 {
 public:
@@ -18,7 +18,7 @@ public:
   static constexpr std::chrono::seconds PERIOD{2};  ///< between lines [s of wall time]
 
   /// To be called with the arguments of a PourObserver.
-  /// @return a line for the log, if it is time for one
+  /// @return a line for the log if one is due
   std::optional<std::string> line(std::size_t poured, std::size_t of, Clock::time_point now);
 
 private:

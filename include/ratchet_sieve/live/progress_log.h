@@ -8,11 +8,11 @@
 namespace ratchet_sieve
 {
 
-/// Says how far a run is between its start and its end, at every tenth of it.
+/// Reports the progress of a run at every tenth of its duration.
 class ProgressLog
 {
 public:
-  /// @return a line for the log; nothing where the run has not come to another tenth
+  /// @return a line for the log if another tenth was reached
   std::optional<std::string> line(const LiveRun& run);
 
 private:

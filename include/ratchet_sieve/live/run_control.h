@@ -16,7 +16,7 @@
 namespace ratchet_sieve
 {
 
-/// The settings of a run under command. Names in comments are those of a node's parameters.
+/// The settings of a run in a node. The comments give the names of the node's parameters.
 struct RunParameters
 {
   bool start_paused = false;  ///< ~start_paused
@@ -49,29 +49,29 @@ struct RunLog
   std::function<void(const std::string&)> warn = [](const std::string&) {};
 };
 
-/// How a request went.
+/// The result of a request.
 struct Outcome
 {
   bool success = true;
-  std::string message;  ///< on failure: why; else what is to be said of it, if anything
+  std::string message;  ///< on failure the reason, otherwise a note or empty
 };
 
-/// Controls a run: pause, step, reset, pour, setpoints. Knows frames and sinks, but neither topics nor wall
-/// time. LiveRun advances the simulation.
+/// Controls a run: pause, step, reset, pour, setpoints. Independent of topics and wall time. LiveRun advances
+/// the simulation.
 class RunControl
 {
 public:
-  /// Advances the run towards a time by a stride, by advanceTo(); false where the step is to be aborted.
+  /// Advances the run one stride towards a time, by advanceTo(). Returns false to abort the step.
   using Stride = std::function<bool(double time)>;
 
-  /// @param scene YAML of the scene, kept for resets; @param source named in errors
+  /// @param scene YAML of the scene, kept for resets; @param source its name in error messages
   /// @param recording takes frames and setpoints; outlives this
-  /// @param pour_observer of each pour that begins a run; see Simulation
-  /// @throws SceneError, std::invalid_argument where the disks of the scene overlap
+  /// @param pour_observer for each pour at the start of a run; see Simulation
+  /// @throws SceneError, std::invalid_argument if the disks of the scene overlap
   RunControl(const YAML::Node& scene, const std::string& source, const RunParameters& parameters,
              RunRecording& recording, RunLog log = {}, PourObserver pour_observer = {});
 
-  /// Another sink for the frames; outlives this.
+  /// Adds a sink for the frames, which outlives this.
   void addSink(FrameSink& sink) { sinks_.add(sink); }
 
   /// Hands the first frames to the sinks.
@@ -82,32 +82,33 @@ public:
 
   const LiveRun& run() const { return *run_; }
 
-  /// Of the scene that runs: see Scene.
+  /// The warnings of the present scene: see Scene.
   const std::vector<std::string>& sceneWarnings() const { return scene_warnings_; }
 
-  /// One line where the run's base may turn too fast for its walls; or else empty. See fastTurnText().
+  /// A warning of one line if the base may turn too fast for its walls, otherwise empty. See fastTurnText().
   std::string turnWarning() const;
   bool paused() const { return paused_; }
   void pause();
   void unpause();
 
-  /// Advances to a time, but no further than to the next frame or the end.
+  /// Advances to a time, at most to the next frame or the end.
   void advanceTo(double time) { run_->advanceTo(time, sinks_); }
 
-  /// Advances by `duration` [s] or to the end, in strides. Reaching the end first is no failure; the outcome
-  /// says so.
+  /// Advances by `duration` [s] or to the end, in strides. Reaching the end early is a success, and the
+  /// outcome mentions it. An aborted step is a failure; the time already simulated stays.
   Outcome step(double duration, const Stride& stride);
 
-  /// Takes setpoints, all or none, and steps.
+  /// Applies all setpoints, or none if one is refused, and steps.
   /// @param setpoints names and values
   Outcome lockStep(const std::vector<std::pair<std::string, double>>& setpoints, double duration,
                    const Stride& stride);
 
-  /// Restarts, at time 0 or at the present time. @param seed 0: the scene's own
+  /// Restarts at time 0, or at the present time. @param seed 0: the seed of the scene
   Outcome reset(std::uint64_t seed, const std::vector<std::string>& overrides, bool keep_time);
 
-  /// Pours new disks, over the base as it moves now. Time continues to the end of the run, or, at its
-  /// end, for another duration. Fails, and changes nothing, where the base now overlaps disks of `initial`.
+  /// Pours new disks over the base in its present motion. Time continues to the end of the run; at the end of
+  /// the run, another duration is added. Fails and changes nothing if the base now overlaps disks of
+  /// `initial`.
   Outcome resetWorld();
 
   Outcome pour(const std::string& species, std::size_t count);
@@ -115,7 +116,7 @@ public:
   /// The commanded value of a quantity.
   double commanded(Quantity quantity) const;
 
-  /// Commands the base at the present time; a value that is refused changes nothing.
+  /// Commands the base at the present time. A refused value changes nothing.
   Outcome command(const Setpoint& setpoint, double value);
 
 private:
@@ -127,7 +128,7 @@ private:
                                    double start_time, double end_time) const;
   void begin(std::unique_ptr<LiveRun> run);
 
-  /// Hands a frame to the sinks and the recording, though none is due.
+  /// Hands a frame that is not due to the sinks and the recording.
   void show(const AnyFrame& frame);
 
   YAML::Node scene_;

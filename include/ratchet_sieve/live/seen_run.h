@@ -10,13 +10,12 @@
 namespace ratchet_sieve
 {
 
-/// A run as reconstructed from its topics: the last frames received, combined into pictures of one instant.
-/// Each topic has a rate of its own and may be missing; time jumps back where a bag is played again or a
-/// sieve is reset.
+/// Reconstructs a run from its topics: combines the last frames received into pictures of one instant. Each
+/// topic has its own rate and may be missing. Time jumps back if a bag is played again or a sieve is reset.
 class SeenRun : public FrameSink
 {
 public:
-  /// A scene that this program cannot read leaves the last one; sceneError() then says why.
+  /// If a scene cannot be parsed, the previous one stays, and sceneError() returns the reason.
   void take(const AnyFrame& frame) override;
 
   const std::optional<std::string>& sceneError() const { return scene_error_; }
@@ -24,9 +23,9 @@ public:
   /// Time of the present picture [s]; nothing before a scene and a frame have been received.
   std::optional<double> time() const;
 
-  /// The disks of the last frame, and the base at the same time: that of another time would overlap them.
-  /// Without disks, the base of its last frame. Frames that do not fit the scene, which is possible while the
-  /// topics change over to another, are left out. @pre time()
+  /// The disks of the last frame, and the base at the same time, because a base of another time would overlap
+  /// them. Without disks: the base of its last frame. Frames that do not fit the scene are left out; they
+  /// occur while the topics change to another scene. @pre time()
   Picture picture() const;
 
 private:

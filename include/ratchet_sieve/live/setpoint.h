@@ -12,7 +12,7 @@ namespace ratchet_sieve
 /// The topic of a quantity's setpoints, in the sieve's namespace.
 std::string setpointTopic(Quantity quantity);
 
-/// One quantity of the base as a node takes it.
+/// The limits of one setpoint of a node.
 struct Setpoint
 {
   Quantity quantity = Quantity::INCLINATION;
@@ -21,11 +21,12 @@ struct Setpoint
   std::string name() const { return describe(quantity).name; }
   std::string unit() const { return describe(quantity).unit; }
 
-  /// Why the value is refused, with the numbers; nothing if it is finite and within the limits.
+  /// The reason why the value is refused, with the limits; nothing if the value is finite and within the
+  /// limits.
   std::optional<std::string> refusal(double value) const;
 };
 
-/// What a node takes unless its parameters say otherwise, in the order of Quantity.
+/// The default limits of a node, in the order of Quantity.
 std::array<Setpoint, QUANTITIES> usualSetpoints();
 
 }  // namespace ratchet_sieve

@@ -10,9 +10,9 @@
 namespace ratchet_sieve
 {
 
-/// Good setpoints on their way to the run: the newest of each quantity. After each command all disks are
-/// predicted again, so that a thousand a second of them could take all of the time there is: they get a share
-/// of it, and no more; while they wait the newest wins.
+/// Accepted setpoints that wait to be applied: the newest of each quantity. Each command requires new
+/// predictions for all disks, so a thousand commands per second could take all computing time. Commands
+/// therefore get a limited share of the time. While they wait, a newer setpoint replaces an older one.
 class SetpointInbox
 {
 public:
@@ -20,12 +20,11 @@ public:
 
   void put(Quantity quantity, double value) { newest_[indexOf(quantity)] = value; }
 
-  /// Hands over what is there, if its time has come. @param wait false: at once, as nothing runs that could
-  /// suffer
+  /// Applies the waiting setpoints if they are due. @param wait false: at once, because no run is under way
   void deliver(bool wait, const std::function<void(Quantity, double)>& command,
                const std::function<Clock::time_point()>& wall_clock = Clock::now);
 
-  /// Of all wall time, at most for commands.
+  /// Largest share of wall time for commands.
   static constexpr double SHARE = 0.1;
 
 private:

@@ -9,11 +9,11 @@
 namespace ratchet_sieve
 {
 
-/// Says how many disks have gone over the walls: at the first, and each time they are twice as many.
+/// Reports the number of disks that have gone over the walls: the first, and each doubling.
 class WallLog
 {
 public:
-  /// @return a line for the log; nothing where there is nothing new to say
+  /// @return a line for the log, or nothing
   std::optional<std::string> line(const Simulation& simulation);
 
 private:

@@ -7,18 +7,18 @@
 namespace ratchet_sieve
 {
 
-/// A file that cannot be written; names it and says why.
+/// A file that cannot be written. The message names it and the reason.
 struct OutputError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// A file that appears whole or not at all: written beside its place under a name of its own, and
-/// moved there by commit(). What is no regular file (a device, a pipe) is written to directly.
+/// A file that is written completely or not at all: into a temporary file in the same directory, which
+/// commit() renames. Anything that is not a regular file (a device, a pipe) is written directly.
 class AtomicFile
 {
 public:
-  /// Opens it. @throws OutputError where that is not allowed
+  /// Opens the file. @throws OutputError if it cannot be opened
   explicit AtomicFile(const std::string& path);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
@@ -26,7 +26,7 @@ public:
 
   std::ostream& stream() { return stream_; }
 
-  /// Puts it in its place. @throws OutputError if it could not be written in full
+  /// Renames the temporary file. @throws OutputError if the file could not be written completely
   void commit();
 
 private:

@@ -12,45 +12,46 @@
 namespace ratchet_sieve
 {
 
-/// How far an estimate is from what the scene asks for.
+/// How far the error of an estimate is from the requested one.
 struct Approach
 {
-  std::optional<double> ratio;  ///< the half-width, the largest of several, over the one asked for; nothing
-                                ///< while one is not known
+  std::optional<double>
+      ratio;  ///< half-width over the requested half-width, the largest of several; nothing if one is unknown
   bool trusted = false;
 
   bool reached() const { return trusted && ratio && *ratio <= 1.0; }
 };
 
-/// How sure a run's results are at its time(), with the confidence of its scene (AccuracyDefinition).
+/// The statistical errors of a run at its time(), with the confidence level of its scene
+/// (AccuracyDefinition).
 struct Certainty
 {
   SteadyMeans means;
   std::optional<QualityEstimate> quality;
-  std::optional<Approach> to_mean_vx;  ///< nothing where it is not asked for
+  std::optional<Approach> to_mean_vx;  ///< nothing if the scene does not request it
   std::optional<Approach> to_quality;
 
-  /// Whether all that is asked for is; nothing where nothing is.
+  /// Whether all requested errors are reached; nothing if none is requested.
   std::optional<bool> reached() const;
 
-  /// The larger of the two ratios; nothing while one is not known.
+  /// The larger of the two ratios; nothing if one is unknown.
   std::optional<double> ratio() const;
 };
 
-/// Reads the run and changes nothing of it.
+/// Does not change the run.
 Certainty certaintyOf(const Simulation& simulation);
 
-/// One line for each thing that was asked for and not reached: what came of it, and what it would take.
+/// One line for each requested error that was not reached: the achieved error, and the duration needed.
 std::vector<std::string> shortfalls(const Simulation& simulation, const Certainty& certainty);
 
-/// The times at which a run is asked whether it may end, each about 1.2 times the one before: an error that
-/// is looked at often is once in a while too small by chance, and that is when the run would end. They go by
-/// the blocks of the series, counted from `settle`, and so do not depend on how a run is advanced, saved or
-/// resumed.
+/// The times at which the run checks whether it may end early, each about 1.2 times the one before. The
+/// checks are few, because each check adds to the probability that the error is too small by chance just
+/// then. The times are multiples of the block length counted from `settle`. So they do not depend on how a
+/// run is advanced, saved or resumed.
 class LookTimes
 {
 public:
-  /// From simulation.time() on.
+  /// The times after simulation.time().
   explicit LookTimes(const Simulation& simulation);
 
   double next() const { return next_; }  ///< [s]

@@ -9,27 +9,27 @@
 namespace ratchet_sieve
 {
 
-/// A checkpoint that cannot be taken up; names the file and says why.
+/// A checkpoint that cannot be read. The message names the file and the reason.
 struct CheckpointError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// A run as it was saved.
+/// A saved run.
 struct Checkpoint
 {
   RunProgress progress;
   Simulation simulation;
 };
 
-/// Writes a run into a file: whole or not at all, so that what was there before survives whatever
-/// ends the program. @throws OutputError
+/// Writes a checkpoint, completely or not at all: the previous file stays intact even if interrupted. @throws
+/// OutputError
 void writeCheckpoint(const std::string& path, const Simulation& simulation, const RunProgress& progress);
 
-/// Takes up a run from a file, to go on bit for bit. `duration` and what decides when a run may end
-/// before it (certaintyKeyNames()) may differ from what it was saved with, nothing else of the scene.
-/// @throws CheckpointError if the file is no checkpoint, damaged, of another version of the program or
-/// of another scene
+/// Reads a checkpoint, from which the run continues bit for bit. Only `duration` and the keys of
+/// certaintyKeyNames() of the scene may differ from the saved scene.
+/// @throws CheckpointError if the file is no checkpoint, is damaged, or is of another version of the program
+/// or of another scene
 Checkpoint readCheckpoint(const std::string& path, const SceneDefinition& scene);
 
 }  // namespace ratchet_sieve

@@ -9,8 +9,8 @@
 namespace ratchet_sieve
 {
 
-/// Every collision as a line of CSV: time,kind,i,j,normal_speed,normal_impulse,tangential_impulse;
-/// j is empty for the base. Numbers read back bit for bit. The file appears at commit().
+/// A CSV file with one line per collision: time,kind,i,j,normal_speed,normal_impulse,tangential_impulse; j is
+/// empty for the base. Numbers are read back bit for bit. The file appears at commit().
 class CollisionFile
 {
 public:
@@ -18,10 +18,10 @@ public:
   explicit CollisionFile(const std::string& path);
   ~CollisionFile();
 
-  /// To be handed to Simulation::observeCollisions().
+  /// The observer for Simulation::observeCollisions().
   void take(const CollisionRecord& record);
 
-  /// @throws OutputError if not all of it could be written
+  /// @throws OutputError if the file could not be written completely
   void commit();
 
 private:

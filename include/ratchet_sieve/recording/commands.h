@@ -8,8 +8,8 @@
 namespace ratchet_sieve
 {
 
-/// More disks at once are a slip, or no recording of this program: to find room for them takes seconds, which
-/// grow with their square.
+/// Largest number of disks in one pour command. More is probably a mistake, and a recording with more is
+/// damaged: the search for free positions takes seconds and grows with the square of the number.
 constexpr std::uint32_t MOST_POURED = 10000;
 
 /// A setpoint [rad, Hz or m] as a command.
@@ -17,12 +17,13 @@ CommandFrame setpointCommand(Quantity quantity, double setpoint);
 
 CommandFrame slewRateCommand(const SlewRates& rates);
 
-/// The quantity of which a command is a setpoint, if it is one.
+/// The quantity of a setpoint command; nothing for other commands.
 std::optional<Quantity> setpointQuantity(CommandKind kind);
 
-/// Gives a simulation a command at its present time; PAUSE and UNPAUSE change nothing in it.
-/// Setpoints may be what a scene may say, slew rates what the node takes.
-/// @throws std::invalid_argument where there is no such species or value; nothing has changed then
+/// Applies a command at the simulation's time; PAUSE and UNPAUSE do nothing. Setpoints must be legal in a
+/// scene, slew rates legal for the node.
+/// @throws std::invalid_argument if there is no such species or if a value is illegal; the state is then
+/// unchanged
 void apply(const CommandFrame& command, Simulation& simulation);
 
 }  // namespace ratchet_sieve

@@ -7,12 +7,11 @@
 
 #include "ratchet_sieve/recording/frames.h"
 
-/// Which kinds of frames there are, once for all: sampling, topics, bags, rates and sinks go through this
-/// list.
+/// The list of all kinds of frames. Sampling, topics, bags, rates and sinks use it.
 namespace ratchet_sieve
 {
 
-/// In the order in which frames of one time are handed on.
+/// In the order in which frames of the same time are handed on.
 enum class FrameKind
 {
   SCENE,
@@ -23,13 +22,13 @@ enum class FrameKind
   STATISTICS
 };
 
-/// A pointer to a frame of some kind, in the order of FrameKind.
+/// A pointer to a frame of any kind, in the order of FrameKind.
 using FramePointer = std::variant<const SceneFrame*, const CommandFrame*, const BaseFrame*,
                                   const ParticleFrame*, const BinFrame*, const StatisticsFrame*>;
 
 constexpr std::size_t FRAME_KINDS = std::variant_size_v<FramePointer>;
 
-/// How often each kind of frame is taken [1/s of simulated time]; 0: only first and last.
+/// Sampling rate of each kind of frame [1/s of simulated time]; 0: only the first and the last frame.
 struct FrameRates
 {
   double particles = 60.0;
@@ -38,12 +37,15 @@ struct FrameRates
   double statistics = 10.0;
 };
 
-/// All that is particular to one kind beside its fields (see Fields).
+/// Largest rate that a user may set [1/s].
+constexpr double MAX_FRAME_RATE = 1e5;
+
+/// All that is particular to one kind, except its fields (see Fields).
 struct FrameKindInfo
 {
   FrameKind kind;
-  const char* name;          ///< of its topic, and of its rate among the parameters
-  double FrameRates::*rate;  ///< null for what is taken when it happens: a scene, a command
+  const char* name;          ///< of its topic and of its rate parameter
+  double FrameRates::*rate;  ///< null for kinds without a rate: scene, command
 };
 
 /// In the order of FrameKind.
@@ -64,7 +66,7 @@ constexpr const FrameKindInfo& describe(FrameKind kind)
 template <typename Frame>
 constexpr bool IS_FRAME = std::is_constructible_v<FramePointer, const Frame*>;
 
-/// A frame of any kind, for as long as a sink takes it.
+/// A reference to a frame of any kind, valid during FrameSink::take().
 class AnyFrame
 {
 public:
@@ -75,7 +77,7 @@ public:
 
   FrameKind kind() const { return static_cast<FrameKind>(frame_.index()); }
 
-  /// The frame where it is of this kind, null where it is not.
+  /// The frame if it is of this kind, otherwise null.
   template <typename Frame>
   const Frame* as() const
   {
@@ -83,7 +85,7 @@ public:
     return frame != nullptr ? *frame : nullptr;
   }
 
-  /// Calls action(const Frame&) with the frame as what it is.
+  /// Calls action(const Frame&) with the frame's own type.
   template <typename Action>
   decltype(auto) visit(Action&& action) const
   {
@@ -108,7 +110,7 @@ constexpr FrameKind kindOf()
 template <typename Frame>
 constexpr bool IS_TAKEN_AT_A_RATE = describe(kindOf<Frame>()).rate != nullptr;
 
-/// Names the type of a frame to a function that is given no frame.
+/// A tag that passes the type of a frame to a function without a frame.
 template <typename FrameOfThatType>
 struct FrameType
 {
@@ -127,7 +129,7 @@ void forEachFrameType(Visit&& visit)
   }
 }
 
-/// The same for the kinds that are taken at a rate.
+/// The same for the kinds that have a rate.
 template <typename Visit>
 void forEachSampledType(Visit&& visit)
 {
@@ -139,7 +141,7 @@ void forEachSampledType(Visit&& visit)
       });
 }
 
-/// A frame of a kind that is taken at a rate. @param window see makeStatisticsFrame()
+/// Makes a frame of a kind that has a rate. @param window see makeStatisticsFrame()
 template <typename Frame>
 Frame makeFrame(const Simulation& simulation, const StatisticsWindow& window)
 {

@@ -11,8 +11,8 @@
 namespace ratchet_sieve
 {
 
-/// Takes frames at the exact times start + k / rate, so that no rounding adds up, and a last one of each
-/// kind. What the sink does not want is not made; its times go by all the same.
+/// Takes frames at the exact times start + k / rate, so that no rounding error accumulates, and a last one of
+/// each kind. A frame that the sink does not want is skipped.
 class FrameSampler
 {
 public:
@@ -21,24 +21,25 @@ public:
   FrameSampler(const FrameRates& rates, double start_time,
                WallClock wall_clock = std::chrono::steady_clock::now);
 
-  /// Whether the run is under way, as it is from the start, or stands still: wall time that it stood still is
-  /// left out of the real-time factor.
+  /// Whether the run is under way (the default) or paused. Wall time in a pause does not count for the
+  /// real-time factor.
   void setUnderWay(bool under_way);
 
-  /// The next time at which a frame is due [s]; infinity if every rate is 0. Advance the simulation no
-  /// further than this.
+  /// The time at which the next frame is due [s]; infinity if every rate is 0. @pre the caller advances the
+  /// simulation no further than this
   double nextTime() const;
 
-  /// What its statistics average over: hand it all of Simulation::observePeriods(), and restart the window
-  /// where those were not observed for a while.
+  /// Takes a period for the statistics: hand over all of Simulation::observePeriods(). Restart the window if
+  /// periods were not observed for a while.
   void take(const PeriodRecord& period) { window_.take(period); }
   void restartWindow(const Simulation& simulation) { window_.restart(simulation); }
   const StatisticsWindow& window() const { return window_; }
 
-  /// Hands every frame that is due at simulation.time() to the sink; the first call also the scene.
+  /// Hands every frame that is due at simulation.time() to the sink. The first call also hands over the
+  /// scene.
   void takeDue(const Simulation& simulation, FrameSink& sink);
 
-  /// Hands a last frame of every kind to the sink, where none was taken at this very time.
+  /// Hands a last frame of every kind to the sink, except for kinds that already have a frame of this time.
   void takeLast(const Simulation& simulation, FrameSink& sink);
 
 private:
@@ -49,7 +50,7 @@ private:
     std::optional<double> last_time;
   };
   double dueTime(const Stream& stream) const;
-  bool passIfDue(Stream& stream, double time) const;  ///< its time has then come and gone
+  bool passIfDue(Stream& stream, double time) const;  ///< returns true and moves to the next time if due
   template <typename Frame>
   Stream& stream()
   {
@@ -65,11 +66,11 @@ private:
   WallClock wall_clock_;
   bool scene_taken_ = false;
   std::array<Stream, FRAME_KINDS> streams_;  ///< in the order of FrameKind
-  ParticleFrame particle_frame_;             ///< one buffer for all
+  ParticleFrame particle_frame_;             ///< reused for all particle frames
   StatisticsWindow window_;
-  std::optional<double> last_statistics_;  ///< that was handed on [s]
+  std::optional<double> last_statistics_;  ///< time of the last statistics frame [s]
   std::chrono::steady_clock::time_point last_statistics_wall_;
-  std::optional<std::chrono::steady_clock::time_point> stood_since_;  ///< while it is not under way
+  std::optional<std::chrono::steady_clock::time_point> stood_since_;  ///< start of the present pause
 };
 
 }  // namespace ratchet_sieve

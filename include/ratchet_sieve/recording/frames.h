@@ -11,18 +11,17 @@
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/statistics_window.h"
 
-/// What a run shows of itself at an instant: plain structs, the same whether they go to a topic, a
-/// bag or an analysis.
+/// The frames of a run: plain structs that are the same for topics, bags and analysis.
 namespace ratchet_sieve
 {
 
-/// The scene as it runs.
+/// The scene of the run.
 struct SceneFrame
 {
   double time = 0.0;        ///< simulated [s]
-  double start_time = 0.0;  ///< when its disks were poured [s]
-  std::string yaml;         ///< resolved: every key, defaults filled in
-  std::string scene_hash;   ///< of what decides the motion
+  double start_time = 0.0;  ///< time at which its disks were poured [s]
+  std::string yaml;         ///< resolved: with every key, including defaults
+  std::string scene_hash;   ///< hash of the keys that determine the motion
   std::uint64_t seed = 0;
   std::string version;
 };
@@ -82,7 +81,7 @@ RATCHET_SIEVE_FIELDS(BaseFrame)
   RATCHET_SIEVE_PART(base);
 }
 
-/// What the statistics say of one species.
+/// The statistics of one species.
 struct SpeciesRow
 {
   std::string name;
@@ -101,13 +100,13 @@ RATCHET_SIEVE_FIELDS(SpeciesRow)
 struct StatisticsFrame
 {
   double time = 0.0;
-  double window_start = 0.0;  ///< of the means over whole periods of the drive [s]; see StatisticsWindow
-  double window_end = 0.0;    ///< of them [s]
+  double window_start = 0.0;  ///< of the means, over whole periods of the drive [s]; see StatisticsWindow
+  double window_end = 0.0;    ///< of the means [s]
   std::vector<SpeciesRow> species;
   CollisionCounts collisions;      ///< since the start
   std::uint64_t events = 0;        ///< since the start
   CollisionRates collision_rates;  ///< within the window
-  double real_time_factor = 0.0;   ///< achieved since the last frame; 0 before the second frame
+  double real_time_factor = 0.0;   ///< achieved since the last frame; 0 in the first frame
   double max_overlap = 0.0;        ///< [m]
 };
 
@@ -124,7 +123,7 @@ RATCHET_SIEVE_FIELDS(StatisticsFrame)
   RATCHET_SIEVE_FIELD(max_overlap, "m");
 }
 
-/// The quantities and actions of commands: first the setpoints, in the order of Quantity.
+/// Setpoints and actions. The setpoints come first, in the order of Quantity.
 enum class CommandKind : std::uint8_t
 {
   INCLINATION,
@@ -138,13 +137,13 @@ enum class CommandKind : std::uint8_t
 
 constexpr std::uint8_t COMMAND_KINDS = 7;
 
-/// A command to a run, at the time from which on it holds. With the scene and its seed, all that decides
-/// the run.
+/// A command to a run and the time at which it takes effect. The scene, its seed and its commands determine
+/// the run completely.
 struct CommandFrame
 {
   double time = 0.0;
   CommandKind kind = CommandKind::PAUSE;
-  std::vector<double> values;  ///< the setpoint [rad, Hz, m]; of SLEW_RATES the three rates [unit/s]
+  std::vector<double> values;  ///< the setpoint [rad, Hz, m]; for SLEW_RATES the three rates [unit/s]
   std::uint32_t species = 0;   ///< of POUR
   std::uint32_t count = 0;     ///< of POUR
 };
@@ -163,8 +162,8 @@ ParticleFrame makeParticleFrame(const Simulation& simulation);
 BinFrame makeBinFrame(const Simulation& simulation);
 BaseFrame makeBaseFrame(const Simulation& simulation);
 
-/// Without the real-time factor. @param window of this series of frames. @pre it was moved to
-/// simulation.time()
+/// Leaves real_time_factor at 0. @param window of this series of frames. @pre window.moveTo(simulation) was
+/// called
 StatisticsFrame makeStatisticsFrame(const Simulation& simulation, const StatisticsWindow& window);
 
 }  // namespace ratchet_sieve

@@ -12,29 +12,29 @@
 namespace ratchet_sieve
 {
 
-/// What a run has seen so far that its simulation does not know.
+/// Figures of a run that the simulation does not keep.
 struct RunProgress
 {
   double energy_start = 0.0;     ///< of the disks at time 0 [J]
-  std::size_t through_base = 0;  ///< disks found behind the base's surface, the most at one audit
+  std::size_t through_base = 0;  ///< largest number of disks found below the base's surface in one audit
 };
 
-/// Of a run that begins.
+/// The progress of a new run.
 inline RunProgress firstProgress(Simulation& simulation)
 {
   return {simulation.energy(), simulation.auditOverlaps()};
 }
 
-/// How a run came to its end.
+/// Why a run ended.
 enum class RunEnd
 {
-  COMPLETED,  ///< the scene's duration
-  ACCURATE,   ///< before that, as sure as the scene asks for
-  STOPPED,    ///< as asked
-  STALLED     ///< time all but stopped (StallError)
+  COMPLETED,  ///< reached the scene's duration
+  ACCURATE,   ///< reached the accuracy that the scene requests
+  STOPPED,    ///< stopped by the caller
+  STALLED     ///< an inelastic collapse (StallError)
 };
 
-/// What a run leaves behind besides the simulation's state.
+/// The result of a run, beside the simulation's state.
 struct RunOutcome
 {
   RunEnd end = RunEnd::COMPLETED;
@@ -43,23 +43,24 @@ struct RunOutcome
   std::vector<std::string> warnings;  ///< one line each
 };
 
-/// The observers of a run under way; each may be empty.
+/// Observers of a run; each may be empty.
 struct RunWatchers
 {
   FrameSink* frames = nullptr;  ///< takes frames at `rates`
   FrameRates rates;
-  std::function<void(const Simulation&)> progress;                  ///< several times a second of wall time
-  std::function<bool()> stop_wanted;                                ///< asked several times a second
-  std::function<void(const Simulation&, const RunProgress&)> save;  ///< now and then, and at the end
-  double save_period = 60.0;                                        ///< of wall time [s]
+  std::function<void(const Simulation&)> progress;  ///< several times a second of wall time
+  std::function<bool()> stop_wanted;                ///< polled several times a second
+  std::function<void(const Simulation&, const RunProgress&)>
+      save;                   ///< called every save_period and at the end
+  double save_period = 60.0;  ///< of wall time [s]
 };
 
-/// Runs the simulation to its scene's duration, or until it is as sure as its scene asks for, as fast as it
-/// goes. In which strides does not matter to its course. A run that stalls is not saved at its end: it could
-/// not go on from there.
+/// Runs the simulation to its scene's duration or to the accuracy that its scene requests, as fast as
+/// possible. The results do not depend on how the run is divided into calls of advanceTo(). A run that ends
+/// by a collapse is not saved at its end, because it could not be resumed.
 RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers, const RunProgress& so_far);
 
-/// Of a run that begins here.
+/// The same for a new run.
 inline RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers)
 {
   return runToEnd(simulation, watchers, firstProgress(simulation));

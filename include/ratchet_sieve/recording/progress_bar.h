@@ -10,27 +10,27 @@
 namespace ratchet_sieve
 {
 
-/// What a program has done of a run, which it may have taken up in the middle.
+/// What this program has simulated of a run that it may have resumed.
 struct Progress
 {
   double simulated = 0.0;  ///< [s]
   std::uint64_t events = 0;
   double wall = 0.0;  ///< [s]
 
-  /// The half-width of what the run is to be sure of over the one that it asks for; see Certainty::ratio().
+  /// Half-width over the requested half-width; see Certainty::ratio().
   std::optional<double> certainty_ratio = std::nullopt;
 };
 
-/// One line of a progress bar: simulated time, percent, events per second of wall time, time to go at most,
-/// how sure.
+/// One line of a progress bar: simulated time, percent, events per second of wall time, upper bound of the
+/// remaining time, statistical error.
 std::string progressText(double time, double duration, const Progress& progress);
 
-/// A progress bar on standard error, where that is a terminal; else nothing. Redrawn ten times a
-/// second at most, wiped away at its end.
+/// A progress bar on standard error, if that is a terminal. Redrawn at most ten times a second; erased at the
+/// end.
 class ProgressBar
 {
 public:
-  /// @param start the run to be shown, as this program begins with it
+  /// @param start the run at the start of this program
   explicit ProgressBar(const Simulation& start);
   ~ProgressBar();
 
@@ -45,7 +45,7 @@ private:
   std::chrono::steady_clock::time_point next_;
 };
 
-/// Shows on standard error how far the pour is, where that is a terminal. Disappears at its end.
+/// A progress bar for the pour on standard error, if that is a terminal. Erased at the end.
 class PourBar
 {
 public:

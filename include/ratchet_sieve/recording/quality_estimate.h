@@ -10,22 +10,22 @@
 namespace ratchet_sieve
 {
 
-/// Q of what has left so far (bestQuality()).
+/// An estimate of Q from the disks that have left so far (bestQuality()).
 struct QualityEstimate
 {
-  Estimate estimate;             ///< with what the disks still in the machine could change
-  double sampled = 0.0;          ///< the half-width without that
-  double times_for_trust = 1.0;  ///< so many times as long a run is needed for the estimate to be trusted
+  Estimate estimate;             ///< including the disks that are still in the machine
+  double sampled = 0.0;          ///< the half-width without those disks
+  double times_for_trust = 1.0;  ///< factor by which the run must be longer for a reliable estimate
 };
 
-/// Q = |p_a - p_b|, p the share of a species that left to the left: the difference of two proportions. Its
-/// interval is made of Wilson's of each (R. G. Newcombe, Stat. Med. 17, 873 (1998), method 10), which is none
-/// of no width where all have left to one side. Disks that leave one after the other leave together: of a
-/// machine that is fed, the error is found of the course in time as well, and the larger one counts. Disks
-/// that are still in a machine that is not fed widen the interval by what Q would change if they left to the
-/// worst side.
-/// @param exits per species, see SpeciesSeries; empty where the machine is not fed
-/// @return nothing while Q is not defined, or too little of the course is known
+/// Q = |p_a - p_b|, where p is the fraction of a species that left on the left: a difference of two
+/// proportions. The interval is built from the Wilson interval of each proportion (R. G. Newcombe, Stat. Med.
+/// 17, 873 (1998), method 10). Its width is not 0 even if all disks left on one side. Disks that leave one
+/// after the other are correlated: for a machine with a feed, the error is estimated from the time series as
+/// well, and the larger one is used. Disks that are still in a machine without a feed widen the interval by
+/// the change of Q if they all left on the worst side.
+/// @param exits per species, see SpeciesSeries; empty without a feed
+/// @return nothing if Q is undefined or the series is too short
 std::optional<QualityEstimate> qualityEstimate(const std::vector<SpeciesBins>& bins,
                                                const std::vector<std::vector<BlockSum>>& exits,
                                                double confidence);

@@ -14,36 +14,37 @@
 namespace ratchet_sieve
 {
 
-/// Runs what was recorded once more, from its scene, its seed and its commands, and compares every frame
-/// with what comes out now, bit for bit. Takes the frames in the order of time.
+/// Repeats a recorded run from its scene, its seed and its commands, and compares every frame bit for bit.
+/// Takes the frames in the order of time.
 ///
-/// What depends on the clock on the wall or on how often someone subscribed is not compared: the real-time
-/// factor, and the largest overlap.
+/// Not compared: the real-time factor and the largest overlap, which depend on wall time and on the number of
+/// subscribers.
 class Resimulation : public FrameSink
 {
 public:
-  /// @param progress shown the run after each instant; may be empty
+  /// @param progress called after each time; may be empty
   explicit Resimulation(std::function<void(const Simulation&)> progress = {});
   ~Resimulation() override;
 
-  /// A scene that stands there again, as at the start of each file of a recording that was split, is the
-  /// same run. @throws SceneError or std::invalid_argument where what was recorded cannot be a run
+  /// The same scene again, as at the start of each file of a split recording, continues the same run. @throws
+  /// SceneError or std::invalid_argument if the recording cannot be a run
   void take(const AnyFrame& frame) override;
 
-  /// Compares what came last. @throws std::invalid_argument where nothing was recorded that can be compared
+  /// Compares the last time. @throws std::invalid_argument if the recording has no frame to compare
   void finish();
 
-  /// Where the recording and the run first differ, in one line; nothing if they do not.
+  /// The first difference between the recording and the repeated run, in one line; nothing if they are equal.
   const std::optional<std::string>& difference() const { return difference_; }
 
-  std::uint64_t frames() const { return frames_; }      ///< compared, and the same
-  std::uint64_t commands() const { return commands_; }  ///< given
-  double time() const;                                  ///< how far the run has come [s]
+  std::uint64_t frames() const { return frames_; }      ///< that were compared and equal
+  std::uint64_t commands() const { return commands_; }  ///< that were applied
+  double time() const;                                  ///< simulated time reached [s]
   const std::optional<SceneFrame>& scene() const { return scene_; }
 
 private:
-  /// All that was recorded of one time. Which of the frames were taken before which of the commands is not
-  /// recorded: each has to be as things were at some moment among them.
+  /// All recorded frames and commands of one time. The recording does not contain the order of frames and
+  /// commands of the same time. So a frame is accepted if it matches the state after any number of these
+  /// commands.
   struct Instant
   {
     double time = 0.0;

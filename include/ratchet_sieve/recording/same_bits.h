@@ -9,7 +9,7 @@
 namespace ratchet_sieve
 {
 
-/// Equality bit for bit, of frames and of all that they consist of: -0 is not 0, and a NaN is itself.
+/// Bitwise equality of frames and their members: -0 differs from 0, and a NaN equals itself.
 template <typename T>
 bool sameBits(const T& a, const T& b)
 {
@@ -35,7 +35,7 @@ bool sameBits(const T& a, const T& b)
     return a == b;
 }
 
-/// But for how fast the run went, which the topics and the recording measure each for themselves.
+/// Without the real-time factor, which topics and recording measure separately.
 inline bool sameButForSpeed(StatisticsFrame a, StatisticsFrame b)
 {
   a.real_time_factor = b.real_time_factor = 0.0;

@@ -31,37 +31,37 @@ RATCHET_SIEVE_FIELDS(CollisionRates)
   RATCHET_SIEVE_FIELD(wall_rate, "1/s");
 }
 
-/// What the statistics frames of one series are means over: the whole periods of the drive that ended since
-/// the frame before. None ended: those of the frame before once more. Where the drive does not move the base,
-/// there is nothing to average: the time since the frame before, and temperatures as they are.
+/// The window over which the statistics frames of one series are averaged: the whole periods of the drive
+/// that ended since the previous frame. If no period ended, the previous window is kept. If the drive does
+/// not move the base, the window is the time since the previous frame, and temperatures are instantaneous.
 class StatisticsWindow
 {
 public:
-  /// One after the other, as Simulation::observePeriods() has them.
+  /// @pre the periods are in the order of Simulation::observePeriods()
   void take(const PeriodRecord& period);
 
-  /// Forgets what was taken: a window that is shown from now on begins at simulation.time() or later. To be
-  /// called where periods were not observed for a while, so that no window spans the gap.
+  /// Forgets all periods: the next window begins at simulation.time() or later. To be called after a gap in
+  /// the observation of periods, so that no window spans the gap.
   void restart(const Simulation& simulation);
 
-  /// To the frame at simulation.time(); at the same time once more it makes no difference.
+  /// Moves the window to the frame at simulation.time(). A second call at the same time does nothing.
   void moveTo(const Simulation& simulation);
 
   double start() const { return shown_.start; }  ///< [s]
-  double end() const { return shown_.end; }      ///< [s]; start() before anything has gone by
-  CollisionRates collisionRates() const;         ///< within the window; 0 where that is empty
+  double end() const { return shown_.end; }      ///< [s]; equals start() before the first window
+  CollisionRates collisionRates() const;         ///< within the window; 0 if it is empty
 
-  /// Per species [J]: half the mass times the variance of the velocity over the disks, mean over the window.
-  /// Nothing where it had fewer than two disks, or no period has gone by.
+  /// Per species [J]: half the mass times the variance of the velocity over the disks, averaged over the
+  /// window. Nothing if the species had fewer than two disks or no period has ended.
   const std::vector<std::optional<double>>& granularTemperatures() const { return granular_temperatures_; }
 
 private:
   void begin(double time, std::size_t species);
 
-  std::optional<PeriodRecord> ended_;  ///< since the last frame, all as one
-  PeriodRecord shown_;                 ///< what the last frame is of
+  std::optional<PeriodRecord> ended_;  ///< all periods since the last frame, merged
+  PeriodRecord shown_;                 ///< the window of the last frame
   std::vector<std::optional<double>> granular_temperatures_;
-  std::optional<double> last_time_;  ///< of a frame [s]
+  std::optional<double> last_time_;  ///< of the last frame [s]
   CollisionCounts last_collisions_;
 };
 

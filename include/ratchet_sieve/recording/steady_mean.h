@@ -9,64 +9,64 @@
 namespace ratchet_sieve
 {
 
-/// A mean is trusted once its series has as much to say as so many independent blocks: of fewer, an error by
-/// which the run ends is too often too small (docs/accuracy.md).
+/// A mean is reliable once its series contains at least this many independent blocks. With fewer, runs end
+/// too often with an error that is too small by chance (docs/accuracy.md).
 constexpr double INDEPENDENT_BLOCKS = 128.0;
 
-/// And once the series is so many times as long as what is cut of it.
+/// A mean is reliable once its series is at least this many times as long as the transient that is cut off.
 constexpr std::size_t CUTS_IN_A_RUN = 10;
 
-/// A value and how far from it the truth is at most, with a confidence.
+/// A value and the half-width of its confidence interval.
 struct Estimate
 {
   double value = 0.0;
   double half_width = 0.0;
 };
 
-/// Of all blocks.
+/// The sum of all blocks.
 BlockSum sumOf(const std::vector<BlockSum>& blocks);
 
-/// Half-width of the interval of a confidence over the standard error, of an error that was found of so many
-/// blocks: Student's t. 0 blocks: of an error that is known, the normal distribution.
+/// Half-width of the confidence interval over the standard error, for an error estimated from this number of
+/// blocks: Student's t. 0 blocks: a known error, normal distribution.
 double halfWidthOver(double confidence, std::size_t blocks);
 
-/// So many times as long a series is needed for its error to be trusted; see INDEPENDENT_BLOCKS. @param error
-/// of it
+/// The factor by which the series must be longer for a reliable error; see INDEPENDENT_BLOCKS. @param error
+/// of the series
 double timesForTrust(const std::vector<BlockSum>& series, const BlockError& error);
 
-/// Where a series that begins with a transient has become steady, in blocks: where the squared standard error
-/// of what is left, as if its blocks were independent, is least. Sought in the first half of the series.
-/// In batches of blocks, 64 to 127 of them. MSER: K. P. White, Simulation 69, 323 (1997),
-/// doi:10.1177/003754979706900601.
+/// The number of blocks at the start of a series that are transient. MSER: the cut that minimises the squared
+/// standard error of the rest, computed as for independent blocks. K. P. White, Simulation 69, 323 (1997),
+/// doi:10.1177/003754979706900601. Only cuts within the first half are considered. The series is first
+/// grouped into 64 to 127 batches.
 std::size_t steadyFrom(const std::vector<BlockSum>& series);
 
-/// <V_x> of one species over what is left of a series.
+/// <V_x> of one species over the steady part of a series.
 struct SteadyMean
 {
   Estimate estimate;  ///< [m/s]
 
-  /// So many times as much as is left of the series is needed for the estimate to be trusted.
+  /// The factor by which the steady part must be longer for a reliable estimate.
   double times_for_trust = 1.0;
 };
 
 /// The steady part of a run.
 struct SteadyMeans
 {
-  /// Cut from the series' beginning [s]: twice what steadyFrom() finds, of the species that takes longest,
-  /// for what of a transient is lost in the noise is still there. Nothing while that is more than half of the
-  /// series.
+  /// Length of the transient that is cut off [s]: twice the result of steadyFrom() for the species with the
+  /// longest transient, because the end of a transient is hidden in the noise. Nothing if that is more than
+  /// half of the series.
   std::optional<double> transient;
 
-  /// Whether the run is so long that the transient is known to be over: CUTS_IN_A_RUN.
+  /// Whether the run is long enough to be sure that the transient is over: CUTS_IN_A_RUN.
   bool settled = false;
 
-  double left = 0.0;                          ///< after the cut [s]
-  std::vector<std::optional<SteadyMean>> of;  ///< per species; nothing where there are too few blocks
+  double left = 0.0;                          ///< length of the steady part [s]
+  std::vector<std::optional<SteadyMean>> of;  ///< per species; nothing if there are too few blocks
 };
 
-/// Means with their errors. Where disks see each other the error is found of the course in time, and
-/// neighbouring blocks are joined until it grows no more (joinedError()). Of disks that do not see each other
-/// it is found of the scatter of groups of them as well, and the larger one counts.
+/// Means with their errors. If disks collide with each other, the error is estimated from the time series,
+/// with neighbouring blocks joined until it no longer grows (joinedError()). For independent disks it is also
+/// estimated from the scatter between groups of disks, and the larger one is used.
 SteadyMeans steadyMeans(const MeanSeries& series, double confidence);
 
 }  // namespace ratchet_sieve

@@ -11,17 +11,17 @@
 namespace ratchet_sieve
 {
 
-/// The run in one JSON object: scene_hash, seed, version, plan, times, counts, means, Q and P, how sure they
-/// are, energies, overlaps, warnings. SI units; what is not defined is null.
+/// The run as a JSON object: scene_hash, seed, version, plan, times, counts, means, Q and P, their errors,
+/// energies, overlaps, warnings. SI units; undefined values are null.
 nlohmann::ordered_json summarize(const Simulation& simulation, const RunOutcome& outcome);
 
-/// What of the model is worked out: each part of the plan by its name, true or false.
+/// The computed parts of the model: each part of the plan by its name, true or false.
 nlohmann::ordered_json planParts(const Plan& plan);
 
 /// Collisions of each kind: disk_disk, left_slope, right_slope, apex, wall.
 nlohmann::ordered_json collisionCounts(const CollisionCounts& counts);
 
-/// Adds the means of a species, each under the name of its field, but for those that are there.
+/// Adds the means of a species, each under the name of its field, without replacing existing keys.
 void addMeans(nlohmann::ordered_json& species, const SpeciesMeans& means);
 
 /// A number, or null where there is none.

@@ -8,15 +8,15 @@
 namespace ratchet_sieve
 {
 
-/// How many disks have left a walled machine over its walls; 0 for other machines.
+/// The number of disks that have left a walled machine over its walls; 0 for other machines.
 std::uint64_t disksOverWalls(const Simulation& simulation);
 
-/// One line that says how many disks went over the walls, how high those are and what helps; empty where none
-/// did.
+/// A warning of one line: the number of disks that went over the walls, the height of the walls and the
+/// remedy; empty if there are none.
 std::string overWallsText(const Simulation& simulation);
 
-/// One line that says, for a walled base that may turn faster than it can without throwing its disks over the
-/// walls (calmTurnRate()), by how much and what helps; empty for others.
+/// A warning of one line for a walled base whose slew rate exceeds calmTurnRate(): by how much, and the
+/// remedy; empty otherwise.
 /// @param slew_rate of the inclination [rad/s]
 std::string fastTurnText(const SceneDefinition& scene, double slew_rate);
 

@@ -10,31 +10,31 @@
 namespace ratchet_sieve
 {
 
-/// Records a run into a bag (lz4), on the topics on which the node publishes it, the scene latched. Needs no
-/// ROS master. Bag time is the header's stamp; at time 0, which no bag holds, the earliest there is. The file
-/// appears under its name when the bag is closed; until then it is FILE.active. What a program that was
-/// killed has left under that name is set aside first, as FILE.unfinished.active, FILE.unfinished2.active and
-/// so on.
+/// Records a run into a bag (lz4) on the topics of the node, the scene latched. Needs no ROS master. Bag time
+/// is the header's stamp. A bag cannot hold time 0; the earliest possible time is used instead. The file has
+/// the name FILE.active until the bag is closed. A FILE.active left by a killed program is renamed first, to
+/// FILE.unfinished.active, FILE.unfinished2.active and so on.
 class BagWriter : public FrameSink
 {
 public:
   /// @param topic_prefix the node's name: topics are /sieve/particles and so on
   /// @param frame_id of the messages
-  /// @throws BagError where the file cannot be written, or is being written by another
+  /// @throws BagError if the file cannot be written, or is being written by another program
   explicit BagWriter(const std::string& path, const std::string& topic_prefix = "/sieve",
                      const std::string& frame_id = WORLD_FRAME_ID);
   ~BagWriter() override;
   BagWriter(const BagWriter&) = delete;
   BagWriter& operator=(const BagWriter&) = delete;
 
-  /// A setpoint stands in the bag as it came, too, for whoever plays the bag to a sieve.
+  /// A setpoint is also recorded as the message on its setpoint topic, so that the bag can be played to a
+  /// sieve.
   void take(const AnyFrame& frame) override;
 
-  /// Writes the index and gives the file its name. What is taken afterwards is an error.
-  /// @throws BagError where something was lost, that says where the rest is
+  /// Writes the index and gives the file its final name. Nothing may be taken afterwards.
+  /// @throws BagError if something was lost; the message names the file with the rest
   void close();
 
-  /// Bytes so far; what is not packed yet counts as it is.
+  /// Bytes so far; data not yet compressed counts with its full size.
   std::uint64_t size() const;
 
   const std::string& path() const { return path_; }
@@ -48,7 +48,7 @@ private:
   std::string active_path_;
   std::string topic_prefix_;
   std::string frame_id_;
-  std::unique_ptr<BagFile> file_;  ///< nothing once it is closed
+  std::unique_ptr<BagFile> file_;  ///< null once closed
 };
 
 }  // namespace ratchet_sieve

@@ -18,6 +18,7 @@
 #include "ratchet_sieve/live/setpoint_inbox.h"
 #include "ratchet_sieve/ros/diagnostics.h"
 #include "ratchet_sieve/ros/node_parameters.h"
+#include "ratchet_sieve/ros/waiting_calls.h"
 
 namespace ratchet_sieve
 {
@@ -26,16 +27,17 @@ namespace ratchet_sieve
 class CommandServer
 {
 public:
-  /// @param stride of ~step and ~lock_step; @param time_changed called where simulated time has jumped or the
-  /// run was paused or resumed; control and diagnostics outlive this
+  /// @param stride for ~step and ~lock_step; ends them early if a pause, resume or reset is waiting
+  /// @param time_changed called after a jump of simulated time, a pause or a resume
+  /// @param control, diagnostics outlive this
   CommandServer(ros::NodeHandle private_node, const NodeParameters& parameters, RunControl& control,
                 Diagnostics& diagnostics, RunControl::Stride stride, std::function<void()> time_changed);
 
-  /// Applies the setpoints received on topics, and logs them. To be called after callbacks were served.
+  /// Applies and logs the setpoints received on topics. To be called after callbacks were served.
   void deliverSetpoints();
 
 private:
-  /// Of one quantity.
+  /// The throttled log of one quantity's setpoints.
   struct SetpointLog
   {
     LogThrottle taken;
@@ -57,10 +59,11 @@ private:
   Diagnostics& diagnostics_;
   RunControl::Stride stride_;
   std::function<void()> time_changed_;
-  std::string frame_id_;                        ///< of messages in answers
+  std::string frame_id_;                        ///< of messages in service responses
   std::array<Setpoint, QUANTITIES> setpoints_;  ///< in the order of Quantity
   std::array<SetpointLog, QUANTITIES> logs_;    ///< in the order of Quantity
   SetpointInbox inbox_;
+  WaitingCalls interrupting_;  ///< calls of services that end a step
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;
 };

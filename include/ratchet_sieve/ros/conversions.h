@@ -13,15 +13,15 @@
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/ros/frame_names.h"
 
-/// Frames as messages, in frame world, and back. Nothing is lost on the way: a frame that goes there and
-/// back is the same bit for bit.
+/// Conversion of frames to messages, in frame world, and back. A frame converted to a message and back is the
+/// same bit for bit.
 namespace ratchet_sieve
 {
 
 /// Simulated time as a stamp, to the nearest nanosecond. @param time [s], >= 0
 ros::Time stampOf(double time);
 
-/// Whether a stamp can say this time [s]: it has 32 bits of seconds.
+/// Whether a stamp can represent this time [s]: it has 32 bits of seconds.
 bool isStamp(double time);
 
 SceneDescription toMessage(const SceneFrame& frame);
@@ -34,7 +34,7 @@ Command toMessage(const CommandFrame& frame);
 template <typename Frame>
 using MessageOf = decltype(toMessage(std::declval<Frame>()));
 
-/// The message in another frame: in that of a sieve that stands elsewhere in the world.
+/// The message with another frame_id, for a sieve mounted elsewhere in the world.
 template <typename Message>
 Message inFrame(const std::string& frame_id, Message message)
 {
@@ -42,7 +42,7 @@ Message inFrame(const std::string& frame_id, Message message)
   return message;
 }
 
-/// @throws std::invalid_argument where arrays of one message differ in length, or a kind is none
+/// @throws std::invalid_argument if arrays of one message differ in length, or a kind is unknown
 SceneFrame toFrame(const SceneDescription& message);
 ParticleFrame toFrame(const ParticleStates& message);
 BinFrame toFrame(const BinCounts& message);

@@ -16,7 +16,7 @@
 namespace ratchet_sieve
 {
 
-/// What is known of the speed of a run. All outlive who holds this.
+/// The sources of a run's speed. All outlive the holder of this struct.
 struct Speed
 {
   const RealTimeFactor& parameter;
@@ -24,28 +24,28 @@ struct Speed
   const SpeedWatch& watch;
 };
 
-/// Says on /diagnostics how the run goes and how fast, what of its scene can hardly be meant, which setpoints
-/// were refused, what is recorded and who is the clock, once a second of wall time.
+/// Publishes on /diagnostics, once a second of wall time: the state and the speed of the run, implausible
+/// values in its scene, refused setpoints, the state of the recording, and the source of /clock.
 class Diagnostics
 {
 public:
-  /// All outlive this.
+  /// All arguments outlive this.
   Diagnostics(const RunControl& control, const Speed& speed, const Recorder& recorder,
               const ClockPublisher& clock);
 
-  /// A setpoint was taken: what was wrong with an earlier one is past.
+  /// A setpoint was accepted: clears an earlier refusal.
   void setpointTaken(const Setpoint& setpoint);
 
-  /// A setpoint was refused: shown soon, and until one is taken.
+  /// A setpoint was refused: shown soon, until one is accepted.
   void setpointRefused(const Setpoint& setpoint, const std::string& why);
 
-  /// No new disks were poured: shown soon, and until a run begins.
+  /// A reset_world request failed: shown soon, until a run begins.
   void resetWorldRefused(const std::string& why);
 
-  /// A run begins.
+  /// A run begins: clears the failure of reset_world.
   void begunAnew() { reset_world_refusal_.clear(); }
 
-  /// Publishes, if it is time to.
+  /// Publishes if due.
   void updateDue();
 
 private:
@@ -63,11 +63,11 @@ private:
   const Speed speed_;
   const Recorder& recorder_;
   const ClockPublisher& clock_;
-  std::map<std::string, std::string> refusals_;  ///< per setpoint, the last
+  std::map<std::string, std::string> refusals_;  ///< the last refusal per setpoint
   std::string reset_world_refusal_;
-  std::string last_refusal_;  ///< of the real-time factor, as it was last shown
-  double last_factor_ = 0.0;  ///< asked for, as it was last shown
-  bool pressing_ = false;     ///< there is something new to show
+  std::string last_refusal_;  ///< of the real-time factor, as last shown
+  double last_factor_ = 0.0;  ///< the requested factor, as last shown
+  bool pressing_ = false;     ///< there is something new to show soon
   Clock::time_point last_update_ = Clock::now();
   diagnostic_updater::Updater updater_;
 };

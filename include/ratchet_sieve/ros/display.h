@@ -13,23 +13,24 @@
 namespace ratchet_sieve
 {
 
-/// Publishes pictures of a run on ~markers and ~cloud, at a rate of wall time, whatever the speed of the run.
+/// Publishes pictures of a run on ~markers and ~cloud, at a rate of wall time that does not depend on the
+/// run's speed.
 class Display
 {
 public:
-  /// @param rate at most [1/s of wall time]; 0: nothing is shown
+  /// @param rate upper limit [1/s of wall time]; 0: no display
   Display(ros::NodeHandle private_node, double rate);
 
-  /// Whether anybody subscribes to ~markers or ~cloud.
+  /// Whether ~markers or ~cloud has a subscriber.
   bool watched() const { return markers_.getNumSubscribers() > 0 || cloud_.getNumSubscribers() > 0; }
 
-  /// Whether a picture of this time is to be shown now; false without subscribers, so that none need be made.
-  /// A paused run is shown once a second, for new subscribers. @param time simulated [s]
+  /// Whether a picture of this time is due; false without subscribers. While a run is paused, its picture is
+  /// repeated once a second, for new subscribers. @param time simulated [s]
   bool due(double time) const;
 
-  /// Publishes it, and deletes markers drawn before that are no part of it. Converts nothing for a topic
-  /// without subscribers.
-  /// @param frame_id in which the picture is
+  /// Publishes a picture, and deletes earlier markers that are not part of it. Topics without subscribers are
+  /// skipped.
+  /// @param frame_id of the picture
   void show(const Picture& picture, const std::string& frame_id);
 
 private:

@@ -12,15 +12,14 @@
 namespace ratchet_sieve
 {
 
-/// Shows a sieve from its topics alone, as the sieve's own node does: ~markers and ~cloud. The sieve may be
-/// one that was recorded, played by `rosbag play`: then also /tf, which a sieve that runs publishes by
-/// itself.
+/// Displays a sieve from its topics, with the same ~markers and ~cloud as the sieve's own node. The sieve may
+/// be a recording played by `rosbag play`: then this node publishes /tf as well, as a live sieve does itself.
 class DisplayNode
 {
 public:
-  /// Reads ~sieve, the name of the sieve's node (`sieve` in this node's namespace by default; empty: the one
-  /// that there is, or that comes), ~frame_prefix (that of the sieve, if it has one of its own) and
-  /// ~rates/display [1/s of wall time]. @throws ParameterError
+  /// Reads ~sieve (the name of the sieve's node; default `sieve` in this node's namespace; empty: the first
+  /// one found), ~frame_prefix (if the sieve has its own) and ~rates/display [1/s of wall time]. @throws
+  /// ParameterError
   explicit DisplayNode(const ros::NodeHandle& private_node);
 
 private:
@@ -30,7 +29,7 @@ private:
   void subscribe(const std::string& sieve);
   template <typename Message>
   void subscribe(const std::string& topic);
-  /// @param publisher name of the node that published it @param frame_id in which it is
+  /// @param publisher name of the node that published the frame @param frame_id of the message
   template <typename Frame>
   void see(const Frame& frame, const std::string& publisher, const std::string& frame_id);
   void warnOfSilence();
@@ -40,7 +39,7 @@ private:
   Display display_;
   TransformPublisher transforms_;
   SeenRun seen_;
-  std::string sieve_;  ///< name of its node, once it is known
+  std::string sieve_;  ///< name of its node, once known
   FrameNames frames_;  ///< of that sieve
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer search_timer_;

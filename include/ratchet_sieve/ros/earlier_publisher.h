@@ -6,11 +6,12 @@
 namespace ratchet_sieve
 {
 
-/// The node that advertised a topic before this one, and publishes it still; nothing if there is none. Of two
-/// nodes that advertise a topic and then ask this, however close together, exactly one gets the other's name.
+/// The node that advertised a topic before this one and still publishes it; nothing if there is none. If two
+/// nodes advertise a topic and then call this at nearly the same time, exactly one of them gets the other's
+/// name.
 ///
-/// The master names publishers in the order in which they came. Each is asked whether it publishes the topic:
-/// what a killed node has left in the master's books does not answer, or another answers in its place.
+/// The master lists publishers in the order of registration. Each is asked whether it publishes the topic.
+/// The entry of a killed node either gets no answer or is answered by another process.
 /// @pre this node has advertised the topic @param topic resolved
 std::optional<std::string> earlierPublisher(const std::string& topic);
 

@@ -10,23 +10,23 @@
 namespace ratchet_sieve
 {
 
-/// A parameter that cannot be: one line that names it, its value and what is allowed.
+/// An illegal parameter. One line names it, its value and what is allowed.
 struct ParameterError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// A parameter's value, if it is a finite number in [least, most]. @param name in full
+/// A parameter's value, if it is a finite number in [least, most]. @param name full name
 /// @throws ParameterError
 double numberFrom(const std::string& name, const XmlRpc::XmlRpcValue& value, double least, double most);
 
-/// Reads a node's parameters, checks them, and remembers which there are.
+/// Reads and checks a node's parameters, and keeps track of which were read.
 class ParameterReader
 {
 public:
   explicit ParameterReader(const ros::NodeHandle& node) : node_(node) {}
 
-  /// A finite number in [least, most]; `fallback` where the parameter is not set.
+  /// A finite number in [least, most]; `fallback` if the parameter is not set.
   /// @throws ParameterError
   double number(const std::string& name, double fallback, double least, double most);
 
@@ -36,11 +36,10 @@ public:
   /// @throws ParameterError
   std::string text(const std::string& name, const std::string& fallback);
 
-  /// As it stands in errors.
+  /// The full name, as in error messages.
   std::string fullName(const std::string& name) const { return node_.resolveName(name); }
 
-  /// Parameters under the node that nobody has asked for, but for those under `ignored`: most likely
-  /// misspelt.
+  /// Parameters of the node that were never read, except those under `ignored`: most likely misspelt.
   std::set<std::string> unknown(const std::set<std::string>& ignored) const;
 
 private:

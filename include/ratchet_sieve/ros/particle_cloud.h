@@ -10,9 +10,9 @@
 namespace ratchet_sieve
 {
 
-/// The disks as a point cloud in frame world: x, y (0), z, radius [m, float32] and species (index,
-/// uint32). For display of very many; ParticleStates carries the full state.
-/// @param species of the scene that the frame comes from
+/// The disks as a point cloud in frame world: x, y (0), z, radius [m, float32] and species (index, uint32).
+/// For the display of very many disks; ParticleStates carries the full state.
+/// @param species of the frame's scene
 sensor_msgs::PointCloud2 particleCloud(const ParticleFrame& frame,
                                        const std::vector<SpeciesDefinition>& species);
 

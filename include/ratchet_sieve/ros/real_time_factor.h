@@ -9,19 +9,18 @@
 namespace ratchet_sieve
 {
 
-/// ~real_time_factor, simulated over wall time (0: as fast as it goes), which may be changed while the node
-/// runs. The first read asks the master, which from then on tells the node of changes: the other reads cost
-/// no more than one into a map.
+/// ~real_time_factor, simulated over wall time (0: as fast as possible), which may be changed while the node
+/// runs. The first read subscribes to changes at the master, so later reads are local look-ups.
 class RealTimeFactor
 {
 public:
-  /// @param present as read at the start
+  /// @param present the value read at the start
   RealTimeFactor(const ros::NodeHandle& private_node, double present);
 
-  /// Looks, if it is time to. @return the new factor where it has changed to a good one
+  /// Reads the parameter if due. @return the new factor if it has changed to a legal one
   std::optional<double> changed();
 
-  /// Why the parameter as it is now is refused: the last good one then stays. Empty if it is good.
+  /// Why the parameter's present value is refused, while the last legal value stays; empty if it is legal.
   const std::string& refusal() const { return refusal_; }
 
 private:

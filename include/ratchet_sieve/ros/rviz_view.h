@@ -7,17 +7,17 @@
 namespace ratchet_sieve
 {
 
-/// What the camera shows.
+/// The part that the camera shows.
 enum class RvizView
 {
-  MACHINE,  ///< all of it, with its bins and captions
-  TEETH     ///< ten in the middle of the base, or all of a shorter one
+  MACHINE,  ///< the whole machine with bins and captions
+  TEETH     ///< ten teeth in the middle of the base, or all of a shorter base
 };
 
-/// A configuration of RViz, its camera moved so that it shows a machine of whatever size, and so the saved
-/// views of ten teeth, in the middle of the base and at its left end, about which it tilts.
+/// Adapts an RViz configuration to the size of a machine: moves the camera, and the saved views of ten teeth
+/// in the middle and at the left end of the base, about which the base tilts.
 /// @param config text of a .rviz file whose current view is an orbit view
-/// @throws std::invalid_argument where it is no such text
+/// @throws std::invalid_argument if the text is not of that kind
 std::string fittedToScene(const std::string& config, const SceneDefinition& scene, RvizView view);
 
 }  // namespace ratchet_sieve

@@ -9,21 +9,21 @@
 namespace ratchet_sieve
 {
 
-/// A tree of the parameter server as YAML. Doubles keep every bit. Text stays plain, as in a file:
-/// what rosparam takes for text and YAML 1.2 for a number, such as 1e-3, is a number here.
-/// @throws SceneError for dates and binaries, which no scene has
-/// @param source names the parameter in errors
+/// Converts a value of the parameter server to YAML. Doubles keep every bit. Strings stay plain scalars, as
+/// in a file: values like 1e-3, which are strings for rosparam but numbers in YAML 1.2, are numbers here.
+/// @throws SceneError for dates and binaries, which no scene contains
+/// @param source name of the parameter in error messages
 YAML::Node yamlFromParameter(const XmlRpc::XmlRpcValue& value, const std::string& source);
 
-/// The scene under `scene` of the node handle, as YAML, and where it comes from.
+/// The scene in the parameter `scene` of a node handle, as YAML, and its source.
 struct SceneParameter
 {
   YAML::Node root;
-  std::string source;  ///< such as "parameter /sieve/scene"
+  std::string source;  ///< for example "parameter /sieve/scene"
 };
 
-/// @throws SceneError where there is none, or a bad one; it names the line of `scene_file`, where that
-/// parameter names the file that the scene was loaded from
+/// @throws SceneError if there is no scene or a bad one. The message gives the line of the file if the
+/// parameter `scene_file` names the file from which the scene was loaded
 SceneParameter readSceneParameter(const ros::NodeHandle& node);
 
 }  // namespace ratchet_sieve

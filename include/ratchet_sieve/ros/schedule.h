@@ -12,7 +12,7 @@
 namespace ratchet_sieve
 {
 
-/// What to command at one time; nothing: leave it as it is.
+/// The setpoints to command at one time; nothing: unchanged.
 struct ScheduleEntry
 {
   double time = 0.0;                                     ///< simulated [s]
@@ -20,7 +20,7 @@ struct ScheduleEntry
 };
 
 /// Reads a list of {time, inclination, frequency, amplitude}.
-/// @param source named in errors @throws ParameterError
+/// @param source name in error messages @throws ParameterError
 std::vector<ScheduleEntry> scheduleFromYaml(const YAML::Node& list, const std::string& source);
 
 }  // namespace ratchet_sieve

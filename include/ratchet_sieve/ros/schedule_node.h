@@ -11,14 +11,14 @@
 namespace ratchet_sieve
 {
 
-/// Commands a sieve over its setpoint topics when its simulated time, as ~base of the sieve has it,
-/// comes to the entries of a schedule. Sets a paused sieve going once it is connected, so that no
-/// command is late. Plays from the beginning again where time goes back (~reset) or the sieve was away.
+/// Commands a sieve over its setpoint topics when its simulated time, taken from its ~base, reaches the
+/// entries of a schedule. Unpauses a paused sieve once it is connected, so that no command is late. Starts
+/// again from the beginning when time jumps back (~reset) or the sieve was restarted.
 class ScheduleNode
 {
 public:
-  /// Reads ~sieve (the name of the sieve's node, `sieve` in this node's namespace by default), ~schedule and
-  /// ~exit_at_end (false): whether to shut ROS down when the last entry was sent. Warns of setpoints that the
+  /// Reads ~sieve (the name of the sieve's node, default `sieve` in this node's namespace), ~schedule and
+  /// ~exit_at_end (default false: whether to shut ROS down after the last entry). Warns of setpoints that the
   /// sieve will refuse. @throws ParameterError
   explicit ScheduleNode(ros::NodeHandle private_node);
 

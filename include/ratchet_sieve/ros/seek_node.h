@@ -17,15 +17,15 @@
 namespace ratchet_sieve
 {
 
-/// A trial as it is published on ~trials.
+/// A trial as a message for ~trials.
 SeekTrial toMessage(const SeekReport& report);
 
-/// A trial as it is logged.
+/// A trial as a log line.
 std::string trialText(const SeekReport& report);
 
-/// Seeks the inclination at which a sieve separates best: subscribes to ~base, ~bins, ~statistics and ~scene
-/// of the sieve, commands its ~inclination_setpoint, and publishes each trial on ~trials (latched). What is
-/// decided, SeekControl decides; this connects it.
+/// Searches for the inclination at which a sieve separates best: subscribes to ~base, ~bins, ~statistics and
+/// ~scene of the sieve, commands its ~inclination_setpoint, and publishes each trial on ~trials (latched).
+/// SeekControl makes the decisions; this class connects it to ROS.
 class SeekNode
 {
 public:
@@ -43,9 +43,9 @@ private:
 
   SeekParameters parameters_;
   SeekControl control_;
-  boost::shared_ptr<ros::M_string> base_connection_;  ///< by which the base was received last
+  boost::shared_ptr<ros::M_string> base_connection_;  ///< the connection of the last message on ~base
   boost::shared_ptr<ros::M_string> bins_connection_;
-  std::optional<std::string> scene_hash_;  ///< of what no setpoint changes
+  std::optional<std::string> scene_hash_;  ///< hash of the keys that no setpoint changes
   std::optional<double> sent_;             ///< the last setpoint [rad]
   ros::SteadyTime sent_at_;
   ros::SteadyTime heard_at_;

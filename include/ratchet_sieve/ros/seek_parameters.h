@@ -12,21 +12,20 @@
 namespace ratchet_sieve
 {
 
-/// The parameters of sieve_seek. Names in comments are those of the parameters.
+/// The parameters of sieve_seek. The comments give their names.
 struct SeekParameters
 {
   std::string sieve;            ///< ~sieve: name of the sieve's node, resolved
-  std::optional<double> start;  ///< ~inclination/start [rad]; nothing: where the sieve is
+  std::optional<double> start;  ///< ~inclination/start [rad]; nothing: the sieve's present inclination
 
-  /// ~inclination/min, max (the sieve's limits unless set), step, resolution; ~confidence, ~most_trials,
-  /// ~drop
+  /// ~inclination/min, max (default: the sieve's limits), step, resolution; ~confidence, ~most_trials, ~drop
   SearchOptions search;
 
   TrialOptions trial;  ///< ~dwell, ~window, ~longest_window, ~least_disks
 };
 
-/// Reads the node's private parameters, and the limits of the sieve from that one's; warns of those that
-/// nobody knows. @throws ParameterError
+/// Reads the node's private parameters and the limits of the sieve from its parameters. Warns of unknown
+/// parameters. @throws ParameterError
 SeekParameters readSeekParameters(const ros::NodeHandle& private_node);
 
 }  // namespace ratchet_sieve

@@ -24,17 +24,17 @@
 namespace ratchet_sieve
 {
 
-/// The node: one loop in one thread, which serves callbacks, advances the run to the next instant at
+/// The simulation node: one loop in one thread. It serves callbacks, advances the run to the next time at
 /// which something is due, publishes, and keeps in step with wall time.
 class SieveNode
 {
 public:
   /// Reads the private parameters and pours the scene.
   /// @param stop set by a signal handler to end the run; outlives this
-  /// @throws SceneError, ParameterError, BagError, std::invalid_argument where disks overlap
+  /// @throws SceneError, ParameterError, BagError, std::invalid_argument if disks overlap
   SieveNode(const ros::NodeHandle& private_node, const std::atomic<bool>& stop);
 
-  /// Runs until the scene's end, a shutdown or `stop`; the bag is then closed.
+  /// Runs until the scene's end, a shutdown or `stop`, and closes the bag.
   /// @throws StallError, BagError
   void run();
 
@@ -66,7 +66,7 @@ private:
   Pacer pacer_;
   SpeedWatch speed_;
   ClockPublisher clock_;
-  std::optional<tf2_ros::StaticTransformBroadcaster> own_world_;  ///< where the sieve has a world of its own
+  std::optional<tf2_ros::StaticTransformBroadcaster> own_world_;  ///< if the sieve has its own world frame
   TransformPublisher transforms_;
   TopicPublisher topics_;
   Display display_;

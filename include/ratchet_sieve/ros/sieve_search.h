@@ -6,19 +6,19 @@
 namespace ratchet_sieve
 {
 
-/// Where no ~sieve says another: the sieve in the namespace of the node that looks for it.
+/// Default of ~sieve: the sieve in the namespace of the node.
 constexpr const char* DEFAULT_SIEVE = "sieve";
 
-/// The name of a sieve whose topics the master knows, live or played from a bag: that of the node which
-/// published the one topic of type SceneDescription. Of several, the first in the order of the alphabet, with
-/// a warning; nothing where there is none.
+/// The name of a sieve, live or played from a bag: the node that publishes a topic of type SceneDescription.
+/// If there are several, the first in alphabetical order, with a warning; nothing if there is none.
 std::optional<std::string> findSieve();
 
-/// What to say where the scene of a sieve does not come: which sieves there are instead.
+/// The text of a warning that the scene of a sieve is not received; lists the other sieves.
 /// @param sieve name of its node; empty: any
 std::string missingSieveText(const std::string& sieve);
 
-/// The node that draws a sieve, of those that publish ~markers and ~cloud; the one named is preferred.
+/// A node that draws a sieve: one that publishes ~markers and ~cloud. The preferred one is returned if it
+/// does.
 std::optional<std::string> findDisplay(const std::string& preferred);
 
 }  // namespace ratchet_sieve

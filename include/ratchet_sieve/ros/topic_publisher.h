@@ -14,15 +14,15 @@
 namespace ratchet_sieve
 {
 
-/// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~commands and, latched, ~scene; the base
-/// on /tf as well, with a transform at the stamp of every message of the disks. Converts nothing for a topic
-/// without subscribers. A new subscriber gets the present state at once, also while the run is paused.
+/// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~commands and ~scene (latched). The base is
+/// also published on /tf, with a transform at the stamp of every message of the disks. Topics without
+/// subscribers are skipped. A new subscriber gets the present state at once, also in a pause.
 class TopicPublisher : public FrameSink
 {
 public:
-  /// @param current gives the run, also after a reset
+  /// @param current returns the present run, also after a reset
   /// @param frame_id of the messages
-  /// @param clock is brought to the stamp of every message; outlives this, as transforms do
+  /// @param clock is advanced to the stamp of every message; clock and transforms outlive this
   TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
                  const std::string& frame_id, ClockPublisher& clock, TransformPublisher& transforms);
 

@@ -21,18 +21,18 @@ namespace ratchet_sieve
 std::vector<geometry_msgs::TransformStamped> baseTransforms(const BaseFrame& frame,
                                                             const FrameNames& names = FrameNames());
 
-/// The static transform from the frame that all sieves share to the sieve's own.
-/// @param origin of the latter in the former: x, y, z [m]
+/// The static transform from the shared world frame to the sieve's own.
+/// @param origin of the sieve's frame in the shared one: x, y, z [m]
 geometry_msgs::TransformStamped ownWorldTransform(const std::array<double, 3>& origin,
                                                   const FrameNames& names);
 
-/// Broadcasts the base's transforms on /tf, each stamp once (tf2 ignores repeated ones, with a warning), and
-/// only while somebody subscribes. A new subscriber gets the last ones at once, also while the run is paused.
+/// Broadcasts the base's transforms on /tf while there are subscribers, each stamp once: tf2 ignores repeated
+/// stamps with a warning. A new subscriber gets the last transforms at once, also in a pause.
 class TransformPublisher
 {
 public:
-  /// @param clock is brought to the stamp of what is published; outlives this. Null: another node is the
-  /// clock
+  /// @param clock is advanced to the stamp of each transform; outlives this. Null: another node publishes
+  /// /clock
   explicit TransformPublisher(ros::NodeHandle node, ClockPublisher* clock = nullptr,
                               const FrameNames& names = FrameNames());
   TransformPublisher(const TransformPublisher&) = delete;
@@ -40,7 +40,7 @@ public:
 
   void publish(const BaseFrame& frame);
 
-  /// From now on.
+  /// Sets the frame names for later transforms.
   void setNames(const FrameNames& names) { names_ = names; }
 
 private:
@@ -50,10 +50,11 @@ private:
   ClockPublisher* clock_;
   FrameNames names_;
   std::optional<BaseFrame> last_;
-  int reached_ = 0;  ///< subscribers at the last broadcast, whether their connection was reported yet or not
+  int reached_ = 0;    ///< subscribers at the last broadcast, including connections not yet reported
   int connected_ = 0;  ///< subscribers whose connection was reported
   tf2_ros::TransformBroadcaster broadcaster_;
-  ros::Publisher subscriptions_;  ///< of the same topic: knows who subscribes, which the broadcaster hides
+  ros::Publisher
+      subscriptions_;  ///< the same topic, to observe its subscribers, which the broadcaster does not report
 };
 
 }  // namespace ratchet_sieve

@@ -7,15 +7,15 @@
 namespace ratchet_sieve
 {
 
-/// The scene as YAML with every key written out, doubles so that they read back bit for bit.
+/// The scene as YAML with every key; doubles are written so that they read back bit for bit.
 std::string canonicalYaml(const SceneDefinition& scene);
 
-/// 16 hexadecimal digits (FNV-1a, 64 bits) over all that decides the disks' motion: every key but
-/// `seed`, `duration` and `settle`.
+/// 16 hexadecimal digits (FNV-1a, 64 bits) over every key that decides the disks' motion: all but `seed`,
+/// `duration`, `settle` and the keys that decide when a run may end.
 std::string sceneHash(const SceneDefinition& scene);
 
-/// 16 hexadecimal digits over every key, those that sceneHash() leaves out as well: the same for the same run
-/// alone.
+/// 16 hexadecimal digits over every key, including those that sceneHash() leaves out: only identical runs
+/// have the same.
 std::string runHash(const SceneDefinition& scene);
 
 }  // namespace ratchet_sieve

@@ -10,12 +10,11 @@
 namespace ratchet_sieve
 {
 
-/// A place in a scene's YAML tree: the node, and what an error has to say about where it is.
+/// A node of a scene's YAML tree, with its position for error lines.
 class Entry
 {
 public:
-  /// @param source a file, or a parameter, as an error names it @param name of the whole, for an error that
-  /// has no key
+  /// @param source a file or parameter, named in errors @param name of the root, for errors without a key
   Entry(const YAML::Node& node, std::string source, std::string name = "scene")
       : node_(node), source_(std::move(source)), name_(std::move(name))
   {
@@ -24,20 +23,20 @@ public:
   const YAML::Node& node() const { return node_; }
   const std::string& key() const { return key_; }
 
-  /// Whether a map has the key. @pre keys() was asked for
+  /// Whether a map has the key. @pre keys() was called
   bool has(const std::string& name) const;
 
   /// The entry of a map. @pre has(name)
   Entry at(const std::string& name) const;
 
-  /// The entries of a list, in order. @throws SceneError if it is none
+  /// The entries of a list, in order. @throws SceneError if it is not a list
   std::vector<Entry> list() const;
 
-  /// The keys of a map, in order. @throws SceneError if it is none, or if a key stands there twice
+  /// The keys of a map, in order. @throws SceneError if it is not a map, or if a key is given twice
   std::vector<std::string> keys() const;
 
-  /// The keys of a map. @throws SceneError as keys(), or if a key is not among `known` (naming the nearest
-  /// known one), or if one of `required` is missing
+  /// Checks the keys of a map. @throws SceneError as keys(), or if a key is not in `known` (the error
+  /// suggests the nearest one), or if one of `required` is missing
   void requireKeys(const std::set<std::string>& known, const std::set<std::string>& required) const;
 
   /// "FILE:LINE: KEY = VALUE: ALLOWED". @throws SceneError always
@@ -57,7 +56,7 @@ private:
   YAML::Node node_;
   std::string source_;
   std::string name_;
-  std::string key_;  ///< dotted path from the root, whose own is empty
+  std::string key_;  ///< dotted path from the root; empty at the root
   YAML::Mark mark_ = YAML::Mark::null_mark();
 };
 

@@ -8,12 +8,10 @@
 namespace ratchet_sieve
 {
 
-/// What of a legal scene can hardly be meant, such as lengths in mm where metres are asked for: a line for
-/// each, with the key, its value, the figure that makes it implausible and, where one is near, what was
-/// probably meant. Empty for a scene that could be built.
+/// Implausible values of a valid scene, such as lengths in mm instead of m: a line for each, with the key,
+/// its value, the reason and, if there is one, a suggested value. Empty for a scene that could be built.
 ///
-/// Figures are ratios within the scene where there are such, so that a machine of another size is as
-/// plausible.
+/// Where possible, limits are ratios within the scene, so that they hold for machines of any size.
 /// @param scene as it was read: every count is set
 std::vector<std::string> implausibilities(const SceneDefinition& scene);
 

@@ -6,8 +6,8 @@
 namespace ratchet_sieve
 {
 
-/// Why a file cannot be opened for reading: "no such file", "is a directory", or what the system says;
-/// nothing where it can.
+/// Why a file cannot be opened for reading: "no such file", "is a directory" or the system's message; nothing
+/// if it can.
 std::optional<std::string> whyUnreadable(const std::string& path);
 
 }  // namespace ratchet_sieve

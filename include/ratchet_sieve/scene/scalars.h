@@ -7,12 +7,12 @@
 #include "ratchet_sieve/scene/entry.h"
 #include "ratchet_sieve/scene/range.h"
 
-/// One value each out of an entry, strictly: a number is no text, a truth value no number, and an
-/// integer has no fraction.
+/// Reads single values strictly: text is not a number, a number is not a truth value, and an integer has no
+/// fraction.
 namespace ratchet_sieve
 {
 
-/// All throw SceneError, naming the value and what is allowed.
+/// All throw SceneError, which names the value and what is allowed.
 void readScalar(const Entry& entry, const Range& range, double& value);
 void readScalar(const Entry& entry, const Range& range, int& value);
 void readScalar(const Entry& entry, const Range& range, std::uint64_t& value);
@@ -21,6 +21,23 @@ void readScalar(const Entry& entry, const Range& range, std::string& value);
 void readScalar(const Entry& entry, const Range& range, Boundary& value);
 void readScalar(const Entry& entry, const Range& range, CollapseAction& value);
 void readScalar(const Entry& entry, const Range& range, Method& value);
+
+/// What a reader above accepts.
+struct LegalValues
+{
+  const char* type;    ///< number, integer, boolean, name or choice
+  std::string values;  ///< such as "0 to 1000" or "stop or rebound"
+};
+
+/// The argument is given for its type alone.
+LegalValues legalValues(const Range& range, double);
+LegalValues legalValues(const Range& range, int);
+LegalValues legalValues(const Range& range, std::uint64_t);
+LegalValues legalValues(const Range& range, bool);
+LegalValues legalValues(const Range& range, const std::string&);
+LegalValues legalValues(const Range& range, Boundary);
+LegalValues legalValues(const Range& range, CollapseAction);
+LegalValues legalValues(const Range& range, Method);
 
 /// The text that the readers above take back to the same value, bit for bit.
 std::string scalarText(double value);

@@ -11,18 +11,17 @@
 namespace ratchet_sieve
 {
 
-/// A scene that cannot be: one line that names file, line (where there is one), key, value and
-/// what is allowed.
+/// An invalid scene: one line with file, line (if there is one), key, value and what is allowed.
 struct SceneError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// A validated scene and what its author should know about it.
+/// A validated scene and its warnings.
 struct Scene
 {
   SceneDefinition definition;         ///< resolved: every count is set, a density is split up
-  std::vector<std::string> warnings;  ///< keys that are given in vain, and implausibilities()
+  std::vector<std::string> warnings;  ///< ignored keys, and implausibilities()
 };
 
 /// Reads a scene from a file.
@@ -30,8 +29,7 @@ struct Scene
 /// @throws SceneError
 Scene loadSceneFile(const std::string& path, const std::vector<std::string>& overrides = {});
 
-/// Reads a scene from a YAML tree, wherever it came from: the one way in for files, the parameter
-/// server and bags.
+/// Reads a scene from a YAML tree. Files, the parameter server and bags are all read through this function.
 /// @param source named in errors: a path, or "parameter /sieve/scene"
 /// @throws SceneError
 Scene sceneFromYaml(const YAML::Node& root, const std::string& source);
@@ -39,12 +37,13 @@ Scene sceneFromYaml(const YAML::Node& root, const std::string& source);
 /// Reads a scene from YAML text, as a recorded SceneFrame carries it. @throws SceneError
 Scene sceneFromText(const std::string& text, const std::string& source);
 
-/// The text of a file that holds YAML; of one larger than any scene only so much that copyableYaml() refuses
-/// it. @throws SceneError
+/// The text of a YAML file. A file larger than any scene is cut at a length that copyableYaml() refuses.
+/// @throws SceneError
 std::string readYamlText(const std::string& path);
 
-/// The tree of a YAML text, of limited size and depth and without aliases, so that YAML::Clone() comes to an
-/// end. @param source named in errors @throws SceneError
+/// The tree of a YAML text, with limited size and depth and without aliases, so that YAML::Clone()
+/// terminates.
+/// @param source named in errors @throws SceneError
 YAML::Node copyableYaml(const std::string& text, const std::string& source);
 
 /// The keys of `accuracy` that decide when a run ends.

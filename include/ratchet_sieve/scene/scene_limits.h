@@ -3,7 +3,7 @@
 namespace ratchet_sieve
 {
 
-/// The longest duration of a scene, to which parameters are held as well [s].
+/// Longest duration of a scene, and of durations that are ROS parameters [s].
 constexpr double LONGEST_DURATION = 1e9;
 
 }  // namespace ratchet_sieve

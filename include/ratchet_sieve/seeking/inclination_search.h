@@ -8,67 +8,67 @@
 namespace ratchet_sieve
 {
 
-/// Where and how finely the best inclination is sought.
+/// Range and step sizes of the search for the best inclination.
 struct SearchOptions
 {
-  double min = -0.5;         ///< least inclination tried [rad]
-  double max = 0.5;          ///< greatest inclination tried [rad]
+  double min = -0.5;         ///< smallest inclination tried [rad]
+  double max = 0.5;          ///< largest inclination tried [rad]
   double step = 0.1;         ///< first step [rad]
-  double resolution = 0.02;  ///< steps are no smaller [rad]
-  double confidence = 1.5;   ///< standard errors by which one inclination has to be better at once
-  unsigned most_trials = 3;  ///< at one inclination, as long as it is not surely better or worse
-  double drop = 0.15;        ///< of Q below that of the best: seek again
+  double resolution = 0.02;  ///< smallest step [rad]
+  double confidence = 1.5;   ///< standard errors by which an inclination must be better
+  unsigned most_trials = 3;  ///< at one inclination while the comparison is undecided
+  double drop = 0.15;        ///< decrease of Q below the best that restarts the search
 };
 
 enum class SearchPhase
 {
-  APPROACH,  ///< nearly all goes to one end: tilts against it
-  CLIMB,     ///< compares an inclination with its neighbours on both sides
-  HOLD       ///< the best is found, and watched
+  APPROACH,  ///< nearly all disks leave at one end: tilts against it
+  CLIMB,     ///< compares an inclination with both neighbours
+  HOLD       ///< the best inclination is found and monitored
 };
 
 const char* phaseName(SearchPhase phase);
 
-/// Decides which inclination of a sieve to try next, from what left it at those tried before.
+/// Decides which inclination of a sieve to try next, from the counts at the inclinations tried so far.
 ///
-/// Far from the best inclination Q says nothing: it is near 0 wherever both species leave by one end. But
-/// then it is known where to go: tilting an end up makes more go to the other. So it first tilts in
-/// steps, against where most goes, until the species part more than they go one way together. Then it
-/// compares the inclination with its neighbours one step away, moves to a better one, and halves the step
-/// when there is none, down to the resolution. Whatever left at one inclination is counted together, so that
-/// what is uncertain becomes surer with each trial there. It comes to an end whatever it is given: an
-/// inclination is tried at most `most_trials` times before it is held.
+/// Far from the best inclination, Q gives no direction: it is near 0 wherever both species leave at the same
+/// end. The counts do: raising an end sends more disks to the other end. So the search first tilts in steps
+/// against the end at which most disks leave, until the species separate more than they move together. Then
+/// it compares the inclination with its neighbours one step away and moves to a better one. If neither is
+/// better, it halves the step, down to the resolution. Counts at the same inclination are added, so that an
+/// undecided comparison becomes more certain with each trial. The search always ends, because an inclination
+/// is tried at most `most_trials` times before it is held.
 ///
-/// What it holds it goes on watching: two trials in a row that are worse than all those before by more
-/// than `drop`, and not by chance, and it seeks again from there.
+/// The held inclination is monitored. The search restarts there if two trials in a row are worse than all
+/// earlier ones by more than `drop`, and significantly so.
 class InclinationSearch
 {
 public:
-  /// @param start the inclination to begin at; taken into the range if it is not there [rad]
+  /// @param start first inclination, clamped to the range [rad]
   InclinationSearch(const SearchOptions& options, double start);
 
-  /// The inclination to try, again and again: in [min, max] [rad].
+  /// The inclination of the next trial, in [min, max] [rad]. It may be the same as before.
   double next() const { return next_; }
 
-  /// What left at next().
+  /// Takes the counts of a trial at next().
   void take(const std::vector<SpeciesBins>& bins);
 
-  /// Forgets all that left: the sieve is no longer the same. Seeks again from next().
+  /// Forgets all counts and restarts the search at next(), because the sieve has changed.
   void restart();
 
-  /// How often it began to seek again, for whatever reason.
+  /// Number of restarts, for any reason.
   unsigned restarts() const { return restarts_; }
 
   SearchPhase phase() const { return phase_; }
 
-  /// The best inclination so far: while it holds, the one held [rad].
+  /// The best inclination so far; in the phase HOLD, the held one [rad].
   double best() const { return centre_; }
 
-  /// Of all that left at best().
+  /// The score of all counts at best().
   Score bestScore() const;
 
 private:
-  /// All trials at one inclination.
+  /// The sum of all trials at one inclination.
   struct Point
   {
     double inclination = 0.0;
@@ -95,8 +95,8 @@ private:
   double next_;
   double centre_;
   double step_;
-  double direction_ = 0.0;  ///< of the last step of the approach: 1 up, -1 down, 0 before it
-  unsigned drops_ = 0;      ///< trials in a row that were worse than what is held
+  double direction_ = 0.0;  ///< of the last step of the phase APPROACH: 1 up, -1 down, 0 before it
+  unsigned drops_ = 0;      ///< number of consecutive trials worse than the held inclination
   unsigned restarts_ = 0;
   std::vector<Point> points_;
 };

@@ -8,7 +8,7 @@
 namespace ratchet_sieve
 {
 
-/// A trial that is over, and what was decided upon it.
+/// A completed trial and the resulting decision.
 struct SeekReport
 {
   unsigned trial = 0;  ///< from 1 on
@@ -16,41 +16,42 @@ struct SeekReport
   Separation separation;
   Score score;        ///< of this trial
   double best = 0.0;  ///< the best inclination known after it [rad]
-  Score best_score;   ///< of all that left there
+  Score best_score;   ///< of all counts at `best`
   SearchPhase next_phase = SearchPhase::APPROACH;
   double next = 0.0;  ///< the inclination tried next [rad]
 };
 
-/// Seeks the inclination at which a sieve separates best, while it runs: takes its frames, says how its
-/// base is to be commanded. Knows nothing of topics, and of no time but that in the frames.
+/// Searches for the inclination at which a running sieve separates best: takes its frames and returns the
+/// setpoint. Independent of topics; the only times it uses are those in the frames.
 class SeekControl
 {
 public:
-  /// @param start where to begin [rad]; nothing: where the sieve is
+  /// @param start first inclination [rad]; nothing: the sieve's present one
   SeekControl(const SearchOptions& search, const TrialOptions& trial, std::optional<double> start);
 
-  /// @return a report, where the frame ended a trial
+  /// @return a report if the frame ended a trial
   std::optional<SeekReport> take(const BaseFrame& frame);
   std::optional<SeekReport> take(const BinFrame& frame);
   void take(const StatisticsFrame& frame);
 
-  /// Begins the trial again: the sieve was away, or is another one of the same kind.
+  /// Restarts the trial: the sieve was restarted, or replaced by an identical one.
   void interrupt() { trial_.interrupt(); }
 
-  /// How often that was so, or the sieve's time or counts went back.
+  /// Number of restarted trials, including those after a jump back of time or counts.
   unsigned interruptions() const { return trial_.interruptions(); }
 
-  /// Forgets all that was measured, and seeks again from where it is: the sieve is of another kind. It does
-  /// so of itself where somebody changed the frequency or the amplitude, and where Q drops.
+  /// Forgets all measurements and restarts the search at the present inclination: the sieve has changed.
+  /// Called automatically if the frequency or the amplitude was changed. The search also restarts if Q
+  /// decreases.
   void restart();
 
-  /// How often it did.
+  /// Number of restarts of the search.
   unsigned restarts() const;
 
-  /// The inclination that the sieve has to be commanded to [rad]; nothing before its frames came.
+  /// The inclination to command [rad]; nothing before the first frames.
   std::optional<double> setpoint() const;
 
-  /// Whether the sieve, as last received, is commanded to it.
+  /// Whether the sieve's last frame shows this setpoint.
   bool followed() const { return trial_.followed(); }
 
 private:
@@ -60,7 +61,7 @@ private:
   std::optional<double> start_;
   std::optional<InclinationSearch> search_;
   SeparationTrial trial_;
-  std::optional<DriveState> drive_;  ///< as the measurements were taken with it
+  std::optional<DriveState> drive_;  ///< the drive during the measurements
   unsigned trials_ = 0;
 };
 

@@ -9,42 +9,42 @@
 namespace ratchet_sieve
 {
 
-/// How long an inclination is tried. All times are simulated.
+/// Durations and counts of a trial. All times are simulated.
 struct TrialOptions
 {
-  double dwell = 4.0;               ///< from when theta is reached until the window begins [s]
-  double window = 4.0;              ///< at least [s]
-  double longest_window = 60.0;     ///< a window ends by then though a species is kept back [s]
-  std::uint64_t least_disks = 100;  ///< of each species, that have to leave within the window
+  double dwell = 4.0;               ///< wait after theta is reached, before the window begins [s]
+  double window = 4.0;              ///< shortest window [s]
+  double longest_window = 60.0;     ///< the window ends then even if a species has too few disks [s]
+  std::uint64_t least_disks = 100;  ///< of each species that must leave within the window
 };
 
-/// Waits until a sieve stands at an inclination, lets what was on its base leave, and then counts what leaves
-/// within a window. Goes by the times in the frames, whenever they come: frames of the base and of the
-/// bins may overtake each other, and some may be lost. A sieve whose time or counts go back, or whose base
-/// is moved by somebody else, is awaited again.
+/// One trial of an inclination. Waits until the sieve has reached it, lets the disks on the base leave during
+/// `dwell`, and then counts those that leave within a window. Uses the times in the frames only: frames of
+/// base and bins may arrive in any order, and some may be lost. The trial restarts if the sieve's time or
+/// counts go back, or if its base is moved by another node.
 class SeparationTrial
 {
 public:
   explicit SeparationTrial(const TrialOptions& options) : options_(options) {}
 
-  /// Tries an inclination [rad]; where the sieve was tried at it just before, from the end of that
-  /// window on.
+  /// Begins a trial at an inclination [rad]. If the previous trial had the same inclination, the new window
+  /// begins at the end of the previous one.
   void begin(double inclination);
 
   void take(const BaseFrame& frame);
   void take(const BinFrame& frame);
   void take(const StatisticsFrame& frame);
 
-  /// What left, once the window is over; nothing before, and after begin().
+  /// The result once the window is over; nothing before, and after begin().
   const std::optional<Separation>& result() const { return result_; }
 
-  /// Forgets the frames so far: the sieve is another one, or was away.
+  /// Forgets the frames so far: the sieve was restarted or replaced.
   void interrupt();
 
-  /// How often that was so, or time or counts went back.
+  /// Number of interruptions, including jumps back of time or counts.
   unsigned interruptions() const { return interruptions_; }
 
-  /// Whether the base, as last received, is commanded to the inclination.
+  /// Whether the last frame of the base shows this inclination as commanded.
   bool followed() const { return followed_; }
 
 private:
@@ -58,14 +58,14 @@ private:
   double inclination_ = 0.0;
   bool followed_ = false;
   unsigned interruptions_ = 0;
-  std::optional<double> base_time_;           ///< of the last frame of the base
-  std::optional<double> standing_since_;      ///< of the base's frames
-  std::optional<BinFrame> last_;              ///< the bins as last received
-  std::optional<BinFrame> waiting_;           ///< bins for which the base is not known yet
-  std::optional<BinFrame> first_;             ///< the bins at the window's begin
-  std::optional<BinFrame> end_;               ///< the bins at the end of the window before
+  std::optional<double> base_time_;           ///< time of the base's last frame
+  std::optional<double> standing_since_;      ///< time since which the base is at the inclination
+  std::optional<BinFrame> last_;              ///< the last frame of the bins
+  std::optional<BinFrame> waiting_;           ///< bins that wait for a frame of the base
+  std::optional<BinFrame> first_;             ///< the bins at the begin of the window
+  std::optional<BinFrame> end_;               ///< the bins at the end of the previous window
   std::vector<TemperatureSum> temperatures_;  ///< per species, over frames
-  double paces_ = 0.0;                        ///< sum of wall over simulated time, as ~statistics has it
+  double paces_ = 0.0;                        ///< sum of wall over simulated time, from ~statistics
   unsigned paced_ = 0;
   std::optional<Separation> result_;
 };

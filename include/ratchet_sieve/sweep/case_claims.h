@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,12 +12,14 @@
 namespace ratchet_sieve
 {
 
-/// A file that this process holds locked as long as it lives: the kernel lets go of it, whatever ends the
-/// process.
+/// A file that this process locks during its lifetime. The kernel releases the lock even if the process is
+/// killed.
 class OwnerLock
 {
 public:
-  /// @param directory that is there @throws DatabaseError
+  static constexpr const char* EXTENSION = ".lock";
+
+  /// @param directory created if missing @throws DatabaseError
   explicit OwnerLock(const std::string& directory);
   ~OwnerLock();
   OwnerLock(const OwnerLock&) = delete;
@@ -23,8 +27,11 @@ public:
 
   const std::string& name() const { return name_; }
 
-  /// Whether nobody holds the lock of that name any more.
+  /// Whether no process holds the lock of that name, or the name is not a lock's.
   static bool isGone(const std::string& directory, const std::string& name);
+
+  /// Removes the lock files that no process holds.
+  static void removeGone(const std::string& directory);
 
 private:
   std::string directory_;
@@ -32,17 +39,18 @@ private:
   int descriptor_ = -1;
 };
 
-/// Cases of a sweep that processes which live are at. @param directory of the locks
+/// Number of cases of a sweep that live processes are running. @param directory of the locks
 std::uint64_t casesUnderWay(const Database& database, const SweepPlan& plan, const std::string& directory);
 
-/// Which cases this process runs. Others on the same results file leave them alone, as long as it lives.
+/// The cases that this process runs. Other processes with the same results file skip them while this process
+/// lives.
 class CaseClaims
 {
 public:
-  /// @pre `plan` lives as long
+  /// @pre `plan` outlives this
   CaseClaims(Database& database, const SweepPlan& plan, const std::string& directory);
 
-  /// Claims up to `most` cases that nobody runs and of which there is no result; their positions.
+  /// Claims up to `most` cases that have no result and are not claimed; returns their positions.
   /// @pre a transaction is open
   std::vector<std::uint64_t> take(std::size_t most);
 
@@ -50,8 +58,18 @@ public:
   void release(const std::string& run_hash);
   void releaseAll();
 
-  /// Frees what processes have claimed that are no more. @return how many cases others are at
+  /// Releases the claims of dead processes. @return number of cases that other processes are running
   std::uint64_t freeAbandoned();
+
+  /// Reports once for each other process with claimed cases of this sweep that this process waits for it.
+  void sayOthers(const std::function<void(const std::string&)>& say);
+
+  /// Checks that no case is claimed any more. @pre every claimed case was run and released by its hash
+  /// @throws DatabaseError if a case's hash differs from the one in the file
+  void requireNone() const;
+
+  /// The name of this process's lock.
+  const std::string& owner() const { return lock_.name(); }
 
 private:
   std::vector<std::uint64_t> search(std::size_t most);
@@ -60,7 +78,8 @@ private:
   std::string directory_;
   OwnerLock lock_;
   const SweepPlan& plan_;
-  std::int64_t cursor_ = 0;  ///< before it all is claimed or done, but for what was freed since
+  std::int64_t cursor_ = 0;  ///< all positions below are claimed or done, except those released since
+  std::set<std::string> said_;
   Statement select_;
   Statement claim_;
   Statement release_;

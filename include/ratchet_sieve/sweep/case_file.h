@@ -11,25 +11,25 @@
 namespace ratchet_sieve
 {
 
-/// A file of cases or of results that is none, is damaged, or is of another version of the program.
+/// A file that is not a case or result file, or is damaged, or is of another version of the program.
 struct CaseFileError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes cases into a file that another machine can run without the sweep: their whole scenes. @throws
-/// OutputError
+/// Writes cases with their complete scenes to a file, which another machine can run without the sweep file.
+/// @throws OutputError
 void writeCaseFile(const std::string& path, const std::vector<SweepCase>& cases);
 
-/// Runs the cases of such a file one after the other, and writes what came of them beside it, whole or not at
-/// all. Does nothing where the results are there already.
-/// @return whether it came to its end @throws CaseFileError, OutputError
+/// Runs the cases of a case file one after the other, and writes all results to a file beside it, completely
+/// or not at all. Does nothing if the results already exist.
+/// @return whether all cases were run @throws CaseFileError, OutputError
 bool runCaseFile(const std::string& path, const std::function<bool()>& stop_wanted);
 
-/// Where runCaseFile() writes.
+/// The result file of runCaseFile().
 std::string resultPath(const std::string& case_path);
 
-/// @throws CaseFileError
+/// The results in a result file, without `scene_hash`, `seed` and `values`. @throws CaseFileError
 std::vector<CaseResult> readResultFile(const std::string& path);
 
 }  // namespace ratchet_sieve

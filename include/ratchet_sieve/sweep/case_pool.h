@@ -17,11 +17,11 @@
 namespace ratchet_sieve
 {
 
-/// What a worker gives back of a case.
+/// A case that a worker thread has finished.
 struct FinishedCase
 {
   std::uint64_t position = 0;
-  std::optional<CaseResult> result;  ///< nothing where it was stopped
+  std::optional<CaseResult> result;  ///< nothing if it was stopped
 };
 
 /// Threads that run cases: positions go in, results come out.
@@ -30,22 +30,23 @@ class CasePool
 public:
   using Work = std::function<std::optional<CaseResult>(std::uint64_t position)>;
 
-  /// @param make_work called once by each thread for what it does. What either throws, take() throws
+  /// @param make_work called once by each thread; returns the thread's work function. Exceptions of both are
+  /// rethrown by take()
   CasePool(std::size_t threads, const std::function<Work()>& make_work);
 
-  /// Waits for the cases under way; those that no thread has begun are dropped.
+  /// Waits for the cases under way; discards those not yet begun.
   ~CasePool();
   CasePool(const CasePool&) = delete;
   CasePool& operator=(const CasePool&) = delete;
 
   void give(const std::vector<std::uint64_t>& positions);
 
-  /// What is finished by now. Waits for `pause` at least, for more to be taken at once, but not while a
-  /// thread has nothing to do; and for `patience` at most where nothing is finished.
+  /// Takes all finished cases. Waits for at least `pause`, so that several can be taken together, unless a
+  /// thread is idle; waits for at most `patience` if none is finished.
   std::vector<FinishedCase> take(std::chrono::milliseconds pause, std::chrono::milliseconds patience);
 
-  std::size_t waiting() const;     ///< given, and not begun
-  std::size_t unfinished() const;  ///< given, and not taken
+  std::size_t waiting() const;     ///< added and not begun
+  std::size_t unfinished() const;  ///< added and not taken
 
 private:
   void serve(const std::function<Work()>& make_work);

@@ -11,25 +11,30 @@
 namespace ratchet_sieve
 {
 
-/// What became of one case.
+/// The swept keys of a case and their values as YAML text; nothing for a key that its scene does not have.
+using CaseValues = std::vector<std::pair<std::string, std::optional<std::string>>>;
+
+/// The result of one case.
 struct CaseResult
 {
   std::string run_hash;    ///< runHash() of its scene
   std::string scene_hash;  ///< sceneHash() of it
   std::uint64_t seed = 0;
-  std::vector<std::optional<std::string>> values;  ///< of the swept keys, YAML text
-  std::string error;                               ///< why it failed; empty: it is done
-  double wall_time = 0.0;                          ///< of the process that finished it [s]
+  CaseValues values;
+  std::string error;       ///< reason of a failure; empty on success
+  double wall_time = 0.0;  ///< of the process that completed it [s]
   std::string host;
-  nlohmann::ordered_json summary;  ///< summarize(); null where the run came to none
+  nlohmann::ordered_json summary;  ///< summarize(); null on failure
 };
 
-/// A column for each scalar of a summary: its key, `collisions.apex` for one within another,
-/// `base_impulse.x`, and for a species `mean_vx.A`. Without those that the table has for every case, and
-/// without its texts. Of more than MOST_COLUMN_SPECIES species, and of those whose names differ in their case
-/// alone, there are none.
-std::vector<std::pair<std::string, nlohmann::ordered_json>> summaryColumns(
-    const nlohmann::ordered_json& summary);
+/// One column for each scalar of a summary. Its name is the key; nested keys are joined, as in
+/// `collisions.apex` or `base_impulse.x`; values of a species have its name, as in `mean_vx.A`. In addition
+/// `counted`, the number of disks that left; `warnings`, their number, and `warning_text`. Not included:
+/// columns that the table has for every case, other texts, and species columns if there are more than
+/// MOST_COLUMN_SPECIES species. If names differ only in case, all but the first in byte order get a number:
+/// `mean_vx.a (2)`.
+using SummaryColumns = std::vector<std::pair<std::string, nlohmann::ordered_json>>;
+SummaryColumns summaryColumns(const nlohmann::ordered_json& summary);
 
 constexpr std::size_t MOST_COLUMN_SPECIES = 32;
 

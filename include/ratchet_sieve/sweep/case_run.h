@@ -10,17 +10,17 @@
 namespace ratchet_sieve
 {
 
-/// How a case is run; each function may be empty.
+/// How a case is run. Each function may be empty.
 struct CaseRunOptions
 {
-  std::string checkpoint;             ///< taken up if it is there, written now and then; empty: none
-  double checkpoint_period = 60.0;    ///< of wall time [s]
-  std::function<bool()> stop_wanted;  ///< looked at several times a second
-  std::function<void(const std::string&)> warn;  ///< of what does not keep the case from its end
+  std::string checkpoint;  ///< checkpoint file: resumed if it exists, written periodically; empty: none
+  double checkpoint_period = 60.0;               ///< of wall time [s]
+  std::function<bool()> stop_wanted;             ///< polled several times a second
+  std::function<void(const std::string&)> warn;  ///< called for problems that do not end the case
 };
 
-/// Runs a case to its end, in this thread. Whatever goes wrong in it is its result.
-/// @return nothing where it was stopped; its checkpoint is then as far as it came
+/// Runs a case to its end in this thread. Errors become part of the result.
+/// @return nothing if it was stopped; its checkpoint then has its state
 std::optional<CaseResult> runCase(const SweepCase& sweep_case, const CaseRunOptions& options);
 
 /// The name of this machine.

@@ -11,20 +11,19 @@ struct sqlite3_stmt;
 namespace ratchet_sieve
 {
 
-/// A database that cannot be read or written; one line that names the file.
+/// A database that cannot be read or written. One line names the file.
 struct DatabaseError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// There is no room left for what was to be written: the disk is full, or a limit is reached. What was
-/// committed before is there.
+/// No space is left: the disk is full, or a size limit is reached. Earlier commits are intact.
 struct DatabaseFull : DatabaseError
 {
   using DatabaseError::DatabaseError;
 };
 
-/// Another process has it, for longer than one waits, or in a way that SQLite does not wait for.
+/// Another process holds the database longer than the timeout, or in a way for which SQLite does not wait.
 struct DatabaseBusy : DatabaseError
 {
   using DatabaseError::DatabaseError;
@@ -36,8 +35,8 @@ class Database
 public:
   enum class Access
   {
-    READ,   ///< of a file that is there
-    WRITE,  ///< of one that is there, or is made
+    READ,   ///< of an existing file, possibly in a read-only directory
+    WRITE,  ///< of an existing or a new file
   };
   /// @throws DatabaseError
   Database(const std::string& path, Access access);
@@ -47,21 +46,28 @@ public:
 
   const std::string& path() const { return path_; }
 
-  /// Runs SQL that gives no rows. @throws DatabaseError
+  /// Runs SQL that returns no rows. @throws DatabaseError
   void execute(const std::string& sql);
 
-  /// Rows that the last statement has changed.
+  /// Number of rows changed by the last statement.
   std::int64_t changes() const;
+
+  /// @throws DatabaseError if the path now names another file or none
+  void requireInPlace() const;
 
   [[noreturn]] void fail() const;
   sqlite3* handle() const { return connection_; }
 
 private:
+  void open(const std::string& name, int flags);
+  bool needsWritableDirectory() const;
+  void openUnchanging();
+
   std::string path_;
   sqlite3* connection_ = nullptr;
 };
 
-/// `"name"`, as SQL writes a column's name, whatever is in it.
+/// `"name"`: a quoted SQL identifier, for any text.
 std::string quotedName(const std::string& name);
 
 /// A prepared statement. Parameters are numbered from 1, columns from 0.
@@ -79,10 +85,10 @@ public:
   Statement& bind(int parameter, const std::string& value);
   Statement& bind(int parameter, std::nullptr_t);
 
-  /// Goes to the next row, if there is one. @throws DatabaseError
+  /// Advances to the next row. @return whether there is one @throws DatabaseError
   bool step();
 
-  /// Runs one that gives no rows, and makes it ready for other parameters. @throws DatabaseError
+  /// Runs a statement that returns no rows, and resets it for other parameters. @throws DatabaseError
   void run();
   void reset();
 
@@ -99,14 +105,17 @@ private:
   sqlite3_stmt* statement_ = nullptr;
 };
 
-/// All of it happens, or nothing: what is not committed is undone. Waits for other writers at its start.
+/// A transaction, rolled back unless it is committed. Waits for other writers at its start.
 class Transaction
 {
 public:
+  /// @throws DatabaseError
   explicit Transaction(Database& database);
   ~Transaction();
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
+
+  /// @throws DatabaseError, also if the file was replaced or removed
   void commit();
 
 private:

@@ -10,30 +10,30 @@
 namespace ratchet_sieve
 {
 
-/// An engine that cannot be started, or that comes back without results.
+/// An engine that cannot be started or returns no results.
 struct EngineError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// Starts `sieve_sweep case FILE` on other machines, by a program that is there for it.
+/// Runs `sieve_sweep case FILE` on other machines, through an external job launcher.
 class Engine
 {
 public:
   virtual ~Engine() = default;
 
-  /// @param directory that holds the files, of which the results come back into it
+  /// @param directory of the case files; the results are returned to it
   /// @throws EngineError
   virtual void start(const std::string& directory, const std::vector<std::string>& files) = 0;
 
-  /// Whether results may yet come.
+  /// Whether more results may arrive.
   virtual bool isRunning() = 0;
 
-  /// Ends it, and what it has started, soon.
+  /// Stops the engine and its jobs soon.
   virtual void stop() = 0;
 };
 
-/// A program that runs in the background, its output in a file. Ends with this object.
+/// A program that runs in the background with its output in a file. It is terminated with this object.
 class ChildProgram
 {
 public:
@@ -47,7 +47,7 @@ private:
   pid_t child_ = -1;
 };
 
-/// GNU parallel over ssh: files go to the hosts and come back by rsync; a job that fails is tried on another
+/// GNU parallel over ssh: files are copied to the hosts and back by rsync. A failed job is retried on another
 /// host.
 class ParallelEngine : public Engine
 {
@@ -64,7 +64,7 @@ private:
   ChildProgram child_;
 };
 
-/// An array of Slurm's: nodes and coordinator see the same directory and the same program.
+/// A Slurm job array: nodes and coordinator share the directory and the program.
 class SlurmEngine : public Engine
 {
 public:
@@ -79,7 +79,7 @@ private:
 
   std::string program_;
   std::vector<std::string> options_;
-  std::string job_;  ///< empty where none is under way
+  std::string job_;  ///< id of the job; empty if none is under way
   std::chrono::steady_clock::time_point next_;
 };
 

@@ -6,10 +6,10 @@
 namespace ratchet_sieve
 {
 
-/// Runs the cases of a sweep of which the file has no result by an engine: writes them into files, gathers
-/// the results as they come, and hands over again what is missing when the engine has ended. A case that ran
+/// Runs the cases of a sweep that have no result in the file, through an engine. Writes them to case files,
+/// stores the results as they arrive, and resubmits missing cases when the engine has ended. A case that ran
 /// twice counts once.
-/// @throws SceneError, DatabaseError, EngineError; what came back until then is in the file
+/// @throws SceneError, DatabaseError, EngineError; results received before are stored
 SweepOutcome runSweepOn(Engine& engine, const Sweep& sweep, const std::string& results,
                         const SweepRunOptions& options);
 

@@ -14,33 +14,34 @@
 namespace ratchet_sieve
 {
 
-/// The table `cases` of a results file: a row for each case that came to its end, in which version of the
-/// physics it may be. A case is known by runHash() and version().
+/// The table `cases` of a results file: one row per completed case, of any physics version. Its key is
+/// runHash() and version().
 class ResultStore
 {
 public:
-  /// @throws DatabaseError if it is no results file, or cannot be opened
+  /// @throws DatabaseError if the file is no results file or cannot be opened
   ResultStore(const std::string& path, Database::Access access);
 
   Database& database() { return database_; }
   const Database& database() const { return database_; }
 
-  /// Sees that there is a column for each of the keys. @throws DatabaseError
+  /// Adds a column for each key that has none. @throws DatabaseError
   void addColumns(const std::vector<std::string>& names);
 
   bool hasColumn(const std::string& name) const;
   std::vector<std::string> columnNames() const;
 
-  /// Adds a row, if there is none of this case yet. @param keys of `result.values` @pre a transaction is open
-  /// @throws DatabaseError
-  void record(const std::vector<std::string>& keys, const CaseResult& result);
+  /// Adds a row unless the case has one. Scalars of the summary without a column are stored in its JSON only.
+  /// @pre a transaction is open @return whether the row was added @throws DatabaseError
+  bool record(const CaseResult& result);
 
-  /// To be called where a transaction was undone: columns that it added are gone with it.
+  /// To be called after a rollback, which also removes the columns added in the transaction.
   void forgetColumns();
 
 private:
   void makeTables();
   void loadColumns();
+  SummaryColumns columnsOf(const CaseResult& result) const;
   Statement& insertion(const std::vector<std::string>& columns);
 
   Database database_;
@@ -48,7 +49,7 @@ private:
   std::map<std::string, std::unique_ptr<Statement>> insertions_;
 };
 
-/// Binds YAML text as what it is: an integer, a number or text; nothing as NULL.
+/// Binds YAML text as an integer, a number or text, according to its form; nothing as NULL.
 void bindValue(Statement& statement, int parameter, const std::optional<std::string>& value);
 
 }  // namespace ratchet_sieve

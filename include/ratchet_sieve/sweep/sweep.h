@@ -13,42 +13,42 @@ namespace ratchet_sieve
 struct SeedRange
 {
   std::uint64_t first = 0;
-  std::uint64_t count = 0;  ///< 0: the scene's own alone
+  std::uint64_t count = 0;  ///< 0: only the scene's own seed
 };
 
-/// Many runs of one scene: the product of a grid, of values side by side, of cases listed one by one, and of
-/// seeds. Nothing of the product is kept: its cases are worked out one by one.
+/// Many runs of one scene: the product of a grid, of lists stepped through together, of listed cases, and of
+/// seeds. The product is never stored; its cases are built one by one.
 class Sweep
 {
 public:
-  std::string source;             ///< the file that it was read from, for errors
+  std::string source;             ///< its file, for error messages
   std::string scene_text;         ///< YAML
-  std::string scene_source;       ///< where that is from, for errors
+  std::string scene_source;       ///< its file, for error messages
   std::vector<Assignment> fixed;  ///< set in every case
   std::vector<Axis> axes;         ///< the last one varies fastest
-  SeedRange seeds;                ///< vary faster still
+  SeedRange seeds;                ///< vary fastest of all
 
-  /// Settings, seeds aside.
+  /// Number of settings, without seeds.
   std::uint64_t points() const;
 
   std::uint64_t size() const { return points() * seedCount(); }
   std::uint64_t seedCount() const { return seeds.count > 0 ? seeds.count : 1; }
 
-  /// Every key that is swept, in the order of the file.
+  /// All swept keys, in the order of the file.
   std::vector<std::string> keys() const;
 
-  /// What a setting sets, beyond `fixed`. @pre point < points()
+  /// The assignments of a setting, without `fixed`. @pre point < points()
   std::vector<Assignment> point(std::uint64_t point) const;
 
-  /// 16 hexadecimal digits: the same for the same sweep of the same scene by the same version of the program.
+  /// 16 hexadecimal digits that identify the sweep, its scene and the version of the program.
   std::string fingerprint() const;
 };
 
-/// Most cases that a sweep may have.
+/// Largest number of cases in a sweep.
 constexpr std::uint64_t MOST_CASES = 1'000'000'000'000'000;
 
-/// Reads a sweep's file, and that of its scene, whose path is relative to it.
-/// @throws SceneError where it is no sweep; its cases are not looked at
+/// Reads a sweep file and its scene file, whose path is relative to the sweep file.
+/// @throws SceneError if the sweep is illegal; the cases are not checked
 Sweep loadSweep(const std::string& path);
 
 }  // namespace ratchet_sieve

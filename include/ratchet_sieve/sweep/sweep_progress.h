@@ -5,29 +5,32 @@
 #include <optional>
 #include <string>
 
+#include "ratchet_sieve/sweep/best_setting.h"
+
 namespace ratchet_sieve
 {
 
-/// How far a sweep is.
+/// The progress of a sweep.
 struct SweepProgress
 {
   std::uint64_t cases = 0;
   std::uint64_t done = 0;
   std::uint64_t failed = 0;
+  std::uint64_t warned = 0;  ///< successful, with a warning
   std::uint64_t running = 0;
-  std::uint64_t finished_here = 0;  ///< done or failed since this process began
-  double wall = 0.0;                ///< since then [s]
-  std::optional<double> best_quality;
+  std::uint64_t finished_here = 0;  ///< successful or failed since this process began
+  double wall = 0.0;                ///< wall time since then [s]
+  std::optional<SettingMean> best;  ///< so far
 };
 
-/// One line: done, running, failed, rate, time left, best Q so far.
+/// One line: done, running, failed, with warnings, rate, time left, the best mean Q so far.
 std::string sweepProgressText(const SweepProgress& progress);
 
 /// `0:07`, `1:02:03`.
 std::string durationText(double seconds);
 
-/// That line on standard error, where that is a terminal; else nothing. Redrawn ten times a second at most,
-/// wiped away at its end.
+/// The progress line on standard error, if that is a terminal. Redrawn at most ten times a second; erased at
+/// the end.
 class SweepProgressLine
 {
 public:
@@ -36,6 +39,7 @@ public:
   SweepProgressLine(const SweepProgressLine&) = delete;
   SweepProgressLine& operator=(const SweepProgressLine&) = delete;
 
+  bool isVisible() const { return visible_; }
   void show(const SweepProgress& progress);
 
 private:

@@ -1,29 +1,51 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
+#include <nlohmann/json.hpp>
+
+#include "ratchet_sieve/sweep/best_setting.h"
 #include "ratchet_sieve/sweep/sweep.h"
 
 namespace ratchet_sieve
 {
 
-/// How far a sweep is, by its results file alone, in a few lines. @throws DatabaseError
-std::string statusText(const Sweep& sweep, const std::string& results);
+/// The progress of a sweep according to its results file, in a few lines: completed cases of its present
+/// plan, warnings, the best setting, errors. @throws DatabaseError
+std::string statusText(const Sweep& sweep, const std::string& results, const BestCriteria& criteria = {});
 
-/// The results of a sweep's cases as CSV (RFC 4180), in the order of the sweep: swept keys, seed, status,
-/// error, what the summaries have as scalars, hashes, version, wall time and host. Numbers read back bit for
-/// bit; what is not defined is empty. @return how many rows @throws DatabaseError
+/// The text of a report, beside its table and pictures.
+struct SweepFindings
+{
+  BestCriteria criteria;
+  std::optional<SettingMean> best;
+  std::uint64_t warned = 0;        ///< cases with a warning
+  std::vector<std::string> lines;  ///< the best setting, warnings
+};
+
+/// @throws DatabaseError
+SweepFindings findingsOf(const Sweep& sweep, const std::string& results, const BestCriteria& criteria);
+
+/// Input of the report's plotting script: `lines`, `best` with its values of the swept keys, and the
+/// criteria.
+nlohmann::ordered_json findingsJson(const Sweep& sweep, const SweepFindings& findings);
+
+/// Writes the results of a sweep's cases as CSV (RFC 4180), in the order of the sweep: swept keys, seed,
+/// status, error, the scalars of the summaries, hashes, version, wall time and host. Numbers are read back
+/// bit for bit; undefined values are empty. @return number of rows @throws DatabaseError
 std::uint64_t exportCsv(const Sweep& sweep, const std::string& results, std::ostream& out);
 
-/// A line for each case: its number, what it sets, and whether there is a result of it. Each is seen to be
+/// Writes a line for each case: its number, its assignments, and whether it has a result. Checks that each is
 /// legal.
-/// @throws SceneError that names the first that is not
+/// @throws SceneError for the first illegal case
 void listCases(const Sweep& sweep, const std::string& results, std::ostream& out);
 
-/// How long all cases would take, by the first of them, of which a second at most is run: `about 3 days`, or
-/// why that is unknown.
+/// Estimated duration of all cases, measured by running the first for at most a second: `about 3 days`, or
+/// the reason why it is unknown.
 std::string estimateText(const Sweep& sweep, std::size_t threads);
 
 }  // namespace ratchet_sieve

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "ratchet_sieve/sweep/best_setting.h"
 #include "ratchet_sieve/sweep/result_store.h"
 #include "ratchet_sieve/sweep/sweep.h"
 #include "ratchet_sieve/sweep/sweep_plan.h"
@@ -13,40 +14,40 @@
 namespace ratchet_sieve
 {
 
-/// How a sweep is run; each function may be empty.
+/// How a sweep is run. Each function may be empty.
 struct SweepRunOptions
 {
-  std::size_t threads = 0;          ///< 0: as many as there are processors
-  double checkpoint_period = 60.0;  ///< of wall time [s]
-  std::size_t per_job = 0;    ///< cases that an engine runs in one job; 0: as many as make a thousand jobs
-  bool retry_failed = false;  ///< run those again that failed before
-  std::function<bool()> stop_wanted;  ///< looked at several times a second, by every thread
+  std::size_t threads = 0;            ///< 0: one per processor
+  double checkpoint_period = 60.0;    ///< of wall time [s]
+  std::size_t per_job = 0;            ///< cases per job of an engine; 0: so that there are at most 1000 jobs
+  bool retry_failed = false;          ///< run cases again that failed before
+  BestCriteria best;                  ///< criteria for the setting in the progress line
+  std::function<bool()> stop_wanted;  ///< polled by every thread several times a second
   std::function<void(const SweepProgress&)> progress;
-  std::function<void(const std::string&)> warn;  ///< called by any thread
+  std::function<void(const std::string&)> warn;  ///< may be called by any thread
 };
 
-/// How a sweep stands as this process leaves it.
+/// The state of a sweep when this process leaves it.
 struct SweepOutcome
 {
   SweepCounts counts;
   bool stopped = false;
 };
 
-/// Runs the cases of a sweep of which the file has no result, on threads of this process. Other processes may
-/// be at the same sweep: each case is run by one of them; what one leaves behind that is killed, another
-/// takes up. Checkpoints and locks stand in the directory RESULTS.d.
-/// @throws SceneError before any case is run, where one is illegal
-/// @throws DatabaseFull where no more results can be taken; those that were are there
+/// Runs the cases of a sweep that have no result in the file, on threads of this process. Several processes
+/// may run the same sweep: each case is run by one of them. The cases of a killed process are continued by
+/// another. Checkpoints and locks are in the directory RESULTS.d.
+/// @throws SceneError before any case is run if one is illegal
+/// @throws DatabaseFull if no more results can be stored; earlier results are intact
 SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const SweepRunOptions& options);
 
-/// The steps that every way of running a sweep begins and ends with. The plan is nothing where it was
-/// stopped.
+/// The common first and last steps of all ways to run a sweep. The plan is nothing if stopped.
 /// @param store is opened @throws SceneError, DatabaseError, OutputError
 std::optional<SweepPlan> prepareSweep(const Sweep& sweep, const std::string& results,
                                       std::optional<ResultStore>& store, const SweepRunOptions& options);
 void finishSweep(const SweepPlan& plan, ResultStore& store, const Sweep& sweep, const std::string& results);
 
-/// Where checkpoints and locks stand.
+/// The directory of checkpoints and locks.
 std::string workDirectory(const std::string& results);
 
 }  // namespace ratchet_sieve

@@ -16,16 +16,16 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// So many disks are handed to a thread at a time: few enough that all come to an end together.
+/// Disks handed to a thread at a time: few, so that all threads finish at nearly the same time.
 constexpr std::size_t DISKS_AT_A_TIME = 16;
 
-/// With fewer disks for each, threads cost more than they bring.
+/// With fewer disks per thread, threads cost more than they gain.
 constexpr std::size_t DISKS_PER_THREAD = 64;
 
-/// Every disk is a loop of its own. The ordinary contacts of all disks are executed many at a time, in the
-/// lanes of the processor's registers (LaneRun), on several threads; what is not ordinary is left to the
-/// machine: see Plan for scenes, laneScene() for times, and CollapseWatch for disks. Which of the two it is
-/// depends on the scene and on the disk's own past alone.
+/// Every disk has its own event loop. Ordinary contacts are executed for many disks at a time with SIMD
+/// (LaneRun), on several threads. All other events are executed one at a time by the Machine: see Plan for
+/// scenes, laneScene() for times, and CollapseWatch for disks. Which of the two is used depends only on the
+/// scene and on the history of the disk.
 class EnsembleLoop : public EventLoop
 {
 public:
@@ -35,7 +35,7 @@ public:
     EnsembleLoop::setThreads(1);
   }
 
-  /// A collapse does not keep the other disks from coming as far: all have to be at one time.
+  /// After a collapse of one disk the others are still advanced, because all disks must reach the same time.
   double advanceTo(double time) override
   {
     behind_.clear();
@@ -86,6 +86,9 @@ public:
     EventLoop::archive(state);
     state(next_);
     requireDisks(next_.size(), state_);
+    for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
+      state.require(!state_.active(slot) || state_.canBeTime(next_[slot].time),
+                    "a disk's event is in the past");
   }
 
 private:
@@ -94,7 +97,7 @@ private:
     return next_[slot].time <= time && state_.active(slot);
   }
 
-  /// Advances the disks in behind_; in turns with the machine, where it comes to what is not ordinary.
+  /// Advances the disks in behind_ with SIMD, and executes other events in between.
   void advanceInLanes(const LaneScene& scene, double time)
   {
     while (!behind_.empty())
@@ -133,7 +136,7 @@ private:
       work(0);
   }
 
-  /// What one thread did. Leaves in behind_ the disks that have not come to `time`.
+  /// Merges the results of one thread. Leaves in behind_ the disks that have not reached `time`.
   void takeIn(const LaneRun::Report& report, double time)
   {
     events_ += report.events;
@@ -145,8 +148,8 @@ private:
         behind_.push_back(slot);
   }
 
-  /// Executes an event that is not an ordinary one, and more until they are again.
-  /// @return whether its next event is by `time` still
+  /// Executes an event that is not ordinary, and the following ones until the next is ordinary again.
+  /// @return whether its next event is not after `time`
   bool advanceAlone(std::uint32_t slot, double time)
   {
     do
@@ -159,7 +162,7 @@ private:
   {
     BaseEvent& next = next_[slot];
     const double now = next.time;
-    // For a disk that is stuck there is no later time. The others go on to where the run is stopped.
+    // A collapsed disk reaches no later time. The others advance to the time at which the run is stopped.
     if (machine_.collapseWatch().count(slot, now) && machine_.collapseWatch().stuck(slot))
       return state_.remove(slot, now);
     ++events_;
@@ -169,7 +172,7 @@ private:
     next = search(slot, now);
   }
 
-  /// Also where a long flight comes down many widths away: the next search then has finer coordinates.
+  /// Also after a long flight over many widths, so that the next search has finer coordinates.
   void wrapIntoWidth(std::uint32_t slot, double now)
   {
     if (state_.scene().boundary == Boundary::PERIODIC)
@@ -186,9 +189,9 @@ private:
   MachineState& state_;
   BaseInstant base_;
   std::vector<BaseEvent> next_;                 ///< per disk
-  std::vector<std::uint32_t> behind_;           ///< disks that have not come as far as they are asked to
+  std::vector<std::uint32_t> behind_;           ///< disks that have not reached the requested time
   std::vector<std::unique_ptr<LaneRun>> runs_;  ///< per thread
-  std::unique_ptr<WorkerPool> pool_;            ///< nothing where one thread is enough
+  std::unique_ptr<WorkerPool> pool_;            ///< null if one thread is enough
 };
 
 }  // namespace

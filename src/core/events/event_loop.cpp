@@ -8,7 +8,7 @@ namespace ratchet_sieve
 void EventLoop::requireDisks(std::size_t count, const MachineState& machine)
 {
   if (count != machine.disks().size())
-    throw StateError("it is of another number of disks");
+    throw StateError("it has another number of disks");
 }
 
 }  // namespace ratchet_sieve

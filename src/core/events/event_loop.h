@@ -14,64 +14,67 @@ class MachineState;
 
 /// Advances a machine's disks from event to event. Times are local to the epoch.
 ///
-/// Nothing here depends on how far a caller asks to advance: the same events happen at the same
-/// bits in whatever strides.
+/// The results do not depend on how a caller divides the time into calls: the same events occur with the same
+/// bits.
 class EventLoop
 {
 public:
   virtual ~EventLoop() = default;
 
   /// Executes every event up to and including `time`, unless the machine's CollapseWatch stops the run.
-  /// @return how far it came
+  /// @return the time reached
   virtual double advanceTo(double time) = 0;
 
-  /// Something is about to happen to the machine as a whole, at a time that it has come to: what a loop has
-  /// left open of the time before is executed.
+  /// To be called before an event of the whole machine at a time already reached: executes contacts that the
+  /// loop has postponed.
   virtual void catchUp(double /*time*/) {}
 
-  /// Until when all contacts up to `time` are executed: disks fly on from there.
+  /// The time up to which all contacts are executed after advanceTo(time); from there on disks are in free
+  /// flight.
   virtual double executedUntil(double time) const { return time; }
 
-  /// A disk was put into the machine.
+  /// To be called after a disk was added.
   virtual void added(std::uint32_t slot, double time) = 0;
 
-  /// The base has begun a new segment of its motion: what was predicted of it does not hold.
+  /// To be called after the base began a new segment of its motion: invalidates predictions that depend on
+  /// it.
   virtual void motionChanged(double time) = 0;
 
-  /// Zero of time moves on by `length`.
+  /// Moves the zero of time forward by `length`.
   virtual void rebase(double length) = 0;
 
-  /// An epoch has begun: the time to see whether the search for neighbours still fits what the disks do.
-  /// @return whether it is changed with the next motionChanged(), which has to be called then
+  /// To be called at the start of an epoch: checks whether the neighbour search still suits the motion of the
+  /// disks.
+  /// @return whether it needs a rebuild; then motionChanged() must be called, which does it
   virtual bool outgrown(double /*time*/) { return false; }
 
   /// @throws StateError
   virtual void archive(StateArchive& state) { state(events_); }
 
-  /// On how many threads it may run; what comes out does not depend on it.
+  /// Sets the largest number of threads; results do not depend on it.
   /// @pre threads >= 1
   virtual void setThreads(std::size_t /*threads*/) {}
 
-  /// Events processed so far, collisions and all that serves to find them.
+  /// Number of events so far: collisions, and internal events of the search.
   std::uint64_t events() const { return events_; }
 
-  /// Goes on counting where another loop ended.
+  /// Continues the count of a previous loop.
   void setEvents(std::uint64_t events) { events_ = events; }
 
 protected:
-  /// @throws StateError if what was restored is of another number of disks than the machine's
+  /// @throws StateError if the restored number of disks is not the machine's
   static void requireDisks(std::size_t count, const MachineState& machine);
 
   std::uint64_t events_ = 0;
 };
 
-/// For disks that do not see each other: every disk is a loop of its own, without a queue.
+/// For independent disks: every disk has its own loop, without a queue.
 std::unique_ptr<EventLoop> makeEnsembleLoop(Machine& machine);
 
-/// For disks that collide with each other: one queue over all.
+/// For disks that collide with each other: one event queue for all.
 std::unique_ptr<EventLoop> makePairLoop(Machine& machine);
 
-/// For the same disks, by steps of time: Method::STEPS.
+/// The same by fixed integration steps: Method::STEPS.
 std::unique_ptr<EventLoop> makeStepLoop(Machine& machine);
 
 }  // namespace ratchet_sieve

@@ -9,21 +9,20 @@
 
 #include "model/prefetch.h"
 #include "model/two.h"
-#include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
 {
 
-/// One event time per disk, the earliest on top: a complete tournament tree as of Marin & Cordero (Comput.
-/// Phys. Commun. 92, 214 (1995)), with sixteen children to a node instead of two: a node fills two cache
-/// lines, and its minimum takes no branch. Ties go to the smaller slot, so that the order of
+/// An event queue with one event time per disk: a complete tournament tree as in Marin & Cordero (Comput.
+/// Phys. Commun. 92, 214 (1995)), but with sixteen children per node instead of two: a node fills two cache
+/// lines, and its minimum is found without branches. Ties are broken by the smaller slot, so the order of
 /// events is total.
 class EventQueue
 {
 public:
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-  /// Makes room for slots below `count`; new ones have no event.
+  /// Allocates slots below `count`; new ones have no event.
   void resize(std::size_t count)
   {
     if (rounds_.empty())
@@ -46,14 +45,14 @@ public:
       child /= GROUP;
       if (round + 1 == rounds_.size())
         break;
-      // Where the winner of the group stays the same, so does all above.
+      // If the minimum of the group stays the same, the nodes above stay the same.
       if (rounds_[round + 1][child / GROUP].times[child % GROUP] == time)
         return;
     }
     top_time_ = time;
   }
 
-  /// The slot whose event is next. @pre resize() was called
+  /// The slot with the earliest event. @pre resize() was called
   std::uint32_t top() const
   {
     std::size_t child = 0;
@@ -64,7 +63,7 @@ public:
 
   double topTime() const { return top_time_; }
 
-  /// The slots whose next events are no later than `time`, in increasing order. @param slots are replaced
+  /// The slots whose events are not later than `time`, in increasing order. @param slots are replaced
   void upTo(double time, std::vector<std::uint32_t>& slots) const
   {
     slots.assign(1, 0);
@@ -86,7 +85,7 @@ public:
     }
   }
 
-  /// Moves every time back by `length`.
+  /// Subtracts `length` from every time.
   void rebase(double length)
   {
     for (Round& round : rounds_)
@@ -95,8 +94,6 @@ public:
           time -= length;
     top_time_ -= length;
   }
-
-  void archive(StateArchive& state) { state(rounds_, top_time_); }
 
 private:
   static constexpr std::size_t GROUP = 16;
@@ -116,13 +113,11 @@ private:
       return of_two(of_two(of_four(0), of_four(4)), of_two(of_four(8), of_four(12)));
     }
 
-    /// The first that is no later. @pre there is one
+    /// The index of the first that is not later. @pre there is one
     std::size_t find(double time) const { return static_cast<std::size_t>(__builtin_ctz(upTo(time))); }
 
-    /// A bit for each that is no later.
+    /// One bit per time that is not later.
     unsigned upTo(double time) const { return whichUpTo(times.data(), time); }
-
-    void archive(StateArchive& state) { state(times); }
   };
   using Round = std::vector<Group>;
 
@@ -139,7 +134,8 @@ private:
     top_time_ = rounds_.back()[0].earliest();
   }
 
-  std::vector<Round> rounds_;  ///< the first among disks, each further one among the groups before
+  std::vector<Round>
+      rounds_;  ///< the first is over disks, each further one over the groups of the one before
   double top_time_ = NEVER;
 };
 

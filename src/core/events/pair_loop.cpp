@@ -14,27 +14,30 @@ namespace ratchet_sieve
 namespace
 {
 
-/// So many events are known in advance at a time, and what they need is prefetched: a few hundred lines of
-/// the cache, which has room for them.
+/// Number of events whose memory is prefetched together: a few hundred cache lines, which fit into the cache.
 constexpr double EVENTS_AHEAD = 12.0;
 
-/// As many disks as fit into the processor's own caches; for fewer there is nothing to prefetch.
+/// Number of disks that fit into the processor's cache; with fewer, prefetching gains nothing.
 constexpr std::size_t DISKS_IN_CACHE = 30000;
 
-/// One event a disk, its earliest: with a pair, with the base, or with a cell's edge. A predicted
-/// pair whose partner has changed its flight since is found stale when its time comes, and
-/// the disk is searched for pairs again (Lubachevsky, J. Comput. Phys. 94, 255 (1991)). Ties within a disk
-/// go to the pair, then to the base's feature, then to the cell; ties between disks to the smaller slot.
+/// Images further apart than this [widths] do not collide: more than any DiskCells::ringShifts().
+constexpr int MOST_SHIFTS = 1000;
+
+/// The event loop for colliding disks. Each disk has one event in the queue, its earliest: a pair contact, a
+/// base contact or a cell crossing. A predicted pair contact is stale if the partner's flight has changed
+/// since; that is checked when the event is due, and the disk is then searched for pairs again (Lubachevsky,
+/// J. Comput. Phys. 94, 255 (1991)). Ties within a disk are resolved in the order pair, base, cell; ties
+/// between disks by the smaller slot.
 ///
-/// The base is searched lazily: no further than the disk's next other event, for most flights end
-/// in a pair before they come to the base.
+/// The base is searched lazily, only up to the disk's next other event, because most flights end in a pair
+/// contact first.
 ///
-/// No pair is missed, however large cells are: whenever a disk begins a flight or comes into a cell it is
-/// searched for contacts with all disks in the cells that touch its own, as of both flights for ever; and two
-/// disks whose cells do not touch are further apart than the largest diameter. So of two disks that come to
-/// touch, the one that last began its flight or came into its cell was searched against the other. On a ring
-/// of one column the cell is as wide as the laps it reaches beyond its ends, and all images that can be
-/// within it are searched (RingCourse).
+/// No pair is missed, whatever the size of the cells. Whenever a disk begins a flight or enters a cell, it is
+/// searched for contacts with all disks in adjacent cells, without a limit in time. Disks in cells that do
+/// not touch are further apart than the largest diameter. So if two disks come into contact, the one that
+/// last began its flight or entered its cell was searched against the other. On a ring of one column, the
+/// cell is as wide as the widths that it extends beyond its ends, and all images that can be within it are
+/// searched (RingCourse).
 class PairLoop : public EventLoop
 {
 public:
@@ -94,20 +97,22 @@ public:
   void archive(StateArchive& state) override
   {
     EventLoop::archive(state);
-    state(cells_, queue_, predictions_);
+    state(cells_, predictions_);
     requireDisks(predictions_.size(), state_);
+    if (state.restoring())
+      restoreQueue(state);
   }
 
 private:
   using Edge = DiskCells::Edge;
 
-  /// The first event of each sort on a disk's present flight.
+  /// The first event of each type on a disk's present flight.
   struct Prediction
   {
     PairContact pair;
-    std::uint32_t partner_flights = 0;  ///< the partner's count when this was predicted
+    std::uint32_t partner_flights = 0;  ///< the partner's count at the prediction
     Edge edge = Edge::NONE;
-    double cell_time = EventQueue::NEVER;  ///< when it leaves its cell; without an edge: not before
+    double cell_time = EventQueue::NEVER;  ///< leaves its cell; if there is no edge: not before
     BaseEvent base;
 
     void archive(StateArchive& state) { state(pair, partner_flights, edge, cell_time, base); }
@@ -121,8 +126,8 @@ private:
         visit(slot);
   }
 
-  /// Prefetches what the next events need, all at once, where each event by itself would miss the cache for
-  /// one thing after another: its prediction, its partner, the cells, the disks in them.
+  /// Prefetches the memory of the next events together: predictions, partners, cells and the disks in them.
+  /// Otherwise each event waits for one cache miss after another.
   void prefetchNextEvents()
   {
     prefetched_.begin(queue_.topTime(), events_);
@@ -187,9 +192,14 @@ private:
 
   void processBase(std::uint32_t slot, double now)
   {
-    machine_.handleBaseEvent(slot, predictions_[slot].base.feature, now, base_);
+    const BaseFeature feature = predictions_[slot].base.feature;
+    machine_.handleBaseEvent(slot, feature, now, base_);
     if (state_.active(slot))
+    {
+      if (feature.isEnd())
+        cells_.replace(slot, now);
       return predict(slot, now);
+    }
     cells_.remove(slot);
     predictions_[slot] = Prediction();
     queue_.update(slot, EventQueue::NEVER);
@@ -206,7 +216,7 @@ private:
     refresh(slot);
   }
 
-  /// A new flight: everything is predicted again.
+  /// Predicts everything for a new flight.
   void predict(std::uint32_t slot, double now)
   {
     searchPairs(slot, now);
@@ -231,8 +241,9 @@ private:
     cells_.visit(slot, around, near_,
                  [&](const std::uint32_t* others, std::size_t count, int shift)
                  {
-                   const PairContact found = ring_shifts > 0 ? search.firstOnRing(others, count, ring_shifts)
-                                                             : search.firstAmong(others, count, shift);
+                   const PairContact found = ring_shifts > 0
+                                                 ? search.firstOnRing(others, count, ring_shifts)
+                                                 : search.firstAmong(others, count, shift, cells_.images());
                    if (!found.isBefore(p.pair))
                      return;
                    p.pair = found;
@@ -240,8 +251,8 @@ private:
                  });
   }
 
-  /// Carries the searches of the cell's edges and of the base on to the disk's next other event, and
-  /// queues the earliest.
+  /// Continues the searches for cell edges and base contacts up to the disk's next other event, and queues
+  /// the earliest.
   void refresh(std::uint32_t slot)
   {
     Prediction& p = predictions_[slot];
@@ -257,6 +268,24 @@ private:
     queue_.update(slot, std::min(others, p.base.time));
   }
 
+  /// The queue contains the earliest prediction of each active disk.
+  void restoreQueue(const StateArchive& state)
+  {
+    queue_.resize(cells_.capacity());
+    for (std::uint32_t slot = 0; slot < predictions_.size(); ++slot)
+    {
+      const Prediction& p = predictions_[slot];
+      const double earliest = std::min({p.pair.time, p.cell_time, p.base.time});
+      state.require(p.pair.partner < predictions_.size() && p.pair.shift >= -MOST_SHIFTS &&
+                        p.pair.shift <= MOST_SHIFTS && p.edge <= Edge::UPPER,
+                    "a disk's event has no partner");
+      if (!state_.active(slot))
+        continue;
+      state.require(state_.canBeTime(earliest), "a disk's event is in the past");
+      queue_.update(slot, earliest);
+    }
+  }
+
   Machine& machine_;
   MachineState& state_;
   BaseInstant base_;
@@ -264,8 +293,8 @@ private:
   EventQueue queue_;
   std::vector<Prediction> predictions_;  ///< per disk
   PrefetchWindow prefetched_{EVENTS_AHEAD};
-  std::vector<std::uint32_t> next_;  ///< the disks whose events are known in advance
-  std::vector<std::uint32_t> near_;  ///< the disks that a search tests
+  std::vector<std::uint32_t> next_;  ///< the disks whose events were prefetched
+  std::vector<std::uint32_t> near_;  ///< candidates of the neighbour search
 };
 
 }  // namespace

@@ -5,9 +5,9 @@
 namespace ratchet_sieve
 {
 
-/// Divides time into windows of about so many events each, by the rate of the window before. Which events
-/// come within one is known at its start, but for the few that are predicted meanwhile, so that what they
-/// need can be prefetched. Results do not depend on it.
+/// Divides time into windows with about a given number of events each, by the event rate of the previous
+/// window. Most events of a window are known at its start, so that their memory can be prefetched. Results do
+/// not depend on it.
 class PrefetchWindow
 {
 public:
@@ -15,7 +15,7 @@ public:
 
   double end() const { return end_; }
 
-  /// @param now the time of the next event; @param events how many there were before
+  /// @param now time of the next event; @param events number of events so far
   void begin(double now, std::uint64_t events)
   {
     if (events > events_before_)
@@ -25,7 +25,7 @@ public:
     end_ = now + length_;
   }
 
-  /// Moves every time back by `length`.
+  /// Subtracts `length` from every time.
   void rebase(double length)
   {
     start_ -= length;

@@ -10,20 +10,19 @@
 namespace ratchet_sieve
 {
 
-/// Brings the collisions of disks that do not see each other, which come disk by disk, into the order of
-/// time.
+/// Sorts the collisions of independent disks, which are simulated disk by disk, into the order of time.
 class RecordSorter
 {
 public:
-  /// @param observer empty: nobody watches
+  /// @param observer an empty function removes it
   void setObserver(CollisionObserver observer) { observer_ = std::move(observer); }
 
-  /// Whether records may be waiting.
+  /// Whether records are collected.
   bool watched() const { return static_cast<bool>(observer_); }
 
   void take(const CollisionRecord& record) { waiting_.push_back(record); }
 
-  /// Passes on all that it holds. @pre none that is still to come is earlier
+  /// Passes on all records. @pre no later record has an earlier time
   void flush()
   {
     std::stable_sort(waiting_.begin(), waiting_.end(),

@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "model/lane_limit.h"
 #include "state/audit.h"
 #include "state/placement.h"
 #include "state/pour.h"
@@ -14,7 +15,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// At the end of a block the lanes run empty: about as often as they do at an epoch's.
+/// The SIMD batches are emptied at the end of a block: about as often as at the end of an epoch.
 constexpr double SCALES_PER_ENSEMBLE_BLOCK = 8.0;
 }  // namespace
 
@@ -43,6 +44,26 @@ Run::Run(const SceneDefinition& scene, std::string_view saved_state)
   StateArchive state(saved_state);
   archive(state);
   state.requireEnd();
+}
+
+void Run::archive(StateArchive& state)
+{
+  state(machine_, random_, *loop_, energy_watch_, start_, now_, settled_, blocks_, fed_);
+  state.require(isLegal(), "its time is impossible");
+}
+
+/// Whether a restored state is possible: counters that increase with time must match the time.
+bool Run::isLegal() const
+{
+  if (!(start_ >= 0.0 && now_ >= 0.0 && now_ <= machine().epoch().length && start_ <= time()))
+    return false;
+  const auto keeps_up = [](double length, std::uint64_t count, double period)
+  { return std::abs(length - static_cast<double>(count) * period) <= 2.0 * period; };
+  const double rate = machine().scene().feed.rate;
+  const bool fed = rate > 0.0 ? keeps_up(time() - start_, fed_, 1.0 / rate) : fed_ == 0;
+  const bool blocks =
+      !settled_ || !record().keepsBlocks() || keeps_up(time() - settledTime(), blocks_, blockTime());
+  return fed && blocks;
 }
 
 void Run::advanceTo(double time)
@@ -104,6 +125,8 @@ std::size_t Run::auditOverlaps()
 
 std::unique_ptr<EventLoop> Run::makeLoop()
 {
+  // Checked for every scene, so that an invalid limit is an error before the run begins.
+  laneLimit();
   if (!hasPairs())
     return makeEnsembleLoop(machine_);
   return machine().plan().steps ? makeStepLoop(machine_) : makePairLoop(machine_);
@@ -114,7 +137,7 @@ double Run::nextMachineEvent() const
   double next = std::numeric_limits<double>::infinity();
   for (const MachineEvent& event : MACHINE_EVENTS)
     next = std::min(next, (this->*event.when)().value_or(next));
-  // Records of an ensemble are held until they are sorted: not too many of them.
+  // Limits the number of records that an ensemble holds for sorting.
   if (sorter_.watched())
     next = std::min(next, now_ + machine().timeScale());
   return std::max(next, now_);
@@ -149,7 +172,7 @@ std::optional<double> Run::nextBlockEnd() const
   return local(blockEnd(blocks_ + 1));
 }
 
-/// The series from which the errors of the means are found goes by the machine's time scale.
+/// The block length follows the machine's time scale.
 double Run::blockTime() const
 {
   return hasPairs() ? machine().timeScale() : SCALES_PER_ENSEMBLE_BLOCK * machine().timeScale();
@@ -184,7 +207,7 @@ void Run::endEpoch()
   loop_->catchUp(now_);
   energy_watch_.check(machine(), now_);
   moveZero(machine().epoch().length);
-  // A machine that is fed for ever would else need more and more memory, and time to scan it.
+  // Otherwise memory and scan time would grow without limit in a machine with a feed.
   if (machine_.compact())
     renewLoop();
   else if (loop_->outgrown(now_) || moving)
@@ -199,7 +222,7 @@ void Run::moveZero(double length)
   now_ -= length;
 }
 
-/// After slots have become others.
+/// To be called after slots were reassigned.
 void Run::renewLoop()
 {
   const std::uint64_t events = loop_->events();
@@ -209,16 +232,16 @@ void Run::renewLoop()
   announce(0);
 }
 
-/// An ensemble's disks do not come to a collapse in the order of time: it is stopped at the end of an
-/// epoch, in whatever strides it is advanced.
+/// The disks of an ensemble do not reach a collapse in the order of time. So an ensemble is stopped at the
+/// end of an epoch, regardless of the calls of advanceTo().
 bool Run::hasToStop() const
 {
   const CollapseWatch& watch = collapseWatch();
   return watch.stops() && (hasPairs() || now_ >= machine().epoch().length);
 }
 
-/// An epoch's times are finer than the run's: the run ends at the next of its own, so that another that is
-/// asked to come to time() comes to the same bits.
+/// An epoch's times are finer than the run's. The run ends at the next time that the run can represent, so
+/// that another run to time() gives the same bits.
 void Run::stopAtATimeOfTheRun()
 {
   const double epoch_start = machine().epoch().start;

@@ -17,21 +17,19 @@
 namespace ratchet_sieve
 {
 
-/// A run of the machine. What happens to all of the machine at once stands here; what happens to one disk, in
-/// the loop. Times are local to the epoch unless said otherwise.
+/// A run of the machine. This class handles events of the whole machine; the loop handles events of single
+/// disks. Times are local to the epoch unless stated otherwise.
 class Run
 {
 public:
-  /// Begins a run at a time of its own clock [s]. See Simulation.
+  /// Begins a run at `start_time` of the run [s]. See Simulation.
   Run(const SceneDefinition& scene, const Plan& plan, double start_time, const PourObserver& pour_observer);
 
-  /// Takes up a run where it was saved. @throws StateError
+  /// Resumes a saved run. @throws StateError
   Run(const SceneDefinition& scene, std::string_view saved_state);
 
-  void archive(StateArchive& state)
-  {
-    state(machine_, random_, *loop_, energy_watch_, start_, now_, settled_, blocks_, fed_);
-  }
+  /// @throws StateError
+  void archive(StateArchive& state);
 
   const MachineState& machine() const { return machine_.state(); }
   const RunRecord& record() const { return machine_.record(); }
@@ -41,7 +39,7 @@ public:
   bool settled() const { return settled_; }
   double now() const { return now_; }
 
-  /// When so many blocks of the series of the means have ended, in the run's time [s].
+  /// The time at which this number of blocks of the mean series has ended, in the run's time [s].
   double blockEnd(std::uint64_t blocks) const
   {
     return settledTime() + static_cast<double>(blocks) * blockTime();
@@ -55,42 +53,42 @@ public:
   /// @param time in the run's time [s] @throws StallError
   void advanceTo(double time);
 
-  /// Has `command`, given the base's motion and the time, change the motion now.
+  /// Calls `command` with the base's motion and the time; it changes the motion at that time.
   template <typename Command>
   void changeMotion(Command&& command)
   {
     loop_->catchUp(now_);
-    command(machine_.state().motion(), now_);
+    machine_.state().changeMotion(command, now_);
     if (const double length = machine_.state().shortenEpoch(now_); length > 0.0)
       moveZero(length);
     loop_->motionChanged(now_);
     periods_.motionChanged(now_);
   }
 
-  /// @throws std::invalid_argument, with nothing changed
+  /// @throws std::invalid_argument; nothing is changed then
   void pour(std::size_t species, std::size_t count);
   void setThreads(std::size_t threads);
   void observeCollisions(CollisionObserver observer);
   void observePeriods(PeriodObserver observer) { periods_.observe(std::move(observer), now_); }
 
-  /// @return how many disks are behind the base's surface
+  /// @return number of disks below the base's surface
   std::size_t auditOverlaps();
 
 private:
-  /// What happens to the machine as a whole: when next, and what is done then.
+  /// An event of the whole machine: its next time and its action.
   struct MachineEvent
   {
     std::optional<double> (Run::*when)() const;
     void (Run::*what)();
   };
 
-  /// All of them; of those at one time the first comes first.
+  /// All of them; at the same time, the first in the list is executed first.
   static const MachineEvent MACHINE_EVENTS[];
 
   std::unique_ptr<EventLoop> makeLoop();
   double nextMachineEvent() const;
 
-  /// Executes one of the events whose time has come, if there is any.
+  /// Executes one of the events that are due. @return whether there was one
   bool executeMachineEvent();
 
   std::optional<double> nextSettle() const;
@@ -114,9 +112,10 @@ private:
   void moveZero(double length);
   void renewLoop();
   bool hasToStop() const;
+  bool isLegal() const;
   void stopAtATimeOfTheRun();
 
-  /// Tells the loop of the disks from this slot on.
+  /// Adds the disks from slot `first` on to the loop.
   void announce(std::uint32_t first);
 
   Machine machine_;
@@ -126,7 +125,7 @@ private:
   double start_ = 0.0;  ///< of the run [s]
   double now_ = 0.0;
   bool settled_ = false;
-  std::uint64_t blocks_ = 0;  ///< of the series of means that have ended
+  std::uint64_t blocks_ = 0;  ///< completed blocks of the mean series
   std::uint64_t fed_ = 0;
   std::size_t threads_ = 1;
   PeriodWatch periods_{machine_.state(), machine_.record().counts().collisions};

@@ -11,7 +11,7 @@
 namespace ratchet_sieve
 {
 
-/// A contact within a step; stale when the flight of a disk has changed since it was found.
+/// A contact within a step; stale if the flight of a disk has changed since it was found.
 struct StepContact
 {
   double time;
@@ -19,19 +19,19 @@ struct StepContact
   std::uint32_t flights;
   std::uint32_t partner;
   std::uint32_t partner_flights;
-  int shift;            ///< which image of the partner: so many widths to the right of it
-  BaseFeature feature;  ///< none: with the partner
+  int shift;            ///< image of the partner, in widths to its right
+  BaseFeature feature;  ///< none: the contact is with the partner
 
-  /// Ties go to the smaller slots: the order is total.
+  /// Ties are broken by the smaller slots: the order is total.
   bool isBefore(const StepContact& other) const
   {
     return std::tie(time, slot, partner) < std::tie(other.time, other.slot, other.partner);
   }
 };
 
-/// The contacts of one step, the earliest first. By their times they go into the buckets of a calendar, so
-/// many that few share one, however many disks there are: unlike in a heap, hardly a branch depends on how
-/// times compare.
+/// The contacts of one step, earliest first: a calendar queue. There are about as many buckets as contacts,
+/// so few share a bucket, regardless of the number of disks. Unlike in a heap, almost no branch depends on
+/// comparisons of times.
 class StepContacts
 {
 public:
@@ -45,7 +45,7 @@ public:
     pool_.clear();
   }
 
-  /// @pre contact.time is no earlier than that of the contact that was taken last
+  /// @pre contact.time is not earlier than the time of the last contact taken
   void push(const StepContact& contact)
   {
     const std::size_t bucket = bucketOf(contact.time);
@@ -53,7 +53,7 @@ public:
     heads_[bucket] = static_cast<std::uint32_t>(pool_.size() - 1);
   }
 
-  /// Takes out the earliest. @return whether there was one
+  /// Removes the earliest. @return whether there was one
   bool pop(StepContact& contact)
   {
     while (heads_[present_] == NONE)
@@ -89,7 +89,7 @@ private:
   double start_ = 0.0;
   double buckets_per_time_ = 0.0;
   std::vector<std::uint32_t> heads_;  ///< into the pool
-  std::size_t present_ = 0;           ///< the bucket that the time has come to
+  std::size_t present_ = 0;           ///< bucket of the present time
   std::vector<Entry> pool_;
 };
 

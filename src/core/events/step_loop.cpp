@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "events/event_loop.h"
 #include "events/step_contacts.h"
 #include "search/base_overlap.h"
 #include "search/overlap_search.h"
+#include "search/pair_search.h"
 #include "state/machine.h"
 
 namespace ratchet_sieve
@@ -16,17 +18,24 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Steps of time instead of a queue over all disks. A step flies every disk to its end and looks for what
-/// overlaps there; only of those the first contacts are worked out, by the searches of the event loops, and
-/// executed at their times and in their order. A disk that a contact sends another way is looked at again. So
-/// a contact is exact where its disks would overlap at the end of the step, and missed where they would
-/// not: a disk that grazes another and is past it by then. Their share falls with the square of the step.
+/// The simulation by fixed integration steps instead of an event queue. A step moves every disk along its
+/// flight to the end of the step and looks for overlaps there. For overlapping disks only, the first contacts
+/// are computed by the searches of the event loops, and executed at their times in order. A disk whose flight
+/// was changed by a contact is checked again. So a contact is exact if its disks would overlap at the end of
+/// the step. It is missed if they would not: a grazing contact that is over by then. The fraction of missed
+/// contacts is proportional to the square of the step.
 ///
-/// A disk that may move by more than the height of a tooth within a step, relative to the base, is searched
-/// for contacts with the base even where it would not overlap it at the end: none passes through a tooth.
+/// A disk that may move by more than the height of a tooth within a step, relative to the base, is always
+/// searched for contacts with the base, so that none passes through a tooth.
 ///
-/// Steps begin at the last change of the machine as a whole (catchUp()), and nowhere else: between them disks
-/// fly on, so that the course does not depend on how far a caller asks to advance.
+/// A step always terminates. A disk with MOST_CONTACTS contacts within the step starts no further search. So
+/// a step of N disks has at most (MOST_CONTACTS + 1) N searches. Each finds every image of another disk and
+/// the base at most once, and no more contacts are executed than found. That bounds an inelastic collapse.
+/// Rounding needs no such bound: a contact that turns out to be separating at its execution leaves both
+/// flights unchanged; a new search from its time gives the same time and the same decision.
+///
+/// Steps are counted from the last event of the whole machine (catchUp()). Between the steps disks are in
+/// free flight, so the results do not depend on the calls of advanceTo().
 class StepLoop : public EventLoop
 {
 public:
@@ -44,7 +53,7 @@ public:
 
   double advanceTo(double time) override
   {
-    // A caller's times and the steps' round differently.
+    // The caller's times and the steps' times round differently.
     while (start_ + step_ <= time + ROUNDING * step_)
       if (!advanceBy(start_ + step_))
         return stopped_at_;
@@ -74,25 +83,27 @@ public:
   {
     EventLoop::archive(state);
     state(start_);
+    state.require(state_.canBeTime(start_) && start_ <= state_.epoch().length,
+                  "the start of a step is impossible");
   }
 
 private:
-  /// As a share of a step.
+  /// As a fraction of a step.
   static constexpr double ROUNDING = 1e-9;
 
-  /// A disk that has as many within a step is left alone until its end: a step takes no longer than that.
+  /// A disk with this many contacts within a step starts no further search in the step.
   static constexpr std::uint32_t MOST_CONTACTS = 100;
 
-  /// A disk at the end of the step, if it touches nothing before.
+  /// A disk at the end of the step, in the absence of further contacts.
   struct End
   {
     Course course;
     double radius;           ///< [m]
-    std::uint32_t flights;   ///< those of the disk when this was worked out
-    std::uint32_t contacts;  ///< that it has had within the step
+    std::uint32_t flights;   ///< the disk's count when this was computed
+    std::uint32_t contacts;  ///< number of contacts within the step
   };
 
-  /// @return false where the run has to stop
+  /// @return false if the run must stop
   bool advanceBy(double end)
   {
     end_ = end;
@@ -131,7 +142,7 @@ private:
       ends_[slot].radius = state_.radius(slot);
       ends_[slot].contacts = 0;
       Eigen::Vector2d at = flyToEnd(slot);
-      if (at.x() < 0.0 || at.x() >= state_.sawtooth().width())
+      if (!withinEnds(at))
       {
         state_.wrapIntoWidth(slot, at.x(), start_);
         at = flyToEnd(slot);
@@ -143,8 +154,13 @@ private:
     overlaps_.sort();
   }
 
-  /// Where the disk is at the end of the step, if it touches nothing before. @return that in the frame of the
-  /// base
+  bool withinEnds(const Eigen::Vector2d& at) const
+  {
+    return at.x() >= 0.0 && at.x() < state_.sawtooth().width();
+  }
+
+  /// Computes the disk's position at the end of the step in the absence of contacts. @return the position in
+  /// the frame of the base
   Eigen::Vector2d flyToEnd(std::uint32_t slot)
   {
     const Disk& disk = state_.disk(slot);
@@ -154,9 +170,12 @@ private:
     return frame_.into(vectorOf(end.course.position) - frame_.displacement);
   }
 
+  /// Whether the disk may touch the base, or pass an end of an open or walled base.
   bool mayTouchBase(std::uint32_t slot, const Eigen::Vector2d& at) const
   {
     const double radius = ends_[slot].radius;
+    if (state_.motion().turning() && !withinEnds(at))
+      return true;
     if (base_overlap_.overlaps(at.x(), at.y(), radius))
       return true;
     const Two velocity = ends_[slot].course.velocity;
@@ -164,8 +183,8 @@ private:
     return reach > state_.sawtooth().height() && base_overlap_.overlaps(at.x(), at.y(), radius + reach);
   }
 
-  /// A contact that was missed may leave a disk behind the surface of the base, where no search would find
-  /// it.
+  /// Moves a disk out of the base. A missed contact may leave a disk below the surface, where no search would
+  /// find a contact.
   void pushOut(std::uint32_t slot)
   {
     const Disk now = flown(state_.disk(slot), start_, gravity_);
@@ -181,8 +200,10 @@ private:
     redirect(slot);
   }
 
-  /// When two disks that may overlap at the end came to touch, seen from there: under one gravity their
-  /// relative motion is a straight line. Where they touched already at `from`, then, if they were closing.
+  /// Finds the contact of two disks that may overlap at the end of the step, searching backwards from there:
+  /// both have the same gravity, so their relative motion is a straight line. If the contact is not after
+  /// `from`, the search of the event loops decides whether they approach there, by the same sum as the
+  /// execution.
   void findContact(std::uint32_t slot, std::uint32_t other, int shift, double from)
   {
     if (slot == other)
@@ -202,14 +223,12 @@ private:
       return;
     const double speed_squared = velocity.squaredNorm();
     const double parting = position.dot(velocity);
-    const double span = end_ - from;
-    double ago = span;
     const double root = std::sqrt(parting * parting - speed_squared * excess);
-    if (parting + root < speed_squared * span)
-      ago = (parting + root) / speed_squared;
-    else if (parting >= speed_squared * span)
-      return;
-    contacts_.push({end_ - ago, slot, a.flights, other, b.flights, shift, {}});
+    std::optional<double> time = end_ - (parting + root) / speed_squared;
+    if (!(*time > from))
+      time = PairSearch(state_.pairScene(), slot, from).contactWith(other, shift);
+    if (time && *time <= end_)
+      contacts_.push({*time, slot, a.flights, other, b.flights, shift, {}});
   }
 
   void findBaseContact(std::uint32_t slot, double from)
@@ -244,7 +263,8 @@ private:
     searchFrom(contact.partner, partner_at, contact.time);
   }
 
-  /// After its flight has changed. @return where it is at the end, in the frame of the base
+  /// Updates a disk after a change of its flight. @return its position at the end of the step, in the frame
+  /// of the base
   Eigen::Vector2d redirect(std::uint32_t slot)
   {
     Eigen::Vector2d at = flyToEnd(slot);
@@ -267,16 +287,16 @@ private:
   BaseInstant base_;
   double step_;         ///< [s]
   double gravity_;      ///< [m/s^2]
-  double start_ = 0.0;  ///< of the step to come
+  double start_ = 0.0;  ///< of the next step
   double end_ = 0.0;
-  double base_reach_ = 0.0;  ///< by how much the base may move within the step [m]
+  double base_reach_ = 0.0;  ///< largest displacement of the base within the step [m]
   OverlapSearch overlaps_;
   BaseOverlap base_overlap_;
   std::vector<std::uint32_t> near_base_;
   StepContacts contacts_;
   std::vector<End> ends_;  ///< per slot
   FrameOfBase frame_;      ///< at the end of the step
-  Image ring_;             ///< of the base's width, at the end of the step
+  Image ring_;             ///< shift by the base's width, at the end of the step
   double stopped_at_ = 0.0;
 };
 

@@ -7,59 +7,59 @@
 #include "model/rotation.h"
 #include "ratchet_sieve/core/luding_law.h"
 
-/// Single disks over a base that stands at its setpoints, many at a time: one disk to a lane of the
-/// processor's registers. The same source is compiled for each width of register (lane_kernel.inc), and
-/// gives the same bits in each. Plain arrays, without any function: what is built for a wide register must
-/// not be taken by the linker for a machine that has none.
+/// SIMD for independent disks over a base at its setpoints: one disk per lane of the processor's registers.
+/// The same source is compiled for each register width (lane_kernel.inc) and gives the same bits for each.
+/// Plain arrays without functions: otherwise the linker could use a function compiled for wide registers on a
+/// machine without them.
 namespace ratchet_sieve
 {
 
-/// The feature that a lane's flight comes to.
+/// The feature of the next event of a lane's flight.
 enum LaneFeature : std::int32_t
 {
-  LANE_NOTHING = 0,  ///< free until then
-  LANE_RIGHT_SLOPE,  ///< the descending one, on a valley's left
-  LANE_LEFT_SLOPE,   ///< the ascending one, on a valley's right
-  LANE_APEX          ///< on a valley's right
+  LANE_NOTHING = 0,  ///< no contact until then
+  LANE_RIGHT_SLOPE,  ///< the descending slope, on the left of a valley
+  LANE_LEFT_SLOPE,   ///< the ascending slope, on the right of a valley
+  LANE_APEX          ///< on the right of a valley
 };
 
-/// The face of a tooth, seen from the valley, whose foot is at u = 0.
+/// The face of a tooth, in coordinates of the valley with its foot at u = 0.
 struct LaneFlank
 {
   double apex_u;    ///< [m]
-  double normal_s;  ///< unit normal, out of the base
+  double normal_s;  ///< unit normal, pointing out of the base
   double normal_n;
 };
 
-/// For bounds, which need not be fine: the same in single precision.
+/// Constants in single precision for computing bounds, which need not be accurate.
 struct LaneBounds
 {
   float gravity;        ///< g
-  float fall;           ///< how gravity pulls towards the base: g cos(theta), or 0
+  float fall;           ///< acceleration of gravity towards the base: g cos(theta), or 0
   float amplitude;      ///< A
   float highest;        ///< A |cos(theta)|
   float speed;          ///< A w
   float third_of_jerk;  ///< A w^3 / 3
   float acceleration;   ///< g + A w^2
-  float longest_trial;  ///< the longest step with the acceleration as it is now [s]
+  float longest_trial;  ///< longest step with the present acceleration [s]
   float longest;        ///< the longest step [s]
 };
 
-/// What all disks of a machine share while its base stands at its setpoints.
+/// Constants of all disks of a machine while its base is at its setpoints.
 struct LaneScene
 {
   double gravity;    ///< [m/s^2]
-  double gravity_s;  ///< g sin(theta): gravity pulls against s
+  double gravity_s;  ///< g sin(theta): acceleration of gravity against s
   double gravity_n;  ///< g cos(theta)
   Rotation base;     ///< by the inclination
   Drive drive;
-  double resolution;       ///< the finest step in time [s]
+  double resolution;       ///< time resolution [s]
   double longest_search;   ///< [s]
   double tooth_width;      ///< [m]
   double per_tooth_width;  ///< [1/m]
   double width;            ///< [m]
   double per_width;        ///< [1/m]
-  double valley_start;     ///< share of a tooth that lies left of a valley's foot: 1 - a
+  double valley_start;     ///< fraction of a tooth on the left of a valley's foot: 1 - a
   double height;           ///< of the apices [m]
   CollisionLaw law;
   LaneBounds bounds;
@@ -67,13 +67,12 @@ struct LaneScene
   LaneFlank right;  ///< of the valley: its tooth's left slope
 };
 
-/// Rows of disks, one to a lane.
+/// Rows of disks, one disk per row.
 struct LaneBatch
 {
   static constexpr std::size_t ROWS = 128;
 
-  /// Some longer than the rows: at powers of two apart, a row's numbers would drive each other out of the
-  /// cache.
+  /// Padded: with a stride of a power of two, the columns of a row would evict each other from the cache.
   using Column = double[ROWS + 8];
 
   alignas(64) Column x, y, vx, vy, spin, angle;
@@ -94,41 +93,42 @@ struct LaneBatch
   alignas(64) Column valley;      ///< whose foot is at s = valley w
   alignas(64) Column feature;     ///< a LaneFeature
 
-  // The flight, in the base's frame as it stands at Y = 0, at `time`.
+  // The flight at `time`, in the base's frame at Y = 0.
   alignas(64) Column s, n, vs, vn;
 
-  // What came of the last contact; see ContactOutcome. Impulses and velocity are 0 where none was made.
+  // Outcome of the last contact; see ContactOutcome. Impulses and velocity are 0 if there was none.
   alignas(64) Column overlap;             ///< [m]
-  alignas(64) Column normal_x, normal_y;  ///< unit normal on the disk, in the world
-  alignas(64) Column normal_velocity;     ///< v_n, 0 where the contact opened [m/s]
+  alignas(64) Column normal_x, normal_y;  ///< unit normal on the disk, world frame
+  alignas(64) Column normal_velocity;     ///< v_n; 0 if the contact was separating [m/s]
   alignas(64) Column normal_impulse;      ///< [N s]
   alignas(64) Column tangential_impulse;  ///< [N s]
 };
 
-/// The code for one width of register.
+/// The functions for one register width.
 struct LaneKernel
 {
   int lanes;
 
-  /// Executes the events that the first `rows` disks have next, and sets their new flights.
+  /// Executes the next events of the first `rows` disks, and sets their new flights.
   void (*collide)(const LaneScene& scene, LaneBatch& batch, std::size_t rows);
 
-  /// Finds the next event of the first `rows` flights from `event_time` on, and puts it there.
-  /// @return how many points of flights were evaluated
+  /// Finds the next event of the first `rows` flights after `event_time`, and stores it there.
+  /// @return number of evaluations of the flights
   std::uint64_t (*search)(const LaneScene& scene, LaneBatch& batch, std::size_t rows);
 
-  /// For flights that were not set by `collide`: from the disks' states.
+  /// Sets flights from the disks' states, for those not set by `collide`.
   void (*launch)(const LaneScene& scene, LaneBatch& batch, std::size_t rows);
 };
 
-/// The kernel with as many lanes (1, 2, 4, 8), or nullptr where this processor cannot run it.
+/// The kernel with this number of lanes (1, 2, 4, 8), or nullptr if this processor cannot run it.
 const LaneKernel* laneKernel(int lanes);
 
-/// The widest kernel that this processor runs, or that useLanes() asked for.
+/// The kernel set by useLanes(), or else the widest that this processor can run, up to laneLimit().
+/// @throws std::invalid_argument as laneLimit()
 const LaneKernel& presentLaneKernel();
 
-/// Has all simulations from now on use so many lanes; 0: the widest. For tests and benchmarks: results do not
-/// depend on it. @return false, with nothing changed, where this processor cannot
+/// Sets the number of lanes for all simulations from now on; 0: the widest. For tests and benchmarks: results
+/// do not depend on it. @return false if this processor cannot; nothing is changed then
 bool useLanes(int lanes);
 
 }  // namespace ratchet_sieve

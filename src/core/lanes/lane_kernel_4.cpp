@@ -4,7 +4,7 @@
 #if defined(__x86_64__)
 #include <immintrin.h>
 
-// For what stands below, the physics among it, and nothing of the headers above.
+// Applies to the code below, including the physics, but not to the headers above.
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
 #else

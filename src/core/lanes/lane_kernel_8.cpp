@@ -2,13 +2,13 @@
 #include <cstdint>
 
 #if defined(__x86_64__)
-// gcc's own header leaves a register undefined where its value does not matter, and warns of it.
+// gcc's own header deliberately leaves a register undefined, and warns of it.
 #if !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 #include <immintrin.h>
 
-// For what stands below, the physics among it, and nothing of the headers above.
+// Applies to the code below, including the physics, but not to the headers above.
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx512f,avx512vl"))), apply_to = function)
 #else

@@ -1,6 +1,7 @@
 #include <initializer_list>
 
 #include "lanes/lane_kernels.h"
+#include "model/lane_limit.h"
 
 namespace ratchet_sieve
 {
@@ -10,10 +11,11 @@ const LaneKernel* asked_for = nullptr;
 
 const LaneKernel& widest()
 {
-  for (const int lanes : {8, 4})
-    if (const LaneKernel* kernel = laneKernel(lanes))
+  const int limit = laneLimit();
+  for (const int lanes : {8, 4, 2})
+    if (const LaneKernel* kernel = lanes <= limit ? laneKernel(lanes) : nullptr)
       return *kernel;
-  return KERNEL_OF_TWO_LANES;
+  return KERNEL_OF_ONE_LANE;
 }
 }  // namespace
 

@@ -3,8 +3,8 @@
 #include "lanes/lane_batch.h"
 #include "model/flight.h"
 
-/// The kernels that there are: each is compiled for its own width of register, together with the physics that
-/// is included here.
+/// The available kernels. Each is compiled for its own register width, together with the physics included
+/// here.
 namespace ratchet_sieve
 {
 extern const LaneKernel KERNEL_OF_ONE_LANE;

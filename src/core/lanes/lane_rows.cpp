@@ -9,8 +9,8 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// In radians of the drive: for so long the present acceleration and the bound on its change are tighter
-/// than the bound on the acceleration itself.
+/// In radians of the drive: for shorter times, the present acceleration with the bound on its change is
+/// tighter than the bound on the acceleration.
 constexpr double LONGEST_TRIAL = 1.5;
 
 struct LaneContact

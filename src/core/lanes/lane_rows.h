@@ -9,15 +9,15 @@
 namespace ratchet_sieve
 {
 
-/// What the lanes need to know of the machine; nothing where its plan has none, and while its base is on the
-/// way to a setpoint.
+/// The constants for the SIMD kernels; nothing if the plan has no lanes, or while the base moves to a
+/// setpoint.
 std::optional<LaneScene> laneScene(const MachineState& machine);
 
-/// Puts a disk and its next event into a row.
+/// Copies a disk and its next event into a row.
 void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
              std::size_t row);
 
-/// Puts a row's disk and its next event back.
+/// Copies a row's disk and its next event back.
 void storeRow(const LaneBatch& batch, std::size_t row, Machine& machine, std::uint32_t slot, BaseEvent& next);
 
 void copyRow(LaneBatch& batch, std::size_t from, std::size_t to);
@@ -25,10 +25,10 @@ void copyRow(LaneBatch& batch, std::size_t from, std::size_t to);
 /// A row's next event.
 BaseEvent rowEvent(const LaneBatch& batch, std::size_t row);
 
-/// What came of the event of a row, after the kernel executed it. One that had no contact did not close.
+/// The outcome of a row's event after `collide`. A row without a contact has a separating outcome.
 inline ContactOutcome outcomeOf(const LaneBatch& batch, std::size_t row, std::uint32_t slot)
 {
-  // By LaneFeature.
+  // Indexed by LaneFeature.
   constexpr CollisionKind KINDS[] = {CollisionKind::APEX, CollisionKind::RIGHT_SLOPE,
                                      CollisionKind::LEFT_SLOPE, CollisionKind::APEX};
   ContactOutcome outcome;

@@ -6,7 +6,8 @@ namespace ratchet_sieve
 void LaneRun::takeOutcomes(const Machine& machine, std::size_t rows)
 {
   report_.events += rows;
-  // Counted in registers: the rows' columns may not hold these.
+  // A local copy stays in registers, because the compiler must assume that the columns may alias
+  // report_.counts.
   ContactCounts counts = report_.counts;
   for (std::size_t row = 0; row < rows; ++row)
   {

@@ -9,8 +9,8 @@
 namespace ratchet_sieve
 {
 
-/// One thread's share in advancing an ensemble: disks are taken up into the rows of a batch, and put back
-/// when their next event is later than asked for.
+/// One thread's part of advancing an ensemble: loads disks into the rows of a batch, and stores them when
+/// their next event is later than the requested time.
 class LaneRun
 {
 public:
@@ -19,13 +19,13 @@ public:
     std::uint64_t events = 0;
     ContactCounts counts;
     std::vector<std::uint64_t> contacts;       ///< per species, of its disks
-    std::vector<CollisionRecord> records;      ///< only where somebody watches
-    std::vector<std::uint32_t> not_for_lanes;  ///< slots of disks whose next event is no ordinary one
+    std::vector<CollisionRecord> records;      ///< only if there is an observer
+    std::vector<std::uint32_t> not_for_lanes;  ///< slots of disks whose next event is not ordinary
   };
 
   LaneRun() : batch_() {}
 
-  /// Advances the disks that `take` hands out, until it has no more: bool take(std::uint32_t& slot).
+  /// Advances the disks that `take` returns, until it returns false: bool take(std::uint32_t& slot).
   template <typename Take>
   void advance(Machine& machine, std::vector<BaseEvent>& next, const LaneScene& scene, double time,
                Take&& take)
@@ -74,11 +74,11 @@ public:
     }
   }
 
-  /// What has come of it since the last time.
+  /// The results since the last call.
   Report takeReport();
 
 private:
-  /// Counts the event, if it is an ordinary one.
+  /// Counts the event if it is ordinary. @return whether it is
   bool admit(CollapseWatch& watch, std::uint32_t slot, double time)
   {
     if (watch.countOrdinary(slot, time))
@@ -87,7 +87,7 @@ private:
     return false;
   }
 
-  /// Tells the observers what came of the events of so many rows.
+  /// Passes the outcomes of the first `rows` rows to the observers.
   void takeOutcomes(const Machine& machine, std::size_t rows);
 
   LaneBatch batch_;

@@ -16,7 +16,7 @@ WorkerPool::WorkerPool(std::size_t workers)
   }
   catch (const std::system_error&)
   {
-    // The system gives no more threads: those that there are do all of the work.
+    // The system provides no more threads; the existing ones do all of the work.
   }
 }
 

@@ -11,12 +11,11 @@
 namespace ratchet_sieve
 {
 
-/// A few threads that are kept for work that comes again and again.
+/// A pool of threads for repeated parallel work.
 class WorkerPool
 {
 public:
-  /// @param workers how many work at a time, the caller's own thread among them; fewer where the system gives
-  /// no more threads
+  /// @param workers number of threads, including the caller's; fewer if the system provides no more
   explicit WorkerPool(std::size_t workers);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
@@ -24,8 +23,8 @@ public:
 
   std::size_t workers() const { return threads_.size() + 1; }
 
-  /// Calls work(worker) for every worker at the same time, and comes back when all are done. An error of one
-  /// of them is thrown here.
+  /// Calls work(worker) for every worker in parallel, and returns when all have finished. Rethrows an
+  /// exception of one of them.
   void run(const std::function<void(std::size_t worker)>& work);
 
 private:
@@ -36,7 +35,7 @@ private:
   std::condition_variable begin_;
   std::condition_variable end_;
   const std::function<void(std::size_t)>* work_ = nullptr;
-  std::size_t round_ = 0;  ///< counts what was given to run()
+  std::size_t round_ = 0;  ///< number of calls of run()
   std::size_t at_work_ = 0;
   bool closing_ = false;
   std::exception_ptr error_;

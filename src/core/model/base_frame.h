@@ -8,27 +8,27 @@
 namespace ratchet_sieve
 {
 
-/// A point's position and velocity in the frame of the base: (s, n), s along the base, n normal to it.
+/// Position and velocity of a point in the frame of the base: (s, n), s along the base, n normal to it.
 struct BasePoint
 {
   Eigen::Vector2d position;  ///< [m]
-  Eigen::Vector2d velocity;  ///< relative to the base there [m/s]
+  Eigen::Vector2d velocity;  ///< relative to the base at that point [m/s]
 
   double s() const { return position.x(); }
   double n() const { return position.y(); }
 };
 
-/// Another position at which a disk appears: moved along the base by a periodic boundary. World frame.
+/// The shift to a periodic image of a disk, along the base. World frame.
 struct Image
 {
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();  ///< [m]
   Eigen::Vector2d velocity =
-      Eigen::Vector2d::Zero();  ///< of the shift; nonzero only while the base turns [m/s]
+      Eigen::Vector2d::Zero();  ///< velocity of the shift; nonzero only while the base turns [m/s]
 };
 
-/// The frame of the base at an instant: the foot at s = 0, n = 0 lies at D in the world, and the base is
-/// inclined about it by theta. The rotation is kept as cosine and sine, and not as Eigen::Rotation2Dd, which
-/// asks the C library for them at each use: that takes long, and gives other bits on another processor.
+/// The frame of the base at an instant: its origin, the foot s = 0, n = 0, is at D in the world, and the base
+/// is inclined about it by theta. The rotation is stored as cosine and sine, because Eigen::Rotation2Dd calls
+/// the C library for them at each use: that is slow, and gives different bits on different processors.
 struct FrameOfBase
 {
   double inclination = 0.0;                                ///< theta [rad]
@@ -37,7 +37,7 @@ struct FrameOfBase
   Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  ///< D, in the world [m]
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();      ///< dD/dt, in the world [m/s]
 
-  /// A vector of the world along the axes of the base, and back.
+  /// A world vector in the axes of the base, and back.
   Eigen::Vector2d into(const Eigen::Vector2d& vector) const
   {
     const auto turned = intoBase(rotation, vector.x(), vector.y());
@@ -49,13 +49,13 @@ struct FrameOfBase
     return {turned.first, turned.second};
   }
 
-  /// A position in the frame of the base as the world has it.
+  /// The world position of a position in the frame of the base.
   Eigen::Vector2d positionOutOf(const Eigen::Vector2d& position) const
   {
     return outOf(position) + displacement;
   }
 
-  /// What is at this position of the world and moves at this velocity, as seen from the base.
+  /// Position and velocity relative to the base, from those in the world.
   BasePoint see(const Eigen::Vector2d& position, const Eigen::Vector2d& speed) const
   {
     const auto at = intoBase(rotation, position.x() - displacement.x(), position.y() - displacement.y());
@@ -64,7 +64,7 @@ struct FrameOfBase
             {going.first + inclination_rate * at.second, going.second - inclination_rate * at.first}};
   }
 
-  /// Where what the base carries appears once more, `length` along it.
+  /// The periodic image at distance `length` along the base.
   Image image(double length) const
   {
     const auto shift = alongBase(rotation, length);

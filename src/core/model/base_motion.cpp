@@ -10,8 +10,8 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Ramps whose ends differ by less than this share of the remaining time end together: without it
-/// the rounding of one would leave a segment shorter than the resolution.
+/// Ramps whose ends differ by less than this fraction of the remaining time end together. Otherwise rounding
+/// could leave a segment shorter than the time resolution.
 constexpr double SAME_END = 1e-12;
 
 double fraction(double x)
@@ -52,6 +52,26 @@ BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn, bool always_
   plan();
 }
 
+/// Whether a restored motion is possible in a run.
+bool BaseMotion::isLegal() const
+{
+  bool moves = false;
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+  {
+    const Ramp& r = ramp(q.quantity);
+    if (!q.legal.contains(r.start) || !q.legal.contains(r.target) || !(slew_rates_.*q.slew_rate > 0.0) ||
+        (r.rate != 0.0 &&
+         (std::abs(r.rate) != slew_rates_.*q.slew_rate || r.rate * (r.target - r.start) < 0.0)))
+      return false;
+    moves = moves || r.rate != 0.0;
+  }
+  const double length = rotation_.cosine * rotation_.cosine + rotation_.sine * rotation_.sine;
+  return moves == next_change_.has_value() && (!moves || *next_change_ >= segment_start_) &&
+         std::isfinite(segment_start_) && turns_ >= 0.0 && turns_ <= 1.0 && std::abs(length - 1.0) < 1e-9 &&
+         acceleration_bound_.allFinite() && displacement_bound_.allFinite() &&
+         acceleration_bound_.minCoeff() >= 0.0 && displacement_bound_.minCoeff() >= 0.0;
+}
+
 double BaseMotion::turns(double elapsed) const
 {
   return turns_ + elapsed * (frequency_.start + 0.5 * frequency_.rate * elapsed);
@@ -81,7 +101,7 @@ void BaseMotion::evaluate(double time, FrameOfBase& frame) const
   }
   else if (!next_change_)
   {
-    // At its setpoints: the same to the last bit, without the ramps.
+    // At its setpoints: the same bits as with ramps, but faster.
     const auto stroke = strokeAt(drive(), time);
     frame.displacement = {0.0, stroke.displacement};
     frame.velocity = {0.0, stroke.velocity};
@@ -143,7 +163,7 @@ void BaseMotion::pursue(Ramp& ramp, double slew_rate) const
   const auto remaining = ramp.remaining();
   if (!remaining || segment_start_ + *remaining > segment_start_)
     return;
-  // So near that a double cannot tell the end of the ramp from now: it is there.
+  // The end of the ramp is closer than a double can resolve: the target is reached.
   ramp.start = ramp.target;
   ramp.rate = 0.0;
 }
@@ -236,14 +256,14 @@ void BaseMotion::updateBounds()
   displacement_bound_ = Eigen::Vector2d(0.0, amplitude) + scale * orbit_.bound(0);
 }
 
-/// Over the present segment, by whatever the phase is.
+/// Over the present segment, for any phase.
 bool BaseMotion::hasStroke() const
 {
   return amplitude_.start != 0.0 || amplitude_.rate != 0.0 || (!orbit_.empty() && !scaled_);
 }
 
-/// What follows from the rest, and is not archived. Without amplitude, or with a phase that stands still, the
-/// drive gives the same displacement over all of the segment, to the last bit.
+/// Members derived from the others, not archived. Without amplitude or with a constant phase, the drive gives
+/// exactly the same displacement over the whole segment.
 void BaseMotion::noteDerived()
 {
   greatest_acceleration_ = acceleration_bound_.norm();

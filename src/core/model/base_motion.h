@@ -14,16 +14,15 @@
 namespace ratchet_sieve
 {
 
-/// The base's motion over time: theta, f and A each stand still or follow their setpoint at a
-/// constant rate; the phase of the drive is continuous. What the drive has besides A sin(phi) goes by that
-/// phase, too, and is scaled with A: by A over that of the scene, where the scene has one. Piecewise: within
-/// a segment nothing changes its rate; nextChange() ends it. Times are local to the engine's present epoch
-/// [s].
+/// The base's motion over time: theta, f and A are each constant or follow their setpoint at a constant rate;
+/// the phase of the drive is continuous. The other parts of the drive use the same phase and are scaled with
+/// A: by A over the scene's A, if that is not 0. Piecewise: within a segment no rate changes; nextChange()
+/// ends it. Times are local to the engine's present epoch [s].
 class BaseMotion
 {
 public:
-  /// @param max_turn the largest change of theta within one segment [rad]
-  /// @param always_drive works out the drive even where it does not move the base; see Plan
+  /// @param max_turn largest change of theta within one segment [rad]
+  /// @param always_drive evaluates the drive even if it does not move the base; see Plan
   explicit BaseMotion(const BaseDefinition& base, double max_turn = std::numeric_limits<double>::infinity(),
                       bool always_drive = false);
 
@@ -34,25 +33,26 @@ public:
     return frame;
   }
 
-  /// The same, put straight where it is wanted.
+  /// The same, written directly into `frame`.
   void evaluate(double time, FrameOfBase& frame) const;
   DriveState state(double time) const;
 
   double segmentStart() const { return segment_start_; }
 
-  /// By theta at the segment's start: while the base does not turn, by theta as it is.
+  /// For theta at the segment's start; valid for the whole segment while the base does not turn.
   const Rotation& rotation() const { return rotation_; }
 
-  /// A sin(phi) at the segment's start: while nothing changes, as it goes on.
+  /// A sin(phi) at the segment's start; valid for the whole segment while A and f are constant.
   Drive drive() const { return driveOf(amplitude_.start, frequency_.start, segment_start_, turns_); }
 
-  /// When the present segment ends; nothing while the base stands at its setpoints.
+  /// The end of the present segment; nothing while the base is at its setpoints.
   std::optional<double> nextChange() const { return next_change_; }
 
-  /// Begins a new segment at `time`: at nextChange(), or earlier, with setpoints changed.
+  /// Begins a new segment at `time`: at nextChange(), or earlier after a change of setpoints.
   void beginSegment(double time);
 
-  /// Makes `length` the new time zero; whole multiples of a power of two, so that the phase stays exact.
+  /// Makes `length` the new time zero. @param length a multiple of a power of two, so that the phase stays
+  /// exact
   void rebase(double length);
 
   /// The motion begins at `time`, not at 0. @pre nothing was commanded
@@ -63,14 +63,14 @@ public:
 
   bool turning() const { return inclination_.rate != 0.0; }
 
-  /// d theta / dt over the present segment [rad/s].
+  /// d theta / dt in the present segment [rad/s].
   double inclinationRate() const { return inclination_.rate; }
 
-  /// Whether the drive moves the base, over the present segment.
+  /// Whether the drive moves the base in the present segment.
   bool swings() const { return hasStroke() && (frequency_.start != 0.0 || frequency_.rate != 0.0); }
 
-  /// Phase of the drive over 2 pi, and when it has a later one, as the present segment goes on; nothing if it
-  /// never comes there. Whole turns before the segment are not counted.
+  /// Phase of the drive over 2 pi at `time`, and the time of a later phase, extrapolated from the present
+  /// segment; nothing if that phase is never reached. Whole turns before the segment are not counted.
   double turnsAt(double time) const { return turns(time - segment_start_); }
   std::optional<double> timeOfTurns(double turns) const;
 
@@ -80,17 +80,17 @@ public:
   /// The length of accelerationBound().
   double greatestAcceleration() const { return greatest_acceleration_; }
 
-  /// sup |dD/dt| of the oscillation as it is and on the way to its setpoints [m/s].
+  /// sup |dD/dt| of the oscillation, now and during the ramps to its setpoints [m/s].
   double speedBound() const;
 
-  /// How high the drive throws a disk that leaves it at its highest speed upwards [m]; infinity without
+  /// The height reached by a disk that leaves the base at its highest upward speed [m]; infinity without
   /// gravity.
   double throwHeight(double gravity) const;
 
   /// sup |D| of each component over the present segment [m].
   const Eigen::Vector2d& displacementBound() const { return displacement_bound_; }
 
-  /// The same along the base and normal to it, while it does not turn.
+  /// The same along the base and normal to it, valid while it does not turn.
   const Eigen::Vector2d& reach() const { return reach_; }
 
   void archive(StateArchive& state)
@@ -98,6 +98,7 @@ public:
     state(inclination_, frequency_, amplitude_, slew_rates_, segment_start_, turns_, rotation_.cosine,
           rotation_.sine, next_change_, acceleration_bound_.x(), acceleration_bound_.y(),
           displacement_bound_.x(), displacement_bound_.y());
+    state.require(isLegal(), "the motion of the base is impossible");
     noteDerived();
   }
 
@@ -118,15 +119,16 @@ private:
   Ramp& ramp(Quantity quantity) { return this->*RAMPS[indexOf(quantity)]; }
   const Ramp& ramp(Quantity quantity) const { return this->*RAMPS[indexOf(quantity)]; }
   double turns(double elapsed) const;
-  void advanceTo(double time);  ///< moves the segment's start to `time`, on the rates so far
+  void advanceTo(double time);  ///< advances the segment's start to `time` at the present rates
+  bool isLegal() const;
   void pursue(Ramp& ramp, double slew_rate) const;
-  void plan();  ///< sets the rates from the setpoints, and when they end
+  void plan();  ///< sets the rates from the setpoints, and the ends of the ramps
   void updateBounds();
   void noteDerived();
   bool hasStroke() const;
   void followOrbit(double elapsed, FrameOfBase& frame) const;
 
-  /// By what the orbit is scaled where A is this.
+  /// The scale factor of the orbit for this amplitude A.
   double orbitScale(double amplitude) const { return scaled_ ? amplitude / scene_amplitude_ : 1.0; }
   double orbitScaleRate() const { return scaled_ ? amplitude_.rate / scene_amplitude_ : 0.0; }
 
@@ -139,7 +141,7 @@ private:
   SlewRates slew_rates_;
   Orbit orbit_;
   double scene_amplitude_;  ///< A of the scene [m]
-  bool scaled_;             ///< whether that is one to scale the orbit by
+  bool scaled_;             ///< whether scene_amplitude_ can scale the orbit
   double max_turn_;
   bool always_drive_;
   double segment_start_ = 0.0;
@@ -150,12 +152,13 @@ private:
   Eigen::Vector2d displacement_bound_ = Eigen::Vector2d::Zero();
   double greatest_acceleration_ = 0.0;
   Eigen::Vector2d reach_ = Eigen::Vector2d::Zero();
-  bool oscillates_ = true;                                ///< over the present segment
-  bool orbits_ = false;                                   ///< oscillates by more than A sin(phi)
-  Eigen::Vector2d standstill_ = Eigen::Vector2d::Zero();  ///< D where the base does not oscillate [m]
+  bool oscillates_ = true;                                ///< in the present segment
+  bool orbits_ = false;                                   ///< has a horizontal part or harmonics
+  Eigen::Vector2d standstill_ = Eigen::Vector2d::Zero();  ///< D while the base does not oscillate [m]
 };
 
-/// The base at the instant that was last asked for: what happens at one time asks several times.
+/// Caches the state of the base at the last requested time, because simultaneous events request it several
+/// times.
 class BaseInstant
 {
 public:
@@ -171,7 +174,7 @@ public:
     return frame_;
   }
 
-  /// The motion, or the zero of time, has changed.
+  /// To be called after a change of the motion or of the zero of time.
   void forget() { time_ = std::numeric_limits<double>::quiet_NaN(); }
 
 private:

@@ -6,8 +6,7 @@
 namespace ratchet_sieve
 {
 
-/// What the two partners of a contact bring to the collision law. Masses may be infinite as zero
-/// inverse masses: the base.
+/// Effective masses of the two partners of a contact. The base has infinite mass: zero inverse masses.
 struct ContactMasses
 {
   double normal = 0.0;      ///< m_n, 1/m_n = 1/m_i + 1/m_j [kg]
@@ -26,22 +25,22 @@ inline ContactNumbers<double> contactNumbers(const ContactCoefficients& coeffici
           (1.0 + coefficients.tangential_restitution) * masses.tangential};
 }
 
-/// ludingImpulse() of one contact.
+/// ludingImpulse() for the coefficients of one contact.
 inline Impulse collide(const CollisionLaw& law, const ContactCoefficients& coefficients,
                        const ContactMasses& masses, double normal_velocity, double tangential_velocity)
 {
   return ludingImpulse(law, contactNumbers(coefficients, masses), normal_velocity, tangential_velocity);
 }
 
-/// The same without friction: no tangential impulse.
+/// The same for smooth disks: no tangential impulse.
 inline Impulse collideSmooth(const CollisionLaw& law, const ContactCoefficients& coefficients,
                              const ContactMasses& masses, double normal_velocity)
 {
   return {normalImpulse(law, contactNumbers(coefficients, masses), normal_velocity), 0.0};
 }
 
-/// A contact that loses no energy: e = 1 and smooth. The TC model's, for a contact that follows
-/// another within t_c (Luding & McNamara, Granular Matter 1, 113 (1998), doi:10.1007/s100350050017).
+/// A lossless contact: e = 1 and smooth. Used by the TC model for a contact that follows another within t_c
+/// (Luding & McNamara, Granular Matter 1, 113 (1998), doi:10.1007/s100350050017).
 constexpr ContactCoefficients LOSSLESS{1.0, 0.0, 0.0};
 
 }  // namespace ratchet_sieve

@@ -12,8 +12,8 @@
 namespace ratchet_sieve
 {
 
-/// A disk in free flight: its state at its own time, not at the simulation's (delayed states).
-/// World frame; times are local to the engine's present epoch.
+/// A disk in free flight. Its state is given at its own time, not at the simulation's (delayed states). World
+/// frame; times are local to the engine's present epoch.
 struct alignas(64) Disk
 {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
@@ -22,20 +22,21 @@ struct alignas(64) Disk
   double angle = 0.0;                                  ///< [rad]
   double time = 0.0;                                   ///< of this state [s]
   std::uint32_t species = 0;
-  std::uint32_t flights = 0;  ///< counts changes of the trajectory, to tell stale predictions
+  std::uint32_t flights = 0;  ///< counts changes of the trajectory, to detect stale predictions
 
   void archive(StateArchive& state) { state(position, velocity, spin, angle, time, species, flights); }
 };
 
-/// Where a disk is and how it moves: (x, y) and (vx, vy). Side by side in registers, for the search of pairs
-/// evaluates many: with Eigen's vectors it takes 5 % more instructions (Fig. 8).
+/// Position (x, y) and velocity (vx, vy) of a disk. Side by side in registers, because the pair search
+/// evaluates very many: Eigen's vectors take 5 % more instructions (Fig. 8).
 struct Course
 {
   Two position;  ///< [m]
   Two velocity;  ///< [m/s]
 };
 
-/// The disk's course `time`, on its parabola. Whoever needs it gets it from here, to the last bit.
+/// Position and velocity at `time` on the disk's parabola. The only place where this is computed, so that all
+/// callers get the same bits.
 inline Course courseAt(const Disk& disk, double time, double gravity)
 {
   const double elapsed = time - disk.time;
@@ -45,13 +46,13 @@ inline Course courseAt(const Disk& disk, double time, double gravity)
           velocityAfter(velocity, fall)};
 }
 
-/// The disk later or earlier on the same parabola.
+/// The disk at another time on the same parabola.
 inline Disk flown(const Disk& disk, double time, double gravity)
 {
   const Course course = courseAt(disk, time, gravity);
   Disk later = disk;
-  // In one store each, as they are read: two stores of 8 bytes before a load of 16 are a store-forwarding
-  // stall.
+  // One store each, as wide as the later load: two stores of 8 bytes before a load of 16 bytes cause a
+  // store-forwarding stall.
   std::memcpy(later.position.data(), &course.position, sizeof course.position);
   std::memcpy(later.velocity.data(), &course.velocity, sizeof course.velocity);
   later.angle = positionAfter(disk.angle, disk.spin, time - disk.time);

@@ -5,16 +5,15 @@
 namespace ratchet_sieve
 {
 
-/// The drive with its frequency and amplitude as they are at one instant: Y = A sin(phi), upwards in the
-/// world.
+/// The drive with its frequency and amplitude at one instant: Y = A sin(phi), upwards in the world.
 struct Drive
 {
   double amplitude;     ///< A [m]
-  double speed;         ///< A w, w = 2 pi f: the greatest of the base [m/s]
-  double acceleration;  ///< A w^2: the greatest of the base [m/s^2]
+  double speed;         ///< A w, w = 2 pi f: largest speed of the base [m/s]
+  double acceleration;  ///< A w^2: largest acceleration of the base [m/s^2]
   double frequency;     ///< f [Hz]
   double start;         ///< the instant [s]
-  double turns;         ///< phi over 2 pi at `start`
+  double turns;         ///< phi / (2 pi) at `start`
 };
 
 RATCHET_SIEVE_INLINE double angularFrequency(double frequency)
@@ -29,7 +28,7 @@ RATCHET_SIEVE_INLINE Drive driveOf(double amplitude, double frequency, double st
   return {amplitude, speed, speed * rate, frequency, start, turns};
 }
 
-/// How the base moves by its drive, upwards in the world.
+/// Displacement, velocity and acceleration of the base by its drive, upwards in the world.
 template <typename Number>
 struct Stroke
 {
@@ -38,14 +37,14 @@ struct Stroke
   Number acceleration;  ///< d2Y/dt2 [m/s^2]
 };
 
-/// At a phase, while frequency and amplitude stand still.
+/// At a phase, for constant frequency and amplitude.
 template <typename Number>
 RATCHET_SIEVE_INLINE Stroke<Number> strokeAtPhase(const Drive& drive, const SineCosine<Number>& phase)
 {
   return {drive.amplitude * phase.sine, drive.speed * phase.cosine, -(drive.acceleration * phase.sine)};
 }
 
-/// At a time, while frequency and amplitude stand still from `start` on.
+/// At a time, for frequency and amplitude that are constant from `start` on.
 template <typename Number>
 RATCHET_SIEVE_INLINE Stroke<Number> strokeAt(const Drive& drive, Number time)
 {

@@ -2,8 +2,8 @@
 
 #include "ratchet_sieve/core/numbers.h"
 
-/// A disk's free flight for a time `elapsed` [s]. Along each axis of any frame that is not accelerated:
-/// `position` [m], `velocity` [m/s], and `fall`, what gravity takes from the velocity meanwhile: g elapsed,
+/// A disk's free flight for a time `elapsed` [s], along each axis of any frame that is not accelerated:
+/// `position` [m], `velocity` [m/s], and `fall`, the decrease of the velocity by gravity: g elapsed,
 /// downwards [m/s].
 namespace ratchet_sieve
 {
@@ -16,7 +16,7 @@ RATCHET_SIEVE_INLINE Coordinate positionAfter(Coordinate position, Coordinate ve
   return position + (velocity - 0.5 * fall) * elapsed;
 }
 
-/// Along an axis on which gravity does not act, and of an angle with its spin.
+/// Along an axis without gravity, or of an angle with its spin.
 template <typename Number>
 RATCHET_SIEVE_INLINE Number positionAfter(Number position, Number velocity, Number elapsed)
 {
@@ -44,7 +44,7 @@ RATCHET_SIEVE_INLINE Number rotationOver(Number spin, Number elapsed)
   return 0.5 * elapsed * spin * spin;
 }
 
-/// How many whole widths W a position s along a periodic base is from [0, W).
+/// The number of whole widths W by which a position s along a periodic base is outside of [0, W).
 /// @param per_width 1 / W [1/m]
 template <typename Number>
 RATCHET_SIEVE_INLINE Number wholeWidths(Number s, double per_width)

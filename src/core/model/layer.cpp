@@ -4,20 +4,21 @@
 #include <cmath>
 #include <sstream>
 
+#include "ratchet_sieve/core/count_text.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
 constexpr double PI = 3.14159265358979323846;
 
-/// The share of the plane that disks fill in a random heap: about that of random close packing in two
-/// dimensions.
+/// Packing fraction of a heap of disks: about random close packing in two dimensions.
 constexpr double HEAP_PACKING = 0.82;
 
-/// What a disk takes at the most in a run of many, neighbours, events and sums included [bytes].
+/// Upper bound of the memory per disk in a large run, including neighbours, events and sums [bytes].
 constexpr double MEMORY_PER_DISK = 500.0;
 
-/// The height of a heap of disks of this area, all together [m].
+/// Height of a heap of disks with this total area [m].
 double heapHeight(const SceneDefinition& scene, double area)
 {
   return scene.contact.pair_collisions ? area / (HEAP_PACKING * scene.base.width()) : 0.0;
@@ -35,6 +36,19 @@ std::size_t disksAtStart(const SceneDefinition& scene)
   for (const SpeciesDefinition& species : scene.species)
     disks += static_cast<std::size_t>(species.count);
   return disks;
+}
+
+bool empties(const SceneDefinition& scene)
+{
+  return scene.boundary == Boundary::OPEN && scene.feed.rate <= 0.0;
+}
+
+double largestDiameter(const SceneDefinition& scene)
+{
+  double largest = 0.0;
+  for (const SpeciesDefinition& species : scene.species)
+    largest = std::max(largest, 2.0 * species.radius);
+  return largest;
 }
 
 double settledLayer(const SceneDefinition& scene)
@@ -64,7 +78,7 @@ std::string sizeText(const SceneDefinition& scene)
   const auto disks = static_cast<double>(disksAtStart(scene));
   std::ostringstream out;
   out.precision(3);
-  out << disksAtStart(scene) << " disks, ";
+  out << countText(disksAtStart(scene), "disk") << ", ";
   if (scene.contact.pair_collisions)
     out << "at rest a layer of about " << settledLayer(scene) << " m, ";
   out << "about " << std::lround(std::max(1.0, 1e-6 * MEMORY_PER_DISK * disks)) << " MB of memory";

@@ -10,7 +10,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Without whole turns, which would take digits from a phase.
+/// The fractional part only, because whole turns would cost precision.
 double turnsOf(double phase)
 {
   const double turns = phase / RADIANS_PER_TURN;

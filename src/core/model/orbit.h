@@ -9,9 +9,9 @@
 namespace ratchet_sieve
 {
 
-/// What the drive moves the base by besides A sin(phi) upwards: the horizontal part and the harmonics,
-/// D(phi) = sum over k of (A_x,k sin(k phi + phi_x,k), A_k sin(k phi + phi_k)), k = 1 being the horizontal
-/// part alone. World frame. Empty for the paper's machine, which asks for none of this.
+/// The parts of the drive besides A sin(phi) upwards: the horizontal part and the harmonics, D(phi) = sum
+/// over k of (A_x,k sin(k phi + phi_x,k), A_k sin(k phi + phi_k)), where k = 1 is the horizontal part only.
+/// World frame. Empty for the paper's machine, which has only A sin(phi).
 class Orbit
 {
 public:
@@ -19,10 +19,10 @@ public:
 
   bool empty() const { return terms_.empty(); }
 
-  /// The largest k; 1 where there are none.
+  /// The largest k; 1 without harmonics.
   int highestMultiple() const;
 
-  /// Where a phase takes the base, and by how much it goes on with the phase.
+  /// D at a phase, and its derivatives by the phase.
   struct Point
   {
     Eigen::Vector2d displacement;  ///< D [m]

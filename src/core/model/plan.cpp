@@ -9,13 +9,13 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// With beta = -1 all of the tangential velocity is kept, whatever the friction: the disk is smooth.
+/// beta = -1 leaves the tangential velocity unchanged for any friction: the disk is smooth.
 bool turnsDisks(const ContactCoefficients& contact)
 {
   return contact.friction > 0.0 && contact.tangential_restitution > -1.0;
 }
 
-/// Of all species, for disks of one with none at the start may be poured on.
+/// Of all species, because disks of a species with none at the start may be poured later.
 bool hasFriction(const SceneDefinition& scene)
 {
   for (std::size_t i = 0; i < scene.species.size(); ++i)
@@ -35,7 +35,7 @@ bool startsWithSpin(const SceneDefinition& scene)
                      [](const InitialDisk& disk) { return disk.spin != 0.0; });
 }
 
-/// Whether what is asked for is in there.
+/// False only if `asked` and not `there`.
 bool includes(bool there, bool asked)
 {
   return there || !asked;
@@ -45,7 +45,7 @@ bool includes(bool there, bool asked)
 Plan planOf(const SceneDefinition& scene)
 {
   Plan plan;
-  // Not how many disks there are: another may be poured on at any time.
+  // Regardless of the number of disks: more may be poured at any time.
   plan.pairs = scene.contact.pair_collisions;
   plan.steps = plan.pairs && scene.accuracy.method == Method::STEPS;
   plan.spin = hasFriction(scene) || startsWithSpin(scene);
@@ -77,9 +77,9 @@ bool covers(const Plan& plan, const SceneDefinition& scene)
 
 std::string planText(const Plan& plan)
 {
-  std::string line = plan.pairs ? "pairs" : "no pairs (disks do not see each other)";
+  std::string line = plan.pairs ? "pairs" : "no pairs (disks do not collide with each other)";
   if (plan.steps)
-    line += ", by steps (contacts that come and go within one are missed)";
+    line += ", by steps (contacts that begin and end within a step are missed)";
   line += plan.spin ? ", spin" : ", no spin (no friction turns a disk)";
   line += plan.drive ? ", drive" : ", no drive (the base stands still)";
   if (plan.orbit)
@@ -87,8 +87,8 @@ std::string planText(const Plan& plan)
   line += plan.contact_times ? ", contact times" : ", no contact times (contact_duration is 0)";
   line += plan.search_above_band ? ", base search everywhere" : ", no base search above the base's reach";
   line += plan.lanes ? ", lanes"
-                     : ", no lanes (for single disks without contact times on a periodic base that is driven "
-                       "up and down by a sine)";
+                     : ", no lanes (only for independent disks without contact times on a periodic base "
+                       "with a vertical sine drive)";
   return line;
 }
 

@@ -5,8 +5,7 @@
 namespace ratchet_sieve
 {
 
-/// Asks the processor to bring an object into its caches, every line of it, while it goes on with something
-/// else. Nothing but time depends on it.
+/// Prefetches all cache lines of an object. Affects only the speed.
 template <typename T>
 void prefetch(const T& object)
 {
@@ -14,7 +13,7 @@ void prefetch(const T& object)
   const char* const bytes = reinterpret_cast<const char*>(&object);
   for (std::size_t offset = 0; offset < sizeof object; offset += LINE)
     __builtin_prefetch(bytes + offset);
-  // Without an alignment of its own it may reach into one line more.
+  // Without its own alignment, an object may extend into one more line.
   if (alignof(T) < LINE)
     __builtin_prefetch(bytes + sizeof object - 1);
 }

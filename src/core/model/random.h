@@ -10,8 +10,8 @@
 namespace ratchet_sieve
 {
 
-/// Random numbers that are the same with every compiler and library: the standard fixes
-/// mt19937_64's bits, but not its distributions'.
+/// Random numbers that are the same with every compiler and library: the standard specifies mt19937_64 bit by
+/// bit, but not its distributions.
 class Random
 {
 public:
@@ -25,7 +25,7 @@ public:
 
   void archive(StateArchive& state)
   {
-    // The standard fixes this text, as it does the bits.
+    // The standard specifies this text, as it does the bits.
     std::ostringstream out;
     out << generator_;
     std::string text = out.str();
@@ -34,7 +34,7 @@ public:
       return;
     std::istringstream in(text);
     if (!(in >> generator_))
-      throw StateError("its random numbers are no such state");
+      throw StateError("the state of its random numbers is invalid");
   }
 
 private:

@@ -13,24 +13,24 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// An epoch is at least this many of the machine's time scales long: rare enough to cost nothing,
-/// short enough that times within it are exact to 2^-48 of one.
+/// An epoch is at least this many of the machine's time scales long. Then its end costs nothing noticeable,
+/// and times within it have a resolution of 2^-48 of a time scale.
 constexpr double SCALES_PER_EPOCH = 8.0;
 
-/// In units of a double's resolution at an epoch's end.
+/// In units of a double's resolution at the end of an epoch.
 constexpr double RESOLUTION_STEPS = 4.0;
 
-/// Of a disk's radius; the aim of the whole engine.
+/// As a fraction of a disk's radius; the accuracy goal of the engine.
 constexpr double LARGEST_OVERLAP = 1e-9;
 
-/// Of that overlap, what the way of the base within a step in time may come to: the rest is left to the
-/// rounding of its phase and of positions.
+/// The fraction of that overlap for the displacement of the base within the time resolution. The rest is for
+/// the rounding of its phase and of positions.
 constexpr double BASE_SHARE = 0.5;
 
-/// A gap is worked out of positions in a few steps, each of which rounds: so many resolutions of the largest.
+/// Number of roundings in computing a gap, in units of the resolution of the largest position.
 constexpr double ROUNDINGS_PER_GAP = 4.0;
 
-/// Keeps the smallest radius that the scene allows, and why.
+/// The smallest radius that the scene allows, and the reason.
 class Finest
 {
 public:
@@ -66,7 +66,8 @@ double speedOf(const InitialDisk& disk)
   return std::sqrt(disk.vx * disk.vx + disk.vy * disk.vy);
 }
 
-/// The fastest that the scene itself makes a disk [m/s].
+}  // namespace
+
 double startSpeed(const SceneDefinition& scene)
 {
   double speed = std::max(scene.pour.speed, scene.contact.min_rebound_speed);
@@ -74,13 +75,12 @@ double startSpeed(const SceneDefinition& scene)
     speed = std::max(speed, speedOf(disk));
   return speed;
 }
-}  // namespace
 
 double timeScale(const SceneDefinition& scene)
 {
   const BaseDefinition& base = scene.base;
   double scale = std::numeric_limits<double>::infinity();
-  // A frequency without an amplitude moves nothing.
+  // A frequency without an amplitude causes no motion.
   if (base.frequency > 0.0 && hasStroke(base))
     scale = 1.0 / (base.frequency * Orbit(base).highestMultiple());
   if (scene.gravity > 0.0)

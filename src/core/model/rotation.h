@@ -2,9 +2,9 @@
 
 #include "ratchet_sieve/core/numbers.h"
 
-/// Between the axes of the world (x, y) and those of the inclined base (s along it, n normal to it): the one
-/// place where components are turned, for one disk and for the lanes. Component by component and without
-/// Eigen, whose functions the lanes must not take in: see numbers.h.
+/// Rotation between the axes of the world (x, y) and of the inclined base (s along it, n normal to it): the
+/// only place, used for single disks and for SIMD. Component by component and without Eigen, whose functions
+/// the SIMD kernels must not instantiate: see numbers.h.
 namespace ratchet_sieve
 {
 

@@ -8,7 +8,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// By how many resolutions of the farthest position slopes reach beyond their ends; see
+/// Width by which slopes extend beyond their ends, in resolutions of the farthest position; see
 /// Sawtooth::windowSlack().
 constexpr double WINDOW_SLACK = 64.0 * std::numeric_limits<double>::epsilon();
 
@@ -82,17 +82,17 @@ Approach Sawtooth::approach(const BaseFeature& feature, const BasePoint& point, 
     case BaseFeatureKind::RIGHT_WALL:
       return approachToLine(width_ - point.s(), -Eigen::Vector2d::UnitX(), point, radius);
     case BaseFeatureKind::LEFT_END:
-      return approachToLine(point.s(), Eigen::Vector2d::UnitX(), point, 0.0);
+      return approachToLine(point.s() + seamSlack(), Eigen::Vector2d::UnitX(), point, 0.0);
     case BaseFeatureKind::RIGHT_END:
     case BaseFeatureKind::NONE:
       break;
   }
-  return approachToLine(width_ - point.s(), -Eigen::Vector2d::UnitX(), point, 0.0);
+  return approachToLine(width_ - point.s() + seamSlack(), -Eigen::Vector2d::UnitX(), point, 0.0);
 }
 
 double Sawtooth::heightAbove(double s, double n) const
 {
-  // Far below, all that is asked is how deep.
+  // Far below the base, only the depth is needed.
   if (n < -(height_ + tooth_width_))
     return n;
   const std::int32_t here = toothAt(s);

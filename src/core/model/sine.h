@@ -14,11 +14,11 @@ struct SineCosine
   Number cosine;
 };
 
-/// Turned on by an integer of quarter turns, which decides which of the two is which, and the signs.
+/// Rotates by an integer number of quarter turns, which determines the swap of sine and cosine and the signs.
 template <typename Number>
 RATCHET_SIEVE_INLINE SineCosine<Number> turnedByQuarters(const SineCosine<Number>& angle, Number quarters)
 {
-  // The quarter within its turn, in {-2, -1, 0, 1, 2}; where it is odd, sine and cosine change places.
+  // The quarter within its turn, in {-2, -1, 0, 1, 2}; if it is odd, sine and cosine are swapped.
   const Number quarter = quarters - 4.0 * rounded(quarters * 0.25);
   const Number distance = absolute(quarter);
   const auto odd = both(less(like(quarter, 0.5), distance), less(distance, like(quarter, 1.5)));
@@ -43,9 +43,9 @@ RATCHET_SIEVE_INLINE double doubleOf(unsigned long long bits)
   return value;
 }
 
-/// The same for one double, by moving bits: a compiler makes branches of the selections, which nobody can
-/// predict. Of random angles a sine and a cosine take 8.3 ns so, and 59 ns with the selections (AMD EPYC, g++
-/// 12, 2026-11-22).
+/// The same for one double, with bit operations: compilers turn the selections into branches, which are
+/// unpredictable. For random angles, sine and cosine take 8.3 ns, and 59 ns with the selections (AMD EPYC,
+/// g++ 12, 2026-11-22).
 RATCHET_SIEVE_INLINE SineCosine<double> turnedByQuarters(const SineCosine<double>& angle, double quarters)
 {
   const auto quarter = static_cast<unsigned long long>(static_cast<long long>(quarters));
@@ -56,9 +56,9 @@ RATCHET_SIEVE_INLINE SineCosine<double> turnedByQuarters(const SineCosine<double
           doubleOf(((c & ~swap) | (s & swap)) ^ (((quarter + 1) & 2) << 62))};
 }
 
-/// sin and cos of 2 pi `turns`, |turns| < 2^49, to within 2 ulp. Our own, so that every machine gives the
-/// same bits: the C library picks its kernels by processor. The polynomials are those of FDLIBM (k_sin.c,
-/// k_cos.c; Sun Microsystems, 1993) on [-pi/4, pi/4].
+/// sin and cos of 2 pi `turns`, |turns| < 2^49, to within 2 ulp. Own code, because every machine must give
+/// the same bits, and the C library selects its code by processor. The polynomials are those of FDLIBM
+/// (k_sin.c, k_cos.c; Sun Microsystems, 1993) on [-pi/4, pi/4].
 template <typename Number>
 RATCHET_SIEVE_INLINE SineCosine<Number> sineCosineOfTurns(Number turns)
 {

@@ -11,8 +11,8 @@
 namespace ratchet_sieve
 {
 
-/// Two doubles side by side in one register, as every 64-bit processor has them. Each is worked on as a
-/// double alone would be, to the last bit.
+/// Two doubles in one register, available on every 64-bit processor. Operations round as those on single
+/// doubles.
 using Two = double __attribute__((vector_size(16)));
 
 inline Eigen::Vector2d vectorOf(Two x)
@@ -20,7 +20,7 @@ inline Eigen::Vector2d vectorOf(Two x)
   return {x[0], x[1]};
 }
 
-/// Of what is not negative the square roots, of what is 0.
+/// Square roots of the elements, 0 for negative ones.
 inline Two rootOrZero(Two x)
 {
 #if defined(__SSE2__)
@@ -54,7 +54,7 @@ inline unsigned whichUpTo(Two x, double limit)
 inline unsigned whichUpTo(const double* sixteen, double limit)
 {
 #if defined(__SSE2__)
-  // Each comparison's bits are all set or none, so that narrowing keeps them.
+  // Each comparison sets all bits or none, so that narrowing keeps the result.
   const __m128d limits = _mm_set1_pd(limit);
   const auto two = [&](int i) { return _mm_castpd_si128(_mm_cmple_pd(_mm_load_pd(sixteen + i), limits)); };
   const auto four = [&](int i) { return _mm_packs_epi32(two(i), two(i + 2)); };

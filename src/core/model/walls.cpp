@@ -7,18 +7,19 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// With 5 widths, 8 of 120 disks go over a wall that is the floor of a base at 1.5 rad, shaken with 4 g; with
-/// 10 none.
+/// With 5 widths, 8 of 120 disks go over a wall that acts as the floor of a base at 1.5 rad, shaken with 4 g;
+/// with 10 widths none.
 constexpr double WALL_WIDTHS = 10.0;
 
-/// Poured disks lie so loosely that each takes up this many squares of its diameter.
+/// Poured disks are loosely packed: each occupies this many squares of its diameter.
 constexpr double SQUARES_PER_DISK = 2.0;
 
-/// Of the far end towards the foot that the base turns about, omega^2 W, in g: up to 0.16 no disk went over a
-/// wall in the runs of docs/stability.md, at 0.18 one of 160 did, at 0.5 most.
+/// Acceleration of the far end of the turning base towards its centre of rotation, omega^2 W, in g. In the
+/// runs of docs/stability.md no disk went over a wall up to 0.16, one of 160 did at 0.18, and most did at
+/// 0.5.
 constexpr double CALM_ACCELERATION = 0.15;
 
-/// About how high the poured disks lie; without the drive's amplitude, which a setpoint may change [m].
+/// Approximate top of the poured disks, without the drive's amplitude, which a setpoint may change [m].
 double topOfPour(const SceneDefinition& scene)
 {
   double squares = 0.0;

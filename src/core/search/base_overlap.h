@@ -9,8 +9,8 @@
 namespace ratchet_sieve
 {
 
-/// Whether a disk may overlap the base, or be beyond one of its ends: by the two slopes of the valley that it
-/// is over, each as a whole line. The line contains the slope's apex, so that none that overlaps is missed.
+/// Tests whether a disk may overlap the base or be beyond one of its ends. Uses the two slopes of the valley
+/// below the disk, each extended to a line. The line contains the slope's apex, so no overlap is missed.
 class BaseOverlap
 {
 public:
@@ -27,7 +27,7 @@ public:
   {
   }
 
-  /// @param s, n of its centre in the frame of the base [m]
+  /// @param s, n of the disk's centre in the frame of the base [m]
   bool overlaps(double s, double n, double radius) const
   {
     if (!periodic_ && beyondEnds(s, wall_ ? radius : 0.0))
@@ -38,8 +38,8 @@ public:
     return (valley.to_left < radius) | (valley.to_right < radius);
   }
 
-  /// How high a disk whose centre is behind the surface has to be raised normal to the base until it is free
-  /// of both slopes [m]; nothing if its centre is in front.
+  /// The distance by which a disk whose centre is below the surface must be raised, normal to the base, to be
+  /// free of both slopes [m]; nothing if its centre is above.
   std::optional<double> wayOut(double s, double n, double radius) const
   {
     const Valley valley = valleyBelow(s, n);
@@ -54,7 +54,8 @@ public:
   }
 
 private:
-  /// How far a point is from the lines of the two slopes of the valley that it is over, < 0 behind them [m].
+  /// Signed distances of a point from the lines of the two slopes of the valley below it, < 0 behind a line
+  /// [m].
   struct Valley
   {
     double to_left;
@@ -77,8 +78,8 @@ private:
   double tooth_width_;
   double teeth_per_length_;
   double apex_;
-  Eigen::Vector2d to_the_right_;  ///< normal of the slope on the right side of a valley
-  Eigen::Vector2d to_the_left_;   ///< of the one on its left side
+  Eigen::Vector2d to_the_right_;  ///< normal of the slope on the right of a valley
+  Eigen::Vector2d to_the_left_;   ///< normal of the slope on the left of a valley
 };
 
 }  // namespace ratchet_sieve

@@ -7,7 +7,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// More cells than this per disk would be empty: memory and crossings for nothing.
+/// With more cells per disk, most would be empty and cost memory and crossings.
 constexpr double MAX_CELLS_PER_DISK = 1.5;
 constexpr double MIN_CELLS = 64.0;
 }  // namespace
@@ -64,7 +64,7 @@ void CellGrid::remove(std::uint32_t slot)
   const std::uint32_t last = first.slots[--first.count];
   if (last == slot)
     return;
-  // The last disk takes the removed one's entry, so that all blocks but the first stay full.
+  // The last disk takes the entry of the removed one, so that all blocks but the first stay full.
   for (Block* block = &first;; block = &full_[block->next])
   {
     const auto end = block->slots.begin() + block->count;
@@ -98,6 +98,58 @@ void CellGrid::popFullBlock(std::size_t cell)
   const std::uint32_t entry = blocks_[cell].next;
   blocks_[cell] = full_[entry];
   free_.push_back(entry);
+}
+
+bool CellGrid::holds(std::uint32_t slot) const
+{
+  if (slot >= cells_.size() || index(cells_[slot]) >= blocks_.size())
+    return false;
+  std::vector<std::uint32_t> list;
+  const std::size_t count = collect(index(cells_[slot]), list, 0);
+  return std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count), slot) !=
+         list.begin() + static_cast<std::ptrdiff_t>(count);
+}
+
+/// Whether every disk is in at most one cell, the cell recorded for it, and every block in one list.
+bool CellGrid::isLegal() const
+{
+  const bool of_a_size = columns_ > 0 && rows_ > 0 && laps_ >= 0 && (laps_ == 0 || columns_ == 1) &&
+                         side_s_ > 0.0 && side_n_ > 0.0 && std::isfinite(side_s_) && std::isfinite(side_n_);
+  if (!of_a_size || blocks_.size() != static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_))
+    return false;
+  std::vector<std::uint8_t> seen(cells_.size());
+  std::vector<std::uint8_t> used(full_.size());
+  for (const std::uint32_t entry : free_)
+    if (entry >= full_.size() || used[entry]++ != 0)
+      return false;
+  for (std::size_t cell = 0; cell < blocks_.size(); ++cell)
+    if (!isLegal(cell, seen, used))
+      return false;
+  return true;
+}
+
+/// @param seen disks, @param used full blocks so far; those of this cell are added
+bool CellGrid::isLegal(std::size_t cell, std::vector<std::uint8_t>& seen,
+                       std::vector<std::uint8_t>& used) const
+{
+  for (const Block* block = &blocks_[cell];; block = &full_[block->next])
+  {
+    if (block->count > Block::CAPACITY || (block != &blocks_[cell] && block->count < Block::CAPACITY))
+      return false;
+    for (std::uint32_t k = 0; k < block->count; ++k)
+    {
+      const std::uint32_t slot = block->slots[k];
+      if (slot >= cells_.size() || seen[slot]++ != 0)
+        return false;
+      const Cell at = cells_[slot];
+      if (at.column < 0 || at.column >= columns_ || at.row < 0 || at.row >= rows_ || index(at) != cell)
+        return false;
+    }
+    if (block->next == NONE)
+      return true;
+    if (block->next >= full_.size() || used[block->next]++ != 0)
+      return false;
+  }
 }
 
 CellGrid::Cell CellGrid::cellAt(double s, double n) const

@@ -13,12 +13,12 @@
 namespace ratchet_sieve
 {
 
-/// How many cells there are and how large, in a machine `width` [m] wide.
+/// Number and size of the cells in a machine of this `width` [m].
 struct CellShape
 {
-  /// @param height that the rows cover [m]
+  /// @param height covered by the rows [m]
   /// @param smallest_side of a cell: at least the largest diameter, with a margin [m]
-  /// @param count of disks, to keep the number of cells in proportion
+  /// @param count number of disks, to keep the number of cells in proportion
   CellShape(double width, double height, double smallest_side, std::size_t count);
 
   std::int32_t columns = 1;
@@ -27,10 +27,10 @@ struct CellShape
   double side_n = 0.0;  ///< [m]
 };
 
-/// Cells at least a largest diameter wide, so that disks in cells that do not touch cannot touch
-/// either. Columns along s, rows along n, in a frame that stands still. The outermost cells extend
-/// to infinity, but for the columns of a periodic grid, which form a ring. A ring of one column may reach
-/// beyond its ends by whole laps: its disks are wrapped less often, and may collide with any image of each
+/// The cell list. Cells are at least as wide as the largest diameter, so that only disks in the same or
+/// adjacent cells can touch. Columns along s, rows along n, in a fixed frame. The outermost cells extend to
+/// infinity, except the columns of a periodic grid, which form a ring. A ring of one column may extend beyond
+/// its ends by whole widths (laps): its disks are wrapped less often, and may collide with any image of each
 /// other.
 class CellGrid
 {
@@ -43,8 +43,8 @@ public:
     void archive(StateArchive& state) { state(column, row); }
   };
 
-  /// Parameters as of CellShape.
-  /// @param laps by which a ring of one column reaches beyond either end; more columns have none
+  /// Parameters as in CellShape.
+  /// @param laps widths by which a ring of one column extends beyond either end; 0 with more columns
   CellGrid(double width, double height, double smallest_side, std::size_t count, bool periodic,
            std::int32_t laps = 0);
 
@@ -55,19 +55,22 @@ public:
   Cell cellAt(double s, double n) const;
   Cell cellOf(std::uint32_t slot) const { return cells_[slot]; }
 
+  /// Number of slots with memory.
+  std::size_t capacity() const { return cells_.size(); }
+
   bool periodic() const { return periodic_; }
   std::int32_t columns() const { return columns_; }
   std::int32_t rows() const { return rows_; }
   std::int32_t laps() const { return laps_; }
   double columnStart(std::int32_t column) const { return column * side_s_; }
 
-  /// Where a disk leaves a column, to the left and to the right.
+  /// The left and the right edge of a column.
   double leftEdge(std::int32_t column) const { return columnStart(column) - laps_ * side_s_; }
   double rightEdge(std::int32_t column) const { return columnStart(column + 1) + laps_ * side_s_; }
   double rowStart(std::int32_t row) const { return row * side_n_; }
 
-  /// Which cells around one: from (column + first_column, row + first_row) to (column + last_column,
-  /// row + last_row), each offset in [-1, 1].
+  /// The cells around a cell: from (column + first_column, row + first_row) to (column + last_column, row +
+  /// last_row), each offset in [-1, 1].
   struct Surroundings
   {
     int first_column = -1;
@@ -76,10 +79,10 @@ public:
     int last_row = 1;
   };
 
-  /// Collects the disks in the cells around `cell` and calls visit(slots, count, shift) for as many lists of
-  /// them as there are shifts: how many widths the disk's image lies to the right of the disk. On a ring with
-  /// laps() it is one list, for any shift up to 2 laps() + 2 to either side.
-  /// @param list holds them meanwhile, and grows as needed
+  /// Collects the disks in the cells around `cell` and calls visit(slots, count, shift) once for each value
+  /// of `shift`: the number of widths by which the image in the grid is to the right of the disk. A ring with
+  /// laps() gives a single list, for all shifts up to 2 laps() + 2 to either side.
+  /// @param list buffer; grows as needed
   template <typename Visit>
   void visit(Cell cell, const Surroundings& around, std::vector<std::uint32_t>& list, Visit&& visit) const
   {
@@ -107,7 +110,7 @@ public:
   /// Prefetches what cellOf() reads.
   void prefetchCellOf(std::uint32_t slot) const { prefetch(cells_[slot]); }
 
-  /// Prefetches what visit() reads of the cells around one, but for those beyond the seam.
+  /// Prefetches what visit() reads of the cells around one, except those beyond the seam.
   void prefetchAround(Cell cell) const
   {
     for (int row = std::max(cell.row - 1, 0); row <= std::min(cell.row + 1, rows_ - 1); ++row)
@@ -119,21 +122,28 @@ public:
   void archive(StateArchive& state)
   {
     state(periodic_, laps_, columns_, rows_, side_s_, side_n_, blocks_, full_, free_, cells_);
+    state.require(isLegal(), "a disk is not in its cell");
   }
 
+  /// Whether the disk at a slot is in a cell, by searching the cell.
+  bool holds(std::uint32_t slot) const;
+
 private:
+  bool isLegal() const;
+  bool isLegal(std::size_t cell, std::vector<std::uint8_t>& seen, std::vector<std::uint8_t>& used) const;
+
   CellGrid(const CellShape& shape, std::size_t count, bool periodic, std::int32_t laps);
 
   static constexpr std::uint32_t NONE = 0xffffffff;
 
-  /// The disks of one cell, contiguous, so that a search reads them without a chain of loads. A cell whose
-  /// block is full moves it to the overflow list and starts an empty one.
+  /// The disks of one cell, contiguous in memory, so that a search reads them without following pointers.
+  /// When a cell's block is full, it is moved to the overflow list and an empty one begins.
   struct Block
   {
     static constexpr std::size_t CAPACITY = 6;
     std::array<std::uint32_t, CAPACITY> slots{};
     std::uint32_t count = 0;
-    std::uint32_t next = NONE;  ///< the last full block in the overflow list
+    std::uint32_t next = NONE;  ///< the previous full block in the overflow list
 
     void archive(StateArchive& state) { state(slots, count, next); }
   };
@@ -148,7 +158,7 @@ private:
     {
       if (list.size() < count + Block::CAPACITY)
         list.resize(2 * (count + Block::CAPACITY));
-      // The whole block whatever its count: this needs no branch.
+      // Copies the whole block regardless of its count: this needs no branch.
       std::memcpy(list.data() + count, block->slots.data(), sizeof block->slots);
       count += block->count;
       if (block->next == NONE)

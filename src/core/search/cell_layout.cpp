@@ -10,23 +10,25 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// The cost of crossing an edge in pair evaluations, those with the disks beyond it aside: some 120 ns to 7.
+/// Cost of a cell crossing in units of pair evaluations, without the pairs beyond the edge: about 120 ns to 7
+/// ns.
 constexpr double EVALUATIONS_PER_EDGE = 20.0;
 
-/// The cost of evaluating all images on a ring (RingCourse), in evaluations of one pair.
+/// Cost of evaluating all images on a ring (RingCourse), in units of pair evaluations.
 constexpr double EVALUATIONS_PER_RING = 2.0;
 
-/// There are rows up to so many times the mean height: where density falls as in the barometric formula, 95 %
-/// of all disks are below.
+/// Rows extend to this many mean heights: 95 % of all disks are below if the density follows the barometric
+/// formula.
 constexpr double MEAN_HEIGHTS = 3.0;
 
-/// The layout is evaluated again after so many events per disk: an evaluation costs no more than one of them.
+/// Events per disk between two evaluations of the layout: an evaluation costs no more than one event per
+/// disk.
 constexpr std::uint64_t EVENTS_BETWEEN_EVALUATIONS = 16;
 
-/// Where more edges are crossed than this for each other event, cells are too small. A shaken layer has 0.4.
+/// With more crossings than this per other event, cells are too small. A vibrated layer has 0.4.
 constexpr std::uint64_t MANY_CROSSINGS = 2;
 
-/// The grid is rebuilt where that cuts the cost to this share; a smaller gain would not pay for the
+/// The grid is rebuilt if that reduces the cost to this fraction; a smaller gain would not pay for the
 /// rebuilding.
 constexpr double WORTH_REBUILDING = 0.7;
 }  // namespace

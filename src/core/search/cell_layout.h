@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,30 +12,34 @@
 namespace ratchet_sieve
 {
 
-/// Of cells: over which height there are rows, and how small a cell may be at most.
+/// The height covered by rows, and the smallest allowed side of a cell.
 struct CellLayout
 {
   double height = 0.0;         ///< [m]
   double smallest_side = 0.0;  ///< [m]
 
-  void archive(StateArchive& state) { state(height, smallest_side); }
+  void archive(StateArchive& state)
+  {
+    state(height, smallest_side);
+    state.require(std::isfinite(height) && std::isfinite(smallest_side), "its cells have an invalid size");
+  }
 };
 
-/// The cost of a layout per second: crossings of cell edges, and pairs evaluated. Small cells are crossed
-/// often, large ones hold many disks. Estimated from the present state, so that it holds for a dense layer as
-/// for a gas that fills any height.
+/// The cost of a cell layout per second: cell crossings and pair evaluations. Small cells are crossed often;
+/// large cells contain many disks. Estimated from the present state, so that it is valid for a dense layer
+/// and for a gas of any height.
 class LayoutCosts
 {
 public:
   /// @param points of all disks, in the frame of the cells; @param width of the machine [m]
-  /// @param events that search all cells around, of all disks [1/s]
+  /// @param events rate of events that search the adjacent cells, of all disks [1/s]
   /// @param laps of a ring of one column; see CellGrid
   LayoutCosts(const std::vector<BasePoint>& points, double width, double events, int laps);
 
   /// In pair evaluations per second.
   double of(const CellLayout& layout) const;
 
-  /// The best of cells with sides of 1, 2, 4, ... times the least, up to one cell for all.
+  /// The cheapest layout among sides of 1, 2, 4, ... times the smallest, up to a single cell.
   CellLayout cheapest(double least_side) const;
 
 private:
@@ -42,24 +47,25 @@ private:
   double width_;
   double events_;
   int laps_;
-  double top_ = 0.0;  ///< under which nearly all disks are [m]
+  double top_ = 0.0;  ///< height below which nearly all disks are [m]
 };
 
-/// Watches whether cells fit what the disks do: those of a shaken layer, until others are cheaper.
+/// Monitors whether the cells suit the motion of the disks. Starts with the layout of a vibrated layer, until
+/// another is cheaper.
 class CellFit
 {
 public:
-  /// The layout that was chosen; nothing: the shaken layer's.
+  /// The chosen layout; nothing: the one of a vibrated layer.
   const std::optional<CellLayout>& layout() const { return layout_; }
 
-  /// A disk has crossed an edge.
+  /// Counts a cell crossing.
   void crossed() { ++crossings_; }
 
-  /// @param events of the run so far, crossings included; @param disks that there are
-  /// @return where a better layout is to be searched: the events of an epoch, without crossings
+  /// @param events of the run so far, including crossings; @param disks their number
+  /// @return if a better layout should be searched: the number of events in the epoch, without crossings
   std::optional<double> epochEnded(std::uint64_t events, std::size_t disks);
 
-  /// Takes the cheapest layout, if rebuilding the grid pays. @return whether it does
+  /// Adopts the cheapest layout if rebuilding the grid pays. @return whether it does
   bool choose(const LayoutCosts& costs, const CellLayout& for_layer, double least_side);
 
   void archive(StateArchive& state) { state(layout_, events_before_, crossings_, epochs_); }

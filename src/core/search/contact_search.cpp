@@ -10,18 +10,17 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// After this many steps a search returns how far it got, so that one flight cannot hold up the
-/// others. Quadratic convergence needs about six; only grazing flights need more.
+/// Largest number of steps of one search, which then returns the time reached, so that one flight does not
+/// delay the others. Quadratic convergence needs about six; only grazing flights need more.
 constexpr int MAX_STEPS = 64;
 
-/// Newton's method takes three or four steps, and one more where it starts badly.
+/// Newton's method needs three or four steps, and one more from a bad start.
 constexpr int MAX_REFINEMENTS = 12;
 
-/// While the base turns, a step spans no more than this angle [rad]: it keeps the bound on the
-/// relative acceleration tight.
+/// Largest rotation of a turning base in one step [rad]; keeps the bound on the relative acceleration tight.
 constexpr double MAX_TURN_PER_STEP = 0.05;
 
-/// A step reaches no further than this many teeth, lest a fast disk over fine teeth tests them all.
+/// Largest number of teeth in one step. Otherwise a fast disk over fine teeth tests them all.
 constexpr double MAX_TEETH_PER_STEP = 16.0;
 }  // namespace
 
@@ -41,7 +40,7 @@ BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, doub
     const double acceleration = relativeAccelerationBound(point, span);
     Step step(point, radius, acceleration, forced, span, time_resolution_);
     step.limitTo(MAX_TEETH_PER_STEP * sawtooth_.toothWidth() + radius);
-    if (sawtooth_.boundary() != Boundary::PERIODIC)
+    if (sawtooth_.boundary() != Boundary::PERIODIC || motion_.turning())
       testEnds(step);
     if (!step.staysOver(sawtooth_.height()))
       testTeeth(step);
@@ -57,8 +56,8 @@ BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, doub
   return {time, {}};
 }
 
-/// Newton's method on the gap to the one feature that will be hit: the gap closes all the time between the
-/// bounds, so there is one root. Nothing if it does not converge.
+/// Newton's method on the gap to the one feature that is certain to be hit. The gap decreases throughout the
+/// interval, so there is one root. Nothing if it does not converge.
 std::optional<double> ContactSearch::refine(const Disk& disk, double radius, const SureContact& sure,
                                             double time) const
 {
@@ -72,16 +71,16 @@ std::optional<double> ContactSearch::refine(const Disk& disk, double radius, con
       return std::nullopt;
     const double step = -now.gap / now.rate;
     at = std::clamp(at + step, earliest, latest);
-    // The next step would be no longer than K step^2 / (2 |rate|).
+    // The next step would not be longer than K step^2 / (2 |rate|).
     if (0.5 * sure.acceleration * step * step <= -now.rate * time_resolution_)
       return at;
   }
   return std::nullopt;
 }
 
-/// Whether the disk is out of the base's reach, wherever that is in its oscillation, at both ends of a time:
-/// then it is in between, for it falls towards the base: not where that hangs upside down. A comparison,
-/// where nearTime() takes a root. May say no where it is.
+/// Whether the disk is above the highest position of the base at both ends of a time span. Then it is so in
+/// between, because it falls towards the base; this does not hold for an inclination beyond 90 degrees. Needs
+/// comparisons only, while nearTime() takes a root. May return false although it is true.
 bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, double until) const
 {
   if (search_above_band_ || motion_.turning() || motion_.rotation().cosine <= 0.0 ||
@@ -97,8 +96,8 @@ bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, dou
   return above(until) && above(from);
 }
 
-/// The first time from `from` on at which the base, wherever it is in its oscillation, could reach
-/// the disk: closed form, as long as the base does not turn.
+/// The first time after `from` at which the base, at any phase of its oscillation, could reach the disk.
+/// Closed form, valid while the base does not turn.
 double ContactSearch::nearTime(const Disk& disk, double radius, double from) const
 {
   if (search_above_band_ || motion_.turning())
@@ -132,9 +131,9 @@ double ContactSearch::longestSpan() const
   return motion_.turning() ? MAX_TURN_PER_STEP / std::abs(motion_.inclinationRate()) : INFINITE_TIME;
 }
 
-/// sup |d2/dt2| of the disk's position in the base's frame over the next `span`: gravity, the drive,
-/// and while the base turns at rate w the Coriolis and centrifugal terms, with speed and distance
-/// bounded over the span by themselves: K = a + 2 w (v + K T) + w^2 (q + v T + K T^2), solved for K.
+/// sup |d2/dt2| of the disk's position in the base's frame over the next `span`: gravity, the drive, and
+/// while the base turns at rate w the Coriolis and centrifugal terms. Speed and distance over the span are
+/// bounded through K itself: K = a + 2 w (v + K T) + w^2 (q + v T + K T^2), solved for K.
 double ContactSearch::relativeAccelerationBound(const BasePoint& point, double span) const
 {
   const double plain = gravity_ + motion_.greatestAcceleration();
@@ -150,8 +149,8 @@ double ContactSearch::relativeAccelerationBound(const BasePoint& point, double s
   return bound;
 }
 
-/// Gravity is vertical in the world, and so is the drive of the paper's machine. What else there is has its
-/// share of relativeAccelerationBound().
+/// Gravity is vertical in the world, and so is the drive of the paper's machine. relativeAccelerationBound()
+/// includes all other terms.
 ContactSearch::Direction ContactSearch::forcedDirection() const
 {
   if (motion_.turning())
@@ -172,8 +171,9 @@ ContactSearch::Direction ContactSearch::forcedDirection() const
   return forced;
 }
 
-/// The walls, if there are any. Open ends, and what is above the walls: the lines that a disk leaves by, and
-/// the corners that it may touch on its way.
+/// The walls, if there are any. For open ends and above the walls: the lines at which a disk leaves, and the
+/// corners that it may touch on its way. For a turning periodic base: the lines at its ends, at which a disk
+/// is wrapped.
 void ContactSearch::testEnds(Step& step) const
 {
   const auto test_line = [&](BaseFeatureKind kind, const Step::Gap& window)
@@ -199,11 +199,13 @@ void ContactSearch::testEnds(Step& step) const
   }
   test_line(BaseFeatureKind::LEFT_END, Step::ALWAYS);
   test_line(BaseFeatureKind::RIGHT_END, Step::ALWAYS);
+  if (sawtooth_.boundary() == Boundary::PERIODIC)
+    return;
   test_corner(0);
   test_corner(sawtooth_.teeth());
 }
 
-/// From the tooth below outwards, as far as the shortest guarantee so far reaches.
+/// From the tooth below the disk outwards, as far as the shortest guaranteed time reaches.
 void ContactSearch::testTeeth(Step& step) const
 {
   const std::int32_t here = sawtooth_.toothAt(step.point.s());
@@ -226,7 +228,7 @@ void ContactSearch::testTooth(std::int32_t tooth, Step& step) const
 {
   const BasePoint& p = step.point;
   const double s = p.s() - sawtooth_.toothStart(tooth);
-  // As a call it costs 1.5 % of a run.
+  // Inlined: a call costs 1.5 % of a run.
   const auto test_slope = [&](const Sawtooth::Slope& slope, BaseFeatureKind kind)
       __attribute__((always_inline))
   {
@@ -235,7 +237,7 @@ void ContactSearch::testTooth(std::int32_t tooth, Step& step) const
     const Eigen::Vector2d from_foot(s - slope.foot_s, p.n());
     const double distance = from_foot.dot(slope.normal);
     const double rate = p.velocity.dot(slope.normal);
-    // A contact with the slope is in front of it and between its ends.
+    // A contact with the slope must be between its ends, and on its front side.
     const auto window = [&]
     {
       const double along = from_foot.dot(slope.along);

@@ -10,25 +10,24 @@
 namespace ratchet_sieve
 {
 
-/// The next event of a disk's flight with the base.
+/// The next event of a disk with the base.
 struct BaseEvent
 {
-  double time = 0.0;    ///< of the contact; without one, free until then
+  double time = 0.0;    ///< of the contact; without a contact, guaranteed free until then
   BaseFeature feature;  ///< none: search again from `time` on
 
   void archive(StateArchive& state) { state(time, feature); }
 };
 
-/// Finds a flying disk's first contact with the moving base, with certainty: it never steps further
-/// than no feature can have come. In the base's frame a disk's acceleration is bounded by K, so
-/// that a gap g with rate g' stays free as long as g + g' t - K t^2 / 2 > 0; this holds for the
-/// distance to a line and for the distance to a point alike. Stepping from bound to bound comes to
-/// the first contact from the free side, and quadratically (conservative advancement). The same
-/// search serves a base that turns, with a K that takes the turning in.
+/// Finds a flying disk's first contact with the moving base by conservative advancement: no step is longer
+/// than the time in which no feature can be reached. In the base's frame a disk's acceleration is bounded by
+/// K, so that a gap g with rate g' stays positive as long as g + g' t - K t^2 / 2 > 0. This holds for the
+/// distance to a line and to a point. Stepping from bound to bound converges to the first contact from the
+/// free side, quadratically. For a base that turns, K includes the terms of the rotation.
 class ContactSearch
 {
 public:
-  /// @param search_above_band steps even where the base cannot reach; see Plan
+  /// @param search_above_band steps even above the height that the base reaches; see Plan
   ContactSearch(const Sawtooth& sawtooth, const BaseMotion& motion, double gravity, double time_resolution,
                 bool search_above_band = false)
       : sawtooth_(sawtooth),
@@ -39,13 +38,13 @@ public:
   {
   }
 
-  /// @param resolution times closer than this count as equal [s]
+  /// @param resolution times that differ by less are treated as equal [s]
   void setTimeResolution(double resolution) { time_resolution_ = resolution; }
 
-  /// The first contact in [from, until], or how far the flight is free for certain (which may be
-  /// beyond `until`, or before it where a search took too many steps).
+  /// The first contact in [from, until], or the time until which the flight is guaranteed free. That time may
+  /// be later than `until`, or earlier if the search took too many steps.
   /// @pre from >= disk.time, until <= the end of the motion's present segment
-  /// @param base as the caller evaluated it last, most often at `from`
+  /// @param base as last evaluated by the caller, usually at `from`
   BaseEvent find(const Disk& disk, double radius, double from, double until, BaseInstant& base) const;
   BaseEvent find(const Disk& disk, double radius, double from, double until) const
   {
@@ -53,8 +52,8 @@ public:
     return find(disk, radius, from, until, base);
   }
 
-  /// The disk as seen from the base's frame at `time`. Velocities are relative to the base.
-  // As a call it costs 1 % of a run.
+  /// The position and velocity of the disk relative to the base at `time`.
+  // Inlined: a call costs 1 % of a run.
   [[gnu::always_inline]] BasePoint seenFromBase(const Disk& disk, const FrameOfBase& base, double time) const
   {
     const Course now = courseAt(disk, time, gravity_);
@@ -69,7 +68,7 @@ private:
   struct Direction;
   class Step;
 
-  /// A feature that will be hit between two times from now, its gap closing all the while.
+  /// A feature that is certain to be hit between two times from now, while its gap decreases.
   struct SureContact
   {
     BaseFeature feature;
@@ -77,7 +76,7 @@ private:
     double rate = 0.0;                                          ///< < 0 [m/s]
     double earliest = std::numeric_limits<double>::infinity();  ///< [s]
     double latest = std::numeric_limits<double>::infinity();    ///< [s]
-    double acceleration = 0.0;                                  ///< bounds that of the gap [m/s^2]
+    double acceleration = 0.0;  ///< bound on the second derivative of the gap [m/s^2]
   };
 
   bool staysAbove(const Disk& disk, double radius, double from, double until) const;

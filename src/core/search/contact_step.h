@@ -12,22 +12,22 @@ namespace ratchet_sieve
 {
 constexpr double INFINITE_TIME = std::numeric_limits<double>::infinity();
 
-/// No less than the speed: where only a bound is needed, that saves the root.
+/// An upper bound of the speed, which avoids a square root.
 inline double speedBound(const BasePoint& point)
 {
   return point.velocity.lpNorm<1>();
 }
 
-/// How a disk is accelerated as seen from the base, over the bound on that: up or down in the world, and
-/// sideways; anyhow while the base turns.
+/// The direction of a disk's acceleration relative to the base, each part as a fraction of its bound:
+/// vertical in the world, and sideways. Any direction while the base turns.
 struct ContactSearch::Direction
 {
   bool any = true;
-  Eigen::Vector2d upright = Eigen::Vector2d::Zero();   ///< of length 1 where there is nothing sideways
+  Eigen::Vector2d upright = Eigen::Vector2d::Zero();   ///< of length 1 if there is no sideways part
   Eigen::Vector2d sideways = Eigen::Vector2d::Zero();  ///< at right angles to it
-  bool oblique = false;                                ///< whether there is anything sideways
+  bool oblique = false;                                ///< whether there is a sideways part
 
-  /// How much of it shows along a unit normal at most.
+  /// Largest component along a unit normal.
   double share(const Eigen::Vector2d& normal) const
   {
     if (any)
@@ -37,12 +37,12 @@ struct ContactSearch::Direction
   }
 };
 
-/// One step of the search: the disk as it is, the shortest time any feature guarantees, and whether one
-/// feature is certain to be hit before any other.
+/// One step of the search: the disk's present state, the shortest time guaranteed by any feature, and whether
+/// one feature is certain to be hit before any other.
 class ContactSearch::Step
 {
 public:
-  /// @param acceleration bounds the relative one; it points as `forced` has it
+  /// @param acceleration bound on the relative acceleration, in the directions of `forced`
   Step(const BasePoint& point, double radius, double acceleration, const Direction& forced, double span,
        double resolution)
       : point(point),
@@ -58,7 +58,7 @@ public:
     updateReach();
   }
 
-  /// Ends the step before anything can have come as near as this.
+  /// Limits the step so that nothing beyond this distance can be reached.
   void limitTo(double distance)
   {
     if (reach_ <= distance)
@@ -67,19 +67,20 @@ public:
     updateReach();
   }
 
-  /// A slope or a wall, in contact where `gap` is 0; the further condition of a slope is the `window`.
+  /// A slope or a wall, in contact when `gap` is 0. A slope has the further condition `window`.
   /// @param normal of the line
   template <typename FindWindow>
   [[gnu::always_inline]] void testLine(const BaseFeature& feature, double gap, double rate,
                                        const Eigen::Vector2d& normal, FindWindow&& find_window)
   {
-    // How fast the distance to the line can be accelerated.
+    // Bound on the acceleration along the normal of the line.
     const double acceleration = acceleration_ * forced_.share(normal);
     if (!staysFree(gap, rate, acceleration))
       test(feature, {gap, rate}, acceleration, acceleration, find_window());
   }
 
-  /// A corner. The distance to it is accelerated whatever its direction, and by passing, too.
+  /// A corner. The full acceleration counts in any direction, and so does the sideways motion past the
+  /// corner.
   void testPoint(const BaseFeature& feature, const Approach& approach)
   {
     if (staysFree(approach.gap, approach.rate, acceleration_))
@@ -95,21 +96,21 @@ public:
     return distance_squared <= reach * reach;
   }
 
-  /// Whether the disk is higher over the base than this all through the step.
+  /// Whether the disk is above this height over the base throughout the step.
   bool staysOver(double height) const
   {
     return staysFree(point.n() - height - radius, point.velocity.y(), acceleration_);
   }
 
-  /// Whether no part of the disk comes higher than this in the step.
+  /// Whether no part of the disk is above this height in the step.
   bool staysBelow(double height) const { return point.n() + radius + reach_ < height; }
 
   double freeTime() const { return std::max(free_time_, resolution_); }
 
-  /// What the disk touches now.
+  /// The feature that the disk touches now.
   const BaseFeature& contact() const { return contact_; }
 
-  /// What the disk will hit for certain, and before anything else.
+  /// The feature that is certain to be hit first.
   const SureContact* sureContact() const { return sure_.latest <= others_free_time_ ? &sure_ : nullptr; }
 
   const BasePoint& point;
@@ -126,8 +127,8 @@ private:
   /// A feature in contact where `gap` is 0 while `window` holds (window <= 0). Each of the
   /// two alone keeps the disk free, so the longer guarantee counts.
   /// @param approaching, parting bound the gap's acceleration towards the feature and away from it
-  // Called from several points: left to itself, the compiler would call it for the teeth, too, at 1 % of a
-  // run.
+  // Called from several points: the compiler would otherwise not inline it for the teeth, which costs 1 % of
+  // a run.
   [[gnu::always_inline]] void test(const BaseFeature& feature, const Gap& gap, double approaching,
                                    double parting, const Gap& window)
   {
@@ -155,7 +156,7 @@ private:
     updateReach();
   }
 
-  /// By when a gap that closes is used up for certain, the window open all the time; else never.
+  /// The latest possible time of contact for a decreasing gap, while the window stays open; otherwise never.
   double latestContact(const Gap& gap, double parting, const Gap& window) const
   {
     const double discriminant = gap.rate * gap.rate - 2.0 * parting * gap.size;
@@ -168,7 +169,7 @@ private:
 
   void updateReach() { reach_ = (speed_ + 0.5 * acceleration_ * horizon_) * horizon_; }
 
-  /// Whether a gap stays open through the step: a comparison, where the time itself takes a root.
+  /// Whether a gap stays positive throughout the step: a comparison, where the time itself needs a root.
   bool staysFree(double gap, double rate, double acceleration) const
   {
     const double span = std::max(horizon_, resolution_);
@@ -179,10 +180,10 @@ private:
   double acceleration_;
   double resolution_;
   double free_time_;
-  double horizon_;           ///< what is free until then does not matter
-  double others_free_time_;  ///< guaranteed by all features but the sure one
+  double horizon_;           ///< later times are irrelevant
+  double others_free_time_;  ///< guaranteed by all features except the sure one
   double speed_;
-  double reach_ = 0.0;  ///< how far anything can come to the disk within the horizon
+  double reach_ = 0.0;  ///< distance within which a feature can be reached before the horizon
   BaseFeature contact_;
   double contact_gap_ = 0.0;
   SureContact sure_;

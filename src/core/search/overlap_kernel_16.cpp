@@ -2,13 +2,13 @@
 #include <cstdint>
 
 #if defined(__x86_64__)
-// gcc's own header leaves a register undefined where its value does not matter, and warns of it.
+// gcc's own header deliberately leaves a register undefined, and warns of it.
 #if !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 #include <immintrin.h>
 
-// For what stands below alone.
+// Applies to the code below only.
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx512f"))), apply_to = function)
 #else
@@ -23,7 +23,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Without a branch on what is found: hits are packed by the register.
+/// No branch depends on the result: the hits are compressed with SIMD.
 std::size_t overlaps(const OverlapRows& rows, std::uint32_t row, std::uint32_t begin, std::uint32_t end,
                      OverlapHits hits)
 {
@@ -40,7 +40,7 @@ std::size_t overlaps(const OverlapRows& rows, std::uint32_t row, std::uint32_t b
     const __m512 ds = _mm512_sub_ps(_mm512_loadu_ps(rows.s + at), s);
     const __m512 dn = _mm512_sub_ps(_mm512_loadu_ps(rows.n + at), n);
     const __m512 reach = _mm512_add_ps(_mm512_loadu_ps(rows.radius + at), radius);
-    // Product by product, as with four lanes: a fused one would round otherwise.
+    // Separate products, as with four lanes: a fused multiply-add would round differently.
     const __m512 distance_squared = _mm512_add_ps(_mm512_mul_ps(ds, ds), _mm512_mul_ps(dn, dn));
     __mmask16 found = _mm512_cmp_ps_mask(distance_squared, _mm512_mul_ps(reach, reach), _CMP_LT_OQ);
     found = _mm512_mask_cmplt_epi32_mask(found, others, limit);

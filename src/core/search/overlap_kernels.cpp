@@ -2,6 +2,7 @@
 #include <emmintrin.h>
 #endif
 
+#include "model/lane_limit.h"
 #include "search/overlap_rows.h"
 
 namespace ratchet_sieve
@@ -61,7 +62,8 @@ OverlapKernel overlapKernel(int lanes)
 
 OverlapKernel widestOverlapKernel()
 {
-  const OverlapKernel wide = overlapKernel(16);
+  // Single precision: twice as many values per register.
+  const OverlapKernel wide = laneLimit() == 8 ? overlapKernel(16) : nullptr;
   return wide != nullptr ? wide : OVERLAPS_OF_FOUR_LANES;
 }
 

@@ -6,8 +6,8 @@
 namespace ratchet_sieve
 {
 
-/// Disks side by side, as an overlap kernel reads them: as many at a time as a register holds. Up to
-/// MOST_LANES values behind the last row are read, too, and count for nothing.
+/// Positions of disks side by side, as an overlap kernel reads them, one register at a time. Up to MOST_LANES
+/// values after the last row are read as well, and ignored.
 struct OverlapRows
 {
   static constexpr std::size_t MOST_LANES = 16;
@@ -24,10 +24,10 @@ struct OverlapHits
   std::uint32_t* second;
 };
 
-/// Tests the row against those in [begin, end), but not against itself, and writes down those that overlap,
-/// rising.
+/// Tests a row against the rows in [begin, end), except itself, and stores those that overlap, in increasing
+/// order.
 /// @param hits has room for MOST_LANES more than are found
-/// @return how many
+/// @return their number
 using OverlapKernel = std::size_t (*)(const OverlapRows& rows, std::uint32_t row, std::uint32_t begin,
                                       std::uint32_t end, OverlapHits hits);
 
@@ -36,10 +36,11 @@ extern const OverlapKernel OVERLAPS_OF_FOUR_LANES;
 extern const OverlapKernel OVERLAPS_OF_SIXTEEN_LANES;
 #endif
 
-/// By registers of so many lanes: 4, or 16 on a processor that has them. Else nullptr.
+/// The kernel with this number of lanes: 4, or 16 if the processor supports it; otherwise nullptr.
 OverlapKernel overlapKernel(int lanes);
 
-/// By the widest registers that this processor has. All give the same hits.
+/// The kernel for the widest registers of this processor, up to laneLimit(). All give the same hits.
+/// @throws std::invalid_argument as laneLimit()
 OverlapKernel widestOverlapKernel();
 
 }  // namespace ratchet_sieve

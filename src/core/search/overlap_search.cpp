@@ -9,10 +9,10 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Columns are wider than the largest disk by this, for what a disk may move within an instant.
+/// Columns are wider than the largest disk by this factor, because move() leaves a disk in its column.
 constexpr double COLUMN_MARGIN = 1.1;
 
-/// A disk's position and its differences to others are rounded so often.
+/// Number of roundings in a disk's position and in its differences to others.
 constexpr double ROUNDINGS = 4.0;
 }  // namespace
 
@@ -37,7 +37,7 @@ void OverlapSearch::begin(std::size_t count)
 void OverlapSearch::sort()
 {
   disks_ = static_cast<std::uint32_t>(placed_.size());
-  // Column c of the base is the (c + 1)th here: the first and the last are images.
+  // Column c of the base has index c + 1; the first and the last column are images.
   std::fill(starts_.begin(), starts_.end(), 0);
   for (const Placed& disk : placed_)
     ++starts_[disk.column + 2];
@@ -55,7 +55,7 @@ void OverlapSearch::sort()
       values->resize(room);
     slots_.resize(room);
   }
-  // starts_ serves as the place of each column's next disk, and is then moved back.
+  // starts_ is used as the next free place of each column, and restored afterwards.
   for (const Placed& disk : placed_)
   {
     const std::uint32_t row = starts_[disk.column + 1]++;

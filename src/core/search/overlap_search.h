@@ -9,22 +9,22 @@
 namespace ratchet_sieve
 {
 
-/// Which disks of one instant may overlap. The disks are sorted into columns across the base, a little wider
-/// than the largest diameter, and what a search tests lies side by side: a disk's own column and its two
-/// neighbours. Positions are in the frame of the base and in single precision, and disks count as larger by
-/// what that leaves open: all that overlap are found, and some that only nearly do.
+/// Finds the disks that may overlap at one time. The disks are sorted into columns across the base, a little
+/// wider than the largest diameter. A search tests a disk's own column and its two neighbours, which are
+/// contiguous in memory. Positions are in the frame of the base and in single precision; radii are increased
+/// by their rounding error. So all overlaps are found, and some pairs that nearly overlap.
 ///
-/// On a periodic base the columns at its ends stand a second time beyond the other end, as images.
+/// On a periodic base, the columns at the ends are duplicated beyond the other end, as images.
 class OverlapSearch
 {
 public:
   /// @param width of the base [m], @param largest_diameter of its disks [m]
   OverlapSearch(double width, double largest_diameter, bool periodic);
 
-  /// Begins another instant, with room for slots below `count`.
+  /// Begins a new time, with room for slots below `count`.
   void begin(std::size_t count);
 
-  /// Puts a disk in, at (s, n) [m] of the base. @pre each slot once, between begin() and sort()
+  /// Adds a disk at (s, n) [m] of the base. @pre each slot once, between begin() and sort()
   void place(std::uint32_t slot, double s, double n, double radius)
   {
     placed_.push_back({slot, columnAt(s), static_cast<float>(s), static_cast<float>(n),
@@ -34,11 +34,11 @@ public:
   /// After all disks are placed.
   void sort();
 
-  /// Moves a disk within the same instant: it has taken another way there.
+  /// Moves a disk at the same time, after its flight was changed.
   void move(std::uint32_t slot, double s, double n);
 
-  /// Calls visit(slot, other, shift) once for each two disks that may overlap; `shift` as in PairContact. A
-  /// disk may be visited with an image of itself.
+  /// Calls visit(slot, other, shift) once for each pair of disks that may overlap; `shift` as in PairContact.
+  /// A disk may be paired with an image of itself.
   template <typename Visit>
   void forEachPair(Visit&& visit)
   {
@@ -74,7 +74,7 @@ private:
                         : 0;
   }
 
-  /// @return how many stand in first_hits_ and second_hits_
+  /// @return the number of entries in first_hits_ and second_hits_
   std::size_t hitsIn(std::uint32_t row, std::uint32_t begin, std::uint32_t end)
   {
     const std::size_t room = end - begin + OverlapRows::MOST_LANES;
@@ -96,8 +96,8 @@ private:
 
   void put(std::uint32_t row, const Placed& disk, float s);
 
-  /// Rows before the first disk's are images one width to the left, those behind the last disk's one to the
-  /// right.
+  /// Rows before the first disk are images one width to the left; rows after the last disk are images one
+  /// width to the right.
   int shiftOf(std::uint32_t row) const { return row < first_ ? -1 : row < first_ + disks_ ? 0 : 1; }
 
   double width_;
@@ -108,11 +108,11 @@ private:
   double slack_;  ///< of single precision, at the base's width [m]
 
   std::vector<Placed> placed_;
-  std::vector<std::uint32_t> starts_;  ///< row at which a column begins; with an image's column at both ends
+  std::vector<std::uint32_t> starts_;  ///< first row of each column; includes the image columns at both ends
   std::uint32_t first_ = 0;            ///< row of the first disk
   std::uint32_t disks_ = 0;
 
-  /// Side by side, in the order of their columns.
+  /// Columns of values, ordered by the columns of the base.
   struct Rows
   {
     std::vector<float> s;

@@ -13,26 +13,36 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Steps after which a search across the seam of a turning base takes the disks to touch: even where
-/// they graze the steps shrink by a third each time, so that rounding is all that is left of the gap.
+/// Largest number of steps of a search across the seam of a turning base, which then assumes contact. Even
+/// for grazing disks the steps shrink to two thirds each time, so that the remaining gap is only rounding.
 constexpr int MAX_SEAM_STEPS = 200;
 }  // namespace
 
-PairContact PairSearch::firstAmong(const std::uint32_t* others, std::size_t count, int shift) const
+/// On a turning base: consecutive disks that are not across the seam are tested together.
+PairContact PairSearch::firstOfImages(const std::uint32_t* others, std::size_t count, int shift,
+                                      const std::int32_t* images) const
 {
   PairContact first;
-  if (shift != 0 && scene_.motion.turning())
+  std::size_t begin = 0;
+  const auto search_row = [&](std::size_t end)
   {
-    for (std::size_t i = 0; i < count; ++i)
-      if (const auto time = others[i] == slot_ ? std::nullopt : contactWith(others[i], shift))
-        first.take({*time, others[i], shift});
-    return first;
-  }
-  const Image image = scene_.image(shift, from_);
-  for (std::size_t i = 0; i < count; i += LANES)
+    if (end > begin)
+      first.take(firstOfLanes(others + begin, end - begin, 0, Image()));
+    begin = end;
+  };
+  for (std::size_t i = 0; i < count; ++i)
   {
-    first.take(firstOfLanes(others + i, std::min(LANES, count - i), shift, image));
+    const std::uint32_t other = others[i];
+    const int own_shift = shift + images[other] - images[slot_];
+    if (own_shift != 0 || i - begin == LANES)
+      search_row(i);
+    if (own_shift == 0)
+      continue;
+    begin = i + 1;
+    if (const auto time = other == slot_ ? std::nullopt : contactWith(other, own_shift))
+      first.take({*time, other, own_shift});
   }
+  search_row(count);
   return first;
 }
 
@@ -56,14 +66,14 @@ PairContact PairSearch::firstOnRing(const std::uint32_t* others, std::size_t cou
   return first;
 }
 
-/// What decides whether and when a disk touches each of several others.
+/// SIMD test whether and when a disk touches each of several others.
 struct PairSearch::Lanes
 {
-  // One more, behind all, that is never touched.
+  // One additional element at the end, which is never touched.
   alignas(Two) std::array<double, LANES + 2> excesses;
   alignas(Two) std::array<double, LANES + 2> discriminants;
   alignas(Two) std::array<double, LANES + 2> closings;
-  unsigned touching = 0;  ///< a bit for each that will be touched, whenever that is
+  unsigned touching = 0;  ///< one bit for each that will be touched at any time
 
   Lanes(const PairSearch& search, const std::uint32_t* others, std::size_t count, const Image& image)
   {
@@ -74,7 +84,7 @@ struct PairSearch::Lanes
     unsigned found = 0;
     for (std::size_t k = 0; k < count; k += 2)
     {
-      // An odd one is tested twice.
+      // For an odd number, the last is tested twice.
       const Relative a = search.relativeTo(others[k], position);
       const Relative b = search.relativeTo(others[std::min(k + 1, count - 1)], position);
       const Two dx{a.position[0], b.position[0]};
@@ -94,7 +104,7 @@ struct PairSearch::Lanes
     touching = found & ((1U << count) - 1);
   }
 
-  /// The next that will be touched; behind all, once there is none.
+  /// Returns the next that will be touched; the end if there is none.
   std::size_t takeTouching()
   {
     const auto lane = static_cast<std::size_t>(__builtin_ctz(touching | 1U << LANES));
@@ -102,7 +112,7 @@ struct PairSearch::Lanes
     return lane;
   }
 
-  /// How long until two that will be touched are.
+  /// The times to contact of two that will be touched.
   Two timesToContact(std::size_t i, std::size_t j) const
   {
     const Two excess{excesses[i], excesses[j]};
@@ -112,9 +122,9 @@ struct PairSearch::Lanes
   }
 };
 
-/// The arithmetic of contact() and timeToContact(), step by step and for two disks at once: first for all
-/// whether they will touch, without a branch; then for those that will, four at a time, when. Most will not,
-/// and a root takes long.
+/// The same arithmetic as in contact() and timeToContact(), two disks at a time. First, whether each will be
+/// touched, without a branch. Then the times of those that will, four at a time, because most will not, and a
+/// root is slow.
 PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
                                      const Image& image) const
 {
@@ -145,14 +155,14 @@ std::optional<double> PairSearch::contactAcrossSeam(const Disk& other, int shift
   return contact(other, scene_.image(shift, from_), distance);
 }
 
-/// While the base turns, the image moves on an arc, and the search is the base's: steps for which
-/// the distance is free for certain.
+/// While the base turns, the image moves on an arc. So the search is conservative advancement, as for the
+/// base.
 std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, int shift,
                                                            double distance) const
 {
   const double gravity = scene_.gravity;
   const double rate = scene_.motion.inclinationRate();
-  const double acceleration = scene_.width * rate * rate;
+  const double acceleration = std::abs(shift) * scene_.width * rate * rate;
   const double resolution = scene_.time_resolution;
   double time = from_;
   for (int step = 0; time < until_; ++step)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -11,8 +12,9 @@
 namespace ratchet_sieve
 {
 
-/// How long until two disks touch whose relative position and velocity are these: under one gravity the
-/// relative motion is a straight line. Nothing if they pass or part; 0 where they overlap and close.
+/// The time until two disks touch, from their relative position and velocity: both have the same gravity, so
+/// their relative motion is a straight line. Nothing if they pass or separate; 0 if they overlap and
+/// approach.
 inline std::optional<double> timeToContact(const Eigen::Vector2d& position, const Eigen::Vector2d& velocity,
                                            double distance)
 {
@@ -22,8 +24,8 @@ inline std::optional<double> timeToContact(const Eigen::Vector2d& position, cons
   const double excess = position.squaredNorm() - distance * distance;
   if (excess <= 0.0)
     return 0.0;
-  // The distance at which they would pass comes from the cross product: as a difference of squares it
-  // would lose to rounding what is small against how far apart they are.
+  // The distance at which they would pass is computed from the cross product. A difference of squares would
+  // lose it to rounding if the disks are far apart.
   const double passing = position.x() * velocity.y() - position.y() * velocity.x();
   const double discriminant = velocity.squaredNorm() * distance * distance - passing * passing;
   if (discriminant < 0.0)
@@ -36,15 +38,15 @@ struct PairContact
 {
   double time = std::numeric_limits<double>::infinity();  ///< [s]
   std::uint32_t partner = 0;
-  int shift = 0;  ///< which image of the partner: so many widths to the right of it
+  int shift = 0;  ///< image of the partner, in widths to its right
 
-  /// Ties go to the smaller slot.
+  /// Ties are broken by the smaller slot.
   bool isBefore(const PairContact& other) const
   {
     return time < other.time || (time == other.time && partner < other.partner);
   }
 
-  /// Becomes the other where that is earlier.
+  /// Is replaced by the other if that is earlier.
   void take(const PairContact& other)
   {
     if (!other.isBefore(*this))
@@ -57,7 +59,7 @@ struct PairContact
   void archive(StateArchive& state) { state(time, partner, shift); }
 };
 
-/// What a search for pairs reads of the machine.
+/// The members of the machine that a pair search reads.
 struct PairScene
 {
   const std::vector<Disk>& disks;    ///< by slot
@@ -65,18 +67,18 @@ struct PairScene
   const BaseMotion& motion;
   double width;            ///< of the base [m]
   double gravity;          ///< [m/s^2]
-  double time_resolution;  ///< times closer than this count as equal [s]
+  double time_resolution;  ///< times that differ by less are treated as equal [s]
 
   double radius(std::uint32_t slot) const { return radii[disks[slot].species]; }
 
-  /// Where the image `shift` widths to the right appears at `time`, relative to the disk itself.
+  /// The image `shift` widths to the right, relative to the disk itself, at `time`.
   Image image(double shift, double time) const
   {
     return shift == 0.0 ? Image() : motion.at(time).image(shift * width);
   }
 };
 
-/// When one disk, flying on from a given time, touches others.
+/// Finds the contacts of one disk with others, on its flight from a given time on.
 class PairSearch
 {
 public:
@@ -91,16 +93,28 @@ public:
   {
   }
 
-  /// The first contact with any of the images of these disks that lie `shift` widths to the right of them.
-  /// However late it is; but on a base that moves to its setpoints, only until all is predicted anew. The
-  /// disk itself may be among them, and does not count.
-  PairContact firstAmong(const std::uint32_t* others, std::size_t count, int shift) const;
+  /// The first contact with the images of these disks that are `shift` widths to their right. There is no
+  /// limit in time, except on a base that moves to its setpoints: up to the next new prediction. The disk
+  /// itself may be in the list and is ignored.
+  /// @param images images in the grid on a turning base, per slot and in widths; `shift` is relative to
+  /// these: see DiskCells::images()
+  PairContact firstAmong(const std::uint32_t* others, std::size_t count, int shift,
+                         const std::int32_t* images = nullptr) const
+  {
+    if (images != nullptr)
+      return firstOfImages(others, count, shift, images);
+    PairContact first;
+    const Image image = scene_.image(shift, from_);
+    for (std::size_t i = 0; i < count; i += LANES)
+      first.take(firstOfLanes(others + i, std::min(LANES, count - i), shift, image));
+    return first;
+  }
 
-  /// The same for any of the images up to `most_laps` widths to either side: in closed form, for those that
-  /// the disk flies past on the way. @pre the base is periodic and does not turn
+  /// The same for all images up to `most_laps` widths to either side, in closed form for those that the disk
+  /// passes. @pre the base is periodic and does not turn
   PairContact firstOnRing(const std::uint32_t* others, std::size_t count, int most_laps) const;
 
-  /// The same for one other disk: without its lanes, and so the reference for it.
+  /// The same for one other disk, without SIMD: the reference for the SIMD version.
   std::optional<double> contactWith(std::uint32_t other, int shift) const
   {
     const Disk& disk = scene_.disks[other];
@@ -111,12 +125,12 @@ public:
   }
 
 private:
-  /// How many disks are tested side by side.
+  /// Number of disks tested together.
   static constexpr std::size_t LANES = 16;
 
   struct Lanes;
 
-  /// The disk as seen from another.
+  /// Position and velocity of the disk relative to another.
   struct Relative
   {
     Two position;     ///< [m]
@@ -124,20 +138,23 @@ private:
     double distance;  ///< at which they touch [m]
   };
 
-  /// @param position of the disk, as the other's image sees it
+  /// @param position of the disk relative to the other's image
   Relative relativeTo(std::uint32_t slot, Two position) const
   {
-    // Relative to itself a disk is at rest, to the last bit: no contact is found.
+    // A disk is exactly at rest relative to itself: no contact is found.
     const Course other = courseAt(scene_.disks[slot], from_, scene_.gravity);
     return {position - other.position, course_.velocity - other.velocity, radius_ + scene_.radius(slot)};
   }
 
+  PairContact firstOfImages(const std::uint32_t* others, std::size_t count, int shift,
+                            const std::int32_t* images) const;
   PairContact firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
                            const Image& image) const;
 
   std::optional<double> contact(const Disk& other, const Image& image, double distance) const
   {
-    // Under one gravity the parabolas differ by a straight line, but the two states are of different times.
+    // With the same gravity the parabolas differ by a straight line, but the two states are given at
+    // different times.
     const Course course = courseAt(other, from_, scene_.gravity);
     const Eigen::Vector2d position = vectorOf(course_.position) - image.shift - vectorOf(course.position);
     const auto time_to_contact =

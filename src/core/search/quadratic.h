@@ -7,9 +7,9 @@
 namespace ratchet_sieve
 {
 
-/// When a gap that follows gap + rate t + accel t^2 / 2 is next used up while closing: the smallest
-/// t >= 0. A gap that is closed already and closing gives 0; one that opens is left alone
-/// until it has come back (Bannerman et al., Comput. Part. Mech. 1, 191 (2014), arXiv 1211.6718).
+/// The next time at which a gap + rate t + accel t^2 / 2 reaches 0 while decreasing: the smallest t >= 0. 0
+/// if the gap is negative and decreasing. A negative gap that increases is ignored until it decreases again
+/// (Bannerman et al., Comput. Part. Mech. 1, 191 (2014), arXiv 1211.6718).
 inline std::optional<double> firstClosingTime(double gap, double rate, double accel)
 {
   if (gap <= 0.0)
@@ -34,10 +34,9 @@ inline std::optional<double> firstClosingTime(double gap, double rate, double ac
   return (rate + std::sqrt(discriminant)) / -accel;
 }
 
-/// How long a gap stays free for certain, if its second derivative never falls below -bound
-/// (bound >= 0): the time at which gap + rate t - bound t^2 / 2 is used up. 0 where the gap is used
-/// up and closes. A used-up gap that opens is free until it can have come back; infinity where
-/// nothing brings it back.
+/// The time for which a gap is guaranteed positive if its second derivative is never below -bound (bound >=
+/// 0): the time at which gap + rate t - bound t^2 / 2 reaches 0. 0 if the gap is negative and decreasing. A
+/// negative gap that increases is free until it can have returned to 0; infinity if nothing brings it back.
 inline double guaranteedFreeTime(double gap, double rate, double bound)
 {
   if (rate >= 0.0 && bound <= 0.0)

@@ -10,14 +10,14 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Images are tested up to this share of the distance beyond it, which leaves room for rounding; whether
-/// they are touched is then decided as for any two disks.
+/// Images are tested up to this fraction of the contact distance beyond it, to allow for rounding. The exact
+/// test follows, as for any two disks.
 constexpr double REACH_MARGIN = 0.005;
 
-/// What comes nearer to the row more slowly than this does not come at all [m/s]. It keeps times finite.
+/// A smaller speed towards the row counts as 0 [m/s]. Keeps times finite.
 constexpr double AT_REST = 1e-200;
 
-/// The least integer that is not below x. @pre an int holds it
+/// The smallest integer not below x. @pre it fits into an int
 int roundedUp(double x)
 {
   const int truncated = static_cast<int>(x);
@@ -36,7 +36,7 @@ std::optional<RingCourse::Touch> RingCourse::firstTouch(const Eigen::Vector2d& p
   const double rising = going.second;
   if (std::abs(across) >= reach && across * rising >= 0.0)
     return std::nullopt;
-  // From when to when the row is within reach.
+  // The time interval in which the row is within reach.
   double from = 0.0;
   double to = std::numeric_limits<double>::infinity();
   if (std::abs(rising) > AT_REST)
@@ -49,7 +49,7 @@ std::optional<RingCourse::Touch> RingCourse::firstTouch(const Eigen::Vector2d& p
   if (from > horizon)
     return std::nullopt;
 
-  // Along the row, turned so that the disk flies towards greater positions, in widths.
+  // Along the row in widths, oriented so that the disk flies towards greater positions.
   const double rate = going.first * per_width;
   const double sign = rate < 0.0 ? -1.0 : 1.0;
   const double along = sign * in_row.first * per_width;
@@ -64,7 +64,7 @@ std::optional<RingCourse::Touch> RingCourse::firstTouch(const Eigen::Vector2d& p
   std::optional<Touch> first;
   for (int image = roundedUp(begin); image <= end; ++image)
   {
-    // The images are come to one after the other.
+    // The images are reached one after the other.
     if (first && image - margin > along + speed * first->time_to_contact)
       break;
     const double shift = sign * image;

@@ -8,10 +8,11 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A bin's width in radii: in wider ones less is sure to be full, narrower ones are visited more rarely.
+/// Width of a bin in radii. In wider bins less is guaranteed to be full; narrower ones are visited less
+/// often.
 constexpr double BIN_WIDTH = 1.0;
 
-/// In radii: cells as narrow as this are halved no further.
+/// In radii: cells narrower than this are not halved.
 constexpr double NARROWEST = 1e-9;
 }  // namespace
 
@@ -20,7 +21,7 @@ RoomSearch::RoomSearch(double lowest, double radius, double column_width)
 {
 }
 
-/// @param clamped s, within its bin whatever rounding made of the bin's ends
+/// @param clamped s, clamped to its bin in spite of rounding
 RoomSearch::Cells& RoomSearch::cellsAt(double s, double& clamped)
 {
   const double bin = std::max(0.0, std::floor(s / bin_width_));
@@ -48,7 +49,7 @@ double RoomSearch::lowestFree(double s, const StandingDisks& standing)
       continue;
     }
     const double height = standing.lowestFree(s, radius_, cell.heights);
-    // The surface, which every disk that comes here raises, is not halved.
+    // The surface cell, which every new disk raises, is not halved.
     const bool open = std::isinf(cell.heights.high);
     replace(cells, at, standing, height > cell.heights.high && !open);
     if (height <= cell.heights.high)

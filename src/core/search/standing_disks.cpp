@@ -7,16 +7,15 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Poured disks keep apart by this share of the sum of their radii, so that no rounding makes them
+/// Poured disks keep this distance, as a fraction of the sum of their radii, so that rounding causes no
 /// overlap.
 constexpr double SPACING = 1e-6;
 
-/// What is sure to be forbidden to a whole stretch is found with radii smaller by this share: rounding does
-/// not make it forbid more than is forbidden to each position.
+/// Radii are reduced by this fraction when a whole interval is tested, so that rounding excludes no position
+/// that is free.
 constexpr double SURE = 1e-7;
 
-/// How far above a height its neighbours are searched in one go, in units of the largest distance at which
-/// two disks touch.
+/// Range of heights searched at once, in units of the largest contact distance.
 constexpr double WINDOW = 1.0;
 
 bool isLower(const PlacedDisk& a, const PlacedDisk& b)
@@ -33,7 +32,7 @@ bool startsLower(const HeightRange& a, const HeightRange& b)
 StandingDisks::StandingDisks(double width, bool periodic, double largest_diameter)
     : width_(width), periodic_(periodic), largest_radius_(0.5 * largest_diameter)
 {
-  // With fewer than three columns a ring's neighbours on both sides would be the same one.
+  // With fewer than three columns on a ring, the neighbours on both sides would be the same column.
   const double count = std::floor(width_ / std::max(largest_diameter, width_ * 1e-6));
   columns_.resize(count < 3.0 ? 1 : static_cast<std::size_t>(count));
   column_width_ = width_ / static_cast<double>(columns_.size());
@@ -45,8 +44,8 @@ std::size_t StandingDisks::columnAt(double s) const
   return static_cast<std::size_t>(std::clamp(column, 0.0, static_cast<double>(columns_.size() - 1)));
 }
 
-/// Disks that come one by one come to stand near the top and are put where they belong; many that come before
-/// the first search are sorted once.
+/// A single disk is usually near the top and is inserted in order; many disks added before the first search
+/// are sorted once.
 void StandingDisks::add(const PlacedDisk& disk)
 {
   Column& column = columns_[columnAt(disk.s)];
@@ -67,8 +66,8 @@ void StandingDisks::sort(const Column& column)
   column.sorted = column.disks.size();
 }
 
-/// Calls visit(disk, shift) for the disks of these columns and their neighbours whose centres are at these
-/// heights, and for each image of them, `shift` to the right [m].
+/// Calls visit(disk, shift) for the disks in these columns and their neighbours with centres in this range of
+/// heights, and for each of their images, `shift` to the right [m].
 template <typename Visit>
 void StandingDisks::visitColumns(std::size_t first, std::size_t last, HeightRange heights,
                                  Visit&& visit) const

@@ -6,8 +6,8 @@
 namespace ratchet_sieve
 {
 
-/// A disk's position: s along the base as it stands now, for its ends and walls swing along with it; n
-/// over the middle of its oscillation.
+/// A disk's position: s along the base in its present position, because ends and walls move with it; n above
+/// the mean position of its oscillation.
 struct PlacedDisk
 {
   double s = 0.0;  ///< [m]
@@ -15,15 +15,15 @@ struct PlacedDisk
   double radius = 0.0;
 };
 
-/// From one height to another [m]; the upper one may be infinite.
+/// A range of heights [m]; the upper end may be infinite.
 struct HeightRange
 {
   double low = 0.0;
   double high = 0.0;
 };
 
-/// The disks above a base, in columns along s and by height in each, and the heights that they forbid to
-/// another.
+/// The placed disks above a base, in columns along s and ordered by height, and the heights that they exclude
+/// for another disk.
 class StandingDisks
 {
 public:
@@ -32,12 +32,12 @@ public:
 
   void add(const PlacedDisk& disk);
 
-  /// The lowest height, from range.low on, at which a disk of this radius at s touches none; one above
-  /// range.high where the range has none.
+  /// The lowest height, from range.low on, at which a disk of this radius at s touches none; a value above
+  /// range.high if there is none in the range.
   double lowestFree(double s, double radius, HeightRange range) const;
 
-  /// What of the range is not sure to be forbidden to disks of this radius wherever they are between `left`
-  /// and `right`, from the lowest up. @pre right - left <= columnWidth()
+  /// The parts of the range that are not excluded for disks of this radius at every s between `left` and
+  /// `right`, from the lowest up. @pre right - left <= columnWidth()
   std::vector<HeightRange> gaps(double left, double right, double radius, HeightRange range) const;
 
   double columnWidth() const { return column_width_; }
@@ -46,7 +46,7 @@ private:
   struct Column
   {
     mutable std::vector<PlacedDisk> disks;
-    mutable std::size_t sorted = 0;  ///< so many of them are in the order of their heights
+    mutable std::size_t sorted = 0;  ///< the first ones, ordered by height
   };
 
   std::size_t columnAt(double s) const;

@@ -8,7 +8,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// So many that the error from their scatter is known to a tenth, and few enough to be kept block by block.
+/// Number of groups: enough for a relative accuracy of 10 % of the error, few enough to store their series.
 constexpr std::size_t GROUPS = 64;
 
 BlockSum exitsOf(const SpeciesBins& bins)
@@ -138,7 +138,7 @@ void AccuracySeries::archive(StateArchive& state)
   const std::size_t species = exits_.size();
   state(gone_, at_block_end_, groups_, exited_, exits_);
   if ((groups_.empty() && rows > 0) || (exits_.empty() && species > 0))
-    throw StateError("it has no series of what accuracy asks for, as its run did not ask");
+    throw StateError("it lacks the series for the requested accuracy, which its own scene did not request");
   if (rows == 0)
     groups_.clear();
   if (species == 0)

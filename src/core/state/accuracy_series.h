@@ -9,32 +9,31 @@
 namespace ratchet_sieve
 {
 
-/// The series that only a scene which asks for a certainty needs (AccuracyDefinition): <V_x> of groups of
-/// disks that do not see each other, and which way the disks of a fed machine leave. Times are local to the
-/// epoch.
+/// The series that only scenes with a requested accuracy need (AccuracyDefinition): <V_x> of groups of
+/// independent disks, and the exits of disks of a machine with a feed. Times are local to the epoch.
 class AccuracySeries
 {
 public:
   /// @param machine outlives this
   explicit AccuracySeries(const MachineState& machine);
 
-  /// Whether there is anything to be kept.
+  /// Whether anything is recorded.
   bool kept() const { return !groups_.empty() || !exits_.empty(); }
 
-  /// Sums up the passages of disks that are about to be compacted away.
+  /// Adds the passages of disks that are about to be removed by compaction.
   void forget(const std::vector<std::uint32_t>& left);
 
-  /// Forgets all that was counted before.
+  /// Forgets all counts.
   void restart();
   void endBlock(double time);
 
-  /// Samples to a block of <V_x>; 1 where none is kept.
+  /// Samples per block of <V_x>; 1 if none is recorded.
   std::size_t blockLength() const { return groups_.empty() ? 1 : groups_.front().blockLength(); }
 
-  /// Adds what is kept to the series of each species.
+  /// Adds the recorded series to those of each species.
   void addTo(MeanSeries& series) const;
 
-  /// @throws StateError where the state lacks what the scene asks for; what it does not ask for is dropped
+  /// @throws StateError if the state lacks a series that the scene requests; other series are discarded
   void archive(StateArchive& state);
 
 private:
@@ -44,10 +43,10 @@ private:
   void endExits();
 
   const MachineState& machine_;
-  std::vector<BlockSum> gone_;          ///< per row: a group of a species; of disks that were compacted away
-  std::vector<BlockSum> at_block_end_;  ///< per row, when the last block ended
+  std::vector<BlockSum> gone_;          ///< per row (a group of a species): of disks removed by compaction
+  std::vector<BlockSum> at_block_end_;  ///< per row, at the end of the last block
   std::vector<BlockAverages> groups_;   ///< per row
-  std::vector<BlockSum> exited_;        ///< per species, when the last block ended
+  std::vector<BlockSum> exited_;        ///< per species, at the end of the last block
   std::vector<BlockAverages> exits_;    ///< per species
 };
 

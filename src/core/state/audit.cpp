@@ -15,13 +15,13 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Disks that touch are legal: an overlap below this share of the radius, or of how finely a double
-/// holds where the disk is, is rounding.
+/// Touching disks are legal: an overlap below this fraction of the radius, or of the resolution at the disk's
+/// position, is rounding.
 constexpr double TOUCHING = 1e-12;
 constexpr double ROUNDING = 8.0 * std::numeric_limits<double>::epsilon();
 
-/// Pairs are searched in cells so many times as wide as the largest disk: fewer cells than the engine has
-/// are built faster, and a million disks need less memory for a moment.
+/// Side of the audit's cells in units of the largest diameter. Fewer cells than in the engine are built
+/// faster, and need less memory with a million disks.
 constexpr double AUDIT_CELL = 2.0;
 
 /// @param point the centre, in the frame of the base [m]
@@ -30,7 +30,7 @@ double toleratedOverlap(const Eigen::Vector2d& point, double radius)
   return TOUCHING * radius + ROUNDING * point.lpNorm<1>();
 }
 
-/// Where every disk is, in the frame of the base, wrapped into [0, W) where it is periodic.
+/// The positions of all disks in the frame of the base, wrapped into [0, W) if it is periodic.
 std::vector<Eigen::Vector2d> placesOnBase(const MachineState& machine, double time)
 {
   const FrameOfBase base = machine.motion().at(time);
@@ -48,7 +48,7 @@ std::vector<Eigen::Vector2d> placesOnBase(const MachineState& machine, double ti
   return points;
 }
 
-/// How far a disk is from the base and from the walls, < 0 where it overlaps them.
+/// Distance of a disk from the base and the walls, < 0 for an overlap.
 double gapToBase(const MachineState& machine, const Eigen::Vector2d& point, double radius)
 {
   const Sawtooth& sawtooth = machine.sawtooth();
@@ -60,7 +60,7 @@ double gapToBase(const MachineState& machine, const Eigen::Vector2d& point, doub
 
 using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overlap)>;
 
-/// Every pair of disks that is near enough to overlap, each once or twice.
+/// Visits every pair of disks near enough to overlap, once or twice.
 void forEachNearPair(const MachineState& machine, const std::vector<Eigen::Vector2d>& points,
                      const VisitPair& visit)
 {
@@ -128,7 +128,7 @@ void refuseBadStart(const MachineState& machine, double time)
     const double gap = gapToBase(machine, points[slot], machine.radius(slot));
     if (-gap > toleratedOverlap(points[slot], machine.radius(slot)))
     {
-      message << "initial." << slot << " is buried: it overlaps the base or a wall by " << -gap << " m";
+      message << "initial." << slot << " overlaps the base or a wall by " << -gap << " m";
       throw std::invalid_argument(message.str());
     }
   }

@@ -10,8 +10,8 @@
 namespace ratchet_sieve
 {
 
-/// The impulse that the base gave to the disks since the means began. Sums go by disk, so that they have the
-/// same bits in whatever order disks that do not see each other are advanced. In the world [N s].
+/// The impulse given by the base to the disks since the means began. Summed per disk, so that the bits do not
+/// depend on the order in which independent disks are advanced. World frame [N s].
 class BaseImpulses
 {
 public:
@@ -24,7 +24,7 @@ public:
       given_[outcome.i] += impulseOf(outcome);
   }
 
-  /// What one disk was given; a batch of disks takes its outcomes up in a sum of its own.
+  /// The impulse given to one disk. SIMD batches add to a sum of their own.
   const Eigen::Vector2d& of(std::uint32_t slot) const { return given_[slot]; }
   void set(std::uint32_t slot, const Eigen::Vector2d& sum) { given_[slot] = sum; }
 
@@ -42,7 +42,7 @@ public:
     gone_ = Eigen::Vector2d::Zero();
   }
 
-  /// @param slots of the disks that stay, @param left of those that do not
+  /// @param slots of the disks that stay, @param left of those removed
   void keep(const std::vector<std::uint32_t>& slots, const std::vector<std::uint32_t>& left)
   {
     for (const std::uint32_t slot : left)
@@ -56,7 +56,7 @@ public:
 
 private:
   std::vector<Eigen::Vector2d> given_;              ///< per slot
-  Eigen::Vector2d gone_ = Eigen::Vector2d::Zero();  ///< to disks that were compacted away
+  Eigen::Vector2d gone_ = Eigen::Vector2d::Zero();  ///< to disks removed by compaction
 };
 
 }  // namespace ratchet_sieve

@@ -6,7 +6,7 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// When there are as many blocks, neighbours are joined.
+/// At this number of blocks, neighbours are joined.
 constexpr std::size_t MAX_BLOCKS = 512;
 
 std::vector<BlockSum> joined(const std::vector<BlockSum>& blocks)

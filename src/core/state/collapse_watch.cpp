@@ -5,15 +5,18 @@
 #include <sstream>
 #include <tuple>
 
+#include "ratchet_sieve/core/count_text.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
-/// The first floor under a lossless disk's contacts, as a share of the speed of a fall over a tooth:
-/// hops as low as that come some hundred to the time scale.
+/// First minimum rebound speed of a lossless disk, as a fraction of the speed of a fall from a tooth's
+/// height. Hops at this speed occur some hundred times per time scale.
 constexpr double FIRST_FLOOR = 1e-3;
 
-/// After as many collapses in a row the floor is beyond any speed of the machine: nothing helps.
+/// After this many consecutive collapses the minimum rebound speed exceeds any speed of the machine: the disk
+/// cannot be freed.
 constexpr std::uint32_t MAX_LEVEL = 16;
 }  // namespace
 
@@ -42,8 +45,8 @@ void CollapseWatch::collapse(std::uint32_t slot, double time)
 {
   Window& window = disks_[slot];
   window = {time + time_scale_, 0, window.level + 1};
-  // Disks that do not see each other are advanced one by one, on several threads in any order: the first is
-  // the earliest of them, and of several at one time the one with the smallest id.
+  // Independent disks are advanced one by one, on several threads in any order. The first collapse is the
+  // earliest; at equal times, the one with the smallest id.
   const double run_time = epoch_start_ + time;
   const std::uint32_t id = ids_.of(slot);
   if (counts_.count == 0 || std::tie(run_time, id) < std::tie(counts_.first_time, counts_.first_disk))
@@ -67,18 +70,26 @@ std::string CollapseWatch::text() const
 {
   std::ostringstream text;
   text.precision(12);
-  text << "time all but stopped (inelastic collapse): disk "
-       << (first_stuck_ ? first_stuck_->disk : counts_.first_disk) << " had more than " << limit_
-       << " events within " << time_scale_ << " s at "
+  text << "inelastic collapse: disk " << (first_stuck_ ? first_stuck_->disk : counts_.first_disk)
+       << " had more than " << limit_ << " events within " << time_scale_ << " s at "
        << (first_stuck_ ? first_stuck_->time : counts_.first_time) << " s";
   if (first_stuck_)
-    text << ", and losing nothing at its contacts did not help";
+    text << ", although its contacts were lossless";
   else if (stops_)
-    text << "; contact.min_rebound_speed above 0 or a larger one may avoid it, contact.on_collapse: rebound "
-            "may go on";
+    text << "; a larger contact.min_rebound_speed may avoid it; contact.on_collapse: rebound lets "
+            "the run continue";
   else
-    text << ", the first of " << counts_.count << " times; its contacts lost nothing for a while";
+    text << ", the first of " << countText(counts_.count, "time")
+         << "; its contacts were lossless for a while";
   return text.str();
+}
+
+void CollapseWatch::archive(StateArchive& state)
+{
+  state(epoch_start_, disks_, counts_, first_stuck_, stops_);
+  for (const Window& window : disks_)
+    state.require(window.level <= MAX_LEVEL + 1 && window.events <= limit_ && std::isfinite(window.end),
+                  "the number of a disk's collapses is impossible");
 }
 
 void CollapseWatch::rebase(double length, double epoch_start)

@@ -14,28 +14,28 @@
 namespace ratchet_sieve
 {
 
-/// Notices that time has all but stopped for a disk: it has more events within the machine's time
-/// scale than the scene allows. That is an inelastic collapse (McNamara & Young, Phys. Fluids A 4,
-/// 496 (1992), doi:10.1063/1.858323), or a disk that is wedged between bodies.
+/// Detects an inelastic collapse: a disk has more events within the machine's time scale than the scene
+/// allows (McNamara & Young, Phys. Fluids A 4, 496 (1992), doi:10.1063/1.858323). The same happens to a disk
+/// that is wedged between bodies.
 ///
-/// Where the scene says that the run goes on, the disk is lossless until it has gone through a whole
-/// time scale without a collapse: its contacts lose no energy, which lets a wedged disk press its way
-/// out, and part no slower than a floor, which lets a resting one hop. The floor doubles with every
-/// collapse that follows another. A disk that even that does not free is stuck.
+/// If the scene lets the run continue, the disk is lossless until a whole time scale has passed without a
+/// collapse. Its contacts lose no energy, which frees a wedged disk, and have a minimum rebound speed, which
+/// lets a resting disk hop. The minimum doubles with every consecutive collapse. A disk that is not freed by
+/// that is stuck.
 class CollapseWatch
 {
 public:
-  /// @param time_scale of the machine [s]; @param speed_scale of a fall over a tooth [m/s]
-  /// @param ids by which disks are named; outlives this
+  /// @param time_scale of the machine [s]; @param speed_scale of a fall from a tooth's height [m/s]
+  /// @param ids for messages; outlives this
   CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale, const DiskIds& ids);
 
   void reserve(std::size_t count) { disks_.reserve(count); }
   void added() { disks_.emplace_back(); }
 
-  /// The disks at these slots stand one behind the other from now on, the others are gone.
+  /// Keeps the disks at these slots, which become consecutive, and forgets the others.
   void keep(const std::vector<std::uint32_t>& slots);
 
-  /// Counts an event of a disk. @return whether it is one too many; from then on the disk is lossless
+  /// Counts an event of a disk. @return whether it exceeds the limit; the disk is lossless from then on
   bool count(std::uint32_t slot, double time)
   {
     Window& window = disks_[slot];
@@ -47,8 +47,8 @@ public:
     return true;
   }
 
-  /// Counts an event of a disk, unless it would be one too many or the disk is lossless: then nothing is
-  /// done. Of different disks at the same time from several threads.
+  /// Counts an event of a disk, unless it exceeds the limit or the disk is lossless. May be called by several
+  /// threads for different disks at the same time.
   /// @return whether it was counted
   bool countOrdinary(std::uint32_t slot, double time)
   {
@@ -66,41 +66,41 @@ public:
   std::size_t disks() const { return disks_.size(); }
   void prefetchWindow(std::uint32_t slot) const { prefetch(disks_[slot]); }
 
-  /// Whether the disk's contacts lose no energy for now. As long as none collapsed, without reading its
-  /// state.
+  /// Whether the disk's contacts lose no energy at present. Fast while there was no collapse at all.
   bool lossless(std::uint32_t slot) const { return counts_.count > 0 && disks_[slot].level > 0; }
 
-  /// How slowly a lossless disk's contacts may part [m/s].
+  /// Minimum rebound speed of a lossless disk [m/s].
   double floorSpeed(std::uint32_t slot) const;
 
-  /// Whether even MAX_LEVEL collapses in a row, without loss, did not free the disk.
+  /// Whether MAX_LEVEL consecutive collapses did not free the disk.
   bool stuck(std::uint32_t slot) const;
 
-  /// Whether the run has to end: the scene says so, or a disk is stuck.
+  /// Whether the run must end: by the scene's `on_collapse`, or because a disk is stuck.
   bool stops() const { return stops_; }
 
   const CollapseCounts& counts() const { return counts_; }
 
-  /// What happened, in one line with its numbers. @pre counts().count > 0
+  /// One line with the figures. @pre counts().count > 0
   std::string text() const;
 
-  /// Zero of time moves on; @param epoch_start the new one [s]
+  /// Moves the zero of time. @param epoch_start the new one [s]
   void rebase(double length, double epoch_start);
 
-  void archive(StateArchive& state) { state(epoch_start_, disks_, counts_, first_stuck_, stops_); }
+  /// @throws StateError
+  void archive(StateArchive& state);
 
 private:
-  /// The events of one disk since its present window was opened.
+  /// Counts the events of one disk in its present time window.
   struct Window
   {
     double end = 0.0;  ///< local to the epoch [s]
     std::uint32_t events = 0;
-    std::uint32_t level = 0;  ///< collapses in a row
+    std::uint32_t level = 0;  ///< consecutive collapses
 
     void archive(StateArchive& state) { state(end, events, level); }
   };
 
-  /// A disk that collapses although its contacts lose nothing.
+  /// A disk that collapses although its contacts are lossless.
   struct Stuck
   {
     double time;  ///< of the run [s]
@@ -109,7 +109,7 @@ private:
     void archive(StateArchive& state) { state(time, disk); }
   };
 
-  /// Where a collapse ends the run, the disk stays lossless on the way there.
+  /// If a collapse ends the run, the disk stays lossless until the run ends.
   void open(Window& window, double time) const
   {
     window = {time + time_scale_, 0, contact_.on_collapse == CollapseAction::STOP ? window.level : 0};

@@ -7,12 +7,12 @@
 namespace ratchet_sieve
 {
 
-/// What is counted of contacts: the same in whatever order they come.
+/// Counts of contacts, independent of their order.
 struct ContactCounts
 {
-  CollisionCounts collisions;    ///< of those that closed
+  CollisionCounts collisions;    ///< of contacts with approaching surfaces
   double max_overlap = 0.0;      ///< [m]
-  std::uint64_t pushed_out = 0;  ///< how often a disk was found behind the base's surface, and was pushed out
+  std::uint64_t pushed_out = 0;  ///< how often a disk was found below the base's surface and moved out
 
   void take(const ContactOutcome& outcome)
   {

@@ -8,8 +8,8 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A way that counts for nothing, as a share of a double's resolution at the base's width: a million of them,
-/// as many as a collapse may have events, come to one resolution.
+/// A negligible displacement, as a fraction of a double's resolution at the base's width: a million of them,
+/// the number of events allowed in a collapse, add up to one resolution.
 constexpr double NEGLIGIBLE_WAY = 0x1p-20 * std::numeric_limits<double>::epsilon();
 
 CollisionKind collisionKind(BaseFeatureKind kind, Boundary boundary)
@@ -78,7 +78,8 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
   {
     outcome.normal = frame.outOf(approach.normal);
     outcome.normal_velocity = approach.rate;
-    // The base's surface turns with it: at the contact, r below the centre, it differs by r d theta/dt.
+    // The surface moves with the turning base: at the contact, r below the centre, its velocity differs by r
+    // d theta/dt.
     const double tangential_velocity =
         across(approach.normal, point.velocity) - species.radius * (disk.spin - frame.inclination_rate);
     outcome.lossless = lossless(slot, time);
@@ -108,14 +109,14 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   outcome.j = j;
   outcome.shift = shift;
   outcome.overlap = machine_.radius(i) + machine_.radius(j) - distance;
-  // The very sum that the prediction evaluates (timeToContact): were it another, rounding could have a
-  // contact predicted here and left alone there, again and again.
+  // The same sum as in the prediction (timeToContact). With a different one, rounding could predict a contact
+  // here that is then found separating, again and again.
   outcome.closed = position.dot(velocity) < 0.0;
   if (outcome.closed)
   {
     outcome.normal = position / distance;
     outcome.normal_velocity = velocity.dot(outcome.normal);
-    // Where that is lost to rounding, the disks still approach, by as much as rounding leaves open.
+    // If the normal velocity is lost to rounding, the disks still approach, within the rounding error.
     if (outcome.normal_velocity >= 0.0)
       outcome.normal_velocity = -std::numeric_limits<double>::epsilon() * velocity.norm();
     const double tangential_velocity =
@@ -143,15 +144,13 @@ void ContactExecution::respond(ContactOutcome& outcome, const ContactCoefficient
   outcome.tangential_impulse = impulse.tangential;
 }
 
-/// Gives a partner, which is flown to the contact as `now`, its share of the impulse. The contact lies on the
-/// normal's other side for the second partner, so that the torque of the tangential impulse has the same sign
-/// on both.
+/// Applies the impulse to a partner, whose state at the contact is `now`. For the second partner the contact
+/// is on the opposite side, so that the torque of the tangential impulse has the same sign on both.
 ///
-/// In an inelastic collapse contacts follow one another sooner than the disk comes a resolution of its
-/// position further: a position that is rounded at each of them stands still or runs ahead, while the partner
-/// moves on, and the overlap grows by that way. So an impulse that changes the position by nothing to speak
-/// of if it is given at the start of the flight is given there, and the position is left as it was written
-/// down.
+/// In an inelastic collapse contacts follow one another before the disk has moved by one resolution of its
+/// position. A position rounded at each of them would stand still or run ahead, while the partner moves on,
+/// and the overlap would grow by that distance. So an impulse that changes the position only negligibly if it
+/// is applied at the start of the flight is applied there, and the stored position stays unchanged.
 void ContactExecution::push(std::uint32_t slot, const Disk& now, const ContactOutcome& contact, double sign)
 {
   Disk& disk = machine_.changeable(slot);
@@ -172,8 +171,8 @@ bool ContactExecution::lossless(std::uint32_t slot, double time) const
          contact_times_.within(machine_.scene().contact.contact_duration, slot, time);
 }
 
-/// v_min does not apply to a contact that loses nothing: it would put energy in. Where a collapse has made
-/// the disk lossless, it is energy that is asked for.
+/// v_min does not apply to lossless contacts, because it would add energy. For a disk that is lossless
+/// because of a collapse, adding energy is intended.
 double ContactExecution::reboundFloor(std::uint32_t slot, bool no_loss) const
 {
   if (collapse_watch_.lossless(slot))

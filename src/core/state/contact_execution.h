@@ -12,31 +12,31 @@
 namespace ratchet_sieve
 {
 
-/// Executes contacts: applies the collision law to the partners, and says what came of it. Times are local to
+/// Executes contacts: applies the collision law to the partners and returns the outcome. Times are local to
 /// the epoch.
 class ContactExecution
 {
 public:
-  /// All of these outlive this. @param contact_times by which a contact soon after another is lossless
+  /// All of these outlive this. @param contact_times for lossless contacts within t_c of another
   ContactExecution(MachineState& machine, const CollapseWatch& collapse_watch,
                    const ContactTimes& contact_times);
 
-  /// A disk collides with the base. A contact that opens changes nothing.
-  /// @pre the feature is none of the ends, at which a disk leaves
+  /// Collides a disk with the base. A separating contact changes nothing.
+  /// @pre the feature is not an end at which a disk leaves
   ContactOutcome collideWithBase(std::uint32_t slot, const BaseFeature& feature, double time,
                                  BaseInstant& base);
 
-  /// Disk i collides with the image of disk j that lies `shift` widths to the right of j.
+  /// Collides disk i with the image of disk j that is `shift` widths to the right of j.
   ContactOutcome collidePair(std::uint32_t i, std::uint32_t j, int shift, double time);
 
   const ContactMasses& baseMasses(std::uint32_t species) const { return base_masses_[species]; }
 
 private:
-  /// What a unit impulse changes.
+  /// The change of velocity and spin by a unit impulse.
   struct Response
   {
     double velocity;  ///< 1 / m [1/kg]
-    double spin;      ///< r / I, of a tangential one [1/(kg m)]
+    double spin;      ///< r / I, for a tangential impulse [1/(kg m)]
   };
 
   bool lossless(std::uint32_t slot, double time) const;

@@ -10,8 +10,8 @@
 namespace ratchet_sieve
 {
 
-/// When each disk had its last contact, for the contact duration t_c: of no disk where the plan has no
-/// contact times.
+/// The time of each disk's last contact, for the contact duration t_c. Empty if the plan has no contact
+/// times.
 class ContactTimes
 {
 public:

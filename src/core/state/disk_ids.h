@@ -10,7 +10,8 @@
 namespace ratchet_sieve
 {
 
-/// Leaves of an array only what stands at these slots, one behind the other. @param slots rising
+/// Keeps only the elements at these slots of an array, which become consecutive. @param slots in increasing
+/// order
 template <typename T>
 void keepSlots(std::vector<T>& array, const std::vector<std::uint32_t>& slots)
 {
@@ -19,9 +20,9 @@ void keepSlots(std::vector<T>& array, const std::vector<std::uint32_t>& slots)
   array.resize(slots.size());
 }
 
-/// A disk has two numbers. Its *id* is what it is known by outside: every disk that ever enters gets the
-/// next. Its *slot* is where it stands in the arrays: the same as its id until the disks that left are
-/// compacted away, which moves the others up.
+/// The ids of the disks. A disk's *id* is its public number: every new disk gets the next. Its *slot* is its
+/// index in the arrays. Both are equal until disks that have left are removed by compaction, which moves the
+/// others to smaller slots.
 class DiskIds
 {
 public:
@@ -34,7 +35,7 @@ public:
     ++next_;
   }
 
-  /// The disks at these slots stand one behind the other from now on, the others are gone.
+  /// Keeps the disks at these slots, which become consecutive, and forgets the others.
   void keep(const std::vector<std::uint32_t>& slots)
   {
     std::vector<std::uint32_t> kept;
@@ -47,7 +48,7 @@ public:
 
   void archive(StateArchive& state) { state(compacted_, next_, ids_); }
 
-  /// Whether it can be that of so many slots.
+  /// Whether it can belong to this number of slots.
   bool fits(std::size_t slots) const { return compacted_ ? ids_.size() == slots : next_ == slots; }
 
 private:

@@ -3,16 +3,16 @@
 #include <cmath>
 #include <cstdint>
 
+#include "model/sine.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
-constexpr double PI = 3.14159265358979323846;
-
 double wrappedAngle(double angle)
 {
-  const double turns = angle / (2.0 * PI);
-  return 2.0 * PI * (turns - std::floor(turns + 0.5));
+  const double turns = angle / RADIANS_PER_TURN;
+  return RADIANS_PER_TURN * (turns - std::floor(turns + 0.5));
 }
 }  // namespace
 
@@ -21,14 +21,15 @@ void forEachDiskState(const MachineState& machine, double time,
 {
   const FrameOfBase base = machine.motion().at(time);
   const double width = machine.sawtooth().width();
-  const bool periodic = machine.scene().boundary == Boundary::PERIODIC;
+  // While the base turns all disks are between its ends, because they are wrapped when they pass an end.
+  const bool wrapped = machine.scene().boundary != Boundary::PERIODIC || machine.motion().turning();
   for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)
   {
     if (!machine.active(slot))
       continue;
     const Disk disk = flown(machine.disk(slot), time, machine.scene().gravity);
     const double s = base.into(Eigen::Vector2d(disk.position.x(), disk.position.y()) - base.displacement).x();
-    const Image image = periodic ? machine.image(-wholeWidths(s, 1.0 / width), time) : Image();
+    const Image image = wrapped ? Image() : machine.image(-wholeWidths(s, 1.0 / width), time);
     DiskState state;
     state.id = machine.id(slot);
     state.species = disk.species;

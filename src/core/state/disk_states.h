@@ -8,8 +8,8 @@
 namespace ratchet_sieve
 {
 
-/// Shows `visit` each active disk as it is at a local time, one after another: a million at once would need
-/// as much memory again as the engine.
+/// Calls `visit` with the state of each active disk at a local time, one after the other, because an array of
+/// all states would need as much memory as the engine itself.
 void forEachDiskState(const MachineState& machine, double time,
                       const std::function<void(const DiskState&)>& visit);
 

@@ -4,16 +4,16 @@
 #include <cmath>
 #include <sstream>
 
+#include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/resolution.h"
 #include "state/machine_state.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-constexpr double TWO_PI = 6.283185307179586476925;
-
-/// A poured heap is higher than one at rest by less than this factor.
+/// A poured heap is higher than a settled one by less than this factor.
 constexpr double POURED_TO_SETTLED = 2.0;
 
 /// From the base's lowest point to the highest disk [m].
@@ -22,24 +22,15 @@ double highestPlace(const SceneDefinition& scene)
   double height = scene.pour.drop_height + POURED_TO_SETTLED * settledLayer(scene);
   for (const InitialDisk& disk : scene.initial)
     height = std::max({height, std::abs(disk.x), std::abs(disk.y)});
-  // However the base is inclined, its ends are no further apart in height than it is wide.
-  return height + scene.base.width() + scene.base.tooth_height + 2.0 * scene.base.amplitude;
+  // For any inclination, the difference in height of the two ends is at most the width.
+  return height + scene.base.width() + scene.base.tooth_height + 2.0 * driveBounds(scene.base).displacement;
 }
 
-double startSpeed(const SceneDefinition& scene)
+/// The largest speed of the base, by the drive in any direction and by the turning of its raised end [m/s].
+double baseSpeed(const MachineState& machine)
 {
-  double speed = std::max(scene.pour.speed, scene.contact.min_rebound_speed);
-  for (const InitialDisk& disk : scene.initial)
-    speed = std::max(speed, std::hypot(disk.vx, disk.vy));
-  return speed;
-}
-
-/// Of the drive and of the end that is raised [m/s].
-double baseSpeed(const MachineState& machine, double time)
-{
-  const DriveState base = machine.motion().state(time);
-  return TWO_PI * base.frequency * base.amplitude +
-         std::abs(machine.motion().inclinationRate()) * machine.sawtooth().width();
+  const BaseMotion& motion = machine.motion();
+  return motion.speedBound() + std::abs(motion.inclinationRate()) * machine.sawtooth().width();
 }
 }  // namespace
 
@@ -50,7 +41,7 @@ EnergyWatch::EnergyWatch(const SceneDefinition& scene)
 
 void EnergyWatch::check(const MachineState& machine, double time)
 {
-  fastest_base_ = std::max(fastest_base_, baseSpeed(machine, time));
+  fastest_base_ = std::max(fastest_base_, baseSpeed(machine));
   const double bounce =
       std::sqrt(2.0 * gravity_ * highest_ + start_speed_ * start_speed_) + 2.0 * fastest_base_;
   const double scale = 0.5 * bounce * bounce;
@@ -81,9 +72,9 @@ std::string EnergyWatch::text() const
   if (!first_)
     return "";
   std::ostringstream out;
-  out << "energy beyond every scale of the machine: at " << first_->time << " s disk " << first_->disk
-      << " had " << first_->energy << " J at a height of " << first_->height << " m, " << first_->scales
-      << " times what an elastic bounce off the base gives it after the highest fall; the most so far: "
+  out << "implausibly large energy: at " << first_->time << " s disk " << first_->disk << " had "
+      << first_->energy << " J at a height of " << first_->height << " m, " << first_->scales
+      << " times its energy after the highest fall and an elastic bounce off the base; largest so far: "
       << largest_ << " times";
   return out.str();
 }

@@ -5,8 +5,8 @@
 namespace ratchet_sieve
 {
 
-/// The run's time zero, moved on by whole epochs: times within an epoch are small, so that a double
-/// holds them as finely after 10^6 s as at the start. A power of two [s], so that nothing rounds.
+/// The run's zero of time, moved by whole epochs: times within an epoch are small, so that their resolution
+/// after 10^6 s is the same as at the start. A power of two [s], so that no rounding occurs.
 struct Epoch
 {
   double start = 0.0;   ///< [s]

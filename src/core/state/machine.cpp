@@ -6,11 +6,11 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Fewer slots of disks that have left are not worth giving up: so a run of the usual kind never does, and a
-/// machine that is fed for ever is searched anew once in a while.
+/// Smallest number of slots that compaction removes. Usual runs never reach it; a machine with an endless
+/// feed is compacted once in a while.
 constexpr std::size_t LEAST_COMPACTED = 1024;
 
-/// Of a fall over a tooth, or where nothing falls, over a tooth within the time scale [m/s].
+/// Speed of a fall from a tooth's height; without gravity, a tooth per time scale [m/s].
 double speedScale(const SceneDefinition& scene, double time_scale)
 {
   const double width = scene.base.tooth_width;

@@ -10,8 +10,8 @@
 namespace ratchet_sieve
 {
 
-/// The machine's state with what acts on it and what is kept of it, held together: a disk is in all of them
-/// or in none, and time zero is one for all.
+/// The machine's state together with the objects that act on it and record it. A disk is in all of them or in
+/// none, and they have one common zero of time.
 class Machine
 {
 public:
@@ -30,17 +30,17 @@ public:
   RunRecord& record() { return record_; }
   const ContactExecution& execution() const { return execution_; }
 
-  /// Makes room for so many disks: nothing but memory.
+  /// Allocates memory for this number of disks.
   void reserve(std::size_t count);
 
-  /// Puts a disk in. @return its slot
+  /// Adds a disk. @return its slot
   std::uint32_t add(const Disk& disk);
 
-  /// Executes a disk's event with the base: a contact, or passing an end, where it leaves.
+  /// Executes a disk's event with the base: a contact, or the passage of an end.
   void handleBaseEvent(std::uint32_t slot, const BaseFeature& feature, double time, BaseInstant& base)
   {
-    if (feature.kind == BaseFeatureKind::LEFT_END || feature.kind == BaseFeatureKind::RIGHT_END)
-      return state_.leave(slot, feature.kind == BaseFeatureKind::RIGHT_END, time);
+    if (feature.isEnd())
+      return state_.passEnd(slot, feature.kind == BaseFeatureKind::RIGHT_END, time);
     record_.take(execution_.collideWithBase(slot, feature, time, base));
   }
 
@@ -50,7 +50,7 @@ public:
     record_.take(execution_.collidePair(i, j, shift, time));
   }
 
-  /// Prefetches what an event of this disk reads and writes here.
+  /// Prefetches the memory of an event of this disk.
   void prefetchEvent(std::uint32_t slot) const
   {
     state_.prefetchFlight(slot);
@@ -58,8 +58,8 @@ public:
     record_.prefetchSums(slot);
   }
 
-  /// Compacts away the disks that have left, once they are most.
-  /// @return whether it did: then slots are others than before
+  /// Removes the disks that have left from the arrays if they are the majority.
+  /// @return whether it did: slots have then changed
   bool compact();
 
   /// See MachineState.

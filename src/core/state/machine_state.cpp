@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/walls.h"
 
@@ -12,13 +13,10 @@ namespace ratchet_sieve
 {
 namespace
 {
-double largestDiameter(const SceneDefinition& scene)
-{
-  double largest = 0.0;
-  for (const auto& species : scene.species)
-    largest = std::max(largest, 2.0 * species.radius);
-  return largest;
-}
+/// Limit for a saved state, in teeth: distance of a disk, and its path within the time scale. So the index of
+/// the tooth stays representable within an epoch.
+constexpr double FARTHEST_TOOTH = 0x1p28;
+constexpr double FASTEST_TOOTH = 0x1p26;
 
 double maxTurn(const SceneDefinition& scene, double largest_diameter)
 {
@@ -52,7 +50,7 @@ MachineState::MachineState(const SceneDefinition& scene, const Plan& plan)
     radii_.push_back(species.radius);
 }
 
-/// As the epoch's length has it.
+/// From the length of the epoch.
 void MachineState::setTimeResolution()
 {
   pair_scene_.time_resolution = timeResolution(epoch_.length);
@@ -61,7 +59,7 @@ void MachineState::setTimeResolution()
 
 BaseEvent MachineState::nextBaseEvent(std::uint32_t slot, double from, double until, BaseInstant& base) const
 {
-  // Nothing may come for very long where nothing falls; an epoch at a time is enough.
+  // Without gravity there may be no event for very long; one epoch at a time is enough.
   double end = std::min(until, from + epoch_.length);
   const auto change = motion_.nextChange();
   if (change)
@@ -126,6 +124,14 @@ Disk& MachineState::fly(std::uint32_t slot, double time)
   return disk;
 }
 
+void MachineState::passEnd(std::uint32_t slot, bool to_the_right, double time)
+{
+  if (scene_.boundary == Boundary::PERIODIC)
+    wrap(slot, to_the_right ? -1.0 : 1.0, time);
+  else
+    leave(slot, to_the_right, time);
+}
+
 void MachineState::leave(std::uint32_t slot, bool to_the_right, double time)
 {
   SpeciesBins& bins = bins_[disks_[slot].species];
@@ -150,18 +156,42 @@ void MachineState::endPassage(std::uint32_t slot, double time)
 
 void MachineState::wrap(std::uint32_t slot, double shift, double time)
 {
+  moveTo(slot, image(shift, time), time);
+}
+
+void MachineState::moveTo(std::uint32_t slot, const Image& image, double time)
+{
   Disk& disk = fly(slot, time);
-  const Image to = image(shift, time);
-  disk.position += to.shift;
-  disk.velocity += to.velocity;
-  passages_.wrapped(slot, -to.shift.x());
+  disk.position += image.shift;
+  disk.velocity += image.velocity;
+  passages_.wrapped(slot, -image.shift.x());
 }
 
 void MachineState::wrapIntoWidth(std::uint32_t slot, double s, double time)
 {
+  if (scene_.boundary != Boundary::PERIODIC || motion_.turning())
+    return;
   const double laps = wholeWidths(s, 1.0 / sawtooth_.width());
-  if (scene_.boundary == Boundary::PERIODIC && laps != 0.0)
+  if (laps != 0.0)
     wrap(slot, -laps, time);
+}
+
+/// Wraps all disks when the base begins to turn. Before, an image moves exactly as its disk does.
+void MachineState::wrapAll(double time)
+{
+  if (scene_.boundary != Boundary::PERIODIC)
+    return;
+  FrameOfBase base = motion_.at(time);
+  base.inclination_rate = 0.0;
+  for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
+  {
+    if (!active(slot))
+      continue;
+    const double s = search_.seenFromBase(disks_[slot], base, time).s();
+    const double laps = wholeWidths(s, 1.0 / sawtooth_.width());
+    if (laps != 0.0)
+      moveTo(slot, base.image(-laps * sawtooth_.width()), time);
+  }
 }
 
 void MachineState::archive(StateArchive& state)
@@ -175,6 +205,36 @@ void MachineState::archive(StateArchive& state)
                                          [this](const Disk& disk) { return disk.species < bins_.size(); });
   if (!of_this_scene)
     throw StateError("it is of another scene");
+  state.require(isLegal(), "the state of the machine or of a disk is impossible");
+}
+
+bool MachineState::canBeTime(double time) const
+{
+  return time >= -2.0 * epochLength(time_scale_);
+}
+
+bool MachineState::isLegal() const
+{
+  int exponent = 0;
+  if (!std::isfinite(epoch_.start) || epoch_.start < 0.0 || std::frexp(epoch_.length, &exponent) != 0.5 ||
+      epoch_.length > epochLength(time_scale_) || epoch_.start + epoch_.length == epoch_.start ||
+      !canBeTime(motion_.segmentStart()))
+    return false;
+  for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
+    if (active_[slot] > 1 || (active(slot) && !isLegal(slot)))
+      return false;
+  return static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1)) == active_count_;
+}
+
+bool MachineState::isLegal(std::uint32_t slot) const
+{
+  const Disk& disk = disks_[slot];
+  const double tooth = sawtooth_.toothWidth();
+  return canBeTime(disk.time) && disk.time <= epoch_.length && disk.position.allFinite() &&
+         (scene_.boundary != Boundary::PERIODIC ||
+          std::abs(motion_.at(disk.time).into(disk.position).x()) <= FARTHEST_TOOTH * tooth) &&
+         disk.velocity.lpNorm<Eigen::Infinity>() <= FASTEST_TOOTH * tooth / time_scale_ &&
+         std::isfinite(disk.angle) && std::isfinite(disk.spin);
 }
 
 double MachineState::smallestRadius() const
@@ -197,7 +257,8 @@ void MachineState::rebase(double length)
   motion_.rebase(length);
   for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
   {
-    // A state that is older than an epoch is renewed on its flight: over a long one its rounding would grow.
+    // A state older than an epoch is renewed along its flight, because its rounding error grows with the time
+    // of flight.
     if (active(slot) && disks_[slot].time < 0.0)
     {
       passages_.flew(slot, disks_[slot], length);

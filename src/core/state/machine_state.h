@@ -18,13 +18,13 @@
 namespace ratchet_sieve
 {
 
-/// Where the base and the disks are and how they move. A disk stands at a *slot* of arrays; see DiskIds.
-/// Times are local to the epoch.
+/// Positions and motion of the base and the disks. A disk is at a *slot* of arrays; see DiskIds. Times are
+/// local to the epoch.
 class MachineState
 {
 public:
-  /// While a periodic base turns, its lattice turns against whatever stands still by no more than
-  /// this share of the largest diameter before the motion begins a new segment.
+  /// While a periodic base turns, its lattice moves relative to a fixed frame by at most this fraction of the
+  /// largest diameter within one segment of the motion.
   static constexpr double LATTICE_MARGIN = 0.45;
 
   explicit MachineState(const SceneDefinition& scene) : MachineState(scene, planOf(scene)) {}
@@ -38,7 +38,17 @@ public:
   const Plan& plan() const { return plan_; }
   const Sawtooth& sawtooth() const { return sawtooth_; }
   const BaseMotion& motion() const { return motion_; }
-  BaseMotion& motion() { return motion_; }
+
+  /// Calls `command` with the base's motion and the time; it changes the motion at that time. Disks keep
+  /// position and velocity; on a periodic base the stored image of a disk may change.
+  template <typename Command>
+  void changeMotion(Command&& command, double time)
+  {
+    const bool turned = motion_.turning();
+    command(motion_, time);
+    if (motion_.turning() && !turned)
+      wrapAll(time);
+  }
   const ContactSearch& search() const { return search_; }
   const PairScene& pairScene() const { return pair_scene_; }
   const Epoch& epoch() const { return epoch_; }
@@ -64,73 +74,82 @@ public:
     passages_.prefetchPassage(slot);
   }
 
-  /// The disk's first event with the base, searched from `from` and no further than needed to know of
-  /// all before `until`. At infinity if there is none before the base's motion changes, for then
-  /// everything is predicted again.
+  /// The disk's first event with the base, searched from `from` and only as far as needed to find all before
+  /// `until`. At infinity if there is none before the base's motion changes, because everything is predicted
+  /// anew then.
   BaseEvent nextBaseEvent(std::uint32_t slot, double from, double until, BaseInstant& base) const;
 
-  /// Where the image `shift` widths to the right appears at `time`, relative to the disk itself.
+  /// The image `shift` widths to the right, relative to the disk itself, at `time`.
   Image image(double shift, double time) const { return pair_scene_.image(shift, time); }
 
-  /// Makes room for so many disks: nothing but memory.
+  /// Allocates memory for this number of disks.
   void reserve(std::size_t count);
 
-  /// Puts a disk in. @return its slot, behind all others
+  /// Adds a disk. @return its slot, after all others
   std::uint32_t add(const Disk& disk);
 
-  /// Writes the disk down where its flight has come to.
+  /// Stores the disk's state at the end of its flight so far.
   void moveTo(std::uint32_t slot, const Disk& now)
   {
     passages_.flew(slot, disks_[slot], now.time);
     disks_[slot] = now;
   }
 
-  /// For what changes a flight, and for a batch that flies disks by itself. Of different disks at the same
-  /// time from several threads.
+  /// For changes of a flight, and for SIMD batches. May be called by several threads for different disks at
+  /// the same time.
   Disk& changeable(std::uint32_t slot) { return disks_[slot]; }
   Passages& passages() { return passages_; }
 
-  /// Takes the disk to its image `shift` widths to the right, on the same flight.
+  /// Moves the disk to its image `shift` widths to the right, on the same flight.
   void wrap(std::uint32_t slot, double shift, double time);
 
-  /// Wraps a disk on a periodic base by as many widths as bring `s`, its position along the base, into [0,
-  /// W).
+  /// Wraps a disk on a periodic base by the number of widths that brings `s`, its position along the base,
+  /// into [0, W). Does nothing while the base turns, because a disk is then wrapped only when it passes an
+  /// end.
   void wrapIntoWidth(std::uint32_t slot, double s, double time);
 
-  /// The disk passes an end of the base, into the bin there.
-  void leave(std::uint32_t slot, bool to_the_right, double time);
+  /// The disk passes an end of the base: into the bin, or on a periodic base to its image at the other end.
+  void passEnd(std::uint32_t slot, bool to_the_right, double time);
 
-  /// Takes a disk out where it is, into no bin: it is in the machine still, but has no course to follow.
+  /// Removes a disk from the simulation at its position, into no bin. It stays counted in the machine.
   void remove(std::uint32_t slot, double time);
 
-  /// The slots of disks that are still active, or that are not, rising.
+  /// The slots of the active disks, or of the others, in increasing order.
   std::vector<std::uint32_t> slots(bool active) const;
 
-  /// Removes disks that have left from the arrays: those of the others move up. @param kept slots(true)
+  /// Removes disks that have left from the arrays; the others move to smaller slots. @param kept slots(true)
   void compact(const std::vector<std::uint32_t>& kept);
 
-  /// What is counted in passages begins now.
+  /// Starts the counting in passages.
   void restartPassages(double time) { passages_.restart(disks_, active_, epoch_.start + time, time); }
 
-  /// Time counts from `start` [s], not from 0. @pre nothing has happened yet
-  /// @return the start, local to the epoch: epochs stand where they would, had it all begun at 0, so that
-  /// times since their start are exact
+  /// Time counts from `start` [s] instead of 0. @pre nothing has happened yet
+  /// @return the start, local to the epoch: epochs are multiples of their length from time 0, so that times
+  /// are exact
   double startAt(double start);
 
-  /// Shortens the epoch where the drive has been commanded to be too fast for the times in it: a run that
-  /// starts without it has an epoch too long for it. Then the zero of time has to move on to the epoch that
-  /// `now` lies in: rebase().
-  /// @return by how much it has to [s], a multiple of the new length; 0 where nothing changes
+  /// Shortens the epoch if a command made the drive too fast for its time resolution. Then the zero of time
+  /// must be moved to the epoch that contains `now`: call rebase().
+  /// @return the distance by which it must be moved [s], a multiple of the new length; 0 if nothing changes
   double shortenEpoch(double now);
 
-  /// Zero of time moves on by `length`, a multiple of the epoch's. @pre no disk's next event is before it
+  /// Moves the zero of time by `length`, a multiple of the epoch. @pre no disk's next event is before it
   void rebase(double length);
 
   /// @throws StateError as StateArchive, or if the state is of another number of species
   void archive(StateArchive& state);
 
+  /// Whether an event can be at this time, which may be infinite: in a restored state, times are at most one
+  /// longest epoch in the past.
+  bool canBeTime(double time) const;
+
 private:
+  bool isLegal(std::uint32_t slot) const;
+  bool isLegal() const;
   void setTimeResolution();
+  void wrapAll(double time);
+  void moveTo(std::uint32_t slot, const Image& image, double time);
+  void leave(std::uint32_t slot, bool to_the_right, double time);
   Disk& fly(std::uint32_t slot, double time);
   void endPassage(std::uint32_t slot, double time);
 

@@ -30,7 +30,8 @@ void Passages::restart(const std::vector<Disk>& disks, const std::vector<std::ui
     passage.counted_from = Passage::NEVER;
     if (!active[slot])
       continue;
-    // What the present flight brought before now will be taken in at its end: taken off beforehand.
+    // The part of the present flight before now is subtracted here, because it is added at the end of the
+    // flight.
     Passage before;
     integrate(before, disks[slot], local_time);
     passage.translation = -before.translation;

@@ -12,22 +12,21 @@
 namespace ratchet_sieve
 {
 
-/// One disk's stay in the machine: what its flights have summed up to. Where it left, the disk itself still
-/// is.
+/// One disk's stay in the machine: the sums over its flights. Kept after the disk has left.
 struct Passage
 {
-  /// In place of a time: what had left before the counting began.
+  /// Value of counted_from for disks that had left before the counting began.
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
 
   double entered_x = 0.0;     ///< [m]
   double offset = 0.0;        ///< unwraps x [m]
-  double counted_x = 0.0;     ///< unwrapped x where the counting began [m]
+  double counted_x = 0.0;     ///< unwrapped x at the start of the counting [m]
   double counted_from = 0.0;  ///< [s]; or NEVER
   double translation = 0.0;   ///< integral of v^2 / 2 [m^2/s]
   double rotation = 0.0;      ///< integral of spin^2 / 2 [1/s]
   double left_when = 0.0;     ///< [s]
 
-  /// Whether anything of it counts.
+  /// Whether any part of it counts.
   bool counts() const { return counted_from < NEVER; }
 
   void archive(StateArchive& state)
@@ -36,8 +35,8 @@ struct Passage
   }
 };
 
-/// Displacements, and kinetic energies integrated exactly along every flight, disk by disk: so a sum has the
-/// same bits in whatever strides a run was advanced. Times are the run's (not local to an epoch) unless said
+/// Displacements, and kinetic energies integrated exactly along every flight. Summed per disk, so that the
+/// bits do not depend on the calls of advanceTo(). Times are the run's (not local to an epoch) unless stated
 /// otherwise.
 class Passages
 {
@@ -54,13 +53,13 @@ public:
   void entered(const Disk& disk, double time);
   void left(std::uint32_t slot, double time) { passages_[slot].left_when = time; }
 
-  /// Takes in the part of a disk's flight from its own time to `time`, both local.
+  /// Adds the part of a disk's flight from its own time to `time`, both local.
   void flew(std::uint32_t slot, const Disk& disk, double time) { integrate(passages_[slot], disk, time); }
 
-  /// The disk was moved by -dx in the world by a periodic boundary, and no displacement comes of it.
+  /// The disk was moved by -dx in the world by a periodic boundary; the displacement is unchanged.
   void wrapped(std::uint32_t slot, double dx) { passages_[slot].offset += dx; }
 
-  /// What a disk's passage comes to with the part of its present flight until a local time.
+  /// A disk's passage including its present flight up to a local time.
   Passage until(std::uint32_t slot, const Disk& disk, double local_time) const
   {
     Passage passage = passages_[slot];
@@ -68,7 +67,7 @@ public:
     return passage;
   }
 
-  /// What grows with every flight, for a batch that flies disks by itself.
+  /// The sums that grow with every flight, for SIMD batches.
   struct Flown
   {
     double offset;
@@ -84,12 +83,12 @@ public:
     passage.rotation = flown.rotation;
   }
 
-  /// Forgets all that was counted before: the end of `settle`.
+  /// Forgets all counts: the end of `settle`.
   /// @param local_time `time` in the epoch of the disks' own times
   void restart(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
                double local_time);
 
-  /// World x travelled since the disk entered, unwrapped [m].
+  /// Unwrapped path along world x since the disk entered [m].
   double displacement(std::uint32_t slot, double x) const
   {
     return x + passages_[slot].offset - passages_[slot].entered_x;

@@ -10,7 +10,8 @@ namespace
 {
 constexpr double PART = 1.0 / PeriodWatch::PARTS;
 
-/// Sums about a velocity near the mean: the variance of nearly equal velocities must not drown in their mean.
+/// Sums relative to a velocity near the mean: otherwise the variance of nearly equal velocities would be lost
+/// to cancellation.
 struct Velocities
 {
   Eigen::Vector2d about = Eigen::Vector2d::Zero();
@@ -92,7 +93,7 @@ std::optional<double> PeriodWatch::next() const
   const BaseMotion& motion = machine_.motion();
   if (!observer_ || !swings_)
     return std::nullopt;
-  // Rounding may have brought the phase past the one awaited before that came: up to half a part is that.
+  // Rounding may have moved the phase past the expected one too early, by up to half a part.
   const double wanted = origin_ + part_ * PART;
   const double turns = motion.turnsAt(std::max(from_, motion.segmentStart()));
   return motion.timeOfTurns(wanted + std::ceil(turns - wanted - 0.5 * PART));

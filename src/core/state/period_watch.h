@@ -15,31 +15,31 @@ namespace ratchet_sieve
 /// Simulation::granularTemperatures().
 std::vector<std::optional<double>> granularTemperatures(const MachineState& machine, double time);
 
-/// Averages over whole periods of the drive what swings with it. A sample now and then would show the beat of
-/// its own rate with the drive's (aliasing): so every period is sampled, at fixed phases.
-/// Periods begin where the drive has the phase that it had at the start of the run, so that they do not
-/// depend on when the watch began. Times are local to the epoch unless said otherwise.
+/// Averages oscillating quantities over whole periods of the drive. Samples at a rate of their own would show
+/// the beat with the drive (aliasing), so every period is sampled at fixed phases. Periods begin at the phase
+/// that the drive had at the start of the run, so that they do not depend on the start of the observation.
+/// Times are local to the epoch unless stated otherwise.
 class PeriodWatch
 {
 public:
-  /// Instants in a period: in the layer of Fig. 8 their mean is within 1 % of that of a thousand.
+  /// Samples per period: in the layer of Fig. 8 their mean is within 1 % of that of a thousand.
   static constexpr int PARTS = 8;
 
-  /// Of faster drives one period in so long is sampled [s].
+  /// For faster drives, one period per this time is sampled [s].
   static constexpr double LEAST_SPACING = 0.02;
 
-  /// Both outlive this. @param collisions that the machine's run has counted
+  /// Both outlive this. @param collisions counts of the machine's run
   PeriodWatch(const MachineState& machine, const CollisionCounts& collisions);
 
   void observe(PeriodObserver observer, double now);
 
-  /// A period that was interrupted because the drive came to stand still counts for nothing.
+  /// To be called when the motion changes: a period interrupted by a stop of the drive is discarded.
   void motionChanged(double now);
 
-  /// The next sample; nothing without an observer or where the drive stands still.
+  /// The time of the next sample; nothing without an observer or while the drive stands still.
   std::optional<double> next() const;
 
-  /// Samples all disks. @pre next() has come
+  /// Samples all disks. @pre the time is next()
   void sample(double now);
 
   void rebase(double length) { from_ -= length; }
@@ -54,9 +54,9 @@ private:
   PeriodObserver observer_;
   double origin_;  ///< phase over 2 pi at which periods begin
   bool swings_ = false;
-  double from_ = 0.0;           ///< what is awaited comes no earlier
-  int part_ = 0;                ///< of the period, whose end is awaited; 0: its beginning
-  double begun_ = 0.0;          ///< when it began, in the run's time [s]
+  double from_ = 0.0;           ///< earliest time of the next sample
+  int part_ = 0;                ///< the next sample ends this part of the period; 0: it begins the period
+  double begun_ = 0.0;          ///< start of the period, in the run's time [s]
   CollisionCounts collisions_;  ///< until then
   std::vector<TemperatureSum> temperatures_;
 };

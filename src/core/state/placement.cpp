@@ -11,10 +11,10 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A pour is observed after so many disks each: some hundred times a second.
+/// The pour observer is called after this many disks: some hundred times a second.
 constexpr std::size_t DISKS_PER_LOOK = 1024;
 
-/// A disk where it is at `time`, as the pour sees it.
+/// A disk's position at `time`, for the pour.
 PlacedDisk placed(const MachineState& machine, std::uint32_t slot, const FrameOfBase& base, double time)
 {
   const Disk disk = flown(machine.disk(slot), time, machine.scene().gravity);
@@ -53,7 +53,7 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
     if (observer && poured.size() % DISKS_PER_LOOK == 0)
       observer(poured.size(), species.size());
   }
-  // Numbered along the base: neighbours there are neighbours in memory.
+  // Numbered along the base, so that neighbours are near each other in memory.
   std::stable_sort(poured.begin(), poured.end(),
                    [](const Poured& a, const Poured& b) { return a.room.s < b.room.s; });
   machine.reserve(state.disks().size() + poured.size());

@@ -11,20 +11,20 @@
 namespace ratchet_sieve
 {
 
-/// Finds room for disks: each at a random place along the base, as low as the drop height and the disks
-/// already there allow.
+/// Finds positions for new disks: each at a random place along the base, as low as the drop height and the
+/// existing disks allow.
 class Pour
 {
 public:
-  /// @param base with the amplitude it has now, which bounds how high it reaches
-  /// @param see_each_other false where disks do not collide: they may then lie over each other
+  /// @param base with its present amplitude, which determines its highest position
+  /// @param see_each_other false if disks do not collide: they may then overlap
   Pour(const BaseDefinition& base, Boundary boundary, double drop_height, double largest_diameter,
        bool see_each_other);
 
-  /// A disk that is there already.
+  /// Adds an existing disk.
   void occupy(const PlacedDisk& disk);
 
-  /// Places one more, and remembers it.
+  /// Places one more disk, and adds it.
   PlacedDisk place(double radius, Random& random);
 
 private:
@@ -35,13 +35,13 @@ private:
   bool periodic_;
   bool see_each_other_;
   StandingDisks standing_;
-  std::vector<RoomSearch> searches_;  ///< one for each radius
+  std::vector<RoomSearch> searches_;  ///< one per radius
 };
 
 /// The order in which a scene's disks are poured: `count` of each species, shuffled.
 std::vector<std::uint32_t> pourOrder(const std::vector<SpeciesDefinition>& species, Random& random);
 
-/// A species drawn by the shares. @pre one share at least is positive
+/// A random species, with probabilities proportional to the shares. @pre at least one share is positive
 std::uint32_t drawSpecies(const std::vector<SpeciesDefinition>& species, Random& random);
 
 }  // namespace ratchet_sieve

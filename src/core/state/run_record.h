@@ -16,17 +16,17 @@
 namespace ratchet_sieve
 {
 
-/// A contact as a caller sees it.
+/// A contact as a record for callers.
 CollisionRecord recordOf(const ContactOutcome& outcome, const MachineState& machine);
 
-/// What is kept of a run: the observers of its contacts, and the means.
+/// The record of a run: the observers of its contacts, and the means.
 class RunRecord
 {
 public:
   /// @param machine outlives this
   explicit RunRecord(const MachineState& machine);
 
-  /// A contact was executed.
+  /// Takes an executed contact.
   void take(const ContactOutcome& outcome)
   {
     counts_.take(outcome);
@@ -39,7 +39,7 @@ public:
       observer_(recordOf(outcome, machine_));
   }
 
-  /// Contacts with the base were executed elsewhere, and their impulses added there.
+  /// Takes counts of base contacts executed by SIMD; their impulses were added there.
   /// @param contacts per species
   void take(const ContactCounts& counts, const std::vector<std::uint64_t>& contacts)
   {
@@ -51,7 +51,8 @@ public:
   void prefetchSums(std::uint32_t slot) const { prefetch(impulses_.of(slot)); }
   void added();
 
-  /// The disks at these slots of the machine are kept, those at the others are about to be compacted away.
+  /// Keeps the disks at these slots of the machine; those at the others are about to be removed by
+  /// compaction.
   void keep(const std::vector<std::uint32_t>& kept, const std::vector<std::uint32_t>& left);
 
   const ContactCounts& counts() const { return counts_; }
@@ -64,18 +65,18 @@ public:
 
   void restartMeans();
 
-  /// Whether the series of the means is kept, block by block: always of a layer, whose disks move together.
-  /// Disks that do not see each other are independent, and need none unless the scene asks for a certainty.
+  /// Whether the series of the means is recorded in blocks: always for a layer, whose disks move together.
+  /// Independent disks need none, unless the scene requests an accuracy.
   bool keepsBlocks() const { return machine_.plan().pairs || accuracy_.kept(); }
   void endBlockOfMeans(double time);
 
-  /// @param block_time of a block that is not joined yet [s]
+  /// @param block_time of the original blocks [s]
   MeanSeries meanSeries(double block_time) const;
   std::vector<SpeciesMeans> means(double time) const { return tally_.means(machine_, time); }
 
   void rebase(double length) { times_.rebase(length); }
 
-  /// @throws StateError if the state is not of the machine's disks, which have been restored before
+  /// @throws StateError if the state is not of the machine's disks, which must be restored before
   void archive(StateArchive& state);
 
 private:

@@ -46,7 +46,7 @@ SpeciesMeans Tally::Sums::means(const SpeciesDefinition& species) const
   means.kinetic_rotational = species.inertia() * rotation / time;
   if (disks > 1.0)
   {
-    // The ratio estimator's error: the scatter of what each disk travelled about vx times its time.
+    // The error of a ratio estimator: the scatter of each disk's displacement about vx times its time.
     const double scatter = displacement_squared - 2.0 * vx * displacement_time + vx * vx * time_squared;
     means.mean_vx_stderr = std::sqrt(std::max(0.0, scatter) * disks / (disks - 1.0)) / time;
   }
@@ -94,7 +94,7 @@ std::vector<SpeciesMeans> Tally::means(const MachineState& machine, double time)
     means.push_back(all[s].means(species_[s]));
     if (all[s].time > 0.0)
       means[s].collision_rate = static_cast<double>(contacts_[s]) / all[s].time;
-    // Whichever sees more: disks that differ among each other, or a layer that moves as a whole.
+    // The larger one: from differences between disks, or from fluctuations of the whole layer in time.
     const auto over_time = blocks_[s].standardError();
     if (over_time && means[s].mean_vx)
       means[s].mean_vx_stderr = std::max(means[s].mean_vx_stderr.value_or(0.0), *over_time);

@@ -12,7 +12,7 @@
 namespace ratchet_sieve
 {
 
-/// Means over disks and time, of the disks' passages. Times are local to the epoch.
+/// Means over disks and time, from the disks' passages. Times are local to the epoch.
 class Tally
 {
 public:
@@ -25,10 +25,10 @@ public:
   {
   }
 
-  /// Sums up the passages of disks that are about to be compacted away.
+  /// Adds the passages of disks that are about to be removed by compaction.
   void forget(const MachineState& machine, const std::vector<std::uint32_t>& left);
 
-  /// Counts a contact that closed for each disk that takes part in it.
+  /// Counts a contact of approaching surfaces, for each disk that takes part.
   void take(const ContactOutcome& outcome, const MachineState& machine)
   {
     ++contacts_[machine.disk(outcome.i).species];
@@ -36,17 +36,17 @@ public:
       ++contacts_[machine.disk(outcome.j).species];
   }
 
-  /// Contacts that were counted elsewhere, per species.
+  /// Adds contacts counted elsewhere, per species.
   void add(const std::vector<std::uint64_t>& contacts)
   {
     for (std::size_t species = 0; species < contacts.size(); ++species)
       contacts_[species] += contacts[species];
   }
 
-  /// Forgets all that was counted before.
+  /// Forgets all counts.
   void restart();
 
-  /// Ends a block of the series from which the errors of the means are found; see BlockAverages.
+  /// Ends a block of the series for the errors of the means; see BlockAverages.
   void endBlock(const MachineState& machine, double time);
 
   /// Of a species.
@@ -54,7 +54,15 @@ public:
 
   std::vector<SpeciesMeans> means(const MachineState& machine, double time) const;
 
-  void archive(StateArchive& state) { state(gone_, at_block_end_, blocks_, contacts_); }
+  /// @throws StateError
+  void archive(StateArchive& state)
+  {
+    state(gone_, at_block_end_, blocks_, contacts_);
+    const std::size_t count = species_.size();
+    state.require(gone_.size() == count && at_block_end_.size() == count && blocks_.size() == count &&
+                      contacts_.size() == count,
+                  "its means have another number of species");
+  }
 
 private:
   /// Sums over the passages of one species.
@@ -69,7 +77,7 @@ private:
     double translation = 0.0;
     double rotation = 0.0;
 
-    /// @param x where the passage has come to [m], @param until when, in the run's time [s]
+    /// @param x end of the passage [m], @param until its time, in the run's time [s]
     void add(const Passage& passage, double x, double until);
     void archive(StateArchive& state)
     {
@@ -79,15 +87,15 @@ private:
     SpeciesMeans means(const SpeciesDefinition& species) const;
   };
 
-  /// Adds the passage of a disk that has left, where it counts.
+  /// Adds the passage of a disk that has left, if it counts.
   static void addLeft(const MachineState& machine, std::uint32_t slot, std::vector<Sums>& sums);
   std::vector<Sums> sums(const MachineState& machine, double time) const;
 
   std::vector<SpeciesDefinition> species_;
-  std::vector<Sums> gone_;               ///< per species, of disks that were compacted away
-  std::vector<Sums> at_block_end_;       ///< per species, when the last block ended
+  std::vector<Sums> gone_;               ///< per species, of disks removed by compaction
+  std::vector<Sums> at_block_end_;       ///< per species, at the end of the last block
   std::vector<BlockAverages> blocks_;    ///< per species
-  std::vector<std::uint64_t> contacts_;  ///< per species, of its disks, since the counting began
+  std::vector<std::uint64_t> contacts_;  ///< per species, since the counting began
 };
 
 }  // namespace ratchet_sieve

@@ -1,0 +1,59 @@
+"""The points of the picture, as a table: docs/data/peers.csv."""
+import csv
+import dataclasses
+
+from peers import cases, measure
+
+ALIKE = "β = 0 "  # in the row of this project's run without tangential restitution, which the others do not have either
+
+
+@dataclasses.dataclass
+class Point:
+    """A program with one step. Undefined: None."""
+    program: str
+    step: float     # [s]; None for this project
+    cost: float     # processor time over simulated time
+    drift_a: float  # [m/s], as the following
+    error_a: float
+    drift_b: float
+    error_b: float
+    loses_disks: bool
+    runs: int
+    origin: str     # date and machine
+
+    def drift(self, species):
+        return (self.drift_a, self.error_a) if species == 0 else (self.drift_b, self.error_b)
+
+
+def of_runs(runs, about):
+    """@param about what machine.describe() gives. @return this project without tangential restitution, and every
+    program and step."""
+    origin = f"{about['date']}, {about['processor']}, {about['cores']} cores, {about['system']}"
+    groups = {}
+    for run in runs:
+        if run["program"] != cases.OURS or ALIKE in run["row"]:
+            groups.setdefault((run["program"], run.get("step")), []).append(run)
+    return [Point(program, step, measure.speed(own), *(number for pair in measure.drift(own) for number in pair),
+                  any(run["lost"] for run in own), len(own), origin) for (program, step), own in groups.items()]
+
+
+COLUMNS = [field.name for field in dataclasses.fields(Point)]
+
+
+def write(path, points):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(COLUMNS)
+        for point in points:
+            writer.writerow(["" if value is None else f"{value:.4g}" if isinstance(value, float) else value
+                             for value in dataclasses.astuple(point)])
+
+
+def read(path):
+    def number(text):
+        return float(text) if text else None
+
+    with path.open(newline="", encoding="utf-8") as file:
+        return [Point(line["program"], *(number(line[name]) for name in COLUMNS[1:7]), line["loses_disks"] == "True",
+                      int(line["runs"]), line["origin"]) for line in csv.DictReader(file)]

@@ -1,0 +1,73 @@
+"""The table of results: a line for each machine. Its part is `tried` (by the search's seeds, all allowed machines),
+`front` (by fresh seeds) or `best` (the chosen machine, by fresh seeds)."""
+import csv
+import dataclasses
+
+from optimise.machine import Machine, Measured
+from optimise.outcome import Found
+from reproduce.samples import Mean
+
+NAMES = ("quality", "throughput", "processed")
+FIXED = ["search", "kind", "part", *(f"{name}{ending}" for name in NAMES for ending in ("", "_error")), "seeds",
+         "measured", "machine", "version"]
+
+
+@dataclasses.dataclass(frozen=True)
+class Origin:
+    measured: str  # date
+    machine: str
+    version: str
+
+
+def digits(value):
+    return "" if value is None else f"{value:.6g}"
+
+
+def lines(search, found, origin):
+    for one in found:
+        for part, pairs in (("tried", one.tried), ("front", one.front), ("best", [one.best] if one.best else [])):
+            for machine, measured in pairs:
+                line = {"search": search.path.stem, "kind": one.kind.name, "part": part,
+                        **dataclasses.asdict(origin), **machine.values}
+                for name in NAMES:
+                    mean = getattr(measured, name)
+                    if mean:
+                        line.update({name: digits(mean.value), f"{name}_error": digits(mean.error),
+                                     "seeds": mean.count})
+                yield line
+
+
+def write(path, all_lines):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    columns = FIXED + sorted({key for line in all_lines for key in line} - set(FIXED))
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(all_lines)
+
+
+def mean(line, name):
+    if not line[name]:
+        return None
+    error = line[f"{name}_error"]
+    return Mean(float(line[name]), float(error) if error else None, int(line["seeds"]))
+
+
+def pair(line, ranges):
+    values = {key: (int if ranges[key].is_whole else float)(line[key]) for key in ranges if line.get(key)}
+    return Machine(line["kind"], values), Measured(mean(line, "quality"), mean(line, "processed"),
+                                                   mean(line, "throughput"))
+
+
+def read(path, search):
+    """@return a Found for each kind, and their Origin; None where the table has none of this search"""
+    with path.open(newline="", encoding="utf-8") as file:
+        own = [line for line in csv.DictReader(file) if line["search"] == search.path.stem]
+    if not own:
+        return None, None
+    found = []
+    for kind in search.kinds:
+        parts = {part: [pair(line, search.ranges) for line in own if (line["kind"], line["part"]) == (kind.name, part)]
+                 for part in ("tried", "front", "best")}
+        found.append(Found(kind, parts["tried"], parts["front"], next(iter(parts["best"]), None)))
+    return found, Origin(*(own[-1][name] for name in ("measured", "machine", "version")))

@@ -1,0 +1,26 @@
+#include "model/lane_limit.h"
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+namespace ratchet_sieve
+{
+namespace
+{
+constexpr const char* VARIABLE = "RATCHET_SIEVE_LANES";
+}
+
+int laneLimit()
+{
+  const char* text = std::getenv(VARIABLE);
+  if (text == nullptr)
+    return 8;
+  for (const int lanes : {1, 2, 4, 8})
+    if (std::to_string(lanes) == text)
+      return lanes;
+  throw std::invalid_argument(std::string("environment variable ") + VARIABLE + " = " + text +
+                              ": must be 1, 2, 4 or 8");
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "ratchet_sieve/recording/frame_kinds.h"
+
+namespace ratchet_sieve
+{
+
+/// The arguments of sieve_run.
+struct RunArguments
+{
+  std::string scene;
+  std::vector<std::string> overrides;
+  std::string seed;
+  std::string duration;
+  std::vector<std::string> until;
+  std::string bag;
+  double bag_rate = FrameRates().particles;
+  std::string collisions;
+  std::string summary;
+  std::string checkpoint;
+  double checkpoint_every = 60.0;
+  std::string resume;
+  bool check_floor = false;
+  std::size_t threads = 1;
+
+  /// --seed, --duration and --until are overrides too, so that the rules of the scene check them.
+  std::vector<std::string> allOverrides() const
+  {
+    std::vector<std::string> all = overrides;
+    if (!seed.empty())
+      all.push_back("seed=" + seed);
+    if (!duration.empty())
+      all.push_back("duration=" + duration);
+    for (const std::string& assignment : until)
+      all.push_back("accuracy." + assignment);
+    return all;
+  }
+};
+
+/// Describes the options of sieve_run, which are parsed into `arguments`, and its help.
+void describe(CLI::App& app, RunArguments& arguments);
+
+}  // namespace ratchet_sieve

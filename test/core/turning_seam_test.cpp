@@ -1,0 +1,291 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "reference_loop.h"
+#include "scenes.h"
+#include "state/placement.h"
+
+/// When a disk on a turning periodic base is wrapped: when its centre reaches an end of the base, with the
+/// velocity of the image, and at no other time. See docs/development/architecture.md, "The seam of a periodic
+/// base".
+namespace ratchet_sieve
+{
+namespace
+{
+enum class Loop
+{
+  PAIRS,
+  SINGLES,
+  STEPS
+};
+
+constexpr double STEP = 0.0001;  ///< [s]
+
+SceneDefinition advancedBy(Loop loop, SceneDefinition scene)
+{
+  scene.contact.pair_collisions = loop != Loop::SINGLES;
+  scene.accuracy.method = loop == Loop::STEPS ? Method::STEPS : Method::EVENTS;
+  scene.accuracy.step = STEP;
+  return scene;
+}
+
+double drawnFinely(double from, double to)
+{
+  return from + (to - from) * *rc::gen::inRange(0, 1 << 20) / (1 << 20);
+}
+
+/// The largest difference of two positions, with images treated as equal.
+double farApart(const DiskState& a, const DiskState& b, const SceneDefinition& scene, double inclination)
+{
+  Eigen::Vector2d way(a.x - b.x, a.y - b.y);
+  if (scene.boundary == Boundary::PERIODIC)
+  {
+    const Eigen::Vector2d lattice =
+        scene.base.width() * Eigen::Vector2d(std::cos(inclination), std::sin(inclination));
+    way -= std::round(way.dot(lattice) / lattice.squaredNorm()) * lattice;
+  }
+  return way.norm();
+}
+
+SceneDefinition anyScene()
+{
+  const Loop loop = *rc::gen::element(Loop::PAIRS, Loop::SINGLES, Loop::STEPS);
+  SceneDefinition scene = advancedBy(loop, test::mixture(6));
+  scene.boundary = *rc::gen::element(Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED);
+  scene.base.teeth = *rc::gen::element(2, 3, 8);
+  scene.base.inclination = *rc::gen::element(0.0, 0.2, -0.3);
+  scene.seed = *rc::gen::inRange(1U, 1000U);
+  return *rc::gen::arbitrary<bool>() ? test::onAnOrbit(scene) : scene;
+}
+
+TEST(TurningSeam, NoCommandChangesAPositionOrAVelocity)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        const SceneDefinition scene = anyScene();
+        Simulation simulation(scene);
+        simulation.setSlewRates({*rc::gen::element(0.1, 1.0, 5.0), 10.0, 0.002});
+        for (int command = 0; command < 12; ++command)
+        {
+          simulation.advanceTo(simulation.time() + drawnFinely(0.0, 0.2));
+          // Between steps, disks are observed without the contacts since the last step; a command ends the
+          // step.
+          if (simulation.plan().steps)
+            simulation.command(Quantity::FREQUENCY, simulation.base().frequency);
+          const std::vector<DiskState> before = simulation.disks();
+          const auto [quantity, setpoint] =
+              *rc::gen::element(std::pair(Quantity::INCLINATION, 0.3), std::pair(Quantity::INCLINATION, -0.2),
+                                std::pair(Quantity::INCLINATION, simulation.base().inclination),
+                                std::pair(Quantity::FREQUENCY, 25.0), std::pair(Quantity::AMPLITUDE, 0.001));
+          simulation.command(quantity, setpoint);
+          const std::vector<DiskState> after = simulation.disks();
+          RC_ASSERT(after.size() == before.size());
+          for (std::size_t i = 0; i < before.size(); ++i)
+          {
+            RC_ASSERT(after[i].id == before[i].id);
+            RC_ASSERT(after[i].vx == before[i].vx);
+            RC_ASSERT(after[i].vy == before[i].vy);
+            RC_ASSERT(farApart(after[i], before[i], scene, simulation.base().inclination) < 1e-13);
+            RC_ASSERT(std::abs(after[i].displacement - before[i].displacement) < 1e-12);
+          }
+        }
+      }));
+}
+
+/// A disk high over a base that turns at a constant rate from time 0 on, computed from the rule alone.
+class FreeCourse
+{
+public:
+  FreeCourse(const SceneDefinition& scene, double rate)
+      : scene_(scene),
+        rate_(rate),
+        x_(scene.initial[0].x),
+        y_(scene.initial[0].y),
+        vx_(scene.initial[0].vx),
+        vy_(scene.initial[0].vy)
+  {
+  }
+
+  void advanceTo(double end)
+  {
+    constexpr double LOOK = 1e-4;
+    while (time_ < end)
+    {
+      double next = std::min(time_ + LOOK, end);
+      const int side = beyond(next);
+      if (side != 0)
+      {
+        double inside = time_;
+        while (next - inside > 1e-15)
+          (beyond(0.5 * (inside + next)) == 0 ? inside : next) = 0.5 * (inside + next);
+      }
+      fly(next);
+      if (side != 0)
+        becomeImage(-side);
+    }
+  }
+
+  double x() const { return x_; }
+  double y() const { return y_; }
+  double vx() const { return vx_; }
+  double vy() const { return vy_; }
+  int crossings() const { return crossings_; }
+
+private:
+  /// The end beyond which the disk is at `time`: -1, 1, or 0 for neither.
+  int beyond(double time) const
+  {
+    const double t = time - time_;
+    const double theta = rate_ * time;
+    const double lift = scene_.base.amplitude * std::sin(2.0 * M_PI * scene_.base.frequency * time);
+    const double s = std::cos(theta) * (x_ + vx_ * t) +
+                     std::sin(theta) * (y_ + (vy_ - 0.5 * scene_.gravity * t) * t - lift);
+    return s < 0.0 ? -1 : s > scene_.base.width() ? 1 : 0;
+  }
+
+  void fly(double time)
+  {
+    const double t = time - time_;
+    x_ += vx_ * t;
+    y_ += (vy_ - 0.5 * scene_.gravity * t) * t;
+    vy_ -= scene_.gravity * t;
+    time_ = time;
+  }
+
+  void becomeImage(int widths)
+  {
+    const double theta = rate_ * time_;
+    const double way = widths * scene_.base.width();
+    x_ += way * std::cos(theta);
+    y_ += way * std::sin(theta);
+    vx_ -= way * rate_ * std::sin(theta);
+    vy_ += way * rate_ * std::cos(theta);
+    ++crossings_;
+  }
+
+  SceneDefinition scene_;
+  double rate_;
+  double x_, y_, vx_, vy_;
+  double time_ = 0.0;
+  int crossings_ = 0;
+};
+
+TEST(TurningSeam, LiesAtTheEndsOfTheBaseInAllLoops)
+{
+  constexpr double RATE = 2.0;
+  for (const Loop loop : {Loop::PAIRS, Loop::SINGLES, Loop::STEPS})
+    for (const int teeth : {1, 2, 7})
+      for (const double speed : {-3.0, 0.4, 2.0})
+      {
+        SCOPED_TRACE(std::to_string(static_cast<int>(loop)) + ": " + std::to_string(teeth) + " teeth, " +
+                     std::to_string(speed) + " m/s");
+        SceneDefinition scene = advancedBy(loop, test::mixture(0));
+        scene.base.teeth = teeth;
+        scene.initial = {{0, 0.3 * scene.base.width(), 2.0, speed, 0.0, 0.0}};
+        Simulation simulation(scene);
+        simulation.setSlewRates({RATE, 10.0, 0.002});
+        simulation.command(Quantity::INCLINATION, 1.0);
+        FreeCourse expected(scene, RATE);
+        for (const double time : {0.1, 0.2, 0.3, 0.4})
+        {
+          simulation.advanceTo(time);
+          expected.advanceTo(time);
+          const DiskState disk = simulation.disks().at(0);
+          EXPECT_NEAR(disk.x, expected.x(), 1e-10);
+          EXPECT_NEAR(disk.y, expected.y(), 1e-10);
+          EXPECT_NEAR(disk.vx, expected.vx(), 1e-10);
+          EXPECT_NEAR(disk.vy, expected.vy(), 1e-10);
+        }
+        EXPECT_GT(expected.crossings(), 1);
+        EXPECT_EQ(simulation.collisions().total(), 0u);
+      }
+}
+
+std::vector<CollisionRecord> recordsOf(const SceneDefinition& scene, double rate,
+                                       const std::vector<std::pair<double, double>>& setpoints)
+{
+  Simulation simulation(scene);
+  std::vector<CollisionRecord> records;
+  simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
+  simulation.setSlewRates({rate, 10.0, 0.002});
+  for (const auto& [until, inclination] : setpoints)
+  {
+    simulation.command(Quantity::INCLINATION, inclination);
+    simulation.advanceTo(until);
+  }
+  return records;
+}
+
+/// To and fro, with a rest in between and a reversal on the way: time of the end, and target inclination.
+const std::vector<std::pair<double, double>> TO_AND_FRO = {
+    {0.10, 0.2}, {0.25, -0.1}, {0.28, 0.3}, {0.40, 0.0}, {1.5, 0.1}};
+
+void expectSameContacts(const std::vector<CollisionRecord>& is, const std::vector<CollisionRecord>& was,
+                        std::size_t first)
+{
+  ASSERT_GE(is.size(), first);
+  ASSERT_GE(was.size(), first);
+  for (std::size_t k = 0; k < first; ++k)
+  {
+    ASSERT_NEAR(is[k].time, was[k].time, 1e-7) << "contact " << k;
+    ASSERT_EQ(is[k].kind, was[k].kind) << "contact " << k;
+  }
+}
+
+/// A single disk is alone in each loop: the loops agree until rounding errors have grown.
+TEST(TurningSeam, IsTheSameInAllLoopsContactByContact)
+{
+  for (const double rate : {0.1, 1.0, 5.0})
+    for (const double speed : {-1.0, 0.7})
+    {
+      SCOPED_TRACE(std::to_string(rate) + " rad/s, " + std::to_string(speed) + " m/s");
+      SceneDefinition scene = test::mixture(0);
+      scene.base.teeth = 2;
+      scene.initial = {{0, 0.01, 0.02, speed, 0.0, 0.0}};
+      const auto records = [&](Loop loop) { return recordsOf(advancedBy(loop, scene), rate, TO_AND_FRO); };
+      const std::vector<CollisionRecord> singles = records(Loop::SINGLES);
+      expectSameContacts(records(Loop::PAIRS), singles, 15);
+      expectSameContacts(records(Loop::STEPS), singles, 15);
+    }
+}
+
+/// Including contacts across the seam.
+TEST(TurningSeam, MissesNoContactOfTheSlowReference)
+{
+  for (const double rate : {0.1, 1.0, 5.0})
+    for (const unsigned seed : {1U, 2U, 3U})
+    {
+      SCOPED_TRACE(std::to_string(rate) + " rad/s, seed " + std::to_string(seed));
+      SceneDefinition scene = test::mixture(4);
+      scene.base.teeth = 2;
+      scene.seed = seed;
+      for (const DiskState& disk : Simulation(scene).disks())
+        scene.initial.push_back({disk.species, disk.x, disk.y, 0.5 - 0.1 * disk.id, -0.2, 0.0});
+      for (SpeciesDefinition& species : scene.species)
+        species.count = 0;
+      Machine machine(scene);
+      placeInitialDisks(machine, 0.0);
+      std::vector<CollisionRecord> expected;
+      machine.record().observeCollisions([&](const CollisionRecord& r) { expected.push_back(r); });
+      test::ReferenceLoop reference(machine);
+      double time = 0.0;
+      for (const auto& [until, inclination] : TO_AND_FRO)
+      {
+        if (until > 0.4)
+          break;
+        test::turn(machine.state(), rate, inclination, time);
+        reference.advanceTo(time = until);
+      }
+      expectSameContacts(recordsOf(scene, rate, TO_AND_FRO), expected, 40);
+    }
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

@@ -1,0 +1,63 @@
+"""How the documents' commands are run where it takes more than to run them."""
+
+# An entry is the beginning of a command without its comment; of several that fit the longest counts. A line's end in
+# it is the command's end.
+
+# Commands that are not run, and why. Of these the test sees that the program, its options, and the files that they
+# name are there.
+NOT_RUN = {
+    './scripts/demo': 'installs packages and builds; demo.test launches the same',
+    './scripts/test': 'installs packages, builds, and runs this test',
+    './scripts/reproduce': 'an hour',
+    './scripts/optimise': 'twenty minutes',
+    './scripts/fuzz': 'builds with clang; minutes',
+    'benchmark/work_precision.py': 'forty minutes',
+    'apt-get': 'installs packages',
+    'scripts/build': 'minutes',
+    './scripts/build': 'minutes',
+    'cmake': 'minutes; the rest of the block runs on the program of the devel space',
+    'benchmark/compare_peers.py': 'ten minutes',
+    'rosrun ratchet_sieve sieve_run config/paper_fig8.yaml --duration': 'a minute each',
+    'printf': 'needs two other machines; parallel_engine_test does the same',
+    'rosrun ratchet_sieve sieve_sweep run fig9.yaml --engine': 'needs other machines or a cluster',
+    'rosrun ratchet_sieve sieve_sweep run fig9.yaml --db': 'nine minutes each, and a cluster',
+    'rosrun ratchet_sieve sieve_sweep report fig9.yaml --check-floor':
+        'needs all seeds of a setting; SieveSweep.ChecksTheFloor does the same',
+    'for engine in threads parallel slurm': 'exports what the three before it have computed',
+}
+
+# Commands that go on, in a terminal of their own: the topic on which a message says that they are up, or the results
+# file that gets more results, or None: they print something. They are then ended by Ctrl-C, but for STAYING ones, which
+# stay until the next block of commands, or until their recording is read.
+GOES_ON = {
+    'roslaunch ratchet_sieve sieve.launch paused:=true': '/sieve/scene',
+    'roslaunch ratchet_sieve sieve.launch scene:=$PWD/config/seek.yaml name:=s1': '/s1/scene',
+    'roslaunch ratchet_sieve sieve.launch scene:=$PWD/config/seek.yaml name:=s2': '/s2/scene',
+    'roslaunch ratchet_sieve sieve.launch': '/sieve/statistics',
+    'roslaunch ratchet_sieve replay.launch': '/sieve_display/markers',
+    'ROS_NAMESPACE=line2 roslaunch ratchet_sieve seek.launch': '/line2/seek/trials',
+    'roslaunch ratchet_sieve seek.launch': '/seek/trials',
+    'rostopic echo': None,
+    'rosrun ratchet_sieve sieve_sweep run fig9.yaml\n': 'fig9.db',
+    'rosrun ratchet_sieve sieve_sweep run config/sweeps/seek.yaml --db seek.db': 'seek.db',
+}
+STAYING = ['paused:=true', 'name:=s1', 'name:=s2', 'disturb:=true', 'line2', 'exit_at_end:=false']
+READS_RECORDING = ['rosrun ratchet_sieve sieve_analyze', 'rosrun ratchet_sieve sieve_resimulate']
+
+# What a document takes for granted before a command.
+BEFORE = {
+    # In place of the build that is not run.
+    'build/without_ros/src/nodes/sieve_run':
+        'mkdir -p build/without_ros/src && ln -s ../../../devel/lib/ratchet_sieve build/without_ros/src/nodes',
+    'rosservice call /sieve/pause_physics': 'roslaunch ratchet_sieve sieve.launch exit_at_end:=false',
+    # Some of the cases that take nine minutes.
+    'rosrun ratchet_sieve sieve_sweep run fig9.yaml\n':
+        "sed 's/{from[^}]*count: 61}/[0.2]/; s/count: 32/count: 1/' fig9.yaml > some.yaml && "
+        'rosrun ratchet_sieve sieve_sweep run some.yaml --db fig9.db',
+}
+
+# Where blocks of YAML are saved, by the beginning of their text.
+SAVED = {
+    'scene: paper_fig9.yaml\n': 'config/sweep.yaml',
+    'base: {teeth: 20': 'first.yaml',
+}
