@@ -89,8 +89,10 @@ class ParallelEngine(engine_cases.EngineTest):
         self.expect_interrupted(self.start_and_wait())
         self.expect_same_table(self.start())
 
-    def test_this_machine_may_be_the_only_host_and_its_home_read_only(self):
-        self.expect_same_table(self.start_with('# slots/login\n2/:\n', env=dict(os.environ, HOME='/proc')))
+    def test_this_machine_may_be_the_only_host_in_a_bare_environment(self):
+        """As an unattended run has it: a home that cannot be written and no SHELL."""
+        bare = {'PATH': os.environ['PATH'], 'HOME': '/proc'}
+        self.expect_same_table(self.start_with('# slots/login\n2/:\n', env=bare))
 
     def test_this_machine_works_beside_others_wherever_the_program_stands(self):
         place = self.directory / "a b; 'c' {} {.} $d"
