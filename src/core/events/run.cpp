@@ -31,7 +31,7 @@ Run::Run(const SceneDefinition& scene, const Plan& plan, double start_time, cons
 {
   now_ = machine_.startAt(start_);
   if (scene.initial.empty())
-    pourDisks(machine_, pourOrder(scene.species, random_), now_, random_, pour_observer);
+    pourDisks(machine_, pourOrder(scene.species, random_), scene.pour.stretch, now_, random_, pour_observer);
   else
     placeInitialDisks(machine_, now_);
   loop_ = makeLoop();
@@ -88,6 +88,11 @@ void Run::advanceTo(double time)
 
 void Run::pour(std::size_t species, std::size_t count)
 {
+  pour(species, count, machine().scene().pour.stretch);
+}
+
+void Run::pour(std::size_t species, std::size_t count, const Stretch& stretch)
+{
   const SceneDefinition& scene = machine().scene();
   if (species >= scene.species.size())
     throw std::invalid_argument("there is no species " + std::to_string(species));
@@ -96,7 +101,8 @@ void Run::pour(std::size_t species, std::size_t count)
                                 " are wider than the machine: there is no room for them");
   loop_->catchUp(now_);
   const auto before = static_cast<std::uint32_t>(machine().disks().size());
-  pourDisks(machine_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), now_, random_);
+  pourDisks(machine_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), stretch, now_,
+            random_);
   announce(before);
 }
 
@@ -198,7 +204,7 @@ std::optional<double> Run::nextFeed() const
 void Run::feed()
 {
   ++fed_;
-  pour(drawSpecies(machine().scene().species, random_), 1);
+  pour(drawSpecies(machine().scene().species, random_), 1, machine().scene().feed.stretch);
 }
 
 void Run::endEpoch()

@@ -19,7 +19,8 @@ constexpr double POURED_TO_SETTLED = 2.0;
 /// From the base's lowest point to the highest disk [m].
 double highestPlace(const SceneDefinition& scene)
 {
-  double height = scene.pour.drop_height + POURED_TO_SETTLED * settledLayer(scene);
+  const double narrowing = scene.base.width() / pouredWidth(scene);
+  double height = scene.pour.drop_height + POURED_TO_SETTLED * settledLayer(scene) * narrowing;
   for (const InitialDisk& disk : scene.initial)
     height = std::max({height, std::abs(disk.x), std::abs(disk.y)});
   // For any inclination, the difference in height of the two ends is at most the width.

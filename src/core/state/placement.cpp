@@ -27,15 +27,15 @@ PlacedDisk placed(const MachineState& machine, std::uint32_t slot, const FrameOf
 
 }  // namespace
 
-void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, double time, Random& random,
-               const PourObserver& observer)
+void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, const Stretch& stretch,
+               double time, Random& random, const PourObserver& observer)
 {
   const MachineState& state = machine.state();
   const SceneDefinition& scene = state.scene();
   const FrameOfBase base = state.motion().at(time);
   BaseDefinition shape = scene.base;
   shape.amplitude = state.motion().displacementBound().norm();
-  Pour pour(shape, scene.boundary, scene.pour.drop_height, state.largestDiameter(),
+  Pour pour(shape, scene.boundary, stretch, scene.pour.drop_height, state.largestDiameter(),
             scene.contact.pair_collisions);
   for (std::uint32_t slot = 0; slot < state.disks().size(); ++slot)
     if (state.active(slot))
