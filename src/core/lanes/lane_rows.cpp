@@ -111,21 +111,22 @@ void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, 
   batch.vx[row] = disk.velocity.x();
   batch.vy[row] = disk.velocity.y();
   batch.spin[row] = disk.spin;
-  batch.angle[row] = disk.angle;
   batch.time[row] = disk.time;
   const SpeciesDefinition& species = machine.state().scene().species[disk.species];
-  const ContactMasses& masses = machine.execution().baseMasses(disk.species);
-  batch.radius[row] = species.radius;
+  const double mass = machine.state().grain(slot).mass;
+  const ContactMasses masses = contactMasses({mass, leverOf(species)});
+  batch.radius[row] = disk.radius;
   batch.restitution[row] = species.contact.restitution;
   batch.friction[row] = species.contact.friction;
   batch.normal_mass[row] = masses.normal;
   batch.sticking_mass[row] = (1.0 + species.contact.tangential_restitution) * masses.tangential;
-  batch.per_mass[row] = 1.0 / species.mass;
-  batch.radius_by_inertia[row] = species.radius / species.inertia();
+  batch.per_mass[row] = 1.0 / mass;
+  batch.radius_by_inertia[row] = disk.radius / species.inertiaOf(mass, disk.radius);
   const Passage& passage = machine.state().passages()[slot];
   batch.offset[row] = passage.offset;
   batch.translation[row] = passage.translation;
   batch.rotation[row] = passage.rotation;
+  batch.angle[row] = passage.angle;
   const Eigen::Vector2d& impulse = machine.record().impulses().of(slot);
   batch.impulse_x[row] = impulse.x();
   batch.impulse_y[row] = impulse.y();
@@ -143,9 +144,9 @@ void storeRow(const LaneBatch& batch, std::size_t row, Machine& machine, std::ui
   disk.velocity.x() = batch.vx[row];
   disk.velocity.y() = batch.vy[row];
   disk.spin = batch.spin[row];
-  disk.angle = batch.angle[row];
   disk.time = batch.time[row];
-  machine.state().passages().setFlown(slot, {batch.offset[row], batch.translation[row], batch.rotation[row]});
+  machine.state().passages().setFlown(
+      slot, {batch.offset[row], batch.translation[row], batch.rotation[row], batch.angle[row]});
   machine.record().impulses().set(slot, {batch.impulse_x[row], batch.impulse_y[row]});
   next = rowEvent(batch, row);
 }

@@ -51,6 +51,14 @@ double largestDiameter(const SceneDefinition& scene)
   return largest;
 }
 
+double smallestRadius(const SceneDefinition& scene)
+{
+  double smallest = scene.species.front().radius;
+  for (const SpeciesDefinition& species : scene.species)
+    smallest = std::min(smallest, species.radius);
+  return smallest;
+}
+
 double settledLayer(const SceneDefinition& scene)
 {
   double area = 0.0;

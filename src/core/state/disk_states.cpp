@@ -33,12 +33,13 @@ void forEachDiskState(const MachineState& machine, double time,
     DiskState state;
     state.id = machine.id(slot);
     state.species = disk.species;
+    state.radius = disk.radius;
     state.displacement = machine.passages().displacement(slot, disk.position.x());
     state.x = disk.position.x() + image.shift.x();
     state.y = disk.position.y() + image.shift.y();
     state.vx = disk.velocity.x() + image.velocity.x();
     state.vy = disk.velocity.y() + image.velocity.y();
-    state.angle = wrappedAngle(disk.angle);
+    state.angle = wrappedAngle(machine.passages().until(slot, machine.disk(slot), time).angle);
     state.spin = disk.spin;
     visit(state);
   }

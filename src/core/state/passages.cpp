@@ -17,8 +17,10 @@ void Passages::integrate(Passage& passage, const Disk& disk, double local_time) 
   const double span = local_time - disk.time;
   const double fall = gravity_ * span;
   passage.translation += translationOver(disk.velocity.x(), disk.velocity.y(), fall, span);
-  if (spin_)
-    passage.rotation += rotationOver(disk.spin, span);
+  if (!spin_)
+    return;
+  passage.rotation += rotationOver(disk.spin, span);
+  passage.angle = positionAfter(passage.angle, disk.spin, span);
 }
 
 void Passages::restart(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,

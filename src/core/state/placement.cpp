@@ -66,7 +66,8 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
     disk.velocity.y() = -scene.pour.speed;
     disk.time = time;
     disk.species = kind;
-    machine.add(disk);
+    disk.radius = room.radius;
+    machine.add(disk, grainOf(scene.species[kind], room.radius));
   }
 }
 
@@ -80,7 +81,9 @@ void placeInitialDisks(Machine& machine, double time)
     disk.spin = initial.spin;
     disk.time = time;
     disk.species = static_cast<std::uint32_t>(initial.species);
-    machine.add(disk);
+    const SpeciesDefinition& species = machine.state().scene().species[initial.species];
+    disk.radius = species.radius;
+    machine.add(disk, grainOf(species, disk.radius));
   }
   refuseBadStart(machine.state(), time);
 }

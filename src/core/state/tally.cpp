@@ -21,7 +21,7 @@ void Tally::restart()
   std::fill(contacts_.begin(), contacts_.end(), 0);
 }
 
-void Tally::Sums::add(const Passage& passage, double x, double until)
+void Tally::Sums::add(const Passage& passage, const Weights& weights, double x, double until)
 {
   const double dx = x + passage.offset - passage.counted_x;
   const double dt = until - passage.counted_from;
@@ -31,8 +31,8 @@ void Tally::Sums::add(const Passage& passage, double x, double until)
   displacement_squared += dx * dx;
   displacement_time += dx * dt;
   time_squared += dt * dt;
-  translation += passage.translation;
-  rotation += passage.rotation;
+  translation += weights.mass * passage.translation;
+  rotation += weights.inertia * passage.rotation;
 }
 
 SpeciesMeans Tally::Sums::means(const SpeciesDefinition& species) const
@@ -53,6 +53,14 @@ SpeciesMeans Tally::Sums::means(const SpeciesDefinition& species) const
   return means;
 }
 
+Tally::Weights Tally::weights(const MachineState& machine, std::uint32_t slot)
+{
+  const Disk& disk = machine.disk(slot);
+  const SpeciesDefinition& species = machine.scene().species[disk.species];
+  const double mass = machine.grain(slot).mass;
+  return {mass / species.mass, species.inertiaOf(mass, disk.radius) / species.inertia()};
+}
+
 std::vector<Tally::Sums> Tally::sums(const MachineState& machine, double time) const
 {
   std::vector<Sums> sums = gone_;
@@ -63,7 +71,7 @@ std::vector<Tally::Sums> Tally::sums(const MachineState& machine, double time) c
     if (!machine.active(slot))
       addLeft(machine, slot, sums);
     else
-      sums[disk.species].add(machine.passages().until(slot, disk, time),
+      sums[disk.species].add(machine.passages().until(slot, disk, time), weights(machine, slot),
                              flown(disk, time, gravity).position.x(), machine.epoch().start + time);
   }
   return sums;
@@ -74,7 +82,7 @@ void Tally::addLeft(const MachineState& machine, std::uint32_t slot, std::vector
   const Passage& passage = machine.passages()[slot];
   const Disk& disk = machine.disk(slot);
   if (passage.counts())
-    sums[disk.species].add(passage, disk.position.x(), passage.left_when);
+    sums[disk.species].add(passage, weights(machine, slot), disk.position.x(), passage.left_when);
 }
 
 void Tally::endBlock(const MachineState& machine, double time)
