@@ -1,3 +1,4 @@
+#include "add_disk.h"
 #include "lanes/lane_rows.h"
 #include "model/lane_limit.h"
 
@@ -349,7 +350,7 @@ TEST(Lanes, FindTheFirstContactOfRandomFlights)
       []
       {
         Machine machine(drawnSceneForLanes());
-        machine.add(drawnDisk(machine.state()));
+        test::addDisk(machine, drawnDisk(machine.state()));
         const Lanes lanes(*rc::gen::element(1, 2, 0));
         const BaseEvent found = searchInLanes(machine);
         checkAgainstScan(machine.state(), found);
@@ -393,7 +394,7 @@ TEST(Lanes, HandOverTheSameOutcomesAsTheMachine)
         Machine machine(scene);
         Disk disk = drawnDisk(machine.state());
         disk.spin = *rc::gen::element(0.0, -300.0, 40.0);
-        machine.add(disk);
+        test::addDisk(machine, disk);
         const Lanes lanes(*rc::gen::element(1, 2, 0));
         const BaseEvent event = searchInLanes(machine);
         const bool clear = isClear(machine.state(), event);

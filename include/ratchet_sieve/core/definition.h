@@ -80,7 +80,15 @@ struct SpeciesDefinition
   ContactCoefficients contact;  ///< with the base, and with disks of the same species
   double inertia_factor = 0.5;  ///< alpha = I / (m r^2); 1/2 for a uniform disk
 
-  double inertia() const { return inertia_factor * mass * radius * radius; }  ///< I [kg m^2]
+  /// The mass of a disk of this radius [m] [kg].
+  double massOf(double disk_radius) const { return disk_radius == radius ? mass : mass; }
+
+  /// I of a disk of this mass [kg] and radius [m]: alpha m r^2 [kg m^2].
+  double inertiaOf(double disk_mass, double disk_radius) const
+  {
+    return inertia_factor * disk_mass * disk_radius * disk_radius;
+  }
+  double inertia() const { return inertiaOf(mass, radius); }  ///< [kg m^2]
 };
 
 /// Coefficients of a pair of different species, if they are not the mean of the two species' own.

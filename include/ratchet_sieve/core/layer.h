@@ -22,6 +22,9 @@ double largestDiameter(const SceneDefinition& scene);
 /// base's width [m].
 double pouredWidth(const SceneDefinition& scene);
 
+/// The smallest radius of all species, including species with no disks [m]. @pre there is a species
+double smallestRadius(const SceneDefinition& scene);
+
 /// The height of the settled layer of the disks present at the start [m]; 0 if disks do not collide with each
 /// other.
 double settledLayer(const SceneDefinition& scene);

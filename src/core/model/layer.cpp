@@ -57,6 +57,14 @@ double pouredWidth(const SceneDefinition& scene)
   return std::min(width, scene.pour.stretch.length(width) + largestDiameter(scene));
 }
 
+double smallestRadius(const SceneDefinition& scene)
+{
+  double smallest = scene.species.front().radius;
+  for (const SpeciesDefinition& species : scene.species)
+    smallest = std::min(smallest, species.radius);
+  return smallest;
+}
+
 double settledLayer(const SceneDefinition& scene)
 {
   double area = 0.0;

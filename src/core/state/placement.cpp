@@ -66,7 +66,8 @@ void pourDisks(Machine& system, const std::vector<std::uint32_t>& species, const
     disk.velocity.y() = -scene.pour.speed;
     disk.time = time;
     disk.species = kind;
-    system.add(disk);
+    disk.radius = room.radius;
+    system.add(disk, grainOf(scene.species[kind], room.radius));
   }
 }
 
@@ -80,7 +81,9 @@ void placeInitialDisks(Machine& system, double time)
     disk.spin = initial.spin;
     disk.time = time;
     disk.species = static_cast<std::uint32_t>(initial.species);
-    system.add(disk);
+    const SpeciesDefinition& species = system.state().scene().species[initial.species];
+    disk.radius = species.radius;
+    system.add(disk, grainOf(species, disk.radius));
   }
   refuseBadStart(system.state(), time);
 }

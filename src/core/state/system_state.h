@@ -6,6 +6,7 @@
 
 #include "model/base_motion.h"
 #include "model/disk.h"
+#include "model/grain.h"
 #include "model/sawtooth.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
@@ -60,7 +61,8 @@ public:
 
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
-  double radius(std::uint32_t slot) const { return pair_scene_.radius(slot); }
+  double radius(std::uint32_t slot) const { return disks_[slot].radius; }
+  const Grain& grain(std::uint32_t slot) const { return grains_[slot]; }
   bool active(std::uint32_t slot) const { return active_[slot] != 0; }
   std::size_t activeCount() const { return active_count_; }
   const DiskIds& ids() const { return ids_; }
@@ -71,6 +73,7 @@ public:
   void prefetchFlight(std::uint32_t slot) const
   {
     prefetch(disks_[slot]);
+    prefetch(grains_[slot]);
     trajectories_.prefetchTrajectory(slot);
   }
 
@@ -86,7 +89,7 @@ public:
   void reserve(std::size_t count);
 
   /// Adds a disk. @return its slot, after all others
-  std::uint32_t add(const Disk& disk);
+  std::uint32_t add(const Disk& disk, const Grain& grain);
 
   /// Stores the disk's state at the end of its flight so far.
   void moveTo(std::uint32_t slot, const Disk& now)
@@ -111,7 +114,7 @@ public:
   /// The disk passes an end of the base: into the bin, or on a periodic base to its image at the other end.
   void passEnd(std::uint32_t slot, bool to_the_right, double time);
 
-  /// Removes a disk from the simulation at its position, into no bin. It stays counted in the machine.
+  /// Removes a disk from the simulation at its position, into no bin. It stays counted in the system.
   void remove(std::uint32_t slot, double time);
 
   /// The slots of the active disks, or of the others, in increasing order.
@@ -161,9 +164,9 @@ private:
   Epoch epoch_;
   BaseMotion motion_;
   ContactSearch search_;
-  std::vector<double> radii_;  ///< per species
 
   std::vector<Disk> disks_;
+  std::vector<Grain> grains_;
   std::vector<std::uint8_t> active_;
   std::size_t active_count_ = 0;
   DiskIds ids_;
