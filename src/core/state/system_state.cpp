@@ -8,6 +8,7 @@
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/walls.h"
+#include "search/size_levels.h"
 
 namespace ratchet_sieve
 {
@@ -18,10 +19,30 @@ namespace
 constexpr double FARTHEST_TOOTH = 0x1p28;
 constexpr double FASTEST_TOOTH = 0x1p26;
 
-double maxTurn(const SceneDefinition& scene, double largest_diameter)
+double latticeDiameter(const SceneDefinition& scene, double largest_diameter)
+{
+  double disks = 0.0;
+  double squares = 0.0;
+  const auto add = [&](const SpeciesDefinition& species, double count)
+  {
+    disks += count;
+    squares += count * 4.0 * species.radius * species.radius;
+  };
+  for (const SpeciesDefinition& species : scene.species)
+    add(species, species.count);
+  for (const InitialDisk& disk : scene.initial)
+    add(scene.species[disk.species], 1.0);
+  if (disks == 0.0)
+    for (const SpeciesDefinition& species : scene.species)
+      add(species, species.share);
+  return disks > 0.0 && areWide(largest_diameter, squares / disks) ? std::sqrt(squares / disks)
+                                                                   : largest_diameter;
+}
+
+double maxTurn(const SceneDefinition& scene, double lattice_diameter)
 {
   const bool lattice = scene.boundary == Boundary::PERIODIC && scene.contact.pair_collisions;
-  return lattice ? SystemState::LATTICE_MARGIN * largest_diameter / scene.base.width()
+  return lattice ? SystemState::LATTICE_MARGIN * lattice_diameter / scene.base.width()
                  : std::numeric_limits<double>::infinity();
 }
 
@@ -38,9 +59,10 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
       plan_(covering(plan, scene)),
       sawtooth_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
+      lattice_diameter_(ratchet_sieve::latticeDiameter(scene, largest_diameter_)),
       time_scale_(ratchet_sieve::timeScale(scene)),
       epoch_{0.0, epochLength(time_scale_)},
-      motion_(scene.base, maxTurn(scene, largest_diameter_), plan.drive && !planOf(scene).drive),
+      motion_(scene.base, maxTurn(scene, lattice_diameter_), plan.drive && !planOf(scene).drive),
       search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
       trajectories_(scene.gravity, plan.spin),
       bins_(scene.species.size()),

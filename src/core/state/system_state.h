@@ -24,8 +24,8 @@ namespace ratchet_sieve
 class SystemState
 {
 public:
-  /// While a periodic base turns, its lattice moves relative to a fixed frame by at most this fraction of the
-  /// largest diameter within one segment of the motion.
+  /// While a periodic base turns, its lattice moves relative to a fixed frame by at most this fraction of
+  /// latticeDiameter() within one segment of the motion.
   static constexpr double LATTICE_MARGIN = 0.45;
 
   explicit SystemState(const SceneDefinition& scene) : SystemState(scene, planOf(scene)) {}
@@ -57,6 +57,9 @@ public:
   /// See ratchet_sieve::timeScale().
   double timeScale() const { return time_scale_; }
   double largestDiameter() const { return largest_diameter_; }
+
+  /// The largest diameter, or the root mean square of the scene's if sizes are wide: cells suit these.
+  double latticeDiameter() const { return lattice_diameter_; }
   double smallestRadius() const;
 
   const std::vector<Disk>& disks() const { return disks_; }
@@ -160,6 +163,7 @@ private:
   Plan plan_;
   Sawtooth sawtooth_;
   double largest_diameter_;
+  double lattice_diameter_;
   double time_scale_;
   Epoch epoch_;
   BaseMotion motion_;
