@@ -28,7 +28,11 @@ void mendLengths(SceneDefinition& scene)
   mendBase(scene);
   scene.pour.drop_height *= MILLI;
   for (SpeciesDefinition& species : scene.species)
+  {
     species.radius *= MILLI;
+    for (double& radius : species.size.radii)
+      radius *= MILLI;
+  }
   for (InitialDisk& disk : scene.initial)
   {
     disk.x *= MILLI;

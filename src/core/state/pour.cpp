@@ -28,7 +28,8 @@ PlacedDisk Pour::place(double radius, Random& random)
   disk.radius = radius;
   const double margin = periodic_ ? 0.0 : radius;
   disk.s = margin + random.uniform() * std::max(0.0, width_ - 2.0 * margin);
-  disk.n = see_each_other_ ? searchFor(radius).lowestFree(disk.s, standing_) : lowest_underside_ + radius;
+  const double lowest = lowest_underside_ + radius;
+  disk.n = see_each_other_ ? searchFor(radius).lowestFree(disk.s, radius, lowest, standing_) : lowest;
   occupy(disk);
   return disk;
 }
@@ -36,7 +37,7 @@ PlacedDisk Pour::place(double radius, Random& random)
 RoomSearch& Pour::searchFor(double radius)
 {
   for (RoomSearch& search : searches_)
-    if (search.radius() == radius)
+    if (search.serves(radius))
       return search;
   searches_.emplace_back(lowest_underside_ + radius, radius, standing_.columnWidth());
   return searches_.back();
