@@ -7,12 +7,14 @@
 namespace ratchet_sieve::test
 {
 
-/// Adds a disk of its species' own size to a Machine or a SystemState. @return its slot
+/// Adds a disk, of its species' own size unless it has a radius, to a Machine or a SystemState.
+/// @return its slot
 template <typename AnyMachine>
 std::uint32_t addDisk(AnyMachine& machine, const SceneDefinition& scene, Disk disk)
 {
   const SpeciesDefinition& species = scene.species[disk.species];
-  disk.radius = species.radius;
+  if (disk.radius == 0.0)
+    disk.radius = species.radius;
   return machine.add(disk, grainOf(species, disk.radius));
 }
 

@@ -49,7 +49,8 @@ void pourDisks(Machine& system, const std::vector<std::uint32_t>& species, const
   poured.reserve(species.size());
   for (const std::uint32_t kind : species)
   {
-    poured.push_back({pour.place(scene.species[kind].radius, random), kind});
+    const double radius = state.sizes(kind).draw([&random] { return random.uniform(); });
+    poured.push_back({pour.place(radius, random), kind});
     if (observer && poured.size() % DISKS_PER_LOOK == 0)
       observer(poured.size(), species.size());
   }

@@ -56,6 +56,7 @@ const Plan& covering(const Plan& plan, const SceneDefinition& scene)
 
 SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
     : scene_(scene),
+      sizes_(scene.species.begin(), scene.species.end()),
       plan_(covering(plan, scene)),
       sawtooth_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
@@ -244,9 +245,17 @@ bool SystemState::isLegal() const
       !canBeTime(motion_.segmentStart()))
     return false;
   for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
-    if (active_[slot] > 1 || (active(slot) && !isLegal(slot)))
+    if (active_[slot] > 1 || !hasLegalGrain(slot) || (active(slot) && !isLegal(slot)))
       return false;
   return static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1)) == active_count_;
+}
+
+bool SystemState::hasLegalGrain(std::uint32_t slot) const
+{
+  const Disk& disk = disks_[slot];
+  const Sizes& sizes = sizes_[disk.species];
+  return disk.radius >= sizes.smallest() && disk.radius <= sizes.largest() &&
+         grains_[slot].mass == scene_.species[disk.species].massOf(disk.radius);
 }
 
 bool SystemState::isLegal(std::uint32_t slot) const

@@ -10,6 +10,7 @@
 #include "model/sawtooth.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
+#include "ratchet_sieve/core/sizes.h"
 #include "search/contact_search.h"
 #include "search/pair_search.h"
 #include "state/disk_ids.h"
@@ -61,6 +62,7 @@ public:
   /// The largest diameter, or the root mean square of the scene's if sizes are wide: cells suit these.
   double latticeDiameter() const { return lattice_diameter_; }
   double smallestRadius() const;
+  const Sizes& sizes(std::size_t species) const { return sizes_[species]; }
 
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
@@ -151,6 +153,7 @@ public:
 
 private:
   bool isLegal(std::uint32_t slot) const;
+  bool hasLegalGrain(std::uint32_t slot) const;
   bool isLegal() const;
   void setTimeResolution();
   void wrapAll(double time);
@@ -160,6 +163,7 @@ private:
   void endTrajectory(std::uint32_t slot, double time);
 
   SceneDefinition scene_;
+  std::vector<Sizes> sizes_;  ///< per species
   Plan plan_;
   Sawtooth sawtooth_;
   double largest_diameter_;
