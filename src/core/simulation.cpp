@@ -2,15 +2,15 @@
 
 #include <utility>
 
-#include "events/run.h"
+#include "events/engine.h"
 #include "state/disk_states.h"
 
 namespace ratchet_sieve
 {
 
-class Simulation::Implementation : public Run
+class Simulation::Implementation : public Engine
 {
-  using Run::Run;
+  using Engine::Engine;
 };
 
 Simulation::Simulation(const SceneDefinition& scene, double start_time, const PourObserver& pour_observer)

@@ -28,7 +28,7 @@ constexpr std::int32_t FARTHEST_IMAGE = 1 << 28;
 
 }  // namespace
 
-DiskCells::DiskCells(MachineState& state)
+DiskCells::DiskCells(SystemState& state)
     : state_(state), capacity_(state.disks().size()), built_for_(capacity_), grid_(makeGrid())
 {
 }
@@ -146,7 +146,7 @@ bool DiskCells::latticeTurns() const
 /// While a periodic base turns, its lattice turns relative to the cells, by up to this length [m].
 double DiskCells::latticeMargin() const
 {
-  return lattice_turns_ ? MachineState::LATTICE_MARGIN * state_.latticeDiameter() : 0.0;
+  return lattice_turns_ ? SystemState::LATTICE_MARGIN * state_.latticeDiameter() : 0.0;
 }
 
 DiskCells::Sizes DiskCells::sizes() const
@@ -165,7 +165,7 @@ DiskCells::Sizes DiskCells::sizes() const
   if (sizes.levels.count() == 1)
     sizes.squares = std::max<double>(1.0, static_cast<double>(radii.size())) * diameter * diameter;
   // Otherwise the grid would be rebuilt at every other collision while the lattice turns.
-  const double turning = lattice_turns_ ? MachineState::LATTICE_MARGIN * (state_.latticeDiameter() / diameter) : 0.0;
+  const double turning = lattice_turns_ ? SystemState::LATTICE_MARGIN * (state_.latticeDiameter() / diameter) : 0.0;
   sizes.least_side = diameter * (1.0 + (turning + CELL_MARGIN));
   return sizes;
 }

@@ -51,6 +51,12 @@ double largestDiameter(const SceneDefinition& scene)
   return largest;
 }
 
+double pouredWidth(const SceneDefinition& scene)
+{
+  const double width = scene.base.width();
+  return std::min(width, scene.pour.stretch.length(width) + largestDiameter(scene));
+}
+
 double settledLayer(const SceneDefinition& scene)
 {
   double area = 0.0;

@@ -37,23 +37,23 @@ double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 }
 }  // namespace
 
-ContactExecution::ContactExecution(MachineState& machine, const CollapseWatch& collapse_watch,
+ContactExecution::ContactExecution(SystemState& system, const CollapseWatch& collapse_watch,
                                    const ContactTimes& contact_times)
-    : machine_(machine),
+    : system_(system),
       collapse_watch_(collapse_watch),
       contact_times_(contact_times),
-      law_(machine.scene().contact),
-      spin_(machine.plan().spin),
-      negligible_way_(NEGLIGIBLE_WAY * machine.sawtooth().width())
+      law_(system.scene().contact),
+      spin_(system.plan().spin),
+      negligible_way_(NEGLIGIBLE_WAY * system.sawtooth().width())
 {
-  const std::vector<SpeciesDefinition>& species = machine.scene().species;
+  const std::vector<SpeciesDefinition>& species = system.scene().species;
   for (std::size_t i = 0; i < species.size(); ++i)
   {
     base_masses_.push_back(contactMasses(species[i], nullptr));
     responses_.push_back({1.0 / species[i].mass, species[i].radius / species[i].inertia()});
     for (std::size_t j = 0; j < species.size(); ++j)
     {
-      pair_coefficients_.push_back(contactBetween(machine.scene(), i, j));
+      pair_coefficients_.push_back(contactBetween(system.scene(), i, j));
       pair_masses_.push_back(contactMasses(species[i], &species[j]));
     }
   }
@@ -62,12 +62,12 @@ ContactExecution::ContactExecution(MachineState& machine, const CollapseWatch& c
 ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseFeature& feature, double time,
                                                  BaseInstant& base)
 {
-  const SceneDefinition& scene = machine_.scene();
-  const Disk disk = flown(machine_.disk(slot), time, scene.gravity);
+  const SceneDefinition& scene = system_.scene();
+  const Disk disk = flown(system_.disk(slot), time, scene.gravity);
   const SpeciesDefinition& species = scene.species[disk.species];
   const FrameOfBase& frame = base.at(time);
   const BasePoint point = frame.see(disk.position, disk.velocity);
-  const Approach approach = machine_.sawtooth().approach(feature, point, species.radius);
+  const Approach approach = system_.sawtooth().approach(feature, point, species.radius);
   ContactOutcome outcome;
   outcome.time = time;
   outcome.kind = collisionKind(feature.kind, scene.boundary);
@@ -95,10 +95,10 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
 
 ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, int shift, double time)
 {
-  const double gravity = machine_.scene().gravity;
-  const Disk a = flown(machine_.disk(i), time, gravity);
-  const Disk b = flown(machine_.disk(j), time, gravity);
-  const Image there = machine_.image(shift, time);
+  const double gravity = system_.scene().gravity;
+  const Disk a = flown(system_.disk(i), time, gravity);
+  const Disk b = flown(system_.disk(j), time, gravity);
+  const Image there = system_.image(shift, time);
   const Eigen::Vector2d position = a.position - there.shift - b.position;
   const double distance = position.norm();
   const Eigen::Vector2d velocity = a.velocity - b.velocity - there.velocity;
@@ -108,7 +108,7 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   outcome.i = i;
   outcome.j = j;
   outcome.shift = shift;
-  outcome.overlap = machine_.radius(i) + machine_.radius(j) - distance;
+  outcome.overlap = system_.radius(i) + system_.radius(j) - distance;
   // The same sum as in the prediction (timeToContact). With a different one, rounding could predict a contact
   // here that is then found separating, again and again.
   outcome.closed = position.dot(velocity) < 0.0;
@@ -120,9 +120,9 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
     if (outcome.normal_velocity >= 0.0)
       outcome.normal_velocity = -std::numeric_limits<double>::epsilon() * velocity.norm();
     const double tangential_velocity =
-        across(outcome.normal, velocity) - (machine_.radius(i) * a.spin + machine_.radius(j) * b.spin);
+        across(outcome.normal, velocity) - (system_.radius(i) * a.spin + system_.radius(j) * b.spin);
     outcome.lossless = lossless(i, time) || lossless(j, time);
-    const std::size_t pair = a.species * machine_.scene().species.size() + b.species;
+    const std::size_t pair = a.species * system_.scene().species.size() + b.species;
     respond(outcome, outcome.lossless ? LOSSLESS : pair_coefficients_[pair], pair_masses_[pair],
             tangential_velocity,
             std::max(reboundFloor(i, outcome.lossless), reboundFloor(j, outcome.lossless)));
@@ -153,12 +153,12 @@ void ContactExecution::respond(ContactOutcome& outcome, const ContactCoefficient
 /// is applied at the start of the flight is applied there, and the stored position stays unchanged.
 void ContactExecution::push(std::uint32_t slot, const Disk& now, const ContactOutcome& contact, double sign)
 {
-  Disk& disk = machine_.changeable(slot);
+  Disk& disk = system_.changeable(slot);
   const Response& response = responses_[disk.species];
   const double change =
       response.velocity * (std::abs(contact.normal_impulse) + std::abs(contact.tangential_impulse));
   if (change * (now.time - disk.time) > negligible_way_)
-    machine_.moveTo(slot, now);
+    system_.moveTo(slot, now);
   ++disk.flights;
   const double per_mass = sign * response.velocity;
   disk.velocity += per_mass * impulseOf(contact);
@@ -168,7 +168,7 @@ void ContactExecution::push(std::uint32_t slot, const Disk& now, const ContactOu
 bool ContactExecution::lossless(std::uint32_t slot, double time) const
 {
   return collapse_watch_.lossless(slot) ||
-         contact_times_.within(machine_.scene().contact.contact_duration, slot, time);
+         contact_times_.within(system_.scene().contact.contact_duration, slot, time);
 }
 
 /// v_min does not apply to lossless contacts, because it would add energy. For a disk that is lossless

@@ -7,16 +7,16 @@
 #include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/observation.h"
 #include "state/contact_outcome.h"
-#include "state/machine_state.h"
+#include "state/system_state.h"
 
 namespace ratchet_sieve
 {
 
-/// Means over disks and time, from the disks' passages. Times are local to the epoch.
-class Tally
+/// Means over disks and time, from the disks' trajectories. Times are local to the epoch.
+class SpeciesAverages
 {
 public:
-  explicit Tally(const std::vector<SpeciesDefinition>& species)
+  explicit SpeciesAverages(const std::vector<SpeciesDefinition>& species)
       : species_(species),
         gone_(species.size()),
         at_block_end_(species.size()),
@@ -25,15 +25,15 @@ public:
   {
   }
 
-  /// Adds the passages of disks that are about to be removed by compaction.
-  void forget(const MachineState& machine, const std::vector<std::uint32_t>& left);
+  /// Adds the trajectories of disks that are about to be removed by compaction.
+  void forget(const SystemState& system, const std::vector<std::uint32_t>& left);
 
   /// Counts a contact of approaching surfaces, for each disk that takes part.
-  void take(const ContactOutcome& outcome, const MachineState& machine)
+  void take(const ContactOutcome& outcome, const SystemState& system)
   {
-    ++contacts_[machine.disk(outcome.i).species];
+    ++contacts_[system.disk(outcome.i).species];
     if (outcome.j != ContactOutcome::BASE)
-      ++contacts_[machine.disk(outcome.j).species];
+      ++contacts_[system.disk(outcome.j).species];
   }
 
   /// Adds contacts counted elsewhere, per species.
@@ -47,12 +47,12 @@ public:
   void restart();
 
   /// Ends a block of the series for the errors of the means; see BlockAverages.
-  void endBlock(const MachineState& machine, double time);
+  void endBlock(const SystemState& system, double time);
 
   /// Of a species.
   const BlockAverages& blocks(std::size_t species) const { return blocks_[species]; }
 
-  std::vector<SpeciesMeans> means(const MachineState& machine, double time) const;
+  std::vector<SpeciesMeans> means(const SystemState& system, double time) const;
 
   /// @throws StateError
   void archive(StateArchive& state)
@@ -65,7 +65,7 @@ public:
   }
 
 private:
-  /// Sums over the passages of one species.
+  /// Sums over the trajectories of one species.
   struct Sums
   {
     double disks = 0.0;
@@ -77,8 +77,8 @@ private:
     double translation = 0.0;
     double rotation = 0.0;
 
-    /// @param x end of the passage [m], @param until its time, in the run's time [s]
-    void add(const Passage& passage, double x, double until);
+    /// @param x end of the trajectory [m], @param until its time, in the run's time [s]
+    void add(const Trajectory& trajectory, double x, double until);
     void archive(StateArchive& state)
     {
       state(disks, displacement, time, displacement_squared, displacement_time, time_squared, translation,
@@ -87,9 +87,9 @@ private:
     SpeciesMeans means(const SpeciesDefinition& species) const;
   };
 
-  /// Adds the passage of a disk that has left, if it counts.
-  static void addLeft(const MachineState& machine, std::uint32_t slot, std::vector<Sums>& sums);
-  std::vector<Sums> sums(const MachineState& machine, double time) const;
+  /// Adds the trajectory of a disk that has left, if it counts.
+  static void addLeft(const SystemState& system, std::uint32_t slot, std::vector<Sums>& sums);
+  std::vector<Sums> sums(const SystemState& system, double time) const;
 
   std::vector<SpeciesDefinition> species_;
   std::vector<Sums> gone_;               ///< per species, of disks removed by compaction

@@ -1,4 +1,4 @@
-#include "state/machine_state.h"
+#include "state/system_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ double latticeDiameter(const SceneDefinition& scene, double largest_diameter)
 double maxTurn(const SceneDefinition& scene, double lattice_diameter)
 {
   const bool lattice = scene.boundary == Boundary::PERIODIC && scene.contact.pair_collisions;
-  return lattice ? MachineState::LATTICE_MARGIN * lattice_diameter / scene.base.width()
+  return lattice ? SystemState::LATTICE_MARGIN * lattice_diameter / scene.base.width()
                  : std::numeric_limits<double>::infinity();
 }
 
@@ -54,7 +54,7 @@ const Plan& covering(const Plan& plan, const SceneDefinition& scene)
 }
 }  // namespace
 
-MachineState::MachineState(const SceneDefinition& scene, const Plan& plan)
+SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
     : scene_(scene),
       plan_(covering(plan, scene)),
       sawtooth_(scene.base, scene.boundary, wallHeight(scene)),
@@ -64,7 +64,7 @@ MachineState::MachineState(const SceneDefinition& scene, const Plan& plan)
       epoch_{0.0, epochLength(time_scale_)},
       motion_(scene.base, maxTurn(scene, lattice_diameter_), plan.drive && !planOf(scene).drive),
       search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
-      passages_(scene.gravity, plan.spin),
+      trajectories_(scene.gravity, plan.spin),
       bins_(scene.species.size()),
       pair_scene_{disks_, radii_, motion_, sawtooth_.width(), scene.gravity, timeResolution(epoch_.length)}
 {
@@ -73,13 +73,13 @@ MachineState::MachineState(const SceneDefinition& scene, const Plan& plan)
 }
 
 /// From the length of the epoch.
-void MachineState::setTimeResolution()
+void SystemState::setTimeResolution()
 {
   pair_scene_.time_resolution = timeResolution(epoch_.length);
   search_.setTimeResolution(pair_scene_.time_resolution);
 }
 
-BaseEvent MachineState::nextBaseEvent(std::uint32_t slot, double from, double until, BaseInstant& base) const
+BaseEvent SystemState::nextBaseEvent(std::uint32_t slot, double from, double until, BaseInstant& base) const
 {
   // Without gravity there may be no event for very long; one epoch at a time is enough.
   double end = std::min(until, from + epoch_.length);
@@ -92,14 +92,14 @@ BaseEvent MachineState::nextBaseEvent(std::uint32_t slot, double from, double un
   return event;
 }
 
-void MachineState::reserve(std::size_t count)
+void SystemState::reserve(std::size_t count)
 {
   disks_.reserve(count);
   active_.reserve(count);
-  passages_.reserve(count);
+  trajectories_.reserve(count);
 }
 
-std::uint32_t MachineState::add(const Disk& disk)
+std::uint32_t SystemState::add(const Disk& disk)
 {
   const auto slot = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back(disk);
@@ -107,11 +107,11 @@ std::uint32_t MachineState::add(const Disk& disk)
   ++active_count_;
   ++bins_[disk.species].on_base;
   ids_.added();
-  passages_.entered(disk, epoch_.start + disk.time);
+  trajectories_.entered(disk, epoch_.start + disk.time);
   return slot;
 }
 
-double MachineState::startAt(double start)
+double SystemState::startAt(double start)
 {
   epoch_.start = epoch_.length * std::floor(start / epoch_.length);
   const double local = start - epoch_.start;
@@ -119,7 +119,7 @@ double MachineState::startAt(double start)
   return local;
 }
 
-std::vector<std::uint32_t> MachineState::slots(bool active) const
+std::vector<std::uint32_t> SystemState::slots(bool active) const
 {
   std::vector<std::uint32_t> found;
   found.reserve(active ? active_count_ : disks_.size() - active_count_);
@@ -129,24 +129,24 @@ std::vector<std::uint32_t> MachineState::slots(bool active) const
   return found;
 }
 
-void MachineState::compact(const std::vector<std::uint32_t>& kept)
+void SystemState::compact(const std::vector<std::uint32_t>& kept)
 {
-  passages_.keep(kept);
+  trajectories_.keep(kept);
   ids_.keep(kept);
   keepSlots(disks_, kept);
   keepSlots(active_, kept);
 }
 
-Disk& MachineState::fly(std::uint32_t slot, double time)
+Disk& SystemState::fly(std::uint32_t slot, double time)
 {
   Disk& disk = disks_[slot];
-  passages_.flew(slot, disk, time);
+  trajectories_.flew(slot, disk, time);
   disk = flown(disk, time, scene_.gravity);
   ++disk.flights;
   return disk;
 }
 
-void MachineState::passEnd(std::uint32_t slot, bool to_the_right, double time)
+void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time)
 {
   if (scene_.boundary == Boundary::PERIODIC)
     wrap(slot, to_the_right ? -1.0 : 1.0, time);
@@ -154,42 +154,42 @@ void MachineState::passEnd(std::uint32_t slot, bool to_the_right, double time)
     leave(slot, to_the_right, time);
 }
 
-void MachineState::leave(std::uint32_t slot, bool to_the_right, double time)
+void SystemState::leave(std::uint32_t slot, bool to_the_right, double time)
 {
   SpeciesBins& bins = bins_[disks_[slot].species];
   fly(slot, time);
   --bins.on_base;
   ++(to_the_right ? bins.right : bins.left);
-  endPassage(slot, time);
+  endTrajectory(slot, time);
 }
 
-void MachineState::remove(std::uint32_t slot, double time)
+void SystemState::remove(std::uint32_t slot, double time)
 {
   fly(slot, time);
-  endPassage(slot, time);
+  endTrajectory(slot, time);
 }
 
-void MachineState::endPassage(std::uint32_t slot, double time)
+void SystemState::endTrajectory(std::uint32_t slot, double time)
 {
   active_[slot] = 0;
   --active_count_;
-  passages_.left(slot, epoch_.start + time);
+  trajectories_.left(slot, epoch_.start + time);
 }
 
-void MachineState::wrap(std::uint32_t slot, double shift, double time)
+void SystemState::wrap(std::uint32_t slot, double shift, double time)
 {
   moveTo(slot, image(shift, time), time);
 }
 
-void MachineState::moveTo(std::uint32_t slot, const Image& image, double time)
+void SystemState::moveTo(std::uint32_t slot, const Image& image, double time)
 {
   Disk& disk = fly(slot, time);
   disk.position += image.shift;
   disk.velocity += image.velocity;
-  passages_.wrapped(slot, -image.shift.x());
+  trajectories_.wrapped(slot, -image.shift.x());
 }
 
-void MachineState::wrapIntoWidth(std::uint32_t slot, double s, double time)
+void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time)
 {
   if (scene_.boundary != Boundary::PERIODIC || motion_.turning())
     return;
@@ -199,7 +199,7 @@ void MachineState::wrapIntoWidth(std::uint32_t slot, double s, double time)
 }
 
 /// Wraps all disks when the base begins to turn. Before, an image moves exactly as its disk does.
-void MachineState::wrapAll(double time)
+void SystemState::wrapAll(double time)
 {
   if (scene_.boundary != Boundary::PERIODIC)
     return;
@@ -216,13 +216,13 @@ void MachineState::wrapAll(double time)
   }
 }
 
-void MachineState::archive(StateArchive& state)
+void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, active_, active_count_, ids_, passages_, bins_);
+  state(epoch_, motion_, disks_, active_, active_count_, ids_, trajectories_, bins_);
   setTimeResolution();
   const std::size_t count = disks_.size();
   const bool of_this_scene = bins_.size() == scene_.species.size() && active_.size() == count &&
-                             passages_.size() == count && ids_.fits(count) &&
+                             trajectories_.size() == count && ids_.fits(count) &&
                              std::all_of(disks_.begin(), disks_.end(),
                                          [this](const Disk& disk) { return disk.species < bins_.size(); });
   if (!of_this_scene)
@@ -230,12 +230,12 @@ void MachineState::archive(StateArchive& state)
   state.require(isLegal(), "the state of the machine or of a disk is impossible");
 }
 
-bool MachineState::canBeTime(double time) const
+bool SystemState::canBeTime(double time) const
 {
   return time >= -2.0 * epochLength(time_scale_);
 }
 
-bool MachineState::isLegal() const
+bool SystemState::isLegal() const
 {
   int exponent = 0;
   if (!std::isfinite(epoch_.start) || epoch_.start < 0.0 || std::frexp(epoch_.length, &exponent) != 0.5 ||
@@ -248,7 +248,7 @@ bool MachineState::isLegal() const
   return static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1)) == active_count_;
 }
 
-bool MachineState::isLegal(std::uint32_t slot) const
+bool SystemState::isLegal(std::uint32_t slot) const
 {
   const Disk& disk = disks_[slot];
   const double tooth = sawtooth_.toothWidth();
@@ -259,12 +259,12 @@ bool MachineState::isLegal(std::uint32_t slot) const
          std::isfinite(disk.angle) && std::isfinite(disk.spin);
 }
 
-double MachineState::smallestRadius() const
+double SystemState::smallestRadius() const
 {
   return *std::min_element(radii_.begin(), radii_.end());
 }
 
-double MachineState::shortenEpoch(double now)
+double SystemState::shortenEpoch(double now)
 {
   const double longest = longestEpoch(motion_.speedBound(), smallestRadius());
   if (longest >= epoch_.length)
@@ -274,7 +274,7 @@ double MachineState::shortenEpoch(double now)
   return epoch_.length * std::floor(now / epoch_.length);
 }
 
-void MachineState::rebase(double length)
+void SystemState::rebase(double length)
 {
   motion_.rebase(length);
   for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
@@ -283,7 +283,7 @@ void MachineState::rebase(double length)
     // of flight.
     if (active(slot) && disks_[slot].time < 0.0)
     {
-      passages_.flew(slot, disks_[slot], length);
+      trajectories_.flew(slot, disks_[slot], length);
       disks_[slot] = flown(disks_[slot], length, scene_.gravity);
     }
     disks_[slot].time -= length;

@@ -1,4 +1,4 @@
-#include "state/tally.h"
+#include "state/species_averages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,13 @@
 namespace ratchet_sieve
 {
 
-void Tally::forget(const MachineState& machine, const std::vector<std::uint32_t>& left)
+void SpeciesAverages::forget(const SystemState& system, const std::vector<std::uint32_t>& left)
 {
   for (const std::uint32_t slot : left)
-    addLeft(machine, slot, gone_);
+    addLeft(system, slot, gone_);
 }
 
-void Tally::restart()
+void SpeciesAverages::restart()
 {
   std::fill(gone_.begin(), gone_.end(), Sums());
   std::fill(at_block_end_.begin(), at_block_end_.end(), Sums());
@@ -21,21 +21,21 @@ void Tally::restart()
   std::fill(contacts_.begin(), contacts_.end(), 0);
 }
 
-void Tally::Sums::add(const Passage& passage, double x, double until)
+void SpeciesAverages::Sums::add(const Trajectory& trajectory, double x, double until)
 {
-  const double dx = x + passage.offset - passage.counted_x;
-  const double dt = until - passage.counted_from;
+  const double dx = x + trajectory.offset - trajectory.counted_x;
+  const double dt = until - trajectory.counted_from;
   disks += 1.0;
   displacement += dx;
   time += dt;
   displacement_squared += dx * dx;
   displacement_time += dx * dt;
   time_squared += dt * dt;
-  translation += passage.translation;
-  rotation += passage.rotation;
+  translation += trajectory.translation;
+  rotation += trajectory.rotation;
 }
 
-SpeciesMeans Tally::Sums::means(const SpeciesDefinition& species) const
+SpeciesMeans SpeciesAverages::Sums::means(const SpeciesDefinition& species) const
 {
   SpeciesMeans means;
   if (time <= 0.0)
@@ -53,41 +53,41 @@ SpeciesMeans Tally::Sums::means(const SpeciesDefinition& species) const
   return means;
 }
 
-std::vector<Tally::Sums> Tally::sums(const MachineState& machine, double time) const
+std::vector<SpeciesAverages::Sums> SpeciesAverages::sums(const SystemState& system, double time) const
 {
   std::vector<Sums> sums = gone_;
-  const double gravity = machine.scene().gravity;
-  for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)
+  const double gravity = system.scene().gravity;
+  for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
   {
-    const Disk& disk = machine.disk(slot);
-    if (!machine.active(slot))
-      addLeft(machine, slot, sums);
+    const Disk& disk = system.disk(slot);
+    if (!system.active(slot))
+      addLeft(system, slot, sums);
     else
-      sums[disk.species].add(machine.passages().until(slot, disk, time),
-                             flown(disk, time, gravity).position.x(), machine.epoch().start + time);
+      sums[disk.species].add(system.trajectories().until(slot, disk, time),
+                             flown(disk, time, gravity).position.x(), system.epoch().start + time);
   }
   return sums;
 }
 
-void Tally::addLeft(const MachineState& machine, std::uint32_t slot, std::vector<Sums>& sums)
+void SpeciesAverages::addLeft(const SystemState& system, std::uint32_t slot, std::vector<Sums>& sums)
 {
-  const Passage& passage = machine.passages()[slot];
-  const Disk& disk = machine.disk(slot);
-  if (passage.counts())
-    sums[disk.species].add(passage, disk.position.x(), passage.left_when);
+  const Trajectory& trajectory = system.trajectories()[slot];
+  const Disk& disk = system.disk(slot);
+  if (trajectory.counts())
+    sums[disk.species].add(trajectory, disk.position.x(), trajectory.left_when);
 }
 
-void Tally::endBlock(const MachineState& machine, double time)
+void SpeciesAverages::endBlock(const SystemState& system, double time)
 {
-  std::vector<Sums> now = sums(machine, time);
+  std::vector<Sums> now = sums(system, time);
   for (std::size_t s = 0; s < species_.size(); ++s)
     blocks_[s].add(now[s].displacement - at_block_end_[s].displacement, now[s].time - at_block_end_[s].time);
   at_block_end_ = std::move(now);
 }
 
-std::vector<SpeciesMeans> Tally::means(const MachineState& machine, double time) const
+std::vector<SpeciesMeans> SpeciesAverages::means(const SystemState& system, double time) const
 {
-  const std::vector<Sums> all = sums(machine, time);
+  const std::vector<Sums> all = sums(system, time);
   std::vector<SpeciesMeans> means;
   for (std::size_t s = 0; s < species_.size(); ++s)
   {
