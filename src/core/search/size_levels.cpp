@@ -12,7 +12,7 @@ namespace
 constexpr double NARROW = 3.0;
 
 /// Nested cells have to reduce the cost to this fraction.
-constexpr double WORTH_NESTING = 0.7;
+constexpr double WORTH_NESTING = 0.9;
 
 /// Ratio of the diameters of two levels.
 constexpr double STEP = 2.0;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "search/cell_grid.h"
+#include "search/size_levels.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
@@ -60,7 +61,7 @@ double gapToBase(const SystemState& system, const Eigen::Vector2d& point, double
 
 using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overlap)>;
 
-/// Visits every pair of disks near enough to overlap, once or twice.
+/// Visits every pair of disks near enough to overlap, once or more often.
 void forEachNearPair(const SystemState& system, const std::vector<Eigen::Vector2d>& points,
                      const VisitPair& visit)
 {
@@ -70,23 +71,31 @@ void forEachNearPair(const SystemState& system, const std::vector<Eigen::Vector2
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
     if (system.active(slot))
       top = std::max(top, points[slot].y());
-  CellGrid grid(width, top, AUDIT_CELL * system.largestDiameter(), points.size(), periodic);
+  std::vector<double> radii;
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
     if (system.active(slot))
-      grid.add(slot, grid.cellAt(points[slot].x(), points[slot].y()));
+      radii.push_back(system.radius(slot));
+  const SizeLevels levels = cheapestLevels(radii, system.largestDiameter());
+  const CellShape shape(width, top, AUDIT_CELL * levels.diameters[0], points.size());
+  CellGrid grid(shape, levels, 0.0, points.size(), periodic);
+  for (std::uint32_t slot = 0; slot < points.size(); ++slot)
+    if (system.active(slot))
+      grid.add(slot, grid.cellAt(points[slot].x(), points[slot].y()), system.radius(slot));
   std::vector<std::uint32_t> list;
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
     if (system.active(slot))
-      grid.visit(grid.cellOf(slot), {}, list,
+      grid.visit(slot, CellEdge::NONE, list,
                  [&](const std::uint32_t* slots, std::size_t count, int shift)
                  {
                    for (const std::uint32_t* other = slots; other != slots + count; ++other)
                    {
-                     if (*other >= slot)
+                     // A large disk does not see those within it, but they see it.
+                     if (*other == slot || (*other > slot && system.radius(*other) <= system.radius(slot)))
                        continue;
                      const Eigen::Vector2d way =
                          points[slot] - points[*other] - Eigen::Vector2d(shift * width, 0.0);
-                     visit(*other, slot, system.radius(slot) + system.radius(*other) - way.norm());
+                     visit(std::min(slot, *other), std::max(slot, *other),
+                           system.radius(slot) + system.radius(*other) - way.norm());
                    }
                  });
 }
