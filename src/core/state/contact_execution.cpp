@@ -37,11 +37,8 @@ double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 }
 }  // namespace
 
-ContactExecution::ContactExecution(SystemState& system, const CollapseWatch& collapse_watch,
-                                   const ContactTimes& contact_times)
+ContactExecution::ContactExecution(SystemState& system)
     : system_(system),
-      collapse_watch_(collapse_watch),
-      contact_times_(contact_times),
       law_(system.scene().contact),
       spin_(system.plan().spin),
       negligible_way_(NEGLIGIBLE_WAY * system.sawtooth().width())
@@ -72,6 +69,7 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
   outcome.time = time;
   outcome.kind = collisionKind(feature.kind, scene.boundary);
   outcome.i = slot;
+  outcome.species = disk.species;
   outcome.overlap = -approach.gap;
   outcome.closed = approach.rate < 0.0;
   if (outcome.closed)
@@ -90,6 +88,7 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
             reboundFloor(slot, outcome.lossless));
   }
   push(slot, disk, outcome, 1.0);
+  system_.observers().take(outcome);
   return outcome;
 }
 
@@ -107,6 +106,8 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   outcome.kind = CollisionKind::DISK_DISK;
   outcome.i = i;
   outcome.j = j;
+  outcome.species = a.species;
+  outcome.partner_species = b.species;
   outcome.shift = shift;
   outcome.overlap = system_.radius(i) + system_.radius(j) - distance;
   // The same sum as in the prediction (timeToContact). With a different one, rounding could predict a contact
@@ -129,6 +130,7 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   }
   push(i, a, outcome, 1.0);
   push(j, b, outcome, -1.0);
+  system_.observers().take(outcome);
   return outcome;
 }
 
@@ -167,16 +169,16 @@ void ContactExecution::push(std::uint32_t slot, const Disk& now, const ContactOu
 
 bool ContactExecution::lossless(std::uint32_t slot, double time) const
 {
-  return collapse_watch_.lossless(slot) ||
-         contact_times_.within(system_.scene().contact.contact_duration, slot, time);
+  return system_.collapseWatch().lossless(slot) ||
+         system_.observers().contactTimes().within(system_.scene().contact.contact_duration, slot, time);
 }
 
 /// v_min does not apply to lossless contacts, because it would add energy. For a disk that is lossless
 /// because of a collapse, adding energy is intended.
 double ContactExecution::reboundFloor(std::uint32_t slot, bool no_loss) const
 {
-  if (collapse_watch_.lossless(slot))
-    return collapse_watch_.floorSpeed(slot);
+  if (system_.collapseWatch().lossless(slot))
+    return system_.collapseWatch().floorSpeed(slot);
   return no_loss ? 0.0 : law_.min_rebound_speed;
 }
 
