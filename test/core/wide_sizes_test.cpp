@@ -10,7 +10,6 @@
 #include "reference_loop.h"
 #include "scenes.h"
 #include "search/size_levels.h"
-#include "state/machine.h"
 #include "state/placement.h"
 #include "state_hash.h"
 
@@ -60,12 +59,12 @@ void expectSameContacts(SceneDefinition scene, double end, double rate, std::siz
   simulation.advanceTo(end);
 
   std::vector<CollisionRecord> slow;
-  Machine machine(scene);
-  machine.record().observeCollisions([&](const CollisionRecord& record) { slow.push_back(record); });
-  placeInitialDisks(machine, 0.0);
-  test::ReferenceLoop reference(machine, 1);
+  test::Bench bench(scene);
+  bench.state.observers().observeCollisions([&](const CollisionRecord& record) { slow.push_back(record); });
+  placeInitialDisks(bench.state, 0.0);
+  test::ReferenceLoop reference(bench, 1);
   if (rate > 0.0)
-    test::turn(machine.state(), rate, 0.3, 0.0);
+    test::turn(bench.state, rate, 0.3, 0.0);
   reference.advanceTo(end);
 
   ASSERT_GE(std::min(fast.size(), slow.size()), least);

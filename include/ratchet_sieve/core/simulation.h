@@ -23,6 +23,8 @@
 namespace ratchet_sieve
 {
 
+class Engine;
+
 /// The vibrating-ratchet feeder: hard disks over an inclined, shaken sawtooth base, simulated by events or by
 /// integration steps (Method). The same definition gives the same bits, regardless of how often the run is
 /// observed and of the arguments of advanceTo().
@@ -133,8 +135,7 @@ public:
   void observePeriods(PeriodObserver observer);
 
 private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::unique_ptr<Engine> engine_;
 };
 
 }  // namespace ratchet_sieve

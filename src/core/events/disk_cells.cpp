@@ -54,9 +54,8 @@ std::size_t DiskCells::reserve(std::size_t count)
 
 void DiskCells::add(std::uint32_t slot, double time)
 {
-  const double width = state_.sawtooth().width();
   if (lattice_turns_)
-    images_[slot] -= static_cast<std::int32_t>(wholeWidths(inGrid(slot, time).s(), 1.0 / width));
+    images_[slot] -= static_cast<std::int32_t>(state_.widthsOutside(inGrid(slot, time).s()));
   else
     state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time);
   grid_.add(slot, cellNow(slot, time), state_.radius(slot));

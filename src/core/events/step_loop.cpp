@@ -11,7 +11,7 @@
 #include "search/base_overlap.h"
 #include "search/overlap_search.h"
 #include "search/pair_search.h"
-#include "state/machine.h"
+#include "state/contact_execution.h"
 
 namespace ratchet_sieve
 {
@@ -39,9 +39,9 @@ namespace
 class StepLoop : public EventLoop
 {
 public:
-  explicit StepLoop(Machine& machine)
-      : machine_(machine),
-        state_(machine.state()),
+  StepLoop(SystemState& state, ContactExecution& execution)
+      : state_(state),
+        execution_(execution),
         base_(state_.motion()),
         step_(state_.scene().accuracy.step),
         gravity_(state_.scene().gravity),
@@ -121,7 +121,7 @@ private:
       if (!stale(next))
       {
         stopped_at_ = next.time;
-        if (machine_.collapseWatch().count(next.slot, next.time) && machine_.collapseWatch().stops())
+        if (state_.collapseWatch().count(next.slot, next.time) && state_.collapseWatch().stops())
           return false;
         execute(next);
       }
@@ -167,7 +167,7 @@ private:
     End& end = ends_[slot];
     end.course = courseAt(disk, end_, gravity_);
     end.flights = disk.flights;
-    return frame_.into(vectorOf(end.course.position) - frame_.displacement);
+    return frame_.positionInto(vectorOf(end.course.position));
   }
 
   /// Whether the disk may touch the base, or pass an end of an open or walled base.
@@ -189,11 +189,11 @@ private:
   {
     const Disk now = flown(state_.disk(slot), start_, gravity_);
     const FrameOfBase& base = base_.at(start_);
-    const Eigen::Vector2d at = base.into(now.position - base.displacement);
+    const Eigen::Vector2d at = base.positionInto(now.position);
     const auto way = base_overlap_.wayOut(at.x(), at.y(), ends_[slot].radius);
     if (!way)
       return;
-    ++machine_.record().counts().pushed_out;
+    ++state_.observers().counts().pushed_out;
     state_.moveTo(slot, now);
     state_.changeable(slot).position += base.outOf({0.0, *way});
     ++state_.changeable(slot).flights;
@@ -250,13 +250,13 @@ private:
     ++ends_[contact.slot].contacts;
     if (contact.feature)
     {
-      machine_.handleBaseEvent(contact.slot, contact.feature, contact.time, base_);
+      execution_.handleBaseEvent(contact.slot, contact.feature, contact.time, base_);
       if (state_.active(contact.slot))
         searchFrom(contact.slot, redirect(contact.slot), contact.time);
       return;
     }
     ++ends_[contact.partner].contacts;
-    machine_.collidePair(contact.slot, contact.partner, contact.shift, contact.time);
+    execution_.collidePair(contact.slot, contact.partner, contact.shift, contact.time);
     const Eigen::Vector2d at = redirect(contact.slot);
     const Eigen::Vector2d partner_at = redirect(contact.partner);
     searchFrom(contact.slot, at, contact.time);
@@ -282,8 +282,8 @@ private:
       findBaseContact(slot, now);
   }
 
-  Machine& machine_;
   SystemState& state_;
+  ContactExecution& execution_;
   BaseInstant base_;
   double step_;         ///< [s]
   double gravity_;      ///< [m/s^2]
@@ -302,9 +302,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<EventLoop> makeStepLoop(Machine& machine)
+std::unique_ptr<EventLoop> makeStepLoop(SystemState& state, ContactExecution& execution)
 {
-  return std::make_unique<StepLoop>(machine);
+  return std::make_unique<StepLoop>(state, execution);
 }
 
 }  // namespace ratchet_sieve

@@ -102,18 +102,18 @@ BaseEvent rowEvent(const LaneBatch& batch, std::size_t row)
                       static_cast<std::int32_t>(batch.valley[row]))};
 }
 
-void loadRow(const Machine& system, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
-             std::size_t row)
+void loadRow(const SystemState& system, const ContactExecution& execution, std::uint32_t slot,
+             const BaseEvent& next, LaneBatch& batch, std::size_t row)
 {
-  const Disk& disk = system.state().disk(slot);
+  const Disk& disk = system.disk(slot);
   batch.x[row] = disk.position.x();
   batch.y[row] = disk.position.y();
   batch.vx[row] = disk.velocity.x();
   batch.vy[row] = disk.velocity.y();
   batch.spin[row] = disk.spin;
   batch.time[row] = disk.time;
-  const SpeciesDefinition& species = system.state().scene().species[disk.species];
-  const double mass = system.state().grain(slot).mass;
+  const SpeciesDefinition& species = system.scene().species[disk.species];
+  const double mass = system.grain(slot).mass;
   const ContactMasses masses = contactMasses({mass, leverOf(species)});
   batch.radius[row] = disk.radius;
   batch.restitution[row] = species.contact.restitution;
@@ -122,32 +122,35 @@ void loadRow(const Machine& system, std::uint32_t slot, const BaseEvent& next, L
   batch.sticking_mass[row] = (1.0 + species.contact.tangential_restitution) * masses.tangential;
   batch.per_mass[row] = 1.0 / mass;
   batch.radius_by_inertia[row] = disk.radius / species.inertiaOf(mass, disk.radius);
-  const Trajectory& trajectory = system.state().trajectories()[slot];
-  batch.offset[row] = trajectory.offset;
-  batch.translation[row] = trajectory.translation;
-  batch.rotation[row] = trajectory.rotation;
-  batch.angle[row] = trajectory.angle;
-  const Eigen::Vector2d& impulse = system.record().impulses().of(slot);
-  batch.impulse_x[row] = impulse.x();
-  batch.impulse_y[row] = impulse.y();
+  const RowSums sums = system.observers().rowSums(slot);
+  batch.offset[row] = sums.offset;
+  batch.translation[row] = sums.translation;
+  batch.rotation[row] = sums.rotation;
+  batch.angle[row] = sums.angle;
+  batch.impulse_x[row] = sums.impulse_x;
+  batch.impulse_y[row] = sums.impulse_y;
   const LaneContact contact = laneContact(next.feature);
   batch.event_time[row] = next.time;
   batch.feature[row] = contact.feature;
   batch.valley[row] = contact.valley;
 }
 
-void storeRow(const LaneBatch& batch, std::size_t row, Machine& system, std::uint32_t slot, BaseEvent& next)
+void readState(const LaneBatch& batch, std::size_t row, Disk& disk)
 {
-  Disk& disk = system.state().changeable(slot);
   disk.position.x() = batch.x[row];
   disk.position.y() = batch.y[row];
   disk.velocity.x() = batch.vx[row];
   disk.velocity.y() = batch.vy[row];
   disk.spin = batch.spin[row];
   disk.time = batch.time[row];
-  system.state().trajectories().setFlown(
-      slot, {batch.offset[row], batch.translation[row], batch.rotation[row], batch.angle[row]});
-  system.record().impulses().set(slot, {batch.impulse_x[row], batch.impulse_y[row]});
+}
+
+void storeRow(const LaneBatch& batch, std::size_t row, SystemState& system, std::uint32_t slot,
+              BaseEvent& next)
+{
+  readState(batch, row, system.changeable(slot));
+  system.observers().setRowSums(slot, {batch.offset[row], batch.translation[row], batch.rotation[row], batch.angle[row],
+                                       batch.impulse_x[row], batch.impulse_y[row]});
   next = rowEvent(batch, row);
 }
 

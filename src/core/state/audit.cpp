@@ -41,10 +41,8 @@ std::vector<Eigen::Vector2d> placesOnBase(const SystemState& system, double time
   for (const Disk& disk : system.disks())
   {
     const Disk now = flown(disk, time, system.scene().gravity);
-    const Eigen::Vector2d point = base.into(now.position - base.displacement);
-    const bool periodic = system.sawtooth().boundary() == Boundary::PERIODIC;
-    points.emplace_back(periodic ? point.x() - width * wholeWidths(point.x(), 1.0 / width) : point.x(),
-                        point.y());
+    const Eigen::Vector2d point = base.positionInto(now.position);
+    points.emplace_back(point.x() - width * system.widthsOutside(point.x()), point.y());
   }
   return points;
 }

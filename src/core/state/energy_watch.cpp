@@ -35,25 +35,28 @@ double baseSpeed(const SystemState& system)
 }
 }  // namespace
 
-EnergyWatch::EnergyWatch(const SceneDefinition& scene)
-    : highest_(highestPlace(scene)), start_speed_(startSpeed(scene)), gravity_(scene.gravity)
+EnergyWatch::EnergyWatch(const SystemState& system)
+    : system_(system),
+      highest_(highestPlace(system.scene())),
+      start_speed_(startSpeed(system.scene())),
+      gravity_(system.scene().gravity)
 {
 }
 
-void EnergyWatch::check(const SystemState& system, double time)
+void EnergyWatch::endEpoch(double time)
 {
-  fastest_base_ = std::max(fastest_base_, baseSpeed(system));
+  fastest_base_ = std::max(fastest_base_, baseSpeed(system_));
   const double bounce =
       std::sqrt(2.0 * gravity_ * highest_ + start_speed_ * start_speed_) + 2.0 * fastest_base_;
   const double scale = 0.5 * bounce * bounce;
   if (scale <= 0.0)
     return;
-  const auto& species = system.scene().species;
-  for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
+  const auto& species = system_.scene().species;
+  for (std::uint32_t slot = 0; slot < system_.disks().size(); ++slot)
   {
-    if (!system.active(slot))
+    if (!system_.active(slot))
       continue;
-    const Disk& disk = system.disk(slot);
+    const Disk& disk = system_.disk(slot);
     const SpeciesDefinition& kind = species[disk.species];
     const double rim = disk.spin * disk.radius;
     const double energy = 0.5 * (disk.velocity.squaredNorm() + kind.inertia_factor * rim * rim) +
@@ -63,8 +66,8 @@ void EnergyWatch::check(const SystemState& system, double time)
       continue;
     largest_ = scales;
     if (scales > ALARM && !first_)
-      first_ = First{system.epoch().start + time, system.grain(slot).mass * energy,
-                     flown(disk, time, gravity_).position.y(), scales, system.id(slot)};
+      first_ = First{system_.epoch().start + time, system_.grain(slot).mass * energy,
+                     flown(disk, time, gravity_).position.y(), scales, system_.id(slot)};
   }
 }
 

@@ -4,21 +4,30 @@
 #include <cmath>
 #include <utility>
 
+#include "state/system_state.h"
+
 namespace ratchet_sieve
 {
 
-void SpeciesAverages::forget(const SystemState& system, const std::vector<std::uint32_t>& left)
+SpeciesAverages::SpeciesAverages(const SystemState& system)
+    : system_(system),
+      gone_(system.scene().species.size()),
+      at_block_end_(gone_.size()),
+      blocks_(gone_.size())
 {
-  for (const std::uint32_t slot : left)
-    addLeft(system, slot, gone_);
 }
 
-void SpeciesAverages::restart()
+void SpeciesAverages::compact(const Compaction& compaction)
+{
+  for (const std::uint32_t slot : compaction.gone)
+    addLeft(slot, gone_);
+}
+
+void SpeciesAverages::restart(double /*time*/)
 {
   std::fill(gone_.begin(), gone_.end(), Sums());
   std::fill(at_block_end_.begin(), at_block_end_.end(), Sums());
   std::fill(blocks_.begin(), blocks_.end(), BlockAverages());
-  std::fill(contacts_.begin(), contacts_.end(), 0);
 }
 
 void SpeciesAverages::Sums::add(const Trajectory& trajectory, const Weights& weights, double x, double until)
@@ -53,61 +62,73 @@ SpeciesMeans SpeciesAverages::Sums::means(const SpeciesDefinition& species) cons
   return means;
 }
 
-SpeciesAverages::Weights SpeciesAverages::weights(const SystemState& system, std::uint32_t slot)
+SpeciesAverages::Weights SpeciesAverages::weights(std::uint32_t slot) const
 {
-  const Disk& disk = system.disk(slot);
-  const SpeciesDefinition& species = system.scene().species[disk.species];
-  const double mass = system.grain(slot).mass;
+  const Disk& disk = system_.disk(slot);
+  const SpeciesDefinition& species = system_.scene().species[disk.species];
+  const double mass = system_.grain(slot).mass;
   return {mass / species.mass, species.inertiaOf(mass, disk.radius) / species.inertia()};
 }
 
-std::vector<SpeciesAverages::Sums> SpeciesAverages::sums(const SystemState& system, double time) const
+std::vector<SpeciesAverages::Sums> SpeciesAverages::sums(double time) const
 {
   std::vector<Sums> sums = gone_;
-  const double gravity = system.scene().gravity;
-  for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
+  const double gravity = system_.scene().gravity;
+  for (std::uint32_t slot = 0; slot < system_.disks().size(); ++slot)
   {
-    const Disk& disk = system.disk(slot);
-    if (!system.active(slot))
-      addLeft(system, slot, sums);
+    const Disk& disk = system_.disk(slot);
+    if (!system_.active(slot))
+      addLeft(slot, sums);
     else
-      sums[disk.species].add(system.trajectories().until(slot, disk, time), weights(system, slot),
-                             flown(disk, time, gravity).position.x(), system.epoch().start + time);
+      sums[disk.species].add(system_.observers().trajectories().until(slot, disk, time), weights(slot),
+                             flown(disk, time, gravity).position.x(), system_.epoch().start + time);
   }
   return sums;
 }
 
-void SpeciesAverages::addLeft(const SystemState& system, std::uint32_t slot, std::vector<Sums>& sums)
+void SpeciesAverages::addLeft(std::uint32_t slot, std::vector<Sums>& sums) const
 {
-  const Trajectory& trajectory = system.trajectories()[slot];
-  const Disk& disk = system.disk(slot);
+  const Trajectory& trajectory = system_.observers().trajectories()[slot];
+  const Disk& disk = system_.disk(slot);
   if (trajectory.counts())
-    sums[disk.species].add(trajectory, weights(system, slot), disk.position.x(), trajectory.left_when);
+    sums[disk.species].add(trajectory, weights(slot), disk.position.x(), trajectory.left_when);
 }
 
-void SpeciesAverages::endBlock(const SystemState& system, double time)
+void SpeciesAverages::endBlock(double time)
 {
-  std::vector<Sums> now = sums(system, time);
-  for (std::size_t s = 0; s < species_.size(); ++s)
+  if (!system_.plan().pairs)
+    return;
+  std::vector<Sums> now = sums(time);
+  for (std::size_t s = 0; s < now.size(); ++s)
     blocks_[s].add(now[s].displacement - at_block_end_[s].displacement, now[s].time - at_block_end_[s].time);
   at_block_end_ = std::move(now);
 }
 
-std::vector<SpeciesMeans> SpeciesAverages::means(const SystemState& system, double time) const
+std::vector<SpeciesMeans> SpeciesAverages::means(double time) const
 {
-  const std::vector<Sums> all = sums(system, time);
+  const std::vector<SpeciesDefinition>& species = system_.scene().species;
+  const SpeciesContacts& contacts = system_.observers().speciesContacts();
+  const std::vector<Sums> all = sums(time);
   std::vector<SpeciesMeans> means;
-  for (std::size_t s = 0; s < species_.size(); ++s)
+  for (std::size_t s = 0; s < all.size(); ++s)
   {
-    means.push_back(all[s].means(species_[s]));
+    means.push_back(all[s].means(species[s]));
     if (all[s].time > 0.0)
-      means[s].collision_rate = static_cast<double>(contacts_[s]) / all[s].time;
+      means[s].collision_rate = static_cast<double>(contacts.of(s)) / all[s].time;
     // The larger one: from differences between disks, or from fluctuations of the whole layer in time.
     const auto over_time = blocks_[s].standardError();
     if (over_time && means[s].mean_vx)
       means[s].mean_vx_stderr = std::max(means[s].mean_vx_stderr.value_or(0.0), *over_time);
   }
   return means;
+}
+
+void SpeciesAverages::archive(StateArchive& state)
+{
+  const std::size_t species = gone_.size();
+  state(gone_, at_block_end_, blocks_);
+  state.require(gone_.size() == species && at_block_end_.size() == species && blocks_.size() == species,
+                "its means have another number of species");
 }
 
 }  // namespace ratchet_sieve

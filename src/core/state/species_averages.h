@@ -6,63 +6,35 @@
 
 #include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/observation.h"
-#include "state/contact_outcome.h"
-#include "state/system_state.h"
+#include "state/observer.h"
 
 namespace ratchet_sieve
 {
 
+class SystemState;
+struct SpeciesDefinition;
+struct Trajectory;
+
 /// Means over disks and time, from the disks' trajectories. Times are local to the epoch.
-class SpeciesAverages
+class SpeciesAverages final : public Observer
 {
 public:
-  explicit SpeciesAverages(const std::vector<SpeciesDefinition>& species)
-      : species_(species),
-        gone_(species.size()),
-        at_block_end_(species.size()),
-        blocks_(species.size()),
-        contacts_(species.size())
-  {
-  }
+  /// @param system outlives this
+  explicit SpeciesAverages(const SystemState& system);
 
-  /// Adds the trajectories of disks that are about to be removed by compaction.
-  void forget(const SystemState& system, const std::vector<std::uint32_t>& left);
+  void compact(const Compaction& compaction) override;
+  void restart(double time) override;
 
-  /// Counts a contact of approaching surfaces, for each disk that takes part.
-  void take(const ContactOutcome& outcome, const SystemState& system)
-  {
-    ++contacts_[system.disk(outcome.i).species];
-    if (outcome.j != ContactOutcome::BASE)
-      ++contacts_[system.disk(outcome.j).species];
-  }
-
-  /// Adds contacts counted elsewhere, per species.
-  void add(const std::vector<std::uint64_t>& contacts)
-  {
-    for (std::size_t species = 0; species < contacts.size(); ++species)
-      contacts_[species] += contacts[species];
-  }
-
-  /// Forgets all counts.
-  void restart();
-
-  /// Ends a block of the series for the errors of the means; see BlockAverages.
-  void endBlock(const SystemState& system, double time);
+  /// For the errors of the means; see BlockAverages. Independent disks need no series of their mean.
+  void endBlock(double time) override;
 
   /// Of a species.
   const BlockAverages& blocks(std::size_t species) const { return blocks_[species]; }
 
-  std::vector<SpeciesMeans> means(const SystemState& system, double time) const;
+  std::vector<SpeciesMeans> means(double time) const;
 
   /// @throws StateError
-  void archive(StateArchive& state)
-  {
-    state(gone_, at_block_end_, blocks_, contacts_);
-    const std::size_t count = species_.size();
-    state.require(gone_.size() == count && at_block_end_.size() == count && blocks_.size() == count &&
-                      contacts_.size() == count,
-                  "its means have another number of species");
-  }
+  void archive(StateArchive& state) override;
 
 private:
   /// Mass and moment of inertia of a disk, in units of its species'.
@@ -94,17 +66,16 @@ private:
     SpeciesMeans means(const SpeciesDefinition& species) const;
   };
 
-  static Weights weights(const SystemState& system, std::uint32_t slot);
+  Weights weights(std::uint32_t slot) const;
 
   /// Adds the trajectory of a disk that has left, if it counts.
-  static void addLeft(const SystemState& system, std::uint32_t slot, std::vector<Sums>& sums);
-  std::vector<Sums> sums(const SystemState& system, double time) const;
+  void addLeft(std::uint32_t slot, std::vector<Sums>& sums) const;
+  std::vector<Sums> sums(double time) const;
 
-  std::vector<SpeciesDefinition> species_;
-  std::vector<Sums> gone_;               ///< per species, of disks removed by compaction
-  std::vector<Sums> at_block_end_;       ///< per species, at the end of the last block
-  std::vector<BlockAverages> blocks_;    ///< per species
-  std::vector<std::uint64_t> contacts_;  ///< per species, since the counting began
+  const SystemState& system_;
+  std::vector<Sums> gone_;             ///< per species, of disks removed by compaction
+  std::vector<Sums> at_block_end_;     ///< per species, at the end of the last block
+  std::vector<BlockAverages> blocks_;  ///< per species
 };
 
 }  // namespace ratchet_sieve
