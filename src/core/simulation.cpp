@@ -114,6 +114,11 @@ const CollisionCounts& Simulation::collisions() const
   return implementation_->record().counts().collisions;
 }
 
+const FaceContacts& Simulation::faceContacts() const
+{
+  return implementation_->record().faceContacts();
+}
+
 std::uint64_t Simulation::events() const
 {
   return implementation_->events();

@@ -10,7 +10,6 @@ namespace
 
 // These limits, those of scene_limits.h and those of the commanded quantities keep products of the values far
 // from overflow. They are far beyond any real machine.
-constexpr double SMALLEST_LENGTH = 1e-9;  ///< [m]
 constexpr double LARGEST_LENGTH = 1e3;    ///< [m]
 constexpr double LARGEST_POSITION = 1e9;  ///< [m]
 constexpr double SMALLEST_MASS = 1e-18;   ///< [kg]
@@ -129,7 +128,17 @@ const Keys<BaseDefinition>& baseKeys()
        Presence::ADDED},
       {"horizontal_phase", [](B& b) -> Slot { return &b.horizontal_phase; }, within(LARGEST_PHASE, "rad"),
        "Phase of the horizontal drive relative to the vertical one.", Presence::ADDED},
+      {"profile", [](B& b) -> Slot { return &b.profile; }, within(LARGEST_LENGTH, "m"),
+       "Outline of a tooth in place of tooth_width, tooth_height and asymmetry: corners from [0, 0] to "
+       "[w, 0], s never decreasing (twice the same: a vertical face), n above or below 0.",
+       Presence::ADDED, "-"},
   };
+  return KEYS;
+}
+
+const std::set<std::string>& sawtoothKeys()
+{
+  static const std::set<std::string> KEYS = {"tooth_width", "tooth_height", "asymmetry"};
   return KEYS;
 }
 

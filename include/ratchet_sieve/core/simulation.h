@@ -87,6 +87,7 @@ public:
   std::vector<DiskState> disks() const;       ///< disks in the machine, by id, at time()
   std::vector<SpeciesBins> bins() const;      ///< per species
   const CollisionCounts& collisions() const;  ///< since the start
+  const FaceContacts& faceContacts() const;   ///< since the start
   std::uint64_t events() const;               ///< all events since the start
   std::vector<SpeciesMeans> means() const;    ///< per species, since `settle`; empty before
 

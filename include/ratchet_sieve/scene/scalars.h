@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/scene/entry.h"
@@ -21,11 +22,13 @@ void readScalar(const Entry& entry, const Range& range, std::string& value);
 void readScalar(const Entry& entry, const Range& range, Boundary& value);
 void readScalar(const Entry& entry, const Range& range, CollapseAction& value);
 void readScalar(const Entry& entry, const Range& range, Method& value);
+/// The outline of a tooth, without overhang. @param range of each number
+void readScalar(const Entry& entry, const Range& range, std::vector<OutlineCorner>& value);
 
 /// What a reader above accepts.
 struct LegalValues
 {
-  const char* type;    ///< number, integer, boolean, name or choice
+  const char* type;    ///< number, integer, boolean, name, choice or list
   std::string values;  ///< such as "0 to 1000" or "stop or rebound"
 };
 
@@ -38,6 +41,7 @@ LegalValues legalValues(const Range& range, const std::string&);
 LegalValues legalValues(const Range& range, Boundary);
 LegalValues legalValues(const Range& range, CollapseAction);
 LegalValues legalValues(const Range& range, Method);
+LegalValues legalValues(const Range& range, const std::vector<OutlineCorner>&);
 
 /// The text that the readers above take back to the same value, bit for bit.
 std::string scalarText(double value);
@@ -48,5 +52,6 @@ std::string scalarText(const std::string& value);
 std::string scalarText(Boundary value);
 std::string scalarText(CollapseAction value);
 std::string scalarText(Method value);
+std::string scalarText(const std::vector<OutlineCorner>& value);
 
 }  // namespace ratchet_sieve

@@ -51,7 +51,7 @@ std::size_t DiskCells::reserve(std::size_t count)
 
 void DiskCells::add(std::uint32_t slot, double time)
 {
-  const double width = state_.sawtooth().width();
+  const double width = state_.shape().width();
   if (lattice_turns_)
     images_[slot] -= static_cast<std::int32_t>(wholeWidths(inGrid(slot, time).s(), 1.0 / width));
   else
@@ -106,7 +106,7 @@ bool DiskCells::endEpoch(std::uint64_t events, double time)
   for (const std::uint32_t slot : state_.slots(true))
     points.push_back(inGrid(slot, time));
   const int spare_laps = state_.scene().boundary == Boundary::PERIODIC ? laps() : 0;
-  const LayoutCosts costs(points, state_.sawtooth().width(), *searches / state_.epoch().length, spare_laps);
+  const LayoutCosts costs(points, state_.shape().width(), *searches / state_.epoch().length, spare_laps);
   return fit_.choose(costs, layerLayout(), leastSide());
 }
 
@@ -117,7 +117,7 @@ void DiskCells::archive(StateArchive& state)
     return;
   const double length =
       frame_.rotation.cosine * frame_.rotation.cosine + frame_.rotation.sine * frame_.rotation.sine;
-  const double width = state_.sawtooth().width();
+  const double width = state_.shape().width();
   const bool images_fit =
       lattice_turns_ == latticeTurns() && images_.size() == (lattice_turns_ ? capacity_ : 0) &&
       std::all_of(images_.begin(), images_.end(),
@@ -163,7 +163,7 @@ CellLayout DiskCells::layerLayout() const
   const double diameter = state_.largestDiameter();
   const double layers = count * diameter * diameter / scene.base.width();
   // The height of the vibrated layer: disks poured from above it or thrown out of it are in the topmost row.
-  const double height = scene.base.tooth_height + layers +
+  const double height = state_.shape().relief() + layers +
                         std::min(state_.motion().throwHeight(scene.gravity), scene.base.width());
   return {height, leastSide()};
 }
@@ -175,7 +175,7 @@ std::int32_t DiskCells::laps() const
 {
   if (state_.motion().turning())
     return 0;
-  const double farthest = farthestPlace(state_.smallestRadius()) / state_.sawtooth().width();
+  const double farthest = farthestPlace(state_.smallestRadius()) / state_.shape().width();
   return static_cast<std::int32_t>(std::clamp(std::floor(farthest) - 1.0, 0.0, MOST_LAPS));
 }
 

@@ -30,7 +30,7 @@ double topOfPour(const SceneDefinition& scene)
     squares += species.count * diameter * diameter;
     largest = std::max(largest, diameter);
   }
-  return scene.base.tooth_height + scene.pour.drop_height + largest +
+  return scene.base.highest() + scene.pour.drop_height + largest +
          SQUARES_PER_DISK * squares / scene.base.width();
 }
 

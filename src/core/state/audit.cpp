@@ -34,14 +34,14 @@ double toleratedOverlap(const Eigen::Vector2d& point, double radius)
 std::vector<Eigen::Vector2d> placesOnBase(const MachineState& machine, double time)
 {
   const FrameOfBase base = machine.motion().at(time);
-  const double width = machine.sawtooth().width();
+  const double width = machine.shape().width();
   std::vector<Eigen::Vector2d> points;
   points.reserve(machine.disks().size());
   for (const Disk& disk : machine.disks())
   {
     const Disk now = flown(disk, time, machine.scene().gravity);
     const Eigen::Vector2d point = base.into(now.position - base.displacement);
-    const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
+    const bool periodic = machine.shape().boundary() == Boundary::PERIODIC;
     points.emplace_back(periodic ? point.x() - width * wholeWidths(point.x(), 1.0 / width) : point.x(),
                         point.y());
   }
@@ -51,11 +51,11 @@ std::vector<Eigen::Vector2d> placesOnBase(const MachineState& machine, double ti
 /// Distance of a disk from the base and the walls, < 0 for an overlap.
 double gapToBase(const MachineState& machine, const Eigen::Vector2d& point, double radius)
 {
-  const Sawtooth& sawtooth = machine.sawtooth();
-  double gap = point.y() - sawtooth.height();
+  const BaseShape& shape = machine.shape();
+  double gap = point.y() - shape.height();
   if (gap < radius)
-    gap = sawtooth.heightAbove(point.x(), point.y());
-  return std::min(gap, sawtooth.distanceToWalls(point.x(), point.y())) - radius;
+    gap = shape.heightAbove(point.x(), point.y());
+  return std::min(gap, shape.distanceToWalls(point.x(), point.y())) - radius;
 }
 
 using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overlap)>;
@@ -64,8 +64,8 @@ using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overla
 void forEachNearPair(const MachineState& machine, const std::vector<Eigen::Vector2d>& points,
                      const VisitPair& visit)
 {
-  const double width = machine.sawtooth().width();
-  const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
+  const double width = machine.shape().width();
+  const bool periodic = machine.shape().boundary() == Boundary::PERIODIC;
   double top = machine.largestDiameter();
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
     if (machine.active(slot))
@@ -119,10 +119,10 @@ void refuseBadStart(const MachineState& machine, double time)
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
   {
     const double s = points[slot].x();
-    if (s < 0.0 || s > machine.sawtooth().width())
+    if (s < 0.0 || s > machine.shape().width())
     {
       message << "initial." << slot << " is outside the machine: its centre is at s = " << s
-              << " m along the base, allowed is 0 to " << machine.sawtooth().width() << " m";
+              << " m along the base, allowed is 0 to " << machine.shape().width() << " m";
       throw std::invalid_argument(message.str());
     }
     const double gap = gapToBase(machine, points[slot], machine.radius(slot));

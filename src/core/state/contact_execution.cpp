@@ -12,24 +12,6 @@ namespace
 /// the number of events allowed in a collapse, add up to one resolution.
 constexpr double NEGLIGIBLE_WAY = 0x1p-20 * std::numeric_limits<double>::epsilon();
 
-CollisionKind collisionKind(BaseFeatureKind kind, Boundary boundary)
-{
-  switch (kind)
-  {
-    case BaseFeatureKind::LEFT_SLOPE:
-      return CollisionKind::LEFT_SLOPE;
-    case BaseFeatureKind::RIGHT_SLOPE:
-      return CollisionKind::RIGHT_SLOPE;
-    case BaseFeatureKind::LEFT_WALL:
-    case BaseFeatureKind::RIGHT_WALL:
-      return CollisionKind::WALL;
-    case BaseFeatureKind::END_CORNER:
-      return boundary == Boundary::WALLED ? CollisionKind::WALL : CollisionKind::APEX;
-    default:
-      return CollisionKind::APEX;
-  }
-}
-
 /// The component of a velocity along the tangent: the normal turned by +90 degrees.
 double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 {
@@ -44,7 +26,7 @@ ContactExecution::ContactExecution(MachineState& machine, const CollapseWatch& c
       contact_times_(contact_times),
       law_(machine.scene().contact),
       spin_(machine.plan().spin),
-      negligible_way_(NEGLIGIBLE_WAY * machine.sawtooth().width())
+      negligible_way_(NEGLIGIBLE_WAY * machine.shape().width())
 {
   const std::vector<SpeciesDefinition>& species = machine.scene().species;
   for (std::size_t i = 0; i < species.size(); ++i)
@@ -67,10 +49,11 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
   const SpeciesDefinition& species = scene.species[disk.species];
   const FrameOfBase& frame = base.at(time);
   const BasePoint point = frame.see(disk.position, disk.velocity);
-  const Approach approach = machine_.sawtooth().approach(feature, point, species.radius);
+  const Approach approach = machine_.shape().approach(feature, point, species.radius);
   ContactOutcome outcome;
   outcome.time = time;
-  outcome.kind = collisionKind(feature.kind, scene.boundary);
+  outcome.kind = machine_.shape().kindOf(feature);
+  outcome.feature = feature;
   outcome.i = slot;
   outcome.overlap = -approach.gap;
   outcome.closed = approach.rate < 0.0;

@@ -20,7 +20,7 @@ void forEachDiskState(const MachineState& machine, double time,
                       const std::function<void(const DiskState&)>& visit)
 {
   const FrameOfBase base = machine.motion().at(time);
-  const double width = machine.sawtooth().width();
+  const double width = machine.shape().width();
   // While the base turns all disks are between its ends, because they are wrapped when they pass an end.
   const bool wrapped = machine.scene().boundary != Boundary::PERIODIC || machine.motion().turning();
   for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)

@@ -13,7 +13,7 @@ constexpr std::size_t LEAST_COMPACTED = 1024;
 /// Speed of a fall from a tooth's height; without gravity, a tooth per time scale [m/s].
 double speedScale(const SceneDefinition& scene, double time_scale)
 {
-  const double width = scene.base.tooth_width;
+  const double width = scene.base.toothWidth();
   return scene.gravity > 0.0 ? std::sqrt(scene.gravity * width) : width / time_scale;
 }
 }  // namespace

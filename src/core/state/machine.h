@@ -40,7 +40,7 @@ public:
   void handleBaseEvent(std::uint32_t slot, const BaseFeature& feature, double time, BaseInstant& base)
   {
     if (feature.isEnd())
-      return state_.passEnd(slot, feature.kind == BaseFeatureKind::RIGHT_END, time);
+      return state_.passEnd(slot, feature.kind() == BaseFeatureKind::RIGHT_END, time);
     record_.take(execution_.collideWithBase(slot, feature, time, base));
   }
 

@@ -36,15 +36,15 @@ const Plan& covering(const Plan& plan, const SceneDefinition& scene)
 MachineState::MachineState(const SceneDefinition& scene, const Plan& plan)
     : scene_(scene),
       plan_(covering(plan, scene)),
-      sawtooth_(scene.base, scene.boundary, wallHeight(scene)),
+      shape_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
       time_scale_(ratchet_sieve::timeScale(scene)),
       epoch_{0.0, epochLength(time_scale_)},
       motion_(scene.base, maxTurn(scene, largest_diameter_), plan.drive && !planOf(scene).drive),
-      search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
+      search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
       passages_(scene.gravity, plan.spin),
       bins_(scene.species.size()),
-      pair_scene_{disks_, radii_, motion_, sawtooth_.width(), scene.gravity, timeResolution(epoch_.length)}
+      pair_scene_{disks_, radii_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)}
 {
   for (const SpeciesDefinition& species : scene_.species)
     radii_.push_back(species.radius);
@@ -171,7 +171,7 @@ void MachineState::wrapIntoWidth(std::uint32_t slot, double s, double time)
 {
   if (scene_.boundary != Boundary::PERIODIC || motion_.turning())
     return;
-  const double laps = wholeWidths(s, 1.0 / sawtooth_.width());
+  const double laps = wholeWidths(s, 1.0 / shape_.width());
   if (laps != 0.0)
     wrap(slot, -laps, time);
 }
@@ -188,9 +188,9 @@ void MachineState::wrapAll(double time)
     if (!active(slot))
       continue;
     const double s = search_.seenFromBase(disks_[slot], base, time).s();
-    const double laps = wholeWidths(s, 1.0 / sawtooth_.width());
+    const double laps = wholeWidths(s, 1.0 / shape_.width());
     if (laps != 0.0)
-      moveTo(slot, base.image(-laps * sawtooth_.width()), time);
+      moveTo(slot, base.image(-laps * shape_.width()), time);
   }
 }
 
@@ -229,7 +229,7 @@ bool MachineState::isLegal() const
 bool MachineState::isLegal(std::uint32_t slot) const
 {
   const Disk& disk = disks_[slot];
-  const double tooth = sawtooth_.toothWidth();
+  const double tooth = shape_.toothWidth();
   return canBeTime(disk.time) && disk.time <= epoch_.length && disk.position.allFinite() &&
          (scene_.boundary != Boundary::PERIODIC ||
           std::abs(motion_.at(disk.time).into(disk.position).x()) <= FARTHEST_TOOTH * tooth) &&

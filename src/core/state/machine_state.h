@@ -6,7 +6,7 @@
 
 #include "model/base_motion.h"
 #include "model/disk.h"
-#include "model/sawtooth.h"
+#include "model/base_shape.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "search/contact_search.h"
@@ -36,7 +36,7 @@ public:
 
   const SceneDefinition& scene() const { return scene_; }
   const Plan& plan() const { return plan_; }
-  const Sawtooth& sawtooth() const { return sawtooth_; }
+  const BaseShape& shape() const { return shape_; }
   const BaseMotion& motion() const { return motion_; }
 
   /// Calls `command` with the base's motion and the time; it changes the motion at that time. Disks keep
@@ -143,6 +143,12 @@ public:
   /// longest epoch in the past.
   bool canBeTime(double time) const;
 
+  /// Whether an event can be one of this base, at its time.
+  bool canBe(const BaseEvent& event) const
+  {
+    return canBeTime(event.time) && shape_.has(event.feature);
+  }
+
 private:
   bool isLegal(std::uint32_t slot) const;
   bool isLegal() const;
@@ -155,7 +161,7 @@ private:
 
   SceneDefinition scene_;
   Plan plan_;
-  Sawtooth sawtooth_;
+  BaseShape shape_;
   double largest_diameter_;
   double time_scale_;
   Epoch epoch_;

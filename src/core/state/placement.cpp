@@ -18,7 +18,7 @@ constexpr std::size_t DISKS_PER_LOOK = 1024;
 PlacedDisk placed(const MachineState& machine, std::uint32_t slot, const FrameOfBase& base, double time)
 {
   const Disk disk = flown(machine.disk(slot), time, machine.scene().gravity);
-  const double width = machine.sawtooth().width();
+  const double width = machine.shape().width();
   double s = base.into(Eigen::Vector2d(disk.position.x(), disk.position.y()) - base.displacement).x();
   if (machine.scene().boundary == Boundary::PERIODIC)
     s -= width * wholeWidths(s, 1.0 / width);

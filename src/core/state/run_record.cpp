@@ -21,6 +21,7 @@ CollisionRecord recordOf(const ContactOutcome& outcome, const MachineState& mach
 
 RunRecord::RunRecord(const MachineState& machine)
     : machine_(machine),
+      faces_(machine.shape()),
       times_(machine.plan().contact_times),
       tally_(machine.scene().species),
       accuracy_(machine)
@@ -69,7 +70,7 @@ MeanSeries RunRecord::meanSeries(double block_time) const
 
 void RunRecord::archive(StateArchive& state)
 {
-  state(counts_, impulses_, times_, tally_, accuracy_);
+  state(counts_, faces_, impulses_, times_, tally_, accuracy_);
   const std::size_t count = machine_.disks().size();
   if (!impulses_.fits(count) || !times_.fits(count))
     throw StateError("it is of another scene");

@@ -10,6 +10,7 @@
 #include "state/base_impulses.h"
 #include "state/contact_counts.h"
 #include "state/contact_times.h"
+#include "state/face_counts.h"
 #include "state/machine_state.h"
 #include "state/tally.h"
 
@@ -32,6 +33,7 @@ public:
     counts_.take(outcome);
     if (!outcome.closed)
       return;
+    faces_.take(outcome);
     impulses_.take(outcome);
     times_.take(outcome);
     tally_.take(outcome, machine_);
@@ -57,6 +59,7 @@ public:
 
   const ContactCounts& counts() const { return counts_; }
   ContactCounts& counts() { return counts_; }
+  const FaceContacts& faceContacts() const { return faces_.contacts(); }
   const ContactTimes& contactTimes() const { return times_; }
   const BaseImpulses& impulses() const { return impulses_; }
   BaseImpulses& impulses() { return impulses_; }
@@ -82,6 +85,7 @@ public:
 private:
   const MachineState& machine_;
   ContactCounts counts_;
+  FaceCounts faces_;
   BaseImpulses impulses_;
   ContactTimes times_;
   Tally tally_;
