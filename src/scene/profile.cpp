@@ -49,6 +49,11 @@ void requireEnds(const Entry& list, const std::vector<Entry>& entries,
   if (corners.back().n != 0.0)
     entries.back().refuse("n = " + scalarText(corners.back().n) +
                           " m must be 0: a tooth ends as high as it begins");
+  const std::size_t last = corners.size() - 1;
+  if (corners[1].s == 0.0 && corners[last - 1].s == corners[last].s &&
+      (corners[1].n > 0.0) == (corners[last - 1].n > 0.0))
+    entries.back().refuse("leads back along the next tooth's first face: there must be no wall or gap without "
+                          "thickness");
   if (corners.back().s < SMALLEST_LENGTH)
     entries.back().refuse("s = " + scalarText(corners.back().s) + " m, the width of a tooth, must be at least " +
                           scalarText(SMALLEST_LENGTH) + " m");

@@ -8,6 +8,7 @@
 
 #include "constants.h"
 #include "draws.h"
+#include "profiles.h"
 
 namespace ratchet_sieve
 {
@@ -36,6 +37,8 @@ BaseDefinition drawnBase()
   base.inclination = *rc::gen::element(0.0, 0.209, -0.1, 1.2, 2.5);
   base.amplitude = *rc::gen::element(0.0, 0.002, 0.01);
   base.phase = drawn(0.0, 6.28);
+  if (*rc::gen::inRange(0, 3) == 0)
+    base.profile = test::drawnProfile(0.02, std::max(0.001, base.tooth_height), 12);
   if (*rc::gen::arbitrary<bool>())
     drawOrbit(base);
   return base;
