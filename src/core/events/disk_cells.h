@@ -142,8 +142,9 @@ private:
   {
     const Course now = courseAt(state_.disk(slot), time, state_.scene().gravity);
     BasePoint point{frame_.into(vectorOf(now.position)), frame_.into(vectorOf(now.velocity))};
+    point.position.y() += state_.shape().depth();
     if (lattice_turns_)
-      point.position.x() += images_[slot] * state_.sawtooth().width();
+      point.position.x() += images_[slot] * state_.shape().width();
     return point;
   }
 

@@ -35,7 +35,7 @@ double toleratedOverlap(const Eigen::Vector2d& point, double radius)
 std::vector<Eigen::Vector2d> placesOnBase(const SystemState& system, double time)
 {
   const FrameOfBase base = system.motion().at(time);
-  const double width = system.sawtooth().width();
+  const double width = system.shape().width();
   std::vector<Eigen::Vector2d> points;
   points.reserve(system.disks().size());
   for (const Disk& disk : system.disks())
@@ -50,11 +50,11 @@ std::vector<Eigen::Vector2d> placesOnBase(const SystemState& system, double time
 /// Distance of a disk from the base and the walls, < 0 for an overlap.
 double gapToBase(const SystemState& system, const Eigen::Vector2d& point, double radius)
 {
-  const Sawtooth& sawtooth = system.sawtooth();
-  double gap = point.y() - sawtooth.height();
+  const BaseShape& shape = system.shape();
+  double gap = point.y() - shape.height();
   if (gap < radius)
-    gap = sawtooth.heightAbove(point.x(), point.y());
-  return std::min(gap, sawtooth.distanceToWalls(point.x(), point.y())) - radius;
+    gap = shape.heightAbove(point.x(), point.y());
+  return std::min(gap, shape.distanceToWalls(point.x(), point.y())) - radius;
 }
 
 using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overlap)>;
@@ -63,8 +63,8 @@ using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overla
 void forEachNearPair(const SystemState& system, const std::vector<Eigen::Vector2d>& points,
                      const VisitPair& visit)
 {
-  const double width = system.sawtooth().width();
-  const bool periodic = system.sawtooth().boundary() == Boundary::PERIODIC;
+  const double width = system.shape().width();
+  const bool periodic = system.shape().boundary() == Boundary::PERIODIC;
   double top = system.largestDiameter();
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
     if (system.active(slot))
@@ -126,10 +126,10 @@ void refuseBadStart(const SystemState& system, double time)
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
   {
     const double s = points[slot].x();
-    if (s < 0.0 || s > system.sawtooth().width())
+    if (s < 0.0 || s > system.shape().width())
     {
       message << "initial." << slot << " is outside the machine: its centre is at s = " << s
-              << " m along the base, allowed is 0 to " << system.sawtooth().width() << " m";
+              << " m along the base, allowed is 0 to " << system.shape().width() << " m";
       throw std::invalid_argument(message.str());
     }
     const double gap = gapToBase(system, points[slot], system.radius(slot));

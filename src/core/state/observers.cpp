@@ -16,6 +16,8 @@ Observers::Observers(const SystemState& system)
                 ContactTimes(system.plan().contact_times), SpeciesAverages(system), AccuracySeries(system),
                 EnergyWatch(system), TrajectorySums(system))
 {
+  if (system.shape().isProfile())
+    faces_ = static_cast<FaceCounts*>(add(std::make_unique<FaceCounts>(system.shape())));
 }
 
 void Observers::tell(const ContactOutcome& outcome)

@@ -13,6 +13,7 @@
 #include "state/contact_counts.h"
 #include "state/contact_times.h"
 #include "state/energy_watch.h"
+#include "state/face_counts.h"
 #include "state/notices.h"
 #include "state/species_averages.h"
 #include "state/species_contacts.h"
@@ -163,6 +164,8 @@ public:
   const ContactTimes& contactTimes() const { return std::get<ContactTimes>(standing_); }
   const BaseImpulses& impulses() const { return std::get<BaseImpulses>(standing_); }
   const SpeciesAverages& averages() const { return std::get<SpeciesAverages>(standing_); }
+  /// Of a profile; empty for a sawtooth.
+  FaceContacts faceContacts() const { return faces_ ? faces_->contacts() : FaceContacts(); }
   const EnergyWatch& energyWatch() const { return std::get<EnergyWatch>(standing_); }
   TrajectorySums& trajectories() { return std::get<TrajectorySums>(standing_); }
   const TrajectorySums& trajectories() const { return std::get<TrajectorySums>(standing_); }
@@ -204,6 +207,7 @@ private:
   std::vector<Observer*> of_departures_;
   Notices notices_;
   const Observer* collision_report_ = nullptr;  ///< one of the added
+  const FaceCounts* faces_ = nullptr;           ///< one of the added
 };
 
 }  // namespace ratchet_sieve

@@ -19,7 +19,7 @@ PlacedDisk placed(const SystemState& system, std::uint32_t slot, const FrameOfBa
 {
   const Disk disk = flown(system.disk(slot), time, system.scene().gravity);
   const double s = base.positionInto(disk.position).x();
-  return {s - system.sawtooth().width() * system.widthsOutside(s), base.into(disk.position).y(),
+  return {s - system.shape().width() * system.widthsOutside(s), base.into(disk.position).y(),
           system.radius(slot)};
 }
 }  // namespace

@@ -26,7 +26,7 @@ constexpr std::size_t LEAST_COMPACTED = 1024;
 /// Speed of a fall from a tooth's height; without gravity, a tooth per time scale [m/s].
 double speedScale(const SceneDefinition& scene, double time_scale)
 {
-  const double width = scene.base.tooth_width;
+  const double width = scene.base.toothWidth();
   return scene.gravity > 0.0 ? std::sqrt(scene.gravity * width) : width / time_scale;
 }
 
@@ -69,15 +69,15 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
     : scene_(scene),
       sizes_(scene.species.begin(), scene.species.end()),
       plan_(covering(plan, scene)),
-      sawtooth_(scene.base, scene.boundary, wallHeight(scene)),
+      shape_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
       lattice_diameter_(ratchet_sieve::latticeDiameter(scene, largest_diameter_)),
       time_scale_(ratchet_sieve::timeScale(scene)),
       epoch_{0.0, epochLength(time_scale_)},
       motion_(scene.base, maxTurn(scene, lattice_diameter_), plan.drive && !planOf(scene).drive),
-      search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
+      search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
       bins_(scene.species.size()),
-      pair_scene_{disks_, motion_, sawtooth_.width(), scene.gravity, timeResolution(epoch_.length)},
+      pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), ids_),
       observers_(*this)
 {
@@ -230,7 +230,7 @@ void SystemState::wrapAll(double time)
       continue;
     const double s = search_.seenFromBase(disks_[slot], base, time).s();
     if (const double widths = widthsOutside(s); widths != 0.0)
-      moveTo(slot, base.image(-widths * sawtooth_.width()), time);
+      moveTo(slot, base.image(-widths * shape_.width()), time);
   }
 }
 
@@ -278,7 +278,7 @@ bool SystemState::hasLegalGrain(std::uint32_t slot) const
 bool SystemState::isLegal(std::uint32_t slot) const
 {
   const Disk& disk = disks_[slot];
-  const double tooth = sawtooth_.toothWidth();
+  const double tooth = shape_.toothWidth();
   return canBeTime(disk.time) && disk.time <= epoch_.length && disk.position.allFinite() &&
          (scene_.boundary != Boundary::PERIODIC ||
           std::abs(motion_.at(disk.time).into(disk.position).x()) <= FARTHEST_TOOTH * tooth) &&

@@ -7,7 +7,7 @@
 #include "model/base_motion.h"
 #include "model/disk.h"
 #include "model/grain.h"
-#include "model/sawtooth.h"
+#include "model/base_shape.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/sizes.h"
@@ -40,7 +40,7 @@ public:
 
   const SceneDefinition& scene() const { return scene_; }
   const Plan& plan() const { return plan_; }
-  const Sawtooth& sawtooth() const { return sawtooth_; }
+  const BaseShape& shape() const { return shape_; }
   const BaseMotion& motion() const { return motion_; }
 
   /// Calls `command` with the base's motion and the time; it changes the motion at that time. Disks keep
@@ -92,7 +92,7 @@ public:
   /// The whole widths by which a position s along a periodic base is outside of [0, W); 0 for other bases.
   double widthsOutside(double s) const
   {
-    return scene_.boundary == Boundary::PERIODIC ? wholeWidths(s, 1.0 / sawtooth_.width()) : 0.0;
+    return scene_.boundary == Boundary::PERIODIC ? wholeWidths(s, 1.0 / shape_.width()) : 0.0;
   }
 
   /// The disk's first event with the base, searched from `from` and only as far as needed to find all before
@@ -162,6 +162,12 @@ public:
   /// longest epoch in the past.
   bool canBeTime(double time) const;
 
+  /// Whether an event can be one of this base, at its time.
+  bool canBe(const BaseEvent& event) const
+  {
+    return canBeTime(event.time) && shape_.has(event.feature);
+  }
+
 private:
   bool isLegal(std::uint32_t slot) const;
   bool hasLegalGrain(std::uint32_t slot) const;
@@ -175,7 +181,7 @@ private:
   SceneDefinition scene_;
   std::vector<Sizes> sizes_;  ///< per species
   Plan plan_;
-  Sawtooth sawtooth_;
+  BaseShape shape_;
   double largest_diameter_;
   double lattice_diameter_;
   double time_scale_;
