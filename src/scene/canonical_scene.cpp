@@ -84,6 +84,16 @@ void writeList(std::ostream& out, const char* name, const std::vector<Entry>& en
   }
 }
 
+std::string sizeText(const SizeDefinition& size)
+{
+  std::ostringstream out;
+  FlowWriter flow(out);
+  writeValues(sizeKeys(), size, std::ref(flow));
+  const bool table = size.distribution == SizeDistribution::TABLE;
+  writeValues(table ? tableKeys() : spreadKeys(), size, std::ref(flow));
+  return '{' + out.str() + '}';
+}
+
 std::string motionYaml(const SceneDefinition& scene)
 {
   std::ostringstream out;
@@ -94,6 +104,8 @@ std::string motionYaml(const SceneDefinition& scene)
             {
               writeValues(speciesKeys(), species, std::ref(flow));
               writeValues(coefficientKeys(), species.contact, std::ref(flow));
+              if (species.size.vary())
+                flow("size", sizeText(species.size));
             });
   writeList(out, "pairs", scene.pairs,
             [&scene](const PairDefinition& pair, FlowWriter flow)

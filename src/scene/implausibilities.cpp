@@ -8,6 +8,7 @@
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
+#include "ratchet_sieve/core/sizes.h"
 
 namespace ratchet_sieve
 {
@@ -55,7 +56,7 @@ void doubtRadii(const SceneDefinition& scene, Doubts& doubts)
   const double room = valley(base);
   for (std::size_t i = 0; i < scene.species.size(); ++i)
   {
-    const double radius = scene.species[i].radius;
+    const double radius = Sizes(scene.species[i]).largest();
     if (2.0 * radius <= room)
       continue;
     const std::string figure =
@@ -63,9 +64,9 @@ void doubtRadii(const SceneDefinition& scene, Doubts& doubts)
         (2.0 * radius > base.width()
              ? ", is larger than the base's width, " + quantity(base.width(), "m")
              : ", is larger than a tooth, base.tooth_width = " + quantity(base.tooth_width, "m"));
-    doubts.add(
-        speciesKey(i, "radius"), radius, "m", figure,
-        meant(radius, 1e-3, [&](double r) { return 2.0 * r <= room && 200.0 * r >= base.tooth_width; }));
+    doubts.add(speciesKey(i, "radius"), scene.species[i].radius, "m", figure,
+               meant(scene.species[i].radius, 1e-3,
+                     [&](double r) { return 2.0 * r <= room && 200.0 * r >= base.tooth_width; }));
   }
 }
 

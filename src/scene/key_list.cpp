@@ -71,6 +71,10 @@ std::vector<KeyGroup> sceneKeyGroups()
       Group("base.harmonics.N", "a list of sines of multiples of the drive frequency, added to the drive")
           .add(harmonicKeys()),
       Group("species.N", "a list of one or more kinds of disks").add(speciesKeys()).add(coefficientKeys()),
+      Group("species.N.size", "the sizes of a species' disks, where they are not all equal")
+          .add(sizeKeys())
+          .add(spreadKeys())
+          .add(tableKeys()),
       Group("pairs.N", "a list of coefficients for contacts between two species")
           .addSpecies("list", "two names of species", "The two different species.")
           .add(coefficientKeys())

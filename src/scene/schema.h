@@ -16,8 +16,8 @@
 namespace ratchet_sieve
 {
 
-using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Boundary*, DriveFrame*,
-                          CollapseAction*, Method*>;
+using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, std::vector<double>*, Boundary*,
+                          DriveFrame*, CollapseAction*, Method*, SizeDistribution*, SizeShare*>;
 
 enum class Presence
 {
@@ -47,6 +47,9 @@ const Keys<double>& densityKeys();          ///< at the root; not stored, but sp
 const Keys<BaseDefinition>& baseKeys();
 const Keys<HarmonicDefinition>& harmonicKeys();  ///< of an entry of base.harmonics
 const Keys<SpeciesDefinition>& speciesKeys();
+const Keys<SizeDefinition>& sizeKeys();    ///< of a species' size
+const Keys<SizeDefinition>& spreadKeys();  ///< of one with a spread
+const Keys<SizeDefinition>& tableKeys();   ///< of one with a table
 const Keys<ContactCoefficients>& coefficientKeys();
 const Keys<ContactDefinition>& contactKeys();
 const Keys<PourDefinition>& pourKeys();
@@ -60,6 +63,9 @@ constexpr int MOST_DISKS = 10'000'000;
 
 /// Most harmonics of a drive: each evaluation of the base's motion sums all of them.
 constexpr std::size_t MOST_HARMONICS = 64;
+
+/// Most radii that a table of sizes may have.
+constexpr std::size_t MOST_SIZES = 1000;
 
 /// Most species that a scene may have: tables of pairs grow with its square.
 constexpr std::size_t MOST_SPECIES = 256;

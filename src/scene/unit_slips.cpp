@@ -30,7 +30,11 @@ void mendLengths(SceneDefinition& scene)
                          &scene.feed.stretch.from, &scene.feed.stretch.to})
     *length *= MILLI;
   for (SpeciesDefinition& species : scene.species)
+  {
     species.radius *= MILLI;
+    for (double& radius : species.size.radii)
+      radius *= MILLI;
+  }
   for (InitialDisk& disk : scene.initial)
   {
     disk.x *= MILLI;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "add_disk.h"
 #include "scenes.h"
 
 namespace ratchet_sieve
@@ -32,7 +33,7 @@ struct Bench
     disk.species = species;
     collapse_watch.added();
     times.added();
-    return machine.add(disk);
+    return test::addDisk(machine, disk);
   }
 
   const Eigen::Vector2d& velocity(std::uint32_t slot) const { return machine.disk(slot).velocity; }

@@ -1,3 +1,4 @@
+#include "add_disk.h"
 #include "lanes/lane_rows.h"
 #include "model/lane_limit.h"
 
@@ -39,7 +40,7 @@ private:
 /// Fig. 3, and variants of it in each property that the SIMD code distinguishes.
 std::vector<SceneDefinition> scenes()
 {
-  std::vector<SceneDefinition> scenes(7, test::singleParticles(150));
+  std::vector<SceneDefinition> scenes(8, test::singleParticles(150));
   scenes[1] = test::mixture(90);
   scenes[1].contact.pair_collisions = false;
   scenes[1].species[1].radius = 0.012;
@@ -64,6 +65,8 @@ std::vector<SceneDefinition> scenes()
   scenes[6].contact.min_rebound_speed = 0.0;
   scenes[6].contact.collapse_events = 1000;
   scenes[6].contact.on_collapse = CollapseAction::REBOUND;
+  scenes[7] = test::withSizes(test::mixture(90));
+  scenes[7].contact.pair_collisions = false;
   return scenes;
 }
 
@@ -267,7 +270,7 @@ SceneDefinition drawnSceneForLanes()
 /// A disk that starts anywhere free of the base, or touching it, in any direction.
 Disk drawnDisk(const SystemState& machine)
 {
-  const double radius = machine.scene().species[0].radius;
+  const double radius = machine.scene().species[0].radius * *rc::gen::element(1.0, 1.0, 0.7, 1.6);
   const FrameOfBase base = machine.motion().at(0.0);
   const double s = drawn(0.0, machine.sawtooth().width());
   double n = radius + drawn(0.0, 0.03);
@@ -279,6 +282,7 @@ Disk drawnDisk(const SystemState& machine)
       n -= machine.sawtooth().heightAbove(s, n) - radius;
   const double speed = *rc::gen::element(0.05, 0.5, 5.0);
   Disk disk;
+  disk.radius = radius;
   const Eigen::Vector2d place = base.positionOutOf({s, n});
   disk.position.x() = place.x();
   disk.position.y() = place.y();
@@ -349,7 +353,7 @@ TEST(Lanes, FindTheFirstContactOfRandomFlights)
       []
       {
         Machine machine(drawnSceneForLanes());
-        machine.add(drawnDisk(machine.state()));
+        test::addDisk(machine, drawnDisk(machine.state()));
         const Lanes lanes(*rc::gen::element(1, 2, 0));
         const BaseEvent found = searchInLanes(machine);
         checkAgainstScan(machine.state(), found);
@@ -393,7 +397,7 @@ TEST(Lanes, HandOverTheSameOutcomesAsTheMachine)
         Machine machine(scene);
         Disk disk = drawnDisk(machine.state());
         disk.spin = *rc::gen::element(0.0, -300.0, 40.0);
-        machine.add(disk);
+        test::addDisk(machine, disk);
         const Lanes lanes(*rc::gen::element(1, 2, 0));
         const BaseEvent event = searchInLanes(machine);
         const bool clear = isClear(machine.state(), event);

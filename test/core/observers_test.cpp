@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "add_disk.h"
 #include "scenes.h"
 
 namespace ratchet_sieve
@@ -115,7 +116,7 @@ TEST(Observers, TellsWhatClosedByIdsAndInTheRunsTime)
   Observers record(machine);
   for (int disk = 0; disk < 3; ++disk)
   {
-    machine.add(Disk());
+    test::addDisk(machine, Disk());
     record.added();
   }
   machine.remove(0, local);

@@ -1,4 +1,5 @@
 #include "model/orbit.h"
+#include "add_disk.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
 
 #include <algorithm>
@@ -278,7 +279,7 @@ TEST(Orbit, TheLoopsAgreeWithTheReference)
       Disk disk;
       disk.position = {initial.x, initial.y};
       disk.species = static_cast<std::uint32_t>(initial.species);
-      machine.add(disk);
+      test::addDisk(machine, disk);
     }
     test::ReferenceLoop(machine).advanceTo(end);
     EXPECT_GT(machine.record().counts().collisions.total(), 20u);

@@ -69,6 +69,36 @@ struct ContactCoefficients
   double tangential_restitution = 0.4;  ///< beta in [-1, 1]
 };
 
+/// How the radii of a species' disks are distributed about its radius r.
+enum class SizeDistribution
+{
+  UNIFORM,    ///< from r (1 - s) to r (1 + s)
+  NORMAL,     ///< mean r, standard deviation s r, cut at 3 of them
+  LOGNORMAL,  ///< median r, standard deviation s of the logarithm, cut at 3 of them
+  TABLE       ///< as a sieve analysis gives it
+};
+
+/// What the weights of a table of sizes are shares of.
+enum class SizeShare
+{
+  NUMBER,
+  MASS
+};
+
+/// The sizes of a species' disks. By default all are equal.
+struct SizeDefinition
+{
+  SizeDistribution distribution = SizeDistribution::UNIFORM;
+  double spread = 0.0;         ///< s; not of a table
+  double mass_exponent = 3.0;  ///< p of m (r'/r)^p: 3 for balls of one material, 2 for disks of one thickness
+  std::vector<double> radii;   ///< of a table, increasing [m]
+  std::vector<double> weights;  ///< of a table: between each radius and the one before; the first: at the
+                                ///< first radius
+  SizeShare by = SizeShare::NUMBER;
+
+  bool vary() const { return distribution == SizeDistribution::TABLE || spread > 0.0; }
+};
+
 /// One kind of disk.
 struct SpeciesDefinition
 {
@@ -79,8 +109,17 @@ struct SpeciesDefinition
   double mass = 0.001;          ///< [kg]
   ContactCoefficients contact;  ///< with the base, and with disks of the same species
   double inertia_factor = 0.5;  ///< alpha = I / (m r^2); 1/2 for a uniform disk
+  SizeDefinition size;
 
-  double inertia() const { return inertia_factor * mass * radius * radius; }  ///< I [kg m^2]
+  /// The mass of a disk of this radius [m]: m (r'/r)^p [kg].
+  double massOf(double disk_radius) const;
+
+  /// I of a disk of this mass [kg] and radius [m]: alpha m r^2 [kg m^2].
+  double inertiaOf(double disk_mass, double disk_radius) const
+  {
+    return inertia_factor * disk_mass * disk_radius * disk_radius;
+  }
+  double inertia() const { return inertiaOf(mass, radius); }  ///< [kg m^2]
 };
 
 /// Coefficients of a pair of different species, if they are not the mean of the two species' own.

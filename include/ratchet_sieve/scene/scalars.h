@@ -2,12 +2,13 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/scene/entry.h"
 #include "ratchet_sieve/scene/range.h"
 
-/// Reads single values strictly: text is not a number, a number is not a truth value, and an integer has no
+/// Reads values strictly: text is not a number, a number is not a truth value, and an integer has no
 /// fraction.
 namespace ratchet_sieve
 {
@@ -22,6 +23,9 @@ void readScalar(const Entry& entry, const Range& range, Boundary& value);
 void readScalar(const Entry& entry, const Range& range, DriveFrame& value);
 void readScalar(const Entry& entry, const Range& range, CollapseAction& value);
 void readScalar(const Entry& entry, const Range& range, Method& value);
+void readScalar(const Entry& entry, const Range& range, SizeDistribution& value);
+void readScalar(const Entry& entry, const Range& range, SizeShare& value);
+void readScalar(const Entry& entry, const Range& range, std::vector<double>& values);  ///< each in the range
 
 /// What a reader above accepts.
 struct LegalValues
@@ -40,6 +44,9 @@ LegalValues legalValues(const Range& range, Boundary);
 LegalValues legalValues(const Range& range, DriveFrame);
 LegalValues legalValues(const Range& range, CollapseAction);
 LegalValues legalValues(const Range& range, Method);
+LegalValues legalValues(const Range& range, SizeDistribution);
+LegalValues legalValues(const Range& range, SizeShare);
+LegalValues legalValues(const Range& range, const std::vector<double>&);
 
 /// The text that the readers above take back to the same value, bit for bit.
 std::string scalarText(double value);
@@ -51,5 +58,8 @@ std::string scalarText(Boundary value);
 std::string scalarText(DriveFrame value);
 std::string scalarText(CollapseAction value);
 std::string scalarText(Method value);
+std::string scalarText(SizeDistribution value);
+std::string scalarText(SizeShare value);
+std::string scalarText(const std::vector<double>& values);
 
 }  // namespace ratchet_sieve

@@ -111,21 +111,22 @@ void loadRow(const Machine& system, std::uint32_t slot, const BaseEvent& next, L
   batch.vx[row] = disk.velocity.x();
   batch.vy[row] = disk.velocity.y();
   batch.spin[row] = disk.spin;
-  batch.angle[row] = disk.angle;
   batch.time[row] = disk.time;
   const SpeciesDefinition& species = system.state().scene().species[disk.species];
-  const ContactMasses& masses = system.execution().baseMasses(disk.species);
-  batch.radius[row] = species.radius;
+  const double mass = system.state().grain(slot).mass;
+  const ContactMasses masses = contactMasses({mass, leverOf(species)});
+  batch.radius[row] = disk.radius;
   batch.restitution[row] = species.contact.restitution;
   batch.friction[row] = species.contact.friction;
   batch.normal_mass[row] = masses.normal;
   batch.sticking_mass[row] = (1.0 + species.contact.tangential_restitution) * masses.tangential;
-  batch.per_mass[row] = 1.0 / species.mass;
-  batch.radius_by_inertia[row] = species.radius / species.inertia();
+  batch.per_mass[row] = 1.0 / mass;
+  batch.radius_by_inertia[row] = disk.radius / species.inertiaOf(mass, disk.radius);
   const Trajectory& trajectory = system.state().trajectories()[slot];
   batch.offset[row] = trajectory.offset;
   batch.translation[row] = trajectory.translation;
   batch.rotation[row] = trajectory.rotation;
+  batch.angle[row] = trajectory.angle;
   const Eigen::Vector2d& impulse = system.record().impulses().of(slot);
   batch.impulse_x[row] = impulse.x();
   batch.impulse_y[row] = impulse.y();
@@ -143,10 +144,9 @@ void storeRow(const LaneBatch& batch, std::size_t row, Machine& system, std::uin
   disk.velocity.x() = batch.vx[row];
   disk.velocity.y() = batch.vy[row];
   disk.spin = batch.spin[row];
-  disk.angle = batch.angle[row];
   disk.time = batch.time[row];
-  system.state().trajectories().setFlown(slot,
-                                         {batch.offset[row], batch.translation[row], batch.rotation[row]});
+  system.state().trajectories().setFlown(
+      slot, {batch.offset[row], batch.translation[row], batch.rotation[row], batch.angle[row]});
   system.record().impulses().set(slot, {batch.impulse_x[row], batch.impulse_y[row]});
   next = rowEvent(batch, row);
 }

@@ -33,12 +33,13 @@ void forEachDiskState(const SystemState& system, double time,
     DiskState state;
     state.id = system.id(slot);
     state.species = disk.species;
+    state.radius = disk.radius;
     state.displacement = system.trajectories().displacement(slot, disk.position.x());
     state.x = disk.position.x() + image.shift.x();
     state.y = disk.position.y() + image.shift.y();
     state.vx = disk.velocity.x() + image.velocity.x();
     state.vy = disk.velocity.y() + image.velocity.y();
-    state.angle = wrappedAngle(disk.angle);
+    state.angle = wrappedAngle(system.trajectories().until(slot, system.disk(slot), time).angle);
     state.spin = disk.spin;
     visit(state);
   }

@@ -55,7 +55,7 @@ void EnergyWatch::check(const SystemState& system, double time)
       continue;
     const Disk& disk = system.disk(slot);
     const SpeciesDefinition& kind = species[disk.species];
-    const double rim = disk.spin * kind.radius;
+    const double rim = disk.spin * disk.radius;
     const double energy = 0.5 * (disk.velocity.squaredNorm() + kind.inertia_factor * rim * rim) +
                           gravity_ * std::max(0.0, disk.position.y());
     const double scales = energy / scale;
@@ -63,7 +63,7 @@ void EnergyWatch::check(const SystemState& system, double time)
       continue;
     largest_ = scales;
     if (scales > ALARM && !first_)
-      first_ = First{system.epoch().start + time, kind.mass * energy,
+      first_ = First{system.epoch().start + time, system.grain(slot).mass * energy,
                      flown(disk, time, gravity_).position.y(), scales, system.id(slot)};
   }
 }

@@ -33,11 +33,11 @@ void Machine::reserve(std::size_t count)
   record_.reserve(count);
 }
 
-std::uint32_t Machine::add(const Disk& disk)
+std::uint32_t Machine::add(const Disk& disk, const Grain& grain)
 {
   collapse_watch_.added();
   record_.added();
-  return state_.add(disk);
+  return state_.add(disk, grain);
 }
 
 bool Machine::compact()

@@ -34,7 +34,7 @@ public:
   void reserve(std::size_t count);
 
   /// Adds a disk. @return its slot
-  std::uint32_t add(const Disk& disk);
+  std::uint32_t add(const Disk& disk, const Grain& grain);
 
   /// Executes a disk's event with the base: a contact, or the trajectory of an end.
   void handleBaseEvent(std::uint32_t slot, const BaseFeature& feature, double time, BaseInstant& base)

@@ -49,7 +49,8 @@ void pourDisks(Machine& system, const std::vector<std::uint32_t>& species, const
   poured.reserve(species.size());
   for (const std::uint32_t kind : species)
   {
-    poured.push_back({pour.place(scene.species[kind].radius, random), kind});
+    const double radius = state.sizes(kind).draw([&random] { return random.uniform(); });
+    poured.push_back({pour.place(radius, random), kind});
     if (observer && poured.size() % DISKS_PER_LOOK == 0)
       observer(poured.size(), species.size());
   }
@@ -66,7 +67,8 @@ void pourDisks(Machine& system, const std::vector<std::uint32_t>& species, const
     disk.velocity.y() = -scene.pour.speed;
     disk.time = time;
     disk.species = kind;
-    system.add(disk);
+    disk.radius = room.radius;
+    system.add(disk, grainOf(scene.species[kind], room.radius));
   }
 }
 
@@ -80,7 +82,9 @@ void placeInitialDisks(Machine& system, double time)
     disk.spin = initial.spin;
     disk.time = time;
     disk.species = static_cast<std::uint32_t>(initial.species);
-    system.add(disk);
+    const SpeciesDefinition& species = system.state().scene().species[initial.species];
+    disk.radius = species.radius;
+    system.add(disk, grainOf(species, disk.radius));
   }
   refuseBadStart(system.state(), time);
 }

@@ -21,7 +21,7 @@ void SpeciesAverages::restart()
   std::fill(contacts_.begin(), contacts_.end(), 0);
 }
 
-void SpeciesAverages::Sums::add(const Trajectory& trajectory, double x, double until)
+void SpeciesAverages::Sums::add(const Trajectory& trajectory, const Weights& weights, double x, double until)
 {
   const double dx = x + trajectory.offset - trajectory.counted_x;
   const double dt = until - trajectory.counted_from;
@@ -31,8 +31,8 @@ void SpeciesAverages::Sums::add(const Trajectory& trajectory, double x, double u
   displacement_squared += dx * dx;
   displacement_time += dx * dt;
   time_squared += dt * dt;
-  translation += trajectory.translation;
-  rotation += trajectory.rotation;
+  translation += weights.mass * trajectory.translation;
+  rotation += weights.inertia * trajectory.rotation;
 }
 
 SpeciesMeans SpeciesAverages::Sums::means(const SpeciesDefinition& species) const
@@ -53,6 +53,14 @@ SpeciesMeans SpeciesAverages::Sums::means(const SpeciesDefinition& species) cons
   return means;
 }
 
+SpeciesAverages::Weights SpeciesAverages::weights(const SystemState& system, std::uint32_t slot)
+{
+  const Disk& disk = system.disk(slot);
+  const SpeciesDefinition& species = system.scene().species[disk.species];
+  const double mass = system.grain(slot).mass;
+  return {mass / species.mass, species.inertiaOf(mass, disk.radius) / species.inertia()};
+}
+
 std::vector<SpeciesAverages::Sums> SpeciesAverages::sums(const SystemState& system, double time) const
 {
   std::vector<Sums> sums = gone_;
@@ -63,7 +71,7 @@ std::vector<SpeciesAverages::Sums> SpeciesAverages::sums(const SystemState& syst
     if (!system.active(slot))
       addLeft(system, slot, sums);
     else
-      sums[disk.species].add(system.trajectories().until(slot, disk, time),
+      sums[disk.species].add(system.trajectories().until(slot, disk, time), weights(system, slot),
                              flown(disk, time, gravity).position.x(), system.epoch().start + time);
   }
   return sums;
@@ -74,7 +82,7 @@ void SpeciesAverages::addLeft(const SystemState& system, std::uint32_t slot, std
   const Trajectory& trajectory = system.trajectories()[slot];
   const Disk& disk = system.disk(slot);
   if (trajectory.counts())
-    sums[disk.species].add(trajectory, disk.position.x(), trajectory.left_when);
+    sums[disk.species].add(trajectory, weights(system, slot), disk.position.x(), trajectory.left_when);
 }
 
 void SpeciesAverages::endBlock(const SystemState& system, double time)

@@ -56,6 +56,7 @@ const Plan& covering(const Plan& plan, const SceneDefinition& scene)
 
 SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
     : scene_(scene),
+      sizes_(scene.species.begin(), scene.species.end()),
       plan_(covering(plan, scene)),
       sawtooth_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
@@ -66,10 +67,8 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
       search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
       trajectories_(scene.gravity, plan.spin),
       bins_(scene.species.size()),
-      pair_scene_{disks_, radii_, motion_, sawtooth_.width(), scene.gravity, timeResolution(epoch_.length)}
+      pair_scene_{disks_, motion_, sawtooth_.width(), scene.gravity, timeResolution(epoch_.length)}
 {
-  for (const SpeciesDefinition& species : scene_.species)
-    radii_.push_back(species.radius);
 }
 
 /// From the length of the epoch.
@@ -95,14 +94,16 @@ BaseEvent SystemState::nextBaseEvent(std::uint32_t slot, double from, double unt
 void SystemState::reserve(std::size_t count)
 {
   disks_.reserve(count);
+  grains_.reserve(count);
   active_.reserve(count);
   trajectories_.reserve(count);
 }
 
-std::uint32_t SystemState::add(const Disk& disk)
+std::uint32_t SystemState::add(const Disk& disk, const Grain& grain)
 {
   const auto slot = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back(disk);
+  grains_.push_back(grain);
   active_.push_back(1);
   ++active_count_;
   ++bins_[disk.species].on_base;
@@ -134,6 +135,7 @@ void SystemState::compact(const std::vector<std::uint32_t>& kept)
   trajectories_.keep(kept);
   ids_.keep(kept);
   keepSlots(disks_, kept);
+  keepSlots(grains_, kept);
   keepSlots(active_, kept);
 }
 
@@ -218,11 +220,11 @@ void SystemState::wrapAll(double time)
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, active_, active_count_, ids_, trajectories_, bins_);
+  state(epoch_, motion_, disks_, grains_, active_, active_count_, ids_, trajectories_, bins_);
   setTimeResolution();
   const std::size_t count = disks_.size();
   const bool of_this_scene = bins_.size() == scene_.species.size() && active_.size() == count &&
-                             trajectories_.size() == count && ids_.fits(count) &&
+                             grains_.size() == count && trajectories_.size() == count && ids_.fits(count) &&
                              std::all_of(disks_.begin(), disks_.end(),
                                          [this](const Disk& disk) { return disk.species < bins_.size(); });
   if (!of_this_scene)
@@ -243,9 +245,17 @@ bool SystemState::isLegal() const
       !canBeTime(motion_.segmentStart()))
     return false;
   for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
-    if (active_[slot] > 1 || (active(slot) && !isLegal(slot)))
+    if (active_[slot] > 1 || !hasLegalGrain(slot) || (active(slot) && !isLegal(slot)))
       return false;
   return static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1)) == active_count_;
+}
+
+bool SystemState::hasLegalGrain(std::uint32_t slot) const
+{
+  const Disk& disk = disks_[slot];
+  const Sizes& sizes = sizes_[disk.species];
+  return disk.radius >= sizes.smallest() && disk.radius <= sizes.largest() &&
+         grains_[slot].mass == scene_.species[disk.species].massOf(disk.radius);
 }
 
 bool SystemState::isLegal(std::uint32_t slot) const
@@ -256,12 +266,12 @@ bool SystemState::isLegal(std::uint32_t slot) const
          (scene_.boundary != Boundary::PERIODIC ||
           std::abs(motion_.at(disk.time).into(disk.position).x()) <= FARTHEST_TOOTH * tooth) &&
          disk.velocity.lpNorm<Eigen::Infinity>() <= FASTEST_TOOTH * tooth / time_scale_ &&
-         std::isfinite(disk.angle) && std::isfinite(disk.spin);
+         std::isfinite(trajectories_[slot].angle) && std::isfinite(disk.spin);
 }
 
 double SystemState::smallestRadius() const
 {
-  return *std::min_element(radii_.begin(), radii_.end());
+  return ratchet_sieve::smallestRadius(scene_);
 }
 
 double SystemState::shortenEpoch(double now)

@@ -6,9 +6,11 @@
 
 #include "model/base_motion.h"
 #include "model/disk.h"
+#include "model/grain.h"
 #include "model/sawtooth.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
+#include "ratchet_sieve/core/sizes.h"
 #include "search/contact_search.h"
 #include "search/pair_search.h"
 #include "state/disk_ids.h"
@@ -60,10 +62,12 @@ public:
   /// The largest diameter, or the root mean square of the scene's if sizes are wide: cells suit these.
   double latticeDiameter() const { return lattice_diameter_; }
   double smallestRadius() const;
+  const Sizes& sizes(std::size_t species) const { return sizes_[species]; }
 
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
-  double radius(std::uint32_t slot) const { return pair_scene_.radius(slot); }
+  double radius(std::uint32_t slot) const { return disks_[slot].radius; }
+  const Grain& grain(std::uint32_t slot) const { return grains_[slot]; }
   bool active(std::uint32_t slot) const { return active_[slot] != 0; }
   std::size_t activeCount() const { return active_count_; }
   const DiskIds& ids() const { return ids_; }
@@ -74,6 +78,7 @@ public:
   void prefetchFlight(std::uint32_t slot) const
   {
     prefetch(disks_[slot]);
+    prefetch(grains_[slot]);
     trajectories_.prefetchTrajectory(slot);
   }
 
@@ -89,7 +94,7 @@ public:
   void reserve(std::size_t count);
 
   /// Adds a disk. @return its slot, after all others
-  std::uint32_t add(const Disk& disk);
+  std::uint32_t add(const Disk& disk, const Grain& grain);
 
   /// Stores the disk's state at the end of its flight so far.
   void moveTo(std::uint32_t slot, const Disk& now)
@@ -114,7 +119,7 @@ public:
   /// The disk passes an end of the base: into the bin, or on a periodic base to its image at the other end.
   void passEnd(std::uint32_t slot, bool to_the_right, double time);
 
-  /// Removes a disk from the simulation at its position, into no bin. It stays counted in the machine.
+  /// Removes a disk from the simulation at its position, into no bin. It stays counted in the system.
   void remove(std::uint32_t slot, double time);
 
   /// The slots of the active disks, or of the others, in increasing order.
@@ -148,6 +153,7 @@ public:
 
 private:
   bool isLegal(std::uint32_t slot) const;
+  bool hasLegalGrain(std::uint32_t slot) const;
   bool isLegal() const;
   void setTimeResolution();
   void wrapAll(double time);
@@ -157,6 +163,7 @@ private:
   void endTrajectory(std::uint32_t slot, double time);
 
   SceneDefinition scene_;
+  std::vector<Sizes> sizes_;  ///< per species
   Plan plan_;
   Sawtooth sawtooth_;
   double largest_diameter_;
@@ -165,9 +172,9 @@ private:
   Epoch epoch_;
   BaseMotion motion_;
   ContactSearch search_;
-  std::vector<double> radii_;  ///< per species
 
   std::vector<Disk> disks_;
+  std::vector<Grain> grains_;
   std::vector<std::uint8_t> active_;
   std::size_t active_count_ = 0;
   DiskIds ids_;

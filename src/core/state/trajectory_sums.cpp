@@ -17,8 +17,10 @@ void TrajectorySums::integrate(Trajectory& trajectory, const Disk& disk, double 
   const double span = local_time - disk.time;
   const double fall = gravity_ * span;
   trajectory.translation += translationOver(disk.velocity.x(), disk.velocity.y(), fall, span);
-  if (spin_)
-    trajectory.rotation += rotationOver(disk.spin, span);
+  if (!spin_)
+    return;
+  trajectory.rotation += rotationOver(disk.spin, span);
+  trajectory.angle = positionAfter(trajectory.angle, disk.spin, span);
 }
 
 void TrajectorySums::restart(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active,

@@ -12,8 +12,8 @@
 namespace ratchet_sieve
 {
 
-/// One disk's stay in the machine: the sums over its flights. Kept after the disk has left.
-struct Trajectory
+/// One disk's stay in the machine: the sums over its flights. Kept after the disk has left. One cache line.
+struct alignas(64) Trajectory
 {
   /// Value of counted_from for disks that had left before the counting began.
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
@@ -25,13 +25,14 @@ struct Trajectory
   double translation = 0.0;   ///< integral of v^2 / 2 [m^2/s]
   double rotation = 0.0;      ///< integral of spin^2 / 2 [1/s]
   double left_when = 0.0;     ///< [s]
+  double angle = 0.0;         ///< at the disk's own time [rad]
 
   /// Whether any part of it counts.
   bool counts() const { return counted_from < NEVER; }
 
   void archive(StateArchive& state)
   {
-    state(entered_x, offset, counted_x, counted_from, translation, rotation, left_when);
+    state(entered_x, offset, counted_x, counted_from, translation, rotation, left_when, angle);
   }
 };
 
@@ -73,6 +74,7 @@ public:
     double offset;
     double translation;
     double rotation;
+    double angle;
   };
 
   void setFlown(std::uint32_t slot, const Flown& flown)
@@ -81,6 +83,7 @@ public:
     trajectory.offset = flown.offset;
     trajectory.translation = flown.translation;
     trajectory.rotation = flown.rotation;
+    trajectory.angle = flown.angle;
   }
 
   /// Forgets all counts: the end of `settle`.
