@@ -18,7 +18,8 @@ namespace ratchet_sieve
 namespace
 {
 
-/// With so few disks that the slow reference keeps up: `small` of Fig. 3's, and others so many times as large.
+/// With so few disks that the slow reference keeps up: `small` of Fig. 3's, and others so many times as
+/// large.
 SceneDefinition scarce(int small, const std::vector<double>& ratios, Boundary boundary)
 {
   SceneDefinition scene;
@@ -116,7 +117,8 @@ TEST(WideSizes, MeetTheSameContactsBySteps)
   }
 }
 
-/// In all boundaries, with setpoints and pours of large disks: no overlap, and a saved run goes on as it would.
+/// In all boundaries, with setpoints and pours of large disks: no overlap, and a saved run goes on as it
+/// would.
 TEST(WideSizes, OverlapNeverAndGoOnBitForBit)
 {
   for (const Boundary boundary : {Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED})

@@ -164,7 +164,8 @@ DiskCells::Sizes DiskCells::sizes() const
   if (sizes.levels.count() == 1)
     sizes.squares = std::max<double>(1.0, static_cast<double>(radii.size())) * diameter * diameter;
   // Otherwise the grid would be rebuilt at every other collision while the lattice turns.
-  const double turning = lattice_turns_ ? SystemState::LATTICE_MARGIN * (state_.latticeDiameter() / diameter) : 0.0;
+  const double turning =
+      lattice_turns_ ? SystemState::LATTICE_MARGIN * (state_.latticeDiameter() / diameter) : 0.0;
   sizes.least_side = diameter * (1.0 + (turning + CELL_MARGIN));
   return sizes;
 }

@@ -23,8 +23,8 @@ struct HeightRange
 };
 
 /// The placed disks above a base and the heights that they exclude for another disk. In classes of sizes, so
-/// that a search for room among small disks does not read as far as a large one reaches; each class in columns
-/// along s, ordered by height.
+/// that a search for room among small disks does not read as far as a large one reaches; each class in
+/// columns along s, ordered by height.
 class StandingDisks
 {
 public:

@@ -37,7 +37,7 @@ double latticeDiameter(const SceneDefinition& scene, double largest_diameter)
   const auto add = [&](const SpeciesDefinition& species, double count)
   {
     disks += count;
-    squares += count * 4.0 * species.radius * species.radius;
+    squares += count * 4.0 * Sizes(species).meanSquare();
   };
   for (const SpeciesDefinition& species : scene.species)
     add(species, species.count);
