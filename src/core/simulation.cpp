@@ -2,15 +2,15 @@
 
 #include <utility>
 
-#include "events/run.h"
+#include "events/engine.h"
 #include "state/disk_states.h"
 
 namespace ratchet_sieve
 {
 
-class Simulation::Implementation : public Run
+class Simulation::Implementation : public Engine
 {
-  using Run::Run;
+  using Engine::Engine;
 };
 
 Simulation::Simulation(const SceneDefinition& scene, double start_time, const PourObserver& pour_observer)
@@ -124,6 +124,23 @@ std::vector<SpeciesMeans> Simulation::means() const
   if (!implementation_->settled())
     return std::vector<SpeciesMeans>(scene().species.size());
   return implementation_->record().means(implementation_->now());
+}
+
+const std::vector<SizeClass>& Simulation::sizeClasses() const
+{
+  return implementation_->machine().sizeClasses();
+}
+
+const std::vector<SpeciesBins>& Simulation::sizeClassBins() const
+{
+  return implementation_->machine().sizeClassBins();
+}
+
+std::vector<SpeciesMeans> Simulation::sizeClassMeans() const
+{
+  if (!implementation_->settled())
+    return std::vector<SpeciesMeans>(sizeClasses().size());
+  return implementation_->record().sizeClassMeans(implementation_->now());
 }
 
 double Simulation::blockEnd(std::uint64_t blocks) const

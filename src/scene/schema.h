@@ -17,7 +17,7 @@ namespace ratchet_sieve
 {
 
 using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, std::vector<double>*, Boundary*,
-                          CollapseAction*, Method*, SizeDistribution*, SizeShare*>;
+                          DriveFrame*, CollapseAction*, Method*, SizeDistribution*, SizeShare*>;
 
 enum class Presence
 {

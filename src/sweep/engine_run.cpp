@@ -30,7 +30,7 @@ constexpr std::size_t MOST_FILES = 1000;
 class EngineRun
 {
 public:
-  EngineRun(Engine& engine, const Sweep& sweep, ResultStore& store, const SweepPlan& plan,
+  EngineRun(SweepEngine& engine, const Sweep& sweep, ResultStore& store, const SweepPlan& plan,
             const std::string& directory, const SweepRunOptions& options)
       : engine_(engine),
         options_(options),
@@ -135,7 +135,7 @@ private:
       options_.progress(ledger_.progress(running_, options_.best));
   }
 
-  Engine& engine_;
+  SweepEngine& engine_;
   const SweepRunOptions& options_;
   CaseBuilder builder_;
   SweepLedger ledger_;
@@ -146,7 +146,7 @@ private:
 
 }  // namespace
 
-SweepOutcome runSweepOn(Engine& engine, const Sweep& sweep, const std::string& results,
+SweepOutcome runSweepOn(SweepEngine& engine, const Sweep& sweep, const std::string& results,
                         const SweepRunOptions& options)
 {
   std::optional<ResultStore> store;

@@ -18,7 +18,7 @@ std::uint32_t addDisk(AnyMachine& machine, const SceneDefinition& scene, Disk di
   return machine.add(disk, grainOf(species, disk.radius));
 }
 
-inline std::uint32_t addDisk(MachineState& machine, const Disk& disk)
+inline std::uint32_t addDisk(SystemState& machine, const Disk& disk)
 {
   return addDisk(machine, machine.scene(), disk);
 }

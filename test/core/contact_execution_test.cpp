@@ -38,7 +38,7 @@ struct Bench
 
   const Eigen::Vector2d& velocity(std::uint32_t slot) const { return machine.disk(slot).velocity; }
 
-  MachineState machine;
+  SystemState machine;
   CollapseWatch collapse_watch;
   ContactTimes times;
   ContactExecution execution;

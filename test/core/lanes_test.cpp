@@ -187,8 +187,8 @@ Plan withoutLanes(const SceneDefinition& scene)
 TEST(Lanes, OnlyWhereThePlanHasThemAndTheBaseStandsAtItsSetpoints)
 {
   const SceneDefinition scene = test::singleParticles(1);
-  EXPECT_FALSE(laneScene(MachineState(scene, withoutLanes(scene))));
-  MachineState machine(scene);
+  EXPECT_FALSE(laneScene(SystemState(scene, withoutLanes(scene))));
+  SystemState machine(scene);
   EXPECT_TRUE(laneScene(machine));
   machine.changeMotion([](BaseMotion& motion, double now) { motion.command(Quantity::FREQUENCY, 30.0, now); },
                        0.1);
@@ -268,7 +268,7 @@ SceneDefinition drawnSceneForLanes()
 }
 
 /// A disk that starts anywhere free of the base, or touching it, in any direction.
-Disk drawnDisk(const MachineState& machine)
+Disk drawnDisk(const SystemState& machine)
 {
   const double radius = machine.scene().species[0].radius * *rc::gen::element(1.0, 1.0, 0.7, 1.6);
   const FrameOfBase base = machine.motion().at(0.0);
@@ -308,7 +308,7 @@ BaseEvent searchInLanes(const Machine& machine)
   return event;
 }
 
-bool isClear(const MachineState& machine, const BaseEvent& event)
+bool isClear(const SystemState& machine, const BaseEvent& event)
 {
   if (!event.feature || event.time >= SEARCH_HORIZON)
     return false;
@@ -316,7 +316,7 @@ bool isClear(const MachineState& machine, const BaseEvent& event)
   return machine.sawtooth().approach(event.feature, point, machine.radius(0)).rate < -1e-2;
 }
 
-BaseEvent searchInMachine(const MachineState& machine)
+BaseEvent searchInMachine(const SystemState& machine)
 {
   BaseEvent event{0.0, {}};
   for (int i = 0; i < 2000 && !event.feature && event.time < SEARCH_HORIZON; ++i)
@@ -325,7 +325,7 @@ BaseEvent searchInMachine(const MachineState& machine)
 }
 
 /// At many times before the contact, nothing touches; at the contact the rim touches and approaches.
-void checkAgainstScan(const MachineState& machine, const BaseEvent& event)
+void checkAgainstScan(const SystemState& machine, const BaseEvent& event)
 {
   const double radius = machine.radius(0);
   const auto gapAt = [&](double time)

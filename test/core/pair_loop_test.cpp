@@ -17,7 +17,7 @@ namespace
 void fill(Machine& machine)
 {
   Random random(machine.state().scene().seed);
-  pourDisks(machine, pourOrder(machine.state().scene().species, random), 0.0, random);
+  pourDisks(machine, pourOrder(machine.state().scene().species, random), Stretch(), 0.0, random);
 }
 
 std::vector<CollisionRecord> collisionsOf(const SceneDefinition& scene, double end, bool reference)

@@ -1,6 +1,6 @@
 #include "search/pair_search.h"
 #include "add_disk.h"
-#include "state/machine_state.h"
+#include "state/system_state.h"
 
 #include <cmath>
 #include <numeric>
@@ -27,7 +27,7 @@ TEST(TimeToTouch, KnownAnswers)
   EXPECT_FALSE(timeToContact({0.9, 0.0}, {1.0, 0.0}, 1.0));      // overlapping and separating: ignored
 }
 
-double gapAt(const MachineState& machine, int shift, double time)
+double gapAt(const SystemState& machine, int shift, double time)
 {
   const double gravity = machine.scene().gravity;
   const Disk a = flown(machine.disk(0), time, gravity);
@@ -46,7 +46,7 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
       {
         SceneDefinition scene = test::mixture(0);
         scene.base.teeth = 4;
-        MachineState machine(scene);
+        SystemState machine(scene);
         test::turn(machine, *rc::gen::element(0.1, 1.0, 5.0), *rc::gen::element(-1.0, 1.0), 0.0);
         const double until = *machine.motion().nextChange();
         Disk left, right;
@@ -81,7 +81,7 @@ TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
       {
         SceneDefinition scene = test::mixture(0);
         scene.base.inclination = *rc::gen::element(0.0, 0.1);
-        MachineState machine(scene);
+        SystemState machine(scene);
         const auto count = *rc::gen::inRange<std::uint32_t>(1, 40);
         for (std::uint32_t id = 0; id < count; ++id)
         {
@@ -116,7 +116,7 @@ TEST(PairSearch, TiesGoToTheSmallestId)
   constexpr std::uint32_t COUNT = 40;
   constexpr double NOW = 8.0;
   const SceneDefinition scene = test::mixture(0);
-  MachineState machine(scene);
+  SystemState machine(scene);
   Disk middle;
   middle.time = NOW;
   middle.position.y() = 0.05;

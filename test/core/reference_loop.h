@@ -11,7 +11,7 @@ namespace ratchet_sieve::test
 {
 
 /// Turns the base to an inclination [rad], at `rate` [rad/s], from `time` [s] on.
-inline void turn(MachineState& machine, double rate, double inclination, double time)
+inline void turn(SystemState& machine, double rate, double inclination, double time)
 {
   machine.changeMotion(
       [=](BaseMotion& motion, double now)
@@ -97,7 +97,7 @@ private:
   }
 
   Machine& machine_;
-  MachineState& state_;
+  SystemState& state_;
   int images_;
   double now_ = 0.0;
 };

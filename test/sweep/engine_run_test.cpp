@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 /// Runs the cases at once, in this process.
-class EngineHere : public Engine
+class EngineHere : public SweepEngine
 {
 public:
   std::function<void(const std::string& directory)> afterwards;  ///< called once, may be empty

@@ -17,10 +17,10 @@ struct EngineError : std::runtime_error
 };
 
 /// Runs `sieve_sweep case FILE` on other machines, through an external job launcher.
-class Engine
+class SweepEngine
 {
 public:
-  virtual ~Engine() = default;
+  virtual ~SweepEngine() = default;
 
   /// @param directory of the case files; the results are returned to it
   /// @throws EngineError
@@ -49,7 +49,7 @@ private:
 
 /// GNU parallel over ssh: files are copied to the hosts and back by rsync. A failed job is retried on another
 /// host.
-class ParallelEngine : public Engine
+class ParallelEngine : public SweepEngine
 {
 public:
   /// @param hosts file of parallel's --sshloginfile @param program on the hosts
@@ -65,7 +65,7 @@ private:
 };
 
 /// A Slurm job array: nodes and coordinator share the directory and the program.
-class SlurmEngine : public Engine
+class SlurmEngine : public SweepEngine
 {
 public:
   /// @param program on the nodes @param options of sbatch, such as --partition=short

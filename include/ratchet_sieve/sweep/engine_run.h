@@ -10,7 +10,7 @@ namespace ratchet_sieve
 /// stores the results as they arrive, and resubmits missing cases when the engine has ended. A case that ran
 /// twice counts once.
 /// @throws SceneError, DatabaseError, EngineError; results received before are stored
-SweepOutcome runSweepOn(Engine& engine, const Sweep& sweep, const std::string& results,
+SweepOutcome runSweepOn(SweepEngine& engine, const Sweep& sweep, const std::string& results,
                         const SweepRunOptions& options);
 
 }  // namespace ratchet_sieve

@@ -15,7 +15,7 @@ constexpr double CELL_MARGIN = 0.005;
 
 /// While a periodic base turns, its lattice turns relative to the cells. Cells are then wider by more than
 /// that rotation requires. Otherwise the grid would be rebuilt at every other collision.
-constexpr double TURNING_CELL_MARGIN = MachineState::LATTICE_MARGIN + CELL_MARGIN;
+constexpr double TURNING_CELL_MARGIN = SystemState::LATTICE_MARGIN + CELL_MARGIN;
 
 /// Beyond this number of widths a disk is always wrapped: its images within reach are tested one by one.
 constexpr double MOST_LAPS = 64.0;
@@ -25,7 +25,7 @@ constexpr std::int32_t FARTHEST_IMAGE = 1 << 28;
 
 }  // namespace
 
-DiskCells::DiskCells(MachineState& state)
+DiskCells::DiskCells(SystemState& state)
     : state_(state), capacity_(state.disks().size()), built_for_(capacity_), grid_(makeGrid())
 {
 }

@@ -8,7 +8,7 @@
 #include "search/cell_grid.h"
 #include "search/cell_layout.h"
 #include "search/quadratic.h"
-#include "state/machine_state.h"
+#include "state/system_state.h"
 
 namespace ratchet_sieve
 {
@@ -42,7 +42,7 @@ public:
   };
 
   /// @param state outlives this; its disks are in no cell before rebuild() or add()
-  explicit DiskCells(MachineState& state);
+  explicit DiskCells(SystemState& state);
 
   /// Builds a grid on the base at `time`, with all disks at slots below `count`.
   void rebuild(std::size_t count, double time);
@@ -147,7 +147,7 @@ private:
     return point;
   }
 
-  MachineState& state_;
+  SystemState& state_;
   FrameOfBase frame_;  ///< of the cells: the frame of the base when the grid was built
   CellFit fit_;
   std::size_t capacity_;

@@ -186,7 +186,7 @@ private:
   }
 
   Machine& machine_;
-  MachineState& state_;
+  SystemState& state_;
   BaseInstant base_;
   std::vector<BaseEvent> next_;                 ///< per disk
   std::vector<std::uint32_t> behind_;           ///< disks that have not reached the requested time

@@ -1,11 +1,11 @@
 #include "events/event_loop.h"
 
-#include "state/machine_state.h"
+#include "state/system_state.h"
 
 namespace ratchet_sieve
 {
 
-void EventLoop::requireDisks(std::size_t count, const MachineState& machine)
+void EventLoop::requireDisks(std::size_t count, const SystemState& machine)
 {
   if (count != machine.disks().size())
     throw StateError("it has another number of disks");

@@ -10,7 +10,7 @@ namespace ratchet_sieve
 {
 
 class Machine;
-class MachineState;
+class SystemState;
 
 /// Advances a machine's disks from event to event. Times are local to the epoch.
 ///
@@ -63,7 +63,7 @@ public:
 
 protected:
   /// @throws StateError if the restored number of disks is not the machine's
-  static void requireDisks(std::size_t count, const MachineState& machine);
+  static void requireDisks(std::size_t count, const SystemState& machine);
 
   std::uint64_t events_ = 0;
 };

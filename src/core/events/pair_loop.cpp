@@ -287,7 +287,7 @@ private:
   }
 
   Machine& machine_;
-  MachineState& state_;
+  SystemState& state_;
   BaseInstant base_;
   DiskCells cells_;
   EventQueue queue_;

@@ -283,7 +283,7 @@ private:
   }
 
   Machine& machine_;
-  MachineState& state_;
+  SystemState& state_;
   BaseInstant base_;
   double step_;         ///< [s]
   double gravity_;      ///< [m/s^2]

@@ -64,11 +64,11 @@ void setTeeth(const Sawtooth& sawtooth, LaneScene& scene)
 }
 }  // namespace
 
-std::optional<LaneScene> laneScene(const MachineState& machine)
+std::optional<LaneScene> laneScene(const SystemState& system)
 {
-  const SceneDefinition& definition = machine.scene();
-  const BaseMotion& motion = machine.motion();
-  if (!machine.plan().lanes || motion.nextChange())
+  const SceneDefinition& definition = system.scene();
+  const BaseMotion& motion = system.motion();
+  if (!system.plan().lanes || motion.nextChange())
     return std::nullopt;
   LaneScene scene{};
   scene.gravity = definition.gravity;
@@ -77,10 +77,10 @@ std::optional<LaneScene> laneScene(const MachineState& machine)
   scene.gravity_s = gravity.first;
   scene.gravity_n = gravity.second;
   scene.drive = motion.drive();
-  scene.longest_search = machine.epoch().length;
-  scene.resolution = timeResolution(machine.epoch().length);
+  scene.longest_search = system.epoch().length;
+  scene.resolution = timeResolution(system.epoch().length);
   scene.law = definition.contact;
-  setTeeth(machine.sawtooth(), scene);
+  setTeeth(system.sawtooth(), scene);
   const double w = angularFrequency(scene.drive.frequency);
   LaneBounds& bounds = scene.bounds;
   bounds.gravity = static_cast<float>(scene.gravity);
@@ -102,18 +102,18 @@ BaseEvent rowEvent(const LaneBatch& batch, std::size_t row)
                       static_cast<std::int32_t>(batch.valley[row]))};
 }
 
-void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
+void loadRow(const Machine& system, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
              std::size_t row)
 {
-  const Disk& disk = machine.state().disk(slot);
+  const Disk& disk = system.state().disk(slot);
   batch.x[row] = disk.position.x();
   batch.y[row] = disk.position.y();
   batch.vx[row] = disk.velocity.x();
   batch.vy[row] = disk.velocity.y();
   batch.spin[row] = disk.spin;
   batch.time[row] = disk.time;
-  const SpeciesDefinition& species = machine.state().scene().species[disk.species];
-  const double mass = machine.state().grain(slot).mass;
+  const SpeciesDefinition& species = system.state().scene().species[disk.species];
+  const double mass = system.state().grain(slot).mass;
   const ContactMasses masses = contactMasses({mass, leverOf(species)});
   batch.radius[row] = disk.radius;
   batch.restitution[row] = species.contact.restitution;
@@ -122,12 +122,12 @@ void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, 
   batch.sticking_mass[row] = (1.0 + species.contact.tangential_restitution) * masses.tangential;
   batch.per_mass[row] = 1.0 / mass;
   batch.radius_by_inertia[row] = disk.radius / species.inertiaOf(mass, disk.radius);
-  const Passage& passage = machine.state().passages()[slot];
-  batch.offset[row] = passage.offset;
-  batch.translation[row] = passage.translation;
-  batch.rotation[row] = passage.rotation;
-  batch.angle[row] = passage.angle;
-  const Eigen::Vector2d& impulse = machine.record().impulses().of(slot);
+  const Trajectory& trajectory = system.state().trajectories()[slot];
+  batch.offset[row] = trajectory.offset;
+  batch.translation[row] = trajectory.translation;
+  batch.rotation[row] = trajectory.rotation;
+  batch.angle[row] = trajectory.angle;
+  const Eigen::Vector2d& impulse = system.record().impulses().of(slot);
   batch.impulse_x[row] = impulse.x();
   batch.impulse_y[row] = impulse.y();
   const LaneContact contact = laneContact(next.feature);
@@ -136,18 +136,18 @@ void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, 
   batch.valley[row] = contact.valley;
 }
 
-void storeRow(const LaneBatch& batch, std::size_t row, Machine& machine, std::uint32_t slot, BaseEvent& next)
+void storeRow(const LaneBatch& batch, std::size_t row, Machine& system, std::uint32_t slot, BaseEvent& next)
 {
-  Disk& disk = machine.state().changeable(slot);
+  Disk& disk = system.state().changeable(slot);
   disk.position.x() = batch.x[row];
   disk.position.y() = batch.y[row];
   disk.velocity.x() = batch.vx[row];
   disk.velocity.y() = batch.vy[row];
   disk.spin = batch.spin[row];
   disk.time = batch.time[row];
-  machine.state().passages().setFlown(
+  system.state().trajectories().setFlown(
       slot, {batch.offset[row], batch.translation[row], batch.rotation[row], batch.angle[row]});
-  machine.record().impulses().set(slot, {batch.impulse_x[row], batch.impulse_y[row]});
+  system.record().impulses().set(slot, {batch.impulse_x[row], batch.impulse_y[row]});
   next = rowEvent(batch, row);
 }
 

@@ -11,14 +11,14 @@ namespace ratchet_sieve
 
 /// The constants for the SIMD kernels; nothing if the plan has no lanes, or while the base moves to a
 /// setpoint.
-std::optional<LaneScene> laneScene(const MachineState& machine);
+std::optional<LaneScene> laneScene(const SystemState& system);
 
 /// Copies a disk and its next event into a row.
-void loadRow(const Machine& machine, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
+void loadRow(const Machine& system, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
              std::size_t row);
 
 /// Copies a row's disk and its next event back.
-void storeRow(const LaneBatch& batch, std::size_t row, Machine& machine, std::uint32_t slot, BaseEvent& next);
+void storeRow(const LaneBatch& batch, std::size_t row, Machine& system, std::uint32_t slot, BaseEvent& next);
 
 void copyRow(LaneBatch& batch, std::size_t from, std::size_t to);
 

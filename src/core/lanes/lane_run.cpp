@@ -3,7 +3,7 @@
 namespace ratchet_sieve
 {
 
-void LaneRun::takeOutcomes(const Machine& machine, std::size_t rows)
+void LaneRun::takeOutcomes(const Machine& system, std::size_t rows)
 {
   report_.events += rows;
   // A local copy stays in registers, because the compiler must assume that the columns may alias
@@ -16,11 +16,11 @@ void LaneRun::takeOutcomes(const Machine& machine, std::size_t rows)
     report_.contacts[species_[row]] += outcome.closed ? 1 : 0;
   }
   report_.counts = counts;
-  if (!machine.record().collisionObserver())
+  if (!system.record().collisionObserver())
     return;
   for (std::size_t row = 0; row < rows; ++row)
     if (const ContactOutcome outcome = outcomeOf(batch_, row, slots_[row]); outcome.closed)
-      report_.records.push_back(recordOf(outcome, machine.state()));
+      report_.records.push_back(recordOf(outcome, system.state()));
 }
 
 LaneRun::Report LaneRun::takeReport()

@@ -27,21 +27,21 @@ public:
 
   /// Advances the disks that `take` returns, until it returns false: bool take(std::uint32_t& slot).
   template <typename Take>
-  void advance(Machine& machine, std::vector<BaseEvent>& next, const LaneScene& scene, double time,
+  void advance(Machine& system, std::vector<BaseEvent>& next, const LaneScene& scene, double time,
                Take&& take)
   {
     const LaneKernel& kernel = presentLaneKernel();
-    report_.contacts.resize(machine.state().scene().species.size());
+    report_.contacts.resize(system.state().scene().species.size());
     std::uint32_t slot = 0;
     std::size_t rows = 0;
     const auto take_up = [&](std::size_t row)
     {
       while (take(slot))
-        if (admit(machine.collapseWatch(), slot, next[slot].time))
+        if (admit(system.collapseWatch(), slot, next[slot].time))
         {
-          loadRow(machine, slot, next[slot], batch_, row);
+          loadRow(system, slot, next[slot], batch_, row);
           slots_[row] = slot;
-          species_[row] = machine.state().disk(slot).species;
+          species_[row] = system.state().disk(slot).species;
           return true;
         }
       return false;
@@ -51,17 +51,17 @@ public:
     while (rows > 0)
     {
       kernel.collide(scene, batch_, rows);
-      takeOutcomes(machine, rows);
+      takeOutcomes(system, rows);
       kernel.search(scene, batch_, rows);
       for (std::size_t row = 0; row < rows;)
       {
         if (batch_.event_time[row] <= time &&
-            admit(machine.collapseWatch(), slots_[row], batch_.event_time[row]))
+            admit(system.collapseWatch(), slots_[row], batch_.event_time[row]))
         {
           ++row;
           continue;
         }
-        storeRow(batch_, row, machine, slots_[row], next[slots_[row]]);
+        storeRow(batch_, row, system, slots_[row], next[slots_[row]]);
         if (take_up(row))
           ++row;
         else if (--rows > row)
@@ -88,7 +88,7 @@ private:
   }
 
   /// Passes the outcomes of the first `rows` rows to the observers.
-  void takeOutcomes(const Machine& machine, std::size_t rows);
+  void takeOutcomes(const Machine& system, std::size_t rows);
 
   LaneBatch batch_;
   std::uint32_t slots_[LaneBatch::ROWS];

@@ -60,6 +60,12 @@ double smallestRadius(const SceneDefinition& scene)
   return smallest;
 }
 
+double pouredWidth(const SceneDefinition& scene)
+{
+  const double width = scene.base.width();
+  return std::min(width, scene.pour.stretch.length(width) + largestDiameter(scene));
+}
+
 double settledLayer(const SceneDefinition& scene)
 {
   double area = 0.0;

@@ -28,7 +28,7 @@ double topOfPour(const SceneDefinition& scene)
   for (const SpeciesDefinition& species : scene.species)
     squares += species.count * (4.0 * Sizes(species).meanSquare());
   return scene.base.tooth_height + scene.pour.drop_height + largestDiameter(scene) +
-         SQUARES_PER_DISK * squares / scene.base.width();
+         SQUARES_PER_DISK * squares / pouredWidth(scene);
 }
 
 }  // namespace

@@ -25,11 +25,11 @@ bool sameLengths(const std::vector<BlockAverages>& rows)
 
 }  // namespace
 
-AccuracySeries::AccuracySeries(const MachineState& machine) : machine_(machine)
+AccuracySeries::AccuracySeries(const SystemState& system) : system_(system)
 {
-  const SceneDefinition& scene = machine.scene();
+  const SceneDefinition& scene = system.scene();
   const std::size_t species = scene.species.size();
-  if (scene.accuracy.mean_vx > 0.0 && !machine.plan().pairs)
+  if (scene.accuracy.mean_vx > 0.0 && !system.plan().pairs)
   {
     gone_.resize(species * GROUPS);
     at_block_end_.resize(species * GROUPS);
@@ -44,17 +44,18 @@ AccuracySeries::AccuracySeries(const MachineState& machine) : machine_(machine)
 
 std::size_t AccuracySeries::row(std::uint32_t slot) const
 {
-  return machine_.disk(slot).species * GROUPS + machine_.id(slot) % GROUPS;
+  return system_.disk(slot).species * GROUPS + system_.id(slot) % GROUPS;
 }
 
-void AccuracySeries::addPassage(std::uint32_t slot, double x, double until, std::vector<BlockSum>& sums) const
+void AccuracySeries::addTrajectory(std::uint32_t slot, double x, double until,
+                                   std::vector<BlockSum>& sums) const
 {
-  const Passage& passage = machine_.passages()[slot];
-  if (!passage.counts())
+  const Trajectory& trajectory = system_.trajectories()[slot];
+  if (!trajectory.counts())
     return;
   BlockSum& sum = sums[row(slot)];
-  sum.sum += x + passage.offset - passage.counted_x;
-  sum.weight += until - passage.counted_from;
+  sum.sum += x + trajectory.offset - trajectory.counted_x;
+  sum.weight += until - trajectory.counted_from;
 }
 
 void AccuracySeries::forget(const std::vector<std::uint32_t>& left)
@@ -62,7 +63,7 @@ void AccuracySeries::forget(const std::vector<std::uint32_t>& left)
   if (groups_.empty())
     return;
   for (const std::uint32_t slot : left)
-    addPassage(slot, machine_.disk(slot).position.x(), machine_.passages()[slot].left_when, gone_);
+    addTrajectory(slot, system_.disk(slot).position.x(), system_.trajectories()[slot].left_when, gone_);
 }
 
 void AccuracySeries::restart()
@@ -72,7 +73,7 @@ void AccuracySeries::restart()
   std::fill(groups_.begin(), groups_.end(), BlockAverages());
   std::fill(exits_.begin(), exits_.end(), BlockAverages());
   for (std::size_t s = 0; s < exited_.size(); ++s)
-    exited_[s] = exitsOf(machine_.bins()[s]);
+    exited_[s] = exitsOf(system_.bins()[s]);
 }
 
 void AccuracySeries::endBlock(double time)
@@ -86,14 +87,14 @@ void AccuracySeries::endBlock(double time)
 void AccuracySeries::endGroups(double time)
 {
   std::vector<BlockSum> now = gone_;
-  const double gravity = machine_.scene().gravity;
-  for (std::uint32_t slot = 0; slot < machine_.disks().size(); ++slot)
+  const double gravity = system_.scene().gravity;
+  for (std::uint32_t slot = 0; slot < system_.disks().size(); ++slot)
   {
-    const Disk& disk = machine_.disk(slot);
-    if (machine_.active(slot))
-      addPassage(slot, flown(disk, time, gravity).position.x(), machine_.epoch().start + time, now);
+    const Disk& disk = system_.disk(slot);
+    if (system_.active(slot))
+      addTrajectory(slot, flown(disk, time, gravity).position.x(), system_.epoch().start + time, now);
     else
-      addPassage(slot, disk.position.x(), machine_.passages()[slot].left_when, now);
+      addTrajectory(slot, disk.position.x(), system_.trajectories()[slot].left_when, now);
   }
   for (std::size_t k = 0; k < groups_.size(); ++k)
     groups_[k].add(now[k].sum - at_block_end_[k].sum, now[k].weight - at_block_end_[k].weight);
@@ -104,7 +105,7 @@ void AccuracySeries::endExits()
 {
   for (std::size_t s = 0; s < exits_.size(); ++s)
   {
-    const BlockSum now = exitsOf(machine_.bins()[s]);
+    const BlockSum now = exitsOf(system_.bins()[s]);
     exits_[s].add(now.sum - exited_[s].sum, now.weight - exited_[s].weight);
     exited_[s] = now;
   }

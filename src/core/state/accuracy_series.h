@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/mean_series.h"
-#include "state/machine_state.h"
+#include "state/system_state.h"
 
 namespace ratchet_sieve
 {
@@ -14,13 +14,13 @@ namespace ratchet_sieve
 class AccuracySeries
 {
 public:
-  /// @param machine outlives this
-  explicit AccuracySeries(const MachineState& machine);
+  /// @param system outlives this
+  explicit AccuracySeries(const SystemState& system);
 
   /// Whether anything is recorded.
   bool kept() const { return !groups_.empty() || !exits_.empty(); }
 
-  /// Adds the passages of disks that are about to be removed by compaction.
+  /// Adds the trajectories of disks that are about to be removed by compaction.
   void forget(const std::vector<std::uint32_t>& left);
 
   /// Forgets all counts.
@@ -38,11 +38,11 @@ public:
 
 private:
   std::size_t row(std::uint32_t slot) const;
-  void addPassage(std::uint32_t slot, double x, double until, std::vector<BlockSum>& sums) const;
+  void addTrajectory(std::uint32_t slot, double x, double until, std::vector<BlockSum>& sums) const;
   void endGroups(double time);
   void endExits();
 
-  const MachineState& machine_;
+  const SystemState& system_;
   std::vector<BlockSum> gone_;          ///< per row (a group of a species): of disks removed by compaction
   std::vector<BlockSum> at_block_end_;  ///< per row, at the end of the last block
   std::vector<BlockAverages> groups_;   ///< per row

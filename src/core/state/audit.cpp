@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "search/cell_grid.h"
-#include "state/machine_state.h"
+#include "state/system_state.h"
 
 namespace ratchet_sieve
 {
@@ -31,17 +31,17 @@ double toleratedOverlap(const Eigen::Vector2d& point, double radius)
 }
 
 /// The positions of all disks in the frame of the base, wrapped into [0, W) if it is periodic.
-std::vector<Eigen::Vector2d> placesOnBase(const MachineState& machine, double time)
+std::vector<Eigen::Vector2d> placesOnBase(const SystemState& system, double time)
 {
-  const FrameOfBase base = machine.motion().at(time);
-  const double width = machine.sawtooth().width();
+  const FrameOfBase base = system.motion().at(time);
+  const double width = system.sawtooth().width();
   std::vector<Eigen::Vector2d> points;
-  points.reserve(machine.disks().size());
-  for (const Disk& disk : machine.disks())
+  points.reserve(system.disks().size());
+  for (const Disk& disk : system.disks())
   {
-    const Disk now = flown(disk, time, machine.scene().gravity);
+    const Disk now = flown(disk, time, system.scene().gravity);
     const Eigen::Vector2d point = base.into(now.position - base.displacement);
-    const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
+    const bool periodic = system.sawtooth().boundary() == Boundary::PERIODIC;
     points.emplace_back(periodic ? point.x() - width * wholeWidths(point.x(), 1.0 / width) : point.x(),
                         point.y());
   }
@@ -49,9 +49,9 @@ std::vector<Eigen::Vector2d> placesOnBase(const MachineState& machine, double ti
 }
 
 /// Distance of a disk from the base and the walls, < 0 for an overlap.
-double gapToBase(const MachineState& machine, const Eigen::Vector2d& point, double radius)
+double gapToBase(const SystemState& system, const Eigen::Vector2d& point, double radius)
 {
-  const Sawtooth& sawtooth = machine.sawtooth();
+  const Sawtooth& sawtooth = system.sawtooth();
   double gap = point.y() - sawtooth.height();
   if (gap < radius)
     gap = sawtooth.heightAbove(point.x(), point.y());
@@ -61,22 +61,22 @@ double gapToBase(const MachineState& machine, const Eigen::Vector2d& point, doub
 using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overlap)>;
 
 /// Visits every pair of disks near enough to overlap, once or twice.
-void forEachNearPair(const MachineState& machine, const std::vector<Eigen::Vector2d>& points,
+void forEachNearPair(const SystemState& system, const std::vector<Eigen::Vector2d>& points,
                      const VisitPair& visit)
 {
-  const double width = machine.sawtooth().width();
-  const bool periodic = machine.sawtooth().boundary() == Boundary::PERIODIC;
-  double top = machine.largestDiameter();
+  const double width = system.sawtooth().width();
+  const bool periodic = system.sawtooth().boundary() == Boundary::PERIODIC;
+  double top = system.largestDiameter();
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
-    if (machine.active(slot))
+    if (system.active(slot))
       top = std::max(top, points[slot].y());
-  CellGrid grid(width, top, AUDIT_CELL * machine.largestDiameter(), points.size(), periodic);
+  CellGrid grid(width, top, AUDIT_CELL * system.largestDiameter(), points.size(), periodic);
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
-    if (machine.active(slot))
+    if (system.active(slot))
       grid.add(slot, grid.cellAt(points[slot].x(), points[slot].y()));
   std::vector<std::uint32_t> list;
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
-    if (machine.active(slot))
+    if (system.active(slot))
       grid.visit(grid.cellOf(slot), {}, list,
                  [&](const std::uint32_t* slots, std::size_t count, int shift)
                  {
@@ -86,59 +86,59 @@ void forEachNearPair(const MachineState& machine, const std::vector<Eigen::Vecto
                        continue;
                      const Eigen::Vector2d way =
                          points[slot] - points[*other] - Eigen::Vector2d(shift * width, 0.0);
-                     visit(*other, slot, machine.radius(slot) + machine.radius(*other) - way.norm());
+                     visit(*other, slot, system.radius(slot) + system.radius(*other) - way.norm());
                    }
                  });
 }
 }  // namespace
 
-Audit audit(const MachineState& machine, double time)
+Audit audit(const SystemState& system, double time)
 {
   Audit result;
-  const auto points = placesOnBase(machine, time);
+  const auto points = placesOnBase(system, time);
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
   {
-    if (!machine.active(slot))
+    if (!system.active(slot))
       continue;
-    const double gap = gapToBase(machine, points[slot], machine.radius(slot));
+    const double gap = gapToBase(system, points[slot], system.radius(slot));
     result.largest_overlap = std::max(result.largest_overlap, -gap);
-    if (gap <= -machine.radius(slot))
+    if (gap <= -system.radius(slot))
       ++result.behind_surface;
   }
-  if (machine.scene().contact.pair_collisions)
-    forEachNearPair(machine, points,
+  if (system.scene().contact.pair_collisions)
+    forEachNearPair(system, points,
                     [&](std::uint32_t, std::uint32_t, double overlap)
                     { result.largest_overlap = std::max(result.largest_overlap, overlap); });
   return result;
 }
 
-void refuseBadStart(const MachineState& machine, double time)
+void refuseBadStart(const SystemState& system, double time)
 {
   std::ostringstream message;
-  const auto points = placesOnBase(machine, time);
+  const auto points = placesOnBase(system, time);
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
   {
     const double s = points[slot].x();
-    if (s < 0.0 || s > machine.sawtooth().width())
+    if (s < 0.0 || s > system.sawtooth().width())
     {
       message << "initial." << slot << " is outside the machine: its centre is at s = " << s
-              << " m along the base, allowed is 0 to " << machine.sawtooth().width() << " m";
+              << " m along the base, allowed is 0 to " << system.sawtooth().width() << " m";
       throw std::invalid_argument(message.str());
     }
-    const double gap = gapToBase(machine, points[slot], machine.radius(slot));
-    if (-gap > toleratedOverlap(points[slot], machine.radius(slot)))
+    const double gap = gapToBase(system, points[slot], system.radius(slot));
+    if (-gap > toleratedOverlap(points[slot], system.radius(slot)))
     {
       message << "initial." << slot << " overlaps the base or a wall by " << -gap << " m";
       throw std::invalid_argument(message.str());
     }
   }
-  if (!machine.scene().contact.pair_collisions)
+  if (!system.scene().contact.pair_collisions)
     return;
   double worst = 0.0;
-  forEachNearPair(machine, points,
+  forEachNearPair(system, points,
                   [&](std::uint32_t first, std::uint32_t second, double overlap)
                   {
-                    if (overlap <= std::max(worst, toleratedOverlap(points[first], machine.radius(first))))
+                    if (overlap <= std::max(worst, toleratedOverlap(points[first], system.radius(first))))
                       return;
                     worst = overlap;
                     message.str("");

@@ -5,7 +5,7 @@
 namespace ratchet_sieve
 {
 
-class MachineState;
+class SystemState;
 
 /// The result of a check of all disks at one time.
 struct Audit
@@ -16,10 +16,10 @@ struct Audit
 
 /// Measures the distances of every disk to the base and to its neighbours, independently of the engine's
 /// predictions. @param time local to the epoch
-Audit audit(const MachineState& machine, double time);
+Audit audit(const SystemState& system, double time);
 
 /// @throws std::invalid_argument if a disk overlaps another or the base, or is outside the machine; the
 /// message names the entries of `initial`
-void refuseBadStart(const MachineState& machine, double time);
+void refuseBadStart(const SystemState& system, double time);
 
 }  // namespace ratchet_sieve

@@ -37,33 +37,33 @@ double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 }
 }  // namespace
 
-ContactExecution::ContactExecution(MachineState& machine, const CollapseWatch& collapse_watch,
+ContactExecution::ContactExecution(SystemState& system, const CollapseWatch& collapse_watch,
                                    const ContactTimes& contact_times)
-    : machine_(machine),
+    : system_(system),
       collapse_watch_(collapse_watch),
       contact_times_(contact_times),
-      law_(machine.scene().contact),
-      spin_(machine.plan().spin),
-      negligible_way_(NEGLIGIBLE_WAY * machine.sawtooth().width())
+      law_(system.scene().contact),
+      spin_(system.plan().spin),
+      negligible_way_(NEGLIGIBLE_WAY * system.sawtooth().width())
 {
-  const std::vector<SpeciesDefinition>& species = machine.scene().species;
+  const std::vector<SpeciesDefinition>& species = system.scene().species;
   for (std::size_t i = 0; i < species.size(); ++i)
   {
     levers_.push_back(leverOf(species[i]));
     for (std::size_t j = 0; j < species.size(); ++j)
-      pair_coefficients_.push_back(contactBetween(machine.scene(), i, j));
+      pair_coefficients_.push_back(contactBetween(system.scene(), i, j));
   }
 }
 
 ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseFeature& feature, double time,
                                                  BaseInstant& base)
 {
-  const SceneDefinition& scene = machine_.scene();
-  const Disk disk = flown(machine_.disk(slot), time, scene.gravity);
+  const SceneDefinition& scene = system_.scene();
+  const Disk disk = flown(system_.disk(slot), time, scene.gravity);
   const SpeciesDefinition& species = scene.species[disk.species];
   const FrameOfBase& frame = base.at(time);
   const BasePoint point = frame.see(disk.position, disk.velocity);
-  const Approach approach = machine_.sawtooth().approach(feature, point, disk.radius);
+  const Approach approach = system_.sawtooth().approach(feature, point, disk.radius);
   ContactOutcome outcome;
   outcome.time = time;
   outcome.kind = collisionKind(feature.kind, scene.boundary);
@@ -91,10 +91,10 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
 
 ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, int shift, double time)
 {
-  const double gravity = machine_.scene().gravity;
-  const Disk a = flown(machine_.disk(i), time, gravity);
-  const Disk b = flown(machine_.disk(j), time, gravity);
-  const Image there = machine_.image(shift, time);
+  const double gravity = system_.scene().gravity;
+  const Disk a = flown(system_.disk(i), time, gravity);
+  const Disk b = flown(system_.disk(j), time, gravity);
+  const Image there = system_.image(shift, time);
   const Eigen::Vector2d position = a.position - there.shift - b.position;
   const double distance = position.norm();
   const Eigen::Vector2d velocity = a.velocity - b.velocity - there.velocity;
@@ -118,7 +118,7 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
     const double tangential_velocity =
         across(outcome.normal, velocity) - (a.radius * a.spin + b.radius * b.spin);
     outcome.lossless = lossless(i, time) || lossless(j, time);
-    const std::size_t pair = a.species * machine_.scene().species.size() + b.species;
+    const std::size_t pair = a.species * system_.scene().species.size() + b.species;
     respond(outcome, outcome.lossless ? LOSSLESS : pair_coefficients_[pair],
             contactMasses(inertia(i, a), inertia(j, b)), tangential_velocity,
             std::max(reboundFloor(i, outcome.lossless), reboundFloor(j, outcome.lossless)));
@@ -149,27 +149,27 @@ void ContactExecution::respond(ContactOutcome& outcome, const ContactCoefficient
 /// is applied at the start of the flight is applied there, and the stored position stays unchanged.
 void ContactExecution::push(std::uint32_t slot, const Disk& now, const ContactOutcome& contact, double sign)
 {
-  Disk& disk = machine_.changeable(slot);
-  const double mass = machine_.grain(slot).mass;
+  Disk& disk = system_.changeable(slot);
+  const double mass = system_.grain(slot).mass;
   const double per_mass = 1.0 / mass;
   const double change = per_mass * (std::abs(contact.normal_impulse) + std::abs(contact.tangential_impulse));
   if (change * (now.time - disk.time) > negligible_way_)
-    machine_.moveTo(slot, now);
+    system_.moveTo(slot, now);
   ++disk.flights;
   disk.velocity += sign * per_mass * impulseOf(contact);
-  const double inertia = machine_.scene().species[disk.species].inertiaOf(mass, disk.radius);
+  const double inertia = system_.scene().species[disk.species].inertiaOf(mass, disk.radius);
   disk.spin -= disk.radius / inertia * contact.tangential_impulse;
 }
 
 Inertia ContactExecution::inertia(std::uint32_t slot, const Disk& disk) const
 {
-  return {machine_.grain(slot).mass, levers_[disk.species]};
+  return {system_.grain(slot).mass, levers_[disk.species]};
 }
 
 bool ContactExecution::lossless(std::uint32_t slot, double time) const
 {
   return collapse_watch_.lossless(slot) ||
-         contact_times_.within(machine_.scene().contact.contact_duration, slot, time);
+         contact_times_.within(system_.scene().contact.contact_duration, slot, time);
 }
 
 /// v_min does not apply to lossless contacts, because it would add energy. For a disk that is lossless

@@ -7,7 +7,7 @@
 #include "state/collapse_watch.h"
 #include "state/contact_outcome.h"
 #include "state/contact_times.h"
-#include "state/machine_state.h"
+#include "state/system_state.h"
 
 namespace ratchet_sieve
 {
@@ -18,7 +18,7 @@ class ContactExecution
 {
 public:
   /// All of these outlive this. @param contact_times for lossless contacts within t_c of another
-  ContactExecution(MachineState& machine, const CollapseWatch& collapse_watch,
+  ContactExecution(SystemState& system, const CollapseWatch& collapse_watch,
                    const ContactTimes& contact_times);
 
   /// Collides a disk with the base. A separating contact changes nothing.
@@ -37,7 +37,7 @@ private:
                double tangential_velocity, double floor) const;
   void push(std::uint32_t slot, const Disk& now, const ContactOutcome& contact, double sign);
 
-  MachineState& machine_;
+  SystemState& system_;
   const CollapseWatch& collapse_watch_;
   const ContactTimes& contact_times_;
   CollisionLaw law_;

@@ -16,30 +16,30 @@ double wrappedAngle(double angle)
 }
 }  // namespace
 
-void forEachDiskState(const MachineState& machine, double time,
+void forEachDiskState(const SystemState& system, double time,
                       const std::function<void(const DiskState&)>& visit)
 {
-  const FrameOfBase base = machine.motion().at(time);
-  const double width = machine.sawtooth().width();
+  const FrameOfBase base = system.motion().at(time);
+  const double width = system.sawtooth().width();
   // While the base turns all disks are between its ends, because they are wrapped when they pass an end.
-  const bool wrapped = machine.scene().boundary != Boundary::PERIODIC || machine.motion().turning();
-  for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)
+  const bool wrapped = system.scene().boundary != Boundary::PERIODIC || system.motion().turning();
+  for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
   {
-    if (!machine.active(slot))
+    if (!system.active(slot))
       continue;
-    const Disk disk = flown(machine.disk(slot), time, machine.scene().gravity);
+    const Disk disk = flown(system.disk(slot), time, system.scene().gravity);
     const double s = base.into(Eigen::Vector2d(disk.position.x(), disk.position.y()) - base.displacement).x();
-    const Image image = wrapped ? Image() : machine.image(-wholeWidths(s, 1.0 / width), time);
+    const Image image = wrapped ? Image() : system.image(-wholeWidths(s, 1.0 / width), time);
     DiskState state;
-    state.id = machine.id(slot);
+    state.id = system.id(slot);
     state.species = disk.species;
     state.radius = disk.radius;
-    state.displacement = machine.passages().displacement(slot, disk.position.x());
+    state.displacement = system.trajectories().displacement(slot, disk.position.x());
     state.x = disk.position.x() + image.shift.x();
     state.y = disk.position.y() + image.shift.y();
     state.vx = disk.velocity.x() + image.velocity.x();
     state.vy = disk.velocity.y() + image.velocity.y();
-    state.angle = wrappedAngle(machine.passages().until(slot, machine.disk(slot), time).angle);
+    state.angle = wrappedAngle(system.trajectories().until(slot, system.disk(slot), time).angle);
     state.spin = disk.spin;
     visit(state);
   }

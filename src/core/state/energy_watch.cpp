@@ -7,7 +7,7 @@
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
-#include "state/machine_state.h"
+#include "state/system_state.h"
 
 namespace ratchet_sieve
 {
@@ -19,7 +19,8 @@ constexpr double POURED_TO_SETTLED = 2.0;
 /// From the base's lowest point to the highest disk [m].
 double highestPlace(const SceneDefinition& scene)
 {
-  double height = scene.pour.drop_height + POURED_TO_SETTLED * settledLayer(scene);
+  const double narrowing = scene.base.width() / pouredWidth(scene);
+  double height = scene.pour.drop_height + POURED_TO_SETTLED * settledLayer(scene) * narrowing;
   for (const InitialDisk& disk : scene.initial)
     height = std::max({height, std::abs(disk.x), std::abs(disk.y)});
   // For any inclination, the difference in height of the two ends is at most the width.
@@ -27,10 +28,10 @@ double highestPlace(const SceneDefinition& scene)
 }
 
 /// The largest speed of the base, by the drive in any direction and by the turning of its raised end [m/s].
-double baseSpeed(const MachineState& machine)
+double baseSpeed(const SystemState& system)
 {
-  const BaseMotion& motion = machine.motion();
-  return motion.speedBound() + std::abs(motion.inclinationRate()) * machine.sawtooth().width();
+  const BaseMotion& motion = system.motion();
+  return motion.speedBound() + std::abs(motion.inclinationRate()) * system.sawtooth().width();
 }
 }  // namespace
 
@@ -39,20 +40,20 @@ EnergyWatch::EnergyWatch(const SceneDefinition& scene)
 {
 }
 
-void EnergyWatch::check(const MachineState& machine, double time)
+void EnergyWatch::check(const SystemState& system, double time)
 {
-  fastest_base_ = std::max(fastest_base_, baseSpeed(machine));
+  fastest_base_ = std::max(fastest_base_, baseSpeed(system));
   const double bounce =
       std::sqrt(2.0 * gravity_ * highest_ + start_speed_ * start_speed_) + 2.0 * fastest_base_;
   const double scale = 0.5 * bounce * bounce;
   if (scale <= 0.0)
     return;
-  const auto& species = machine.scene().species;
-  for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)
+  const auto& species = system.scene().species;
+  for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
   {
-    if (!machine.active(slot))
+    if (!system.active(slot))
       continue;
-    const Disk& disk = machine.disk(slot);
+    const Disk& disk = system.disk(slot);
     const SpeciesDefinition& kind = species[disk.species];
     const double rim = disk.spin * disk.radius;
     const double energy = 0.5 * (disk.velocity.squaredNorm() + kind.inertia_factor * rim * rim) +
@@ -62,8 +63,8 @@ void EnergyWatch::check(const MachineState& machine, double time)
       continue;
     largest_ = scales;
     if (scales > ALARM && !first_)
-      first_ = First{machine.epoch().start + time, machine.grain(slot).mass * energy,
-                     flown(disk, time, gravity_).position.y(), scales, machine.id(slot)};
+      first_ = First{system.epoch().start + time, system.grain(slot).mass * energy,
+                     flown(disk, time, gravity_).position.y(), scales, system.id(slot)};
   }
 }
 

@@ -10,7 +10,7 @@
 namespace ratchet_sieve
 {
 
-class MachineState;
+class SystemState;
 
 /// Detects a disk whose energy exceeds every energy scale of the machine. Such a run is heated without limit:
 /// by elastic disks on a driven base (Fermi acceleration; Ulam, Proc. 4th Berkeley Symp. 3, 315 (1961)), by
@@ -29,7 +29,7 @@ public:
 
   /// Checks every disk at `time` (local to the epoch). Energy is conserved in flight, so the states are used
   /// as stored.
-  void check(const MachineState& machine, double time);
+  void check(const SystemState& system, double time);
 
   /// The largest energy of a disk so far, in scales.
   double largest() const { return largest_; }

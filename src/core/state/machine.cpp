@@ -68,7 +68,7 @@ void Machine::rebase(double length)
 
 void Machine::restartMeans(double time)
 {
-  state_.restartPassages(time);
+  state_.restartTrajectories(time);
   record_.restartMeans();
 }
 

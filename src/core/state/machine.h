@@ -4,8 +4,8 @@
 
 #include "state/collapse_watch.h"
 #include "state/contact_execution.h"
-#include "state/machine_state.h"
-#include "state/run_record.h"
+#include "state/observers.h"
+#include "state/system_state.h"
 
 namespace ratchet_sieve
 {
@@ -22,12 +22,12 @@ public:
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
 
-  const MachineState& state() const { return state_; }
-  MachineState& state() { return state_; }
+  const SystemState& state() const { return state_; }
+  SystemState& state() { return state_; }
   const CollapseWatch& collapseWatch() const { return collapse_watch_; }
   CollapseWatch& collapseWatch() { return collapse_watch_; }
-  const RunRecord& record() const { return record_; }
-  RunRecord& record() { return record_; }
+  const Observers& record() const { return record_; }
+  Observers& record() { return record_; }
   const ContactExecution& execution() const { return execution_; }
 
   /// Allocates memory for this number of disks.
@@ -36,7 +36,7 @@ public:
   /// Adds a disk. @return its slot
   std::uint32_t add(const Disk& disk, const Grain& grain);
 
-  /// Executes a disk's event with the base: a contact, or the passage of an end.
+  /// Executes a disk's event with the base: a contact, or the trajectory of an end.
   void handleBaseEvent(std::uint32_t slot, const BaseFeature& feature, double time, BaseInstant& base)
   {
     if (feature.isEnd())
@@ -62,7 +62,7 @@ public:
   /// @return whether it did: slots have then changed
   bool compact();
 
-  /// See MachineState.
+  /// See SystemState.
   double startAt(double start);
   void rebase(double length);
   void restartMeans(double time);
@@ -71,9 +71,9 @@ public:
   void archive(StateArchive& state);
 
 private:
-  MachineState state_;
+  SystemState state_;
   CollapseWatch collapse_watch_;
-  RunRecord record_;
+  Observers record_;
   ContactExecution execution_;
 };
 

@@ -45,16 +45,16 @@ struct Velocities
 };
 }  // namespace
 
-std::vector<std::optional<double>> granularTemperatures(const MachineState& machine, double time)
+std::vector<std::optional<double>> granularTemperatures(const SystemState& system, double time)
 {
-  const std::vector<SpeciesDefinition>& species = machine.scene().species;
+  const std::vector<SpeciesDefinition>& species = system.scene().species;
   std::vector<Velocities> velocities(species.size());
-  for (std::uint32_t slot = 0; slot < machine.disks().size(); ++slot)
-    if (machine.active(slot))
+  for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
+    if (system.active(slot))
     {
-      const Disk& disk = machine.disk(slot);
-      velocities[disk.species].add(vectorOf(courseAt(disk, time, machine.scene().gravity).velocity),
-                                   machine.grain(slot).mass / species[disk.species].mass);
+      const Disk& disk = system.disk(slot);
+      velocities[disk.species].add(vectorOf(courseAt(disk, time, system.scene().gravity).velocity),
+                                   system.grain(slot).mass / species[disk.species].mass);
     }
   std::vector<std::optional<double>> temperatures;
   for (std::size_t i = 0; i < species.size(); ++i)
@@ -66,26 +66,26 @@ std::vector<std::optional<double>> granularTemperatures(const MachineState& mach
   return temperatures;
 }
 
-PeriodWatch::PeriodWatch(const MachineState& machine, const CollisionCounts& collisions)
-    : machine_(machine),
+PeriodWatch::PeriodWatch(const SystemState& system, const CollisionCounts& collisions)
+    : system_(system),
       counted_(collisions),
-      origin_(machine.motion().drive().turns),
-      temperatures_(machine.scene().species.size())
+      origin_(system.motion().drive().turns),
+      temperatures_(system.scene().species.size())
 {
 }
 
 void PeriodWatch::observe(PeriodObserver observer, double now)
 {
   observer_ = std::move(observer);
-  swings_ = machine_.motion().swings();
+  swings_ = system_.motion().swings();
   awaitPeriod(now);
 }
 
 void PeriodWatch::motionChanged(double now)
 {
-  if (swings_ != machine_.motion().swings())
+  if (swings_ != system_.motion().swings())
     awaitPeriod(now);
-  swings_ = machine_.motion().swings();
+  swings_ = system_.motion().swings();
 }
 
 void PeriodWatch::awaitPeriod(double from)
@@ -96,7 +96,7 @@ void PeriodWatch::awaitPeriod(double from)
 
 std::optional<double> PeriodWatch::next() const
 {
-  const BaseMotion& motion = machine_.motion();
+  const BaseMotion& motion = system_.motion();
   if (!observer_ || !swings_)
     return std::nullopt;
   // Rounding may have moved the phase past the expected one too early, by up to half a part.
@@ -114,10 +114,10 @@ void PeriodWatch::sample(double now)
   if (part_++ < PARTS)
     return;
   const double start = begun_;
-  const double end = machine_.epoch().start + now;
+  const double end = system_.epoch().start + now;
   observer_({start, end, end - start, counted_.since(collisions_), temperatures_});
   if (start + LEAST_SPACING > end)
-    awaitPeriod(start + LEAST_SPACING - machine_.epoch().start);
+    awaitPeriod(start + LEAST_SPACING - system_.epoch().start);
   else
     begin(now);
 }
@@ -126,14 +126,14 @@ void PeriodWatch::begin(double now)
 {
   from_ = now;
   part_ = 1;
-  begun_ = machine_.epoch().start + now;
+  begun_ = system_.epoch().start + now;
   collisions_ = counted_;
   std::fill(temperatures_.begin(), temperatures_.end(), TemperatureSum());
 }
 
 void PeriodWatch::addTemperatures(double now)
 {
-  const std::vector<std::optional<double>> temperatures = granularTemperatures(machine_, now);
+  const std::vector<std::optional<double>> temperatures = granularTemperatures(system_, now);
   for (std::size_t i = 0; i < temperatures.size(); ++i)
     if (temperatures[i])
       temperatures_[i].add(*temperatures[i]);

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "ratchet_sieve/core/observation.h"
-#include "state/machine_state.h"
+#include "state/system_state.h"
 
 namespace ratchet_sieve
 {
 
 /// Granular temperature of each species at a time local to the epoch [J]; see
 /// Simulation::granularTemperatures().
-std::vector<std::optional<double>> granularTemperatures(const MachineState& machine, double time);
+std::vector<std::optional<double>> granularTemperatures(const SystemState& system, double time);
 
 /// Averages oscillating quantities over whole periods of the drive. Samples at a rate of their own would show
 /// the beat with the drive (aliasing), so every period is sampled at fixed phases. Periods begin at the phase
@@ -29,7 +29,7 @@ public:
   static constexpr double LEAST_SPACING = 0.02;
 
   /// Both outlive this. @param collisions counts of the machine's run
-  PeriodWatch(const MachineState& machine, const CollisionCounts& collisions);
+  PeriodWatch(const SystemState& system, const CollisionCounts& collisions);
 
   void observe(PeriodObserver observer, double now);
 
@@ -49,7 +49,7 @@ private:
   void begin(double now);
   void addTemperatures(double now);
 
-  const MachineState& machine_;
+  const SystemState& system_;
   const CollisionCounts& counted_;
   PeriodObserver observer_;
   double origin_;  ///< phase over 2 pi at which periods begin

@@ -15,27 +15,27 @@ namespace
 constexpr std::size_t DISKS_PER_LOOK = 1024;
 
 /// A disk's position at `time`, for the pour.
-PlacedDisk placed(const MachineState& machine, std::uint32_t slot, const FrameOfBase& base, double time)
+PlacedDisk placed(const SystemState& system, std::uint32_t slot, const FrameOfBase& base, double time)
 {
-  const Disk disk = flown(machine.disk(slot), time, machine.scene().gravity);
-  const double width = machine.sawtooth().width();
+  const Disk disk = flown(system.disk(slot), time, system.scene().gravity);
+  const double width = system.sawtooth().width();
   double s = base.into(Eigen::Vector2d(disk.position.x(), disk.position.y()) - base.displacement).x();
-  if (machine.scene().boundary == Boundary::PERIODIC)
+  if (system.scene().boundary == Boundary::PERIODIC)
     s -= width * wholeWidths(s, 1.0 / width);
-  return {s, base.into({disk.position.x(), disk.position.y()}).y(), machine.radius(slot)};
+  return {s, base.into({disk.position.x(), disk.position.y()}).y(), system.radius(slot)};
 }
 
 }  // namespace
 
-void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, double time, Random& random,
-               const PourObserver& observer)
+void pourDisks(Machine& system, const std::vector<std::uint32_t>& species, const Stretch& stretch,
+               double time, Random& random, const PourObserver& observer)
 {
-  const MachineState& state = machine.state();
+  const SystemState& state = system.state();
   const SceneDefinition& scene = state.scene();
   const FrameOfBase base = state.motion().at(time);
   BaseDefinition shape = scene.base;
   shape.amplitude = state.motion().displacementBound().norm();
-  Pour pour(shape, scene.boundary, scene.pour.drop_height, state.largestDiameter(),
+  Pour pour(shape, scene.boundary, stretch, scene.pour.drop_height, state.largestDiameter(),
             scene.contact.pair_collisions);
   for (std::uint32_t slot = 0; slot < state.disks().size(); ++slot)
     if (state.active(slot))
@@ -57,7 +57,7 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
   // Numbered along the base, so that neighbours are near each other in memory.
   std::stable_sort(poured.begin(), poured.end(),
                    [](const Poured& a, const Poured& b) { return a.room.s < b.room.s; });
-  machine.reserve(state.disks().size() + poured.size());
+  system.reserve(state.disks().size() + poured.size());
   for (const auto& [room, kind] : poured)
   {
     const Eigen::Vector2d place = base.outOf({room.s + base.into(base.displacement).x(), room.n});
@@ -68,13 +68,13 @@ void pourDisks(Machine& machine, const std::vector<std::uint32_t>& species, doub
     disk.time = time;
     disk.species = kind;
     disk.radius = room.radius;
-    machine.add(disk, grainOf(scene.species[kind], room.radius));
+    system.add(disk, grainOf(scene.species[kind], room.radius));
   }
 }
 
-void placeInitialDisks(Machine& machine, double time)
+void placeInitialDisks(Machine& system, double time)
 {
-  for (const InitialDisk& initial : machine.state().scene().initial)
+  for (const InitialDisk& initial : system.state().scene().initial)
   {
     Disk disk;
     disk.position = {initial.x, initial.y};
@@ -82,11 +82,11 @@ void placeInitialDisks(Machine& machine, double time)
     disk.spin = initial.spin;
     disk.time = time;
     disk.species = static_cast<std::uint32_t>(initial.species);
-    const SpeciesDefinition& species = machine.state().scene().species[initial.species];
+    const SpeciesDefinition& species = system.state().scene().species[initial.species];
     disk.radius = species.radius;
-    machine.add(disk, grainOf(species, disk.radius));
+    system.add(disk, grainOf(species, disk.radius));
   }
-  refuseBadStart(machine.state(), time);
+  refuseBadStart(system.state(), time);
 }
 
 }  // namespace ratchet_sieve

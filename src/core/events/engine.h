@@ -19,20 +19,21 @@ namespace ratchet_sieve
 
 /// A run of the machine. This class handles events of the whole machine; the loop handles events of single
 /// disks. Times are local to the epoch unless stated otherwise.
-class Run
+class Engine
 {
 public:
   /// Begins a run at `start_time` of the run [s]. See Simulation.
-  Run(const SceneDefinition& scene, const Plan& plan, double start_time, const PourObserver& pour_observer);
+  Engine(const SceneDefinition& scene, const Plan& plan, double start_time,
+         const PourObserver& pour_observer);
 
   /// Resumes a saved run. @throws StateError
-  Run(const SceneDefinition& scene, std::string_view saved_state);
+  Engine(const SceneDefinition& scene, std::string_view saved_state);
 
   /// @throws StateError
   void archive(StateArchive& state);
 
-  const MachineState& machine() const { return machine_.state(); }
-  const RunRecord& record() const { return machine_.record(); }
+  const SystemState& machine() const { return machine_.state(); }
+  const Observers& record() const { return machine_.record(); }
   const CollapseWatch& collapseWatch() const { return machine_.collapseWatch(); }
   const EnergyWatch& energyWatch() const { return energy_watch_; }
   std::uint64_t events() const { return loop_->events(); }
@@ -78,8 +79,8 @@ private:
   /// An event of the whole machine: its next time and its action.
   struct MachineEvent
   {
-    std::optional<double> (Run::*when)() const;
-    void (Run::*what)();
+    std::optional<double> (Engine::*when)() const;
+    void (Engine::*what)();
   };
 
   /// All of them; at the same time, the first in the list is executed first.
@@ -102,6 +103,7 @@ private:
   void beginSegment();
   std::optional<double> nextFeed() const;
   void feed();
+  void pour(std::size_t species, std::size_t count, const Stretch& stretch);
   std::optional<double> nextEpochEnd() const { return machine().epoch().length; }
   void endEpoch();
 

@@ -1,4 +1,4 @@
-#include "state/machine_state.h"
+#include "state/system_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ constexpr double FASTEST_TOOTH = 0x1p26;
 double maxTurn(const SceneDefinition& scene, double largest_diameter)
 {
   const bool lattice = scene.boundary == Boundary::PERIODIC && scene.contact.pair_collisions;
-  return lattice ? MachineState::LATTICE_MARGIN * largest_diameter / scene.base.width()
+  return lattice ? SystemState::LATTICE_MARGIN * largest_diameter / scene.base.width()
                  : std::numeric_limits<double>::infinity();
 }
 
@@ -33,9 +33,10 @@ const Plan& covering(const Plan& plan, const SceneDefinition& scene)
 }
 }  // namespace
 
-MachineState::MachineState(const SceneDefinition& scene, const Plan& plan)
+SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
     : scene_(scene),
       sizes_(scene.species.begin(), scene.species.end()),
+      size_classes_(ratchet_sieve::sizeClasses(scene)),
       plan_(covering(plan, scene)),
       sawtooth_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
@@ -43,20 +44,21 @@ MachineState::MachineState(const SceneDefinition& scene, const Plan& plan)
       epoch_{0.0, epochLength(time_scale_)},
       motion_(scene.base, maxTurn(scene, largest_diameter_), plan.drive && !planOf(scene).drive),
       search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
-      passages_(scene.gravity, plan.spin),
+      trajectories_(scene.gravity, plan.spin),
       bins_(scene.species.size()),
+      size_class_bins_(size_classes_.size()),
       pair_scene_{disks_, motion_, sawtooth_.width(), scene.gravity, timeResolution(epoch_.length)}
 {
 }
 
 /// From the length of the epoch.
-void MachineState::setTimeResolution()
+void SystemState::setTimeResolution()
 {
   pair_scene_.time_resolution = timeResolution(epoch_.length);
   search_.setTimeResolution(pair_scene_.time_resolution);
 }
 
-BaseEvent MachineState::nextBaseEvent(std::uint32_t slot, double from, double until, BaseInstant& base) const
+BaseEvent SystemState::nextBaseEvent(std::uint32_t slot, double from, double until, BaseInstant& base) const
 {
   // Without gravity there may be no event for very long; one epoch at a time is enough.
   double end = std::min(until, from + epoch_.length);
@@ -69,28 +71,46 @@ BaseEvent MachineState::nextBaseEvent(std::uint32_t slot, double from, double un
   return event;
 }
 
-void MachineState::reserve(std::size_t count)
+void SystemState::reserve(std::size_t count)
 {
   disks_.reserve(count);
   grains_.reserve(count);
   active_.reserve(count);
-  passages_.reserve(count);
+  trajectories_.reserve(count);
 }
 
-std::uint32_t MachineState::add(const Disk& disk, const Grain& grain)
+std::uint32_t SystemState::add(const Disk& disk, const Grain& grain)
 {
   const auto slot = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back(disk);
   grains_.push_back(grain);
   active_.push_back(1);
   ++active_count_;
-  ++bins_[disk.species].on_base;
+  countIn(disk, [](SpeciesBins& bins) { ++bins.on_base; });
   ids_.added();
-  passages_.entered(disk, epoch_.start + disk.time);
+  trajectories_.entered(disk, epoch_.start + disk.time);
   return slot;
 }
 
-double MachineState::startAt(double start)
+std::size_t SystemState::sizeClassOf(const Disk& disk) const
+{
+  std::size_t found = size_classes_.size();
+  for (std::size_t k = 0; k < size_classes_.size(); ++k)
+    if (size_classes_[k].species == disk.species && (found > k || disk.radius >= size_classes_[k].smallest))
+      found = k;
+  return found;
+}
+
+/// In the bins of its species, and of its size class if it has one.
+template <typename Count>
+void SystemState::countIn(const Disk& disk, Count&& count)
+{
+  count(bins_[disk.species]);
+  if (const std::size_t size_class = sizeClassOf(disk); size_class < size_class_bins_.size())
+    count(size_class_bins_[size_class]);
+}
+
+double SystemState::startAt(double start)
 {
   epoch_.start = epoch_.length * std::floor(start / epoch_.length);
   const double local = start - epoch_.start;
@@ -98,7 +118,7 @@ double MachineState::startAt(double start)
   return local;
 }
 
-std::vector<std::uint32_t> MachineState::slots(bool active) const
+std::vector<std::uint32_t> SystemState::slots(bool active) const
 {
   std::vector<std::uint32_t> found;
   found.reserve(active ? active_count_ : disks_.size() - active_count_);
@@ -108,25 +128,25 @@ std::vector<std::uint32_t> MachineState::slots(bool active) const
   return found;
 }
 
-void MachineState::compact(const std::vector<std::uint32_t>& kept)
+void SystemState::compact(const std::vector<std::uint32_t>& kept)
 {
-  passages_.keep(kept);
+  trajectories_.keep(kept);
   ids_.keep(kept);
   keepSlots(disks_, kept);
   keepSlots(grains_, kept);
   keepSlots(active_, kept);
 }
 
-Disk& MachineState::fly(std::uint32_t slot, double time)
+Disk& SystemState::fly(std::uint32_t slot, double time)
 {
   Disk& disk = disks_[slot];
-  passages_.flew(slot, disk, time);
+  trajectories_.flew(slot, disk, time);
   disk = flown(disk, time, scene_.gravity);
   ++disk.flights;
   return disk;
 }
 
-void MachineState::passEnd(std::uint32_t slot, bool to_the_right, double time)
+void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time)
 {
   if (scene_.boundary == Boundary::PERIODIC)
     wrap(slot, to_the_right ? -1.0 : 1.0, time);
@@ -134,42 +154,45 @@ void MachineState::passEnd(std::uint32_t slot, bool to_the_right, double time)
     leave(slot, to_the_right, time);
 }
 
-void MachineState::leave(std::uint32_t slot, bool to_the_right, double time)
-{
-  SpeciesBins& bins = bins_[disks_[slot].species];
-  fly(slot, time);
-  --bins.on_base;
-  ++(to_the_right ? bins.right : bins.left);
-  endPassage(slot, time);
-}
-
-void MachineState::remove(std::uint32_t slot, double time)
+void SystemState::leave(std::uint32_t slot, bool to_the_right, double time)
 {
   fly(slot, time);
-  endPassage(slot, time);
+  countIn(disks_[slot],
+          [to_the_right](SpeciesBins& bins)
+          {
+            --bins.on_base;
+            ++(to_the_right ? bins.right : bins.left);
+          });
+  endTrajectory(slot, time);
 }
 
-void MachineState::endPassage(std::uint32_t slot, double time)
+void SystemState::remove(std::uint32_t slot, double time)
+{
+  fly(slot, time);
+  endTrajectory(slot, time);
+}
+
+void SystemState::endTrajectory(std::uint32_t slot, double time)
 {
   active_[slot] = 0;
   --active_count_;
-  passages_.left(slot, epoch_.start + time);
+  trajectories_.left(slot, epoch_.start + time);
 }
 
-void MachineState::wrap(std::uint32_t slot, double shift, double time)
+void SystemState::wrap(std::uint32_t slot, double shift, double time)
 {
   moveTo(slot, image(shift, time), time);
 }
 
-void MachineState::moveTo(std::uint32_t slot, const Image& image, double time)
+void SystemState::moveTo(std::uint32_t slot, const Image& image, double time)
 {
   Disk& disk = fly(slot, time);
   disk.position += image.shift;
   disk.velocity += image.velocity;
-  passages_.wrapped(slot, -image.shift.x());
+  trajectories_.wrapped(slot, -image.shift.x());
 }
 
-void MachineState::wrapIntoWidth(std::uint32_t slot, double s, double time)
+void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time)
 {
   if (scene_.boundary != Boundary::PERIODIC || motion_.turning())
     return;
@@ -179,7 +202,7 @@ void MachineState::wrapIntoWidth(std::uint32_t slot, double s, double time)
 }
 
 /// Wraps all disks when the base begins to turn. Before, an image moves exactly as its disk does.
-void MachineState::wrapAll(double time)
+void SystemState::wrapAll(double time)
 {
   if (scene_.boundary != Boundary::PERIODIC)
     return;
@@ -196,13 +219,15 @@ void MachineState::wrapAll(double time)
   }
 }
 
-void MachineState::archive(StateArchive& state)
+void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, grains_, active_, active_count_, ids_, passages_, bins_);
+  state(epoch_, motion_, disks_, grains_, active_, active_count_, ids_, trajectories_, bins_,
+        size_class_bins_);
   setTimeResolution();
   const std::size_t count = disks_.size();
-  const bool of_this_scene = bins_.size() == scene_.species.size() && active_.size() == count &&
-                             grains_.size() == count && passages_.size() == count && ids_.fits(count) &&
+  const bool of_this_scene = bins_.size() == scene_.species.size() &&
+                             size_class_bins_.size() == size_classes_.size() && active_.size() == count &&
+                             grains_.size() == count && trajectories_.size() == count && ids_.fits(count) &&
                              std::all_of(disks_.begin(), disks_.end(),
                                          [this](const Disk& disk) { return disk.species < bins_.size(); });
   if (!of_this_scene)
@@ -210,12 +235,12 @@ void MachineState::archive(StateArchive& state)
   state.require(isLegal(), "the state of the machine or of a disk is impossible");
 }
 
-bool MachineState::canBeTime(double time) const
+bool SystemState::canBeTime(double time) const
 {
   return time >= -2.0 * epochLength(time_scale_);
 }
 
-bool MachineState::isLegal() const
+bool SystemState::isLegal() const
 {
   int exponent = 0;
   if (!std::isfinite(epoch_.start) || epoch_.start < 0.0 || std::frexp(epoch_.length, &exponent) != 0.5 ||
@@ -228,7 +253,7 @@ bool MachineState::isLegal() const
   return static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1)) == active_count_;
 }
 
-bool MachineState::hasLegalGrain(std::uint32_t slot) const
+bool SystemState::hasLegalGrain(std::uint32_t slot) const
 {
   const Disk& disk = disks_[slot];
   const Sizes& sizes = sizes_[disk.species];
@@ -236,7 +261,7 @@ bool MachineState::hasLegalGrain(std::uint32_t slot) const
          grains_[slot].mass == scene_.species[disk.species].massOf(disk.radius);
 }
 
-bool MachineState::isLegal(std::uint32_t slot) const
+bool SystemState::isLegal(std::uint32_t slot) const
 {
   const Disk& disk = disks_[slot];
   const double tooth = sawtooth_.toothWidth();
@@ -244,15 +269,15 @@ bool MachineState::isLegal(std::uint32_t slot) const
          (scene_.boundary != Boundary::PERIODIC ||
           std::abs(motion_.at(disk.time).into(disk.position).x()) <= FARTHEST_TOOTH * tooth) &&
          disk.velocity.lpNorm<Eigen::Infinity>() <= FASTEST_TOOTH * tooth / time_scale_ &&
-         std::isfinite(passages_[slot].angle) && std::isfinite(disk.spin);
+         std::isfinite(trajectories_[slot].angle) && std::isfinite(disk.spin);
 }
 
-double MachineState::smallestRadius() const
+double SystemState::smallestRadius() const
 {
   return ratchet_sieve::smallestRadius(scene_);
 }
 
-double MachineState::shortenEpoch(double now)
+double SystemState::shortenEpoch(double now)
 {
   const double longest = longestEpoch(motion_.speedBound(), smallestRadius());
   if (longest >= epoch_.length)
@@ -262,7 +287,7 @@ double MachineState::shortenEpoch(double now)
   return epoch_.length * std::floor(now / epoch_.length);
 }
 
-void MachineState::rebase(double length)
+void SystemState::rebase(double length)
 {
   motion_.rebase(length);
   for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
@@ -271,7 +296,7 @@ void MachineState::rebase(double length)
     // of flight.
     if (active(slot) && disks_[slot].time < 0.0)
     {
-      passages_.flew(slot, disks_[slot], length);
+      trajectories_.flew(slot, disks_[slot], length);
       disks_[slot] = flown(disks_[slot], length, scene_.gravity);
     }
     disks_[slot].time -= length;

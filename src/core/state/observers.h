@@ -10,21 +10,21 @@
 #include "state/base_impulses.h"
 #include "state/contact_counts.h"
 #include "state/contact_times.h"
-#include "state/machine_state.h"
-#include "state/tally.h"
+#include "state/species_averages.h"
+#include "state/system_state.h"
 
 namespace ratchet_sieve
 {
 
 /// A contact as a record for callers.
-CollisionRecord recordOf(const ContactOutcome& outcome, const MachineState& machine);
+CollisionRecord recordOf(const ContactOutcome& outcome, const SystemState& system);
 
 /// The record of a run: the observers of its contacts, and the means.
-class RunRecord
+class Observers
 {
 public:
-  /// @param machine outlives this
-  explicit RunRecord(const MachineState& machine);
+  /// @param system outlives this
+  explicit Observers(const SystemState& system);
 
   /// Takes an executed contact.
   void take(const ContactOutcome& outcome)
@@ -34,9 +34,9 @@ public:
       return;
     impulses_.take(outcome);
     times_.take(outcome);
-    tally_.take(outcome, machine_);
+    averages_.take(outcome, system_);
     if (observer_)
-      observer_(recordOf(outcome, machine_));
+      observer_(recordOf(outcome, system_));
   }
 
   /// Takes counts of base contacts executed by SIMD; their impulses were added there.
@@ -44,7 +44,7 @@ public:
   void take(const ContactCounts& counts, const std::vector<std::uint64_t>& contacts)
   {
     counts_.add(counts);
-    tally_.add(contacts);
+    averages_.add(contacts);
   }
 
   void reserve(std::size_t count) { impulses_.reserve(count); }
@@ -67,12 +67,16 @@ public:
 
   /// Whether the series of the means is recorded in blocks: always for a layer, whose disks move together.
   /// Independent disks need none, unless the scene requests an accuracy.
-  bool keepsBlocks() const { return machine_.plan().pairs || accuracy_.kept(); }
+  bool keepsBlocks() const { return system_.plan().pairs || accuracy_.kept(); }
   void endBlockOfMeans(double time);
 
   /// @param block_time of the original blocks [s]
   MeanSeries meanSeries(double block_time) const;
-  std::vector<SpeciesMeans> means(double time) const { return tally_.means(machine_, time); }
+  std::vector<SpeciesMeans> means(double time) const { return averages_.means(system_, time); }
+  std::vector<SpeciesMeans> sizeClassMeans(double time) const
+  {
+    return averages_.sizeClassMeans(system_, time);
+  }
 
   void rebase(double length) { times_.rebase(length); }
 
@@ -80,11 +84,11 @@ public:
   void archive(StateArchive& state);
 
 private:
-  const MachineState& machine_;
+  const SystemState& system_;
   ContactCounts counts_;
   BaseImpulses impulses_;
   ContactTimes times_;
-  Tally tally_;
+  SpeciesAverages averages_;
   AccuracySeries accuracy_;
   CollisionObserver observer_;
 };

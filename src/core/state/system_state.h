@@ -15,26 +15,26 @@
 #include "search/pair_search.h"
 #include "state/disk_ids.h"
 #include "state/epoch.h"
-#include "state/passages.h"
+#include "state/trajectory_sums.h"
 
 namespace ratchet_sieve
 {
 
 /// Positions and motion of the base and the disks. A disk is at a *slot* of arrays; see DiskIds. Times are
 /// local to the epoch.
-class MachineState
+class SystemState
 {
 public:
   /// While a periodic base turns, its lattice moves relative to a fixed frame by at most this fraction of the
   /// largest diameter within one segment of the motion.
   static constexpr double LATTICE_MARGIN = 0.45;
 
-  explicit MachineState(const SceneDefinition& scene) : MachineState(scene, planOf(scene)) {}
+  explicit SystemState(const SceneDefinition& scene) : SystemState(scene, planOf(scene)) {}
 
   /// @throws std::invalid_argument unless the plan covers the scene
-  MachineState(const SceneDefinition& scene, const Plan& plan);
-  MachineState(const MachineState&) = delete;
-  MachineState& operator=(const MachineState&) = delete;
+  SystemState(const SceneDefinition& scene, const Plan& plan);
+  SystemState(const SystemState&) = delete;
+  SystemState& operator=(const SystemState&) = delete;
 
   const SceneDefinition& scene() const { return scene_; }
   const Plan& plan() const { return plan_; }
@@ -60,6 +60,10 @@ public:
   double largestDiameter() const { return largest_diameter_; }
   double smallestRadius() const;
   const Sizes& sizes(std::size_t species) const { return sizes_[species]; }
+  const std::vector<SizeClass>& sizeClasses() const { return size_classes_; }
+
+  /// The class of a disk; the number of classes if its species has no sizes.
+  std::size_t sizeClassOf(const Disk& disk) const;
 
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
@@ -69,14 +73,15 @@ public:
   std::size_t activeCount() const { return active_count_; }
   const DiskIds& ids() const { return ids_; }
   std::uint32_t id(std::uint32_t slot) const { return ids_.of(slot); }
-  const Passages& passages() const { return passages_; }
+  const TrajectorySums& trajectories() const { return trajectories_; }
   const std::vector<SpeciesBins>& bins() const { return bins_; }
+  const std::vector<SpeciesBins>& sizeClassBins() const { return size_class_bins_; }
 
   void prefetchFlight(std::uint32_t slot) const
   {
     prefetch(disks_[slot]);
     prefetch(grains_[slot]);
-    passages_.prefetchPassage(slot);
+    trajectories_.prefetchTrajectory(slot);
   }
 
   /// The disk's first event with the base, searched from `from` and only as far as needed to find all before
@@ -96,14 +101,14 @@ public:
   /// Stores the disk's state at the end of its flight so far.
   void moveTo(std::uint32_t slot, const Disk& now)
   {
-    passages_.flew(slot, disks_[slot], now.time);
+    trajectories_.flew(slot, disks_[slot], now.time);
     disks_[slot] = now;
   }
 
   /// For changes of a flight, and for SIMD batches. May be called by several threads for different disks at
   /// the same time.
   Disk& changeable(std::uint32_t slot) { return disks_[slot]; }
-  Passages& passages() { return passages_; }
+  TrajectorySums& trajectories() { return trajectories_; }
 
   /// Moves the disk to its image `shift` widths to the right, on the same flight.
   void wrap(std::uint32_t slot, double shift, double time);
@@ -125,8 +130,8 @@ public:
   /// Removes disks that have left from the arrays; the others move to smaller slots. @param kept slots(true)
   void compact(const std::vector<std::uint32_t>& kept);
 
-  /// Starts the counting in passages.
-  void restartPassages(double time) { passages_.restart(disks_, active_, epoch_.start + time, time); }
+  /// Starts the counting in trajectories.
+  void restartTrajectories(double time) { trajectories_.restart(disks_, active_, epoch_.start + time, time); }
 
   /// Time counts from `start` [s] instead of 0. @pre nothing has happened yet
   /// @return the start, local to the epoch: epochs are multiples of their length from time 0, so that times
@@ -156,11 +161,14 @@ private:
   void wrapAll(double time);
   void moveTo(std::uint32_t slot, const Image& image, double time);
   void leave(std::uint32_t slot, bool to_the_right, double time);
+  template <typename Count>
+  void countIn(const Disk& disk, Count&& count);
   Disk& fly(std::uint32_t slot, double time);
-  void endPassage(std::uint32_t slot, double time);
+  void endTrajectory(std::uint32_t slot, double time);
 
   SceneDefinition scene_;
   std::vector<Sizes> sizes_;  ///< per species
+  std::vector<SizeClass> size_classes_;
   Plan plan_;
   Sawtooth sawtooth_;
   double largest_diameter_;
@@ -174,8 +182,9 @@ private:
   std::vector<std::uint8_t> active_;
   std::size_t active_count_ = 0;
   DiskIds ids_;
-  Passages passages_;
+  TrajectorySums trajectories_;
   std::vector<SpeciesBins> bins_;
+  std::vector<SpeciesBins> size_class_bins_;
   PairScene pair_scene_;  ///< of the members above
 };
 

@@ -1,4 +1,4 @@
-#include "events/run.h"
+#include "events/engine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,26 +19,27 @@ namespace
 constexpr double SCALES_PER_ENSEMBLE_BLOCK = 8.0;
 }  // namespace
 
-const Run::MachineEvent Run::MACHINE_EVENTS[] = {{&Run::nextSettle, &Run::settle},
-                                                 {&Run::nextBlockEnd, &Run::endBlock},
-                                                 {&Run::nextPeriodSample, &Run::samplePeriod},
-                                                 {&Run::nextSegmentEnd, &Run::beginSegment},
-                                                 {&Run::nextFeed, &Run::feed},
-                                                 {&Run::nextEpochEnd, &Run::endEpoch}};
+const Engine::MachineEvent Engine::MACHINE_EVENTS[] = {{&Engine::nextSettle, &Engine::settle},
+                                                       {&Engine::nextBlockEnd, &Engine::endBlock},
+                                                       {&Engine::nextPeriodSample, &Engine::samplePeriod},
+                                                       {&Engine::nextSegmentEnd, &Engine::beginSegment},
+                                                       {&Engine::nextFeed, &Engine::feed},
+                                                       {&Engine::nextEpochEnd, &Engine::endEpoch}};
 
-Run::Run(const SceneDefinition& scene, const Plan& plan, double start_time, const PourObserver& pour_observer)
+Engine::Engine(const SceneDefinition& scene, const Plan& plan, double start_time,
+               const PourObserver& pour_observer)
     : machine_(scene, plan), random_(scene.seed), energy_watch_(scene), start_(start_time)
 {
   now_ = machine_.startAt(start_);
   if (scene.initial.empty())
-    pourDisks(machine_, pourOrder(scene.species, random_), now_, random_, pour_observer);
+    pourDisks(machine_, pourOrder(scene.species, random_), scene.pour.stretch, now_, random_, pour_observer);
   else
     placeInitialDisks(machine_, now_);
   loop_ = makeLoop();
   announce(0);
 }
 
-Run::Run(const SceneDefinition& scene, std::string_view saved_state)
+Engine::Engine(const SceneDefinition& scene, std::string_view saved_state)
     : machine_(scene), random_(scene.seed), loop_(makeLoop()), energy_watch_(scene)
 {
   StateArchive state(saved_state);
@@ -46,14 +47,14 @@ Run::Run(const SceneDefinition& scene, std::string_view saved_state)
   state.requireEnd();
 }
 
-void Run::archive(StateArchive& state)
+void Engine::archive(StateArchive& state)
 {
   state(machine_, random_, *loop_, energy_watch_, start_, now_, settled_, blocks_, fed_);
   state.require(isLegal(), "its time is impossible");
 }
 
 /// Whether a restored state is possible: counters that increase with time must match the time.
-bool Run::isLegal() const
+bool Engine::isLegal() const
 {
   if (!(start_ >= 0.0 && now_ >= 0.0 && now_ <= machine().epoch().length && start_ <= time()))
     return false;
@@ -66,7 +67,7 @@ bool Run::isLegal() const
   return fed && blocks;
 }
 
-void Run::advanceTo(double time)
+void Engine::advanceTo(double time)
 {
   if (!(time >= this->time()))
     return;
@@ -86,7 +87,12 @@ void Run::advanceTo(double time)
   }
 }
 
-void Run::pour(std::size_t species, std::size_t count)
+void Engine::pour(std::size_t species, std::size_t count)
+{
+  pour(species, count, machine().scene().pour.stretch);
+}
+
+void Engine::pour(std::size_t species, std::size_t count, const Stretch& stretch)
 {
   const SceneDefinition& scene = machine().scene();
   if (species >= scene.species.size())
@@ -96,17 +102,18 @@ void Run::pour(std::size_t species, std::size_t count)
                                 " are wider than the machine: there is no room for them");
   loop_->catchUp(now_);
   const auto before = static_cast<std::uint32_t>(machine().disks().size());
-  pourDisks(machine_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), now_, random_);
+  pourDisks(machine_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), stretch, now_,
+            random_);
   announce(before);
 }
 
-void Run::setThreads(std::size_t threads)
+void Engine::setThreads(std::size_t threads)
 {
   threads_ = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
   loop_->setThreads(threads_);
 }
 
-void Run::observeCollisions(CollisionObserver observer)
+void Engine::observeCollisions(CollisionObserver observer)
 {
   if (hasPairs())
     return machine_.record().observeCollisions(std::move(observer));
@@ -116,14 +123,14 @@ void Run::observeCollisions(CollisionObserver observer)
                         : nullptr);
 }
 
-std::size_t Run::auditOverlaps()
+std::size_t Engine::auditOverlaps()
 {
   const Audit found = audit(machine(), loop_->executedUntil(now_));
   machine_.record().counts().takeOverlap(found.largest_overlap);
   return found.behind_surface;
 }
 
-std::unique_ptr<EventLoop> Run::makeLoop()
+std::unique_ptr<EventLoop> Engine::makeLoop()
 {
   // Checked for every scene, so that an invalid limit is an error before the run begins.
   laneLimit();
@@ -132,7 +139,7 @@ std::unique_ptr<EventLoop> Run::makeLoop()
   return machine().plan().steps ? makeStepLoop(machine_) : makePairLoop(machine_);
 }
 
-double Run::nextMachineEvent() const
+double Engine::nextMachineEvent() const
 {
   double next = std::numeric_limits<double>::infinity();
   for (const MachineEvent& event : MACHINE_EVENTS)
@@ -143,7 +150,7 @@ double Run::nextMachineEvent() const
   return std::max(next, now_);
 }
 
-bool Run::executeMachineEvent()
+bool Engine::executeMachineEvent()
 {
   for (const MachineEvent& event : MACHINE_EVENTS)
     if (const auto when = (this->*event.when)(); when && *when <= now_)
@@ -154,18 +161,18 @@ bool Run::executeMachineEvent()
   return false;
 }
 
-std::optional<double> Run::nextSettle() const
+std::optional<double> Engine::nextSettle() const
 {
   return settled_ ? std::nullopt : local(settledTime());
 }
 
-void Run::settle()
+void Engine::settle()
 {
   settled_ = true;
   machine_.restartMeans(now_);
 }
 
-std::optional<double> Run::nextBlockEnd() const
+std::optional<double> Engine::nextBlockEnd() const
 {
   if (!settled_ || !record().keepsBlocks())
     return std::nullopt;
@@ -173,35 +180,35 @@ std::optional<double> Run::nextBlockEnd() const
 }
 
 /// The block length follows the machine's time scale.
-double Run::blockTime() const
+double Engine::blockTime() const
 {
   return hasPairs() ? machine().timeScale() : SCALES_PER_ENSEMBLE_BLOCK * machine().timeScale();
 }
 
-void Run::endBlock()
+void Engine::endBlock()
 {
   ++blocks_;
   machine_.record().endBlockOfMeans(now_);
 }
 
-void Run::beginSegment()
+void Engine::beginSegment()
 {
   changeMotion([](BaseMotion& motion, double now) { motion.beginSegment(now); });
 }
 
-std::optional<double> Run::nextFeed() const
+std::optional<double> Engine::nextFeed() const
 {
   const double rate = machine().scene().feed.rate;
   return rate > 0.0 ? local(start_ + static_cast<double>(fed_ + 1) / rate) : std::nullopt;
 }
 
-void Run::feed()
+void Engine::feed()
 {
   ++fed_;
-  pour(drawSpecies(machine().scene().species, random_), 1);
+  pour(drawSpecies(machine().scene().species, random_), 1, machine().scene().feed.stretch);
 }
 
-void Run::endEpoch()
+void Engine::endEpoch()
 {
   const bool moving = machine().motion().nextChange().has_value();
   loop_->catchUp(now_);
@@ -214,7 +221,7 @@ void Run::endEpoch()
     loop_->motionChanged(now_);
 }
 
-void Run::moveZero(double length)
+void Engine::moveZero(double length)
 {
   machine_.rebase(length);
   loop_->rebase(length);
@@ -223,7 +230,7 @@ void Run::moveZero(double length)
 }
 
 /// To be called after slots were reassigned.
-void Run::renewLoop()
+void Engine::renewLoop()
 {
   const std::uint64_t events = loop_->events();
   loop_ = makeLoop();
@@ -234,7 +241,7 @@ void Run::renewLoop()
 
 /// The disks of an ensemble do not reach a collapse in the order of time. So an ensemble is stopped at the
 /// end of an epoch, regardless of the calls of advanceTo().
-bool Run::hasToStop() const
+bool Engine::hasToStop() const
 {
   const CollapseWatch& watch = collapseWatch();
   return watch.stops() && (hasPairs() || now_ >= machine().epoch().length);
@@ -242,7 +249,7 @@ bool Run::hasToStop() const
 
 /// An epoch's times are finer than the run's. The run ends at the next time that the run can represent, so
 /// that another run to time() gives the same bits.
-void Run::stopAtATimeOfTheRun()
+void Engine::stopAtATimeOfTheRun()
 {
   const double epoch_start = machine().epoch().start;
   double end = time();
@@ -251,7 +258,7 @@ void Run::stopAtATimeOfTheRun()
   now_ = end - epoch_start;
 }
 
-void Run::announce(std::uint32_t first)
+void Engine::announce(std::uint32_t first)
 {
   for (std::uint32_t slot = first; slot < machine().disks().size(); ++slot)
     loop_->added(slot, now_);

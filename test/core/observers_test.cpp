@@ -1,5 +1,5 @@
 // What the observers of contacts record for given outcomes.
-#include "state/run_record.h"
+#include "state/observers.h"
 
 #include <gtest/gtest.h>
 
@@ -109,11 +109,11 @@ TEST(ContactTimes, AreThoseOfBothPartners)
   EXPECT_FALSE(none.within(1e9, 0, 1.0));
 }
 
-TEST(RunRecord, TellsWhatClosedByIdsAndInTheRunsTime)
+TEST(Observers, TellsWhatClosedByIdsAndInTheRunsTime)
 {
-  MachineState machine(test::mixture(0));
+  SystemState machine(test::mixture(0));
   const double local = machine.startAt(1000.25);
-  RunRecord record(machine);
+  Observers record(machine);
   for (int disk = 0; disk < 3; ++disk)
   {
     test::addDisk(machine, Disk());

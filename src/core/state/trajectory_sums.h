@@ -12,8 +12,8 @@
 namespace ratchet_sieve
 {
 
-/// One disk's stay in the machine: the sums over its flights. Kept after the disk has left. One cache line.
-struct alignas(64) Passage
+/// One disk's stay in the system: the sums over its flights. Kept after the disk has left. One cache line.
+struct alignas(64) Trajectory
 {
   /// Value of counted_from for disks that had left before the counting began.
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
@@ -39,33 +39,33 @@ struct alignas(64) Passage
 /// Displacements, and kinetic energies integrated exactly along every flight. Summed per disk, so that the
 /// bits do not depend on the calls of advanceTo(). Times are the run's (not local to an epoch) unless stated
 /// otherwise.
-class Passages
+class TrajectorySums
 {
 public:
   /// @param spin whether disks can spin; see Plan
-  Passages(double gravity, bool spin) : gravity_(gravity), spin_(spin) {}
+  TrajectorySums(double gravity, bool spin) : gravity_(gravity), spin_(spin) {}
 
-  std::size_t size() const { return passages_.size(); }
-  const Passage& operator[](std::uint32_t slot) const { return passages_[slot]; }
-  void prefetchPassage(std::uint32_t slot) const { prefetch(passages_[slot]); }
-  void reserve(std::size_t count) { passages_.reserve(count); }
-  void keep(const std::vector<std::uint32_t>& slots) { keepSlots(passages_, slots); }
+  std::size_t size() const { return trajectories_.size(); }
+  const Trajectory& operator[](std::uint32_t slot) const { return trajectories_[slot]; }
+  void prefetchTrajectory(std::uint32_t slot) const { prefetch(trajectories_[slot]); }
+  void reserve(std::size_t count) { trajectories_.reserve(count); }
+  void keep(const std::vector<std::uint32_t>& slots) { keepSlots(trajectories_, slots); }
 
   void entered(const Disk& disk, double time);
-  void left(std::uint32_t slot, double time) { passages_[slot].left_when = time; }
+  void left(std::uint32_t slot, double time) { trajectories_[slot].left_when = time; }
 
   /// Adds the part of a disk's flight from its own time to `time`, both local.
-  void flew(std::uint32_t slot, const Disk& disk, double time) { integrate(passages_[slot], disk, time); }
+  void flew(std::uint32_t slot, const Disk& disk, double time) { integrate(trajectories_[slot], disk, time); }
 
   /// The disk was moved by -dx in the world by a periodic boundary; the displacement is unchanged.
-  void wrapped(std::uint32_t slot, double dx) { passages_[slot].offset += dx; }
+  void wrapped(std::uint32_t slot, double dx) { trajectories_[slot].offset += dx; }
 
-  /// A disk's passage including its present flight up to a local time.
-  Passage until(std::uint32_t slot, const Disk& disk, double local_time) const
+  /// A disk's trajectory including its present flight up to a local time.
+  Trajectory until(std::uint32_t slot, const Disk& disk, double local_time) const
   {
-    Passage passage = passages_[slot];
-    integrate(passage, disk, local_time);
-    return passage;
+    Trajectory trajectory = trajectories_[slot];
+    integrate(trajectory, disk, local_time);
+    return trajectory;
   }
 
   /// The sums that grow with every flight, for SIMD batches.
@@ -79,11 +79,11 @@ public:
 
   void setFlown(std::uint32_t slot, const Flown& flown)
   {
-    Passage& passage = passages_[slot];
-    passage.offset = flown.offset;
-    passage.translation = flown.translation;
-    passage.rotation = flown.rotation;
-    passage.angle = flown.angle;
+    Trajectory& trajectory = trajectories_[slot];
+    trajectory.offset = flown.offset;
+    trajectory.translation = flown.translation;
+    trajectory.rotation = flown.rotation;
+    trajectory.angle = flown.angle;
   }
 
   /// Forgets all counts: the end of `settle`.
@@ -94,17 +94,17 @@ public:
   /// Unwrapped path along world x since the disk entered [m].
   double displacement(std::uint32_t slot, double x) const
   {
-    return x + passages_[slot].offset - passages_[slot].entered_x;
+    return x + trajectories_[slot].offset - trajectories_[slot].entered_x;
   }
 
-  void archive(StateArchive& state) { state(passages_); }
+  void archive(StateArchive& state) { state(trajectories_); }
 
 private:
-  void integrate(Passage& passage, const Disk& disk, double local_time) const;
+  void integrate(Trajectory& trajectory, const Disk& disk, double local_time) const;
 
   double gravity_;
   bool spin_;
-  std::vector<Passage> passages_;  ///< per slot
+  std::vector<Trajectory> trajectories_;  ///< per slot
 };
 
 }  // namespace ratchet_sieve
