@@ -12,6 +12,31 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
+/// Adds the results by size class for a species that has sizes.
+void addSizeClasses(Json& species, std::size_t index, const Simulation& simulation)
+{
+  const std::vector<SizeClass>& classes = simulation.sizeClasses();
+  const std::vector<SpeciesMeans> means = simulation.sizeClassMeans();
+  std::vector<SpeciesBins> bins;
+  Json list = Json::array();
+  for (std::size_t k = 0; k < classes.size(); ++k)
+  {
+    if (classes[k].species != index)
+      continue;
+    bins.push_back(simulation.sizeClassBins()[k]);
+    list.push_back({{"radius", {classes[k].smallest, classes[k].largest}},
+                    {"count", bins.back().counted() + bins.back().on_base},
+                    {"left", bins.back().left},
+                    {"right", bins.back().right},
+                    {"mean_vx", numberOrNull(means[k].mean_vx)},
+                    {"mean_vx_stderr", numberOrNull(means[k].mean_vx_stderr)}});
+  }
+  if (list.empty())
+    return;
+  species["size_quality"] = numberOrNull(bestQuality(bins));
+  species["size_classes"] = std::move(list);
+}
+
 Json speciesResults(const Simulation& simulation)
 {
   const std::vector<SpeciesBins> bins = simulation.bins();
@@ -25,6 +50,7 @@ Json speciesResults(const Simulation& simulation)
     json["left"] = bins[i].left;
     json["right"] = bins[i].right;
     addMeans(json, means[i]);
+    addSizeClasses(json, i, simulation);
     list.push_back(std::move(json));
   }
   return list;

@@ -1,5 +1,6 @@
 #include "ratchet_sieve/ros/conversions.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -61,6 +62,14 @@ private:
     for (std::size_t k = 0; k < from.size(); ++k)
       Fields<Row>::each([k](const FieldInfo&, const auto& value, auto& column) { column[k] = value; },
                         from[k], to.message);
+    Fields<Row>::each(
+        [](const FieldInfo& field, const auto&, auto& column)
+        {
+          if (field.sparse &&
+              std::all_of(column.begin(), column.end(), [](auto value) { return value == 0; }))
+            column.clear();
+        },
+        any, to.message);
   }
 };
 
@@ -105,13 +114,22 @@ private:
   void get(const FieldInfo&, std::vector<Row>& to, const Columns<Message>& from)
   {
     const Row any;
-    Fields<Row>::each([this](const FieldInfo& field, const auto&, const auto& column)
-                      { requireLength(field, column.size()); },
-                      any, from.message);
+    Fields<Row>::each(
+        [this](const FieldInfo& field, const auto&, const auto& column)
+        {
+          if (!field.sparse || !column.empty())
+            requireLength(field, column.size());
+        },
+        any, from.message);
     to.resize(*length_);
     for (std::size_t k = 0; k < to.size(); ++k)
-      Fields<Row>::each([k](const FieldInfo&, auto& value, const auto& column) { value = column[k]; }, to[k],
-                        from.message);
+      Fields<Row>::each(
+          [k](const FieldInfo& field, auto& value, const auto& column)
+          {
+            if (!field.sparse || !column.empty())
+              value = column[k];
+          },
+          to[k], from.message);
   }
 
   void requireLength(const FieldInfo& field, std::size_t length)

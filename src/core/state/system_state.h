@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "model/base_motion.h"
+#include "model/base_shape.h"
 #include "model/disk.h"
 #include "model/grain.h"
-#include "model/base_shape.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/sizes.h"
@@ -65,6 +65,10 @@ public:
   double latticeDiameter() const { return lattice_diameter_; }
   double smallestRadius() const;
   const Sizes& sizes(std::size_t species) const { return sizes_[species]; }
+  const std::vector<SizeClass>& sizeClasses() const { return size_classes_; }
+
+  /// The class of a disk; the number of classes if its species has no sizes.
+  std::size_t sizeClassOf(const Disk& disk) const;
 
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
@@ -79,6 +83,7 @@ public:
   CollapseWatch& collapseWatch() { return collapse_watch_; }
   const Observers& observers() const { return observers_; }
   Observers& observers() { return observers_; }
+  const std::vector<SpeciesBins>& sizeClassBins() const { return size_class_bins_; }
 
   /// Prefetches the memory of an event of this disk.
   void prefetchEvent(std::uint32_t slot) const
@@ -163,10 +168,7 @@ public:
   bool canBeTime(double time) const;
 
   /// Whether an event can be one of this base, at its time.
-  bool canBe(const BaseEvent& event) const
-  {
-    return canBeTime(event.time) && shape_.has(event.feature);
-  }
+  bool canBe(const BaseEvent& event) const { return canBeTime(event.time) && shape_.has(event.feature); }
 
 private:
   bool isLegal(std::uint32_t slot) const;
@@ -176,10 +178,13 @@ private:
   void wrapAll(double time);
   void moveTo(std::uint32_t slot, const Image& image, double time);
   void leave(std::uint32_t slot, Exit exit, double time);
+  template <typename Count>
+  void countIn(const Disk& disk, Count&& count);
   Disk& fly(std::uint32_t slot, double time);
 
   SceneDefinition scene_;
   std::vector<Sizes> sizes_;  ///< per species
+  std::vector<SizeClass> size_classes_;
   Plan plan_;
   BaseShape shape_;
   double largest_diameter_;
@@ -195,6 +200,7 @@ private:
   std::size_t active_count_ = 0;
   DiskIds ids_;
   std::vector<SpeciesBins> bins_;
+  std::vector<SpeciesBins> size_class_bins_;
   PairScene pair_scene_;  ///< of the members above
   CollapseWatch collapse_watch_;
   Observers observers_;
