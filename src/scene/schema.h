@@ -16,9 +16,8 @@
 namespace ratchet_sieve
 {
 
-using Slot =
-    std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Boundary*, CollapseAction*, Method*,
-                 std::vector<OutlineCorner>*>;
+using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Boundary*, CollapseAction*,
+                          Method*, std::vector<OutlineCorner>*>;
 
 enum class Presence
 {

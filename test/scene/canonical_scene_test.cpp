@@ -46,10 +46,10 @@ bool same(const BaseDefinition& a, const BaseDefinition& b)
   return a.teeth == b.teeth && same(a.profile, b.profile) &&
          (!sawtooth || sameBits(a.tooth_width, b.tooth_width)) &&
          (!sawtooth || sameBits(a.tooth_height, b.tooth_height)) &&
-         (!sawtooth || sameBits(a.asymmetry, b.asymmetry)) &&
-         sameBits(a.inclination, b.inclination) && sameBits(a.amplitude, b.amplitude) &&
-         sameBits(a.frequency, b.frequency) && sameBits(a.phase, b.phase) &&
-         sameBits(a.wall_height, b.wall_height) && sameBits(a.horizontal_amplitude, b.horizontal_amplitude) &&
+         (!sawtooth || sameBits(a.asymmetry, b.asymmetry)) && sameBits(a.inclination, b.inclination) &&
+         sameBits(a.amplitude, b.amplitude) && sameBits(a.frequency, b.frequency) &&
+         sameBits(a.phase, b.phase) && sameBits(a.wall_height, b.wall_height) &&
+         sameBits(a.horizontal_amplitude, b.horizontal_amplitude) &&
          sameBits(a.horizontal_phase, b.horizontal_phase) && same(a.harmonics, b.harmonics);
 }
 
@@ -156,7 +156,9 @@ SceneDefinition anyScene()
                 {},
                 {}};
   if (*rc::gen::inRange(0, 3) == 0)
-    scene.base.profile = {{0.0, 0.0}, {number(0.01, 0.1), number(-0.1, 0.5)}, {number(0.1, 0.5), number(0.0, 0.1)},
+    scene.base.profile = {{0.0, 0.0},
+                          {number(0.01, 0.1), number(-0.1, 0.5)},
+                          {number(0.1, 0.5), number(0.0, 0.1)},
                           {number(0.5, 1.0), 0.0}};
   scene.base.wall_height = *rc::gen::arbitrary<bool>() ? number(0.1, 1.0) : 0.0;
   if (*rc::gen::arbitrary<bool>())

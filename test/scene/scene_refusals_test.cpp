@@ -170,9 +170,11 @@ const char* const TOOTH = "teeth: 20, tooth_width: 0.02";
 const Refusal PROFILES[] = {
     {"NoList", TOOTH, "profile: 3", "s.yaml:1: base.profile = 3: must be a list"},
     {"Empty", TOOTH, "profile: []",
-     "s.yaml:1: base.profile: must have two corners or more, from [0, 0] to [w, 0]"},
+     "s.yaml:1: base.profile = a list: must be a list of 2 to 10000 corners [s, n], each number -1000 to "
+     "1000 m"},
     {"OneCorner", TOOTH, "profile: [[0, 0]]",
-     "s.yaml:1: base.profile: must have two corners or more, from [0, 0] to [w, 0]"},
+     "s.yaml:1: base.profile = a list: must be a list of 2 to 10000 corners [s, n], each number -1000 to "
+     "1000 m"},
     {"CornerOfOneNumber", TOOTH, "profile: [[0, 0], [0.02]]",
      "s.yaml:1: base.profile.1: must be two numbers, [s, n]"},
     {"CornerThatIsNoList", TOOTH, "profile: [0, 0.02]", "s.yaml:1: base.profile.0 = 0: must be a list"},
@@ -193,7 +195,8 @@ const Refusal PROFILES[] = {
     {"CornerTwice", TOOTH, "profile: [[0, 0], [0.01, 0.001], [0.01, 0.001], [0.02, 0]]",
      "s.yaml:1: base.profile.2: must be at least 1e-09 m from the corner before"},
     {"WallBetweenTeeth", TOOTH, "profile: [[0, 0], [0, -0.01], [0.02, -0.01], [0.02, 0]]",
-     "s.yaml:1: base.profile.3: leads back along the next tooth's first face: there must be no wall or gap without "
+     "s.yaml:1: base.profile.3: leads back along the next tooth's first face: there must be no wall or gap "
+     "without "
      "thickness"},
     {"BesideAWidth", TOOTH, "tooth_width: 0.02, profile: [[0, 0], [0.02, 0]]",
      "s.yaml:1: base.tooth_width: must be absent because base.profile gives the tooth"},

@@ -30,8 +30,8 @@ struct HarmonicDefinition
   double horizontal_phase = 0.0;      ///< phi_x,k [rad]
 };
 
-/// A corner of the outline of a tooth, in coordinates of the tooth: s along the base from the tooth's left end,
-/// n normal to the base.
+/// A corner of the outline of a tooth, in coordinates of the tooth: s along the base from the tooth's left
+/// end, n normal to the base.
 struct OutlineCorner
 {
   double s = 0.0;  ///< [m]
@@ -39,8 +39,8 @@ struct OutlineCorner
 };
 
 /// The base and its drive. Tooth k spans s in [k w, (k+1) w] along the base; that of a sawtooth has its apex
-/// at s = (k + a) w, n = h. The whole base moves in the world by D(t) = (A_x sin(phi + phi_x), A sin(phi)) and
-/// its harmonics, whatever its inclination.
+/// at s = (k + a) w, n = h. The whole base moves in the world by D(t) = (A_x sin(phi + phi_x), A sin(phi))
+/// and its harmonics, whatever its inclination.
 struct BaseDefinition
 {
   int teeth = 20;
@@ -57,8 +57,8 @@ struct BaseDefinition
   double horizontal_phase = 0.0;      ///< phi_x [rad]
   std::vector<HarmonicDefinition> harmonics;
 
-  /// If any: the outline of a tooth in place of tooth_width, tooth_height and asymmetry. From (0, 0) to (w, 0),
-  /// at least two corners, s never decreasing (equal: a vertical face), no corner twice.
+  /// If any: the outline of a tooth in place of tooth_width, tooth_height and asymmetry. From (0, 0) to (w,
+  /// 0), at least two corners, s never decreasing (equal: a vertical face), no corner twice.
   std::vector<OutlineCorner> profile;
 
   double toothWidth() const { return profile.empty() ? tooth_width : profile.back().s; }  ///< w [m]

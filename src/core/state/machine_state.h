@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "model/base_motion.h"
-#include "model/disk.h"
 #include "model/base_shape.h"
+#include "model/disk.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "search/contact_search.h"
@@ -144,10 +144,7 @@ public:
   bool canBeTime(double time) const;
 
   /// Whether an event can be one of this base, at its time.
-  bool canBe(const BaseEvent& event) const
-  {
-    return canBeTime(event.time) && shape_.has(event.feature);
-  }
+  bool canBe(const BaseEvent& event) const { return canBeTime(event.time) && shape_.has(event.feature); }
 
 private:
   bool isLegal(std::uint32_t slot) const;
