@@ -61,6 +61,9 @@ struct BaseDefinition
   /// 0), at least two corners, s never decreasing (equal: a vertical face), no corner twice.
   std::vector<OutlineCorner> profile;
 
+  /// Whether a tooth is that of tooth_width, tooth_height and asymmetry, which the lanes know.
+  bool isSawtooth() const { return profile.empty(); }
+
   double toothWidth() const { return profile.empty() ? tooth_width : profile.back().s; }  ///< w [m]
   double width() const { return teeth * toothWidth(); }                                   ///< W = L w [m]
   double highest() const;  ///< height of the highest corner above n = 0 [m]

@@ -61,7 +61,7 @@ Eigen::Vector2d toTheRight(const BaseShape::Face& face)
 
 BaseShape::BaseShape(const BaseDefinition& base, Boundary boundary, double wall_height)
     : boundary_(boundary),
-      is_profile_(!base.profile.empty()),
+      is_profile_(!base.isSawtooth()),
       teeth_(base.teeth),
       tooth_width_(base.toothWidth()),
       teeth_per_length_(1.0 / tooth_width_),
