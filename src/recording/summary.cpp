@@ -154,7 +154,7 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
   json["events"] = simulation.events();
   json["collisions"] = collisionCounts(simulation.collisions());
   json["short_to_long"] = numberOrNull(simulation.collisions().shortToLong(scene.base.slopeAsymmetry()));
-  if (!scene.base.profile.empty())
+  if (!scene.base.isSawtooth())
     json["contacts_by_face"] = contactsByFace(simulation.faceContacts());
   json["species"] = speciesResults(simulation);
   json["quality"] = numberOrNull(bestQuality(simulation.bins()));
