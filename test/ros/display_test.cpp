@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
+#include "marker_style.h"
 #include "model/sawtooth.h"
 #include "ratchet_sieve/ros/particle_cloud.h"
 #include "ratchet_sieve/ros/scene_markers.h"
@@ -130,6 +131,29 @@ TEST(SceneMarkers, moveTheBaseAsTheTransformsDo)
     EXPECT_NEAR(turned.x + part.pose.position.x, expected.x, 1e-15);
     EXPECT_NEAR(turned.z + part.pose.position.z, expected.z, 1e-15);
   }
+}
+
+TEST(SceneMarkers, drawDisksOfManySizesWithinTwoPercent)
+{
+  SceneDefinition scene = smallMixture();
+  scene.species[1].size = {SizeDistribution::LOGNORMAL, 0.5, 3.0, {}, {}, {}};
+  const Sizes sizes(scene.species[1]);
+  ParticleFrame frame;
+  for (int k = 0; k <= 100; ++k)
+  {
+    const double radius = sizes.smallest() + 0.01 * k * (sizes.largest() - sizes.smallest());
+    frame.disks.push_back({static_cast<std::uint32_t>(k), 1, radius, 0.02, 0, 0, 0, 0, 0, radius});
+  }
+  std::size_t drawn = 0;
+  for (const auto& list : diskMarkers(scene, frame).markers)
+    for (const auto& point : list.points)
+      if (list.ns == "disks")
+      {
+        ++drawn;
+        EXPECT_NEAR(list.scale.x, 2.0 * point.x, 0.0405 * point.x);
+        EXPECT_EQ(list.color, speciesColor(1));
+      }
+  EXPECT_EQ(drawn, frame.disks.size());
 }
 
 TEST(SceneMarkers, drawDisksInTrueSizeOneListPerSpecies)
