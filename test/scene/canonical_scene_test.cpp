@@ -59,11 +59,17 @@ bool same(const Stretch& a, const Stretch& b)
   return sameBits(a.from, b.from) && sameBits(a.to, b.to);
 }
 
+bool same(const SizeDefinition& a, const SizeDefinition& b)
+{
+  return a.distribution == b.distribution && sameBits(a.spread, b.spread) &&
+         sameBits(a.mass_exponent, b.mass_exponent) && a.radii == b.radii && a.weights == b.weights && a.by == b.by;
+}
+
 bool same(const SpeciesDefinition& a, const SpeciesDefinition& b)
 {
   return a.name == b.name && a.count == b.count && sameBits(a.share, b.share) &&
          sameBits(a.radius, b.radius) && sameBits(a.mass, b.mass) && same(a.contact, b.contact) &&
-         sameBits(a.inertia_factor, b.inertia_factor);
+         sameBits(a.inertia_factor, b.inertia_factor) && same(a.size, b.size);
 }
 
 bool same(const PairDefinition& a, const PairDefinition& b)
@@ -333,6 +339,38 @@ TEST(SceneHash, IsTheSameForADensityAndItsCounts)
   const char* const density = "species: [{name: A, radius: 0.001, mass: 0.01}]\ndensity: 1.0\n";
   EXPECT_EQ(sceneHash(sceneFromText(counts, "c").definition),
             sceneHash(sceneFromText(density, "d").definition));
+}
+
+/// Sizes come back as they were, and have a hash of their own; without spread they are not written.
+TEST(CanonicalScene, KeepsSizes)
+{
+  const std::string plain = sceneHash(sceneFromText(GOOD_SCENE, "s.yaml").definition);
+  for (const char* size :
+       {"{distribution: uniform, spread: 0.3}", "{distribution: normal, spread: 0.1, mass_exponent: 2}",
+        "{distribution: lognormal, spread: 0.5}",
+        "{distribution: table, radii: [0.0005, 0.001, 0.003], weights: [0, 1, 2.5], by: mass, mass_exponent: 2}"})
+  {
+    const std::string species = std::string("radius: 0.001, mass: 0.001, size: ") + size;
+    const SceneDefinition scene =
+        sceneFromText(goodSceneWith("radius: 0.001, mass: 0.001", species), "s.yaml").definition;
+    const SceneDefinition again = sceneFromText(canonicalYaml(scene), "again").definition;
+    EXPECT_TRUE(same(scene.species[0], again.species[0])) << canonicalYaml(scene);
+    EXPECT_NE(sceneHash(scene), plain);
+    EXPECT_EQ(sceneHash(scene), sceneHash(again));
+  }
+  const std::string none = goodSceneWith("mass: 0.001", "mass: 0.001, size: {distribution: normal, spread: 0}");
+  EXPECT_EQ(sceneHash(sceneFromText(none, "s.yaml").definition), plain);
+}
+
+/// A density counts the expected diameters.
+TEST(CanonicalScene, SplitsADensityByTheExpectedDiameters)
+{
+  const SceneDefinition scene =
+      sceneFromText("density: 4\nspecies:\n  - {name: A, radius: 0.001, mass: 0.001, size: {distribution: table, "
+                    "radii: [0.001, 0.003], weights: [0, 1]}}\n",
+                    "s.yaml")
+          .definition;
+  EXPECT_EQ(scene.species[0].count, 400);  // 4 * 0.4 m / 0.004 m
 }
 
 }  // namespace

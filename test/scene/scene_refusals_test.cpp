@@ -43,7 +43,7 @@ const Refusal SHAPES[] = {
      "tooth_width:", "tooth_witdh:", "s.yaml:1: base.tooth_witdh: unknown key; did you mean tooth_width?"},
     {"UnknownKeyInAList", "mass: 0.002", "weight: 0.002",
      "s.yaml:5: species.1.weight: unknown key; must be one of count, friction, inertia_factor, mass, name, "
-     "radius, restitution, share, tangential_restitution"},
+     "radius, restitution, share, size, tangential_restitution"},
     {"UnknownKeyInAHarmonic", "teeth: 20", "harmonics: [{multiple: 2, amplitud: 1}], teeth: 20",
      "s.yaml:1: base.harmonics.0.amplitud: unknown key; did you mean amplitude?"},
     {"HarmonicWithoutAMultiple", "teeth: 20", "harmonics: [{amplitude: 1}], teeth: 20",
@@ -129,6 +129,44 @@ const Refusal VALUES[] = {
      "s.yaml:2: boundary = \"a b\": must be periodic, open or walled"},
 };
 INSTANTIATE_TEST_SUITE_P(Values, SceneRefusals, testing::ValuesIn(VALUES), ruleName);
+
+const Refusal SIZES[] = {
+    {"SizesWithoutADistribution", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {spread: 0.2}",
+     "s.yaml:4: species.0.size.distribution: missing"},
+    {"SizesWithoutASpread", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: normal}",
+     "s.yaml:4: species.0.size.spread: missing"},
+    {"UniformSizesDownToZero", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: uniform, spread: 1}",
+     "s.yaml:4: species.0.size.spread = 1: must be below 1: every radius must be above 0"},
+    {"NormalSizesDownToZero", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: normal, spread: 0.34}",
+     "s.yaml:4: species.0.size.spread = 0.34: must be below 1/3: every radius must be above 0, and the distribution is cut at 3 standard deviations"},
+    {"SizesOfNoDistribution", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: even, spread: 0.1}",
+     "s.yaml:4: species.0.size.distribution = even: must be uniform, normal, lognormal or table"},
+    {"TableWithoutWeights", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001]}",
+     "s.yaml:4: species.0.size.weights: missing"},
+    {"TableWithASpread", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, spread: 0.1, radii: [0.001], weights: [1]}",
+     "s.yaml:4: species.0.size.spread: unknown key; must be one of by, distribution, mass_exponent, radii, weights"},
+    {"SpreadWithWeights", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: uniform, spread: 0.1, weights: [1]}",
+     "s.yaml:4: species.0.size.weights: unknown key; must be one of distribution, mass_exponent, spread"},
+    {"TableOfUnequalLengths", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.002], weights: [1]}",
+     "s.yaml:4: species.0.size.weights: must have as many numbers as radii, 2"},
+    {"TableOfNoRadii", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [], weights: []}",
+     "s.yaml:4: species.0.size.radii: must have 1 to 1000 numbers"},
+    {"TableOfNoWeight", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.002], weights: [0, 0]}",
+     "s.yaml:4: species.0.size.weights: needs a weight above 0"},
+    {"TableOfRadiiThatFall", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.001], weights: [1, 1]}",
+     "s.yaml:4: species.0.size.radii.1 = 0.001: must be larger than the radius before, 0.001 m"},
+    {"TableFromZero", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0, 0.001], weights: [1, 1]}",
+     "s.yaml:4: species.0.size.radii.0 = 0: must be a number from 1e-09 to 1000 m"},
+    {"TableWithANegativeWeight", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.002], weights: [1, -1]}",
+     "s.yaml:4: species.0.size.weights.1 = -1: must be a number from 0 to 1000000000"},
+    {"TableBesideTheRadius", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.002, 0.003], weights: [1, 1]}",
+     "s.yaml:4: species.0.radius = 0.001: must be within size.radii, from 0.002 to 0.003 m"},
+    {"TableThatIsNoList", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: 0.001, weights: [1]}",
+     "s.yaml:4: species.0.size.radii = 0.001: must be a list"},
+    {"SizesWiderThanTheBase", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.25], weights: [0, 1]}",
+     "s.yaml:4: species.0.size: the largest diameter, 0.5 m, must be at most the base's width (teeth times tooth_width), 0.4 m"},
+};
+INSTANTIATE_TEST_SUITE_P(Sizes, SceneRefusals, testing::ValuesIn(SIZES), ruleName);
 
 const Refusal RULES[] = {
     {"SpeciesNameTwice", "name: B", "name: A",
