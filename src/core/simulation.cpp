@@ -154,9 +154,10 @@ double Simulation::energy() const
                    [&](const DiskState& disk)
                    {
                      const SpeciesDefinition& species = scene().species[disk.species];
-                     energy += 0.5 * species.mass * (disk.vx * disk.vx + disk.vy * disk.vy) +
-                               0.5 * species.inertia() * disk.spin * disk.spin +
-                               species.mass * scene().gravity * disk.y;
+                     const double mass = species.massOf(disk.radius);
+                     energy += 0.5 * mass * (disk.vx * disk.vx + disk.vy * disk.vy) +
+                               0.5 * species.inertiaOf(mass, disk.radius) * disk.spin * disk.spin +
+                               mass * scene().gravity * disk.y;
                    });
   return energy;
 }

@@ -19,6 +19,7 @@ BaseFrame carriedOn(const SceneDefinition& scene, BaseFrame frame, double time)
   if (frame.time == time)
     return frame;
   BaseDefinition drive = withAmplitude(scene.base, frame.base.amplitude);
+  drive.inclination = frame.base.inclination;
   drive.frequency = frame.base.frequency;
   drive.phase = frame.base.phase;
   const DriveState later = driveStateAt(drive, time - frame.time);

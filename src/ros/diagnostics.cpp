@@ -19,13 +19,6 @@ constexpr std::chrono::duration<double> PRESSING_PERIOD(0.1);
 /// Overlaps below this fraction of the smallest radius are rounding.
 constexpr double TOLERATED_OVERLAP = 1e-9;
 
-double smallestRadius(const SceneDefinition& scene)
-{
-  double smallest = scene.species.front().radius;
-  for (const SpeciesDefinition& species : scene.species)
-    smallest = std::min(smallest, species.radius);
-  return smallest;
-}
 }  // namespace
 
 Diagnostics::Diagnostics(const RunControl& control, const Speed& speed, const Recorder& recorder,

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "doubts.h"
 #include "ratchet_sieve/core/layer.h"
@@ -19,18 +18,10 @@ constexpr double LARGEST_HALF_WIDTH = 0.2;  ///< of <V_x>, relative to the disks
 
 constexpr double TIME_OF_A_STEP = 3e-8;  ///< processor time for one disk, in 2026 [s]
 
-double smallestDiameter(const SceneDefinition& scene)
-{
-  double diameter = std::numeric_limits<double>::infinity();
-  for (const SpeciesDefinition& species : scene.species)
-    diameter = std::min(diameter, 2.0 * species.radius);
-  return diameter;
-}
-
 void doubtLength(const SceneDefinition& scene, double speed, Doubts& doubts)
 {
   const double step = scene.accuracy.step;
-  const double time = smallestDiameter(scene) / speed;
+  const double time = 2.0 * smallestRadius(scene) / speed;
   if (step > FARTHEST * time)
     doubts.add("accuracy.step", step, "s",
                "a disk moves by up to " + quantity(speed * step, "m") + " within a step, " +

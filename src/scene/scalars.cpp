@@ -28,6 +28,9 @@ using ChoiceNames = std::array<std::pair<Choice, const char*>, COUNT>;
 constexpr ChoiceNames<Boundary, 3> BOUNDARY_NAMES = {
     {{Boundary::PERIODIC, "periodic"}, {Boundary::OPEN, "open"}, {Boundary::WALLED, "walled"}}};
 
+constexpr ChoiceNames<DriveFrame, 2> DRIVE_FRAME_NAMES = {
+    {{DriveFrame::WORLD, "world"}, {DriveFrame::BASE, "base"}}};
+
 constexpr ChoiceNames<CollapseAction, 2> COLLAPSE_ACTION_NAMES = {
     {{CollapseAction::STOP, "stop"}, {CollapseAction::REBOUND, "rebound"}}};
 
@@ -184,6 +187,11 @@ void readScalar(const Entry& entry, const Range&, Boundary& value)
   readChoice(entry, BOUNDARY_NAMES, value);
 }
 
+void readScalar(const Entry& entry, const Range&, DriveFrame& value)
+{
+  readChoice(entry, DRIVE_FRAME_NAMES, value);
+}
+
 void readScalar(const Entry& entry, const Range&, CollapseAction& value)
 {
   readChoice(entry, COLLAPSE_ACTION_NAMES, value);
@@ -222,6 +230,11 @@ LegalValues legalValues(const Range&, const std::string&)
 LegalValues legalValues(const Range&, Boundary)
 {
   return legalChoice(BOUNDARY_NAMES);
+}
+
+LegalValues legalValues(const Range&, DriveFrame)
+{
+  return legalChoice(DRIVE_FRAME_NAMES);
 }
 
 LegalValues legalValues(const Range&, CollapseAction)
@@ -269,6 +282,11 @@ std::string scalarText(const std::string& value)
 std::string scalarText(Boundary value)
 {
   return choiceText(BOUNDARY_NAMES, value);
+}
+
+std::string scalarText(DriveFrame value)
+{
+  return choiceText(DRIVE_FRAME_NAMES, value);
 }
 
 std::string scalarText(CollapseAction value)

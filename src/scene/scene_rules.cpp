@@ -100,6 +100,25 @@ void disksFitMachine(const Entry& root, const SceneDefinition& scene)
   }
 }
 
+/// A stretch onto which disks are poured must be on the base.
+void stretchOnBase(const Entry& root, const std::string& part, const Stretch& stretch, double width)
+{
+  if (!root.has(part))
+    return;
+  const Entry section = root.at(part);
+  const auto check = [&](const char* key, double value)
+  {
+    const bool in_mm = 1e-3 * value <= width && 1e-3 * value >= 0.01 * width;
+    if (section.has(key) && value > width)
+      section.at(key).refuseValue("must be at most the base's width, " + scalarText(width) + " m" +
+                                  (in_mm ? "; did you mean " + scalarText(1e-3 * value) + " m?" : ""));
+  };
+  check("from", stretch.from);
+  check("to", stretch.to);
+  if (section.has("to") && stretch.to < stretch.from)
+    section.at("to").refuseValue("must be at least " + part + ".from, " + scalarText(stretch.from) + " m");
+}
+
 /// Positions and times of the scene must resolve the smallest disk.
 void disksFineEnough(const Entry& root, const SceneDefinition& scene)
 {
@@ -139,6 +158,8 @@ void checkRules(const Entry& root, const SceneDefinition& scene)
   disksCountable(root, scene);
   disksFitMachine(root, scene);
   disksFineEnough(root, scene);
+  stretchOnBase(root, "pour", scene.pour.stretch, scene.base.width());
+  stretchOnBase(root, "feed", scene.feed.stretch, scene.base.width());
 }
 
 }  // namespace ratchet_sieve

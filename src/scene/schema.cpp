@@ -12,6 +12,7 @@ namespace
 // from overflow. They are far beyond any real machine.
 constexpr double SMALLEST_LENGTH = 1e-9;  ///< [m]
 constexpr double LARGEST_LENGTH = 1e3;    ///< [m]
+constexpr double LARGEST_WIDTH = 1e9;     ///< of a base [m]
 constexpr double LARGEST_POSITION = 1e9;  ///< [m]
 constexpr double SMALLEST_MASS = 1e-18;   ///< [kg]
 constexpr double LARGEST_MASS = 1e6;      ///< [kg]
@@ -129,6 +130,10 @@ const Keys<BaseDefinition>& baseKeys()
        Presence::ADDED},
       {"horizontal_phase", [](B& b) -> Slot { return &b.horizontal_phase; }, within(LARGEST_PHASE, "rad"),
        "Phase of the horizontal drive relative to the vertical one.", Presence::ADDED},
+      {"drive_frame", [](B& b) -> Slot { return &b.drive_frame; }, ANY,
+       "Axes of the drive: vertical and horizontal (world), or normal to the base and along it, turning with "
+       "it (base), as a vibrator bolted to the deck drives it.",
+       Presence::ADDED},
   };
   return KEYS;
 }
@@ -225,6 +230,13 @@ const Keys<PourDefinition>& pourKeys()
        "Height of the undersides of the lowest disks above the highest point that the base reaches."},
       {"speed", [](P& p) -> Slot { return &p.speed; }, upTo(LARGEST_SPEED, "m/s"),
        "Initial downward speed of the disks."},
+      {"from", [](P& p) -> Slot { return &p.stretch.from; }, upTo(LARGEST_WIDTH, "m"),
+       "Left end, along the base, of the stretch onto which the centres of the disks are poured; also of "
+       "disks that are poured on command.",
+       Presence::ADDED},
+      {"to", [](P& p) -> Slot { return &p.stretch.to; }, upTo(LARGEST_WIDTH, "m"),
+       "Right end of that stretch, at least pour.from; without it, the right end of the base.",
+       Presence::ADDED, "-"},
   };
   return KEYS;
 }
@@ -234,7 +246,15 @@ const Keys<FeedDefinition>& feedKeys()
   using F = FeedDefinition;
   static const Keys<F> KEYS = {
       {"rate", [](F& f) -> Slot { return &f.rate; }, upTo(LARGEST_RATE, "1/s"),
-       "Disks poured per second while the machine runs, species drawn by their shares; 0: none."}};
+       "Disks poured per second while the machine runs, species drawn by their shares; 0: none."},
+      {"from", [](F& f) -> Slot { return &f.stretch.from; }, upTo(LARGEST_WIDTH, "m"),
+       "Left end, along the base, of the stretch onto which the centres of the disks are fed, as from a "
+       "chute.",
+       Presence::ADDED},
+      {"to", [](F& f) -> Slot { return &f.stretch.to; }, upTo(LARGEST_WIDTH, "m"),
+       "Right end of that stretch, at least feed.from; without it, the right end of the base.",
+       Presence::ADDED, "-"},
+  };
   return KEYS;
 }
 

@@ -16,8 +16,8 @@
 namespace ratchet_sieve
 {
 
-using Slot =
-    std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Boundary*, CollapseAction*, Method*>;
+using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Boundary*, DriveFrame*,
+                          CollapseAction*, Method*>;
 
 enum class Presence
 {

@@ -26,7 +26,9 @@ void mendBase(SceneDefinition& scene)
 void mendLengths(SceneDefinition& scene)
 {
   mendBase(scene);
-  scene.pour.drop_height *= MILLI;
+  for (double* length : {&scene.pour.drop_height, &scene.pour.stretch.from, &scene.pour.stretch.to,
+                         &scene.feed.stretch.from, &scene.feed.stretch.to})
+    *length *= MILLI;
   for (SpeciesDefinition& species : scene.species)
     species.radius *= MILLI;
   for (InitialDisk& disk : scene.initial)

@@ -14,26 +14,32 @@ namespace
 {
 
 /// A disk of 2 kg against the base: m_n = 2 kg, m_t = 2 / (1 + 1 / alpha) = 2/3 kg for alpha = 1/2.
-SpeciesDefinition disk(double mass, double alpha = 0.5)
+Inertia disk(double mass, double alpha = 0.5)
+{
+  SpeciesDefinition species;
+  species.inertia_factor = alpha;
+  return {mass, leverOf(species)};
+}
+
+SpeciesDefinition speciesOf(double mass)
 {
   SpeciesDefinition species;
   species.mass = mass;
   species.radius = 0.1;
-  species.inertia_factor = alpha;
   return species;
 }
 
 TEST(ContactMasses, BaseIsInfinite)
 {
-  const ContactMasses masses = contactMasses(disk(2.0), nullptr);
+  const ContactMasses masses = contactMasses(disk(2.0));
   EXPECT_DOUBLE_EQ(masses.normal, 2.0);
   EXPECT_DOUBLE_EQ(masses.tangential, 2.0 / 3.0);
 }
 
 TEST(ContactMasses, PairOfDifferentMassesAndInertias)
 {
-  const SpeciesDefinition other = disk(3.0, 0.4);
-  const ContactMasses masses = contactMasses(disk(2.0), &other);
+  const Inertia other = disk(3.0, 0.4);
+  const ContactMasses masses = contactMasses(disk(2.0), other);
   EXPECT_DOUBLE_EQ(masses.normal, 1.2);                          // 1 / (1/2 + 1/3)
   EXPECT_DOUBLE_EQ(masses.tangential, 1.0 / (1.5 + 7.0 / 6.0));  // 1/2 + 1/3 + 2/2 + 2.5/3
 }
@@ -45,10 +51,10 @@ TEST(ContactMasses, InertiaCountsInTheTangentialOneOnly)
   const double cases[][2] = {{0.4, 4.0 / 7.0}, {1.0, 1.0}, {0.1, 2.0 / 11.0}};
   for (const auto& [alpha, tangential] : cases)
   {
-    EXPECT_DOUBLE_EQ(contactMasses(disk(2.0, alpha), nullptr).normal, 2.0);
-    EXPECT_DOUBLE_EQ(contactMasses(disk(2.0, alpha), nullptr).tangential, tangential);
-    const SpeciesDefinition same = disk(2.0, alpha);
-    EXPECT_DOUBLE_EQ(contactMasses(same, &same).tangential, tangential / 2.0) << "two alike: half";
+    EXPECT_DOUBLE_EQ(contactMasses(disk(2.0, alpha)).normal, 2.0);
+    EXPECT_DOUBLE_EQ(contactMasses(disk(2.0, alpha)).tangential, tangential);
+    const Inertia same = disk(2.0, alpha);
+    EXPECT_DOUBLE_EQ(contactMasses(same, same).tangential, tangential / 2.0) << "two alike: half";
   }
 }
 
@@ -172,7 +178,7 @@ TEST(Power, AgreesWithTheLibraryInLongDouble)
 TEST(ContactBetween, PairsOwnCoefficientsOrElseTheMean)
 {
   SceneDefinition scene;
-  scene.species = {disk(1.0), disk(2.0)};
+  scene.species = {speciesOf(1.0), speciesOf(2.0)};
   scene.species[0].contact = {0.6, 0.1, 0.4};
   scene.species[1].contact = {0.8, 0.3, 0.0};
   EXPECT_DOUBLE_EQ(contactBetween(scene, 0, 1).restitution, 0.7);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "add_disk.h"
 #include "bench.h"
 #include "scenes.h"
 
@@ -23,7 +24,7 @@ struct ContactBench : test::Bench
     disk.position = place;
     disk.velocity = velocity;
     disk.species = species;
-    return state.add(disk);
+    return test::addDisk(state, disk);
   }
 
   const Eigen::Vector2d& velocity(std::uint32_t slot) const { return state.disk(slot).velocity; }

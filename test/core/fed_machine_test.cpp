@@ -1,5 +1,6 @@
 #include <map>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "ratchet_sieve/core/simulation.h"
@@ -42,6 +43,39 @@ TEST(FedMachine, ForgetsTheDisksThatHaveLeft)
     EXPECT_EQ(simulation.auditOverlaps(), 0u);
     EXPECT_LT(simulation.maxOverlap(), 1e-9 * simulation.scene().species[0].radius);
   }
+}
+
+/// At the instant of each feed, the newest disk is above the feed's stretch; the disks of the start and those
+/// poured on command are above the pour's.
+TEST(FedMachine, PoursWhereItsStretchesAre)
+{
+  SceneDefinition scene = fedSieve(true);
+  scene.base.teeth = 5;
+  scene.pour.stretch = {0.06, 0.08};
+  scene.feed.stretch = {0.02, 0.03};
+  Simulation simulation(scene);
+  const auto placeOf = [&](const DiskState& disk)
+  {
+    const DriveState base = simulation.base();
+    const Eigen::Vector2d place(disk.x - base.horizontal_displacement, disk.y - base.displacement);
+    return (Eigen::Rotation2Dd(-base.inclination) * place).x();
+  };
+  const auto expectWithin = [&](const DiskState& disk, const Stretch& stretch)
+  {
+    EXPECT_GE(placeOf(disk), stretch.from - 1e-12);
+    EXPECT_LE(placeOf(disk), stretch.to + 1e-12);
+  };
+  for (const DiskState& disk : simulation.disks())
+    expectWithin(disk, scene.pour.stretch);
+  for (int fed = 1; fed <= 100; ++fed)
+  {
+    simulation.advanceTo(fed / scene.feed.rate);
+    expectWithin(simulation.disks().back(), scene.feed.stretch);
+  }
+  simulation.pour(1, 3);
+  const std::vector<DiskState> disks = simulation.disks();
+  for (std::size_t i = disks.size() - 3; i < disks.size(); ++i)
+    expectWithin(disks[i], scene.pour.stretch);
 }
 
 TEST(FedMachine, NumbersEveryDiskThatEntersOnce)

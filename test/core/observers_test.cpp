@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "add_disk.h"
 #include "events/engine.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
@@ -131,7 +132,7 @@ TEST(SpeciesContacts, CountEachPartner)
 TEST(Observers, TakeTheOverlapOfEveryContactAndCountWhatClosed)
 {
   SystemState system(test::mixture(0));
-  system.add(Disk());
+  test::addDisk(system, Disk());
   ContactOutcome overlapping = opening(onBase(0, CollisionKind::WALL));
   overlapping.overlap = 1e-9;
   system.observers().take(overlapping);
@@ -146,7 +147,7 @@ TEST(Observers, TellWhatClosedByIdsAndInTheRunsTime)
   SystemState system(test::mixture(0));
   const double local = system.startAt(1000.25);
   for (std::uint32_t disk = 0; disk < GONE + 2; ++disk)
-    system.add(Disk());
+    test::addDisk(system, Disk());
   for (std::uint32_t slot = 0; slot < GONE; ++slot)
     system.remove(slot, local);
   ASSERT_TRUE(system.compact());

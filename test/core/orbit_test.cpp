@@ -1,11 +1,14 @@
 #include "model/orbit.h"
+#include "add_disk.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "constants.h"
 #include "model/base_motion.h"
@@ -39,6 +42,36 @@ Eigen::Vector2d placeByHand(const BaseDefinition& base, double phase, double sca
                              harmonic.amplitude * std::sin(turned + harmonic.phase));
   }
   return scale * place;
+}
+
+/// Along the axes of the world or of an inclined base.
+BaseDefinition inclinedOrbit(DriveFrame frame)
+{
+  BaseDefinition base = test::onAnOrbit(test::mixture(1)).base;
+  base.inclination = 0.4;
+  base.drive_frame = frame;
+  return base;
+}
+
+TEST(Orbit, OfTheBaseIsThatOfTheWorldTurned)
+{
+  for (const double frequency : {23.0, 0.0})
+  {
+    BaseDefinition base = inclinedOrbit(DriveFrame::WORLD);
+    base.frequency = frequency;
+    base.phase = 1.0;
+    const BaseMotion world(base);
+    base.drive_frame = DriveFrame::BASE;
+    const BaseMotion turned(base);
+    const Eigen::Rotation2Dd rotation(base.inclination);
+    for (const double time : {0.0, 0.013, 0.7})
+    {
+      const FrameOfBase frame = turned.at(time);
+      EXPECT_LT((frame.displacement - rotation * world.at(time).displacement).norm(), 1e-17);
+      EXPECT_LT((frame.velocity - rotation * world.at(time).velocity).norm(), 1e-15);
+      EXPECT_EQ(frame.velocity.isZero(0.0), frequency == 0.0);
+    }
+  }
 }
 
 TEST(Orbit, IsTheSumOfItsSines)
@@ -79,28 +112,30 @@ TEST(Orbit, OfManyTurnsIsTheSame)
 /// Velocity and acceleration compared with finite differences, also on ramps.
 TEST(Orbit, MovesAtItsVelocityWithinItsBounds)
 {
-  const BaseDefinition base = test::onAnOrbit(test::mixture(1)).base;
-  for (const bool ramps : {false, true})
-  {
-    BaseMotion motion(base);
-    if (ramps)
+  for (const DriveFrame frame : {DriveFrame::WORLD, DriveFrame::BASE})
+    for (const bool ramps : {false, true})
     {
-      motion.command(Quantity::AMPLITUDE, 0.004, 0.0);
-      motion.command(Quantity::FREQUENCY, 60.0, 0.0);
-      ASSERT_GT(*motion.nextChange(), 0.9);
+      BaseMotion motion(inclinedOrbit(frame));
+      if (ramps)
+      {
+        motion.setSlewRates({1.0, 10.0, 0.002}, 0.0);
+        motion.command(Quantity::INCLINATION, 1.4, 0.0);
+        motion.command(Quantity::AMPLITUDE, 0.004, 0.0);
+        motion.command(Quantity::FREQUENCY, 60.0, 0.0);
+        ASSERT_GT(*motion.nextChange(), 0.9);
+      }
+      const double step = 1e-7;
+      for (int i = 1; i < 2000; ++i)
+      {
+        const double t = i * 4.3e-4;
+        const FrameOfBase before = motion.at(t - step), now = motion.at(t), after = motion.at(t + step);
+        ASSERT_LT((now.velocity - (after.displacement - before.displacement) / (2.0 * step)).norm(), 1e-6);
+        const Eigen::Vector2d acceleration = (after.velocity - before.velocity) / (2.0 * step);
+        ASSERT_TRUE((acceleration.cwiseAbs().array() <= motion.accelerationBound().array() + 1e-6).all());
+        ASSERT_TRUE((now.displacement.cwiseAbs().array() <= motion.displacementBound().array()).all());
+        ASSERT_LE(now.velocity.norm(), motion.speedBound());
+      }
     }
-    const double step = 1e-7;
-    for (int i = 1; i < 2000; ++i)
-    {
-      const double t = i * 4.3e-4;
-      const FrameOfBase before = motion.at(t - step), now = motion.at(t), after = motion.at(t + step);
-      ASSERT_LT((now.velocity - (after.displacement - before.displacement) / (2.0 * step)).norm(), 1e-6);
-      const Eigen::Vector2d acceleration = (after.velocity - before.velocity) / (2.0 * step);
-      ASSERT_TRUE((acceleration.cwiseAbs().array() <= motion.accelerationBound().array() + 1e-6).all());
-      ASSERT_TRUE((now.displacement.cwiseAbs().array() <= motion.displacementBound().array()).all());
-      ASSERT_LE(now.velocity.norm(), motion.speedBound());
-    }
-  }
 }
 
 TEST(Orbit, IsScaledWithTheAmplitude)
@@ -225,9 +260,13 @@ TEST(Orbit, TheLoopsAgreeWithTheReference)
 {
   SceneDefinition scene = test::onAnOrbit(test::mixture(6));
   scene.base.teeth = 3;
-  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::WALLED})
+  scene.base.inclination = 0.1;
+  for (const auto& [boundary, frame] :
+       {std::pair(Boundary::PERIODIC, DriveFrame::WORLD), std::pair(Boundary::WALLED, DriveFrame::WORLD),
+        std::pair(Boundary::PERIODIC, DriveFrame::BASE), std::pair(Boundary::WALLED, DriveFrame::BASE)})
   {
     scene.boundary = boundary;
+    scene.base.drive_frame = frame;
     const double end = 0.2;
     Simulation simulation(scene);
     simulation.advanceTo(end);
@@ -240,7 +279,7 @@ TEST(Orbit, TheLoopsAgreeWithTheReference)
       Disk disk;
       disk.position = {initial.x, initial.y};
       disk.species = static_cast<std::uint32_t>(initial.species);
-      bench.state.add(disk);
+      test::addDisk(bench.state, disk);
     }
     test::ReferenceLoop(bench).advanceTo(end);
     EXPECT_GT(bench.state.observers().counts().collisions.total(), 20u);
@@ -248,8 +287,11 @@ TEST(Orbit, TheLoopsAgreeWithTheReference)
     for (std::uint32_t id = 0; id < states.size(); ++id)
     {
       const Disk disk = flown(bench.state.disk(id), end, scene.gravity);
-      EXPECT_NEAR(std::remainder(disk.position.x() - states[id].x, scene.base.width()), 0.0, 1e-8);
-      EXPECT_NEAR(disk.position.y(), states[id].y, 1e-8);
+      const Eigen::Vector2d lattice = Eigen::Rotation2Dd(scene.base.inclination) * Eigen::Vector2d::UnitX();
+      const Eigen::Vector2d way = disk.position - Eigen::Vector2d(states[id].x, states[id].y);
+      const double along = way.dot(lattice);
+      EXPECT_NEAR(std::remainder(along, scene.base.width()), 0.0, 1e-8);
+      EXPECT_NEAR((way - along * lattice).norm(), 0.0, 1e-8);
     }
   }
 }
@@ -278,29 +320,66 @@ TEST(Orbit, AnEnsembleIsManyDisksAlone)
   }
 }
 
+/// Without gravity nothing but the base has a direction: turned with its drive, the whole run is turned.
+TEST(Orbit, OfTheBaseWithoutGravityTurnsTheWholeRun)
+{
+  SceneDefinition level = test::onAnOrbit(test::mixture(0));
+  level.base.drive_frame = DriveFrame::BASE;
+  level.base.teeth = 3;
+  level.boundary = Boundary::WALLED;
+  level.base.wall_height = 0.1;
+  level.gravity = 0.0;
+  for (int i = 0; i < 12; ++i)
+    level.initial.push_back({static_cast<std::size_t>(i % 2), 0.005 * (i % 4) + 0.02, 0.012 + 0.006 * (i / 4),
+                             0.05 * (i % 3 - 1), -0.1, 3.0 * i});
+  SceneDefinition turned = level;
+  turned.base.inclination = 0.7;
+  const Eigen::Rotation2Dd rotation(turned.base.inclination);
+  for (InitialDisk& disk : turned.initial)
+  {
+    const Eigen::Vector2d place = rotation * Eigen::Vector2d(disk.x, disk.y);
+    const Eigen::Vector2d velocity = rotation * Eigen::Vector2d(disk.vx, disk.vy);
+    disk = {disk.species, place.x(), place.y(), velocity.x(), velocity.y(), disk.spin};
+  }
+  Simulation a(level), b(turned);
+  a.advanceTo(0.25);
+  b.advanceTo(0.25);
+  EXPECT_GT(a.collisions().total(), 20u);
+  EXPECT_EQ(a.collisions().total(), b.collisions().total());
+  const std::vector<DiskState> flat = a.disks(), inclined = b.disks();
+  ASSERT_EQ(flat.size(), inclined.size());
+  for (std::size_t i = 0; i < flat.size(); ++i)
+  {
+    const Eigen::Vector2d expected = rotation * Eigen::Vector2d(flat[i].x, flat[i].y);
+    EXPECT_LT((Eigen::Vector2d(inclined[i].x, inclined[i].y) - expected).norm(), 1e-9);
+  }
+}
+
 TEST(Orbit, FollowsSetpointsWithoutOverlaps)
 {
   SceneDefinition scene = circling(test::mixture(30));
   scene.base.teeth = 5;
   for (const Boundary boundary : {Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED})
-  {
-    scene.boundary = boundary;
-    Simulation simulation(scene);
-    simulation.advanceTo(0.5);
-    simulation.command(Quantity::AMPLITUDE, 0.003);
-    simulation.command(Quantity::FREQUENCY, 30.0);
-    simulation.command(Quantity::INCLINATION, 0.05);
-    for (int i = 6; i <= 20; ++i)
+    for (const DriveFrame frame : {DriveFrame::WORLD, DriveFrame::BASE})
     {
-      simulation.advanceTo(0.1 * i);
-      EXPECT_EQ(simulation.auditOverlaps(), 0u);
+      scene.boundary = boundary;
+      scene.base.drive_frame = frame;
+      Simulation simulation(scene);
+      simulation.advanceTo(0.5);
+      simulation.command(Quantity::AMPLITUDE, 0.003);
+      simulation.command(Quantity::FREQUENCY, 30.0);
+      simulation.command(Quantity::INCLINATION, 0.05);
+      for (int i = 6; i <= 20; ++i)
+      {
+        simulation.advanceTo(0.1 * i);
+        EXPECT_EQ(simulation.auditOverlaps(), 0u);
+      }
+      EXPECT_LT(simulation.maxOverlap(), 1e-12);
+      const DriveState base = simulation.base();
+      EXPECT_EQ(base.amplitude, 0.003);
+      EXPECT_NEAR(std::hypot(base.displacement, base.horizontal_displacement), 0.003, 1e-15)
+          << "still a circle";
     }
-    EXPECT_LT(simulation.maxOverlap(), 1e-12);
-    const DriveState base = simulation.base();
-    EXPECT_EQ(base.amplitude, 0.003);
-    EXPECT_NEAR(std::hypot(base.displacement, base.horizontal_displacement), 0.003, 1e-15)
-        << "still a circle";
-  }
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace
 void fill(SystemState& system)
 {
   Random random(system.scene().seed);
-  pourDisks(system, pourOrder(system.scene().species, random), 0.0, random);
+  pourDisks(system, pourOrder(system.scene().species, random), Stretch(), 0.0, random);
 }
 
 std::vector<CollisionRecord> collisionsOf(const SceneDefinition& scene, double end, bool reference)

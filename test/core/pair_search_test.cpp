@@ -1,4 +1,5 @@
 #include "search/pair_search.h"
+#include "add_disk.h"
 #include "state/system_state.h"
 
 #include <cmath>
@@ -58,8 +59,8 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
         left.velocity.y() = drawn(-1.0, 1.0);
         right.velocity.y() = drawn(-1.0, 1.0);
         right.species = 1;
-        machine.add(left);
-        machine.add(right);
+        test::addDisk(machine, left);
+        test::addDisk(machine, right);
         const int shift = -1;  // the right disk's image one width to the left
 
         const auto found = PairSearch(machine.pairScene(), 0, 0.0).contactWith(1, shift);
@@ -91,7 +92,7 @@ TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
           disk.velocity.y() = drawn(-0.5, 0.5);
           disk.time = drawn(0.0, 0.01);
           disk.species = *rc::gen::inRange(0U, 2U);
-          machine.add(disk);
+          test::addDisk(machine, disk);
         }
         std::vector<std::uint32_t> all(count);
         std::iota(all.begin(), all.end(), 0);
@@ -119,7 +120,7 @@ TEST(PairSearch, TiesGoToTheSmallestId)
   Disk middle;
   middle.time = NOW;
   middle.position.y() = 0.05;
-  machine.add(middle);
+  test::addDisk(machine, middle);
   std::vector<std::uint32_t> backwards;
   for (std::uint32_t id = COUNT; id >= 1; --id)
     backwards.push_back(id);
@@ -131,7 +132,7 @@ TEST(PairSearch, TiesGoToTheSmallestId)
     disk.position.y() += 0.013 * std::sin(direction);
     disk.velocity.x() = -0.25 * std::cos(direction);
     disk.velocity.y() = -0.25 * std::sin(direction);
-    machine.add(disk);
+    test::addDisk(machine, disk);
   }
   const PairSearch search(machine.pairScene(), 0, NOW);
   for (std::uint32_t id = 1; id <= COUNT; ++id)

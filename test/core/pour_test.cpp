@@ -21,7 +21,7 @@ TEST(Pour, NoTwoDisksOverlapAndNoneIsBelowTheDropHeight)
         BaseDefinition base;
         base.teeth = *rc::gen::element(1, 2, 20);
         const Boundary boundary = *rc::gen::element(Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED);
-        Pour pour(base, boundary, 0.02, 0.01, true);
+        Pour pour(base, boundary, Stretch(), 0.02, 0.01, true);
         Random random(*rc::gen::arbitrary<std::uint64_t>());
         std::vector<PlacedDisk> disks;
         for (int i = 0; i < 60; ++i)
@@ -77,7 +77,7 @@ TEST(Pour, PlacesEachDiskAsLowAsThereIsRoomToTheBit)
         const std::vector<double> radii = {*rc::gen::element(0.001, 0.004), 0.004,
                                            *rc::gen::element(0.0005, 0.002, 0.0095)};
         const double largest = *std::max_element(radii.begin(), radii.end());
-        Pour pour(base, boundary, 0.02, 2.0 * largest, true);
+        Pour pour(base, boundary, Stretch(), 0.02, 2.0 * largest, true);
         Random random(*rc::gen::arbitrary<std::uint64_t>());
         std::vector<PlacedDisk> disks;
         const auto there = *rc::gen::inRange(0, 100);
@@ -100,7 +100,7 @@ TEST(Pour, PlacesEachDiskAsLowAsThereIsRoomToTheBit)
 TEST(Pour, PlacesAreUniformAlongTheBase)
 {
   BaseDefinition base;
-  Pour pour(base, Boundary::PERIODIC, 0.02, 0.002, true);
+  Pour pour(base, Boundary::PERIODIC, Stretch(), 0.02, 0.002, true);
   Random random(5);
   std::vector<double> places;
   const int count = 4000;
@@ -112,6 +112,39 @@ TEST(Pour, PlacesAreUniformAlongTheBase)
     distance = std::max(distance, std::abs(places[i] - (i + 0.5) / count));
   // Kolmogorov-Smirnov: one uniform sample in a hundred exceeds 1.63 / sqrt(n); the seed is fixed.
   EXPECT_LT(distance, 1.63 / std::sqrt(count));
+}
+
+/// Uniform on its stretch, as far as the ends leave room.
+TEST(Pour, StaysOnItsStretch)
+{
+  BaseDefinition base;
+  const double radius = 0.004;
+  struct Given
+  {
+    Boundary boundary;
+    Stretch stretch;
+    double from, to;
+  };
+  for (const Given& given :
+       {Given{Boundary::PERIODIC, {0.1, 0.15}, 0.1, 0.15}, Given{Boundary::PERIODIC, {0.3, 0.4}, 0.3, 0.4},
+        Given{Boundary::OPEN, {0.0, 0.1}, radius, 0.1},
+        Given{Boundary::WALLED, {0.39, 0.4}, 0.39, 0.4 - radius},
+        Given{Boundary::WALLED, {0.4, 0.4}, 0.4 - radius, 0.4 - radius},
+        Given{Boundary::OPEN, {0.0, 0.0}, radius, radius}, Given{Boundary::OPEN, {0.2, 0.2}, 0.2, 0.2}})
+  {
+    Pour pour(base, given.boundary, given.stretch, 0.02, 2.0 * radius, true);
+    Random random(3);
+    const int count = 400;
+    std::vector<double> places;
+    for (int i = 0; i < count; ++i)
+      places.push_back(pour.place(radius, random).s);
+    std::sort(places.begin(), places.end());
+    EXPECT_GE(places.front(), given.from - 1e-15);
+    EXPECT_LE(places.back(), given.to + 1e-15);
+    for (int i = 0; i < count; ++i)
+      EXPECT_NEAR(places[i], given.from + (given.to - given.from) * (i + 0.5) / count,
+                  (given.to - given.from) * 1.63 / std::sqrt(count) + 1e-15);
+  }
 }
 
 TEST(Pour, OrderHasEverySpeciesAsOftenAsAskedForAndMixed)

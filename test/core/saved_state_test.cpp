@@ -65,6 +65,9 @@ TEST(SavedState, OfAnOrbitGoesOn)
 {
   expectTheSameEnd(test::onAnOrbit(shortMixture()), undisturbed);
   expectTheSameEnd(test::onAnOrbit(shortMixture()), commanded);
+  SceneDefinition of_the_base = test::onAnOrbit(shortMixture());
+  of_the_base.base.drive_frame = DriveFrame::BASE;
+  expectTheSameEnd(of_the_base, commanded);
 }
 
 TEST(SavedState, GoesOnBitForBit)

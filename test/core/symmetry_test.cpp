@@ -226,6 +226,7 @@ SceneDefinition scaled(SceneDefinition scene, const Units& units)
   scene.pour.drop_height *= units.length;
   scene.pour.speed *= speed;
   scene.feed.rate /= units.time;
+  scene.feed.stretch = {units.length * scene.feed.stretch.from, units.length * scene.feed.stretch.to};
   scene.settle *= units.time;
   return scene;
 }
@@ -276,6 +277,9 @@ TEST(Symmetry, LengthsTimesAndMassesScaleToTheLastBit)
         scene = test::onAnOrbit(scene);
       scene.base.inclination = 0.02;
       scene.feed.rate = 10.0;
+      scene.feed.stretch = {0.1, 0.3};
+      if (boundary == Boundary::OPEN)
+        scene.base.drive_frame = DriveFrame::BASE;
       scene.settle = 0.5;
       scene.contact.contact_duration = 1e-4;
       scene.contact.restitution_speed = 0.3;

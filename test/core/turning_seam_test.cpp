@@ -60,6 +60,7 @@ SceneDefinition anyScene()
   scene.boundary = *rc::gen::element(Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED);
   scene.base.teeth = *rc::gen::element(2, 3, 8);
   scene.base.inclination = *rc::gen::element(0.0, 0.2, -0.3);
+  scene.base.drive_frame = *rc::gen::element(DriveFrame::WORLD, DriveFrame::BASE);
   scene.seed = *rc::gen::inRange(1U, 1000U);
   return *rc::gen::arbitrary<bool>() ? test::onAnOrbit(scene) : scene;
 }

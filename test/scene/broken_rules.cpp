@@ -68,6 +68,25 @@ Expected feedWithoutShare(SceneTree& root)
   return {"feed.rate", text, ""};
 }
 
+/// Beyond the right end of the base, or its end before its beginning.
+Expected stretchOffTheBase(SceneTree& root)
+{
+  const std::string part = drawnOf<const char*>({"pour", "feed"});
+  for (const char* section : {"base", "pour", "feed"})
+    root[section] = SceneTree::map();
+  if (drawnChance(50))
+  {
+    const char* key = drawnOf<const char*>({"from", "to"});
+    const std::string text = spelledNumber(0.4 * drawnMagnitude(1.001, 1e6));
+    root.mapAt(part)[key] = SceneTree(text);
+    return {part + "." + key, text, "the base's width"};
+  }
+  const std::string text = spelledNumber(0.2 * drawnFraction());
+  root.mapAt(part)["from"] = SceneTree("0.21");
+  root.mapAt(part)["to"] = SceneTree(text);
+  return {part + ".to", text, part + ".from"};
+}
+
 Expected densityWithoutShare(SceneTree& root)
 {
   root.remove("initial");
@@ -274,6 +293,7 @@ void addBrokenRules(std::vector<Spoiler>& spoilers)
   spoilers.push_back({"count missing", missingCount});
   spoilers.push_back({"settle beyond duration", settleBeyondDuration});
   spoilers.push_back({"feed without share", feedWithoutShare});
+  spoilers.push_back({"stretch off the base", stretchOffTheBase});
   spoilers.push_back({"density without share", densityWithoutShare});
   spoilers.push_back({"density of too many", densityOfTooMany});
   spoilers.push_back({"density with initial", densityWithInitial});

@@ -42,7 +42,13 @@ bool same(const BaseDefinition& a, const BaseDefinition& b)
          sameBits(a.inclination, b.inclination) && sameBits(a.amplitude, b.amplitude) &&
          sameBits(a.frequency, b.frequency) && sameBits(a.phase, b.phase) &&
          sameBits(a.wall_height, b.wall_height) && sameBits(a.horizontal_amplitude, b.horizontal_amplitude) &&
-         sameBits(a.horizontal_phase, b.horizontal_phase) && same(a.harmonics, b.harmonics);
+         sameBits(a.horizontal_phase, b.horizontal_phase) && same(a.harmonics, b.harmonics) &&
+         a.drive_frame == b.drive_frame;
+}
+
+bool same(const Stretch& a, const Stretch& b)
+{
+  return sameBits(a.from, b.from) && sameBits(a.to, b.to);
 }
 
 bool same(const SpeciesDefinition& a, const SpeciesDefinition& b)
@@ -80,7 +86,8 @@ bool same(const SceneDefinition& a, const SceneDefinition& b)
          sameBits(a.contact.restitution_speed, b.contact.restitution_speed) &&
          sameBits(a.contact.restitution_exponent, b.contact.restitution_exponent) &&
          sameBits(a.pour.drop_height, b.pour.drop_height) && sameBits(a.pour.speed, b.pour.speed) &&
-         sameBits(a.feed.rate, b.feed.rate) && same(a.initial, b.initial) &&
+         sameBits(a.feed.rate, b.feed.rate) && same(a.pour.stretch, b.pour.stretch) &&
+         same(a.feed.stretch, b.feed.stretch) && same(a.initial, b.initial) &&
          sameBits(a.duration, b.duration) && sameBits(a.settle, b.settle) && a.seed == b.seed;
 }
 
@@ -131,6 +138,13 @@ std::vector<InitialDisk> someDisks(std::size_t species)
   return disks;
 }
 
+Stretch someStretch(double width)
+{
+  const double to = number(0.0, width);
+  return {*rc::gen::arbitrary<bool>() ? number(0.0, to) : 0.0,
+          *rc::gen::arbitrary<bool>() ? to : Stretch().to};
+}
+
 SceneDefinition anyScene()
 {
   SceneDefinition scene;
@@ -145,7 +159,8 @@ SceneDefinition anyScene()
                 0.0,
                 0.0,
                 0.0,
-                {}};
+                {},
+                *rc::gen::element(DriveFrame::WORLD, DriveFrame::BASE)};
   scene.base.wall_height = *rc::gen::arbitrary<bool>() ? number(0.1, 1.0) : 0.0;
   if (*rc::gen::arbitrary<bool>())
   {
@@ -172,8 +187,8 @@ SceneDefinition anyScene()
     scene.contact.restitution_speed = number(0.0, 10.0);
     scene.contact.restitution_exponent = number(0.0, 10.0);
   }
-  scene.pour = {number(0.0, 1.0), number(0.0, 1.0)};
-  scene.feed.rate = number(0.0, 100.0);
+  scene.pour = {number(0.0, 1.0), number(0.0, 1.0), someStretch(scene.base.width())};
+  scene.feed = {number(0.0, 100.0), someStretch(scene.base.width())};
   scene.duration = number(10.0, 1e4);
   scene.settle = number(0.0, 10.0);
   scene.seed = *rc::gen::arbitrary<std::uint64_t>();

@@ -106,6 +106,8 @@ TEST(IllegalScenes, AreMadeOfEveryKeyThereIs)
   full.base.wall_height = 1.0;
   full.base.horizontal_amplitude = 1.0;
   full.base.horizontal_phase = 1.0;
+  full.base.drive_frame = DriveFrame::BASE;
+  full.pour.stretch = full.feed.stretch = {0.1, 0.2};
   full.contact.restitution_speed = 1.0;
   full.contact.restitution_exponent = 0.5;
   full.accuracy = {Method::STEPS, 0.001, 0.001, 0.02, 0.9};

@@ -111,6 +111,7 @@ void drawBase(SceneDefinition& scene)
   base.phase = drawnNumber(-1e6, 1e6);
   if (drawnChance(30))
     drawOrbit(base);
+  base.drive_frame = drawnOf({DriveFrame::WORLD, DriveFrame::BASE});
 }
 
 void drawBoundary(SceneDefinition& scene)
@@ -224,6 +225,14 @@ void drawContact(SceneDefinition& scene)
     bringToRest(scene);
 }
 
+void drawStretch(double width, Stretch& stretch)
+{
+  if (drawnChance(70))
+    return;
+  stretch.to = drawnChance(20) ? stretch.to : width * drawnFraction();
+  stretch.from = std::min(width, stretch.to) * drawnFraction();
+}
+
 void drawPour(SceneDefinition& scene)
 {
   const double length = scene.base.tooth_width;
@@ -231,6 +240,8 @@ void drawPour(SceneDefinition& scene)
   scene.pour.drop_height = defaultOr(scene.pour.drop_height, 0.0, highest,
                                      [&] { return zeroOrMagnitude(1e-3 * length, highest); });
   scene.pour.speed = drawnChance(50) ? drawnNumber(0.0, fastestSpeed(scene)) : 0.0;
+  drawStretch(scene.base.width(), scene.pour.stretch);
+  drawStretch(scene.base.width(), scene.feed.stretch);
 }
 
 /// In the frame of the base, one above the other, so that none overlaps another or the base.

@@ -39,7 +39,7 @@ TEST(SceneReader, TakesEveryKey)
 {
   const SceneDefinition scene = read(R"(
 base: {teeth: 3, tooth_width: 0.01, tooth_height: 0.002, asymmetry: 0.7, inclination: -0.2, amplitude: 0.001,
-       frequency: 30, phase: 1.5, wall_height: 0.3, horizontal_amplitude: -0.002, horizontal_phase: 0.5,
+       frequency: 30, phase: 1.5, wall_height: 0.3, drive_frame: base, horizontal_amplitude: -0.002, horizontal_phase: 0.5,
        harmonics: [{multiple: 2, amplitude: -0.0001, phase: 1}, {multiple: 5, horizontal_amplitude: 0.0002,
                    horizontal_phase: -1}]}
 boundary: walled
@@ -50,8 +50,8 @@ species:
   - {name: B, count: 0, radius: 0.001, mass: 0.001}
 pairs: [{species: [B, A], restitution: 0.1, friction: 0.2, tangential_restitution: 0.3}]
 contact: {pair_collisions: false, min_rebound_speed: 0.01, contact_duration: 0.0001}
-pour: {drop_height: 0.05, speed: 0.5}
-feed: {rate: 3.5}
+pour: {drop_height: 0.05, speed: 0.5, from: 0.001, to: 0.002}
+feed: {rate: 3.5, from: 0.01}
 duration: 7
 settle: 2
 seed: 18446744073709551615
@@ -63,6 +63,7 @@ seed: 18446744073709551615
   EXPECT_EQ(scene.base.amplitude, 0.001);
   EXPECT_EQ(scene.base.phase, 1.5);
   EXPECT_EQ(scene.base.wall_height, 0.3);
+  EXPECT_EQ(scene.base.drive_frame, DriveFrame::BASE);
   EXPECT_EQ(scene.base.horizontal_amplitude, -0.002);
   EXPECT_EQ(scene.base.horizontal_phase, 0.5);
   ASSERT_EQ(scene.base.harmonics.size(), 2u);
@@ -85,7 +86,11 @@ seed: 18446744073709551615
   EXPECT_FALSE(scene.contact.pair_collisions);
   EXPECT_EQ(scene.contact.contact_duration, 0.0001);
   EXPECT_EQ(scene.pour.speed, 0.5);
+  EXPECT_EQ(scene.pour.stretch.from, 0.001);
+  EXPECT_EQ(scene.pour.stretch.to, 0.002);
   EXPECT_EQ(scene.feed.rate, 3.5);
+  EXPECT_EQ(scene.feed.stretch.from, 0.01);
+  EXPECT_DOUBLE_EQ(scene.feed.stretch.length(0.03), 0.02);
   EXPECT_EQ(scene.settle, 2.0);
   EXPECT_EQ(scene.seed, 18446744073709551615u);
 }

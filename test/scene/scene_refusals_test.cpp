@@ -161,6 +161,16 @@ const Refusal RULES[] = {
     {"DiskInMillimetres", "radius: 0.002", "radius: 2",
      "s.yaml:5: species.1.radius = 2: the diameter must be at most the base's width (teeth times "
      "tooth_width), 0.4 m; did you mean 0.002 m?"},
+    {"PouredBesideTheBase", "pairs: []", "pour: {from: 0.5}",
+     "s.yaml:6: pour.from = 0.5: must be at most the base's width, 0.4 m"},
+    {"FedInMillimetres", "feed: {rate: 0.0}", "feed: {from: 0.1, to: 200}",
+     "s.yaml:8: feed.to = 200: must be at most the base's width, 0.4 m; did you mean 0.2 m?"},
+    {"PouredBackwards", "pairs: []", "pour: {from: 0.3, to: 0.2}",
+     "s.yaml:6: pour.to = 0.2: must be at least pour.from, 0.3 m"},
+    {"FedBeforeTheBase", "feed: {rate: 0.0}", "feed: {from: -0.1}",
+     "s.yaml:8: feed.from = -0.1: must be a number from 0 to 1000000000 m"},
+    {"DriveFrameOfTheDeck", "teeth: 20", "drive_frame: deck",
+     "s.yaml:1: base.drive_frame = deck: must be world or base"},
     {"StepInMilliseconds", "pairs: []", "accuracy: {method: steps, step: 4}",
      "s.yaml:6: accuracy.step = 4: must be a number from 1e-07 to 0.1 s; did you mean 0.004 s (4 ms)?"},
 };

@@ -168,6 +168,11 @@ void obeyRules(SceneTree& root)
   const double duration = valueOf(root, "duration", 100.0);
   if (valueOf(root, "settle", 0.0) > duration)
     root["settle"] = SceneTree(spelledNumber(duration * drawnFraction()));
+  for (const char* part : {"pour", "feed"})
+  {
+    limit(root, part, "to", width);
+    limit(root, part, "from", std::min(width, valueOf(root.mapAt(part), "to", width)));
+  }
   obeyResolution(root, width);
 }
 

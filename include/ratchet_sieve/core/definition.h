@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,13 @@ enum class Boundary
           ///< the top of a wall has left the machine and is counted in the bin behind that wall.
 };
 
+/// The axes along which the drive moves the base.
+enum class DriveFrame
+{
+  WORLD,  ///< horizontal and vertical, whatever the inclination, as in the paper
+  BASE    ///< along the base and normal to it, as a vibrator bolted to the deck does; they turn with the base
+};
+
 /// A sine of a multiple k of the drive's phase: (A_x,k sin(k phi + phi_x,k), A_k sin(k phi + phi_k)).
 struct HarmonicDefinition
 {
@@ -30,8 +39,8 @@ struct HarmonicDefinition
 };
 
 /// The sawtooth base and its drive. Tooth k spans s in [k w, (k+1) w] along the base, its apex at
-/// s = (k + a) w, n = h. The whole base moves in the world by D(t) = (A_x sin(phi + phi_x), A sin(phi)) and
-/// its harmonics, whatever its inclination.
+/// s = (k + a) w, n = h. The whole base moves by D(t) = (A_x sin(phi + phi_x), A sin(phi)) and its harmonics
+/// along the axes of `drive_frame`.
 struct BaseDefinition
 {
   int teeth = 20;
@@ -47,6 +56,7 @@ struct BaseDefinition
   double horizontal_amplitude = 0.0;  ///< A_x [m]; a negative value reverses the horizontal part
   double horizontal_phase = 0.0;      ///< phi_x [rad]
   std::vector<HarmonicDefinition> harmonics;
+  DriveFrame drive_frame = DriveFrame::WORLD;
 
   double width() const { return teeth * tooth_width; }  ///< W = L w [m]
 };
@@ -70,7 +80,15 @@ struct SpeciesDefinition
   ContactCoefficients contact;  ///< with the base, and with disks of the same species
   double inertia_factor = 0.5;  ///< alpha = I / (m r^2); 1/2 for a uniform disk
 
-  double inertia() const { return inertia_factor * mass * radius * radius; }  ///< I [kg m^2]
+  /// The mass of a disk of this radius [m] [kg].
+  double massOf(double disk_radius) const { return disk_radius == radius ? mass : mass; }
+
+  /// I of a disk of this mass [kg] and radius [m]: alpha m r^2 [kg m^2].
+  double inertiaOf(double disk_mass, double disk_radius) const
+  {
+    return inertia_factor * disk_mass * disk_radius * disk_radius;
+  }
+  double inertia() const { return inertiaOf(mass, radius); }  ///< [kg m^2]
 };
 
 /// Coefficients of a pair of different species, if they are not the mean of the two species' own.
@@ -98,17 +116,29 @@ struct ContactDefinition : CollisionLaw
   int collapse_events = 1000000;  ///< more events of one disk within timeScale() are a collapse
 };
 
-/// How the disks start: spatially uniform along the base, without overlap.
+/// The part of the base onto which disks are poured, by the positions of their centres. The positions are
+/// uniform on it; a disk stays free of walls and open ends.
+struct Stretch
+{
+  double from = 0.0;                                    ///< s [m]
+  double to = std::numeric_limits<double>::infinity();  ///< s [m]; infinity: the right end of the base
+
+  double length(double width) const { return std::min(to, width) - from; }  ///< on a base of this width [m]
+};
+
+/// How the disks start: spatially uniform along their stretch, without overlap.
 struct PourDefinition
 {
   double drop_height = 0.02;  ///< of the lowest disks' undersides above the base's highest position [m]
   double speed = 0.0;         ///< downwards [m/s]
+  Stretch stretch;
 };
 
 /// Disks that are added at a constant rate during the run.
 struct FeedDefinition
 {
   double rate = 0.0;  ///< [1/s]; species are drawn by their shares; 0: no feed
+  Stretch stretch;
 };
 
 /// A disk placed by hand instead of poured; world frame at t = 0.

@@ -21,6 +21,7 @@ struct DiskState
 {
   std::uint32_t id = 0;
   std::uint32_t species = 0;
+  double radius = 0.0;        ///< [m]
   double x = 0.0;             ///< [m], wrapped into the machine if the boundary is periodic
   double y = 0.0;             ///< [m]
   double angle = 0.0;         ///< counter-clockwise, in [-pi, pi) [rad]

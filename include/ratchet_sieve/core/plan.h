@@ -16,7 +16,7 @@ struct Plan
                        ///< Method::STEPS
   bool spin = true;    ///< tangential impulses and rotation
   bool drive = true;   ///< a moving base: phase and sine at every evaluation
-  bool orbit = false;  ///< the drive has a horizontal part or harmonics
+  bool orbit = false;  ///< the drive has a horizontal part or harmonics, or moves along the base's axes
   bool contact_times = true;      ///< the time of each disk's last contact, for t_c
   bool search_above_band = true;  ///< step-by-step search even above the height that the base reaches
 

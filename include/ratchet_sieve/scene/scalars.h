@@ -19,6 +19,7 @@ void readScalar(const Entry& entry, const Range& range, std::uint64_t& value);
 void readScalar(const Entry& entry, const Range& range, bool& value);
 void readScalar(const Entry& entry, const Range& range, std::string& value);
 void readScalar(const Entry& entry, const Range& range, Boundary& value);
+void readScalar(const Entry& entry, const Range& range, DriveFrame& value);
 void readScalar(const Entry& entry, const Range& range, CollapseAction& value);
 void readScalar(const Entry& entry, const Range& range, Method& value);
 
@@ -36,6 +37,7 @@ LegalValues legalValues(const Range& range, std::uint64_t);
 LegalValues legalValues(const Range& range, bool);
 LegalValues legalValues(const Range& range, const std::string&);
 LegalValues legalValues(const Range& range, Boundary);
+LegalValues legalValues(const Range& range, DriveFrame);
 LegalValues legalValues(const Range& range, CollapseAction);
 LegalValues legalValues(const Range& range, Method);
 
@@ -46,6 +48,7 @@ std::string scalarText(std::uint64_t value);
 std::string scalarText(bool value);
 std::string scalarText(const std::string& value);
 std::string scalarText(Boundary value);
+std::string scalarText(DriveFrame value);
 std::string scalarText(CollapseAction value);
 std::string scalarText(Method value);
 

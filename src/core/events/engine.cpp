@@ -32,7 +32,7 @@ Engine::Engine(const SceneDefinition& scene, const Plan& plan, double start_time
 {
   now_ = state_.startAt(start_);
   if (scene.initial.empty())
-    pourDisks(state_, pourOrder(scene.species, random_), now_, random_, pour_observer);
+    pourDisks(state_, pourOrder(scene.species, random_), scene.pour.stretch, now_, random_, pour_observer);
   else
     placeInitialDisks(state_, now_);
   loop_ = makeLoop();
@@ -89,6 +89,11 @@ void Engine::advanceTo(double time)
 
 void Engine::pour(std::size_t species, std::size_t count)
 {
+  pour(species, count, state_.scene().pour.stretch);
+}
+
+void Engine::pour(std::size_t species, std::size_t count, const Stretch& stretch)
+{
   const SceneDefinition& scene = state_.scene();
   if (species >= scene.species.size())
     throw std::invalid_argument("there is no species " + std::to_string(species));
@@ -97,7 +102,8 @@ void Engine::pour(std::size_t species, std::size_t count)
                                 " are wider than the machine: there is no room for them");
   loop_->catchUp(now_);
   const auto before = static_cast<std::uint32_t>(state_.disks().size());
-  pourDisks(state_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), now_, random_);
+  pourDisks(state_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), stretch, now_,
+            random_);
   announce(before);
 }
 
@@ -189,7 +195,7 @@ std::optional<double> Engine::nextFeed() const
 void Engine::feed()
 {
   ++fed_;
-  pour(drawSpecies(state_.scene().species, random_), 1);
+  pour(drawSpecies(state_.scene().species, random_), 1, state_.scene().feed.stretch);
 }
 
 void Engine::endEpoch()

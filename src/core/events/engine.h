@@ -99,6 +99,7 @@ private:
   void beginSegment();
   std::optional<double> nextFeed() const;
   void feed();
+  void pour(std::size_t species, std::size_t count, const Stretch& stretch);
   std::optional<double> nextEpochEnd() const { return state_.epoch().length; }
   void endEpoch();
 

@@ -144,7 +144,7 @@ private:
       cells_.prefetchAround(slot);
     }
     for (const std::uint32_t slot : next_)
-      cells_.visit(slot, {}, near_,
+      cells_.visit(slot, Edge::NONE, near_,
                    [this](const std::uint32_t* others, std::size_t count, int)
                    {
                      for (std::size_t i = 0; i < count; ++i)
@@ -210,7 +210,7 @@ private:
     const Edge edge = predictions_[slot].edge;
     if (cells_.cross(slot, edge, now))
       return predict(slot, now);
-    searchPairsIn(slot, DiskCells::beyond(edge), now);
+    searchPairsIn(slot, edge, now);
     predictions_[slot].edge = Edge::NONE;
     predictions_[slot].cell_time = now;
     refresh(slot);
@@ -230,15 +230,15 @@ private:
   void searchPairs(std::uint32_t slot, double now)
   {
     predictions_[slot].pair = PairContact();
-    searchPairsIn(slot, {}, now);
+    searchPairsIn(slot, Edge::NONE, now);
   }
 
-  void searchPairsIn(std::uint32_t slot, const CellGrid::Surroundings& around, double now)
+  void searchPairsIn(std::uint32_t slot, Edge entered, double now)
   {
     Prediction& p = predictions_[slot];
     const PairSearch search(state_.pairScene(), slot, now);
     const int ring_shifts = cells_.ringShifts();
-    cells_.visit(slot, around, near_,
+    cells_.visit(slot, entered, near_,
                  [&](const std::uint32_t* others, std::size_t count, int shift)
                  {
                    const PairContact found = ring_shifts > 0

@@ -78,7 +78,7 @@ struct LaneBatch
   alignas(64) Column x, y, vx, vy, spin, angle;
   alignas(64) Column time;  ///< of the state [s]
 
-  // Of the species.
+  // Of the disk and its species.
   alignas(64) Column radius, restitution, friction;
   alignas(64) Column normal_mass;        ///< m_n [kg]
   alignas(64) Column sticking_mass;      ///< (1 + beta) m_t [kg]

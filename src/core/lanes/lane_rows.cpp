@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/collision_law.h"
 #include "ratchet_sieve/core/resolution.h"
 
 namespace ratchet_sieve
@@ -102,8 +103,8 @@ BaseEvent rowEvent(const LaneBatch& batch, std::size_t row)
                       static_cast<std::int32_t>(batch.valley[row]))};
 }
 
-void loadRow(const SystemState& system, const ContactExecution& execution, std::uint32_t slot,
-             const BaseEvent& next, LaneBatch& batch, std::size_t row)
+void loadRow(const SystemState& system, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
+             std::size_t row)
 {
   const Disk& disk = system.disk(slot);
   batch.x[row] = disk.position.x();
@@ -111,21 +112,22 @@ void loadRow(const SystemState& system, const ContactExecution& execution, std::
   batch.vx[row] = disk.velocity.x();
   batch.vy[row] = disk.velocity.y();
   batch.spin[row] = disk.spin;
-  batch.angle[row] = disk.angle;
   batch.time[row] = disk.time;
   const SpeciesDefinition& species = system.scene().species[disk.species];
-  const ContactMasses& masses = execution.baseMasses(disk.species);
-  batch.radius[row] = species.radius;
+  const double mass = system.grain(slot).mass;
+  const ContactMasses masses = contactMasses({mass, leverOf(species)});
+  batch.radius[row] = disk.radius;
   batch.restitution[row] = species.contact.restitution;
   batch.friction[row] = species.contact.friction;
   batch.normal_mass[row] = masses.normal;
   batch.sticking_mass[row] = (1.0 + species.contact.tangential_restitution) * masses.tangential;
-  batch.per_mass[row] = 1.0 / species.mass;
-  batch.radius_by_inertia[row] = species.radius / species.inertia();
+  batch.per_mass[row] = 1.0 / mass;
+  batch.radius_by_inertia[row] = disk.radius / species.inertiaOf(mass, disk.radius);
   const RowSums sums = system.observers().rowSums(slot);
   batch.offset[row] = sums.offset;
   batch.translation[row] = sums.translation;
   batch.rotation[row] = sums.rotation;
+  batch.angle[row] = sums.angle;
   batch.impulse_x[row] = sums.impulse_x;
   batch.impulse_y[row] = sums.impulse_y;
   const LaneContact contact = laneContact(next.feature);
@@ -141,7 +143,6 @@ void readState(const LaneBatch& batch, std::size_t row, Disk& disk)
   disk.velocity.x() = batch.vx[row];
   disk.velocity.y() = batch.vy[row];
   disk.spin = batch.spin[row];
-  disk.angle = batch.angle[row];
   disk.time = batch.time[row];
 }
 
@@ -150,7 +151,7 @@ void storeRow(const LaneBatch& batch, std::size_t row, SystemState& system, std:
 {
   readState(batch, row, system.changeable(slot));
   system.observers().setRowSums(slot, {batch.offset[row], batch.translation[row], batch.rotation[row],
-                                       batch.impulse_x[row], batch.impulse_y[row]});
+                                       batch.angle[row], batch.impulse_x[row], batch.impulse_y[row]});
   next = rowEvent(batch, row);
 }
 

@@ -19,6 +19,22 @@ double fraction(double x)
   return x - std::floor(x);
 }
 
+/// From the axes of the base into those of the world. While the base turns, the stroke turns with it.
+void turnDrive(FrameOfBase& frame)
+{
+  frame.displacement = frame.outOf(frame.displacement);
+  const Eigen::Vector2d across(-frame.displacement.y(), frame.displacement.x());
+  frame.velocity = frame.outOf(frame.velocity) + frame.inclination_rate * across;
+}
+
+/// A bound on a vector's components after a rotation.
+Eigen::Vector2d turnedBound(const Rotation& rotation, const Eigen::Vector2d& bound)
+{
+  const double cosine = std::abs(rotation.cosine);
+  const double sine = std::abs(rotation.sine);
+  return {sine * bound.y() + cosine * bound.x(), cosine * bound.y() + sine * bound.x()};
+}
+
 Rotation rotationBy(double angle)
 {
   const auto turned = sineCosineOfTurns(angle / RADIANS_PER_TURN);
@@ -44,7 +60,8 @@ BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn, bool always_
       scene_amplitude_(base.amplitude),
       scaled_(base.amplitude > 0.0),
       max_turn_(max_turn),
-      always_drive_(always_drive)
+      always_drive_(always_drive),
+      turned_(base.drive_frame == DriveFrame::BASE)
 {
   for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
     ramp(q.quantity) = {base.*q.definition, 0.0, base.*q.definition};
@@ -114,11 +131,14 @@ void BaseMotion::evaluate(double time, FrameOfBase& frame) const
     frame.displacement = {0.0, stroke.displacement};
     frame.velocity = {0.0, stroke.velocity + amplitude_.rate * phase.sine};
   }
+  if (turning())
+    frame.rotation = rotationBy(frame.inclination);
+  if (plain_)
+    return;
   if (orbits_)
     followOrbit(elapsed, frame);
-  if (!turning())
-    return;
-  frame.rotation = rotationBy(frame.inclination);
+  if (turned_)
+    turnDrive(frame);
 }
 
 void BaseMotion::followOrbit(double elapsed, FrameOfBase& frame) const
@@ -223,7 +243,8 @@ void BaseMotion::setSlewRates(const SlewRates& rates, double time)
   plan();
 }
 
-double BaseMotion::speedBound() const
+/// As speedBound(), without the turning of the drive's axes.
+double BaseMotion::driveSpeedBound() const
 {
   const double phase_rate = angularFrequency(std::max(frequency_.start, frequency_.target));
   const double amplitude = std::max(amplitude_.start, amplitude_.target);
@@ -233,10 +254,25 @@ double BaseMotion::speedBound() const
   return (stroke + orbit).norm();
 }
 
+double BaseMotion::speedBound() const
+{
+  const double turning_axes = turned_ ? std::abs(inclination_.rate) * displacement_bound_.norm() : 0.0;
+  return driveSpeedBound() + turning_axes;
+}
+
+/// A bound on the components in the world, from one along the drive's axes.
+Eigen::Vector2d BaseMotion::boundInWorld(const Eigen::Vector2d& bound) const
+{
+  if (!turned_)
+    return bound;
+  return turning() ? Eigen::Vector2d::Constant(bound.norm()).eval() : turnedBound(rotation_, bound);
+}
+
 double BaseMotion::throwHeight(double gravity) const
 {
-  const double speed =
-      drive().speed + orbitScale(amplitude_.start) * angularFrequency(frequency_.start) * orbit_.bound(1).y();
+  const Eigen::Vector2d orbit =
+      orbitScale(amplitude_.start) * angularFrequency(frequency_.start) * orbit_.bound(1);
+  const double speed = boundInWorld({orbit.x(), drive().speed + orbit.y()}).y();
   return gravity > 0.0 ? 0.5 * speed * speed / gravity : std::numeric_limits<double>::infinity();
 }
 
@@ -266,14 +302,20 @@ bool BaseMotion::hasStroke() const
 /// exactly the same displacement over the whole segment.
 void BaseMotion::noteDerived()
 {
-  greatest_acceleration_ = acceleration_bound_.norm();
-  const double cosine = std::abs(rotation_.cosine);
-  const double sine = std::abs(rotation_.sine);
-  const Eigen::Vector2d& bound = displacement_bound_;
-  reach_ = {sine * bound.y() + cosine * bound.x(), cosine * bound.y() + sine * bound.x()};
+  world_displacement_ = boundInWorld(displacement_bound_);
+  world_acceleration_ = boundInWorld(acceleration_bound_);
+  if (turned_ && turning())
+  {
+    // The Coriolis and the centripetal acceleration of the stroke in the turning axes.
+    const double rate = std::abs(inclination_.rate);
+    world_acceleration_.array() += 2.0 * rate * driveSpeedBound() + rate * rate * displacement_bound_.norm();
+  }
+  greatest_acceleration_ = world_acceleration_.norm();
+  reach_ = turned_ ? displacement_bound_ : turnedBound(rotation_, displacement_bound_);
   const bool halted = frequency_.start == 0.0 && frequency_.rate == 0.0 && amplitude_.rate == 0.0;
   oscillates_ = always_drive_ || (hasStroke() && !halted);
   orbits_ = oscillates_ && !orbit_.empty();
+  plain_ = !orbits_ && !turned_;
   standstill_.setZero();
   if (oscillates_ || !hasStroke())
     return;

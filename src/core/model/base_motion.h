@@ -16,7 +16,8 @@ namespace ratchet_sieve
 
 /// The base's motion over time: theta, f and A are each constant or follow their setpoint at a constant rate;
 /// the phase of the drive is continuous. The other parts of the drive use the same phase and are scaled with
-/// A: by A over the scene's A, if that is not 0. Piecewise: within a segment no rate changes; nextChange()
+/// A: by A over the scene's A, if that is not 0. The drive's axes are the world's or the base's, see
+/// DriveFrame. Piecewise: within a segment no rate changes; nextChange()
 /// ends it. Times are local to the engine's present epoch [s].
 class BaseMotion
 {
@@ -74,8 +75,8 @@ public:
   double turnsAt(double time) const { return turns(time - segment_start_); }
   std::optional<double> timeOfTurns(double turns) const;
 
-  /// sup |d2D/dt2| of each component over the present segment [m/s^2].
-  const Eigen::Vector2d& accelerationBound() const { return acceleration_bound_; }
+  /// sup |d2D/dt2| of each component in the world over the present segment [m/s^2].
+  const Eigen::Vector2d& accelerationBound() const { return world_acceleration_; }
 
   /// The length of accelerationBound().
   double greatestAcceleration() const { return greatest_acceleration_; }
@@ -87,8 +88,8 @@ public:
   /// gravity.
   double throwHeight(double gravity) const;
 
-  /// sup |D| of each component over the present segment [m].
-  const Eigen::Vector2d& displacementBound() const { return displacement_bound_; }
+  /// sup |D| of each component in the world over the present segment [m].
+  const Eigen::Vector2d& displacementBound() const { return world_displacement_; }
 
   /// The same along the base and normal to it, valid while it does not turn.
   const Eigen::Vector2d& reach() const { return reach_; }
@@ -127,6 +128,8 @@ private:
   void noteDerived();
   bool hasStroke() const;
   void followOrbit(double elapsed, FrameOfBase& frame) const;
+  Eigen::Vector2d boundInWorld(const Eigen::Vector2d& bound) const;
+  double driveSpeedBound() const;
 
   /// The scale factor of the orbit for this amplitude A.
   double orbitScale(double amplitude) const { return scaled_ ? amplitude / scene_amplitude_ : 1.0; }
@@ -148,12 +151,16 @@ private:
   double turns_ = 0.0;  ///< phase of the drive at segment_start_ over 2 pi, in [0, 1)
   Rotation rotation_{1.0, 0.0};
   std::optional<double> next_change_;
-  Eigen::Vector2d acceleration_bound_ = Eigen::Vector2d::Zero();
-  Eigen::Vector2d displacement_bound_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d acceleration_bound_ = Eigen::Vector2d::Zero();  ///< along the drive's axes [m/s^2]
+  Eigen::Vector2d displacement_bound_ = Eigen::Vector2d::Zero();  ///< along the drive's axes [m]
+  Eigen::Vector2d world_acceleration_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d world_displacement_ = Eigen::Vector2d::Zero();
   double greatest_acceleration_ = 0.0;
   Eigen::Vector2d reach_ = Eigen::Vector2d::Zero();
   bool oscillates_ = true;                                ///< in the present segment
+  bool turned_ = false;                                   ///< the drive's axes are the base's
   bool orbits_ = false;                                   ///< has a horizontal part or harmonics
+  bool plain_ = true;                                     ///< neither turned_ nor orbits_
   Eigen::Vector2d standstill_ = Eigen::Vector2d::Zero();  ///< D while the base does not oscillate [m]
 };
 

@@ -13,8 +13,31 @@ struct ContactMasses
   double tangential = 0.0;  ///< m_t, 1/m_t = 1/m_n + r_i^2/I_i + r_j^2/I_j [kg]
 };
 
-/// @param other nullptr for the base: infinite mass and inertia
-ContactMasses contactMasses(const SpeciesDefinition& species, const SpeciesDefinition* other);
+/// How a disk resists an impulse at its edge.
+struct Inertia
+{
+  double mass = 0.0;   ///< [kg]
+  double lever = 0.0;  ///< 1 + m r^2 / I, the same for all disks of a species: 1 + 1 / alpha
+};
+
+inline double leverOf(const SpeciesDefinition& species)
+{
+  return 1.0 + 1.0 / species.inertia_factor;
+}
+
+/// Of a disk and the base.
+inline ContactMasses contactMasses(const Inertia& disk)
+{
+  const double inverse_normal = 1.0 / disk.mass;
+  return {1.0 / inverse_normal, 1.0 / (inverse_normal * disk.lever)};
+}
+
+/// Of two disks.
+inline ContactMasses contactMasses(const Inertia& disk, const Inertia& other)
+{
+  const double inverse = 1.0 / disk.mass;
+  return {1.0 / (inverse + 1.0 / other.mass), 1.0 / (inverse * disk.lever + other.lever / other.mass)};
+}
 
 using Impulse = ImpulseOf<double>;
 

@@ -13,18 +13,19 @@ namespace ratchet_sieve
 {
 
 /// A disk in free flight. Its state is given at its own time, not at the simulation's (delayed states). World
-/// frame; times are local to the engine's present epoch.
+/// frame; times are local to the engine's present epoch. One cache line with all that a search reads; the
+/// rest is in Grain and Passage.
 struct alignas(64) Disk
 {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s]
   double spin = 0.0;                                   ///< counter-clockwise [rad/s]
-  double angle = 0.0;                                  ///< [rad]
+  double radius = 0.0;                                 ///< [m]
   double time = 0.0;                                   ///< of this state [s]
   std::uint32_t species = 0;
   std::uint32_t flights = 0;  ///< counts changes of the trajectory, to detect stale predictions
 
-  void archive(StateArchive& state) { state(position, velocity, spin, angle, time, species, flights); }
+  void archive(StateArchive& state) { state(position, velocity, spin, radius, time, species, flights); }
 };
 
 /// Position (x, y) and velocity (vx, vy) of a disk. Side by side in registers, because the pair search
@@ -55,7 +56,6 @@ inline Disk flown(const Disk& disk, double time, double gravity)
   // store-forwarding stall.
   std::memcpy(later.position.data(), &course.position, sizeof course.position);
   std::memcpy(later.velocity.data(), &course.velocity, sizeof course.velocity);
-  later.angle = positionAfter(disk.angle, disk.spin, time - disk.time);
   later.time = time;
   return later;
 }

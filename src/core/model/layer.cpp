@@ -51,6 +51,20 @@ double largestDiameter(const SceneDefinition& scene)
   return largest;
 }
 
+double pouredWidth(const SceneDefinition& scene)
+{
+  const double width = scene.base.width();
+  return std::min(width, scene.pour.stretch.length(width) + largestDiameter(scene));
+}
+
+double smallestRadius(const SceneDefinition& scene)
+{
+  double smallest = scene.species.front().radius;
+  for (const SpeciesDefinition& species : scene.species)
+    smallest = std::min(smallest, species.radius);
+  return smallest;
+}
+
 double settledLayer(const SceneDefinition& scene)
 {
   double area = 0.0;

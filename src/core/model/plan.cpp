@@ -50,7 +50,7 @@ Plan planOf(const SceneDefinition& scene)
   plan.steps = plan.pairs && scene.accuracy.method == Method::STEPS;
   plan.spin = hasFriction(scene) || startsWithSpin(scene);
   plan.drive = hasStroke(scene.base) && scene.base.frequency > 0.0;
-  plan.orbit = !Orbit(scene.base).empty();
+  plan.orbit = !Orbit(scene.base).empty() || scene.base.drive_frame == DriveFrame::BASE;
   plan.contact_times = scene.contact.contact_duration > 0.0;
   plan.search_above_band = false;
   plan.lanes = !plan.pairs && scene.boundary == Boundary::PERIODIC && !plan.contact_times && !plan.orbit;
@@ -83,7 +83,7 @@ std::string planText(const Plan& plan)
   line += plan.spin ? ", spin" : ", no spin (no friction turns a disk)";
   line += plan.drive ? ", drive" : ", no drive (the base stands still)";
   if (plan.orbit)
-    line += " with a horizontal part or harmonics";
+    line += " with a horizontal part or harmonics, or along the base's axes";
   line += plan.contact_times ? ", contact times" : ", no contact times (contact_duration is 0)";
   line += plan.search_above_band ? ", base search everywhere" : ", no base search above the base's reach";
   line += plan.lanes ? ", lanes"

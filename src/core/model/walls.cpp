@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ratchet_sieve/core/layer.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -31,7 +33,7 @@ double topOfPour(const SceneDefinition& scene)
     largest = std::max(largest, diameter);
   }
   return scene.base.tooth_height + scene.pour.drop_height + largest +
-         SQUARES_PER_DISK * squares / scene.base.width();
+         SQUARES_PER_DISK * squares / pouredWidth(scene);
 }
 
 }  // namespace

@@ -62,14 +62,13 @@ struct PairContact
 /// The members of the machine that a pair search reads.
 struct PairScene
 {
-  const std::vector<Disk>& disks;    ///< by slot
-  const std::vector<double>& radii;  ///< per species [m]
+  const std::vector<Disk>& disks;  ///< by slot
   const BaseMotion& motion;
   double width;            ///< of the base [m]
   double gravity;          ///< [m/s^2]
   double time_resolution;  ///< times that differ by less are treated as equal [s]
 
-  double radius(std::uint32_t slot) const { return radii[disks[slot].species]; }
+  double radius(std::uint32_t slot) const { return disks[slot].radius; }
 
   /// The image `shift` widths to the right, relative to the disk itself, at `time`.
   Image image(double shift, double time) const

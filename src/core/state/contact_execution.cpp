@@ -46,13 +46,9 @@ ContactExecution::ContactExecution(SystemState& system)
   const std::vector<SpeciesDefinition>& species = system.scene().species;
   for (std::size_t i = 0; i < species.size(); ++i)
   {
-    base_masses_.push_back(contactMasses(species[i], nullptr));
-    responses_.push_back({1.0 / species[i].mass, species[i].radius / species[i].inertia()});
+    levers_.push_back(leverOf(species[i]));
     for (std::size_t j = 0; j < species.size(); ++j)
-    {
       pair_coefficients_.push_back(contactBetween(system.scene(), i, j));
-      pair_masses_.push_back(contactMasses(species[i], &species[j]));
-    }
   }
 }
 
@@ -64,7 +60,7 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
   const SpeciesDefinition& species = scene.species[disk.species];
   const FrameOfBase& frame = base.at(time);
   const BasePoint point = frame.see(disk.position, disk.velocity);
-  const Approach approach = system_.sawtooth().approach(feature, point, species.radius);
+  const Approach approach = system_.sawtooth().approach(feature, point, disk.radius);
   ContactOutcome outcome;
   outcome.time = time;
   outcome.kind = collisionKind(feature.kind, scene.boundary);
@@ -79,12 +75,12 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
     // The surface moves with the turning base: at the contact, r below the centre, its velocity differs by r
     // d theta/dt.
     const double tangential_velocity =
-        across(approach.normal, point.velocity) - species.radius * (disk.spin - frame.inclination_rate);
+        across(approach.normal, point.velocity) - disk.radius * (disk.spin - frame.inclination_rate);
     outcome.lossless = lossless(slot, time);
     ContactCoefficients coefficients = outcome.lossless ? LOSSLESS : species.contact;
     if (outcome.kind == CollisionKind::WALL)
       coefficients.friction = 0.0;
-    respond(outcome, coefficients, base_masses_[disk.species], tangential_velocity,
+    respond(outcome, coefficients, contactMasses(inertia(slot, disk)), tangential_velocity,
             reboundFloor(slot, outcome.lossless));
   }
   push(slot, disk, outcome, 1.0);
@@ -109,7 +105,7 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   outcome.species = a.species;
   outcome.partner_species = b.species;
   outcome.shift = shift;
-  outcome.overlap = system_.radius(i) + system_.radius(j) - distance;
+  outcome.overlap = a.radius + b.radius - distance;
   // The same sum as in the prediction (timeToContact). With a different one, rounding could predict a contact
   // here that is then found separating, again and again.
   outcome.closed = position.dot(velocity) < 0.0;
@@ -121,11 +117,11 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
     if (outcome.normal_velocity >= 0.0)
       outcome.normal_velocity = -std::numeric_limits<double>::epsilon() * velocity.norm();
     const double tangential_velocity =
-        across(outcome.normal, velocity) - (system_.radius(i) * a.spin + system_.radius(j) * b.spin);
+        across(outcome.normal, velocity) - (a.radius * a.spin + b.radius * b.spin);
     outcome.lossless = lossless(i, time) || lossless(j, time);
     const std::size_t pair = a.species * system_.scene().species.size() + b.species;
-    respond(outcome, outcome.lossless ? LOSSLESS : pair_coefficients_[pair], pair_masses_[pair],
-            tangential_velocity,
+    respond(outcome, outcome.lossless ? LOSSLESS : pair_coefficients_[pair],
+            contactMasses(inertia(i, a), inertia(j, b)), tangential_velocity,
             std::max(reboundFloor(i, outcome.lossless), reboundFloor(j, outcome.lossless)));
   }
   push(i, a, outcome, 1.0);
@@ -156,15 +152,20 @@ void ContactExecution::respond(ContactOutcome& outcome, const ContactCoefficient
 void ContactExecution::push(std::uint32_t slot, const Disk& now, const ContactOutcome& contact, double sign)
 {
   Disk& disk = system_.changeable(slot);
-  const Response& response = responses_[disk.species];
-  const double change =
-      response.velocity * (std::abs(contact.normal_impulse) + std::abs(contact.tangential_impulse));
+  const double mass = system_.grain(slot).mass;
+  const double per_mass = 1.0 / mass;
+  const double change = per_mass * (std::abs(contact.normal_impulse) + std::abs(contact.tangential_impulse));
   if (change * (now.time - disk.time) > negligible_way_)
     system_.moveTo(slot, now);
   ++disk.flights;
-  const double per_mass = sign * response.velocity;
-  disk.velocity += per_mass * impulseOf(contact);
-  disk.spin -= response.spin * contact.tangential_impulse;
+  disk.velocity += sign * per_mass * impulseOf(contact);
+  const double inertia = system_.scene().species[disk.species].inertiaOf(mass, disk.radius);
+  disk.spin -= disk.radius / inertia * contact.tangential_impulse;
+}
+
+Inertia ContactExecution::inertia(std::uint32_t slot, const Disk& disk) const
+{
+  return {system_.grain(slot).mass, levers_[disk.species]};
 }
 
 bool ContactExecution::lossless(std::uint32_t slot, double time) const

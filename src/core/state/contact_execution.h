@@ -34,16 +34,8 @@ public:
   /// Collides disk i with the image of disk j that is `shift` widths to the right of j.
   ContactOutcome collidePair(std::uint32_t i, std::uint32_t j, int shift, double time);
 
-  const ContactMasses& baseMasses(std::uint32_t species) const { return base_masses_[species]; }
-
 private:
-  /// The change of velocity and spin by a unit impulse.
-  struct Response
-  {
-    double velocity;  ///< 1 / m [1/kg]
-    double spin;      ///< r / I, for a tangential impulse [1/(kg m)]
-  };
-
+  Inertia inertia(std::uint32_t slot, const Disk& disk) const;
   bool lossless(std::uint32_t slot, double time) const;
   double reboundFloor(std::uint32_t slot, bool no_loss) const;
   void respond(ContactOutcome& outcome, const ContactCoefficients& coefficients, const ContactMasses& masses,
@@ -56,9 +48,7 @@ private:
   double negligible_way_;  ///< [m]
 
   std::vector<ContactCoefficients> pair_coefficients_;  ///< per (species, species)
-  std::vector<ContactMasses> pair_masses_;              ///< per (species, species)
-  std::vector<ContactMasses> base_masses_;              ///< per species
-  std::vector<Response> responses_;                     ///< per species
+  std::vector<double> levers_;                          ///< per species; see Inertia
 };
 
 }  // namespace ratchet_sieve

@@ -19,7 +19,8 @@ constexpr double POURED_TO_SETTLED = 2.0;
 /// From the base's lowest point to the highest disk [m].
 double highestPlace(const SceneDefinition& scene)
 {
-  double height = scene.pour.drop_height + POURED_TO_SETTLED * settledLayer(scene);
+  const double narrowing = scene.base.width() / pouredWidth(scene);
+  double height = scene.pour.drop_height + POURED_TO_SETTLED * settledLayer(scene) * narrowing;
   for (const InitialDisk& disk : scene.initial)
     height = std::max({height, std::abs(disk.x), std::abs(disk.y)});
   // For any inclination, the difference in height of the two ends is at most the width.
@@ -57,7 +58,7 @@ void EnergyWatch::endEpoch(double time)
       continue;
     const Disk& disk = system_.disk(slot);
     const SpeciesDefinition& kind = species[disk.species];
-    const double rim = disk.spin * kind.radius;
+    const double rim = disk.spin * disk.radius;
     const double energy = 0.5 * (disk.velocity.squaredNorm() + kind.inertia_factor * rim * rim) +
                           gravity_ * std::max(0.0, disk.position.y());
     const double scales = energy / scale;
@@ -65,7 +66,7 @@ void EnergyWatch::endEpoch(double time)
       continue;
     largest_ = scales;
     if (scales > ALARM && !first_)
-      first_ = First{system_.epoch().start + time, kind.mass * energy,
+      first_ = First{system_.epoch().start + time, system_.grain(slot).mass * energy,
                      flown(disk, time, gravity_).position.y(), scales, system_.id(slot)};
   }
 }

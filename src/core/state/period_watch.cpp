@@ -16,26 +16,31 @@ struct Velocities
 {
   Eigen::Vector2d about = Eigen::Vector2d::Zero();
   double count = 0.0;
+  double weight = 0.0;
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   Eigen::Vector2d squares = Eigen::Vector2d::Zero();
 
-  void add(const Eigen::Vector2d& velocity)
+  /// @param mass in units of the species'
+  void add(const Eigen::Vector2d& velocity, double mass)
   {
     if (count == 0.0)
       about = velocity;
     const Eigen::Vector2d difference = velocity - about;
     count += 1.0;
-    sum += difference;
-    squares += difference.cwiseAbs2();
+    weight += mass;
+    sum += mass * difference;
+    squares += mass * difference.cwiseAbs2();
   }
 
+  /// The mean over the disks of their mass times the square of their velocity relative to that of their
+  /// centre of mass.
   std::optional<double> variance() const
   {
     if (count < 2.0)
       return std::nullopt;
-    const Eigen::Vector2d mean = sum * (1.0 / count);
-    const Eigen::Vector2d spread = squares * (1.0 / count) - mean.cwiseAbs2();
-    return std::max(0.0, spread.sum());
+    const Eigen::Vector2d mean = sum * (1.0 / weight);
+    const Eigen::Vector2d spread = squares * (1.0 / weight) - mean.cwiseAbs2();
+    return std::max(0.0, spread.sum()) * (weight / count);
   }
 };
 }  // namespace
@@ -48,7 +53,8 @@ std::vector<std::optional<double>> granularTemperatures(const SystemState& syste
     if (system.active(slot))
     {
       const Disk& disk = system.disk(slot);
-      velocities[disk.species].add(vectorOf(courseAt(disk, time, system.scene().gravity).velocity));
+      velocities[disk.species].add(vectorOf(courseAt(disk, time, system.scene().gravity).velocity),
+                                   system.grain(slot).mass / species[disk.species].mass);
     }
   std::vector<std::optional<double>> temperatures;
   for (std::size_t i = 0; i < species.size(); ++i)

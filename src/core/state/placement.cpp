@@ -24,14 +24,14 @@ PlacedDisk placed(const SystemState& system, std::uint32_t slot, const FrameOfBa
 }
 }  // namespace
 
-void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, double time, Random& random,
-               const PourObserver& observer)
+void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, const Stretch& stretch,
+               double time, Random& random, const PourObserver& observer)
 {
   const SceneDefinition& scene = system.scene();
   const FrameOfBase base = system.motion().at(time);
   BaseDefinition shape = scene.base;
   shape.amplitude = system.motion().displacementBound().norm();
-  Pour pour(shape, scene.boundary, scene.pour.drop_height, system.largestDiameter(),
+  Pour pour(shape, scene.boundary, stretch, scene.pour.drop_height, system.largestDiameter(),
             scene.contact.pair_collisions);
   for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
     if (system.active(slot))
@@ -62,7 +62,8 @@ void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, d
     disk.velocity.y() = -scene.pour.speed;
     disk.time = time;
     disk.species = kind;
-    system.add(disk);
+    disk.radius = room.radius;
+    system.add(disk, grainOf(scene.species[kind], room.radius));
   }
 }
 
@@ -76,7 +77,9 @@ void placeInitialDisks(SystemState& system, double time)
     disk.spin = initial.spin;
     disk.time = time;
     disk.species = static_cast<std::uint32_t>(initial.species);
-    system.add(disk);
+    const SpeciesDefinition& species = system.scene().species[initial.species];
+    disk.radius = species.radius;
+    system.add(disk, grainOf(species, disk.radius));
   }
   refuseBadStart(system, time);
 }

@@ -6,9 +6,10 @@
 namespace ratchet_sieve
 {
 
-Pour::Pour(const BaseDefinition& base, Boundary boundary, double drop_height, double largest_diameter,
-           bool see_each_other)
-    : width_(base.width()),
+Pour::Pour(const BaseDefinition& base, Boundary boundary, const Stretch& stretch, double drop_height,
+           double largest_diameter, bool see_each_other)
+    : stretch_(stretch),
+      width_(base.width()),
       lowest_underside_(base.tooth_height + base.amplitude + drop_height),
       periodic_(boundary == Boundary::PERIODIC),
       see_each_other_(see_each_other),
@@ -27,7 +28,10 @@ PlacedDisk Pour::place(double radius, Random& random)
   PlacedDisk disk;
   disk.radius = radius;
   const double margin = periodic_ ? 0.0 : radius;
-  disk.s = margin + random.uniform() * std::max(0.0, width_ - 2.0 * margin);
+  // A stretch beside an end is cut to where the disk has room.
+  const double left = std::clamp(stretch_.from, margin, std::max(margin, width_ - margin));
+  const double right = std::max(width_ - stretch_.to, margin);
+  disk.s = left + random.uniform() * std::max(0.0, width_ - (left + right));
   disk.n = see_each_other_ ? searchFor(radius).lowestFree(disk.s, standing_) : lowest_underside_ + radius;
   occupy(disk);
   return disk;

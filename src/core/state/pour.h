@@ -11,15 +11,16 @@
 namespace ratchet_sieve
 {
 
-/// Finds positions for new disks: each at a random place along the base, as low as the drop height and the
-/// existing disks allow.
+/// Finds positions for new disks: each at a random place on a stretch of the base, as low as the drop height
+/// and the existing disks allow.
 class Pour
 {
 public:
   /// @param base with its present amplitude, which determines its highest position
+  /// @param stretch where the disks' centres may be
   /// @param see_each_other false if disks do not collide: they may then overlap
-  Pour(const BaseDefinition& base, Boundary boundary, double drop_height, double largest_diameter,
-       bool see_each_other);
+  Pour(const BaseDefinition& base, Boundary boundary, const Stretch& stretch, double drop_height,
+       double largest_diameter, bool see_each_other);
 
   /// Adds an existing disk.
   void occupy(const PlacedDisk& disk);
@@ -30,6 +31,7 @@ public:
 private:
   RoomSearch& searchFor(double radius);
 
+  Stretch stretch_;
   double width_;
   double lowest_underside_;
   bool periodic_;

@@ -10,6 +10,7 @@ struct RowSums
   double offset;       ///< see Trajectory
   double translation;  ///< see Trajectory
   double rotation;     ///< see Trajectory
+  double angle;        ///< see Trajectory
   double impulse_x;    ///< see BaseImpulses
   double impulse_y;    ///< see BaseImpulses
 };

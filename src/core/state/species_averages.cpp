@@ -30,7 +30,7 @@ void SpeciesAverages::restart(double /*time*/)
   std::fill(blocks_.begin(), blocks_.end(), BlockAverages());
 }
 
-void SpeciesAverages::Sums::add(const Trajectory& trajectory, double x, double until)
+void SpeciesAverages::Sums::add(const Trajectory& trajectory, const Weights& weights, double x, double until)
 {
   const double dx = x + trajectory.offset - trajectory.counted_x;
   const double dt = until - trajectory.counted_from;
@@ -40,8 +40,8 @@ void SpeciesAverages::Sums::add(const Trajectory& trajectory, double x, double u
   displacement_squared += dx * dx;
   displacement_time += dx * dt;
   time_squared += dt * dt;
-  translation += trajectory.translation;
-  rotation += trajectory.rotation;
+  translation += weights.mass * trajectory.translation;
+  rotation += weights.inertia * trajectory.rotation;
 }
 
 SpeciesMeans SpeciesAverages::Sums::means(const SpeciesDefinition& species) const
@@ -62,6 +62,14 @@ SpeciesMeans SpeciesAverages::Sums::means(const SpeciesDefinition& species) cons
   return means;
 }
 
+SpeciesAverages::Weights SpeciesAverages::weights(std::uint32_t slot) const
+{
+  const Disk& disk = system_.disk(slot);
+  const SpeciesDefinition& species = system_.scene().species[disk.species];
+  const double mass = system_.grain(slot).mass;
+  return {mass / species.mass, species.inertiaOf(mass, disk.radius) / species.inertia()};
+}
+
 std::vector<SpeciesAverages::Sums> SpeciesAverages::sums(double time) const
 {
   std::vector<Sums> sums = gone_;
@@ -72,7 +80,7 @@ std::vector<SpeciesAverages::Sums> SpeciesAverages::sums(double time) const
     if (!system_.active(slot))
       addLeft(slot, sums);
     else
-      sums[disk.species].add(system_.observers().trajectories().until(slot, disk, time),
+      sums[disk.species].add(system_.observers().trajectories().until(slot, disk, time), weights(slot),
                              flown(disk, time, gravity).position.x(), system_.epoch().start + time);
   }
   return sums;
@@ -83,7 +91,7 @@ void SpeciesAverages::addLeft(std::uint32_t slot, std::vector<Sums>& sums) const
   const Trajectory& trajectory = system_.observers().trajectories()[slot];
   const Disk& disk = system_.disk(slot);
   if (trajectory.counts())
-    sums[disk.species].add(trajectory, disk.position.x(), trajectory.left_when);
+    sums[disk.species].add(trajectory, weights(slot), disk.position.x(), trajectory.left_when);
 }
 
 void SpeciesAverages::endBlock(double time)

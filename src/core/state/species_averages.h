@@ -37,6 +37,13 @@ public:
   void archive(StateArchive& state) override;
 
 private:
+  /// Mass and moment of inertia of a disk, in units of its species'.
+  struct Weights
+  {
+    double mass;
+    double inertia;
+  };
+
   /// Sums over the trajectories of one species.
   struct Sums
   {
@@ -46,11 +53,11 @@ private:
     double displacement_squared = 0.0;
     double displacement_time = 0.0;
     double time_squared = 0.0;
-    double translation = 0.0;
-    double rotation = 0.0;
+    double translation = 0.0;  ///< weighted by mass
+    double rotation = 0.0;     ///< weighted by inertia
 
     /// @param x end of the trajectory [m], @param until its time, in the run's time [s]
-    void add(const Trajectory& trajectory, double x, double until);
+    void add(const Trajectory& trajectory, const Weights& weights, double x, double until);
     void archive(StateArchive& state)
     {
       state(disks, displacement, time, displacement_squared, displacement_time, time_squared, translation,
@@ -58,6 +65,8 @@ private:
     }
     SpeciesMeans means(const SpeciesDefinition& species) const;
   };
+
+  Weights weights(std::uint32_t slot) const;
 
   /// Adds the trajectory of a disk that has left, if it counts.
   void addLeft(std::uint32_t slot, std::vector<Sums>& sums) const;

@@ -8,6 +8,7 @@
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/walls.h"
+#include "search/size_levels.h"
 
 namespace ratchet_sieve
 {
@@ -17,6 +18,9 @@ namespace
 /// the tooth stays representable within an epoch.
 constexpr double FARTHEST_TOOTH = 0x1p28;
 constexpr double FASTEST_TOOTH = 0x1p26;
+
+/// Relative.
+constexpr double SIZE_ROUNDING = 1e-9;
 
 /// Smallest number of slots that compaction removes. Usual runs never reach it; a machine with an endless
 /// feed is compacted once in a while.
@@ -29,10 +33,30 @@ double speedScale(const SceneDefinition& scene, double time_scale)
   return scene.gravity > 0.0 ? std::sqrt(scene.gravity * width) : width / time_scale;
 }
 
-double maxTurn(const SceneDefinition& scene, double largest_diameter)
+double latticeDiameter(const SceneDefinition& scene, double largest_diameter)
+{
+  double disks = 0.0;
+  double squares = 0.0;
+  const auto add = [&](const SpeciesDefinition& species, double count)
+  {
+    disks += count;
+    squares += count * 4.0 * species.radius * species.radius;
+  };
+  for (const SpeciesDefinition& species : scene.species)
+    add(species, species.count);
+  for (const InitialDisk& disk : scene.initial)
+    add(scene.species[disk.species], 1.0);
+  if (disks == 0.0)
+    for (const SpeciesDefinition& species : scene.species)
+      add(species, species.share);
+  return disks > 0.0 && areWide(largest_diameter, squares / disks) ? std::sqrt(squares / disks)
+                                                                   : largest_diameter;
+}
+
+double maxTurn(const SceneDefinition& scene, double lattice_diameter)
 {
   const bool lattice = scene.boundary == Boundary::PERIODIC && scene.contact.pair_collisions;
-  return lattice ? SystemState::LATTICE_MARGIN * largest_diameter / scene.base.width()
+  return lattice ? SystemState::LATTICE_MARGIN * lattice_diameter / scene.base.width()
                  : std::numeric_limits<double>::infinity();
 }
 
@@ -49,17 +73,16 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
       plan_(covering(plan, scene)),
       sawtooth_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
+      lattice_diameter_(ratchet_sieve::latticeDiameter(scene, largest_diameter_)),
       time_scale_(ratchet_sieve::timeScale(scene)),
       epoch_{0.0, epochLength(time_scale_)},
-      motion_(scene.base, maxTurn(scene, largest_diameter_), plan.drive && !planOf(scene).drive),
+      motion_(scene.base, maxTurn(scene, lattice_diameter_), plan.drive && !planOf(scene).drive),
       search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
       bins_(scene.species.size()),
-      pair_scene_{disks_, radii_, motion_, sawtooth_.width(), scene.gravity, timeResolution(epoch_.length)},
+      pair_scene_{disks_, motion_, sawtooth_.width(), scene.gravity, timeResolution(epoch_.length)},
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), ids_),
       observers_(*this)
 {
-  for (const SpeciesDefinition& species : scene_.species)
-    radii_.push_back(species.radius);
 }
 
 /// From the length of the epoch.
@@ -85,17 +108,19 @@ BaseEvent SystemState::nextBaseEvent(std::uint32_t slot, double from, double unt
 void SystemState::reserve(std::size_t count)
 {
   disks_.reserve(count);
+  grains_.reserve(count);
   active_.reserve(count);
   collapse_watch_.reserve(count);
   observers_.reserve(count);
 }
 
-std::uint32_t SystemState::add(const Disk& disk)
+std::uint32_t SystemState::add(const Disk& disk, const Grain& grain)
 {
   collapse_watch_.added();
   observers_.entered(disk);
   const auto slot = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back(disk);
+  grains_.push_back(grain);
   active_.push_back(1);
   ++active_count_;
   ++bins_[disk.species].on_base;
@@ -132,6 +157,7 @@ bool SystemState::compact()
   collapse_watch_.keep(compaction.kept);
   ids_.keep(compaction.kept);
   keepSlots(disks_, compaction.kept);
+  keepSlots(grains_, compaction.kept);
   keepSlots(active_, compaction.kept);
   return true;
 }
@@ -212,11 +238,12 @@ void SystemState::wrapAll(double time)
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, active_, active_count_, ids_, bins_, collapse_watch_);
+  state(epoch_, motion_, disks_, grains_, active_, active_count_, ids_, bins_, collapse_watch_);
   setTimeResolution();
   const std::size_t count = disks_.size();
   const bool of_this_scene = bins_.size() == scene_.species.size() && active_.size() == count &&
-                             collapse_watch_.disks() == count && ids_.fits(count) &&
+                             grains_.size() == count && collapse_watch_.disks() == count &&
+                             ids_.fits(count) &&
                              std::all_of(disks_.begin(), disks_.end(),
                                          [this](const Disk& disk) { return disk.species < bins_.size(); });
   if (!of_this_scene)
@@ -247,16 +274,19 @@ bool SystemState::isLegal(std::uint32_t slot) const
 {
   const Disk& disk = disks_[slot];
   const double tooth = sawtooth_.toothWidth();
+  const double mass = grainOf(scene_.species[disk.species], disk.radius).mass;
   return canBeTime(disk.time) && disk.time <= epoch_.length && disk.position.allFinite() &&
          (scene_.boundary != Boundary::PERIODIC ||
           std::abs(motion_.at(disk.time).into(disk.position).x()) <= FARTHEST_TOOTH * tooth) &&
          disk.velocity.lpNorm<Eigen::Infinity>() <= FASTEST_TOOTH * tooth / time_scale_ &&
-         std::isfinite(disk.angle) && std::isfinite(disk.spin);
+         std::isfinite(disk.spin) && disk.radius >= (1.0 - SIZE_ROUNDING) * smallestRadius() &&
+         2.0 * disk.radius <= (1.0 + SIZE_ROUNDING) * largest_diameter_ &&
+         std::abs(grains_[slot].mass - mass) <= SIZE_ROUNDING * mass;
 }
 
 double SystemState::smallestRadius() const
 {
-  return *std::min_element(radii_.begin(), radii_.end());
+  return ratchet_sieve::smallestRadius(scene_);
 }
 
 double SystemState::shortenEpoch(double now)

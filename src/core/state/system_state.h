@@ -6,6 +6,7 @@
 
 #include "model/base_motion.h"
 #include "model/disk.h"
+#include "model/grain.h"
 #include "model/sawtooth.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
@@ -25,8 +26,8 @@ namespace ratchet_sieve
 class SystemState
 {
 public:
-  /// While a periodic base turns, its lattice moves relative to a fixed frame by at most this fraction of the
-  /// largest diameter within one segment of the motion.
+  /// While a periodic base turns, its lattice moves relative to a fixed frame by at most this fraction of
+  /// latticeDiameter() within one segment of the motion.
   static constexpr double LATTICE_MARGIN = 0.45;
 
   explicit SystemState(const SceneDefinition& scene) : SystemState(scene, planOf(scene)) {}
@@ -58,11 +59,15 @@ public:
   /// See ratchet_sieve::timeScale().
   double timeScale() const { return time_scale_; }
   double largestDiameter() const { return largest_diameter_; }
+
+  /// The largest diameter, or the root mean square of the scene's if sizes are wide: cells suit these.
+  double latticeDiameter() const { return lattice_diameter_; }
   double smallestRadius() const;
 
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
-  double radius(std::uint32_t slot) const { return pair_scene_.radius(slot); }
+  double radius(std::uint32_t slot) const { return disks_[slot].radius; }
+  const Grain& grain(std::uint32_t slot) const { return grains_[slot]; }
   bool active(std::uint32_t slot) const { return active_[slot] != 0; }
   std::size_t activeCount() const { return active_count_; }
   const DiskIds& ids() const { return ids_; }
@@ -77,6 +82,7 @@ public:
   void prefetchEvent(std::uint32_t slot) const
   {
     prefetch(disks_[slot]);
+    prefetch(grains_[slot]);
     collapse_watch_.prefetchWindow(slot);
     observers_.prefetchSums(slot);
   }
@@ -99,7 +105,7 @@ public:
   void reserve(std::size_t count);
 
   /// Adds a disk. @return its slot, after all others
-  std::uint32_t add(const Disk& disk);
+  std::uint32_t add(const Disk& disk, const Grain& grain);
 
   /// Stores the disk's state at the end of its flight so far.
   // Inlined: a call costs 1 % of a run.
@@ -124,7 +130,7 @@ public:
   /// The disk passes an end of the base: into the bin, or on a periodic base to its image at the other end.
   void passEnd(std::uint32_t slot, bool to_the_right, double time);
 
-  /// Removes a disk from the simulation at its position, into no bin. It stays counted in the machine.
+  /// Removes a disk from the simulation at its position, into no bin. It stays counted in the system.
   void remove(std::uint32_t slot, double time);
 
   /// The slots of the active disks, or of the others, in increasing order.
@@ -167,13 +173,14 @@ private:
   Plan plan_;
   Sawtooth sawtooth_;
   double largest_diameter_;
+  double lattice_diameter_;
   double time_scale_;
   Epoch epoch_;
   BaseMotion motion_;
   ContactSearch search_;
-  std::vector<double> radii_;  ///< per species
 
   std::vector<Disk> disks_;
+  std::vector<Grain> grains_;
   std::vector<std::uint8_t> active_;
   std::size_t active_count_ = 0;
   DiskIds ids_;

@@ -1,5 +1,8 @@
 #include "state/trajectory_sums.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "state/system_state.h"
 
 namespace ratchet_sieve
@@ -29,8 +32,10 @@ void TrajectorySums::integrate(Trajectory& trajectory, const Disk& disk, double 
   const double span = local_time - disk.time;
   const double fall = gravity_ * span;
   trajectory.translation += translationOver(disk.velocity.x(), disk.velocity.y(), fall, span);
-  if (spin_)
-    trajectory.rotation += rotationOver(disk.spin, span);
+  if (!spin_)
+    return;
+  trajectory.rotation += rotationOver(disk.spin, span);
+  trajectory.angle = positionAfter(trajectory.angle, disk.spin, span);
 }
 
 void TrajectorySums::restart(double time)
@@ -51,6 +56,14 @@ void TrajectorySums::restart(double time)
     trajectory.counted_x = flown(disk, time, gravity_).position.x() + trajectory.offset;
     trajectory.counted_from = system_.epoch().start + time;
   }
+}
+
+void TrajectorySums::archive(StateArchive& state)
+{
+  state(trajectories_);
+  state.require(std::all_of(trajectories_.begin(), trajectories_.end(),
+                            [](const Trajectory& trajectory) { return std::isfinite(trajectory.angle); }),
+                "the angle of a disk is impossible");
 }
 
 }  // namespace ratchet_sieve

@@ -15,8 +15,8 @@ namespace ratchet_sieve
 
 class SystemState;
 
-/// One disk's stay in the machine: the sums over its flights. Kept after the disk has left.
-struct Trajectory
+/// One disk's stay in the machine: the sums over its flights. Kept after the disk has left. One cache line.
+struct alignas(64) Trajectory
 {
   /// Value of counted_from for disks that had left before the counting began.
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
@@ -28,13 +28,14 @@ struct Trajectory
   double translation = 0.0;   ///< integral of v^2 / 2 [m^2/s]
   double rotation = 0.0;      ///< integral of spin^2 / 2 [1/s]
   double left_when = 0.0;     ///< [s]
+  double angle = 0.0;         ///< at the disk's own time [rad]
 
   /// Whether any part of it counts.
   bool counts() const { return counted_from < NEVER; }
 
   void archive(StateArchive& state)
   {
-    state(entered_x, offset, counted_x, counted_from, translation, rotation, left_when);
+    state(entered_x, offset, counted_x, counted_from, translation, rotation, left_when, angle);
   }
 };
 
@@ -74,6 +75,7 @@ public:
     sums.offset = trajectory.offset;
     sums.translation = trajectory.translation;
     sums.rotation = trajectory.rotation;
+    sums.angle = trajectory.angle;
   }
   void store(std::uint32_t slot, const RowSums& sums)
   {
@@ -81,6 +83,7 @@ public:
     trajectory.offset = sums.offset;
     trajectory.translation = sums.translation;
     trajectory.rotation = sums.rotation;
+    trajectory.angle = sums.angle;
   }
 
   void restart(double time) override;
@@ -92,7 +95,7 @@ public:
   }
 
   bool fits(std::size_t slots) const override { return trajectories_.size() == slots; }
-  void archive(StateArchive& state) override { state(trajectories_); }
+  void archive(StateArchive& state) override;
 
 private:
   void integrate(Trajectory& trajectory, const Disk& disk, double local_time) const;

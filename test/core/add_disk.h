@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+#include "state/system_state.h"
+
+namespace ratchet_sieve::test
+{
+
+/// Adds a disk of its species' own size. @return its slot
+inline std::uint32_t addDisk(SystemState& system, Disk disk)
+{
+  const SpeciesDefinition& species = system.scene().species[disk.species];
+  disk.radius = species.radius;
+  return system.add(disk, grainOf(species, disk.radius));
+}
+
+}  // namespace ratchet_sieve::test
