@@ -101,7 +101,7 @@ void Simulation::setThreads(std::size_t threads)
 
 std::vector<SpeciesBins> Simulation::bins() const
 {
-  return engine_->state().bins();
+  return engine_->state().observers().bins();
 }
 
 const CollisionCounts& Simulation::collisions() const
@@ -119,6 +119,11 @@ std::vector<SpeciesMeans> Simulation::means() const
   if (!engine_->settled())
     return std::vector<SpeciesMeans>(scene().species.size());
   return engine_->state().observers().averages().means(engine_->now());
+}
+
+std::vector<Observed> Simulation::observed() const
+{
+  return engine_->state().observers().observed(engine_->now());
 }
 
 double Simulation::blockEnd(std::uint64_t blocks) const

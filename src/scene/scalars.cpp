@@ -9,6 +9,8 @@
 #include <sstream>
 #include <utility>
 
+#include "ratchet_sieve/core/observable.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -35,6 +37,14 @@ constexpr ChoiceNames<CollapseAction, 2> COLLAPSE_ACTION_NAMES = {
     {{CollapseAction::STOP, "stop"}, {CollapseAction::REBOUND, "rebound"}}};
 
 constexpr ChoiceNames<Method, 2> METHOD_NAMES = {{{Method::EVENTS, "events"}, {Method::STEPS, "steps"}}};
+
+std::string joined(const std::vector<std::string>& words)
+{
+  std::string list;
+  for (const std::string& word : words)
+    list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
 
 template <typename Choice, std::size_t COUNT>
 LegalValues legalChoice(const ChoiceNames<Choice, COUNT>& choices)
@@ -202,6 +212,21 @@ void readScalar(const Entry& entry, const Range&, Method& value)
   readChoice(entry, METHOD_NAMES, value);
 }
 
+void readScalar(const Entry& entry, const Range& range, std::vector<std::string>& value)
+{
+  const std::vector<std::string> known = observableNames();
+  value.clear();
+  for (const Entry& item : entry.list())
+  {
+    const std::string name = item.node().IsScalar() ? item.node().Scalar() : std::string();
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      item.refuseValue("must be one of " + legalValues(range, value).values);
+    if (std::find(value.begin(), value.end(), name) != value.end())
+      item.refuseValue("is given twice");
+    value.push_back(name);
+  }
+}
+
 LegalValues legalValues(const Range& range, double)
 {
   return {"number", range.values()};
@@ -245,6 +270,11 @@ LegalValues legalValues(const Range&, CollapseAction)
 LegalValues legalValues(const Range&, Method)
 {
   return legalChoice(METHOD_NAMES);
+}
+
+LegalValues legalValues(const Range&, const std::vector<std::string>&)
+{
+  return {"list", joined(observableNames())};
 }
 
 std::string scalarText(double value)
@@ -297,6 +327,11 @@ std::string scalarText(CollapseAction value)
 std::string scalarText(Method value)
 {
   return choiceText(METHOD_NAMES, value);
+}
+
+std::string scalarText(const std::vector<std::string>& value)
+{
+  return '[' + joined(value) + ']';
 }
 
 }  // namespace ratchet_sieve

@@ -17,7 +17,7 @@ namespace ratchet_sieve
 {
 
 using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Boundary*, DriveFrame*,
-                          CollapseAction*, Method*>;
+                          CollapseAction*, Method*, std::vector<std::string>*>;
 
 enum class Presence
 {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/scene/entry.h"
@@ -23,10 +24,13 @@ void readScalar(const Entry& entry, const Range& range, DriveFrame& value);
 void readScalar(const Entry& entry, const Range& range, CollapseAction& value);
 void readScalar(const Entry& entry, const Range& range, Method& value);
 
+/// Names of observables, each once.
+void readScalar(const Entry& entry, const Range& range, std::vector<std::string>& value);
+
 /// What a reader above accepts.
 struct LegalValues
 {
-  const char* type;    ///< number, integer, boolean, name or choice
+  const char* type;    ///< number, integer, boolean, name, choice or list
   std::string values;  ///< such as "0 to 1000" or "stop or rebound"
 };
 
@@ -40,6 +44,7 @@ LegalValues legalValues(const Range& range, Boundary);
 LegalValues legalValues(const Range& range, DriveFrame);
 LegalValues legalValues(const Range& range, CollapseAction);
 LegalValues legalValues(const Range& range, Method);
+LegalValues legalValues(const Range& range, const std::vector<std::string>&);
 
 /// The text that the readers above take back to the same value, bit for bit.
 std::string scalarText(double value);
@@ -51,5 +56,6 @@ std::string scalarText(Boundary value);
 std::string scalarText(DriveFrame value);
 std::string scalarText(CollapseAction value);
 std::string scalarText(Method value);
+std::string scalarText(const std::vector<std::string>& value);
 
 }  // namespace ratchet_sieve

@@ -78,7 +78,6 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
       epoch_{0.0, epochLength(time_scale_)},
       motion_(scene.base, maxTurn(scene, lattice_diameter_), plan.drive && !planOf(scene).drive),
       search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
-      bins_(scene.species.size()),
       pair_scene_{disks_, motion_, sawtooth_.width(), scene.gravity, timeResolution(epoch_.length)},
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), ids_),
       observers_(*this)
@@ -123,7 +122,6 @@ std::uint32_t SystemState::add(const Disk& disk, const Grain& grain)
   grains_.push_back(grain);
   active_.push_back(1);
   ++active_count_;
-  ++bins_[disk.species].on_base;
   ids_.added();
   return slot;
 }
@@ -187,12 +185,6 @@ void SystemState::remove(std::uint32_t slot, double time)
 void SystemState::leave(std::uint32_t slot, Exit exit, double time)
 {
   const std::uint32_t species = fly(slot, time).species;
-  SpeciesBins& bins = bins_[species];
-  if (exit != Exit::REMOVED)
-  {
-    --bins.on_base;
-    ++(exit == Exit::RIGHT_BIN ? bins.right : bins.left);
-  }
   active_[slot] = 0;
   --active_count_;
   observers_.left({slot, species, exit, time});
@@ -238,14 +230,14 @@ void SystemState::wrapAll(double time)
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, grains_, active_, active_count_, ids_, bins_, collapse_watch_);
+  state(epoch_, motion_, disks_, grains_, active_, active_count_, ids_, collapse_watch_);
   setTimeResolution();
   const std::size_t count = disks_.size();
-  const bool of_this_scene = bins_.size() == scene_.species.size() && active_.size() == count &&
-                             grains_.size() == count && collapse_watch_.disks() == count &&
-                             ids_.fits(count) &&
-                             std::all_of(disks_.begin(), disks_.end(),
-                                         [this](const Disk& disk) { return disk.species < bins_.size(); });
+  const bool of_this_scene =
+      active_.size() == count && grains_.size() == count && collapse_watch_.disks() == count &&
+      ids_.fits(count) &&
+      std::all_of(disks_.begin(), disks_.end(),
+                  [this](const Disk& disk) { return disk.species < scene_.species.size(); });
   if (!of_this_scene)
     throw StateError("it is of another scene");
   state.require(isLegal(), "the state of the machine or of a disk is impossible");

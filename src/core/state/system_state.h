@@ -9,7 +9,6 @@
 #include "model/grain.h"
 #include "model/sawtooth.h"
 #include "ratchet_sieve/core/plan.h"
-#include "ratchet_sieve/core/segregation.h"
 #include "search/contact_search.h"
 #include "search/pair_search.h"
 #include "state/collapse_watch.h"
@@ -72,7 +71,6 @@ public:
   std::size_t activeCount() const { return active_count_; }
   const DiskIds& ids() const { return ids_; }
   std::uint32_t id(std::uint32_t slot) const { return ids_.of(slot); }
-  const std::vector<SpeciesBins>& bins() const { return bins_; }
   const CollapseWatch& collapseWatch() const { return collapse_watch_; }
   CollapseWatch& collapseWatch() { return collapse_watch_; }
   const Observers& observers() const { return observers_; }
@@ -184,7 +182,6 @@ private:
   std::vector<std::uint8_t> active_;
   std::size_t active_count_ = 0;
   DiskIds ids_;
-  std::vector<SpeciesBins> bins_;
   PairScene pair_scene_;  ///< of the members above
   CollapseWatch collapse_watch_;
   Observers observers_;
