@@ -109,6 +109,11 @@ const CollisionCounts& Simulation::collisions() const
   return engine_->state().observers().counts().collisions;
 }
 
+FaceContacts Simulation::faceContacts() const
+{
+  return engine_->state().observers().faceContacts();
+}
+
 std::uint64_t Simulation::events() const
 {
   return engine_->events();

@@ -64,7 +64,12 @@ void writeBase(std::ostream& out, const BaseDefinition& base)
 {
   FlowWriter flow(out);
   out << "base: {";
-  writeValues(baseKeys(), base, std::ref(flow));
+  writeValues(baseKeys(), base,
+              [&](const char* name, const std::string& text)
+              {
+                if (base.profile.empty() || sawtoothKeys().count(name) == 0)
+                  flow(name, text);
+              });
   if (!base.harmonics.empty())
     flow("harmonics", flowList(harmonicKeys(), base.harmonics));
   out << "}\n";
@@ -84,6 +89,16 @@ void writeList(std::ostream& out, const char* name, const std::vector<Entry>& en
   }
 }
 
+std::string sizeText(const SizeDefinition& size)
+{
+  std::ostringstream out;
+  FlowWriter flow(out);
+  writeValues(sizeKeys(), size, std::ref(flow));
+  const bool table = size.distribution == SizeDistribution::TABLE;
+  writeValues(table ? tableKeys() : spreadKeys(), size, std::ref(flow));
+  return '{' + out.str() + '}';
+}
+
 std::string motionYaml(const SceneDefinition& scene)
 {
   std::ostringstream out;
@@ -94,6 +109,8 @@ std::string motionYaml(const SceneDefinition& scene)
             {
               writeValues(speciesKeys(), species, std::ref(flow));
               writeValues(coefficientKeys(), species.contact, std::ref(flow));
+              if (species.size.vary())
+                flow("size", sizeText(species.size));
             });
   writeList(out, "pairs", scene.pairs,
             [&scene](const PairDefinition& pair, FlowWriter flow)

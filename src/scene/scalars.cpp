@@ -38,6 +38,15 @@ constexpr ChoiceNames<CollapseAction, 2> COLLAPSE_ACTION_NAMES = {
 
 constexpr ChoiceNames<Method, 2> METHOD_NAMES = {{{Method::EVENTS, "events"}, {Method::STEPS, "steps"}}};
 
+constexpr ChoiceNames<SizeDistribution, 4> SIZE_DISTRIBUTION_NAMES = {
+    {{SizeDistribution::UNIFORM, "uniform"},
+     {SizeDistribution::NORMAL, "normal"},
+     {SizeDistribution::LOGNORMAL, "lognormal"},
+     {SizeDistribution::TABLE, "table"}}};
+
+constexpr ChoiceNames<SizeShare, 2> SIZE_SHARE_NAMES = {
+    {{SizeShare::NUMBER, "number"}, {SizeShare::MASS, "mass"}}};
+
 std::string joined(const std::vector<std::string>& words)
 {
   std::string list;
@@ -227,6 +236,23 @@ void readScalar(const Entry& entry, const Range& range, std::vector<std::string>
   }
 }
 
+void readScalar(const Entry& entry, const Range&, SizeDistribution& value)
+{
+  readChoice(entry, SIZE_DISTRIBUTION_NAMES, value);
+}
+
+void readScalar(const Entry& entry, const Range&, SizeShare& value)
+{
+  readChoice(entry, SIZE_SHARE_NAMES, value);
+}
+
+void readScalar(const Entry& entry, const Range& range, std::vector<double>& values)
+{
+  values.clear();
+  for (const Entry& item : entry.list())
+    readScalar(item, range, values.emplace_back());
+}
+
 LegalValues legalValues(const Range& range, double)
 {
   return {"number", range.values()};
@@ -275,6 +301,21 @@ LegalValues legalValues(const Range&, Method)
 LegalValues legalValues(const Range&, const std::vector<std::string>&)
 {
   return {"list", joined(observableNames())};
+}
+
+LegalValues legalValues(const Range&, SizeDistribution)
+{
+  return legalChoice(SIZE_DISTRIBUTION_NAMES);
+}
+
+LegalValues legalValues(const Range&, SizeShare)
+{
+  return legalChoice(SIZE_SHARE_NAMES);
+}
+
+LegalValues legalValues(const Range& range, const std::vector<double>&)
+{
+  return {"list", range.values()};
 }
 
 std::string scalarText(double value)
@@ -332,6 +373,24 @@ std::string scalarText(Method value)
 std::string scalarText(const std::vector<std::string>& value)
 {
   return '[' + joined(value) + ']';
+}
+
+std::string scalarText(SizeDistribution value)
+{
+  return choiceText(SIZE_DISTRIBUTION_NAMES, value);
+}
+
+std::string scalarText(SizeShare value)
+{
+  return choiceText(SIZE_SHARE_NAMES, value);
+}
+
+std::string scalarText(const std::vector<double>& values)
+{
+  std::string list;
+  for (const double value : values)
+    list += (list.empty() ? "" : ", ") + scalarText(value);
+  return '[' + list + ']';
 }
 
 }  // namespace ratchet_sieve

@@ -28,15 +28,30 @@ void readSection(const Entry& root, const std::string& name, const Keys<Part>& k
   readValues(section, keys, part);
 }
 
+SizeDefinition readSize(const Entry& entry)
+{
+  SizeDefinition size;
+  const auto& names = namesOf(sizeKeys(), namesOf(spreadKeys(), namesOf(tableKeys())));
+  entry.requireKeys(names, requiredOf(sizeKeys()));
+  readValues(entry, sizeKeys(), size);
+  const Keys<SizeDefinition>& rest =
+      size.distribution == SizeDistribution::TABLE ? tableKeys() : spreadKeys();
+  entry.requireKeys(namesOf(sizeKeys(), namesOf(rest)), requiredOf(rest));
+  readValues(entry, rest, size);
+  return size;
+}
+
 SpeciesDefinition readSpecies(const Entry& entry, bool count_required)
 {
   std::set<std::string> required = requiredOf(speciesKeys());
   if (count_required)
     required.insert("count");
-  entry.requireKeys(namesOf(speciesKeys(), namesOf(coefficientKeys())), required);
+  entry.requireKeys(namesOf(speciesKeys(), namesOf(coefficientKeys(), {"size"})), required);
   SpeciesDefinition species;
   readValues(entry, speciesKeys(), species);
   readValues(entry, coefficientKeys(), species.contact);
+  if (entry.has("size"))
+    species.size = readSize(entry.at("size"));
   return species;
 }
 
@@ -129,6 +144,9 @@ void readBase(const Entry& root, BaseDefinition& base)
   const Entry section = root.at("base");
   section.requireKeys(namesOf(baseKeys(), {"harmonics"}), {});
   readValues(section, baseKeys(), base);
+  for (const std::string& name : sawtoothKeys())
+    if (section.has("profile") && section.has(name))
+      section.at(name).refuse("must be absent because base.profile gives the tooth");
   if (!section.has("harmonics"))
     return;
   const std::vector<Entry> entries = section.at("harmonics").list();

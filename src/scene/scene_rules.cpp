@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "ratchet_sieve/core/resolution.h"
+#include "ratchet_sieve/core/sizes.h"
 #include "schema.h"
 
 namespace ratchet_sieve
@@ -35,7 +36,7 @@ void splitDensity(const Entry& root, SceneDefinition& scene)
   const Entry entry = root.at("density");
   double diameters = 0.0;
   for (const SpeciesDefinition& species : scene.species)
-    diameters += species.share * 2.0 * species.radius;
+    diameters += species.share * 2.0 * Sizes(species).meanRadius();
   if (density > 0.0 && diameters <= 0.0)
     entry.refuseValue("needs a species with a share above 0");
   for (SpeciesDefinition& species : scene.species)
@@ -90,11 +91,17 @@ void disksFitMachine(const Entry& root, const SceneDefinition& scene)
   for (std::size_t i = 0; i < scene.species.size(); ++i)
   {
     const double radius = scene.species[i].radius;
-    const double teeth = 2e-3 * radius / scene.base.tooth_width;
+    const double teeth = 2e-3 * radius / scene.base.toothWidth();
     const bool in_mm = teeth <= 1.0 && teeth >= 0.05;
+    const double largest = Sizes(scene.species[i]).largest();
+    if (2.0 * largest > scene.base.width() && scene.species[i].size.vary())
+      entries[i].at("size").refuse("the largest diameter, " + scalarText(2.0 * largest) +
+                                   " m, must be at most the base's width (teeth times tooth_width), " +
+                                   scalarText(scene.base.width()) + " m");
     if (2.0 * radius > scene.base.width())
       entries[i].at("radius").refuseValue(
-          "the diameter must be at most the base's width (teeth times tooth_width), " +
+          std::string("the diameter must be at most the base's width (teeth times ") +
+          (scene.base.profile.empty() ? "tooth_width" : "the profile's") + "), " +
           scalarText(scene.base.width()) + " m" +
           (in_mm ? "; did you mean " + scalarText(1e-3 * radius) + " m?" : ""));
   }
@@ -125,16 +132,64 @@ void disksFineEnough(const Entry& root, const SceneDefinition& scene)
   const FinestDisk finest = finestDisk(scene);
   const std::vector<Entry> entries = root.at("species").list();
   for (std::size_t i = 0; i < scene.species.size(); ++i)
-    if (scene.species[i].radius < finest.radius)
-      entries[i].at("radius").refuseValue(
-          "must be at least " + scalarText(finest.radius) + " m in this scene, because " + finest.reason +
-          ": with double precision, smaller disks would overlap by more than 1e-9 of their radius");
+  {
+    const double smallest = Sizes(scene.species[i]).smallest();
+    const std::string allowed =
+        "must be at least " + scalarText(finest.radius) + " m in this scene, because " + finest.reason +
+        ": with double precision, smaller disks would overlap by more than 1e-9 of their radius";
+    if (smallest < finest.radius && scene.species[i].size.vary())
+      entries[i].at("size").refuse("the smallest radius, " + scalarText(smallest) + " m, " + allowed);
+    if (smallest < finest.radius)
+      entries[i].at("radius").refuseValue(allowed);
+  }
+}
+
+void tableIsSound(const Entry& species, const SpeciesDefinition& definition)
+{
+  const std::vector<double>& radii = definition.size.radii;
+  const std::vector<double>& weights = definition.size.weights;
+  const Entry table = species.at("size");
+  if (radii.empty() || radii.size() > MOST_SIZES)
+    table.at("radii").refuse("must have 1 to " + std::to_string(MOST_SIZES) + " numbers");
+  const std::vector<Entry> entries = table.at("radii").list();
+  for (std::size_t k = 1; k < radii.size(); ++k)
+    if (!(radii[k] > radii[k - 1]))
+      entries[k].refuseValue("must be larger than the radius before, " + scalarText(radii[k - 1]) + " m");
+  if (weights.size() != radii.size())
+    table.at("weights").refuse("must have as many numbers as radii, " + std::to_string(radii.size()));
+  if (std::accumulate(weights.begin(), weights.end(), 0.0) <= 0.0)
+    table.at("weights").refuse("needs a weight above 0");
+  if (definition.radius < radii.front() || definition.radius > radii.back())
+    species.at("radius").refuseValue("must be within size.radii, from " + scalarText(radii.front()) + " to " +
+                                     scalarText(radii.back()) + " m");
+}
+
+/// Every radius is above 0.
+void spreadIsSound(const Entry& entry, const SizeDefinition& size)
+{
+  if (size.distribution == SizeDistribution::UNIFORM && size.spread >= 1.0)
+    entry.at("spread").refuseValue("must be below 1: every radius must be above 0");
+  if (size.distribution == SizeDistribution::NORMAL && size.spread >= 1.0 / 3.0)
+    entry.at("spread").refuseValue(
+        "must be below 1/3: every radius must be above 0, and the distribution is cut at 3 standard "
+        "deviations");
+}
+
+void sizesAreSound(const Entry& root, const SceneDefinition& scene)
+{
+  const std::vector<Entry> entries = root.at("species").list();
+  for (std::size_t i = 0; i < scene.species.size(); ++i)
+    if (scene.species[i].size.distribution == SizeDistribution::TABLE)
+      tableIsSound(entries[i], scene.species[i]);
+    else if (scene.species[i].size.vary())
+      spreadIsSound(entries[i].at("size"), scene.species[i].size);
 }
 
 }  // namespace
 
 void resolveCounts(const Entry& root, Scene& scene)
 {
+  sizesAreSound(root, scene.definition);
   SceneDefinition& definition = scene.definition;
   if (!definition.initial.empty())
   {

@@ -10,7 +10,6 @@ namespace
 
 // These limits, those of scene_limits.h and those of the commanded quantities keep products of the values far
 // from overflow. They are far beyond any real machine.
-constexpr double SMALLEST_LENGTH = 1e-9;  ///< [m]
 constexpr double LARGEST_LENGTH = 1e3;    ///< [m]
 constexpr double LARGEST_WIDTH = 1e9;     ///< of a base [m]
 constexpr double LARGEST_POSITION = 1e9;  ///< [m]
@@ -29,6 +28,8 @@ constexpr double MOST_TEETH = 1e6;
 constexpr double SHORTEST_STEP = 1e-7;  ///< [s]
 constexpr double LONGEST_STEP = 0.1;    ///< [s]
 constexpr double HIGHEST_MULTIPLE = 100;
+constexpr double LARGEST_SPREAD = 3.0;
+constexpr double LARGEST_MASS_EXPONENT = 10.0;
 
 const Range ANY{};
 
@@ -99,7 +100,8 @@ const Keys<double>& densityKeys()
 {
   static const Keys<double> KEYS = {
       {"density", [](double& density) -> Slot { return &density; }, upTo(LARGEST_DENSITY),
-       "Sum of all disks' diameters over the width of the base, in place of every species' count.",
+       "Sum of all disks' diameters (with a size: of the expected ones) over the width of the base, in "
+       "place of every species' count.",
        Presence::OPTIONAL, "-"},
   };
   return KEYS;
@@ -139,7 +141,17 @@ const Keys<BaseDefinition>& baseKeys()
        "Axes of the drive: vertical and horizontal (world), or normal to the base and along it, turning with "
        "it (base), as a vibrator bolted to the deck drives it.",
        Presence::ADDED},
+      {"profile", [](B& b) -> Slot { return &b.profile; }, within(LARGEST_LENGTH, "m"),
+       "Outline of a tooth in place of tooth_width, tooth_height and asymmetry: corners from [0, 0] to "
+       "[w, 0], s never decreasing (twice the same: a vertical face), n above or below 0.",
+       Presence::ADDED, "-"},
   };
+  return KEYS;
+}
+
+const std::set<std::string>& sawtoothKeys()
+{
+  static const std::set<std::string> KEYS = {"tooth_width", "tooth_height", "asymmetry"};
   return KEYS;
 }
 
@@ -174,13 +186,56 @@ const Keys<SpeciesDefinition>& speciesKeys()
       {"share", [](S& s) -> Slot { return &s.share; }, upTo(LARGEST_SHARE),
        "Weight of the species in the split of density and among the disks that are fed."},
       {"radius", [](S& s) -> Slot { return &s.radius; }, between(SMALLEST_LENGTH, LARGEST_LENGTH, "m"),
-       "Radius r; a disk must fit into the base, and the smallest must not be too small for double "
+       "Radius r; with a size, that of a disk of mass m; a disk must fit into the base, and the smallest "
+       "must not be too small for double "
        "precision.",
        Presence::REQUIRED},
       {"mass", [](S& s) -> Slot { return &s.mass; }, between(SMALLEST_MASS, LARGEST_MASS, "kg"), "Mass m.",
        Presence::REQUIRED},
       {"inertia_factor", [](S& s) -> Slot { return &s.inertia_factor; }, between(SMALLEST_INERTIA, 1.0),
        "Moment of inertia over m r^2; 0.5: a uniform disk."},
+  };
+  return KEYS;
+}
+
+const Keys<SizeDefinition>& sizeKeys()
+{
+  using S = SizeDefinition;
+  static const Keys<S> KEYS = {
+      {"distribution", [](S& s) -> Slot { return &s.distribution; }, ANY,
+       "How the radii of the poured disks are distributed, by number: from r (1 - spread) to "
+       "r (1 + spread) (uniform); with mean r and standard deviation spread r, cut at 3 of them "
+       "(normal); with median r and standard deviation spread of the logarithm, cut at 3 of them "
+       "(lognormal); or as in the table radii, weights (table).",
+       Presence::REQUIRED},
+      {"mass_exponent", [](S& s) -> Slot { return &s.mass_exponent; }, upTo(LARGEST_MASS_EXPONENT),
+       "Exponent p of the mass m (r'/r)^p of a disk of radius r': 3 for balls of one material, 2 for "
+       "disks of one thickness."},
+  };
+  return KEYS;
+}
+
+const Keys<SizeDefinition>& spreadKeys()
+{
+  using S = SizeDefinition;
+  static const Keys<S> KEYS = {
+      {"spread", [](S& s) -> Slot { return &s.spread; }, upTo(LARGEST_SPREAD),
+       "Width of the distribution, relative to r; uniform: below 1; normal: below 1/3.", Presence::REQUIRED},
+  };
+  return KEYS;
+}
+
+const Keys<SizeDefinition>& tableKeys()
+{
+  using S = SizeDefinition;
+  static const Keys<S> KEYS = {
+      {"radii", [](S& s) -> Slot { return &s.radii; }, between(SMALLEST_LENGTH, LARGEST_LENGTH, "m"),
+       "Radii of a table, each larger than the one before; r is within them.", Presence::REQUIRED},
+      {"weights", [](S& s) -> Slot { return &s.weights; }, upTo(LARGEST_SHARE),
+       "Shares of the disks between each radius and the one before, where the cumulative share grows "
+       "in proportion to the radius; the first: of the disks that have the first radius.",
+       Presence::REQUIRED},
+      {"by", [](S& s) -> Slot { return &s.by; }, ANY, "What the weights are shares of."},
   };
   return KEYS;
 }

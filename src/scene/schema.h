@@ -16,8 +16,9 @@
 namespace ratchet_sieve
 {
 
-using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, Boundary*, DriveFrame*,
-                          CollapseAction*, Method*, std::vector<std::string>*>;
+using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, std::vector<double>*,
+                          std::vector<std::string>*, Boundary*, DriveFrame*, CollapseAction*, Method*,
+                          SizeDistribution*, SizeShare*, std::vector<OutlineCorner>*>;
 
 enum class Presence
 {
@@ -45,8 +46,12 @@ const Keys<SceneDefinition>& motionKeys();  ///< at the root, decide how the dis
 const Keys<SceneDefinition>& runKeys();     ///< at the root, decide only what part of it is run
 const Keys<double>& densityKeys();          ///< at the root; not stored, but split into counts
 const Keys<BaseDefinition>& baseKeys();
+const std::set<std::string>& sawtoothKeys();     ///< those of the base that base.profile replaces
 const Keys<HarmonicDefinition>& harmonicKeys();  ///< of an entry of base.harmonics
 const Keys<SpeciesDefinition>& speciesKeys();
+const Keys<SizeDefinition>& sizeKeys();    ///< of a species' size
+const Keys<SizeDefinition>& spreadKeys();  ///< of one with a spread
+const Keys<SizeDefinition>& tableKeys();   ///< of one with a table
 const Keys<ContactCoefficients>& coefficientKeys();
 const Keys<ContactDefinition>& contactKeys();
 const Keys<PourDefinition>& pourKeys();
@@ -58,8 +63,13 @@ const Keys<AccuracyDefinition>& certaintyKeys();  ///< of accuracy, decide only 
 /// Most disks that a scene may have.
 constexpr int MOST_DISKS = 10'000'000;
 
+constexpr double SMALLEST_LENGTH = 1e-9;  ///< of any part of a scene [m]
+
 /// Most harmonics of a drive: each evaluation of the base's motion sums all of them.
 constexpr std::size_t MOST_HARMONICS = 64;
+
+/// Most radii that a table of sizes may have.
+constexpr std::size_t MOST_SIZES = 1000;
 
 /// Most species that a scene may have: tables of pairs grow with its square.
 constexpr std::size_t MOST_SPECIES = 256;

@@ -7,11 +7,12 @@
 namespace ratchet_sieve::test
 {
 
-/// Adds a disk of its species' own size. @return its slot
+/// Adds a disk, of its species' own size unless it has a radius. @return its slot
 inline std::uint32_t addDisk(SystemState& system, Disk disk)
 {
   const SpeciesDefinition& species = system.scene().species[disk.species];
-  disk.radius = species.radius;
+  if (disk.radius == 0.0)
+    disk.radius = species.radius;
   return system.add(disk, grainOf(species, disk.radius));
 }
 

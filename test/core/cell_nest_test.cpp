@@ -19,8 +19,8 @@ namespace
 constexpr double SMALL = 0.001;
 constexpr double MARGIN = 1e-5;
 
-/// Disks that wander from cell to cell, with what an event loop has tested: whenever a disk begins a flight or
-/// crosses an edge, what visit() shows it.
+/// Disks that wander from cell to cell, with what an event loop has tested: whenever a disk begins a flight
+/// or crosses an edge, what visit() shows it.
 class Wanderers
 {
 public:
@@ -97,19 +97,20 @@ private:
   /// Whether the larger of two would lie over all of the smaller one's cell.
   bool isCovered(std::uint32_t slot, CellGrid::Cell cell) const
   {
-    return std::any_of(placed_.begin(), placed_.end(),
-                       [&](std::uint32_t other)
-                       {
-                         bool covered = false;
-                         for (int shift = grid_.periodic() ? -1 : 0; shift <= (grid_.periodic() ? 1 : 0); ++shift)
-                         {
-                           const auto [columns, rows] = apart(slot, cell, other, shift);
-                           covered |= other != slot && std::hypot((columns + 1) * grid_.columnStart(1),
-                                                                  (rows + 1) * grid_.rowStart(1)) <
-                                                           std::max(radii_[slot], radii_[other]);
-                         }
-                         return covered;
-                       });
+    return std::any_of(
+        placed_.begin(), placed_.end(),
+        [&](std::uint32_t other)
+        {
+          bool covered = false;
+          for (int shift = grid_.periodic() ? -1 : 0; shift <= (grid_.periodic() ? 1 : 0); ++shift)
+          {
+            const auto [columns, rows] = apart(slot, cell, other, shift);
+            covered |= other != slot &&
+                       std::hypot((columns + 1) * grid_.columnStart(1), (rows + 1) * grid_.rowStart(1)) <
+                           std::max(radii_[slot], radii_[other]);
+          }
+          return covered;
+        });
   }
 
   void test(std::uint32_t slot, CellEdge entered)
@@ -140,7 +141,8 @@ std::vector<double> drawnRadii()
 {
   std::vector<double> radii;
   for (const int size : *rc::gen::container<std::vector<int>>(24, rc::gen::inRange(0, 4)))
-    radii.push_back(0.5 * SMALL * (size == 0 ? *rc::gen::inRange(20, 240) * 0.1 : *rc::gen::inRange(2, 15) * 0.1));
+    radii.push_back(0.5 * SMALL *
+                    (size == 0 ? *rc::gen::inRange(20, 240) * 0.1 : *rc::gen::inRange(2, 15) * 0.1));
   return radii;
 }
 
@@ -173,7 +175,8 @@ TEST(CellNest, WhateverMovesHasTestedEveryPairThatCanTouch)
           const std::uint32_t slot = disks.placed()[*rc::gen::inRange<std::size_t>(0, disks.placed().size())];
           if (*rc::gen::inRange(0, 4) == 0)
             disks.beginFlight(slot);
-          const auto edge = *rc::gen::element(CellEdge::LEFT, CellEdge::RIGHT, CellEdge::LOWER, CellEdge::UPPER);
+          const auto edge =
+              *rc::gen::element(CellEdge::LEFT, CellEdge::RIGHT, CellEdge::LOWER, CellEdge::UPPER);
           for (int k = *rc::gen::inRange(1, 12); k > 0; --k)
             disks.cross(slot, edge);
           disks.check();
@@ -228,9 +231,11 @@ TEST(SizeLevels, HoldEveryDiskInOneThatFits)
       []
       {
         std::vector<double> radii;
-        for (const int size : *rc::gen::nonEmpty(rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1000))))
+        for (const int size :
+             *rc::gen::nonEmpty(rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1000))))
           radii.push_back(1e-4 * std::pow(10.0, 0.004 * size));
-        const double largest = 2.0 * *std::max_element(radii.begin(), radii.end()) * *rc::gen::element(1.0, 3.0);
+        const double largest =
+            2.0 * *std::max_element(radii.begin(), radii.end()) * *rc::gen::element(1.0, 3.0);
         const SizeLevels levels = cheapestLevels(radii, largest);
         RC_ASSERT(levels.largest() == largest);
         RC_ASSERT(std::is_sorted(levels.diameters.begin(), levels.diameters.end()));

@@ -36,6 +36,12 @@ TEST(Conservation, ElasticDisksKeepTheirEnergy)
   EXPECT_LT(relativeDrift(lossless(0.0, 0.0), 250.0, 1000000), 1e-10);
 }
 
+TEST(Conservation, ElasticDisksOfManySizesKeepTheirEnergy)
+{
+  EXPECT_LT(relativeDrift(test::withSizes(lossless(0.0, 0.0)), 100.0, 300000), 1e-10);
+  EXPECT_LT(relativeDrift(test::withSizes(lossless(1e9, 1.0)), 100.0, 300000), 1e-10);
+}
+
 TEST(Conservation, PerfectlyRoughDisksKeepTheirEnergyWithTheirSpins)
 {
   EXPECT_LT(relativeDrift(lossless(1e9, 1.0), 250.0, 1000000), 1e-10);

@@ -50,7 +50,7 @@ SceneDefinition flat()
   return scene;
 }
 
-constexpr BaseFeature GROUND{BaseFeatureKind::LEFT_SLOPE, 0};
+constexpr BaseFeature GROUND{BaseFeatureKind::FACE, 0, 0};
 
 TEST(ContactExecution, SaysOfASlidingDiskOnTheBaseWhatItIsGiven)
 {
@@ -106,27 +106,27 @@ TEST(ContactExecution, SaysWhatOfTheBaseWasHit)
   struct Case
   {
     Boundary boundary;
-    BaseFeatureKind feature;
+    BaseFeature feature;
     Eigen::Vector2d velocity;
     CollisionKind expected;
   };
   const Eigen::Vector2d down(0.0, -SPEED);
   const Case cases[] = {
-      {Boundary::PERIODIC, BaseFeatureKind::LEFT_SLOPE, down, CollisionKind::LEFT_SLOPE},
-      {Boundary::PERIODIC, BaseFeatureKind::RIGHT_SLOPE, down, CollisionKind::RIGHT_SLOPE},
-      {Boundary::PERIODIC, BaseFeatureKind::APEX, down, CollisionKind::APEX},
-      {Boundary::OPEN, BaseFeatureKind::END_CORNER, down, CollisionKind::APEX},
-      {Boundary::WALLED, BaseFeatureKind::END_CORNER, {-SPEED, -SPEED}, CollisionKind::WALL},
-      {Boundary::WALLED, BaseFeatureKind::LEFT_WALL, {-SPEED, 0.0}, CollisionKind::WALL},
-      {Boundary::WALLED, BaseFeatureKind::RIGHT_WALL, {SPEED, 0.0}, CollisionKind::WALL}};
+      {Boundary::PERIODIC, {BaseFeatureKind::FACE, 0, 0}, down, CollisionKind::LEFT_SLOPE},
+      {Boundary::PERIODIC, {BaseFeatureKind::FACE, 0, 1}, down, CollisionKind::RIGHT_SLOPE},
+      {Boundary::PERIODIC, {BaseFeatureKind::CORNER, 0, 1}, down, CollisionKind::APEX},
+      {Boundary::OPEN, {BaseFeatureKind::END_CORNER, 0}, down, CollisionKind::APEX},
+      {Boundary::WALLED, {BaseFeatureKind::END_CORNER, 0}, {-SPEED, -SPEED}, CollisionKind::WALL},
+      {Boundary::WALLED, {BaseFeatureKind::LEFT_WALL, 0}, {-SPEED, 0.0}, CollisionKind::WALL},
+      {Boundary::WALLED, {BaseFeatureKind::RIGHT_WALL, 0}, {SPEED, 0.0}, CollisionKind::WALL}};
   for (const Case& c : cases)
   {
     ContactBench bench(resting(c.boundary));
     // Above all of the first tooth and its corners, and above the walls.
     const std::uint32_t slot = bench.add({0.006, 100.0}, c.velocity);
-    const ContactOutcome outcome = bench.execution.collideWithBase(slot, {c.feature, 0}, 0.0, bench.base);
-    EXPECT_EQ(outcome.kind, c.expected) << static_cast<int>(c.feature);
-    EXPECT_TRUE(outcome.closed) << static_cast<int>(c.feature);
+    const ContactOutcome outcome = bench.execution.collideWithBase(slot, c.feature, 0.0, bench.base);
+    EXPECT_EQ(outcome.kind, c.expected) << static_cast<int>(c.feature.kind());
+    EXPECT_TRUE(outcome.closed) << static_cast<int>(c.feature.kind());
     EXPECT_NEAR(outcome.normal.norm(), 1.0, 1e-15);
     EXPECT_LT(outcome.normal.dot(c.velocity), 0.0);
     // Walls are smooth.

@@ -147,9 +147,8 @@ TEST(FedMachine, SumsUpWhatItForgets)
   EXPECT_NEAR(mean, displacement / time_sum, 0.02 * std::abs(mean));
 }
 
-TEST(FedMachine, HasTheSameBitsInWhateverStridesAndWhereItIsTakenUp)
+void expectTheSameBits(const SceneDefinition& scene)
 {
-  const SceneDefinition scene = fedSieve(true);
   Simulation whole(scene);
   whole.advanceTo(LONG);
   Simulation strides(scene);
@@ -158,6 +157,31 @@ TEST(FedMachine, HasTheSameBitsInWhateverStridesAndWhereItIsTakenUp)
   Simulation resumed(scene, strides.saveState());
   resumed.advanceTo(LONG);
   EXPECT_EQ(resumed.saveState(), whole.saveState());
+}
+
+TEST(FedMachine, HasTheSameBitsInWhateverStridesAndWhereItIsTakenUp)
+{
+  expectTheSameBits(fedSieve(true));
+}
+
+TEST(FedMachine, HasThemWithDisksOfManySizes)
+{
+  expectTheSameBits(test::withSizes(fedSieve(true)));
+}
+
+/// A disk's radius goes with its id through compactions.
+TEST(FedMachine, KeepsTheRadiusOfEveryDisk)
+{
+  Simulation simulation(test::withSizes(fedSieve(true)));
+  std::map<std::uint32_t, double> radii;
+  for (double time = 0.0; time < LONG; time += 0.05)
+  {
+    simulation.advanceTo(time);
+    for (const DiskState& disk : simulation.disks())
+      ASSERT_EQ(radii.emplace(disk.id, disk.radius).first->second, disk.radius);
+  }
+  EXPECT_GT(radii.size(), 5000u);
+  EXPECT_EQ(simulation.auditOverlaps(), 0u);
 }
 }  // namespace
 }  // namespace ratchet_sieve

@@ -41,7 +41,7 @@ private:
 /// Fig. 3, and variants of it in each property that the SIMD code distinguishes.
 std::vector<SceneDefinition> scenes()
 {
-  std::vector<SceneDefinition> scenes(7, test::singleParticles(150));
+  std::vector<SceneDefinition> scenes(8, test::singleParticles(150));
   scenes[1] = test::mixture(90);
   scenes[1].contact.pair_collisions = false;
   scenes[1].species[1].radius = 0.012;
@@ -66,6 +66,8 @@ std::vector<SceneDefinition> scenes()
   scenes[6].contact.min_rebound_speed = 0.0;
   scenes[6].contact.collapse_events = 1000;
   scenes[6].contact.on_collapse = CollapseAction::REBOUND;
+  scenes[7] = test::withSizes(test::mixture(90));
+  scenes[7].contact.pair_collisions = false;
   return scenes;
 }
 
@@ -269,18 +271,19 @@ SceneDefinition drawnSceneForLanes()
 /// A disk that starts anywhere free of the base, or touching it, in any direction.
 Disk drawnDisk(const SystemState& machine)
 {
-  const double radius = machine.scene().species[0].radius;
+  const double radius = machine.scene().species[0].radius * *rc::gen::element(1.0, 1.0, 0.7, 1.6);
   const FrameOfBase base = machine.motion().at(0.0);
-  const double s = drawn(0.0, machine.sawtooth().width());
+  const double s = drawn(0.0, machine.shape().width());
   double n = radius + drawn(0.0, 0.03);
-  while (machine.sawtooth().heightAbove(s, n) < radius)
+  while (machine.shape().heightAbove(s, n) < radius)
     n += 0.1 * radius;
   // Down to the surface.
   if (*rc::gen::inRange(0, 3) == 0)
-    while (machine.sawtooth().heightAbove(s, n) > radius * (1.0 + 1e-9))
-      n -= machine.sawtooth().heightAbove(s, n) - radius;
+    while (machine.shape().heightAbove(s, n) > radius * (1.0 + 1e-9))
+      n -= machine.shape().heightAbove(s, n) - radius;
   const double speed = *rc::gen::element(0.05, 0.5, 5.0);
   Disk disk;
+  disk.radius = radius;
   const Eigen::Vector2d place = base.positionOutOf({s, n});
   disk.position.x() = place.x();
   disk.position.y() = place.y();
@@ -311,7 +314,7 @@ bool isClear(const SystemState& machine, const BaseEvent& event)
   if (!event.feature || event.time >= SEARCH_HORIZON)
     return false;
   const BasePoint point = machine.search().seenFromBase(machine.disk(0), event.time);
-  return machine.sawtooth().approach(event.feature, point, machine.radius(0)).rate < -1e-2;
+  return machine.shape().approach(event.feature, point, machine.radius(0)).rate < -1e-2;
 }
 
 BaseEvent searchInMachine(const SystemState& machine)
@@ -329,7 +332,7 @@ void checkAgainstScan(const SystemState& machine, const BaseEvent& event)
   const auto gapAt = [&](double time)
   {
     const BasePoint point = machine.search().seenFromBase(machine.disk(0), time);
-    return machine.sawtooth().heightAbove(point.s(), point.n()) - radius;
+    return machine.shape().heightAbove(point.s(), point.n()) - radius;
   };
   // The initial overlap of a disk of this size is rounding; positions are up to a few metres.
   const double tolerance = 1e-9 * radius + 1e-14;
@@ -339,7 +342,7 @@ void checkAgainstScan(const SystemState& machine, const BaseEvent& event)
   if (!event.feature)
     return;
   const BasePoint point = machine.search().seenFromBase(machine.disk(0), event.time);
-  const Approach approach = machine.sawtooth().approach(event.feature, point, radius);
+  const Approach approach = machine.shape().approach(event.feature, point, radius);
   RC_ASSERT(std::abs(approach.gap) < tolerance);
   RC_ASSERT(approach.rate < 1e-9);
   RC_ASSERT(std::abs(gapAt(event.time)) < tolerance);

@@ -100,6 +100,16 @@ TEST(MutatedState, OfALayerIsRefusedOrGoesOn)
   EXPECT_GT(refusals(quickToCollapse(test::openMixture(10))), 0);
 }
 
+TEST(MutatedState, OfDisksOfManySizesIsRefusedOrGoesOn)
+{
+  EXPECT_GT(refusals(quickToCollapse(test::withSizes(test::mixture(20)))), 0);
+}
+
+TEST(MutatedState, OfNestedCellsIsRefusedOrGoesOn)
+{
+  EXPECT_GT(refusals(quickToCollapse(test::oneLarge(60, 8.0))), 0);
+}
+
 TEST(MutatedState, OfAnEnsembleIsRefusedOrGoesOn)
 {
   EXPECT_GT(refusals(quickToCollapse(test::singleParticles(30))), 0);

@@ -89,6 +89,28 @@ TEST(PairLoop, MeetsTheSameCollisionsAsTheReferenceWalled)
   expectSameCollisions(scene, 0.08, 250);
 }
 
+TEST(PairLoop, MeetsTheSameCollisionsAsTheReferenceWithSizes)
+{
+  SceneDefinition scene = test::withSizes(test::mixture(30));
+  scene.base.teeth = 3;
+  expectSameCollisions(scene, 0.08, 300);
+  scene.boundary = Boundary::WALLED;
+  expectSameCollisions(scene, 0.08, 250);
+  scene = test::withSizes(test::openMixture(25));
+  scene.base.teeth = 6;
+  expectSameCollisions(scene, 0.1, 200);
+}
+
+/// One disk 20 times as large as the others.
+TEST(PairLoop, MeetsTheSameCollisionsAsTheReferenceWithAWideTable)
+{
+  SceneDefinition scene = test::mixture(30);
+  scene.base.teeth = 4;
+  scene.species[0].size = {SizeDistribution::TABLE, 0.0, 3.0, {0.0005, 0.01}, {30.0, 1.0}, SizeShare::NUMBER};
+  scene.seed = 2;
+  expectSameCollisions(scene, 0.08, 250);
+}
+
 TEST(PairLoop, ImagesAreSeenOnARingOfOneCell)
 {
   // Two disks of 15 mm on a ring of 20 mm: each collides with the other on both sides.

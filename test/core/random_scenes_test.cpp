@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 
@@ -59,6 +60,11 @@ SceneDefinition drawnScene()
     species.mass = drawnMagnitude(1e-4, 1e-1);
     species.contact = drawnCoefficients();
     species.inertia_factor = *rc::gen::element(0.01, 0.4, 0.5, 1.0);
+    species.size.distribution =
+        *rc::gen::element(SizeDistribution::UNIFORM, SizeDistribution::NORMAL, SizeDistribution::LOGNORMAL);
+    species.size.spread =
+        std::min(0.3, 0.5 * (largest / species.radius - 1.0)) * *rc::gen::element(0.0, 0.0, 1.0);
+    species.size.mass_exponent = *rc::gen::element(0.0, 2.0, 3.0, 3.5);
   }
   return scene;
 }
@@ -83,9 +89,7 @@ void commandSomething(Simulation& simulation)
 void checkState(Simulation& simulation)
 {
   RC_ASSERT(simulation.auditOverlaps() == 0u);
-  double smallest = 1.0;
-  for (const SpeciesDefinition& species : simulation.scene().species)
-    smallest = std::min(smallest, species.radius);
+  const double smallest = smallestRadius(simulation.scene());
   // The resolution of a double at positions of a few metres and speeds of about ten m/s.
   const double rounding = 1e-13;
   RC_ASSERT(simulation.maxOverlap() <= 1e-9 * smallest + rounding);

@@ -75,6 +75,12 @@ TEST(SavedState, GoesOnBitForBit)
   expectTheSameEnd(shortMixture(), undisturbed);
 }
 
+TEST(SavedState, OfDisksOfManySizesGoesOnBitForBit)
+{
+  expectTheSameEnd(test::withSizes(shortMixture()), commanded);
+  expectTheSameEnd(test::withSizes(test::singleParticles(20)), undisturbed);
+}
+
 TEST(SavedState, OfAnEnsembleGoesOnBitForBit)
 {
   expectTheSameEnd(test::singleParticles(20), undisturbed);

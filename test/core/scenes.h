@@ -83,6 +83,19 @@ inline SceneDefinition lognormalSizes(int count, double sigma)
   return scene;
 }
 
+/// With disks of many sizes: the first species lognormal, others by a table of masses, each as wide as fits.
+inline SceneDefinition withSizes(SceneDefinition scene)
+{
+  for (SpeciesDefinition& species : scene.species)
+  {
+    const double r = species.radius;
+    species.size = {SizeDistribution::TABLE, 0.0, 2.0, {0.5 * r, r, 1.5 * r}, {0.2, 1.0, 2.0},
+                    SizeShare::MASS};
+  }
+  scene.species[0].size = {SizeDistribution::LOGNORMAL, 0.3, 3.0, {}, {}, SizeShare::NUMBER};
+  return scene;
+}
+
 /// With all parts that a drive can have, at different phases.
 inline SceneDefinition onAnOrbit(SceneDefinition scene)
 {

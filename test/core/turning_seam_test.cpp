@@ -57,6 +57,8 @@ SceneDefinition anyScene()
 {
   const Loop loop = *rc::gen::element(Loop::PAIRS, Loop::SINGLES, Loop::STEPS);
   SceneDefinition scene = advancedBy(loop, test::mixture(6));
+  if (*rc::gen::arbitrary<bool>())
+    scene = test::withSizes(scene);
   scene.boundary = *rc::gen::element(Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED);
   scene.base.teeth = *rc::gen::element(2, 3, 8);
   scene.base.inclination = *rc::gen::element(0.0, 0.2, -0.3);

@@ -85,7 +85,7 @@ TEST(WideSizes, MeetTheSameContactsAsTheReference)
     for (const double ratio : {4.0, 6.0, 10.0})
     {
       SCOPED_TRACE(std::to_string(static_cast<int>(boundary)) + ", " + std::to_string(ratio));
-      expectSameContacts(scarce(60, {ratio}, boundary), 0.09, 0.0, 200);
+      expectSameContacts(scarce(60, {ratio}, boundary), 0.08, 0.0, 200);
     }
 }
 
@@ -103,6 +103,18 @@ TEST(WideSizes, MeetTheSameContactsWhileTheBaseTurns)
       SCOPED_TRACE(std::to_string(rate) + " rad/s, " + std::to_string(static_cast<int>(boundary)));
       expectSameContacts(scarce(60, {2.5, 7.0}, boundary), 0.09, rate, 200);
     }
+}
+
+/// With steps so short that hardly a contact is missed.
+TEST(WideSizes, MeetTheSameContactsBySteps)
+{
+  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::OPEN})
+  {
+    SceneDefinition scene = scarce(60, {2.5, 8.0}, boundary);
+    scene.accuracy.method = Method::STEPS;
+    scene.accuracy.step = 1e-5;
+    expectSameContacts(scene, 0.05, 0.0, 80);
+  }
 }
 
 /// In all boundaries, with setpoints and pours of large disks: no overlap, and a saved run goes on as it

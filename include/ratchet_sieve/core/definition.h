@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,9 +39,17 @@ struct HarmonicDefinition
   double horizontal_phase = 0.0;      ///< phi_x,k [rad]
 };
 
-/// The sawtooth base and its drive. Tooth k spans s in [k w, (k+1) w] along the base, its apex at
-/// s = (k + a) w, n = h. The whole base moves by D(t) = (A_x sin(phi + phi_x), A sin(phi)) and its harmonics
-/// along the axes of `drive_frame`.
+/// A corner of the outline of a tooth, in coordinates of the tooth: s along the base from the tooth's left end,
+/// n normal to the base.
+struct OutlineCorner
+{
+  double s = 0.0;  ///< [m]
+  double n = 0.0;  ///< [m]
+};
+
+/// The base and its drive. Tooth k spans s in [k w, (k+1) w] along the base; that of a sawtooth has its apex
+/// at s = (k + a) w, n = h. The whole base moves by D(t) = (A_x sin(phi + phi_x), A sin(phi)) and its
+/// harmonics along the axes of `drive_frame`.
 struct BaseDefinition
 {
   int teeth = 20;
@@ -58,7 +67,20 @@ struct BaseDefinition
   std::vector<HarmonicDefinition> harmonics;
   DriveFrame drive_frame = DriveFrame::WORLD;
 
-  double width() const { return teeth * tooth_width; }  ///< W = L w [m]
+  /// If any: the outline of a tooth in place of tooth_width, tooth_height and asymmetry. From (0, 0) to (w, 0),
+  /// at least two corners, s never decreasing (equal: a vertical face), no corner twice.
+  std::vector<OutlineCorner> profile;
+
+  double toothWidth() const { return profile.empty() ? tooth_width : profile.back().s; }  ///< w [m]
+  double width() const { return teeth * toothWidth(); }                                   ///< W = L w [m]
+  double highest() const;  ///< height of the highest corner above n = 0 [m]
+  double depth() const;    ///< of the lowest corner below n = 0 [m]
+
+  /// The corners of one tooth, from left to right: all that the shape of the base follows from.
+  std::vector<OutlineCorner> outline() const;
+
+  /// a of a tooth of two slopes, however it is defined; nothing for any other tooth.
+  std::optional<double> slopeAsymmetry() const;
 };
 
 /// The coefficients of the collision law for one kind of contact.
@@ -67,6 +89,36 @@ struct ContactCoefficients
   double restitution = 0.6;             ///< e in [0, 1]
   double friction = 0.1;                ///< Coulomb mu >= 0
   double tangential_restitution = 0.4;  ///< beta in [-1, 1]
+};
+
+/// How the radii of a species' disks are distributed about its radius r.
+enum class SizeDistribution
+{
+  UNIFORM,    ///< from r (1 - s) to r (1 + s)
+  NORMAL,     ///< mean r, standard deviation s r, cut at 3 of them
+  LOGNORMAL,  ///< median r, standard deviation s of the logarithm, cut at 3 of them
+  TABLE       ///< as a sieve analysis gives it
+};
+
+/// What the weights of a table of sizes are shares of.
+enum class SizeShare
+{
+  NUMBER,
+  MASS
+};
+
+/// The sizes of a species' disks. By default all are equal.
+struct SizeDefinition
+{
+  SizeDistribution distribution = SizeDistribution::UNIFORM;
+  double spread = 0.0;         ///< s; not of a table
+  double mass_exponent = 3.0;  ///< p of m (r'/r)^p: 3 for balls of one material, 2 for disks of one thickness
+  std::vector<double> radii;   ///< of a table, increasing [m]
+  std::vector<double> weights;  ///< of a table: between each radius and the one before; the first: at the
+                                ///< first radius
+  SizeShare by = SizeShare::NUMBER;
+
+  bool vary() const { return distribution == SizeDistribution::TABLE || spread > 0.0; }
 };
 
 /// One kind of disk.
@@ -79,9 +131,10 @@ struct SpeciesDefinition
   double mass = 0.001;          ///< [kg]
   ContactCoefficients contact;  ///< with the base, and with disks of the same species
   double inertia_factor = 0.5;  ///< alpha = I / (m r^2); 1/2 for a uniform disk
+  SizeDefinition size;
 
-  /// The mass of a disk of this radius [m] [kg].
-  double massOf(double disk_radius) const { return disk_radius == radius ? mass : mass; }
+  /// The mass of a disk of this radius [m]: m (r'/r)^p [kg].
+  double massOf(double disk_radius) const;
 
   /// I of a disk of this mass [kg] and radius [m]: alpha m r^2 [kg m^2].
   double inertiaOf(double disk_mass, double disk_radius) const

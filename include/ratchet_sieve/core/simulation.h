@@ -90,6 +90,7 @@ public:
   std::vector<DiskState> disks() const;       ///< disks in the machine, by id, at time()
   std::vector<SpeciesBins> bins() const;      ///< per species
   const CollisionCounts& collisions() const;  ///< since the start
+  FaceContacts faceContacts() const;          ///< since the start; empty without base.profile
   std::uint64_t events() const;               ///< all events since the start
   std::vector<SpeciesMeans> means() const;    ///< per species, since `settle`; empty before
 

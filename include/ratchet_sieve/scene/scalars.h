@@ -8,7 +8,7 @@
 #include "ratchet_sieve/scene/entry.h"
 #include "ratchet_sieve/scene/range.h"
 
-/// Reads single values strictly: text is not a number, a number is not a truth value, and an integer has no
+/// Reads values strictly: text is not a number, a number is not a truth value, and an integer has no
 /// fraction.
 namespace ratchet_sieve
 {
@@ -23,6 +23,11 @@ void readScalar(const Entry& entry, const Range& range, Boundary& value);
 void readScalar(const Entry& entry, const Range& range, DriveFrame& value);
 void readScalar(const Entry& entry, const Range& range, CollapseAction& value);
 void readScalar(const Entry& entry, const Range& range, Method& value);
+void readScalar(const Entry& entry, const Range& range, SizeDistribution& value);
+void readScalar(const Entry& entry, const Range& range, SizeShare& value);
+void readScalar(const Entry& entry, const Range& range, std::vector<double>& values);  ///< each in the range
+/// The outline of a tooth, without overhang. @param range of each number
+void readScalar(const Entry& entry, const Range& range, std::vector<OutlineCorner>& value);
 
 /// Names of observables, each once.
 void readScalar(const Entry& entry, const Range& range, std::vector<std::string>& value);
@@ -45,6 +50,10 @@ LegalValues legalValues(const Range& range, DriveFrame);
 LegalValues legalValues(const Range& range, CollapseAction);
 LegalValues legalValues(const Range& range, Method);
 LegalValues legalValues(const Range& range, const std::vector<std::string>&);
+LegalValues legalValues(const Range& range, SizeDistribution);
+LegalValues legalValues(const Range& range, SizeShare);
+LegalValues legalValues(const Range& range, const std::vector<double>&);
+LegalValues legalValues(const Range& range, const std::vector<OutlineCorner>&);
 
 /// The text that the readers above take back to the same value, bit for bit.
 std::string scalarText(double value);
@@ -57,5 +66,9 @@ std::string scalarText(DriveFrame value);
 std::string scalarText(CollapseAction value);
 std::string scalarText(Method value);
 std::string scalarText(const std::vector<std::string>& value);
+std::string scalarText(SizeDistribution value);
+std::string scalarText(SizeShare value);
+std::string scalarText(const std::vector<double>& values);
+std::string scalarText(const std::vector<OutlineCorner>& value);
 
 }  // namespace ratchet_sieve

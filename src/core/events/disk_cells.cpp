@@ -94,7 +94,7 @@ bool DiskCells::endEpoch(std::uint64_t events, double time)
   for (const std::uint32_t slot : state_.slots(true))
     points.push_back(inGrid(slot, time));
   const int spare_laps = state_.scene().boundary == Boundary::PERIODIC ? laps() : 0;
-  const LayoutCosts costs(points, state_.sawtooth().width(), *searches / state_.epoch().length, spare_laps);
+  const LayoutCosts costs(points, state_.shape().width(), *searches / state_.epoch().length, spare_laps);
   const Sizes now = sizes();
   return fit_.choose(costs, layerLayout(now), now.least_side);
 }
@@ -106,7 +106,7 @@ void DiskCells::archive(StateArchive& state)
     return;
   const double length =
       frame_.rotation.cosine * frame_.rotation.cosine + frame_.rotation.sine * frame_.rotation.sine;
-  const double width = state_.sawtooth().width();
+  const double width = state_.shape().width();
   const bool images_fit =
       lattice_turns_ == latticeTurns() && images_.size() == (lattice_turns_ ? capacity_ : 0) &&
       std::all_of(images_.begin(), images_.end(),
@@ -176,7 +176,7 @@ CellLayout DiskCells::layerLayout(const Sizes& sizes) const
   const SceneDefinition& scene = state_.scene();
   const double layers = sizes.squares / scene.base.width();
   // The height of the vibrated layer: disks poured from above it or thrown out of it are in the topmost row.
-  double height = scene.base.tooth_height + layers +
+  double height = state_.shape().relief() + layers +
                   std::min(state_.motion().throwHeight(scene.gravity), scene.base.width());
   // A large disk stands out of the layer. In the topmost row it would cover no cell.
   if (sizes.levels.count() > 1)
@@ -191,7 +191,7 @@ std::int32_t DiskCells::laps() const
 {
   if (state_.motion().turning())
     return 0;
-  const double farthest = farthestPlace(state_.smallestRadius()) / state_.sawtooth().width();
+  const double farthest = farthestPlace(state_.smallestRadius()) / state_.shape().width();
   return static_cast<std::int32_t>(std::clamp(std::floor(farthest) - 1.0, 0.0, MOST_LAPS));
 }
 

@@ -14,8 +14,8 @@ namespace ratchet_sieve
 {
 
 /// The cell list: the cell of each active disk, and the time at which the disk leaves it. Disks in cells that
-/// do not touch are further apart than the largest diameter. If sizes are wide, cells suit the small disks, and
-/// the large ones are nested (CellNest).
+/// do not touch are further apart than the largest diameter. If sizes are wide, cells suit the small disks,
+/// and the large ones are nested (CellNest).
 ///
 /// The columns of a periodic grid form a ring. While the base does not turn, a disk is wrapped when it
 /// crosses the ends of the ring. While the base turns, a disk is wrapped at the ends of the base. The grid
@@ -142,8 +142,9 @@ private:
   {
     const Course now = courseAt(state_.disk(slot), time, state_.scene().gravity);
     BasePoint point{frame_.into(vectorOf(now.position)), frame_.into(vectorOf(now.velocity))};
+    point.position.y() += state_.shape().depth();
     if (lattice_turns_)
-      point.position.x() += images_[slot] * state_.sawtooth().width();
+      point.position.x() += images_[slot] * state_.shape().width();
     return point;
   }
 

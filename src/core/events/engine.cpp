@@ -97,7 +97,7 @@ void Engine::pour(std::size_t species, std::size_t count, const Stretch& stretch
   const SceneDefinition& scene = state_.scene();
   if (species >= scene.species.size())
     throw std::invalid_argument("there is no species " + std::to_string(species));
-  if (2.0 * scene.species[species].radius > scene.base.width())
+  if (2.0 * state_.sizes(species).largest() > scene.base.width())
     throw std::invalid_argument("disks of species " + scene.species[species].name +
                                 " are wider than the machine: there is no room for them");
   loop_->catchUp(now_);

@@ -87,8 +87,8 @@ public:
     state(next_);
     requireDisks(next_.size(), state_);
     for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
-      state.require(!state_.active(slot) || state_.canBeTime(next_[slot].time),
-                    "a disk's event is in the past");
+      state.require(!state_.active(slot) || state_.canBe(next_[slot]),
+                    "a disk's event is impossible");
   }
 
 private:

@@ -281,7 +281,8 @@ private:
                     "a disk's event has no partner");
       if (!state_.active(slot))
         continue;
-      state.require(state_.canBeTime(earliest), "a disk's event is in the past");
+      state.require(state_.canBeTime(earliest) && state_.shape().has(p.base.feature),
+                    "a disk's event is impossible");
       queue_.update(slot, earliest);
     }
   }

@@ -25,8 +25,9 @@ namespace
 /// the step. It is missed if they would not: a grazing contact that is over by then. The fraction of missed
 /// contacts is proportional to the square of the step.
 ///
-/// A disk that may move by more than the height of a tooth within a step, relative to the base, is always
-/// searched for contacts with the base, so that none passes through a tooth.
+/// A disk that may move by more than the height of a tooth within a step, or on a profile by more than its
+/// diameter, relative to the base, is always searched for contacts with the base, so that none passes through
+/// a tooth.
 ///
 /// A step always terminates. A disk with MOST_CONTACTS contacts within the step starts no further search. So
 /// a step of N disks has at most (MOST_CONTACTS + 1) N searches. Each finds every image of another disk and
@@ -45,9 +46,9 @@ public:
         base_(state_.motion()),
         step_(state_.scene().accuracy.step),
         gravity_(state_.scene().gravity),
-        overlaps_(state_.sawtooth().width(), state_.largestDiameter(),
+        overlaps_(state_.shape().width(), state_.largestDiameter(),
                   state_.scene().boundary == Boundary::PERIODIC),
-        base_overlap_(state_.sawtooth())
+        base_overlap_(state_.shape())
   {
   }
 
@@ -108,7 +109,7 @@ private:
   {
     end_ = end;
     frame_ = base_.at(end);
-    ring_ = frame_.image(state_.sawtooth().width());
+    ring_ = frame_.image(state_.shape().width());
     contacts_.begin(start_, end, state_.disks().size());
     placeDisks();
     for (const std::uint32_t slot : near_base_)
@@ -156,7 +157,7 @@ private:
 
   bool withinEnds(const Eigen::Vector2d& at) const
   {
-    return at.x() >= 0.0 && at.x() < state_.sawtooth().width();
+    return at.x() >= 0.0 && at.x() < state_.shape().width();
   }
 
   /// Computes the disk's position at the end of the step in the absence of contacts. @return the position in
@@ -180,7 +181,7 @@ private:
       return true;
     const Two velocity = ends_[slot].course.velocity;
     const double reach = (std::abs(velocity[0]) + std::abs(velocity[1])) * (end_ - start_) + base_reach_;
-    return reach > state_.sawtooth().height() && base_overlap_.overlaps(at.x(), at.y(), radius + reach);
+    return reach > base_overlap_.shortestPassage(radius) && base_overlap_.overlaps(at.x(), at.y(), radius + reach);
   }
 
   /// Moves a disk out of the base. A missed contact may leave a disk below the surface, where no search would

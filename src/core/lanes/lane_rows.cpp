@@ -20,19 +20,14 @@ struct LaneContact
   std::int32_t valley;
 };
 
+// Of a sawtooth, whose faces are 0 and 1, with the apex at the left end of face 1.
 LaneContact laneContact(const BaseFeature& feature)
 {
-  switch (feature.kind)
-  {
-    case BaseFeatureKind::NONE:
-      return {LANE_NOTHING, 0};
-    case BaseFeatureKind::LEFT_SLOPE:
-      return {LANE_LEFT_SLOPE, feature.tooth};
-    case BaseFeatureKind::RIGHT_SLOPE:
-      return {LANE_RIGHT_SLOPE, feature.tooth + 1};
-    default:
-      return {LANE_APEX, feature.tooth};
-  }
+  if (feature.kind() == BaseFeatureKind::FACE && feature.index() == 0)
+    return {LANE_LEFT_SLOPE, feature.tooth()};
+  if (feature.kind() == BaseFeatureKind::FACE)
+    return {LANE_RIGHT_SLOPE, feature.tooth() + 1};
+  return {feature ? LANE_APEX : LANE_NOTHING, feature.tooth()};
 }
 
 BaseFeature baseFeature(LaneFeature feature, std::int32_t valley)
@@ -40,28 +35,31 @@ BaseFeature baseFeature(LaneFeature feature, std::int32_t valley)
   switch (feature)
   {
     case LANE_LEFT_SLOPE:
-      return {BaseFeatureKind::LEFT_SLOPE, valley};
+      return {BaseFeatureKind::FACE, valley, 0};
     case LANE_RIGHT_SLOPE:
-      return {BaseFeatureKind::RIGHT_SLOPE, valley - 1};
+      return {BaseFeatureKind::FACE, valley - 1, 1};
     case LANE_APEX:
-      return {BaseFeatureKind::APEX, valley};
+      return {BaseFeatureKind::CORNER, valley, 1};
     default:
       return {};
   }
 }
 
-void setTeeth(const Sawtooth& sawtooth, LaneScene& scene)
+/// @pre the shape is a sawtooth
+void setTeeth(const BaseShape& shape, LaneScene& scene)
 {
-  const double w = sawtooth.toothWidth();
-  const double a = sawtooth.apexOffset();
+  const BaseShape::Face& left_slope = shape.faces().front();
+  const BaseShape::Face& right_slope = shape.faces().back();
+  const double w = shape.toothWidth();
+  const double a = shape.corners().front().position.x();
   scene.tooth_width = w;
   scene.per_tooth_width = 1.0 / w;
-  scene.width = sawtooth.width();
+  scene.width = shape.width();
   scene.per_width = 1.0 / scene.width;
   scene.valley_start = (w - a) / w;
-  scene.height = sawtooth.height();
-  scene.left = {a - w, sawtooth.right().normal.x(), sawtooth.right().normal.y()};
-  scene.right = {a, sawtooth.left().normal.x(), sawtooth.left().normal.y()};
+  scene.height = shape.height();
+  scene.left = {a - w, right_slope.normal.x(), right_slope.normal.y()};
+  scene.right = {a, left_slope.normal.x(), left_slope.normal.y()};
 }
 }  // namespace
 
@@ -81,7 +79,7 @@ std::optional<LaneScene> laneScene(const SystemState& system)
   scene.longest_search = system.epoch().length;
   scene.resolution = timeResolution(system.epoch().length);
   scene.law = definition.contact;
-  setTeeth(system.sawtooth(), scene);
+  setTeeth(system.shape(), scene);
   const double w = angularFrequency(scene.drive.frequency);
   LaneBounds& bounds = scene.bounds;
   bounds.gravity = static_cast<float>(scene.gravity);

@@ -1,7 +1,43 @@
 #include "ratchet_sieve/core/definition.h"
 
+#include <algorithm>
+
 namespace ratchet_sieve
 {
+
+double BaseDefinition::highest() const
+{
+  double height = profile.empty() ? tooth_height : 0.0;
+  for (const OutlineCorner& corner : profile)
+    height = std::max(height, corner.n);
+  return height;
+}
+
+double BaseDefinition::depth() const
+{
+  double depth = 0.0;
+  for (const OutlineCorner& corner : profile)
+    depth = std::max(depth, -corner.n);
+  return depth;
+}
+
+std::vector<OutlineCorner> BaseDefinition::outline() const
+{
+  if (!profile.empty())
+    return profile;
+  return {{0.0, 0.0}, {asymmetry * tooth_width, tooth_height}, {tooth_width, 0.0}};
+}
+
+std::optional<double> BaseDefinition::slopeAsymmetry() const
+{
+  if (profile.empty())
+    return asymmetry;
+  if (profile.size() != 3 || profile[1].n == 0.0)
+    return std::nullopt;
+  // The left slope of a groove is the one on its right.
+  const double left = profile[1].s / profile[2].s;
+  return profile[1].n > 0.0 ? left : 1.0 - left;
+}
 
 ContactCoefficients contactBetween(const SceneDefinition& scene, std::size_t first, std::size_t second)
 {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "ratchet_sieve/core/count_text.h"
+#include "ratchet_sieve/core/sizes.h"
 
 namespace ratchet_sieve
 {
@@ -26,7 +27,7 @@ double heapHeight(const SceneDefinition& scene, double area)
 
 double areaOf(const SpeciesDefinition& species)
 {
-  return PI * species.radius * species.radius;
+  return PI * Sizes(species).meanSquare();
 }
 }  // namespace
 
@@ -47,7 +48,7 @@ double largestDiameter(const SceneDefinition& scene)
 {
   double largest = 0.0;
   for (const SpeciesDefinition& species : scene.species)
-    largest = std::max(largest, 2.0 * species.radius);
+    largest = std::max(largest, 2.0 * Sizes(species).largest());
   return largest;
 }
 
@@ -59,9 +60,9 @@ double pouredWidth(const SceneDefinition& scene)
 
 double smallestRadius(const SceneDefinition& scene)
 {
-  double smallest = scene.species.front().radius;
+  double smallest = Sizes(scene.species.front()).smallest();
   for (const SpeciesDefinition& species : scene.species)
-    smallest = std::min(smallest, species.radius);
+    smallest = std::min(smallest, Sizes(species).smallest());
   return smallest;
 }
 
@@ -71,7 +72,7 @@ double settledLayer(const SceneDefinition& scene)
   for (const SpeciesDefinition& species : scene.species)
     area += species.count * areaOf(species);
   for (const InitialDisk& disk : scene.initial)
-    area += areaOf(scene.species[disk.species]);
+    area += PI * scene.species[disk.species].radius * scene.species[disk.species].radius;
   return heapHeight(scene, area);
 }
 

@@ -1,9 +1,9 @@
 #include "ratchet_sieve/core/walls.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/sizes.h"
 
 namespace ratchet_sieve
 {
@@ -25,14 +25,9 @@ constexpr double CALM_ACCELERATION = 0.15;
 double topOfPour(const SceneDefinition& scene)
 {
   double squares = 0.0;
-  double largest = 0.0;
   for (const SpeciesDefinition& species : scene.species)
-  {
-    const double diameter = 2.0 * species.radius;
-    squares += species.count * diameter * diameter;
-    largest = std::max(largest, diameter);
-  }
-  return scene.base.tooth_height + scene.pour.drop_height + largest +
+    squares += species.count * (4.0 * Sizes(species).meanSquare());
+  return scene.base.highest() + scene.pour.drop_height + largestDiameter(scene) +
          SQUARES_PER_DISK * squares / pouredWidth(scene);
 }
 

@@ -49,7 +49,8 @@ public:
            std::int32_t laps = 0);
 
   /// With cells for disks of very different sizes.
-  /// @param shape at least as wide as the first level and the margin; levels that fit into it become the first
+  /// @param shape at least as wide as the first level and the margin; levels that fit into it become the
+  /// first
   /// @param margin see CellNest
   CellGrid(const CellShape& shape, const SizeLevels& levels, double margin, std::size_t count, bool periodic,
            std::int32_t laps = 0);

@@ -53,7 +53,8 @@ void CellNest::build(const Lattice& lattice)
     for (std::size_t b = 0; b < count; ++b)
     {
       Extent& extent = extents_[a * count + b];
-      extent = extentOf(0.5 * (levels_.diameters[std::min(a, b)] + levels_.diameters[std::max(a, b)]) + margin_);
+      extent =
+          extentOf(0.5 * (levels_.diameters[std::min(a, b)] + levels_.diameters[std::max(a, b)]) + margin_);
       reaches_[a] = std::max(reaches_[a], extent[0]);
     }
 }
@@ -89,7 +90,8 @@ CellNest::Extent CellNest::coveredBy(double radius) const
   }
 }
 
-void CellNest::add(std::uint8_t level, std::int32_t column, std::int32_t row, std::uint32_t slot, double radius)
+void CellNest::add(std::uint8_t level, std::int32_t column, std::int32_t row, std::uint32_t slot,
+                   double radius)
 {
   Level& of = larger_[level - 1];
   of.blocks.add(bucket(level, column, row), slot);
@@ -113,8 +115,8 @@ bool CellNest::holds(std::uint8_t level, std::int32_t column, std::int32_t row, 
   return larger_[level - 1].blocks.holds(bucket(level, column, row), slot);
 }
 
-std::size_t CellNest::collect(const Place& place, const CellBlocks& smallest, std::vector<std::uint32_t>& list,
-                              std::size_t count) const
+std::size_t CellNest::collect(const Place& place, const CellBlocks& smallest,
+                              std::vector<std::uint32_t>& list, std::size_t count) const
 {
   static const Extent NOTHING;
   if (place.level > 0)
@@ -135,7 +137,8 @@ std::size_t CellNest::collect(const Place& place, const CellBlocks& smallest, st
 
 /// Row by row of the buckets. @param covered cells that need not be read
 std::size_t CellNest::collect(const Place& place, const Buckets& buckets, const Extent& extent,
-                              const Extent& covered, std::vector<std::uint32_t>& list, std::size_t count) const
+                              const Extent& covered, std::vector<std::uint32_t>& list,
+                              std::size_t count) const
 {
   const auto most = static_cast<std::int32_t>(extent.size()) - 1;
   const std::int32_t lowest = place.entered == CellEdge::UPPER ? place.row : std::max(place.row - most, 0);

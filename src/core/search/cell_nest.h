@@ -25,8 +25,8 @@ enum class CellEdge : std::uint8_t
 /// (2012)). Every disk has a cell of the grid, whose sides suit the smallest ones, and crosses its edges. The
 /// smallest are listed there (level 0); those of a higher level in buckets of 2, 4, 8, ... cells a side.
 ///
-/// Two disks are neighbours if the distance of their cells is within the reach of their two levels: the sum of
-/// the largest radii, and a margin. So whichever begins a flight or crosses an edge finds the other by the
+/// Two disks are neighbours if the distance of their cells is within the reach of their two levels: the sum
+/// of the largest radii, and a margin. So whichever begins a flight or crosses an edge finds the other by the
 /// same rule. Of cells that a large disk covers wholly, nothing is read.
 class CellNest
 {
@@ -76,7 +76,8 @@ public:
 
   bool holds(std::uint8_t level, std::int32_t column, std::int32_t row, std::uint32_t slot) const;
 
-  /// Calls visit(level, bucket, slot) for every disk, until it returns false. @return as CellBlocks::isLegal()
+  /// Calls visit(level, bucket, slot) for every disk, until it returns false. @return as
+  /// CellBlocks::isLegal()
   template <typename Visit>
   bool isLegal(Visit&& visit) const
   {
@@ -90,7 +91,8 @@ public:
   std::size_t bucket(std::uint8_t level, std::int32_t column, std::int32_t row) const
   {
     const Level& of = larger_[level - 1];
-    return static_cast<std::size_t>(row >> of.shift) * of.columns + static_cast<std::size_t>(column >> of.shift);
+    return static_cast<std::size_t>(row >> of.shift) * of.columns +
+           static_cast<std::size_t>(column >> of.shift);
   }
 
   /// @throws StateError
@@ -102,12 +104,12 @@ private:
 
   struct Level
   {
-    int shift = 0;          ///< a bucket is 2^shift cells wide and high
+    int shift = 0;            ///< a bucket is 2^shift cells wide and high
     std::size_t columns = 0;  ///< of buckets
-    CellBlocks blocks;      ///< per bucket
+    CellBlocks blocks;        ///< per bucket
     std::uint32_t disks = 0;
     double smallest_radius = 0.0;  ///< of its disks so far [m]
-    Extent covered;         ///< cells within any of its disks, whatever its position in its own
+    Extent covered;                ///< cells within any of its disks, whatever its position in its own
 
     void archive(StateArchive& state) { state(blocks, disks, smallest_radius); }
   };
@@ -131,7 +133,7 @@ private:
   SizeLevels levels_;
   double margin_ = 0.0;  ///< [m]
   std::vector<Level> larger_;
-  std::vector<Extent> extents_;         ///< of neighbours, per two levels
+  std::vector<Extent> extents_;        ///< of neighbours, per two levels
   std::vector<std::int32_t> reaches_;  ///< per level
 };
 

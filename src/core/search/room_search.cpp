@@ -12,6 +12,9 @@ namespace
 /// often.
 constexpr double BIN_WIDTH = 1.0;
 
+/// Largest radius of the disks of one search, in units of the smallest.
+constexpr double WIDEST_CLASS = 1.1;
+
 /// In radii: cells narrower than this are not halved.
 constexpr double NARROWEST = 1e-9;
 }  // namespace
@@ -34,7 +37,12 @@ RoomSearch::Cells& RoomSearch::cellsAt(double s, double& clamped)
   return cells;
 }
 
-double RoomSearch::lowestFree(double s, const StandingDisks& standing)
+bool RoomSearch::serves(double radius) const
+{
+  return radius >= radius_ && radius < WIDEST_CLASS * radius_;
+}
+
+double RoomSearch::lowestFree(double s, double radius, double lowest, const StandingDisks& standing)
 {
   double clamped = s;
   Cells& cells = cellsAt(s, clamped);
@@ -43,12 +51,13 @@ double RoomSearch::lowestFree(double s, const StandingDisks& standing)
   {
     const Cell cell = cells[at];
     if (clamped < cell.left || clamped >= cell.right || cell.heights.low < reached ||
-        cell.heights.high <= reached)
+        cell.heights.high <= reached || cell.heights.high < lowest)
     {
       ++at;
       continue;
     }
-    const double height = standing.lowestFree(s, radius_, cell.heights);
+    const double height =
+        standing.lowestFree(s, radius, {std::max(lowest, cell.heights.low), cell.heights.high});
     // The surface cell, which every new disk raises, is not halved.
     const bool open = std::isinf(cell.heights.high);
     replace(cells, at, standing, height > cell.heights.high && !open);
@@ -56,7 +65,7 @@ double RoomSearch::lowestFree(double s, const StandingDisks& standing)
       return height;
     reached = cell.heights.high;
   }
-  return lowest_;
+  return lowest;
 }
 
 void RoomSearch::replace(Cells& cells, std::size_t at, const StandingDisks& standing, bool halved) const

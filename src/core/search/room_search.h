@@ -9,7 +9,7 @@
 namespace ratchet_sieve
 {
 
-/// Finds the lowest free position for disks of one radius, again and again while disks are added.
+/// Finds the lowest free position for disks of nearly one radius, again and again while disks are added.
 ///
 /// A heap has free positions in a few narrow gaps only, and occupied positions stay occupied. So the possibly
 /// free space is stored in cells: an interval along the base and a range of heights. A search visits the
@@ -20,13 +20,16 @@ namespace ratchet_sieve
 class RoomSearch
 {
 public:
-  /// @param lowest smallest height for a disk [m]; @param radius of the disks [m]
+  /// @param lowest smallest height for a disk [m]; @param radius of the smallest disks [m]
   RoomSearch(double lowest, double radius, double column_width);
 
-  double radius() const { return radius_; }
+  /// Whether it is for disks of this radius [m]: what is full for the smallest is full for them, too, and
+  /// little that is full is searched.
+  bool serves(double radius) const;
 
-  /// The lowest height at which a disk at s touches none of the placed disks [m].
-  double lowestFree(double s, const StandingDisks& standing);
+  /// The lowest height at which a disk of this radius at s touches none of the placed disks [m].
+  /// @param lowest allowed [m]
+  double lowestFree(double s, double radius, double lowest, const StandingDisks& standing);
 
 private:
   struct Cell

@@ -12,7 +12,7 @@ namespace
 constexpr double NARROW = 3.0;
 
 /// Nested cells have to reduce the cost to this fraction.
-constexpr double WORTH_NESTING = 0.7;
+constexpr double WORTH_NESTING = 0.9;
 
 /// Ratio of the diameters of two levels.
 constexpr double STEP = 2.0;
@@ -23,8 +23,8 @@ constexpr double WIDEST = 4096.0;
 /// Area fraction of a layer, typically.
 constexpr double DENSITY = 0.7;
 
-/// In units of a pair evaluation: reading a cell without disks; a crossing of a cell's edge, without the pairs
-/// beyond it.
+/// In units of a pair evaluation: reading a cell without disks; a crossing of a cell's edge, without the
+/// pairs beyond it.
 constexpr double EVALUATIONS_PER_CELL = 0.4;
 constexpr double EVALUATIONS_PER_CROSSING = 20.0;
 
@@ -48,8 +48,8 @@ std::vector<SizeClass> classesOf(const std::vector<double>& radii, double larges
   for (const double radius : radii)
   {
     const double step = std::floor(2.0 * std::log2(largest_diameter / (2.0 * radius)));
-    SizeClass& of = classes[static_cast<std::size_t>(
-        std::clamp(step, 0.0, static_cast<double>(classes.size() - 1)))];
+    SizeClass& of =
+        classes[static_cast<std::size_t>(std::clamp(step, 0.0, static_cast<double>(classes.size() - 1)))];
     of.diameter = std::max(of.diameter, 2.0 * radius);
     of.disks += 1.0;
   }
@@ -94,7 +94,8 @@ double costOf(const SizeLevels& levels, const std::vector<SizeClass>& classes, d
       const double reach = 0.5 * (levels.diameters[other] + of.diameter);
       double region = std::pow(2.0 * reach + side + bucket, 2.0);
       if (other < level)
-        region = CIRCLE * (std::pow(reach + side, 2.0) - std::pow(std::max(0.0, 0.5 * of.diameter - cell), 2.0));
+        region =
+            CIRCLE * (std::pow(reach + side, 2.0) - std::pow(std::max(0.0, 0.5 * of.diameter - cell), 2.0));
       region = std::min(region, area);
       evaluations += region * (EVALUATIONS_PER_CELL / (bucket * bucket) + disks[other] / area);
     }

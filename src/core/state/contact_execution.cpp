@@ -12,24 +12,6 @@ namespace
 /// the number of events allowed in a collapse, add up to one resolution.
 constexpr double NEGLIGIBLE_WAY = 0x1p-20 * std::numeric_limits<double>::epsilon();
 
-CollisionKind collisionKind(BaseFeatureKind kind, Boundary boundary)
-{
-  switch (kind)
-  {
-    case BaseFeatureKind::LEFT_SLOPE:
-      return CollisionKind::LEFT_SLOPE;
-    case BaseFeatureKind::RIGHT_SLOPE:
-      return CollisionKind::RIGHT_SLOPE;
-    case BaseFeatureKind::LEFT_WALL:
-    case BaseFeatureKind::RIGHT_WALL:
-      return CollisionKind::WALL;
-    case BaseFeatureKind::END_CORNER:
-      return boundary == Boundary::WALLED ? CollisionKind::WALL : CollisionKind::APEX;
-    default:
-      return CollisionKind::APEX;
-  }
-}
-
 /// The component of a velocity along the tangent: the normal turned by +90 degrees.
 double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 {
@@ -41,7 +23,7 @@ ContactExecution::ContactExecution(SystemState& system)
     : system_(system),
       law_(system.scene().contact),
       spin_(system.plan().spin),
-      negligible_way_(NEGLIGIBLE_WAY * system.sawtooth().width())
+      negligible_way_(NEGLIGIBLE_WAY * system.shape().width())
 {
   const std::vector<SpeciesDefinition>& species = system.scene().species;
   for (std::size_t i = 0; i < species.size(); ++i)
@@ -60,10 +42,11 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
   const SpeciesDefinition& species = scene.species[disk.species];
   const FrameOfBase& frame = base.at(time);
   const BasePoint point = frame.see(disk.position, disk.velocity);
-  const Approach approach = system_.sawtooth().approach(feature, point, disk.radius);
+  const Approach approach = system_.shape().approach(feature, point, disk.radius);
   ContactOutcome outcome;
   outcome.time = time;
-  outcome.kind = collisionKind(feature.kind, scene.boundary);
+  outcome.kind = system_.shape().kindOf(feature);
+  outcome.feature = feature;
   outcome.i = slot;
   outcome.species = disk.species;
   outcome.overlap = -approach.gap;

@@ -22,7 +22,7 @@ public:
   void handleBaseEvent(std::uint32_t slot, const BaseFeature& feature, double time, BaseInstant& base)
   {
     if (feature.isEnd())
-      return system_.passEnd(slot, feature.kind == BaseFeatureKind::RIGHT_END, time);
+      return system_.passEnd(slot, feature.kind() == BaseFeatureKind::RIGHT_END, time);
     collideWithBase(slot, feature, time, base);
   }
 

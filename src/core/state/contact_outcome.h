@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "model/base_feature.h"
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/luding_law.h"
 
@@ -18,6 +19,7 @@ struct ContactOutcome
 
   double time = 0.0;  ///< local to the epoch [s]
   CollisionKind kind = CollisionKind::APEX;
+  BaseFeature feature;                               ///< of the base; none between two disks, and from lanes
   std::uint32_t i = 0;                               ///< slot of the disk
   std::uint32_t j = BASE;                            ///< slot of the second disk
   std::uint32_t species = 0;                         ///< of disk i

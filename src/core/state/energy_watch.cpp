@@ -24,14 +24,14 @@ double highestPlace(const SceneDefinition& scene)
   for (const InitialDisk& disk : scene.initial)
     height = std::max({height, std::abs(disk.x), std::abs(disk.y)});
   // For any inclination, the difference in height of the two ends is at most the width.
-  return height + scene.base.width() + scene.base.tooth_height + 2.0 * driveBounds(scene.base).displacement;
+  return height + scene.base.width() + scene.base.highest() + scene.base.depth() + 2.0 * driveBounds(scene.base).displacement;
 }
 
 /// The largest speed of the base, by the drive in any direction and by the turning of its raised end [m/s].
 double baseSpeed(const SystemState& system)
 {
   const BaseMotion& motion = system.motion();
-  return motion.speedBound() + std::abs(motion.inclinationRate()) * system.sawtooth().width();
+  return motion.speedBound() + std::abs(motion.inclinationRate()) * system.shape().width();
 }
 }  // namespace
 

@@ -19,6 +19,8 @@ Observers::Observers(const SystemState& system)
 {
   for (const std::string& name : system.scene().observe)
     observables_.push_back(add(makeObservable(name, system)));
+  if (system.shape().isProfile())
+    faces_ = static_cast<FaceCounts*>(add(std::make_unique<FaceCounts>(system.shape())));
 }
 
 void Observers::tell(const ContactOutcome& outcome)

@@ -14,6 +14,7 @@
 #include "state/contact_counts.h"
 #include "state/contact_times.h"
 #include "state/energy_watch.h"
+#include "state/face_counts.h"
 #include "state/notices.h"
 #include "state/observable.h"
 #include "state/species_averages.h"
@@ -173,6 +174,8 @@ public:
   const ContactTimes& contactTimes() const { return std::get<ContactTimes>(standing_); }
   const BaseImpulses& impulses() const { return std::get<BaseImpulses>(standing_); }
   const SpeciesAverages& averages() const { return std::get<SpeciesAverages>(standing_); }
+  /// Of a profile; empty for a sawtooth.
+  FaceContacts faceContacts() const { return faces_ ? faces_->contacts() : FaceContacts(); }
   const EnergyWatch& energyWatch() const { return std::get<EnergyWatch>(standing_); }
   /// What the scene asks for, until `time`.
   std::vector<Observed> observed(double time) const;
@@ -221,6 +224,7 @@ private:
   const Bins* bins_;  ///< the first of the added, which are told of departures in the order of time
   std::vector<const Observable*> observables_;  ///< of the added, in the order of the scene
   const Observer* collision_report_ = nullptr;  ///< one of the added
+  const FaceCounts* faces_ = nullptr;           ///< one of the added
 };
 
 }  // namespace ratchet_sieve

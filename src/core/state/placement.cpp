@@ -19,7 +19,7 @@ PlacedDisk placed(const SystemState& system, std::uint32_t slot, const FrameOfBa
 {
   const Disk disk = flown(system.disk(slot), time, system.scene().gravity);
   const double s = base.positionInto(disk.position).x();
-  return {s - system.sawtooth().width() * system.widthsOutside(s), base.into(disk.position).y(),
+  return {s - system.shape().width() * system.widthsOutside(s), base.into(disk.position).y(),
           system.radius(slot)};
 }
 }  // namespace
@@ -45,7 +45,8 @@ void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, c
   poured.reserve(species.size());
   for (const std::uint32_t kind : species)
   {
-    poured.push_back({pour.place(scene.species[kind].radius, random), kind});
+    const double radius = system.sizes(kind).draw([&random] { return random.uniform(); });
+    poured.push_back({pour.place(radius, random), kind});
     if (observer && poured.size() % DISKS_PER_LOOK == 0)
       observer(poured.size(), species.size());
   }

@@ -10,7 +10,7 @@ Pour::Pour(const BaseDefinition& base, Boundary boundary, const Stretch& stretch
            double largest_diameter, bool see_each_other)
     : stretch_(stretch),
       width_(base.width()),
-      lowest_underside_(base.tooth_height + base.amplitude + drop_height),
+      lowest_underside_(base.highest() + base.amplitude + drop_height),
       periodic_(boundary == Boundary::PERIODIC),
       see_each_other_(see_each_other),
       standing_(width_, periodic_, largest_diameter)
@@ -32,7 +32,8 @@ PlacedDisk Pour::place(double radius, Random& random)
   const double left = std::clamp(stretch_.from, margin, std::max(margin, width_ - margin));
   const double right = std::max(width_ - stretch_.to, margin);
   disk.s = left + random.uniform() * std::max(0.0, width_ - (left + right));
-  disk.n = see_each_other_ ? searchFor(radius).lowestFree(disk.s, standing_) : lowest_underside_ + radius;
+  const double lowest = lowest_underside_ + radius;
+  disk.n = see_each_other_ ? searchFor(radius).lowestFree(disk.s, radius, lowest, standing_) : lowest;
   occupy(disk);
   return disk;
 }
@@ -40,7 +41,7 @@ PlacedDisk Pour::place(double radius, Random& random)
 RoomSearch& Pour::searchFor(double radius)
 {
   for (RoomSearch& search : searches_)
-    if (search.radius() == radius)
+    if (search.serves(radius))
       return search;
   searches_.emplace_back(lowest_underside_ + radius, radius, standing_.columnWidth());
   return searches_.back();

@@ -37,7 +37,7 @@ private:
   bool periodic_;
   bool see_each_other_;
   StandingDisks standing_;
-  std::vector<RoomSearch> searches_;  ///< one per radius
+  std::vector<RoomSearch> searches_;  ///< one per radius, or class of radii
 };
 
 /// The order in which a scene's disks are poured: `count` of each species, shuffled.

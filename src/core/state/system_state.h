@@ -7,8 +7,9 @@
 #include "model/base_motion.h"
 #include "model/disk.h"
 #include "model/grain.h"
-#include "model/sawtooth.h"
+#include "model/base_shape.h"
 #include "ratchet_sieve/core/plan.h"
+#include "ratchet_sieve/core/sizes.h"
 #include "search/contact_search.h"
 #include "search/pair_search.h"
 #include "state/collapse_watch.h"
@@ -38,7 +39,7 @@ public:
 
   const SceneDefinition& scene() const { return scene_; }
   const Plan& plan() const { return plan_; }
-  const Sawtooth& sawtooth() const { return sawtooth_; }
+  const BaseShape& shape() const { return shape_; }
   const BaseMotion& motion() const { return motion_; }
 
   /// Calls `command` with the base's motion and the time; it changes the motion at that time. Disks keep
@@ -62,6 +63,7 @@ public:
   /// The largest diameter, or the root mean square of the scene's if sizes are wide: cells suit these.
   double latticeDiameter() const { return lattice_diameter_; }
   double smallestRadius() const;
+  const Sizes& sizes(std::size_t species) const { return sizes_[species]; }
 
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
@@ -88,7 +90,7 @@ public:
   /// The whole widths by which a position s along a periodic base is outside of [0, W); 0 for other bases.
   double widthsOutside(double s) const
   {
-    return scene_.boundary == Boundary::PERIODIC ? wholeWidths(s, 1.0 / sawtooth_.width()) : 0.0;
+    return scene_.boundary == Boundary::PERIODIC ? wholeWidths(s, 1.0 / shape_.width()) : 0.0;
   }
 
   /// The disk's first event with the base, searched from `from` and only as far as needed to find all before
@@ -158,8 +160,15 @@ public:
   /// longest epoch in the past.
   bool canBeTime(double time) const;
 
+  /// Whether an event can be one of this base, at its time.
+  bool canBe(const BaseEvent& event) const
+  {
+    return canBeTime(event.time) && shape_.has(event.feature);
+  }
+
 private:
   bool isLegal(std::uint32_t slot) const;
+  bool hasLegalGrain(std::uint32_t slot) const;
   bool isLegal() const;
   void setTimeResolution();
   void wrapAll(double time);
@@ -168,8 +177,9 @@ private:
   Disk& fly(std::uint32_t slot, double time);
 
   SceneDefinition scene_;
+  std::vector<Sizes> sizes_;  ///< per species
   Plan plan_;
-  Sawtooth sawtooth_;
+  BaseShape shape_;
   double largest_diameter_;
   double lattice_diameter_;
   double time_scale_;

@@ -63,7 +63,7 @@ void TrajectorySums::archive(StateArchive& state)
   state(trajectories_);
   state.require(std::all_of(trajectories_.begin(), trajectories_.end(),
                             [](const Trajectory& trajectory) { return std::isfinite(trajectory.angle); }),
-                "the angle of a disk is impossible");
+                "a disk's angle is impossible");
 }
 
 }  // namespace ratchet_sieve

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "ratchet_sieve/core/definition.h"
+
+namespace ratchet_sieve
+{
+
+/// The radii of a species' disks: their distribution by number. Own arithmetic of roots, products and
+/// quotients, so that the radii are the same on every machine.
+class Sizes
+{
+public:
+  explicit Sizes(const SpeciesDefinition& species);
+
+  double smallest() const { return smallest_; }  ///< [m]
+  double largest() const { return largest_; }    ///< [m]
+  double meanRadius() const;                     ///< expected [m]
+  double meanSquare() const;                     ///< of the radius, expected [m^2]
+
+  /// The radius of one more disk [m].
+  /// @param uniform gives random numbers in [0, 1); not called if all disks are equal
+  double draw(const std::function<double()>& uniform) const;
+
+private:
+  /// A part of the distribution: an interval of the coordinate x of radius(). A single radius if both ends
+  /// are equal.
+  struct Piece
+  {
+    double from;
+    double to;
+    double share;  ///< of the disks, times a common factor
+  };
+
+  double radius(double x) const;
+  double density(const Piece& piece, double x) const;
+  double shareByNumber(const Piece& piece) const;
+  double mean(const std::function<double(double)>& of_radius) const;
+
+  double radius_;
+  SizeDefinition size_;
+  std::vector<Piece> pieces_;
+  double smallest_;
+  double largest_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,241 @@
+#include "ratchet_sieve/core/sizes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "model/random.h"
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+SpeciesDefinition speciesWith(const SizeDefinition& size)
+{
+  SpeciesDefinition species = test::smallDisk(0);
+  species.size = size;
+  return species;
+}
+
+std::vector<double> drawnRadii(const SpeciesDefinition& species, std::size_t count)
+{
+  const Sizes sizes(species);
+  Random random(5);
+  std::vector<double> radii;
+  while (radii.size() < count)
+    radii.push_back(sizes.draw([&] { return random.uniform(); }));
+  std::sort(radii.begin(), radii.end());
+  return radii;
+}
+
+double phi(double z)
+{
+  return 0.5 * std::erfc(-z / std::sqrt(2.0));
+}
+
+/// Of a normal distribution cut at 3 standard deviations.
+double cutPhi(double z)
+{
+  return (phi(std::clamp(z, -3.0, 3.0)) - phi(-3.0)) / (phi(3.0) - phi(-3.0));
+}
+
+/// Kolmogorov-Smirnov: one sample in a hundred exceeds 1.63 / sqrt(n); the seed is fixed.
+void expectDistribution(const SpeciesDefinition& species, const std::function<double(double)>& cumulative)
+{
+  constexpr std::size_t COUNT = 20000;
+  const std::vector<double> radii = drawnRadii(species, COUNT);
+  double distance = 0.0;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < COUNT; ++i)
+  {
+    distance = std::max(distance, std::abs(cumulative(radii[i]) - (static_cast<double>(i) + 0.5) / COUNT));
+    sum += radii[i];
+    squares += radii[i] * radii[i];
+  }
+  EXPECT_LT(distance, 1.63 / std::sqrt(COUNT));
+  const Sizes sizes(species);
+  EXPECT_GE(radii.front(), sizes.smallest());
+  EXPECT_LE(radii.back(), sizes.largest());
+  const double mean = sum / COUNT;
+  const double deviation = std::sqrt(squares / COUNT - mean * mean);
+  EXPECT_NEAR(sizes.meanRadius(), mean, 4.0 * deviation / std::sqrt(COUNT));
+  EXPECT_NEAR(sizes.meanSquare(), squares / COUNT, 8.0 * sizes.largest() * deviation / std::sqrt(COUNT));
+}
+
+TEST(Sizes, AreEqualByDefaultAndDrawNothing)
+{
+  const SpeciesDefinition species = test::smallDisk(1);
+  const Sizes sizes(species);
+  EXPECT_EQ(sizes.smallest(), species.radius);
+  EXPECT_EQ(sizes.largest(), species.radius);
+  EXPECT_EQ(sizes.meanRadius(), species.radius);
+  EXPECT_EQ(sizes.draw([]() -> double { throw std::logic_error("drawn"); }), species.radius);
+  EXPECT_EQ(species.massOf(species.radius), species.mass);
+}
+
+TEST(Sizes, AreUniform)
+{
+  const SpeciesDefinition species = speciesWith({SizeDistribution::UNIFORM, 0.4, 3.0, {}, {}, {}});
+  expectDistribution(species, [](double r) { return (r / 0.001 - 0.6) / 0.8; });
+  EXPECT_DOUBLE_EQ(Sizes(species).smallest(), 0.0006);
+  EXPECT_DOUBLE_EQ(Sizes(species).largest(), 0.0014);
+}
+
+TEST(Sizes, AreNormal)
+{
+  const SpeciesDefinition species = speciesWith({SizeDistribution::NORMAL, 0.2, 3.0, {}, {}, {}});
+  expectDistribution(species, [](double r) { return cutPhi((r / 0.001 - 1.0) / 0.2); });
+  EXPECT_DOUBLE_EQ(Sizes(species).smallest(), 0.0004);
+  EXPECT_DOUBLE_EQ(Sizes(species).largest(), 0.0016);
+}
+
+TEST(Sizes, AreLognormal)
+{
+  const SpeciesDefinition species = speciesWith({SizeDistribution::LOGNORMAL, 0.5, 3.0, {}, {}, {}});
+  expectDistribution(species, [](double r) { return cutPhi(std::log(r / 0.001) / 0.5); });
+  EXPECT_NEAR(Sizes(species).largest(), 0.001 * std::exp(1.5), 1e-16);
+  EXPECT_NEAR(Sizes(species).smallest(), 0.001 * std::exp(-1.5), 1e-16);
+}
+
+/// The cumulative share of a table, piecewise linear in the radius.
+double interpolated(const SizeDefinition& size, double radius)
+{
+  double sum = 0.0;
+  double below = 0.0;
+  for (std::size_t k = 0; k < size.radii.size(); ++k)
+  {
+    sum += size.weights[k];
+    const double from = size.radii[k > 0 ? k - 1 : 0];
+    below += size.weights[k] * (radius >= size.radii[k] ? 1.0
+                                : radius > from         ? (radius - from) / (size.radii[k] - from)
+                                                        : 0.0);
+  }
+  return below / sum;
+}
+
+TEST(Sizes, FollowATableByNumber)
+{
+  const SizeDefinition size{
+      SizeDistribution::TABLE, 0.0, 3.0, {0.0004, 0.001, 0.002, 0.005}, {0.0, 2.0, 5.0, 1.0},
+      SizeShare::NUMBER};
+  expectDistribution(speciesWith(size), [&](double r) { return interpolated(size, r); });
+}
+
+/// The masses of many disks add up to the table's cumulative mass.
+TEST(Sizes, FollowATableByMass)
+{
+  for (const double exponent : {0.5, 1.0, 2.0, 3.0})
+  {
+    const SizeDefinition size{
+        SizeDistribution::TABLE, 0.0, exponent, {0.0008, 0.001, 0.002, 0.003}, {0.5, 2.0, 5.0, 1.0},
+        SizeShare::MASS};
+    const SpeciesDefinition species = speciesWith(size);
+    const std::vector<double> radii = drawnRadii(species, 100000);
+    double total = 0.0;
+    double square = 0.0;
+    for (const double radius : radii)
+    {
+      total += species.massOf(radius);
+      square += species.massOf(radius) * species.massOf(radius);
+    }
+    const double error = std::sqrt(square) / total;  // of a share, at most
+    double sum = 0.0;
+    double distance = 0.0;
+    for (std::size_t i = 0; i < radii.size(); ++i)
+    {
+      sum += species.massOf(radii[i]);
+      if (i + 1 == radii.size() || radii[i + 1] > radii[i])
+        distance = std::max(distance, std::abs(sum / total - interpolated(size, radii[i])));
+    }
+    EXPECT_LT(distance, 1.63 * error) << exponent;
+  }
+}
+
+TEST(Sizes, OfOneRadiusIsThatRadius)
+{
+  const SpeciesDefinition species =
+      speciesWith({SizeDistribution::TABLE, 0.0, 3.0, {0.001}, {2.0}, SizeShare::MASS});
+  const std::vector<double> radii = drawnRadii(species, 10);
+  EXPECT_EQ(radii.front(), 0.001);
+  EXPECT_EQ(radii.back(), 0.001);
+}
+
+TEST(Sizes, MassGrowsWithItsExponent)
+{
+  for (const double exponent : {0.0, 1.0, 2.0, 2.5, 3.0, 7.3})
+  {
+    SpeciesDefinition species = test::smallDisk(1);
+    species.size.mass_exponent = exponent;
+    for (const double ratio : {0.02, 0.5, 1.0, 1.7, 50.0})
+    {
+      const double expected = species.mass * std::pow(ratio, exponent);
+      EXPECT_NEAR(species.massOf(ratio * species.radius), expected, 1e-12 * expected);
+    }
+  }
+}
+
+/// The radii of a scene are drawn from its seed, for poured and for fed disks.
+TEST(Sizes, AreDrawnForEveryDiskOfAScene)
+{
+  SceneDefinition scene = test::withSizes(test::mixture(200));
+  scene.feed.rate = 100.0;
+  Simulation one(scene), same(scene);
+  one.advanceTo(1.0);
+  same.advanceTo(0.5);
+  same.advanceTo(1.0);
+  const std::vector<DiskState> disks = one.disks();
+  ASSERT_EQ(disks.size(), 500u);
+  for (std::size_t k = 0; k < disks.size(); ++k)
+  {
+    EXPECT_EQ(same.disks()[k].radius, disks[k].radius);
+    const Sizes sizes(scene.species[disks[k].species]);
+    EXPECT_GE(disks[k].radius, sizes.smallest());
+    EXPECT_LE(disks[k].radius, sizes.largest());
+    EXPECT_TRUE(k == 0 || disks[k].radius != disks[k - 1].radius || disks[k].species == 1u);
+  }
+  scene.seed = 2;
+  EXPECT_NE(Simulation(scene).disks()[0].radius,
+            Simulation(test::withSizes(test::mixture(200))).disks()[0].radius);
+}
+
+/// The species without sizes is poured from the same random numbers as before.
+TEST(Sizes, OfNoSpreadChangeNothing)
+{
+  SceneDefinition scene = test::mixture(20);
+  Simulation plain(scene);
+  scene.species[0].size = {SizeDistribution::LOGNORMAL, 0.0, 2.0, {}, {}, {}};
+  Simulation spread(scene);
+  plain.advanceTo(0.5);
+  spread.advanceTo(0.5);
+  EXPECT_EQ(plain.saveState(), spread.saveState());
+}
+
+/// <V_x> and energies of a species weigh its disks by their masses.
+TEST(Sizes, EnergyIsThatOfEveryDisksMass)
+{
+  SceneDefinition scene = test::withSizes(test::mixture(50));
+  scene.gravity = 0.0;
+  scene.pour.speed = 2.0;
+  scene.base.amplitude = 0.0;
+  Simulation simulation(scene);
+  double energy = 0.0;
+  for (const DiskState& disk : simulation.disks())
+    energy += 0.5 * scene.species[disk.species].massOf(disk.radius) * disk.vy * disk.vy;
+  EXPECT_NEAR(simulation.energy(), energy, 1e-12 * energy);
+  // Before the first contact the means are those of the flight.
+  simulation.advanceTo(1e-3);
+  ASSERT_EQ(simulation.collisions().total(), 0u);
+  double means = 0.0;
+  for (const SpeciesMeans& species : simulation.means())
+    means += 50.0 * *species.kinetic_translational;
+  EXPECT_NEAR(means, energy, 1e-12 * energy);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
