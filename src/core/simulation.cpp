@@ -101,7 +101,7 @@ void Simulation::setThreads(std::size_t threads)
 
 std::vector<SpeciesBins> Simulation::bins() const
 {
-  return engine_->state().bins();
+  return engine_->state().observers().bins();
 }
 
 const CollisionCounts& Simulation::collisions() const
@@ -141,6 +141,11 @@ std::vector<SpeciesMeans> Simulation::sizeClassMeans() const
   if (!engine_->settled())
     return std::vector<SpeciesMeans>(sizeClasses().size());
   return engine_->state().observers().averages().sizeClassMeans(engine_->now());
+}
+
+std::vector<Observed> Simulation::observed() const
+{
+  return engine_->state().observers().observed(engine_->now());
 }
 
 double Simulation::blockEnd(std::uint64_t blocks) const

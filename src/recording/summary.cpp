@@ -56,6 +56,45 @@ Json speciesResults(const Simulation& simulation)
   return list;
 }
 
+/// Of one species' BinShare, `share` is purity or recovery.
+Json shareResults(const Simulation& simulation, std::optional<double> BinShare::*share)
+{
+  const std::vector<SpeciesShares> shares = binShares(simulation.bins());
+  Json json;
+  for (const auto& [bin, of_bin] :
+       {std::pair{"left", &SpeciesShares::left}, std::pair{"right", &SpeciesShares::right}})
+  {
+    json[bin] = Json::array();
+    for (std::size_t s = 0; s < shares.size(); ++s)
+    {
+      const BinShares& in_bin = shares[s].*of_bin;
+      json[bin].push_back({{"name", simulation.scene().species[s].name},
+                           {"number", numberOrNull(in_bin.number.*share)},
+                           {"mass", numberOrNull(in_bin.mass.*share)}});
+    }
+  }
+  return json;
+}
+
+Json observedResults(const Observed& observed)
+{
+  Json json;
+  for (const ObservedRow& row : observed.rows)
+  {
+    Json of_row = {{"name", row.species}};
+    for (const ObservedNumber& number : row.numbers)
+      of_row[number.name] = numberOrNull(number.value);
+    for (const ObservedColumn& column : row.table)
+    {
+      Json& values = of_row["table"][column.name] = Json::array();
+      for (const std::optional<double>& value : column.values)
+        values.push_back(numberOrNull(value));
+    }
+    (row.place.empty() ? json : json[row.place]).push_back(std::move(of_row));
+  }
+  return json;
+}
+
 Json pairResults(const Simulation& simulation)
 {
   Json list = Json::array();
@@ -161,6 +200,10 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
   if (scene.species.size() > 2)
     json["pair_qualities"] = pairResults(simulation);
   json["processed"] = numberOrNull(processedRatio(simulation.bins()));
+  json["purity"] = shareResults(simulation, &BinShare::purity);
+  json["recovery"] = shareResults(simulation, &BinShare::recovery);
+  for (const Observed& observed : simulation.observed())
+    json[observed.name] = observedResults(observed);
   json["accuracy"] = certaintyParts(simulation);
   json["base_impulse"] = {simulation.baseImpulse().x(), simulation.baseImpulse().y()};
   json["energy_start"] = outcome.progress.energy_start;

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <utility>
 
+#include "ratchet_sieve/core/observable.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -44,6 +46,14 @@ constexpr ChoiceNames<SizeDistribution, 4> SIZE_DISTRIBUTION_NAMES = {
 
 constexpr ChoiceNames<SizeShare, 2> SIZE_SHARE_NAMES = {
     {{SizeShare::NUMBER, "number"}, {SizeShare::MASS, "mass"}}};
+
+std::string joined(const std::vector<std::string>& words)
+{
+  std::string list;
+  for (const std::string& word : words)
+    list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
 
 template <typename Choice, std::size_t COUNT>
 LegalValues legalChoice(const ChoiceNames<Choice, COUNT>& choices)
@@ -211,6 +221,21 @@ void readScalar(const Entry& entry, const Range&, Method& value)
   readChoice(entry, METHOD_NAMES, value);
 }
 
+void readScalar(const Entry& entry, const Range& range, std::vector<std::string>& value)
+{
+  const std::vector<std::string> known = observableNames();
+  value.clear();
+  for (const Entry& item : entry.list())
+  {
+    const std::string name = item.node().IsScalar() ? item.node().Scalar() : std::string();
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      item.refuseValue("must be one of " + legalValues(range, value).values);
+    if (std::find(value.begin(), value.end(), name) != value.end())
+      item.refuseValue("is given twice");
+    value.push_back(name);
+  }
+}
+
 void readScalar(const Entry& entry, const Range&, SizeDistribution& value)
 {
   readChoice(entry, SIZE_DISTRIBUTION_NAMES, value);
@@ -271,6 +296,11 @@ LegalValues legalValues(const Range&, CollapseAction)
 LegalValues legalValues(const Range&, Method)
 {
   return legalChoice(METHOD_NAMES);
+}
+
+LegalValues legalValues(const Range&, const std::vector<std::string>&)
+{
+  return {"list", joined(observableNames())};
 }
 
 LegalValues legalValues(const Range&, SizeDistribution)
@@ -338,6 +368,11 @@ std::string scalarText(CollapseAction value)
 std::string scalarText(Method value)
 {
   return choiceText(METHOD_NAMES, value);
+}
+
+std::string scalarText(const std::vector<std::string>& value)
+{
+  return '[' + joined(value) + ']';
 }
 
 std::string scalarText(SizeDistribution value)

@@ -73,6 +73,11 @@ const Keys<SceneDefinition>& motionKeys()
        "(walled)."},
       {"gravity", [](S& s) -> Slot { return &s.gravity; }, upTo(LARGEST_GRAVITY, "m/s^2"),
        "Gravitational acceleration g, downwards."},
+      {"observe", [](S& s) -> Slot { return &s.observe; }, ANY,
+       "What else to observe, of open ends by species and bin: the time in the machine (residence_times); "
+       "the "
+       "mass per time (mass_flow).",
+       Presence::ADDED},
   };
   return KEYS;
 }

@@ -16,9 +16,9 @@
 namespace ratchet_sieve
 {
 
-using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, std::vector<double>*, Boundary*,
-                          DriveFrame*, CollapseAction*, Method*, SizeDistribution*, SizeShare*,
-                          std::vector<OutlineCorner>*>;
+using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, std::vector<double>*,
+                          std::vector<std::string>*, Boundary*, DriveFrame*, CollapseAction*, Method*,
+                          SizeDistribution*, SizeShare*, std::vector<OutlineCorner>*>;
 
 enum class Presence
 {

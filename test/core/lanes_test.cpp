@@ -293,13 +293,13 @@ Disk drawnDisk(const SystemState& machine)
 }
 
 /// Searches from event to event until a contact is certain, as the loop does.
-BaseEvent searchInLanes(const test::Bench& bench)
+BaseEvent searchInLanes(const SystemState& system)
 {
-  const LaneScene scene = *laneScene(bench.state);
+  const LaneScene scene = *laneScene(system);
   const LaneKernel& kernel = presentLaneKernel();
   LaneBatch batch{};
   BaseEvent event{0.0, {}};
-  loadRow(bench.state, bench.execution, 0, event, batch, 0);
+  loadRow(system, 0, event, batch, 0);
   kernel.launch(scene, batch, 1);
   for (int i = 0; i < 2000 && !event.feature && event.time < SEARCH_HORIZON; ++i)
   {
@@ -356,7 +356,7 @@ TEST(Lanes, FindTheFirstContactOfRandomFlights)
         test::Bench bench(drawnSceneForLanes());
         test::addDisk(bench.state, drawnDisk(bench.state));
         const Lanes lanes(*rc::gen::element(1, 2, 0));
-        const BaseEvent found = searchInLanes(bench);
+        const BaseEvent found = searchInLanes(bench.state);
         checkAgainstScan(bench.state, found);
         const BaseEvent expected = searchInMachine(bench.state);
         // Rounding decides whether a grazing contact occurs.
@@ -400,14 +400,14 @@ TEST(Lanes, HandOverTheSameOutcomesAsTheMachine)
         disk.spin = *rc::gen::element(0.0, -300.0, 40.0);
         test::addDisk(bench.state, disk);
         const Lanes lanes(*rc::gen::element(1, 2, 0));
-        const BaseEvent event = searchInLanes(bench);
+        const BaseEvent event = searchInLanes(bench.state);
         const bool clear = isClear(bench.state, event);
         RC_CLASSIFY(!clear, "no contact, or a graze");
         if (!clear)
           return;
         const LaneScene lane_scene = *laneScene(bench.state);
         LaneBatch batch{};
-        loadRow(bench.state, bench.execution, 0, event, batch, 0);
+        loadRow(bench.state, 0, event, batch, 0);
         presentLaneKernel().collide(lane_scene, batch, 1);
         BaseInstant base(bench.state.motion());
         const ContactOutcome outcome = bench.execution.collideWithBase(0, event.feature, event.time, base);

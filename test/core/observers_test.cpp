@@ -252,8 +252,7 @@ struct Followed
 {
   explicit Followed(const SceneDefinition& scene, const Plan& plan)
       : engine(scene, plan, 0.0, {}),
-        follower(static_cast<Follower*>(
-            engine.state().observers().add(std::make_unique<Follower>(engine.state()))))
+        follower(engine.state().observers().add(std::make_unique<Follower>(engine.state())))
   {
   }
   explicit Followed(const SceneDefinition& scene) : Followed(scene, planOf(scene)) {}

@@ -242,8 +242,9 @@ struct SceneDefinition
   FeedDefinition feed;
   std::vector<InitialDisk> initial;
   AccuracyDefinition accuracy;
-  double duration = 100.0;  ///< [s]
-  double settle = 0.0;      ///< initial part of the duration that the means leave out [s]
+  double duration = 100.0;           ///< [s]
+  std::vector<std::string> observe;  ///< names of observableNames()
+  double settle = 0.0;               ///< initial part of the duration that the means leave out [s]
   std::uint64_t seed = 1;
 };
 

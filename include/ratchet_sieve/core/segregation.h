@@ -18,10 +18,12 @@ struct SpeciesBins
   std::uint64_t left = 0;     ///< fallen into the left bin
   std::uint64_t right = 0;    ///< fallen into the right bin
   std::uint64_t on_base = 0;  ///< still in the machine
+  double left_mass = 0.0;     ///< of those in the left bin [kg]
+  double right_mass = 0.0;    ///< of those in the right bin [kg]
 
   std::uint64_t counted() const { return left + right; }
 
-  void archive(StateArchive& state) { state(left, right, on_base); }
+  void archive(StateArchive& state) { state(left, right, on_base, left_mass, right_mass); }
 };
 
 RATCHET_SIEVE_FIELDS(SpeciesBins)
@@ -29,6 +31,8 @@ RATCHET_SIEVE_FIELDS(SpeciesBins)
   RATCHET_SIEVE_FIELD(left, "");
   RATCHET_SIEVE_FIELD(right, "");
   RATCHET_SIEVE_FIELD(on_base, "");
+  RATCHET_SIEVE_FIELD(left_mass, "kg");
+  RATCHET_SIEVE_FIELD(right_mass, "kg");
 }
 
 /// Q of one pair of species, eq. (2) of the paper:
@@ -53,5 +57,30 @@ std::optional<double> bestQuality(const std::vector<SpeciesBins>& bins);
 
 /// P, eq. (3) of the paper: disks in the bins over all disks. Nothing until there was a disk.
 std::optional<double> processedRatio(const std::vector<SpeciesBins>& bins);
+
+/// A species in one bin, by number or by mass.
+struct BinShare
+{
+  std::optional<double> purity;    ///< its share of the bin; nothing while the bin is empty
+  std::optional<double> recovery;  ///< the bin's share of what left of it; nothing before any of it left
+};
+
+/// A species in one bin.
+struct BinShares
+{
+  BinShare number;
+  BinShare mass;
+};
+
+/// A species in both bins. Of two species, Q is the recovery of one on the left plus that of the other on the
+/// right, less 1.
+struct SpeciesShares
+{
+  BinShares left;
+  BinShares right;
+};
+
+/// Per species.
+std::vector<SpeciesShares> binShares(const std::vector<SpeciesBins>& bins);
 
 }  // namespace ratchet_sieve

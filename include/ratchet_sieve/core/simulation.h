@@ -15,6 +15,7 @@
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/mean_series.h"
+#include "ratchet_sieve/core/observable.h"
 #include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
@@ -98,6 +99,9 @@ public:
   const std::vector<SizeClass>& sizeClasses() const;
   const std::vector<SpeciesBins>& sizeClassBins() const;
   std::vector<SpeciesMeans> sizeClassMeans() const;
+
+  /// What the scene asks to be observed, until time(), in the order of `observe`.
+  std::vector<Observed> observed() const;
 
   /// The time at which this number of blocks of meanSeries() has ended, counting blocks of the original
   /// length [s].

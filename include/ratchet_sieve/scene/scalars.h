@@ -29,6 +29,9 @@ void readScalar(const Entry& entry, const Range& range, std::vector<double>& val
 /// The outline of a tooth, without overhang. @param range of each number
 void readScalar(const Entry& entry, const Range& range, std::vector<OutlineCorner>& value);
 
+/// Names of observables, each once.
+void readScalar(const Entry& entry, const Range& range, std::vector<std::string>& value);
+
 /// What a reader above accepts.
 struct LegalValues
 {
@@ -46,6 +49,7 @@ LegalValues legalValues(const Range& range, Boundary);
 LegalValues legalValues(const Range& range, DriveFrame);
 LegalValues legalValues(const Range& range, CollapseAction);
 LegalValues legalValues(const Range& range, Method);
+LegalValues legalValues(const Range& range, const std::vector<std::string>&);
 LegalValues legalValues(const Range& range, SizeDistribution);
 LegalValues legalValues(const Range& range, SizeShare);
 LegalValues legalValues(const Range& range, const std::vector<double>&);
@@ -61,6 +65,7 @@ std::string scalarText(Boundary value);
 std::string scalarText(DriveFrame value);
 std::string scalarText(CollapseAction value);
 std::string scalarText(Method value);
+std::string scalarText(const std::vector<std::string>& value);
 std::string scalarText(SizeDistribution value);
 std::string scalarText(SizeShare value);
 std::string scalarText(const std::vector<double>& values);

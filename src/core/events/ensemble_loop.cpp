@@ -115,7 +115,7 @@ private:
     {
       std::size_t next = 0;
       std::size_t end = 0;
-      runs_[worker]->advance(state_, execution_, next_, scene, time,
+      runs_[worker]->advance(state_, next_, scene, time,
                              [&](std::uint32_t& slot)
                              {
                                if (next == end)

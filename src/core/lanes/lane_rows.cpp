@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/collision_law.h"
 #include "ratchet_sieve/core/resolution.h"
 
 namespace ratchet_sieve
@@ -100,8 +101,8 @@ BaseEvent rowEvent(const LaneBatch& batch, std::size_t row)
                       static_cast<std::int32_t>(batch.valley[row]))};
 }
 
-void loadRow(const SystemState& system, const ContactExecution& execution, std::uint32_t slot,
-             const BaseEvent& next, LaneBatch& batch, std::size_t row)
+void loadRow(const SystemState& system, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
+             std::size_t row)
 {
   const Disk& disk = system.disk(slot);
   batch.x[row] = disk.position.x();
@@ -147,8 +148,8 @@ void storeRow(const LaneBatch& batch, std::size_t row, SystemState& system, std:
               BaseEvent& next)
 {
   readState(batch, row, system.changeable(slot));
-  system.observers().setRowSums(slot, {batch.offset[row], batch.translation[row], batch.rotation[row], batch.angle[row],
-                                       batch.impulse_x[row], batch.impulse_y[row]});
+  system.observers().setRowSums(slot, {batch.offset[row], batch.translation[row], batch.rotation[row],
+                                       batch.angle[row], batch.impulse_x[row], batch.impulse_y[row]});
   next = rowEvent(batch, row);
 }
 

@@ -4,7 +4,7 @@
 
 #include "lanes/lane_batch.h"
 #include "search/contact_search.h"
-#include "state/contact_execution.h"
+#include "state/system_state.h"
 
 namespace ratchet_sieve
 {
@@ -14,8 +14,8 @@ namespace ratchet_sieve
 std::optional<LaneScene> laneScene(const SystemState& system);
 
 /// Copies a disk and its next event into a row.
-void loadRow(const SystemState& system, const ContactExecution& execution, std::uint32_t slot,
-             const BaseEvent& next, LaneBatch& batch, std::size_t row);
+void loadRow(const SystemState& system, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
+             std::size_t row);
 
 /// Copies the state of a row's disk, at its last event.
 void readState(const LaneBatch& batch, std::size_t row, Disk& disk);

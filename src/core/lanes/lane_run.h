@@ -25,8 +25,8 @@ public:
 
   /// Advances the disks that `take` returns, until it returns false: bool take(std::uint32_t& slot).
   template <typename Take>
-  void advance(SystemState& system, const ContactExecution& execution, std::vector<BaseEvent>& next,
-               const LaneScene& scene, double time, Take&& take)
+  void advance(SystemState& system, std::vector<BaseEvent>& next, const LaneScene& scene, double time,
+               Take&& take)
   {
     const LaneKernel& kernel = presentLaneKernel();
     share_.emplace(system.observers());
@@ -37,7 +37,7 @@ public:
       while (take(slot))
         if (admit(system.collapseWatch(), slot, next[slot].time))
         {
-          loadRow(system, execution, slot, next[slot], batch_, row);
+          loadRow(system, slot, next[slot], batch_, row);
           slots_[row] = slot;
           species_[row] = system.disk(slot).species;
           return true;

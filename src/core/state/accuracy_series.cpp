@@ -76,7 +76,7 @@ void AccuracySeries::restart(double /*time*/)
   std::fill(groups_.begin(), groups_.end(), BlockAverages());
   std::fill(exits_.begin(), exits_.end(), BlockAverages());
   for (std::size_t s = 0; s < exited_.size(); ++s)
-    exited_[s] = exitsOf(system_.bins()[s]);
+    exited_[s] = exitsOf(system_.observers().bins()[s]);
 }
 
 void AccuracySeries::endBlock(double time)
@@ -108,7 +108,7 @@ void AccuracySeries::endExits()
 {
   for (std::size_t s = 0; s < exits_.size(); ++s)
   {
-    const BlockSum now = exitsOf(system_.bins()[s]);
+    const BlockSum now = exitsOf(system_.observers().bins()[s]);
     exits_[s].add(now.sum - exited_[s].sum, now.weight - exited_[s].weight);
     exited_[s] = now;
   }

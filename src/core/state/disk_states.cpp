@@ -20,6 +20,7 @@ void forEachDiskState(const SystemState& system, double time,
                       const std::function<void(const DiskState&)>& visit)
 {
   const FrameOfBase base = system.motion().at(time);
+  const TrajectorySums& trajectories = system.observers().trajectories();
   // While the base turns all disks are between its ends, because they are wrapped when they pass an end.
   const bool wrapped = system.scene().boundary != Boundary::PERIODIC || system.motion().turning();
   for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
@@ -33,12 +34,12 @@ void forEachDiskState(const SystemState& system, double time,
     state.id = system.id(slot);
     state.species = disk.species;
     state.radius = disk.radius;
-    state.displacement = system.observers().trajectories().displacement(slot, disk.position.x());
+    state.displacement = trajectories.displacement(slot, disk.position.x());
     state.x = disk.position.x() + image.shift.x();
     state.y = disk.position.y() + image.shift.y();
     state.vx = disk.velocity.x() + image.velocity.x();
     state.vy = disk.velocity.y() + image.velocity.y();
-    state.angle = wrappedAngle(system.observers().trajectories().until(slot, system.disk(slot), time).angle);
+    state.angle = wrappedAngle(trajectories.until(slot, system.disk(slot), time).angle);
     state.spin = disk.spin;
     visit(state);
   }

@@ -59,6 +59,7 @@ public:
     bool contacts = false;
     bool flights = false;
     bool departures = false;
+    bool blocks = false;  ///< of the mean series
   };
 
   Observer() = default;

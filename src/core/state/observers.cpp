@@ -14,8 +14,11 @@ Observers::Observers(const SystemState& system)
       ordered_(!system.plan().pairs),
       standing_(ContactCounts(), SpeciesContacts(species_), BaseImpulses(),
                 ContactTimes(system.plan().contact_times), SpeciesAverages(system), AccuracySeries(system),
-                EnergyWatch(system), TrajectorySums(system))
+                EnergyWatch(system), TrajectorySums(system)),
+      bins_(add(std::make_unique<Bins>(system)))
 {
+  for (const std::string& name : system.scene().observe)
+    observables_.push_back(add(makeObservable(name, system)));
   if (system.shape().isProfile())
     faces_ = static_cast<FaceCounts*>(add(std::make_unique<FaceCounts>(system.shape())));
 }
@@ -69,13 +72,6 @@ void Observers::take(Share&& share)
   notices_.add(std::move(share.notices_));
 }
 
-Observer* Observers::add(std::unique_ptr<Observer> observer)
-{
-  added_.push_back(std::move(observer));
-  sortByWishes();
-  return added_.back().get();
-}
-
 void Observers::remove(const Observer* observer)
 {
   added_.erase(std::remove_if(added_.begin(), added_.end(),
@@ -89,6 +85,7 @@ void Observers::sortByWishes()
   of_contacts_.clear();
   of_flights_.clear();
   of_departures_.clear();
+  blocks_wished_ = false;
   for (const std::unique_ptr<Observer>& observer : added_)
   {
     const Observer::Wishes wishes = observer->wishes();
@@ -98,6 +95,7 @@ void Observers::sortByWishes()
       of_flights_.push_back(observer.get());
     if (wishes.departures)
       of_departures_.push_back(observer.get());
+    blocks_wished_ = blocks_wished_ || wishes.blocks;
   }
 }
 
@@ -142,6 +140,14 @@ void Observers::rebase(double length)
 {
   deliver();
   forEach([=](Observer& observer) { observer.rebase(length); });
+}
+
+std::vector<Observed> Observers::observed(double time) const
+{
+  std::vector<Observed> observed;
+  for (const Observable* observable : observables_)
+    observed.push_back(observable->observed(time));
+  return observed;
 }
 
 MeanSeries Observers::meanSeries(double block_time) const

@@ -10,11 +10,13 @@
 #include "ratchet_sieve/core/observation.h"
 #include "state/accuracy_series.h"
 #include "state/base_impulses.h"
+#include "state/bins.h"
 #include "state/contact_counts.h"
 #include "state/contact_times.h"
 #include "state/energy_watch.h"
 #include "state/face_counts.h"
 #include "state/notices.h"
+#include "state/observable.h"
 #include "state/species_averages.h"
 #include "state/species_contacts.h"
 #include "state/trajectory_sums.h"
@@ -125,17 +127,22 @@ public:
   }
 
   /// Adds an observer, which is told of what it wishes from now on. @return it
-  Observer* add(std::unique_ptr<Observer> observer);
+  template <typename Added>
+  Added* add(std::unique_ptr<Added> observer)
+  {
+    Added* added = observer.get();
+    added_.push_back(std::move(observer));
+    sortByWishes();
+    return added;
+  }
   void remove(const Observer* observer);
 
   /// Calls `observer` after each collision. An empty function removes the observer.
   void observeCollisions(CollisionObserver observer);
 
-  /// Whether notices of independent disks are collected, for delivery in the order of time.
-  bool collects() const
-  {
-    return ordered_ && !(of_contacts_.empty() && of_flights_.empty() && of_departures_.empty());
-  }
+  /// Whether notices of contacts or flights of independent disks are collected, for delivery in the order of
+  /// time: they take memory.
+  bool collects() const { return ordered_ && !(of_contacts_.empty() && of_flights_.empty()); }
 
   /// Delivers the collected notices. @pre no later contact or flight ends earlier
   void deliver();
@@ -149,8 +156,11 @@ public:
   void rebase(double length);
 
   /// Whether blocks of the mean series are recorded: always for a layer, whose disks move together.
-  /// Independent disks need none, unless the scene requests an accuracy.
-  bool keepsBlocks() const { return !ordered_ || std::get<AccuracySeries>(standing_).kept(); }
+  /// Independent disks need none, unless the scene requests an accuracy, or an observer blocks.
+  bool keepsBlocks() const
+  {
+    return !ordered_ || blocks_wished_ || std::get<AccuracySeries>(standing_).kept();
+  }
 
   /// @param block_time of the original blocks [s]
   MeanSeries meanSeries(double block_time) const;
@@ -167,6 +177,10 @@ public:
   /// Of a profile; empty for a sawtooth.
   FaceContacts faceContacts() const { return faces_ ? faces_->contacts() : FaceContacts(); }
   const EnergyWatch& energyWatch() const { return std::get<EnergyWatch>(standing_); }
+  /// What the scene asks for, until `time`.
+  std::vector<Observed> observed(double time) const;
+
+  const std::vector<SpeciesBins>& bins() const { return bins_->ofSpecies(); }
   TrajectorySums& trajectories() { return std::get<TrajectorySums>(standing_); }
   const TrajectorySums& trajectories() const { return std::get<TrajectorySums>(standing_); }
 
@@ -205,7 +219,10 @@ private:
   std::vector<Observer*> of_contacts_;  ///< of the added ones: those who wish to be told of contacts
   std::vector<Observer*> of_flights_;
   std::vector<Observer*> of_departures_;
+  bool blocks_wished_ = false;
   Notices notices_;
+  const Bins* bins_;  ///< the first of the added, which are told of departures in the order of time
+  std::vector<const Observable*> observables_;  ///< of the added, in the order of the scene
   const Observer* collision_report_ = nullptr;  ///< one of the added
   const FaceCounts* faces_ = nullptr;           ///< one of the added
 };

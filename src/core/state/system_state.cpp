@@ -77,7 +77,6 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
       epoch_{0.0, epochLength(time_scale_)},
       motion_(scene.base, maxTurn(scene, lattice_diameter_), plan.drive && !planOf(scene).drive),
       search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
-      bins_(scene.species.size()),
       size_class_bins_(size_classes_.size()),
       pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), ids_),
@@ -123,7 +122,8 @@ std::uint32_t SystemState::add(const Disk& disk, const Grain& grain)
   grains_.push_back(grain);
   active_.push_back(1);
   ++active_count_;
-  countIn(disk, [](SpeciesBins& bins) { ++bins.on_base; });
+  if (SpeciesBins* bins = sizeClassBinsOf(disk))
+    ++bins->on_base;
   ids_.added();
   return slot;
 }
@@ -137,13 +137,10 @@ std::size_t SystemState::sizeClassOf(const Disk& disk) const
   return found;
 }
 
-/// In the bins of its species, and of its size class if it has one.
-template <typename Count>
-void SystemState::countIn(const Disk& disk, Count&& count)
+SpeciesBins* SystemState::sizeClassBinsOf(const Disk& disk)
 {
-  count(bins_[disk.species]);
-  if (const std::size_t size_class = sizeClassOf(disk); size_class < size_class_bins_.size())
-    count(size_class_bins_[size_class]);
+  const std::size_t size_class = sizeClassOf(disk);
+  return size_class < size_class_bins_.size() ? &size_class_bins_[size_class] : nullptr;
 }
 
 double SystemState::startAt(double start)
@@ -205,13 +202,11 @@ void SystemState::remove(std::uint32_t slot, double time)
 void SystemState::leave(std::uint32_t slot, Exit exit, double time)
 {
   const Disk& disk = fly(slot, time);
-  if (exit != Exit::REMOVED)
-    countIn(disk,
-            [exit](SpeciesBins& bins)
-            {
-              --bins.on_base;
-              ++(exit == Exit::RIGHT_BIN ? bins.right : bins.left);
-            });
+  if (SpeciesBins* bins = sizeClassBinsOf(disk); bins && exit != Exit::REMOVED)
+  {
+    --bins->on_base;
+    ++(exit == Exit::RIGHT_BIN ? bins->right : bins->left);
+  }
   active_[slot] = 0;
   --active_count_;
   observers_.left({slot, disk.species, exit, time});
@@ -257,16 +252,14 @@ void SystemState::wrapAll(double time)
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, grains_, active_, active_count_, ids_, bins_, size_class_bins_,
-        collapse_watch_);
+  state(epoch_, motion_, disks_, grains_, active_, active_count_, ids_, size_class_bins_, collapse_watch_);
   setTimeResolution();
   const std::size_t count = disks_.size();
-  const bool of_this_scene = bins_.size() == scene_.species.size() &&
-                             size_class_bins_.size() == size_classes_.size() && active_.size() == count &&
-                             grains_.size() == count && collapse_watch_.disks() == count &&
-                             ids_.fits(count) &&
-                             std::all_of(disks_.begin(), disks_.end(),
-                                         [this](const Disk& disk) { return disk.species < bins_.size(); });
+  const bool of_this_scene =
+      size_class_bins_.size() == size_classes_.size() && active_.size() == count && grains_.size() == count &&
+      collapse_watch_.disks() == count && ids_.fits(count) &&
+      std::all_of(disks_.begin(), disks_.end(),
+                  [this](const Disk& disk) { return disk.species < scene_.species.size(); });
   if (!of_this_scene)
     throw StateError("it is of another scene");
   state.require(isLegal(), "the state of the machine or of a disk is impossible");

@@ -78,7 +78,6 @@ public:
   std::size_t activeCount() const { return active_count_; }
   const DiskIds& ids() const { return ids_; }
   std::uint32_t id(std::uint32_t slot) const { return ids_.of(slot); }
-  const std::vector<SpeciesBins>& bins() const { return bins_; }
   const CollapseWatch& collapseWatch() const { return collapse_watch_; }
   CollapseWatch& collapseWatch() { return collapse_watch_; }
   const Observers& observers() const { return observers_; }
@@ -178,8 +177,7 @@ private:
   void wrapAll(double time);
   void moveTo(std::uint32_t slot, const Image& image, double time);
   void leave(std::uint32_t slot, Exit exit, double time);
-  template <typename Count>
-  void countIn(const Disk& disk, Count&& count);
+  SpeciesBins* sizeClassBinsOf(const Disk& disk);  ///< nullptr if its species has no sizes
   Disk& fly(std::uint32_t slot, double time);
 
   SceneDefinition scene_;
@@ -199,7 +197,6 @@ private:
   std::vector<std::uint8_t> active_;
   std::size_t active_count_ = 0;
   DiskIds ids_;
-  std::vector<SpeciesBins> bins_;
   std::vector<SpeciesBins> size_class_bins_;
   PairScene pair_scene_;  ///< of the members above
   CollapseWatch collapse_watch_;

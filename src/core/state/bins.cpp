@@ -1,0 +1,43 @@
+#include "state/bins.h"
+
+#include <cmath>
+
+#include "state/system_state.h"
+
+namespace ratchet_sieve
+{
+
+Bins::Bins(const SystemState& system) : system_(system), bins_(system.scene().species.size()) {}
+
+void Bins::left(const Departure& departure)
+{
+  if (departure.exit == Exit::REMOVED)
+    return;
+  SpeciesBins& bins = bins_[departure.species];
+  --bins.on_base;
+  const double mass = system_.grain(departure.slot).mass;
+  if (departure.exit == Exit::LEFT_BIN)
+  {
+    ++bins.left;
+    bins.left_mass += mass;
+  }
+  else
+  {
+    ++bins.right;
+    bins.right_mass += mass;
+  }
+}
+
+void Bins::archive(StateArchive& state)
+{
+  const std::size_t species = bins_.size();
+  state(bins_);
+  if (bins_.size() != species)
+    throw StateError("it is of another scene");
+  for (const SpeciesBins& bins : bins_)
+    state.require(bins.left_mass >= 0.0 && std::isfinite(bins.left_mass) && bins.right_mass >= 0.0 &&
+                      std::isfinite(bins.right_mass),
+                  "the mass in a bin is impossible");
+}
+
+}  // namespace ratchet_sieve

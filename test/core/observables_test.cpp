@@ -1,0 +1,287 @@
+// What a scene asks to be observed, against a slow reader of its disks.
+#include "ratchet_sieve/core/observable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+#include "state/residence_times.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+SceneDefinition observedScene(bool pairs)
+{
+  SceneDefinition scene = test::openMixture(20);
+  scene.base.teeth = 3;
+  scene.base.inclination = 0.02;
+  scene.feed.rate = 60.0;
+  scene.settle = 0.7;
+  scene.contact.pair_collisions = pairs;
+  scene.observe = observableNames();
+  return scene;
+}
+
+const Observed& named(const std::vector<Observed>& all, const std::string& name)
+{
+  for (const Observed& one : all)
+    if (one.name == name)
+      return one;
+  throw std::out_of_range(name);
+}
+
+std::optional<double> numberOf(const ObservedRow& row, const std::string& name)
+{
+  for (const ObservedNumber& number : row.numbers)
+    if (number.name == name)
+      return number.value;
+  throw std::out_of_range(name);
+}
+
+const std::vector<std::optional<double>>& columnOf(const ObservedRow& row, const std::string& name)
+{
+  for (const ObservedColumn& column : row.table)
+    if (column.name == name)
+      return column.values;
+  throw std::out_of_range(name);
+}
+
+double total(const std::vector<std::optional<double>>& values)
+{
+  double sum = 0.0;
+  for (const std::optional<double>& value : values)
+    sum += value.value();
+  return sum;
+}
+
+/// All numbers and tables, to compare runs bit for bit.
+std::vector<double> allOf(const Simulation& simulation)
+{
+  std::vector<double> all;
+  const auto take = [&all](const std::optional<double>& value) { all.push_back(value.value_or(-1.0)); };
+  for (const Observed& observed : simulation.observed())
+    for (const ObservedRow& row : observed.rows)
+    {
+      for (const ObservedNumber& number : row.numbers)
+        take(number.value);
+      for (const ObservedColumn& column : row.table)
+        for (const std::optional<double>& value : column.values)
+          take(value);
+    }
+  return all;
+}
+
+TEST(TimeHistogram, HasTheMeanAndNearlyTheQuantilesOfItsTimes)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        const auto parts =
+            *rc::gen::nonEmpty(rc::gen::container<std::vector<int>>(rc::gen::inRange(1, 1'000'000)));
+        TimeHistogram histogram;
+        std::vector<double> times;
+        for (const int part : parts)
+          times.push_back(1e-4 * part);
+        double sum = 0.0;
+        for (const double time : times)
+        {
+          histogram.add(time);
+          sum += time;
+        }
+        std::sort(times.begin(), times.end());
+        const auto n = static_cast<double>(times.size());
+        RC_ASSERT(histogram.count() == n);
+        RC_ASSERT(std::abs(*histogram.mean() - sum / n) < 1e-12 * sum);
+        for (const double share : {0.1, 0.5, 0.9, 1.0})
+        {
+          const double exact = times[static_cast<std::size_t>(std::ceil(share * n)) - 1];
+          RC_ASSERT(std::abs(*histogram.quantile(share) / exact - 1.0) < 1.0 / 30.0);
+        }
+        const std::vector<ObservedColumn> table = histogram.table();
+        RC_ASSERT(total(table[2].values) == n);
+        RC_ASSERT(*table[0].values.front() <= times.front());
+        RC_ASSERT(*table[1].values.back() > times.back());
+      }));
+}
+
+TEST(TimeHistogram, TellsNothingOfNoTimeAndClampsExtremes)
+{
+  TimeHistogram histogram;
+  EXPECT_FALSE(histogram.mean());
+  EXPECT_FALSE(histogram.quantile(0.5));
+  EXPECT_TRUE(histogram.table()[0].values.empty());
+  for (const double time : {0.0, 1e-300, 1e300})
+    histogram.add(time);
+  EXPECT_EQ(histogram.count(), 3.0);
+  EXPECT_EQ(total(histogram.table()[2].values), 3.0);
+}
+
+/// The reader looks at the disks a thousand times a second: a disk that is there no more has left.
+TEST(ResidenceTimes, AreThoseOfDisksThatComeAndLeave)
+{
+  for (const bool pairs : {true, false})
+  {
+    const SceneDefinition scene = observedScene(pairs);
+    Simulation simulation(scene);
+    constexpr double STRIDE = 1e-3;
+    struct Stay
+    {
+      double from;
+      std::uint32_t species;
+    };
+    std::map<std::uint32_t, Stay> stays;
+    std::vector<double> sums(2), counts(2);
+    for (int k = 0; k <= 6000; ++k)
+    {
+      simulation.advanceTo(k * STRIDE);
+      std::map<std::uint32_t, Stay> still;
+      for (const DiskState& disk : simulation.disks())
+        still[disk.id] = stays.count(disk.id) > 0 ? stays[disk.id] : Stay{k * STRIDE, disk.species};
+      for (const auto& [id, stay] : stays)
+        if (still.count(id) == 0 && k * STRIDE > scene.settle)
+        {
+          sums[stay.species] += k * STRIDE - stay.from;
+          counts[stay.species] += 1.0;
+        }
+      stays = still;
+    }
+    const Observed observed = named(simulation.observed(), "residence_times");
+    ASSERT_EQ(observed.rows.size(), 4u);
+    for (std::size_t s = 0; s < 2; ++s)
+    {
+      double sum = 0.0, count = 0.0;
+      for (const ObservedRow& row : observed.rows)
+        if (row.species == scene.species[s].name)
+        {
+          count += *numberOf(row, "count");
+          sum += *numberOf(row, "count") * numberOf(row, "mean").value_or(0.0);
+          EXPECT_EQ(total(columnOf(row, "count")), *numberOf(row, "count"));
+        }
+      EXPECT_GT(count, 30.0);
+      EXPECT_EQ(count, counts[s]);
+      EXPECT_NEAR(sum / count, sums[s] / counts[s], 2.0 * STRIDE);
+    }
+  }
+}
+
+TEST(MassFlow, IsTheMassInTheBinsSinceSettleOverTime)
+{
+  for (const bool pairs : {true, false})
+  {
+    const SceneDefinition scene = observedScene(pairs);
+    Simulation simulation(scene);
+    simulation.advanceTo(scene.settle);
+    const std::vector<SpeciesBins> before = simulation.bins();
+    const double end = simulation.blockEnd(60);
+    simulation.advanceTo(end);
+    const std::vector<SpeciesBins> after = simulation.bins();
+    const Observed observed = named(simulation.observed(), "mass_flow");
+    for (std::size_t k = 0; k < observed.rows.size(); ++k)
+    {
+      const ObservedRow& row = observed.rows[k];
+      const std::size_t s = k % 2;
+      EXPECT_EQ(row.place, k < 2 ? "left" : "right");
+      EXPECT_EQ(row.species, scene.species[s].name);
+      const auto mass = k < 2 ? &SpeciesBins::left_mass : &SpeciesBins::right_mass;
+      const double fallen = after[s].*mass - before[s].*mass;
+      EXPECT_NEAR(*numberOf(row, "mass"), fallen, 1e-12);
+      EXPECT_NEAR(*numberOf(row, "mean"), fallen / (end - scene.settle), 1e-12);
+      EXPECT_TRUE(numberOf(row, "stderr"));
+      // The blocks cover all of the time.
+      const auto& flow = columnOf(row, "flow");
+      ASSERT_EQ(flow.size(), 60u);
+      EXPECT_NEAR(columnOf(row, "time").back().value(), end, 1e-9);
+      EXPECT_NEAR(total(flow) / 60.0, fallen / (end - scene.settle), 1e-12);
+    }
+  }
+}
+
+TEST(Observables, MassInTheBinsIsThatOfTheirDisks)
+{
+  const SceneDefinition scene = observedScene(true);
+  Simulation simulation(scene);
+  simulation.advanceTo(3.0);
+  for (std::size_t s = 0; s < 2; ++s)
+  {
+    const SpeciesBins bins = simulation.bins()[s];
+    EXPECT_GT(bins.counted(), 10u);
+    EXPECT_NEAR(bins.left_mass, scene.species[s].mass * static_cast<double>(bins.left), 1e-12);
+    EXPECT_NEAR(bins.right_mass, scene.species[s].mass * static_cast<double>(bins.right), 1e-12);
+  }
+}
+
+TEST(Observables, AreTheSameBitsForAnyStrideThreadsAndWhereTheRunWasTakenUp)
+{
+  for (const bool pairs : {true, false})
+  {
+    const SceneDefinition scene = observedScene(pairs);
+    Simulation once(scene);
+    once.advanceTo(3.0);
+    Simulation strides(scene);
+    strides.setThreads(3);
+    for (int k = 1; k <= 97; ++k)
+      strides.advanceTo(3.0 * k / 97.0);
+    EXPECT_EQ(allOf(strides), allOf(once));
+    Simulation first(scene);
+    first.advanceTo(1.234);
+    Simulation resumed(scene, first.saveState());
+    resumed.advanceTo(3.0);
+    EXPECT_EQ(allOf(resumed), allOf(once));
+    EXPECT_EQ(resumed.saveState(), once.saveState());
+  }
+}
+
+TEST(Observables, ChangeNothingOfTheRunAndAreNothingUnlessAskedFor)
+{
+  for (const bool pairs : {true, false})
+  {
+    SceneDefinition scene = observedScene(pairs);
+    Simulation asked(scene);
+    scene.observe.clear();
+    Simulation unasked(scene);
+    asked.advanceTo(3.0);
+    unasked.advanceTo(3.0);
+    EXPECT_TRUE(unasked.observed().empty());
+    EXPECT_EQ(asked.observed().size(), observableNames().size());
+    EXPECT_EQ(asked.events(), unasked.events());
+    EXPECT_EQ(asked.energy(), unasked.energy());
+    EXPECT_EQ(asked.bins()[0].left, unasked.bins()[0].left);
+  }
+}
+
+TEST(Observables, AreUndefinedWhereNothingLeft)
+{
+  SceneDefinition scene = test::mixture(10);
+  scene.base.teeth = 3;
+  scene.observe = observableNames();
+  Simulation simulation(scene);
+  simulation.advanceTo(0.5);
+  const std::vector<Observed> observed = simulation.observed();
+  for (const ObservedRow& row : named(observed, "residence_times").rows)
+  {
+    EXPECT_EQ(*numberOf(row, "count"), 0.0);
+    EXPECT_FALSE(numberOf(row, "mean"));
+    EXPECT_FALSE(numberOf(row, "median"));
+  }
+  for (const ObservedRow& row : named(observed, "mass_flow").rows)
+    EXPECT_EQ(*numberOf(row, "mean"), 0.0);
+}
+
+TEST(Observables, RefuseAnUnknownName)
+{
+  SceneDefinition scene = test::mixture(1);
+  scene.observe = {"colour"};
+  EXPECT_THROW(Simulation{scene}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
