@@ -305,7 +305,7 @@ TEST(SceneText, OfAliasesThatMultiplyIsRefusedAtOnce)
   }
   EXPECT_EQ(refusalOf(bomb + "species: *k\n"),
             "s.yaml:1: a: unknown key; must be one of accuracy, base, boundary, contact, density, duration, "
-            "feed, gravity, initial, pairs, pour, seed, settle, species");
+            "feed, gravity, initial, observe, pairs, pour, seed, settle, species");
 }
 
 TEST(SceneText, ThatIsHugeIsRefused)
