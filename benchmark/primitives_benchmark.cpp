@@ -27,9 +27,9 @@ BENCHMARK(sineAndCosine);
 void firstContactWithTheBase(benchmark::State& state)
 {
   const BaseDefinition base;
-  const Sawtooth sawtooth(base, Boundary::PERIODIC);
+  const BaseShape shape(base, Boundary::PERIODIC);
   const BaseMotion motion(base, 1.0);
-  const ContactSearch search(sawtooth, motion, 9.81, 1e-15);
+  const ContactSearch search(shape, motion, 9.81, 1e-15);
   Disk disk;
   disk.position = {0.1 + 1e-4 * static_cast<double>(state.range(0)), 0.012};
   disk.velocity = {0.05, 0.1};

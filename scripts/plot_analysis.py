@@ -214,7 +214,7 @@ def plot_drift(axes, drift):
 
 
 CONTACTS = {'disk_disk': 'disk-disk', 'left_slope': 'left slope', 'right_slope': 'right slope', 'apex': 'apex',
-            'wall': 'wall'}
+            'wall': 'wall', 'level': 'level face'}
 
 
 def scale_by_decades(axes):

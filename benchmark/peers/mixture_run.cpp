@@ -25,7 +25,7 @@ constexpr double ROUNDING = 1e-6;
 }  // namespace
 
 Watch::Watch(const SceneDefinition& scene, std::vector<std::uint32_t> species)
-    : kinds_(scene.species), species_(std::move(species)), sawtooth_(scene.base, scene.boundary)
+    : kinds_(scene.species), species_(std::move(species)), shape_(scene.base, scene.boundary)
 {
 }
 
@@ -68,9 +68,9 @@ void Watch::audit(double base_y, const std::vector<Point>& place)
   std::size_t behind = 0;
   for (std::size_t i = 0; i < place.size(); ++i)
   {
-    const double height = sawtooth_.heightAbove(place[i].x, place[i].y - base_y);
+    const double height = shape_.heightAbove(place[i].x, place[i].y - base_y);
     behind += height < 0.0;
-    if (place[i].x > SEAM && place[i].x < sawtooth_.width() - SEAM)
+    if (place[i].x > SEAM && place[i].x < shape_.width() - SEAM)
     {
       by_x.push_back(i);
       if (height > 0.0)

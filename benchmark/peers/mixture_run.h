@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mixture_scene.h"
-#include "model/sawtooth.h"
+#include "model/base_shape.h"
 
 namespace ratchet_sieve::peers
 {
@@ -75,7 +75,7 @@ private:
 
   std::vector<SpeciesDefinition> kinds_;
   std::vector<std::uint32_t> species_;
-  Sawtooth sawtooth_;
+  BaseShape shape_;
   double block_start_ = 0.0;
   std::vector<double> x_at_block_start_;
   std::vector<std::vector<double>> blocks_;

@@ -166,9 +166,9 @@ std::string contactText(const RunResult& result)
     return "contacts: undefined\n";
   const CollisionCounts& counts = result.lastStatistics()->collisions;
   return fmt::format(
-      "contacts: {} disk-disk, {} left slope, {} right slope, {} apex, {} wall\n"
+      "contacts: {} disk-disk, {} left slope, {} right slope, {} apex, {} wall, {} level\n"
       "short to long slope: {}\n",
-      counts.disk_disk, counts.left_slope, counts.right_slope, counts.apex, counts.wall,
+      counts.disk_disk, counts.left_slope, counts.right_slope, counts.apex, counts.wall, counts.level,
       ratioText(result.shortToLong()));
 }
 
@@ -225,6 +225,8 @@ Json reportJson(const RunResult& result)
   if (const StatisticsFrame* statistics = result.lastStatistics())
   {
     json["collisions"] = collisionCounts(statistics->collisions);
+    if (!result.scene.base.isSawtooth())
+      json["contacts_by_face"] = contactsByFace(statistics->faces);
     json["max_overlap"] = statistics->max_overlap;
   }
   json["short_to_long"] = numberOrNull(result.shortToLong());

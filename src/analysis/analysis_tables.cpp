@@ -91,18 +91,19 @@ std::string statisticsTable(const RunResult& result)
 std::string contactTable(const RunResult& result)
 {
   std::string text =
-      "time [s],disk_disk,left_slope,right_slope,apex,wall,short_to_long,window_start [s],window_end [s],"
+      "time [s],disk_disk,left_slope,right_slope,apex,wall,level,short_to_long,window_start [s],window_end "
+      "[s],"
       "disk_disk_rate [1/s],left_slope_rate [1/s],right_slope_rate [1/s],apex_rate [1/s],wall_rate [1/s],"
-      "collision_rate [1/s]\n";
+      "level_rate [1/s],collision_rate [1/s]\n";
   for (const StatisticsFrame& frame : result.statistics)
   {
     const CollisionCounts& counts = frame.collisions;
     const CollisionRates& rates = frame.collision_rates;
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", frame.time, counts.disk_disk,
-                        counts.left_slope, counts.right_slope, counts.apex, counts.wall,
-                        field(counts.shortToLong(result.scene.base.asymmetry)), frame.window_start,
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", frame.time, counts.disk_disk,
+                        counts.left_slope, counts.right_slope, counts.apex, counts.wall, counts.level,
+                        field(counts.shortToLong(result.scene.base.slopeAsymmetry())), frame.window_start,
                         frame.window_end, rates.disk_disk_rate, rates.left_slope_rate, rates.right_slope_rate,
-                        rates.apex_rate, rates.wall_rate, rates.total());
+                        rates.apex_rate, rates.wall_rate, rates.level_rate, rates.total());
   }
   return text;
 }

@@ -8,21 +8,16 @@
 namespace ratchet_sieve
 {
 
-class Simulation::Implementation : public Engine
-{
-  using Engine::Engine;
-};
-
 Simulation::Simulation(const SceneDefinition& scene, double start_time, const PourObserver& pour_observer)
-    : implementation_(std::make_unique<Implementation>(scene, planOf(scene), start_time, pour_observer))
+    : engine_(std::make_unique<Engine>(scene, planOf(scene), start_time, pour_observer))
 {
 }
 Simulation::Simulation(const SceneDefinition& scene, const Plan& plan)
-    : implementation_(std::make_unique<Implementation>(scene, plan, 0.0, PourObserver()))
+    : engine_(std::make_unique<Engine>(scene, plan, 0.0, PourObserver()))
 {
 }
 Simulation::Simulation(const SceneDefinition& scene, std::string_view saved_state)
-    : implementation_(std::make_unique<Implementation>(scene, saved_state))
+    : engine_(std::make_unique<Engine>(scene, saved_state))
 {
 }
 Simulation::~Simulation() = default;
@@ -31,57 +26,57 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 const SceneDefinition& Simulation::scene() const
 {
-  return implementation_->machine().scene();
+  return engine_->state().scene();
 }
 
 const Plan& Simulation::plan() const
 {
-  return implementation_->machine().plan();
+  return engine_->state().plan();
 }
 
 double Simulation::startTime() const
 {
-  return implementation_->startTime();
+  return engine_->startTime();
 }
 
 double Simulation::time() const
 {
-  return implementation_->time();
+  return engine_->time();
 }
 
 double Simulation::timeScale() const
 {
-  return implementation_->machine().timeScale();
+  return engine_->state().timeScale();
 }
 
 void Simulation::advanceTo(double time)
 {
-  implementation_->advanceTo(time);
+  engine_->advanceTo(time);
 }
 
 void Simulation::command(Quantity quantity, double setpoint)
 {
-  implementation_->changeMotion([=](BaseMotion& m, double now) { m.command(quantity, setpoint, now); });
+  engine_->changeMotion([=](BaseMotion& m, double now) { m.command(quantity, setpoint, now); });
 }
 
 void Simulation::setSlewRates(const SlewRates& rates)
 {
-  implementation_->changeMotion([=](BaseMotion& m, double now) { m.setSlewRates(rates, now); });
+  engine_->changeMotion([=](BaseMotion& m, double now) { m.setSlewRates(rates, now); });
 }
 
 void Simulation::pour(std::size_t species, std::size_t count)
 {
-  implementation_->pour(species, count);
+  engine_->pour(species, count);
 }
 
 DriveState Simulation::base() const
 {
-  return implementation_->machine().motion().state(implementation_->now());
+  return engine_->state().motion().state(engine_->now());
 }
 
 std::size_t Simulation::activeDisks() const
 {
-  return implementation_->machine().activeCount();
+  return engine_->state().activeCount();
 }
 
 std::vector<DiskState> Simulation::disks() const
@@ -95,84 +90,89 @@ void Simulation::disks(std::vector<DiskState>& states) const
 {
   states.clear();
   states.reserve(activeDisks());
-  forEachDiskState(implementation_->machine(), implementation_->now(),
+  forEachDiskState(engine_->state(), engine_->now(),
                    [&](const DiskState& state) { states.push_back(state); });
 }
 
 void Simulation::setThreads(std::size_t threads)
 {
-  implementation_->setThreads(threads);
+  engine_->setThreads(threads);
 }
 
 std::vector<SpeciesBins> Simulation::bins() const
 {
-  return implementation_->machine().bins();
+  return engine_->state().bins();
 }
 
 const CollisionCounts& Simulation::collisions() const
 {
-  return implementation_->record().counts().collisions;
+  return engine_->state().observers().counts().collisions;
+}
+
+FaceContacts Simulation::faceContacts() const
+{
+  return engine_->state().observers().faceContacts();
 }
 
 std::uint64_t Simulation::events() const
 {
-  return implementation_->events();
+  return engine_->events();
 }
 
 std::vector<SpeciesMeans> Simulation::means() const
 {
-  if (!implementation_->settled())
+  if (!engine_->settled())
     return std::vector<SpeciesMeans>(scene().species.size());
-  return implementation_->record().means(implementation_->now());
+  return engine_->state().observers().averages().means(engine_->now());
 }
 
 const std::vector<SizeClass>& Simulation::sizeClasses() const
 {
-  return implementation_->machine().sizeClasses();
+  return engine_->state().sizeClasses();
 }
 
 const std::vector<SpeciesBins>& Simulation::sizeClassBins() const
 {
-  return implementation_->machine().sizeClassBins();
+  return engine_->state().sizeClassBins();
 }
 
 std::vector<SpeciesMeans> Simulation::sizeClassMeans() const
 {
-  if (!implementation_->settled())
+  if (!engine_->settled())
     return std::vector<SpeciesMeans>(sizeClasses().size());
-  return implementation_->record().sizeClassMeans(implementation_->now());
+  return engine_->state().observers().averages().sizeClassMeans(engine_->now());
 }
 
 double Simulation::blockEnd(std::uint64_t blocks) const
 {
-  return implementation_->blockEnd(blocks);
+  return engine_->blockEnd(blocks);
 }
 
 MeanSeries Simulation::meanSeries() const
 {
-  return implementation_->meanSeries();
+  return engine_->meanSeries();
 }
 
 bool Simulation::swings() const
 {
-  return implementation_->machine().motion().swings();
+  return engine_->state().motion().swings();
 }
 
 std::vector<std::optional<double>> Simulation::granularTemperatures() const
 {
-  return ratchet_sieve::granularTemperatures(implementation_->machine(), implementation_->now());
+  return ratchet_sieve::granularTemperatures(engine_->state(), engine_->now());
 }
 
 Eigen::Vector2d Simulation::baseImpulse() const
 {
-  return implementation_->settled() ? implementation_->record().impulses().total()
-                                    : Eigen::Vector2d(Eigen::Vector2d::Zero());
+  return engine_->settled() ? engine_->state().observers().impulses().total()
+                            : Eigen::Vector2d(Eigen::Vector2d::Zero());
 }
 
 double Simulation::energy() const
 {
   double energy = 0.0;
-  forEachDiskState(implementation_->machine(), implementation_->now(),
+  forEachDiskState(engine_->state(), engine_->now(),
                    [&](const DiskState& disk)
                    {
                      const SpeciesDefinition& species = scene().species[disk.species];
@@ -186,60 +186,60 @@ double Simulation::energy() const
 
 bool Simulation::stalled() const
 {
-  return implementation_->collapseWatch().stops();
+  return engine_->state().collapseWatch().stops();
 }
 
 const CollapseCounts& Simulation::collapses() const
 {
-  return implementation_->collapseWatch().counts();
+  return engine_->state().collapseWatch().counts();
 }
 
 std::string Simulation::collapseText() const
 {
-  const CollapseWatch& watch = implementation_->collapseWatch();
+  const CollapseWatch& watch = engine_->state().collapseWatch();
   return watch.counts().count > 0 ? watch.text() : std::string();
 }
 
 double Simulation::largestEnergy() const
 {
-  return implementation_->energyWatch().largest();
+  return engine_->state().observers().energyWatch().largest();
 }
 
 std::string Simulation::energyText() const
 {
-  return implementation_->energyWatch().text();
+  return engine_->state().observers().energyWatch().text();
 }
 
 std::uint64_t Simulation::pushedOut() const
 {
-  return implementation_->record().counts().pushed_out;
+  return engine_->state().observers().counts().pushed_out;
 }
 
 double Simulation::maxOverlap() const
 {
-  return implementation_->record().counts().max_overlap;
+  return engine_->state().observers().counts().max_overlap;
 }
 
 std::size_t Simulation::auditOverlaps()
 {
-  return implementation_->auditOverlaps();
+  return engine_->auditOverlaps();
 }
 
 std::string Simulation::saveState() const
 {
   StateArchive state;
-  implementation_->archive(state);
+  engine_->archive(state);
   return state.takeBytes();
 }
 
 void Simulation::observeCollisions(CollisionObserver observer)
 {
-  implementation_->observeCollisions(std::move(observer));
+  engine_->state().observers().observeCollisions(std::move(observer));
 }
 
 void Simulation::observePeriods(PeriodObserver observer)
 {
-  implementation_->observePeriods(std::move(observer));
+  engine_->observePeriods(std::move(observer));
 }
 
 }  // namespace ratchet_sieve

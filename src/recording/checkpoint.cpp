@@ -25,7 +25,7 @@ namespace
 using Json = nlohmann::ordered_json;
 
 /// Incremented with every change of the file format; the state's format depends on the physics version.
-constexpr std::string_view FIRST_LINE = "ratchet_sieve checkpoint 7\n";
+constexpr std::string_view FIRST_LINE = "ratchet_sieve checkpoint 8\n";
 constexpr std::string_view ANY_FIRST_LINE = "ratchet_sieve checkpoint ";
 
 constexpr std::size_t CHECKSUM_DIGITS = 16;

@@ -65,6 +65,7 @@ StatisticsFrame makeStatisticsFrame(const Simulation& simulation, const Statisti
                              i < temperatures.size() ? temperatures[i] : std::nullopt});
   frame.collision_rates = window.collisionRates();
   frame.collisions = simulation.collisions();
+  frame.faces = simulation.faceContacts();
   frame.events = simulation.events();
   frame.max_overlap = simulation.maxOverlap();
   return frame;

@@ -121,6 +121,14 @@ Json collisionCounts(const CollisionCounts& counts)
   return json;
 }
 
+Json contactsByFace(const FaceContacts& contacts)
+{
+  Json json;
+  json["faces"] = contacts.face_contacts;
+  json["corners"] = contacts.corner_contacts;
+  return json;
+}
+
 Json numberOrNull(const std::optional<double>& value)
 {
   return value ? Json(*value) : Json(nullptr);
@@ -145,7 +153,9 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
   json["wall_time"] = outcome.wall_time;
   json["events"] = simulation.events();
   json["collisions"] = collisionCounts(simulation.collisions());
-  json["short_to_long"] = numberOrNull(simulation.collisions().shortToLong(scene.base.asymmetry));
+  json["short_to_long"] = numberOrNull(simulation.collisions().shortToLong(scene.base.slopeAsymmetry()));
+  if (!scene.base.isSawtooth())
+    json["contacts_by_face"] = contactsByFace(simulation.faceContacts());
   json["species"] = speciesResults(simulation);
   json["quality"] = numberOrNull(bestQuality(simulation.bins()));
   if (scene.species.size() > 2)

@@ -74,7 +74,7 @@ private:
 };
 
 /// Copies a message into a frame, field by field. All arrays of a message have one entry per disk or per
-/// species.
+/// species, but for lists of numbers: commanded values, contacts with each face.
 class Reader
 {
 public:
@@ -99,7 +99,8 @@ private:
   template <typename Row, typename RowMessage>
   void get(const FieldInfo& field, std::vector<Row>& to, const std::vector<RowMessage>& from)
   {
-    requireLength(field, from.size());
+    if constexpr (!std::is_arithmetic_v<Row>)
+      requireLength(field, from.size());
     if constexpr (!IS_DESCRIBED<Row>)
       to = from;
     else

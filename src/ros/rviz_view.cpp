@@ -58,7 +58,7 @@ Frame wholeMachine(const SceneDefinition& scene)
 /// @param along_base middle of the teeth, from the base's left end [m]
 Frame teethAround(double along_base, const SceneDefinition& scene)
 {
-  const double width = TEETH_WIDTH * std::min(TEETH_SHOWN, scene.base.teeth) * scene.base.tooth_width;
+  const double width = TEETH_WIDTH * std::min(TEETH_SHOWN, scene.base.teeth) * scene.base.toothWidth();
   const double inclination = scene.base.inclination;
   return {along_base * std::cos(inclination),
           along_base * std::sin(inclination) + (0.5 - TEETH_MIDDLE) * width / ASPECT, width};
@@ -71,7 +71,7 @@ Frame middleTeeth(const SceneDefinition& scene)
 
 Frame leftTeeth(const SceneDefinition& scene)
 {
-  return teethAround(0.5 * std::min(TEETH_SHOWN, scene.base.teeth) * scene.base.tooth_width, scene);
+  return teethAround(0.5 * std::min(TEETH_SHOWN, scene.base.teeth) * scene.base.toothWidth(), scene);
 }
 
 /// @param view an orbit view, looking along y

@@ -42,25 +42,31 @@ geometry_msgs::Point dotPoint(const DiskState& disk, double radius)
   return point;
 }
 
-void addTooth(const BaseDefinition& base, int tooth, Marker& triangles, Marker& outline)
+/// One tooth, filled down to the lowest corner of the base.
+void addTooth(const std::vector<OutlineCorner>& corners, double start, double bottom, Marker& triangles,
+              Marker& outline)
 {
-  const double start = tooth * base.tooth_width;
-  const auto left = planePoint(start, 0.0);
-  const auto apex = planePoint(start + base.asymmetry * base.tooth_width, base.tooth_height);
-  const auto right = planePoint(start + base.tooth_width, 0.0);
-  for (const auto& point : {left, right, apex})
-    triangles.points.push_back(point);
-  for (const auto& point : {left, apex, apex, right})
-    outline.points.push_back(point);
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+  {
+    const auto left = planePoint(start + corners[i].s, corners[i].n);
+    const auto right = planePoint(start + corners[i + 1].s, corners[i + 1].n);
+    const auto under_left = planePoint(left.x, bottom);
+    const auto under_right = planePoint(right.x, bottom);
+    outline.points.insert(outline.points.end(), {left, right});
+    if (left.z > bottom)
+      triangles.points.insert(triangles.points.end(), {under_left, right, left});
+    if (right.z > bottom)
+      triangles.points.insert(triangles.points.end(), {under_left, under_right, right});
+  }
 }
 
 void addWalls(const SceneDefinition& scene, Marker& triangles)
 {
   const double width = scene.base.width();
   const double height = std::min(wallHeight(scene), WALL_SHOWN * width);
+  const double below = scene.base.depth() + BEAM_HEIGHT * width;
   for (const double start : {-WALL_THICKNESS * width, width})
-    addRectangle(triangles, start, -BEAM_HEIGHT * width, WALL_THICKNESS * width,
-                 BEAM_HEIGHT * width + height);
+    addRectangle(triangles, start, -below, WALL_THICKNESS * width, below + height);
 }
 
 /// One of the two bins, by its lower left corner in the world frame.
@@ -105,10 +111,12 @@ MarkerArray baseMarkers(const SceneDefinition& scene, const BaseFrame& base)
   const double width = scene.base.width();
   Marker body = marker(base.time, "base", 0, Marker::TRIANGLE_LIST, grey(0.55f));
   Marker outline = marker(base.time, "base", 1, Marker::LINE_LIST, grey(0.2f));
-  outline.scale.x = std::min(LINE_WIDTH * width, OUTLINE_WIDTH * scene.base.tooth_width);
+  outline.scale.x = std::min(LINE_WIDTH * width, OUTLINE_WIDTH * scene.base.toothWidth());
+  const std::vector<OutlineCorner> corners = scene.base.outline();
+  const double bottom = -scene.base.depth();
   for (int tooth = 0; tooth < scene.base.teeth; ++tooth)
-    addTooth(scene.base, tooth, body, outline);
-  addRectangle(body, 0.0, -BEAM_HEIGHT * width, width, BEAM_HEIGHT * width);
+    addTooth(corners, tooth * scene.base.toothWidth(), bottom, body, outline);
+  addRectangle(body, 0.0, bottom - BEAM_HEIGHT * width, width, BEAM_HEIGHT * width);
   if (scene.boundary == Boundary::WALLED)
     addWalls(scene, body);
   MarkerArray markers;
@@ -157,7 +165,7 @@ MarkerArray binMarkers(const SceneDefinition& scene, const BinFrame& frame, cons
     return markers;
   const double width = scene.base.width();
   const double inclination = base.base.inclination;
-  const double drop = (BIN_HEIGHT + 2.0 * BEAM_HEIGHT) * width;
+  const double drop = scene.base.depth() + (BIN_HEIGHT + 2.0 * BEAM_HEIGHT) * width;
   const BinPlace left{"left_bin", -(BIN_WIDTH + BIN_GAP) * width, -drop};
   const BinPlace right{"right_bin", width * (std::cos(inclination) + BIN_GAP),
                        width * std::sin(inclination) - drop};

@@ -64,7 +64,12 @@ void writeBase(std::ostream& out, const BaseDefinition& base)
 {
   FlowWriter flow(out);
   out << "base: {";
-  writeValues(baseKeys(), base, std::ref(flow));
+  writeValues(baseKeys(), base,
+              [&](const char* name, const std::string& text)
+              {
+                if (base.profile.empty() || sawtoothKeys().count(name) == 0)
+                  flow(name, text);
+              });
   if (!base.harmonics.empty())
     flow("harmonics", flowList(harmonicKeys(), base.harmonics));
   out << "}\n";

@@ -39,6 +39,18 @@ inline std::string quantity(double value, const char* unit)
   return number(value) + " " + unit;
 }
 
+/// The name of the width or the height of a tooth in a line: the key, or whose it is.
+inline std::string toothKey(const BaseDefinition& base, const char* measure)
+{
+  return base.profile.empty() ? std::string("base.tooth_") + measure : std::string("base.profile's ") + measure;
+}
+
+/// From the lowest to the highest point of the teeth [m].
+inline double relief(const BaseDefinition& base)
+{
+  return base.depth() + base.highest();
+}
+
 /// Collects the lines.
 class Doubts
 {

@@ -59,7 +59,7 @@ std::optional<double> meantAmplitude(const SceneDefinition& scene, const NamedAm
   BaseDefinition smaller = scene.base;
   smaller.*named.value *= 1e-3;
   const DriveBounds drive = driveBounds(smaller);
-  const bool plausible = drive.displacement <= smaller.tooth_width && isTame(drive, scene.gravity) &&
+  const bool plausible = drive.displacement <= smaller.toothWidth() && isTame(drive, scene.gravity) &&
                          shakes(drive, scene.gravity);
   return plausible ? std::optional(smaller.*named.value) : std::nullopt;
 }
@@ -91,9 +91,9 @@ void doubtDrive(const SceneDefinition& scene, Doubts& doubts)
   const double amplitude = base.*named.value;
   const std::string with = std::string("with ") + named.key + " = " + quantity(amplitude, "m") + " ";
   const bool wild = !isTame(now, scene.gravity) && !isWeightless(scene);
-  if (now.displacement > (wild ? 1.0 : WIDEST_STROKE) * base.tooth_width)
+  if (now.displacement > (wild ? 1.0 : WIDEST_STROKE) * base.toothWidth())
     doubts.add(named.key, amplitude, "m",
-               number(amplitude / base.tooth_width) + " times base.tooth_width, and at base.frequency = " +
+               number(amplitude / base.toothWidth()) + " times " + toothKey(base, "width") + ", and at base.frequency = " +
                    quantity(base.frequency, "Hz") + " " + figure,
                meantAmplitude(scene, named));
   else if (wild)

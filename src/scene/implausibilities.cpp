@@ -47,7 +47,7 @@ void doubtNumbers(const SceneDefinition& scene, Doubts& doubts)
 /// The width available to a disk, between two teeth or on a flat base [m].
 double valley(const BaseDefinition& base)
 {
-  return base.tooth_height > 0.0 ? base.tooth_width : base.width();
+  return relief(base) > 0.0 ? base.toothWidth() : base.width();
 }
 
 void doubtRadii(const SceneDefinition& scene, Doubts& doubts)
@@ -61,12 +61,12 @@ void doubtRadii(const SceneDefinition& scene, Doubts& doubts)
       continue;
     const std::string figure =
         "a disk's diameter, " + quantity(2.0 * radius, "m") +
-        (2.0 * radius > base.width()
-             ? ", is larger than the base's width, " + quantity(base.width(), "m")
-             : ", is larger than a tooth, base.tooth_width = " + quantity(base.tooth_width, "m"));
-    doubts.add(speciesKey(i, "radius"), scene.species[i].radius, "m", figure,
-               meant(scene.species[i].radius, 1e-3,
-                     [&](double r) { return 2.0 * r <= room && 200.0 * r >= base.tooth_width; }));
+        (2.0 * radius > base.width() ? ", is larger than the base's width, " + quantity(base.width(), "m")
+                                     : ", is larger than a tooth, " + toothKey(base, "width") + " = " +
+                                           quantity(base.toothWidth(), "m"));
+    doubts.add(
+        speciesKey(i, "radius"), radius, "m", figure,
+        meant(radius, 1e-3, [&](double r) { return 2.0 * r <= room && 200.0 * r >= base.toothWidth(); }));
   }
 }
 
@@ -106,18 +106,18 @@ void doubtTeeth(const SceneDefinition& scene, Doubts& doubts)
   const BaseDefinition& base = scene.base;
   const double diameter = largestDiameter(scene);
   const auto wide = [&](double width) { return diameter < FINEST_DISK * width; };
-  const auto tall = [&](double height) { return height > TALLEST_TOOTH * base.tooth_width; };
-  if (wide(base.tooth_width))
+  const double width = base.toothWidth();
+  const double height = relief(base);
+  const auto tall = [&](double h) { return h > TALLEST_TOOTH * width; };
+  if (wide(width))
     doubts.add(
-        "base.tooth_width", base.tooth_width, "m",
-        number(base.tooth_width / diameter) + " times the diameter of the largest disks, " +
-            quantity(diameter, "m"),
-        meant(base.tooth_width, 1e-3, [&](double width) { return !wide(width) && diameter <= width; }));
-  if (tall(base.tooth_height))
-    doubts.add("base.tooth_height", base.tooth_height, "m",
-               number(base.tooth_height / base.tooth_width) +
-                   " times base.tooth_width = " + quantity(base.tooth_width, "m"),
-               meant(base.tooth_height, 1e-3, [&](double height) { return !tall(height); }));
+        toothKey(base, "width"), width, "m",
+        number(width / diameter) + " times the diameter of the largest disks, " + quantity(diameter, "m"),
+        meant(width, 1e-3, [&](double w) { return !wide(w) && diameter <= w; }));
+  if (tall(height))
+    doubts.add(toothKey(base, "height"), height, "m",
+               number(height / width) + " times " + toothKey(base, "width") + " = " + quantity(width, "m"),
+               meant(height, 1e-3, [&](double h) { return !tall(h); }));
 }
 
 void doubtLayer(const SceneDefinition& scene, Doubts& doubts)
@@ -145,7 +145,7 @@ void doubtLayer(const SceneDefinition& scene, Doubts& doubts)
 
 bool isHigh(const SceneDefinition& scene, double height)
 {
-  return height > HIGH_DROP && height > TEETH_IN_DROP * scene.base.tooth_width;
+  return height > HIGH_DROP && height > TEETH_IN_DROP * scene.base.toothWidth();
 }
 
 /// After a fall from rest [m/s].
@@ -161,14 +161,14 @@ void doubtPour(const SceneDefinition& scene, Doubts& doubts)
   const double height = scene.pour.drop_height;
   if (isHigh(scene, height))
     doubts.add("pour.drop_height", height, "m",
-               number(height / scene.base.tooth_width) + " times base.tooth_width; disks land at " +
-                   quantity(fallSpeed(scene, height), "m/s"),
+               number(height / scene.base.toothWidth()) + " times " + toothKey(scene.base, "width") +
+                   "; disks land at " + quantity(fallSpeed(scene, height), "m/s"),
                meant(height, 1e-3, [&](double h) { return !isHigh(scene, h); }));
   if (scene.pour.speed > FASTEST)
-    doubts.add(
-        "pour.speed", scene.pour.speed, "m/s",
-        number(1e-3 * scene.pour.speed / scene.base.tooth_width) + " times base.tooth_width per millisecond",
-        meant(scene.pour.speed, 1e-3, [](double speed) { return speed <= FASTEST; }));
+    doubts.add("pour.speed", scene.pour.speed, "m/s",
+               number(1e-3 * scene.pour.speed / scene.base.toothWidth()) + " times " +
+                   toothKey(scene.base, "width") + " per millisecond",
+               meant(scene.pour.speed, 1e-3, [](double speed) { return speed <= FASTEST; }));
 }
 
 double speedOf(const InitialDisk& disk)
@@ -189,8 +189,8 @@ void doubtInitial(const SceneDefinition& scene, Doubts& doubts)
     const std::size_t before = doubts.size();
     if (isHigh(scene, height))
       doubts.add(key + ".y", disk.y, "m",
-                 quantity(height, "m") + " above the base, " + number(height / scene.base.tooth_width) +
-                     " times base.tooth_width",
+                 quantity(height, "m") + " above the base, " + number(height / scene.base.toothWidth()) +
+                     " times " + toothKey(scene.base, "width"),
                  meant(disk.y, 1e-3, [&](double y) { return y > slope * disk.x; }));
     if (speedOf(disk) > FASTEST)
       doubts.add(key + ": the speed (vx, vy) is " + quantity(speedOf(disk), "m/s") + "; is it in mm/s?");
@@ -215,7 +215,7 @@ double fastestStart(const SceneDefinition& scene)
 /// Highest speed of a disk from the drive and falls from tooth to tooth, without collisions [m/s].
 double drivenSpeed(const SceneDefinition& scene)
 {
-  return fallSpeed(scene, scene.base.tooth_height) + driveBounds(scene.base).speed;
+  return fallSpeed(scene, relief(scene.base)) + driveBounds(scene.base).speed;
 }
 
 /// Highest speed of a disk after the start, whose effect only lasts if there is no drive [m/s].
@@ -249,7 +249,7 @@ void doubtDuration(const SceneDefinition& scene, Doubts& doubts)
     return;
   const bool driven = scene.base.frequency > 0.0;
   const double period =
-      driven ? 1.0 / scene.base.frequency : std::sqrt(scene.base.tooth_width / scene.gravity);
+      driven ? 1.0 / scene.base.frequency : std::sqrt(scene.base.toothWidth() / scene.gravity);
   if (scene.duration > LONGEST_RUN * period)
     doubts.add("duration", scene.duration, "s",
                number(scene.duration / 3600.0) + " hours, " + number(scene.duration / period) +

@@ -67,7 +67,7 @@ std::vector<KeyGroup> sceneKeyGroups()
   using Group = GroupBuilder;
   return {
       Group("", "the scene as a whole").add(motionKeys()).add(densityKeys()).add(runKeys()),
-      Group("base", "the sawtooth base and its drive").add(baseKeys()),
+      Group("base", "the base, a sawtooth or a profile, and its drive").add(baseKeys()),
       Group("base.harmonics.N", "a list of sines of multiples of the drive frequency, added to the drive")
           .add(harmonicKeys()),
       Group("species.N", "a list of one or more kinds of disks").add(speciesKeys()).add(coefficientKeys()),

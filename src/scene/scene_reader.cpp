@@ -144,6 +144,9 @@ void readBase(const Entry& root, BaseDefinition& base)
   const Entry section = root.at("base");
   section.requireKeys(namesOf(baseKeys(), {"harmonics"}), {});
   readValues(section, baseKeys(), base);
+  for (const std::string& name : sawtoothKeys())
+    if (section.has("profile") && section.has(name))
+      section.at(name).refuse("must be absent because base.profile gives the tooth");
   if (!section.has("harmonics"))
     return;
   const std::vector<Entry> entries = section.at("harmonics").list();

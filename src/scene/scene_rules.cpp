@@ -91,7 +91,7 @@ void disksFitMachine(const Entry& root, const SceneDefinition& scene)
   for (std::size_t i = 0; i < scene.species.size(); ++i)
   {
     const double radius = scene.species[i].radius;
-    const double teeth = 2e-3 * radius / scene.base.tooth_width;
+    const double teeth = 2e-3 * radius / scene.base.toothWidth();
     const bool in_mm = teeth <= 1.0 && teeth >= 0.05;
     const double largest = Sizes(scene.species[i]).largest();
     if (2.0 * largest > scene.base.width() && scene.species[i].size.vary())
@@ -100,7 +100,8 @@ void disksFitMachine(const Entry& root, const SceneDefinition& scene)
                                    scalarText(scene.base.width()) + " m");
     if (2.0 * radius > scene.base.width())
       entries[i].at("radius").refuseValue(
-          "the diameter must be at most the base's width (teeth times tooth_width), " +
+          std::string("the diameter must be at most the base's width (teeth times ") +
+          (scene.base.profile.empty() ? "tooth_width" : "the profile's") + "), " +
           scalarText(scene.base.width()) + " m" +
           (in_mm ? "; did you mean " + scalarText(1e-3 * radius) + " m?" : ""));
   }

@@ -10,7 +10,6 @@ namespace
 
 // These limits, those of scene_limits.h and those of the commanded quantities keep products of the values far
 // from overflow. They are far beyond any real machine.
-constexpr double SMALLEST_LENGTH = 1e-9;  ///< [m]
 constexpr double LARGEST_LENGTH = 1e3;    ///< [m]
 constexpr double LARGEST_WIDTH = 1e9;     ///< of a base [m]
 constexpr double LARGEST_POSITION = 1e9;  ///< [m]
@@ -137,7 +136,17 @@ const Keys<BaseDefinition>& baseKeys()
        "Axes of the drive: vertical and horizontal (world), or normal to the base and along it, turning with "
        "it (base), as a vibrator bolted to the deck drives it.",
        Presence::ADDED},
+      {"profile", [](B& b) -> Slot { return &b.profile; }, within(LARGEST_LENGTH, "m"),
+       "Outline of a tooth in place of tooth_width, tooth_height and asymmetry: corners from [0, 0] to "
+       "[w, 0], s never decreasing (twice the same: a vertical face), n above or below 0.",
+       Presence::ADDED, "-"},
   };
+  return KEYS;
+}
+
+const std::set<std::string>& sawtoothKeys()
+{
+  static const std::set<std::string> KEYS = {"tooth_width", "tooth_height", "asymmetry"};
   return KEYS;
 }
 

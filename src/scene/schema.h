@@ -17,7 +17,8 @@ namespace ratchet_sieve
 {
 
 using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, std::vector<double>*, Boundary*,
-                          DriveFrame*, CollapseAction*, Method*, SizeDistribution*, SizeShare*>;
+                          DriveFrame*, CollapseAction*, Method*, SizeDistribution*, SizeShare*,
+                          std::vector<OutlineCorner>*>;
 
 enum class Presence
 {
@@ -45,6 +46,7 @@ const Keys<SceneDefinition>& motionKeys();  ///< at the root, decide how the dis
 const Keys<SceneDefinition>& runKeys();     ///< at the root, decide only what part of it is run
 const Keys<double>& densityKeys();          ///< at the root; not stored, but split into counts
 const Keys<BaseDefinition>& baseKeys();
+const std::set<std::string>& sawtoothKeys();     ///< those of the base that base.profile replaces
 const Keys<HarmonicDefinition>& harmonicKeys();  ///< of an entry of base.harmonics
 const Keys<SpeciesDefinition>& speciesKeys();
 const Keys<SizeDefinition>& sizeKeys();    ///< of a species' size
@@ -60,6 +62,8 @@ const Keys<AccuracyDefinition>& certaintyKeys();  ///< of accuracy, decide only 
 
 /// Most disks that a scene may have.
 constexpr int MOST_DISKS = 10'000'000;
+
+constexpr double SMALLEST_LENGTH = 1e-9;  ///< of any part of a scene [m]
 
 /// Most harmonics of a drive: each evaluation of the base's motion sums all of them.
 constexpr std::size_t MOST_HARMONICS = 64;

@@ -16,6 +16,11 @@ void mendBase(SceneDefinition& scene)
   for (double* length : {&base.tooth_width, &base.tooth_height, &base.amplitude, &base.horizontal_amplitude,
                          &base.wall_height})
     *length *= MILLI;
+  for (OutlineCorner& corner : base.profile)
+  {
+    corner.s *= MILLI;
+    corner.n *= MILLI;
+  }
   for (HarmonicDefinition& harmonic : base.harmonics)
   {
     harmonic.amplitude *= MILLI;
@@ -94,7 +99,10 @@ struct ShownKey
 };
 
 constexpr ShownKey SHOWN_KEYS[] = {
-    {"base.tooth_width", "m", [](const SceneDefinition& scene) { return scene.base.tooth_width; }},
+    {"base.tooth_width", "m",
+     [](const SceneDefinition& scene) { return scene.base.profile.empty() ? scene.base.toothWidth() : 0.0; }},
+    {"base.profile's width", "m",
+     [](const SceneDefinition& scene) { return scene.base.profile.empty() ? 0.0 : scene.base.toothWidth(); }},
     {"base.amplitude", "m", [](const SceneDefinition& scene) { return scene.base.amplitude; }},
     {"species.0.radius", "m", [](const SceneDefinition& scene) { return scene.species.front().radius; }},
     {"species.0.mass", "kg", [](const SceneDefinition& scene) { return scene.species.front().mass; }},

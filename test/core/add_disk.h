@@ -2,30 +2,18 @@
 
 #include <cstdint>
 
-#include "state/machine.h"
+#include "state/system_state.h"
 
 namespace ratchet_sieve::test
 {
 
-/// Adds a disk, of its species' own size unless it has a radius, to a Machine or a MachineState.
-/// @return its slot
-template <typename AnyMachine>
-std::uint32_t addDisk(AnyMachine& machine, const SceneDefinition& scene, Disk disk)
+/// Adds a disk, of its species' own size unless it has a radius. @return its slot
+inline std::uint32_t addDisk(SystemState& system, Disk disk)
 {
-  const SpeciesDefinition& species = scene.species[disk.species];
+  const SpeciesDefinition& species = system.scene().species[disk.species];
   if (disk.radius == 0.0)
     disk.radius = species.radius;
-  return machine.add(disk, grainOf(species, disk.radius));
-}
-
-inline std::uint32_t addDisk(SystemState& machine, const Disk& disk)
-{
-  return addDisk(machine, machine.scene(), disk);
-}
-
-inline std::uint32_t addDisk(Machine& machine, const Disk& disk)
-{
-  return addDisk(machine, machine.state().scene(), disk);
+  return system.add(disk, grainOf(species, disk.radius));
 }
 
 }  // namespace ratchet_sieve::test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "add_disk.h"
+#include "bench.h"
 #include "scenes.h"
 
 namespace ratchet_sieve
@@ -13,17 +14,9 @@ namespace
 constexpr double SPEED = 1.0;
 constexpr double RADIUS = 0.001;
 
-/// The objects that a contact's execution needs.
-struct Bench
+struct ContactBench : test::Bench
 {
-  explicit Bench(const SceneDefinition& scene)
-      : machine(scene),
-        collapse_watch(scene.contact, 1.0, 1.0, machine.ids()),
-        times(machine.plan().contact_times),
-        execution(machine, collapse_watch, times),
-        base(machine.motion())
-  {
-  }
+  explicit ContactBench(const SceneDefinition& scene) : test::Bench(scene), base(state.motion()) {}
 
   std::uint32_t add(const Eigen::Vector2d& place, const Eigen::Vector2d& velocity, std::uint32_t species = 0)
   {
@@ -31,17 +24,11 @@ struct Bench
     disk.position = place;
     disk.velocity = velocity;
     disk.species = species;
-    collapse_watch.added();
-    times.added();
-    return test::addDisk(machine, disk);
+    return test::addDisk(state, disk);
   }
 
-  const Eigen::Vector2d& velocity(std::uint32_t slot) const { return machine.disk(slot).velocity; }
+  const Eigen::Vector2d& velocity(std::uint32_t slot) const { return state.disk(slot).velocity; }
 
-  SystemState machine;
-  CollapseWatch collapse_watch;
-  ContactTimes times;
-  ContactExecution execution;
   BaseInstant base;
 };
 
@@ -63,12 +50,12 @@ SceneDefinition flat()
   return scene;
 }
 
-constexpr BaseFeature GROUND{BaseFeatureKind::LEFT_SLOPE, 0};
+constexpr BaseFeature GROUND{BaseFeatureKind::FACE, 0, 0};
 
 TEST(ContactExecution, SaysOfASlidingDiskOnTheBaseWhatItIsGiven)
 {
   const SceneDefinition scene = flat();
-  Bench bench(scene);
+  ContactBench bench(scene);
   const std::uint32_t slot = bench.add({0.002, 0.0009}, {2.0, -SPEED});
   const ContactOutcome outcome = bench.execution.collideWithBase(slot, GROUND, 0.0, bench.base);
   EXPECT_EQ(outcome.time, 0.0);
@@ -86,13 +73,13 @@ TEST(ContactExecution, SaysOfASlidingDiskOnTheBaseWhatItIsGiven)
   EXPECT_NEAR(bench.velocity(slot).x(), 2.0 - 0.16 * SPEED, 1e-14);
   EXPECT_NEAR(bench.velocity(slot).y(), 0.6 * SPEED, 1e-14);
   // r / I = 2 / (m r).
-  EXPECT_NEAR(bench.machine.disk(slot).spin, -2.0 * 0.16 * SPEED / RADIUS, 1e-9);
-  EXPECT_EQ(bench.machine.disk(slot).flights, 1u);
+  EXPECT_NEAR(bench.state.disk(slot).spin, -2.0 * 0.16 * SPEED / RADIUS, 1e-9);
+  EXPECT_EQ(bench.state.disk(slot).flights, 1u);
 }
 
 TEST(ContactExecution, LeavesAContactAloneThatOpens)
 {
-  Bench bench(flat());
+  ContactBench bench(flat());
   const std::uint32_t i = bench.add({0.002, 0.0008}, {2.0, SPEED});
   const ContactOutcome base = bench.execution.collideWithBase(i, GROUND, 0.0, bench.base);
   EXPECT_FALSE(base.closed);
@@ -110,8 +97,8 @@ TEST(ContactExecution, LeavesAContactAloneThatOpens)
   EXPECT_EQ(bench.velocity(i), Eigen::Vector2d(2.0, SPEED));
   EXPECT_EQ(bench.velocity(j), Eigen::Vector2d(3.0, SPEED));
   // Their flights are nevertheless predicted again.
-  EXPECT_EQ(bench.machine.disk(i).flights, 2u);
-  EXPECT_EQ(bench.machine.disk(j).flights, 1u);
+  EXPECT_EQ(bench.state.disk(i).flights, 2u);
+  EXPECT_EQ(bench.state.disk(j).flights, 1u);
 }
 
 TEST(ContactExecution, SaysWhatOfTheBaseWasHit)
@@ -119,27 +106,27 @@ TEST(ContactExecution, SaysWhatOfTheBaseWasHit)
   struct Case
   {
     Boundary boundary;
-    BaseFeatureKind feature;
+    BaseFeature feature;
     Eigen::Vector2d velocity;
     CollisionKind expected;
   };
   const Eigen::Vector2d down(0.0, -SPEED);
   const Case cases[] = {
-      {Boundary::PERIODIC, BaseFeatureKind::LEFT_SLOPE, down, CollisionKind::LEFT_SLOPE},
-      {Boundary::PERIODIC, BaseFeatureKind::RIGHT_SLOPE, down, CollisionKind::RIGHT_SLOPE},
-      {Boundary::PERIODIC, BaseFeatureKind::APEX, down, CollisionKind::APEX},
-      {Boundary::OPEN, BaseFeatureKind::END_CORNER, down, CollisionKind::APEX},
-      {Boundary::WALLED, BaseFeatureKind::END_CORNER, {-SPEED, -SPEED}, CollisionKind::WALL},
-      {Boundary::WALLED, BaseFeatureKind::LEFT_WALL, {-SPEED, 0.0}, CollisionKind::WALL},
-      {Boundary::WALLED, BaseFeatureKind::RIGHT_WALL, {SPEED, 0.0}, CollisionKind::WALL}};
+      {Boundary::PERIODIC, {BaseFeatureKind::FACE, 0, 0}, down, CollisionKind::LEFT_SLOPE},
+      {Boundary::PERIODIC, {BaseFeatureKind::FACE, 0, 1}, down, CollisionKind::RIGHT_SLOPE},
+      {Boundary::PERIODIC, {BaseFeatureKind::CORNER, 0, 1}, down, CollisionKind::APEX},
+      {Boundary::OPEN, {BaseFeatureKind::END_CORNER, 0}, down, CollisionKind::APEX},
+      {Boundary::WALLED, {BaseFeatureKind::END_CORNER, 0}, {-SPEED, -SPEED}, CollisionKind::WALL},
+      {Boundary::WALLED, {BaseFeatureKind::LEFT_WALL, 0}, {-SPEED, 0.0}, CollisionKind::WALL},
+      {Boundary::WALLED, {BaseFeatureKind::RIGHT_WALL, 0}, {SPEED, 0.0}, CollisionKind::WALL}};
   for (const Case& c : cases)
   {
-    Bench bench(resting(c.boundary));
+    ContactBench bench(resting(c.boundary));
     // Above all of the first tooth and its corners, and above the walls.
     const std::uint32_t slot = bench.add({0.006, 100.0}, c.velocity);
-    const ContactOutcome outcome = bench.execution.collideWithBase(slot, {c.feature, 0}, 0.0, bench.base);
-    EXPECT_EQ(outcome.kind, c.expected) << static_cast<int>(c.feature);
-    EXPECT_TRUE(outcome.closed) << static_cast<int>(c.feature);
+    const ContactOutcome outcome = bench.execution.collideWithBase(slot, c.feature, 0.0, bench.base);
+    EXPECT_EQ(outcome.kind, c.expected) << static_cast<int>(c.feature.kind());
+    EXPECT_TRUE(outcome.closed) << static_cast<int>(c.feature.kind());
     EXPECT_NEAR(outcome.normal.norm(), 1.0, 1e-15);
     EXPECT_LT(outcome.normal.dot(c.velocity), 0.0);
     // Walls are smooth.
@@ -153,7 +140,7 @@ TEST(ContactExecution, SaysWhatOfTheBaseWasHit)
 TEST(ContactExecution, SaysOfAPairAcrossTheSeamWhatBothAreGiven)
 {
   const SceneDefinition scene = flat();
-  Bench bench(scene);
+  ContactBench bench(scene);
   const double width = scene.base.width();
   const std::uint32_t i = bench.add({0.001, 0.1}, {-SPEED, 0.0}, 0);
   const std::uint32_t j = bench.add({width - 0.0019, 0.1}, {0.0, 0.0}, 1);
@@ -179,12 +166,13 @@ TEST(ContactExecution, LosesNothingSoonAfterAnotherContact)
 {
   SceneDefinition scene = flat();
   scene.contact.contact_duration = 1e-3;
-  Bench bench(scene);
+  ContactBench bench(scene);
   const std::uint32_t slot = bench.add({0.002, RADIUS}, {2.0, -SPEED});
   ContactOutcome before;
   before.i = slot;
   before.time = -0.5e-3;
-  bench.times.take(before);
+  before.closed = true;
+  bench.state.observers().take(before);
   const ContactOutcome outcome = bench.execution.collideWithBase(slot, GROUND, 0.0, bench.base);
   EXPECT_TRUE(outcome.lossless);
   EXPECT_NEAR(outcome.normal_impulse, 2.0 * 0.010 * SPEED, 1e-15);
@@ -197,9 +185,9 @@ TEST(ContactExecution, LosesNothingAfterACollapseAndPartsNoSlowerThanItsFloor)
   scene.contact.on_collapse = CollapseAction::REBOUND;
   scene.contact.collapse_events = 1;
   scene.contact.min_rebound_speed = 0.05;
-  Bench bench(scene);
+  ContactBench bench(scene);
   const std::uint32_t slot = bench.add({0.002, RADIUS}, {2.0, -0.01});
-  while (!bench.collapse_watch.count(slot, 0.0))
+  while (!bench.state.collapseWatch().count(slot, 0.0))
     continue;
   const ContactOutcome outcome = bench.execution.collideWithBase(slot, GROUND, 0.0, bench.base);
   EXPECT_TRUE(outcome.lossless);

@@ -8,7 +8,6 @@
 #include "ratchet_sieve/core/simulation.h"
 #include "reference_loop.h"
 #include "scenes.h"
-#include "state/machine.h"
 #include "state/placement.h"
 
 namespace ratchet_sieve
@@ -61,18 +60,19 @@ void expectSameCollisionsFromHere(Watched& run, double span, std::optional<doubl
 {
   std::vector<std::uint32_t> ids;
   const SceneDefinition scene = sceneAt(run.simulation, ids);
-  Machine machine(scene);
-  placeInitialDisks(machine, 0.0);
+  test::Bench bench(scene);
+  placeInitialDisks(bench.state, 0.0);
   std::vector<CollisionRecord> expected;
-  machine.record().observeCollisions([&](const CollisionRecord& record) { expected.push_back(record); });
+  bench.state.observers().observeCollisions([&](const CollisionRecord& record)
+                                            { expected.push_back(record); });
   if (turn)
   {
-    test::turn(machine.state(), 1.0, *turn, 0.0);
+    test::turn(bench.state, 1.0, *turn, 0.0);
     run.simulation.setSlewRates({1.0, 10.0, 0.002});
     run.simulation.command(Quantity::INCLINATION, *turn);
   }
   constexpr int IMAGES = 40;
-  test::ReferenceLoop(machine, IMAGES).advanceTo(span);
+  test::ReferenceLoop(bench, IMAGES).advanceTo(span);
 
   const double start = run.simulation.time();
   run.records.clear();

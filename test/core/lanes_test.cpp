@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "bench.h"
 #include "draws.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
@@ -272,14 +273,14 @@ Disk drawnDisk(const SystemState& machine)
 {
   const double radius = machine.scene().species[0].radius * *rc::gen::element(1.0, 1.0, 0.7, 1.6);
   const FrameOfBase base = machine.motion().at(0.0);
-  const double s = drawn(0.0, machine.sawtooth().width());
+  const double s = drawn(0.0, machine.shape().width());
   double n = radius + drawn(0.0, 0.03);
-  while (machine.sawtooth().heightAbove(s, n) < radius)
+  while (machine.shape().heightAbove(s, n) < radius)
     n += 0.1 * radius;
   // Down to the surface.
   if (*rc::gen::inRange(0, 3) == 0)
-    while (machine.sawtooth().heightAbove(s, n) > radius * (1.0 + 1e-9))
-      n -= machine.sawtooth().heightAbove(s, n) - radius;
+    while (machine.shape().heightAbove(s, n) > radius * (1.0 + 1e-9))
+      n -= machine.shape().heightAbove(s, n) - radius;
   const double speed = *rc::gen::element(0.05, 0.5, 5.0);
   Disk disk;
   disk.radius = radius;
@@ -292,13 +293,13 @@ Disk drawnDisk(const SystemState& machine)
 }
 
 /// Searches from event to event until a contact is certain, as the loop does.
-BaseEvent searchInLanes(const Machine& machine)
+BaseEvent searchInLanes(const test::Bench& bench)
 {
-  const LaneScene scene = *laneScene(machine.state());
+  const LaneScene scene = *laneScene(bench.state);
   const LaneKernel& kernel = presentLaneKernel();
   LaneBatch batch{};
   BaseEvent event{0.0, {}};
-  loadRow(machine, 0, event, batch, 0);
+  loadRow(bench.state, bench.execution, 0, event, batch, 0);
   kernel.launch(scene, batch, 1);
   for (int i = 0; i < 2000 && !event.feature && event.time < SEARCH_HORIZON; ++i)
   {
@@ -313,7 +314,7 @@ bool isClear(const SystemState& machine, const BaseEvent& event)
   if (!event.feature || event.time >= SEARCH_HORIZON)
     return false;
   const BasePoint point = machine.search().seenFromBase(machine.disk(0), event.time);
-  return machine.sawtooth().approach(event.feature, point, machine.radius(0)).rate < -1e-2;
+  return machine.shape().approach(event.feature, point, machine.radius(0)).rate < -1e-2;
 }
 
 BaseEvent searchInMachine(const SystemState& machine)
@@ -331,7 +332,7 @@ void checkAgainstScan(const SystemState& machine, const BaseEvent& event)
   const auto gapAt = [&](double time)
   {
     const BasePoint point = machine.search().seenFromBase(machine.disk(0), time);
-    return machine.sawtooth().heightAbove(point.s(), point.n()) - radius;
+    return machine.shape().heightAbove(point.s(), point.n()) - radius;
   };
   // The initial overlap of a disk of this size is rounding; positions are up to a few metres.
   const double tolerance = 1e-9 * radius + 1e-14;
@@ -341,7 +342,7 @@ void checkAgainstScan(const SystemState& machine, const BaseEvent& event)
   if (!event.feature)
     return;
   const BasePoint point = machine.search().seenFromBase(machine.disk(0), event.time);
-  const Approach approach = machine.sawtooth().approach(event.feature, point, radius);
+  const Approach approach = machine.shape().approach(event.feature, point, radius);
   RC_ASSERT(std::abs(approach.gap) < tolerance);
   RC_ASSERT(approach.rate < 1e-9);
   RC_ASSERT(std::abs(gapAt(event.time)) < tolerance);
@@ -352,16 +353,16 @@ TEST(Lanes, FindTheFirstContactOfRandomFlights)
   EXPECT_TRUE(rc::check(
       []
       {
-        Machine machine(drawnSceneForLanes());
-        test::addDisk(machine, drawnDisk(machine.state()));
+        test::Bench bench(drawnSceneForLanes());
+        test::addDisk(bench.state, drawnDisk(bench.state));
         const Lanes lanes(*rc::gen::element(1, 2, 0));
-        const BaseEvent found = searchInLanes(machine);
-        checkAgainstScan(machine.state(), found);
-        const BaseEvent expected = searchInMachine(machine.state());
+        const BaseEvent found = searchInLanes(bench);
+        checkAgainstScan(bench.state, found);
+        const BaseEvent expected = searchInMachine(bench.state);
         // Rounding decides whether a grazing contact occurs.
-        const bool clear = isClear(machine.state(), found) && isClear(machine.state(), expected);
+        const bool clear = isClear(bench.state, found) && isClear(bench.state, expected);
         RC_CLASSIFY(!clear, "no contact, or a graze");
-        RC_ASSERT(static_cast<bool>(found.feature) || !isClear(machine.state(), expected));
+        RC_ASSERT(static_cast<bool>(found.feature) || !isClear(bench.state, expected));
         if (clear)
           RC_ASSERT(std::abs(found.time - expected.time) < 1e-12);
       }));
@@ -394,30 +395,25 @@ TEST(Lanes, HandOverTheSameOutcomesAsTheMachine)
         SceneDefinition scene = drawnSceneForLanes();
         scene.contact.restitution_speed = *rc::gen::element(0.0, 0.4);
         scene.contact.min_rebound_speed = *rc::gen::element(0.0, 0.05);
-        Machine machine(scene);
-        Disk disk = drawnDisk(machine.state());
+        test::Bench bench(scene);
+        Disk disk = drawnDisk(bench.state);
         disk.spin = *rc::gen::element(0.0, -300.0, 40.0);
-        test::addDisk(machine, disk);
+        test::addDisk(bench.state, disk);
         const Lanes lanes(*rc::gen::element(1, 2, 0));
-        const BaseEvent event = searchInLanes(machine);
-        const bool clear = isClear(machine.state(), event);
+        const BaseEvent event = searchInLanes(bench);
+        const bool clear = isClear(bench.state, event);
         RC_CLASSIFY(!clear, "no contact, or a graze");
         if (!clear)
           return;
-        const LaneScene lane_scene = *laneScene(machine.state());
+        const LaneScene lane_scene = *laneScene(bench.state);
         LaneBatch batch{};
-        loadRow(machine, 0, event, batch, 0);
+        loadRow(bench.state, bench.execution, 0, event, batch, 0);
         presentLaneKernel().collide(lane_scene, batch, 1);
-        BaseInstant base(machine.state().motion());
-        ContactTimes none(false);
-        ContactExecution execution(machine.state(), machine.collapseWatch(), none);
-        const ContactOutcome outcome = execution.collideWithBase(0, event.feature, event.time, base);
-        BaseImpulses impulses;
-        impulses.added();
-        impulses.take(outcome);
+        BaseInstant base(bench.state.motion());
+        const ContactOutcome outcome = bench.execution.collideWithBase(0, event.feature, event.time, base);
         RC_ASSERT(outcome.closed);
-        expectSameOutcome(outcomeOf(batch, 0, 0), outcome);
-        const Eigen::Vector2d impulse = impulses.of(0);
+        expectSameOutcome(outcomeOf(batch, 0, 0, 0), outcome);
+        const Eigen::Vector2d impulse = bench.state.observers().impulses().of(0);
         RC_ASSERT((Eigen::Vector2d(batch.impulse_x[0], batch.impulse_y[0]) - impulse).norm() < 1e-11);
       }));
 }

@@ -107,6 +107,11 @@ TEST(MutatedState, OfDisksOfManySizesIsRefusedOrGoesOn)
   EXPECT_GT(refusals(scene), 0);
 }
 
+TEST(MutatedState, OfNestedCellsIsRefusedOrGoesOn)
+{
+  EXPECT_GT(refusals(quickToCollapse(test::oneLarge(60, 8.0))), 0);
+}
+
 TEST(MutatedState, OfAnEnsembleIsRefusedOrGoesOn)
 {
   EXPECT_GT(refusals(quickToCollapse(test::singleParticles(30))), 0);

@@ -1,10 +1,18 @@
 // What the observers of contacts record for given outcomes.
 #include "state/observers.h"
 
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "add_disk.h"
+#include "events/engine.h"
+#include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
+#include "state/collision_report.h"
 
 namespace ratchet_sieve
 {
@@ -52,22 +60,18 @@ TEST(ContactCounts, CountWhatClosedByKindAndAllOverlaps)
       counts.take(onBase(0, kind));
   }
   EXPECT_EQ(counts.max_overlap, 0.0);
-  ContactOutcome overlapping = opening(onBase(0, CollisionKind::WALL));
-  overlapping.overlap = 1e-9;
-  counts.take(overlapping);
   EXPECT_EQ(counts.collisions.disk_disk, 1u);
   EXPECT_EQ(counts.collisions.left_slope, 2u);
   EXPECT_EQ(counts.collisions.right_slope, 3u);
   EXPECT_EQ(counts.collisions.apex, 4u);
   EXPECT_EQ(counts.collisions.wall, 5u);
-  EXPECT_EQ(counts.max_overlap, 1e-9);
 }
 
 TEST(BaseImpulses, AreThoseOfContactsWithTheBaseInTheWorld)
 {
   BaseImpulses impulses;
   for (int disk = 0; disk < 3; ++disk)
-    impulses.added();
+    impulses.entered(Disk());
   impulses.take(onBase(0, CollisionKind::APEX));
   impulses.take(onBase(2, CollisionKind::APEX));
   impulses.take(ofPair(0, 1));
@@ -77,12 +81,12 @@ TEST(BaseImpulses, AreThoseOfContactsWithTheBaseInTheWorld)
   EXPECT_EQ(impulses.of(1), Eigen::Vector2d(0.0, 0.0));
   EXPECT_NEAR((impulses.total() - 2.0 * one).norm(), 0.0, 1e-15);
 
-  impulses.keep({1, 2}, {0});
+  impulses.compact({{1, 2}, {0}});
   EXPECT_TRUE(impulses.fits(2));
   EXPECT_EQ(impulses.of(0), Eigen::Vector2d(0.0, 0.0));
   EXPECT_NEAR((impulses.of(1) - one).norm(), 0.0, 1e-15);
   EXPECT_NEAR((impulses.total() - 2.0 * one).norm(), 0.0, 1e-15);
-  impulses.restart();
+  impulses.restart(0.0);
   EXPECT_EQ(impulses.total(), Eigen::Vector2d(0.0, 0.0));
 }
 
@@ -90,7 +94,7 @@ TEST(ContactTimes, AreThoseOfBothPartners)
 {
   ContactTimes times(true);
   for (int disk = 0; disk < 3; ++disk)
-    times.added();
+    times.entered(Disk());
   times.take(ofPair(0, 2, 1.0));
   times.take(onBase(2, CollisionKind::APEX, 1.5));
   EXPECT_TRUE(times.within(0.3, 0, 1.25));
@@ -100,46 +104,267 @@ TEST(ContactTimes, AreThoseOfBothPartners)
   times.rebase(1.0);
   EXPECT_TRUE(times.within(0.3, 0, 0.25));
   EXPECT_FALSE(times.within(0.3, 0, 1.25));
-  times.keep({2});
+  times.compact({{2}, {}});
   EXPECT_TRUE(times.within(0.3, 0, 0.75));
 
   ContactTimes none(false);
-  none.added();
+  none.entered(Disk());
   none.take(onBase(0, CollisionKind::APEX, 1.0));
   EXPECT_FALSE(none.within(1e9, 0, 1.0));
 }
 
-TEST(Observers, TellsWhatClosedByIdsAndInTheRunsTime)
+TEST(SpeciesContacts, CountEachPartner)
 {
-  SystemState machine(test::mixture(0));
-  const double local = machine.startAt(1000.25);
-  Observers record(machine);
-  for (int disk = 0; disk < 3; ++disk)
-  {
-    test::addDisk(machine, Disk());
-    record.added();
-  }
-  machine.remove(0, local);
-  record.keep(machine.slots(true), machine.slots(false));
-  machine.compact(machine.slots(true));
+  SpeciesContacts contacts(2);
+  contacts.take(onBase(0, CollisionKind::APEX));
+  ContactOutcome pair = ofPair(0, 1);
+  pair.partner_species = 1;
+  contacts.take(pair);
+  SpeciesContacts more(2);
+  more.take(pair);
+  contacts.add(more);
+  EXPECT_EQ(contacts.of(0), 3u);
+  EXPECT_EQ(contacts.of(1), 2u);
+  contacts.restart(0.0);
+  EXPECT_EQ(contacts.of(0), 0u);
+}
+
+TEST(Observers, TakeTheOverlapOfEveryContactAndCountWhatClosed)
+{
+  SystemState system(test::mixture(0));
+  test::addDisk(system, Disk());
+  ContactOutcome overlapping = opening(onBase(0, CollisionKind::WALL));
+  overlapping.overlap = 1e-9;
+  system.observers().take(overlapping);
+  EXPECT_EQ(system.observers().counts().collisions.total(), 0u);
+  EXPECT_EQ(system.observers().counts().max_overlap, 1e-9);
+  EXPECT_EQ(system.observers().impulses().total(), Eigen::Vector2d(0.0, 0.0));
+}
+
+TEST(Observers, TellWhatClosedByIdsAndInTheRunsTime)
+{
+  constexpr std::uint32_t GONE = 1024;
+  SystemState system(test::mixture(0));
+  const double local = system.startAt(1000.25);
+  for (std::uint32_t disk = 0; disk < GONE + 2; ++disk)
+    test::addDisk(system, Disk());
+  for (std::uint32_t slot = 0; slot < GONE; ++slot)
+    system.remove(slot, local);
+  ASSERT_TRUE(system.compact());
 
   std::vector<CollisionRecord> told;
-  record.observeCollisions([&](const CollisionRecord& collision) { told.push_back(collision); });
-  record.take(ofPair(0, 1, local));
-  record.take(opening(onBase(1, CollisionKind::WALL, local)));
-  record.take(onBase(1, CollisionKind::WALL, local));
+  Observers& observers = system.observers();
+  observers.observeCollisions([&](const CollisionRecord& collision) { told.push_back(collision); });
+  observers.take(ofPair(0, 1, local));
+  observers.take(opening(onBase(1, CollisionKind::WALL, local)));
+  observers.take(onBase(1, CollisionKind::WALL, local));
+  observers.observeCollisions({});
+  observers.take(onBase(1, CollisionKind::WALL, local));
   ASSERT_EQ(told.size(), 2u);
   EXPECT_EQ(told[0].time, 1000.25);
   EXPECT_EQ(told[0].kind, CollisionKind::DISK_DISK);
-  EXPECT_EQ(told[0].i, 1u);
-  EXPECT_EQ(told[0].j, 2u);
+  EXPECT_EQ(told[0].i, GONE);
+  EXPECT_EQ(told[0].j, GONE + 1);
   EXPECT_EQ(told[0].normal_speed, 3.0);
   EXPECT_EQ(told[0].normal_impulse, 2.0);
   EXPECT_EQ(told[0].tangential_impulse, 1.0);
   EXPECT_EQ(told[1].kind, CollisionKind::WALL);
-  EXPECT_EQ(told[1].i, 2u);
+  EXPECT_EQ(told[1].i, GONE + 1);
   EXPECT_FALSE(told[1].j);
-  EXPECT_EQ(record.counts().collisions.total(), 2u);
+  EXPECT_EQ(observers.counts().collisions.total(), 3u);
+}
+
+/// Times round when the zero of time is moved.
+constexpr double ROUNDING = 1e-14;
+
+/// Follows every disk from flight to flight, and adds up what the engine adds up, too, in the order in which
+/// it is told.
+class Follower final : public Observer
+{
+public:
+  explicit Follower(const SystemState& system) : system_(system) {}
+
+  Wishes wishes() const override
+  {
+    Wishes wishes;
+    wishes.contacts = wishes.flights = wishes.departures = true;
+    return wishes;
+  }
+
+  void take(const ContactOutcome& outcome) override
+  {
+    inOrder(outcome.time);
+    EXPECT_EQ(system_.disk(outcome.i).species, outcome.species);
+    collisions.add(outcome.kind);
+    impulse += outcome.normal_impulse;
+  }
+
+  void flew(const Flight& flight) override
+  {
+    inOrder(flight.end);
+    const double gravity = system_.scene().gravity;
+    const double start = system_.epoch().start + flight.from.time;
+    const auto last = ends.find(system_.id(flight.slot));
+    if (last != ends.end())
+    {
+      EXPECT_NEAR(start, last->second, ROUNDING);
+    }
+    ends[system_.id(flight.slot)] = system_.epoch().start + flight.end;
+    const double elapsed = flight.end - flight.from.time;
+    // Integrals of v^2 / 2 and of the spin's, by Simpson's rule, which is exact for parabolas.
+    const auto square = [&](double time)
+    { return 0.5 * vectorOf(courseAt(flight.from, time, gravity).velocity).squaredNorm(); };
+    const double middle = flight.from.time + 0.5 * elapsed;
+    translation += elapsed / 6.0 * (square(flight.from.time) + 4.0 * square(middle) + square(flight.end));
+    rotation += 0.5 * elapsed * flight.from.spin * flight.from.spin;
+    ++flights;
+  }
+
+  void left(const Departure& departure) override
+  {
+    inOrder(departure.time);
+    EXPECT_NEAR(ends.at(system_.id(departure.slot)), system_.epoch().start + departure.time, ROUNDING);
+    ++departures[static_cast<int>(departure.exit)];
+  }
+
+  void rebase(double length) override { last_ -= length; }
+
+  CollisionCounts collisions;
+  double impulse = 0.0;
+  double translation = 0.0;
+  double rotation = 0.0;
+  std::size_t flights = 0;
+  std::map<std::uint32_t, double> ends;  ///< by id: of the last flight, in the run's time
+  std::size_t departures[3] = {};
+
+private:
+  void inOrder(double time)
+  {
+    EXPECT_GE(time, last_);
+    last_ = time;
+  }
+
+  const SystemState& system_;
+  double last_ = -1.0;
+};
+
+struct Followed
+{
+  explicit Followed(const SceneDefinition& scene, const Plan& plan)
+      : engine(scene, plan, 0.0, {}),
+        follower(static_cast<Follower*>(
+            engine.state().observers().add(std::make_unique<Follower>(engine.state()))))
+  {
+  }
+  explicit Followed(const SceneDefinition& scene) : Followed(scene, planOf(scene)) {}
+
+  void run(double end, int strides = 1)
+  {
+    for (int k = 1; k <= strides; ++k)
+      engine.advanceTo(end * k / strides);
+  }
+
+  Engine engine;
+  Follower* follower;
+};
+
+SceneDefinition fedOpen(bool pairs)
+{
+  SceneDefinition scene = test::mixture(10);
+  scene.base.teeth = 3;
+  scene.base.inclination = 0.2;
+  scene.boundary = Boundary::OPEN;
+  scene.feed.rate = 50.0;
+  scene.contact.pair_collisions = pairs;
+  return scene;
+}
+
+/// Layers, by events and by steps; single disks in lanes, without, and in an open machine that is fed.
+std::vector<SceneDefinition> scenesToFollow()
+{
+  SceneDefinition layer = test::mixture(20);
+  layer.base.teeth = 3;
+  SceneDefinition steps = layer;
+  steps.accuracy.method = Method::STEPS;
+  SceneDefinition walled = test::singleParticles(20);
+  walled.boundary = Boundary::WALLED;
+  SceneDefinition lanes = test::singleParticles(150);
+  return {layer, steps, fedOpen(true), fedOpen(false), walled, lanes};
+}
+
+TEST(Observers, AddedAreToldOfEveryContactFlightAndDepartureInTheOrderOfTime)
+{
+  for (const SceneDefinition& scene : scenesToFollow())
+  {
+    Followed followed(scene);
+    Simulation unobserved(scene);
+    constexpr double END = 4.5;
+    followed.run(END);
+    unobserved.advanceTo(END);
+    const SystemState& system = followed.engine.state();
+    const Follower& told = *followed.follower;
+    // The run does not depend on it.
+    EXPECT_EQ(followed.engine.events(), unobserved.events());
+    EXPECT_EQ(told.collisions.total(), unobserved.collisions().total());
+    EXPECT_EQ(told.collisions.left_slope, unobserved.collisions().left_slope);
+    std::uint64_t left = 0, right = 0;
+    for (const SpeciesBins& bins : unobserved.bins())
+    {
+      left += bins.left;
+      right += bins.right;
+    }
+    EXPECT_EQ(told.departures[0], left);
+    EXPECT_EQ(told.departures[1], right);
+    EXPECT_EQ(told.departures[2], 0u);
+    EXPECT_GT(told.flights, told.collisions.total() / 2);
+    double translation = 0.0, rotation = 0.0;
+    for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
+    {
+      translation += system.observers().trajectories()[slot].translation;
+      rotation += system.observers().trajectories()[slot].rotation;
+      // Up to the flight that it is on.
+      if (const auto end = told.ends.find(system.id(slot)); end != told.ends.end())
+      {
+        EXPECT_NEAR(end->second, system.epoch().start + system.disk(slot).time, ROUNDING);
+      }
+    }
+    EXPECT_NEAR(told.translation, translation, 1e-9 * translation);
+    EXPECT_NEAR(told.rotation, rotation, 1e-9 * rotation);
+  }
+}
+
+/// Sums of an added observer, which depend on the order in which it is told.
+TEST(Observers, AddedSumTheSameBitsForAnyStrideAndThreads)
+{
+  for (const SceneDefinition& scene : scenesToFollow())
+  {
+    Followed once(scene);
+    once.run(2.5);
+    for (const std::size_t threads : {1, 3})
+    {
+      Followed other(scene);
+      other.engine.setThreads(threads);
+      other.run(2.5, 17);
+      EXPECT_EQ(other.follower->translation, once.follower->translation);
+      EXPECT_EQ(other.follower->impulse, once.follower->impulse);
+      EXPECT_EQ(other.follower->flights, once.follower->flights);
+    }
+  }
+}
+
+/// In lanes and without: the same flights until rounding differs.
+TEST(Observers, AddedAreToldTheSameOfLanesAsWithout)
+{
+  const SceneDefinition scene = test::singleParticles(60);
+  Plan plan = planOf(scene);
+  ASSERT_TRUE(plan.lanes);
+  Followed lanes(scene, plan);
+  plan.lanes = false;
+  Followed alone(scene, plan);
+  lanes.run(0.3);
+  alone.run(0.3);
+  EXPECT_EQ(lanes.follower->collisions.total(), alone.follower->collisions.total());
+  EXPECT_NEAR(lanes.follower->impulse, alone.follower->impulse, 1e-9 * alone.follower->impulse);
 }
 
 }  // namespace

@@ -273,20 +273,20 @@ TEST(Orbit, TheLoopsAgreeWithTheReference)
     SceneDefinition placed = scene;
     for (const DiskState& disk : Simulation(scene).disks())
       placed.initial.push_back({disk.species, disk.x, disk.y, disk.vx, disk.vy, disk.spin});
-    Machine machine(placed);
+    test::Bench bench(placed);
     for (const InitialDisk& initial : placed.initial)
     {
       Disk disk;
       disk.position = {initial.x, initial.y};
       disk.species = static_cast<std::uint32_t>(initial.species);
-      test::addDisk(machine, disk);
+      test::addDisk(bench.state, disk);
     }
-    test::ReferenceLoop(machine).advanceTo(end);
-    EXPECT_GT(machine.record().counts().collisions.total(), 20u);
+    test::ReferenceLoop(bench).advanceTo(end);
+    EXPECT_GT(bench.state.observers().counts().collisions.total(), 20u);
     const std::vector<DiskState> states = simulation.disks();
     for (std::uint32_t id = 0; id < states.size(); ++id)
     {
-      const Disk disk = flown(machine.state().disk(id), end, scene.gravity);
+      const Disk disk = flown(bench.state.disk(id), end, scene.gravity);
       const Eigen::Vector2d lattice = Eigen::Rotation2Dd(scene.base.inclination) * Eigen::Vector2d::UnitX();
       const Eigen::Vector2d way = disk.position - Eigen::Vector2d(states[id].x, states[id].y);
       const double along = way.dot(lattice);

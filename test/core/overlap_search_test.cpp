@@ -151,12 +151,12 @@ RC_GTEST_PROP(BaseOverlap, NamesAllDisksThatOverlapTheBase, ())
   SceneDefinition scene = test::mixture(1);
   scene.base.asymmetry = between(0.0, 1.0);
   scene.base.tooth_height = *rc::gen::element(0.0, 0.001, 0.006, 0.03);
-  const Sawtooth sawtooth(scene.base, Boundary::PERIODIC);
-  const BaseOverlap base(sawtooth);
+  const BaseShape shape(scene.base, Boundary::PERIODIC);
+  const BaseOverlap base(shape);
   const double s = between(0.0, scene.base.width());
   const double n = between(-0.01, 0.05);
   const double radius = between(1e-4, 0.005);
-  const double height = sawtooth.heightAbove(s, n);
+  const double height = shape.heightAbove(s, n);
   if (height < radius - 1e-12)
     RC_ASSERT(base.overlaps(s, n, radius));
   if (n > scene.base.tooth_height + radius)
@@ -167,7 +167,7 @@ RC_GTEST_PROP(BaseOverlap, NamesAllDisksThatOverlapTheBase, ())
   if (height < -1e-12)
   {
     RC_ASSERT(way.has_value());
-    RC_ASSERT(sawtooth.heightAbove(s, n + *way) > 0.0);
+    RC_ASSERT(shape.heightAbove(s, n + *way) > 0.0);
   }
 }
 

@@ -5,7 +5,6 @@
 #include "events/event_loop.h"
 #include "reference_loop.h"
 #include "scenes.h"
-#include "state/machine.h"
 #include "state/placement.h"
 #include "state/pour.h"
 
@@ -14,24 +13,25 @@ namespace ratchet_sieve
 namespace
 {
 
-void fill(Machine& machine)
+void fill(SystemState& system)
 {
-  Random random(machine.state().scene().seed);
-  pourDisks(machine, pourOrder(machine.state().scene().species, random), Stretch(), 0.0, random);
+  Random random(system.scene().seed);
+  pourDisks(system, pourOrder(system.scene().species, random), Stretch(), 0.0, random);
 }
 
 std::vector<CollisionRecord> collisionsOf(const SceneDefinition& scene, double end, bool reference)
 {
-  Machine machine(scene);
-  fill(machine);
+  test::Bench bench(scene);
+  fill(bench.state);
   std::vector<CollisionRecord> records;
-  machine.record().observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
+  bench.state.observers().observeCollisions([&](const CollisionRecord& record)
+                                            { records.push_back(record); });
   if (reference)
-    test::ReferenceLoop(machine).advanceTo(end);
+    test::ReferenceLoop(bench).advanceTo(end);
   else
   {
-    const auto loop = makePairLoop(machine);
-    for (std::uint32_t id = 0; id < machine.state().disks().size(); ++id)
+    const auto loop = makePairLoop(bench.state, bench.execution);
+    for (std::uint32_t id = 0; id < bench.state.disks().size(); ++id)
       loop->added(id, 0.0);
     loop->advanceTo(end);
   }

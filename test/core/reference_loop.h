@@ -4,16 +4,16 @@
 #include <cstdint>
 #include <optional>
 
+#include "bench.h"
 #include "search/pair_search.h"
-#include "state/machine.h"
 
 namespace ratchet_sieve::test
 {
 
 /// Turns the base to an inclination [rad], at `rate` [rad/s], from `time` [s] on.
-inline void turn(SystemState& machine, double rate, double inclination, double time)
+inline void turn(SystemState& system, double rate, double inclination, double time)
 {
-  machine.changeMotion(
+  system.changeMotion(
       [=](BaseMotion& motion, double now)
       {
         motion.setSlewRates({rate, 10.0, 0.002}, now);
@@ -28,8 +28,8 @@ class ReferenceLoop
 {
 public:
   /// @param images number of images of a disk on a ring that are tested on either side
-  explicit ReferenceLoop(Machine& machine, int images = 3)
-      : machine_(machine), state_(machine.state()), images_(images)
+  explicit ReferenceLoop(Bench& bench, int images = 3)
+      : state_(bench.state), execution_(bench.execution), images_(images)
   {
   }
 
@@ -63,10 +63,10 @@ private:
       if (next->feature)
       {
         BaseInstant base(state_.motion());
-        machine_.handleBaseEvent(next->i, next->feature, now_, base);
+        execution_.handleBaseEvent(next->i, next->feature, now_, base);
       }
       else
-        machine_.collidePair(next->i, next->j, next->shift, now_);
+        execution_.collidePair(next->i, next->j, next->shift, now_);
     }
   }
 
@@ -96,8 +96,8 @@ private:
     return best;
   }
 
-  Machine& machine_;
   SystemState& state_;
+  ContactExecution& execution_;
   int images_;
   double now_ = 0.0;
 };

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <string>
+
 #include "ratchet_sieve/core/definition.h"
 
 /// Scenes that several tests of the core use.
@@ -42,6 +45,41 @@ inline SceneDefinition openMixture(int count)
   scene.base.asymmetry = 0.1;
   scene.species[1].radius = 0.005;
   scene.boundary = Boundary::OPEN;
+  return scene;
+}
+
+/// Disks of Fig. 3's, of their density, with a radius `ratio` times as large.
+inline SpeciesDefinition disksOfSize(double ratio, int count)
+{
+  SpeciesDefinition species = smallDisk(count);
+  species.name = "of " + std::to_string(ratio);
+  species.radius *= ratio;
+  species.mass *= ratio * ratio;
+  return species;
+}
+
+/// So many equal disks and one that is `ratio` times as large.
+inline SceneDefinition oneLarge(int small, double ratio)
+{
+  SceneDefinition scene;
+  scene.species = {disksOfSize(1.0, small), disksOfSize(ratio, 1)};
+  scene.species[1].name = "large";
+  return scene;
+}
+
+/// About `count` disks whose radii are lognormal around Fig. 3's, in classes a fifth of `sigma` wide.
+inline SceneDefinition lognormalSizes(int count, double sigma)
+{
+  SceneDefinition scene;
+  scene.species.clear();
+  constexpr double STEP = 0.2;
+  for (int k = -17; k <= 17; ++k)
+  {
+    const double z = STEP * k;
+    const double share = STEP * std::exp(-0.5 * z * z) / std::sqrt(2.0 * 3.14159265358979323846);
+    if (const auto disks = static_cast<int>(std::lround(count * share)); disks > 0)
+      scene.species.push_back(disksOfSize(std::exp(sigma * z), disks));
+  }
   return scene;
 }
 

@@ -273,17 +273,17 @@ TEST(TurningSeam, MissesNoContactOfTheSlowReference)
         scene.initial.push_back({disk.species, disk.x, disk.y, 0.5 - 0.1 * disk.id, -0.2, 0.0});
       for (SpeciesDefinition& species : scene.species)
         species.count = 0;
-      Machine machine(scene);
-      placeInitialDisks(machine, 0.0);
+      test::Bench bench(scene);
+      placeInitialDisks(bench.state, 0.0);
       std::vector<CollisionRecord> expected;
-      machine.record().observeCollisions([&](const CollisionRecord& r) { expected.push_back(r); });
-      test::ReferenceLoop reference(machine);
+      bench.state.observers().observeCollisions([&](const CollisionRecord& r) { expected.push_back(r); });
+      test::ReferenceLoop reference(bench);
       double time = 0.0;
       for (const auto& [until, inclination] : TO_AND_FRO)
       {
         if (until > 0.4)
           break;
-        test::turn(machine.state(), rate, inclination, time);
+        test::turn(bench.state, rate, inclination, time);
         reference.advanceTo(time = until);
       }
       expectSameContacts(recordsOf(scene, rate, TO_AND_FRO), expected, 40);

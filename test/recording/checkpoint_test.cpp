@@ -119,7 +119,7 @@ TEST_F(CheckpointFile, ThatIsNoneIsRefused)
   std::ofstream(path_) << "base: {teeth: 3}\n";
   expectRefusal(smallRing(), "it is no checkpoint");
   std::ofstream(path_) << "ratchet_sieve checkpoint 6\nabc";
-  expectRefusal(smallRing(), "it is of another format than ratchet_sieve checkpoint 7");
+  expectRefusal(smallRing(), "it is of another format than ratchet_sieve checkpoint 8");
 }
 
 TEST_F(CheckpointFile, ThatIsDamagedAnywhereIsRefused)

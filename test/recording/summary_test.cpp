@@ -28,7 +28,7 @@ TEST(Summary, HasEveryFieldOthersRelyOn)
         "short_to_long", "species", "quality", "processed", "accuracy", "base_impulse", "energy_start",
         "energy_end", "max_overlap", "through_base", "warnings"})
     EXPECT_TRUE(json.contains(key)) << key;
-  for (const char* key : {"disk_disk", "left_slope", "right_slope", "apex", "wall"})
+  for (const char* key : {"disk_disk", "left_slope", "right_slope", "apex", "wall", "level"})
     EXPECT_TRUE(json["collisions"].contains(key)) << key;
   for (const char* key : {"pairs", "spin", "drive", "contact_times", "search_above_band"})
     EXPECT_TRUE(json["plan"][key].is_boolean()) << key;

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
-#include "model/sawtooth.h"
+#include "model/base_shape.h"
 #include "ratchet_sieve/ros/particle_cloud.h"
 #include "ratchet_sieve/ros/scene_markers.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
@@ -88,12 +88,12 @@ TEST(BaseTransforms, moveTheBaseByItsDriveInTheWorldWhateverItsInclination)
 TEST(SceneMarkers, drawTheBaseWhereTheEngineHasIt)
 {
   const SceneDefinition scene = smallMixture();
-  const Sawtooth sawtooth(scene.base, scene.boundary);
+  const BaseShape shape(scene.base, scene.boundary);
   const auto markers = baseMarkers(scene, BaseFrame()).markers;
   ASSERT_EQ(markers.size(), 2u);
   EXPECT_EQ(markers[1].points.size(), 4u * scene.base.teeth);
   for (const auto& point : markers[1].points)
-    EXPECT_NEAR(sawtooth.heightAbove(point.x, point.z), 0.0, 1e-12);
+    EXPECT_NEAR(shape.heightAbove(point.x, point.z), 0.0, 1e-12);
 }
 
 /// The highest and the furthest point of the drawn base, in its own frame.

@@ -35,13 +35,21 @@ bool same(const HarmonicDefinition& a, const HarmonicDefinition& b)
 template <typename T>
 bool same(const std::vector<T>& a, const std::vector<T>& b);
 
+bool same(const OutlineCorner& a, const OutlineCorner& b)
+{
+  return sameBits(a.s, b.s) && sameBits(a.n, b.n);
+}
+
 bool same(const BaseDefinition& a, const BaseDefinition& b)
 {
-  return a.teeth == b.teeth && sameBits(a.tooth_width, b.tooth_width) &&
-         sameBits(a.tooth_height, b.tooth_height) && sameBits(a.asymmetry, b.asymmetry) &&
-         sameBits(a.inclination, b.inclination) && sameBits(a.amplitude, b.amplitude) &&
-         sameBits(a.frequency, b.frequency) && sameBits(a.phase, b.phase) &&
-         sameBits(a.wall_height, b.wall_height) && sameBits(a.horizontal_amplitude, b.horizontal_amplitude) &&
+  const bool sawtooth = a.profile.empty();
+  return a.teeth == b.teeth && same(a.profile, b.profile) &&
+         (!sawtooth || sameBits(a.tooth_width, b.tooth_width)) &&
+         (!sawtooth || sameBits(a.tooth_height, b.tooth_height)) &&
+         (!sawtooth || sameBits(a.asymmetry, b.asymmetry)) && sameBits(a.inclination, b.inclination) &&
+         sameBits(a.amplitude, b.amplitude) && sameBits(a.frequency, b.frequency) &&
+         sameBits(a.phase, b.phase) && sameBits(a.wall_height, b.wall_height) &&
+         sameBits(a.horizontal_amplitude, b.horizontal_amplitude) &&
          sameBits(a.horizontal_phase, b.horizontal_phase) && same(a.harmonics, b.harmonics) &&
          a.drive_frame == b.drive_frame;
 }
@@ -166,7 +174,13 @@ SceneDefinition anyScene()
                 0.0,
                 0.0,
                 {},
-                *rc::gen::element(DriveFrame::WORLD, DriveFrame::BASE)};
+                *rc::gen::element(DriveFrame::WORLD, DriveFrame::BASE),
+                {}};
+  if (*rc::gen::inRange(0, 3) == 0)
+    scene.base.profile = {{0.0, 0.0},
+                          {number(0.01, 0.1), number(-0.1, 0.5)},
+                          {number(0.1, 0.5), number(0.0, 0.1)},
+                          {number(0.5, 1.0), 0.0}};
   scene.base.wall_height = *rc::gen::arbitrary<bool>() ? number(0.1, 1.0) : 0.0;
   if (*rc::gen::arbitrary<bool>())
   {
@@ -244,6 +258,20 @@ TEST(CanonicalScene, HasAnOrbitOnlyWhereTheDriveHasOne)
                                       "horizontal_amplitude: 0, horizontal_phase: 0.5}, {multiple: 3, "),
             std::string::npos)
       << canonicalYaml(scene);
+  EXPECT_NE(sceneHash(scene), hash);
+}
+
+/// In place of the keys of a sawtooth, so that it can be read back.
+TEST(CanonicalScene, HasAProfileOrASawtooth)
+{
+  SceneDefinition scene = sceneFromText(GOOD_SCENE, "s.yaml").definition;
+  EXPECT_EQ(canonicalYaml(scene).find("profile"), std::string::npos);
+  const std::string hash = sceneHash(scene);
+  scene.base.profile = {{0.0, 0.0}, {0.006, 0.006}, {0.02, 0.0}};
+  const std::string yaml = canonicalYaml(scene);
+  EXPECT_NE(yaml.find("profile: [[0, 0], [0.006, 0.006], [0.02, 0]]"), std::string::npos) << yaml;
+  EXPECT_EQ(yaml.find("tooth_"), std::string::npos);
+  EXPECT_EQ(yaml.find("asymmetry"), std::string::npos);
   EXPECT_NE(sceneHash(scene), hash);
 }
 

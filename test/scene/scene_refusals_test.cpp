@@ -214,6 +214,57 @@ const Refusal RULES[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Rules, SceneRefusals, testing::ValuesIn(RULES), ruleName);
 
+const char* const TOOTH = "teeth: 20, tooth_width: 0.02";
+const Refusal PROFILES[] = {
+    {"NoList", TOOTH, "profile: 3", "s.yaml:1: base.profile = 3: must be a list"},
+    {"Empty", TOOTH, "profile: []",
+     "s.yaml:1: base.profile = a list: must be a list of 2 to 10000 corners [s, n], each number -1000 to "
+     "1000 m"},
+    {"OneCorner", TOOTH, "profile: [[0, 0]]",
+     "s.yaml:1: base.profile = a list: must be a list of 2 to 10000 corners [s, n], each number -1000 to "
+     "1000 m"},
+    {"CornerOfOneNumber", TOOTH, "profile: [[0, 0], [0.02]]",
+     "s.yaml:1: base.profile.1: must be two numbers, [s, n]"},
+    {"CornerThatIsNoList", TOOTH, "profile: [0, 0.02]", "s.yaml:1: base.profile.0 = 0: must be a list"},
+    {"NotFinite", TOOTH, "profile: [[0, 0], [0.01, .inf], [0.02, 0]]",
+     "s.yaml:1: base.profile.1.1 = .inf: must be a number from -1000 to 1000 m"},
+    {"Text", TOOTH, "profile: [[0, 0], [0.01, high], [0.02, 0]]",
+     "s.yaml:1: base.profile.1.1 = high: must be a number from -1000 to 1000 m"},
+    {"Overhang", TOOTH, "profile: [[0, 0], [0.01, 0.005], [0.009, 0.006], [0.02, 0]]",
+     "s.yaml:1: base.profile.2: s = 0.009 m is before the corner before, s = 0.01 m: a tooth must have no "
+     "overhang"},
+    {"BeginsElsewhere", TOOTH, "profile: [[0.001, 0], [0.02, 0]]",
+     "s.yaml:1: base.profile.0: must be [0, 0]: a tooth begins there"},
+    {"EndsHigher", TOOTH, "profile: [[0, 0], [0.02, 0.001]]",
+     "s.yaml:1: base.profile.1: n = 0.001 m must be 0: a tooth ends as high as it begins"},
+    {"NoWidth", TOOTH, "profile: [[0, 0], [0, 0.01], [0, 0]]",
+     "s.yaml:1: base.profile.2: leads back along a vertical face: a tooth must have no wall or gap without "
+     "thickness"},
+    {"CornerTwice", TOOTH, "profile: [[0, 0], [0.01, 0.001], [0.01, 0.001], [0.02, 0]]",
+     "s.yaml:1: base.profile.2: must be at least 1e-09 m from the corner before"},
+    {"WallBetweenTeeth", TOOTH, "profile: [[0, 0], [0, -0.01], [0.02, -0.01], [0.02, 0]]",
+     "s.yaml:1: base.profile.3: leads back along the next tooth's first face: there must be no wall or gap "
+     "without "
+     "thickness"},
+    {"BesideAWidth", TOOTH, "tooth_width: 0.02, profile: [[0, 0], [0.02, 0]]",
+     "s.yaml:1: base.tooth_width: must be absent because base.profile gives the tooth"},
+    {"BesideAHeight", TOOTH, "profile: [[0, 0], [0.02, 0]], tooth_height: 0.006",
+     "s.yaml:1: base.tooth_height: must be absent because base.profile gives the tooth"},
+    {"BesideAnAsymmetry", TOOTH, "profile: [[0, 0], [0.02, 0]], asymmetry: 0.3",
+     "s.yaml:1: base.asymmetry: must be absent because base.profile gives the tooth"},
+};
+INSTANTIATE_TEST_SUITE_P(Profiles, SceneRefusals, testing::ValuesIn(PROFILES), ruleName);
+
+/// Millimetres for metres are doubted as those of a sawtooth.
+TEST(SceneProfile, InMillimetresIsDoubted)
+{
+  const Scene scene =
+      sceneFromText(goodSceneWith("tooth_width: 0.02", "profile: [[0, 0], [6, 6], [20, 0]]"), "s.yaml");
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_NE(scene.warnings[0].find("base.profile's width = 20 m"), std::string::npos) << scene.warnings[0];
+  EXPECT_NE(scene.warnings[0].find("did you mean 0.02 m?"), std::string::npos) << scene.warnings[0];
+}
+
 TEST(SceneText, ThatIsNoYamlIsRefusedWithItsLine)
 {
   EXPECT_EQ(refusalOf("base: {teeth: 20\nspecies: ]\n"), "s.yaml:2: not YAML: end of map flow not found");

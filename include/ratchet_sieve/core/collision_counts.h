@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/state_archive.h"
@@ -15,11 +16,12 @@ enum class CollisionKind
   DISK_DISK,
   LEFT_SLOPE,
   RIGHT_SLOPE,
-  APEX,  ///< an apex of a tooth, or the outermost foot of an open base
-  WALL
+  APEX,  ///< a convex corner of a tooth, or the outermost foot of an open base
+  WALL,
+  LEVEL  ///< a level face of a profile
 };
 
-/// The name used in summaries and collision files: disk_disk, left_slope, right_slope, apex, wall.
+/// The name used in summaries and collision files: disk_disk, left_slope, right_slope, apex, wall, level.
 const char* name(CollisionKind kind);
 
 /// How often each kind of collision happened.
@@ -30,17 +32,20 @@ struct CollisionCounts
   std::uint64_t right_slope = 0;
   std::uint64_t apex = 0;
   std::uint64_t wall = 0;
+  std::uint64_t level = 0;
 
   void add(CollisionKind kind, std::uint64_t times = 1) { this->*OF_KIND[static_cast<int>(kind)] += times; }
   void add(const CollisionCounts& more);
   CollisionCounts since(const CollisionCounts& earlier) const;
-  void archive(StateArchive& state) { state(disk_disk, left_slope, right_slope, apex, wall); }
+  void archive(StateArchive& state) { state(disk_disk, left_slope, right_slope, apex, wall, level); }
 
-  std::uint64_t total() const { return disk_disk + left_slope + right_slope + apex + wall; }
+  std::uint64_t total() const { return disk_disk + left_slope + right_slope + apex + wall + level; }
 
   /// Contacts with the shorter slope over contacts with the longer one (a < 0.5: left over right);
-  /// nothing if the longer one was never hit or if the slopes are equally long (a = 0.5).
-  std::optional<double> shortToLong(double asymmetry) const;
+  /// nothing if the longer one was never hit, if the slopes are equally long (a = 0.5) or if a tooth has
+  /// more or other faces than two slopes.
+  /// @param asymmetry as BaseDefinition::slopeAsymmetry()
+  std::optional<double> shortToLong(const std::optional<double>& asymmetry) const;
 
 private:
   using OfKind = std::uint64_t CollisionCounts::*;
@@ -49,7 +54,23 @@ private:
 
 inline constexpr CollisionCounts::OfKind CollisionCounts::OF_KIND[] = {
     &CollisionCounts::disk_disk, &CollisionCounts::left_slope, &CollisionCounts::right_slope,
-    &CollisionCounts::apex, &CollisionCounts::wall};
+    &CollisionCounts::apex, &CollisionCounts::wall, &CollisionCounts::level};
+
+/// Contacts with each part of a profile; both empty for a sawtooth.
+struct FaceContacts
+{
+  std::vector<std::uint64_t> face_contacts;    ///< with the face from corner k of the profile to corner k + 1
+  std::vector<std::uint64_t> corner_contacts;  ///< with corner k of the profile; the last corner counts as
+                                               ///< corner 0
+
+  void archive(StateArchive& state) { state(face_contacts, corner_contacts); }
+};
+
+RATCHET_SIEVE_FIELDS(FaceContacts)
+{
+  RATCHET_SIEVE_FIELD(face_contacts, "");
+  RATCHET_SIEVE_FIELD(corner_contacts, "");
+}
 
 RATCHET_SIEVE_FIELDS(CollisionCounts)
 {
@@ -58,6 +79,7 @@ RATCHET_SIEVE_FIELDS(CollisionCounts)
   RATCHET_SIEVE_FIELD(right_slope, "");
   RATCHET_SIEVE_FIELD(apex, "");
   RATCHET_SIEVE_FIELD(wall, "");
+  RATCHET_SIEVE_FIELD(level, "");
 }
 
 }  // namespace ratchet_sieve

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,9 +39,17 @@ struct HarmonicDefinition
   double horizontal_phase = 0.0;      ///< phi_x,k [rad]
 };
 
-/// The sawtooth base and its drive. Tooth k spans s in [k w, (k+1) w] along the base, its apex at
-/// s = (k + a) w, n = h. The whole base moves by D(t) = (A_x sin(phi + phi_x), A sin(phi)) and its harmonics
-/// along the axes of `drive_frame`.
+/// A corner of the outline of a tooth, in coordinates of the tooth: s along the base from the tooth's left
+/// end, n normal to the base.
+struct OutlineCorner
+{
+  double s = 0.0;  ///< [m]
+  double n = 0.0;  ///< [m]
+};
+
+/// The base and its drive. Tooth k spans s in [k w, (k+1) w] along the base; that of a sawtooth has its apex
+/// at s = (k + a) w, n = h. The whole base moves by D(t) = (A_x sin(phi + phi_x), A sin(phi)) and its
+/// harmonics along the axes of `drive_frame`.
 struct BaseDefinition
 {
   int teeth = 20;
@@ -58,7 +67,23 @@ struct BaseDefinition
   std::vector<HarmonicDefinition> harmonics;
   DriveFrame drive_frame = DriveFrame::WORLD;
 
-  double width() const { return teeth * tooth_width; }  ///< W = L w [m]
+  /// If any: the outline of a tooth in place of tooth_width, tooth_height and asymmetry. From (0, 0) to (w,
+  /// 0), at least two corners, s never decreasing (equal: a vertical face), no corner twice.
+  std::vector<OutlineCorner> profile;
+
+  /// Whether a tooth is that of tooth_width, tooth_height and asymmetry, which the lanes know.
+  bool isSawtooth() const { return profile.empty(); }
+
+  double toothWidth() const { return profile.empty() ? tooth_width : profile.back().s; }  ///< w [m]
+  double width() const { return teeth * toothWidth(); }                                   ///< W = L w [m]
+  double highest() const;  ///< height of the highest corner above n = 0 [m]
+  double depth() const;    ///< of the lowest corner below n = 0 [m]
+
+  /// The corners of one tooth, from left to right: all that the shape of the base follows from.
+  std::vector<OutlineCorner> outline() const;
+
+  /// a of a tooth of two slopes, however it is defined; nothing for any other tooth.
+  std::optional<double> slopeAsymmetry() const;
 };
 
 /// The coefficients of the collision law for one kind of contact.

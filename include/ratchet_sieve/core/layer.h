@@ -19,13 +19,13 @@ bool empties(const SceneDefinition& scene);
 /// species.
 double largestDiameter(const SceneDefinition& scene);
 
-/// The smallest radius that a disk of any species can have, including species with no disks [m]. @pre there
-/// is a species
-double smallestRadius(const SceneDefinition& scene);
-
 /// The width over which the disks stand after the pour: its stretch and one largest diameter, at most the
 /// base's width [m].
 double pouredWidth(const SceneDefinition& scene);
+
+/// The smallest radius that a disk of any species can have, including species with no disks [m]. @pre there
+/// is a species
+double smallestRadius(const SceneDefinition& scene);
 
 /// The height of the settled layer of the disks present at the start [m]; 0 if disks do not collide with each
 /// other.

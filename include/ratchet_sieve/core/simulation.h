@@ -24,6 +24,8 @@
 namespace ratchet_sieve
 {
 
+class Engine;
+
 /// The vibrating-ratchet feeder: hard disks over an inclined, shaken sawtooth base, simulated by events or by
 /// integration steps (Method). The same definition gives the same bits, regardless of how often the run is
 /// observed and of the arguments of advanceTo().
@@ -88,6 +90,7 @@ public:
   std::vector<DiskState> disks() const;       ///< disks in the machine, by id, at time()
   std::vector<SpeciesBins> bins() const;      ///< per species
   const CollisionCounts& collisions() const;  ///< since the start
+  FaceContacts faceContacts() const;          ///< since the start; empty without base.profile
   std::uint64_t events() const;               ///< all events since the start
   std::vector<SpeciesMeans> means() const;    ///< per species, since `settle`; empty before
 
@@ -139,8 +142,7 @@ public:
   void observePeriods(PeriodObserver observer);
 
 private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::unique_ptr<Engine> engine_;
 };
 
 }  // namespace ratchet_sieve

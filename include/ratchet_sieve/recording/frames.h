@@ -110,6 +110,7 @@ struct StatisticsFrame
   double window_end = 0.0;    ///< of the means [s]
   std::vector<SpeciesRow> species;
   CollisionCounts collisions;      ///< since the start
+  FaceContacts faces;              ///< since the start
   std::uint64_t events = 0;        ///< since the start
   CollisionRates collision_rates;  ///< within the window
   double real_time_factor = 0.0;   ///< achieved since the last frame; 0 in the first frame
@@ -123,6 +124,7 @@ RATCHET_SIEVE_FIELDS(StatisticsFrame)
   RATCHET_SIEVE_FIELD(window_end, "s");
   RATCHET_SIEVE_FIELD(species, "");
   RATCHET_SIEVE_PART(collisions);
+  RATCHET_SIEVE_PART(faces);
   RATCHET_SIEVE_FIELD(events, "");
   RATCHET_SIEVE_PART(collision_rates);
   RATCHET_SIEVE_FIELD(real_time_factor, "");

@@ -18,8 +18,12 @@ struct CollisionRates
   double right_slope_rate = 0.0;
   double apex_rate = 0.0;
   double wall_rate = 0.0;
+  double level_rate = 0.0;
 
-  double total() const { return disk_disk_rate + left_slope_rate + right_slope_rate + apex_rate + wall_rate; }
+  double total() const
+  {
+    return disk_disk_rate + left_slope_rate + right_slope_rate + apex_rate + wall_rate + level_rate;
+  }
 };
 
 RATCHET_SIEVE_FIELDS(CollisionRates)
@@ -29,6 +33,7 @@ RATCHET_SIEVE_FIELDS(CollisionRates)
   RATCHET_SIEVE_FIELD(right_slope_rate, "1/s");
   RATCHET_SIEVE_FIELD(apex_rate, "1/s");
   RATCHET_SIEVE_FIELD(wall_rate, "1/s");
+  RATCHET_SIEVE_FIELD(level_rate, "1/s");
 }
 
 /// The window over which the statistics frames of one series are averaged: the whole periods of the drive

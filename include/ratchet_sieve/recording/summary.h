@@ -18,8 +18,11 @@ nlohmann::ordered_json summarize(const Simulation& simulation, const RunOutcome&
 /// The computed parts of the model: each part of the plan by its name, true or false.
 nlohmann::ordered_json planParts(const Plan& plan);
 
-/// Collisions of each kind: disk_disk, left_slope, right_slope, apex, wall.
+/// Collisions of each kind: disk_disk, left_slope, right_slope, apex, wall, level.
 nlohmann::ordered_json collisionCounts(const CollisionCounts& counts);
+
+/// Contacts with each part of a profile: lists `faces` and `corners`.
+nlohmann::ordered_json contactsByFace(const FaceContacts& contacts);
 
 /// Adds the means of a species, each under the name of its field, without replacing existing keys.
 void addMeans(nlohmann::ordered_json& species, const SpeciesMeans& means);

@@ -26,11 +26,13 @@ void readScalar(const Entry& entry, const Range& range, Method& value);
 void readScalar(const Entry& entry, const Range& range, SizeDistribution& value);
 void readScalar(const Entry& entry, const Range& range, SizeShare& value);
 void readScalar(const Entry& entry, const Range& range, std::vector<double>& values);  ///< each in the range
+/// The outline of a tooth, without overhang. @param range of each number
+void readScalar(const Entry& entry, const Range& range, std::vector<OutlineCorner>& value);
 
 /// What a reader above accepts.
 struct LegalValues
 {
-  const char* type;    ///< number, integer, boolean, name or choice
+  const char* type;    ///< number, integer, boolean, name, choice or list
   std::string values;  ///< such as "0 to 1000" or "stop or rebound"
 };
 
@@ -47,6 +49,7 @@ LegalValues legalValues(const Range& range, Method);
 LegalValues legalValues(const Range& range, SizeDistribution);
 LegalValues legalValues(const Range& range, SizeShare);
 LegalValues legalValues(const Range& range, const std::vector<double>&);
+LegalValues legalValues(const Range& range, const std::vector<OutlineCorner>&);
 
 /// The text that the readers above take back to the same value, bit for bit.
 std::string scalarText(double value);
@@ -61,5 +64,6 @@ std::string scalarText(Method value);
 std::string scalarText(SizeDistribution value);
 std::string scalarText(SizeShare value);
 std::string scalarText(const std::vector<double>& values);
+std::string scalarText(const std::vector<OutlineCorner>& value);
 
 }  // namespace ratchet_sieve

@@ -13,9 +13,12 @@ namespace
 /// Cells are wider than the largest diameter by this fraction, to allow for rounding.
 constexpr double CELL_MARGIN = 0.005;
 
-/// While a periodic base turns, its lattice turns relative to the cells. Cells are then wider by more than
-/// that rotation requires. Otherwise the grid would be rebuilt at every other collision.
-constexpr double TURNING_CELL_MARGIN = SystemState::LATTICE_MARGIN + CELL_MARGIN;
+/// The part of it for the neighbours of nested cells; the rest is for the rounding of their reach.
+constexpr double NEST_MARGIN = 0.5 * CELL_MARGIN;
+
+/// Nested cells may be this many, whatever the number of disks: a large disk in a layer of small ones adds to
+/// its height.
+constexpr std::size_t MOST_NESTED_CELLS = 1 << 14;
 
 /// Beyond this number of widths a disk is always wrapped: its images within reach are tested one by one.
 constexpr double MOST_LAPS = 64.0;
@@ -51,12 +54,11 @@ std::size_t DiskCells::reserve(std::size_t count)
 
 void DiskCells::add(std::uint32_t slot, double time)
 {
-  const double width = state_.sawtooth().width();
   if (lattice_turns_)
-    images_[slot] -= static_cast<std::int32_t>(wholeWidths(inGrid(slot, time).s(), 1.0 / width));
+    images_[slot] -= static_cast<std::int32_t>(state_.widthsOutside(inGrid(slot, time).s()));
   else
     state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time);
-  grid_.add(slot, cellNow(slot, time));
+  grid_.add(slot, cellNow(slot, time), state_.radius(slot));
 }
 
 bool DiskCells::cross(std::uint32_t slot, Edge edge, double time)
@@ -79,22 +81,8 @@ bool DiskCells::cross(std::uint32_t slot, Edge edge, double time)
   }
   else if (laps != 0)
     images_[slot] -= laps;
-  grid_.add(slot, cell);
+  grid_.add(slot, cell, state_.radius(slot));
   return wraps;
-}
-
-CellGrid::Surroundings DiskCells::beyond(Edge edge)
-{
-  CellGrid::Surroundings around;
-  if (edge == Edge::LEFT)
-    around.last_column = -1;
-  if (edge == Edge::RIGHT)
-    around.first_column = 1;
-  if (edge == Edge::LOWER)
-    around.last_row = -1;
-  if (edge == Edge::UPPER)
-    around.first_row = 1;
-  return around;
 }
 
 bool DiskCells::endEpoch(std::uint64_t events, double time)
@@ -106,8 +94,9 @@ bool DiskCells::endEpoch(std::uint64_t events, double time)
   for (const std::uint32_t slot : state_.slots(true))
     points.push_back(inGrid(slot, time));
   const int spare_laps = state_.scene().boundary == Boundary::PERIODIC ? laps() : 0;
-  const LayoutCosts costs(points, state_.sawtooth().width(), *searches / state_.epoch().length, spare_laps);
-  return fit_.choose(costs, layerLayout(), leastSide());
+  const LayoutCosts costs(points, state_.shape().width(), *searches / state_.epoch().length, spare_laps);
+  const Sizes now = sizes();
+  return fit_.choose(costs, layerLayout(now), now.least_side);
 }
 
 void DiskCells::archive(StateArchive& state)
@@ -117,7 +106,7 @@ void DiskCells::archive(StateArchive& state)
     return;
   const double length =
       frame_.rotation.cosine * frame_.rotation.cosine + frame_.rotation.sine * frame_.rotation.sine;
-  const double width = state_.sawtooth().width();
+  const double width = state_.shape().width();
   const bool images_fit =
       lattice_turns_ == latticeTurns() && images_.size() == (lattice_turns_ ? capacity_ : 0) &&
       std::all_of(images_.begin(), images_.end(),
@@ -127,7 +116,7 @@ void DiskCells::archive(StateArchive& state)
                grid_.periodic() == (state_.scene().boundary == Boundary::PERIODIC) &&
                std::abs(grid_.columnStart(grid_.columns()) - width) <= 1e-9 * width;
   for (std::uint32_t slot = 0; legal && slot < state_.disks().size(); ++slot)
-    legal = !state_.active(slot) || grid_.holds(slot);
+    legal = !state_.active(slot) || (grid_.holds(slot) && levelFits(slot));
   state.require(legal, "its cells do not match its disks");
 }
 
@@ -138,10 +127,14 @@ CellGrid DiskCells::makeGrid()
   const bool periodic = scene.boundary == Boundary::PERIODIC;
   lattice_turns_ = latticeTurns();
   images_.assign(lattice_turns_ ? capacity_ : 0, 0);
-  const CellLayout layout = fit_.layout().value_or(layerLayout());
-  const std::size_t count = std::max<std::size_t>(1, state_.activeCount());
-  return CellGrid(scene.base.width(), layout.height, std::max(layout.smallest_side, leastSide()), count,
-                  periodic, fit_.layout() ? laps() : 0);
+  const Sizes now = sizes();
+  const CellLayout layout = fit_.layout().value_or(layerLayout(now));
+  const double side = std::max(layout.smallest_side, now.least_side);
+  std::size_t count = std::max<std::size_t>(1, state_.activeCount());
+  const CellShape shape(scene.base.width(), layout.height, side,
+                        now.levels.count() > 1 ? std::max(count, MOST_NESTED_CELLS) : count);
+  return CellGrid(shape, now.levels, NEST_MARGIN * now.levels.diameters[0] + latticeMargin(), count, periodic,
+                  fit_.layout() ? laps() : 0);
 }
 
 bool DiskCells::latticeTurns() const
@@ -149,23 +142,46 @@ bool DiskCells::latticeTurns() const
   return state_.scene().boundary == Boundary::PERIODIC && state_.motion().turning();
 }
 
-/// The smallest allowed side of a cell [m].
-double DiskCells::leastSide() const
+/// While a periodic base turns, its lattice turns relative to the cells, by up to this length [m].
+double DiskCells::latticeMargin() const
 {
-  return state_.largestDiameter() * (1.0 + (lattice_turns_ ? TURNING_CELL_MARGIN : CELL_MARGIN));
+  return lattice_turns_ ? SystemState::LATTICE_MARGIN * state_.latticeDiameter() : 0.0;
+}
+
+DiskCells::Sizes DiskCells::sizes() const
+{
+  std::vector<double> radii;
+  radii.reserve(state_.activeCount());
+  double squares = 0.0;
+  for (std::uint32_t slot = 0; slot < state_.disks().size(); ++slot)
+    if (state_.active(slot))
+    {
+      radii.push_back(state_.radius(slot));
+      squares += 4.0 * radii.back() * radii.back();
+    }
+  Sizes sizes{cheapestLevels(radii, state_.largestDiameter()), squares, 0.0};
+  const double diameter = sizes.levels.diameters[0];
+  if (sizes.levels.count() == 1)
+    sizes.squares = std::max<double>(1.0, static_cast<double>(radii.size())) * diameter * diameter;
+  // Otherwise the grid would be rebuilt at every other collision while the lattice turns.
+  const double turning =
+      lattice_turns_ ? SystemState::LATTICE_MARGIN * (state_.latticeDiameter() / diameter) : 0.0;
+  sizes.least_side = diameter * (1.0 + (turning + CELL_MARGIN));
+  return sizes;
 }
 
 /// Cells for a vibrated layer.
-CellLayout DiskCells::layerLayout() const
+CellLayout DiskCells::layerLayout(const Sizes& sizes) const
 {
   const SceneDefinition& scene = state_.scene();
-  const double count = std::max<double>(1.0, static_cast<double>(state_.activeCount()));
-  const double diameter = state_.largestDiameter();
-  const double layers = count * diameter * diameter / scene.base.width();
+  const double layers = sizes.squares / scene.base.width();
   // The height of the vibrated layer: disks poured from above it or thrown out of it are in the topmost row.
-  const double height = scene.base.tooth_height + layers +
-                        std::min(state_.motion().throwHeight(scene.gravity), scene.base.width());
-  return {height, leastSide()};
+  double height = state_.shape().relief() + layers +
+                  std::min(state_.motion().throwHeight(scene.gravity), scene.base.width());
+  // A large disk stands out of the layer. In the topmost row it would cover no cell.
+  if (sizes.levels.count() > 1)
+    height += sizes.levels.largest();
+  return {height, sizes.least_side};
 }
 
 /// The number of widths by which a disk may be outside of [0, W) before it is wrapped. Within that distance,
@@ -175,8 +191,16 @@ std::int32_t DiskCells::laps() const
 {
   if (state_.motion().turning())
     return 0;
-  const double farthest = farthestPlace(state_.smallestRadius()) / state_.sawtooth().width();
+  const double farthest = farthestPlace(state_.smallestRadius()) / state_.shape().width();
   return static_cast<std::int32_t>(std::clamp(std::floor(farthest) - 1.0, 0.0, MOST_LAPS));
+}
+
+/// Whether a restored level is that of the disk's size.
+bool DiskCells::levelFits(std::uint32_t slot) const
+{
+  const SizeLevels& levels = grid_.levels();
+  return levels.count() == 0 || (levels.largest() == state_.largestDiameter() &&
+                                 grid_.levelOf(slot) == levels.of(state_.radius(slot)));
 }
 
 CellGrid::Cell DiskCells::cellNow(std::uint32_t slot, double time) const

@@ -14,7 +14,8 @@ namespace ratchet_sieve
 {
 
 /// The cell list: the cell of each active disk, and the time at which the disk leaves it. Disks in cells that
-/// do not touch are further apart than the largest diameter.
+/// do not touch are further apart than the largest diameter. If sizes are wide, cells suit the small disks,
+/// and the large ones are nested (CellNest).
 ///
 /// The columns of a periodic grid form a ring. While the base does not turn, a disk is wrapped when it
 /// crosses the ends of the ring. While the base turns, a disk is wrapped at the ends of the base. The grid
@@ -26,14 +27,7 @@ namespace ratchet_sieve
 class DiskCells
 {
 public:
-  enum class Edge : std::uint8_t
-  {
-    NONE,
-    LEFT,
-    RIGHT,
-    LOWER,
-    UPPER
-  };
+  using Edge = CellEdge;
 
   struct Crossing
   {
@@ -100,15 +94,11 @@ public:
   /// Moves a disk over an edge into the next cell. @return whether it was wrapped, which changes its flight
   bool cross(std::uint32_t slot, Edge edge, double time);
 
-  /// The cells that become neighbours of a disk's cell when it crosses an edge.
-  static CellGrid::Surroundings beyond(Edge edge);
-
-  /// As CellGrid::visit(), around the disk's cell.
+  /// As CellGrid::visit(), around the disk's cell; after a crossing, only what is new beyond the edge.
   template <typename Visit>
-  void visit(std::uint32_t slot, const CellGrid::Surroundings& around, std::vector<std::uint32_t>& list,
-             Visit&& visit) const
+  void visit(std::uint32_t slot, Edge entered, std::vector<std::uint32_t>& list, Visit&& visit) const
   {
-    grid_.visit(grid_.cellOf(slot), around, list, visit);
+    grid_.visit(slot, entered, list, visit);
   }
 
   /// Per slot, while a periodic base turns: the image of a disk in the grid, in widths to the right of the
@@ -131,9 +121,19 @@ public:
 private:
   bool latticeTurns() const;
   CellGrid makeGrid();
-  double leastSide() const;
-  CellLayout layerLayout() const;
+
+  /// What the cells have to suit, of the present disks.
+  struct Sizes
+  {
+    SizeLevels levels;
+    double squares;     ///< sum of the squared diameters, as the layer's height takes them [m^2]
+    double least_side;  ///< smallest allowed side of a cell [m]
+  };
+  Sizes sizes() const;
+  double latticeMargin() const;
+  CellLayout layerLayout(const Sizes& sizes) const;
   std::int32_t laps() const;
+  bool levelFits(std::uint32_t slot) const;
   CellGrid::Cell cellNow(std::uint32_t slot, double time) const;
 
   /// The position of a disk, or of its image in the grid, in the fixed frame of the cells.
@@ -142,8 +142,9 @@ private:
   {
     const Course now = courseAt(state_.disk(slot), time, state_.scene().gravity);
     BasePoint point{frame_.into(vectorOf(now.position)), frame_.into(vectorOf(now.velocity))};
+    point.position.y() += state_.shape().depth();
     if (lattice_turns_)
-      point.position.x() += images_[slot] * state_.sawtooth().width();
+      point.position.x() += images_[slot] * state_.shape().width();
     return point;
   }
 

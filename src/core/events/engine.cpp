@@ -28,19 +28,19 @@ const Engine::MachineEvent Engine::MACHINE_EVENTS[] = {{&Engine::nextSettle, &En
 
 Engine::Engine(const SceneDefinition& scene, const Plan& plan, double start_time,
                const PourObserver& pour_observer)
-    : machine_(scene, plan), random_(scene.seed), energy_watch_(scene), start_(start_time)
+    : state_(scene, plan), random_(scene.seed), start_(start_time)
 {
-  now_ = machine_.startAt(start_);
+  now_ = state_.startAt(start_);
   if (scene.initial.empty())
-    pourDisks(machine_, pourOrder(scene.species, random_), scene.pour.stretch, now_, random_, pour_observer);
+    pourDisks(state_, pourOrder(scene.species, random_), scene.pour.stretch, now_, random_, pour_observer);
   else
-    placeInitialDisks(machine_, now_);
+    placeInitialDisks(state_, now_);
   loop_ = makeLoop();
   announce(0);
 }
 
 Engine::Engine(const SceneDefinition& scene, std::string_view saved_state)
-    : machine_(scene), random_(scene.seed), loop_(makeLoop()), energy_watch_(scene)
+    : state_(scene), random_(scene.seed), loop_(makeLoop())
 {
   StateArchive state(saved_state);
   archive(state);
@@ -49,21 +49,21 @@ Engine::Engine(const SceneDefinition& scene, std::string_view saved_state)
 
 void Engine::archive(StateArchive& state)
 {
-  state(machine_, random_, *loop_, energy_watch_, start_, now_, settled_, blocks_, fed_);
+  state(state_, random_, *loop_, start_, now_, settled_, blocks_, fed_);
   state.require(isLegal(), "its time is impossible");
 }
 
 /// Whether a restored state is possible: counters that increase with time must match the time.
 bool Engine::isLegal() const
 {
-  if (!(start_ >= 0.0 && now_ >= 0.0 && now_ <= machine().epoch().length && start_ <= time()))
+  if (!(start_ >= 0.0 && now_ >= 0.0 && now_ <= state_.epoch().length && start_ <= time()))
     return false;
   const auto keeps_up = [](double length, std::uint64_t count, double period)
   { return std::abs(length - static_cast<double>(count) * period) <= 2.0 * period; };
-  const double rate = machine().scene().feed.rate;
+  const double rate = state_.scene().feed.rate;
   const bool fed = rate > 0.0 ? keeps_up(time() - start_, fed_, 1.0 / rate) : fed_ == 0;
-  const bool blocks =
-      !settled_ || !record().keepsBlocks() || keeps_up(time() - settledTime(), blocks_, blockTime());
+  const bool blocks = !settled_ || !state_.observers().keepsBlocks() ||
+                      keeps_up(time() - settledTime(), blocks_, blockTime());
   return fed && blocks;
 }
 
@@ -73,14 +73,14 @@ void Engine::advanceTo(double time)
     return;
   while (true)
   {
-    const double target = time - machine().epoch().start;
+    const double target = time - state_.epoch().start;
     const double next = std::min(target, nextMachineEvent());
     now_ = loop_->advanceTo(next);
-    sorter_.flush();
+    state_.observers().deliver();
     if (hasToStop())
     {
       stopAtATimeOfTheRun();
-      throw StallError(collapseWatch().text());
+      throw StallError(state_.collapseWatch().text());
     }
     if (!executeMachineEvent() && next == target)
       return;
@@ -89,20 +89,20 @@ void Engine::advanceTo(double time)
 
 void Engine::pour(std::size_t species, std::size_t count)
 {
-  pour(species, count, machine().scene().pour.stretch);
+  pour(species, count, state_.scene().pour.stretch);
 }
 
 void Engine::pour(std::size_t species, std::size_t count, const Stretch& stretch)
 {
-  const SceneDefinition& scene = machine().scene();
+  const SceneDefinition& scene = state_.scene();
   if (species >= scene.species.size())
     throw std::invalid_argument("there is no species " + std::to_string(species));
-  if (2.0 * machine().sizes(species).largest() > scene.base.width())
+  if (2.0 * state_.sizes(species).largest() > scene.base.width())
     throw std::invalid_argument("disks of species " + scene.species[species].name +
                                 " are wider than the machine: there is no room for them");
   loop_->catchUp(now_);
-  const auto before = static_cast<std::uint32_t>(machine().disks().size());
-  pourDisks(machine_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), stretch, now_,
+  const auto before = static_cast<std::uint32_t>(state_.disks().size());
+  pourDisks(state_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), stretch, now_,
             random_);
   announce(before);
 }
@@ -113,20 +113,10 @@ void Engine::setThreads(std::size_t threads)
   loop_->setThreads(threads_);
 }
 
-void Engine::observeCollisions(CollisionObserver observer)
-{
-  if (hasPairs())
-    return machine_.record().observeCollisions(std::move(observer));
-  sorter_.setObserver(std::move(observer));
-  machine_.record().observeCollisions(
-      sorter_.watched() ? CollisionObserver([this](const CollisionRecord& record) { sorter_.take(record); })
-                        : nullptr);
-}
-
 std::size_t Engine::auditOverlaps()
 {
-  const Audit found = audit(machine(), loop_->executedUntil(now_));
-  machine_.record().counts().takeOverlap(found.largest_overlap);
+  const Audit found = audit(state_, loop_->executedUntil(now_));
+  state_.observers().counts().takeOverlap(found.largest_overlap);
   return found.behind_surface;
 }
 
@@ -135,8 +125,8 @@ std::unique_ptr<EventLoop> Engine::makeLoop()
   // Checked for every scene, so that an invalid limit is an error before the run begins.
   laneLimit();
   if (!hasPairs())
-    return makeEnsembleLoop(machine_);
-  return machine().plan().steps ? makeStepLoop(machine_) : makePairLoop(machine_);
+    return makeEnsembleLoop(state_, execution_);
+  return state_.plan().steps ? makeStepLoop(state_, execution_) : makePairLoop(state_, execution_);
 }
 
 double Engine::nextMachineEvent() const
@@ -144,9 +134,9 @@ double Engine::nextMachineEvent() const
   double next = std::numeric_limits<double>::infinity();
   for (const MachineEvent& event : MACHINE_EVENTS)
     next = std::min(next, (this->*event.when)().value_or(next));
-  // Limits the number of records that an ensemble holds for sorting.
-  if (sorter_.watched())
-    next = std::min(next, now_ + machine().timeScale());
+  // Limits the number of notices that an ensemble holds.
+  if (state_.observers().collects())
+    next = std::min(next, now_ + state_.timeScale());
   return std::max(next, now_);
 }
 
@@ -169,12 +159,12 @@ std::optional<double> Engine::nextSettle() const
 void Engine::settle()
 {
   settled_ = true;
-  machine_.restartMeans(now_);
+  state_.observers().restart(now_);
 }
 
 std::optional<double> Engine::nextBlockEnd() const
 {
-  if (!settled_ || !record().keepsBlocks())
+  if (!settled_ || !state_.observers().keepsBlocks())
     return std::nullopt;
   return local(blockEnd(blocks_ + 1));
 }
@@ -182,13 +172,13 @@ std::optional<double> Engine::nextBlockEnd() const
 /// The block length follows the machine's time scale.
 double Engine::blockTime() const
 {
-  return hasPairs() ? machine().timeScale() : SCALES_PER_ENSEMBLE_BLOCK * machine().timeScale();
+  return hasPairs() ? state_.timeScale() : SCALES_PER_ENSEMBLE_BLOCK * state_.timeScale();
 }
 
 void Engine::endBlock()
 {
   ++blocks_;
-  machine_.record().endBlockOfMeans(now_);
+  state_.observers().endBlock(now_);
 }
 
 void Engine::beginSegment()
@@ -198,24 +188,24 @@ void Engine::beginSegment()
 
 std::optional<double> Engine::nextFeed() const
 {
-  const double rate = machine().scene().feed.rate;
+  const double rate = state_.scene().feed.rate;
   return rate > 0.0 ? local(start_ + static_cast<double>(fed_ + 1) / rate) : std::nullopt;
 }
 
 void Engine::feed()
 {
   ++fed_;
-  pour(drawSpecies(machine().scene().species, random_), 1, machine().scene().feed.stretch);
+  pour(drawSpecies(state_.scene().species, random_), 1, state_.scene().feed.stretch);
 }
 
 void Engine::endEpoch()
 {
-  const bool moving = machine().motion().nextChange().has_value();
+  const bool moving = state_.motion().nextChange().has_value();
   loop_->catchUp(now_);
-  energy_watch_.check(machine(), now_);
-  moveZero(machine().epoch().length);
+  state_.observers().endEpoch(now_);
+  moveZero(state_.epoch().length);
   // Otherwise memory and scan time would grow without limit in a machine with a feed.
-  if (machine_.compact())
+  if (state_.compact())
     renewLoop();
   else if (loop_->outgrown(now_) || moving)
     loop_->motionChanged(now_);
@@ -223,7 +213,7 @@ void Engine::endEpoch()
 
 void Engine::moveZero(double length)
 {
-  machine_.rebase(length);
+  state_.rebase(length);
   loop_->rebase(length);
   periods_.rebase(length);
   now_ -= length;
@@ -243,15 +233,15 @@ void Engine::renewLoop()
 /// end of an epoch, regardless of the calls of advanceTo().
 bool Engine::hasToStop() const
 {
-  const CollapseWatch& watch = collapseWatch();
-  return watch.stops() && (hasPairs() || now_ >= machine().epoch().length);
+  const CollapseWatch& watch = state_.collapseWatch();
+  return watch.stops() && (hasPairs() || now_ >= state_.epoch().length);
 }
 
 /// An epoch's times are finer than the run's. The run ends at the next time that the run can represent, so
 /// that another run to time() gives the same bits.
 void Engine::stopAtATimeOfTheRun()
 {
-  const double epoch_start = machine().epoch().start;
+  const double epoch_start = state_.epoch().start;
   double end = time();
   if (end - epoch_start < now_)
     end = std::nextafter(end, std::numeric_limits<double>::infinity());
@@ -260,7 +250,7 @@ void Engine::stopAtATimeOfTheRun()
 
 void Engine::announce(std::uint32_t first)
 {
-  for (std::uint32_t slot = first; slot < machine().disks().size(); ++slot)
+  for (std::uint32_t slot = first; slot < state_.disks().size(); ++slot)
     loop_->added(slot, now_);
 }
 

@@ -8,17 +8,16 @@
 #include <utility>
 
 #include "events/event_loop.h"
-#include "events/record_sorter.h"
 #include "model/random.h"
-#include "state/energy_watch.h"
-#include "state/machine.h"
+#include "state/contact_execution.h"
 #include "state/period_watch.h"
+#include "state/system_state.h"
 
 namespace ratchet_sieve
 {
 
-/// A run of the machine. This class handles events of the whole machine; the loop handles events of single
-/// disks. Times are local to the epoch unless stated otherwise.
+/// What advances a system: a loop for the events of single disks, the execution of their contacts, and the
+/// events of the whole machine. Times are local to the epoch unless stated otherwise.
 class Engine
 {
 public:
@@ -32,10 +31,8 @@ public:
   /// @throws StateError
   void archive(StateArchive& state);
 
-  const SystemState& machine() const { return machine_.state(); }
-  const Observers& record() const { return machine_.record(); }
-  const CollapseWatch& collapseWatch() const { return machine_.collapseWatch(); }
-  const EnergyWatch& energyWatch() const { return energy_watch_; }
+  const SystemState& state() const { return state_; }
+  SystemState& state() { return state_; }
   std::uint64_t events() const { return loop_->events(); }
   bool settled() const { return settled_; }
   double now() const { return now_; }
@@ -45,11 +42,11 @@ public:
   {
     return settledTime() + static_cast<double>(blocks) * blockTime();
   }
-  MeanSeries meanSeries() const { return record().meanSeries(blockTime()); }
+  MeanSeries meanSeries() const { return state_.observers().meanSeries(blockTime()); }
 
   /// In the run's time [s].
   double startTime() const { return start_; }
-  double time() const { return machine().epoch().start + now_; }
+  double time() const { return state_.epoch().start + now_; }
 
   /// @param time in the run's time [s] @throws StallError
   void advanceTo(double time);
@@ -59,8 +56,8 @@ public:
   void changeMotion(Command&& command)
   {
     loop_->catchUp(now_);
-    machine_.state().changeMotion(command, now_);
-    if (const double length = machine_.state().shortenEpoch(now_); length > 0.0)
+    state_.changeMotion(command, now_);
+    if (const double length = state_.shortenEpoch(now_); length > 0.0)
       moveZero(length);
     loop_->motionChanged(now_);
     periods_.motionChanged(now_);
@@ -69,7 +66,6 @@ public:
   /// @throws std::invalid_argument; nothing is changed then
   void pour(std::size_t species, std::size_t count);
   void setThreads(std::size_t threads);
-  void observeCollisions(CollisionObserver observer);
   void observePeriods(PeriodObserver observer) { periods_.observe(std::move(observer), now_); }
 
   /// @return number of disks below the base's surface
@@ -99,18 +95,18 @@ private:
   void endBlock();
   std::optional<double> nextPeriodSample() const { return periods_.next(); }
   void samplePeriod() { periods_.sample(now_); }
-  std::optional<double> nextSegmentEnd() const { return machine().motion().nextChange(); }
+  std::optional<double> nextSegmentEnd() const { return state_.motion().nextChange(); }
   void beginSegment();
   std::optional<double> nextFeed() const;
   void feed();
   void pour(std::size_t species, std::size_t count, const Stretch& stretch);
-  std::optional<double> nextEpochEnd() const { return machine().epoch().length; }
+  std::optional<double> nextEpochEnd() const { return state_.epoch().length; }
   void endEpoch();
 
   /// @param time of the run [s]
-  std::optional<double> local(double time) const { return time - machine().epoch().start; }
-  double settledTime() const { return start_ + machine().scene().settle; }
-  bool hasPairs() const { return machine().plan().pairs; }
+  std::optional<double> local(double time) const { return time - state_.epoch().start; }
+  double settledTime() const { return start_ + state_.scene().settle; }
+  bool hasPairs() const { return state_.plan().pairs; }
   void moveZero(double length);
   void renewLoop();
   bool hasToStop() const;
@@ -120,18 +116,17 @@ private:
   /// Adds the disks from slot `first` on to the loop.
   void announce(std::uint32_t first);
 
-  Machine machine_;
+  SystemState state_;
+  ContactExecution execution_{state_};
   Random random_;
   std::unique_ptr<EventLoop> loop_;
-  EnergyWatch energy_watch_;
   double start_ = 0.0;  ///< of the run [s]
   double now_ = 0.0;
   bool settled_ = false;
   std::uint64_t blocks_ = 0;  ///< completed blocks of the mean series
   std::uint64_t fed_ = 0;
   std::size_t threads_ = 1;
-  PeriodWatch periods_{machine_.state(), machine_.record().counts().collisions};
-  RecordSorter sorter_;
+  PeriodWatch periods_{state_, state_.observers().counts().collisions};
 };
 
 }  // namespace ratchet_sieve

@@ -10,7 +10,7 @@
 #include "events/event_loop.h"
 #include "lanes/lane_run.h"
 #include "lanes/worker_pool.h"
-#include "state/machine.h"
+#include "state/contact_execution.h"
 
 namespace ratchet_sieve
 {
@@ -23,14 +23,14 @@ constexpr std::size_t DISKS_AT_A_TIME = 16;
 constexpr std::size_t DISKS_PER_THREAD = 64;
 
 /// Every disk has its own event loop. Ordinary contacts are executed for many disks at a time with SIMD
-/// (LaneRun), on several threads. All other events are executed one at a time by the Machine: see Plan for
-/// scenes, laneScene() for times, and CollapseWatch for disks. Which of the two is used depends only on the
-/// scene and on the history of the disk.
+/// (LaneRun), on several threads. All other events are executed one at a time by ContactExecution: see Plan
+/// for scenes, laneScene() for times, and CollapseWatch for disks. Which of the two is used depends only on
+/// the scene and on the history of the disk.
 class EnsembleLoop : public EventLoop
 {
 public:
-  explicit EnsembleLoop(Machine& machine)
-      : machine_(machine), state_(machine.state()), base_(machine.state().motion())
+  EnsembleLoop(SystemState& state, ContactExecution& execution)
+      : state_(state), execution_(execution), base_(state.motion())
   {
     EnsembleLoop::setThreads(1);
   }
@@ -87,8 +87,7 @@ public:
     state(next_);
     requireDisks(next_.size(), state_);
     for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
-      state.require(!state_.active(slot) || state_.canBeTime(next_[slot].time),
-                    "a disk's event is in the past");
+      state.require(!state_.active(slot) || state_.canBe(next_[slot]), "a disk's event is impossible");
   }
 
 private:
@@ -105,7 +104,7 @@ private:
       runLanes(scene, time);
       behind_.clear();
       for (const std::unique_ptr<LaneRun>& run : runs_)
-        takeIn(run->takeReport(), time);
+        takeIn(*run, time);
     }
   }
 
@@ -116,7 +115,7 @@ private:
     {
       std::size_t next = 0;
       std::size_t end = 0;
-      runs_[worker]->advance(machine_, next_, scene, time,
+      runs_[worker]->advance(state_, execution_, next_, scene, time,
                              [&](std::uint32_t& slot)
                              {
                                if (next == end)
@@ -137,12 +136,10 @@ private:
   }
 
   /// Merges the results of one thread. Leaves in behind_ the disks that have not reached `time`.
-  void takeIn(const LaneRun::Report& report, double time)
+  void takeIn(LaneRun& run, double time)
   {
+    const LaneRun::Report report = run.takeReport(state_.observers());
     events_ += report.events;
-    machine_.record().take(report.counts, report.contacts);
-    for (const CollisionRecord& record : report.records)
-      machine_.record().collisionObserver()(record);
     for (const std::uint32_t slot : report.not_for_lanes)
       if (advanceAlone(slot, time))
         behind_.push_back(slot);
@@ -154,7 +151,7 @@ private:
   {
     do
       executeNext(slot);
-    while (hasEventBy(slot, time) && machine_.collapseWatch().lossless(slot));
+    while (hasEventBy(slot, time) && state_.collapseWatch().lossless(slot));
     return hasEventBy(slot, time);
   }
 
@@ -163,11 +160,11 @@ private:
     BaseEvent& next = next_[slot];
     const double now = next.time;
     // A collapsed disk reaches no later time. The others advance to the time at which the run is stopped.
-    if (machine_.collapseWatch().count(slot, now) && machine_.collapseWatch().stuck(slot))
+    if (state_.collapseWatch().count(slot, now) && state_.collapseWatch().stuck(slot))
       return state_.remove(slot, now);
     ++events_;
     if (next.feature)
-      machine_.handleBaseEvent(slot, next.feature, now, base_);
+      execution_.handleBaseEvent(slot, next.feature, now, base_);
     wrapIntoWidth(slot, now);
     next = search(slot, now);
   }
@@ -185,8 +182,8 @@ private:
     return state_.nextBaseEvent(slot, from, std::numeric_limits<double>::infinity(), base_);
   }
 
-  Machine& machine_;
   SystemState& state_;
+  ContactExecution& execution_;
   BaseInstant base_;
   std::vector<BaseEvent> next_;                 ///< per disk
   std::vector<std::uint32_t> behind_;           ///< disks that have not reached the requested time
@@ -196,9 +193,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<EventLoop> makeEnsembleLoop(Machine& machine)
+std::unique_ptr<EventLoop> makeEnsembleLoop(SystemState& state, ContactExecution& execution)
 {
-  return std::make_unique<EnsembleLoop>(machine);
+  return std::make_unique<EnsembleLoop>(state, execution);
 }
 
 }  // namespace ratchet_sieve

@@ -5,9 +5,9 @@
 namespace ratchet_sieve
 {
 
-void EventLoop::requireDisks(std::size_t count, const SystemState& machine)
+void EventLoop::requireDisks(std::size_t count, const SystemState& state)
 {
-  if (count != machine.disks().size())
+  if (count != state.disks().size())
     throw StateError("it has another number of disks");
 }
 

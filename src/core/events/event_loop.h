@@ -9,10 +9,10 @@
 namespace ratchet_sieve
 {
 
-class Machine;
+class ContactExecution;
 class SystemState;
 
-/// Advances a machine's disks from event to event. Times are local to the epoch.
+/// Advances the disks of a system from event to event. Times are local to the epoch.
 ///
 /// The results do not depend on how a caller divides the time into calls: the same events occur with the same
 /// bits.
@@ -21,7 +21,7 @@ class EventLoop
 public:
   virtual ~EventLoop() = default;
 
-  /// Executes every event up to and including `time`, unless the machine's CollapseWatch stops the run.
+  /// Executes every event up to and including `time`, unless the CollapseWatch stops the run.
   /// @return the time reached
   virtual double advanceTo(double time) = 0;
 
@@ -62,19 +62,19 @@ public:
   void setEvents(std::uint64_t events) { events_ = events; }
 
 protected:
-  /// @throws StateError if the restored number of disks is not the machine's
-  static void requireDisks(std::size_t count, const SystemState& machine);
+  /// @throws StateError if the restored number of disks is not the system's
+  static void requireDisks(std::size_t count, const SystemState& state);
 
   std::uint64_t events_ = 0;
 };
 
 /// For independent disks: every disk has its own loop, without a queue.
-std::unique_ptr<EventLoop> makeEnsembleLoop(Machine& machine);
+std::unique_ptr<EventLoop> makeEnsembleLoop(SystemState& state, ContactExecution& execution);
 
 /// For disks that collide with each other: one event queue for all.
-std::unique_ptr<EventLoop> makePairLoop(Machine& machine);
+std::unique_ptr<EventLoop> makePairLoop(SystemState& state, ContactExecution& execution);
 
 /// The same by fixed integration steps: Method::STEPS.
-std::unique_ptr<EventLoop> makeStepLoop(Machine& machine);
+std::unique_ptr<EventLoop> makeStepLoop(SystemState& state, ContactExecution& execution);
 
 }  // namespace ratchet_sieve

@@ -7,7 +7,7 @@
 #include "events/prefetch_window.h"
 #include "model/prefetch.h"
 #include "search/pair_search.h"
-#include "state/machine.h"
+#include "state/contact_execution.h"
 
 namespace ratchet_sieve
 {
@@ -41,8 +41,8 @@ constexpr int MOST_SHIFTS = 1000;
 class PairLoop : public EventLoop
 {
 public:
-  explicit PairLoop(Machine& machine)
-      : machine_(machine), state_(machine.state()), base_(state_.motion()), cells_(state_)
+  PairLoop(SystemState& state, ContactExecution& execution)
+      : state_(state), execution_(execution), base_(state.motion()), cells_(state)
   {
     predictions_.reserve(state_.disks().size());
     queue_.resize(state_.disks().size());
@@ -52,7 +52,7 @@ public:
   {
     while (queue_.topTime() <= time)
     {
-      if (machine_.collapseWatch().stops())
+      if (state_.collapseWatch().stops())
         return queue_.topTime();
       if (queue_.topTime() > prefetched_.end())
         prefetchNextEvents();
@@ -144,7 +144,7 @@ private:
       cells_.prefetchAround(slot);
     }
     for (const std::uint32_t slot : next_)
-      cells_.visit(slot, {}, near_,
+      cells_.visit(slot, Edge::NONE, near_,
                    [this](const std::uint32_t* others, std::size_t count, int)
                    {
                      for (std::size_t i = 0; i < count; ++i)
@@ -156,13 +156,13 @@ private:
   {
     prefetch(predictions_[slot]);
     cells_.prefetchCellOf(slot);
-    machine_.prefetchEvent(slot);
+    state_.prefetchEvent(slot);
   }
 
   void process(std::uint32_t slot)
   {
     const double now = queue_.topTime();
-    if (machine_.collapseWatch().count(slot, now) && machine_.collapseWatch().stops())
+    if (state_.collapseWatch().count(slot, now) && state_.collapseWatch().stops())
       return;
     ++events_;
     Prediction& p = predictions_[slot];
@@ -185,7 +185,7 @@ private:
       refresh(slot);
       return;
     }
-    machine_.collidePair(slot, p.pair.partner, p.pair.shift, now);
+    execution_.collidePair(slot, p.pair.partner, p.pair.shift, now);
     predict(slot, now);
     predict(p.pair.partner, now);
   }
@@ -193,7 +193,7 @@ private:
   void processBase(std::uint32_t slot, double now)
   {
     const BaseFeature feature = predictions_[slot].base.feature;
-    machine_.handleBaseEvent(slot, feature, now, base_);
+    execution_.handleBaseEvent(slot, feature, now, base_);
     if (state_.active(slot))
     {
       if (feature.isEnd())
@@ -210,7 +210,7 @@ private:
     const Edge edge = predictions_[slot].edge;
     if (cells_.cross(slot, edge, now))
       return predict(slot, now);
-    searchPairsIn(slot, DiskCells::beyond(edge), now);
+    searchPairsIn(slot, edge, now);
     predictions_[slot].edge = Edge::NONE;
     predictions_[slot].cell_time = now;
     refresh(slot);
@@ -230,15 +230,15 @@ private:
   void searchPairs(std::uint32_t slot, double now)
   {
     predictions_[slot].pair = PairContact();
-    searchPairsIn(slot, {}, now);
+    searchPairsIn(slot, Edge::NONE, now);
   }
 
-  void searchPairsIn(std::uint32_t slot, const CellGrid::Surroundings& around, double now)
+  void searchPairsIn(std::uint32_t slot, Edge entered, double now)
   {
     Prediction& p = predictions_[slot];
     const PairSearch search(state_.pairScene(), slot, now);
     const int ring_shifts = cells_.ringShifts();
-    cells_.visit(slot, around, near_,
+    cells_.visit(slot, entered, near_,
                  [&](const std::uint32_t* others, std::size_t count, int shift)
                  {
                    const PairContact found = ring_shifts > 0
@@ -281,13 +281,14 @@ private:
                     "a disk's event has no partner");
       if (!state_.active(slot))
         continue;
-      state.require(state_.canBeTime(earliest), "a disk's event is in the past");
+      state.require(state_.canBeTime(earliest) && state_.shape().has(p.base.feature),
+                    "a disk's event is impossible");
       queue_.update(slot, earliest);
     }
   }
 
-  Machine& machine_;
   SystemState& state_;
+  ContactExecution& execution_;
   BaseInstant base_;
   DiskCells cells_;
   EventQueue queue_;
@@ -299,9 +300,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<EventLoop> makePairLoop(Machine& machine)
+std::unique_ptr<EventLoop> makePairLoop(SystemState& state, ContactExecution& execution)
 {
-  return std::make_unique<PairLoop>(machine);
+  return std::make_unique<PairLoop>(state, execution);
 }
 
 }  // namespace ratchet_sieve

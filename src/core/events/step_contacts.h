@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "model/sawtooth.h"
+#include "model/base_shape.h"
 
 namespace ratchet_sieve
 {

@@ -11,7 +11,7 @@
 #include "search/base_overlap.h"
 #include "search/overlap_search.h"
 #include "search/pair_search.h"
-#include "state/machine.h"
+#include "state/contact_execution.h"
 
 namespace ratchet_sieve
 {
@@ -25,8 +25,9 @@ namespace
 /// the step. It is missed if they would not: a grazing contact that is over by then. The fraction of missed
 /// contacts is proportional to the square of the step.
 ///
-/// A disk that may move by more than the height of a tooth within a step, relative to the base, is always
-/// searched for contacts with the base, so that none passes through a tooth.
+/// A disk that may move by more than the height of a tooth within a step, or on a profile by more than its
+/// diameter, relative to the base, is always searched for contacts with the base, so that none passes through
+/// a tooth.
 ///
 /// A step always terminates. A disk with MOST_CONTACTS contacts within the step starts no further search. So
 /// a step of N disks has at most (MOST_CONTACTS + 1) N searches. Each finds every image of another disk and
@@ -39,15 +40,15 @@ namespace
 class StepLoop : public EventLoop
 {
 public:
-  explicit StepLoop(Machine& machine)
-      : machine_(machine),
-        state_(machine.state()),
+  StepLoop(SystemState& state, ContactExecution& execution)
+      : state_(state),
+        execution_(execution),
         base_(state_.motion()),
         step_(state_.scene().accuracy.step),
         gravity_(state_.scene().gravity),
-        overlaps_(state_.sawtooth().width(), state_.largestDiameter(),
+        overlaps_(state_.shape().width(), state_.largestDiameter(),
                   state_.scene().boundary == Boundary::PERIODIC),
-        base_overlap_(state_.sawtooth())
+        base_overlap_(state_.shape())
   {
   }
 
@@ -108,7 +109,7 @@ private:
   {
     end_ = end;
     frame_ = base_.at(end);
-    ring_ = frame_.image(state_.sawtooth().width());
+    ring_ = frame_.image(state_.shape().width());
     contacts_.begin(start_, end, state_.disks().size());
     placeDisks();
     for (const std::uint32_t slot : near_base_)
@@ -121,7 +122,7 @@ private:
       if (!stale(next))
       {
         stopped_at_ = next.time;
-        if (machine_.collapseWatch().count(next.slot, next.time) && machine_.collapseWatch().stops())
+        if (state_.collapseWatch().count(next.slot, next.time) && state_.collapseWatch().stops())
           return false;
         execute(next);
       }
@@ -156,7 +157,7 @@ private:
 
   bool withinEnds(const Eigen::Vector2d& at) const
   {
-    return at.x() >= 0.0 && at.x() < state_.sawtooth().width();
+    return at.x() >= 0.0 && at.x() < state_.shape().width();
   }
 
   /// Computes the disk's position at the end of the step in the absence of contacts. @return the position in
@@ -167,7 +168,7 @@ private:
     End& end = ends_[slot];
     end.course = courseAt(disk, end_, gravity_);
     end.flights = disk.flights;
-    return frame_.into(vectorOf(end.course.position) - frame_.displacement);
+    return frame_.positionInto(vectorOf(end.course.position));
   }
 
   /// Whether the disk may touch the base, or pass an end of an open or walled base.
@@ -180,7 +181,8 @@ private:
       return true;
     const Two velocity = ends_[slot].course.velocity;
     const double reach = (std::abs(velocity[0]) + std::abs(velocity[1])) * (end_ - start_) + base_reach_;
-    return reach > state_.sawtooth().height() && base_overlap_.overlaps(at.x(), at.y(), radius + reach);
+    return reach > base_overlap_.shortestPassage(radius) &&
+           base_overlap_.overlaps(at.x(), at.y(), radius + reach);
   }
 
   /// Moves a disk out of the base. A missed contact may leave a disk below the surface, where no search would
@@ -189,11 +191,11 @@ private:
   {
     const Disk now = flown(state_.disk(slot), start_, gravity_);
     const FrameOfBase& base = base_.at(start_);
-    const Eigen::Vector2d at = base.into(now.position - base.displacement);
+    const Eigen::Vector2d at = base.positionInto(now.position);
     const auto way = base_overlap_.wayOut(at.x(), at.y(), ends_[slot].radius);
     if (!way)
       return;
-    ++machine_.record().counts().pushed_out;
+    ++state_.observers().counts().pushed_out;
     state_.moveTo(slot, now);
     state_.changeable(slot).position += base.outOf({0.0, *way});
     ++state_.changeable(slot).flights;
@@ -250,13 +252,13 @@ private:
     ++ends_[contact.slot].contacts;
     if (contact.feature)
     {
-      machine_.handleBaseEvent(contact.slot, contact.feature, contact.time, base_);
+      execution_.handleBaseEvent(contact.slot, contact.feature, contact.time, base_);
       if (state_.active(contact.slot))
         searchFrom(contact.slot, redirect(contact.slot), contact.time);
       return;
     }
     ++ends_[contact.partner].contacts;
-    machine_.collidePair(contact.slot, contact.partner, contact.shift, contact.time);
+    execution_.collidePair(contact.slot, contact.partner, contact.shift, contact.time);
     const Eigen::Vector2d at = redirect(contact.slot);
     const Eigen::Vector2d partner_at = redirect(contact.partner);
     searchFrom(contact.slot, at, contact.time);
@@ -282,8 +284,8 @@ private:
       findBaseContact(slot, now);
   }
 
-  Machine& machine_;
   SystemState& state_;
+  ContactExecution& execution_;
   BaseInstant base_;
   double step_;         ///< [s]
   double gravity_;      ///< [m/s^2]
@@ -302,9 +304,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<EventLoop> makeStepLoop(Machine& machine)
+std::unique_ptr<EventLoop> makeStepLoop(SystemState& state, ContactExecution& execution)
 {
-  return std::make_unique<StepLoop>(machine);
+  return std::make_unique<StepLoop>(state, execution);
 }
 
 }  // namespace ratchet_sieve

@@ -85,7 +85,7 @@ struct LaneBatch
   alignas(64) Column per_mass;           ///< [1/kg]
   alignas(64) Column radius_by_inertia;  ///< r / I
 
-  // Running sums: see TrajectorySums and BaseImpulses.
+  // Running sums: see RowSums.
   alignas(64) Column translation, rotation, impulse_x, impulse_y, offset;
 
   // The next event.

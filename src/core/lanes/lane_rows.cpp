@@ -19,19 +19,14 @@ struct LaneContact
   std::int32_t valley;
 };
 
+// Of a sawtooth, whose faces are 0 and 1, with the apex at the left end of face 1.
 LaneContact laneContact(const BaseFeature& feature)
 {
-  switch (feature.kind)
-  {
-    case BaseFeatureKind::NONE:
-      return {LANE_NOTHING, 0};
-    case BaseFeatureKind::LEFT_SLOPE:
-      return {LANE_LEFT_SLOPE, feature.tooth};
-    case BaseFeatureKind::RIGHT_SLOPE:
-      return {LANE_RIGHT_SLOPE, feature.tooth + 1};
-    default:
-      return {LANE_APEX, feature.tooth};
-  }
+  if (feature.kind() == BaseFeatureKind::FACE && feature.index() == 0)
+    return {LANE_LEFT_SLOPE, feature.tooth()};
+  if (feature.kind() == BaseFeatureKind::FACE)
+    return {LANE_RIGHT_SLOPE, feature.tooth() + 1};
+  return {feature ? LANE_APEX : LANE_NOTHING, feature.tooth()};
 }
 
 BaseFeature baseFeature(LaneFeature feature, std::int32_t valley)
@@ -39,28 +34,31 @@ BaseFeature baseFeature(LaneFeature feature, std::int32_t valley)
   switch (feature)
   {
     case LANE_LEFT_SLOPE:
-      return {BaseFeatureKind::LEFT_SLOPE, valley};
+      return {BaseFeatureKind::FACE, valley, 0};
     case LANE_RIGHT_SLOPE:
-      return {BaseFeatureKind::RIGHT_SLOPE, valley - 1};
+      return {BaseFeatureKind::FACE, valley - 1, 1};
     case LANE_APEX:
-      return {BaseFeatureKind::APEX, valley};
+      return {BaseFeatureKind::CORNER, valley, 1};
     default:
       return {};
   }
 }
 
-void setTeeth(const Sawtooth& sawtooth, LaneScene& scene)
+/// @pre the shape is a sawtooth
+void setTeeth(const BaseShape& shape, LaneScene& scene)
 {
-  const double w = sawtooth.toothWidth();
-  const double a = sawtooth.apexOffset();
+  const BaseShape::Face& left_slope = shape.faces().front();
+  const BaseShape::Face& right_slope = shape.faces().back();
+  const double w = shape.toothWidth();
+  const double a = shape.corners().front().position.x();
   scene.tooth_width = w;
   scene.per_tooth_width = 1.0 / w;
-  scene.width = sawtooth.width();
+  scene.width = shape.width();
   scene.per_width = 1.0 / scene.width;
   scene.valley_start = (w - a) / w;
-  scene.height = sawtooth.height();
-  scene.left = {a - w, sawtooth.right().normal.x(), sawtooth.right().normal.y()};
-  scene.right = {a, sawtooth.left().normal.x(), sawtooth.left().normal.y()};
+  scene.height = shape.height();
+  scene.left = {a - w, right_slope.normal.x(), right_slope.normal.y()};
+  scene.right = {a, left_slope.normal.x(), left_slope.normal.y()};
 }
 }  // namespace
 
@@ -80,7 +78,7 @@ std::optional<LaneScene> laneScene(const SystemState& system)
   scene.longest_search = system.epoch().length;
   scene.resolution = timeResolution(system.epoch().length);
   scene.law = definition.contact;
-  setTeeth(system.sawtooth(), scene);
+  setTeeth(system.shape(), scene);
   const double w = angularFrequency(scene.drive.frequency);
   LaneBounds& bounds = scene.bounds;
   bounds.gravity = static_cast<float>(scene.gravity);
@@ -102,18 +100,18 @@ BaseEvent rowEvent(const LaneBatch& batch, std::size_t row)
                       static_cast<std::int32_t>(batch.valley[row]))};
 }
 
-void loadRow(const Machine& system, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
-             std::size_t row)
+void loadRow(const SystemState& system, const ContactExecution& execution, std::uint32_t slot,
+             const BaseEvent& next, LaneBatch& batch, std::size_t row)
 {
-  const Disk& disk = system.state().disk(slot);
+  const Disk& disk = system.disk(slot);
   batch.x[row] = disk.position.x();
   batch.y[row] = disk.position.y();
   batch.vx[row] = disk.velocity.x();
   batch.vy[row] = disk.velocity.y();
   batch.spin[row] = disk.spin;
   batch.time[row] = disk.time;
-  const SpeciesDefinition& species = system.state().scene().species[disk.species];
-  const double mass = system.state().grain(slot).mass;
+  const SpeciesDefinition& species = system.scene().species[disk.species];
+  const double mass = system.grain(slot).mass;
   const ContactMasses masses = contactMasses({mass, leverOf(species)});
   batch.radius[row] = disk.radius;
   batch.restitution[row] = species.contact.restitution;
@@ -122,32 +120,35 @@ void loadRow(const Machine& system, std::uint32_t slot, const BaseEvent& next, L
   batch.sticking_mass[row] = (1.0 + species.contact.tangential_restitution) * masses.tangential;
   batch.per_mass[row] = 1.0 / mass;
   batch.radius_by_inertia[row] = disk.radius / species.inertiaOf(mass, disk.radius);
-  const Trajectory& trajectory = system.state().trajectories()[slot];
-  batch.offset[row] = trajectory.offset;
-  batch.translation[row] = trajectory.translation;
-  batch.rotation[row] = trajectory.rotation;
-  batch.angle[row] = trajectory.angle;
-  const Eigen::Vector2d& impulse = system.record().impulses().of(slot);
-  batch.impulse_x[row] = impulse.x();
-  batch.impulse_y[row] = impulse.y();
+  const RowSums sums = system.observers().rowSums(slot);
+  batch.offset[row] = sums.offset;
+  batch.translation[row] = sums.translation;
+  batch.rotation[row] = sums.rotation;
+  batch.angle[row] = sums.angle;
+  batch.impulse_x[row] = sums.impulse_x;
+  batch.impulse_y[row] = sums.impulse_y;
   const LaneContact contact = laneContact(next.feature);
   batch.event_time[row] = next.time;
   batch.feature[row] = contact.feature;
   batch.valley[row] = contact.valley;
 }
 
-void storeRow(const LaneBatch& batch, std::size_t row, Machine& system, std::uint32_t slot, BaseEvent& next)
+void readState(const LaneBatch& batch, std::size_t row, Disk& disk)
 {
-  Disk& disk = system.state().changeable(slot);
   disk.position.x() = batch.x[row];
   disk.position.y() = batch.y[row];
   disk.velocity.x() = batch.vx[row];
   disk.velocity.y() = batch.vy[row];
   disk.spin = batch.spin[row];
   disk.time = batch.time[row];
-  system.state().trajectories().setFlown(
-      slot, {batch.offset[row], batch.translation[row], batch.rotation[row], batch.angle[row]});
-  system.record().impulses().set(slot, {batch.impulse_x[row], batch.impulse_y[row]});
+}
+
+void storeRow(const LaneBatch& batch, std::size_t row, SystemState& system, std::uint32_t slot,
+              BaseEvent& next)
+{
+  readState(batch, row, system.changeable(slot));
+  system.observers().setRowSums(slot, {batch.offset[row], batch.translation[row], batch.rotation[row], batch.angle[row],
+                                       batch.impulse_x[row], batch.impulse_y[row]});
   next = rowEvent(batch, row);
 }
 

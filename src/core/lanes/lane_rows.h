@@ -4,7 +4,7 @@
 
 #include "lanes/lane_batch.h"
 #include "search/contact_search.h"
-#include "state/machine.h"
+#include "state/contact_execution.h"
 
 namespace ratchet_sieve
 {
@@ -14,11 +14,15 @@ namespace ratchet_sieve
 std::optional<LaneScene> laneScene(const SystemState& system);
 
 /// Copies a disk and its next event into a row.
-void loadRow(const Machine& system, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
-             std::size_t row);
+void loadRow(const SystemState& system, const ContactExecution& execution, std::uint32_t slot,
+             const BaseEvent& next, LaneBatch& batch, std::size_t row);
+
+/// Copies the state of a row's disk, at its last event.
+void readState(const LaneBatch& batch, std::size_t row, Disk& disk);
 
 /// Copies a row's disk and its next event back.
-void storeRow(const LaneBatch& batch, std::size_t row, Machine& system, std::uint32_t slot, BaseEvent& next);
+void storeRow(const LaneBatch& batch, std::size_t row, SystemState& system, std::uint32_t slot,
+              BaseEvent& next);
 
 void copyRow(LaneBatch& batch, std::size_t from, std::size_t to);
 
@@ -26,7 +30,8 @@ void copyRow(LaneBatch& batch, std::size_t from, std::size_t to);
 BaseEvent rowEvent(const LaneBatch& batch, std::size_t row);
 
 /// The outcome of a row's event after `collide`. A row without a contact has a separating outcome.
-inline ContactOutcome outcomeOf(const LaneBatch& batch, std::size_t row, std::uint32_t slot)
+inline ContactOutcome outcomeOf(const LaneBatch& batch, std::size_t row, std::uint32_t slot,
+                                std::uint32_t species)
 {
   // Indexed by LaneFeature.
   constexpr CollisionKind KINDS[] = {CollisionKind::APEX, CollisionKind::RIGHT_SLOPE,
@@ -35,6 +40,7 @@ inline ContactOutcome outcomeOf(const LaneBatch& batch, std::size_t row, std::ui
   outcome.time = batch.time[row];
   outcome.kind = KINDS[static_cast<std::int32_t>(batch.feature[row])];
   outcome.i = slot;
+  outcome.species = species;
   outcome.normal = {batch.normal_x[row], batch.normal_y[row]};
   outcome.normal_velocity = batch.normal_velocity[row];
   outcome.normal_impulse = batch.normal_impulse[row];

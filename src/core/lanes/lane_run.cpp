@@ -3,28 +3,28 @@
 namespace ratchet_sieve
 {
 
-void LaneRun::takeOutcomes(const Machine& system, std::size_t rows)
+void LaneRun::takeFlights(std::size_t rows)
 {
-  report_.events += rows;
-  // A local copy stays in registers, because the compiler must assume that the columns may alias
-  // report_.counts.
-  ContactCounts counts = report_.counts;
   for (std::size_t row = 0; row < rows; ++row)
   {
-    const ContactOutcome outcome = outcomeOf(batch_, row, slots_[row]);
-    counts.take(outcome);
-    report_.contacts[species_[row]] += outcome.closed ? 1 : 0;
+    Disk disk;
+    readState(batch_, row, disk);
+    disk.species = species_[row];
+    share_->flew({slots_[row], disk, batch_.event_time[row]});
   }
-  report_.counts = counts;
-  if (!system.record().collisionObserver())
-    return;
-  for (std::size_t row = 0; row < rows; ++row)
-    if (const ContactOutcome outcome = outcomeOf(batch_, row, slots_[row]); outcome.closed)
-      report_.records.push_back(recordOf(outcome, system.state()));
 }
 
-LaneRun::Report LaneRun::takeReport()
+void LaneRun::takeOutcomes(std::size_t rows)
 {
+  report_.events += rows;
+  share_->take(rows, [this](std::size_t row) { return outcomeOf(batch_, row, slots_[row], species_[row]); });
+}
+
+LaneRun::Report LaneRun::takeReport(Observers& observers)
+{
+  if (share_)
+    observers.take(std::move(*share_));
+  share_.reset();
   return std::exchange(report_, Report());
 }
 

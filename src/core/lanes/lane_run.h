@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,9 +18,6 @@ public:
   struct Report
   {
     std::uint64_t events = 0;
-    ContactCounts counts;
-    std::vector<std::uint64_t> contacts;       ///< per species, of its disks
-    std::vector<CollisionRecord> records;      ///< only if there is an observer
     std::vector<std::uint32_t> not_for_lanes;  ///< slots of disks whose next event is not ordinary
   };
 
@@ -27,11 +25,11 @@ public:
 
   /// Advances the disks that `take` returns, until it returns false: bool take(std::uint32_t& slot).
   template <typename Take>
-  void advance(Machine& system, std::vector<BaseEvent>& next, const LaneScene& scene, double time,
-               Take&& take)
+  void advance(SystemState& system, const ContactExecution& execution, std::vector<BaseEvent>& next,
+               const LaneScene& scene, double time, Take&& take)
   {
     const LaneKernel& kernel = presentLaneKernel();
-    report_.contacts.resize(system.state().scene().species.size());
+    share_.emplace(system.observers());
     std::uint32_t slot = 0;
     std::size_t rows = 0;
     const auto take_up = [&](std::size_t row)
@@ -39,9 +37,9 @@ public:
       while (take(slot))
         if (admit(system.collapseWatch(), slot, next[slot].time))
         {
-          loadRow(system, slot, next[slot], batch_, row);
+          loadRow(system, execution, slot, next[slot], batch_, row);
           slots_[row] = slot;
-          species_[row] = system.state().disk(slot).species;
+          species_[row] = system.disk(slot).species;
           return true;
         }
       return false;
@@ -50,8 +48,10 @@ public:
       ++rows;
     while (rows > 0)
     {
+      if (share_->wantsFlights())
+        takeFlights(rows);
       kernel.collide(scene, batch_, rows);
-      takeOutcomes(system, rows);
+      takeOutcomes(rows);
       kernel.search(scene, batch_, rows);
       for (std::size_t row = 0; row < rows;)
       {
@@ -74,8 +74,8 @@ public:
     }
   }
 
-  /// The results since the last call.
-  Report takeReport();
+  /// The results since the last call; hands over to the observers what this thread has observed.
+  Report takeReport(Observers& observers);
 
 private:
   /// Counts the event if it is ordinary. @return whether it is
@@ -87,12 +87,16 @@ private:
     return false;
   }
 
+  /// Passes the flights that end with the next events of the first `rows` rows to the observers.
+  void takeFlights(std::size_t rows);
+
   /// Passes the outcomes of the first `rows` rows to the observers.
-  void takeOutcomes(const Machine& system, std::size_t rows);
+  void takeOutcomes(std::size_t rows);
 
   LaneBatch batch_;
   std::uint32_t slots_[LaneBatch::ROWS];
   std::uint32_t species_[LaneBatch::ROWS];
+  std::optional<Observers::Share> share_;
   Report report_;
 };
 

@@ -49,7 +49,11 @@ struct FrameOfBase
     return {turned.first, turned.second};
   }
 
-  /// The world position of a position in the frame of the base.
+  /// The position in the frame of the base of a world position, and back.
+  Eigen::Vector2d positionInto(const Eigen::Vector2d& position) const
+  {
+    return into(position - displacement);
+  }
   Eigen::Vector2d positionOutOf(const Eigen::Vector2d& position) const
   {
     return outOf(position) + displacement;

@@ -52,18 +52,18 @@ double largestDiameter(const SceneDefinition& scene)
   return largest;
 }
 
+double pouredWidth(const SceneDefinition& scene)
+{
+  const double width = scene.base.width();
+  return std::min(width, scene.pour.stretch.length(width) + largestDiameter(scene));
+}
+
 double smallestRadius(const SceneDefinition& scene)
 {
   double smallest = Sizes(scene.species.front()).smallest();
   for (const SpeciesDefinition& species : scene.species)
     smallest = std::min(smallest, Sizes(species).smallest());
   return smallest;
-}
-
-double pouredWidth(const SceneDefinition& scene)
-{
-  const double width = scene.base.width();
-  return std::min(width, scene.pour.stretch.length(width) + largestDiameter(scene));
 }
 
 double settledLayer(const SceneDefinition& scene)

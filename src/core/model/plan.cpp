@@ -53,7 +53,8 @@ Plan planOf(const SceneDefinition& scene)
   plan.orbit = !Orbit(scene.base).empty() || scene.base.drive_frame == DriveFrame::BASE;
   plan.contact_times = scene.contact.contact_duration > 0.0;
   plan.search_above_band = false;
-  plan.lanes = !plan.pairs && scene.boundary == Boundary::PERIODIC && !plan.contact_times && !plan.orbit;
+  plan.lanes = !plan.pairs && scene.boundary == Boundary::PERIODIC && !plan.contact_times && !plan.orbit &&
+               scene.base.isSawtooth();
   return plan;
 }
 
@@ -87,7 +88,7 @@ std::string planText(const Plan& plan)
   line += plan.contact_times ? ", contact times" : ", no contact times (contact_duration is 0)";
   line += plan.search_above_band ? ", base search everywhere" : ", no base search above the base's reach";
   line += plan.lanes ? ", lanes"
-                     : ", no lanes (only for independent disks without contact times on a periodic base "
+                     : ", no lanes (only for independent disks without contact times on a periodic sawtooth "
                        "with a vertical sine drive)";
   return line;
 }

@@ -84,9 +84,9 @@ double timeScale(const SceneDefinition& scene)
   if (base.frequency > 0.0 && hasStroke(base))
     scale = 1.0 / (base.frequency * Orbit(base).highestMultiple());
   if (scene.gravity > 0.0)
-    scale = std::min(scale, std::sqrt(base.tooth_width / scene.gravity));
+    scale = std::min(scale, std::sqrt(base.toothWidth() / scene.gravity));
   if (const double speed = startSpeed(scene); speed > 0.0)
-    scale = std::min(scale, base.tooth_width / speed);
+    scale = std::min(scale, base.toothWidth() / speed);
   return std::isfinite(scale) ? scale : 1.0;
 }
 
@@ -119,7 +119,8 @@ FinestDisk finestDisk(const SceneDefinition& scene)
 
   Finest finest;
   finest.length(scene.base.width(), "the base's width is");
-  finest.length(scene.base.tooth_height, "base.tooth_height is");
+  finest.length(std::max(scene.base.highest(), scene.base.depth()),
+                scene.base.profile.empty() ? "base.tooth_height is" : "base.profile reaches");
   if (scene.boundary == Boundary::WALLED)
     finest.length(wallHeight(scene), "base.wall_height is");
   const DriveBounds drive = driveBounds(scene.base);

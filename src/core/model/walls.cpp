@@ -27,7 +27,7 @@ double topOfPour(const SceneDefinition& scene)
   double squares = 0.0;
   for (const SpeciesDefinition& species : scene.species)
     squares += species.count * (4.0 * Sizes(species).meanSquare());
-  return scene.base.tooth_height + scene.pour.drop_height + largestDiameter(scene) +
+  return scene.base.highest() + scene.pour.drop_height + largestDiameter(scene) +
          SQUARES_PER_DISK * squares / pouredWidth(scene);
 }
 

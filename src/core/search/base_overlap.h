@@ -2,30 +2,22 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
-#include "model/sawtooth.h"
+#include "model/base_shape.h"
 #include "ratchet_sieve/core/numbers.h"
 
 namespace ratchet_sieve
 {
 
-/// Tests whether a disk may overlap the base or be beyond one of its ends. Uses the two slopes of the valley
-/// below the disk, each extended to a line. The line contains the slope's apex, so no overlap is missed.
+/// Tests whether a disk may overlap the base or be beyond one of its ends. Between two neighbouring corners the
+/// base is a *pocket*: the space above it is convex, and a disk is in it if it is in front of the lines of all
+/// its faces. Every line contains the corner at its end. So no overlap is missed where all corners are as high
+/// as the highest; elsewhere the distance to the base is computed.
 class BaseOverlap
 {
 public:
-  explicit BaseOverlap(const Sawtooth& sawtooth)
-      : height_(sawtooth.height()),
-        wall_(sawtooth.boundary() == Boundary::WALLED),
-        periodic_(sawtooth.boundary() == Boundary::PERIODIC),
-        width_(sawtooth.width()),
-        tooth_width_(sawtooth.toothWidth()),
-        teeth_per_length_(1.0 / sawtooth.toothWidth()),
-        apex_(sawtooth.apexOffset()),
-        to_the_right_(sawtooth.left().normal),
-        to_the_left_(sawtooth.right().normal)
-  {
-  }
+  explicit BaseOverlap(const BaseShape& shape);
 
   /// @param s, n of the disk's centre in the frame of the base [m]
   bool overlaps(double s, double n, double radius) const
@@ -34,52 +26,78 @@ public:
       return true;
     if (n >= height_ + radius)
       return false;
-    const Valley valley = valleyBelow(s, n);
-    return (valley.to_left < radius) | (valley.to_right < radius);
+    if (is_valley_)
+    {
+      const double from_foot = inPockets(s);
+      const auto distance = [&](const Eigen::Vector2d& normal)
+      { return from_foot * normal.x() + n * normal.y(); };
+      return (distance(to_the_left_) < radius) | (distance(to_the_right_) < radius);
+    }
+    if (!even_)
+      return shape_.heightAbove(s, n) < radius;
+    const double local = inPockets(s);
+    const Pocket& pocket = pocketAt(local);
+    bool overlaps = false;
+    for (const Line* line = pocket.begin; line != pocket.end; ++line)
+      overlaps |= line->distance(local, n) < radius;
+    return overlaps;
   }
 
   /// The distance by which a disk whose centre is below the surface must be raised, normal to the base, to be
-  /// free of both slopes [m]; nothing if its centre is above.
-  std::optional<double> wayOut(double s, double n, double radius) const
-  {
-    const Valley valley = valleyBelow(s, n);
-    if (n >= height_ || std::min(valley.to_left, valley.to_right) >= 0.0 ||
-        (!periodic_ && beyondEnds(s, 0.0)))
-      return std::nullopt;
-    const double over_apices = height_ + radius - n;
-    const auto over = [&](double distance, const Eigen::Vector2d& normal)
-    { return normal.y() > 0.0 ? (radius - distance) / normal.y() : over_apices; };
-    return std::min(over_apices,
-                    std::max(over(valley.to_left, to_the_left_), over(valley.to_right, to_the_right_)));
-  }
+  /// free of the faces of its pocket [m]; nothing if its centre is above.
+  std::optional<double> wayOut(double s, double n, double radius) const;
+
+  /// A disk that moves no farther than this within a step passes no ridge of the base without an overlap at the
+  /// end of the step [m].
+  double shortestPassage(double radius) const { return is_valley_ ? height_ : 2.0 * radius; }
 
 private:
-  /// Signed distances of a point from the lines of the two slopes of the valley below it, < 0 behind a line
-  /// [m].
-  struct Valley
+  /// A face, extended to a line, in coordinates in which the pockets of a tooth are one after another.
+  struct Line
   {
-    double to_left;
-    double to_right;
+    Eigen::Vector2d normal;
+    double offset;  ///< of the line from the origin, along the normal [m]
+
+    /// Signed distance of a point, < 0 behind the line [m].
+    double distance(double s, double n) const { return s * normal.x() + n * normal.y() - offset; }
+  };
+  struct Pocket
+  {
+    double start;  ///< s of its left corner
+    const Line* begin;
+    const Line* end;
   };
 
-  Valley valleyBelow(double s, double n) const
+  /// s in the coordinates of the pockets.
+  double inPockets(double s) const
   {
-    const double from_foot = s - floored((s - apex_) * teeth_per_length_ + 1.0) * tooth_width_;
-    return {from_foot * to_the_left_.x() + n * to_the_left_.y(),
-            from_foot * to_the_right_.x() + n * to_the_right_.y()};
+    return s - floored((s - first_corner_) * teeth_per_length_ + 1.0) * tooth_width_;
+  }
+
+  const Pocket& pocketAt(double local) const
+  {
+    const auto starts_behind = [](double s, const Pocket& pocket) { return s < pocket.start; };
+    return pockets_.size() == 1
+               ? pockets_.front()
+               : *(std::upper_bound(pockets_.begin() + 1, pockets_.end(), local, starts_behind) - 1);
   }
 
   bool beyondEnds(double s, double margin) const { return s < margin || s > width_ - margin; }
 
+  const BaseShape& shape_;
   double height_;
   bool wall_;
   bool periodic_;
+  bool even_;       ///< all corners are as high as the highest
+  bool is_valley_;  ///< a tooth has one pocket, of two faces with the foot at s = 0, n = 0
   double width_;
   double tooth_width_;
   double teeth_per_length_;
-  double apex_;
-  Eigen::Vector2d to_the_right_;  ///< normal of the slope on the right of a valley
-  Eigen::Vector2d to_the_left_;   ///< normal of the slope on the left of a valley
+  double first_corner_;  ///< s of the first corner of a tooth; its pocket ends there [m]
+  Eigen::Vector2d to_the_left_;   ///< normal of the face on the left of a valley
+  Eigen::Vector2d to_the_right_;  ///< normal of the face on its right
+  std::vector<Line> lines_;
+  std::vector<Pocket> pockets_;
 };
 
 }  // namespace ratchet_sieve

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ratchet_sieve
 {
@@ -24,132 +25,129 @@ CellShape::CellShape(double width, double height, double smallest_side, std::siz
 
 CellGrid::CellGrid(double width, double height, double smallest_side, std::size_t count, bool periodic,
                    std::int32_t laps)
-    : CellGrid(CellShape(width, height, smallest_side, count), count, periodic, laps)
+    : CellGrid(CellShape(width, height, smallest_side, count), {}, 0.0, count, periodic, laps)
 {
 }
 
-CellGrid::CellGrid(const CellShape& shape, std::size_t count, bool periodic, std::int32_t laps)
+CellGrid::CellGrid(const CellShape& shape, const SizeLevels& levels, double margin, std::size_t count,
+                   bool periodic, std::int32_t laps)
     : periodic_(periodic),
       laps_(periodic && shape.columns == 1 ? laps : 0),
       columns_(shape.columns),
       rows_(shape.rows),
       side_s_(shape.side_s),
-      side_n_(shape.side_n)
+      side_n_(shape.side_n),
+      blocks_(static_cast<std::size_t>(columns_) * rows_)
 {
-  blocks_.resize(static_cast<std::size_t>(columns_) * rows_);
+  SizeLevels larger = levels;
+  while (larger.count() > 1 && larger.diameters[1] + margin <= std::min(side_s_, side_n_))
+    larger.diameters.erase(larger.diameters.begin());
+  if (larger.count() > 1)
+  {
+    nest_ = CellNest(lattice(), std::move(larger), margin);
+    laps_ = 0;
+  }
   resize(count);
 }
 
 void CellGrid::resize(std::size_t count)
 {
   cells_.resize(count);
+  if (!nest_.empty())
+    levels_.resize(count);
 }
 
-void CellGrid::add(std::uint32_t slot, Cell cell)
+void CellGrid::add(std::uint32_t slot, Cell cell, double radius)
 {
   cells_[slot] = cell;
-  const std::size_t at = index(cell);
-  if (blocks_[at].count == Block::CAPACITY)
-    pushFullBlock(at);
-  Block& block = blocks_[at];
-  block.slots[block.count++] = slot;
+  const std::uint8_t level = nest_.empty() ? 0 : levels_[slot] = nest_.levels().of(radius);
+  if (level > 0)
+    return nest_.add(level, cell.column, cell.row, slot, radius);
+  blocks_.add(index(cell), slot);
 }
 
 void CellGrid::remove(std::uint32_t slot)
 {
-  const std::size_t at = index(cells_[slot]);
-  if (blocks_[at].count == 0)
-    popFullBlock(at);
-  Block& first = blocks_[at];
-  const std::uint32_t last = first.slots[--first.count];
-  if (last == slot)
-    return;
-  // The last disk takes the entry of the removed one, so that all blocks but the first stay full.
-  for (Block* block = &first;; block = &full_[block->next])
-  {
-    const auto end = block->slots.begin() + block->count;
-    const auto hole = std::find(block->slots.begin(), end, slot);
-    if (hole == end)
-      continue;
-    *hole = last;
-    return;
-  }
+  const Cell cell = cells_[slot];
+  if (!nest_.empty() && levels_[slot] > 0)
+    return nest_.remove(levels_[slot], cell.column, cell.row, slot);
+  blocks_.remove(index(cell), slot);
 }
 
-/// Moves the cell's full block to the overflow list.
-void CellGrid::pushFullBlock(std::size_t cell)
+CellGrid::Surroundings CellGrid::beyond(CellEdge edge)
 {
-  std::size_t entry = full_.size();
-  if (free_.empty())
-    full_.emplace_back();
-  else
-  {
-    entry = free_.back();
-    free_.pop_back();
-  }
-  full_[entry] = blocks_[cell];
-  blocks_[cell] = Block();
-  blocks_[cell].next = static_cast<std::uint32_t>(entry);
+  Surroundings around;
+  if (edge == CellEdge::LEFT)
+    around.last_column = -1;
+  if (edge == CellEdge::RIGHT)
+    around.first_column = 1;
+  if (edge == CellEdge::LOWER)
+    around.last_row = -1;
+  if (edge == CellEdge::UPPER)
+    around.first_row = 1;
+  return around;
 }
 
-/// An empty cell takes its last full block back from the overflow list.
-void CellGrid::popFullBlock(std::size_t cell)
+std::size_t CellGrid::collectNested(const CellNest::Place& place, std::vector<std::uint32_t>& list) const
 {
-  const std::uint32_t entry = blocks_[cell].next;
-  blocks_[cell] = full_[entry];
-  free_.push_back(entry);
+  std::size_t count = 0;
+  if (place.level == 0)
+  {
+    const Surroundings around = beyond(place.entered);
+    const int first_column = std::max(place.column + around.first_column, 0);
+    const int last_column = std::min(place.column + around.last_column, columns_ - 1);
+    const int first_row = std::max(place.row + around.first_row, 0);
+    const int last_row = std::min(place.row + around.last_row, rows_ - 1);
+    for (int row = first_row; row <= last_row; ++row)
+      for (int column = first_column; column <= last_column; ++column)
+        count = blocks_.collect(index({column, row}), list, count);
+  }
+  return nest_.collect(place, blocks_, list, count);
 }
 
 bool CellGrid::holds(std::uint32_t slot) const
 {
-  if (slot >= cells_.size() || index(cells_[slot]) >= blocks_.size())
+  if (slot >= cells_.size())
     return false;
-  std::vector<std::uint32_t> list;
-  const std::size_t count = collect(index(cells_[slot]), list, 0);
-  return std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count), slot) !=
-         list.begin() + static_cast<std::ptrdiff_t>(count);
+  const Cell cell = cells_[slot];
+  if (cell.column < 0 || cell.column >= columns_ || cell.row < 0 || cell.row >= rows_)
+    return false;
+  return !nest_.empty() && levels_[slot] > 0 ? nest_.holds(levels_[slot], cell.column, cell.row, slot)
+                                             : blocks_.holds(index(cell), slot);
+}
+
+void CellGrid::archive(StateArchive& state)
+{
+  state(periodic_, laps_, columns_, rows_, side_s_, side_n_, blocks_, cells_, levels_);
+  const bool of_a_size = columns_ > 0 && rows_ > 0 && laps_ >= 0 && (laps_ == 0 || columns_ == 1) &&
+                         side_s_ > 0.0 && side_n_ > 0.0 && std::isfinite(side_s_) && std::isfinite(side_n_);
+  state.require(of_a_size, "its cells have an invalid size");
+  nest_.archive(state, lattice());
+  state.require(isLegal(), "a disk is not in its cell");
 }
 
 /// Whether every disk is in at most one cell, the cell recorded for it, and every block in one list.
 bool CellGrid::isLegal() const
 {
-  const bool of_a_size = columns_ > 0 && rows_ > 0 && laps_ >= 0 && (laps_ == 0 || columns_ == 1) &&
-                         side_s_ > 0.0 && side_n_ > 0.0 && std::isfinite(side_s_) && std::isfinite(side_n_);
-  if (!of_a_size || blocks_.size() != static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_))
+  if (blocks_.size() != static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) ||
+      levels_.size() != (nest_.empty() ? 0 : cells_.size()))
     return false;
   std::vector<std::uint8_t> seen(cells_.size());
-  std::vector<std::uint8_t> used(full_.size());
-  for (const std::uint32_t entry : free_)
-    if (entry >= full_.size() || used[entry]++ != 0)
-      return false;
-  for (std::size_t cell = 0; cell < blocks_.size(); ++cell)
-    if (!isLegal(cell, seen, used))
-      return false;
-  return true;
-}
-
-/// @param seen disks, @param used full blocks so far; those of this cell are added
-bool CellGrid::isLegal(std::size_t cell, std::vector<std::uint8_t>& seen,
-                       std::vector<std::uint8_t>& used) const
-{
-  for (const Block* block = &blocks_[cell];; block = &full_[block->next])
+  const auto is_there = [&](std::uint8_t level, std::size_t place, std::uint32_t slot)
   {
-    if (block->count > Block::CAPACITY || (block != &blocks_[cell] && block->count < Block::CAPACITY))
+    if (slot >= cells_.size() || seen[slot]++ != 0)
       return false;
-    for (std::uint32_t k = 0; k < block->count; ++k)
-    {
-      const std::uint32_t slot = block->slots[k];
-      if (slot >= cells_.size() || seen[slot]++ != 0)
-        return false;
-      const Cell at = cells_[slot];
-      if (at.column < 0 || at.column >= columns_ || at.row < 0 || at.row >= rows_ || index(at) != cell)
-        return false;
-    }
-    if (block->next == NONE)
-      return true;
-    if (block->next >= full_.size() || used[block->next]++ != 0)
+    const Cell at = cells_[slot];
+    if (at.column < 0 || at.column >= columns_ || at.row < 0 || at.row >= rows_)
       return false;
-  }
+    if (!nest_.empty() && levels_[slot] != level)
+      return false;
+    return place == (level > 0 ? nest_.bucket(level, at.column, at.row) : index(at));
+  };
+  return blocks_.isLegal([&](std::size_t cell, std::uint32_t slot) { return is_there(0, cell, slot); }) &&
+         nest_.isLegal(is_there) &&
+         std::all_of(levels_.begin(), levels_.end(),
+                     [this](std::uint8_t level) { return level < nest_.levels().count(); });
 }
 
 CellGrid::Cell CellGrid::cellAt(double s, double n) const

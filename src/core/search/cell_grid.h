@@ -1,14 +1,14 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "model/prefetch.h"
 #include "ratchet_sieve/core/state_archive.h"
+#include "search/cell_blocks.h"
+#include "search/cell_nest.h"
 
 namespace ratchet_sieve
 {
@@ -28,10 +28,10 @@ struct CellShape
 };
 
 /// The cell list. Cells are at least as wide as the largest diameter, so that only disks in the same or
-/// adjacent cells can touch. Columns along s, rows along n, in a fixed frame. The outermost cells extend to
-/// infinity, except the columns of a periodic grid, which form a ring. A ring of one column may extend beyond
-/// its ends by whole widths (laps): its disks are wrapped less often, and may collide with any image of each
-/// other.
+/// adjacent cells can touch; larger disks than that are in a CellNest. Columns along s, rows along n, in a
+/// fixed frame. The outermost cells extend to infinity, except the columns of a periodic grid, which form a
+/// ring. A ring of one column may extend beyond its ends by whole widths (laps): its disks are wrapped less
+/// often, and may collide with any image of each other.
 class CellGrid
 {
 public:
@@ -48,7 +48,15 @@ public:
   CellGrid(double width, double height, double smallest_side, std::size_t count, bool periodic,
            std::int32_t laps = 0);
 
-  void add(std::uint32_t slot, Cell cell);
+  /// With cells for disks of very different sizes.
+  /// @param shape at least as wide as the first level and the margin; levels that fit into it become the
+  /// first
+  /// @param margin see CellNest
+  CellGrid(const CellShape& shape, const SizeLevels& levels, double margin, std::size_t count, bool periodic,
+           std::int32_t laps = 0);
+
+  /// @param radius if there are levels of sizes [m]
+  void add(std::uint32_t slot, Cell cell, double radius = 0.0);
   void remove(std::uint32_t slot);
   void resize(std::size_t count);
 
@@ -79,6 +87,29 @@ public:
     int last_row = 1;
   };
 
+  /// The cells that become neighbours of a disk's cell when it crosses an edge; NONE: all.
+  static Surroundings beyond(CellEdge edge);
+
+  /// As below, for the disks that may touch a disk within their cells, or for those that may since it crossed
+  /// an edge.
+  template <typename Visit>
+  void visit(std::uint32_t slot, CellEdge entered, std::vector<std::uint32_t>& list, Visit&& visit) const
+  {
+    const Cell cell = cells_[slot];
+    if (nest_.empty())
+      return this->visit(cell, beyond(entered), list, visit);
+    const std::int32_t reach = nest_.reach(levels_[slot]);
+    for (int shift = -1; shift <= 1; ++shift)
+    {
+      if (shift != 0 && !(periodic_ && (shift < 0 ? cell.column < reach : cell.column + reach >= columns_)))
+        continue;
+      const std::size_t count =
+          collectNested({levels_[slot], entered, cell.column - shift * columns_, cell.row}, list);
+      if (count > 0)
+        visit(list.data(), count, shift);
+    }
+  }
+
   /// Collects the disks in the cells around `cell` and calls visit(slots, count, shift) once for each value
   /// of `shift`: the number of widths by which the image in the grid is to the right of the disk. A ring with
   /// laps() gives a single list, for all shifts up to 2 laps() + 2 to either side.
@@ -95,7 +126,7 @@ public:
       std::size_t count = 0;
       for (int row = first_row; row <= last_row; ++row)
         for (int column = first; column <= last; ++column)
-          count = collect(index({column, row}), list, count);
+          count = blocks_.collect(index({column, row}), list, count);
       visit(list.data(), count, shift);
     };
     visit_columns(std::max(first_column, 0), std::min(last_column, columns_ - 1), 0);
@@ -116,59 +147,27 @@ public:
     for (int row = std::max(cell.row - 1, 0); row <= std::min(cell.row + 1, rows_ - 1); ++row)
       for (int column = std::max(cell.column - 1, 0); column <= std::min(cell.column + 1, columns_ - 1);
            ++column)
-        prefetch(blocks_[index({column, row})]);
+        blocks_.prefetchCell(index({column, row}));
   }
 
-  void archive(StateArchive& state)
-  {
-    state(periodic_, laps_, columns_, rows_, side_s_, side_n_, blocks_, full_, free_, cells_);
-    state.require(isLegal(), "a disk is not in its cell");
-  }
+  /// @throws StateError
+  void archive(StateArchive& state);
+
+  /// The diameters of the levels of sizes; empty: a single one.
+  const SizeLevels& levels() const { return nest_.levels(); }
+
+  /// The level at which a disk is. @pre levels() are not empty
+  std::uint8_t levelOf(std::uint32_t slot) const { return levels_[slot]; }
 
   /// Whether the disk at a slot is in a cell, by searching the cell.
   bool holds(std::uint32_t slot) const;
 
 private:
   bool isLegal() const;
-  bool isLegal(std::size_t cell, std::vector<std::uint8_t>& seen, std::vector<std::uint8_t>& used) const;
-
-  CellGrid(const CellShape& shape, std::size_t count, bool periodic, std::int32_t laps);
-
-  static constexpr std::uint32_t NONE = 0xffffffff;
-
-  /// The disks of one cell, contiguous in memory, so that a search reads them without following pointers.
-  /// When a cell's block is full, it is moved to the overflow list and an empty one begins.
-  struct Block
-  {
-    static constexpr std::size_t CAPACITY = 6;
-    std::array<std::uint32_t, CAPACITY> slots{};
-    std::uint32_t count = 0;
-    std::uint32_t next = NONE;  ///< the previous full block in the overflow list
-
-    void archive(StateArchive& state) { state(slots, count, next); }
-  };
+  CellNest::Lattice lattice() const { return {periodic_, columns_, rows_, side_s_, side_n_}; }
+  std::size_t collectNested(const CellNest::Place& place, std::vector<std::uint32_t>& list) const;
 
   std::size_t index(Cell cell) const { return static_cast<std::size_t>(cell.row) * columns_ + cell.column; }
-
-  /// Appends the disks of a cell to the first `count` of the list. @return the new count
-  std::size_t collect(std::size_t cell, std::vector<std::uint32_t>& list, std::size_t count) const
-  {
-    const Block* block = &blocks_[cell];
-    while (true)
-    {
-      if (list.size() < count + Block::CAPACITY)
-        list.resize(2 * (count + Block::CAPACITY));
-      // Copies the whole block regardless of its count: this needs no branch.
-      std::memcpy(list.data() + count, block->slots.data(), sizeof block->slots);
-      count += block->count;
-      if (block->next == NONE)
-        return count;
-      block = &full_[block->next];
-    }
-  }
-
-  void pushFullBlock(std::size_t cell);
-  void popFullBlock(std::size_t cell);
 
   bool periodic_;
   std::int32_t laps_;
@@ -176,10 +175,10 @@ private:
   std::int32_t rows_;
   double side_s_;
   double side_n_;
-  std::vector<Block> blocks_;        ///< per cell
-  std::vector<Block> full_;          ///< overflow: full blocks of cells
-  std::vector<std::uint32_t> free_;  ///< unused entries of full_
-  std::vector<Cell> cells_;          ///< per disk
+  CellBlocks blocks_;
+  std::vector<Cell> cells_;           ///< per disk
+  CellNest nest_;                     ///< of larger disks
+  std::vector<std::uint8_t> levels_;  ///< per disk, if there is a nest
 };
 
 }  // namespace ratchet_sieve

@@ -20,8 +20,8 @@ constexpr int MAX_REFINEMENTS = 12;
 /// Largest rotation of a turning base in one step [rad]; keeps the bound on the relative acceleration tight.
 constexpr double MAX_TURN_PER_STEP = 0.05;
 
-/// Largest number of teeth in one step. Otherwise a fast disk over fine teeth tests them all.
-constexpr double MAX_TEETH_PER_STEP = 16.0;
+/// Largest number of sections of the base in one step. Otherwise a fast disk over fine teeth tests them all.
+constexpr double MAX_SECTIONS_PER_STEP = 16.0;
 }  // namespace
 
 BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, double until,
@@ -39,10 +39,10 @@ BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, doub
     const double span = std::min(until - time, longestSpan());
     const double acceleration = relativeAccelerationBound(point, span);
     Step step(point, radius, acceleration, forced, span, time_resolution_);
-    step.limitTo(MAX_TEETH_PER_STEP * sawtooth_.toothWidth() + radius);
-    if (sawtooth_.boundary() != Boundary::PERIODIC || motion_.turning())
+    step.limitTo(MAX_SECTIONS_PER_STEP * shape_.sectionWidth() + radius);
+    if (shape_.boundary() != Boundary::PERIODIC || motion_.turning())
       testEnds(step);
-    if (!step.staysOver(sawtooth_.height()))
+    if (!step.staysOver(shape_.height()))
       testTeeth(step);
     if (step.contact())
       return {time, step.contact()};
@@ -50,7 +50,7 @@ BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, doub
       if (const auto contact = refine(disk, radius, *sure, time))
         return {*contact, sure->feature};
     time += step.freeTime();
-    if (point.n() > sawtooth_.height() + radius)
+    if (point.n() > shape_.height() + radius)
       time = nearTime(disk, radius, time);
   }
   return {time, {}};
@@ -66,7 +66,7 @@ std::optional<double> ContactSearch::refine(const Disk& disk, double radius, con
   double at = std::clamp(time - sure.gap / sure.rate, earliest, latest);
   for (int i = 0; i < MAX_REFINEMENTS; ++i)
   {
-    const Approach now = sawtooth_.approach(sure.feature, seenFromBase(disk, motion_.at(at), at), radius);
+    const Approach now = shape_.approach(sure.feature, seenFromBase(disk, motion_.at(at), at), radius);
     if (!(now.rate < 0.0))
       return std::nullopt;
     const double step = -now.gap / now.rate;
@@ -84,10 +84,10 @@ std::optional<double> ContactSearch::refine(const Disk& disk, double radius, con
 bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, double until) const
 {
   if (search_above_band_ || motion_.turning() || motion_.rotation().cosine <= 0.0 ||
-      sawtooth_.boundary() != Boundary::PERIODIC)
+      shape_.boundary() != Boundary::PERIODIC)
     return false;
   const Rotation& rotation = motion_.rotation();
-  const double top = sawtooth_.height() + radius + motion_.reach().y();
+  const double top = shape_.height() + radius + motion_.reach().y();
   const auto above = [&](double time)
   {
     const Two position = courseAt(disk, time, gravity_).position;
@@ -116,12 +116,12 @@ double ContactSearch::nearTime(const Disk& disk, double radius, double from) con
     else if (const auto time = firstClosingTime(gap, rate, accel))
       time_to_band = std::min(time_to_band, *time);
   };
-  approach(p.n() - sawtooth_.height() - radius - reach.y(), p.velocity.y(), fall.second);
-  if (sawtooth_.boundary() != Boundary::PERIODIC)
+  approach(p.n() - shape_.height() - radius - reach.y(), p.velocity.y(), fall.second);
+  if (shape_.boundary() != Boundary::PERIODIC)
   {
-    const double margin = reach.x() + (sawtooth_.boundary() == Boundary::WALLED ? radius : 0.0);
+    const double margin = reach.x() + (shape_.boundary() == Boundary::WALLED ? radius : 0.0);
     approach(p.s() - margin, p.velocity.x(), fall.first);
-    approach(sawtooth_.width() - margin - p.s(), -p.velocity.x(), -fall.first);
+    approach(shape_.width() - margin - p.s(), -p.velocity.x(), -fall.first);
   }
   return from + time_to_band;
 }
@@ -179,17 +179,17 @@ void ContactSearch::testEnds(Step& step) const
   const auto test_line = [&](BaseFeatureKind kind, const Step::Gap& window)
   {
     const BaseFeature feature{kind, 0};
-    const Approach a = sawtooth_.approach(feature, step.point, step.radius);
+    const Approach a = shape_.approach(feature, step.point, step.radius);
     step.testLine(feature, a.gap, a.rate, a.normal, [&] { return window; });
   };
   const auto test_corner = [&](std::int32_t tooth)
   {
     const BaseFeature feature{BaseFeatureKind::END_CORNER, tooth};
-    step.testPoint(feature, sawtooth_.approach(feature, step.point, step.radius));
+    step.testPoint(feature, shape_.approach(feature, step.point, step.radius));
   };
-  if (sawtooth_.boundary() == Boundary::WALLED)
+  if (shape_.boundary() == Boundary::WALLED)
   {
-    const double top = sawtooth_.wallHeight();
+    const double top = shape_.wallHeight();
     const bool below = step.staysBelow(top);
     const Step::Gap window = below ? Step::ALWAYS : Step::Gap{step.point.n() - top, step.point.velocity.y()};
     test_line(BaseFeatureKind::LEFT_WALL, window);
@@ -199,65 +199,57 @@ void ContactSearch::testEnds(Step& step) const
   }
   test_line(BaseFeatureKind::LEFT_END, Step::ALWAYS);
   test_line(BaseFeatureKind::RIGHT_END, Step::ALWAYS);
-  if (sawtooth_.boundary() == Boundary::PERIODIC)
+  if (shape_.boundary() == Boundary::PERIODIC)
     return;
   test_corner(0);
-  test_corner(sawtooth_.teeth());
+  test_corner(shape_.teeth());
 }
 
-/// From the tooth below the disk outwards, as far as the shortest guaranteed time reaches.
-void ContactSearch::testTeeth(Step& step) const
-{
-  const std::int32_t here = sawtooth_.toothAt(step.point.s());
-  testTooth(here, step);
-  const double above = std::max(0.0, step.point.n() - sawtooth_.height());
-  const auto reachable = [&](double distance)
-  {
-    const double beside = std::max(0.0, distance);
-    return step.canReach(beside * beside + above * above);
-  };
-  for (std::int32_t tooth = here - 1;
-       sawtooth_.hasTooth(tooth) && reachable(step.point.s() - sawtooth_.toothStart(tooth + 1)); --tooth)
-    testTooth(tooth, step);
-  for (std::int32_t tooth = here + 1;
-       sawtooth_.hasTooth(tooth) && reachable(sawtooth_.toothStart(tooth) - step.point.s()); ++tooth)
-    testTooth(tooth, step);
-}
-
-void ContactSearch::testTooth(std::int32_t tooth, Step& step) const
+void ContactSearch::testSection(std::int32_t tooth, const BaseShape::Section& section, Step& step) const
 {
   const BasePoint& p = step.point;
-  const double s = p.s() - sawtooth_.toothStart(tooth);
-  // Inlined: a call costs 1.5 % of a run.
-  const auto test_slope = [&](const Sawtooth::Slope& slope, BaseFeatureKind kind)
-      __attribute__((always_inline))
+  const double s = p.s() - shape_.toothStart(tooth);
+  for (const BaseShape::Face* face = section.first_face; face != section.end_face; ++face)
   {
-    if (!slope.present)
-      return;
-    const Eigen::Vector2d from_foot(s - slope.foot_s, p.n());
-    const double distance = from_foot.dot(slope.normal);
-    const double rate = p.velocity.dot(slope.normal);
-    // A contact with the slope must be between its ends, and on its front side.
+    const Eigen::Vector2d from_foot(s - face->foot.x(), p.n() - face->foot.y());
+    const double distance = from_foot.dot(face->normal);
+    const double rate = p.velocity.dot(face->normal);
+    // A contact with the face must be between its ends, and on its front side.
     const auto window = [&]
     {
-      const double along = from_foot.dot(slope.along);
-      const double along_rate = p.velocity.dot(slope.along);
-      const double slack = sawtooth_.windowSlack();
+      const double along = from_foot.dot(face->along);
+      const double along_rate = p.velocity.dot(face->along);
+      const double slack = shape_.windowSlack();
       Step::Gap latest{-distance - slack, -rate};
       if (-along - slack > latest.size)
         latest = {-along - slack, -along_rate};
-      if (along - slope.length - slack > latest.size)
-        latest = {along - slope.length - slack, along_rate};
+      if (along - face->length - slack > latest.size)
+        latest = {along - face->length - slack, along_rate};
       return latest;
     };
-    step.testLine({kind, tooth}, distance - step.radius, rate, slope.normal, window);
-  };
-  test_slope(sawtooth_.left(), BaseFeatureKind::LEFT_SLOPE);
-  test_slope(sawtooth_.right(), BaseFeatureKind::RIGHT_SLOPE);
-  const BaseFeature apex{BaseFeatureKind::APEX, tooth};
-  const Eigen::Vector2d from_apex(s - sawtooth_.apexOffset(), p.n() - sawtooth_.height());
-  if (step.canReach(from_apex.squaredNorm()))
-    step.testPoint(apex, approachToPoint(from_apex, p, step.radius));
+    step.testLine({BaseFeatureKind::FACE, tooth, face->number}, distance - step.radius, rate, face->normal,
+                  window);
+  }
+  for (const BaseShape::Corner* corner = section.first_corner; corner != section.end_corner; ++corner)
+  {
+    const Eigen::Vector2d way(s - corner->position.x(), p.n() - corner->position.y());
+    if (step.canReach(way.squaredNorm()))
+      step.testPoint({BaseFeatureKind::CORNER, tooth, corner->number}, approachToPoint(way, p, step.radius));
+  }
+}
+
+/// From the section below the disk outwards, as far as the shortest guaranteed time reaches.
+void ContactSearch::testTeeth(Step& step) const
+{
+  const double above = std::max(0.0, step.point.n() - shape_.height());
+  shape_.visitOutwards(
+      step.point.s(),
+      [&](double distance)
+      {
+        const double beside = std::max(0.0, distance);
+        return step.canReach(beside * beside + above * above);
+      },
+      [&](std::int32_t tooth, const BaseShape::Section& section) { testSection(tooth, section, step); });
 }
 
 }  // namespace ratchet_sieve

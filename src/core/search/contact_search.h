@@ -5,7 +5,7 @@
 
 #include "model/base_motion.h"
 #include "model/disk.h"
-#include "model/sawtooth.h"
+#include "model/base_shape.h"
 
 namespace ratchet_sieve
 {
@@ -28,9 +28,9 @@ class ContactSearch
 {
 public:
   /// @param search_above_band steps even above the height that the base reaches; see Plan
-  ContactSearch(const Sawtooth& sawtooth, const BaseMotion& motion, double gravity, double time_resolution,
+  ContactSearch(const BaseShape& shape, const BaseMotion& motion, double gravity, double time_resolution,
                 bool search_above_band = false)
-      : sawtooth_(sawtooth),
+      : shape_(shape),
         motion_(motion),
         gravity_(gravity),
         time_resolution_(time_resolution),
@@ -87,9 +87,9 @@ private:
   double longestSpan() const;
   void testEnds(Step& step) const;
   void testTeeth(Step& step) const;
-  void testTooth(std::int32_t tooth, Step& step) const;
+  void testSection(std::int32_t tooth, const BaseShape::Section& section, Step& step) const;
 
-  const Sawtooth& sawtooth_;
+  const BaseShape& shape_;
   const BaseMotion& motion_;
   double gravity_;
   double time_resolution_;

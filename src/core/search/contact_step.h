@@ -73,6 +73,9 @@ public:
   [[gnu::always_inline]] void testLine(const BaseFeature& feature, double gap, double rate,
                                        const Eigen::Vector2d& normal, FindWindow&& find_window)
   {
+    // Most lines are out of reach whatever the direction of the acceleration.
+    if (staysFree(gap, rate))
+      return;
     // Bound on the acceleration along the normal of the line.
     const double acceleration = acceleration_ * forced_.share(normal);
     if (!staysFree(gap, rate, acceleration))
@@ -83,7 +86,7 @@ public:
   /// corner.
   void testPoint(const BaseFeature& feature, const Approach& approach)
   {
-    if (staysFree(approach.gap, approach.rate, acceleration_))
+    if (staysFree(approach.gap, approach.rate))
       return;
     const double top_speed = speed_ + acceleration_ * horizon_;
     const double parting = acceleration_ + top_speed * top_speed / radius;
@@ -99,7 +102,7 @@ public:
   /// Whether the disk is above this height over the base throughout the step.
   bool staysOver(double height) const
   {
-    return staysFree(point.n() - height - radius, point.velocity.y(), acceleration_);
+    return staysFree(point.n() - height - radius, point.velocity.y());
   }
 
   /// Whether no part of the disk is above this height in the step.
@@ -132,7 +135,7 @@ private:
   [[gnu::always_inline]] void test(const BaseFeature& feature, const Gap& gap, double approaching,
                                    double parting, const Gap& window)
   {
-    if (staysFree(window.size, window.rate, acceleration_))
+    if (staysFree(window.size, window.rate))
       return;
     const bool within = window.size <= 0.0;
     double time = guaranteedFreeTime(gap.size, gap.rate, approaching);
@@ -167,14 +170,21 @@ private:
     return stays_open ? latest : INFINITE_TIME;
   }
 
-  void updateReach() { reach_ = (speed_ + 0.5 * acceleration_ * horizon_) * horizon_; }
+  void updateReach()
+  {
+    reach_ = (speed_ + 0.5 * acceleration_ * horizon_) * horizon_;
+    span_ = std::max(horizon_, resolution_);
+    loss_ = 0.5 * acceleration_ * span_;
+  }
 
   /// Whether a gap stays positive throughout the step: a comparison, where the time itself needs a root.
   bool staysFree(double gap, double rate, double acceleration) const
   {
-    const double span = std::max(horizon_, resolution_);
-    return gap > 0.0 && gap + (rate - 0.5 * acceleration * span) * span > 0.0;
+    return gap > 0.0 && gap + (rate - 0.5 * acceleration * span_) * span_ > 0.0;
   }
+
+  /// The same with the bound of the acceleration in any direction.
+  bool staysFree(double gap, double rate) const { return gap > 0.0 && gap + (rate - loss_) * span_ > 0.0; }
 
   const Direction& forced_;
   double acceleration_;
@@ -183,6 +193,8 @@ private:
   double horizon_;           ///< later times are irrelevant
   double others_free_time_;  ///< guaranteed by all features except the sure one
   double speed_;
+  double span_ = 0.0;   ///< the horizon, at least the resolution
+  double loss_ = 0.0;   ///< of a gap's rate over the span, half of it [m/s]
   double reach_ = 0.0;  ///< distance within which a feature can be reached before the horizon
   BaseFeature contact_;
   double contact_gap_ = 0.0;

@@ -22,8 +22,9 @@ struct HeightRange
   double high = 0.0;
 };
 
-/// The placed disks above a base, in columns along s and ordered by height, and the heights that they exclude
-/// for another disk.
+/// The placed disks above a base and the heights that they exclude for another disk. In classes of sizes, so
+/// that a search for room among small disks does not read as far as a large one reaches; each class in
+/// columns along s, ordered by height.
 class StandingDisks
 {
 public:
@@ -37,10 +38,11 @@ public:
   double lowestFree(double s, double radius, HeightRange range) const;
 
   /// The parts of the range that are not excluded for disks of this radius at every s between `left` and
-  /// `right`, from the lowest up. @pre right - left <= columnWidth()
+  /// `right`, from the lowest up.
   std::vector<HeightRange> gaps(double left, double right, double radius, HeightRange range) const;
 
-  double columnWidth() const { return column_width_; }
+  /// At least the largest diameter [m].
+  double columnWidth() const { return width_ / columnsFor(2.0 * largest_radius_); }
 
 private:
   struct Column
@@ -49,16 +51,25 @@ private:
     mutable std::size_t sorted = 0;  ///< the first ones, ordered by height
   };
 
-  std::size_t columnAt(double s) const;
+  /// Disks between this radius and half of it.
+  struct SizeClass
+  {
+    double radius = 0.0;
+    double column_width = 0.0;  ///< at least the largest diameter [m]
+    std::vector<Column> columns;
+  };
+
+  double columnsFor(double diameter) const;
+  SizeClass& classOf(double radius);
+  static std::ptrdiff_t columnAt(const SizeClass& of, double s);
   static void sort(const Column& column);
   template <typename Visit>
-  void visitColumns(std::size_t first, std::size_t last, HeightRange heights, Visit&& visit) const;
+  void visitReach(double left, double right, double radius, HeightRange heights, Visit&& visit) const;
 
   double width_;
   bool periodic_;
   double largest_radius_;
-  double column_width_;  ///< at least the largest diameter [m]
-  std::vector<Column> columns_;
+  std::vector<SizeClass> classes_;  ///< from the largest down, as far as there are disks
 };
 
 }  // namespace ratchet_sieve

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "state/system_state.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -50,7 +52,7 @@ std::size_t AccuracySeries::row(std::uint32_t slot) const
 void AccuracySeries::addTrajectory(std::uint32_t slot, double x, double until,
                                    std::vector<BlockSum>& sums) const
 {
-  const Trajectory& trajectory = system_.trajectories()[slot];
+  const Trajectory& trajectory = system_.observers().trajectories()[slot];
   if (!trajectory.counts())
     return;
   BlockSum& sum = sums[row(slot)];
@@ -58,15 +60,16 @@ void AccuracySeries::addTrajectory(std::uint32_t slot, double x, double until,
   sum.weight += until - trajectory.counted_from;
 }
 
-void AccuracySeries::forget(const std::vector<std::uint32_t>& left)
+void AccuracySeries::compact(const Compaction& compaction)
 {
   if (groups_.empty())
     return;
-  for (const std::uint32_t slot : left)
-    addTrajectory(slot, system_.disk(slot).position.x(), system_.trajectories()[slot].left_when, gone_);
+  for (const std::uint32_t slot : compaction.gone)
+    addTrajectory(slot, system_.disk(slot).position.x(), system_.observers().trajectories()[slot].left_when,
+                  gone_);
 }
 
-void AccuracySeries::restart()
+void AccuracySeries::restart(double /*time*/)
 {
   std::fill(gone_.begin(), gone_.end(), BlockSum());
   std::fill(at_block_end_.begin(), at_block_end_.end(), BlockSum());
@@ -94,7 +97,7 @@ void AccuracySeries::endGroups(double time)
     if (system_.active(slot))
       addTrajectory(slot, flown(disk, time, gravity).position.x(), system_.epoch().start + time, now);
     else
-      addTrajectory(slot, disk.position.x(), system_.trajectories()[slot].left_when, now);
+      addTrajectory(slot, disk.position.x(), system_.observers().trajectories()[slot].left_when, now);
   }
   for (std::size_t k = 0; k < groups_.size(); ++k)
     groups_[k].add(now[k].sum - at_block_end_[k].sum, now[k].weight - at_block_end_[k].weight);

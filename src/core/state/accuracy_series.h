@@ -4,14 +4,16 @@
 #include <vector>
 
 #include "ratchet_sieve/core/mean_series.h"
-#include "state/system_state.h"
+#include "state/observer.h"
 
 namespace ratchet_sieve
 {
 
+class SystemState;
+
 /// The series that only scenes with a requested accuracy need (AccuracyDefinition): <V_x> of groups of
 /// independent disks, and the exits of disks of a machine with a feed. Times are local to the epoch.
-class AccuracySeries
+class AccuracySeries final : public Observer
 {
 public:
   /// @param system outlives this
@@ -20,12 +22,9 @@ public:
   /// Whether anything is recorded.
   bool kept() const { return !groups_.empty() || !exits_.empty(); }
 
-  /// Adds the trajectories of disks that are about to be removed by compaction.
-  void forget(const std::vector<std::uint32_t>& left);
-
-  /// Forgets all counts.
-  void restart();
-  void endBlock(double time);
+  void compact(const Compaction& compaction) override;
+  void restart(double time) override;
+  void endBlock(double time) override;
 
   /// Samples per block of <V_x>; 1 if none is recorded.
   std::size_t blockLength() const { return groups_.empty() ? 1 : groups_.front().blockLength(); }
@@ -34,7 +33,7 @@ public:
   void addTo(MeanSeries& series) const;
 
   /// @throws StateError if the state lacks a series that the scene requests; other series are discarded
-  void archive(StateArchive& state);
+  void archive(StateArchive& state) override;
 
 private:
   std::size_t row(std::uint32_t slot) const;

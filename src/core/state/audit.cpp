@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "search/cell_grid.h"
+#include "search/size_levels.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
@@ -34,16 +35,14 @@ double toleratedOverlap(const Eigen::Vector2d& point, double radius)
 std::vector<Eigen::Vector2d> placesOnBase(const SystemState& system, double time)
 {
   const FrameOfBase base = system.motion().at(time);
-  const double width = system.sawtooth().width();
+  const double width = system.shape().width();
   std::vector<Eigen::Vector2d> points;
   points.reserve(system.disks().size());
   for (const Disk& disk : system.disks())
   {
     const Disk now = flown(disk, time, system.scene().gravity);
-    const Eigen::Vector2d point = base.into(now.position - base.displacement);
-    const bool periodic = system.sawtooth().boundary() == Boundary::PERIODIC;
-    points.emplace_back(periodic ? point.x() - width * wholeWidths(point.x(), 1.0 / width) : point.x(),
-                        point.y());
+    const Eigen::Vector2d point = base.positionInto(now.position);
+    points.emplace_back(point.x() - width * system.widthsOutside(point.x()), point.y());
   }
   return points;
 }
@@ -51,42 +50,50 @@ std::vector<Eigen::Vector2d> placesOnBase(const SystemState& system, double time
 /// Distance of a disk from the base and the walls, < 0 for an overlap.
 double gapToBase(const SystemState& system, const Eigen::Vector2d& point, double radius)
 {
-  const Sawtooth& sawtooth = system.sawtooth();
-  double gap = point.y() - sawtooth.height();
+  const BaseShape& shape = system.shape();
+  double gap = point.y() - shape.height();
   if (gap < radius)
-    gap = sawtooth.heightAbove(point.x(), point.y());
-  return std::min(gap, sawtooth.distanceToWalls(point.x(), point.y())) - radius;
+    gap = shape.heightAbove(point.x(), point.y());
+  return std::min(gap, shape.distanceToWalls(point.x(), point.y())) - radius;
 }
 
 using VisitPair = std::function<void(std::uint32_t, std::uint32_t, double overlap)>;
 
-/// Visits every pair of disks near enough to overlap, once or twice.
+/// Visits every pair of disks near enough to overlap, once or more often.
 void forEachNearPair(const SystemState& system, const std::vector<Eigen::Vector2d>& points,
                      const VisitPair& visit)
 {
-  const double width = system.sawtooth().width();
-  const bool periodic = system.sawtooth().boundary() == Boundary::PERIODIC;
+  const double width = system.shape().width();
+  const bool periodic = system.shape().boundary() == Boundary::PERIODIC;
   double top = system.largestDiameter();
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
     if (system.active(slot))
       top = std::max(top, points[slot].y());
-  CellGrid grid(width, top, AUDIT_CELL * system.largestDiameter(), points.size(), periodic);
+  std::vector<double> radii;
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
     if (system.active(slot))
-      grid.add(slot, grid.cellAt(points[slot].x(), points[slot].y()));
+      radii.push_back(system.radius(slot));
+  const SizeLevels levels = cheapestLevels(radii, system.largestDiameter());
+  const CellShape shape(width, top, AUDIT_CELL * levels.diameters[0], points.size());
+  CellGrid grid(shape, levels, 0.0, points.size(), periodic);
+  for (std::uint32_t slot = 0; slot < points.size(); ++slot)
+    if (system.active(slot))
+      grid.add(slot, grid.cellAt(points[slot].x(), points[slot].y()), system.radius(slot));
   std::vector<std::uint32_t> list;
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
     if (system.active(slot))
-      grid.visit(grid.cellOf(slot), {}, list,
+      grid.visit(slot, CellEdge::NONE, list,
                  [&](const std::uint32_t* slots, std::size_t count, int shift)
                  {
                    for (const std::uint32_t* other = slots; other != slots + count; ++other)
                    {
-                     if (*other >= slot)
+                     // A large disk does not see those within it, but they see it.
+                     if (*other == slot || (*other > slot && system.radius(*other) <= system.radius(slot)))
                        continue;
                      const Eigen::Vector2d way =
                          points[slot] - points[*other] - Eigen::Vector2d(shift * width, 0.0);
-                     visit(*other, slot, system.radius(slot) + system.radius(*other) - way.norm());
+                     visit(std::min(slot, *other), std::max(slot, *other),
+                           system.radius(slot) + system.radius(*other) - way.norm());
                    }
                  });
 }
@@ -119,10 +126,10 @@ void refuseBadStart(const SystemState& system, double time)
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
   {
     const double s = points[slot].x();
-    if (s < 0.0 || s > system.sawtooth().width())
+    if (s < 0.0 || s > system.shape().width())
     {
       message << "initial." << slot << " is outside the machine: its centre is at s = " << s
-              << " m along the base, allowed is 0 to " << system.sawtooth().width() << " m";
+              << " m along the base, allowed is 0 to " << system.shape().width() << " m";
       throw std::invalid_argument(message.str());
     }
     const double gap = gapToBase(system, points[slot], system.radius(slot));

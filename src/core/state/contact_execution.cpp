@@ -12,24 +12,6 @@ namespace
 /// the number of events allowed in a collapse, add up to one resolution.
 constexpr double NEGLIGIBLE_WAY = 0x1p-20 * std::numeric_limits<double>::epsilon();
 
-CollisionKind collisionKind(BaseFeatureKind kind, Boundary boundary)
-{
-  switch (kind)
-  {
-    case BaseFeatureKind::LEFT_SLOPE:
-      return CollisionKind::LEFT_SLOPE;
-    case BaseFeatureKind::RIGHT_SLOPE:
-      return CollisionKind::RIGHT_SLOPE;
-    case BaseFeatureKind::LEFT_WALL:
-    case BaseFeatureKind::RIGHT_WALL:
-      return CollisionKind::WALL;
-    case BaseFeatureKind::END_CORNER:
-      return boundary == Boundary::WALLED ? CollisionKind::WALL : CollisionKind::APEX;
-    default:
-      return CollisionKind::APEX;
-  }
-}
-
 /// The component of a velocity along the tangent: the normal turned by +90 degrees.
 double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 {
@@ -37,14 +19,11 @@ double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 }
 }  // namespace
 
-ContactExecution::ContactExecution(SystemState& system, const CollapseWatch& collapse_watch,
-                                   const ContactTimes& contact_times)
+ContactExecution::ContactExecution(SystemState& system)
     : system_(system),
-      collapse_watch_(collapse_watch),
-      contact_times_(contact_times),
       law_(system.scene().contact),
       spin_(system.plan().spin),
-      negligible_way_(NEGLIGIBLE_WAY * system.sawtooth().width())
+      negligible_way_(NEGLIGIBLE_WAY * system.shape().width())
 {
   const std::vector<SpeciesDefinition>& species = system.scene().species;
   for (std::size_t i = 0; i < species.size(); ++i)
@@ -63,11 +42,13 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
   const SpeciesDefinition& species = scene.species[disk.species];
   const FrameOfBase& frame = base.at(time);
   const BasePoint point = frame.see(disk.position, disk.velocity);
-  const Approach approach = system_.sawtooth().approach(feature, point, disk.radius);
+  const Approach approach = system_.shape().approach(feature, point, disk.radius);
   ContactOutcome outcome;
   outcome.time = time;
-  outcome.kind = collisionKind(feature.kind, scene.boundary);
+  outcome.kind = system_.shape().kindOf(feature);
+  outcome.feature = feature;
   outcome.i = slot;
+  outcome.species = disk.species;
   outcome.overlap = -approach.gap;
   outcome.closed = approach.rate < 0.0;
   if (outcome.closed)
@@ -86,6 +67,7 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
             reboundFloor(slot, outcome.lossless));
   }
   push(slot, disk, outcome, 1.0);
+  system_.observers().take(outcome);
   return outcome;
 }
 
@@ -103,6 +85,8 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   outcome.kind = CollisionKind::DISK_DISK;
   outcome.i = i;
   outcome.j = j;
+  outcome.species = a.species;
+  outcome.partner_species = b.species;
   outcome.shift = shift;
   outcome.overlap = a.radius + b.radius - distance;
   // The same sum as in the prediction (timeToContact). With a different one, rounding could predict a contact
@@ -125,6 +109,7 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   }
   push(i, a, outcome, 1.0);
   push(j, b, outcome, -1.0);
+  system_.observers().take(outcome);
   return outcome;
 }
 
@@ -168,16 +153,16 @@ Inertia ContactExecution::inertia(std::uint32_t slot, const Disk& disk) const
 
 bool ContactExecution::lossless(std::uint32_t slot, double time) const
 {
-  return collapse_watch_.lossless(slot) ||
-         contact_times_.within(system_.scene().contact.contact_duration, slot, time);
+  return system_.collapseWatch().lossless(slot) ||
+         system_.observers().contactTimes().within(system_.scene().contact.contact_duration, slot, time);
 }
 
 /// v_min does not apply to lossless contacts, because it would add energy. For a disk that is lossless
 /// because of a collapse, adding energy is intended.
 double ContactExecution::reboundFloor(std::uint32_t slot, bool no_loss) const
 {
-  if (collapse_watch_.lossless(slot))
-    return collapse_watch_.floorSpeed(slot);
+  if (system_.collapseWatch().lossless(slot))
+    return system_.collapseWatch().floorSpeed(slot);
   return no_loss ? 0.0 : law_.min_rebound_speed;
 }
 

@@ -4,22 +4,27 @@
 #include <vector>
 
 #include "model/collision_law.h"
-#include "state/collapse_watch.h"
 #include "state/contact_outcome.h"
-#include "state/contact_times.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
 {
 
-/// Executes contacts: applies the collision law to the partners and returns the outcome. Times are local to
-/// the epoch.
+/// Executes the events of disks: applies the collision law to the partners of a contact, and hands the
+/// outcome to the observers. Times are local to the epoch.
 class ContactExecution
 {
 public:
-  /// All of these outlive this. @param contact_times for lossless contacts within t_c of another
-  ContactExecution(SystemState& system, const CollapseWatch& collapse_watch,
-                   const ContactTimes& contact_times);
+  /// @param system outlives this
+  explicit ContactExecution(SystemState& system);
+
+  /// Executes a disk's event with the base: a contact, or the passage of an end.
+  void handleBaseEvent(std::uint32_t slot, const BaseFeature& feature, double time, BaseInstant& base)
+  {
+    if (feature.isEnd())
+      return system_.passEnd(slot, feature.kind() == BaseFeatureKind::RIGHT_END, time);
+    collideWithBase(slot, feature, time, base);
+  }
 
   /// Collides a disk with the base. A separating contact changes nothing.
   /// @pre the feature is not an end at which a disk leaves
@@ -38,8 +43,6 @@ private:
   void push(std::uint32_t slot, const Disk& now, const ContactOutcome& contact, double sign);
 
   SystemState& system_;
-  const CollapseWatch& collapse_watch_;
-  const ContactTimes& contact_times_;
   CollisionLaw law_;
   bool spin_;
   double negligible_way_;  ///< [m]

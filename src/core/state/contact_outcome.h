@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "model/base_feature.h"
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/luding_law.h"
 
@@ -18,8 +19,11 @@ struct ContactOutcome
 
   double time = 0.0;  ///< local to the epoch [s]
   CollisionKind kind = CollisionKind::APEX;
+  BaseFeature feature;                               ///< of the base; none between two disks, and from lanes
   std::uint32_t i = 0;                               ///< slot of the disk
   std::uint32_t j = BASE;                            ///< slot of the second disk
+  std::uint32_t species = 0;                         ///< of disk i
+  std::uint32_t partner_species = 0;                 ///< of disk j
   int shift = 0;                                     ///< image of j, in widths to its right
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit normal from j to i, world frame
   double normal_velocity = 0.0;     ///< of the surfaces, < 0: approaching; 0 if they separate [m/s]

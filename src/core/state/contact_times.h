@@ -4,26 +4,26 @@
 #include <limits>
 #include <vector>
 
-#include "state/contact_outcome.h"
 #include "state/disk_ids.h"
+#include "state/observer.h"
 
 namespace ratchet_sieve
 {
 
 /// The time of each disk's last contact, for the contact duration t_c. Empty if the plan has no contact
 /// times.
-class ContactTimes
+class ContactTimes final : public Observer
 {
 public:
   explicit ContactTimes(bool kept) : kept_(kept) {}
 
-  void added()
+  void entered(const Disk& /*disk*/) override
   {
     if (kept_)
       times_.push_back(-std::numeric_limits<double>::infinity());
   }
 
-  void take(const ContactOutcome& outcome)
+  void take(const ContactOutcome& outcome) override
   {
     if (!kept_)
       return;
@@ -38,20 +38,20 @@ public:
     return kept_ && time - times_[slot] < duration;
   }
 
-  void keep(const std::vector<std::uint32_t>& slots)
+  void compact(const Compaction& compaction) override
   {
     if (kept_)
-      keepSlots(times_, slots);
+      keepSlots(times_, compaction.kept);
   }
 
-  void rebase(double length)
+  void rebase(double length) override
   {
     for (double& time : times_)
       time -= length;
   }
 
-  bool fits(std::size_t disks) const { return times_.size() == (kept_ ? disks : 0); }
-  void archive(StateArchive& state) { state(times_); }
+  bool fits(std::size_t slots) const override { return times_.size() == (kept_ ? slots : 0); }
+  void archive(StateArchive& state) override { state(times_); }
 
 private:
   bool kept_;

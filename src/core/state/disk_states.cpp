@@ -20,7 +20,6 @@ void forEachDiskState(const SystemState& system, double time,
                       const std::function<void(const DiskState&)>& visit)
 {
   const FrameOfBase base = system.motion().at(time);
-  const double width = system.sawtooth().width();
   // While the base turns all disks are between its ends, because they are wrapped when they pass an end.
   const bool wrapped = system.scene().boundary != Boundary::PERIODIC || system.motion().turning();
   for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
@@ -28,18 +27,18 @@ void forEachDiskState(const SystemState& system, double time,
     if (!system.active(slot))
       continue;
     const Disk disk = flown(system.disk(slot), time, system.scene().gravity);
-    const double s = base.into(Eigen::Vector2d(disk.position.x(), disk.position.y()) - base.displacement).x();
-    const Image image = wrapped ? Image() : system.image(-wholeWidths(s, 1.0 / width), time);
+    const double s = base.positionInto(disk.position).x();
+    const Image image = wrapped ? Image() : system.image(-system.widthsOutside(s), time);
     DiskState state;
     state.id = system.id(slot);
     state.species = disk.species;
     state.radius = disk.radius;
-    state.displacement = system.trajectories().displacement(slot, disk.position.x());
+    state.displacement = system.observers().trajectories().displacement(slot, disk.position.x());
     state.x = disk.position.x() + image.shift.x();
     state.y = disk.position.y() + image.shift.y();
     state.vx = disk.velocity.x() + image.velocity.x();
     state.vy = disk.velocity.y() + image.velocity.y();
-    state.angle = wrappedAngle(system.trajectories().until(slot, system.disk(slot), time).angle);
+    state.angle = wrappedAngle(system.observers().trajectories().until(slot, system.disk(slot), time).angle);
     state.spin = disk.spin;
     visit(state);
   }

@@ -24,36 +24,40 @@ double highestPlace(const SceneDefinition& scene)
   for (const InitialDisk& disk : scene.initial)
     height = std::max({height, std::abs(disk.x), std::abs(disk.y)});
   // For any inclination, the difference in height of the two ends is at most the width.
-  return height + scene.base.width() + scene.base.tooth_height + 2.0 * driveBounds(scene.base).displacement;
+  return height + scene.base.width() + scene.base.highest() + scene.base.depth() +
+         2.0 * driveBounds(scene.base).displacement;
 }
 
 /// The largest speed of the base, by the drive in any direction and by the turning of its raised end [m/s].
 double baseSpeed(const SystemState& system)
 {
   const BaseMotion& motion = system.motion();
-  return motion.speedBound() + std::abs(motion.inclinationRate()) * system.sawtooth().width();
+  return motion.speedBound() + std::abs(motion.inclinationRate()) * system.shape().width();
 }
 }  // namespace
 
-EnergyWatch::EnergyWatch(const SceneDefinition& scene)
-    : highest_(highestPlace(scene)), start_speed_(startSpeed(scene)), gravity_(scene.gravity)
+EnergyWatch::EnergyWatch(const SystemState& system)
+    : system_(system),
+      highest_(highestPlace(system.scene())),
+      start_speed_(startSpeed(system.scene())),
+      gravity_(system.scene().gravity)
 {
 }
 
-void EnergyWatch::check(const SystemState& system, double time)
+void EnergyWatch::endEpoch(double time)
 {
-  fastest_base_ = std::max(fastest_base_, baseSpeed(system));
+  fastest_base_ = std::max(fastest_base_, baseSpeed(system_));
   const double bounce =
       std::sqrt(2.0 * gravity_ * highest_ + start_speed_ * start_speed_) + 2.0 * fastest_base_;
   const double scale = 0.5 * bounce * bounce;
   if (scale <= 0.0)
     return;
-  const auto& species = system.scene().species;
-  for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
+  const auto& species = system_.scene().species;
+  for (std::uint32_t slot = 0; slot < system_.disks().size(); ++slot)
   {
-    if (!system.active(slot))
+    if (!system_.active(slot))
       continue;
-    const Disk& disk = system.disk(slot);
+    const Disk& disk = system_.disk(slot);
     const SpeciesDefinition& kind = species[disk.species];
     const double rim = disk.spin * disk.radius;
     const double energy = 0.5 * (disk.velocity.squaredNorm() + kind.inertia_factor * rim * rim) +
@@ -63,8 +67,8 @@ void EnergyWatch::check(const SystemState& system, double time)
       continue;
     largest_ = scales;
     if (scales > ALARM && !first_)
-      first_ = First{system.epoch().start + time, system.grain(slot).mass * energy,
-                     flown(disk, time, gravity_).position.y(), scales, system.id(slot)};
+      first_ = First{system_.epoch().start + time, system_.grain(slot).mass * energy,
+                     flown(disk, time, gravity_).position.y(), scales, system_.id(slot)};
   }
 }
 

@@ -4,8 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/core/state_archive.h"
+#include "state/observer.h"
 
 namespace ratchet_sieve
 {
@@ -19,17 +18,17 @@ class SystemState;
 /// The scale is the energy of a disk that falls from the highest position of the scene and leaves the base
 /// after one elastic bounce against its fastest motion: (sqrt(2 g H + v^2) + 2 V)^2 / 2 per mass. Disks that
 /// lose energy in collisions stay within a few scales.
-class EnergyWatch
+class EnergyWatch final : public Observer
 {
 public:
   /// Energies above this multiple of the scale are reported: 32 times the speed after one elastic bounce.
   static constexpr double ALARM = 1e3;
 
-  explicit EnergyWatch(const SceneDefinition& scene);
+  /// @param system outlives this
+  explicit EnergyWatch(const SystemState& system);
 
-  /// Checks every disk at `time` (local to the epoch). Energy is conserved in flight, so the states are used
-  /// as stored.
-  void check(const SystemState& system, double time);
+  /// Checks every disk. Energy is conserved in flight, so the states are used as stored.
+  void endEpoch(double time) override;
 
   /// The largest energy of a disk so far, in scales.
   double largest() const { return largest_; }
@@ -37,7 +36,7 @@ public:
   /// One line with the figures; empty while all energies are below the limit.
   std::string text() const;
 
-  void archive(StateArchive& state) { state(fastest_base_, largest_, first_); }
+  void archive(StateArchive& state) override { state(fastest_base_, largest_, first_); }
 
 private:
   /// The first disk above the limit.
@@ -52,6 +51,7 @@ private:
     void archive(StateArchive& state) { state(time, energy, height, scales, disk); }
   };
 
+  const SystemState& system_;
   double highest_;             ///< H [m]
   double start_speed_;         ///< v [m/s]
   double gravity_;             ///< [m/s^2]

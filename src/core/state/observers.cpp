@@ -2,74 +2,170 @@
 
 #include <algorithm>
 
+#include "state/collision_report.h"
+#include "state/system_state.h"
+
 namespace ratchet_sieve
 {
 
-CollisionRecord recordOf(const ContactOutcome& outcome, const SystemState& system)
-{
-  CollisionRecord record;
-  record.time = system.epoch().start + outcome.time;
-  record.kind = outcome.kind;
-  record.i = system.id(outcome.i);
-  if (outcome.j != ContactOutcome::BASE)
-    record.j = system.id(outcome.j);
-  record.normal_speed = -outcome.normal_velocity;
-  record.normal_impulse = outcome.normal_impulse;
-  record.tangential_impulse = outcome.tangential_impulse;
-  return record;
-}
-
 Observers::Observers(const SystemState& system)
-    : system_(system), times_(system.plan().contact_times), averages_(system), accuracy_(system)
+    : system_(system),
+      species_(system.scene().species.size()),
+      ordered_(!system.plan().pairs),
+      standing_(ContactCounts(), SpeciesContacts(species_), BaseImpulses(),
+                ContactTimes(system.plan().contact_times), SpeciesAverages(system), AccuracySeries(system),
+                EnergyWatch(system), TrajectorySums(system))
 {
+  if (system.shape().isProfile())
+    faces_ = static_cast<FaceCounts*>(add(std::make_unique<FaceCounts>(system.shape())));
 }
 
-void Observers::added()
+void Observers::tell(const ContactOutcome& outcome)
 {
-  impulses_.added();
-  times_.added();
+  if (ordered_)
+    return notices_.add(Notice(outcome));
+  for (Observer* observer : of_contacts_)
+    observer->take(outcome);
 }
 
-void Observers::keep(const std::vector<std::uint32_t>& kept, const std::vector<std::uint32_t>& left)
+void Observers::tell(const Flight& flight)
 {
-  averages_.forget(system_, left);
-  accuracy_.forget(left);
-  impulses_.keep(kept, left);
-  times_.keep(kept);
+  if (ordered_)
+    return notices_.add(Notice(flight));
+  for (Observer* observer : of_flights_)
+    observer->flew(flight);
 }
 
-void Observers::restartMeans()
+void Observers::tell(const Departure& departure)
 {
-  averages_.restart();
-  accuracy_.restart();
-  impulses_.restart();
+  if (ordered_)
+    return notices_.add(Notice(departure));
+  for (Observer* observer : of_departures_)
+    observer->left(departure);
 }
 
-void Observers::endBlockOfMeans(double time)
+void Observers::deliver(const Notice& notice)
 {
-  if (system_.plan().pairs)
-    averages_.endBlock(system_, time);
-  accuracy_.endBlock(time);
+  if (const auto* outcome = std::get_if<ContactOutcome>(&notice.what))
+    for (Observer* observer : of_contacts_)
+      observer->take(*outcome);
+  else if (const auto* flight = std::get_if<Notice::KeptFlight>(&notice.what))
+    for (Observer* observer : of_flights_)
+      observer->flew({notice.slot, flight->from, flight->end});
+  else
+    for (Observer* observer : of_departures_)
+      observer->left(std::get<Departure>(notice.what));
+}
+
+void Observers::deliver()
+{
+  notices_.flush([this](const Notice& notice) { deliver(notice); });
+}
+
+void Observers::take(Share&& share)
+{
+  counts().add(share.counts_);
+  std::get<SpeciesContacts>(standing_).add(share.contacts_);
+  notices_.add(std::move(share.notices_));
+}
+
+Observer* Observers::add(std::unique_ptr<Observer> observer)
+{
+  added_.push_back(std::move(observer));
+  sortByWishes();
+  return added_.back().get();
+}
+
+void Observers::remove(const Observer* observer)
+{
+  added_.erase(std::remove_if(added_.begin(), added_.end(),
+                              [=](const std::unique_ptr<Observer>& one) { return one.get() == observer; }),
+               added_.end());
+  sortByWishes();
+}
+
+void Observers::sortByWishes()
+{
+  of_contacts_.clear();
+  of_flights_.clear();
+  of_departures_.clear();
+  for (const std::unique_ptr<Observer>& observer : added_)
+  {
+    const Observer::Wishes wishes = observer->wishes();
+    if (wishes.contacts)
+      of_contacts_.push_back(observer.get());
+    if (wishes.flights)
+      of_flights_.push_back(observer.get());
+    if (wishes.departures)
+      of_departures_.push_back(observer.get());
+  }
+}
+
+void Observers::observeCollisions(CollisionObserver observer)
+{
+  remove(collision_report_);
+  collision_report_ =
+      observer ? add(std::make_unique<CollisionReport>(system_, std::move(observer))) : nullptr;
+}
+
+void Observers::reserve(std::size_t count)
+{
+  forEach([=](Observer& observer) { observer.reserve(count); });
+}
+
+void Observers::entered(const Disk& disk)
+{
+  forEach([&](Observer& observer) { observer.entered(disk); });
+}
+
+void Observers::compact(const Compaction& compaction)
+{
+  forEach([&](Observer& observer) { observer.compact(compaction); });
+}
+
+void Observers::restart(double time)
+{
+  forEach([=](Observer& observer) { observer.restart(time); });
+}
+
+void Observers::endBlock(double time)
+{
+  forEach([=](Observer& observer) { observer.endBlock(time); });
+}
+
+void Observers::endEpoch(double time)
+{
+  forEach([=](Observer& observer) { observer.endEpoch(time); });
+}
+
+void Observers::rebase(double length)
+{
+  deliver();
+  forEach([=](Observer& observer) { observer.rebase(length); });
 }
 
 MeanSeries Observers::meanSeries(double block_time) const
 {
+  const auto& accuracy = std::get<AccuracySeries>(standing_);
   MeanSeries series;
-  series.species.resize(system_.scene().species.size());
+  series.species.resize(species_);
   for (std::size_t s = 0; s < series.species.size(); ++s)
-    series.species[s].velocity = averages_.blocks(s).blocks();
-  accuracy_.addTo(series);
+    series.species[s].velocity = averages().blocks(s).blocks();
+  accuracy.addTo(series);
   series.block_time =
-      block_time * static_cast<double>(std::max(averages_.blocks(0).blockLength(), accuracy_.blockLength()));
+      block_time * static_cast<double>(std::max(averages().blocks(0).blockLength(), accuracy.blockLength()));
   return series;
 }
 
-void Observers::archive(StateArchive& state)
+void Observers::archive(StateArchive& state, std::size_t slots)
 {
-  state(counts_, impulses_, times_, averages_, accuracy_);
-  const std::size_t count = system_.disks().size();
-  if (!impulses_.fits(count) || !times_.fits(count))
-    throw StateError("it is of another scene");
+  forEach(
+      [&](Observer& observer)
+      {
+        observer.archive(state);
+        if (!observer.fits(slots))
+          throw StateError("it is of another scene");
+      });
 }
 
 }  // namespace ratchet_sieve

@@ -1,25 +1,30 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "model/prefetch.h"
 #include "ratchet_sieve/core/mean_series.h"
 #include "ratchet_sieve/core/observation.h"
 #include "state/accuracy_series.h"
 #include "state/base_impulses.h"
 #include "state/contact_counts.h"
 #include "state/contact_times.h"
+#include "state/energy_watch.h"
+#include "state/face_counts.h"
+#include "state/notices.h"
 #include "state/species_averages.h"
-#include "state/system_state.h"
+#include "state/species_contacts.h"
+#include "state/trajectory_sums.h"
 
 namespace ratchet_sieve
 {
 
-/// A contact as a record for callers.
-CollisionRecord recordOf(const ContactOutcome& outcome, const SystemState& system);
-
-/// The record of a run: the observers of its contacts, and the means.
+/// The observers of a run: the one list through which every contact, flight and departure goes, and every
+/// change of the slots and of the zero of time. Each run has the same standing observers, called without a
+/// virtual call; further ones are added.
 class Observers
 {
 public:
@@ -29,68 +34,180 @@ public:
   /// Takes an executed contact.
   void take(const ContactOutcome& outcome)
   {
-    counts_.take(outcome);
+    counts().takeOverlap(outcome.overlap);
     if (!outcome.closed)
       return;
-    impulses_.take(outcome);
-    times_.take(outcome);
-    averages_.take(outcome, system_);
-    if (observer_)
-      observer_(recordOf(outcome, system_));
+    forEachStanding([&](auto& observer) { observer.take(outcome); });
+    if (!of_contacts_.empty())
+      tell(outcome);
   }
 
-  /// Takes counts of base contacts executed by SIMD; their impulses were added there.
-  /// @param contacts per species
-  void take(const ContactCounts& counts, const std::vector<std::uint64_t>& contacts)
+  void flew(const Flight& flight)
   {
-    counts_.add(counts);
-    averages_.add(contacts);
+    forEachStanding([&](auto& observer) { observer.flew(flight); });
+    if (!of_flights_.empty())
+      tell(flight);
   }
 
-  void reserve(std::size_t count) { impulses_.reserve(count); }
-  void prefetchSums(std::uint32_t slot) const { prefetch(impulses_.of(slot)); }
-  void added();
+  void left(const Departure& departure)
+  {
+    forEachStanding([&](auto& observer) { observer.left(departure); });
+    if (!of_departures_.empty())
+      tell(departure);
+  }
 
-  /// Keeps the disks at these slots of the machine; those at the others are about to be removed by
-  /// compaction.
-  void keep(const std::vector<std::uint32_t>& kept, const std::vector<std::uint32_t>& left);
+  /// The part of one thread that advances independent disks. Sums of a disk are in RowSums meanwhile.
+  class Share
+  {
+  public:
+    explicit Share(const Observers& observers)
+        : of_contacts_(!observers.of_contacts_.empty()),
+          of_flights_(!observers.of_flights_.empty()),
+          contacts_(observers.species_)
+    {
+    }
 
-  const ContactCounts& counts() const { return counts_; }
-  ContactCounts& counts() { return counts_; }
-  const ContactTimes& contactTimes() const { return times_; }
-  const BaseImpulses& impulses() const { return impulses_; }
-  BaseImpulses& impulses() { return impulses_; }
-  const CollisionObserver& collisionObserver() const { return observer_; }
-  void observeCollisions(CollisionObserver observer) { observer_ = std::move(observer); }
+    bool wantsFlights() const { return of_flights_; }
+    void flew(const Flight& flight) { notices_.emplace_back(flight); }
 
-  void restartMeans();
+    /// Takes contacts: `outcome(k)` for k < count.
+    template <typename OutcomeAt>
+    void take(std::size_t count, OutcomeAt&& outcome_at)
+    {
+      // A local copy stays in registers, because the compiler must assume that it may alias the outcomes.
+      ContactCounts counts = counts_;
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        const ContactOutcome outcome = outcome_at(k);
+        counts.takeOverlap(outcome.overlap);
+        if (!outcome.closed)
+          continue;
+        counts.take(outcome);
+        contacts_.take(outcome);
+      }
+      counts_ = counts;
+      for (std::size_t k = 0; of_contacts_ && k < count; ++k)
+        if (const ContactOutcome outcome = outcome_at(k); outcome.closed)
+          notices_.emplace_back(outcome);
+    }
 
-  /// Whether the series of the means is recorded in blocks: always for a layer, whose disks move together.
+  private:
+    friend Observers;
+
+    bool of_contacts_;
+    bool of_flights_;
+    ContactCounts counts_;
+    SpeciesContacts contacts_;
+    std::vector<Notice> notices_;
+  };
+
+  /// Takes what a thread has observed.
+  void take(Share&& share);
+
+  /// The sums of a disk that SIMD batches take along.
+  RowSums rowSums(std::uint32_t slot) const
+  {
+    RowSums sums;
+    trajectories().load(slot, sums);
+    impulses().load(slot, sums);
+    return sums;
+  }
+  void setRowSums(std::uint32_t slot, const RowSums& sums)
+  {
+    trajectories().store(slot, sums);
+    std::get<BaseImpulses>(standing_).store(slot, sums);
+  }
+
+  void prefetchSums(std::uint32_t slot) const
+  {
+    trajectories().prefetchTrajectory(slot);
+    impulses().prefetchSum(slot);
+  }
+
+  /// Adds an observer, which is told of what it wishes from now on. @return it
+  Observer* add(std::unique_ptr<Observer> observer);
+  void remove(const Observer* observer);
+
+  /// Calls `observer` after each collision. An empty function removes the observer.
+  void observeCollisions(CollisionObserver observer);
+
+  /// Whether notices of independent disks are collected, for delivery in the order of time.
+  bool collects() const
+  {
+    return ordered_ && !(of_contacts_.empty() && of_flights_.empty() && of_departures_.empty());
+  }
+
+  /// Delivers the collected notices. @pre no later contact or flight ends earlier
+  void deliver();
+
+  void reserve(std::size_t count);
+  void entered(const Disk& disk);
+  void compact(const Compaction& compaction);
+  void restart(double time);
+  void endBlock(double time);
+  void endEpoch(double time);
+  void rebase(double length);
+
+  /// Whether blocks of the mean series are recorded: always for a layer, whose disks move together.
   /// Independent disks need none, unless the scene requests an accuracy.
-  bool keepsBlocks() const { return system_.plan().pairs || accuracy_.kept(); }
-  void endBlockOfMeans(double time);
+  bool keepsBlocks() const { return !ordered_ || std::get<AccuracySeries>(standing_).kept(); }
 
   /// @param block_time of the original blocks [s]
   MeanSeries meanSeries(double block_time) const;
-  std::vector<SpeciesMeans> means(double time) const { return averages_.means(system_, time); }
-  std::vector<SpeciesMeans> sizeClassMeans(double time) const
-  {
-    return averages_.sizeClassMeans(system_, time);
-  }
 
-  void rebase(double length) { times_.rebase(length); }
+  /// @throws StateError if the state is not of this number of slots
+  void archive(StateArchive& state, std::size_t slots);
 
-  /// @throws StateError if the state is not of the machine's disks, which must be restored before
-  void archive(StateArchive& state);
+  ContactCounts& counts() { return std::get<ContactCounts>(standing_); }
+  const ContactCounts& counts() const { return std::get<ContactCounts>(standing_); }
+  const SpeciesContacts& speciesContacts() const { return std::get<SpeciesContacts>(standing_); }
+  const ContactTimes& contactTimes() const { return std::get<ContactTimes>(standing_); }
+  const BaseImpulses& impulses() const { return std::get<BaseImpulses>(standing_); }
+  const SpeciesAverages& averages() const { return std::get<SpeciesAverages>(standing_); }
+  /// Of a profile; empty for a sawtooth.
+  FaceContacts faceContacts() const { return faces_ ? faces_->contacts() : FaceContacts(); }
+  const EnergyWatch& energyWatch() const { return std::get<EnergyWatch>(standing_); }
+  TrajectorySums& trajectories() { return std::get<TrajectorySums>(standing_); }
+  const TrajectorySums& trajectories() const { return std::get<TrajectorySums>(standing_); }
 
 private:
+  template <typename Call>
+  void forEachStanding(Call&& call)
+  {
+    std::apply([&](auto&... observers) { (call(observers), ...); }, standing_);
+  }
+
+  /// Of the added ones, too.
+  template <typename Call>
+  void forEach(Call&& call)
+  {
+    forEachStanding(call);
+    for (const std::unique_ptr<Observer>& observer : added_)
+      call(*observer);
+  }
+
+  void tell(const ContactOutcome& outcome);
+  void tell(const Flight& flight);
+  void tell(const Departure& departure);
+  void deliver(const Notice& notice);
+  void sortByWishes();
+
   const SystemState& system_;
-  ContactCounts counts_;
-  BaseImpulses impulses_;
-  ContactTimes times_;
-  SpeciesAverages averages_;
-  AccuracySeries accuracy_;
-  CollisionObserver observer_;
+  std::size_t species_;
+  bool ordered_;  ///< whether disks are independent
+
+  /// Those that read trajectories come before them: a compaction takes them away.
+  std::tuple<ContactCounts, SpeciesContacts, BaseImpulses, ContactTimes, SpeciesAverages, AccuracySeries,
+             EnergyWatch, TrajectorySums>
+      standing_;
+
+  std::vector<std::unique_ptr<Observer>> added_;
+  std::vector<Observer*> of_contacts_;  ///< of the added ones: those who wish to be told of contacts
+  std::vector<Observer*> of_flights_;
+  std::vector<Observer*> of_departures_;
+  Notices notices_;
+  const Observer* collision_report_ = nullptr;  ///< one of the added
+  const FaceCounts* faces_ = nullptr;           ///< one of the added
 };
 
 }  // namespace ratchet_sieve

@@ -18,28 +18,24 @@ constexpr std::size_t DISKS_PER_LOOK = 1024;
 PlacedDisk placed(const SystemState& system, std::uint32_t slot, const FrameOfBase& base, double time)
 {
   const Disk disk = flown(system.disk(slot), time, system.scene().gravity);
-  const double width = system.sawtooth().width();
-  double s = base.into(Eigen::Vector2d(disk.position.x(), disk.position.y()) - base.displacement).x();
-  if (system.scene().boundary == Boundary::PERIODIC)
-    s -= width * wholeWidths(s, 1.0 / width);
-  return {s, base.into({disk.position.x(), disk.position.y()}).y(), system.radius(slot)};
+  const double s = base.positionInto(disk.position).x();
+  return {s - system.shape().width() * system.widthsOutside(s), base.into(disk.position).y(),
+          system.radius(slot)};
 }
-
 }  // namespace
 
-void pourDisks(Machine& system, const std::vector<std::uint32_t>& species, const Stretch& stretch,
+void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, const Stretch& stretch,
                double time, Random& random, const PourObserver& observer)
 {
-  const SystemState& state = system.state();
-  const SceneDefinition& scene = state.scene();
-  const FrameOfBase base = state.motion().at(time);
+  const SceneDefinition& scene = system.scene();
+  const FrameOfBase base = system.motion().at(time);
   BaseDefinition shape = scene.base;
-  shape.amplitude = state.motion().displacementBound().norm();
-  Pour pour(shape, scene.boundary, stretch, scene.pour.drop_height, state.largestDiameter(),
+  shape.amplitude = system.motion().displacementBound().norm();
+  Pour pour(shape, scene.boundary, stretch, scene.pour.drop_height, system.largestDiameter(),
             scene.contact.pair_collisions);
-  for (std::uint32_t slot = 0; slot < state.disks().size(); ++slot)
-    if (state.active(slot))
-      pour.occupy(placed(state, slot, base, time));
+  for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
+    if (system.active(slot))
+      pour.occupy(placed(system, slot, base, time));
   struct Poured
   {
     PlacedDisk room;
@@ -49,7 +45,7 @@ void pourDisks(Machine& system, const std::vector<std::uint32_t>& species, const
   poured.reserve(species.size());
   for (const std::uint32_t kind : species)
   {
-    const double radius = state.sizes(kind).draw([&random] { return random.uniform(); });
+    const double radius = system.sizes(kind).draw([&random] { return random.uniform(); });
     poured.push_back({pour.place(radius, random), kind});
     if (observer && poured.size() % DISKS_PER_LOOK == 0)
       observer(poured.size(), species.size());
@@ -57,7 +53,7 @@ void pourDisks(Machine& system, const std::vector<std::uint32_t>& species, const
   // Numbered along the base, so that neighbours are near each other in memory.
   std::stable_sort(poured.begin(), poured.end(),
                    [](const Poured& a, const Poured& b) { return a.room.s < b.room.s; });
-  system.reserve(state.disks().size() + poured.size());
+  system.reserve(system.disks().size() + poured.size());
   for (const auto& [room, kind] : poured)
   {
     const Eigen::Vector2d place = base.outOf({room.s + base.into(base.displacement).x(), room.n});
@@ -72,9 +68,9 @@ void pourDisks(Machine& system, const std::vector<std::uint32_t>& species, const
   }
 }
 
-void placeInitialDisks(Machine& system, double time)
+void placeInitialDisks(SystemState& system, double time)
 {
-  for (const InitialDisk& initial : system.state().scene().initial)
+  for (const InitialDisk& initial : system.scene().initial)
   {
     Disk disk;
     disk.position = {initial.x, initial.y};
@@ -82,11 +78,11 @@ void placeInitialDisks(Machine& system, double time)
     disk.spin = initial.spin;
     disk.time = time;
     disk.species = static_cast<std::uint32_t>(initial.species);
-    const SpeciesDefinition& species = system.state().scene().species[initial.species];
+    const SpeciesDefinition& species = system.scene().species[initial.species];
     disk.radius = species.radius;
     system.add(disk, grainOf(species, disk.radius));
   }
-  refuseBadStart(system.state(), time);
+  refuseBadStart(system, time);
 }
 
 }  // namespace ratchet_sieve

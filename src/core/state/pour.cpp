@@ -10,7 +10,7 @@ Pour::Pour(const BaseDefinition& base, Boundary boundary, const Stretch& stretch
            double largest_diameter, bool see_each_other)
     : stretch_(stretch),
       width_(base.width()),
-      lowest_underside_(base.tooth_height + base.amplitude + drop_height),
+      lowest_underside_(base.highest() + base.amplitude + drop_height),
       periodic_(boundary == Boundary::PERIODIC),
       see_each_other_(see_each_other),
       standing_(width_, periodic_, largest_diameter)

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "state/system_state.h"
+
 namespace ratchet_sieve
 {
 
-SpeciesAverages::SpeciesAverages(const SystemState& system)
-    : species_(system.scene().species), contacts_(species_.size())
+SpeciesAverages::SpeciesAverages(const SystemState& system) : system_(system)
 {
-  for (std::size_t s = 0; s < species_.size(); ++s)
+  for (std::size_t s = 0; s < system.scene().species.size(); ++s)
     species_of_.push_back(s);
   for (const SizeClass& size_class : system.sizeClasses())
     species_of_.push_back(size_class.species);
@@ -19,29 +20,28 @@ SpeciesAverages::SpeciesAverages(const SystemState& system)
   blocks_.resize(species_of_.size());
 }
 
-void SpeciesAverages::add(const SystemState& system, std::uint32_t slot, const Trajectory& trajectory,
-                          double x, double until, std::vector<Sums>& sums)
+void SpeciesAverages::add(std::uint32_t slot, const Trajectory& trajectory, double x, double until,
+                          std::vector<Sums>& sums) const
 {
-  const Disk& disk = system.disk(slot);
-  const Weights disk_weights = weights(system, slot);
+  const Disk& disk = system_.disk(slot);
+  const Weights disk_weights = weights(slot);
   sums[disk.species].add(trajectory, disk_weights, x, until);
-  const std::size_t group = system.scene().species.size() + system.sizeClassOf(disk);
+  const std::size_t group = system_.scene().species.size() + system_.sizeClassOf(disk);
   if (group < sums.size())
     sums[group].add(trajectory, disk_weights, x, until);
 }
 
-void SpeciesAverages::forget(const SystemState& system, const std::vector<std::uint32_t>& left)
+void SpeciesAverages::compact(const Compaction& compaction)
 {
-  for (const std::uint32_t slot : left)
-    addLeft(system, slot, gone_);
+  for (const std::uint32_t slot : compaction.gone)
+    addLeft(slot, gone_);
 }
 
-void SpeciesAverages::restart()
+void SpeciesAverages::restart(double /*time*/)
 {
   std::fill(gone_.begin(), gone_.end(), Sums());
   std::fill(at_block_end_.begin(), at_block_end_.end(), Sums());
   std::fill(blocks_.begin(), blocks_.end(), BlockAverages());
-  std::fill(contacts_.begin(), contacts_.end(), 0);
 }
 
 void SpeciesAverages::Sums::add(const Trajectory& trajectory, const Weights& weights, double x, double until)
@@ -76,75 +76,86 @@ SpeciesMeans SpeciesAverages::Sums::means(const SpeciesDefinition& species) cons
   return means;
 }
 
-SpeciesAverages::Weights SpeciesAverages::weights(const SystemState& system, std::uint32_t slot)
+SpeciesAverages::Weights SpeciesAverages::weights(std::uint32_t slot) const
 {
-  const Disk& disk = system.disk(slot);
-  const SpeciesDefinition& species = system.scene().species[disk.species];
-  const double mass = system.grain(slot).mass;
+  const Disk& disk = system_.disk(slot);
+  const SpeciesDefinition& species = system_.scene().species[disk.species];
+  const double mass = system_.grain(slot).mass;
   return {mass / species.mass, species.inertiaOf(mass, disk.radius) / species.inertia()};
 }
 
-std::vector<SpeciesAverages::Sums> SpeciesAverages::sums(const SystemState& system, double time) const
+std::vector<SpeciesAverages::Sums> SpeciesAverages::sums(double time) const
 {
   std::vector<Sums> sums = gone_;
-  const double gravity = system.scene().gravity;
-  for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
+  const double gravity = system_.scene().gravity;
+  for (std::uint32_t slot = 0; slot < system_.disks().size(); ++slot)
   {
-    const Disk& disk = system.disk(slot);
-    if (!system.active(slot))
-      addLeft(system, slot, sums);
+    const Disk& disk = system_.disk(slot);
+    if (!system_.active(slot))
+      addLeft(slot, sums);
     else
-      add(system, slot, system.trajectories().until(slot, disk, time),
-          flown(disk, time, gravity).position.x(), system.epoch().start + time, sums);
+      add(slot, system_.observers().trajectories().until(slot, disk, time),
+          flown(disk, time, gravity).position.x(), system_.epoch().start + time, sums);
   }
   return sums;
 }
 
-void SpeciesAverages::addLeft(const SystemState& system, std::uint32_t slot, std::vector<Sums>& sums)
+void SpeciesAverages::addLeft(std::uint32_t slot, std::vector<Sums>& sums) const
 {
-  const Trajectory& trajectory = system.trajectories()[slot];
+  const Trajectory& trajectory = system_.observers().trajectories()[slot];
   if (trajectory.counts())
-    add(system, slot, trajectory, system.disk(slot).position.x(), trajectory.left_when, sums);
+    add(slot, trajectory, system_.disk(slot).position.x(), trajectory.left_when, sums);
 }
 
-void SpeciesAverages::endBlock(const SystemState& system, double time)
+void SpeciesAverages::endBlock(double time)
 {
-  std::vector<Sums> now = sums(system, time);
+  if (!system_.plan().pairs)
+    return;
+  std::vector<Sums> now = sums(time);
   for (std::size_t s = 0; s < blocks_.size(); ++s)
     blocks_[s].add(now[s].displacement - at_block_end_[s].displacement, now[s].time - at_block_end_[s].time);
   at_block_end_ = std::move(now);
 }
 
-std::vector<SpeciesMeans> SpeciesAverages::means(const SystemState& system, double time) const
+std::vector<SpeciesMeans> SpeciesAverages::means(double time) const
 {
-  const std::vector<Sums> all = sums(system, time);
+  const SpeciesContacts& contacts = system_.observers().speciesContacts();
+  const std::vector<Sums> all = sums(time);
   std::vector<SpeciesMeans> means;
-  for (std::size_t s = 0; s < species_.size(); ++s)
+  for (std::size_t s = 0; s < system_.scene().species.size(); ++s)
   {
     means.push_back(meansOf(s, all));
     if (all[s].time > 0.0)
-      means[s].collision_rate = static_cast<double>(contacts_[s]) / all[s].time;
+      means[s].collision_rate = static_cast<double>(contacts.of(s)) / all[s].time;
   }
   return means;
 }
 
-std::vector<SpeciesMeans> SpeciesAverages::sizeClassMeans(const SystemState& system, double time) const
+std::vector<SpeciesMeans> SpeciesAverages::sizeClassMeans(double time) const
 {
-  const std::vector<Sums> all = sums(system, time);
+  const std::vector<Sums> all = sums(time);
   std::vector<SpeciesMeans> means;
-  for (std::size_t group = species_.size(); group < species_of_.size(); ++group)
+  for (std::size_t group = system_.scene().species.size(); group < species_of_.size(); ++group)
     means.push_back(meansOf(group, all));
   return means;
 }
 
 SpeciesMeans SpeciesAverages::meansOf(std::size_t group, const std::vector<Sums>& sums) const
 {
-  SpeciesMeans means = sums[group].means(species_[species_of_[group]]);
+  SpeciesMeans means = sums[group].means(system_.scene().species[species_of_[group]]);
   // The larger one: from differences between disks, or from fluctuations of the whole layer in time.
   const auto over_time = blocks_[group].standardError();
   if (over_time && means.mean_vx)
     means.mean_vx_stderr = std::max(means.mean_vx_stderr.value_or(0.0), *over_time);
   return means;
+}
+
+void SpeciesAverages::archive(StateArchive& state)
+{
+  const std::size_t groups = species_of_.size();
+  state(gone_, at_block_end_, blocks_);
+  state.require(gone_.size() == groups && at_block_end_.size() == groups && blocks_.size() == groups,
+                "its means have another number of species");
 }
 
 }  // namespace ratchet_sieve

@@ -6,60 +6,39 @@
 
 #include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/observation.h"
-#include "state/contact_outcome.h"
-#include "state/system_state.h"
+#include "state/observer.h"
 
 namespace ratchet_sieve
 {
 
+class SystemState;
+struct SpeciesDefinition;
+struct Trajectory;
+
 /// Means over disks and time, from the disks' trajectories: of each species, then of each size class. Times
 /// are local to the epoch.
-class SpeciesAverages
+class SpeciesAverages final : public Observer
 {
 public:
+  /// @param system outlives this
   explicit SpeciesAverages(const SystemState& system);
 
-  /// Adds the trajectories of disks that are about to be removed by compaction.
-  void forget(const SystemState& system, const std::vector<std::uint32_t>& left);
+  void compact(const Compaction& compaction) override;
+  void restart(double time) override;
 
-  /// Counts a contact of approaching surfaces, for each disk that takes part.
-  void take(const ContactOutcome& outcome, const SystemState& system)
-  {
-    ++contacts_[system.disk(outcome.i).species];
-    if (outcome.j != ContactOutcome::BASE)
-      ++contacts_[system.disk(outcome.j).species];
-  }
-
-  /// Adds contacts counted elsewhere, per species.
-  void add(const std::vector<std::uint64_t>& contacts)
-  {
-    for (std::size_t species = 0; species < contacts.size(); ++species)
-      contacts_[species] += contacts[species];
-  }
-
-  /// Forgets all counts.
-  void restart();
-
-  /// Ends a block of the series for the errors of the means; see BlockAverages.
-  void endBlock(const SystemState& system, double time);
+  /// For the errors of the means; see BlockAverages. Independent disks need no series of their mean.
+  void endBlock(double time) override;
 
   /// Of a species.
   const BlockAverages& blocks(std::size_t species) const { return blocks_[species]; }
 
-  std::vector<SpeciesMeans> means(const SystemState& system, double time) const;
+  std::vector<SpeciesMeans> means(double time) const;
 
   /// Per size class; without collision rates.
-  std::vector<SpeciesMeans> sizeClassMeans(const SystemState& system, double time) const;
+  std::vector<SpeciesMeans> sizeClassMeans(double time) const;
 
   /// @throws StateError
-  void archive(StateArchive& state)
-  {
-    state(gone_, at_block_end_, blocks_, contacts_);
-    const std::size_t count = species_of_.size();
-    state.require(gone_.size() == count && at_block_end_.size() == count && blocks_.size() == count &&
-                      contacts_.size() == species_.size(),
-                  "its means have another number of species");
-  }
+  void archive(StateArchive& state) override;
 
 private:
   /// Mass and moment of inertia of a disk, in units of its species'.
@@ -92,22 +71,20 @@ private:
   };
 
   /// Adds to the sums of the disk's species, and of its size class if it has one.
-  static void add(const SystemState& system, std::uint32_t slot, const Trajectory& trajectory, double x,
-                  double until, std::vector<Sums>& sums);
+  void add(std::uint32_t slot, const Trajectory& trajectory, double x, double until,
+           std::vector<Sums>& sums) const;
   SpeciesMeans meansOf(std::size_t group, const std::vector<Sums>& sums) const;
-
-  static Weights weights(const SystemState& system, std::uint32_t slot);
+  Weights weights(std::uint32_t slot) const;
 
   /// Adds the trajectory of a disk that has left, if it counts.
-  static void addLeft(const SystemState& system, std::uint32_t slot, std::vector<Sums>& sums);
-  std::vector<Sums> sums(const SystemState& system, double time) const;
+  void addLeft(std::uint32_t slot, std::vector<Sums>& sums) const;
+  std::vector<Sums> sums(double time) const;
 
-  std::vector<SpeciesDefinition> species_;
+  const SystemState& system_;
   std::vector<std::size_t> species_of_;  ///< of each group: a species or a size class
   std::vector<Sums> gone_;               ///< per group, of disks removed by compaction
   std::vector<Sums> at_block_end_;       ///< per group, at the end of the last block
   std::vector<BlockAverages> blocks_;    ///< per group
-  std::vector<std::uint64_t> contacts_;  ///< per species, since the counting began
 };
 
 }  // namespace ratchet_sieve

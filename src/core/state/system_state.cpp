@@ -8,6 +8,7 @@
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/walls.h"
+#include "search/size_levels.h"
 
 namespace ratchet_sieve
 {
@@ -18,10 +19,41 @@ namespace
 constexpr double FARTHEST_TOOTH = 0x1p28;
 constexpr double FASTEST_TOOTH = 0x1p26;
 
-double maxTurn(const SceneDefinition& scene, double largest_diameter)
+/// Smallest number of slots that compaction removes. Usual runs never reach it; a machine with an endless
+/// feed is compacted once in a while.
+constexpr std::size_t LEAST_COMPACTED = 1024;
+
+/// Speed of a fall from a tooth's height; without gravity, a tooth per time scale [m/s].
+double speedScale(const SceneDefinition& scene, double time_scale)
+{
+  const double width = scene.base.toothWidth();
+  return scene.gravity > 0.0 ? std::sqrt(scene.gravity * width) : width / time_scale;
+}
+
+double latticeDiameter(const SceneDefinition& scene, double largest_diameter)
+{
+  double disks = 0.0;
+  double squares = 0.0;
+  const auto add = [&](const SpeciesDefinition& species, double count)
+  {
+    disks += count;
+    squares += count * 4.0 * Sizes(species).meanSquare();
+  };
+  for (const SpeciesDefinition& species : scene.species)
+    add(species, species.count);
+  for (const InitialDisk& disk : scene.initial)
+    add(scene.species[disk.species], 1.0);
+  if (disks == 0.0)
+    for (const SpeciesDefinition& species : scene.species)
+      add(species, species.share);
+  return disks > 0.0 && areWide(largest_diameter, squares / disks) ? std::sqrt(squares / disks)
+                                                                   : largest_diameter;
+}
+
+double maxTurn(const SceneDefinition& scene, double lattice_diameter)
 {
   const bool lattice = scene.boundary == Boundary::PERIODIC && scene.contact.pair_collisions;
-  return lattice ? SystemState::LATTICE_MARGIN * largest_diameter / scene.base.width()
+  return lattice ? SystemState::LATTICE_MARGIN * lattice_diameter / scene.base.width()
                  : std::numeric_limits<double>::infinity();
 }
 
@@ -38,16 +70,18 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
       sizes_(scene.species.begin(), scene.species.end()),
       size_classes_(ratchet_sieve::sizeClasses(scene)),
       plan_(covering(plan, scene)),
-      sawtooth_(scene.base, scene.boundary, wallHeight(scene)),
+      shape_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
+      lattice_diameter_(ratchet_sieve::latticeDiameter(scene, largest_diameter_)),
       time_scale_(ratchet_sieve::timeScale(scene)),
       epoch_{0.0, epochLength(time_scale_)},
-      motion_(scene.base, maxTurn(scene, largest_diameter_), plan.drive && !planOf(scene).drive),
-      search_(sawtooth_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
-      trajectories_(scene.gravity, plan.spin),
+      motion_(scene.base, maxTurn(scene, lattice_diameter_), plan.drive && !planOf(scene).drive),
+      search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
       bins_(scene.species.size()),
       size_class_bins_(size_classes_.size()),
-      pair_scene_{disks_, motion_, sawtooth_.width(), scene.gravity, timeResolution(epoch_.length)}
+      pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
+      collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), ids_),
+      observers_(*this)
 {
 }
 
@@ -76,11 +110,14 @@ void SystemState::reserve(std::size_t count)
   disks_.reserve(count);
   grains_.reserve(count);
   active_.reserve(count);
-  trajectories_.reserve(count);
+  collapse_watch_.reserve(count);
+  observers_.reserve(count);
 }
 
 std::uint32_t SystemState::add(const Disk& disk, const Grain& grain)
 {
+  collapse_watch_.added();
+  observers_.entered(disk);
   const auto slot = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back(disk);
   grains_.push_back(grain);
@@ -88,7 +125,6 @@ std::uint32_t SystemState::add(const Disk& disk, const Grain& grain)
   ++active_count_;
   countIn(disk, [](SpeciesBins& bins) { ++bins.on_base; });
   ids_.added();
-  trajectories_.entered(disk, epoch_.start + disk.time);
   return slot;
 }
 
@@ -115,6 +151,7 @@ double SystemState::startAt(double start)
   epoch_.start = epoch_.length * std::floor(start / epoch_.length);
   const double local = start - epoch_.start;
   motion_.startAt(local);
+  collapse_watch_.rebase(0.0, epoch_.start);
   return local;
 }
 
@@ -128,19 +165,25 @@ std::vector<std::uint32_t> SystemState::slots(bool active) const
   return found;
 }
 
-void SystemState::compact(const std::vector<std::uint32_t>& kept)
+bool SystemState::compact()
 {
-  trajectories_.keep(kept);
-  ids_.keep(kept);
-  keepSlots(disks_, kept);
-  keepSlots(grains_, kept);
-  keepSlots(active_, kept);
+  const std::size_t gone = disks_.size() - active_count_;
+  if (gone < LEAST_COMPACTED || gone <= active_count_)
+    return false;
+  const Compaction compaction{slots(true), slots(false)};
+  observers_.compact(compaction);
+  collapse_watch_.keep(compaction.kept);
+  ids_.keep(compaction.kept);
+  keepSlots(disks_, compaction.kept);
+  keepSlots(grains_, compaction.kept);
+  keepSlots(active_, compaction.kept);
+  return true;
 }
 
 Disk& SystemState::fly(std::uint32_t slot, double time)
 {
   Disk& disk = disks_[slot];
-  trajectories_.flew(slot, disk, time);
+  observers_.flew({slot, disk, time});
   disk = flown(disk, time, scene_.gravity);
   ++disk.flights;
   return disk;
@@ -151,32 +194,27 @@ void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time)
   if (scene_.boundary == Boundary::PERIODIC)
     wrap(slot, to_the_right ? -1.0 : 1.0, time);
   else
-    leave(slot, to_the_right, time);
-}
-
-void SystemState::leave(std::uint32_t slot, bool to_the_right, double time)
-{
-  fly(slot, time);
-  countIn(disks_[slot],
-          [to_the_right](SpeciesBins& bins)
-          {
-            --bins.on_base;
-            ++(to_the_right ? bins.right : bins.left);
-          });
-  endTrajectory(slot, time);
+    leave(slot, to_the_right ? Exit::RIGHT_BIN : Exit::LEFT_BIN, time);
 }
 
 void SystemState::remove(std::uint32_t slot, double time)
 {
-  fly(slot, time);
-  endTrajectory(slot, time);
+  leave(slot, Exit::REMOVED, time);
 }
 
-void SystemState::endTrajectory(std::uint32_t slot, double time)
+void SystemState::leave(std::uint32_t slot, Exit exit, double time)
 {
+  const Disk& disk = fly(slot, time);
+  if (exit != Exit::REMOVED)
+    countIn(disk,
+            [exit](SpeciesBins& bins)
+            {
+              --bins.on_base;
+              ++(exit == Exit::RIGHT_BIN ? bins.right : bins.left);
+            });
   active_[slot] = 0;
   --active_count_;
-  trajectories_.left(slot, epoch_.start + time);
+  observers_.left({slot, disk.species, exit, time});
 }
 
 void SystemState::wrap(std::uint32_t slot, double shift, double time)
@@ -189,16 +227,15 @@ void SystemState::moveTo(std::uint32_t slot, const Image& image, double time)
   Disk& disk = fly(slot, time);
   disk.position += image.shift;
   disk.velocity += image.velocity;
-  trajectories_.wrapped(slot, -image.shift.x());
+  observers_.trajectories().wrapped(slot, -image.shift.x());
 }
 
 void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time)
 {
   if (scene_.boundary != Boundary::PERIODIC || motion_.turning())
     return;
-  const double laps = wholeWidths(s, 1.0 / sawtooth_.width());
-  if (laps != 0.0)
-    wrap(slot, -laps, time);
+  if (const double widths = widthsOutside(s); widths != 0.0)
+    wrap(slot, -widths, time);
 }
 
 /// Wraps all disks when the base begins to turn. Before, an image moves exactly as its disk does.
@@ -213,26 +250,27 @@ void SystemState::wrapAll(double time)
     if (!active(slot))
       continue;
     const double s = search_.seenFromBase(disks_[slot], base, time).s();
-    const double laps = wholeWidths(s, 1.0 / sawtooth_.width());
-    if (laps != 0.0)
-      moveTo(slot, base.image(-laps * sawtooth_.width()), time);
+    if (const double widths = widthsOutside(s); widths != 0.0)
+      moveTo(slot, base.image(-widths * shape_.width()), time);
   }
 }
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, grains_, active_, active_count_, ids_, trajectories_, bins_,
-        size_class_bins_);
+  state(epoch_, motion_, disks_, grains_, active_, active_count_, ids_, bins_, size_class_bins_,
+        collapse_watch_);
   setTimeResolution();
   const std::size_t count = disks_.size();
   const bool of_this_scene = bins_.size() == scene_.species.size() &&
                              size_class_bins_.size() == size_classes_.size() && active_.size() == count &&
-                             grains_.size() == count && trajectories_.size() == count && ids_.fits(count) &&
+                             grains_.size() == count && collapse_watch_.disks() == count &&
+                             ids_.fits(count) &&
                              std::all_of(disks_.begin(), disks_.end(),
                                          [this](const Disk& disk) { return disk.species < bins_.size(); });
   if (!of_this_scene)
     throw StateError("it is of another scene");
   state.require(isLegal(), "the state of the machine or of a disk is impossible");
+  observers_.archive(state, count);
 }
 
 bool SystemState::canBeTime(double time) const
@@ -264,12 +302,12 @@ bool SystemState::hasLegalGrain(std::uint32_t slot) const
 bool SystemState::isLegal(std::uint32_t slot) const
 {
   const Disk& disk = disks_[slot];
-  const double tooth = sawtooth_.toothWidth();
+  const double tooth = shape_.toothWidth();
   return canBeTime(disk.time) && disk.time <= epoch_.length && disk.position.allFinite() &&
          (scene_.boundary != Boundary::PERIODIC ||
           std::abs(motion_.at(disk.time).into(disk.position).x()) <= FARTHEST_TOOTH * tooth) &&
          disk.velocity.lpNorm<Eigen::Infinity>() <= FASTEST_TOOTH * tooth / time_scale_ &&
-         std::isfinite(trajectories_[slot].angle) && std::isfinite(disk.spin);
+         std::isfinite(disk.spin);
 }
 
 double SystemState::smallestRadius() const
@@ -296,12 +334,14 @@ void SystemState::rebase(double length)
     // of flight.
     if (active(slot) && disks_[slot].time < 0.0)
     {
-      trajectories_.flew(slot, disks_[slot], length);
+      observers_.flew({slot, disks_[slot], length});
       disks_[slot] = flown(disks_[slot], length, scene_.gravity);
     }
     disks_[slot].time -= length;
   }
+  observers_.rebase(length);
   epoch_.start += length;
+  collapse_watch_.rebase(length, epoch_.start);
 }
 
 }  // namespace ratchet_sieve

@@ -5,28 +5,30 @@
 #include <vector>
 
 #include "model/base_motion.h"
+#include "model/base_shape.h"
 #include "model/disk.h"
 #include "model/grain.h"
-#include "model/sawtooth.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/sizes.h"
 #include "search/contact_search.h"
 #include "search/pair_search.h"
+#include "state/collapse_watch.h"
 #include "state/disk_ids.h"
 #include "state/epoch.h"
-#include "state/trajectory_sums.h"
+#include "state/observers.h"
 
 namespace ratchet_sieve
 {
 
-/// Positions and motion of the base and the disks. A disk is at a *slot* of arrays; see DiskIds. Times are
-/// local to the epoch.
+/// The base, the disks, and what is kept of each disk: its count of events and the observers' sums. A disk is
+/// in all of these or in none, at one *slot* of the arrays (DiskIds), and they have one common zero of time.
+/// Times are local to the epoch.
 class SystemState
 {
 public:
-  /// While a periodic base turns, its lattice moves relative to a fixed frame by at most this fraction of the
-  /// largest diameter within one segment of the motion.
+  /// While a periodic base turns, its lattice moves relative to a fixed frame by at most this fraction of
+  /// latticeDiameter() within one segment of the motion.
   static constexpr double LATTICE_MARGIN = 0.45;
 
   explicit SystemState(const SceneDefinition& scene) : SystemState(scene, planOf(scene)) {}
@@ -38,7 +40,7 @@ public:
 
   const SceneDefinition& scene() const { return scene_; }
   const Plan& plan() const { return plan_; }
-  const Sawtooth& sawtooth() const { return sawtooth_; }
+  const BaseShape& shape() const { return shape_; }
   const BaseMotion& motion() const { return motion_; }
 
   /// Calls `command` with the base's motion and the time; it changes the motion at that time. Disks keep
@@ -58,6 +60,9 @@ public:
   /// See ratchet_sieve::timeScale().
   double timeScale() const { return time_scale_; }
   double largestDiameter() const { return largest_diameter_; }
+
+  /// The largest diameter, or the root mean square of the scene's if sizes are wide: cells suit these.
+  double latticeDiameter() const { return lattice_diameter_; }
   double smallestRadius() const;
   const Sizes& sizes(std::size_t species) const { return sizes_[species]; }
   const std::vector<SizeClass>& sizeClasses() const { return size_classes_; }
@@ -73,15 +78,26 @@ public:
   std::size_t activeCount() const { return active_count_; }
   const DiskIds& ids() const { return ids_; }
   std::uint32_t id(std::uint32_t slot) const { return ids_.of(slot); }
-  const TrajectorySums& trajectories() const { return trajectories_; }
   const std::vector<SpeciesBins>& bins() const { return bins_; }
+  const CollapseWatch& collapseWatch() const { return collapse_watch_; }
+  CollapseWatch& collapseWatch() { return collapse_watch_; }
+  const Observers& observers() const { return observers_; }
+  Observers& observers() { return observers_; }
   const std::vector<SpeciesBins>& sizeClassBins() const { return size_class_bins_; }
 
-  void prefetchFlight(std::uint32_t slot) const
+  /// Prefetches the memory of an event of this disk.
+  void prefetchEvent(std::uint32_t slot) const
   {
     prefetch(disks_[slot]);
     prefetch(grains_[slot]);
-    trajectories_.prefetchTrajectory(slot);
+    collapse_watch_.prefetchWindow(slot);
+    observers_.prefetchSums(slot);
+  }
+
+  /// The whole widths by which a position s along a periodic base is outside of [0, W); 0 for other bases.
+  double widthsOutside(double s) const
+  {
+    return scene_.boundary == Boundary::PERIODIC ? wholeWidths(s, 1.0 / shape_.width()) : 0.0;
   }
 
   /// The disk's first event with the base, searched from `from` and only as far as needed to find all before
@@ -99,16 +115,16 @@ public:
   std::uint32_t add(const Disk& disk, const Grain& grain);
 
   /// Stores the disk's state at the end of its flight so far.
-  void moveTo(std::uint32_t slot, const Disk& now)
+  // Inlined: a call costs 1 % of a run.
+  [[gnu::always_inline]] void moveTo(std::uint32_t slot, const Disk& now)
   {
-    trajectories_.flew(slot, disks_[slot], now.time);
+    observers_.flew({slot, disks_[slot], now.time});
     disks_[slot] = now;
   }
 
   /// For changes of a flight, and for SIMD batches. May be called by several threads for different disks at
   /// the same time.
   Disk& changeable(std::uint32_t slot) { return disks_[slot]; }
-  TrajectorySums& trajectories() { return trajectories_; }
 
   /// Moves the disk to its image `shift` widths to the right, on the same flight.
   void wrap(std::uint32_t slot, double shift, double time);
@@ -121,17 +137,15 @@ public:
   /// The disk passes an end of the base: into the bin, or on a periodic base to its image at the other end.
   void passEnd(std::uint32_t slot, bool to_the_right, double time);
 
-  /// Removes a disk from the simulation at its position, into no bin. It stays counted in the machine.
+  /// Removes a disk from the simulation at its position, into no bin. It stays counted in the system.
   void remove(std::uint32_t slot, double time);
 
   /// The slots of the active disks, or of the others, in increasing order.
   std::vector<std::uint32_t> slots(bool active) const;
 
-  /// Removes disks that have left from the arrays; the others move to smaller slots. @param kept slots(true)
-  void compact(const std::vector<std::uint32_t>& kept);
-
-  /// Starts the counting in trajectories.
-  void restartTrajectories(double time) { trajectories_.restart(disks_, active_, epoch_.start + time, time); }
+  /// Removes disks that have left from the arrays if they are the majority; the others move to smaller slots.
+  /// @return whether it did
+  bool compact();
 
   /// Time counts from `start` [s] instead of 0. @pre nothing has happened yet
   /// @return the start, local to the epoch: epochs are multiples of their length from time 0, so that times
@@ -153,6 +167,9 @@ public:
   /// longest epoch in the past.
   bool canBeTime(double time) const;
 
+  /// Whether an event can be one of this base, at its time.
+  bool canBe(const BaseEvent& event) const { return canBeTime(event.time) && shape_.has(event.feature); }
+
 private:
   bool isLegal(std::uint32_t slot) const;
   bool hasLegalGrain(std::uint32_t slot) const;
@@ -160,18 +177,18 @@ private:
   void setTimeResolution();
   void wrapAll(double time);
   void moveTo(std::uint32_t slot, const Image& image, double time);
-  void leave(std::uint32_t slot, bool to_the_right, double time);
+  void leave(std::uint32_t slot, Exit exit, double time);
   template <typename Count>
   void countIn(const Disk& disk, Count&& count);
   Disk& fly(std::uint32_t slot, double time);
-  void endTrajectory(std::uint32_t slot, double time);
 
   SceneDefinition scene_;
   std::vector<Sizes> sizes_;  ///< per species
   std::vector<SizeClass> size_classes_;
   Plan plan_;
-  Sawtooth sawtooth_;
+  BaseShape shape_;
   double largest_diameter_;
+  double lattice_diameter_;
   double time_scale_;
   Epoch epoch_;
   BaseMotion motion_;
@@ -182,10 +199,11 @@ private:
   std::vector<std::uint8_t> active_;
   std::size_t active_count_ = 0;
   DiskIds ids_;
-  TrajectorySums trajectories_;
   std::vector<SpeciesBins> bins_;
   std::vector<SpeciesBins> size_class_bins_;
   PairScene pair_scene_;  ///< of the members above
+  CollapseWatch collapse_watch_;
+  Observers observers_;
 };
 
 }  // namespace ratchet_sieve

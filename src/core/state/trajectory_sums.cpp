@@ -1,15 +1,30 @@
 #include "state/trajectory_sums.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "state/system_state.h"
+
 namespace ratchet_sieve
 {
 
-void TrajectorySums::entered(const Disk& disk, double time)
+TrajectorySums::TrajectorySums(const SystemState& system)
+    : system_(system), gravity_(system.scene().gravity), spin_(system.plan().spin)
+{
+}
+
+void TrajectorySums::entered(const Disk& disk)
 {
   Trajectory trajectory;
   trajectory.entered_x = disk.position.x();
   trajectory.counted_x = disk.position.x();
-  trajectory.counted_from = time;
+  trajectory.counted_from = system_.epoch().start + disk.time;
   trajectories_.push_back(trajectory);
+}
+
+void TrajectorySums::left(const Departure& departure)
+{
+  trajectories_[departure.slot].left_when = system_.epoch().start + departure.time;
 }
 
 void TrajectorySums::integrate(Trajectory& trajectory, const Disk& disk, double local_time) const
@@ -23,24 +38,32 @@ void TrajectorySums::integrate(Trajectory& trajectory, const Disk& disk, double 
   trajectory.angle = positionAfter(trajectory.angle, disk.spin, span);
 }
 
-void TrajectorySums::restart(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active,
-                             double time, double local_time)
+void TrajectorySums::restart(double time)
 {
-  for (std::uint32_t slot = 0; slot < disks.size(); ++slot)
+  for (std::uint32_t slot = 0; slot < trajectories_.size(); ++slot)
   {
     Trajectory& trajectory = trajectories_[slot];
     trajectory.counted_from = Trajectory::NEVER;
-    if (!active[slot])
+    if (!system_.active(slot))
       continue;
     // The part of the present flight before now is subtracted here, because it is added at the end of the
     // flight.
     Trajectory before;
-    integrate(before, disks[slot], local_time);
+    const Disk& disk = system_.disk(slot);
+    integrate(before, disk, time);
     trajectory.translation = -before.translation;
     trajectory.rotation = -before.rotation;
-    trajectory.counted_x = flown(disks[slot], local_time, gravity_).position.x() + trajectory.offset;
-    trajectory.counted_from = time;
+    trajectory.counted_x = flown(disk, time, gravity_).position.x() + trajectory.offset;
+    trajectory.counted_from = system_.epoch().start + time;
   }
+}
+
+void TrajectorySums::archive(StateArchive& state)
+{
+  state(trajectories_);
+  state.require(std::all_of(trajectories_.begin(), trajectories_.end(),
+                            [](const Trajectory& trajectory) { return std::isfinite(trajectory.angle); }),
+                "a disk's angle is impossible");
 }
 
 }  // namespace ratchet_sieve

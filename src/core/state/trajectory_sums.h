@@ -5,14 +5,17 @@
 #include <limits>
 #include <vector>
 
-#include "model/disk.h"
 #include "model/prefetch.h"
 #include "state/disk_ids.h"
+#include "state/observer.h"
+#include "state/row_sums.h"
 
 namespace ratchet_sieve
 {
 
-/// One disk's stay in the system: the sums over its flights. Kept after the disk has left. One cache line.
+class SystemState;
+
+/// One disk's stay in the machine: the sums over its flights. Kept after the disk has left. One cache line.
 struct alignas(64) Trajectory
 {
   /// Value of counted_from for disks that had left before the counting began.
@@ -39,23 +42,20 @@ struct alignas(64) Trajectory
 /// Displacements, and kinetic energies integrated exactly along every flight. Summed per disk, so that the
 /// bits do not depend on the calls of advanceTo(). Times are the run's (not local to an epoch) unless stated
 /// otherwise.
-class TrajectorySums
+class TrajectorySums final : public Observer
 {
 public:
-  /// @param spin whether disks can spin; see Plan
-  TrajectorySums(double gravity, bool spin) : gravity_(gravity), spin_(spin) {}
+  /// @param system outlives this
+  explicit TrajectorySums(const SystemState& system);
 
-  std::size_t size() const { return trajectories_.size(); }
   const Trajectory& operator[](std::uint32_t slot) const { return trajectories_[slot]; }
   void prefetchTrajectory(std::uint32_t slot) const { prefetch(trajectories_[slot]); }
-  void reserve(std::size_t count) { trajectories_.reserve(count); }
-  void keep(const std::vector<std::uint32_t>& slots) { keepSlots(trajectories_, slots); }
+  void reserve(std::size_t count) override { trajectories_.reserve(count); }
+  void compact(const Compaction& compaction) override { keepSlots(trajectories_, compaction.kept); }
 
-  void entered(const Disk& disk, double time);
-  void left(std::uint32_t slot, double time) { trajectories_[slot].left_when = time; }
-
-  /// Adds the part of a disk's flight from its own time to `time`, both local.
-  void flew(std::uint32_t slot, const Disk& disk, double time) { integrate(trajectories_[slot], disk, time); }
+  void entered(const Disk& disk) override;
+  void left(const Departure& departure) override;
+  void flew(const Flight& flight) override { integrate(trajectories_[flight.slot], flight.from, flight.end); }
 
   /// The disk was moved by -dx in the world by a periodic boundary; the displacement is unchanged.
   void wrapped(std::uint32_t slot, double dx) { trajectories_[slot].offset += dx; }
@@ -68,28 +68,25 @@ public:
     return trajectory;
   }
 
-  /// The sums that grow with every flight, for SIMD batches.
-  struct Flown
+  /// For SIMD batches, which add to sums of their own.
+  void load(std::uint32_t slot, RowSums& sums) const
   {
-    double offset;
-    double translation;
-    double rotation;
-    double angle;
-  };
-
-  void setFlown(std::uint32_t slot, const Flown& flown)
+    const Trajectory& trajectory = trajectories_[slot];
+    sums.offset = trajectory.offset;
+    sums.translation = trajectory.translation;
+    sums.rotation = trajectory.rotation;
+    sums.angle = trajectory.angle;
+  }
+  void store(std::uint32_t slot, const RowSums& sums)
   {
     Trajectory& trajectory = trajectories_[slot];
-    trajectory.offset = flown.offset;
-    trajectory.translation = flown.translation;
-    trajectory.rotation = flown.rotation;
-    trajectory.angle = flown.angle;
+    trajectory.offset = sums.offset;
+    trajectory.translation = sums.translation;
+    trajectory.rotation = sums.rotation;
+    trajectory.angle = sums.angle;
   }
 
-  /// Forgets all counts: the end of `settle`.
-  /// @param local_time `time` in the epoch of the disks' own times
-  void restart(const std::vector<Disk>& disks, const std::vector<std::uint8_t>& active, double time,
-               double local_time);
+  void restart(double time) override;
 
   /// Unwrapped path along world x since the disk entered [m].
   double displacement(std::uint32_t slot, double x) const
@@ -97,11 +94,13 @@ public:
     return x + trajectories_[slot].offset - trajectories_[slot].entered_x;
   }
 
-  void archive(StateArchive& state) { state(trajectories_); }
+  bool fits(std::size_t slots) const override { return trajectories_.size() == slots; }
+  void archive(StateArchive& state) override;
 
 private:
   void integrate(Trajectory& trajectory, const Disk& disk, double local_time) const;
 
+  const SystemState& system_;
   double gravity_;
   bool spin_;
   std::vector<Trajectory> trajectories_;  ///< per slot

@@ -1,0 +1,59 @@
+#include "search/cell_blocks.h"
+
+#include <algorithm>
+
+namespace ratchet_sieve
+{
+
+void CellBlocks::remove(std::size_t cell, std::uint32_t slot)
+{
+  if (blocks_[cell].count == 0)
+    popFullBlock(cell);
+  Block& first = blocks_[cell];
+  const std::uint32_t last = first.slots[--first.count];
+  if (last == slot)
+    return;
+  // The last disk takes the entry of the removed one, so that all blocks but the first stay full.
+  for (Block* block = &first;; block = &full_[block->next])
+  {
+    const auto end = block->slots.begin() + block->count;
+    const auto hole = std::find(block->slots.begin(), end, slot);
+    if (hole == end)
+      continue;
+    *hole = last;
+    return;
+  }
+}
+
+/// Moves the cell's full block to the overflow list.
+void CellBlocks::pushFullBlock(std::size_t cell)
+{
+  std::size_t entry = full_.size();
+  if (free_.empty())
+    full_.emplace_back();
+  else
+  {
+    entry = free_.back();
+    free_.pop_back();
+  }
+  full_[entry] = blocks_[cell];
+  blocks_[cell] = Block();
+  blocks_[cell].next = static_cast<std::uint32_t>(entry);
+}
+
+/// An empty cell takes its last full block back from the overflow list.
+void CellBlocks::popFullBlock(std::size_t cell)
+{
+  const std::uint32_t entry = blocks_[cell].next;
+  blocks_[cell] = full_[entry];
+  free_.push_back(entry);
+}
+
+bool CellBlocks::holds(std::size_t cell, std::uint32_t slot) const
+{
+  std::vector<std::uint32_t> list;
+  const auto count = static_cast<std::ptrdiff_t>(collect(cell, list, 0));
+  return std::find(list.begin(), list.begin() + count, slot) != list.begin() + count;
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "model/prefetch.h"
+#include "ratchet_sieve/core/state_archive.h"
+
+namespace ratchet_sieve
+{
+
+/// The disks of each cell, contiguous in memory, so that a search reads them without following pointers. When
+/// a cell's block is full, it is moved to the overflow list and an empty one begins.
+class CellBlocks
+{
+public:
+  explicit CellBlocks(std::size_t cells = 0) : blocks_(cells) {}
+
+  void add(std::size_t cell, std::uint32_t slot)
+  {
+    if (blocks_[cell].count == Block::CAPACITY)
+      pushFullBlock(cell);
+    Block& block = blocks_[cell];
+    block.slots[block.count++] = slot;
+  }
+
+  /// @pre the disk is in this cell
+  void remove(std::size_t cell, std::uint32_t slot);
+
+  /// Number of cells.
+  std::size_t size() const { return blocks_.size(); }
+
+  /// Appends the disks of a cell to the first `count` of the list. @return the new count
+  std::size_t collect(std::size_t cell, std::vector<std::uint32_t>& list, std::size_t count) const
+  {
+    const Block* block = &blocks_[cell];
+    while (true)
+    {
+      if (list.size() < count + Block::CAPACITY)
+        list.resize(2 * (count + Block::CAPACITY));
+      // Copies the whole block regardless of its count: this needs no branch.
+      std::memcpy(list.data() + count, block->slots.data(), sizeof block->slots);
+      count += block->count;
+      if (block->next == NONE)
+        return count;
+      block = &full_[block->next];
+    }
+  }
+
+  void prefetchCell(std::size_t cell) const { prefetch(blocks_[cell]); }
+
+  bool holds(std::size_t cell, std::uint32_t slot) const;
+
+  /// Calls visit(cell, slot) for the disks of all cells, until it returns false.
+  /// @return whether it never did, and whether every block is in one list
+  template <typename Visit>
+  bool isLegal(Visit&& visit) const
+  {
+    std::vector<std::uint8_t> used(full_.size());
+    for (const std::uint32_t entry : free_)
+      if (entry >= full_.size() || used[entry]++ != 0)
+        return false;
+    for (std::size_t cell = 0; cell < blocks_.size(); ++cell)
+      for (const Block* block = &blocks_[cell];; block = &full_[block->next])
+      {
+        if (block->count > Block::CAPACITY || (block != &blocks_[cell] && block->count < Block::CAPACITY))
+          return false;
+        for (std::uint32_t k = 0; k < block->count; ++k)
+          if (!visit(cell, block->slots[k]))
+            return false;
+        if (block->next == NONE)
+          break;
+        if (block->next >= full_.size() || used[block->next]++ != 0)
+          return false;
+      }
+    return true;
+  }
+
+  void archive(StateArchive& state) { state(blocks_, full_, free_); }
+
+private:
+  static constexpr std::uint32_t NONE = 0xffffffff;
+
+  struct Block
+  {
+    static constexpr std::size_t CAPACITY = 6;
+    std::array<std::uint32_t, CAPACITY> slots{};
+    std::uint32_t count = 0;
+    std::uint32_t next = NONE;  ///< the previous full block in the overflow list
+
+    void archive(StateArchive& state) { state(slots, count, next); }
+  };
+
+  void pushFullBlock(std::size_t cell);
+  void popFullBlock(std::size_t cell);
+
+  std::vector<Block> blocks_;        ///< per cell
+  std::vector<Block> full_;          ///< overflow: full blocks of cells
+  std::vector<std::uint32_t> free_;  ///< unused entries of full_
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,233 @@
+#include "search/cell_nest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// Bound on a saved diameter, in cells.
+constexpr double MOST_CELLS = 0x1p20;
+
+/// Columns from `first` to `last`; none if that is smaller.
+struct Span
+{
+  std::int32_t first;
+  std::int32_t last;
+};
+
+std::int32_t at(const std::vector<std::int32_t>& extent, std::int32_t rows)
+{
+  return rows < static_cast<std::int32_t>(extent.size()) ? extent[static_cast<std::size_t>(rows)] : -1;
+}
+}  // namespace
+
+CellNest::CellNest(const Lattice& lattice, SizeLevels levels, double margin)
+    : levels_(std::move(levels)), margin_(margin)
+{
+  larger_.resize(levels_.count() - 1);
+  build(lattice);
+  for (Level& level : larger_)
+  {
+    const auto rows = static_cast<std::size_t>((lattice_.rows - 1) >> level.shift) + 1;
+    level.blocks = CellBlocks(level.columns * rows);
+    level.smallest_radius = levels_.largest();
+  }
+}
+
+/// What follows from the levels and the grid.
+void CellNest::build(const Lattice& lattice)
+{
+  lattice_ = lattice;
+  for (std::size_t k = 0; k < larger_.size(); ++k)
+  {
+    larger_[k].shift = std::max(1, std::ilogb(levels_.diameters[k + 1] / levels_.diameters[0]));
+    larger_[k].columns = static_cast<std::size_t>((lattice_.columns - 1) >> larger_[k].shift) + 1;
+  }
+  const std::size_t count = levels_.count();
+  extents_.resize(count * count);
+  reaches_.assign(count, 0);
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b < count; ++b)
+    {
+      Extent& extent = extents_[a * count + b];
+      extent =
+          extentOf(0.5 * (levels_.diameters[std::min(a, b)] + levels_.diameters[std::max(a, b)]) + margin_);
+      reaches_[a] = std::max(reaches_[a], extent[0]);
+    }
+}
+
+/// The cells that may contain a point within `reach` of a point of the cell in their middle.
+CellNest::Extent CellNest::extentOf(double reach) const
+{
+  const auto rows = static_cast<std::int32_t>(std::ceil(reach / lattice_.side_n));
+  Extent extent;
+  for (std::int32_t row = 0; row <= rows; ++row)
+  {
+    const double away = std::max(0, row - 1) * lattice_.side_n;
+    const double along = std::sqrt(std::max(0.0, reach * reach - away * away));
+    extent.push_back(std::max(1, static_cast<std::int32_t>(std::ceil(along / lattice_.side_s))));
+  }
+  return extent;
+}
+
+/// The cells whose points are all within the radius of any point of the cell in their middle.
+CellNest::Extent CellNest::coveredBy(double radius) const
+{
+  Extent extent;
+  const double within = radius - margin_;
+  for (std::int32_t row = 0;; ++row)
+  {
+    const double away = (row + 1) * lattice_.side_n;
+    if (away >= within)
+      return extent;
+    const double columns = std::floor(std::sqrt(within * within - away * away) / lattice_.side_s) - 1.0;
+    if (columns < 0.0)
+      return extent;
+    extent.push_back(static_cast<std::int32_t>(columns));
+  }
+}
+
+void CellNest::add(std::uint8_t level, std::int32_t column, std::int32_t row, std::uint32_t slot,
+                   double radius)
+{
+  Level& of = larger_[level - 1];
+  of.blocks.add(bucket(level, column, row), slot);
+  ++of.disks;
+  if (radius < of.smallest_radius)
+  {
+    of.smallest_radius = radius;
+    of.covered = coveredBy(radius);
+  }
+}
+
+void CellNest::remove(std::uint8_t level, std::int32_t column, std::int32_t row, std::uint32_t slot)
+{
+  Level& of = larger_[level - 1];
+  of.blocks.remove(bucket(level, column, row), slot);
+  --of.disks;
+}
+
+bool CellNest::holds(std::uint8_t level, std::int32_t column, std::int32_t row, std::uint32_t slot) const
+{
+  return larger_[level - 1].blocks.holds(bucket(level, column, row), slot);
+}
+
+std::size_t CellNest::collect(const Place& place, const CellBlocks& smallest,
+                              std::vector<std::uint32_t>& list, std::size_t count) const
+{
+  static const Extent NOTHING;
+  if (place.level > 0)
+  {
+    const Extent& covered = larger_[place.level - 1].covered;
+    count = collect(place, {smallest, 0, static_cast<std::size_t>(lattice_.columns)}, extent(place.level, 0),
+                    covered, list, count);
+  }
+  for (std::size_t k = 0; k < larger_.size(); ++k)
+  {
+    const Level& other = larger_[k];
+    if (other.disks > 0)
+      count = collect(place, {other.blocks, other.shift, other.columns}, extent(place.level, k + 1),
+                      k + 1 < place.level ? larger_[place.level - 1].covered : NOTHING, list, count);
+  }
+  return count;
+}
+
+/// Row by row of the buckets. @param covered cells that need not be read
+std::size_t CellNest::collect(const Place& place, const Buckets& buckets, const Extent& extent,
+                              const Extent& covered, std::vector<std::uint32_t>& list,
+                              std::size_t count) const
+{
+  const auto most = static_cast<std::int32_t>(extent.size()) - 1;
+  const std::int32_t lowest = place.entered == CellEdge::UPPER ? place.row : std::max(place.row - most, 0);
+  const std::int32_t highest =
+      place.entered == CellEdge::LOWER ? place.row : std::min(place.row + most, lattice_.rows - 1);
+  const std::int32_t last_column = lattice_.columns - 1;
+  // The outermost cells are without end: nothing covers them.
+  const bool bounded_row = place.row > 0 && place.row + 1 < lattice_.rows;
+  const bool bounded = bounded_row && (lattice_.periodic || (place.column > 0 && place.column < last_column));
+  for (std::int32_t row = lowest >> buckets.shift; row <= highest >> buckets.shift; ++row)
+  {
+    const std::int32_t first = row << buckets.shift;
+    const std::int32_t last = first + (1 << buckets.shift) - 1;
+    const std::int32_t below = place.row - first;
+    const std::int32_t above = last - place.row;
+    const std::int32_t nearest = std::max({0, -below, -above});
+    const std::int32_t farthest = std::max(below, above);
+    const std::int32_t outer = at(extent, nearest);
+    Span span{place.column - outer, place.column + outer};
+    Span skipped{0, -1};
+    switch (place.entered)
+    {
+      case CellEdge::NONE:
+        if (const std::int32_t inner = at(covered, farthest);
+            inner >= 0 && bounded && first > 0 && last + 1 < lattice_.rows)
+        {
+          skipped = {place.column - inner, place.column + inner};
+          if (!lattice_.periodic)
+            skipped = {std::max(skipped.first, 1), std::min(skipped.last, last_column - 1)};
+        }
+        break;
+      case CellEdge::LEFT:
+        span.last = place.column - at(extent, std::min(farthest, most));
+        break;
+      case CellEdge::RIGHT:
+        span.first = place.column + at(extent, std::min(farthest, most));
+        break;
+      case CellEdge::LOWER:
+      case CellEdge::UPPER:
+      {
+        const std::int32_t inner = at(extent, (place.entered == CellEdge::UPPER ? above : below) + 1);
+        skipped = {place.column - inner, place.column + inner};
+        break;
+      }
+    }
+    span = {std::max(span.first, 0), std::min(span.last, last_column)};
+    if (span.first > span.last)
+      continue;
+    const auto take = [&](std::int32_t from, std::int32_t to)
+    {
+      const std::size_t start = static_cast<std::size_t>(row) * buckets.columns;
+      for (std::int32_t column = from; column <= to; ++column)
+        count = buckets.blocks.collect(start + static_cast<std::size_t>(column), list, count);
+    };
+    // Buckets that are skipped as a whole.
+    const Span whole{(std::max(skipped.first, 0) + (1 << buckets.shift) - 1) >> buckets.shift,
+                     ((std::max(skipped.last, -1) + 1) >> buckets.shift) - 1};
+    const Span read{span.first >> buckets.shift, span.last >> buckets.shift};
+    if (skipped.first > skipped.last || whole.first > whole.last)
+    {
+      take(read.first, read.last);
+      continue;
+    }
+    take(read.first, std::min(read.last, whole.first - 1));
+    take(std::max(read.first, whole.last + 1), read.last);
+  }
+  return count;
+}
+
+void CellNest::archive(StateArchive& state, const Lattice& lattice)
+{
+  state(levels_, margin_, larger_);
+  if (!state.restoring() || empty())
+    return state.require(!empty() || levels_.diameters.empty(), "it has levels of sizes without cells");
+  // Bounds the memory for what is built.
+  bool legal = levels_.count() == larger_.size() + 1 && levels_.diameters[0] > 0.0 && margin_ >= 0.0 &&
+               levels_.largest() + margin_ <= MOST_CELLS * std::min(lattice.side_s, lattice.side_n) &&
+               levels_.largest() <= MOST_CELLS * levels_.diameters[0];
+  for (std::size_t k = 0; legal && k < larger_.size(); ++k)
+    legal = levels_.diameters[k] < levels_.diameters[k + 1] && larger_[k].smallest_radius > 0.0 &&
+            larger_[k].smallest_radius <= levels_.largest();
+  state.require(legal, "its levels of sizes are impossible");
+  build(lattice);
+  for (Level& level : larger_)
+  {
+    const auto rows = static_cast<std::size_t>((lattice_.rows - 1) >> level.shift) + 1;
+    state.require(level.blocks.size() == level.columns * rows, "its levels of sizes are impossible");
+    level.covered = coveredBy(level.smallest_radius);
+  }
+}
+
+}  // namespace ratchet_sieve
