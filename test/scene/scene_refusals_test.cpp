@@ -43,7 +43,7 @@ const Refusal SHAPES[] = {
      "tooth_width:", "tooth_witdh:", "s.yaml:1: base.tooth_witdh: unknown key; did you mean tooth_width?"},
     {"UnknownKeyInAList", "mass: 0.002", "weight: 0.002",
      "s.yaml:5: species.1.weight: unknown key; must be one of count, friction, inertia_factor, mass, name, "
-     "radius, restitution, share, tangential_restitution"},
+     "radius, restitution, share, size, tangential_restitution"},
     {"UnknownKeyInAHarmonic", "teeth: 20", "harmonics: [{multiple: 2, amplitud: 1}], teeth: 20",
      "s.yaml:1: base.harmonics.0.amplitud: unknown key; did you mean amplitude?"},
     {"HarmonicWithoutAMultiple", "teeth: 20", "harmonics: [{amplitude: 1}], teeth: 20",
