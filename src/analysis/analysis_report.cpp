@@ -220,6 +220,8 @@ Json reportJson(const RunResult& result)
   json["species"] = speciesJson(result);
   json["quality"] = numberOrNull(bins != nullptr ? bins->quality : std::nullopt);
   json["processed"] = numberOrNull(bins != nullptr ? bins->processed : std::nullopt);
+  addBinShares(json, result.species,
+               bins != nullptr ? bins->bins : std::vector<SpeciesBins>(result.species.size()));
   json["collisions"] = nullptr;
   json["max_overlap"] = nullptr;
   if (const StatisticsFrame* statistics = result.lastStatistics())

@@ -5,8 +5,6 @@
 
 namespace ratchet_sieve
 {
-namespace
-{
 
 std::vector<std::string> speciesNames(const SceneDefinition& scene)
 {
@@ -15,8 +13,6 @@ std::vector<std::string> speciesNames(const SceneDefinition& scene)
     names.push_back(species.name);
   return names;
 }
-
-}  // namespace
 
 SceneFrame makeSceneFrame(const Simulation& simulation)
 {

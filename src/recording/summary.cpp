@@ -2,6 +2,7 @@
 
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/recording/certainty.h"
+#include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 
@@ -54,26 +55,6 @@ Json speciesResults(const Simulation& simulation)
     list.push_back(std::move(json));
   }
   return list;
-}
-
-/// Of one species' BinShare, `share` is purity or recovery.
-Json shareResults(const Simulation& simulation, std::optional<double> BinShare::*share)
-{
-  const std::vector<SpeciesShares> shares = binShares(simulation.bins());
-  Json json;
-  for (const auto& [bin, of_bin] :
-       {std::pair{"left", &SpeciesShares::left}, std::pair{"right", &SpeciesShares::right}})
-  {
-    json[bin] = Json::array();
-    for (std::size_t s = 0; s < shares.size(); ++s)
-    {
-      const BinShares& in_bin = shares[s].*of_bin;
-      json[bin].push_back({{"name", simulation.scene().species[s].name},
-                           {"number", numberOrNull(in_bin.number.*share)},
-                           {"mass", numberOrNull(in_bin.mass.*share)}});
-    }
-  }
-  return json;
 }
 
 Json observedResults(const Observed& observed)
@@ -152,6 +133,25 @@ Json planParts(const Plan& plan)
   return json;
 }
 
+void addBinShares(Json& json, const std::vector<std::string>& species, const std::vector<SpeciesBins>& bins)
+{
+  const std::vector<SpeciesShares> shares = binShares(bins);
+  for (const auto& [key, share] :
+       {std::pair{"purity", &BinShare::purity}, std::pair{"recovery", &BinShare::recovery}})
+    for (const auto& [bin, of_bin] :
+         {std::pair{"left", &SpeciesShares::left}, std::pair{"right", &SpeciesShares::right}})
+    {
+      Json& list = json[key][bin] = Json::array();
+      for (std::size_t s = 0; s < shares.size(); ++s)
+      {
+        const BinShares& in_bin = shares[s].*of_bin;
+        list.push_back({{"name", species[s]},
+                        {"number", numberOrNull(in_bin.number.*share)},
+                        {"mass", numberOrNull(in_bin.mass.*share)}});
+      }
+    }
+}
+
 Json collisionCounts(const CollisionCounts& counts)
 {
   Json json;
@@ -200,8 +200,7 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
   if (scene.species.size() > 2)
     json["pair_qualities"] = pairResults(simulation);
   json["processed"] = numberOrNull(processedRatio(simulation.bins()));
-  json["purity"] = shareResults(simulation, &BinShare::purity);
-  json["recovery"] = shareResults(simulation, &BinShare::recovery);
+  addBinShares(json, speciesNames(scene), simulation.bins());
   for (const Observed& observed : simulation.observed())
     json[observed.name] = observedResults(observed);
   json["accuracy"] = certaintyParts(simulation);

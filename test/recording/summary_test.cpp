@@ -99,5 +99,44 @@ TEST(Summary, ListsPairsOnlyWhereThereAreSeveral)
   EXPECT_TRUE(pairs[2]["quality"].is_null());
 }
 
+TEST(Summary, HasPurityAndRecoveryByNumberAndByMass)
+{
+  SceneDefinition scene = smallMixture();
+  scene.boundary = Boundary::OPEN;
+  scene.base.inclination = 0.3;
+  scene.duration = 4.0;
+  const Json json = summaryOf(scene);
+  for (const char* key : {"purity", "recovery"})
+    for (const char* bin : {"left", "right"})
+      ASSERT_EQ(json[key][bin].size(), 2u);
+  const auto left = json["species"][0]["left"].get<double>();
+  const auto all = left + json["species"][1]["left"].get<double>();
+  ASSERT_GT(left, 0.0);
+  EXPECT_EQ(json["purity"]["left"][0]["name"], "A");
+  EXPECT_DOUBLE_EQ(json["purity"]["left"][0]["number"].get<double>(), left / all);
+  const double mass = left * scene.species[0].mass;
+  EXPECT_NEAR(json["purity"]["left"][0]["mass"].get<double>(),
+              mass / (mass + (all - left) * scene.species[1].mass), 1e-12);
+  EXPECT_TRUE(summaryOf(smallRing())["purity"]["left"][0]["number"].is_null());
+}
+
+TEST(Summary, HasWhatTheSceneObserves)
+{
+  SceneDefinition scene = smallMixture();
+  EXPECT_FALSE(summaryOf(scene).contains("mass_flow"));
+  scene.boundary = Boundary::OPEN;
+  scene.base.inclination = 0.3;
+  scene.duration = 4.0;
+  scene.observe = {"mass_flow", "residence_times"};
+  const Json json = summaryOf(scene);
+  const Json& flow = json["mass_flow"]["left"][0];
+  EXPECT_EQ(flow["name"], "A");
+  EXPECT_NEAR(flow["mean"].get<double>() * (4.0 - scene.settle), flow["mass"].get<double>(), 1e-12);
+  EXPECT_EQ(flow["table"]["time"].size(), flow["table"]["flow"].size());
+  const Json& times = json["residence_times"]["right"][1];
+  EXPECT_TRUE(times["count"].is_number());
+  EXPECT_EQ(times["mean"].is_null(), times["count"] == 0.0);
+}
+
 }  // namespace
 }  // namespace ratchet_sieve

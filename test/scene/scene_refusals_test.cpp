@@ -125,6 +125,12 @@ const Refusal VALUES[] = {
      "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa",
      "s.yaml:2: boundary = aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa...: must be "
      "periodic, open or walled"},
+    {"NothingToObserve", "boundary: periodic", "observe: [mass_flow, colour]",
+     "s.yaml:2: observe.1 = colour: must be one of residence_times, mass_flow"},
+    {"ObservedTwice", "boundary: periodic", "observe: [mass_flow, mass_flow]",
+     "s.yaml:2: observe.1 = mass_flow: is given twice"},
+    {"NoListToObserve", "boundary: periodic", "observe: mass_flow",
+     "s.yaml:2: observe = mass_flow: must be a list"},
     {"ValueOfTwoLinesTakesOne", "periodic", "\"a\\nb\"",
      "s.yaml:2: boundary = \"a b\": must be periodic, open or walled"},
 };

@@ -165,6 +165,9 @@ RATCHET_SIEVE_FIELDS(CommandFrame)
   RATCHET_SIEVE_FIELD(count, "");
 }
 
+/// In the order of the scene.
+std::vector<std::string> speciesNames(const SceneDefinition& scene);
+
 SceneFrame makeSceneFrame(const Simulation& simulation);
 ParticleFrame makeParticleFrame(const Simulation& simulation);
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -26,6 +28,10 @@ nlohmann::ordered_json contactsByFace(const FaceContacts& contacts);
 
 /// Adds the means of a species, each under the name of its field, without replacing existing keys.
 void addMeans(nlohmann::ordered_json& species, const SpeciesMeans& means);
+
+/// Adds `purity` and `recovery`: of each bin, of each species, by number and by mass.
+void addBinShares(nlohmann::ordered_json& json, const std::vector<std::string>& species,
+                  const std::vector<SpeciesBins>& bins);
 
 /// A number, or null where there is none.
 nlohmann::ordered_json numberOrNull(const std::optional<double>& value);
