@@ -227,7 +227,7 @@ Json reportJson(const RunResult& result)
   if (const StatisticsFrame* statistics = result.lastStatistics())
   {
     json["collisions"] = collisionCounts(statistics->collisions);
-    if (!result.scene.base.profile.empty())
+    if (!result.scene.base.isSawtooth())
       json["contacts_by_face"] = contactsByFace(statistics->faces);
     json["max_overlap"] = statistics->max_overlap;
   }

@@ -91,9 +91,10 @@ std::string statisticsTable(const RunResult& result)
 std::string contactTable(const RunResult& result)
 {
   std::string text =
-      "time [s],disk_disk,left_slope,right_slope,apex,wall,level,short_to_long,window_start [s],window_end [s],"
-      "disk_disk_rate [1/s],left_slope_rate [1/s],right_slope_rate [1/s],apex_rate [1/s],wall_rate [1/s],level_rate [1/s],"
-      "collision_rate [1/s]\n";
+      "time [s],disk_disk,left_slope,right_slope,apex,wall,level,short_to_long,window_start [s],window_end "
+      "[s],"
+      "disk_disk_rate [1/s],left_slope_rate [1/s],right_slope_rate [1/s],apex_rate [1/s],wall_rate [1/s],"
+      "level_rate [1/s],collision_rate [1/s]\n";
   for (const StatisticsFrame& frame : result.statistics)
   {
     const CollisionCounts& counts = frame.collisions;

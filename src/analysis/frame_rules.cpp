@@ -96,6 +96,11 @@ void requireFit(const BinFrame& frame, const SceneDefinition& scene)
 void requireFit(const StatisticsFrame& frame, const SceneDefinition& scene)
 {
   requireSpecies<StatisticsFrame>(frame.species.size(), scene);
+  const std::size_t faces = scene.base.isSawtooth() ? 0 : scene.base.outline().size() - 1;
+  if (frame.faces.face_contacts.size() != faces || frame.faces.corner_contacts.size() != faces)
+    throw AnalysisError(fmt::format(
+        "{} at {} s counts contacts with {} faces and {} corners, not {}", describeFrame<StatisticsFrame>(),
+        frame.time, frame.faces.face_contacts.size(), frame.faces.corner_contacts.size(), faces));
 }
 
 }  // namespace

@@ -126,6 +126,23 @@ std::vector<SpeciesMeans> Simulation::means() const
   return engine_->state().observers().averages().means(engine_->now());
 }
 
+const std::vector<SizeClass>& Simulation::sizeClasses() const
+{
+  return engine_->state().sizeClasses();
+}
+
+const std::vector<SpeciesBins>& Simulation::sizeClassBins() const
+{
+  return engine_->state().sizeClassBins();
+}
+
+std::vector<SpeciesMeans> Simulation::sizeClassMeans() const
+{
+  if (!engine_->settled())
+    return std::vector<SpeciesMeans>(sizeClasses().size());
+  return engine_->state().observers().averages().sizeClassMeans(engine_->now());
+}
+
 std::vector<Observed> Simulation::observed() const
 {
   return engine_->state().observers().observed(engine_->now());

@@ -87,8 +87,7 @@ void FrameSampler::take(const Simulation& simulation, FrameSink& sink)
     return;
   if constexpr (std::is_same_v<Frame, ParticleFrame>)
   {
-    simulation.disks(particle_frame_.disks);
-    particle_frame_.time = simulation.time();
+    makeParticleFrame(simulation, particle_frame_);
     sink.take(particle_frame_);
   }
   else

@@ -23,7 +23,18 @@ SceneFrame makeSceneFrame(const Simulation& simulation)
 
 ParticleFrame makeParticleFrame(const Simulation& simulation)
 {
-  return {simulation.time(), simulation.disks()};
+  ParticleFrame frame;
+  makeParticleFrame(simulation, frame);
+  return frame;
+}
+
+void makeParticleFrame(const Simulation& simulation, ParticleFrame& frame)
+{
+  frame.time = simulation.time();
+  simulation.disks(frame.disks);
+  if (simulation.sizeClasses().empty())
+    for (DiskState& disk : frame.disks)
+      disk.radius = 0.0;
 }
 
 BinFrame makeBinFrame(const Simulation& simulation)

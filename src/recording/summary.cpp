@@ -13,6 +13,31 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
+/// Adds the results by size class for a species that has sizes.
+void addSizeClasses(Json& species, std::size_t index, const Simulation& simulation)
+{
+  const std::vector<SizeClass>& classes = simulation.sizeClasses();
+  const std::vector<SpeciesMeans> means = simulation.sizeClassMeans();
+  std::vector<SpeciesBins> bins;
+  Json list = Json::array();
+  for (std::size_t k = 0; k < classes.size(); ++k)
+  {
+    if (classes[k].species != index)
+      continue;
+    bins.push_back(simulation.sizeClassBins()[k]);
+    list.push_back({{"radius", {classes[k].smallest, classes[k].largest}},
+                    {"count", bins.back().counted() + bins.back().on_base},
+                    {"left", bins.back().left},
+                    {"right", bins.back().right},
+                    {"mean_vx", numberOrNull(means[k].mean_vx)},
+                    {"mean_vx_stderr", numberOrNull(means[k].mean_vx_stderr)}});
+  }
+  if (list.empty())
+    return;
+  species["size_quality"] = numberOrNull(bestQuality(bins));
+  species["size_classes"] = std::move(list);
+}
+
 Json speciesResults(const Simulation& simulation)
 {
   const std::vector<SpeciesBins> bins = simulation.bins();
@@ -26,6 +51,7 @@ Json speciesResults(const Simulation& simulation)
     json["left"] = bins[i].left;
     json["right"] = bins[i].right;
     addMeans(json, means[i]);
+    addSizeClasses(json, i, simulation);
     list.push_back(std::move(json));
   }
   return list;
@@ -167,7 +193,7 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
   json["events"] = simulation.events();
   json["collisions"] = collisionCounts(simulation.collisions());
   json["short_to_long"] = numberOrNull(simulation.collisions().shortToLong(scene.base.slopeAsymmetry()));
-  if (!scene.base.profile.empty())
+  if (!scene.base.isSawtooth())
     json["contacts_by_face"] = contactsByFace(simulation.faceContacts());
   json["species"] = speciesResults(simulation);
   json["quality"] = numberOrNull(bestQuality(simulation.bins()));

@@ -24,6 +24,13 @@ namespace
 /// Longest error message shown; it may contain a topic name [characters].
 constexpr std::size_t LONGEST_REASON = 300;
 
+/// The checksum of a message's type before its last field, an array, was added; empty if there was none. A
+/// message of that time is read with an empty array.
+template <typename Message>
+constexpr const char* CHECKSUM_BEFORE_LAST_ARRAY = "";
+template <>
+constexpr const char* CHECKSUM_BEFORE_LAST_ARRAY<ParticleStates> = "adb6351783fa1df73aef027d3828d669";
+
 /// The frames of one topic, with one frame of read-ahead.
 class Stream
 {
@@ -65,13 +72,16 @@ private:
   {
     if (TopicStream::done())
       return;
-    if (!position_->isType<Message>())
+    const bool earlier = position_->getMD5Sum() == CHECKSUM_BEFORE_LAST_ARRAY<Message>;
+    if (!position_->isType<Message>() && !earlier)
       throw std::invalid_argument(position_->getTopic() + " does not have its declared type");
     std::vector<std::uint8_t> bytes(position_->size());
     if (bytes.empty())
       throw std::invalid_argument(position_->getTopic() + " has an empty message");
     ros::serialization::OStream filled(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
     position_->write(filled);
+    if (earlier)
+      bytes.resize(bytes.size() + sizeof(std::uint32_t));  // the array's length
     Message message;
     BoundedStream(bytes).next(message);
     frame_ = toFrame(message);
@@ -94,7 +104,8 @@ std::set<std::string> topicsOf(rosbag::View& all)
   {
     if (connection->datatype != type)
       continue;
-    if (connection->md5sum != ros::message_traits::md5sum<Message>())
+    if (connection->md5sum != ros::message_traits::md5sum<Message>() &&
+        connection->md5sum != CHECKSUM_BEFORE_LAST_ARRAY<Message>)
       throw std::invalid_argument(connection->topic + " was recorded with another version of " + type);
     topics.insert(connection->topic);
   }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "marker_style.h"
+#include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/ros/scene_markers.h"
 
 namespace ratchet_sieve
@@ -70,6 +71,9 @@ std::vector<Line> legendLines(const Picture& picture)
     const SpeciesDefinition& species = picture.scene.species[k];
     std::string words = fmt::format("{}: r = {:g} mm, m = {:g} g", species.name, MM_PER_M * species.radius,
                                     G_PER_KG * species.mass);
+    if (const Sizes sizes(species); species.size.vary())
+      words += fmt::format(" (r from {:.3g} to {:.3g} mm)", MM_PER_M * sizes.smallest(),
+                           MM_PER_M * sizes.largest());
     if (picture.bins)
       words += fmt::format(", {} on the base", picture.bins->bins[k].on_base);
     if (k < picture.means.size())

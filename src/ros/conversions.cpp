@@ -1,5 +1,6 @@
 #include "ratchet_sieve/ros/conversions.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -61,11 +62,19 @@ private:
     for (std::size_t k = 0; k < from.size(); ++k)
       Fields<Row>::each([k](const FieldInfo&, const auto& value, auto& column) { column[k] = value; },
                         from[k], to.message);
+    Fields<Row>::each(
+        [](const FieldInfo& field, const auto&, auto& column)
+        {
+          if (field.sparse &&
+              std::all_of(column.begin(), column.end(), [](auto value) { return value == 0; }))
+            column.clear();
+        },
+        any, to.message);
   }
 };
 
 /// Copies a message into a frame, field by field. All arrays of a message have one entry per disk or per
-/// species.
+/// species, but for lists of numbers: commanded values, contacts with each face.
 class Reader
 {
 public:
@@ -90,7 +99,8 @@ private:
   template <typename Row, typename RowMessage>
   void get(const FieldInfo& field, std::vector<Row>& to, const std::vector<RowMessage>& from)
   {
-    requireLength(field, from.size());
+    if constexpr (!std::is_arithmetic_v<Row>)
+      requireLength(field, from.size());
     if constexpr (!IS_DESCRIBED<Row>)
       to = from;
     else
@@ -105,13 +115,22 @@ private:
   void get(const FieldInfo&, std::vector<Row>& to, const Columns<Message>& from)
   {
     const Row any;
-    Fields<Row>::each([this](const FieldInfo& field, const auto&, const auto& column)
-                      { requireLength(field, column.size()); },
-                      any, from.message);
+    Fields<Row>::each(
+        [this](const FieldInfo& field, const auto&, const auto& column)
+        {
+          if (!field.sparse || !column.empty())
+            requireLength(field, column.size());
+        },
+        any, from.message);
     to.resize(*length_);
     for (std::size_t k = 0; k < to.size(); ++k)
-      Fields<Row>::each([k](const FieldInfo&, auto& value, const auto& column) { value = column[k]; }, to[k],
-                        from.message);
+      Fields<Row>::each(
+          [k](const FieldInfo& field, auto& value, const auto& column)
+          {
+            if (!field.sparse || !column.empty())
+              value = column[k];
+          },
+          to[k], from.message);
   }
 
   void requireLength(const FieldInfo& field, std::size_t length)

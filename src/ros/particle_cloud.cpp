@@ -27,7 +27,7 @@ sensor_msgs::PointCloud2 particleCloud(const ParticleFrame& frame,
     position[0] = static_cast<float>(disk.x);
     position[1] = 0.0f;
     position[2] = static_cast<float>(disk.y);
-    *radius = static_cast<float>(species[disk.species].radius);
+    *radius = static_cast<float>(radiusOf(disk, species));
     *kind = disk.species;
     ++position;
     ++radius;

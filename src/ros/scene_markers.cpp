@@ -6,6 +6,7 @@
 
 #include <tf2_eigen/tf2_eigen.h>
 
+#include "drawn_sizes.h"
 #include "marker_style.h"
 #include "plane_in_space.h"
 #include "ratchet_sieve/core/walls.h"
@@ -131,22 +132,24 @@ MarkerArray baseMarkers(const SceneDefinition& scene, const BaseFrame& base)
 MarkerArray diskMarkers(const SceneDefinition& scene, const ParticleFrame& frame)
 {
   MarkerArray markers;
-  const std::size_t count = scene.species.size();
-  const auto add = [&](const char* name, std::size_t species, double radius, const std_msgs::ColorRGBA& color)
+  const DrawnSizes sizes(scene);
+  const std::size_t count = sizes.lists().size();
+  const auto add = [&](const char* name, std::size_t list, double radius, const std_msgs::ColorRGBA& color)
   {
-    Marker spheres = marker(frame.time, name, static_cast<int>(species), Marker::SPHERE_LIST, color);
+    Marker spheres = marker(frame.time, name, static_cast<int>(list), Marker::SPHERE_LIST, color);
     spheres.scale.x = spheres.scale.y = spheres.scale.z = 2.0 * radius;
     markers.markers.push_back(spheres);
   };
   for (std::size_t k = 0; k < count; ++k)
-    add("disks", k, scene.species[k].radius, speciesColor(k));
+    add("disks", k, sizes.lists()[k].radius, speciesColor(sizes.lists()[k].species));
   for (std::size_t k = 0; k < count; ++k)
-    add("dots", k, DOT_RADIUS * scene.species[k].radius, grey(1.0f));
+    add("dots", k, DOT_RADIUS * sizes.lists()[k].radius, grey(1.0f));
   for (const DiskState& disk : frame.disks)
   {
-    markers.markers[disk.species].points.push_back(planePoint(disk.x, disk.y));
-    markers.markers[count + disk.species].points.push_back(
-        dotPoint(disk, scene.species[disk.species].radius));
+    const double radius = radiusOf(disk, scene.species);
+    const std::size_t list = sizes.listOf(disk.species, radius);
+    markers.markers[list].points.push_back(planePoint(disk.x, disk.y));
+    markers.markers[count + list].points.push_back(dotPoint(disk, radius));
   }
   // RViz reports an empty list as an error.
   for (Marker& spheres : markers.markers)

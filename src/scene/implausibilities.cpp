@@ -61,9 +61,9 @@ void doubtRadii(const SceneDefinition& scene, Doubts& doubts)
       continue;
     const std::string figure =
         "a disk's diameter, " + quantity(2.0 * radius, "m") +
-        (2.0 * radius > base.width()
-             ? ", is larger than the base's width, " + quantity(base.width(), "m")
-             : ", is larger than a tooth, " + toothKey(base, "width") + " = " + quantity(base.toothWidth(), "m"));
+        (2.0 * radius > base.width() ? ", is larger than the base's width, " + quantity(base.width(), "m")
+                                     : ", is larger than a tooth, " + toothKey(base, "width") + " = " +
+                                           quantity(base.toothWidth(), "m"));
     doubts.add(
         speciesKey(i, "radius"), radius, "m", figure,
         meant(radius, 1e-3, [&](double r) { return 2.0 * r <= room && 200.0 * r >= base.toothWidth(); }));
@@ -110,9 +110,10 @@ void doubtTeeth(const SceneDefinition& scene, Doubts& doubts)
   const double height = relief(base);
   const auto tall = [&](double h) { return h > TALLEST_TOOTH * width; };
   if (wide(width))
-    doubts.add(toothKey(base, "width"), width, "m",
-               number(width / diameter) + " times the diameter of the largest disks, " + quantity(diameter, "m"),
-               meant(width, 1e-3, [&](double w) { return !wide(w) && diameter <= w; }));
+    doubts.add(
+        toothKey(base, "width"), width, "m",
+        number(width / diameter) + " times the diameter of the largest disks, " + quantity(diameter, "m"),
+        meant(width, 1e-3, [&](double w) { return !wide(w) && diameter <= w; }));
   if (tall(height))
     doubts.add(toothKey(base, "height"), height, "m",
                number(height / width) + " times " + toothKey(base, "width") + " = " + quantity(width, "m"),
@@ -160,14 +161,14 @@ void doubtPour(const SceneDefinition& scene, Doubts& doubts)
   const double height = scene.pour.drop_height;
   if (isHigh(scene, height))
     doubts.add("pour.drop_height", height, "m",
-               number(height / scene.base.toothWidth()) + " times " + toothKey(scene.base, "width") + "; disks land at " +
-                   quantity(fallSpeed(scene, height), "m/s"),
+               number(height / scene.base.toothWidth()) + " times " + toothKey(scene.base, "width") +
+                   "; disks land at " + quantity(fallSpeed(scene, height), "m/s"),
                meant(height, 1e-3, [&](double h) { return !isHigh(scene, h); }));
   if (scene.pour.speed > FASTEST)
-    doubts.add(
-        "pour.speed", scene.pour.speed, "m/s",
-        number(1e-3 * scene.pour.speed / scene.base.toothWidth()) + " times " + toothKey(scene.base, "width") + " per millisecond",
-        meant(scene.pour.speed, 1e-3, [](double speed) { return speed <= FASTEST; }));
+    doubts.add("pour.speed", scene.pour.speed, "m/s",
+               number(1e-3 * scene.pour.speed / scene.base.toothWidth()) + " times " +
+                   toothKey(scene.base, "width") + " per millisecond",
+               meant(scene.pour.speed, 1e-3, [](double speed) { return speed <= FASTEST; }));
 }
 
 double speedOf(const InitialDisk& disk)

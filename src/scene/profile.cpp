@@ -39,11 +39,8 @@ void requireStep(const Entry& entry, const Range& range, const std::vector<Outli
     entry.refuse("leads back along a vertical face: a tooth must have no wall or gap without thickness");
 }
 
-void requireEnds(const Entry& list, const std::vector<Entry>& entries,
-                 const std::vector<OutlineCorner>& corners)
+void requireEnds(const std::vector<Entry>& entries, const std::vector<OutlineCorner>& corners)
 {
-  if (corners.size() < 2)
-    list.refuse("must have two corners or more, from [0, 0] to [w, 0]");
   if (corners.front().s != 0.0 || corners.front().n != 0.0)
     entries.front().refuse("must be [0, 0]: a tooth begins there");
   if (corners.back().n != 0.0)
@@ -52,19 +49,20 @@ void requireEnds(const Entry& list, const std::vector<Entry>& entries,
   const std::size_t last = corners.size() - 1;
   if (corners[1].s == 0.0 && corners[last - 1].s == corners[last].s &&
       (corners[1].n > 0.0) == (corners[last - 1].n > 0.0))
-    entries.back().refuse("leads back along the next tooth's first face: there must be no wall or gap without "
-                          "thickness");
+    entries.back().refuse(
+        "leads back along the next tooth's first face: there must be no wall or gap without "
+        "thickness");
   if (corners.back().s < SMALLEST_LENGTH)
-    entries.back().refuse("s = " + scalarText(corners.back().s) + " m, the width of a tooth, must be at least " +
-                          scalarText(SMALLEST_LENGTH) + " m");
+    entries.back().refuse("s = " + scalarText(corners.back().s) +
+                          " m, the width of a tooth, must be at least " + scalarText(SMALLEST_LENGTH) + " m");
 }
 }  // namespace
 
 void readScalar(const Entry& entry, const Range& range, std::vector<OutlineCorner>& value)
 {
   const std::vector<Entry> entries = entry.list();
-  if (entries.size() > MOST_CORNERS)
-    entry.refuse("must have at most " + std::to_string(MOST_CORNERS) + " corners");
+  if (entries.size() < 2 || entries.size() > MOST_CORNERS)
+    entry.refuseValue("must be a list of " + legalValues(range, value).values + ' ' + range.unit);
   std::vector<OutlineCorner> corners;
   for (const Entry& corner : entries)
   {
@@ -72,7 +70,7 @@ void readScalar(const Entry& entry, const Range& range, std::vector<OutlineCorne
     if (corners.size() > 1)
       requireStep(corner, range, corners);
   }
-  requireEnds(entry, entries, corners);
+  requireEnds(entries, corners);
   value = corners;
 }
 

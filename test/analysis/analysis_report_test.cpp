@@ -19,7 +19,7 @@ TEST(ReportText, IsATableToRead)
             "long-name       1       1       0        0 -250.00 +- undefined  undefined\n"
             "\n"
             "Q = 0.750, P = 0.500\n"
-            "contacts: 100 disk-disk, 20 left slope, 40 right slope, 3 apex, 0 wall\n"
+            "contacts: 100 disk-disk, 20 left slope, 40 right slope, 3 apex, 0 wall, 0 level\n"
             "short to long slope: 0.500\n"
             "accumulated by the engine:\n"
             "  A: mean_vx 0.5 m/s, mean_vx_stderr undefined, kinetic_translational undefined, "

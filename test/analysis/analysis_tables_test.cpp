@@ -55,10 +55,11 @@ TEST_F(AnalysisTables, HoldDriveContactsAndDisplacements)
             "amplitude [m],commanded_amplitude [m]\n0.5,0.125,0.25,23,30,0.002,0.003\n");
   EXPECT_EQ(
       table("contacts.csv"),
-      "time [s],disk_disk,left_slope,right_slope,apex,wall,level,short_to_long,window_start [s],window_end [s],"
-      "disk_disk_rate [1/s],left_slope_rate [1/s],right_slope_rate [1/s],apex_rate [1/s],wall_rate [1/s],level_rate [1/s],"
-      "collision_rate [1/s]\n"
-      "2.5,100,20,40,3,0,0.5,2.25,2.375,50,5,10,0.5,0,65.5\n");
+      "time [s],disk_disk,left_slope,right_slope,apex,wall,level,short_to_long,window_start [s],window_end "
+      "[s],"
+      "disk_disk_rate [1/s],left_slope_rate [1/s],right_slope_rate [1/s],apex_rate [1/s],wall_rate [1/s],"
+      "level_rate [1/s],collision_rate [1/s]\n"
+      "2.5,100,20,40,3,0,0,0.5,2.25,2.375,50,5,10,0.5,0,0,65.5\n");
   EXPECT_EQ(table("displacements.csv"),
             "time [s],species,from [m],to [m],count,density [1/m]\n"
             "2.5,long-name,-0.5,-0.25,1,1\n2.5,long-name,-0.25,0,3,3\n");

@@ -1,7 +1,7 @@
 #include <map>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"

@@ -60,14 +60,14 @@ std::vector<SceneDefinition> scenes()
   scenes[5].gravity = 0.0;
   scenes[5].pour.speed = 1.0;
   scenes[5].contact.min_rebound_speed = 0.2;
+  scenes[6] = test::withSizes(test::mixture(90));
+  scenes[6].contact.pair_collisions = false;
   // Disks that come to rest again and again.
-  scenes[6].species[0].count = 20;
-  scenes[6].base.amplitude = 2e-5;
-  scenes[6].contact.min_rebound_speed = 0.0;
-  scenes[6].contact.collapse_events = 1000;
-  scenes[6].contact.on_collapse = CollapseAction::REBOUND;
-  scenes[7] = test::withSizes(test::mixture(90));
-  scenes[7].contact.pair_collisions = false;
+  scenes[7].species[0].count = 20;
+  scenes[7].base.amplitude = 2e-5;
+  scenes[7].contact.min_rebound_speed = 0.0;
+  scenes[7].contact.collapse_events = 1000;
+  scenes[7].contact.on_collapse = CollapseAction::REBOUND;
   return scenes;
 }
 

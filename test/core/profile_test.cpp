@@ -1,4 +1,5 @@
-// Bases of any outline: the engine against brute force, the slow reference loop, conservation and the sawtooth.
+// Bases of any outline: the engine against brute force, the slow reference loop, conservation and the
+// sawtooth.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -7,12 +8,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "events/event_loop.h"
 #include "model/base_shape.h"
 #include "profiles.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "reference_loop.h"
 #include "scenes.h"
-#include "events/event_loop.h"
 #include "search/base_overlap.h"
 #include "state/placement.h"
 #include "state/pour.h"
@@ -104,8 +105,9 @@ TEST(Profile, NamesItsFacesBySlopeAndItsConvexCorners)
   const BaseDefinition base = baseOf(test::castle());
   const BaseShape shape(base, Boundary::PERIODIC);
   using Kind = CollisionKind;
-  const Kind kinds[] = {Kind::LEFT_SLOPE, Kind::RIGHT_SLOPE, Kind::LEVEL, Kind::LEFT_SLOPE,  Kind::LEVEL,
-                        Kind::LEFT_SLOPE, Kind::RIGHT_SLOPE, Kind::LEVEL, Kind::RIGHT_SLOPE, Kind::LEFT_SLOPE};
+  const Kind kinds[] = {Kind::LEFT_SLOPE,  Kind::RIGHT_SLOPE, Kind::LEVEL,       Kind::LEFT_SLOPE,
+                        Kind::LEVEL,       Kind::LEFT_SLOPE,  Kind::RIGHT_SLOPE, Kind::LEVEL,
+                        Kind::RIGHT_SLOPE, Kind::LEFT_SLOPE};
   ASSERT_EQ(shape.faces().size(), std::size(kinds));
   for (std::size_t i = 0; i < std::size(kinds); ++i)
     EXPECT_EQ(shape.faces()[i].kind, kinds[i]) << i;
@@ -238,10 +240,10 @@ std::vector<CollisionRecord> profileCollisions(const SceneDefinition& scene, dou
   return records;
 }
 
-/// The contacts of each disk that follow from fewer than `deepest` others, one after another: in those, rounding
-/// has not grown.
-std::vector<std::vector<CollisionRecord>> earlyContacts(const std::vector<CollisionRecord>& all, std::size_t disks,
-                                                        int deepest)
+/// The contacts of each disk that follow from fewer than `deepest` others, one after another: in those,
+/// rounding has not grown.
+std::vector<std::vector<CollisionRecord>> earlyContacts(const std::vector<CollisionRecord>& all,
+                                                        std::size_t disks, int deepest)
 {
   std::vector<std::vector<CollisionRecord>> early(disks);
   std::vector<int> depth(disks, 0);
@@ -348,8 +350,9 @@ TEST(Profile, MayHaveManyAndTinyFaces)
   for (int i = 1; i < 5000; ++i)
     rough.push_back({4e-6 * i, 2e-6 * (i % 2)});
   rough.push_back({0.02, 0.0});
-  const std::vector<OutlineCorner> spike = {{0.0, 0.0},    {0.009, 0.0},  {0.01, 0.03},        {0.010000001, 0.0},
-                                            {0.015, 0.0},  {0.015, 1e-9}, {0.02 - 1e-9, 1e-9}, {0.02, 0.0}};
+  const std::vector<OutlineCorner> spike = {{0.0, 0.0},          {0.009, 0.0}, {0.01, 0.03},
+                                            {0.010000001, 0.0},  {0.015, 0.0}, {0.015, 1e-9},
+                                            {0.02 - 1e-9, 1e-9}, {0.02, 0.0}};
   for (const auto& profile : {rough, spike, test::arc(0.02, 0.006, 1000), test::arc(0.02, -0.006, 1000)})
     for (const bool steps : {false, true})
     {

@@ -44,9 +44,9 @@ bool isTame(const SceneDefinition& scene)
     return std::max({disk.vx, -disk.vx, disk.vy, -disk.vy, disk.spin, -disk.spin}) < 100.0;
   };
   return disks <= 20 && std::all_of(scene.initial.begin(), scene.initial.end(), slow) &&
-         scene.base.teeth <= 100 && scene.base.tooth_width >= 1e-3 && scene.base.amplitude <= 0.1 &&
-         scene.base.frequency <= 100.0 && scene.pour.speed <= 10.0 && scene.feed.rate <= 100.0 &&
-         scene.gravity <= 100.0;
+         scene.base.teeth <= 100 && scene.base.toothWidth() >= 1e-3 && scene.base.profile.size() <= 100 &&
+         scene.base.amplitude <= 0.1 && scene.base.frequency <= 100.0 && scene.pour.speed <= 10.0 &&
+         scene.feed.rate <= 100.0 && scene.gravity <= 100.0;
 }
 
 void runBriefly(const SceneDefinition& scene)

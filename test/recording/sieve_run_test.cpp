@@ -66,12 +66,13 @@ TEST_F(SieveRun, SumsUpOnStandardOutput)
 {
   const Result result = run(config("demo.yaml") + " --duration 0.5 --seed 7 --set base.inclination=0.1");
   EXPECT_EQ(result.status, 0) << result.errors;
-  EXPECT_EQ(result.errors,
-            "sieve_run: plan: pairs, spin, drive, no contact times (contact_duration is 0), "
-            "no base search above the base's reach, "
-            "no lanes (only for independent disks without contact times on a periodic base with a vertical "
-            "sine drive)\n"
-            "sieve_run: 266 disks, at rest a layer of about 0.0166 m, about 1 MB of memory\n");
+  EXPECT_EQ(
+      result.errors,
+      "sieve_run: plan: pairs, spin, drive, no contact times (contact_duration is 0), "
+      "no base search above the base's reach, "
+      "no lanes (only for independent disks without contact times on a periodic sawtooth with a vertical "
+      "sine drive)\n"
+      "sieve_run: 266 disks, at rest a layer of about 0.0166 m, about 1 MB of memory\n");
   const Json json = Json::parse(result.output);
   EXPECT_EQ(json["seed"], 7);
   EXPECT_EQ(json["simulated_time"], 0.5);

@@ -11,6 +11,7 @@
 #include "random_frames.h"
 #include "ratchet_sieve/recording/frame_kinds.h"
 #include "ratchet_sieve/recording/same_bits.h"
+#include "ratchet_sieve/recording/same_bits.h"
 
 namespace ratchet_sieve
 {
@@ -121,6 +122,23 @@ TEST(Conversions, sayUndefinedByAFlagAndZero)
   EXPECT_EQ(message.quality, 0.0);
   EXPECT_TRUE(message.processed_defined);
   EXPECT_EQ(message.processed, 0.25);
+}
+
+/// The radii take no room where every disk has that of its species.
+TEST(Conversions, sendRadiiWhereDisksHaveTheirOwn)
+{
+  ParticleFrame frame;
+  frame.disks.resize(2);
+  frame.disks[1].id = 4;
+  EXPECT_TRUE(toMessage(frame).radius.empty());
+  EXPECT_TRUE(sameBits(toFrame(toMessage(frame)), frame));
+  frame.disks[0].radius = 0.001;
+  frame.disks[1].radius = 0.002;
+  EXPECT_EQ(toMessage(frame).radius, (std::vector<double>{0.001, 0.002}));
+  EXPECT_TRUE(sameBits(toFrame(toMessage(frame)), frame));
+  ParticleStates wrong = toMessage(frame);
+  wrong.radius.pop_back();
+  EXPECT_THROW(toFrame(wrong), std::invalid_argument);
 }
 
 TEST(Conversions, refuseArraysOfDifferentLengths)

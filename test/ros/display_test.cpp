@@ -132,6 +132,30 @@ TEST(SceneMarkers, moveTheBaseAsTheTransformsDo)
   }
 }
 
+TEST(SceneMarkers, drawDisksOfManySizesWithinTwoPercent)
+{
+  SceneDefinition scene = smallMixture();
+  scene.species[1].size = {SizeDistribution::LOGNORMAL, 0.5, 3.0, {}, {}, {}};
+  const Sizes sizes(scene.species[1]);
+  ParticleFrame frame;
+  for (int k = 0; k <= 100; ++k)
+  {
+    const double radius = sizes.smallest() + 0.01 * k * (sizes.largest() - sizes.smallest());
+    frame.disks.push_back({static_cast<std::uint32_t>(k), 1, radius, 0.02, 0, 0, 0, 0, 0, radius});
+  }
+  const auto color = diskMarkers(smallMixture(), ParticleFrame()).markers.at(1).color;
+  std::size_t drawn = 0;
+  for (const auto& list : diskMarkers(scene, frame).markers)
+    for (const auto& point : list.points)
+      if (list.ns == "disks")
+      {
+        ++drawn;
+        EXPECT_NEAR(list.scale.x, 2.0 * point.x, 0.0405 * point.x);
+        EXPECT_EQ(list.color, color);
+      }
+  EXPECT_EQ(drawn, frame.disks.size());
+}
+
 TEST(SceneMarkers, drawDisksInTrueSizeOneListPerSpecies)
 {
   const SceneDefinition scene = smallMixture();

@@ -60,7 +60,7 @@ std::vector<DiskState> disksAt(double time, const SceneDefinition& scene)
 {
   Simulation simulation(scene);
   simulation.advanceTo(time);
-  return simulation.disks();
+  return makeParticleFrame(simulation).disks;
 }
 
 TEST(RunControl, stepsExactlyAndShowsTheEnd)
@@ -330,7 +330,7 @@ TEST(RunControl, stepsInLockWithItsSetpoints)
   simulation.advanceTo(0.25);
   simulation.command(Quantity::INCLINATION, 0.0);
   simulation.advanceTo(0.5);
-  EXPECT_TRUE(sameBits(run.seen.particles.back().disks, simulation.disks()));
+  EXPECT_TRUE(sameBits(run.seen.particles.back().disks, makeParticleFrame(simulation).disks));
 }
 
 /// Its response contains statistics, even if nobody else wants them.

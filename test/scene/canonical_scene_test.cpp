@@ -35,13 +35,21 @@ bool same(const HarmonicDefinition& a, const HarmonicDefinition& b)
 template <typename T>
 bool same(const std::vector<T>& a, const std::vector<T>& b);
 
+bool same(const OutlineCorner& a, const OutlineCorner& b)
+{
+  return sameBits(a.s, b.s) && sameBits(a.n, b.n);
+}
+
 bool same(const BaseDefinition& a, const BaseDefinition& b)
 {
-  return a.teeth == b.teeth && sameBits(a.tooth_width, b.tooth_width) &&
-         sameBits(a.tooth_height, b.tooth_height) && sameBits(a.asymmetry, b.asymmetry) &&
-         sameBits(a.inclination, b.inclination) && sameBits(a.amplitude, b.amplitude) &&
-         sameBits(a.frequency, b.frequency) && sameBits(a.phase, b.phase) &&
-         sameBits(a.wall_height, b.wall_height) && sameBits(a.horizontal_amplitude, b.horizontal_amplitude) &&
+  const bool sawtooth = a.profile.empty();
+  return a.teeth == b.teeth && same(a.profile, b.profile) &&
+         (!sawtooth || sameBits(a.tooth_width, b.tooth_width)) &&
+         (!sawtooth || sameBits(a.tooth_height, b.tooth_height)) &&
+         (!sawtooth || sameBits(a.asymmetry, b.asymmetry)) && sameBits(a.inclination, b.inclination) &&
+         sameBits(a.amplitude, b.amplitude) && sameBits(a.frequency, b.frequency) &&
+         sameBits(a.phase, b.phase) && sameBits(a.wall_height, b.wall_height) &&
+         sameBits(a.horizontal_amplitude, b.horizontal_amplitude) &&
          sameBits(a.horizontal_phase, b.horizontal_phase) && same(a.harmonics, b.harmonics) &&
          a.drive_frame == b.drive_frame;
 }
@@ -51,11 +59,17 @@ bool same(const Stretch& a, const Stretch& b)
   return sameBits(a.from, b.from) && sameBits(a.to, b.to);
 }
 
+bool same(const SizeDefinition& a, const SizeDefinition& b)
+{
+  return a.distribution == b.distribution && sameBits(a.spread, b.spread) &&
+         sameBits(a.mass_exponent, b.mass_exponent) && a.radii == b.radii && a.weights == b.weights && a.by == b.by;
+}
+
 bool same(const SpeciesDefinition& a, const SpeciesDefinition& b)
 {
   return a.name == b.name && a.count == b.count && sameBits(a.share, b.share) &&
          sameBits(a.radius, b.radius) && sameBits(a.mass, b.mass) && same(a.contact, b.contact) &&
-         sameBits(a.inertia_factor, b.inertia_factor);
+         sameBits(a.inertia_factor, b.inertia_factor) && same(a.size, b.size);
 }
 
 bool same(const PairDefinition& a, const PairDefinition& b)
@@ -160,7 +174,13 @@ SceneDefinition anyScene()
                 0.0,
                 0.0,
                 {},
-                *rc::gen::element(DriveFrame::WORLD, DriveFrame::BASE)};
+                *rc::gen::element(DriveFrame::WORLD, DriveFrame::BASE),
+                {}};
+  if (*rc::gen::inRange(0, 3) == 0)
+    scene.base.profile = {{0.0, 0.0},
+                          {number(0.01, 0.1), number(-0.1, 0.5)},
+                          {number(0.1, 0.5), number(0.0, 0.1)},
+                          {number(0.5, 1.0), 0.0}};
   scene.base.wall_height = *rc::gen::arbitrary<bool>() ? number(0.1, 1.0) : 0.0;
   if (*rc::gen::arbitrary<bool>())
   {
@@ -241,6 +261,20 @@ TEST(CanonicalScene, HasAnOrbitOnlyWhereTheDriveHasOne)
   EXPECT_NE(sceneHash(scene), hash);
 }
 
+/// In place of the keys of a sawtooth, so that it can be read back.
+TEST(CanonicalScene, HasAProfileOrASawtooth)
+{
+  SceneDefinition scene = sceneFromText(GOOD_SCENE, "s.yaml").definition;
+  EXPECT_EQ(canonicalYaml(scene).find("profile"), std::string::npos);
+  const std::string hash = sceneHash(scene);
+  scene.base.profile = {{0.0, 0.0}, {0.006, 0.006}, {0.02, 0.0}};
+  const std::string yaml = canonicalYaml(scene);
+  EXPECT_NE(yaml.find("profile: [[0, 0], [0.006, 0.006], [0.02, 0]]"), std::string::npos) << yaml;
+  EXPECT_EQ(yaml.find("tooth_"), std::string::npos);
+  EXPECT_EQ(yaml.find("asymmetry"), std::string::npos);
+  EXPECT_NE(sceneHash(scene), hash);
+}
+
 TEST(CanonicalScene, OfPlacedDisksReadsBackWithoutAWarning)
 {
   const std::string text = goodSceneWith("pairs: []", "initial: [{species: A, x: 0.01, y: 0.1}]");
@@ -305,6 +339,38 @@ TEST(SceneHash, IsTheSameForADensityAndItsCounts)
   const char* const density = "species: [{name: A, radius: 0.001, mass: 0.01}]\ndensity: 1.0\n";
   EXPECT_EQ(sceneHash(sceneFromText(counts, "c").definition),
             sceneHash(sceneFromText(density, "d").definition));
+}
+
+/// Sizes come back as they were, and have a hash of their own; without spread they are not written.
+TEST(CanonicalScene, KeepsSizes)
+{
+  const std::string plain = sceneHash(sceneFromText(GOOD_SCENE, "s.yaml").definition);
+  for (const char* size :
+       {"{distribution: uniform, spread: 0.3}", "{distribution: normal, spread: 0.1, mass_exponent: 2}",
+        "{distribution: lognormal, spread: 0.5}",
+        "{distribution: table, radii: [0.0005, 0.001, 0.003], weights: [0, 1, 2.5], by: mass, mass_exponent: 2}"})
+  {
+    const std::string species = std::string("radius: 0.001, mass: 0.001, size: ") + size;
+    const SceneDefinition scene =
+        sceneFromText(goodSceneWith("radius: 0.001, mass: 0.001", species), "s.yaml").definition;
+    const SceneDefinition again = sceneFromText(canonicalYaml(scene), "again").definition;
+    EXPECT_TRUE(same(scene.species[0], again.species[0])) << canonicalYaml(scene);
+    EXPECT_NE(sceneHash(scene), plain);
+    EXPECT_EQ(sceneHash(scene), sceneHash(again));
+  }
+  const std::string none = goodSceneWith("mass: 0.001", "mass: 0.001, size: {distribution: normal, spread: 0}");
+  EXPECT_EQ(sceneHash(sceneFromText(none, "s.yaml").definition), plain);
+}
+
+/// A density counts the expected diameters.
+TEST(CanonicalScene, SplitsADensityByTheExpectedDiameters)
+{
+  const SceneDefinition scene =
+      sceneFromText("density: 4\nspecies:\n  - {name: A, radius: 0.001, mass: 0.001, size: {distribution: table, "
+                    "radii: [0.001, 0.003], weights: [0, 1]}}\n",
+                    "s.yaml")
+          .definition;
+  EXPECT_EQ(scene.species[0].count, 400);  // 4 * 0.4 m / 0.004 m
 }
 
 }  // namespace

@@ -125,7 +125,8 @@ private:
     RC_ASSERT(static_cast<double>(there) <= static_cast<double>(poured_) + fed + 0.001);
     RC_ASSERT(scene_.boundary != Boundary::PERIODIC || on_base == there);
     const CollisionCounts& counts = simulation_.collisions();
-    RC_ASSERT(counts.disk_disk + counts.left_slope + counts.right_slope + counts.apex + counts.wall ==
+    RC_ASSERT(counts.disk_disk + counts.left_slope + counts.right_slope + counts.apex + counts.wall +
+                  counts.level ==
               collisions_);
     RC_ASSERT(last_collision_ <= simulation_.time());
   }

@@ -136,6 +136,44 @@ const Refusal VALUES[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Values, SceneRefusals, testing::ValuesIn(VALUES), ruleName);
 
+const Refusal SIZES[] = {
+    {"SizesWithoutADistribution", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {spread: 0.2}",
+     "s.yaml:4: species.0.size.distribution: missing"},
+    {"SizesWithoutASpread", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: normal}",
+     "s.yaml:4: species.0.size.spread: missing"},
+    {"UniformSizesDownToZero", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: uniform, spread: 1}",
+     "s.yaml:4: species.0.size.spread = 1: must be below 1: every radius must be above 0"},
+    {"NormalSizesDownToZero", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: normal, spread: 0.34}",
+     "s.yaml:4: species.0.size.spread = 0.34: must be below 1/3: every radius must be above 0, and the distribution is cut at 3 standard deviations"},
+    {"SizesOfNoDistribution", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: even, spread: 0.1}",
+     "s.yaml:4: species.0.size.distribution = even: must be uniform, normal, lognormal or table"},
+    {"TableWithoutWeights", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001]}",
+     "s.yaml:4: species.0.size.weights: missing"},
+    {"TableWithASpread", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, spread: 0.1, radii: [0.001], weights: [1]}",
+     "s.yaml:4: species.0.size.spread: unknown key; must be one of by, distribution, mass_exponent, radii, weights"},
+    {"SpreadWithWeights", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: uniform, spread: 0.1, weights: [1]}",
+     "s.yaml:4: species.0.size.weights: unknown key; must be one of distribution, mass_exponent, spread"},
+    {"TableOfUnequalLengths", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.002], weights: [1]}",
+     "s.yaml:4: species.0.size.weights: must have as many numbers as radii, 2"},
+    {"TableOfNoRadii", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [], weights: []}",
+     "s.yaml:4: species.0.size.radii: must have 1 to 1000 numbers"},
+    {"TableOfNoWeight", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.002], weights: [0, 0]}",
+     "s.yaml:4: species.0.size.weights: needs a weight above 0"},
+    {"TableOfRadiiThatFall", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.001], weights: [1, 1]}",
+     "s.yaml:4: species.0.size.radii.1 = 0.001: must be larger than the radius before, 0.001 m"},
+    {"TableFromZero", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0, 0.001], weights: [1, 1]}",
+     "s.yaml:4: species.0.size.radii.0 = 0: must be a number from 1e-09 to 1000 m"},
+    {"TableWithANegativeWeight", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.002], weights: [1, -1]}",
+     "s.yaml:4: species.0.size.weights.1 = -1: must be a number from 0 to 1000000000"},
+    {"TableBesideTheRadius", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.002, 0.003], weights: [1, 1]}",
+     "s.yaml:4: species.0.radius = 0.001: must be within size.radii, from 0.002 to 0.003 m"},
+    {"TableThatIsNoList", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: 0.001, weights: [1]}",
+     "s.yaml:4: species.0.size.radii = 0.001: must be a list"},
+    {"SizesWiderThanTheBase", "radius: 0.001, mass: 0.001", "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.25], weights: [0, 1]}",
+     "s.yaml:4: species.0.size: the largest diameter, 0.5 m, must be at most the base's width (teeth times tooth_width), 0.4 m"},
+};
+INSTANTIATE_TEST_SUITE_P(Sizes, SceneRefusals, testing::ValuesIn(SIZES), ruleName);
+
 const Refusal RULES[] = {
     {"SpeciesNameTwice", "name: B", "name: A",
      "s.yaml:5: species.1.name = A: another species has this name already"},
@@ -181,6 +219,57 @@ const Refusal RULES[] = {
      "s.yaml:6: accuracy.step = 4: must be a number from 1e-07 to 0.1 s; did you mean 0.004 s (4 ms)?"},
 };
 INSTANTIATE_TEST_SUITE_P(Rules, SceneRefusals, testing::ValuesIn(RULES), ruleName);
+
+const char* const TOOTH = "teeth: 20, tooth_width: 0.02";
+const Refusal PROFILES[] = {
+    {"NoList", TOOTH, "profile: 3", "s.yaml:1: base.profile = 3: must be a list"},
+    {"Empty", TOOTH, "profile: []",
+     "s.yaml:1: base.profile = a list: must be a list of 2 to 10000 corners [s, n], each number -1000 to "
+     "1000 m"},
+    {"OneCorner", TOOTH, "profile: [[0, 0]]",
+     "s.yaml:1: base.profile = a list: must be a list of 2 to 10000 corners [s, n], each number -1000 to "
+     "1000 m"},
+    {"CornerOfOneNumber", TOOTH, "profile: [[0, 0], [0.02]]",
+     "s.yaml:1: base.profile.1: must be two numbers, [s, n]"},
+    {"CornerThatIsNoList", TOOTH, "profile: [0, 0.02]", "s.yaml:1: base.profile.0 = 0: must be a list"},
+    {"NotFinite", TOOTH, "profile: [[0, 0], [0.01, .inf], [0.02, 0]]",
+     "s.yaml:1: base.profile.1.1 = .inf: must be a number from -1000 to 1000 m"},
+    {"Text", TOOTH, "profile: [[0, 0], [0.01, high], [0.02, 0]]",
+     "s.yaml:1: base.profile.1.1 = high: must be a number from -1000 to 1000 m"},
+    {"Overhang", TOOTH, "profile: [[0, 0], [0.01, 0.005], [0.009, 0.006], [0.02, 0]]",
+     "s.yaml:1: base.profile.2: s = 0.009 m is before the corner before, s = 0.01 m: a tooth must have no "
+     "overhang"},
+    {"BeginsElsewhere", TOOTH, "profile: [[0.001, 0], [0.02, 0]]",
+     "s.yaml:1: base.profile.0: must be [0, 0]: a tooth begins there"},
+    {"EndsHigher", TOOTH, "profile: [[0, 0], [0.02, 0.001]]",
+     "s.yaml:1: base.profile.1: n = 0.001 m must be 0: a tooth ends as high as it begins"},
+    {"NoWidth", TOOTH, "profile: [[0, 0], [0, 0.01], [0, 0]]",
+     "s.yaml:1: base.profile.2: leads back along a vertical face: a tooth must have no wall or gap without "
+     "thickness"},
+    {"CornerTwice", TOOTH, "profile: [[0, 0], [0.01, 0.001], [0.01, 0.001], [0.02, 0]]",
+     "s.yaml:1: base.profile.2: must be at least 1e-09 m from the corner before"},
+    {"WallBetweenTeeth", TOOTH, "profile: [[0, 0], [0, -0.01], [0.02, -0.01], [0.02, 0]]",
+     "s.yaml:1: base.profile.3: leads back along the next tooth's first face: there must be no wall or gap "
+     "without "
+     "thickness"},
+    {"BesideAWidth", TOOTH, "tooth_width: 0.02, profile: [[0, 0], [0.02, 0]]",
+     "s.yaml:1: base.tooth_width: must be absent because base.profile gives the tooth"},
+    {"BesideAHeight", TOOTH, "profile: [[0, 0], [0.02, 0]], tooth_height: 0.006",
+     "s.yaml:1: base.tooth_height: must be absent because base.profile gives the tooth"},
+    {"BesideAnAsymmetry", TOOTH, "profile: [[0, 0], [0.02, 0]], asymmetry: 0.3",
+     "s.yaml:1: base.asymmetry: must be absent because base.profile gives the tooth"},
+};
+INSTANTIATE_TEST_SUITE_P(Profiles, SceneRefusals, testing::ValuesIn(PROFILES), ruleName);
+
+/// Millimetres for metres are doubted as those of a sawtooth.
+TEST(SceneProfile, InMillimetresIsDoubted)
+{
+  const Scene scene =
+      sceneFromText(goodSceneWith("tooth_width: 0.02", "profile: [[0, 0], [6, 6], [20, 0]]"), "s.yaml");
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_NE(scene.warnings[0].find("base.profile's width = 20 m"), std::string::npos) << scene.warnings[0];
+  EXPECT_NE(scene.warnings[0].find("did you mean 0.02 m?"), std::string::npos) << scene.warnings[0];
+}
 
 TEST(SceneText, ThatIsNoYamlIsRefusedWithItsLine)
 {

@@ -39,8 +39,8 @@ struct HarmonicDefinition
   double horizontal_phase = 0.0;      ///< phi_x,k [rad]
 };
 
-/// A corner of the outline of a tooth, in coordinates of the tooth: s along the base from the tooth's left end,
-/// n normal to the base.
+/// A corner of the outline of a tooth, in coordinates of the tooth: s along the base from the tooth's left
+/// end, n normal to the base.
 struct OutlineCorner
 {
   double s = 0.0;  ///< [m]
@@ -67,9 +67,12 @@ struct BaseDefinition
   std::vector<HarmonicDefinition> harmonics;
   DriveFrame drive_frame = DriveFrame::WORLD;
 
-  /// If any: the outline of a tooth in place of tooth_width, tooth_height and asymmetry. From (0, 0) to (w, 0),
-  /// at least two corners, s never decreasing (equal: a vertical face), no corner twice.
+  /// If any: the outline of a tooth in place of tooth_width, tooth_height and asymmetry. From (0, 0) to (w,
+  /// 0), at least two corners, s never decreasing (equal: a vertical face), no corner twice.
   std::vector<OutlineCorner> profile;
+
+  /// Whether a tooth is that of tooth_width, tooth_height and asymmetry, which the lanes know.
+  bool isSawtooth() const { return profile.empty(); }
 
   double toothWidth() const { return profile.empty() ? tooth_width : profile.back().s; }  ///< w [m]
   double width() const { return teeth * toothWidth(); }                                   ///< W = L w [m]

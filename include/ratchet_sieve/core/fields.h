@@ -12,8 +12,9 @@ namespace ratchet_sieve
 
 struct FieldInfo
 {
-  const char* name;  ///< of the member in the struct and in the message
-  const char* unit;  ///< empty for fields that are no physical quantity
+  const char* name;     ///< of the member in the struct and in the message
+  const char* unit;     ///< empty for fields that are no physical quantity
+  bool sparse = false;  ///< whether its array in a message is empty if all values are 0
 };
 
 /// An optional number in a message: the value (0 if there is none) and a flag.
@@ -70,6 +71,9 @@ constexpr bool IS_VECTOR<std::vector<T>> = true;
 
 /// A member that the message has as well.
 #define RATCHET_SIEVE_FIELD(NAME, UNIT) visit(FieldInfo{#NAME, UNIT}, objects.NAME...)
+
+/// The same for a number of a struct that is stored in arrays: an empty array if it is 0 in all of them.
+#define RATCHET_SIEVE_SPARSE(NAME, UNIT) visit(FieldInfo{#NAME, UNIT, true}, objects.NAME...)
 
 /// An optional number; NAME and NAME_defined in a message.
 #define RATCHET_SIEVE_OPTIONAL(NAME, UNIT)                                              \

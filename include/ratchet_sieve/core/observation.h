@@ -21,7 +21,6 @@ struct DiskState
 {
   std::uint32_t id = 0;
   std::uint32_t species = 0;
-  double radius = 0.0;        ///< [m]
   double x = 0.0;             ///< [m], wrapped into the machine if the boundary is periodic
   double y = 0.0;             ///< [m]
   double angle = 0.0;         ///< counter-clockwise, in [-pi, pi) [rad]
@@ -29,6 +28,7 @@ struct DiskState
   double vy = 0.0;            ///< [m/s]
   double spin = 0.0;          ///< counter-clockwise [rad/s]
   double displacement = 0.0;  ///< unwrapped path along world x since the disk entered [m]
+  double radius = 0.0;        ///< [m]; in frames see ParticleFrame
 };
 
 RATCHET_SIEVE_FIELDS(DiskState)
@@ -42,6 +42,7 @@ RATCHET_SIEVE_FIELDS(DiskState)
   RATCHET_SIEVE_FIELD(vy, "m/s");
   RATCHET_SIEVE_FIELD(spin, "rad/s");
   RATCHET_SIEVE_FIELD(displacement, "m");
+  RATCHET_SIEVE_SPARSE(radius, "m");
 }
 
 /// The base at the simulation's time.

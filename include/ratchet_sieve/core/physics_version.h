@@ -11,6 +11,7 @@ namespace ratchet_sieve
 /// fails until it is increased.
 ///
 /// 2: runs on a periodic base that turns; runs by steps; the saved state.
-constexpr std::int64_t PHYSICS_VERSION = 2;
+/// 3: contacts with level faces in the summary; the saved state.
+constexpr std::int64_t PHYSICS_VERSION = 3;
 
 }  // namespace ratchet_sieve

@@ -21,8 +21,8 @@ struct Plan
   bool search_above_band = true;  ///< step-by-step search even above the height that the base reaches
 
   /// SIMD: several disks at a time (lane_batch.h), while the base is at its setpoints. Only for independent
-  /// disks without contact times on a periodic sawtooth with a vertical sine drive. The contacts are the same but
-  /// for rounding.
+  /// disks without contact times on a periodic sawtooth with a vertical sine drive. The contacts are the same
+  /// but for rounding.
   bool lanes = false;
 };
 

@@ -19,6 +19,7 @@
 #include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
+#include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
@@ -93,6 +94,11 @@ public:
   FaceContacts faceContacts() const;          ///< since the start; empty without base.profile
   std::uint64_t events() const;               ///< all events since the start
   std::vector<SpeciesMeans> means() const;    ///< per species, since `settle`; empty before
+
+  /// The classes of size, empty if no species has sizes; their bins, and their means as means().
+  const std::vector<SizeClass>& sizeClasses() const;
+  const std::vector<SpeciesBins>& sizeClassBins() const;
+  std::vector<SpeciesMeans> sizeClassMeans() const;
 
   /// What the scene asks to be observed, until time(), in the order of `observe`.
   std::vector<Observed> observed() const;

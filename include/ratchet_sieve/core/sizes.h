@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -19,6 +20,10 @@ public:
   double largest() const { return largest_; }    ///< [m]
   double meanRadius() const;                     ///< expected [m]
   double meanSquare() const;                     ///< of the radius, expected [m^2]
+
+  /// The bounds of a few classes of radii for counts and means, increasing: four equal steps of the radius,
+  /// or of its logarithm if lognormal; those of a table, every few of them if there are many [m].
+  std::vector<double> classEdges() const;
 
   /// The radius of one more disk [m].
   /// @param uniform gives random numbers in [0, 1); not called if all disks are equal
@@ -45,5 +50,17 @@ private:
   double smallest_;
   double largest_;
 };
+
+/// Disks of one species with radii from `smallest` on up to `largest`, which belongs to the next class, if
+/// there is one.
+struct SizeClass
+{
+  std::size_t species = 0;
+  double smallest = 0.0;  ///< [m]
+  double largest = 0.0;   ///< [m]
+};
+
+/// The classes of every species that has sizes, by species and size.
+std::vector<SizeClass> sizeClasses(const SceneDefinition& scene);
 
 }  // namespace ratchet_sieve

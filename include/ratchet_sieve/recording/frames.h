@@ -36,7 +36,7 @@ RATCHET_SIEVE_FIELDS(SceneFrame)
   RATCHET_SIEVE_FIELD(version, "");
 }
 
-/// Every disk in the machine.
+/// Every disk in the machine. The radii are 0 if no species of the scene has sizes: see radiusOf().
 struct ParticleFrame
 {
   double time = 0.0;
@@ -47,6 +47,12 @@ RATCHET_SIEVE_FIELDS(ParticleFrame)
 {
   RATCHET_SIEVE_FIELD(time, "s");
   RATCHET_SIEVE_COLUMNS(disks);
+}
+
+/// The radius of a frame's disk [m].
+inline double radiusOf(const DiskState& disk, const std::vector<SpeciesDefinition>& species)
+{
+  return disk.radius > 0.0 ? disk.radius : species[disk.species].radius;
 }
 
 /// The bins.
@@ -164,6 +170,9 @@ std::vector<std::string> speciesNames(const SceneDefinition& scene);
 
 SceneFrame makeSceneFrame(const Simulation& simulation);
 ParticleFrame makeParticleFrame(const Simulation& simulation);
+
+/// The same into a frame whose memory is used again.
+void makeParticleFrame(const Simulation& simulation, ParticleFrame& frame);
 BinFrame makeBinFrame(const Simulation& simulation);
 BaseFrame makeBaseFrame(const Simulation& simulation);
 

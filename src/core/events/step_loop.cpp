@@ -181,7 +181,8 @@ private:
       return true;
     const Two velocity = ends_[slot].course.velocity;
     const double reach = (std::abs(velocity[0]) + std::abs(velocity[1])) * (end_ - start_) + base_reach_;
-    return reach > base_overlap_.shortestPassage(radius) && base_overlap_.overlaps(at.x(), at.y(), radius + reach);
+    return reach > base_overlap_.shortestPassage(radius) &&
+           base_overlap_.overlaps(at.x(), at.y(), radius + reach);
   }
 
   /// Moves a disk out of the base. A missed contact may leave a disk below the surface, where no search would

@@ -17,7 +17,7 @@ constexpr double WINDOW_SLACK = 64.0 * std::numeric_limits<double>::epsilon();
 constexpr double SMALLEST_TURN = 8.0 * std::numeric_limits<double>::epsilon();
 
 /// Faces of a section. More of them are tested in vain; fewer take longer to step over.
-constexpr std::size_t SECTION_FACES = 4;
+constexpr std::size_t SECTION_FACES = 2;
 
 /// @param outward_sign 1 for a foot at the left end, -1 at the right end
 BaseShape::Face makeFace(const OutlineCorner& foot, const OutlineCorner& top, double outward_sign)
@@ -61,7 +61,7 @@ Eigen::Vector2d toTheRight(const BaseShape::Face& face)
 
 BaseShape::BaseShape(const BaseDefinition& base, Boundary boundary, double wall_height)
     : boundary_(boundary),
-      is_profile_(!base.profile.empty()),
+      is_profile_(!base.isSawtooth()),
       teeth_(base.teeth),
       tooth_width_(base.toothWidth()),
       teeth_per_length_(1.0 / tooth_width_),

@@ -5,22 +5,6 @@
 namespace ratchet_sieve
 {
 
-double BaseDefinition::highest() const
-{
-  double height = profile.empty() ? tooth_height : 0.0;
-  for (const OutlineCorner& corner : profile)
-    height = std::max(height, corner.n);
-  return height;
-}
-
-double BaseDefinition::depth() const
-{
-  double depth = 0.0;
-  for (const OutlineCorner& corner : profile)
-    depth = std::max(depth, -corner.n);
-  return depth;
-}
-
 std::vector<OutlineCorner> BaseDefinition::outline() const
 {
   if (!profile.empty())
@@ -28,15 +12,32 @@ std::vector<OutlineCorner> BaseDefinition::outline() const
   return {{0.0, 0.0}, {asymmetry * tooth_width, tooth_height}, {tooth_width, 0.0}};
 }
 
+double BaseDefinition::highest() const
+{
+  double height = 0.0;
+  for (const OutlineCorner& corner : outline())
+    height = std::max(height, corner.n);
+  return height;
+}
+
+double BaseDefinition::depth() const
+{
+  double depth = 0.0;
+  for (const OutlineCorner& corner : outline())
+    depth = std::max(depth, -corner.n);
+  return depth;
+}
+
 std::optional<double> BaseDefinition::slopeAsymmetry() const
 {
-  if (profile.empty())
+  if (isSawtooth())
     return asymmetry;
-  if (profile.size() != 3 || profile[1].n == 0.0)
+  const std::vector<OutlineCorner> corners = outline();
+  if (corners.size() != 3 || corners[1].n == 0.0)
     return std::nullopt;
   // The left slope of a groove is the one on its right.
-  const double left = profile[1].s / profile[2].s;
-  return profile[1].n > 0.0 ? left : 1.0 - left;
+  const double left = corners[1].s / corners[2].s;
+  return corners[1].n > 0.0 ? left : 1.0 - left;
 }
 
 ContactCoefficients contactBetween(const SceneDefinition& scene, std::size_t first, std::size_t second)

@@ -14,7 +14,7 @@ namespace ratchet_sieve
 
 /// A disk in free flight. Its state is given at its own time, not at the simulation's (delayed states). World
 /// frame; times are local to the engine's present epoch. One cache line with all that a search reads; the
-/// rest is in Grain and Passage.
+/// rest is in Grain and Trajectory.
 struct alignas(64) Disk
 {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]

@@ -54,7 +54,7 @@ Plan planOf(const SceneDefinition& scene)
   plan.contact_times = scene.contact.contact_duration > 0.0;
   plan.search_above_band = false;
   plan.lanes = !plan.pairs && scene.boundary == Boundary::PERIODIC && !plan.contact_times && !plan.orbit &&
-               scene.base.profile.empty();
+               scene.base.isSawtooth();
   return plan;
 }
 

@@ -12,6 +12,9 @@ namespace
 /// Normal and lognormal distributions are cut at this many standard deviations.
 constexpr double CUT = 3.0;
 
+constexpr int CLASSES = 4;
+constexpr std::size_t MOST_CLASSES_OF_A_TABLE = 8;
+
 /// Number of intervals for a mean over one piece.
 constexpr int INTERVALS = 256;
 
@@ -152,6 +155,38 @@ double Sizes::meanRadius() const
 double Sizes::meanSquare() const
 {
   return mean([](double r) { return r * r; });
+}
+
+std::vector<double> Sizes::classEdges() const
+{
+  std::vector<double> edges;
+  if (size_.distribution == SizeDistribution::TABLE)
+  {
+    const std::size_t stride = (size_.radii.size() + MOST_CLASSES_OF_A_TABLE - 2) / MOST_CLASSES_OF_A_TABLE;
+    for (std::size_t k = 0; k + 1 < size_.radii.size(); k += stride)
+      edges.push_back(size_.radii[k]);
+  }
+  else
+    for (int k = 0; k < CLASSES; ++k)
+      edges.push_back(radius(pieces_[0].from + (pieces_[0].to - pieces_[0].from) * k / CLASSES));
+  edges.push_back(largest_);
+  if (edges.size() == 1)
+    edges.push_back(largest_);
+  return edges;
+}
+
+std::vector<SizeClass> sizeClasses(const SceneDefinition& scene)
+{
+  std::vector<SizeClass> classes;
+  for (std::size_t s = 0; s < scene.species.size(); ++s)
+  {
+    if (!scene.species[s].size.vary())
+      continue;
+    const std::vector<double> edges = Sizes(scene.species[s]).classEdges();
+    for (std::size_t k = 0; k + 1 < edges.size(); ++k)
+      classes.push_back({s, edges[k], edges[k + 1]});
+  }
+  return classes;
 }
 
 }  // namespace ratchet_sieve

@@ -35,20 +35,20 @@ constexpr double CROSSINGS = 0.4;
 constexpr double CIRCLE = 3.14;
 
 /// Disks of nearly the same diameter.
-struct SizeClass
+struct SizeGroup
 {
   double diameter = 0.0;  ///< the largest [m]
   double disks = 0.0;
 };
 
 /// By factors of the square root of 2, from the largest down; classes without disks have diameter 0.
-std::vector<SizeClass> classesOf(const std::vector<double>& radii, double largest_diameter)
+std::vector<SizeGroup> classesOf(const std::vector<double>& radii, double largest_diameter)
 {
-  std::vector<SizeClass> classes(static_cast<std::size_t>(2.0 * std::log2(WIDEST)) + 1);
+  std::vector<SizeGroup> classes(static_cast<std::size_t>(2.0 * std::log2(WIDEST)) + 1);
   for (const double radius : radii)
   {
     const double step = std::floor(2.0 * std::log2(largest_diameter / (2.0 * radius)));
-    SizeClass& of =
+    SizeGroup& of =
         classes[static_cast<std::size_t>(std::clamp(step, 0.0, static_cast<double>(classes.size() - 1)))];
     of.diameter = std::max(of.diameter, 2.0 * radius);
     of.disks += 1.0;
@@ -66,19 +66,19 @@ SizeLevels levelsFrom(double smallest, double largest)
 }
 
 /// Cost of all disks' events, in pair evaluations. A disk has events in proportion to its perimeter.
-double costOf(const SizeLevels& levels, const std::vector<SizeClass>& classes, double area)
+double costOf(const SizeLevels& levels, const std::vector<SizeGroup>& classes, double area)
 {
   const double side = levels.diameters[0];
   std::vector<double> disks(levels.count());
   double all = 0.0;
-  for (const SizeClass& of : classes)
+  for (const SizeGroup& of : classes)
   {
     disks[levels.of(0.5 * of.diameter)] += of.disks;
     all += of.disks;
   }
   const double mean = std::sqrt(DENSITY * area / all);
   double cost = 0.0;
-  for (const SizeClass& of : classes)
+  for (const SizeGroup& of : classes)
   {
     if (of.disks == 0.0)
       continue;
@@ -121,10 +121,10 @@ SizeLevels cheapestLevels(const std::vector<double>& radii, double largest_diame
   if (radii.empty() || !areWide(largest_diameter, squares / static_cast<double>(radii.size())))
     return one;
   const double area = squares / DENSITY;
-  const std::vector<SizeClass> classes = classesOf(radii, largest_diameter);
+  const std::vector<SizeGroup> classes = classesOf(radii, largest_diameter);
   SizeLevels best = one;
   double least = WORTH_NESTING * costOf(one, classes, area);
-  for (const SizeClass& of : classes)
+  for (const SizeGroup& of : classes)
   {
     if (of.disks == 0.0)
       continue;

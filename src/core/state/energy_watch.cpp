@@ -24,7 +24,8 @@ double highestPlace(const SceneDefinition& scene)
   for (const InitialDisk& disk : scene.initial)
     height = std::max({height, std::abs(disk.x), std::abs(disk.y)});
   // For any inclination, the difference in height of the two ends is at most the width.
-  return height + scene.base.width() + scene.base.highest() + scene.base.depth() + 2.0 * driveBounds(scene.base).displacement;
+  return height + scene.base.width() + scene.base.highest() + scene.base.depth() +
+         2.0 * driveBounds(scene.base).displacement;
 }
 
 /// The largest speed of the base, by the drive in any direction and by the turning of its raised end [m/s].

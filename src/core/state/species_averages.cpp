@@ -9,12 +9,26 @@
 namespace ratchet_sieve
 {
 
-SpeciesAverages::SpeciesAverages(const SystemState& system)
-    : system_(system),
-      gone_(system.scene().species.size()),
-      at_block_end_(gone_.size()),
-      blocks_(gone_.size())
+SpeciesAverages::SpeciesAverages(const SystemState& system) : system_(system)
 {
+  for (std::size_t s = 0; s < system.scene().species.size(); ++s)
+    species_of_.push_back(s);
+  for (const SizeClass& size_class : system.sizeClasses())
+    species_of_.push_back(size_class.species);
+  gone_.resize(species_of_.size());
+  at_block_end_.resize(species_of_.size());
+  blocks_.resize(species_of_.size());
+}
+
+void SpeciesAverages::add(std::uint32_t slot, const Trajectory& trajectory, double x, double until,
+                          std::vector<Sums>& sums) const
+{
+  const Disk& disk = system_.disk(slot);
+  const Weights disk_weights = weights(slot);
+  sums[disk.species].add(trajectory, disk_weights, x, until);
+  const std::size_t group = system_.scene().species.size() + system_.sizeClassOf(disk);
+  if (group < sums.size())
+    sums[group].add(trajectory, disk_weights, x, until);
 }
 
 void SpeciesAverages::compact(const Compaction& compaction)
@@ -80,8 +94,8 @@ std::vector<SpeciesAverages::Sums> SpeciesAverages::sums(double time) const
     if (!system_.active(slot))
       addLeft(slot, sums);
     else
-      sums[disk.species].add(system_.observers().trajectories().until(slot, disk, time), weights(slot),
-                             flown(disk, time, gravity).position.x(), system_.epoch().start + time);
+      add(slot, system_.observers().trajectories().until(slot, disk, time),
+          flown(disk, time, gravity).position.x(), system_.epoch().start + time, sums);
   }
   return sums;
 }
@@ -89,9 +103,8 @@ std::vector<SpeciesAverages::Sums> SpeciesAverages::sums(double time) const
 void SpeciesAverages::addLeft(std::uint32_t slot, std::vector<Sums>& sums) const
 {
   const Trajectory& trajectory = system_.observers().trajectories()[slot];
-  const Disk& disk = system_.disk(slot);
   if (trajectory.counts())
-    sums[disk.species].add(trajectory, weights(slot), disk.position.x(), trajectory.left_when);
+    add(slot, trajectory, system_.disk(slot).position.x(), trajectory.left_when, sums);
 }
 
 void SpeciesAverages::endBlock(double time)
@@ -99,35 +112,49 @@ void SpeciesAverages::endBlock(double time)
   if (!system_.plan().pairs)
     return;
   std::vector<Sums> now = sums(time);
-  for (std::size_t s = 0; s < now.size(); ++s)
+  for (std::size_t s = 0; s < blocks_.size(); ++s)
     blocks_[s].add(now[s].displacement - at_block_end_[s].displacement, now[s].time - at_block_end_[s].time);
   at_block_end_ = std::move(now);
 }
 
 std::vector<SpeciesMeans> SpeciesAverages::means(double time) const
 {
-  const std::vector<SpeciesDefinition>& species = system_.scene().species;
   const SpeciesContacts& contacts = system_.observers().speciesContacts();
   const std::vector<Sums> all = sums(time);
   std::vector<SpeciesMeans> means;
-  for (std::size_t s = 0; s < all.size(); ++s)
+  for (std::size_t s = 0; s < system_.scene().species.size(); ++s)
   {
-    means.push_back(all[s].means(species[s]));
+    means.push_back(meansOf(s, all));
     if (all[s].time > 0.0)
       means[s].collision_rate = static_cast<double>(contacts.of(s)) / all[s].time;
-    // The larger one: from differences between disks, or from fluctuations of the whole layer in time.
-    const auto over_time = blocks_[s].standardError();
-    if (over_time && means[s].mean_vx)
-      means[s].mean_vx_stderr = std::max(means[s].mean_vx_stderr.value_or(0.0), *over_time);
   }
+  return means;
+}
+
+std::vector<SpeciesMeans> SpeciesAverages::sizeClassMeans(double time) const
+{
+  const std::vector<Sums> all = sums(time);
+  std::vector<SpeciesMeans> means;
+  for (std::size_t group = system_.scene().species.size(); group < species_of_.size(); ++group)
+    means.push_back(meansOf(group, all));
+  return means;
+}
+
+SpeciesMeans SpeciesAverages::meansOf(std::size_t group, const std::vector<Sums>& sums) const
+{
+  SpeciesMeans means = sums[group].means(system_.scene().species[species_of_[group]]);
+  // The larger one: from differences between disks, or from fluctuations of the whole layer in time.
+  const auto over_time = blocks_[group].standardError();
+  if (over_time && means.mean_vx)
+    means.mean_vx_stderr = std::max(means.mean_vx_stderr.value_or(0.0), *over_time);
   return means;
 }
 
 void SpeciesAverages::archive(StateArchive& state)
 {
-  const std::size_t species = gone_.size();
+  const std::size_t groups = species_of_.size();
   state(gone_, at_block_end_, blocks_);
-  state.require(gone_.size() == species && at_block_end_.size() == species && blocks_.size() == species,
+  state.require(gone_.size() == groups && at_block_end_.size() == groups && blocks_.size() == groups,
                 "its means have another number of species");
 }
 

@@ -15,7 +15,8 @@ class SystemState;
 struct SpeciesDefinition;
 struct Trajectory;
 
-/// Means over disks and time, from the disks' trajectories. Times are local to the epoch.
+/// Means over disks and time, from the disks' trajectories: of each species, then of each size class. Times
+/// are local to the epoch.
 class SpeciesAverages final : public Observer
 {
 public:
@@ -32,6 +33,9 @@ public:
   const BlockAverages& blocks(std::size_t species) const { return blocks_[species]; }
 
   std::vector<SpeciesMeans> means(double time) const;
+
+  /// Per size class; without collision rates.
+  std::vector<SpeciesMeans> sizeClassMeans(double time) const;
 
   /// @throws StateError
   void archive(StateArchive& state) override;
@@ -66,6 +70,10 @@ private:
     SpeciesMeans means(const SpeciesDefinition& species) const;
   };
 
+  /// Adds to the sums of the disk's species, and of its size class if it has one.
+  void add(std::uint32_t slot, const Trajectory& trajectory, double x, double until,
+           std::vector<Sums>& sums) const;
+  SpeciesMeans meansOf(std::size_t group, const std::vector<Sums>& sums) const;
   Weights weights(std::uint32_t slot) const;
 
   /// Adds the trajectory of a disk that has left, if it counts.
@@ -73,9 +81,10 @@ private:
   std::vector<Sums> sums(double time) const;
 
   const SystemState& system_;
-  std::vector<Sums> gone_;             ///< per species, of disks removed by compaction
-  std::vector<Sums> at_block_end_;     ///< per species, at the end of the last block
-  std::vector<BlockAverages> blocks_;  ///< per species
+  std::vector<std::size_t> species_of_;  ///< of each group: a species or a size class
+  std::vector<Sums> gone_;               ///< per group, of disks removed by compaction
+  std::vector<Sums> at_block_end_;       ///< per group, at the end of the last block
+  std::vector<BlockAverages> blocks_;    ///< per group
 };
 
 }  // namespace ratchet_sieve

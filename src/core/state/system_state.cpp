@@ -68,6 +68,7 @@ const Plan& covering(const Plan& plan, const SceneDefinition& scene)
 SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
     : scene_(scene),
       sizes_(scene.species.begin(), scene.species.end()),
+      size_classes_(ratchet_sieve::sizeClasses(scene)),
       plan_(covering(plan, scene)),
       shape_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
@@ -76,6 +77,7 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
       epoch_{0.0, epochLength(time_scale_)},
       motion_(scene.base, maxTurn(scene, lattice_diameter_), plan.drive && !planOf(scene).drive),
       search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
+      size_class_bins_(size_classes_.size()),
       pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), ids_),
       observers_(*this)
@@ -120,8 +122,25 @@ std::uint32_t SystemState::add(const Disk& disk, const Grain& grain)
   grains_.push_back(grain);
   active_.push_back(1);
   ++active_count_;
+  if (SpeciesBins* bins = sizeClassBinsOf(disk))
+    ++bins->on_base;
   ids_.added();
   return slot;
+}
+
+std::size_t SystemState::sizeClassOf(const Disk& disk) const
+{
+  std::size_t found = size_classes_.size();
+  for (std::size_t k = 0; k < size_classes_.size(); ++k)
+    if (size_classes_[k].species == disk.species && (found > k || disk.radius >= size_classes_[k].smallest))
+      found = k;
+  return found;
+}
+
+SpeciesBins* SystemState::sizeClassBinsOf(const Disk& disk)
+{
+  const std::size_t size_class = sizeClassOf(disk);
+  return size_class < size_class_bins_.size() ? &size_class_bins_[size_class] : nullptr;
 }
 
 double SystemState::startAt(double start)
@@ -182,10 +201,15 @@ void SystemState::remove(std::uint32_t slot, double time)
 
 void SystemState::leave(std::uint32_t slot, Exit exit, double time)
 {
-  const std::uint32_t species = fly(slot, time).species;
+  const Disk& disk = fly(slot, time);
+  if (SpeciesBins* bins = sizeClassBinsOf(disk); bins && exit != Exit::REMOVED)
+  {
+    --bins->on_base;
+    ++(exit == Exit::RIGHT_BIN ? bins->right : bins->left);
+  }
   active_[slot] = 0;
   --active_count_;
-  observers_.left({slot, species, exit, time});
+  observers_.left({slot, disk.species, exit, time});
 }
 
 void SystemState::wrap(std::uint32_t slot, double shift, double time)
@@ -228,12 +252,12 @@ void SystemState::wrapAll(double time)
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, grains_, active_, active_count_, ids_, collapse_watch_);
+  state(epoch_, motion_, disks_, grains_, active_, active_count_, ids_, size_class_bins_, collapse_watch_);
   setTimeResolution();
   const std::size_t count = disks_.size();
   const bool of_this_scene =
-      active_.size() == count && grains_.size() == count && collapse_watch_.disks() == count &&
-      ids_.fits(count) &&
+      size_class_bins_.size() == size_classes_.size() && active_.size() == count && grains_.size() == count &&
+      collapse_watch_.disks() == count && ids_.fits(count) &&
       std::all_of(disks_.begin(), disks_.end(),
                   [this](const Disk& disk) { return disk.species < scene_.species.size(); });
   if (!of_this_scene)

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "model/base_motion.h"
+#include "model/base_shape.h"
 #include "model/disk.h"
 #include "model/grain.h"
-#include "model/base_shape.h"
 #include "ratchet_sieve/core/plan.h"
+#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/sizes.h"
 #include "search/contact_search.h"
 #include "search/pair_search.h"
@@ -64,6 +65,10 @@ public:
   double latticeDiameter() const { return lattice_diameter_; }
   double smallestRadius() const;
   const Sizes& sizes(std::size_t species) const { return sizes_[species]; }
+  const std::vector<SizeClass>& sizeClasses() const { return size_classes_; }
+
+  /// The class of a disk; the number of classes if its species has no sizes.
+  std::size_t sizeClassOf(const Disk& disk) const;
 
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
@@ -77,6 +82,7 @@ public:
   CollapseWatch& collapseWatch() { return collapse_watch_; }
   const Observers& observers() const { return observers_; }
   Observers& observers() { return observers_; }
+  const std::vector<SpeciesBins>& sizeClassBins() const { return size_class_bins_; }
 
   /// Prefetches the memory of an event of this disk.
   void prefetchEvent(std::uint32_t slot) const
@@ -161,10 +167,7 @@ public:
   bool canBeTime(double time) const;
 
   /// Whether an event can be one of this base, at its time.
-  bool canBe(const BaseEvent& event) const
-  {
-    return canBeTime(event.time) && shape_.has(event.feature);
-  }
+  bool canBe(const BaseEvent& event) const { return canBeTime(event.time) && shape_.has(event.feature); }
 
 private:
   bool isLegal(std::uint32_t slot) const;
@@ -174,10 +177,12 @@ private:
   void wrapAll(double time);
   void moveTo(std::uint32_t slot, const Image& image, double time);
   void leave(std::uint32_t slot, Exit exit, double time);
+  SpeciesBins* sizeClassBinsOf(const Disk& disk);  ///< nullptr if its species has no sizes
   Disk& fly(std::uint32_t slot, double time);
 
   SceneDefinition scene_;
   std::vector<Sizes> sizes_;  ///< per species
+  std::vector<SizeClass> size_classes_;
   Plan plan_;
   BaseShape shape_;
   double largest_diameter_;
@@ -192,6 +197,7 @@ private:
   std::vector<std::uint8_t> active_;
   std::size_t active_count_ = 0;
   DiskIds ids_;
+  std::vector<SpeciesBins> size_class_bins_;
   PairScene pair_scene_;  ///< of the members above
   CollapseWatch collapse_watch_;
   Observers observers_;
