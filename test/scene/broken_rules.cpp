@@ -68,25 +68,6 @@ Expected feedWithoutShare(SceneTree& root)
   return {"feed.rate", text, ""};
 }
 
-/// Beyond the right end of the base, or its end before its beginning.
-Expected stretchOffTheBase(SceneTree& root)
-{
-  const std::string part = drawnOf<const char*>({"pour", "feed"});
-  for (const char* section : {"base", "pour", "feed"})
-    root[section] = SceneTree::map();
-  if (drawnChance(50))
-  {
-    const char* key = drawnOf<const char*>({"from", "to"});
-    const std::string text = spelledNumber(0.4 * drawnMagnitude(1.001, 1e6));
-    root.mapAt(part)[key] = SceneTree(text);
-    return {part + "." + key, text, "the base's width"};
-  }
-  const std::string text = spelledNumber(0.2 * drawnFraction());
-  root.mapAt(part)["from"] = SceneTree("0.21");
-  root.mapAt(part)["to"] = SceneTree(text);
-  return {part + ".to", text, part + ".from"};
-}
-
 Expected densityWithoutShare(SceneTree& root)
 {
   root.remove("initial");
@@ -145,6 +126,24 @@ void requirePlainMachine(SceneTree& root, double radius)
     root[section] = SceneTree::map();
   root.mapAt("contact")["min_rebound_speed"] = SceneTree("0.05");
   setAll(root, "radius", spelledNumber(radius));
+}
+
+/// Beyond the right end of the base, or its end before its beginning.
+Expected stretchOffTheBase(SceneTree& root)
+{
+  const std::string part = drawnOf<const char*>({"pour", "feed"});
+  requirePlainMachine(root, 0.001);
+  if (drawnChance(50))
+  {
+    const char* key = drawnOf<const char*>({"from", "to"});
+    const std::string text = spelledNumber(0.4 * drawnMagnitude(1.001, 1e6));
+    root.mapAt(part)[key] = SceneTree(text);
+    return {part + "." + key, text, "the base's width"};
+  }
+  const std::string text = spelledNumber(0.2 * drawnFraction());
+  root.mapAt(part)["from"] = SceneTree("0.21");
+  root.mapAt(part)["to"] = SceneTree(text);
+  return {part + ".to", text, part + ".from"};
 }
 
 /// Makes one species too small for the rest of the scene.

@@ -112,18 +112,25 @@ TEST(SeekControl, goesOnAfterAReset)
   EXPECT_EQ(loop.control().restarts(), 0u);
 }
 
+/// One search is uncertain by several steps of the inclination: the mean over seeds is lower at 18 Hz.
 TEST(SeekControl, seeksAgainWhereTheDriveIsChanged)
 {
-  ClosedLoop loop(1, 0.15);
-  loop.runUntilHeld(400.0);
-  expectBest(loop);
-  loop.simulation().command(Quantity::FREQUENCY, 18.0);
-  loop.step();
-  EXPECT_EQ(loop.control().restarts(), 1u);
-  loop.runUntilHeld(400.0);
-  ASSERT_EQ(loop.reports.back().next_phase, SearchPhase::HOLD);
-  EXPECT_GT(loop.reports.back().best, 0.02);
-  EXPECT_LT(loop.reports.back().best, 0.11);
+  constexpr int SEEDS = 8;
+  double mean = 0.0;
+  for (int seed = 1; seed <= SEEDS; ++seed)
+  {
+    ClosedLoop loop(seed, 0.15);
+    loop.runUntilHeld(400.0);
+    expectBest(loop);
+    loop.simulation().command(Quantity::FREQUENCY, 18.0);
+    loop.step();
+    EXPECT_EQ(loop.control().restarts(), 1u);
+    loop.runUntilHeld(400.0);
+    ASSERT_EQ(loop.reports.back().next_phase, SearchPhase::HOLD);
+    mean += loop.reports.back().best / SEEDS;
+  }
+  EXPECT_GT(mean, 0.02);
+  EXPECT_LT(mean, 0.11);
 }
 
 /// A step of the approach: all disks at inclination 0 left on the right, and no larger inclination was tried
