@@ -135,15 +135,14 @@ void ContactExecution::respond(ContactOutcome& outcome, const ContactCoefficient
 void ContactExecution::push(std::uint32_t slot, const Disk& now, const ContactOutcome& contact, double sign)
 {
   Disk& disk = system_.changeable(slot);
-  const double mass = system_.grain(slot).mass;
-  const double per_mass = 1.0 / mass;
+  const Grain& grain = system_.grain(slot);
+  const double per_mass = 1.0 / grain.mass;
   const double change = per_mass * (std::abs(contact.normal_impulse) + std::abs(contact.tangential_impulse));
   if (change * (now.time - disk.time) > negligible_way_)
     system_.moveTo(slot, now);
   ++disk.flights;
   disk.velocity += sign * per_mass * impulseOf(contact);
-  const double inertia = system_.scene().species[disk.species].inertiaOf(mass, disk.radius);
-  disk.spin -= disk.radius / inertia * contact.tangential_impulse;
+  disk.spin -= grain.spin_response * contact.tangential_impulse;
 }
 
 Inertia ContactExecution::inertia(std::uint32_t slot, const Disk& disk) const

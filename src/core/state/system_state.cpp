@@ -289,7 +289,7 @@ bool SystemState::hasLegalGrain(std::uint32_t slot) const
   const Disk& disk = disks_[slot];
   const Sizes& sizes = sizes_[disk.species];
   return disk.radius >= sizes.smallest() && disk.radius <= sizes.largest() &&
-         grains_[slot].mass == scene_.species[disk.species].massOf(disk.radius);
+         grains_[slot] == grainOf(scene_.species[disk.species], disk.radius);
 }
 
 bool SystemState::isLegal(std::uint32_t slot) const
