@@ -241,8 +241,10 @@ TEST(SizeLevels, HoldEveryDiskInOneThatFits)
         RC_ASSERT(std::is_sorted(levels.diameters.begin(), levels.diameters.end()));
         for (const double radius : radii)
         {
-          RC_ASSERT(2.0 * radius <= levels.diameters[levels.of(radius)]);
-          RC_ASSERT(levels.of(radius) == 0 || 2.0 * radius > levels.diameters[levels.of(radius) - 1]);
+          const std::size_t level = levels.of(radius);
+          RC_ASSERT(2.0 * radius <= levels.diameters[level]);
+          if (level > 0)
+            RC_ASSERT(2.0 * radius > levels.diameters[level - 1]);
         }
       }));
 }
