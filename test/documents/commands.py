@@ -25,7 +25,7 @@ class Block:
 
 def blocks(document):
     """The blocks of a document, in order."""
-    found, fence, before = [], None, ''
+    found, fence, indented, before = [], None, None, ''
     for number, line in enumerate(document.read_text().splitlines(), 1):
         if fence and line.startswith('```'):
             fence = None
@@ -34,11 +34,13 @@ def blocks(document):
         elif line.startswith('```'):
             fence = Block(document, number + 1, line[3:].strip(), '')
             found.append(fence)
-        elif line.startswith('    ') and (not before.strip() or before.startswith('    ')):
-            if before.startswith('    '):
-                found[-1].text += line[4:] + '\n'
-            else:
-                found.append(Block(document, number, 'sh', line[4:] + '\n'))
+        elif indented and line.startswith('    '):
+            indented.text += line[4:] + '\n'
+        elif line.startswith('    ') and not before.strip():
+            indented = Block(document, number, 'sh', line[4:] + '\n')
+            found.append(indented)
+        else:
+            indented = None
         before = line
     return found
 

@@ -11,13 +11,6 @@ namespace
 /// Bound on a saved diameter, in cells.
 constexpr double MOST_CELLS = 0x1p20;
 
-/// Columns from `first` to `last`; none if that is smaller.
-struct Span
-{
-  std::int32_t first;
-  std::int32_t last;
-};
-
 std::int32_t at(const std::vector<std::int32_t>& extent, std::int32_t rows)
 {
   return rows < static_cast<std::int32_t>(extent.size()) ? extent[static_cast<std::size_t>(rows)] : -1;
@@ -135,6 +128,54 @@ std::size_t CellNest::collect(const Place& place, const CellBlocks& smallest,
   return count;
 }
 
+/// Of the row of buckets over the rows `first` to `last` of fine cells.
+CellNest::Columns CellNest::columnsOf(const Place& place, std::int32_t first, std::int32_t last,
+                                      const Extent& extent, const Extent& covered) const
+{
+  const auto most = static_cast<std::int32_t>(extent.size()) - 1;
+  const std::int32_t last_column = lattice_.columns - 1;
+  const std::int32_t below = place.row - first;
+  const std::int32_t above = last - place.row;
+  const std::int32_t farthest = std::max(below, above);
+  const std::int32_t outer = at(extent, std::max({0, -below, -above}));
+  Columns columns{{place.column - outer, place.column + outer}, {0, -1}};
+  switch (place.entered)
+  {
+    case CellEdge::NONE:
+      if (const std::int32_t inner = at(covered, farthest);
+          inner >= 0 && isBounded(place) && first > 0 && last + 1 < lattice_.rows)
+      {
+        columns.skipped = {place.column - inner, place.column + inner};
+        if (!lattice_.periodic)
+          columns.skipped = {std::max(columns.skipped.first, 1),
+                             std::min(columns.skipped.last, last_column - 1)};
+      }
+      break;
+    case CellEdge::LEFT:
+      columns.read.last = place.column - at(extent, std::min(farthest, most));
+      break;
+    case CellEdge::RIGHT:
+      columns.read.first = place.column + at(extent, std::min(farthest, most));
+      break;
+    case CellEdge::LOWER:
+    case CellEdge::UPPER:
+    {
+      const std::int32_t inner = at(extent, (place.entered == CellEdge::UPPER ? above : below) + 1);
+      columns.skipped = {place.column - inner, place.column + inner};
+      break;
+    }
+  }
+  columns.read = {std::max(columns.read.first, 0), std::min(columns.read.last, last_column)};
+  return columns;
+}
+
+/// Whether the disk's cell is none of the outermost, which are without end: nothing covers them.
+bool CellNest::isBounded(const Place& place) const
+{
+  return place.row > 0 && place.row + 1 < lattice_.rows &&
+         (lattice_.periodic || (place.column > 0 && place.column < lattice_.columns - 1));
+}
+
 /// Row by row of the buckets. @param covered cells that need not be read
 std::size_t CellNest::collect(const Place& place, const Buckets& buckets, const Extent& extent,
                               const Extent& covered, std::vector<std::uint32_t>& list,
@@ -144,47 +185,11 @@ std::size_t CellNest::collect(const Place& place, const Buckets& buckets, const 
   const std::int32_t lowest = place.entered == CellEdge::UPPER ? place.row : std::max(place.row - most, 0);
   const std::int32_t highest =
       place.entered == CellEdge::LOWER ? place.row : std::min(place.row + most, lattice_.rows - 1);
-  const std::int32_t last_column = lattice_.columns - 1;
-  // The outermost cells are without end: nothing covers them.
-  const bool bounded_row = place.row > 0 && place.row + 1 < lattice_.rows;
-  const bool bounded = bounded_row && (lattice_.periodic || (place.column > 0 && place.column < last_column));
+  const std::int32_t size = 1 << buckets.shift;
   for (std::int32_t row = lowest >> buckets.shift; row <= highest >> buckets.shift; ++row)
   {
     const std::int32_t first = row << buckets.shift;
-    const std::int32_t last = first + (1 << buckets.shift) - 1;
-    const std::int32_t below = place.row - first;
-    const std::int32_t above = last - place.row;
-    const std::int32_t nearest = std::max({0, -below, -above});
-    const std::int32_t farthest = std::max(below, above);
-    const std::int32_t outer = at(extent, nearest);
-    Span span{place.column - outer, place.column + outer};
-    Span skipped{0, -1};
-    switch (place.entered)
-    {
-      case CellEdge::NONE:
-        if (const std::int32_t inner = at(covered, farthest);
-            inner >= 0 && bounded && first > 0 && last + 1 < lattice_.rows)
-        {
-          skipped = {place.column - inner, place.column + inner};
-          if (!lattice_.periodic)
-            skipped = {std::max(skipped.first, 1), std::min(skipped.last, last_column - 1)};
-        }
-        break;
-      case CellEdge::LEFT:
-        span.last = place.column - at(extent, std::min(farthest, most));
-        break;
-      case CellEdge::RIGHT:
-        span.first = place.column + at(extent, std::min(farthest, most));
-        break;
-      case CellEdge::LOWER:
-      case CellEdge::UPPER:
-      {
-        const std::int32_t inner = at(extent, (place.entered == CellEdge::UPPER ? above : below) + 1);
-        skipped = {place.column - inner, place.column + inner};
-        break;
-      }
-    }
-    span = {std::max(span.first, 0), std::min(span.last, last_column)};
+    const auto [span, skipped] = columnsOf(place, first, first + size - 1, extent, covered);
     if (span.first > span.last)
       continue;
     const auto take = [&](std::int32_t from, std::int32_t to)
@@ -194,7 +199,7 @@ std::size_t CellNest::collect(const Place& place, const Buckets& buckets, const 
         count = buckets.blocks.collect(start + static_cast<std::size_t>(column), list, count);
     };
     // Buckets that are skipped as a whole.
-    const Span whole{(std::max(skipped.first, 0) + (1 << buckets.shift) - 1) >> buckets.shift,
+    const Span whole{(std::max(skipped.first, 0) + size - 1) >> buckets.shift,
                      ((std::max(skipped.last, -1) + 1) >> buckets.shift) - 1};
     const Span read{span.first >> buckets.shift, span.last >> buckets.shift};
     if (skipped.first > skipped.last || whole.first > whole.last)

@@ -126,6 +126,23 @@ private:
   const Extent& extent(std::size_t a, std::size_t b) const { return extents_[a * levels_.count() + b]; }
   Extent extentOf(double reach) const;
   Extent coveredBy(double radius) const;
+  /// Columns from `first` to `last`; none if that is smaller.
+  struct Span
+  {
+    std::int32_t first;
+    std::int32_t last;
+  };
+
+  /// The columns of fine cells that a row of buckets is read for, and those of them that need not be read.
+  struct Columns
+  {
+    Span read;
+    Span skipped;
+  };
+
+  Columns columnsOf(const Place& place, std::int32_t first, std::int32_t last, const Extent& extent,
+                    const Extent& covered) const;
+  bool isBounded(const Place& place) const;
   std::size_t collect(const Place& place, const Buckets& buckets, const Extent& extent, const Extent& covered,
                       std::vector<std::uint32_t>& list, std::size_t count) const;
 

@@ -114,16 +114,15 @@ bool areWide(double largest_diameter, double mean_square_diameter)
 
 SizeLevels cheapestLevels(const std::vector<double>& radii, double largest_diameter)
 {
-  const SizeLevels one{{largest_diameter}};
+  SizeLevels best{{largest_diameter}};
   double squares = 0.0;
   for (const double radius : radii)
     squares += 4.0 * radius * radius;
   if (radii.empty() || !areWide(largest_diameter, squares / static_cast<double>(radii.size())))
-    return one;
+    return best;
   const double area = squares / DENSITY;
   const std::vector<SizeGroup> classes = classesOf(radii, largest_diameter);
-  SizeLevels best = one;
-  double least = WORTH_NESTING * costOf(one, classes, area);
+  double least = WORTH_NESTING * costOf(best, classes, area);
   for (const SizeGroup& of : classes)
   {
     if (of.disks == 0.0)
