@@ -179,7 +179,8 @@ std::vector<std::string> RunResult::missing() const
 
 std::optional<double> RunResult::shortToLong() const
 {
-  return statistics.empty() ? std::nullopt : statistics.back().collisions.shortToLong(scene.base.slopeAsymmetry());
+  return statistics.empty() ? std::nullopt
+                            : statistics.back().collisions.shortToLong(scene.base.slopeAsymmetry());
 }
 
 }  // namespace ratchet_sieve

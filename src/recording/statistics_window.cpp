@@ -58,8 +58,8 @@ CollisionRates StatisticsWindow::collisionRates() const
   const auto rate = [this](std::uint64_t count)
   { return shown_.duration > 0.0 ? static_cast<double>(count) / shown_.duration : 0.0; };
   const CollisionCounts& counts = shown_.collisions;
-  return {rate(counts.disk_disk), rate(counts.left_slope), rate(counts.right_slope), rate(counts.apex),
-          rate(counts.wall), rate(counts.level)};
+  return {rate(counts.disk_disk), rate(counts.left_slope), rate(counts.right_slope),
+          rate(counts.apex),      rate(counts.wall),       rate(counts.level)};
 }
 
 }  // namespace ratchet_sieve

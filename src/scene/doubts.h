@@ -42,7 +42,8 @@ inline std::string quantity(double value, const char* unit)
 /// The name of the width or the height of a tooth in a line: the key, or whose it is.
 inline std::string toothKey(const BaseDefinition& base, const char* measure)
 {
-  return base.profile.empty() ? std::string("base.tooth_") + measure : std::string("base.profile's ") + measure;
+  return base.profile.empty() ? std::string("base.tooth_") + measure
+                              : std::string("base.profile's ") + measure;
 }
 
 /// From the lowest to the highest point of the teeth [m].

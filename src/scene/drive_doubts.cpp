@@ -93,8 +93,8 @@ void doubtDrive(const SceneDefinition& scene, Doubts& doubts)
   const bool wild = !isTame(now, scene.gravity) && !isWeightless(scene);
   if (now.displacement > (wild ? 1.0 : WIDEST_STROKE) * base.toothWidth())
     doubts.add(named.key, amplitude, "m",
-               number(amplitude / base.toothWidth()) + " times " + toothKey(base, "width") + ", and at base.frequency = " +
-                   quantity(base.frequency, "Hz") + " " + figure,
+               number(amplitude / base.toothWidth()) + " times " + toothKey(base, "width") +
+                   ", and at base.frequency = " + quantity(base.frequency, "Hz") + " " + figure,
                meantAmplitude(scene, named));
   else if (wild)
     doubts.add("base.frequency", base.frequency, "Hz", with + figure, meantFrequency(scene));

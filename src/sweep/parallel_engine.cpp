@@ -19,8 +19,9 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Replaces ssh for this machine: runs the command in the run's directory, because the home may be read-only. Sets
-/// SHELL, as sshd does, because parallel's wrapper of a job starts that shell; without one the job ends in silence.
+/// Replaces ssh for this machine: runs the command in the run's directory, because the home may be read-only.
+/// Sets SHELL, as sshd does, because parallel's wrapper of a job starts that shell; without one the job ends
+/// in silence.
 constexpr const char* LOCAL_SHELL = R"(# sh local_shell HOST [--] COMMAND...
 shift
 [ "$1" = -- ] && shift

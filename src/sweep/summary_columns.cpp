@@ -12,8 +12,8 @@ namespace
 using Json = nlohmann::ordered_json;
 
 /// In every row already, part of the scene rather than of the result, or as long as the scene makes it.
-const std::set<std::string> LEFT_OUT = {"scene_hash", "seed",      "version",
-                                        "wall_time",  "plan",      "contacts_by_face"};
+const std::set<std::string> LEFT_OUT = {"scene_hash", "seed", "version",
+                                        "wall_time",  "plan", "contacts_by_face"};
 
 bool isScalar(const Json& value)
 {

@@ -78,8 +78,7 @@ Thrown drawnDisk(const BaseMotion& motion, const BaseShape& shape)
 double gapAt(const ContactSearch& search, const BaseShape& shape, const Thrown& thrown, double time)
 {
   const BasePoint point = search.seenFromBase(thrown.disk, time);
-  return std::min(shape.heightAbove(point.s(), point.n()),
-                  shape.distanceToWalls(point.s(), point.n())) -
+  return std::min(shape.heightAbove(point.s(), point.n()), shape.distanceToWalls(point.s(), point.n())) -
          thrown.radius;
 }
 
@@ -104,8 +103,7 @@ void checkAgainstScan(const BaseMotion& motion, const BaseShape& shape, const Th
   {
     RC_ASSERT(gapAt(search, shape, thrown, end * i / 2000.0) > -tolerance);
     const double s = search.seenFromBase(thrown.disk, end * i / 2000.0).s();
-    RC_ASSERT(shape.boundary() == Boundary::PERIODIC ||
-              (s > -tolerance && s < shape.width() + tolerance));
+    RC_ASSERT(shape.boundary() == Boundary::PERIODIC || (s > -tolerance && s < shape.width() + tolerance));
   }
   RC_CLASSIFY(!event.feature, "no contact");
   if (!event.feature)

@@ -131,7 +131,8 @@ TEST(Plan, HasLanesOnlyForSingleDisksOnAPeriodicBaseWithoutContactTimes)
 TEST(Plan, SaysWhatItIs)
 {
   const std::string no_lanes =
-      ", no lanes (only for independent disks without contact times on a periodic sawtooth with a vertical sine "
+      ", no lanes (only for independent disks without contact times on a periodic sawtooth with a vertical "
+      "sine "
       "drive)";
   EXPECT_EQ(
       planText(planOf(smallMixture())),

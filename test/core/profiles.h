@@ -43,7 +43,8 @@ inline std::vector<OutlineCorner> drawnProfile(double width, double relief, int 
 {
   std::vector<double> places;
   for (int count = *rc::gen::inRange(0, most + 1); count > 0; --count)
-    places.push_back(*rc::gen::element(0.0, 0.25, 0.5, 0.500001, 1.0, drawn(0.0, 1.0), drawn(0.0, 1.0)) * width);
+    places.push_back(*rc::gen::element(0.0, 0.25, 0.5, 0.500001, 1.0, drawn(0.0, 1.0), drawn(0.0, 1.0)) *
+                     width);
   std::sort(places.begin(), places.end());
   std::vector<OutlineCorner> corners = {{0.0, 0.0}};
   bool vertical = false;

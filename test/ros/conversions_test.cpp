@@ -11,7 +11,6 @@
 #include "random_frames.h"
 #include "ratchet_sieve/recording/frame_kinds.h"
 #include "ratchet_sieve/recording/same_bits.h"
-#include "ratchet_sieve/recording/same_bits.h"
 
 namespace ratchet_sieve
 {

@@ -62,7 +62,8 @@ bool same(const Stretch& a, const Stretch& b)
 bool same(const SizeDefinition& a, const SizeDefinition& b)
 {
   return a.distribution == b.distribution && sameBits(a.spread, b.spread) &&
-         sameBits(a.mass_exponent, b.mass_exponent) && a.radii == b.radii && a.weights == b.weights && a.by == b.by;
+         sameBits(a.mass_exponent, b.mass_exponent) && a.radii == b.radii && a.weights == b.weights &&
+         a.by == b.by;
 }
 
 bool same(const SpeciesDefinition& a, const SpeciesDefinition& b)
@@ -348,7 +349,8 @@ TEST(CanonicalScene, KeepsSizes)
   for (const char* size :
        {"{distribution: uniform, spread: 0.3}", "{distribution: normal, spread: 0.1, mass_exponent: 2}",
         "{distribution: lognormal, spread: 0.5}",
-        "{distribution: table, radii: [0.0005, 0.001, 0.003], weights: [0, 1, 2.5], by: mass, mass_exponent: 2}"})
+        "{distribution: table, radii: [0.0005, 0.001, 0.003], weights: [0, 1, 2.5], by: mass, mass_exponent: "
+        "2}"})
   {
     const std::string species = std::string("radius: 0.001, mass: 0.001, size: ") + size;
     const SceneDefinition scene =
@@ -358,7 +360,8 @@ TEST(CanonicalScene, KeepsSizes)
     EXPECT_NE(sceneHash(scene), plain);
     EXPECT_EQ(sceneHash(scene), sceneHash(again));
   }
-  const std::string none = goodSceneWith("mass: 0.001", "mass: 0.001, size: {distribution: normal, spread: 0}");
+  const std::string none =
+      goodSceneWith("mass: 0.001", "mass: 0.001, size: {distribution: normal, spread: 0}");
   EXPECT_EQ(sceneHash(sceneFromText(none, "s.yaml").definition), plain);
 }
 
@@ -366,9 +369,10 @@ TEST(CanonicalScene, KeepsSizes)
 TEST(CanonicalScene, SplitsADensityByTheExpectedDiameters)
 {
   const SceneDefinition scene =
-      sceneFromText("density: 4\nspecies:\n  - {name: A, radius: 0.001, mass: 0.001, size: {distribution: table, "
-                    "radii: [0.001, 0.003], weights: [0, 1]}}\n",
-                    "s.yaml")
+      sceneFromText(
+          "density: 4\nspecies:\n  - {name: A, radius: 0.001, mass: 0.001, size: {distribution: table, "
+          "radii: [0.001, 0.003], weights: [0, 1]}}\n",
+          "s.yaml")
           .definition;
   EXPECT_EQ(scene.species[0].count, 400);  // 4 * 0.4 m / 0.004 m
 }

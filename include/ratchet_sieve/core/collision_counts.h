@@ -54,7 +54,7 @@ private:
 
 inline constexpr CollisionCounts::OfKind CollisionCounts::OF_KIND[] = {
     &CollisionCounts::disk_disk, &CollisionCounts::left_slope, &CollisionCounts::right_slope,
-    &CollisionCounts::apex, &CollisionCounts::wall, &CollisionCounts::level};
+    &CollisionCounts::apex,      &CollisionCounts::wall,       &CollisionCounts::level};
 
 /// Contacts with each part of a profile; both empty for a sawtooth.
 struct FaceContacts

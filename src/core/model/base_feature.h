@@ -50,9 +50,9 @@ public:
     constexpr std::int32_t FARTHEST_TOOTH = 1 << 30;
     state(part_, tooth_);
     const bool indexed = kind() == BaseFeatureKind::FACE || kind() == BaseFeatureKind::CORNER;
-    state.require(part_ >= 0 && (indexed || index() == 0) && tooth_ >= -FARTHEST_TOOTH &&
-                      tooth_ <= FARTHEST_TOOTH,
-                  "a disk's contact is with an unknown part of the base");
+    state.require(
+        part_ >= 0 && (indexed || index() == 0) && tooth_ >= -FARTHEST_TOOTH && tooth_ <= FARTHEST_TOOTH,
+        "a disk's contact is with an unknown part of the base");
   }
 
 private:

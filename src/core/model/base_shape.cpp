@@ -87,9 +87,7 @@ void BaseShape::addFaces()
     const bool rises = is_profile_ ? left.n <= right.n : i == 0;
     const bool level = is_profile_ && left.n == right.n;
     Face face = rises ? makeFace(left, right, 1.0) : makeFace(right, left, -1.0);
-    face.kind = level   ? CollisionKind::LEVEL
-                : rises ? CollisionKind::LEFT_SLOPE
-                        : CollisionKind::RIGHT_SLOPE;
+    face.kind = level ? CollisionKind::LEVEL : rises ? CollisionKind::LEFT_SLOPE : CollisionKind::RIGHT_SLOPE;
     face.number = static_cast<std::int32_t>(i);
     faces_.push_back(face);
   }
@@ -174,8 +172,7 @@ Approach BaseShape::approach(const BaseFeature& feature, const BasePoint& point,
     case BaseFeatureKind::FACE:
     {
       const Face& face = faces_[index];
-      const double distance =
-          Eigen::Vector2d(s - face.foot.x(), point.n() - face.foot.y()).dot(face.normal);
+      const double distance = Eigen::Vector2d(s - face.foot.x(), point.n() - face.foot.y()).dot(face.normal);
       return approachToLine(distance, face.normal, point, radius);
     }
     case BaseFeatureKind::CORNER:
@@ -209,8 +206,8 @@ double BaseShape::surfaceAt(double local) const
     if (face != section.first_face && local < outline_[static_cast<std::size_t>(face->number)].s)
       break;
     const double beside = std::abs(local - face->foot.x());
-    surface = face->foot.y() + (face->along.x() != 0.0 ? beside * face->along.y() / std::abs(face->along.x())
-                                                       : face->length);
+    surface = face->foot.y() +
+              (face->along.x() != 0.0 ? beside * face->along.y() / std::abs(face->along.x()) : face->length);
   }
   return surface;
 }

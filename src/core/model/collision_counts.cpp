@@ -35,8 +35,12 @@ void CollisionCounts::add(const CollisionCounts& more)
 
 CollisionCounts CollisionCounts::since(const CollisionCounts& earlier) const
 {
-  return {disk_disk - earlier.disk_disk, left_slope - earlier.left_slope, right_slope - earlier.right_slope,
-          apex - earlier.apex, wall - earlier.wall, level - earlier.level};
+  return {disk_disk - earlier.disk_disk,
+          left_slope - earlier.left_slope,
+          right_slope - earlier.right_slope,
+          apex - earlier.apex,
+          wall - earlier.wall,
+          level - earlier.level};
 }
 
 std::optional<double> CollisionCounts::shortToLong(const std::optional<double>& asymmetry) const

@@ -54,8 +54,8 @@ std::optional<double> BaseOverlap::wayOut(double s, double n, double radius) con
   {
     const double distance = line->distance(local, n);
     nearest = std::min(nearest, distance);
-    over_faces = std::max(over_faces,
-                          line->normal.y() > 0.0 ? (radius - distance) / line->normal.y() : over_all);
+    over_faces =
+        std::max(over_faces, line->normal.y() > 0.0 ? (radius - distance) / line->normal.y() : over_all);
   }
   if (nearest >= 0.0)
     return std::nullopt;

@@ -10,10 +10,10 @@
 namespace ratchet_sieve
 {
 
-/// Tests whether a disk may overlap the base or be beyond one of its ends. Between two neighbouring corners the
-/// base is a *pocket*: the space above it is convex, and a disk is in it if it is in front of the lines of all
-/// its faces. Every line contains the corner at its end. So no overlap is missed where all corners are as high
-/// as the highest; elsewhere the distance to the base is computed.
+/// Tests whether a disk may overlap the base or be beyond one of its ends. Between two neighbouring corners
+/// the base is a *pocket*: the space above it is convex, and a disk is in it if it is in front of the lines
+/// of all its faces. Every line contains the corner at its end. So no overlap is missed where all corners are
+/// as high as the highest; elsewhere the distance to the base is computed.
 class BaseOverlap
 {
 public:
@@ -47,8 +47,8 @@ public:
   /// free of the faces of its pocket [m]; nothing if its centre is above.
   std::optional<double> wayOut(double s, double n, double radius) const;
 
-  /// A disk that moves no farther than this within a step passes no ridge of the base without an overlap at the
-  /// end of the step [m].
+  /// A disk that moves no farther than this within a step passes no ridge of the base without an overlap at
+  /// the end of the step [m].
   double shortestPassage(double radius) const { return is_valley_ ? height_ : 2.0 * radius; }
 
 private:
@@ -93,7 +93,7 @@ private:
   double width_;
   double tooth_width_;
   double teeth_per_length_;
-  double first_corner_;  ///< s of the first corner of a tooth; its pocket ends there [m]
+  double first_corner_;           ///< s of the first corner of a tooth; its pocket ends there [m]
   Eigen::Vector2d to_the_left_;   ///< normal of the face on the left of a valley
   Eigen::Vector2d to_the_right_;  ///< normal of the face on its right
   std::vector<Line> lines_;

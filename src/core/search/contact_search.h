@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "model/base_motion.h"
-#include "model/disk.h"
 #include "model/base_shape.h"
+#include "model/disk.h"
 
 namespace ratchet_sieve
 {

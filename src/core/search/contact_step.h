@@ -100,10 +100,7 @@ public:
   }
 
   /// Whether the disk is above this height over the base throughout the step.
-  bool staysOver(double height) const
-  {
-    return staysFree(point.n() - height - radius, point.velocity.y());
-  }
+  bool staysOver(double height) const { return staysFree(point.n() - height - radius, point.velocity.y()); }
 
   /// Whether no part of the disk is above this height in the step.
   bool staysBelow(double height) const { return point.n() + radius + reach_ < height; }

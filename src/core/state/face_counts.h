@@ -6,7 +6,8 @@
 namespace ratchet_sieve
 {
 
-/// Counts contacts with each face and corner of a profile. A sawtooth needs none: its kinds of contacts say it.
+/// Counts contacts with each face and corner of a profile. A sawtooth needs none: its kinds of contacts say
+/// it.
 class FaceCounts final : public Observer
 {
 public:
