@@ -126,7 +126,9 @@ TEST(KeyList, SaysWhatTheReaderAllows)
     EXPECT_EQ(refusal.substr(refusal.size() - end.size()), end) << refusal;
     const bool type_is_named = key.type != "boolean" && key.type != "choice";
     if (!of_list)
+    {
       EXPECT_EQ(refusal.find(" " + key.type + " ") != std::string::npos, type_is_named) << refusal;
+    }
   }
 }
 
