@@ -202,9 +202,8 @@ private:
     redirect(slot);
   }
 
-  /// Finds the contact of two disks that may overlap at the end of the step, searching backwards from there:
-  /// both have the same gravity, so their relative motion is a straight line. If the contact is not after
-  /// `from`, the search of the event loops decides whether they approach there, by the same sum as the
+  /// Finds the contact of two disks that may overlap at the end of the step, searching backwards from there. If
+  /// the contact is not after `from`, the search of the event loops decides whether they approach there, by the same sum as the
   /// execution.
   void findContact(std::uint32_t slot, std::uint32_t other, int shift, double from)
   {
@@ -223,10 +222,7 @@ private:
     const double excess = position.squaredNorm() - distance * distance;
     if (excess >= 0.0)
       return;
-    const double speed_squared = velocity.squaredNorm();
-    const double parting = position.dot(velocity);
-    const double root = std::sqrt(parting * parting - speed_squared * excess);
-    std::optional<double> time = end_ - (parting + root) / speed_squared;
+    std::optional<double> time = end_ - timeSinceContact(position, velocity, excess);
     if (!(*time > from))
       time = PairSearch(state_.pairScene(), slot, from).contactWith(other, shift);
     if (time && *time <= end_)
