@@ -1,5 +1,6 @@
-#include "search/overlap_search.h"
+#include "search/overlap_levels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -42,15 +43,19 @@ double between(double low, double high)
 std::vector<Placed> someDisks(double width)
 {
   const auto count = *rc::gen::inRange<std::size_t>(0, 80);
+  const double smallest = *rc::gen::element(0.0001, 0.0005);
+  const double most = *rc::gen::element(0.0002, 0.5 * DIAMETER);  // of half of them
   std::vector<Placed> disks(count);
   for (Placed& disk : disks)
-    disk = {between(0.0, width), between(0.0, 0.02), between(0.0005, 0.5 * DIAMETER)};
+    disk = {between(0.0, width), between(0.0, 0.02),
+            between(smallest, *rc::gen::element(std::max(smallest, most), 0.5 * DIAMETER))};
   return disks;
 }
 
-OverlapSearch searchOf(const std::vector<Placed>& disks, double width, bool periodic)
+template <typename Overlaps>
+Overlaps searchOf(const std::vector<Placed>& disks, double width, bool periodic)
 {
-  OverlapSearch search(width, DIAMETER, periodic);
+  Overlaps search(width, DIAMETER, periodic);
   search.begin(disks.size());
   for (std::uint32_t slot = 0; slot < disks.size(); ++slot)
     search.place(slot, disks[slot].s, disks[slot].n, disks[slot].radius);
@@ -64,12 +69,13 @@ double overlapOf(const Placed& a, const Placed& b, double shift)
   return a.radius + b.radius - std::hypot(a.s - b.s - shift, a.n - b.n);
 }
 
-RC_GTEST_PROP(OverlapSearch, FindsEachPairThatOverlapsOnceAndNoneThatIsApart, ())
+template <typename Overlaps>
+void expectEachPairThatOverlapsOnceAndNoneThatIsApart()
 {
   const double width = between(DIAMETER, 0.1);
   const bool periodic = *rc::gen::arbitrary<bool>();
   const std::vector<Placed> disks = someDisks(width);
-  OverlapSearch search = searchOf(disks, width, periodic);
+  auto search = searchOf<Overlaps>(disks, width, periodic);
   std::multiset<Overlap> found;
   search.forEachPair([&](std::uint32_t slot, std::uint32_t other, int shift)
                      { found.insert(ordered(slot, other, shift)); });
@@ -86,13 +92,14 @@ RC_GTEST_PROP(OverlapSearch, FindsEachPairThatOverlapsOnceAndNoneThatIsApart, ()
       }
 }
 
-RC_GTEST_PROP(OverlapSearch, FindsAllAroundADiskThatWasMoved, ())
+template <typename Overlaps>
+void expectAllAroundADiskThatWasMoved()
 {
   const double width = between(3.5 * DIAMETER, 0.1);
   const bool periodic = *rc::gen::arbitrary<bool>();
   std::vector<Placed> disks = someDisks(width);
   RC_PRE(!disks.empty());
-  OverlapSearch search = searchOf(disks, width, periodic);
+  auto search = searchOf<Overlaps>(disks, width, periodic);
   const auto moved = *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(disks.size()));
   disks[moved].s = between(0.0, width);
   disks[moved].n = between(0.0, 0.02);
@@ -108,6 +115,26 @@ RC_GTEST_PROP(OverlapSearch, FindsAllAroundADiskThatWasMoved, ())
     for (int shift = periodic ? -1 : 0; shift <= (periodic ? 1 : 0); ++shift)
       if (j != moved && overlapOf(disks[moved], disks[j], shift * width) > 0.0)
         RC_ASSERT(found.count({j, shift}) == 1u);
+}
+
+RC_GTEST_PROP(OverlapSearch, FindsEachPairThatOverlapsOnceAndNoneThatIsApart, ())
+{
+  expectEachPairThatOverlapsOnceAndNoneThatIsApart<OverlapSearch>();
+}
+
+RC_GTEST_PROP(OverlapSearch, FindsAllAroundADiskThatWasMoved, ())
+{
+  expectAllAroundADiskThatWasMoved<OverlapSearch>();
+}
+
+RC_GTEST_PROP(OverlapLevels, FindEachPairThatOverlapsOnceAndNoneThatIsApart, ())
+{
+  expectEachPairThatOverlapsOnceAndNoneThatIsApart<OverlapLevels>();
+}
+
+RC_GTEST_PROP(OverlapLevels, FindAllAroundADiskThatWasMoved, ())
+{
+  expectAllAroundADiskThatWasMoved<OverlapLevels>();
 }
 
 RC_GTEST_PROP(OverlapKernels, OfAllWidthsFindTheSame, ())

@@ -150,15 +150,10 @@ double DiskCells::latticeMargin() const
 
 DiskCells::Sizes DiskCells::sizes() const
 {
-  std::vector<double> radii;
-  radii.reserve(state_.activeCount());
+  const std::vector<double> radii = state_.activeRadii();
   double squares = 0.0;
-  for (std::uint32_t slot = 0; slot < state_.disks().size(); ++slot)
-    if (state_.active(slot))
-    {
-      radii.push_back(state_.radius(slot));
-      squares += 4.0 * radii.back() * radii.back();
-    }
+  for (const double radius : radii)
+    squares += 4.0 * radius * radius;
   Sizes sizes{cheapestLevels(radii, state_.largestDiameter()), squares, 0.0};
   const double diameter = sizes.levels.diameters[0];
   if (sizes.levels.count() == 1)

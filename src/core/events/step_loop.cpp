@@ -9,7 +9,7 @@
 #include "events/event_loop.h"
 #include "events/step_contacts.h"
 #include "search/base_overlap.h"
-#include "search/overlap_search.h"
+#include "search/overlap_levels.h"
 #include "search/pair_search.h"
 #include "state/contact_execution.h"
 
@@ -37,6 +37,9 @@ namespace
 ///
 /// Steps are counted from the last event of the whole machine (catchUp()). Between the steps disks are in
 /// free flight, so the results do not depend on the calls of advanceTo().
+///
+/// @tparam Overlaps OverlapSearch, or OverlapLevels for wide sizes
+template <typename Overlaps>
 class StepLoop : public EventLoop
 {
 public:
@@ -292,7 +295,7 @@ private:
   double length_ = 0.0;      ///< of the step [s]
   bool turning_ = false;     ///< the base, within the step
   double base_reach_ = 0.0;  ///< largest displacement of the base within the step [m]
-  OverlapSearch overlaps_;
+  Overlaps overlaps_;
   BaseOverlap base_overlap_;
   std::vector<std::uint32_t> near_base_;
   StepContacts contacts_;
@@ -306,7 +309,9 @@ private:
 
 std::unique_ptr<EventLoop> makeStepLoop(SystemState& state, ContactExecution& execution)
 {
-  return std::make_unique<StepLoop>(state, execution);
+  if (state.wideSizes())
+    return std::make_unique<StepLoop<OverlapLevels>>(state, execution);
+  return std::make_unique<StepLoop<OverlapSearch>>(state, execution);
 }
 
 }  // namespace ratchet_sieve

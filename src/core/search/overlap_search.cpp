@@ -48,7 +48,7 @@ void OverlapSearch::sort()
   std::partial_sum(starts_.begin() + 1, starts_.end(), starts_.begin() + 1);
   const std::uint32_t rows = starts_[columns_ + 1] + (periodic_ ? in_first : 0);
   starts_[columns_ + 2] = rows;
-  const std::size_t room = rows + OverlapRows::MOST_LANES;
+  const std::size_t room = rows + OverlapRows::MOST_LANES + 1;
   if (rows_.s.size() < room)
   {
     for (std::vector<float>* values : {&rows_.s, &rows_.n, &rows_.radius})
@@ -83,6 +83,15 @@ void OverlapSearch::put(std::uint32_t row, const Placed& disk, float s)
   rows_.n[row] = disk.n;
   rows_.radius[row] = disk.radius;
   slots_[row] = disk.slot;
+}
+
+std::uint32_t OverlapSearch::putGuest(const OverlapDisk& disk)
+{
+  const std::size_t row = rows_.s.size() - 1;
+  rows_.s[row] = disk.s;
+  rows_.n[row] = disk.n;
+  rows_.radius[row] = disk.radius;
+  return static_cast<std::uint32_t>(row);
 }
 
 void OverlapSearch::move(std::uint32_t slot, double s, double n)

@@ -9,6 +9,14 @@
 namespace ratchet_sieve
 {
 
+/// A disk in the frame of the base [m].
+struct OverlapDisk
+{
+  float s;
+  float n;
+  float radius;
+};
+
 /// Finds the disks that may overlap at one time. The disks are sorted into columns across the base, a little
 /// wider than the largest diameter. A search tests a disk's own column and its two neighbours, which are
 /// contiguous in memory. Positions are in the frame of the base and in single precision; radii are increased
@@ -56,6 +64,30 @@ public:
     visitHits(hitsIn(row, starts_[column], starts_[column + 3]), visit);
   }
 
+  /// The same for a disk that is not among those placed, of any size. @param slot its own
+  template <typename Visit>
+  void forEachTouching(std::uint32_t slot, const OverlapDisk& disk, Visit&& visit)
+  {
+    const double reach = disk.radius + 1.0 / columns_per_length_;
+    for (int lap = periodic_ ? -1 : 0; lap <= (periodic_ ? 1 : 0); ++lap)
+    {
+      const double s = disk.s + lap * width_;
+      if (s + reach < 0.0 || s - reach > width_)
+        continue;
+      const std::uint32_t row = putGuest({static_cast<float>(s), disk.n, disk.radius});
+      const std::size_t hits =
+          hitsIn(row, starts_[columnAt(s - reach) + 1], starts_[columnAt(s + reach) + 2]);
+      for (std::size_t k = 0; k < hits; ++k)
+        visit(slot, slots_[second_hits_[k]], -lap);
+    }
+  }
+
+  OverlapDisk placed(std::uint32_t slot) const
+  {
+    const std::uint32_t row = row_of_[slot];
+    return {rows_.s[row], rows_.n[row], rows_.radius[row]};
+  }
+
 private:
   struct Placed
   {
@@ -75,7 +107,7 @@ private:
   }
 
   /// @return the number of entries in first_hits_ and second_hits_
-  std::size_t hitsIn(std::uint32_t row, std::uint32_t begin, std::uint32_t end)
+  [[gnu::always_inline]] std::size_t hitsIn(std::uint32_t row, std::uint32_t begin, std::uint32_t end)
   {
     const std::size_t room = end - begin + OverlapRows::MOST_LANES;
     if (first_hits_.size() < room)
@@ -95,6 +127,9 @@ private:
   }
 
   void put(std::uint32_t row, const Placed& disk, float s);
+
+  /// Writes a disk into the row that is beyond all that a search tests. @return the row
+  std::uint32_t putGuest(const OverlapDisk& disk);
 
   /// Rows before the first disk are images one width to the left; rows after the last disk are images one
   /// width to the right.

@@ -69,11 +69,7 @@ void forEachNearPair(const SystemState& system, const std::vector<Eigen::Vector2
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)
     if (system.active(slot))
       top = std::max(top, points[slot].y());
-  std::vector<double> radii;
-  for (std::uint32_t slot = 0; slot < points.size(); ++slot)
-    if (system.active(slot))
-      radii.push_back(system.radius(slot));
-  const SizeLevels levels = cheapestLevels(radii, system.largestDiameter());
+  const SizeLevels levels = cheapestLevels(system.activeRadii(), system.largestDiameter());
   const CellShape shape(width, top, AUDIT_CELL * levels.diameters[0], points.size());
   CellGrid grid(shape, levels, 0.0, points.size(), periodic);
   for (std::uint32_t slot = 0; slot < points.size(); ++slot)

@@ -303,6 +303,16 @@ bool SystemState::isLegal(std::uint32_t slot) const
          std::isfinite(disk.spin);
 }
 
+std::vector<double> SystemState::activeRadii() const
+{
+  std::vector<double> radii;
+  radii.reserve(active_count_);
+  for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
+    if (active(slot))
+      radii.push_back(radius(slot));
+  return radii;
+}
+
 double SystemState::smallestRadius() const
 {
   return ratchet_sieve::smallestRadius(scene_);

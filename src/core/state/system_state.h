@@ -63,7 +63,13 @@ public:
 
   /// The largest diameter, or the root mean square of the scene's if sizes are wide: cells suit these.
   double latticeDiameter() const { return lattice_diameter_; }
+
+  /// Whether the scene's sizes are wide; see areWide().
+  bool wideSizes() const { return lattice_diameter_ < largest_diameter_; }
   double smallestRadius() const;
+
+  /// Of the disks in the machine, in the order of their slots [m].
+  std::vector<double> activeRadii() const;
   const Sizes& sizes(std::size_t species) const { return sizes_[species]; }
   const std::vector<SizeClass>& sizeClasses() const { return size_classes_; }
 
