@@ -107,7 +107,7 @@ private:
   }
 
   /// @return the number of entries in first_hits_ and second_hits_
-  [[gnu::always_inline]] std::size_t hitsIn(std::uint32_t row, std::uint32_t begin, std::uint32_t end)
+  std::size_t hitsIn(std::uint32_t row, std::uint32_t begin, std::uint32_t end)
   {
     const std::size_t room = end - begin + OverlapRows::MOST_LANES;
     if (first_hits_.size() < room)
