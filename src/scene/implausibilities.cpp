@@ -56,17 +56,19 @@ void doubtRadii(const SceneDefinition& scene, Doubts& doubts)
   const double room = valley(base);
   for (std::size_t i = 0; i < scene.species.size(); ++i)
   {
-    const double radius = Sizes(scene.species[i]).largest();
-    if (2.0 * radius <= room)
+    const double radius = scene.species[i].radius;
+    const double largest = Sizes(scene.species[i]).largest();
+    if (2.0 * largest <= room)
       continue;
     const std::string figure =
-        "a disk's diameter, " + quantity(2.0 * radius, "m") +
-        (2.0 * radius > base.width() ? ", is larger than the base's width, " + quantity(base.width(), "m")
+        "a disk's diameter, " + quantity(2.0 * largest, "m") +
+        (2.0 * largest > base.width() ? ", is larger than the base's width, " + quantity(base.width(), "m")
                                      : ", is larger than a tooth, " + toothKey(base, "width") + " = " +
                                            quantity(base.toothWidth(), "m"));
     doubts.add(
         speciesKey(i, "radius"), radius, "m", figure,
-        meant(radius, 1e-3, [&](double r) { return 2.0 * r <= room && 200.0 * r >= base.toothWidth(); }));
+        meant(radius, 1e-3, [&](double r)
+              { return 2.0 * largest * r / radius <= room && 200.0 * r >= base.toothWidth(); }));
   }
 }
 
@@ -75,24 +77,53 @@ double sphere(double radius)
   return 4.0 / 3.0 * PI * std::pow(radius, 3);
 }
 
+struct Disk
+{
+  double mass = 0.0;    ///< [kg]
+  double radius = 0.0;  ///< [m]
+};
+
+/// The smallest or the largest disk: the mass is a power of the radius.
+Disk densestDisk(const SpeciesDefinition& species)
+{
+  const Sizes sizes(species);
+  const Disk smallest{species.massOf(sizes.smallest()), sizes.smallest()};
+  const Disk largest{species.massOf(sizes.largest()), sizes.largest()};
+  return smallest.mass / sphere(smallest.radius) > largest.mass / sphere(largest.radius) ? smallest : largest;
+}
+
 void doubtMass(const SceneDefinition& scene, std::size_t index, Doubts& doubts)
 {
-  const double mass = scene.species[index].mass;
-  const double radius = scene.species[index].radius;
+  const SpeciesDefinition& species = scene.species[index];
+  const Disk disk = densestDisk(species);
   const auto dense = [](double m, double r) { return m > DENSEST_DISK * sphere(r); };
-  if (!dense(mass, radius))
+  if (!dense(disk.mass, disk.radius))
     return;
+  const auto lighter = meant(species.mass, 1e-3,
+                             [&](double m) { return !dense(disk.mass * (m / species.mass), disk.radius); });
+  const auto larger =
+      meant(species.radius, 1e3,
+            [&](double r)
+            {
+              const double scale = r / species.radius;
+              return species.size.radii.empty() && !dense(disk.mass, disk.radius * scale) &&
+                     2.0 * Sizes(species).largest() * scale <= valley(scene.base);
+            });
+  const bool by_radius = larger && !lighter;
   const std::string mass_key = speciesKey(index, "mass");
   const std::string radius_key = speciesKey(index, "radius");
-  const std::string figure = " the density of a sphere would be " +
-                             quantity(mass / sphere(radius), "kg/m^3") + "; osmium has 22590 kg/m^3";
-  const auto lighter = meant(mass, 1e-3, [&](double m) { return !dense(m, radius); });
-  const auto larger =
-      meant(radius, 1e3, [&](double r) { return !dense(mass, r) && 2.0 * r <= valley(scene.base); });
-  if (larger && !lighter)
-    doubts.add(radius_key, radius, "m", "with " + mass_key + " = " + quantity(mass, "kg") + figure, larger);
+  const std::string given = species.size.vary() ? speciesKey(index, "size") + " a disk of radius " +
+                                                      quantity(disk.radius, "m") + " has " +
+                                                      quantity(disk.mass, "kg") + ":"
+                            : by_radius         ? mass_key + " = " + quantity(disk.mass, "kg")
+                                                : radius_key + " = " + quantity(disk.radius, "m");
+  const std::string figure = "with " + given + " the density of a sphere would be " +
+                             quantity(disk.mass / sphere(disk.radius), "kg/m^3") +
+                             "; osmium has 22590 kg/m^3";
+  if (by_radius)
+    doubts.add(radius_key, species.radius, "m", figure, larger);
   else
-    doubts.add(mass_key, mass, "kg", "with " + radius_key + " = " + quantity(radius, "m") + figure, lighter);
+    doubts.add(mass_key, species.mass, "kg", figure, lighter);
 }
 
 void doubtMasses(const SceneDefinition& scene, Doubts& doubts)

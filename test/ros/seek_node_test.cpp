@@ -13,7 +13,7 @@ SeekReport firstStep()
   report.separation.end = 8.5;
   report.separation.species = {"A", "B"};
   report.separation.bins = {{0, 100, 5}, {0, 100, 6}};
-  report.score = scoreOf(report.separation.bins);
+  report.score = scoreOf(report.separation);
   report.best = report.next = 0.1;
   return report;
 }
@@ -29,7 +29,7 @@ TEST(SeekReport, tellsNoQualityThatWasNotMeasured)
 
   report.separation.bins[1] = {0, 0, 106};  // kept back
   report.separation.real_time_factor = 0.3;
-  report.score = scoreOf(report.separation.bins);
+  report.score = scoreOf(report.separation);
   report.best_score = firstStep().score;
   EXPECT_EQ(trialText(report),
             "trial 1, approach: 0.0000 rad, 0.0 to 8.5 s: Q undefined (A 0 left 100 right, B 0 left 0 right; "
