@@ -81,18 +81,19 @@ void requireSpecies(const SeekParameters& parameters, const SceneDefinition& sce
   const std::vector<std::string> names = speciesNames(scene);
   const Goal& goal = parameters.search.goal;
   if (!goal.species.empty() && std::find(names.begin(), names.end(), goal.species) == names.end())
-    throw ParameterError(fmt::format("parameter {}: {}: SPECIES must be one of {}'s, {}", parameters.goal_name,
-                                     goalText(goal), parameters.sieve, fmt::join(names, ", ")));
+    throw ParameterError(fmt::format("parameter {}: {}: SPECIES must be one of {}'s, {}",
+                                     parameters.goal_name, goalText(goal), parameters.sieve,
+                                     fmt::join(names, ", ")));
 }
 }  // namespace
 
 std::string trialText(const SeekReport& report)
 {
   const Separation& trial = report.separation;
-  std::string text = fmt::format("trial {}, {}: {:.4f} rad, {:.1f} to {:.1f} s: {} {} ({}", report.trial,
-                                 phaseName(report.phase), trial.inclination, trial.begin, trial.end,
-                                 nameOf(report.goal), valueText(report.goal, report.score.goal, "undefined"),
-                                 binsText(trial));
+  std::string text =
+      fmt::format("trial {}, {}: {:.4f} rad, {:.1f} to {:.1f} s: {} {} ({}", report.trial,
+                  phaseName(report.phase), trial.inclination, trial.begin, trial.end, nameOf(report.goal),
+                  valueText(report.goal, report.score.goal, "undefined"), binsText(trial));
   if (trial.real_time_factor > 0.0)
     text += fmt::format("; {:.3g} times real time", trial.real_time_factor);
   return text + fmt::format("); best {:.4f} rad, {} {}; next {} {:.4f} rad", report.best, nameOf(report.goal),
@@ -125,7 +126,8 @@ SeekTrial toMessage(const SeekReport& report)
   message.balance = report.score.balance;
   message.best_inclination = report.best;
   put(report.best_score.goal, message.best_value, message.best_value_error, message.best_value_defined);
-  put(report.best_score.quality, message.best_quality, message.best_quality_error, message.best_quality_defined);
+  put(report.best_score.quality, message.best_quality, message.best_quality_error,
+      message.best_quality_defined);
   message.next_phase = phaseName(report.next_phase);
   message.next_inclination = report.next;
   return message;

@@ -34,7 +34,8 @@ Goal readGoal(ParameterReader& reader)
   const std::string text = reader.text("goal", goalText({}));
   if (const std::optional<Goal> goal = goalFromText(text))
     return *goal;
-  throw ParameterError("parameter " + reader.fullName("goal") + ": " + shownText(text) + ": must be " + GOAL_FORMS);
+  throw ParameterError("parameter " + reader.fullName("goal") + ": " + shownText(text) + ": must be " +
+                       GOAL_FORMS);
 }
 
 void readSearch(ParameterReader& reader, SeekParameters& parameters)

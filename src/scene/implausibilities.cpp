@@ -63,12 +63,12 @@ void doubtRadii(const SceneDefinition& scene, Doubts& doubts)
     const std::string figure =
         "a disk's diameter, " + quantity(2.0 * largest, "m") +
         (2.0 * largest > base.width() ? ", is larger than the base's width, " + quantity(base.width(), "m")
-                                     : ", is larger than a tooth, " + toothKey(base, "width") + " = " +
-                                           quantity(base.toothWidth(), "m"));
-    doubts.add(
-        speciesKey(i, "radius"), radius, "m", figure,
-        meant(radius, 1e-3, [&](double r)
-              { return 2.0 * largest * r / radius <= room && 200.0 * r >= base.toothWidth(); }));
+                                      : ", is larger than a tooth, " + toothKey(base, "width") + " = " +
+                                            quantity(base.toothWidth(), "m"));
+    doubts.add(speciesKey(i, "radius"), radius, "m", figure,
+               meant(radius, 1e-3,
+                     [&](double r)
+                     { return 2.0 * largest * r / radius <= room && 200.0 * r >= base.toothWidth(); }));
   }
 }
 
@@ -101,22 +101,21 @@ void doubtMass(const SceneDefinition& scene, std::size_t index, Doubts& doubts)
     return;
   const auto lighter = meant(species.mass, 1e-3,
                              [&](double m) { return !dense(disk.mass * (m / species.mass), disk.radius); });
-  const auto larger =
-      meant(species.radius, 1e3,
-            [&](double r)
-            {
-              const double scale = r / species.radius;
-              return species.size.radii.empty() && !dense(disk.mass, disk.radius * scale) &&
-                     2.0 * Sizes(species).largest() * scale <= valley(scene.base);
-            });
+  const auto larger = meant(species.radius, 1e3,
+                            [&](double r)
+                            {
+                              const double scale = r / species.radius;
+                              return species.size.radii.empty() && !dense(disk.mass, disk.radius * scale) &&
+                                     2.0 * Sizes(species).largest() * scale <= valley(scene.base);
+                            });
   const bool by_radius = larger && !lighter;
   const std::string mass_key = speciesKey(index, "mass");
   const std::string radius_key = speciesKey(index, "radius");
-  const std::string given = species.size.vary() ? speciesKey(index, "size") + " a disk of radius " +
-                                                      quantity(disk.radius, "m") + " has " +
-                                                      quantity(disk.mass, "kg") + ":"
-                            : by_radius         ? mass_key + " = " + quantity(disk.mass, "kg")
-                                                : radius_key + " = " + quantity(disk.radius, "m");
+  const std::string given = species.size.vary()
+                                ? speciesKey(index, "size") + " a disk of radius " +
+                                      quantity(disk.radius, "m") + " has " + quantity(disk.mass, "kg") + ":"
+                            : by_radius ? mass_key + " = " + quantity(disk.mass, "kg")
+                                        : radius_key + " = " + quantity(disk.radius, "m");
   const std::string figure = "with " + given + " the density of a sphere would be " +
                              quantity(disk.mass / sphere(disk.radius), "kg/m^3") +
                              "; osmium has 22590 kg/m^3";

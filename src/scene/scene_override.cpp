@@ -88,7 +88,8 @@ void chooseTooth(YAML::Node& root, const std::vector<std::string>& path, const s
   if (!base["profile"].IsDefined())
     return;
   if (sawtoothKeys().count(path[1]) > 0)
-    refuse(assignment, "base.profile gives the tooth; for a sawtooth take it out first, with base.profile=null");
+    refuse(assignment,
+           "base.profile gives the tooth; for a sawtooth take it out first, with base.profile=null");
   if (path[1] == "profile")
     for (const std::string& key : sawtoothKeys())
       base.remove(key);

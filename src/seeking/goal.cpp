@@ -91,7 +91,8 @@ Measured quality(const std::vector<SpeciesBins>& bins)
   Measured best;
   for (const PairQuality& pair : pairQualities(bins))
     if (pair.quality && (!best.defined || *pair.quality > best.value))
-      best = {*pair.quality, std::sqrt(shareVariance(bins[pair.first]) + shareVariance(bins[pair.second])), true};
+      best = {*pair.quality, std::sqrt(shareVariance(bins[pair.first]) + shareVariance(bins[pair.second])),
+              true};
   return best;
 }
 
@@ -153,7 +154,8 @@ std::string goalText(const Goal& goal)
   std::string text;
   for (const Form& form : FORMS)
     if (form.measure == goal.measure)
-      text = form.of_species ? std::string(form.name) + ':' + goal.species + BINS[goal.right ? 1 : 0] : form.name;
+      text = form.of_species ? std::string(form.name) + ':' + goal.species + BINS[goal.right ? 1 : 0]
+                             : form.name;
   return text + (goal.by_mass ? MASS : "");
 }
 

@@ -60,10 +60,12 @@ TEST(SceneOverride, OfNullTakesTheKeyOut)
   EXPECT_EQ(refusalOfOverride("species.0.radius=null"), "s.yaml:4: species.0.radius: missing");
 }
 
-/// A variable that is not set in a script, and an entry of a list, whose later entries would change their names.
+/// A variable that is not set in a script, and an entry of a list, whose later entries would change their
+/// names.
 TEST(SceneOverride, OfNothingIsRefused)
 {
-  EXPECT_EQ(refusalOfOverride("settle="), "s.yaml:10: settle = nothing: must be a number from 0 to 1000000000 s");
+  EXPECT_EQ(refusalOfOverride("settle="),
+            "s.yaml:10: settle = nothing: must be a number from 0 to 1000000000 s");
   EXPECT_EQ(refusalOfOverride("species.1=null"), "s.yaml: species.1 = nothing: must be a map");
   EXPECT_EQ(refusalOfOverride("settle=\"null\""),
             "s.yaml: settle = \"null\": must be a number from 0 to 1000000000 s");
@@ -89,9 +91,10 @@ TEST(SceneOverride, OfASawtoothNeedsThatTheProfileIsTakenOut)
     }
     catch (const SceneError& error)
     {
-      EXPECT_EQ(error.what(), "override " + key +
-                                  "=0.01: base.profile gives the tooth; for a sawtooth take it out first, with "
-                                  "base.profile=null");
+      EXPECT_EQ(error.what(),
+                "override " + key +
+                    "=0.01: base.profile gives the tooth; for a sawtooth take it out first, with "
+                    "base.profile=null");
     }
   const BaseDefinition base = overridden({profile, "base.profile=null", "base.tooth_width=0.01"}).base;
   EXPECT_TRUE(base.isSawtooth());

@@ -24,8 +24,9 @@ Measured of(const std::string& text, const Outflow& outflow)
 
 TEST(Goal, IsReadAndWritten)
 {
-  for (const char* text : {"quality", "purity:A:left", "recovery:B:right", "recovery:B:right:mass", "flow:A:left",
-                           "throughput", "throughput:mass", "purity:fine: dust:left", "purity:mass:right"})
+  for (const char* text :
+       {"quality", "purity:A:left", "recovery:B:right", "recovery:B:right:mass", "flow:A:left", "throughput",
+        "throughput:mass", "purity:fine: dust:left", "purity:mass:right"})
   {
     ASSERT_TRUE(goalFromText(text)) << text;
     EXPECT_EQ(goalText(*goalFromText(text)), text);
@@ -36,9 +37,9 @@ TEST(Goal, IsReadAndWritten)
 
 TEST(Goal, OfAnyOtherFormIsRefused)
 {
-  for (const char* text : {"", "Q", "quality:mass", "quality:A:left", "purity", "purity:A", "purity:left", "purity::left",
-                           "purity:A:up", "purity:A:left:", "purity:A:left:weight", "throughput:A:left", ":mass",
-                           "throughput:"})
+  for (const char* text :
+       {"", "Q", "quality:mass", "quality:A:left", "purity", "purity:A", "purity:left", "purity::left",
+        "purity:A:up", "purity:A:left:", "purity:A:left:weight", "throughput:A:left", ":mass", "throughput:"})
     EXPECT_FALSE(goalFromText(text)) << text;
 }
 
@@ -92,8 +93,8 @@ TEST(Goal, HasTheStandardErrorOfIndependentDisks)
   constexpr int WINDOWS = 20000;
   std::mt19937_64 random(1);
   const auto drawn = [&](double mean) { return std::poisson_distribution<std::uint64_t>(mean)(random); };
-  for (const char* text : {"purity:A:left", "purity:A:left:mass", "purity:B:left:mass", "recovery:A:left:mass",
-                           "flow:B:right:mass", "throughput:mass", "throughput"})
+  for (const char* text : {"purity:A:left", "purity:A:left:mass", "purity:B:left:mass",
+                           "recovery:A:left:mass", "flow:B:right:mass", "throughput:mass", "throughput"})
   {
     double sum = 0.0;
     double squares = 0.0;

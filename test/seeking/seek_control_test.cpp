@@ -86,8 +86,7 @@ TEST(SeekControl, findsTheBestOfTheSieve)
     loop.runUntilHeld(400.0);
     expectBest(loop);
     EXPECT_EQ(loop.reports.front().separation.inclination, start);
-    EXPECT_GT(loop.reports.back().best_score.quality.value,
-              loop.reports.front().score.quality.value + 0.15);
+    EXPECT_GT(loop.reports.back().best_score.quality.value, loop.reports.front().score.quality.value + 0.15);
   }
 }
 

@@ -31,7 +31,8 @@ struct Goal
 
 /// What goalFromText() reads.
 constexpr const char* GOAL_FORMS =
-    "quality, purity:SPECIES:BIN, recovery:SPECIES:BIN, flow:SPECIES:BIN or throughput, BIN left or right; all but "
+    "quality, purity:SPECIES:BIN, recovery:SPECIES:BIN, flow:SPECIES:BIN or throughput, BIN left or right; "
+    "all but "
     "quality may end in :mass";
 
 /// Nothing for any other text.

@@ -18,7 +18,7 @@ struct SearchOptions
   double resolution = 0.02;  ///< smallest step [rad]
   double confidence = 1.5;   ///< standard errors by which an inclination must be better
   unsigned most_trials = 3;  ///< at one inclination while the comparison is undecided
-  double drop = 0.15;  ///< decrease below the best that restarts the search; of a flow: relative to it
+  double drop = 0.15;        ///< decrease below the best that restarts the search; of a flow: relative to it
 };
 
 enum class SearchPhase
@@ -33,12 +33,12 @@ const char* phaseName(SearchPhase phase);
 /// Decides which inclination of a sieve to try next, from what left at the inclinations tried so far.
 ///
 /// Far from the best inclination, no goal gives a direction: Q is near 0 wherever both species leave at the
-/// same end, and no other goal changes there either. The counts do: raising an end sends more disks to the other end. So the search first tilts in steps
-/// against the end at which most disks leave, until the species separate more than they move together. Then
-/// it compares the inclination with its neighbours one step away and moves to a better one. If neither is
-/// better, it halves the step, down to the resolution. Counts at the same inclination are added, so that an
-/// undecided comparison becomes more certain with each trial. The search always ends, because an inclination
-/// is tried at most `most_trials` times before it is held.
+/// same end, and no other goal changes there either. The counts do: raising an end sends more disks to the
+/// other end. So the search first tilts in steps against the end at which most disks leave, until the species
+/// separate more than they move together. Then it compares the inclination with its neighbours one step away
+/// and moves to a better one. If neither is better, it halves the step, down to the resolution. Counts at the
+/// same inclination are added, so that an undecided comparison becomes more certain with each trial. The
+/// search always ends, because an inclination is tried at most `most_trials` times before it is held.
 ///
 /// The held inclination is monitored. The search restarts there if two trials in a row are worse than all
 /// earlier ones by more than `drop`, and significantly so.

@@ -12,8 +12,9 @@ namespace ratchet_sieve
 struct Outflow
 {
   std::vector<std::string> species;  ///< name
-  std::vector<SpeciesBins> bins;     ///< per species: left within the windows; on the base at the end of the last
-  double duration = 0.0;             ///< of the windows [s]
+  std::vector<SpeciesBins>
+      bins;               ///< per species: left within the windows; on the base at the end of the last
+  double duration = 0.0;  ///< of the windows [s]
 
   /// Adds another window of the same sieve.
   void add(const Outflow& more);

@@ -22,8 +22,8 @@ struct SeekReport
   double next = 0.0;  ///< the inclination tried next [rad]
 };
 
-/// Searches for the inclination at which a running sieve attains its goal best: takes its frames and returns the
-/// setpoint. Independent of topics; the only times it uses are those in the frames.
+/// Searches for the inclination at which a running sieve attains its goal best: takes its frames and returns
+/// the setpoint. Independent of topics; the only times it uses are those in the frames.
 class SeekControl
 {
 public:
