@@ -81,7 +81,7 @@ void requireSpecies(const SeekParameters& parameters, const SceneDefinition& sce
   const std::vector<std::string> names = speciesNames(scene);
   const Goal& goal = parameters.search.goal;
   if (!goal.species.empty() && std::find(names.begin(), names.end(), goal.species) == names.end())
-    throw ParameterError(fmt::format("parameter {}: {}: SPECIES must be one of {}'s, {}",
+    throw ParameterError(fmt::format("parameter {}: {}: SPECIES must be one of {}'s: {}",
                                      parameters.goal_name, goalText(goal), parameters.sieve,
                                      fmt::join(names, ", ")));
 }
