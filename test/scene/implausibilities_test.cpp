@@ -138,7 +138,7 @@ const std::vector<Mistake>& mistakes()
       {{"species.1.size={distribution: lognormal, spread: 0.5, mass_exponent: 0}", "species.1.mass=0.01"},
        {"species.1.mass = 0.01 kg: with species.1.size a disk of radius 0.0004463 m has 0.01 kg: the density "
         "of a "
-        "sphere would be 26863261 kg/m^3; osmium has 22590 kg/m^3; did you mean 1e-05 kg?"}},
+        "sphere would be 26862509 kg/m^3; osmium has 22590 kg/m^3; did you mean 1e-05 kg?"}},
       {{"species.1.size={distribution: uniform, spread: 0.9, mass_exponent: 10}", "species.1.mass=0.01"},
        {"species.1.mass = 0.01 kg: with species.1.size a disk of radius 0.0038 m has 6.131 kg: the density "
         "of a sphere "
