@@ -1,6 +1,6 @@
 """Searches for the machine that separates two kinds best, with Optuna. Reports the front of quality (or another goal)
-against throughput, and the best machine as a scene, from fresh seeds. sieve_sweep measures each machine once: the same command continues a
-search that was interrupted."""
+against throughput, and the best machine as a scene, from fresh seeds. sieve_sweep measures each machine once: the same
+command continues a search that was interrupted."""
 import argparse
 import pathlib
 import sys

@@ -1,4 +1,5 @@
 """Machines and their measured results."""
+import copy
 import dataclasses
 import difflib
 import pathlib
@@ -8,8 +9,7 @@ import yaml
 from optimise.search_file import BadSearch
 from reproduce.samples import Mean
 
-TEETH = "base.teeth"
-TOOTH_WIDTH = "base.tooth_width"
+SAWTOOTH = ("tooth_width", "tooth_height", "asymmetry")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -29,14 +29,30 @@ class Measured:
         return None not in (self.goal, self.processed, self.throughput)
 
 
-def tooth_width(base):
-    return base["profile"][-1][0] if "profile" in base else base["tooth_width"]
+def put(scene, path, value):
+    """Sets a key by its dotted path, as `--set` of sieve_run: a profile takes the place of the sawtooth's keys."""
+    *parents, last = path.split(".")
+    place = scene
+    for name in parents:
+        place = place[int(name)] if isinstance(place, list) else place.setdefault(name, {})
+    place[int(last) if isinstance(place, list) else last] = value
+    if path == "base.profile":
+        for key in SAWTOOTH:
+            place.pop(key, None)
+
+
+def changed(scene, values):
+    """@param values map from dotted paths. @return a copy with them"""
+    scene = copy.deepcopy(scene)
+    for path, value in values.items():
+        put(scene, path, value)
+    return scene
 
 
 def throughput_of(row, scene, machine):
     """Of a run [disks / (s m)]."""
-    teeth = machine.values.get(TEETH, scene["base"]["teeth"])
-    width = teeth * machine.values.get(TOOTH_WIDTH, tooth_width(scene["base"]))
+    base = changed(scene, machine.values)["base"]
+    width = base["teeth"] * (base["profile"][-1][0] if "profile" in base else base["tooth_width"])
     poured = sum(value for key, value in row.items() if key.startswith("count."))
     return row["processed"] * poured / (row["simulated_time"] * width)
 

@@ -1,10 +1,9 @@
 """A search as a picture, a scene of the best machine, a section of a document, and quotable figures."""
-import copy
 import re
 
 import yaml
 
-from optimise.machine import front, read_scene
+from optimise.machine import changed, front, read_scene
 from reproduce import drawing
 from reproduce.document import table
 from reproduce.samples import counted
@@ -55,20 +54,9 @@ def draw(search, found):
     return figure
 
 
-def put(scene, path, value):
-    """Sets a key by its dotted path, as `--set` of sieve_run."""
-    *parents, last = path.split(".")
-    place = scene
-    for name in parents:
-        place = place[int(name)] if isinstance(place, list) else place.setdefault(name, {})
-    place[int(last) if isinstance(place, list) else last] = value
-
-
 def scene_of(search, machine):
     """The machine as a scene of its own."""
-    scene = copy.deepcopy(read_scene(search.scene))
-    for key, value in {**search.settings, **machine.values}.items():
-        put(scene, key, value)
+    scene = changed(read_scene(search.scene), {**search.settings, **machine.values})
     return HEADER.format(title=search.title, search=search.path.name) + yaml.safe_dump(scene, sort_keys=False,
                                                                                        default_flow_style=None)
 
@@ -156,6 +144,6 @@ def section(search, found, picture, pictures):
         f"![{search.label} over throughput: {search.title}](images/{picture})",
         *film(search, found, pictures),
         f"Search: [{search.path.name}](../config/searches/{search.path.name}). Machines: {tried}. Seeds of the search: "
-        f"{seeds_text(search.seeds)}; of all results: {seeds_text(search.held_out)}. The best have the highest {search.label} in "
-        f"the search, with P ≥ {search.least_processed:g} and at least {search.throughput:g} disks / (s m).",
+        f"{seeds_text(search.seeds)}; of all results: {seeds_text(search.held_out)}. The best have the highest "
+        f"{search.label} in the search, with P ≥ {search.least_processed:g} and at least {search.throughput:g} disks / (s m).",
     ])

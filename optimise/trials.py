@@ -5,7 +5,7 @@ import tempfile
 
 import yaml
 
-from optimise.machine import measured, read_scene, require_goal
+from optimise.machine import changed, measured, read_scene, require_goal
 from reproduce.rows import read_rows
 from reproduce.sweeps import SweepFailed
 
@@ -13,7 +13,7 @@ from reproduce.sweeps import SweepFailed
 class Trials:
     def __init__(self, program, results, jobs, search):
         self.program, self.results, self.jobs, self.search = program, results, jobs, search
-        self.scene = read_scene(search.scene)
+        self.scene = changed(read_scene(search.scene), search.settings)
         self.version = None  # of the program that made the results
 
     def measure(self, machines, seeds):

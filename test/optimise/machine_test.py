@@ -2,9 +2,8 @@ import pathlib
 import tempfile
 import unittest
 
-from optimise.machine import Machine, Measured, front, measured, read_scene, require_goal, throughput_of
+from optimise.machine import Machine, Measured, front, measured, put, read_scene, require_goal, throughput_of
 from optimise.outcome import MOST_ON_FRONT, best_at, thinned
-from optimise.report import put
 from optimise.search_file import BadSearch, Seeds
 from reproduce.rows import Rows
 from reproduce.samples import Mean
@@ -54,6 +53,8 @@ class Throughput(unittest.TestCase):
         self.assertAlmostEqual(throughput_of(row, scene, Machine("any", {"base.teeth": 10})), 50.0 / (20.0 * 0.2))
         profile = {"base": {"teeth": 40, "profile": [[0, 0], [0.01, 0.01], [0.03, 0]]}}
         self.assertAlmostEqual(throughput_of(row, profile, Machine("any", {})), 50.0 / (20.0 * 1.2))
+        self.assertAlmostEqual(throughput_of(row, profile, Machine("any", {"base.profile.2.0": 0.05})),
+                               50.0 / (20.0 * 2.0))
 
 
 class Goal(unittest.TestCase):
@@ -86,6 +87,11 @@ class Put(unittest.TestCase):
         for key, value in {"base.teeth": 5, "species.0.mass": 2.0, "feed.rate": 7.0}.items():
             put(scene, key, value)
         self.assertEqual(scene, {"base": {"teeth": 5}, "species": [{"mass": 2.0}], "feed": {"rate": 7.0}})
+
+    def test_of_a_profile_replaces_the_sawtooth(self):
+        scene = {"base": {"teeth": 3, "tooth_width": 0.02, "tooth_height": 0.006, "asymmetry": 0.3}}
+        put(scene, "base.profile", [[0, 0], [0.02, 0]])
+        self.assertEqual(scene, {"base": {"teeth": 3, "profile": [[0, 0], [0.02, 0]]}})
 
 
 if __name__ == "__main__":
