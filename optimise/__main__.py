@@ -1,6 +1,6 @@
-"""Searches for the machine that separates two kinds best, with Optuna. Reports the front of quality against throughput,
-and the best machine as a scene, from fresh seeds. sieve_sweep measures each machine once: the same command continues a
-search that was interrupted."""
+"""Searches for the machine that separates two kinds best, with Optuna. Reports the front of quality (or another goal)
+against throughput, and the best machine as a scene, from fresh seeds. sieve_sweep measures each machine once: the same
+command continues a search that was interrupted."""
 import argparse
 import pathlib
 import sys
@@ -15,6 +15,9 @@ def make_parser():
                         help="search files (default: all of config/searches, for docs/machines.md)")
     parser.add_argument("--results", type=pathlib.Path, default=ROOT / "out/optimise/results.db", metavar="FILE",
                         help="where the results are kept (default: out/optimise/results.db)")
+    parser.add_argument("--goal", metavar="COLUMN",
+                        help="maximise this number of the results in place of the searches' own goal (quality), beside "
+                             "the throughput: any column of sieve_sweep export, such as purity.left.mass.A")
     parser.add_argument("--jobs", type=int, default=0, metavar="N", help="runs at a time (default: as many as cores)")
     parser.add_argument("--draw-only", action="store_true",
                         help="run nothing: draw the pictures and write the document from data/machines.csv")
@@ -38,6 +41,8 @@ def main():
     options = parser.parse_args()
     if options.jobs < 0:
         parser.error(f"--jobs {options.jobs}: 0 or more")
+    if options.goal and not options.search:
+        parser.error("--goal: needs a SEARCH: the pages of this package are by the searches' own goals")
     # What follows needs matplotlib, optuna and yaml, which --help does without.
     from optimise import pipeline
     try:

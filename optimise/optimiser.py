@@ -1,8 +1,9 @@
-"""Searches for machines of one kind with a high quality and a high throughput, by Optuna's tree-structured Parzen
-estimators (Watanabe, arXiv 2304.11127; of several objectives: Ozaki et al., GECCO 2020, doi 10.1145/3377930.3389817).
+"""Searches for machines of one kind with a high goal (Q, unless the search names another) and a high throughput, by
+Optuna's tree-structured Parzen estimators (Watanabe, arXiv 2304.11127; of several objectives: Ozaki et al., GECCO 2020,
+doi 10.1145/3377930.3389817).
 
-Q of one seed is noisy: a trial is the mean over some seeds, the sampler draws from densities over all trials, so
-that a single lucky one does not decide, and the results come from fresh seeds (held_out).
+Q of one seed is noisy, and so are other goals: a trial is the mean over some seeds, the sampler draws from densities
+over all trials, so that a single lucky one does not decide, and the results come from fresh seeds (held_out).
 """
 import warnings
 
@@ -51,7 +52,7 @@ def tell(study, trial, found, search):
         study.tell(trial, state=optuna.trial.TrialState.FAIL)
         return
     trial.set_user_attr("lacking", [search.least_processed - found.processed.value])
-    study.tell(trial, (found.quality.value, found.throughput.value))
+    study.tell(trial, (found.goal.value, found.throughput.value))
 
 
 def seek(search, kind, known, trials, say):
@@ -65,7 +66,7 @@ def seek(search, kind, known, trials, say):
             tell(study, trial, found, search)
             if found.is_whole() and found.processed.value >= search.least_processed:
                 allowed.append((machine, found))
-        best = max((found.quality.value for _, found in allowed), default=None)
-        say(f"{kind.name}: {first + len(asked)} of {counted(kind.trials, 'machine')}, {len(allowed)} allowed, best Q "
-            + ("—" if best is None else f"{best:.3f}"))
+        best = max((found.goal.value for _, found in allowed), default=None)
+        say(f"{kind.name}: {first + len(asked)} of {counted(kind.trials, 'machine')}, {len(allowed)} allowed, "
+            f"best {search.label} " + ("—" if best is None else f"{best:.3f}"))
     return allowed

@@ -14,7 +14,7 @@ class Found:
     kind: object
     tried: list   # pairs (machine, Measured by the search's seeds) of all that are allowed
     front: list   # pairs (machine, Measured by held-out seeds)
-    best: object  # such a pair: the highest Q by the search's seeds, at the search's throughput; None: there is none
+    best: object  # such a pair: the highest goal by the search's seeds, at the search's throughput; None: there is none
 
 
 def thinned(points):
@@ -26,7 +26,7 @@ def thinned(points):
 
 def best_at(points, throughput):
     enough = [point for point in points if point[1].throughput.value >= throughput]
-    return max(enough, key=lambda point: point[1].quality.value, default=None)
+    return max(enough, key=lambda point: point[1].goal.value, default=None)
 
 
 def find(search, trials, say):

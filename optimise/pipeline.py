@@ -1,4 +1,5 @@
 """From searches' files to the table of results, pictures, scenes and the document."""
+import dataclasses
 import pathlib
 import string
 import sys
@@ -53,6 +54,8 @@ def draw(search, found, pictures):
 def run(options, paths, document, pictures, scenes):
     """@throws BadSearch, SweepFailed, OSError"""
     searches = [read_search(path) for path in paths]
+    if options.goal:
+        searches = [dataclasses.replace(search, goal=options.goal) for search in searches]
     table = document.parent / "data/machines.csv"
     if not options.draw_only:
         measure(options, searches, table)
@@ -60,7 +63,7 @@ def run(options, paths, document, pictures, scenes):
     for search in searches:
         found, origin = results_table.read(table, search)
         if found is None:
-            raise BadSearch(f"{table}: has no line of {search.path.stem}")
+            raise BadSearch(f"{table}: has no line of {search.path.stem} with {search.goal}")
         results.append((search, found))
     sections = [draw(search, found, pictures) for search, found in results]
     if not options.draw_only:

@@ -1,10 +1,9 @@
 """A search as a picture, a scene of the best machine, a section of a document, and quotable figures."""
-import copy
 import re
 
 import yaml
 
-from optimise.machine import front, read_scene
+from optimise.machine import changed, front, read_scene
 from reproduce import drawing
 from reproduce.document import table
 from reproduce.samples import counted
@@ -16,21 +15,21 @@ HEADER = ("# {title}: the best machine that\n"
 
 def draw_kind(axes, one, colour):
     """The machines that were tried, those that were measured anew, and the front of the latter."""
-    axes.plot([m.throughput.value for _, m in one.tried], [m.quality.value for _, m in one.tried], ".",
+    axes.plot([m.throughput.value for _, m in one.tried], [m.goal.value for _, m in one.tried], ".",
               color=colour, alpha=0.25, markersize=3)
     for _, m in one.front:
-        axes.errorbar(m.throughput.value, m.quality.value, xerr=m.throughput.error or 0.0, yerr=m.quality.error or 0.0,
+        axes.errorbar(m.throughput.value, m.goal.value, xerr=m.throughput.error or 0.0, yerr=m.goal.error or 0.0,
                       color=colour, marker="o", markersize=4, markerfacecolor="white", elinewidth=0.9, capsize=2)
     best = front(one.front)
-    axes.plot([m.throughput.value for _, m in best], [m.quality.value for _, m in best], "o-", color=colour,
+    axes.plot([m.throughput.value for _, m in best], [m.goal.value for _, m in best], "o-", color=colour,
               markersize=4, linewidth=1.2, zorder=3, label=one.kind.name)
     if one.best:
-        axes.plot(one.best[1].throughput.value, one.best[1].quality.value, "*", color=colour, markersize=13,
+        axes.plot(one.best[1].throughput.value, one.best[1].goal.value, "*", color=colour, markersize=13,
                   markeredgecolor="white", zorder=4)
 
 
 def draw(search, found):
-    """Quality over throughput, with the limits that the best machine is chosen by."""
+    """The goal over throughput, with the limits that the best machine is chosen by."""
     figure, all_axes = drawing.panels(1, 1, (6.8, 5.0), squeeze=False)
     axes = all_axes[0][0]
     for one, colour in zip(found, drawing.COLOURS):
@@ -40,9 +39,9 @@ def draw(search, found):
                   textcoords="offset points", xycoords=("data", "axes fraction"), va="top", fontsize=7,
                   color=drawing.GREY)
     axes.set_xlabel(f"throughput [disks / (s m)], of machines with $P$ ≥ {search.least_processed:g}")
-    axes.set_ylabel("quality $Q$")
-    highest = max((m.quality.value for one in found for _, m in (*one.tried, *one.front)), default=1.0)
-    axes.set_ylim(0.0, 1.12 * highest)
+    axes.set_ylabel("quality $Q$" if search.label == "Q" else search.label)
+    values = [m.goal.value for one in found for _, m in (*one.tried, *one.front)] or [1.0]
+    axes.set_ylim(1.12 * min(0.0, *values), 1.12 * max(0.0, *values))
     axes.set_xlim(left=0.0)
     axes.set_title(search.title, fontsize=10)
     held_out = search.held_out.count
@@ -55,20 +54,9 @@ def draw(search, found):
     return figure
 
 
-def put(scene, path, value):
-    """Sets a key by its dotted path, as `--set` of sieve_run."""
-    *parents, last = path.split(".")
-    place = scene
-    for name in parents:
-        place = place[int(name)] if isinstance(place, list) else place.setdefault(name, {})
-    place[int(last) if isinstance(place, list) else last] = value
-
-
 def scene_of(search, machine):
     """The machine as a scene of its own."""
-    scene = copy.deepcopy(read_scene(search.scene))
-    for key, value in {**search.settings, **machine.values}.items():
-        put(scene, key, value)
+    scene = changed(read_scene(search.scene), {**search.settings, **machine.values})
     return HEADER.format(title=search.title, search=search.path.name) + yaml.safe_dump(scene, sort_keys=False,
                                                                                        default_flow_style=None)
 
@@ -81,24 +69,24 @@ def machine_table(search, found):
     """A column for each kind."""
     chosen = [one.best for one in found]
     lines = [[title, *(getattr(best[1], name).text() if best else "—" for best in chosen)]
-             for title, name in (("Q", "quality"), ("disks / (s m)", "throughput"), ("P", "processed"))]
+             for title, name in ((search.label, "goal"), ("disks / (s m)", "throughput"), ("P", "processed"))]
     lines += [[f"`{key}`", *(shown(best[0].values[key]) if best and key in best[0].values else "" for best in chosen)]
               for key in search.ranges]
     return table(["", *(one.kind.name for one in found)], lines)
 
 
 def gain(found):
-    """Of each kind against the first. @return triples (Found, difference of Q, ratio of the throughputs)"""
+    """Of each kind against the first. @return triples (Found, difference of the goal, ratio of the throughputs)"""
     first, *others = found
-    return [(other, other.best[1].quality.minus(first.best[1].quality),
+    return [(other, other.best[1].goal.minus(first.best[1].goal),
              other.best[1].throughput.value / first.best[1].throughput.value)
             for other in others if first.best and other.best]
 
 
-def gain_lines(found):
+def gain_lines(search, found):
     for other, difference, times in gain(found):
-        yield (f"- With {other.kind.name} Q is higher by {difference.text()} than with {found[0].kind.name}, at "
-               f"{times:.2g} times the throughput.")
+        yield (f"- With {other.kind.name} {search.label} is higher by {difference.text()} than with "
+               f"{found[0].kind.name}, at {times:.2g} times the throughput.")
 
 
 def summary(results):
@@ -106,11 +94,12 @@ def summary(results):
     kinds = list(dict.fromkeys(one.kind.name for _, found in results for one in found))
     lines = []
     for search, found in results:
-        cells = {one.kind.name: f"{one.best[1].quality.text()}<br>at {one.best[1].throughput.text()}" for one in found
+        cells = {one.kind.name: f"{one.best[1].goal.text()}<br>at {one.best[1].throughput.text()}" for one in found
                  if one.best}
         gains = [difference.text() for other, difference, _ in gain(found) if other is found[-1]]
         lines.append([search.title, *(cells.get(kind, "—") for kind in kinds), *(gains or ["—"])])
-    return table(["Q, at disks / (s m)", *kinds, "gain of the last over the first"], lines)
+    goals = " or ".join(dict.fromkeys(search.label for search, _ in results))
+    return table([f"{goals}, at disks / (s m)", *kinds, "gain of the last over the first"], lines)
 
 
 def key_of(name):
@@ -124,7 +113,7 @@ def figures(results):
         for one in found:
             if one.best:
                 prefix = f"{key_of(search.path.stem)}.{key_of(one.kind.name)}"
-                for key, name in (("q", "quality"), ("throughput", "throughput"), ("p", "processed")):
+                for key, name in ((key_of(search.label), "goal"), ("throughput", "throughput"), ("p", "processed")):
                     known[f"{prefix}.{key}"] = getattr(one.best[1], name).text()
         for other, difference, times in gain(found):
             prefix = f"{key_of(search.path.stem)}.{key_of(other.kind.name)}"
@@ -151,10 +140,10 @@ def section(search, found, picture, pictures):
     return "\n\n".join([
         f"## {search.title}",
         machine_table(search, found),
-        "\n".join(gain_lines(found)),
-        f"![Quality over throughput: {search.title}](images/{picture})",
+        "\n".join(gain_lines(search, found)),
+        f"![{search.label} over throughput: {search.title}](images/{picture})",
         *film(search, found, pictures),
         f"Search: [{search.path.name}](../config/searches/{search.path.name}). Machines: {tried}. Seeds of the search: "
-        f"{seeds_text(search.seeds)}; of all results: {seeds_text(search.held_out)}. The best have the highest Q in "
-        f"the search, with P ≥ {search.least_processed:g} and at least {search.throughput:g} disks / (s m).",
+        f"{seeds_text(search.seeds)}; of all results: {seeds_text(search.held_out)}. The best have the highest "
+        f"{search.label} in the search, with P ≥ {search.least_processed:g} and at least {search.throughput:g} disks / (s m).",
     ])

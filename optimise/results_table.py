@@ -7,9 +7,14 @@ from optimise.machine import Machine, Measured
 from optimise.outcome import Found
 from reproduce.samples import Mean
 
-NAMES = ("quality", "throughput", "processed")
-FIXED = ["search", "kind", "part", *(f"{name}{ending}" for name in NAMES for ending in ("", "_error")), "seeds",
+FIXED = ["search", "kind", "part",
+         *(f"{name}{ending}" for name in ("quality", "throughput", "processed") for ending in ("", "_error")), "seeds",
          "measured", "machine", "version"]
+
+
+def columns_of(search):
+    """@return map from the fields of Measured to their columns"""
+    return {"goal": search.goal, "throughput": "throughput", "processed": "processed"}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -29,10 +34,10 @@ def lines(search, found, origin):
             for machine, measured in pairs:
                 line = {"search": search.path.stem, "kind": one.kind.name, "part": part,
                         **dataclasses.asdict(origin), **machine.values}
-                for name in NAMES:
-                    mean = getattr(measured, name)
+                for field, column in columns_of(search).items():
+                    mean = getattr(measured, field)
                     if mean:
-                        line.update({name: digits(mean.value), f"{name}_error": digits(mean.error),
+                        line.update({column: digits(mean.value), f"{column}_error": digits(mean.error),
                                      "seeds": mean.count})
                 yield line
 
@@ -53,21 +58,24 @@ def mean(line, name):
     return Mean(float(line[name]), float(error) if error else None, int(line["seeds"]))
 
 
-def pair(line, ranges):
-    values = {key: (int if ranges[key].is_whole else float)(line[key]) for key in ranges if line.get(key)}
-    return Machine(line["kind"], values), Measured(mean(line, "quality"), mean(line, "processed"),
-                                                   mean(line, "throughput"))
+def pair(line, search):
+    values = {key: (int if bounds.is_whole else float)(line[key]) for key, bounds in search.ranges.items()
+              if line.get(key)}
+    return Machine(line["kind"], values), Measured(**{field: mean(line, column)
+                                                      for field, column in columns_of(search).items()})
 
 
 def read(path, search):
-    """@return a Found for each kind, and their Origin; None where the table has none of this search"""
+    """@return a Found for each kind, and their Origin; None where the table has none of this search and
+    its goal"""
     with path.open(newline="", encoding="utf-8") as file:
-        own = [line for line in csv.DictReader(file) if line["search"] == search.path.stem]
+        own = [line for line in csv.DictReader(file) if line["search"] == search.path.stem
+               and line.get(search.goal)]
     if not own:
         return None, None
     found = []
     for kind in search.kinds:
-        parts = {part: [pair(line, search.ranges) for line in own if (line["kind"], line["part"]) == (kind.name, part)]
+        parts = {part: [pair(line, search) for line in own if (line["kind"], line["part"]) == (kind.name, part)]
                  for part in ("tried", "front", "best")}
         found.append(Found(kind, parts["tried"], parts["front"], next(iter(parts["best"]), None)))
     return found, Origin(*(own[-1][name] for name in ("measured", "machine", "version")))

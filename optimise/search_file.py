@@ -40,11 +40,18 @@ class Search:
     kinds: tuple       # of Kind
     least_processed: float   # P of an allowed machine
     throughput: float  # of the best machine, at least [disks / (s m)]
+    goal: str          # the column of the results that is maximised, beside the throughput
     seeds: Seeds       # of the search
     held_out: Seeds    # of the reported results
 
+    @property
+    def label(self):
+        """The goal's name in texts."""
+        return "Q" if self.goal == DEFAULTS["goal"] else self.goal
 
-KNOWN = {"title", "scene", "set", "search", "machines", "least_processed", "throughput", "seeds", "held_out"}
+
+REQUIRED = {"title", "scene", "set", "search", "machines", "least_processed", "throughput", "seeds", "held_out"}
+DEFAULTS = {"goal": "quality"}
 
 
 def is_number(value):
@@ -61,7 +68,8 @@ def require_parts(path, definition):
             ("search", lambda value: isinstance(value, dict) and value, "a map from keys to ranges"),
             ("machines", lambda value: isinstance(value, dict) and value, "a map from names to kinds of machines"),
             ("least_processed", lambda value: is_number(value) and 0.0 <= value <= 1.0, "a number from 0 to 1"),
-            ("throughput", lambda value: is_number(value) and value >= 0.0, "a number, 0 or more")):
+            ("throughput", lambda value: is_number(value) and value >= 0.0, "a number, 0 or more"),
+            ("goal", lambda value: isinstance(value, str), "the name of a number of the results, such as quality")):
         if not is_right(definition[key]):
             raise BadSearch(f"{path}: {key}: {definition[key]}: must be {what}")
 
@@ -97,10 +105,11 @@ def read_search(path):
         definition = yaml.safe_load(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
         raise BadSearch(f"{path}: {' '.join(str(error).split())}") from error
-    if not isinstance(definition, dict) or set(definition) != KNOWN:
-        wrong = sorted(set(definition if isinstance(definition, dict) else ()) ^ KNOWN)
-        raise BadSearch(f"{path}: must have {', '.join(sorted(KNOWN))}, each once and nothing else; look at "
-                        f"{', '.join(wrong)}")
+    if not isinstance(definition, dict) or set(definition) - set(DEFAULTS) != REQUIRED:
+        wrong = sorted((set(definition if isinstance(definition, dict) else ()) - set(DEFAULTS)) ^ REQUIRED)
+        raise BadSearch(f"{path}: must have {', '.join(sorted(REQUIRED))}, each once, may have "
+                        f"{', '.join(DEFAULTS)}, and nothing else; look at {', '.join(wrong)}")
+    definition = {**DEFAULTS, **definition}
     require_parts(path, definition)
     ranges = {key: read_range(path, key, value) for key, value in definition["search"].items()}
     seeds, held_out = (read_seeds(path, key, definition[key]) for key in ("seeds", "held_out"))
@@ -113,4 +122,5 @@ def read_search(path):
             raise BadSearch(f"{path}: machines.{kind.name}.start: has no {', '.join(sorted(missing))}, which "
                             f"{before.name} does not vary")
     return Search(path, definition["title"], str((path.parent / definition["scene"]).resolve()), definition["set"],
-                  ranges, kinds, definition["least_processed"], definition["throughput"], seeds, held_out)
+                  ranges, kinds, definition["least_processed"], definition["throughput"], definition["goal"], seeds,
+                  held_out)

@@ -5,7 +5,7 @@ import tempfile
 
 import yaml
 
-from optimise.machine import measured, read_scene
+from optimise.machine import changed, measured, read_scene, require_goal
 from reproduce.rows import read_rows
 from reproduce.sweeps import SweepFailed
 
@@ -13,7 +13,7 @@ from reproduce.sweeps import SweepFailed
 class Trials:
     def __init__(self, program, results, jobs, search):
         self.program, self.results, self.jobs, self.search = program, results, jobs, search
-        self.scene = read_scene(search.scene)
+        self.scene = changed(read_scene(search.scene), search.settings)
         self.version = None  # of the program that made the results
 
     def measure(self, machines, seeds):
@@ -31,8 +31,10 @@ class Trials:
             self.call(["export", *common, "--out", str(table)], (0,))
             rows = read_rows(table)
         for row in rows:
+            require_goal(self.search.goal, row, self.search.path)
             self.version = f"{row['version']}, physics version {row['physics']:g}"
-        return [measured(rows.where(machine.values), self.scene, machine, seeds) for machine in machines]
+        return [measured(rows.where(machine.values), self.scene, machine, seeds, self.search.goal)
+                for machine in machines]
 
     def call(self, arguments, allowed):
         process = subprocess.run([str(self.program), *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,

@@ -49,9 +49,9 @@ std::string requireCertaintyKey(const std::string& assignment)
 void describeScene(CLI::App& app, RunArguments& arguments)
 {
   app.add_option("SCENE", arguments.scene, "Scene file (YAML)")->type_name("FILE");
-  app.add_option(
-         "--set", arguments.overrides,
-         "Set a key of the scene, such as base.inclination=0.105 or species.0.radius=0.004; repeatable")
+  app.add_option("--set", arguments.overrides,
+                 "Set a key of the scene, such as base.inclination=0.105 or species.0.radius=0.004, or take "
+                 "it out (KEY=null); repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_option("--seed", arguments.seed, "Set the seed")->type_name("N");

@@ -1,5 +1,6 @@
 #include "ratchet_sieve/ros/seek_node.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -36,7 +37,7 @@ SceneDefinition withoutState(SceneDefinition scene)
 void warnOfScene(const std::string& sieve, const SceneDefinition& scene)
 {
   if (scene.boundary != Boundary::OPEN)
-    ROS_WARN("the boundary of %s is not open: no disk leaves, so Q is undefined", sieve.c_str());
+    ROS_WARN("the boundary of %s is not open: no disk leaves, so there is nothing to compare", sieve.c_str());
   else if (scene.species.size() < 2)
     ROS_WARN("%s has one species: there is nothing to separate", sieve.c_str());
   else if (scene.feed.rate == 0.0)
@@ -52,23 +53,52 @@ std::string binsText(const Separation& separation)
   return text.str();
 }
 
-std::string qualityText(const Score& score, const char* if_undefined)
+std::string valueText(const Goal& goal, const Measured& measured, const char* if_undefined)
 {
-  return score.defined ? fmt::format("{:.2f} +- {:.2f}", score.quality, score.error) : if_undefined;
+  if (!measured.defined)
+    return if_undefined;
+  return goal.isShare() ? fmt::format("{:.2f} +- {:.2f}", measured.value, measured.error)
+                        : fmt::format("{:.3g} +- {:.2g}", measured.value, measured.error);
+}
+
+/// The name of the goal's value.
+std::string nameOf(const Goal& goal)
+{
+  return goal.measure == Measure::QUALITY ? "Q" : goalText(goal);
+}
+
+template <typename Flag>
+void put(const Measured& measured, double& value, double& error, Flag& defined)
+{
+  value = measured.value;
+  error = measured.error;
+  defined = measured.defined;
+}
+
+/// @throws ParameterError if the goal is of a species that the scene does not have
+void requireSpecies(const SeekParameters& parameters, const SceneDefinition& scene)
+{
+  const std::vector<std::string> names = speciesNames(scene);
+  const Goal& goal = parameters.search.goal;
+  if (!goal.species.empty() && std::find(names.begin(), names.end(), goal.species) == names.end())
+    throw ParameterError(fmt::format("parameter {}: {}: SPECIES must be one of {}'s: {}",
+                                     parameters.goal_name, goalText(goal), parameters.sieve,
+                                     fmt::join(names, ", ")));
 }
 }  // namespace
 
 std::string trialText(const SeekReport& report)
 {
   const Separation& trial = report.separation;
-  std::string text = fmt::format("trial {}, {}: {:.4f} rad, {:.1f} to {:.1f} s: Q {} ({}", report.trial,
-                                 phaseName(report.phase), trial.inclination, trial.begin, trial.end,
-                                 qualityText(report.score, "undefined"), binsText(trial));
+  std::string text =
+      fmt::format("trial {}, {}: {:.4f} rad, {:.1f} to {:.1f} s: {} {} ({}", report.trial,
+                  phaseName(report.phase), trial.inclination, trial.begin, trial.end, nameOf(report.goal),
+                  valueText(report.goal, report.score.goal, "undefined"), binsText(trial));
   if (trial.real_time_factor > 0.0)
     text += fmt::format("; {:.3g} times real time", trial.real_time_factor);
-  return text + fmt::format("); best {:.4f} rad, Q {}; next {} {:.4f} rad", report.best,
-                            qualityText(report.best_score, "not measured yet"), phaseName(report.next_phase),
-                            report.next);
+  return text + fmt::format("); best {:.4f} rad, {} {}; next {} {:.4f} rad", report.best, nameOf(report.goal),
+                            valueText(report.goal, report.best_score.goal, "not measured yet"),
+                            phaseName(report.next_phase), report.next);
 }
 
 SeekTrial toMessage(const SeekReport& report)
@@ -82,6 +112,7 @@ SeekTrial toMessage(const SeekReport& report)
   message.trial = report.trial;
   message.phase = phaseName(report.phase);
   message.inclination = trial.inclination;
+  message.goal = goalText(report.goal);
   message.species = trial.species;
   for (const SpeciesBins& bins : trial.bins)
   {
@@ -90,14 +121,13 @@ SeekTrial toMessage(const SeekReport& report)
     message.on_base.push_back(bins.on_base);
   }
   message.granular_temperature = trial.granular_temperature;
-  message.quality = report.score.quality;
-  message.quality_error = report.score.error;
-  message.quality_defined = report.score.defined;
+  put(report.score.goal, message.value, message.value_error, message.value_defined);
+  put(report.score.quality, message.quality, message.quality_error, message.quality_defined);
   message.balance = report.score.balance;
   message.best_inclination = report.best;
-  message.best_quality = report.best_score.quality;
-  message.best_quality_error = report.best_score.error;
-  message.best_quality_defined = report.best_score.defined;
+  put(report.best_score.goal, message.best_value, message.best_value_error, message.best_value_defined);
+  put(report.best_score.quality, message.best_quality, message.best_quality_error,
+      message.best_quality_defined);
   message.next_phase = phaseName(report.next_phase);
   message.next_inclination = report.next;
   return message;
@@ -126,8 +156,8 @@ SeekNode::SeekNode(ros::NodeHandle private_node)
       ros::VoidConstPtr(), hints);
   scene_ = sieve.subscribe<SceneDescription>(
       "scene", 1, [this](const SceneDescription::ConstPtr& message) { takeScene(*message); });
-  ROS_INFO("seeking the best inclination of %s from %g to %g rad", parameters_.sieve.c_str(),
-           parameters_.search.min, parameters_.search.max);
+  ROS_INFO("seeking the best inclination of %s from %g to %g rad, by %s", parameters_.sieve.c_str(),
+           parameters_.search.min, parameters_.search.max, goalText(parameters_.search.goal).c_str());
   timer_ = private_node.createSteadyTimer(ros::WallDuration(WATCH_PERIOD),
                                           [this](const ros::SteadyTimerEvent&) { watch(); });
 }
@@ -172,6 +202,7 @@ void SeekNode::takeScene(const SceneDescription& message)
     const std::string hash = sceneHash(withoutState(scene));
     if (hash != scene_hash_)
     {
+      requireSpecies(parameters_, scene);
       warnOfScene(parameters_.sieve, scene);
       if (scene_hash_)
         control_.restart();
@@ -187,7 +218,7 @@ void SeekNode::takeScene(const SceneDescription& message)
 void SeekNode::command()
 {
   if (control_.restarts() > restarts_)
-    ROS_WARN("%s has changed (its Q, drive or scene): the search restarts at %.4f rad",
+    ROS_WARN("%s has changed (what it attains, its drive or its scene): the search restarts at %.4f rad",
              parameters_.sieve.c_str(), *control_.setpoint());
   restarts_ = control_.restarts();
   // A sieve that was reset has lost its setpoint: it is sent again at once.

@@ -7,6 +7,7 @@
 
 #include "ratchet_sieve/ros/node_parameters.h"
 #include "ratchet_sieve/ros/sieve_search.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
@@ -28,9 +29,19 @@ Interval inclinationLimits(const std::string& sieve)
   return readSetpoints(reader, slew_rates)[indexOf(Quantity::INCLINATION)].limits;
 }
 
+Goal readGoal(ParameterReader& reader)
+{
+  const std::string text = reader.text("goal", goalText({}));
+  if (const std::optional<Goal> goal = goalFromText(text))
+    return *goal;
+  throw ParameterError("parameter " + reader.fullName("goal") + ": " + shownText(text) + ": must be " +
+                       GOAL_FORMS);
+}
+
 void readSearch(ParameterReader& reader, SeekParameters& parameters)
 {
   SearchOptions& search = parameters.search;
+  search.goal = readGoal(reader);
   const Interval limits = inclinationLimits(parameters.sieve);
   search.min = reader.number("inclination/min", limits.min, limits.min, limits.max);
   search.max = reader.number("inclination/max", limits.max, search.min, limits.max);
@@ -60,6 +71,7 @@ SeekParameters readSeekParameters(const ros::NodeHandle& private_node)
 {
   SeekParameters parameters;
   ParameterReader reader(private_node);
+  parameters.goal_name = reader.fullName("goal");
   parameters.sieve = ros::names::resolve(reader.text("sieve", DEFAULT_SIEVE));
   readSearch(reader, parameters);
   readTrial(reader, parameters.trial);

@@ -56,17 +56,20 @@ void warnOfRadii(const SceneDefinition& scene, SceneWarnings& warnings)
   const double room = valley(base);
   for (std::size_t i = 0; i < scene.species.size(); ++i)
   {
-    const double radius = Sizes(scene.species[i]).largest();
-    if (2.0 * radius <= room)
+    const double radius = scene.species[i].radius;
+    const double largest = Sizes(scene.species[i]).largest();
+    if (2.0 * largest <= room)
       continue;
     const std::string figure =
-        "a disk's diameter, " + quantity(2.0 * radius, "m") +
-        (2.0 * radius > base.width() ? ", is larger than the base's width, " + quantity(base.width(), "m")
-                                     : ", is larger than a tooth, " + toothKey(base, "width") + " = " +
-                                           quantity(base.toothWidth(), "m"));
+        "a disk's diameter, " + quantity(2.0 * largest, "m") +
+        (2.0 * largest > base.width() ? ", is larger than the base's width, " + quantity(base.width(), "m")
+                                      : ", is larger than a tooth, " + toothKey(base, "width") + " = " +
+                                            quantity(base.toothWidth(), "m"));
     warnings.add(speciesKey(i, "radius"), radius, "m", figure,
                  suggestUnit(radius, 1e-3,
-                             [&](double r) { return 2.0 * r <= room && 200.0 * r >= base.toothWidth(); }));
+                             [&](double r) {
+                               return 2.0 * largest * r / radius <= room && 200.0 * r >= base.toothWidth();
+                             }));
   }
 }
 
@@ -75,25 +78,53 @@ double sphere(double radius)
   return 4.0 / 3.0 * PI * std::pow(radius, 3);
 }
 
+struct SizedDisk
+{
+  double mass = 0.0;    ///< [kg]
+  double radius = 0.0;  ///< [m]
+};
+
+/// The smallest or the largest disk: the mass is a power of the radius.
+SizedDisk densestDisk(const SpeciesDefinition& species)
+{
+  const Sizes sizes(species);
+  const SizedDisk smallest{species.massOf(sizes.smallest()), sizes.smallest()};
+  const SizedDisk largest{species.massOf(sizes.largest()), sizes.largest()};
+  return smallest.mass / sphere(smallest.radius) > largest.mass / sphere(largest.radius) ? smallest : largest;
+}
+
 void warnOfMass(const SceneDefinition& scene, std::size_t index, SceneWarnings& warnings)
 {
-  const double mass = scene.species[index].mass;
-  const double radius = scene.species[index].radius;
+  const SpeciesDefinition& species = scene.species[index];
+  const SizedDisk disk = densestDisk(species);
   const auto dense = [](double m, double r) { return m > DENSEST_DISK * sphere(r); };
-  if (!dense(mass, radius))
+  if (!dense(disk.mass, disk.radius))
     return;
+  const auto lighter = suggestUnit(
+      species.mass, 1e-3, [&](double m) { return !dense(disk.mass * (m / species.mass), disk.radius); });
+  const auto larger = suggestUnit(species.radius, 1e3,
+                                  [&](double r)
+                                  {
+                                    const double scale = r / species.radius;
+                                    return species.size.radii.empty() &&
+                                           !dense(disk.mass, disk.radius * scale) &&
+                                           2.0 * Sizes(species).largest() * scale <= valley(scene.base);
+                                  });
+  const bool by_radius = larger && !lighter;
   const std::string mass_key = speciesKey(index, "mass");
   const std::string radius_key = speciesKey(index, "radius");
-  const std::string figure = " the density of a sphere would be " +
-                             quantity(mass / sphere(radius), "kg/m^3") + "; osmium has 22590 kg/m^3";
-  const auto lighter = suggestUnit(mass, 1e-3, [&](double m) { return !dense(m, radius); });
-  const auto larger =
-      suggestUnit(radius, 1e3, [&](double r) { return !dense(mass, r) && 2.0 * r <= valley(scene.base); });
-  if (larger && !lighter)
-    warnings.add(radius_key, radius, "m", "with " + mass_key + " = " + quantity(mass, "kg") + figure, larger);
+  const std::string given = species.size.vary()
+                                ? speciesKey(index, "size") + " a disk of radius " +
+                                      quantity(disk.radius, "m") + " has " + quantity(disk.mass, "kg") + ":"
+                            : by_radius ? mass_key + " = " + quantity(disk.mass, "kg")
+                                        : radius_key + " = " + quantity(disk.radius, "m");
+  const std::string figure = "with " + given + " the density of a sphere would be " +
+                             quantity(disk.mass / sphere(disk.radius), "kg/m^3") +
+                             "; osmium has 22590 kg/m^3";
+  if (by_radius)
+    warnings.add(radius_key, species.radius, "m", figure, larger);
   else
-    warnings.add(mass_key, mass, "kg", "with " + radius_key + " = " + quantity(radius, "m") + figure,
-                 lighter);
+    warnings.add(mass_key, species.mass, "kg", figure, lighter);
 }
 
 void warnOfMasses(const SceneDefinition& scene, SceneWarnings& warnings)

@@ -4,6 +4,7 @@
 #include "depth_limiter.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
+#include "schema.h"
 
 namespace ratchet_sieve
 {
@@ -78,6 +79,22 @@ YAML::Node childOf(YAML::Node parent, const std::string& name, const std::string
   return parent[std::stoul(part)];
 }
 
+/// Refuses a key of the sawtooth where a profile gives the tooth; a profile replaces the sawtooth's keys.
+void chooseTooth(YAML::Node& root, const std::vector<std::string>& path, const std::string& assignment)
+{
+  if (path.size() != 2 || path[0] != "base" || !root["base"].IsMap())
+    return;
+  YAML::Node base = root["base"];
+  if (!base["profile"].IsDefined())
+    return;
+  if (sawtoothKeys().count(path[1]) > 0)
+    refuse(assignment,
+           "base.profile gives the tooth; for a sawtooth take it out first, with base.profile=null");
+  if (path[1] == "profile")
+    for (const std::string& key : sawtoothKeys())
+      base.remove(key);
+}
+
 }  // namespace
 
 void applyOverride(YAML::Node& root, const std::string& assignment)
@@ -86,16 +103,23 @@ void applyOverride(YAML::Node& root, const std::string& assignment)
   if (equals == std::string::npos || equals == 0)
     refuse(assignment, "must be KEY=VALUE, such as base.inclination=0.105");
   const std::vector<std::string> path = splitPath(assignment.substr(0, equals), assignment);
-  const YAML::Node value = parseValue(assignment.substr(equals + 1), assignment);
+  const std::string text = assignment.substr(equals + 1);
+  const YAML::Node value = parseValue(text, assignment);
   YAML::Node place;
   place.reset(root);
+  YAML::Node parent;
   std::string name = "scene";
   for (const std::string& part : path)
   {
-    place.reset(childOf(place, name, part, assignment));
+    parent.reset(place);
+    place.reset(childOf(parent, name, part, assignment));
     name = part;
   }
-  place = value;
+  if (value.IsNull() && !text.empty() && parent.IsMap())
+    parent.remove(name);
+  else
+    place = value;
+  chooseTooth(root, path, assignment);
 }
 
 }  // namespace ratchet_sieve

@@ -13,7 +13,7 @@ constexpr double SAME = 0.125;
 /// Number of consecutive worse trials that restarts the search; a single one may be chance.
 constexpr unsigned DROPS = 2;
 
-double bothErrors(const Score& one, const Score& other)
+double bothErrors(const Measured& one, const Measured& other)
 {
   return std::hypot(one.error, other.error);
 }
@@ -49,9 +49,9 @@ void InclinationSearch::restart()
   ++restarts_;
 }
 
-void InclinationSearch::take(const std::vector<SpeciesBins>& bins)
+void InclinationSearch::take(const Outflow& outflow)
 {
-  if (phase_ == SearchPhase::HOLD && isWorse(bins))
+  if (phase_ == SearchPhase::HOLD && isWorse(outflow))
   {
     if (++drops_ < DROPS)
       return;
@@ -60,7 +60,7 @@ void InclinationSearch::take(const std::vector<SpeciesBins>& bins)
   drops_ = 0;
   Point& point = at(next_);
   ++point.trials;
-  addBins(point.bins, bins);
+  point.outflow.add(outflow);
   if (phase_ == SearchPhase::APPROACH)
     approach();
   if (phase_ == SearchPhase::CLIMB)
@@ -71,7 +71,7 @@ Score InclinationSearch::bestScore() const
 {
   for (const Point& point : points_)
     if (point.inclination == centre_)
-      return point.score();
+      return scoreAt(point);
   return {};
 }
 
@@ -96,8 +96,8 @@ double InclinationSearch::inRange(double inclination) const
 /// reverses.
 void InclinationSearch::approach()
 {
-  const Score score = at(centre_).score();
-  if (std::abs(score.balance) <= score.quality)
+  const Score score = scoreAt(at(centre_));
+  if (std::abs(score.balance) <= score.quality.value)
     return beginClimb();
   const double direction = score.balance > 0.0 ? 1.0 : -1.0;
   if (direction * direction_ < 0.0)
@@ -116,7 +116,7 @@ void InclinationSearch::beginClimb()
 }
 
 /// Moves to better inclinations among those measured, until another trial is needed or the best is found.
-/// Each move is to a higher Q, so that it terminates.
+/// Each move is to a higher value, so that it terminates.
 void InclinationSearch::climb()
 {
   while (step_ >= options_.resolution)
@@ -175,11 +175,12 @@ std::optional<double> InclinationSearch::uncertain(const std::vector<double>& in
   if (step_ / 2.0 >= options_.resolution)
     return std::nullopt;
   const Point centre = at(centre_);
+  const Measured there = scoreAt(centre).goal;
   for (const double inclination : inclinations)
   {
     const Point& other = at(inclination);
-    const double difference = std::abs(other.score().quality - centre.score().quality);
-    if (difference > options_.confidence * bothErrors(other.score(), centre.score()))
+    const Measured here = scoreAt(other).goal;
+    if (std::abs(here.value - there.value) > options_.confidence * bothErrors(here, there))
       continue;
     const Point& lesser = other.trials < centre.trials ? other : centre;
     if (lesser.trials < options_.most_trials)
@@ -192,17 +193,17 @@ double InclinationSearch::bestOf(const std::vector<double>& inclinations)
 {
   double best = centre_;
   for (const double inclination : inclinations)
-    if (at(inclination).score().quality > at(best).score().quality)
+    if (scoreAt(at(inclination)).goal.value > scoreAt(at(best)).goal.value)
       best = at(inclination).inclination;
   return best;
 }
 
-bool InclinationSearch::isWorse(const std::vector<SpeciesBins>& bins) const
+bool InclinationSearch::isWorse(const Outflow& outflow) const
 {
-  const Score now = scoreOf(bins);
-  const Score before = bestScore();
-  const double doubt = options_.confidence * bothErrors(now, before);
-  return now.quality < before.quality - std::max(options_.drop, doubt);
+  const Measured now = measured(options_.goal, outflow);
+  const Measured before = bestScore().goal;
+  const double drop = options_.drop * (options_.goal.isShare() ? 1.0 : before.value);
+  return now.value < before.value - std::max(drop, options_.confidence * bothErrors(now, before));
 }
 
 }  // namespace ratchet_sieve

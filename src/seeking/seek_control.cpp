@@ -65,9 +65,10 @@ std::optional<SeekReport> SeekControl::conclude()
   SeekReport report;
   report.trial = ++trials_;
   report.phase = search_->phase();
+  report.goal = search_options_.goal;
   report.separation = *trial_.result();
-  report.score = scoreOf(report.separation.bins);
-  search_->take(report.separation.bins);
+  report.score = scoreOf(report.separation, search_options_.goal);
+  search_->take(report.separation);
   report.best = search_->best();
   report.best_score = search_->bestScore();
   report.next_phase = search_->phase();

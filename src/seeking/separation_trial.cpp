@@ -147,12 +147,15 @@ Separation SeparationTrial::since(const BinFrame& first, const BinFrame& last) c
   separation.inclination = inclination_;
   separation.begin = first.time;
   separation.end = last.time;
+  separation.duration = last.time - first.time;
   separation.species = last.species;
   separation.bins = last.bins;
   for (std::size_t k = 0; k < separation.bins.size(); ++k)
   {
     separation.bins[k].left -= first.bins[k].left;
     separation.bins[k].right -= first.bins[k].right;
+    separation.bins[k].left_mass -= first.bins[k].left_mass;
+    separation.bins[k].right_mass -= first.bins[k].right_mass;
   }
   for (const TemperatureSum& temperature : temperatures_)
     separation.granular_temperature.push_back(temperature.mean().value_or(0.0));

@@ -2,10 +2,10 @@ import pathlib
 import tempfile
 import unittest
 
-from optimise.machine import Machine, Measured, front, read_scene, throughput_of
+from optimise.machine import Machine, Measured, front, measured, put, read_scene, require_goal, throughput_of
 from optimise.outcome import MOST_ON_FRONT, best_at, thinned
-from optimise.report import put
-from optimise.search_file import BadSearch
+from optimise.search_file import BadSearch, Seeds
+from reproduce.rows import Rows
 from reproduce.samples import Mean
 
 
@@ -17,7 +17,7 @@ def point(quality, throughput):
 class Front(unittest.TestCase):
     def test_has_what_nothing_beats_in_both(self):
         points = [point(0.5, 100.0), point(0.9, 10.0), point(0.4, 90.0), point(0.8, 20.0), point(0.5, 50.0)]
-        self.assertEqual([(m.quality.value, m.throughput.value) for _, m in front(points)],
+        self.assertEqual([(m.goal.value, m.throughput.value) for _, m in front(points)],
                          [(0.9, 10.0), (0.8, 20.0), (0.5, 100.0)])
 
     def test_keeps_two_that_are_alike(self):
@@ -51,6 +51,34 @@ class Throughput(unittest.TestCase):
         scene = {"base": {"teeth": 40, "tooth_width": 0.02}}
         self.assertAlmostEqual(throughput_of(row, scene, Machine("any", {})), 50.0 / (20.0 * 0.8))
         self.assertAlmostEqual(throughput_of(row, scene, Machine("any", {"base.teeth": 10})), 50.0 / (20.0 * 0.2))
+        profile = {"base": {"teeth": 40, "profile": [[0, 0], [0.01, 0.01], [0.03, 0]]}}
+        self.assertAlmostEqual(throughput_of(row, profile, Machine("any", {})), 50.0 / (20.0 * 1.2))
+        self.assertAlmostEqual(throughput_of(row, profile, Machine("any", {"base.profile.2.0": 0.05})),
+                               50.0 / (20.0 * 2.0))
+
+
+class Goal(unittest.TestCase):
+    rows = Rows([{"quality": quality, "processed": 0.5, "purity.left.mass.A": purity, "count.A": 100.0,
+                  "simulated_time": 10.0, "warning_text": "w"} for quality, purity in ((0.2, 0.9), (None, 0.8))])
+    scene = {"base": {"teeth": 10, "tooth_width": 0.1}}
+
+    def of(self, goal):
+        return measured(self.rows, self.scene, Machine("any", {}), Seeds(1, 2), goal)
+
+    def test_is_any_number_of_the_results(self):
+        self.assertAlmostEqual(self.of("purity.left.mass.A").goal.value, 0.85)
+        self.assertAlmostEqual(self.of("purity.left.mass.A").throughput.value, 5.0)
+        self.assertFalse(self.of("quality").is_whole())
+
+    def test_of_another_name_is_refused(self):
+        for row in self.rows:
+            require_goal("quality", row, "s.yaml")
+        with self.assertRaisesRegex(BadSearch, "^s.yaml: goal: purity.left.A: must be a number of the results of "
+                                               "sieve_sweep, did you mean purity.left.mass.A\\?$"):
+            require_goal("purity.left.A", self.rows[0], "s.yaml")
+        for name in ("warning_text", "nonsense"):
+            with self.assertRaisesRegex(BadSearch, f"goal: {name}: .*such as quality or purity.left.mass.A$"):
+                require_goal(name, self.rows[0], "s.yaml")
 
 
 class Put(unittest.TestCase):
@@ -59,6 +87,11 @@ class Put(unittest.TestCase):
         for key, value in {"base.teeth": 5, "species.0.mass": 2.0, "feed.rate": 7.0}.items():
             put(scene, key, value)
         self.assertEqual(scene, {"base": {"teeth": 5}, "species": [{"mass": 2.0}], "feed": {"rate": 7.0}})
+
+    def test_of_a_profile_replaces_the_sawtooth(self):
+        scene = {"base": {"teeth": 3, "tooth_width": 0.02, "tooth_height": 0.006, "asymmetry": 0.3}}
+        put(scene, "base.profile", [[0, 0], [0.02, 0]])
+        self.assertEqual(scene, {"base": {"teeth": 3, "profile": [[0, 0], [0.02, 0]]}})
 
 
 if __name__ == "__main__":

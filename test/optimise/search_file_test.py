@@ -31,6 +31,9 @@ class SearchFile(unittest.TestCase):
         self.assertTrue(search.ranges["base.teeth"].is_whole)
         self.assertFalse(search.ranges["base.frequency"].is_whole)
         self.assertEqual([kind.name for kind in search.kinds], ["short", "any"])
+        self.assertEqual((search.goal, search.label), ("quality", "Q"))
+        search = self.read(goal="purity.left.mass.A")
+        self.assertEqual((search.goal, search.label), ("purity.left.mass.A", "purity.left.mass.A"))
 
     def test_bad_ones_are_refused_by_key(self):
         self.refused("search.base.teeth: .*LOW below HIGH", search={"base.teeth": {"from": 5, "to": 5}})
@@ -46,6 +49,7 @@ class SearchFile(unittest.TestCase):
         self.refused("search: .*: must be a map", search=[])
         self.refused("machines: None: must be a map", machines=None)
         self.refused("least_processed: 1.5: must be a number from 0 to 1", least_processed=1.5)
+        self.refused("goal: 3: must be the name of a number of the results", goal=3)
         self.refused("throughput: much: must be a number", throughput="much")
 
     def test_searches_of_the_package_are_good(self):

@@ -144,8 +144,11 @@ class Launch(Launched):
                           ('plant1/sieve/sieve_mount', 'plant1/sieve/sieve_base')])
 
     def test_seek_in_a_namespace(self):
-        self.launch('seek.launch', 'real_time_factor:=0', namespace='plant1')
-        self.assertGreater(sum(message('/plant1/seek/trials', SeekTrial).right), 0)
+        self.launch('seek.launch', 'real_time_factor:=0', 'goal:=recovery:B:left:mass', namespace='plant1')
+        trial = message('/plant1/seek/trials', SeekTrial)
+        self.assertGreater(sum(trial.right), 0)
+        self.assertEqual(trial.goal, 'recovery:B:left:mass')
+        self.assertAlmostEqual(trial.value, trial.left[1] / (trial.left[1] + trial.right[1]))  # all of one mass
 
     def test_replay_in_a_namespace(self):
         self.launch('replay.launch', f'bag:={sys.argv[1]}', 'loop:=true', 'rviz:=false', namespace='plant1')

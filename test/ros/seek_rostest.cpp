@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "child_node.h"
 #include "ratchet_sieve/SeekTrial.h"
 #include "sieve_client.h"
 
@@ -64,6 +65,8 @@ TEST(Seek, findsTheBestInclinationFromAPoorOne)
   EXPECT_EQ(first.inclination, 0.0);
   EXPECT_GT(first.balance, 0.5);  // nearly all disks leave on the right
   EXPECT_EQ(first.next_inclination, 0.1);
+  EXPECT_EQ(first.goal, "quality");
+  EXPECT_EQ(first.value, first.quality);
   EXPECT_EQ(first.species, (std::vector<std::string>{"A", "B"}));
 
   // Time jumps back, and the base is level: the setpoint is sent again, and the trial restarts.
@@ -119,6 +122,27 @@ TEST(Seek, seeksAgainWhereTheDriveIsChanged)
   };
   ASSERT_TRUE(waitFor([&] { return approach() != seek.trials.end(); }, TIMEOUT));
   EXPECT_EQ(approach()->inclination, held);
+}
+
+TEST(Seek, refusesAGoalThatItDoesNotKnow)
+{
+  ChildNode node("sieve_seek", {"__name:=bad_goal", "_goal:=purity:A"});
+  EXPECT_EQ(node.wait(), 2);
+  EXPECT_EQ(node.errors(),
+            "sieve_seek: parameter /bad_goal/goal: purity:A: must be quality, purity:SPECIES:BIN, "
+            "recovery:SPECIES:BIN, flow:SPECIES:BIN or throughput, BIN left or right; all but quality "
+            "may end in :mass\n");
+}
+
+TEST(Seek, refusesASpeciesThatTheSieveHasNot)
+{
+  ChildNode node("sieve_seek", {"__name:=no_species", "_goal:=flow:C:left:mass"});
+  EXPECT_EQ(node.wait(), 2);
+  EXPECT_NE(
+      node.errors().find("sieve_seek: parameter /no_species/goal: flow:C:left:mass: SPECIES must be one of "
+                         "/sieve's: A, B\n"),
+      std::string::npos)
+      << node.errors();
 }
 }  // namespace
 }  // namespace ratchet_sieve

@@ -134,6 +134,19 @@ const std::vector<Mistake>& mistakes()
       {{"species.0.radius=0.000001"},
        {"species.0.radius = 1e-06 m: with species.0.mass = 0.01 kg the density of a sphere would be "
         "2.387e+15 kg/m^3; osmium has 22590 kg/m^3; did you mean 0.001 m?"}},
+      // Of disks of several sizes: the density of the smallest, or of the largest.
+      {{"species.1.size={distribution: lognormal, spread: 0.5, mass_exponent: 0}", "species.1.mass=0.01"},
+       {"species.1.mass = 0.01 kg: with species.1.size a disk of radius 0.0004463 m has 0.01 kg: the density "
+        "of a "
+        "sphere would be 26862509 kg/m^3; osmium has 22590 kg/m^3; did you mean 1e-05 kg?"}},
+      {{"species.1.size={distribution: uniform, spread: 0.9, mass_exponent: 10}", "species.1.mass=0.01"},
+       {"species.1.mass = 0.01 kg: with species.1.size a disk of radius 0.0038 m has 6.131 kg: the density "
+        "of a sphere "
+        "would be 26674520 kg/m^3; osmium has 22590 kg/m^3; did you mean 1e-05 kg?"}},
+      {{"species.1.size={distribution: uniform, spread: 0.5}", "species.1.radius=0.008"},
+       {"species.1.radius = 0.008 m: a disk's diameter, 0.024 m, is larger than a tooth, base.tooth_width = "
+        "0.02 m"}},
+      {{"species.1.size={distribution: uniform, spread: 0.9}"}, {}},
       {{"duration=100000"}, {"duration = 100000 s: 27.78 hours, 2300000 drive periods; did you mean 100 s?"}},
   };
   return ALL;

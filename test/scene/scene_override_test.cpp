@@ -53,6 +53,54 @@ TEST(SceneOverride, ReplacesAWholeList)
   EXPECT_EQ(scene.species[0].name, "C");
 }
 
+TEST(SceneOverride, OfNullTakesTheKeyOut)
+{
+  EXPECT_EQ(overridden({"base.inclination=0.105", "base.inclination=null"}).base.inclination, 0.0);
+  EXPECT_TRUE(overridden({"pour=~"}).initial.empty());
+  EXPECT_EQ(refusalOfOverride("species.0.radius=null"), "s.yaml:4: species.0.radius: missing");
+}
+
+/// A variable that is not set in a script, and an entry of a list, whose later entries would change their
+/// names.
+TEST(SceneOverride, OfNothingIsRefused)
+{
+  EXPECT_EQ(refusalOfOverride("settle="),
+            "s.yaml:10: settle = nothing: must be a number from 0 to 1000000000 s");
+  EXPECT_EQ(refusalOfOverride("species.1=null"), "s.yaml: species.1 = nothing: must be a map");
+  EXPECT_EQ(refusalOfOverride("settle=\"null\""),
+            "s.yaml: settle = \"null\": must be a number from 0 to 1000000000 s");
+}
+
+TEST(SceneOverride, OfAProfileReplacesTheSawtooth)
+{
+  const std::string profile = "base.profile=[[0, 0], [0.01, 0.004], [0.03, 0]]";
+  const BaseDefinition base = overridden({"base.tooth_height=0.004", "base.asymmetry=0.2", profile}).base;
+  EXPECT_EQ(base.toothWidth(), 0.03);
+  EXPECT_EQ(base.outline().size(), 3u);
+  EXPECT_EQ(base.outline()[1].n, 0.004);
+}
+
+TEST(SceneOverride, OfASawtoothNeedsThatTheProfileIsTakenOut)
+{
+  const std::string profile = "base.profile=[[0, 0], [0.01, 0.004], [0.03, 0]]";
+  for (const std::string key : {"base.tooth_width", "base.tooth_height", "base.asymmetry"})
+    try
+    {
+      overridden({profile, key + "=0.01"});
+      ADD_FAILURE() << key;
+    }
+    catch (const SceneError& error)
+    {
+      EXPECT_EQ(error.what(),
+                "override " + key +
+                    "=0.01: base.profile gives the tooth; for a sawtooth take it out first, with "
+                    "base.profile=null");
+    }
+  const BaseDefinition base = overridden({profile, "base.profile=null", "base.tooth_width=0.01"}).base;
+  EXPECT_TRUE(base.isSawtooth());
+  EXPECT_EQ(base.toothWidth(), 0.01);
+}
+
 TEST(SceneOverride, OfTwoTheLaterWins)
 {
   EXPECT_EQ(overridden({"seed=5", "seed=6"}).seed, 6u);

@@ -24,13 +24,14 @@ BaseFrame baseAt(double time, double applied = ANGLE, double commanded = ANGLE)
   return frame;
 }
 
-/// Every second ten of A fall on the right, and five of B on the left.
+/// Every second ten of A, of 1/8 kg each, fall on the right, and five of B on the left.
 BinFrame binsAt(double time)
 {
   BinFrame frame;
   frame.time = time;
   frame.species = {"A", "B"};
-  frame.bins = {{0, static_cast<std::uint64_t>(10.0 * time), 3},
+  const auto right = static_cast<std::uint64_t>(10.0 * time);
+  frame.bins = {{0, right, 3, 0.0, 0.125 * static_cast<double>(right)},
                 {static_cast<std::uint64_t>(5.0 * time), 0, 4}};
   return frame;
 }
@@ -59,6 +60,8 @@ TEST(SeparationTrial, countsWhatLeavesAfterTheDwell)
   EXPECT_EQ(result.end, 10.0);
   EXPECT_EQ(result.bins[0].right, 30u);
   EXPECT_EQ(result.bins[0].left, 0u);
+  EXPECT_EQ(result.bins[0].right_mass, 3.75);
+  EXPECT_EQ(result.duration, 3.0);
   EXPECT_EQ(result.bins[1].left, 15u);
   EXPECT_EQ(result.bins[1].on_base, 4u);
 }

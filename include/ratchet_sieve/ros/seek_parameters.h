@@ -18,7 +18,10 @@ struct SeekParameters
   std::string sieve;            ///< ~sieve: name of the sieve's node, resolved
   std::optional<double> start;  ///< ~inclination/start [rad]; nothing: the sieve's present inclination
 
-  /// ~inclination/min, max (default: the sieve's limits), step, resolution; ~confidence, ~most_trials, ~drop
+  std::string goal_name;  ///< of the parameter ~goal, resolved
+
+  /// ~goal, ~inclination/min, max (default: the sieve's limits), step, resolution; ~confidence, ~most_trials,
+  /// ~drop
   SearchOptions search;
 
   TrialOptions trial;  ///< ~dwell, ~window, ~longest_window, ~least_disks

@@ -49,7 +49,8 @@ YAML::Node copyableYaml(const std::string& text, const std::string& source);
 /// The keys of `accuracy` that decide when a run ends.
 std::vector<std::string> certaintyKeyNames();
 
-/// Sets KEY=VALUE in a YAML tree. @throws SceneError
+/// Sets KEY=VALUE in a YAML tree; KEY=null takes the key out of it. base.profile takes out the keys of the
+/// sawtooth. @throws SceneError
 void applyOverride(YAML::Node& root, const std::string& assignment);
 
 }  // namespace ratchet_sieve

@@ -8,16 +8,17 @@
 namespace ratchet_sieve
 {
 
-/// Range and step sizes of the search for the best inclination.
+/// What to maximise, and the range and step sizes of the search for the best inclination.
 struct SearchOptions
 {
+  Goal goal;
   double min = -0.5;         ///< smallest inclination tried [rad]
   double max = 0.5;          ///< largest inclination tried [rad]
   double step = 0.1;         ///< first step [rad]
   double resolution = 0.02;  ///< smallest step [rad]
   double confidence = 1.5;   ///< standard errors by which an inclination must be better
   unsigned most_trials = 3;  ///< at one inclination while the comparison is undecided
-  double drop = 0.15;        ///< decrease of Q below the best that restarts the search
+  double drop = 0.15;        ///< decrease below the best that restarts the search; of a flow: relative to it
 };
 
 enum class SearchPhase
@@ -29,15 +30,15 @@ enum class SearchPhase
 
 const char* phaseName(SearchPhase phase);
 
-/// Decides which inclination of a sieve to try next, from the counts at the inclinations tried so far.
+/// Decides which inclination of a sieve to try next, from what left at the inclinations tried so far.
 ///
-/// Far from the best inclination, Q gives no direction: it is near 0 wherever both species leave at the same
-/// end. The counts do: raising an end sends more disks to the other end. So the search first tilts in steps
-/// against the end at which most disks leave, until the species separate more than they move together. Then
-/// it compares the inclination with its neighbours one step away and moves to a better one. If neither is
-/// better, it halves the step, down to the resolution. Counts at the same inclination are added, so that an
-/// undecided comparison becomes more certain with each trial. The search always ends, because an inclination
-/// is tried at most `most_trials` times before it is held.
+/// Far from the best inclination, no goal gives a direction: Q is near 0 wherever both species leave at the
+/// same end, and no other goal changes there either. The counts do: raising an end sends more disks to the
+/// other end. So the search first tilts in steps against the end at which most disks leave, until the species
+/// separate more than they move together. Then it compares the inclination with its neighbours one step away
+/// and moves to a better one. If neither is better, it halves the step, down to the resolution. Counts at the
+/// same inclination are added, so that an undecided comparison becomes more certain with each trial. The
+/// search always ends, because an inclination is tried at most `most_trials` times before it is held.
 ///
 /// The held inclination is monitored. The search restarts there if two trials in a row are worse than all
 /// earlier ones by more than `drop`, and significantly so.
@@ -50,8 +51,8 @@ public:
   /// The inclination of the next trial, in [min, max] [rad]. It may be the same as before.
   double next() const { return next_; }
 
-  /// Takes the counts of a trial at next().
-  void take(const std::vector<SpeciesBins>& bins);
+  /// Takes what left in a trial at next().
+  void take(const Outflow& outflow);
 
   /// Forgets all counts and restarts the search at next(), because the sieve has changed.
   void restart();
@@ -73,9 +74,7 @@ private:
   {
     double inclination = 0.0;
     unsigned trials = 0;
-    std::vector<SpeciesBins> bins;
-
-    Score score() const { return scoreOf(bins); }
+    Outflow outflow;
   };
 
   Point& at(double inclination);
@@ -83,7 +82,8 @@ private:
   void climb();
   void beginClimb();
   void hold();
-  bool isWorse(const std::vector<SpeciesBins>& bins) const;
+  Score scoreAt(const Point& point) const { return scoreOf(point.outflow, options_.goal); }
+  bool isWorse(const Outflow& outflow) const;
   double inRange(double inclination) const;
   std::vector<double> neighbours() const;
   std::optional<double> untried(const std::vector<double>& inclinations);

@@ -13,6 +13,7 @@ struct SeekReport
 {
   unsigned trial = 0;  ///< from 1 on
   SearchPhase phase = SearchPhase::APPROACH;
+  Goal goal;  ///< of the search
   Separation separation;
   Score score;        ///< of this trial
   double best = 0.0;  ///< the best inclination known after it [rad]
@@ -21,8 +22,8 @@ struct SeekReport
   double next = 0.0;  ///< the inclination tried next [rad]
 };
 
-/// Searches for the inclination at which a running sieve separates best: takes its frames and returns the
-/// setpoint. Independent of topics; the only times it uses are those in the frames.
+/// Searches for the inclination at which a running sieve attains its goal best: takes its frames and returns
+/// the setpoint. Independent of topics; the only times it uses are those in the frames.
 class SeekControl
 {
 public:
@@ -41,8 +42,8 @@ public:
   unsigned interruptions() const { return trial_.interruptions(); }
 
   /// Forgets all measurements and restarts the search at the present inclination: the sieve has changed.
-  /// Called automatically if the frequency or the amplitude was changed. The search also restarts if Q
-  /// decreases.
+  /// Called automatically if the frequency or the amplitude was changed. The search also restarts if the
+  /// goal's value decreases.
   void restart();
 
   /// Number of restarts of the search.
