@@ -267,6 +267,11 @@ TEST(Profile, MeetsTheSameCollisionsAsTheReference)
         SceneDefinition scene = drawnLayer();
         // At a corner an error grows by the flight over the radius.
         scene.species[0].radius = *rc::gen::element(0.001, 0.003);
+        scene.base.drive_frame = *rc::gen::element(DriveFrame::WORLD, DriveFrame::BASE);
+        if (*rc::gen::arbitrary<bool>())
+          scene = test::onAnOrbit(scene);
+        if (*rc::gen::arbitrary<bool>())
+          scene = test::withSizes(scene);
         const std::size_t disks = 2 * static_cast<std::size_t>(scene.species[0].count);
         const auto fast = earlyContacts(profileCollisions(scene, 0.15, false), disks, 4);
         const auto slow = earlyContacts(profileCollisions(scene, 0.15, true), disks, 4);
