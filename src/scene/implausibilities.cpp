@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "doubts.h"
@@ -59,14 +60,39 @@ void doubtRadii(const SceneDefinition& scene, Doubts& doubts)
     const double radius = Sizes(scene.species[i]).largest();
     if (2.0 * radius <= room)
       continue;
+    const bool vary = scene.species[i].size.vary();
     const std::string figure =
-        "a disk's diameter, " + quantity(2.0 * radius, "m") +
+        (vary ? "the largest disk's diameter, " : "a disk's diameter, ") + quantity(2.0 * radius, "m") +
         (2.0 * radius > base.width() ? ", is larger than the base's width, " + quantity(base.width(), "m")
                                      : ", is larger than a tooth, " + toothKey(base, "width") + " = " +
                                            quantity(base.toothWidth(), "m"));
-    doubts.add(
-        speciesKey(i, "radius"), radius, "m", figure,
-        meant(radius, 1e-3, [&](double r) { return 2.0 * r <= room && 200.0 * r >= base.toothWidth(); }));
+    const auto smaller =
+        meant(radius, 1e-3, [&](double r) { return 2.0 * r <= room && 200.0 * r >= base.toothWidth(); });
+    if (vary)
+      doubts.add(speciesKey(i, "size") + ": " + figure + (smaller ? "; are its radii in mm?" : ""));
+    else
+      doubts.add(speciesKey(i, "radius"), radius, "m", figure, smaller);
+  }
+}
+
+/// Sieve analyses are often written down as the share that passes each sieve, which ends with all.
+bool looksCumulative(const std::vector<double>& weights)
+{
+  const auto not_more = [](double a, double b) { return a >= b && a > 0.0; };
+  return weights.size() > 2 && (weights.back() == 1.0 || weights.back() == 100.0) && weights.end()[-2] > 0.0 &&
+         std::adjacent_find(weights.begin(), weights.end(), not_more) == weights.end();
+}
+
+void doubtTables(const SceneDefinition& scene, Doubts& doubts)
+{
+  for (std::size_t i = 0; i < scene.species.size(); ++i)
+  {
+    const std::vector<double>& weights = scene.species[i].size.weights;
+    if (looksCumulative(weights))
+      doubts.add(speciesKey(i, "size.weights") + " grow to " + number(weights.back()) +
+                 ", as cumulative shares do; each weight is the share between its radius and the one before, and "
+                 "these sum to " +
+                 number(std::accumulate(weights.begin(), weights.end(), 0.0)));
   }
 }
 
@@ -152,6 +178,13 @@ bool isHigh(const SceneDefinition& scene, double height)
 double fallSpeed(const SceneDefinition& scene, double height)
 {
   return std::sqrt(2.0 * scene.gravity * height);
+}
+
+void doubtFeed(const SceneDefinition& scene, Doubts& doubts)
+{
+  const Stretch& stretch = scene.feed.stretch;
+  if (scene.feed.rate == 0.0 && (stretch.from > 0.0 || std::isfinite(stretch.to)))
+    doubts.add("feed.rate", scene.feed.rate, "1/s", "feed.from and feed.to have no effect");
 }
 
 void doubtPour(const SceneDefinition& scene, Doubts& doubts)
@@ -260,8 +293,8 @@ void doubtDuration(const SceneDefinition& scene, Doubts& doubts)
 std::vector<std::string> doubtsOf(const SceneDefinition& scene)
 {
   Doubts doubts;
-  for (const auto doubt : {doubtNumbers, doubtRadii, doubtMasses, doubtTeeth, doubtDrive, doubtAngles,
-                           doubtGravity, doubtLayer, doubtPour, doubtInitial, doubtContact, doubtDuration})
+  for (const auto doubt : {doubtNumbers, doubtRadii, doubtTables, doubtMasses, doubtTeeth, doubtDrive, doubtAngles,
+                           doubtGravity, doubtLayer, doubtFeed, doubtPour, doubtInitial, doubtContact, doubtDuration})
     doubt(scene, doubts);
   doubtAccuracy(scene, lastingSpeed(scene), doubts);
   return doubts.take();

@@ -57,7 +57,8 @@ TEST(Conservation, ElasticDisksOfManySizesKeepTheirEnergyOnASteepProfile)
   scene.base.profile = test::castle();
   scene.base.inclination = 0.4;
   scene.boundary = Boundary::WALLED;
-  EXPECT_LT(relativeDrift(scene, 20.0, 100000), 1e-10);
+  scene.base.wall_height = 100.0;  // light disks are thrown high
+  EXPECT_LT(relativeDrift(scene, 20.0, 50000), 1e-10);
 }
 
 /// Momentum, angular momentum about the origin and kinetic energy of all disks.
@@ -144,7 +145,8 @@ TEST(Conservation, TheBasesImpulseIsTheChangeOfMomentum)
           scene.accuracy.step = 0.001;
         }
         Simulation simulation(scene);
-        EXPECT_EQ(simulation.plan().lanes, loop[0] == 'l' && boundary == Boundary::PERIODIC);
+        EXPECT_EQ(simulation.plan().lanes,
+                  loop[0] == 'l' && boundary == Boundary::PERIODIC && frame == DriveFrame::WORLD);
         const Motion before = motionOf(simulation);
         simulation.advanceTo(3.0);
         const Motion after = motionOf(simulation);

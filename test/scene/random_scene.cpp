@@ -26,7 +26,7 @@ constexpr int MOST_CORNERS = 12;
 constexpr double LARGEST_SPREAD = 3.0;
 constexpr double SHORTEST_STEP = 1e-7;  ///< [s]
 constexpr double LONGEST_STEP = 0.1;    ///< [s]
-constexpr double MOST_STEPS = 1e4;
+constexpr double MOST_STEPS = 1e3;
 constexpr double LARGEST_EXPONENT = 10.0;
 constexpr double CUT = 3.0;  ///< of normal and lognormal sizes, in standard deviations
 
