@@ -161,12 +161,12 @@ void tableIsSound(const Entry& species, const SpeciesDefinition& definition)
   const auto within = [&radii](double radius) { return radius >= radii.front() && radius <= radii.back(); };
   const double radius = definition.radius;
   if (!within(radius))
-    species.at("radius").refuseValue(
-        "must be within size.radii, from " + scalarText(radii.front()) + " to " + scalarText(radii.back()) +
-        " m" +
-        (within(1e3 * radius)    ? "; are size.radii in mm?"
-         : within(1e-3 * radius) ? "; did you mean " + scalarText(1e-3 * radius) + " m?"
-                                 : ""));
+    species.at("radius").refuseValue("must be within size.radii, from " + scalarText(radii.front()) + " to " +
+                                     scalarText(radii.back()) + " m" +
+                                     (within(1e3 * radius) ? "; are size.radii in mm?"
+                                      : within(1e-3 * radius)
+                                          ? "; did you mean " + scalarText(1e-3 * radius) + " m?"
+                                          : ""));
 }
 
 /// Every radius is above 0.

@@ -102,8 +102,8 @@ TEST(Conservation, ContactsOfDisksKeepMomentumAndAngularMomentum)
   for (int k = 0; k < 400; ++k)
   {
     const double x = 0.01 * (k % 20 - 9.5), y = 0.01 * (k / 20 - 9.5);
-    scene.initial.push_back({static_cast<std::size_t>(random() % 10), 1.0 + x, 0.5 + y, -3.0 * x + uniform(0.2),
-                             -3.0 * y + uniform(0.2), uniform(50.0)});
+    scene.initial.push_back({static_cast<std::size_t>(random() % 10), 1.0 + x, 0.5 + y,
+                             -3.0 * x + uniform(0.2), -3.0 * y + uniform(0.2), uniform(50.0)});
   }
   Simulation simulation(scene);
   const Motion before = motionOf(simulation);
@@ -119,8 +119,8 @@ TEST(Conservation, ContactsOfDisksKeepMomentumAndAngularMomentum)
   EXPECT_LT(after.energy, 0.9 * before.energy);
 }
 
-/// On a profile, with sizes, in both frames of the drive, in all loops: what the base gives is what weight and
-/// momentum take, to the last digits.
+/// On a profile, with sizes, in both frames of the drive, in all loops: what the base gives is what weight
+/// and momentum take, to the last digits.
 TEST(Conservation, TheBasesImpulseIsTheChangeOfMomentum)
 {
   for (const Boundary boundary : {Boundary::PERIODIC, Boundary::WALLED})

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "ratchet_sieve/core/layer.h"
 #include "profiles.h"
+#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/core/sizes.h"
 #include "scenes.h"
@@ -71,8 +71,8 @@ SceneDefinition drawnScene()
   scene.base.asymmetry = *rc::gen::element(0.0, 0.1, 0.3, 0.5, 1.0);
   scene.base.tooth_height = *rc::gen::element(0.0, 0.001, 0.006, 0.04);
   if (*rc::gen::inRange(0, 3) == 0)
-    scene.base.profile = test::drawnProfile(scene.base.tooth_width, scene.base.tooth_height,
-                                            *rc::gen::element(3, 10, 100));
+    scene.base.profile =
+        test::drawnProfile(scene.base.tooth_width, scene.base.tooth_height, *rc::gen::element(3, 10, 100));
   scene.base.inclination = *rc::gen::element(0.0, 0.2, -0.2, 1.2);
   scene.base.drive_frame = *rc::gen::element(DriveFrame::WORLD, DriveFrame::BASE);
   scene.base.amplitude = *rc::gen::element(0.0, 0.0005, 0.002, 0.02);

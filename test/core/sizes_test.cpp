@@ -162,8 +162,8 @@ TEST(Sizes, OfAWideTableByMassHaveTheirMeanAndAreDrawnAtOnce)
 {
   for (const double ratio : {10.0, 1e3, 1e5})
   {
-    const SizeDefinition size{
-        SizeDistribution::TABLE, 0.0, 2.0, {0.001, 0.001 * ratio}, {0.0, 3.0}, SizeShare::MASS};
+    const SizeDefinition size{SizeDistribution::TABLE, 0.0,        2.0,
+                              {0.001, 0.001 * ratio},  {0.0, 3.0}, SizeShare::MASS};
     const Sizes sizes(speciesWith(size));
     const double mean = 0.001 * std::log(ratio) / (1.0 - 1.0 / ratio);
     EXPECT_NEAR(sizes.meanRadius(), mean, 1e-5 * mean) << ratio;

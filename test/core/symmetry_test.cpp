@@ -95,28 +95,24 @@ struct Compared
 
 /// Number of collisions that are compared: five per disk without disk-disk collisions, and one and a half
 /// with them. Between a wall and a slope a disk has many contacts, and its errors grow fast.
-const Compared COMPARED[] = {{"single", false, Boundary::PERIODIC, 0.0, 50, 240},
-                             {"single, inclined", false, Boundary::PERIODIC, 0.1, 50, 240},
-                             {"mixture", true, Boundary::PERIODIC, 0.0, 100, 160},
-                             {"mixture, inclined", true, Boundary::PERIODIC, 0.1, 100, 160},
-                             {"walled", true, Boundary::WALLED, 0.1, 100, 100},
-                             {"walled, low", true, Boundary::WALLED, 0.1, 100, 100, 0.01},
-                             {"open", true, Boundary::OPEN, 0.1, 100, 100},
-                             {"single, orbit", false, Boundary::PERIODIC, 0.1, 50, 240, 0.0, true},
-                             {"mixture, orbit", true, Boundary::PERIODIC, 0.1, 100, 160, 0.0, true},
-                             {"walled, orbit", true, Boundary::WALLED, 0.1, 100, 100, 0.0, true},
-                             {"open, orbit", true, Boundary::OPEN, 0.1, 100, 100, 0.0, true},
-                             {"deck", true, Boundary::PERIODIC, 0.3, 100, 160, 0.0, true, DriveFrame::BASE},
-                             {"deck, walled", true, Boundary::WALLED, 0.3, 100, 100, 0.0, true,
-                              DriveFrame::BASE},
-                             {"profile", true, Boundary::PERIODIC, 0.1, 100, 100, 0.0, false,
-                              DriveFrame::WORLD, true},
-                             {"profile, single", false, Boundary::PERIODIC, 0.1, 50, 100, 0.0, true,
-                              DriveFrame::BASE, true},
-                             {"profile, walled", true, Boundary::WALLED, 0.1, 100, 100, 0.0, true,
-                              DriveFrame::BASE, true},
-                             {"profile, open", true, Boundary::OPEN, 0.1, 100, 100, 0.0, true,
-                              DriveFrame::BASE, true}};
+const Compared COMPARED[] = {
+    {"single", false, Boundary::PERIODIC, 0.0, 50, 240},
+    {"single, inclined", false, Boundary::PERIODIC, 0.1, 50, 240},
+    {"mixture", true, Boundary::PERIODIC, 0.0, 100, 160},
+    {"mixture, inclined", true, Boundary::PERIODIC, 0.1, 100, 160},
+    {"walled", true, Boundary::WALLED, 0.1, 100, 100},
+    {"walled, low", true, Boundary::WALLED, 0.1, 100, 100, 0.01},
+    {"open", true, Boundary::OPEN, 0.1, 100, 100},
+    {"single, orbit", false, Boundary::PERIODIC, 0.1, 50, 240, 0.0, true},
+    {"mixture, orbit", true, Boundary::PERIODIC, 0.1, 100, 160, 0.0, true},
+    {"walled, orbit", true, Boundary::WALLED, 0.1, 100, 100, 0.0, true},
+    {"open, orbit", true, Boundary::OPEN, 0.1, 100, 100, 0.0, true},
+    {"deck", true, Boundary::PERIODIC, 0.3, 100, 160, 0.0, true, DriveFrame::BASE},
+    {"deck, walled", true, Boundary::WALLED, 0.3, 100, 100, 0.0, true, DriveFrame::BASE},
+    {"profile", true, Boundary::PERIODIC, 0.1, 100, 100, 0.0, false, DriveFrame::WORLD, true},
+    {"profile, single", false, Boundary::PERIODIC, 0.1, 50, 100, 0.0, true, DriveFrame::BASE, true},
+    {"profile, walled", true, Boundary::WALLED, 0.1, 100, 100, 0.0, true, DriveFrame::BASE, true},
+    {"profile, open", true, Boundary::OPEN, 0.1, 100, 100, 0.0, true, DriveFrame::BASE, true}};
 
 SceneDefinition sceneOf(const Compared& compared)
 {
@@ -192,8 +188,12 @@ TEST(Symmetry, ADeckTurnedWithItsDriveDoesTheSameTurned)
     turned.base.inclination = 0.7;
     const double cosine = std::cos(turned.base.inclination), sine = std::sin(turned.base.inclination);
     for (InitialDisk& disk : turned.initial)
-      disk = {disk.species, cosine * disk.x - sine * disk.y, sine * disk.x + cosine * disk.y,
-              cosine * disk.vx - sine * disk.vy, sine * disk.vx + cosine * disk.vy, disk.spin};
+      disk = {disk.species,
+              cosine * disk.x - sine * disk.y,
+              sine * disk.x + cosine * disk.y,
+              cosine * disk.vx - sine * disk.vy,
+              sine * disk.vx + cosine * disk.vy,
+              disk.spin};
     expectSame(firstCollisions(scene, compared.collisions), firstCollisions(turned, compared.collisions), 1.0,
                scene.species[0].mass);
   }

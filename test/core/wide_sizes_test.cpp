@@ -111,7 +111,8 @@ TEST(WideSizes, MeetTheSameContactsOnAProfileInBothFramesOfTheDrive)
   for (const Boundary boundary : {Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED})
     for (const DriveFrame frame : {DriveFrame::WORLD, DriveFrame::BASE})
     {
-      SCOPED_TRACE(std::to_string(static_cast<int>(boundary)) + ", " + std::to_string(static_cast<int>(frame)));
+      SCOPED_TRACE(std::to_string(static_cast<int>(boundary)) + ", " +
+                   std::to_string(static_cast<int>(frame)));
       SceneDefinition scene = test::onAnOrbit(scarce(60, {0.4, 2.5, 8.0}, boundary));
       scene.base.profile = test::castle();
       scene.base.inclination = 0.2;

@@ -105,7 +105,7 @@ private:
   {
     const DriveBounds drive = driveBounds(scene_.base);
     farthest_ = std::max(farthest_, scene_.base.width() + drive.displacement +
-                                         std::max(scene_.base.highest(), scene_.base.depth()));
+                                        std::max(scene_.base.highest(), scene_.base.depth()));
     for (const DiskState& disk : simulation_.disks())
     {
       for (const double value : {disk.x, disk.y, disk.vx, disk.vy, disk.angle, disk.spin, disk.displacement})

@@ -102,13 +102,12 @@ void drawOrbit(BaseDefinition& base)
 /// In place of the sawtooth, as wide and as high or deep.
 void drawProfile(BaseDefinition& base)
 {
-  base.profile = *rc::gen::resize(
-      rc::kNominalSize, rc::gen::exec(
-                            [&base]
-                            {
-                              return test::drawnProfile(base.tooth_width, base.tooth_height, MOST_CORNERS,
-                                                        SMALLEST_LENGTH);
-                            }));
+  base.profile =
+      *rc::gen::resize(rc::kNominalSize, rc::gen::exec(
+                                             [&base] {
+                                               return test::drawnProfile(base.tooth_width, base.tooth_height,
+                                                                         MOST_CORNERS, SMALLEST_LENGTH);
+                                             }));
 }
 
 void drawBase(SceneDefinition& scene)

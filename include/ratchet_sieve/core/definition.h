@@ -71,7 +71,7 @@ struct BaseDefinition
   /// 0), at least two corners, s never decreasing (equal: a vertical face), no corner twice.
   std::vector<OutlineCorner> profile;
 
-  /// Whether a tooth is that of tooth_width, tooth_height and asymmetry, which the lanes know.
+  /// Whether a tooth is that of tooth_width, tooth_height and asymmetry, which the SIMD kernels know.
   bool isSawtooth() const { return profile.empty(); }
 
   double toothWidth() const { return profile.empty() ? tooth_width : profile.back().s; }  ///< w [m]

@@ -70,8 +70,8 @@ Sizes::Sizes(const SpeciesDefinition& species) : radius_(species.radius), size_(
   largest_ = size_.vary() ? radius(pieces_.back().to) : radius_;
 }
 
-/// Over a wide interval by mass, nearly all disks are small: it is cut, or hardly a draw would be accepted and
-/// means would miss the small ones.
+/// Over a wide interval by mass, nearly all disks are small: it is cut, or hardly a draw would be accepted
+/// and means would miss the small ones.
 void Sizes::addInterval(double from, double to, double weight)
 {
   double start = from;
