@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "ratchet_sieve/core/drive_of_scene.h"
@@ -56,20 +57,44 @@ void warnOfRadii(const SceneDefinition& scene, SceneWarnings& warnings)
   const double room = valley(base);
   for (std::size_t i = 0; i < scene.species.size(); ++i)
   {
-    const double radius = scene.species[i].radius;
-    const double largest = Sizes(scene.species[i]).largest();
-    if (2.0 * largest <= room)
+    const double radius = Sizes(scene.species[i]).largest();
+    if (2.0 * radius <= room)
       continue;
+    const bool vary = scene.species[i].size.vary();
     const std::string figure =
-        "a disk's diameter, " + quantity(2.0 * largest, "m") +
-        (2.0 * largest > base.width() ? ", is larger than the base's width, " + quantity(base.width(), "m")
-                                      : ", is larger than a tooth, " + toothKey(base, "width") + " = " +
-                                            quantity(base.toothWidth(), "m"));
-    warnings.add(speciesKey(i, "radius"), radius, "m", figure,
-                 suggestUnit(radius, 1e-3,
-                             [&](double r) {
-                               return 2.0 * largest * r / radius <= room && 200.0 * r >= base.toothWidth();
-                             }));
+        (vary ? "the largest disk's diameter, " : "a disk's diameter, ") + quantity(2.0 * radius, "m") +
+        (2.0 * radius > base.width() ? ", is larger than the base's width, " + quantity(base.width(), "m")
+                                     : ", is larger than a tooth, " + toothKey(base, "width") + " = " +
+                                           quantity(base.toothWidth(), "m"));
+    const auto smaller = suggestUnit(
+        radius, 1e-3, [&](double r) { return 2.0 * r <= room && 200.0 * r >= base.toothWidth(); });
+    if (vary)
+      warnings.add(speciesKey(i, "size") + ": " + figure + (smaller ? "; are its radii in mm?" : ""));
+    else
+      warnings.add(speciesKey(i, "radius"), radius, "m", figure, smaller);
+  }
+}
+
+/// Sieve analyses are often written down as the share that passes each sieve, which ends with all.
+bool looksCumulative(const std::vector<double>& weights)
+{
+  const auto not_more = [](double a, double b) { return a >= b && a > 0.0; };
+  return weights.size() > 2 && (weights.back() == 1.0 || weights.back() == 100.0) &&
+         weights.end()[-2] > 0.0 &&
+         std::adjacent_find(weights.begin(), weights.end(), not_more) == weights.end();
+}
+
+void warnOfTables(const SceneDefinition& scene, SceneWarnings& warnings)
+{
+  for (std::size_t i = 0; i < scene.species.size(); ++i)
+  {
+    const std::vector<double>& weights = scene.species[i].size.weights;
+    if (looksCumulative(weights))
+      warnings.add(
+          speciesKey(i, "size.weights") + " grow to " + number(weights.back()) +
+          ", as cumulative shares do; each weight is the share between its radius and the one before, and "
+          "these sum to " +
+          number(std::accumulate(weights.begin(), weights.end(), 0.0)));
   }
 }
 
@@ -186,6 +211,13 @@ double fallSpeed(const SceneDefinition& scene, double height)
   return std::sqrt(2.0 * scene.gravity * height);
 }
 
+void warnOfFeed(const SceneDefinition& scene, SceneWarnings& warnings)
+{
+  const Stretch& stretch = scene.feed.stretch;
+  if (scene.feed.rate == 0.0 && (stretch.from > 0.0 || std::isfinite(stretch.to)))
+    warnings.add("feed.rate", scene.feed.rate, "1/s", "feed.from and feed.to have no effect");
+}
+
 void warnOfPour(const SceneDefinition& scene, SceneWarnings& warnings)
 {
   if (!scene.initial.empty() && scene.feed.rate <= 0.0)
@@ -293,8 +325,8 @@ std::vector<std::string> warningsOf(const SceneDefinition& scene)
 {
   SceneWarnings warnings;
   for (const auto doubt :
-       {warnOfNumbers, warnOfRadii, warnOfMasses, warnOfTeeth, warnOfDrive, warnOfAngles, warnOfGravity,
-        warnOfLayer, warnOfPour, warnOfInitial, warnOfContact, warnOfDuration})
+       {warnOfNumbers, warnOfRadii, warnOfTables, warnOfMasses, warnOfTeeth, warnOfDrive, warnOfAngles,
+        warnOfGravity, warnOfLayer, warnOfFeed, warnOfPour, warnOfInitial, warnOfContact, warnOfDuration})
     doubt(scene, warnings);
   warnOfAccuracy(scene, lastingSpeed(scene), warnings);
   return warnings.take();

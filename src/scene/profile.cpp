@@ -30,7 +30,7 @@ void requireStep(const Entry& entry, const Range& range, const std::vector<Outli
   const OutlineCorner& before = corners[corners.size() - 2];
   if (here.s < before.s)
     entry.refuse("s = " + scalarText(here.s) + " m is before the corner before, s = " + scalarText(before.s) +
-                 " m: a tooth must have no overhang");
+                 " m: corners go from left to right, and a tooth must have no overhang");
   if (std::hypot(here.s - before.s, here.n - before.n) < SMALLEST_LENGTH)
     entry.refuse("must be at least " + scalarText(SMALLEST_LENGTH) + ' ' + range.unit +
                  " from the corner before");
@@ -39,10 +39,14 @@ void requireStep(const Entry& entry, const Range& range, const std::vector<Outli
     entry.refuse("leads back along a vertical face: a tooth must have no wall or gap without thickness");
 }
 
-void requireEnds(const std::vector<Entry>& entries, const std::vector<OutlineCorner>& corners)
+void requireBegin(const Entry& entry, const OutlineCorner& corner)
 {
-  if (corners.front().s != 0.0 || corners.front().n != 0.0)
-    entries.front().refuse("must be [0, 0]: a tooth begins there");
+  if (corner.s != 0.0 || corner.n != 0.0)
+    entry.refuse("must be [0, 0]: a tooth begins there, at its left end");
+}
+
+void requireEnd(const std::vector<Entry>& entries, const std::vector<OutlineCorner>& corners)
+{
   if (corners.back().n != 0.0)
     entries.back().refuse("n = " + scalarText(corners.back().n) +
                           " m must be 0: a tooth ends as high as it begins");
@@ -67,10 +71,12 @@ void readScalar(const Entry& entry, const Range& range, std::vector<OutlineCorne
   for (const Entry& corner : entries)
   {
     corners.push_back(readCorner(corner, range));
-    if (corners.size() > 1)
+    if (corners.size() == 1)
+      requireBegin(corner, corners.front());
+    else
       requireStep(corner, range, corners);
   }
-  requireEnds(entries, corners);
+  requireEnd(entries, corners);
   value = corners;
 }
 

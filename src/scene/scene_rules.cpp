@@ -91,19 +91,18 @@ void disksFitMachine(const Entry& root, const SceneDefinition& scene)
   for (std::size_t i = 0; i < scene.species.size(); ++i)
   {
     const double radius = scene.species[i].radius;
-    const double teeth = 2e-3 * radius / scene.base.toothWidth();
-    const bool in_mm = teeth <= 1.0 && teeth >= 0.05;
     const double largest = Sizes(scene.species[i]).largest();
+    const double teeth = 2e-3 * largest / scene.base.toothWidth();
+    const bool in_mm = teeth <= 1.0 && teeth >= 0.05;
+    const std::string most = std::string("must be at most the base's width (teeth times ") +
+                             (scene.base.isSawtooth() ? "tooth_width" : "the profile's") + "), " +
+                             scalarText(scene.base.width()) + " m";
     if (2.0 * largest > scene.base.width() && scene.species[i].size.vary())
-      entries[i].at("size").refuse("the largest diameter, " + scalarText(2.0 * largest) +
-                                   " m, must be at most the base's width (teeth times tooth_width), " +
-                                   scalarText(scene.base.width()) + " m");
+      entries[i].at("size").refuse("the largest diameter, " + scalarText(2.0 * largest) + " m, " + most +
+                                   (in_mm ? "; are its radii in mm?" : ""));
     if (2.0 * radius > scene.base.width())
       entries[i].at("radius").refuseValue(
-          std::string("the diameter must be at most the base's width (teeth times ") +
-          (scene.base.profile.empty() ? "tooth_width" : "the profile's") + "), " +
-          scalarText(scene.base.width()) + " m" +
-          (in_mm ? "; did you mean " + scalarText(1e-3 * radius) + " m?" : ""));
+          "the diameter " + most + (in_mm ? "; did you mean " + scalarText(1e-3 * radius) + " m?" : ""));
   }
 }
 
@@ -159,9 +158,15 @@ void tableIsSound(const Entry& species, const SpeciesDefinition& definition)
     table.at("weights").refuse("must have as many numbers as radii, " + std::to_string(radii.size()));
   if (std::accumulate(weights.begin(), weights.end(), 0.0) <= 0.0)
     table.at("weights").refuse("needs a weight above 0");
-  if (definition.radius < radii.front() || definition.radius > radii.back())
+  const auto within = [&radii](double radius) { return radius >= radii.front() && radius <= radii.back(); };
+  const double radius = definition.radius;
+  if (!within(radius))
     species.at("radius").refuseValue("must be within size.radii, from " + scalarText(radii.front()) + " to " +
-                                     scalarText(radii.back()) + " m");
+                                     scalarText(radii.back()) + " m" +
+                                     (within(1e3 * radius) ? "; are size.radii in mm?"
+                                      : within(1e-3 * radius)
+                                          ? "; did you mean " + scalarText(1e-3 * radius) + " m?"
+                                          : ""));
 }
 
 /// Every radius is above 0.

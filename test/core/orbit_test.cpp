@@ -320,41 +320,6 @@ TEST(Orbit, AnEnsembleIsManyDisksAlone)
   }
 }
 
-/// Without gravity nothing but the base has a direction: turned with its drive, the whole run is turned.
-TEST(Orbit, OfTheBaseWithoutGravityTurnsTheWholeRun)
-{
-  SceneDefinition level = test::onAnOrbit(test::mixture(0));
-  level.base.drive_frame = DriveFrame::BASE;
-  level.base.teeth = 3;
-  level.boundary = Boundary::WALLED;
-  level.base.wall_height = 0.1;
-  level.gravity = 0.0;
-  for (int i = 0; i < 12; ++i)
-    level.initial.push_back({static_cast<std::size_t>(i % 2), 0.005 * (i % 4) + 0.02, 0.012 + 0.006 * (i / 4),
-                             0.05 * (i % 3 - 1), -0.1, 3.0 * i});
-  SceneDefinition turned = level;
-  turned.base.inclination = 0.7;
-  const Eigen::Rotation2Dd rotation(turned.base.inclination);
-  for (InitialDisk& disk : turned.initial)
-  {
-    const Eigen::Vector2d place = rotation * Eigen::Vector2d(disk.x, disk.y);
-    const Eigen::Vector2d velocity = rotation * Eigen::Vector2d(disk.vx, disk.vy);
-    disk = {disk.species, place.x(), place.y(), velocity.x(), velocity.y(), disk.spin};
-  }
-  Simulation a(level), b(turned);
-  a.advanceTo(0.25);
-  b.advanceTo(0.25);
-  EXPECT_GT(a.collisions().total(), 20u);
-  EXPECT_EQ(a.collisions().total(), b.collisions().total());
-  const std::vector<DiskState> flat = a.disks(), inclined = b.disks();
-  ASSERT_EQ(flat.size(), inclined.size());
-  for (std::size_t i = 0; i < flat.size(); ++i)
-  {
-    const Eigen::Vector2d expected = rotation * Eigen::Vector2d(flat[i].x, flat[i].y);
-    EXPECT_LT((Eigen::Vector2d(inclined[i].x, inclined[i].y) - expected).norm(), 1e-9);
-  }
-}
-
 TEST(Orbit, FollowsSetpointsWithoutOverlaps)
 {
   SceneDefinition scene = circling(test::mixture(30));

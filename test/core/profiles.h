@@ -38,29 +38,40 @@ inline std::vector<OutlineCorner> arc(double width, double height, int faces)
   return corners;
 }
 
-/// Any outline: up to `most` corners in between, vertical faces, level faces and tiny ones.
-inline std::vector<OutlineCorner> drawnProfile(double width, double relief, int most)
+/// Whether a corner can follow these: not at the same place, and not back along a vertical face.
+inline bool canFollow(const std::vector<OutlineCorner>& corners, const OutlineCorner& next, double closest)
+{
+  const OutlineCorner& last = corners.back();
+  if (std::hypot(next.s - last.s, next.n - last.n) <= closest)
+    return false;
+  if (corners.size() < 2 || next.s > last.s || last.s > corners[corners.size() - 2].s)
+    return true;
+  return (next.n > last.n) == (last.n > corners[corners.size() - 2].n);
+}
+
+/// Any outline: up to `most` corners in between, vertical faces, level faces and tiny ones; no two corners as
+/// close as `closest` [m].
+inline std::vector<OutlineCorner> drawnProfile(double width, double relief, int most, double closest = 0.0)
 {
   std::vector<double> places;
   for (int count = *rc::gen::inRange(0, most + 1); count > 0; --count)
     places.push_back(*rc::gen::element(0.0, 0.25, 0.5, 0.500001, 1.0, drawn(0.0, 1.0), drawn(0.0, 1.0)) *
                      width);
   std::sort(places.begin(), places.end());
+  const OutlineCorner end{width, 0.0};
   std::vector<OutlineCorner> corners = {{0.0, 0.0}};
-  bool vertical = false;
   for (const double s : places)
   {
     const double n = *rc::gen::element(-0.5, 0.0, 0.5, 1.0, drawn(-1.0, 1.0), drawn(-1.0, 1.0)) * relief;
-    const bool again = s == corners.back().s;
-    // A third corner at the same place could lead back,
-    // and a face at each end would be a wall without thickness between two teeth.
-    const bool both_ends = s == width && corners.size() > 1 && corners[1].s == 0.0;
-    if ((again && (vertical || n == corners.back().n || s == width)) || (s == width && n == 0.0) || both_ends)
+    if (!canFollow(corners, {s, n}, closest))
       continue;
-    vertical = again;
     corners.push_back({s, n});
+    // Two vertical faces where two teeth meet must not be a wall or a gap without thickness.
+    const bool leads_back = s == width && corners[1].s == 0.0 && (corners[1].n > 0.0) == (n > 0.0);
+    if (leads_back || !canFollow(corners, end, closest))
+      corners.pop_back();
   }
-  corners.push_back({width, 0.0});
+  corners.push_back(end);
   return corners;
 }
 

@@ -157,6 +157,32 @@ TEST(Sizes, FollowATableByMass)
   }
 }
 
+/// Most are small: with p = 2 the mean is r_1 ln(R) / (1 - 1/R) of radii from r_1 to R r_1.
+TEST(Sizes, OfAWideTableByMassHaveTheirMeanAndAreDrawnAtOnce)
+{
+  for (const double ratio : {10.0, 1e3, 1e5})
+  {
+    const SizeDefinition size{SizeDistribution::TABLE, 0.0,        2.0,
+                              {0.001, 0.001 * ratio},  {0.0, 3.0}, SizeShare::MASS};
+    const Sizes sizes(speciesWith(size));
+    const double mean = 0.001 * std::log(ratio) / (1.0 - 1.0 / ratio);
+    EXPECT_NEAR(sizes.meanRadius(), mean, 1e-5 * mean) << ratio;
+    Random random(7);
+    int numbers = 0;
+    int small = 0;
+    for (int draw = 0; draw < 2000; ++draw)
+      small += sizes.draw(
+                   [&]
+                   {
+                     ++numbers;
+                     return random.uniform();
+                   }) < 0.002;
+    EXPECT_LT(numbers, 8 * 2000);
+    // Half of those between r_1 and infinity; 4 standard deviations.
+    EXPECT_NEAR(small / 2000.0, 0.5 / (1.0 - 1.0 / ratio), 4.0 * std::sqrt(0.25 / 2000.0)) << ratio;
+  }
+}
+
 TEST(Sizes, OfOneRadiusIsThatRadius)
 {
   const SpeciesDefinition species =

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "constants.h"
+#include "profiles.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 
@@ -88,21 +89,30 @@ struct Compared
   std::size_t collisions;
   double wall_height = 0.0;
   bool orbit = false;
+  DriveFrame drive_frame = DriveFrame::WORLD;
+  bool profile = false;
 };
 
 /// Number of collisions that are compared: five per disk without disk-disk collisions, and one and a half
 /// with them. Between a wall and a slope a disk has many contacts, and its errors grow fast.
-const Compared COMPARED[] = {{"single", false, Boundary::PERIODIC, 0.0, 50, 240},
-                             {"single, inclined", false, Boundary::PERIODIC, 0.1, 50, 240},
-                             {"mixture", true, Boundary::PERIODIC, 0.0, 100, 160},
-                             {"mixture, inclined", true, Boundary::PERIODIC, 0.1, 100, 160},
-                             {"walled", true, Boundary::WALLED, 0.1, 100, 100},
-                             {"walled, low", true, Boundary::WALLED, 0.1, 100, 100, 0.01},
-                             {"open", true, Boundary::OPEN, 0.1, 100, 100},
-                             {"single, orbit", false, Boundary::PERIODIC, 0.1, 50, 240, 0.0, true},
-                             {"mixture, orbit", true, Boundary::PERIODIC, 0.1, 100, 160, 0.0, true},
-                             {"walled, orbit", true, Boundary::WALLED, 0.1, 100, 100, 0.0, true},
-                             {"open, orbit", true, Boundary::OPEN, 0.1, 100, 100, 0.0, true}};
+const Compared COMPARED[] = {
+    {"single", false, Boundary::PERIODIC, 0.0, 50, 240},
+    {"single, inclined", false, Boundary::PERIODIC, 0.1, 50, 240},
+    {"mixture", true, Boundary::PERIODIC, 0.0, 100, 160},
+    {"mixture, inclined", true, Boundary::PERIODIC, 0.1, 100, 160},
+    {"walled", true, Boundary::WALLED, 0.1, 100, 100},
+    {"walled, low", true, Boundary::WALLED, 0.1, 100, 100, 0.01},
+    {"open", true, Boundary::OPEN, 0.1, 100, 100},
+    {"single, orbit", false, Boundary::PERIODIC, 0.1, 50, 240, 0.0, true},
+    {"mixture, orbit", true, Boundary::PERIODIC, 0.1, 100, 160, 0.0, true},
+    {"walled, orbit", true, Boundary::WALLED, 0.1, 100, 100, 0.0, true},
+    {"open, orbit", true, Boundary::OPEN, 0.1, 100, 100, 0.0, true},
+    {"deck", true, Boundary::PERIODIC, 0.3, 100, 160, 0.0, true, DriveFrame::BASE},
+    {"deck, walled", true, Boundary::WALLED, 0.3, 100, 100, 0.0, true, DriveFrame::BASE},
+    {"profile", true, Boundary::PERIODIC, 0.1, 100, 100, 0.0, false, DriveFrame::WORLD, true},
+    {"profile, single", false, Boundary::PERIODIC, 0.1, 50, 100, 0.0, true, DriveFrame::BASE, true},
+    {"profile, walled", true, Boundary::WALLED, 0.1, 100, 100, 0.0, true, DriveFrame::BASE, true},
+    {"profile, open", true, Boundary::OPEN, 0.1, 100, 100, 0.0, true, DriveFrame::BASE, true}};
 
 SceneDefinition sceneOf(const Compared& compared)
 {
@@ -110,6 +120,9 @@ SceneDefinition sceneOf(const Compared& compared)
   scene.boundary = compared.boundary;
   scene.base.inclination = compared.inclination;
   scene.base.wall_height = compared.wall_height;
+  scene.base.drive_frame = compared.drive_frame;
+  if (compared.profile)
+    scene.base.profile = test::castle();
   return stirred(compared.orbit ? test::onAnOrbit(scene) : scene, compared.disks);
 }
 
@@ -119,6 +132,9 @@ SceneDefinition mirrored(SceneDefinition scene)
 {
   BaseDefinition& base = scene.base;
   base.asymmetry = 1.0 - base.asymmetry;
+  std::reverse(base.profile.begin(), base.profile.end());
+  for (OutlineCorner& corner : base.profile)
+    corner.s = base.tooth_width - corner.s;
   base.horizontal_amplitude = -base.horizontal_amplitude;
   for (HarmonicDefinition& harmonic : base.harmonics)
     harmonic.horizontal_amplitude = -harmonic.horizontal_amplitude;
@@ -150,6 +166,36 @@ TEST(Symmetry, AMirroredMachineDoesTheSameMirrored)
     for (CollisionRecord& record : other)
       record.kind = mirrored(record.kind);
     expectSame(firstCollisions(scene, compared.collisions), other, -1.0, scene.species[0].mass);
+  }
+}
+
+/// Without gravity nothing but the base has a direction: turned with its drive, the whole run is turned.
+TEST(Symmetry, ADeckTurnedWithItsDriveDoesTheSameTurned)
+{
+  for (const Compared& compared : COMPARED)
+  {
+    if (compared.drive_frame != DriveFrame::BASE)
+      continue;
+    SCOPED_TRACE(compared.name);
+    SceneDefinition scene = sceneOf(compared);
+    scene.gravity = 0.0;
+    scene.base.inclination = 0.0;
+    scene.initial.clear();
+    scene = stirred(scene, compared.disks);
+    for (InitialDisk& disk : scene.initial)
+      disk.vy -= 0.5;
+    SceneDefinition turned = scene;
+    turned.base.inclination = 0.7;
+    const double cosine = std::cos(turned.base.inclination), sine = std::sin(turned.base.inclination);
+    for (InitialDisk& disk : turned.initial)
+      disk = {disk.species,
+              cosine * disk.x - sine * disk.y,
+              sine * disk.x + cosine * disk.y,
+              cosine * disk.vx - sine * disk.vy,
+              sine * disk.vx + cosine * disk.vy,
+              disk.spin};
+    expectSame(firstCollisions(scene, compared.collisions), firstCollisions(turned, compared.collisions), 1.0,
+               scene.species[0].mass);
   }
 }
 
@@ -214,10 +260,14 @@ SceneDefinition scaled(SceneDefinition scene, const Units& units)
     harmonic.horizontal_amplitude *= units.length;
   }
   scene.base.wall_height *= units.length;
+  for (OutlineCorner& corner : scene.base.profile)
+    corner = {units.length * corner.s, units.length * corner.n};
   scene.base.frequency /= units.time;
   for (SpeciesDefinition& species : scene.species)
   {
     species.radius *= units.length;
+    for (double& radius : species.size.radii)
+      radius *= units.length;
     species.mass *= units.mass;
   }
   scene.contact.min_rebound_speed *= speed;
@@ -280,6 +330,10 @@ TEST(Symmetry, LengthsTimesAndMassesScaleToTheLastBit)
       scene.feed.stretch = {0.1, 0.3};
       if (boundary == Boundary::OPEN)
         scene.base.drive_frame = DriveFrame::BASE;
+      if (boundary != Boundary::PERIODIC)
+        scene = test::withSizes(scene);
+      if (boundary != Boundary::OPEN)
+        scene.base.profile = test::castle();
       scene.settle = 0.5;
       scene.contact.contact_duration = 1e-4;
       scene.contact.restitution_speed = 0.3;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "profiles.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "reference_loop.h"
 #include "scenes.h"
@@ -102,6 +103,21 @@ TEST(WideSizes, MeetTheSameContactsWhileTheBaseTurns)
     {
       SCOPED_TRACE(std::to_string(rate) + " rad/s, " + std::to_string(static_cast<int>(boundary)));
       expectSameContacts(scarce(60, {2.5, 7.0}, boundary), 0.09, rate, 200);
+    }
+}
+
+TEST(WideSizes, MeetTheSameContactsOnAProfileInBothFramesOfTheDrive)
+{
+  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED})
+    for (const DriveFrame frame : {DriveFrame::WORLD, DriveFrame::BASE})
+    {
+      SCOPED_TRACE(std::to_string(static_cast<int>(boundary)) + ", " +
+                   std::to_string(static_cast<int>(frame)));
+      SceneDefinition scene = test::onAnOrbit(scarce(60, {0.4, 2.5, 8.0}, boundary));
+      scene.base.profile = test::castle();
+      scene.base.inclination = 0.2;
+      scene.base.drive_frame = frame;
+      expectSameContacts(scene, 0.08, 0.0, 150);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "findings.h"
 #include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
@@ -36,7 +37,8 @@ bool isTame(const SceneDefinition& scene)
   std::size_t disks = scene.initial.size();
   for (const SpeciesDefinition& species : scene.species)
   {
-    if (species.radius < 1e-4 || species.radius > 1.0 || species.count > 10)
+    const Sizes sizes(species);
+    if (sizes.smallest() < 1e-4 || sizes.largest() > 1.0 || species.count > 10)
       return false;
     disks += static_cast<std::size_t>(species.count);
   }
@@ -46,7 +48,7 @@ bool isTame(const SceneDefinition& scene)
   return disks <= 20 && std::all_of(scene.initial.begin(), scene.initial.end(), slow) &&
          scene.base.teeth <= 100 && scene.base.toothWidth() >= 1e-3 && scene.base.profile.size() <= 100 &&
          scene.base.amplitude <= 0.1 && scene.base.frequency <= 100.0 && scene.pour.speed <= 10.0 &&
-         scene.feed.rate <= 100.0 && scene.gravity <= 100.0;
+         scene.feed.rate <= 100.0 && scene.gravity <= 100.0 && scene.accuracy.step >= 1e-5;
 }
 
 void runBriefly(const SceneDefinition& scene)
@@ -58,6 +60,9 @@ void runBriefly(const SceneDefinition& scene)
     simulation.advanceTo(std::min(MOMENT, scene.duration));
     simulation.disks();
     simulation.means();
+    simulation.observed();
+    simulation.sizeClassMeans();
+    simulation.auditOverlaps();
   }
   catch (const std::invalid_argument& error)
   {

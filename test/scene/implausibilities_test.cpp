@@ -39,6 +39,17 @@ const std::vector<Mistake>& mistakes()
       {{"species.1.radius=0.02"},
        {"species.1.radius = 0.02 m: a disk's diameter, 0.04 m, is larger than a tooth, base.tooth_width = "
         "0.02 m"}},
+      {{"species.1.size={distribution: lognormal, spread: 0.8}"},
+       {"species.1.size: the largest disk's diameter, 0.04409 m, is larger than a tooth, base.tooth_width = "
+        "0.02 m"}},
+      {{"species.1.size={distribution: table, radii: [0.001, 0.002, 0.003, 0.004], weights: [0, 20, 65, "
+        "100]}"},
+       {"species.1.size.weights grow to 100, as cumulative shares do; each weight is the share between its "
+        "radius and the one before, and these sum to 185"}},
+      {{"species.1.size={distribution: table, radii: [0.001, 0.002, 0.003], weights: [0, 0, 1]}"}, {}},
+      {{"species.1.size={distribution: table, radii: [0.001, 0.002, 0.003], weights: [1, 1, 1]}"}, {}},
+      {{"feed.from=0.1"}, {"feed.rate = 0 1/s: feed.from and feed.to have no effect"}},
+      {{"feed.to=0.1", "feed.rate=1"}, {}},
       {{"accuracy.step=0.001"},
        {"accuracy.step = 0.001 s: has no effect, because accuracy.method is events"}},
       {{"accuracy.method=steps", "contact.pair_collisions=false"},

@@ -10,6 +10,7 @@
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/implausibilities.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -71,9 +72,9 @@ private:
 
   double smallestRadius() const
   {
-    double smallest = scene_.species[0].radius;
+    double smallest = Sizes(scene_.species[0]).smallest();
     for (const SpeciesDefinition& species : scene_.species)
-      smallest = std::min(smallest, species.radius);
+      smallest = std::min(smallest, Sizes(species).smallest());
     return smallest;
   }
 
@@ -89,9 +90,12 @@ private:
 
   void check()
   {
-    RC_ASSERT(simulation_.auditOverlaps() == 0u);
+    const std::size_t behind = simulation_.auditOverlaps();
     checkDisks();
-    RC_ASSERT(simulation_.maxOverlap() <= 1e-9 * smallestRadius() + rounding());
+    // By steps, disks may overlap until the end of a step.
+    const bool exact = !simulation_.plan().steps;
+    RC_ASSERT(!exact || behind == 0u);
+    RC_ASSERT(!exact || simulation_.maxOverlap() <= 1e-9 * smallestRadius() + rounding());
     checkCounts();
     checkEnergy();
     checkMeans();
@@ -100,7 +104,8 @@ private:
   void checkDisks()
   {
     const DriveBounds drive = driveBounds(scene_.base);
-    farthest_ = std::max(farthest_, scene_.base.width() + drive.displacement + scene_.base.tooth_height);
+    farthest_ = std::max(farthest_, scene_.base.width() + drive.displacement +
+                                        std::max(scene_.base.highest(), scene_.base.depth()));
     for (const DiskState& disk : simulation_.disks())
     {
       for (const double value : {disk.x, disk.y, disk.vx, disk.vy, disk.angle, disk.spin, disk.displacement})
@@ -132,7 +137,7 @@ private:
   }
 
   /// A base at rest gives no energy, and no contact makes any: unless a rebound has a floor, also that of a
-  /// collapse, disks come or go, or a wrap takes a disk to another height.
+  /// collapse, disks come or go or are pushed out of the base, or a wrap takes a disk to another height.
   void checkEnergy()
   {
     const double before = energy_;
@@ -143,14 +148,15 @@ private:
     const bool at_rest = driveBounds(scene_.base).speed == 0.0;
     const bool level =
         scene_.boundary != Boundary::PERIODIC || scene_.gravity * scene_.base.inclination == 0.0;
-    const bool floor = scene_.contact.min_rebound_speed > 0.0 || simulation_.collapses().count > 0;
+    const bool floor = scene_.contact.min_rebound_speed > 0.0 || simulation_.collapses().count > 0 ||
+                       simulation_.pushedOut() > 0;
     if (!same_disks || !at_rest || !level || floor)
       return;
     ++energy_checks_;
     double terms = 0.0;
     for (const DiskState& disk : simulation_.disks())
     {
-      const double mass = scene_.species[disk.species].mass;
+      const double mass = scene_.species[disk.species].massOf(disk.radius);
       terms += std::abs(before) + mass * scene_.gravity * farthest_ + mass * fastest_ * fastest_;
     }
     RC_ASSERT(energy_ <= before + 1e-12 * terms);

@@ -19,7 +19,7 @@ void move(const SceneDefinition& scene, InitialDisk& disk, double ds, double dn)
   disk.y += way.y();
 }
 
-/// A disk's place in the frame of the base: along it, and over the line of the teeth's feet.
+/// A disk's place in the frame of the base: along it, and over the line of the teeth's ends.
 std::pair<double, double> onBase(const SceneDefinition& scene, const InitialDisk& disk)
 {
   const BasePoint point = BaseMotion(scene.base).at(0.0).see({disk.x, disk.y}, Eigen::Vector2d::Zero());
@@ -62,7 +62,8 @@ MisplacedScene drawnMisplacedScene(Misplaced how)
       break;
     }
     case Misplaced::BURIED:
-      move(scene, disk, 0.0, -onBase(scene, disk).second - radius * drawnMagnitude(1e-3, 1e1));
+      move(scene, disk, 0.0,
+           -onBase(scene, disk).second - scene.base.depth() - radius * drawnMagnitude(1e-3, 1e1));
       words = {nameOf(at) + " overlaps the base"};
       break;
     case Misplaced::OUTSIDE:

@@ -3,10 +3,13 @@
 #include <limits>
 #include <numeric>
 
+#include "core/profiles.h"
 #include "draws.h"
 #include "model/base_motion.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
+#include "ratchet_sieve/core/observable.h"
 #include "ratchet_sieve/core/resolution.h"
+#include "ratchet_sieve/core/sizes.h"
 #include "scene_spelling.h"
 
 namespace ratchet_sieve
@@ -19,6 +22,13 @@ constexpr double SMALLEST_LENGTH = 1e-9;  ///< [m]
 constexpr double LARGEST_SPEED = 1e4;     ///< [m/s]
 constexpr double LARGEST_SPIN = 1e9;      ///< [rad/s]
 constexpr int MOST_TEETH = 1000000;
+constexpr int MOST_CORNERS = 12;
+constexpr double LARGEST_SPREAD = 3.0;
+constexpr double SHORTEST_STEP = 1e-7;  ///< [s]
+constexpr double LONGEST_STEP = 0.1;    ///< [s]
+constexpr double MOST_STEPS = 1e3;
+constexpr double LARGEST_EXPONENT = 10.0;
+constexpr double CUT = 3.0;  ///< of normal and lognormal sizes, in standard deviations
 
 constexpr double LARGEST_PER_TOOTH = 20.0;  ///< radius and tooth height
 constexpr double AMPLITUDE_PER_TOOTH = 10.0;
@@ -44,7 +54,7 @@ double smallestRadius(const SceneDefinition& scene)
 {
   double radius = LARGEST_LENGTH;
   for (const SpeciesDefinition& species : scene.species)
-    radius = std::min(radius, species.radius);
+    radius = std::min(radius, Sizes(species).smallest());
   return radius;
 }
 
@@ -74,8 +84,8 @@ ContactCoefficients drawnCoefficients()
 /// All together no farther than A may be, and no sharper than a few times as sharp.
 void drawOrbit(BaseDefinition& base)
 {
-  const double widest = std::min(LARGEST_LENGTH, AMPLITUDE_PER_TOOTH * base.tooth_width);
-  base.horizontal_amplitude = drawnSigned(-1.0, 1.0) * drawnMagnitude(1e-6 * base.tooth_width, widest);
+  const double widest = std::min(LARGEST_LENGTH, AMPLITUDE_PER_TOOTH * base.toothWidth());
+  base.horizontal_amplitude = drawnSigned(-1.0, 1.0) * drawnMagnitude(1e-6 * base.toothWidth(), widest);
   base.horizontal_phase = drawnNumber(-1e6, 1e6);
   for (auto count = drawnIndex<std::size_t>(0, 4); count > 0; --count)
   {
@@ -87,6 +97,17 @@ void drawOrbit(BaseDefinition& base)
     harmonic.phase = drawnNumber(-1e6, 1e6);
     harmonic.horizontal_phase = drawnNumber(-1e6, 1e6);
   }
+}
+
+/// In place of the sawtooth, as wide and as high or deep.
+void drawProfile(BaseDefinition& base)
+{
+  base.profile =
+      *rc::gen::resize(rc::kNominalSize, rc::gen::exec(
+                                             [&base] {
+                                               return test::drawnProfile(base.tooth_width, base.tooth_height,
+                                                                         MOST_CORNERS, SMALLEST_LENGTH);
+                                             }));
 }
 
 void drawBase(SceneDefinition& scene)
@@ -110,6 +131,8 @@ void drawBase(SceneDefinition& scene)
   base.frequency = defaultOr(base.frequency, 0.0, 1e6, [] { return zeroOrMagnitude(1e-3, 1e6); });
   base.phase = drawnNumber(-1e6, 1e6);
   if (drawnChance(30))
+    drawProfile(base);
+  if (drawnChance(30))
     drawOrbit(base);
   base.drive_frame = drawnOf({DriveFrame::WORLD, DriveFrame::BASE});
 }
@@ -130,15 +153,58 @@ double smallestRadiusOn(const SceneDefinition& scene)
 {
   const double width = scene.base.width();
   const double walls = scene.boundary == Boundary::WALLED ? WIDTHS_PER_WALL_HEIGHT * width : 0.0;
-  return std::max({SMALLEST_LENGTH, RADIUS_PER_TOOTH * scene.base.tooth_width, RADIUS_PER_WIDTH * width,
+  return std::max({SMALLEST_LENGTH, RADIUS_PER_TOOTH * scene.base.toothWidth(), RADIUS_PER_WIDTH * width,
                    RADIUS_PER_WALL_HEIGHT * walls});
+}
+
+/// A few radii, one of them the species', with any weights but not all 0.
+void drawTable(SizeDefinition& size, double radius, double smallest, double largest)
+{
+  size.radii = {radius};
+  for (int count = drawnIndex(0, 6); count > 0; --count)
+    size.radii.push_back(drawnMagnitude(smallest, largest));
+  std::sort(size.radii.begin(), size.radii.end());
+  size.radii.erase(std::unique(size.radii.begin(), size.radii.end()), size.radii.end());
+  for (std::size_t i = 0; i < size.radii.size(); ++i)
+    size.weights.push_back(drawnChance(70) ? drawnMagnitude(1e-3, 1e9) : 0.0);
+  size.weights[drawnIndex<std::size_t>(0, size.weights.size())] = 1.0;
+  size.by = drawnOf({SizeShare::NUMBER, SizeShare::MASS});
+}
+
+/// Sizes within these bounds [m], and masses within MASS_RATIO of each other.
+void drawSize(SpeciesDefinition& species, double smallest, double largest)
+{
+  SizeDefinition& size = species.size;
+  const double r = species.radius;
+  // A little within the bounds, for the rounding of radii.
+  const double ways = 0.999999 * std::min(1.0 - smallest / r, largest / r - 1.0);
+  const double factors = 0.999999 * std::log(std::min(r / smallest, largest / r));
+  size.distribution = drawnOf({SizeDistribution::UNIFORM, SizeDistribution::NORMAL,
+                               SizeDistribution::LOGNORMAL, SizeDistribution::TABLE});
+  switch (size.distribution)
+  {
+    case SizeDistribution::UNIFORM:
+      size.spread = ways * drawnFraction();
+      break;
+    case SizeDistribution::NORMAL:
+      size.spread = ways / CUT * drawnFraction();
+      break;
+    case SizeDistribution::LOGNORMAL:
+      size.spread = std::min(LARGEST_SPREAD, factors / CUT) * drawnFraction();
+      break;
+    case SizeDistribution::TABLE:
+      drawTable(size, r, smallest, largest);
+  }
+  const Sizes sizes(species);
+  const double widest = std::log(std::max(2.0, sizes.largest() / sizes.smallest()));
+  size.mass_exponent = drawnNumber(0.0, std::min(LARGEST_EXPONENT, std::log(MASS_RATIO) / widest));
 }
 
 void drawSpecies(SceneDefinition& scene)
 {
   const BaseDefinition& base = scene.base;
   const double largest =
-      std::min({LARGEST_LENGTH, LARGEST_PER_TOOTH * base.tooth_width, FITTING * base.width()});
+      std::min({LARGEST_LENGTH, LARGEST_PER_TOOTH * base.toothWidth(), FITTING * base.width()});
   const double smallest = std::min(largest, smallestRadiusOn(scene));
   const double lightest = drawnMagnitude(1e-18, 1e6 / MASS_RATIO);
   const char* const names[] = {"A", "b-2", "true", "1e3"};
@@ -151,6 +217,8 @@ void drawSpecies(SceneDefinition& scene)
     species.share = drawnChance(50) ? drawnNumber(0.0, 1e9) : 1.0;
     species.radius = drawnMagnitude(smallest, largest);
     species.mass = drawnMagnitude(lightest, MASS_RATIO * lightest);
+    if (drawnChance(40))
+      drawSize(species, smallest, largest);
     if (drawnChance(70))
       species.contact = drawnCoefficients();
     if (drawnChance(50))
@@ -235,7 +303,7 @@ void drawStretch(double width, Stretch& stretch)
 
 void drawPour(SceneDefinition& scene)
 {
-  const double length = scene.base.tooth_width;
+  const double length = scene.base.toothWidth();
   const double highest = std::min(LARGEST_LENGTH, DROP_PER_TOOTH * length);
   scene.pour.drop_height = defaultOr(scene.pour.drop_height, 0.0, highest,
                                      [&] { return zeroOrMagnitude(1e-3 * length, highest); });
@@ -249,7 +317,7 @@ void drawInitial(SceneDefinition& scene, double speed)
 {
   const BaseDefinition& base = scene.base;
   const FrameOfBase frame = BaseMotion(base).at(0.0);
-  double n = base.tooth_height;
+  double n = base.highest();
   const double highest = RADII_PER_HEIGHT * smallestRadius(scene);
   for (auto count = drawnIndex<std::size_t>(1, 7); count > 0 && (scene.initial.empty() || n < highest);
        --count)
@@ -281,18 +349,28 @@ void drawDuration(SceneDefinition& scene)
   const double impact = std::sqrt(scene.pour.speed * scene.pour.speed + 2.0 * scene.gravity * drop);
   const double fall = impact > 0.0 && scene.initial.empty() ? 2.0 * drop / (impact + scene.pour.speed) : 0.0;
   double fastest = std::max({impact, driveBounds(scene.base).speed, scene.contact.min_rebound_speed,
-                             scene.base.tooth_width / time_scale});
+                             scene.base.toothWidth() / time_scale});
   for (const InitialDisk& disk : scene.initial)
     fastest = std::max(fastest, std::hypot(disk.vx, disk.vy));
   // A long fall between fast strokes would be nothing but turns of the drive, and one beside walls, rebounds.
   const double longest =
       std::min(SCALES_PER_FALL * time_scale,
-               TEETH_PER_FALL * scene.base.tooth_width / std::max(impact, scene.contact.min_rebound_speed));
+               TEETH_PER_FALL * scene.base.toothWidth() / std::max(impact, scene.contact.min_rebound_speed));
   scene.duration = std::min(
-      1e9, std::min(fall, longest) + TEETH_PER_RUN * drawnFraction() * scene.base.tooth_width / fastest);
+      1e9, std::min(fall, longest) + TEETH_PER_RUN * drawnFraction() * scene.base.toothWidth() / fastest);
   scene.settle = drawnOf({0.0, 0.0, 0.5, 1.0}) * scene.duration;
   if (scene.duration > 0.0 && drawnChance(20))
     scene.feed.rate = std::min(1e6, 0.5 * MOST_DISKS * drawnFraction() / scene.duration);
+}
+
+/// By steps of any length that is legal, as long as there are not too many.
+void drawMethod(SceneDefinition& scene)
+{
+  const double step = std::clamp(timeScale(scene) * drawnMagnitude(1e-3, 1.0), SHORTEST_STEP, LONGEST_STEP);
+  if (!drawnChance(15) || scene.duration > MOST_STEPS * step)
+    return;
+  scene.accuracy.method = Method::STEPS;
+  scene.accuracy.step = step;
 }
 
 double sumOfShares(const SceneDefinition& scene)
@@ -308,7 +386,7 @@ double drawDensity(SceneDefinition& scene)
   double largest_share = 0.0;
   for (const SpeciesDefinition& species : scene.species)
   {
-    diameters += species.share * 2.0 * species.radius;
+    diameters += species.share * 2.0 * Sizes(species).meanRadius();
     largest_share = std::max(largest_share, species.share);
   }
   const double count = drawnFraction() * MOST_DISKS / static_cast<double>(scene.species.size());
@@ -338,13 +416,17 @@ RandomScene drawnScene(Placing placing)
   drawPour(scene);
   if (placing == Placing::INITIAL)
     drawInitial(scene, std::min(fastestSpeed(scene),
-                                scene.base.tooth_width / timeScale(scene) * drawnMagnitude(1e-3, 1e3)));
+                                scene.base.toothWidth() / timeScale(scene) * drawnMagnitude(1e-3, 1e3)));
   std::optional<double> density;
   if (placing == Placing::DENSITY && sumOfShares(scene) > 0.0)
     density = drawDensity(scene);
   drawDuration(scene);
+  drawMethod(scene);
   if (sumOfShares(scene) <= 0.0)
     scene.feed.rate = 0.0;
+  for (const std::string& name : observableNames())
+    if (drawnChance(30))
+      scene.observe.push_back(name);
   scene.seed = *rc::gen::arbitrary<std::uint64_t>();
   return {scene, spelled(scene, density)};
 }

@@ -182,6 +182,17 @@ const Refusal SIZES[] = {
     {"TableBesideTheRadius", "radius: 0.001, mass: 0.001",
      "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.002, 0.003], weights: [1, 1]}",
      "s.yaml:4: species.0.radius = 0.001: must be within size.radii, from 0.002 to 0.003 m"},
+    {"TableInMillimetres", "radius: 0.001, mass: 0.001",
+     "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.5, 2], weights: [1, 1]}",
+     "s.yaml:4: species.0.radius = 0.001: must be within size.radii, from 0.5 to 2 m; are size.radii in mm?"},
+    {"RadiusOfATableInMillimetres", "radius: 0.001, mass: 0.001",
+     "radius: 1, mass: 0.001, size: {distribution: table, radii: [0.0005, 0.002], weights: [1, 1]}",
+     "s.yaml:4: species.0.radius = 1: must be within size.radii, from 0.0005 to 0.002 m; did you mean 0.001 "
+     "m?"},
+    {"SizesInMillimetres", "radius: 0.001, mass: 0.001",
+     "radius: 1, mass: 0.001, size: {distribution: table, radii: [0.5, 2], weights: [1, 1]}",
+     "s.yaml:4: species.0.size: the largest diameter, 4 m, must be at most the base's width (teeth times "
+     "tooth_width), 0.4 m; are its radii in mm?"},
     {"TableThatIsNoList", "radius: 0.001, mass: 0.001",
      "radius: 0.001, mass: 0.001, size: {distribution: table, radii: 0.001, weights: [1]}",
      "s.yaml:4: species.0.size.radii = 0.001: must be a list"},
@@ -255,10 +266,12 @@ const Refusal PROFILES[] = {
     {"Text", TOOTH, "profile: [[0, 0], [0.01, high], [0.02, 0]]",
      "s.yaml:1: base.profile.1.1 = high: must be a number from -1000 to 1000 m"},
     {"Overhang", TOOTH, "profile: [[0, 0], [0.01, 0.005], [0.009, 0.006], [0.02, 0]]",
-     "s.yaml:1: base.profile.2: s = 0.009 m is before the corner before, s = 0.01 m: a tooth must have no "
-     "overhang"},
+     "s.yaml:1: base.profile.2: s = 0.009 m is before the corner before, s = 0.01 m: corners go from left to "
+     "right, and a tooth must have no overhang"},
+    {"FromRightToLeft", TOOTH, "profile: [[0.02, 0], [0.006, 0.006], [0, 0]]",
+     "s.yaml:1: base.profile.0: must be [0, 0]: a tooth begins there, at its left end"},
     {"BeginsElsewhere", TOOTH, "profile: [[0.001, 0], [0.02, 0]]",
-     "s.yaml:1: base.profile.0: must be [0, 0]: a tooth begins there"},
+     "s.yaml:1: base.profile.0: must be [0, 0]: a tooth begins there, at its left end"},
     {"EndsHigher", TOOTH, "profile: [[0, 0], [0.02, 0.001]]",
      "s.yaml:1: base.profile.1: n = 0.001 m must be 0: a tooth ends as high as it begins"},
     {"NoWidth", TOOTH, "profile: [[0, 0], [0, 0.01], [0, 0]]",

@@ -83,6 +83,30 @@ def frequency_of(acceleration):
     return math.sqrt(acceleration * 9.81 / 0.002) / (2.0 * math.pi)
 
 
+BOUNDARIES = ("periodic", "walled", "open")
+
+
+def profiled(corners, teeth=10, **base):
+    """On teeth of this outline."""
+    scene = mixture(teeth=teeth, profile=corners, **base)
+    for key in ("tooth_width", "tooth_height", "asymmetry"):
+        del scene["base"][key]
+    return scene
+
+
+def smallest_radius(scene):
+    """Of all disks of a scene [m]."""
+    return min(species["radius"] * least_factor(species) for species in scene["species"])
+
+
+def least_factor(species):
+    size = species.get("size", {"distribution": "uniform", "spread": 0.0})
+    if size["distribution"] == "table":
+        return size["radii"][0] / species["radius"]
+    return {"uniform": 1.0 - size["spread"], "normal": 1.0 - 3.0 * size["spread"],
+            "lognormal": math.exp(-3.0 * size["spread"])}[size["distribution"]]
+
+
 def collisions():
     """Limits of the collision law's coefficients."""
     for value in (0.0, 1.0):
@@ -114,6 +138,38 @@ def shapes():
     yield "teeth", "needles, μ = 1000", changed(needles, species={"friction": 1e3}, duration=1.0), RUNS
 
 
+def profiles():
+    """Teeth of any outline, in all boundaries."""
+    needle = [[0, 0], [0.0099, 0], [0.01, 0.1], [0.0101, 0], [0.02, 0]]
+    wave = [[2e-4 * i, round(0.006 * math.sin(0.02 * math.pi * i) + 5e-4 * math.sin(0.3 * math.pi * i), 6)]
+            for i in range(101)]
+    slots = [[0, 0], [0.0045, 0], [0.0045, 0.006], [0.009, 0.006], [0.009, -0.02], [0.0102, -0.02], [0.0102, 0.006],
+             [0.015, 0.006], [0.015, 0], [0.02, 0]]
+    plateau = [[0, 0], [0.003, 0.006], [0.012, 0.006], [0.016, 0], [0.02, 0]]
+    fine = [[0, 0], [2e-5, 6e-5], [4e-5, 2e-5], [6e-5, 6e-5], [6e-5, 0], [1e-4, 0]]
+    for boundary in BOUNDARIES:
+        for what, scene in (("needles a hundredth of a tooth wide, 5 w high", profiled(needle)),
+                            ("a rough wave of 100 faces", profiled(wave)),
+                            ("vertical faces, slots narrower than a disk", profiled(slots)),
+                            ("a plateau, θ = 0.3 rad", profiled(plateau, inclination=0.3)),
+                            ("teeth a tenth of the radius, two apices", profiled(fine, teeth=2000))):
+            yield "profile", f"{what}, {boundary}", changed(scene, boundary=boundary, duration=10.0), RUNS
+
+
+def wide_sizes():
+    """Disks of one species as wide apart as 1:50 and as a lognormal, in all boundaries."""
+    for boundary in BOUNDARIES:
+        few = changed(mixture(), boundary=boundary, duration=5.0)
+        table = {"distribution": "table", "radii": [3e-4, 0.0149, 0.015], "weights": [49, 0, 1], "mass_exponent": 2}
+        wide = changed(few, species={"radius": 3e-4, "size": table})
+        yield "sizes", f"radii 1:50, masses 1:2500, {boundary}", wide, RUNS
+        balls = changed(wide, species={"size": dict(table, mass_exponent=3)}, contact={
+            "on_collapse": "rebound", "collapse_events": 10000})
+        yield "sizes", f"radii 1:50, masses 1:125,000, goes on, {boundary}", balls, GOES_ON
+        yield "sizes", f"lognormal, σ = 0.5, {boundary}", changed(
+            few, species={"size": {"distribution": "lognormal", "spread": 0.5}}), RUNS
+
+
 def sizes():
     """Ratios of disks to teeth, to the machine, and to each other."""
     for ratio in (1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0):
@@ -132,9 +188,12 @@ def sizes():
 def drives():
     """Inclinations, and drives from none to far beyond any feeder's."""
     for angle in (1.5, -1.5, 0.8):
-        for boundary in ("periodic", "walled", "open"):
+        for boundary in BOUNDARIES:
             yield "inclination", f"θ = {angle:g} rad, {boundary}", changed(
                 mixture(inclination=angle), boundary=boundary, duration=10.0), RUNS
+            yield "inclination", f"θ = {angle:g} rad, drive of the deck, {boundary}", changed(
+                mixture(inclination=angle, drive_frame="base", horizontal_amplitude=-0.001), boundary=boundary,
+                duration=10.0), RUNS
     yield "drive", "A = 0", mixture(amplitude=0.0), RUNS
     yield "drive", "f = 0", mixture(frequency=0.0), RUNS
     for acceleration in (1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4):
@@ -151,7 +210,7 @@ def drives():
 
 def orbits():
     """Drives with a horizontal part and harmonics."""
-    for boundary in ("periodic", "walled", "open"):
+    for boundary in BOUNDARIES:
         yield "orbit", f"A_x = A, oblique, {boundary}", changed(
             mixture(horizontal_amplitude=0.002), boundary=boundary, duration=10.0), RUNS
     circle = {"horizontal_phase": 0.5 * math.pi}
@@ -228,6 +287,6 @@ def units():
 
 def extremes():
     """All of them, in the order of the table."""
-    for part in (collisions, shapes, sizes, drives, orbits, walls, amounts, floors, by_speed, units):
+    for part in (collisions, shapes, profiles, sizes, wide_sizes, drives, orbits, walls, amounts, floors, by_speed, units):
         for group, what, scene, comes_to in part():
             yield Extreme(group, what, scene, comes_to, 0.05 * scene["duration"])

@@ -45,7 +45,7 @@ def complaints(extreme, run, summary):
 
 
 def relative_overlap(extreme, summary):
-    return summary["max_overlap"] / min(species["radius"] for species in extreme.scene["species"])
+    return summary["max_overlap"] / extremes.smallest_radius(extreme.scene)
 
 
 def measure(program, extreme, short):

@@ -39,6 +39,9 @@ private:
     double share;  ///< of the disks, times a common factor
   };
 
+  /// One of a table. @param weight of the disks in it
+  void addInterval(double from, double to, double weight);
+
   double radius(double x) const;
   double density(const Piece& piece, double x) const;
   double shareByNumber(const Piece& piece) const;

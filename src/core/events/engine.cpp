@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <thread>
@@ -126,7 +127,10 @@ std::unique_ptr<EventLoop> Engine::makeLoop()
   laneLimit();
   if (!hasPairs())
     return makeEnsembleLoop(state_, execution_);
-  return state_.plan().steps ? makeStepLoop(state_, execution_) : makePairLoop(state_, execution_);
+  const auto* const loop = std::find_if(std::begin(LOOPS), std::end(LOOPS),
+                                        [this](const LoopOfMethod& candidate)
+                                        { return candidate.method == state_.scene().accuracy.method; });
+  return loop->make(state_, execution_);
 }
 
 double Engine::nextMachineEvent() const

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
@@ -76,5 +77,13 @@ std::unique_ptr<EventLoop> makePairLoop(SystemState& state, ContactExecution& ex
 
 /// The same by fixed integration steps: Method::STEPS.
 std::unique_ptr<EventLoop> makeStepLoop(SystemState& state, ContactExecution& execution);
+
+/// The loops for disks that collide with each other, by the method of the scene.
+struct LoopOfMethod
+{
+  Method method;
+  std::unique_ptr<EventLoop> (*make)(SystemState& state, ContactExecution& execution);
+};
+constexpr LoopOfMethod LOOPS[] = {{Method::EVENTS, makePairLoop}, {Method::STEPS, makeStepLoop}};
 
 }  // namespace ratchet_sieve

@@ -64,13 +64,25 @@ Sizes::Sizes(const SpeciesDefinition& species) : radius_(species.radius), size_(
       break;
     case SizeDistribution::TABLE:
       for (std::size_t k = 0; k < size_.radii.size(); ++k)
-      {
-        pieces_.push_back({size_.radii[k > 0 ? k - 1 : 0], size_.radii[k], size_.weights[k]});
-        pieces_.back().share = shareByNumber(pieces_.back());
-      }
+        addInterval(size_.radii[k > 0 ? k - 1 : 0], size_.radii[k], size_.weights[k]);
   }
   smallest_ = size_.vary() ? radius(pieces_.front().from) : radius_;
   largest_ = size_.vary() ? radius(pieces_.back().to) : radius_;
+}
+
+/// Over a wide interval by mass, nearly all disks are small: it is cut, or hardly a draw would be accepted
+/// and means would miss the small ones.
+void Sizes::addInterval(double from, double to, double weight)
+{
+  double start = from;
+  do
+  {
+    const double end = size_.by == SizeShare::MASS ? std::min(2.0 * start, to) : to;
+    const double share = to > from ? (end - start) / (to - from) : 1.0;
+    pieces_.push_back({start, end, weight * share});
+    pieces_.back().share = shareByNumber(pieces_.back());
+    start = end;
+  } while (start < to);
 }
 
 double Sizes::radius(double x) const
