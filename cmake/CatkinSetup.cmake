@@ -32,6 +32,11 @@ add_message_files(FILES
   BaseState.msg
   BinCounts.msg
   Command.msg
+  Observations.msg
+  ObservationColumn.msg
+  ObservationNumber.msg
+  Observation.msg
+  ObservationRow.msg
   ParticleStates.msg
   SceneDescription.msg
   SeekTrial.msg

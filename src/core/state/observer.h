@@ -92,6 +92,10 @@ public:
   virtual void endBlock(double /*time*/) {}
   virtual void endEpoch(double /*time*/) {}
 
+  /// A segment of the base's motion ends: until then, it moved as it does now. No flight that is observed
+  /// later needs the motion before this time.
+  virtual void endSegment(double /*time*/) {}
+
   /// The zero of time is about to be moved forward by `length`.
   virtual void rebase(double /*length*/) {}
 
