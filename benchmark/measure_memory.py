@@ -52,7 +52,7 @@ def resident(process):
 
 
 def disks_so_far():
-    bins = rospy.wait_for_message('/sieve/bins', BinCounts, ros_processes.PATIENCE)
+    bins = rospy.wait_for_message('/sieve/bins', BinCounts, ros_processes.TIMEOUT)
     return sum(bins.left) + sum(bins.right) + sum(bins.on_base)
 
 
@@ -65,7 +65,7 @@ def watch(client, program, scratch, case, times):
     with contextlib.ExitStack() as stack:
         process = stack.enter_context(subprocess.Popen([program, '__name:=sieve'], stdout=subprocess.DEVNULL))
         stack.callback(lambda: process.poll() is None and process.kill())
-        rospy.wait_for_service('/sieve/step', ros_processes.PATIENCE)
+        rospy.wait_for_service('/sieve/step', ros_processes.TIMEOUT)
         step = rospy.ServiceProxy('/sieve/step', StepSimulation)
         now = 0.0
         for time in times:

@@ -12,7 +12,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// For each choice the same number of strides, so that both run the same course.
+/// For each choice the same number of strides, so that both run the same path.
 constexpr int STRIDES = 30;
 
 struct Choice
@@ -71,7 +71,7 @@ void run(benchmark::State& state, Choice choice, bool full)
 [[maybe_unused]] const bool REGISTERED = []
 {
   const SceneDefinition layer = test::mixture(262);
-  // Between walls: the lanes of a periodic base work everything out for all at once.
+  // Between walls: the SIMD batches of a periodic base evaluate everything for all at once.
   SceneDefinition singles = test::singleParticles(1000);
   singles.boundary = Boundary::WALLED;
   for (const Choice& choice : {

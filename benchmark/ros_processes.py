@@ -15,7 +15,7 @@ import rosgraph
 import rospy
 from std_srvs.srv import Empty
 
-PATIENCE = 60.0  # for a program to come up [s]
+TIMEOUT = 60.0  # for a program to come up [s]
 TICKS = os.sysconf('SC_CLK_TCK')
 
 
@@ -28,10 +28,10 @@ class Finished:
 
 
 def wait_for(condition, what):
-    deadline = time.monotonic() + PATIENCE
+    deadline = time.monotonic() + TIMEOUT
     while not condition():
         if time.monotonic() > deadline:
-            raise RuntimeError(f'{what} within {PATIENCE:g} s: no')
+            raise RuntimeError(f'{what} within {TIMEOUT:g} s: no')
         time.sleep(0.01)
 
 
@@ -92,8 +92,8 @@ def listener(topic):
         def received():
             return json.loads(process.communicate('end\n')[0])
         try:
-            if not select.select([process.stdout], [], [], PATIENCE)[0] or not process.stdout.readline():
-                raise RuntimeError(f'{topic}: no message within {PATIENCE:g} s')
+            if not select.select([process.stdout], [], [], TIMEOUT)[0] or not process.stdout.readline():
+                raise RuntimeError(f'{topic}: no message within {TIMEOUT:g} s')
             yield received
         finally:
             if process.poll() is None:

@@ -3,9 +3,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "lanes/lane_batch.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
+#include "simd/simd_batch.h"
 
 namespace ratchet_sieve
 {
@@ -42,7 +42,7 @@ void singleParticles(benchmark::State& state)
 }
 BENCHMARK(singleParticles)->Unit(benchmark::kMillisecond);
 
-/// The same in so many lanes of the processor's registers; see lane_batch.h.
+/// The same in so many lanes of the processor's registers; see simd_batch.h.
 void singleParticlesInLanes(benchmark::State& state)
 {
   if (!useLanes(static_cast<int>(state.range(0))))

@@ -9,7 +9,7 @@ import time
 
 import rospy
 
-PATIENCE = 5.0  # for the connection to end [s]
+TIMEOUT = 5.0  # for the connection to end [s]
 BUFFER = 1 << 24  # bytes: more than a message of very many disks
 
 
@@ -31,7 +31,7 @@ def main():
     subscriber = rospy.Subscriber(sys.argv[1], rospy.AnyMsg, take, buff_size=BUFFER)
     sys.stdin.readline()
     # The last messages of the sieve may not have been read yet.
-    deadline = time.monotonic() + PATIENCE
+    deadline = time.monotonic() + TIMEOUT
     while subscriber.get_num_connections() > 0 and time.monotonic() < deadline:
         time.sleep(0.01)
     with_times = sys.argv[1].rpartition('/')[2] not in ('markers', 'cloud')

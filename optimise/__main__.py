@@ -39,12 +39,12 @@ def main():
     if options.jobs < 0:
         parser.error(f"--jobs {options.jobs}: 0 or more")
     # What follows needs matplotlib, optuna and yaml, which --help does without.
-    from optimise import course
+    from optimise import pipeline
     try:
-        course.run(options, options.search or sorted(SEARCHES.glob("*.yaml")), *places(options))
-    except course.BadSearch as error:
+        pipeline.run(options, options.search or sorted(SEARCHES.glob("*.yaml")), *places(options))
+    except pipeline.BadSearch as error:
         sys.exit(f"optimise: {error}")
-    except course.SweepFailed as error:
+    except pipeline.SweepFailed as error:
         sys.exit(f"optimise: {error}")
     except OSError as error:
         sys.exit(f"optimise: {error.filename}: {error.strerror}")

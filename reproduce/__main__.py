@@ -54,10 +54,10 @@ def main():
     if options.list:
         list_studies(DOCUMENTS)
         return
-    from reproduce import course
+    from reproduce import pipeline
     try:
-        course.run(options, DOCUMENTS)
-    except course.SweepFailed as error:
+        pipeline.run(options, DOCUMENTS)
+    except pipeline.SweepFailed as error:
         sys.exit(f"reproduce: {error}")
     except OSError as error:
         sys.exit(f"reproduce: {error.filename}: {error.strerror}")

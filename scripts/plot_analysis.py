@@ -245,7 +245,7 @@ def plot_contacts(axes, contacts):
     beside(axes)
 
 
-def draw_course(directory):
+def draw_result(directory):
     """Bins and segregation above the drive; if no disk can leave, drift and contacts."""
     heights = (3, 2, 1.1, 1.1, 1.1)
     figure, axes = plt.subplots(5, 1, sharex=True, figsize=(7.5, 8.5), gridspec_kw={'height_ratios': heights})
@@ -376,7 +376,7 @@ def draw_contacts(directory):
 
 def drawings(directory):
     return {
-        'segregation.png' if disks_can_leave(directory) else 'drift.png': draw_course,
+        'segregation.png' if disks_can_leave(directory) else 'drift.png': draw_result,
         'displacements.png': draw_displacements,
         'velocities.png': draw_velocities,
         'temperature.png': draw_temperature,

@@ -10,15 +10,15 @@ import time
 
 import numpy
 
-PATIENCE = 60.0  # on a slow machine [s]
+TIMEOUT = 60.0  # on a slow machine [s]
 
 
 def wait_for(condition, what):
     """Waits until the condition holds."""
-    deadline = time.monotonic() + PATIENCE
+    deadline = time.monotonic() + TIMEOUT
     while not condition():
         if time.monotonic() > deadline:
-            raise RuntimeError(f'{what}: not within {PATIENCE:g} s')
+            raise RuntimeError(f'{what}: not within {TIMEOUT:g} s')
         time.sleep(0.05)
 
 
@@ -63,7 +63,7 @@ class VirtualScreen:
             if program.poll() is None:
                 os.killpg(program.pid, request)
                 try:
-                    program.wait(PATIENCE)
+                    program.wait(TIMEOUT)
                 except subprocess.TimeoutExpired:
                     continue
         if program in self._programs:

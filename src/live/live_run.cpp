@@ -107,7 +107,7 @@ StatisticsFrame LiveRun::statistics() const
   return makeStatisticsFrame(simulation_, window);
 }
 
-void LiveRun::give(CommandFrame command, FrameSink& sink)
+void LiveRun::applyCommand(CommandFrame command, FrameSink& sink)
 {
   command.time = time();
   apply(command, simulation_);

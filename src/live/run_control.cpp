@@ -119,7 +119,7 @@ void RunControl::end()
 void RunControl::pause()
 {
   if (!paused_)
-    run_->give(plainCommand(CommandKind::PAUSE), sinks_);
+    run_->applyCommand(plainCommand(CommandKind::PAUSE), sinks_);
   paused_ = true;
   run_->takeAll(sinks_);
   run_->setUnderWay(false);
@@ -128,7 +128,7 @@ void RunControl::pause()
 void RunControl::unpause()
 {
   if (paused_)
-    run_->give(plainCommand(CommandKind::UNPAUSE), sinks_);
+    run_->applyCommand(plainCommand(CommandKind::UNPAUSE), sinks_);
   paused_ = false;
   run_->setUnderWay(true);
 }
@@ -265,7 +265,7 @@ Outcome RunControl::pour(const std::string& species, std::size_t count)
     CommandFrame command = plainCommand(CommandKind::POUR);
     command.species = static_cast<std::uint32_t>(found - all.begin());
     command.count = static_cast<std::uint32_t>(count);
-    run_->give(command, sinks_);
+    run_->applyCommand(command, sinks_);
   }
   catch (const std::invalid_argument& error)
   {
@@ -285,7 +285,7 @@ Outcome RunControl::command(const Setpoint& setpoint, double value)
 {
   if (const auto refusal = setpoint.refusal(value))
     return failure(*refusal);
-  run_->give(setpointCommand(setpoint.quantity, value), sinks_);
+  run_->applyCommand(setpointCommand(setpoint.quantity, value), sinks_);
   show(run_->base());
   return {};
 }

@@ -20,8 +20,8 @@ Observed observedSizeClasses(const Simulation& simulation)
   {
     const std::size_t species = classes[k].species;
     ObservedRow row{"", simulation.scene().species[species].name, {}, {}};
-    row.table = {{"radius_from", "m", {}}, {"radius_to", "m", {}},    {"left", "", {}},
-                 {"right", "", {}},        {"on_base", "", {}},       {"left_mass", "kg", {}},
+    row.table = {{"radius_from", "m", {}}, {"radius_to", "m", {}}, {"left", "", {}},
+                 {"right", "", {}},        {"on_base", "", {}},    {"left_mass", "kg", {}},
                  {"right_mass", "kg", {}}, {"mean_vx", "m/s", {}}, {"mean_vx_stderr", "m/s", {}}};
     std::vector<SpeciesBins> all;
     for (; k < classes.size() && classes[k].species == species; ++k)

@@ -129,7 +129,7 @@ Json planParts(const Plan& plan)
   json["orbit"] = plan.orbit;
   json["contact_times"] = plan.contact_times;
   json["search_above_band"] = plan.search_above_band;
-  json["lanes"] = plan.lanes;
+  json["simd"] = plan.simd;
   return json;
 }
 

@@ -18,7 +18,8 @@ namespace ratchet_sieve
 namespace
 {
 constexpr double SEARCH_PERIOD = 0.2;  // of the search for a sieve [s of wall time]
-constexpr double SILENCE = 5.0;   // after which a warning says that no message was received [s of wall time]
+constexpr double WARN_SILENT_AFTER =
+    5.0;                          // after which a warning says that no message was received [s of wall time]
 constexpr double MAX_RATE = 1e3;  // [1/s]
 
 /// Timer ticks per picture: a tick that is slightly early then delays a picture by a fraction of its period.
@@ -36,7 +37,7 @@ DisplayNode::DisplayNode(const ros::NodeHandle& private_node, const std::string&
 {
   show_timer_ = node_.createWallTimer(ros::WallDuration(1.0 / (TICKS_PER_PICTURE * rate)),
                                       [this](const ros::WallTimerEvent&) { show(); });
-  silence_timer_ = node_.createWallTimer(ros::WallDuration(SILENCE),
+  silence_timer_ = node_.createWallTimer(ros::WallDuration(WARN_SILENT_AFTER),
                                          [this](const ros::WallTimerEvent&) { warnOfSilence(); });
   if (sieve.empty())
     search_timer_ = node_.createWallTimer(ros::WallDuration(SEARCH_PERIOD),
@@ -92,7 +93,7 @@ void DisplayNode::see(const Frame& frame, const std::string& publisher, const st
 {
   if (!isStamp(frame.time))
     throw std::invalid_argument("an invalid time");
-  seen_.take(frame);
+  mirror_.take(frame);
   // Only the messages tell whether the sieve has a world frame of its own.
   frames_.world = frame_id;
   // A live sieve publishes its transforms itself, and tf2 warns of repeated ones.
@@ -103,23 +104,23 @@ void DisplayNode::see(const Frame& frame, const std::string& publisher, const st
       transforms_.publish(frame);
     }
   if constexpr (std::is_same_v<Frame, SceneFrame>)
-    if (seen_.sceneError())
-      ROS_ERROR("the scene cannot be shown: %s", seen_.sceneError()->c_str());
+    if (mirror_.sceneError())
+      ROS_ERROR("the scene cannot be shown: %s", mirror_.sceneError()->c_str());
 }
 
 /// Logs one warning if no message was received in time.
 void DisplayNode::warnOfSilence()
 {
   silence_timer_.stop();
-  if (!seen_.time())
+  if (!mirror_.time())
     ROS_WARN("nothing to show: %s", missingSieveText(sieve_).c_str());
 }
 
 void DisplayNode::show()
 {
-  const auto time = seen_.time();
+  const auto time = mirror_.time();
   if (time && display_.due(*time))
-    display_.show(seen_.picture(), frames_.world);
+    display_.show(mirror_.picture(), frames_.world);
 }
 
 }  // namespace ratchet_sieve

@@ -47,7 +47,8 @@ void writeSection(std::ostream& out, const char* name, const Keys<Part>& keys, c
 
 /// The keys of a section that differ from their defaults; empty if none does.
 template <typename Part>
-std::string changedSection(const char* name, const Part& part, std::initializer_list<const Keys<Part>*> key_lists)
+std::string changedSection(const char* name, const Part& part,
+                           std::initializer_list<const Keys<Part>*> key_lists)
 {
   std::ostringstream out;
   FlowWriter flow(out);

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
-#include "doubts.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
+#include "scene_warnings.h"
 
 namespace ratchet_sieve
 {
@@ -33,10 +33,10 @@ std::string speciesKey(std::size_t index, const char* key)
   return "species." + std::to_string(index) + "." + key;
 }
 
-void doubtNumbers(const SceneDefinition& scene, Doubts& doubts)
+void warnOfNumbers(const SceneDefinition& scene, SceneWarnings& warnings)
 {
   if (disksAtStart(scene) == 0 && scene.feed.rate <= 0.0)
-    doubts.add(
+    warnings.add(
         "no disks: every species.N.count is 0, initial is empty and feed.rate is 0; a density, if given, is "
         "too "
         "small: the base is " +
@@ -50,7 +50,7 @@ double valley(const BaseDefinition& base)
   return relief(base) > 0.0 ? base.toothWidth() : base.width();
 }
 
-void doubtRadii(const SceneDefinition& scene, Doubts& doubts)
+void warnOfRadii(const SceneDefinition& scene, SceneWarnings& warnings)
 {
   const BaseDefinition& base = scene.base;
   const double room = valley(base);
@@ -64,9 +64,9 @@ void doubtRadii(const SceneDefinition& scene, Doubts& doubts)
         (2.0 * radius > base.width() ? ", is larger than the base's width, " + quantity(base.width(), "m")
                                      : ", is larger than a tooth, " + toothKey(base, "width") + " = " +
                                            quantity(base.toothWidth(), "m"));
-    doubts.add(
-        speciesKey(i, "radius"), radius, "m", figure,
-        meant(radius, 1e-3, [&](double r) { return 2.0 * r <= room && 200.0 * r >= base.toothWidth(); }));
+    warnings.add(speciesKey(i, "radius"), radius, "m", figure,
+                 suggestUnit(radius, 1e-3,
+                             [&](double r) { return 2.0 * r <= room && 200.0 * r >= base.toothWidth(); }));
   }
 }
 
@@ -75,7 +75,7 @@ double sphere(double radius)
   return 4.0 / 3.0 * PI * std::pow(radius, 3);
 }
 
-void doubtMass(const SceneDefinition& scene, std::size_t index, Doubts& doubts)
+void warnOfMass(const SceneDefinition& scene, std::size_t index, SceneWarnings& warnings)
 {
   const double mass = scene.species[index].mass;
   const double radius = scene.species[index].radius;
@@ -86,22 +86,23 @@ void doubtMass(const SceneDefinition& scene, std::size_t index, Doubts& doubts)
   const std::string radius_key = speciesKey(index, "radius");
   const std::string figure = " the density of a sphere would be " +
                              quantity(mass / sphere(radius), "kg/m^3") + "; osmium has 22590 kg/m^3";
-  const auto lighter = meant(mass, 1e-3, [&](double m) { return !dense(m, radius); });
+  const auto lighter = suggestUnit(mass, 1e-3, [&](double m) { return !dense(m, radius); });
   const auto larger =
-      meant(radius, 1e3, [&](double r) { return !dense(mass, r) && 2.0 * r <= valley(scene.base); });
+      suggestUnit(radius, 1e3, [&](double r) { return !dense(mass, r) && 2.0 * r <= valley(scene.base); });
   if (larger && !lighter)
-    doubts.add(radius_key, radius, "m", "with " + mass_key + " = " + quantity(mass, "kg") + figure, larger);
+    warnings.add(radius_key, radius, "m", "with " + mass_key + " = " + quantity(mass, "kg") + figure, larger);
   else
-    doubts.add(mass_key, mass, "kg", "with " + radius_key + " = " + quantity(radius, "m") + figure, lighter);
+    warnings.add(mass_key, mass, "kg", "with " + radius_key + " = " + quantity(radius, "m") + figure,
+                 lighter);
 }
 
-void doubtMasses(const SceneDefinition& scene, Doubts& doubts)
+void warnOfMasses(const SceneDefinition& scene, SceneWarnings& warnings)
 {
   for (std::size_t i = 0; i < scene.species.size(); ++i)
-    doubtMass(scene, i, doubts);
+    warnOfMass(scene, i, warnings);
 }
 
-void doubtTeeth(const SceneDefinition& scene, Doubts& doubts)
+void warnOfTeeth(const SceneDefinition& scene, SceneWarnings& warnings)
 {
   const BaseDefinition& base = scene.base;
   const double diameter = largestDiameter(scene);
@@ -110,17 +111,17 @@ void doubtTeeth(const SceneDefinition& scene, Doubts& doubts)
   const double height = relief(base);
   const auto tall = [&](double h) { return h > TALLEST_TOOTH * width; };
   if (wide(width))
-    doubts.add(
+    warnings.add(
         toothKey(base, "width"), width, "m",
         number(width / diameter) + " times the diameter of the largest disks, " + quantity(diameter, "m"),
-        meant(width, 1e-3, [&](double w) { return !wide(w) && diameter <= w; }));
+        suggestUnit(width, 1e-3, [&](double w) { return !wide(w) && diameter <= w; }));
   if (tall(height))
-    doubts.add(toothKey(base, "height"), height, "m",
-               number(height / width) + " times " + toothKey(base, "width") + " = " + quantity(width, "m"),
-               meant(height, 1e-3, [&](double h) { return !tall(h); }));
+    warnings.add(toothKey(base, "height"), height, "m",
+                 number(height / width) + " times " + toothKey(base, "width") + " = " + quantity(width, "m"),
+                 suggestUnit(height, 1e-3, [&](double h) { return !tall(h); }));
 }
 
-void doubtLayer(const SceneDefinition& scene, Doubts& doubts)
+void warnOfLayer(const SceneDefinition& scene, SceneWarnings& warnings)
 {
   const double width = scene.base.width();
   const double diameter = largestDiameter(scene);
@@ -129,18 +130,18 @@ void doubtLayer(const SceneDefinition& scene, Doubts& doubts)
   const bool tall = layer > TALL_LAYER && layer > DISKS_IN_LAYER * diameter;
   // A single disk in a narrow machine is not a layer.
   if (tall || (layer > LAYER_TO_WIDTH * width && layer > diameter && disks > 1))
-    doubts.add("the counts of all species sum to " + std::to_string(disks) + " disks: at rest a layer " +
-               quantity(layer, "m") + " thick, " + number(layer / diameter) +
-               " of the largest diameters, on a base " + quantity(width, "m") +
-               " wide; did you mean a smaller density, smaller counts or larger radii?");
+    warnings.add("the counts of all species sum to " + std::to_string(disks) + " disks: at rest a layer " +
+                 quantity(layer, "m") + " thick, " + number(layer / diameter) +
+                 " of the largest diameters, on a base " + quantity(width, "m") +
+                 " wide; did you mean a smaller density, smaller counts or larger radii?");
   const double growth = feedGrowth(scene) * timeScale(scene);
   if (growth > diameter)
-    doubts.add("feed.rate", scene.feed.rate, "1/s",
-               "raises the layer by " + quantity(feedGrowth(scene), "m/s") + ", " +
-                   number(growth / diameter) + " of the largest diameters within the machine's time scale, " +
-                   quantity(timeScale(scene), "s"),
-               meant(scene.feed.rate, 1e-3,
-                     [&](double rate) { return growth * rate / scene.feed.rate <= diameter; }));
+    warnings.add(
+        "feed.rate", scene.feed.rate, "1/s",
+        "raises the layer by " + quantity(feedGrowth(scene), "m/s") + ", " + number(growth / diameter) +
+            " of the largest diameters within the machine's time scale, " + quantity(timeScale(scene), "s"),
+        suggestUnit(scene.feed.rate, 1e-3,
+                    [&](double rate) { return growth * rate / scene.feed.rate <= diameter; }));
 }
 
 bool isHigh(const SceneDefinition& scene, double height)
@@ -154,21 +155,21 @@ double fallSpeed(const SceneDefinition& scene, double height)
   return std::sqrt(2.0 * scene.gravity * height);
 }
 
-void doubtPour(const SceneDefinition& scene, Doubts& doubts)
+void warnOfPour(const SceneDefinition& scene, SceneWarnings& warnings)
 {
   if (!scene.initial.empty() && scene.feed.rate <= 0.0)
     return;
   const double height = scene.pour.drop_height;
   if (isHigh(scene, height))
-    doubts.add("pour.drop_height", height, "m",
-               number(height / scene.base.toothWidth()) + " times " + toothKey(scene.base, "width") +
-                   "; disks land at " + quantity(fallSpeed(scene, height), "m/s"),
-               meant(height, 1e-3, [&](double h) { return !isHigh(scene, h); }));
+    warnings.add("pour.drop_height", height, "m",
+                 number(height / scene.base.toothWidth()) + " times " + toothKey(scene.base, "width") +
+                     "; disks land at " + quantity(fallSpeed(scene, height), "m/s"),
+                 suggestUnit(height, 1e-3, [&](double h) { return !isHigh(scene, h); }));
   if (scene.pour.speed > FASTEST)
-    doubts.add("pour.speed", scene.pour.speed, "m/s",
-               number(1e-3 * scene.pour.speed / scene.base.toothWidth()) + " times " +
-                   toothKey(scene.base, "width") + " per millisecond",
-               meant(scene.pour.speed, 1e-3, [](double speed) { return speed <= FASTEST; }));
+    warnings.add("pour.speed", scene.pour.speed, "m/s",
+                 number(1e-3 * scene.pour.speed / scene.base.toothWidth()) + " times " +
+                     toothKey(scene.base, "width") + " per millisecond",
+                 suggestUnit(scene.pour.speed, 1e-3, [](double speed) { return speed <= FASTEST; }));
 }
 
 double speedOf(const InitialDisk& disk)
@@ -177,7 +178,7 @@ double speedOf(const InitialDisk& disk)
 }
 
 /// About the first disk of `initial` that is too high, too fast or spins too fast.
-void doubtInitial(const SceneDefinition& scene, Doubts& doubts)
+void warnOfInitial(const SceneDefinition& scene, SceneWarnings& warnings)
 {
   const double slope = std::tan(scene.base.inclination);
   for (std::size_t i = 0; i < scene.initial.size(); ++i)
@@ -186,17 +187,17 @@ void doubtInitial(const SceneDefinition& scene, Doubts& doubts)
     const std::string key = "initial." + std::to_string(i);
     const double height = disk.y - slope * disk.x;
     const double rim = std::abs(disk.spin) * scene.species[disk.species].radius;
-    const std::size_t before = doubts.size();
+    const std::size_t before = warnings.size();
     if (isHigh(scene, height))
-      doubts.add(key + ".y", disk.y, "m",
-                 quantity(height, "m") + " above the base, " + number(height / scene.base.toothWidth()) +
-                     " times " + toothKey(scene.base, "width"),
-                 meant(disk.y, 1e-3, [&](double y) { return y > slope * disk.x; }));
+      warnings.add(key + ".y", disk.y, "m",
+                   quantity(height, "m") + " above the base, " + number(height / scene.base.toothWidth()) +
+                       " times " + toothKey(scene.base, "width"),
+                   suggestUnit(disk.y, 1e-3, [&](double y) { return y > slope * disk.x; }));
     if (speedOf(disk) > FASTEST)
-      doubts.add(key + ": the speed (vx, vy) is " + quantity(speedOf(disk), "m/s") + "; is it in mm/s?");
+      warnings.add(key + ": the speed (vx, vy) is " + quantity(speedOf(disk), "m/s") + "; is it in mm/s?");
     if (rim > FASTEST)
-      doubts.add(key + ".spin", disk.spin, "rad/s", "the rim of the disk moves at " + quantity(rim, "m/s"));
-    if (doubts.size() > before)
+      warnings.add(key + ".spin", disk.spin, "rad/s", "the rim of the disk moves at " + quantity(rim, "m/s"));
+    if (warnings.size() > before)
       return;
   }
 }
@@ -224,62 +225,63 @@ double lastingSpeed(const SceneDefinition& scene)
   return drivenSpeed(scene) + (driveBounds(scene.base).speed > 0.0 ? 0.0 : fastestStart(scene));
 }
 
-void doubtContact(const SceneDefinition& scene, Doubts& doubts)
+void warnOfContact(const SceneDefinition& scene, SceneWarnings& warnings)
 {
   const double speed = fastestStart(scene) + drivenSpeed(scene);
   const double floor = scene.contact.min_rebound_speed;
   if (speed > 0.0 && floor > speed)
-    doubts.add("contact.min_rebound_speed", floor, "m/s",
-               "higher than any speed from fall, pour and drive, " + quantity(speed, "m/s") +
-                   ": every contact accelerates the disks",
-               meant(floor, 1e-3, [&](double v) { return v <= speed; }));
+    warnings.add("contact.min_rebound_speed", floor, "m/s",
+                 "higher than any speed from fall, pour and drive, " + quantity(speed, "m/s") +
+                     ": every contact accelerates the disks",
+                 suggestUnit(floor, 1e-3, [&](double v) { return v <= speed; }));
   const double scale = timeScale(scene);
   const double duration = scene.contact.contact_duration;
   if (duration > scale)
-    doubts.add(
+    warnings.add(
         "contact.contact_duration", duration, "s",
         "longer than the machine's time scale, " + quantity(scale, "s") + ": almost no contact loses energy",
-        meant(duration, 1e-3, [&](double t) { return t <= scale; }));
+        suggestUnit(duration, 1e-3, [&](double t) { return t <= scale; }));
 }
 
 /// Compares with drive periods or, without a drive, with falls over a tooth. Skipped if those are in doubt.
-void doubtDuration(const SceneDefinition& scene, Doubts& doubts)
+void warnOfDuration(const SceneDefinition& scene, SceneWarnings& warnings)
 {
-  if (doubts.size() > 0)
+  if (warnings.size() > 0)
     return;
   const bool driven = scene.base.frequency > 0.0;
   const double period =
       driven ? 1.0 / scene.base.frequency : std::sqrt(scene.base.toothWidth() / scene.gravity);
   if (scene.duration > LONGEST_RUN * period)
-    doubts.add("duration", scene.duration, "s",
-               number(scene.duration / 3600.0) + " hours, " + number(scene.duration / period) +
-                   (driven ? " drive periods" : " times as long as a fall over a tooth"),
-               1e-3 * scene.duration);
+    warnings.add("duration", scene.duration, "s",
+                 number(scene.duration / 3600.0) + " hours, " + number(scene.duration / period) +
+                     (driven ? " drive periods" : " times as long as a fall over a tooth"),
+                 1e-3 * scene.duration);
 }
 
-std::vector<std::string> doubtsOf(const SceneDefinition& scene)
+std::vector<std::string> warningsOf(const SceneDefinition& scene)
 {
-  Doubts doubts;
-  for (const auto doubt : {doubtNumbers, doubtRadii, doubtMasses, doubtTeeth, doubtDrive, doubtAngles,
-                           doubtGravity, doubtLayer, doubtPour, doubtInitial, doubtContact, doubtDuration})
-    doubt(scene, doubts);
-  doubtAccuracy(scene, lastingSpeed(scene), doubts);
-  return doubts.take();
+  SceneWarnings warnings;
+  for (const auto doubt :
+       {warnOfNumbers, warnOfRadii, warnOfMasses, warnOfTeeth, warnOfDrive, warnOfAngles, warnOfGravity,
+        warnOfLayer, warnOfPour, warnOfInitial, warnOfContact, warnOfDuration})
+    doubt(scene, warnings);
+  warnOfAccuracy(scene, lastingSpeed(scene), warnings);
+  return warnings.take();
 }
 
 bool isPlausible(const SceneDefinition& scene)
 {
-  return shakes(driveBounds(scene.base), scene.gravity) && doubtsOf(scene).empty();
+  return shakes(driveBounds(scene.base), scene.gravity) && warningsOf(scene).empty();
 }
 }  // namespace
 
 std::vector<std::string> implausibilities(const SceneDefinition& scene)
 {
-  std::vector<std::string> doubts = doubtsOf(scene);
-  if (!doubts.empty())
+  std::vector<std::string> warnings = warningsOf(scene);
+  if (!warnings.empty())
     if (const auto slip = unitSlip(scene, isPlausible))
       return {*slip};
-  return doubts;
+  return warnings;
 }
 
 }  // namespace ratchet_sieve

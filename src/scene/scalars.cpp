@@ -119,7 +119,7 @@ std::string formatted(double value, int digits)
 std::string hint(const Range& range, double value)
 {
   const std::string unit = range.unit;
-  const auto meant = [&](double factor, const char* as)
+  const auto suggest = [&](double factor, const char* as)
   {
     const double other = factor * value;
     return std::abs(value) < LEAST_SLIP || !range.holds(other)
@@ -128,10 +128,10 @@ std::string hint(const Range& range, double value)
                      formatted(value, 4) + " " + as + ")?";
   };
   if (unit == "rad")
-    return meant(DEGREE, "degrees");
+    return suggest(DEGREE, "degrees");
   if (unit == "s")
-    return meant(1e-3, "ms");
-  return unit.empty() && range.highest <= 1.0 ? meant(0.01, "%") : "";
+    return suggest(1e-3, "ms");
+  return unit.empty() && range.highest <= 1.0 ? suggest(0.01, "%") : "";
 }
 
 bool allowedInName(char c)

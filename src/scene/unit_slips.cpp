@@ -1,8 +1,8 @@
 #include <array>
 #include <cmath>
 
-#include "doubts.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
+#include "scene_warnings.h"
 
 namespace ratchet_sieve
 {

@@ -35,13 +35,14 @@ bool isPicture(const std::string& path)
   return number(16) > 500 && number(20) > 300;
 }
 
-/// @param course the picture of bins and segregation, or of the drift if no disk can leave
-void expectPictures(const RunResult& result, const char* course)
+/// @param result_picture the picture of bins and segregation, or of the drift if no disk can leave
+void expectPictures(const RunResult& result, const char* result_picture)
 {
   const ScratchDirectory directory;
   writeTables(result, directory / "");
   ASSERT_EQ(draw(directory / "", directory / "output"), 0) << contents(directory / "output");
-  for (const char* name : {course, "displacements.png", "velocities.png", "temperature.png", "contacts.png"})
+  for (const char* name :
+       {result_picture, "displacements.png", "velocities.png", "temperature.png", "contacts.png"})
   {
     EXPECT_TRUE(isPicture(directory / name)) << name;
     EXPECT_NE(contents(directory / "output").find(name), std::string::npos);

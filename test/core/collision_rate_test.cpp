@@ -92,11 +92,11 @@ TEST(CollisionRate, CountsEachDiskOfAPair)
 TEST(CollisionRate, IsOfEachSpeciesOfAnEnsemble)
 {
   const SceneDefinition scene = twoEnsembles();
-  Simulation in_lanes(scene);
-  ASSERT_TRUE(in_lanes.plan().lanes);
-  expectCounted(in_lanes);
+  Simulation in_batches(scene);
+  ASSERT_TRUE(in_batches.plan().simd);
+  expectCounted(in_batches);
   Plan plan = planOf(scene);
-  plan.lanes = false;
+  plan.simd = false;
   Simulation without(scene, plan);
   expectCounted(without);
 }

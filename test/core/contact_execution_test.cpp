@@ -74,7 +74,7 @@ TEST(ContactExecution, SaysOfASlidingDiskOnTheBaseWhatItIsGiven)
   EXPECT_NEAR(bench.velocity(slot).y(), 0.6 * SPEED, 1e-14);
   // r / I = 2 / (m r).
   EXPECT_NEAR(bench.state.disk(slot).spin, -2.0 * 0.16 * SPEED / RADIUS, 1e-9);
-  EXPECT_EQ(bench.state.disk(slot).flights, 1u);
+  EXPECT_EQ(bench.state.disk(slot).event_count, 1u);
 }
 
 TEST(ContactExecution, LeavesAContactAloneThatOpens)
@@ -97,8 +97,8 @@ TEST(ContactExecution, LeavesAContactAloneThatOpens)
   EXPECT_EQ(bench.velocity(i), Eigen::Vector2d(2.0, SPEED));
   EXPECT_EQ(bench.velocity(j), Eigen::Vector2d(3.0, SPEED));
   // Their flights are nevertheless predicted again.
-  EXPECT_EQ(bench.state.disk(i).flights, 2u);
-  EXPECT_EQ(bench.state.disk(j).flights, 1u);
+  EXPECT_EQ(bench.state.disk(i).event_count, 2u);
+  EXPECT_EQ(bench.state.disk(j).event_count, 1u);
 }
 
 TEST(ContactExecution, SaysWhatOfTheBaseWasHit)

@@ -40,8 +40,8 @@ double number(const ObservedRow& row, const std::string& name)
   throw std::out_of_range(name);
 }
 
-/// The sum of a slice's times is that of the flights, and so are the moments of the velocity; each slice's time
-/// is that of a reader of 20,000 instants.
+/// The sum of a slice's times is that of the flights, and so are the moments of the velocity; each slice's
+/// time is that of a reader of 20,000 instants.
 TEST(HeightSlices, AreThoseOfManyInstants)
 {
   EXPECT_TRUE(rc::check(
@@ -77,8 +77,9 @@ TEST(HeightSlices, AreThoseOfManyInstants)
         RC_ASSERT(std::abs(all.upwards - 2.0 * (end - start)) < 1e-9);
         RC_ASSERT(std::abs(all.along - duration * (along + later)) < 1e-9);
         const double last = up + acceleration * duration;
-        const double squared = duration / 3.0 *
-                               (along * along + along * later + later * later + up * up + up * last + last * last);
+        const double squared =
+            duration / 3.0 *
+            (along * along + along * later + later * later + up * up + up * last + last * last);
         RC_ASSERT(std::abs(all.squared - 2.0 * squared) < 1e-9 * (1.0 + squared));
       }));
 }
@@ -92,8 +93,8 @@ TEST(HeightSlices, EndAtTheLast)
   EXPECT_NEAR(slices.heightIntegral(), 10.0, 1e-12);
 }
 
-/// A ball that bounces for ever, of height H over its lowest place: of its time, the share 1 - sqrt(1 - h/H) is
-/// spent below h, and its velocity there is that of the fall.
+/// A ball that bounces for ever, of height H over its lowest place: of its time, the share 1 - sqrt(1 - h/H)
+/// is spent below h, and its velocity there is that of the fall.
 TEST(HeightProfile, OfABouncingBallIsThatOfItsParabola)
 {
   constexpr double HEIGHT = 0.1, GRAVITY = 9.81, RADIUS = 0.001, SLICE = 0.01;
@@ -224,8 +225,8 @@ std::vector<Case> cases()
   steps.accuracy.method = Method::STEPS;
   steps.accuracy.step = 2e-5;  // within a step a reader does not see its contacts yet
   SceneDefinition single_ring = test::singleParticles(30);
-  return {{"open", open, 0.0},   {"single", single, 0.0}, {"walled", walled, 0.2}, {"ring", ring, 0.1},
-          {"steps", steps, 0.1}, {"single ring", single_ring, 0.1}};
+  return {{"open", open, 0.0}, {"single", single, 0.0}, {"walled", walled, 0.2},
+          {"ring", ring, 0.1}, {"steps", steps, 0.1},   {"single ring", single_ring, 0.1}};
 }
 
 TEST(HeightProfile, IsThatOfASlowReader)
@@ -268,8 +269,8 @@ TEST(HeightProfile, IsThatOfASlowReader)
       for (std::size_t k = 0; k < from.size(); ++k)
         if (density[k] > 0.0)
         {
-          SlowProfile::Slice& slice =
-              seen[{static_cast<int>(std::lround(phase[k] / PI)), static_cast<int>(std::lround(250.0 * from[k]))}];
+          SlowProfile::Slice& slice = seen[{static_cast<int>(std::lround(phase[k] / PI)),
+                                            static_cast<int>(std::lround(250.0 * from[k]))}];
           const double count = density[k] * 0.004 * each.scene.base.width();
           slice.count += count;
           slice.along += count * along[k];

@@ -213,7 +213,7 @@ public:
     const double elapsed = flight.end - flight.from.time;
     // Integrals of v^2 / 2 and of the spin's, by Simpson's rule, which is exact for parabolas.
     const auto square = [&](double time)
-    { return 0.5 * vectorOf(courseAt(flight.from, time, gravity).velocity).squaredNorm(); };
+    { return 0.5 * vectorOf(kinematicsAt(flight.from, time, gravity).velocity).squaredNorm(); };
     const double middle = flight.from.time + 0.5 * elapsed;
     translation += elapsed / 6.0 * (square(flight.from.time) + 4.0 * square(middle) + square(flight.end));
     rotation += 0.5 * elapsed * flight.from.spin * flight.from.spin;
@@ -278,7 +278,7 @@ SceneDefinition fedOpen(bool pairs)
   return scene;
 }
 
-/// Layers, by events and by steps; single disks in lanes, without, and in an open machine that is fed.
+/// Layers, by events and by steps; single disks in SIMD batches, without, and in an open machine that is fed.
 std::vector<SceneDefinition> scenesToFollow()
 {
   SceneDefinition layer = test::mixture(20);
@@ -287,8 +287,8 @@ std::vector<SceneDefinition> scenesToFollow()
   steps.accuracy.method = Method::STEPS;
   SceneDefinition walled = test::singleParticles(20);
   walled.boundary = Boundary::WALLED;
-  SceneDefinition lanes = test::singleParticles(150);
-  return {layer, steps, fedOpen(true), fedOpen(false), walled, lanes};
+  SceneDefinition singles = test::singleParticles(150);
+  return {layer, steps, fedOpen(true), fedOpen(false), walled, singles};
 }
 
 TEST(Observers, AddedAreToldOfEveryContactFlightAndDepartureInTheOrderOfTime)
@@ -351,19 +351,19 @@ TEST(Observers, AddedSumTheSameBitsForAnyStrideAndThreads)
   }
 }
 
-/// In lanes and without: the same flights until rounding differs.
-TEST(Observers, AddedAreToldTheSameOfLanesAsWithout)
+/// In SIMD batches and without: the same flights until rounding differs.
+TEST(Observers, AddedAreToldTheSameWithAndWithoutSimd)
 {
   const SceneDefinition scene = test::singleParticles(60);
   Plan plan = planOf(scene);
-  ASSERT_TRUE(plan.lanes);
-  Followed lanes(scene, plan);
-  plan.lanes = false;
+  ASSERT_TRUE(plan.simd);
+  Followed batches(scene, plan);
+  plan.simd = false;
   Followed alone(scene, plan);
-  lanes.run(0.3);
+  batches.run(0.3);
   alone.run(0.3);
-  EXPECT_EQ(lanes.follower->collisions.total(), alone.follower->collisions.total());
-  EXPECT_NEAR(lanes.follower->impulse, alone.follower->impulse, 1e-9 * alone.follower->impulse);
+  EXPECT_EQ(batches.follower->collisions.total(), alone.follower->collisions.total());
+  EXPECT_NEAR(batches.follower->impulse, alone.follower->impulse, 1e-9 * alone.follower->impulse);
 }
 
 }  // namespace

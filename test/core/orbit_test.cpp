@@ -304,7 +304,7 @@ TEST(Orbit, AnEnsembleIsManyDisksAlone)
   for (int i = 0; i < 10; ++i)
     scene.initial.push_back({0, 0.03 * i, 0.02, 0.02 * i, 0.0, 3.0 * i});
   Simulation ensemble(scene);
-  EXPECT_FALSE(ensemble.plan().lanes);
+  EXPECT_FALSE(ensemble.plan().simd);
   ensemble.advanceTo(0.4);
   const std::vector<DiskState> together = ensemble.disks();
   for (std::size_t i = 0; i < together.size(); ++i)

@@ -27,15 +27,15 @@ TEST(TimeToTouch, KnownAnswers)
   EXPECT_FALSE(timeToContact({0.9, 0.0}, {1.0, 0.0}, 1.0));      // overlapping and separating: ignored
 }
 
-double gapAt(const SystemState& machine, int shift, double time)
+double gapAt(const SystemState& system, int shift, double time)
 {
-  const double gravity = machine.scene().gravity;
-  const Disk a = flown(machine.disk(0), time, gravity);
-  const Disk b = flown(machine.disk(1), time, gravity);
-  const Image there = machine.image(shift, time);
+  const double gravity = system.scene().gravity;
+  const Disk a = flown(system.disk(0), time, gravity);
+  const Disk b = flown(system.disk(1), time, gravity);
+  const Image there = system.image(shift, time);
   return std::hypot(a.position.x() - b.position.x() - there.shift.x(),
                     a.position.y() - b.position.y() - there.shift.y()) -
-         machine.radius(0) - machine.radius(1);
+         system.radius(0) - system.radius(1);
 }
 
 /// Two disks at either end of a ring that turns fast, thrown at each other across the seam.
@@ -46,9 +46,9 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
       {
         SceneDefinition scene = test::mixture(0);
         scene.base.teeth = 4;
-        SystemState machine(scene);
-        test::turn(machine, *rc::gen::element(0.1, 1.0, 5.0), *rc::gen::element(-1.0, 1.0), 0.0);
-        const double until = *machine.motion().nextChange();
+        SystemState system(scene);
+        test::turn(system, *rc::gen::element(0.1, 1.0, 5.0), *rc::gen::element(-1.0, 1.0), 0.0);
+        const double until = *system.motion().nextChange();
         Disk left, right;
         left.position.x() = drawn(0.002, 0.006);
         right.position.x() = 0.08 - drawn(0.002, 0.006);
@@ -59,17 +59,17 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
         left.velocity.y() = drawn(-1.0, 1.0);
         right.velocity.y() = drawn(-1.0, 1.0);
         right.species = 1;
-        test::addDisk(machine, left);
-        test::addDisk(machine, right);
+        test::addDisk(system, left);
+        test::addDisk(system, right);
         const int shift = -1;  // the right disk's image one width to the left
 
-        const auto found = PairSearch(machine.pairScene(), 0, 0.0).contactWith(1, shift);
+        const auto found = PairSearch(system.pairScene(), 0, 0.0).contactWith(1, shift);
         const double end = found.value_or(until);
         for (int i = 0; i < 2000; ++i)
-          RC_ASSERT(gapAt(machine, shift, end * i / 2000.0) > -1e-15);
+          RC_ASSERT(gapAt(system, shift, end * i / 2000.0) > -1e-15);
         RC_CLASSIFY(!found.has_value(), "no contact");
         if (found)
-          RC_ASSERT(std::abs(gapAt(machine, shift, *found)) < 1e-14);
+          RC_ASSERT(std::abs(gapAt(system, shift, *found)) < 1e-14);
       }));
 }
 
@@ -81,7 +81,7 @@ TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
       {
         SceneDefinition scene = test::mixture(0);
         scene.base.inclination = *rc::gen::element(0.0, 0.1);
-        SystemState machine(scene);
+        SystemState system(scene);
         const auto count = *rc::gen::inRange<std::uint32_t>(1, 40);
         for (std::uint32_t id = 0; id < count; ++id)
         {
@@ -92,12 +92,12 @@ TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
           disk.velocity.y() = drawn(-0.5, 0.5);
           disk.time = drawn(0.0, 0.01);
           disk.species = *rc::gen::inRange(0U, 2U);
-          test::addDisk(machine, disk);
+          test::addDisk(system, disk);
         }
         std::vector<std::uint32_t> all(count);
         std::iota(all.begin(), all.end(), 0);
         const int shift = *rc::gen::inRange(-1, 2);
-        const PairSearch search(machine.pairScene(), 0, 0.01);
+        const PairSearch search(system.pairScene(), 0, 0.01);
         PairContact expected;
         for (std::uint32_t id = 1; id < count; ++id)
           if (const auto time = search.contactWith(id, shift))
@@ -116,11 +116,11 @@ TEST(PairSearch, TiesGoToTheSmallestId)
   constexpr std::uint32_t COUNT = 40;
   constexpr double NOW = 8.0;
   const SceneDefinition scene = test::mixture(0);
-  SystemState machine(scene);
+  SystemState system(scene);
   Disk middle;
   middle.time = NOW;
   middle.position.y() = 0.05;
-  test::addDisk(machine, middle);
+  test::addDisk(system, middle);
   std::vector<std::uint32_t> backwards;
   for (std::uint32_t id = COUNT; id >= 1; --id)
     backwards.push_back(id);
@@ -132,9 +132,9 @@ TEST(PairSearch, TiesGoToTheSmallestId)
     disk.position.y() += 0.013 * std::sin(direction);
     disk.velocity.x() = -0.25 * std::cos(direction);
     disk.velocity.y() = -0.25 * std::sin(direction);
-    test::addDisk(machine, disk);
+    test::addDisk(system, disk);
   }
-  const PairSearch search(machine.pairScene(), 0, NOW);
+  const PairSearch search(system.pairScene(), 0, NOW);
   for (std::uint32_t id = 1; id <= COUNT; ++id)
     ASSERT_EQ(search.contactWith(id, 0), search.contactWith(1, 0));
   const PairContact found = search.firstAmong(backwards.data(), COUNT, 0);

@@ -82,20 +82,20 @@ TEST(Plan, HasADriveOnlyWhereTheBaseMoves)
   EXPECT_FALSE(planOf(scene).drive);
 }
 
-TEST(Plan, HasAnOrbitAndNoLanesWhereTheDriveIsMoreThanASine)
+TEST(Plan, HasAnOrbitAndNoSimdWhereTheDriveIsMoreThanASine)
 {
   SceneDefinition scene = test::singleParticles(10);
-  EXPECT_TRUE(planOf(scene).lanes && !planOf(scene).orbit);
+  EXPECT_TRUE(planOf(scene).simd && !planOf(scene).orbit);
   scene.base.horizontal_phase = 1.0;
   scene.base.harmonics = {{2, 0.0, 1.0, 0.0, 1.0}};
-  EXPECT_TRUE(planOf(scene).lanes && !planOf(scene).orbit) << "phases alone move nothing";
+  EXPECT_TRUE(planOf(scene).simd && !planOf(scene).orbit) << "phases alone move nothing";
   SceneDefinition oblique = scene;
   oblique.base.horizontal_amplitude = -1e-4;
   SceneDefinition harmonic = scene;
   harmonic.base.harmonics[0].amplitude = 1e-4;
   for (SceneDefinition& driven : std::vector<SceneDefinition>{oblique, harmonic})
   {
-    EXPECT_TRUE(planOf(driven).orbit && !planOf(driven).lanes);
+    EXPECT_TRUE(planOf(driven).orbit && !planOf(driven).simd);
     driven.base.amplitude = 0.0;
     EXPECT_TRUE(planOf(driven).drive);
     EXPECT_NE(planText(planOf(driven)).find("drive with a horizontal part or harmonics"), std::string::npos);
@@ -110,11 +110,11 @@ TEST(Plan, HasContactTimesOnlyWithAContactDuration)
   EXPECT_TRUE(planOf(scene).contact_times);
 }
 
-TEST(Plan, HasLanesOnlyForSingleDisksOnAPeriodicBaseWithoutContactTimes)
+TEST(Plan, HasSimdOnlyForSingleDisksOnAPeriodicBaseWithoutContactTimes)
 {
   const SceneDefinition singles = test::singleParticles(5);
-  EXPECT_TRUE(planOf(singles).lanes && fullPlan(singles).lanes);
-  EXPECT_FALSE(planOf(smallMixture()).lanes);
+  EXPECT_TRUE(planOf(singles).simd && fullPlan(singles).simd);
+  EXPECT_FALSE(planOf(smallMixture()).simd);
   std::vector<SceneDefinition> others(3, singles);
   others[0].boundary = Boundary::OPEN;
   others[1].boundary = Boundary::WALLED;
@@ -122,26 +122,26 @@ TEST(Plan, HasLanesOnlyForSingleDisksOnAPeriodicBaseWithoutContactTimes)
   for (const SceneDefinition& scene : others)
   {
     Plan plan = planOf(scene);
-    EXPECT_FALSE(plan.lanes || fullPlan(scene).lanes);
-    plan.lanes = true;
+    EXPECT_FALSE(plan.simd || fullPlan(scene).simd);
+    plan.simd = true;
     EXPECT_THROW(Simulation(scene, plan), std::invalid_argument);
   }
 }
 
 TEST(Plan, SaysWhatItIs)
 {
-  const std::string no_lanes =
-      ", no lanes (only for independent disks without contact times on a periodic sawtooth with a vertical "
+  const std::string no_simd =
+      ", no SIMD (only for independent disks without contact times on a periodic sawtooth with a vertical "
       "sine "
       "drive)";
   EXPECT_EQ(
       planText(planOf(smallMixture())),
       "pairs, spin, drive, no contact times (contact_duration is 0), no base search above the base's reach" +
-          no_lanes);
+          no_simd);
   EXPECT_EQ(planText(planOf(test::singleParticles(5))),
             "no pairs (disks do not collide with each other), spin, drive, no contact times "
             "(contact_duration is 0), no "
-            "base search above the base's reach, lanes");
+            "base search above the base's reach, SIMD");
   SceneDefinition scene = smooth(test::singleParticles(5));
   scene.base.amplitude = 0.0;
   scene.contact.contact_duration = 1e-4;
@@ -149,7 +149,7 @@ TEST(Plan, SaysWhatItIs)
             "no pairs (disks do not collide with each other), no spin (no friction turns a disk), no drive "
             "(the base stands "
             "still), contact times, no base search above the base's reach" +
-                no_lanes);
+                no_simd);
 }
 
 TEST(Plan, ThatLeavesOutWhatTheSceneNeedsIsRefused)

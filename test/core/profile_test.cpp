@@ -152,9 +152,9 @@ TEST(Profile, OfASawtoothIsTheSawtooth)
   {
     scene.base.teeth = 5;
     const SceneDefinition profile = onProfile(scene, test::asProfile(scene.base));
-    EXPECT_FALSE(planOf(profile).lanes);
+    EXPECT_FALSE(planOf(profile).simd);
     Plan plan = planOf(scene);
-    plan.lanes = false;
+    plan.simd = false;
     Simulation sawtooth(scene, plan);
     Simulation same(profile);
     for (Simulation* simulation : {&sawtooth, &same})

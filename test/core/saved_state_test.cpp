@@ -12,7 +12,7 @@ namespace
 {
 
 /// An action on a simulation while it runs, for a part of the run at a time.
-using Course = void (*)(Simulation&, double from, double to);
+using Advance = void (*)(Simulation&, double from, double to);
 
 void undisturbed(Simulation& simulation, double, double to)
 {
@@ -38,17 +38,17 @@ void setGoing(Simulation& simulation, double from, double to)
 
 /// A run that was saved in its middle and resumed has the same final state, bit for bit, as the run without
 /// interruption.
-void expectTheSameEnd(const SceneDefinition& scene, Course course)
+void expectTheSameEnd(const SceneDefinition& scene, Advance advance)
 {
   constexpr double MIDDLE = 1.37;
   constexpr double END = 3.1;
   Simulation through(scene);
-  course(through, 0.0, MIDDLE);
+  advance(through, 0.0, MIDDLE);
   const std::string saved = through.saveState();
   Simulation taken_up(scene, saved);
   EXPECT_EQ(taken_up.saveState(), saved);
-  course(through, MIDDLE, END);
-  course(taken_up, MIDDLE, END);
+  advance(through, MIDDLE, END);
+  advance(taken_up, MIDDLE, END);
   EXPECT_GT(through.collisions().total(), 100u);
   EXPECT_EQ(test::stateHash(taken_up), test::stateHash(through));
   EXPECT_EQ(taken_up.saveState(), through.saveState());

@@ -103,10 +103,10 @@ TEST(TurningSeam, NoCommandChangesAPositionOrAVelocity)
 }
 
 /// A disk high over a base that turns at a constant rate from time 0 on, computed from the rule alone.
-class FreeCourse
+class FreeMotion
 {
 public:
-  FreeCourse(const SceneDefinition& scene, double rate)
+  FreeMotion(const SceneDefinition& scene, double rate)
       : scene_(scene),
         rate_(rate),
         x_(scene.initial[0].x),
@@ -195,7 +195,7 @@ TEST(TurningSeam, LiesAtTheEndsOfTheBaseInAllLoops)
         Simulation simulation(scene);
         simulation.setSlewRates({RATE, 10.0, 0.002});
         simulation.command(Quantity::INCLINATION, 1.0);
-        FreeCourse expected(scene, RATE);
+        FreeMotion expected(scene, RATE);
         for (const double time : {0.1, 0.2, 0.3, 0.4})
         {
           simulation.advanceTo(time);

@@ -37,7 +37,7 @@ LIBRARIES = {
 POSIX = {'unistd.h', 'signal.h', 'fcntl.h', 'sys'}
 COMPILER = {'emmintrin.h', 'immintrin.h'}
 # The core's sublayers ("floors"), folders of src/core, from the lowest up; files in no folder are above them all.
-FLOORS = ['model', 'search', 'state', 'lanes', 'events']
+FLOORS = ['model', 'search', 'state', 'simd', 'events']
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 

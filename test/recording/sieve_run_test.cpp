@@ -70,7 +70,7 @@ TEST_F(SieveRun, SumsUpOnStandardOutput)
       result.errors,
       "sieve_run: plan: pairs, spin, drive, no contact times (contact_duration is 0), "
       "no base search above the base's reach, "
-      "no lanes (only for independent disks without contact times on a periodic sawtooth with a vertical "
+      "no SIMD (only for independent disks without contact times on a periodic sawtooth with a vertical "
       "sine drive)\n"
       "sieve_run: 266 disks, at rest a layer of about 0.0166 m, about 1 MB of memory\n");
   const Json json = Json::parse(result.output);

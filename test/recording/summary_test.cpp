@@ -70,7 +70,7 @@ TEST(Summary, HasThePlan)
                                             {"orbit", false},
                                             {"contact_times", true},
                                             {"search_above_band", false},
-                                            {"lanes", false}}));
+                                            {"simd", false}}));
 }
 
 TEST(Summary, SaysNullForWhatIsNotDefined)

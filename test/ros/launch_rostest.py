@@ -22,7 +22,7 @@ import yaml
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
-from launched import PACKAGE, PATIENCE, Launched, message, wait_for
+from launched import PACKAGE, TIMEOUT, Launched, message, wait_for
 from ratchet_sieve.msg import BaseState, SceneDescription, SeekTrial
 
 # A paused sieve that does not exit.
@@ -118,7 +118,7 @@ class Launch(Launched):
         return controller
 
     def test_controller_runs_to_the_end(self):
-        done = subprocess.run([self.launch_for_control(20.0)], capture_output=True, text=True, timeout=PATIENCE)
+        done = subprocess.run([self.launch_for_control(20.0)], capture_output=True, text=True, timeout=TIMEOUT)
         self.assertEqual((done.returncode, done.stderr), (0, ''))
         self.assertRegex(done.stdout, r'^20\.0 [0-9.]+ $')
 
@@ -127,7 +127,7 @@ class Launch(Launched):
         wait_for(lambda: message('/sieve/base', BaseState).header.stamp.to_sec() > 1.0, 'it is under way')
         with xmlrpc.client.ServerProxy(self.master.lookupNode('/sieve')) as node:
             os.kill(node.getPid('/launch_rostest')[2], signal.SIGKILL)
-        self.assertRegex(run.communicate(timeout=PATIENCE)[1], r'\Acontroller.py: /sieve/lock_step: .*\n\Z')
+        self.assertRegex(run.communicate(timeout=TIMEOUT)[1], r'\Acontroller.py: /sieve/lock_step: .*\n\Z')
         self.assertEqual(run.returncode, 1)
 
     # Nodes launched under ROS_NAMESPACE find each other.

@@ -12,12 +12,12 @@ import rospy
 
 PACKAGE = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PACKAGE / 'scripts'))
-from virtual_screen import PATIENCE, wait_for  # noqa: E402, F401
+from virtual_screen import TIMEOUT, wait_for  # noqa: E402, F401
 
 
 def message(topic, kind):
     """The next or latched message on a topic."""
-    return rospy.wait_for_message(topic, kind, PATIENCE)
+    return rospy.wait_for_message(topic, kind, TIMEOUT)
 
 
 class Launched(unittest.TestCase):
@@ -40,7 +40,7 @@ class Launched(unittest.TestCase):
         """Like Ctrl-C, which roslaunch forwards to its nodes."""
         if program.poll() is None:
             program.send_signal(signal.SIGINT)
-        program.wait(PATIENCE)
+        program.wait(TIMEOUT)
 
     def publishers(self, topic):
         """The names of a topic's publishers, according to the master."""

@@ -10,7 +10,7 @@ namespace ratchet_sieve
 namespace
 {
 /// A search with restarts and interruptions may take this long [s of wall time]; usually about ten.
-constexpr double PATIENCE = 120.0;
+constexpr double TIMEOUT = 120.0;
 
 /// Of two seconds: a trial takes about seven steps.
 constexpr int MOST_STEPS = 300;
@@ -38,7 +38,7 @@ public:
 
   bool waitForTrials(std::size_t count)
   {
-    return waitFor([&] { return trials.size() >= count; }, PATIENCE);
+    return waitFor([&] { return trials.size() >= count; }, TIMEOUT);
   }
 
   std::vector<SeekTrial> trials;
@@ -86,7 +86,7 @@ TEST(Seek, findsTheBestInclinationFromAPoorOne)
   ASSERT_TRUE(tried_again());
   ASSERT_TRUE(sieve.call("unpause_physics"));
 
-  ASSERT_TRUE(waitFor([&] { return seek.trials.back().phase == "hold"; }, PATIENCE));
+  ASSERT_TRUE(waitFor([&] { return seek.trials.back().phase == "hold"; }, TIMEOUT));
   EXPECT_TRUE(std::is_sorted(seek.trials.begin(), seek.trials.end(),
                              [](const SeekTrial& one, const SeekTrial& other)
                              { return one.trial < other.trial; }));
@@ -98,7 +98,7 @@ TEST(Seek, findsTheBestInclinationFromAPoorOne)
   sieve.base.forget();
   ASSERT_TRUE(waitFor([&] { return !sieve.base.frames.empty(); }));
   EXPECT_EQ(sieve.base.frames.back().base.commanded_inclination, held.best_inclination);
-  ASSERT_TRUE(waitFor([&] { return seek.trials.back().granular_temperature.size() == 2; }, PATIENCE));
+  ASSERT_TRUE(waitFor([&] { return seek.trials.back().granular_temperature.size() == 2; }, TIMEOUT));
 }
 
 /// A result is valid for one drive: another drive needs another search.
@@ -107,7 +107,7 @@ TEST(Seek, seeksAgainWhereTheDriveIsChanged)
   SeekClient seek;
   SieveClient sieve("/sieve");
   ASSERT_TRUE(seek.waitForTrials(1));  // latched
-  ASSERT_TRUE(waitFor([&] { return seek.trials.back().phase == "hold"; }, PATIENCE));
+  ASSERT_TRUE(waitFor([&] { return seek.trials.back().phase == "hold"; }, TIMEOUT));
   const double held = seek.trials.back().best_inclination;
   seek.trials.clear();
   ASSERT_TRUE(sieve.connect());
@@ -117,7 +117,7 @@ TEST(Seek, seeksAgainWhereTheDriveIsChanged)
     return std::find_if(seek.trials.begin(), seek.trials.end(),
                         [](const SeekTrial& trial) { return trial.phase == "approach"; });
   };
-  ASSERT_TRUE(waitFor([&] { return approach() != seek.trials.end(); }, PATIENCE));
+  ASSERT_TRUE(waitFor([&] { return approach() != seek.trials.end(); }, TIMEOUT));
   EXPECT_EQ(approach()->inclination, held);
 }
 }  // namespace

@@ -102,9 +102,10 @@ bool same(const SceneDefinition& a, const SceneDefinition& b)
          sameBits(a.contact.restitution_exponent, b.contact.restitution_exponent) &&
          sameBits(a.pour.drop_height, b.pour.drop_height) && sameBits(a.pour.speed, b.pour.speed) &&
          sameBits(a.feed.rate, b.feed.rate) && same(a.pour.stretch, b.pour.stretch) &&
-         same(a.feed.stretch, b.feed.stretch) && same(a.initial, b.initial) &&
-         a.observe == b.observe && sameBits(a.height_profile.slice, b.height_profile.slice) &&
-         a.height_profile.phases == b.height_profile.phases && sameBits(a.duration, b.duration) && sameBits(a.settle, b.settle) && a.seed == b.seed;
+         same(a.feed.stretch, b.feed.stretch) && same(a.initial, b.initial) && a.observe == b.observe &&
+         sameBits(a.height_profile.slice, b.height_profile.slice) &&
+         a.height_profile.phases == b.height_profile.phases && sameBits(a.duration, b.duration) &&
+         sameBits(a.settle, b.settle) && a.seed == b.seed;
 }
 
 /// Any double of an interval, with all its digits.

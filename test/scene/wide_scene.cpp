@@ -103,7 +103,7 @@ void limit(SceneTree& root, const char* section, const char* key, double highest
 
 /// Nothing so large or so fast that places and times would be too coarse for the smallest disk: by simpler
 /// and narrower bounds than the rule's.
-void obeyResolution(SceneTree& root, double width)
+void enforceResolution(SceneTree& root, double width)
 {
   double radius = 1e3;
   for (auto& item : root.listAt("species").items())
@@ -145,7 +145,7 @@ void obeyResolution(SceneTree& root, double width)
 }
 
 /// The rules that join several keys.
-void obeyRules(SceneTree& root)
+void enforceRules(SceneTree& root)
 {
   SceneTree& base = root.mapAt("base");
   double width = valueOf(base, "teeth", 20.0) * valueOf(base, "tooth_width", 0.02);
@@ -173,7 +173,7 @@ void obeyRules(SceneTree& root)
     limit(root, part, "to", width);
     limit(root, part, "from", std::min(width, valueOf(root.mapAt(part), "to", width)));
   }
-  obeyResolution(root, width);
+  enforceResolution(root, width);
 }
 
 SceneTree drawnTree()
@@ -193,7 +193,7 @@ SceneTree drawnTree()
   drawSpecies(root, count);
   drawPairs(root, count);
   drawPlacing(root);
-  obeyRules(root);
+  enforceRules(root);
   return root;
 }
 

@@ -71,7 +71,7 @@ struct BaseDefinition
   /// 0), at least two corners, s never decreasing (equal: a vertical face), no corner twice.
   std::vector<OutlineCorner> profile;
 
-  /// Whether a tooth is that of tooth_width, tooth_height and asymmetry, which the lanes know.
+  /// Whether a tooth is that of tooth_width, tooth_height and asymmetry, which the SIMD kernels know.
   bool isSawtooth() const { return profile.empty(); }
 
   double toothWidth() const { return profile.empty() ? tooth_width : profile.back().s; }  ///< w [m]
@@ -252,7 +252,7 @@ struct SceneDefinition
   double duration = 100.0;           ///< [s]
   std::vector<std::string> observe;  ///< names of observableNames()
   HeightProfileDefinition height_profile;
-  double settle = 0.0;               ///< initial part of the duration that the means leave out [s]
+  double settle = 0.0;  ///< initial part of the duration that the means leave out [s]
   std::uint64_t seed = 1;
 };
 

@@ -81,17 +81,16 @@ constexpr bool IS_VECTOR<std::vector<T>> = true;
 #define RATCHET_SIEVE_SPARSE(NAME, UNIT) visit(FieldInfo{#NAME, UNIT, true}, objects.NAME...)
 
 /// An optional number, or a list of them; NAME and NAME_defined in a message.
-#define RATCHET_SIEVE_OPTIONAL(NAME, UNIT)                                              \
-  visit(FieldInfo{#NAME, UNIT},                                                         \
-        [](auto& object) -> decltype(auto)                                              \
-        {                                                                               \
-          if constexpr (IS_OPTIONAL<decltype(object.NAME)> ||                           \
-                        IS_OPTIONAL_LIST<decltype(object.NAME)>)                        \
-            return (object.NAME);                                                       \
-          else                                                                          \
-            return Flagged<std::remove_reference_t<decltype((object.NAME))>,            \
-                           std::remove_reference_t<decltype((object.NAME##_defined))>>{ \
-                object.NAME, object.NAME##_defined};                                    \
+#define RATCHET_SIEVE_OPTIONAL(NAME, UNIT)                                                             \
+  visit(FieldInfo{#NAME, UNIT},                                                                        \
+        [](auto& object) -> decltype(auto)                                                             \
+        {                                                                                              \
+          if constexpr (IS_OPTIONAL<decltype(object.NAME)> || IS_OPTIONAL_LIST<decltype(object.NAME)>) \
+            return (object.NAME);                                                                      \
+          else                                                                                         \
+            return Flagged<std::remove_reference_t<decltype((object.NAME))>,                           \
+                           std::remove_reference_t<decltype((object.NAME##_defined))>>{                \
+                object.NAME, object.NAME##_defined};                                                   \
         }(objects)...)
 
 /// A described struct whose fields are fields of the message itself.

@@ -42,8 +42,7 @@ RATCHET_SIEVE_FIELDS(ObservedColumn)
 }
 
 /// Adds a value to each column.
-inline void addLine(std::vector<ObservedColumn>& table,
-                    std::initializer_list<std::optional<double>> values)
+inline void addLine(std::vector<ObservedColumn>& table, std::initializer_list<std::optional<double>> values)
 {
   auto column = table.begin();
   for (const std::optional<double>& value : values)

@@ -20,10 +20,10 @@ struct Plan
   bool contact_times = true;      ///< the time of each disk's last contact, for t_c
   bool search_above_band = true;  ///< step-by-step search even above the height that the base reaches
 
-  /// SIMD: several disks at a time (lane_batch.h), while the base is at its setpoints. Only for independent
+  /// SIMD: several disks at a time (simd_batch.h), while the base is at its setpoints. Only for independent
   /// disks without contact times on a periodic sawtooth with a vertical sine drive. The contacts are the same
   /// but for rounding.
-  bool lanes = false;
+  bool simd = false;
 };
 
 /// The cheapest plan that gives the scene's results. A setpoint that starts or turns a standing base is
@@ -31,7 +31,7 @@ struct Plan
 Plan planOf(const SceneDefinition& scene);
 
 /// The plan with all parts that do not change the results, for tests and measurements of planOf(). `pairs`
-/// and the kind of drive follow the scene; `lanes` is as in planOf().
+/// and the kind of drive follow the scene; `simd` is as in planOf().
 Plan fullPlan(const SceneDefinition& scene);
 
 /// Whether `plan` gives the results of the scene: it includes all that the scene needs, and SIMD only for

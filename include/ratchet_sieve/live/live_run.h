@@ -54,7 +54,7 @@ public:
   void takeAll(FrameSink& sink);
 
   /// Applies a command at the run's present time, and hands it over. @throws std::invalid_argument
-  void give(CommandFrame command, FrameSink& sink);
+  void applyCommand(CommandFrame command, FrameSink& sink);
 
   /// See FrameSampler.
   void setUnderWay(bool under_way);

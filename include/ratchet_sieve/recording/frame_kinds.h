@@ -24,8 +24,9 @@ enum class FrameKind
 };
 
 /// A pointer to a frame of any kind, in the order of FrameKind.
-using FramePointer = std::variant<const SceneFrame*, const CommandFrame*, const BaseFrame*,
-                                  const ParticleFrame*, const BinFrame*, const StatisticsFrame*, const ObservedFrame*>;
+using FramePointer =
+    std::variant<const SceneFrame*, const CommandFrame*, const BaseFrame*, const ParticleFrame*,
+                 const BinFrame*, const StatisticsFrame*, const ObservedFrame*>;
 
 constexpr std::size_t FRAME_KINDS = std::variant_size_v<FramePointer>;
 

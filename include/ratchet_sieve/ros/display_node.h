@@ -5,7 +5,7 @@
 
 #include <ros/node_handle.h>
 
-#include "ratchet_sieve/live/seen_run.h"
+#include "ratchet_sieve/live/run_mirror.h"
 #include "ratchet_sieve/ros/display.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
 
@@ -38,7 +38,7 @@ private:
   ros::NodeHandle node_;
   Display display_;
   TransformPublisher transforms_;
-  SeenRun seen_;
+  RunMirror mirror_;
   std::string sieve_;  ///< name of its node, once known
   FrameNames frames_;  ///< of that sieve
   std::vector<ros::Subscriber> subscribers_;

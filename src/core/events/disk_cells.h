@@ -140,7 +140,7 @@ private:
   // Inlined: a call costs 2 % of a run.
   [[gnu::always_inline]] BasePoint inGrid(std::uint32_t slot, double time) const
   {
-    const Course now = courseAt(state_.disk(slot), time, state_.scene().gravity);
+    const Kinematics now = kinematicsAt(state_.disk(slot), time, state_.scene().gravity);
     BasePoint point{frame_.into(vectorOf(now.position)), frame_.into(vectorOf(now.velocity))};
     point.position.y() += state_.shape().depth();
     if (lattice_turns_)

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "events/event_loop.h"
-#include "lanes/lane_run.h"
-#include "lanes/worker_pool.h"
+#include "simd/batch_run.h"
+#include "simd/worker_pool.h"
 #include "state/contact_execution.h"
 
 namespace ratchet_sieve
@@ -23,8 +23,8 @@ constexpr std::size_t DISKS_AT_A_TIME = 16;
 constexpr std::size_t DISKS_PER_THREAD = 64;
 
 /// Every disk has its own event loop. Ordinary contacts are executed for many disks at a time with SIMD
-/// (LaneRun), on several threads. All other events are executed one at a time by ContactExecution: see Plan
-/// for scenes, laneScene() for times, and CollapseWatch for disks. Which of the two is used depends only on
+/// (BatchRun), on several threads. All other events are executed one at a time by ContactExecution: see Plan
+/// for scenes, batchScene() for times, and CollapseWatch for disks. Which of the two is used depends only on
 /// the scene and on the history of the disk.
 class EnsembleLoop : public EventLoop
 {
@@ -42,8 +42,8 @@ public:
     for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
       if (hasEventBy(slot, time))
         behind_.push_back(slot);
-    if (const std::optional<LaneScene> scene = laneScene(state_))
-      advanceInLanes(*scene, time);
+    if (const std::optional<BatchScene> scene = batchScene(state_))
+      advanceInBatches(*scene, time);
     else
       for (const std::uint32_t slot : behind_)
         while (hasEventBy(slot, time))
@@ -76,9 +76,9 @@ public:
   {
     pool_ = threads > 1 ? std::make_unique<WorkerPool>(threads) : nullptr;
     runs_.resize(pool_ ? pool_->workers() : 1);
-    for (std::unique_ptr<LaneRun>& run : runs_)
+    for (std::unique_ptr<BatchRun>& run : runs_)
       if (!run)
-        run = std::make_unique<LaneRun>();
+        run = std::make_unique<BatchRun>();
   }
 
   void archive(StateArchive& state) override
@@ -97,18 +97,18 @@ private:
   }
 
   /// Advances the disks in behind_ with SIMD, and executes other events in between.
-  void advanceInLanes(const LaneScene& scene, double time)
+  void advanceInBatches(const BatchScene& scene, double time)
   {
     while (!behind_.empty())
     {
-      runLanes(scene, time);
+      runBatches(scene, time);
       behind_.clear();
-      for (const std::unique_ptr<LaneRun>& run : runs_)
+      for (const std::unique_ptr<BatchRun>& run : runs_)
         takeIn(*run, time);
     }
   }
 
-  void runLanes(const LaneScene& scene, double time)
+  void runBatches(const BatchScene& scene, double time)
   {
     std::atomic<std::size_t> handed_out{0};
     const auto work = [&](std::size_t worker)
@@ -136,11 +136,11 @@ private:
   }
 
   /// Merges the results of one thread. Leaves in behind_ the disks that have not reached `time`.
-  void takeIn(LaneRun& run, double time)
+  void takeIn(BatchRun& run, double time)
   {
-    const LaneRun::Report report = run.takeReport(state_.observers());
+    const BatchRun::Report report = run.takeReport(state_.observers());
     events_ += report.events;
-    for (const std::uint32_t slot : report.not_for_lanes)
+    for (const std::uint32_t slot : report.not_ordinary)
       if (advanceAlone(slot, time))
         behind_.push_back(slot);
   }
@@ -185,10 +185,10 @@ private:
   SystemState& state_;
   ContactExecution& execution_;
   BaseInstant base_;
-  std::vector<BaseEvent> next_;                 ///< per disk
-  std::vector<std::uint32_t> behind_;           ///< disks that have not reached the requested time
-  std::vector<std::unique_ptr<LaneRun>> runs_;  ///< per thread
-  std::unique_ptr<WorkerPool> pool_;            ///< null if one thread is enough
+  std::vector<BaseEvent> next_;                  ///< per disk
+  std::vector<std::uint32_t> behind_;            ///< disks that have not reached the requested time
+  std::vector<std::unique_ptr<BatchRun>> runs_;  ///< per thread
+  std::unique_ptr<WorkerPool> pool_;             ///< null if one thread is enough
 };
 
 }  // namespace

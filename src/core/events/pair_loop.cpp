@@ -37,7 +37,7 @@ constexpr int MOST_SHIFTS = 1000;
 /// not touch are further apart than the largest diameter. So if two disks come into contact, the one that
 /// last began its flight or entered its cell was searched against the other. On a ring of one column, the
 /// cell is as wide as the widths that it extends beyond its ends, and all images that can be within it are
-/// searched (RingCourse).
+/// searched (PeriodicImageSearch).
 class PairLoop : public EventLoop
 {
 public:
@@ -110,12 +110,12 @@ private:
   struct Prediction
   {
     PairContact pair;
-    std::uint32_t partner_flights = 0;  ///< the partner's count at the prediction
+    std::uint32_t partner_event_count = 0;  ///< the partner's count at the prediction
     Edge edge = Edge::NONE;
     double cell_time = EventQueue::NEVER;  ///< leaves its cell; if there is no edge: not before
     BaseEvent base;
 
-    void archive(StateArchive& state) { state(pair, partner_flights, edge, cell_time, base); }
+    void archive(StateArchive& state) { state(pair, partner_event_count, edge, cell_time, base); }
   };
 
   template <typename Visit>
@@ -179,7 +179,7 @@ private:
   void processPair(std::uint32_t slot, double now)
   {
     const Prediction p = predictions_[slot];
-    if (!state_.active(p.pair.partner) || state_.disk(p.pair.partner).flights != p.partner_flights)
+    if (!state_.active(p.pair.partner) || state_.disk(p.pair.partner).event_count != p.partner_event_count)
     {
       searchPairs(slot, now);
       refresh(slot);
@@ -247,7 +247,7 @@ private:
                    if (!found.isBefore(p.pair))
                      return;
                    p.pair = found;
-                   p.partner_flights = state_.disk(found.partner).flights;
+                   p.partner_event_count = state_.disk(found.partner).event_count;
                  });
   }
 

@@ -16,9 +16,9 @@ struct StepContact
 {
   double time;
   std::uint32_t slot;
-  std::uint32_t flights;
+  std::uint32_t event_count;
   std::uint32_t partner;
-  std::uint32_t partner_flights;
+  std::uint32_t partner_event_count;
   int shift;            ///< image of the partner, in widths to its right
   BaseFeature feature;  ///< none: the contact is with the partner
 

@@ -98,10 +98,10 @@ private:
   /// A disk at the end of the step, in the absence of further contacts.
   struct End
   {
-    Course course;
-    double radius;           ///< [m]
-    std::uint32_t flights;   ///< the disk's count when this was computed
-    std::uint32_t contacts;  ///< number of contacts within the step
+    Kinematics kinematics;
+    double radius;              ///< [m]
+    std::uint32_t event_count;  ///< the disk's count when this was computed
+    std::uint32_t contacts;     ///< number of contacts within the step
   };
 
   /// @return false if the run must stop
@@ -166,9 +166,9 @@ private:
   {
     const Disk& disk = state_.disk(slot);
     End& end = ends_[slot];
-    end.course = courseAt(disk, end_, gravity_);
-    end.flights = disk.flights;
-    return frame_.positionInto(vectorOf(end.course.position));
+    end.kinematics = kinematicsAt(disk, end_, gravity_);
+    end.event_count = disk.event_count;
+    return frame_.positionInto(vectorOf(end.kinematics.position));
   }
 
   /// Whether the disk may touch the base, or pass an end of an open or walled base.
@@ -179,7 +179,7 @@ private:
       return true;
     if (base_overlap_.overlaps(at.x(), at.y(), radius))
       return true;
-    const Two velocity = ends_[slot].course.velocity;
+    const Two velocity = ends_[slot].kinematics.velocity;
     const double reach = (std::abs(velocity[0]) + std::abs(velocity[1])) * (end_ - start_) + base_reach_;
     return reach > base_overlap_.shortestPassage(radius) &&
            base_overlap_.overlaps(at.x(), at.y(), radius + reach);
@@ -198,13 +198,12 @@ private:
     ++state_.observers().counts().pushed_out;
     state_.moveTo(slot, now);
     state_.changeable(slot).position += base.outOf({0.0, *way});
-    ++state_.changeable(slot).flights;
+    ++state_.changeable(slot).event_count;
     redirect(slot);
   }
 
-  /// Finds the contact of two disks that may overlap at the end of the step, searching backwards from there:
-  /// both have the same gravity, so their relative motion is a straight line. If the contact is not after
-  /// `from`, the search of the event loops decides whether they approach there, by the same sum as the
+  /// Finds the contact of two disks that may overlap at the end of the step, searching backwards from there. If
+  /// the contact is not after `from`, the search of the event loops decides whether they approach there, by the same sum as the
   /// execution.
   void findContact(std::uint32_t slot, std::uint32_t other, int shift, double from)
   {
@@ -212,8 +211,8 @@ private:
       return;
     const End& a = ends_[slot];
     const End& b = ends_[other];
-    Eigen::Vector2d position = vectorOf(a.course.position - b.course.position);
-    Eigen::Vector2d velocity = vectorOf(a.course.velocity - b.course.velocity);
+    Eigen::Vector2d position = vectorOf(a.kinematics.position - b.kinematics.position);
+    Eigen::Vector2d velocity = vectorOf(a.kinematics.velocity - b.kinematics.velocity);
     if (shift != 0)
     {
       position -= shift * ring_.shift;
@@ -223,27 +222,24 @@ private:
     const double excess = position.squaredNorm() - distance * distance;
     if (excess >= 0.0)
       return;
-    const double speed_squared = velocity.squaredNorm();
-    const double parting = position.dot(velocity);
-    const double root = std::sqrt(parting * parting - speed_squared * excess);
-    std::optional<double> time = end_ - (parting + root) / speed_squared;
+    std::optional<double> time = end_ - timeSinceContact(position, velocity, excess);
     if (!(*time > from))
       time = PairSearch(state_.pairScene(), slot, from).contactWith(other, shift);
     if (time && *time <= end_)
-      contacts_.push({*time, slot, a.flights, other, b.flights, shift, {}});
+      contacts_.push({*time, slot, a.event_count, other, b.event_count, shift, {}});
   }
 
   void findBaseContact(std::uint32_t slot, double from)
   {
     const BaseEvent event = state_.nextBaseEvent(slot, from, end_, base_);
     if (event.feature && event.time <= end_)
-      contacts_.push({event.time, slot, state_.disk(slot).flights, slot, 0, 0, event.feature});
+      contacts_.push({event.time, slot, state_.disk(slot).event_count, slot, 0, 0, event.feature});
   }
 
   bool stale(const StepContact& contact) const
   {
-    return state_.disk(contact.slot).flights != contact.flights ||
-           (!contact.feature && state_.disk(contact.partner).flights != contact.partner_flights);
+    return state_.disk(contact.slot).event_count != contact.event_count ||
+           (!contact.feature && state_.disk(contact.partner).event_count != contact.partner_event_count);
   }
 
   void execute(const StepContact& contact)

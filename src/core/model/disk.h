@@ -23,14 +23,14 @@ struct alignas(64) Disk
   double radius = 0.0;                                 ///< [m]
   double time = 0.0;                                   ///< of this state [s]
   std::uint32_t species = 0;
-  std::uint32_t flights = 0;  ///< counts changes of the trajectory, to detect stale predictions
+  std::uint32_t event_count = 0;  ///< counts changes of the trajectory, to detect stale predictions
 
-  void archive(StateArchive& state) { state(position, velocity, spin, radius, time, species, flights); }
+  void archive(StateArchive& state) { state(position, velocity, spin, radius, time, species, event_count); }
 };
 
 /// Position (x, y) and velocity (vx, vy) of a disk. Side by side in registers, because the pair search
 /// evaluates very many: Eigen's vectors take 5 % more instructions (Fig. 8).
-struct Course
+struct Kinematics
 {
   Two position;  ///< [m]
   Two velocity;  ///< [m/s]
@@ -38,7 +38,7 @@ struct Course
 
 /// Position and velocity at `time` on the disk's parabola. The only place where this is computed, so that all
 /// callers get the same bits.
-inline Course courseAt(const Disk& disk, double time, double gravity)
+inline Kinematics kinematicsAt(const Disk& disk, double time, double gravity)
 {
   const double elapsed = time - disk.time;
   const Two fall{0.0, gravity * elapsed};
@@ -50,12 +50,12 @@ inline Course courseAt(const Disk& disk, double time, double gravity)
 /// The disk at another time on the same parabola.
 inline Disk flown(const Disk& disk, double time, double gravity)
 {
-  const Course course = courseAt(disk, time, gravity);
+  const Kinematics kinematics = kinematicsAt(disk, time, gravity);
   Disk later = disk;
   // One store each, as wide as the later load: two stores of 8 bytes before a load of 16 bytes cause a
   // store-forwarding stall.
-  std::memcpy(later.position.data(), &course.position, sizeof course.position);
-  std::memcpy(later.velocity.data(), &course.velocity, sizeof course.velocity);
+  std::memcpy(later.position.data(), &kinematics.position, sizeof kinematics.position);
+  std::memcpy(later.velocity.data(), &kinematics.velocity, sizeof kinematics.velocity);
   later.time = time;
   return later;
 }

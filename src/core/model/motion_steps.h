@@ -43,8 +43,7 @@ public:
     auto step = static_cast<std::uint64_t>(motion.turnsAt(begin) * static_cast<double>(per_period));
     for (double from = begin; from < end; ++step)
     {
-      const auto next =
-          motion.timeOfTurns(static_cast<double>(step + 1) / static_cast<double>(per_period));
+      const auto next = motion.timeOfTurns(static_cast<double>(step + 1) / static_cast<double>(per_period));
       const double last = std::min(next.value_or(end), end);
       const std::size_t part = step % per_period * parts_ / per_period;
       while (from < last)

@@ -53,8 +53,8 @@ Plan planOf(const SceneDefinition& scene)
   plan.orbit = !Orbit(scene.base).empty() || scene.base.drive_frame == DriveFrame::BASE;
   plan.contact_times = scene.contact.contact_duration > 0.0;
   plan.search_above_band = false;
-  plan.lanes = !plan.pairs && scene.boundary == Boundary::PERIODIC && !plan.contact_times && !plan.orbit &&
-               scene.base.isSawtooth();
+  plan.simd = !plan.pairs && scene.boundary == Boundary::PERIODIC && !plan.contact_times && !plan.orbit &&
+              scene.base.isSawtooth();
   return plan;
 }
 
@@ -64,7 +64,7 @@ Plan fullPlan(const SceneDefinition& scene)
   plan.pairs = scene.contact.pair_collisions;
   plan.steps = planOf(scene).steps;
   plan.orbit = planOf(scene).orbit;
-  plan.lanes = planOf(scene).lanes;
+  plan.simd = planOf(scene).simd;
   return plan;
 }
 
@@ -73,7 +73,7 @@ bool covers(const Plan& plan, const SceneDefinition& scene)
   const Plan needed = planOf(scene);
   return plan.pairs == needed.pairs && plan.steps == needed.steps && plan.orbit == needed.orbit &&
          includes(plan.spin, needed.spin) && includes(plan.drive, needed.drive) &&
-         includes(plan.contact_times, needed.contact_times) && includes(needed.lanes, plan.lanes);
+         includes(plan.contact_times, needed.contact_times) && includes(needed.simd, plan.simd);
 }
 
 std::string planText(const Plan& plan)
@@ -87,9 +87,9 @@ std::string planText(const Plan& plan)
     line += " with a horizontal part or harmonics, or along the base's axes";
   line += plan.contact_times ? ", contact times" : ", no contact times (contact_duration is 0)";
   line += plan.search_above_band ? ", base search everywhere" : ", no base search above the base's reach";
-  line += plan.lanes ? ", lanes"
-                     : ", no lanes (only for independent disks without contact times on a periodic sawtooth "
-                       "with a vertical sine drive)";
+  line += plan.simd ? ", SIMD"
+                    : ", no SIMD (only for independent disks without contact times on a periodic sawtooth "
+                      "with a vertical sine drive)";
   return line;
 }
 

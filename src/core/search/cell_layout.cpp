@@ -14,7 +14,7 @@ namespace
 /// ns.
 constexpr double EVALUATIONS_PER_EDGE = 20.0;
 
-/// Cost of evaluating all images on a ring (RingCourse), in units of pair evaluations.
+/// Cost of evaluating all images on a ring (PeriodicImageSearch), in units of pair evaluations.
 constexpr double EVALUATIONS_PER_RING = 2.0;
 
 /// Rows extend to this many mean heights: 95 % of all disks are below if the density follows the barometric

@@ -90,7 +90,7 @@ bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, dou
   const double top = shape_.height() + radius + motion_.reach().y();
   const auto above = [&](double time)
   {
-    const Two position = courseAt(disk, time, gravity_).position;
+    const Two position = kinematicsAt(disk, time, gravity_).position;
     return intoBase(rotation, position[0], position[1]).second > top;
   };
   return above(until) && above(from);

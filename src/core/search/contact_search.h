@@ -56,7 +56,7 @@ public:
   // Inlined: a call costs 1 % of a run.
   [[gnu::always_inline]] BasePoint seenFromBase(const Disk& disk, const FrameOfBase& base, double time) const
   {
-    const Course now = courseAt(disk, time, gravity_);
+    const Kinematics now = kinematicsAt(disk, time, gravity_);
     return base.see(vectorOf(now.position), vectorOf(now.velocity));
   }
   BasePoint seenFromBase(const Disk& disk, double time) const

@@ -6,8 +6,8 @@
 
 #include "model/two.h"
 #include "ratchet_sieve/core/resolution.h"
+#include "search/periodic_image_search.h"
 #include "search/quadratic.h"
-#include "search/ring_course.h"
 
 namespace ratchet_sieve
 {
@@ -50,12 +50,12 @@ PairContact PairSearch::firstOnRing(const std::uint32_t* others, std::size_t cou
 {
   const BaseMotion& motion = scene_.motion;
   const double width = scene_.width;
-  const RingCourse ring{motion.rotation(), width, 1.0 / width, most_laps};
+  const PeriodicImageSearch ring{motion.rotation(), width, 1.0 / width, most_laps};
   PairContact first;
   double horizon = until_ - from_;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Relative seen = relativeTo(others[i], course_.position);
+    const Relative seen = relativeTo(others[i], kinematics_.position);
     const auto touch =
         ring.firstTouch(vectorOf(seen.position), vectorOf(seen.velocity), seen.distance, horizon);
     if (!touch || from_ + touch->time_to_contact >= until_)
@@ -80,7 +80,7 @@ struct PairSearch::Lanes
     excesses[LANES] = std::numeric_limits<double>::infinity();
     discriminants[LANES] = 0.0;
     closings[LANES] = -1.0;
-    const Two position = search.course_.position - Two{image.shift.x(), image.shift.y()};
+    const Two position = search.kinematics_.position - Two{image.shift.x(), image.shift.y()};
     unsigned found = 0;
     for (std::size_t k = 0; k < count; k += 2)
     {
@@ -167,8 +167,8 @@ std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, in
   double time = from_;
   for (int step = 0; time < until_; ++step)
   {
-    const Course a = courseAt(scene_.disks[slot_], time, gravity);
-    const Course b = courseAt(other, time, gravity);
+    const Kinematics a = kinematicsAt(scene_.disks[slot_], time, gravity);
+    const Kinematics b = kinematicsAt(other, time, gravity);
     const Image there = scene_.image(shift, time);
     const Eigen::Vector2d position = vectorOf(a.position) - there.shift - vectorOf(b.position);
     const double length = position.norm();

@@ -33,6 +33,16 @@ inline std::optional<double> timeToContact(const Eigen::Vector2d& position, cons
   return excess / (std::sqrt(discriminant) - closing);
 }
 
+/// The time since two disks that overlap have touched, if they have moved as they do now. The same motion as in
+/// timeToContact(), backwards. @param excess the square of their distance minus that of the sum of the radii,
+/// < 0
+inline double timeSinceContact(const Eigen::Vector2d& position, const Eigen::Vector2d& velocity, double excess)
+{
+  const double speed_squared = velocity.squaredNorm();
+  const double parting = position.dot(velocity);
+  return (parting + std::sqrt(parting * parting - speed_squared * excess)) / speed_squared;
+}
+
 /// A disk's first contact with another disk.
 struct PairContact
 {
@@ -87,7 +97,7 @@ public:
         slot_(slot),
         from_(from),
         radius_(scene.radius(slot)),
-        course_(courseAt(scene.disks[slot], from, scene.gravity)),
+        kinematics_(kinematicsAt(scene.disks[slot], from, scene.gravity)),
         until_(scene.motion.nextChange().value_or(std::numeric_limits<double>::infinity()))
   {
   }
@@ -141,8 +151,8 @@ private:
   Relative relativeTo(std::uint32_t slot, Two position) const
   {
     // A disk is exactly at rest relative to itself: no contact is found.
-    const Course other = courseAt(scene_.disks[slot], from_, scene_.gravity);
-    return {position - other.position, course_.velocity - other.velocity, radius_ + scene_.radius(slot)};
+    const Kinematics other = kinematicsAt(scene_.disks[slot], from_, scene_.gravity);
+    return {position - other.position, kinematics_.velocity - other.velocity, radius_ + scene_.radius(slot)};
   }
 
   PairContact firstOfImages(const std::uint32_t* others, std::size_t count, int shift,
@@ -154,10 +164,11 @@ private:
   {
     // With the same gravity the parabolas differ by a straight line, but the two states are given at
     // different times.
-    const Course course = courseAt(other, from_, scene_.gravity);
-    const Eigen::Vector2d position = vectorOf(course_.position) - image.shift - vectorOf(course.position);
+    const Kinematics kinematics = kinematicsAt(other, from_, scene_.gravity);
+    const Eigen::Vector2d position =
+        vectorOf(kinematics_.position) - image.shift - vectorOf(kinematics.position);
     const auto time_to_contact =
-        timeToContact(position, vectorOf(course_.velocity - course.velocity), distance);
+        timeToContact(position, vectorOf(kinematics_.velocity - kinematics.velocity), distance);
     if (!time_to_contact || from_ + *time_to_contact >= until_)
       return std::nullopt;
     return from_ + *time_to_contact;
@@ -170,7 +181,7 @@ private:
   std::uint32_t slot_;
   double from_;
   double radius_;
-  Course course_;  ///< at `from`
+  Kinematics kinematics_;  ///< at `from`
   double until_;
 };
 

@@ -140,7 +140,7 @@ void ContactExecution::push(std::uint32_t slot, const Disk& now, const ContactOu
   const double change = per_mass * (std::abs(contact.normal_impulse) + std::abs(contact.tangential_impulse));
   if (change * (now.time - disk.time) > negligible_way_)
     system_.moveTo(slot, now);
-  ++disk.flights;
+  ++disk.event_count;
   disk.velocity += sign * per_mass * impulseOf(contact);
   disk.spin -= grain.spin_response * contact.tangential_impulse;
 }

@@ -19,12 +19,12 @@ struct ContactOutcome
 
   double time = 0.0;  ///< local to the epoch [s]
   CollisionKind kind = CollisionKind::APEX;
-  BaseFeature feature;                               ///< of the base; none between two disks, and from lanes
-  std::uint32_t i = 0;                               ///< slot of the disk
-  std::uint32_t j = BASE;                            ///< slot of the second disk
-  std::uint32_t species = 0;                         ///< of disk i
-  std::uint32_t partner_species = 0;                 ///< of disk j
-  int shift = 0;                                     ///< image of j, in widths to its right
+  BaseFeature feature;                ///< of the base; none between two disks, and from SIMD batches
+  std::uint32_t i = 0;                ///< slot of the disk
+  std::uint32_t j = BASE;             ///< slot of the second disk
+  std::uint32_t species = 0;          ///< of disk i
+  std::uint32_t partner_species = 0;  ///< of disk j
+  int shift = 0;                      ///< image of j, in widths to its right
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit normal from j to i, world frame
   double normal_velocity = 0.0;     ///< of the surfaces, < 0: approaching; 0 if they separate [m/s]
   double normal_impulse = 0.0;      ///< J_n >= 0, along the normal on i [N s]

@@ -18,9 +18,14 @@ std::size_t partsFor(std::size_t phases)
 
 std::vector<ObservedColumn> emptyTable()
 {
-  return {{"phase_from", "rad", {}}, {"phase_to", "rad", {}},         {"from", "m", {}},
-          {"to", "m", {}},           {"number_density", "1/m^2", {}}, {"velocity_along", "m/s", {}},
-          {"velocity_up", "m/s", {}}, {"temperature", "J", {}}};
+  return {{"phase_from", "rad", {}},
+          {"phase_to", "rad", {}},
+          {"from", "m", {}},
+          {"to", "m", {}},
+          {"number_density", "1/m^2", {}},
+          {"velocity_along", "m/s", {}},
+          {"velocity_up", "m/s", {}},
+          {"temperature", "J", {}}};
 }
 
 std::optional<double> quotient(double part, double whole)
@@ -100,8 +105,8 @@ void HeightProfile::count(const Flight& flight, Sums& sums) const
   const double depth = system_.shape().depth();
   const auto seen = [&](double time)
   {
-    const Course course = courseAt(flight.from, time, system_.scene().gravity);
-    return motion.at(time).see(vectorOf(course.position), vectorOf(course.velocity));
+    const Kinematics kinematics = kinematicsAt(flight.from, time, system_.scene().gravity);
+    return motion.at(time).see(vectorOf(kinematics.position), vectorOf(kinematics.velocity));
   };
   const double weight = system_.grain(flight.slot).mass / system_.scene().species[flight.from.species].mass;
   HeightSlices& slices = sums.species[flight.from.species];
@@ -127,8 +132,8 @@ void HeightProfile::countUntil(double time, Sums& sums) const
   for (std::uint32_t slot = 0; slot < system_.disks().size(); ++slot)
     if (system_.active(slot))
       count({slot, system_.disk(slot), time}, sums);
-  steps_.forEach(system_.motion(), sums.since, time, [&](double from, double to, std::size_t part)
-                 { sums.spans[part] += to - from; });
+  steps_.forEach(system_.motion(), sums.since, time,
+                 [&](double from, double to, std::size_t part) { sums.spans[part] += to - from; });
   sums.since = time;
 }
 
@@ -193,11 +198,11 @@ void HeightProfile::addPhase(std::size_t species, std::size_t phase, const Sums&
       all += slices.at(slice, part);
       temperature.add(slices.at(slice, part));
     }
-    addLine(table, {radians * static_cast<double>(phase), radians * static_cast<double>(phase + 1),
-                    slice_ * static_cast<double>(slice), slice_ * static_cast<double>(slice + 1),
-                    quotient(all.time, span * slice_ * system_.shape().width()),
-                    quotient(all.along, all.weight), quotient(all.upwards, all.weight),
-                    temperature.mean(system_.scene().species[species].mass)});
+    addLine(table,
+            {radians * static_cast<double>(phase), radians * static_cast<double>(phase + 1),
+             slice_ * static_cast<double>(slice), slice_ * static_cast<double>(slice + 1),
+             quotient(all.time, span * slice_ * system_.shape().width()), quotient(all.along, all.weight),
+             quotient(all.upwards, all.weight), temperature.mean(system_.scene().species[species].mass)});
   }
 }
 

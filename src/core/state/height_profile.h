@@ -12,8 +12,8 @@ namespace ratchet_sieve
 
 /// Number density, mean velocity and granular temperature over the height above the base, since the end of
 /// `settle`: means over time, for each of equal parts of the drive's period. Height is measured from the line
-/// through the lowest corners of the teeth, along the base's normal, and velocities relative to the base. Exact
-/// in time but for the steps of MotionSteps.
+/// through the lowest corners of the teeth, along the base's normal, and velocities relative to the base.
+/// Exact in time but for the steps of MotionSteps.
 class HeightProfile final : public Observable
 {
 public:

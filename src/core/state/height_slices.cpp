@@ -9,8 +9,7 @@ namespace ratchet_sieve
 /// A flight as a function of the time since its start.
 struct HeightSlices::Fall
 {
-  explicit Fall(const SeenFlight& flight)
-      : height(flight.height[0]), weight(flight.weight)
+  explicit Fall(const SeenFlight& flight) : height(flight.height[0]), weight(flight.weight)
   {
     const double rate = 1.0 / flight.duration;
     along = {flight.along[0], (flight.along[1] - flight.along[0]) * rate};
@@ -105,9 +104,9 @@ void HeightSlices::addWithin(const Fall& fall, double from, double to, std::size
   const double along_from = fall.along.at(from), along_to = fall.along.at(to);
   const double up_from = fall.upwards.at(from), up_to = fall.upwards.at(to);
   const double weight = fall.weight * time;
-  sums_[slice * parts_ + part] += {time, weight, 0.5 * weight * (along_from + along_to),
-                                   0.5 * weight * (up_from + up_to),
-                                   weight * (squared(along_from, along_to) + squared(up_from, up_to))};
+  sums_[slice * parts_ + part] +=
+      {time, weight, 0.5 * weight * (along_from + along_to), 0.5 * weight * (up_from + up_to),
+       weight * (squared(along_from, along_to) + squared(up_from, up_to))};
 }
 
 void HeightSlices::archive(StateArchive& state)

@@ -29,11 +29,11 @@ public:
   /// Over the disks and the time that they spend in a slice.
   struct Sums
   {
-    double time = 0.0;      ///< [s]
-    double weight = 0.0;    ///< of the weight [s]
-    double along = 0.0;     ///< of weight and velocity [m]
-    double upwards = 0.0;   ///< of weight and velocity [m]
-    double squared = 0.0;   ///< of weight and velocity squared [m^2/s]
+    double time = 0.0;     ///< [s]
+    double weight = 0.0;   ///< of the weight [s]
+    double along = 0.0;    ///< of weight and velocity [m]
+    double upwards = 0.0;  ///< of weight and velocity [m]
+    double squared = 0.0;  ///< of weight and velocity squared [m^2/s]
 
     Sums& operator+=(const Sums& other);
 
@@ -54,9 +54,9 @@ public:
   std::size_t count() const { return sums_.size() / parts_; }
   const Sums& at(std::size_t slice, std::size_t part) const { return sums_[slice * parts_ + part]; }
 
-  double time() const { return time_; }                     ///< of all disks [s]
+  double time() const { return time_; }                       ///< of all disks [s]
   double heightIntegral() const { return height_integral_; }  ///< over disks and time [m s]
-  double timeAbove() const { return time_above_; }          ///< of disks above all slices [s]
+  double timeAbove() const { return time_above_; }            ///< of disks above all slices [s]
 
   /// @throws StateError
   void archive(StateArchive& state);

@@ -53,7 +53,7 @@ std::vector<std::optional<double>> granularTemperatures(const SystemState& syste
     if (system.active(slot))
     {
       const Disk& disk = system.disk(slot);
-      velocities[disk.species].add(vectorOf(courseAt(disk, time, system.scene().gravity).velocity),
+      velocities[disk.species].add(vectorOf(kinematicsAt(disk, time, system.scene().gravity).velocity),
                                    system.grain(slot).mass / species[disk.species].mass);
     }
   std::vector<std::optional<double>> temperatures;

@@ -182,7 +182,7 @@ Disk& SystemState::fly(std::uint32_t slot, double time)
   Disk& disk = disks_[slot];
   observers_.flew({slot, disk, time});
   disk = flown(disk, time, scene_.gravity);
-  ++disk.flights;
+  ++disk.event_count;
   return disk;
 }
 

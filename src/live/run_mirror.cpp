@@ -1,4 +1,4 @@
-#include "ratchet_sieve/live/seen_run.h"
+#include "ratchet_sieve/live/run_mirror.h"
 
 #include <algorithm>
 
@@ -41,12 +41,12 @@ BaseFrame baseOf(const SceneDefinition& scene)
 }
 }  // namespace
 
-void SeenRun::take(const AnyFrame& any)
+void RunMirror::take(const AnyFrame& any)
 {
   any.visit([this](const auto& frame) { see(frame); });
 }
 
-void SeenRun::see(const SceneFrame& frame)
+void RunMirror::see(const SceneFrame& frame)
 {
   if (scene_ && frame.yaml == yaml_)
     return;
@@ -63,14 +63,14 @@ void SeenRun::see(const SceneFrame& frame)
 }
 
 template <typename Frame>
-void SeenRun::see(const Frame& frame, std::optional<Frame>& last)
+void RunMirror::see(const Frame& frame, std::optional<Frame>& last)
 {
   if (last && frame.time < last->time)
     jumpBackTo(frame.time);
   last = frame;
 }
 
-void SeenRun::see(const BaseFrame& frame)
+void RunMirror::see(const BaseFrame& frame)
 {
   if (!bases_.empty() && frame.time < bases_.back().time)
     jumpBackTo(frame.time);
@@ -80,7 +80,7 @@ void SeenRun::see(const BaseFrame& frame)
 }
 
 /// Discards the frames of later times, which are from before the jump.
-void SeenRun::jumpBackTo(double time)
+void RunMirror::jumpBackTo(double time)
 {
   if (particles_ && particles_->time > time)
     particles_.reset();
@@ -93,13 +93,13 @@ void SeenRun::jumpBackTo(double time)
       bases_.end());
 }
 
-bool SeenRun::fits(const ParticleFrame& frame) const
+bool RunMirror::fits(const ParticleFrame& frame) const
 {
   return std::all_of(frame.disks.begin(), frame.disks.end(),
                      [this](const DiskState& disk) { return disk.species < scene_->species.size(); });
 }
 
-std::optional<double> SeenRun::time() const
+std::optional<double> RunMirror::time() const
 {
   if (!scene_)
     return {};
@@ -110,7 +110,7 @@ std::optional<double> SeenRun::time() const
   return bins_ ? std::optional<double>(bins_->time) : std::nullopt;
 }
 
-BaseFrame SeenRun::baseAt(double time) const
+BaseFrame RunMirror::baseAt(double time) const
 {
   if (bases_.empty())
     return carriedOn(*scene_, baseOf(*scene_), time);
@@ -119,7 +119,7 @@ BaseFrame SeenRun::baseAt(double time) const
   return carriedOn(*scene_, later == bases_.begin() ? *later : *std::prev(later), time);
 }
 
-Picture SeenRun::picture() const
+Picture RunMirror::picture() const
 {
   Picture picture{*scene_, baseAt(*time()), {}, {}, {}};
   if (particles_ && fits(*particles_))

@@ -1,6 +1,6 @@
 #include "add_disk.h"
-#include "lanes/lane_rows.h"
 #include "model/lane_limit.h"
+#include "simd/batch_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,7 +84,7 @@ std::string stateAfter(const SceneDefinition& scene, int strides, std::size_t th
   return simulation.saveState();
 }
 
-TEST(Lanes, AnyNumberOfThemGivesTheSameBits)
+TEST(Simd, AnyNumberOfThemGivesTheSameBits)
 {
   for (const SceneDefinition& scene : scenes())
   {
@@ -100,7 +100,7 @@ TEST(Lanes, AnyNumberOfThemGivesTheSameBits)
   }
 }
 
-TEST(Lanes, ThreadsAndStridesGiveTheSameBits)
+TEST(Simd, ThreadsAndStridesGiveTheSameBits)
 {
   for (const SceneDefinition& scene : scenes())
   {
@@ -111,17 +111,17 @@ TEST(Lanes, ThreadsAndStridesGiveTheSameBits)
   }
 }
 
-TEST(Lanes, OneAndTwoAreInEveryMachine)
+TEST(Simd, OneAndTwoAreInEveryMachine)
 {
   EXPECT_TRUE(useLanes(1));
-  EXPECT_EQ(presentLaneKernel().lanes, 1);
+  EXPECT_EQ(presentBatchKernel().lanes, 1);
   EXPECT_TRUE(useLanes(2));
   EXPECT_FALSE(useLanes(3));
-  EXPECT_EQ(presentLaneKernel().lanes, 2);
+  EXPECT_EQ(presentBatchKernel().lanes, 2);
   EXPECT_TRUE(useLanes(0));
 }
 
-TEST(Lanes, AreLimitedByTheEnvironment)
+TEST(Simd, AreLimitedByTheEnvironment)
 {
   // The limit, or 0 if the run is refused.
   const auto limited = [](const std::string& text)
@@ -159,7 +159,7 @@ std::vector<CollisionRecord> recordsOf(std::size_t threads)
   return records;
 }
 
-TEST(Lanes, WhoeverWatchesIsToldInTheSameOrder)
+TEST(Simd, WhoeverWatchesIsToldInTheSameOrder)
 {
   const std::vector<CollisionRecord> alone = recordsOf(1);
   const std::vector<CollisionRecord> together = recordsOf(3);
@@ -177,28 +177,28 @@ TEST(Lanes, WhoeverWatchesIsToldInTheSameOrder)
 }
 
 /// The scene's plan without SIMD.
-Plan withoutLanes(const SceneDefinition& scene)
+Plan withoutSimd(const SceneDefinition& scene)
 {
   Plan plan = planOf(scene);
-  EXPECT_TRUE(plan.lanes);
-  plan.lanes = false;
+  EXPECT_TRUE(plan.simd);
+  plan.simd = false;
   return plan;
 }
 
-TEST(Lanes, OnlyWhereThePlanHasThemAndTheBaseStandsAtItsSetpoints)
+TEST(Simd, OnlyWhereThePlanHasThemAndTheBaseStandsAtItsSetpoints)
 {
   const SceneDefinition scene = test::singleParticles(1);
-  EXPECT_FALSE(laneScene(SystemState(scene, withoutLanes(scene))));
-  SystemState machine(scene);
-  EXPECT_TRUE(laneScene(machine));
-  machine.changeMotion([](BaseMotion& motion, double now) { motion.command(Quantity::FREQUENCY, 30.0, now); },
-                       0.1);
-  EXPECT_FALSE(laneScene(machine));
+  EXPECT_FALSE(batchScene(SystemState(scene, withoutSimd(scene))));
+  SystemState system(scene);
+  EXPECT_TRUE(batchScene(system));
+  system.changeMotion([](BaseMotion& motion, double now) { motion.command(Quantity::FREQUENCY, 30.0, now); },
+                      0.1);
+  EXPECT_FALSE(batchScene(system));
 }
 
 /// Before rounding errors grow, each disk follows the same path in both; the outcomes of all contacts are
 /// compared as well.
-TEST(Lanes, GoTheSameWayAsTheMachine)
+TEST(Simd, GoTheSameWayAsTheMachine)
 {
   std::vector<SceneDefinition> all = scenes();
   // For disks that come to rest, the final positions differ only by rounding.
@@ -207,11 +207,11 @@ TEST(Lanes, GoTheSameWayAsTheMachine)
   {
     scene.species[0].contact.restitution = 0.3;
     constexpr double FIRST_CONTACTS = 0.12;
-    Simulation in_lanes(scene);
-    Simulation without(scene, withoutLanes(scene));
-    in_lanes.advanceTo(FIRST_CONTACTS);
+    Simulation in_batches(scene);
+    Simulation without(scene, withoutSimd(scene));
+    in_batches.advanceTo(FIRST_CONTACTS);
     without.advanceTo(FIRST_CONTACTS);
-    const std::vector<DiskState> one = in_lanes.disks();
+    const std::vector<DiskState> one = in_batches.disks();
     const std::vector<DiskState> other = without.disks();
     int apart = 0;
     for (std::size_t i = 0; i < one.size(); ++i)
@@ -222,36 +222,36 @@ TEST(Lanes, GoTheSameWayAsTheMachine)
         ++apart;
     // A flight that nearly grazes an apex may hit it in one version only.
     EXPECT_LE(apart, static_cast<int>(one.size()) / 50) << &scene - all.data();
-    EXPECT_NEAR(in_lanes.energy(), without.energy(), 1e-2 * std::abs(without.energy()));
+    EXPECT_NEAR(in_batches.energy(), without.energy(), 1e-2 * std::abs(without.energy()));
   }
 }
 
-TEST(Lanes, GiveTheSameMeansAsTheMachine)
+TEST(Simd, GiveTheSameMeansAsTheMachine)
 {
   SceneDefinition scene = test::singleParticles(400);
   scene.settle = 2.0;
-  Simulation in_lanes(scene);
+  Simulation in_batches(scene);
   scene.seed = 2;
-  Simulation without(scene, withoutLanes(scene));
-  in_lanes.advanceTo(32.0);
+  Simulation without(scene, withoutSimd(scene));
+  in_batches.advanceTo(32.0);
   without.advanceTo(32.0);
-  const SpeciesMeans one = in_lanes.means()[0];
+  const SpeciesMeans one = in_batches.means()[0];
   const SpeciesMeans other = without.means()[0];
   EXPECT_NEAR(*one.mean_vx, *other.mean_vx, 4.0 * std::hypot(*one.mean_vx_stderr, *other.mean_vx_stderr));
   // About 200,000 contacts each.
   EXPECT_NEAR(*one.kinetic_translational / *other.kinetic_translational, 1.0, 0.02);
   EXPECT_NEAR(*one.kinetic_rotational / *other.kinetic_rotational, 1.0, 0.03);
-  EXPECT_NEAR(*in_lanes.collisions().shortToLong(0.3) / *without.collisions().shortToLong(0.3), 1.0, 0.03);
+  EXPECT_NEAR(*in_batches.collisions().shortToLong(0.3) / *without.collisions().shortToLong(0.3), 1.0, 0.03);
   EXPECT_NEAR(
-      static_cast<double>(in_lanes.collisions().apex) / static_cast<double>(without.collisions().apex), 1.0,
+      static_cast<double>(in_batches.collisions().apex) / static_cast<double>(without.collisions().apex), 1.0,
       0.06);
-  EXPECT_NEAR(
-      static_cast<double>(in_lanes.collisions().total()) / static_cast<double>(without.collisions().total()),
-      1.0, 0.01);
-  EXPECT_NEAR(in_lanes.baseImpulse().y() / without.baseImpulse().y(), 1.0, 0.01);
+  EXPECT_NEAR(static_cast<double>(in_batches.collisions().total()) /
+                  static_cast<double>(without.collisions().total()),
+              1.0, 0.01);
+  EXPECT_NEAR(in_batches.baseImpulse().y() / without.baseImpulse().y(), 1.0, 0.01);
 }
 
-SceneDefinition drawnSceneForLanes()
+SceneDefinition drawnSceneForBatches()
 {
   SceneDefinition scene = test::singleParticles(0);
   BaseDefinition& base = scene.base;
@@ -269,18 +269,18 @@ SceneDefinition drawnSceneForLanes()
 }
 
 /// A disk that starts anywhere free of the base, or touching it, in any direction.
-Disk drawnDisk(const SystemState& machine)
+Disk drawnDisk(const SystemState& system)
 {
-  const double radius = machine.scene().species[0].radius * *rc::gen::element(1.0, 1.0, 0.7, 1.6);
-  const FrameOfBase base = machine.motion().at(0.0);
-  const double s = drawn(0.0, machine.shape().width());
+  const double radius = system.scene().species[0].radius * *rc::gen::element(1.0, 1.0, 0.7, 1.6);
+  const FrameOfBase base = system.motion().at(0.0);
+  const double s = drawn(0.0, system.shape().width());
   double n = radius + drawn(0.0, 0.03);
-  while (machine.shape().heightAbove(s, n) < radius)
+  while (system.shape().heightAbove(s, n) < radius)
     n += 0.1 * radius;
   // Down to the surface.
   if (*rc::gen::inRange(0, 3) == 0)
-    while (machine.shape().heightAbove(s, n) > radius * (1.0 + 1e-9))
-      n -= machine.shape().heightAbove(s, n) - radius;
+    while (system.shape().heightAbove(s, n) > radius * (1.0 + 1e-9))
+      n -= system.shape().heightAbove(s, n) - radius;
   const double speed = *rc::gen::element(0.05, 0.5, 5.0);
   Disk disk;
   disk.radius = radius;
@@ -293,11 +293,11 @@ Disk drawnDisk(const SystemState& machine)
 }
 
 /// Searches from event to event until a contact is certain, as the loop does.
-BaseEvent searchInLanes(const SystemState& system)
+BaseEvent searchInBatch(const SystemState& system)
 {
-  const LaneScene scene = *laneScene(system);
-  const LaneKernel& kernel = presentLaneKernel();
-  LaneBatch batch{};
+  const BatchScene scene = *batchScene(system);
+  const BatchKernel& kernel = presentBatchKernel();
+  SimdBatch batch{};
   BaseEvent event{0.0, {}};
   loadRow(system, 0, event, batch, 0);
   kernel.launch(scene, batch, 1);
@@ -309,30 +309,30 @@ BaseEvent searchInLanes(const SystemState& system)
   return event;
 }
 
-bool isClear(const SystemState& machine, const BaseEvent& event)
+bool isClear(const SystemState& system, const BaseEvent& event)
 {
   if (!event.feature || event.time >= SEARCH_HORIZON)
     return false;
-  const BasePoint point = machine.search().seenFromBase(machine.disk(0), event.time);
-  return machine.shape().approach(event.feature, point, machine.radius(0)).rate < -1e-2;
+  const BasePoint point = system.search().seenFromBase(system.disk(0), event.time);
+  return system.shape().approach(event.feature, point, system.radius(0)).rate < -1e-2;
 }
 
-BaseEvent searchInMachine(const SystemState& machine)
+BaseEvent searchAlone(const SystemState& system)
 {
   BaseEvent event{0.0, {}};
   for (int i = 0; i < 2000 && !event.feature && event.time < SEARCH_HORIZON; ++i)
-    event = machine.search().find(machine.disk(0), machine.radius(0), event.time, SEARCH_HORIZON);
+    event = system.search().find(system.disk(0), system.radius(0), event.time, SEARCH_HORIZON);
   return event;
 }
 
 /// At many times before the contact, nothing touches; at the contact the rim touches and approaches.
-void checkAgainstScan(const SystemState& machine, const BaseEvent& event)
+void checkAgainstScan(const SystemState& system, const BaseEvent& event)
 {
-  const double radius = machine.radius(0);
+  const double radius = system.radius(0);
   const auto gapAt = [&](double time)
   {
-    const BasePoint point = machine.search().seenFromBase(machine.disk(0), time);
-    return machine.shape().heightAbove(point.s(), point.n()) - radius;
+    const BasePoint point = system.search().seenFromBase(system.disk(0), time);
+    return system.shape().heightAbove(point.s(), point.n()) - radius;
   };
   // The initial overlap of a disk of this size is rounding; positions are up to a few metres.
   const double tolerance = 1e-9 * radius + 1e-14;
@@ -341,24 +341,24 @@ void checkAgainstScan(const SystemState& machine, const BaseEvent& event)
     RC_ASSERT(gapAt(end * i / 1000.0) > -tolerance);
   if (!event.feature)
     return;
-  const BasePoint point = machine.search().seenFromBase(machine.disk(0), event.time);
-  const Approach approach = machine.shape().approach(event.feature, point, radius);
+  const BasePoint point = system.search().seenFromBase(system.disk(0), event.time);
+  const Approach approach = system.shape().approach(event.feature, point, radius);
   RC_ASSERT(std::abs(approach.gap) < tolerance);
   RC_ASSERT(approach.rate < 1e-9);
   RC_ASSERT(std::abs(gapAt(event.time)) < tolerance);
 }
 
-TEST(Lanes, FindTheFirstContactOfRandomFlights)
+TEST(Simd, FindTheFirstContactOfRandomFlights)
 {
   EXPECT_TRUE(rc::check(
       []
       {
-        test::Bench bench(drawnSceneForLanes());
+        test::Bench bench(drawnSceneForBatches());
         test::addDisk(bench.state, drawnDisk(bench.state));
         const Lanes lanes(*rc::gen::element(1, 2, 0));
-        const BaseEvent found = searchInLanes(bench.state);
+        const BaseEvent found = searchInBatch(bench.state);
         checkAgainstScan(bench.state, found);
-        const BaseEvent expected = searchInMachine(bench.state);
+        const BaseEvent expected = searchAlone(bench.state);
         // Rounding decides whether a grazing contact occurs.
         const bool clear = isClear(bench.state, found) && isClear(bench.state, expected);
         RC_CLASSIFY(!clear, "no contact, or a graze");
@@ -369,30 +369,30 @@ TEST(Lanes, FindTheFirstContactOfRandomFlights)
 }
 
 /// Compares the outcome of a row's event by SIMD and by the machine, field by field.
-void expectSameOutcome(const ContactOutcome& lanes, const ContactOutcome& machine)
+void expectSameOutcome(const ContactOutcome& row, const ContactOutcome& contact)
 {
   constexpr double ROUNDING = 1e-11;
-  RC_ASSERT(lanes.time == machine.time);
-  RC_ASSERT(lanes.kind == machine.kind);
-  RC_ASSERT(lanes.i == machine.i);
-  RC_ASSERT(lanes.j == machine.j);
-  RC_ASSERT(lanes.shift == machine.shift);
-  RC_ASSERT(lanes.closed == machine.closed);
-  RC_ASSERT(lanes.lossless == machine.lossless);
-  RC_ASSERT(std::abs(lanes.overlap - machine.overlap) < ROUNDING);
-  RC_ASSERT((lanes.normal - machine.normal).norm() < 1e-9);
-  RC_ASSERT(std::abs(lanes.normal_velocity - machine.normal_velocity) < 1e-9);
-  RC_ASSERT(std::abs(lanes.normal_impulse - machine.normal_impulse) < ROUNDING);
-  RC_ASSERT(std::abs(lanes.tangential_impulse - machine.tangential_impulse) < ROUNDING);
+  RC_ASSERT(row.time == contact.time);
+  RC_ASSERT(row.kind == contact.kind);
+  RC_ASSERT(row.i == contact.i);
+  RC_ASSERT(row.j == contact.j);
+  RC_ASSERT(row.shift == contact.shift);
+  RC_ASSERT(row.closed == contact.closed);
+  RC_ASSERT(row.lossless == contact.lossless);
+  RC_ASSERT(std::abs(row.overlap - contact.overlap) < ROUNDING);
+  RC_ASSERT((row.normal - contact.normal).norm() < 1e-9);
+  RC_ASSERT(std::abs(row.normal_velocity - contact.normal_velocity) < 1e-9);
+  RC_ASSERT(std::abs(row.normal_impulse - contact.normal_impulse) < ROUNDING);
+  RC_ASSERT(std::abs(row.tangential_impulse - contact.tangential_impulse) < ROUNDING);
 }
 
 /// A row with a random disk that starts on the base, or comes down to it.
-TEST(Lanes, HandOverTheSameOutcomesAsTheMachine)
+TEST(Simd, HandOverTheSameOutcomesAsTheMachine)
 {
   EXPECT_TRUE(rc::check(
       []
       {
-        SceneDefinition scene = drawnSceneForLanes();
+        SceneDefinition scene = drawnSceneForBatches();
         scene.contact.restitution_speed = *rc::gen::element(0.0, 0.4);
         scene.contact.min_rebound_speed = *rc::gen::element(0.0, 0.05);
         test::Bench bench(scene);
@@ -400,15 +400,15 @@ TEST(Lanes, HandOverTheSameOutcomesAsTheMachine)
         disk.spin = *rc::gen::element(0.0, -300.0, 40.0);
         test::addDisk(bench.state, disk);
         const Lanes lanes(*rc::gen::element(1, 2, 0));
-        const BaseEvent event = searchInLanes(bench.state);
+        const BaseEvent event = searchInBatch(bench.state);
         const bool clear = isClear(bench.state, event);
         RC_CLASSIFY(!clear, "no contact, or a graze");
         if (!clear)
           return;
-        const LaneScene lane_scene = *laneScene(bench.state);
-        LaneBatch batch{};
+        const BatchScene batch_scene = *batchScene(bench.state);
+        SimdBatch batch{};
         loadRow(bench.state, 0, event, batch, 0);
-        presentLaneKernel().collide(lane_scene, batch, 1);
+        presentBatchKernel().collide(batch_scene, batch, 1);
         BaseInstant base(bench.state.motion());
         const ContactOutcome outcome = bench.execution.collideWithBase(0, event.feature, event.time, base);
         RC_ASSERT(outcome.closed);

@@ -12,7 +12,7 @@ namespace ratchet_sieve
 
 /// Reconstructs a run from its topics: combines the last frames received into pictures of one instant. Each
 /// topic has its own rate and may be missing. Time jumps back if a bag is played again or a sieve is reset.
-class SeenRun : public FrameSink
+class RunMirror : public FrameSink
 {
 public:
   /// If a scene cannot be parsed, the previous one stays, and sceneError() returns the reason.

@@ -8,23 +8,23 @@
 #include "ratchet_sieve/core/luding_law.h"
 
 /// SIMD for independent disks over a base at its setpoints: one disk per lane of the processor's registers.
-/// The same source is compiled for each register width (lane_kernel.inc) and gives the same bits for each.
+/// The same source is compiled for each register width (batch_kernel.inc) and gives the same bits for each.
 /// Plain arrays without functions: otherwise the linker could use a function compiled for wide registers on a
 /// machine without them.
 namespace ratchet_sieve
 {
 
 /// The feature of the next event of a lane's flight.
-enum LaneFeature : std::int32_t
+enum BatchFeature : std::int32_t
 {
-  LANE_NOTHING = 0,  ///< no contact until then
-  LANE_RIGHT_SLOPE,  ///< the descending slope, on the left of a valley
-  LANE_LEFT_SLOPE,   ///< the ascending slope, on the right of a valley
-  LANE_APEX          ///< on the right of a valley
+  BATCH_NOTHING = 0,  ///< no contact until then
+  BATCH_RIGHT_SLOPE,  ///< the descending slope, on the left of a valley
+  BATCH_LEFT_SLOPE,   ///< the ascending slope, on the right of a valley
+  BATCH_APEX          ///< on the right of a valley
 };
 
 /// The face of a tooth, in coordinates of the valley with its foot at u = 0.
-struct LaneFlank
+struct BatchFlank
 {
   double apex_u;    ///< [m]
   double normal_s;  ///< unit normal, pointing out of the base
@@ -32,7 +32,7 @@ struct LaneFlank
 };
 
 /// Constants in single precision for computing bounds, which need not be accurate.
-struct LaneBounds
+struct BatchBounds
 {
   float gravity;        ///< g
   float fall;           ///< acceleration of gravity towards the base: g cos(theta), or 0
@@ -46,7 +46,7 @@ struct LaneBounds
 };
 
 /// Constants of all disks of a machine while its base is at its setpoints.
-struct LaneScene
+struct BatchScene
 {
   double gravity;    ///< [m/s^2]
   double gravity_s;  ///< g sin(theta): acceleration of gravity against s
@@ -62,13 +62,13 @@ struct LaneScene
   double valley_start;     ///< fraction of a tooth on the left of a valley's foot: 1 - a
   double height;           ///< of the apices [m]
   CollisionLaw law;
-  LaneBounds bounds;
-  LaneFlank left;   ///< of the valley: the right slope of the tooth before
-  LaneFlank right;  ///< of the valley: its tooth's left slope
+  BatchBounds bounds;
+  BatchFlank left;   ///< of the valley: the right slope of the tooth before
+  BatchFlank right;  ///< of the valley: its tooth's left slope
 };
 
 /// Rows of disks, one disk per row.
-struct LaneBatch
+struct SimdBatch
 {
   static constexpr std::size_t ROWS = 128;
 
@@ -91,7 +91,7 @@ struct LaneBatch
   // The next event.
   alignas(64) Column event_time;  ///< [s]
   alignas(64) Column valley;      ///< whose foot is at s = valley w
-  alignas(64) Column feature;     ///< a LaneFeature
+  alignas(64) Column feature;     ///< a BatchFeature
 
   // The flight at `time`, in the base's frame at Y = 0.
   alignas(64) Column s, n, vs, vn;
@@ -105,27 +105,27 @@ struct LaneBatch
 };
 
 /// The functions for one register width.
-struct LaneKernel
+struct BatchKernel
 {
   int lanes;
 
   /// Executes the next events of the first `rows` disks, and sets their new flights.
-  void (*collide)(const LaneScene& scene, LaneBatch& batch, std::size_t rows);
+  void (*collide)(const BatchScene& scene, SimdBatch& batch, std::size_t rows);
 
   /// Finds the next event of the first `rows` flights after `event_time`, and stores it there.
   /// @return number of evaluations of the flights
-  std::uint64_t (*search)(const LaneScene& scene, LaneBatch& batch, std::size_t rows);
+  std::uint64_t (*search)(const BatchScene& scene, SimdBatch& batch, std::size_t rows);
 
   /// Sets flights from the disks' states, for those not set by `collide`.
-  void (*launch)(const LaneScene& scene, LaneBatch& batch, std::size_t rows);
+  void (*launch)(const BatchScene& scene, SimdBatch& batch, std::size_t rows);
 };
 
 /// The kernel with this number of lanes (1, 2, 4, 8), or nullptr if this processor cannot run it.
-const LaneKernel* laneKernel(int lanes);
+const BatchKernel* batchKernel(int lanes);
 
 /// The kernel set by useLanes(), or else the widest that this processor can run, up to laneLimit().
 /// @throws std::invalid_argument as laneLimit()
-const LaneKernel& presentLaneKernel();
+const BatchKernel& presentBatchKernel();
 
 /// Sets the number of lanes for all simulations from now on; 0: the widest. For tests and benchmarks: results
 /// do not depend on it. @return false if this processor cannot; nothing is changed then

@@ -1,4 +1,4 @@
-#include "lanes/worker_pool.h"
+#include "simd/worker_pool.h"
 
 #include <exception>
 #include <system_error>

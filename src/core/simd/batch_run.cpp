@@ -1,9 +1,9 @@
-#include "lanes/lane_run.h"
+#include "simd/batch_run.h"
 
 namespace ratchet_sieve
 {
 
-void LaneRun::takeFlights(std::size_t rows)
+void BatchRun::takeFlights(std::size_t rows)
 {
   for (std::size_t row = 0; row < rows; ++row)
   {
@@ -14,13 +14,13 @@ void LaneRun::takeFlights(std::size_t rows)
   }
 }
 
-void LaneRun::takeOutcomes(std::size_t rows)
+void BatchRun::takeOutcomes(std::size_t rows)
 {
   report_.events += rows;
   share_->take(rows, [this](std::size_t row) { return outcomeOf(batch_, row, slots_[row], species_[row]); });
 }
 
-LaneRun::Report LaneRun::takeReport(Observers& observers)
+BatchRun::Report BatchRun::takeReport(Observers& observers)
 {
   if (share_)
     observers.take(std::move(*share_));

@@ -2,7 +2,7 @@
 
 #include "collecting_sink.h"
 #include "ratchet_sieve/core/simulation.h"
-#include "ratchet_sieve/live/seen_run.h"
+#include "ratchet_sieve/live/run_mirror.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "small_scenes.h"
@@ -49,12 +49,12 @@ class Seen : public testing::Test
 protected:
   Seen() { seen.take(sceneFrame(smallMixture())); }
 
-  SeenRun seen;
+  RunMirror seen;
 };
 
-TEST(SeenRun, hasNothingToShowBeforeTheScene)
+TEST(RunMirror, hasNothingToShowBeforeTheScene)
 {
-  SeenRun seen;
+  RunMirror seen;
   seen.take(particlesAt(0.0));
   seen.take(baseAt(0.0));
   EXPECT_FALSE(seen.time());

@@ -1,4 +1,4 @@
-#include "search/ring_course.h"
+#include "search/periodic_image_search.h"
 
 #include <cmath>
 #include <limits>
@@ -17,29 +17,30 @@ namespace
 constexpr double FOR_EVER = std::numeric_limits<double>::infinity();
 
 /// Every image, one by one.
-std::optional<RingCourse::Touch> slowly(const RingCourse& ring, const Eigen::Vector2d& place,
-                                        const Eigen::Vector2d& velocity, double distance)
+std::optional<PeriodicImageSearch::Touch> slowly(const PeriodicImageSearch& ring,
+                                                 const Eigen::Vector2d& place,
+                                                 const Eigen::Vector2d& velocity, double distance)
 {
-  std::optional<RingCourse::Touch> first;
+  std::optional<PeriodicImageSearch::Touch> first;
   for (int shift = -ring.most_laps; shift <= ring.most_laps; ++shift)
   {
     const double length = shift * ring.width;
     const Eigen::Vector2d image(length * ring.rotation.cosine, length * ring.rotation.sine);
     const auto time_to_contact = timeToContact(place - image, velocity, distance);
     if (time_to_contact && (!first || *time_to_contact < first->time_to_contact))
-      first = RingCourse::Touch{*time_to_contact, shift};
+      first = PeriodicImageSearch::Touch{*time_to_contact, shift};
   }
   return first;
 }
 
-TEST(RingCourse, FindsWhatLookingAtEveryImageFinds)
+TEST(PeriodicImageSearch, FindsWhatLookingAtEveryImageFinds)
 {
   EXPECT_TRUE(rc::check(
       []
       {
         const double angle = drawn(-1.5, 1.5);
         const double width = drawn(0.01, 0.3);
-        const RingCourse ring{
+        const PeriodicImageSearch ring{
             {std::cos(angle), std::sin(angle)}, width, 1.0 / width, *rc::gen::inRange(1, 40)};
         const double distance = drawn(0.0001, 1.0) * width;
         // Also slow across the row, so that several images are passed while it is within reach.
@@ -65,20 +66,21 @@ TEST(RingCourse, FindsWhatLookingAtEveryImageFinds)
       }));
 }
 
-TEST(RingCourse, MeetsAnImageManyLapsAway)
+TEST(PeriodicImageSearch, MeetsAnImageManyLapsAway)
 {
-  const RingCourse ring{{1.0, 0.0}, 0.2, 5.0, 100};
+  const PeriodicImageSearch ring{{1.0, 0.0}, 0.2, 5.0, 100};
   // One metre above the row, at 10 m/s along it and 1 m/s towards it: 10 m, 50 widths away.
   const auto touch = ring.firstTouch({0.0, 1.0}, {10.0, -1.0}, 0.002, FOR_EVER);
   ASSERT_TRUE(touch);
   EXPECT_EQ(touch->shift, 50);
   EXPECT_NEAR(touch->time_to_contact, 1.0, 0.001);
-  EXPECT_FALSE((RingCourse{{1.0, 0.0}, 0.2, 5.0, 49}.firstTouch({0.0, 1.0}, {10.0, -1.0}, 0.002, FOR_EVER)));
+  EXPECT_FALSE(
+      (PeriodicImageSearch{{1.0, 0.0}, 0.2, 5.0, 49}.firstTouch({0.0, 1.0}, {10.0, -1.0}, 0.002, FOR_EVER)));
 }
 
-TEST(RingCourse, AtRestBesideAnImageMeetsNothing)
+TEST(PeriodicImageSearch, AtRestBesideAnImageMeetsNothing)
 {
-  const RingCourse ring{{1.0, 0.0}, 0.2, 5.0, 10};
+  const PeriodicImageSearch ring{{1.0, 0.0}, 0.2, 5.0, 10};
   EXPECT_FALSE(ring.firstTouch({0.0, 0.0}, {0.0, 0.0}, 0.002, FOR_EVER));
   EXPECT_FALSE(ring.firstTouch({0.1, 0.0}, {0.0, 0.0}, 0.002, FOR_EVER));
   // Along the row, however slowly the height changes.

@@ -2,15 +2,15 @@
 #include <emmintrin.h>
 #endif
 
-#include "lanes/lane_kernels.h"
+#include "simd/batch_kernels.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
 #define LANES 2
-#include "lanes/lane_kernel.inc"
+#include "simd/batch_kernel.inc"
 }  // namespace
 
-const LaneKernel KERNEL_OF_TWO_LANES{LANES, collide, search, launch};
+const BatchKernel KERNEL_OF_TWO_LANES{LANES, collide, search, launch};
 }  // namespace ratchet_sieve

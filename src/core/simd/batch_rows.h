@@ -2,38 +2,38 @@
 
 #include <optional>
 
-#include "lanes/lane_batch.h"
 #include "search/contact_search.h"
+#include "simd/simd_batch.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
 {
 
-/// The constants for the SIMD kernels; nothing if the plan has no lanes, or while the base moves to a
+/// The constants for the SIMD kernels; nothing if the plan has no SIMD, or while the base moves to a
 /// setpoint.
-std::optional<LaneScene> laneScene(const SystemState& system);
+std::optional<BatchScene> batchScene(const SystemState& system);
 
 /// Copies a disk and its next event into a row.
-void loadRow(const SystemState& system, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
+void loadRow(const SystemState& system, std::uint32_t slot, const BaseEvent& next, SimdBatch& batch,
              std::size_t row);
 
 /// Copies the state of a row's disk, at its last event.
-void readState(const LaneBatch& batch, std::size_t row, Disk& disk);
+void readState(const SimdBatch& batch, std::size_t row, Disk& disk);
 
 /// Copies a row's disk and its next event back.
-void storeRow(const LaneBatch& batch, std::size_t row, SystemState& system, std::uint32_t slot,
+void storeRow(const SimdBatch& batch, std::size_t row, SystemState& system, std::uint32_t slot,
               BaseEvent& next);
 
-void copyRow(LaneBatch& batch, std::size_t from, std::size_t to);
+void copyRow(SimdBatch& batch, std::size_t from, std::size_t to);
 
 /// A row's next event.
-BaseEvent rowEvent(const LaneBatch& batch, std::size_t row);
+BaseEvent rowEvent(const SimdBatch& batch, std::size_t row);
 
 /// The outcome of a row's event after `collide`. A row without a contact has a separating outcome.
-inline ContactOutcome outcomeOf(const LaneBatch& batch, std::size_t row, std::uint32_t slot,
+inline ContactOutcome outcomeOf(const SimdBatch& batch, std::size_t row, std::uint32_t slot,
                                 std::uint32_t species)
 {
-  // Indexed by LaneFeature.
+  // Indexed by BatchFeature.
   constexpr CollisionKind KINDS[] = {CollisionKind::APEX, CollisionKind::RIGHT_SLOPE,
                                      CollisionKind::LEFT_SLOPE, CollisionKind::APEX};
   ContactOutcome outcome;

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Checks that the object files of the lane kernels (of all that are given, those named so) define their kernel for
+"""Checks that the object files of the SIMD kernels (of all that are given, those named so) define their kernel for
 others and nothing else: what they share with another file the linker could take from one that is compiled for
 registers that a machine does not have."""
 import pathlib
@@ -14,7 +14,7 @@ def shared(path):
 
 
 def main():
-    kernels = [path for path in sys.argv[1:] if pathlib.Path(path).name.startswith(('lane_kernel_', 'overlap_kernel_16'))]
+    kernels = [path for path in sys.argv[1:] if pathlib.Path(path).name.startswith(('batch_kernel_', 'overlap_kernel_16'))]
     wrong = [f'{path}: {name}' for path in kernels for name in shared(path) if 'KERNEL_OF_' not in name and 'OVERLAPS_OF_' not in name]
     print(f'{len(kernels)} kernels', *wrong, sep='\n')
     sys.exit(1 if wrong or len(kernels) != 5 else 0)

@@ -12,17 +12,17 @@
 #pragma GCC target("avx2")
 #endif
 
-#include "lanes/lane_kernels.h"
+#include "simd/batch_kernels.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
 #define LANES 4
-#include "lanes/lane_kernel.inc"
+#include "simd/batch_kernel.inc"
 }  // namespace
 
-const LaneKernel KERNEL_OF_FOUR_LANES{LANES, collide, search, launch};
+const BatchKernel KERNEL_OF_FOUR_LANES{LANES, collide, search, launch};
 }  // namespace ratchet_sieve
 
 #if defined(__clang__)

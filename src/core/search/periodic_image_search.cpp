@@ -1,4 +1,4 @@
-#include "search/ring_course.h"
+#include "search/periodic_image_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,9 +25,10 @@ int roundedUp(double x)
 }
 }  // namespace
 
-std::optional<RingCourse::Touch> RingCourse::firstTouch(const Eigen::Vector2d& position,
-                                                        const Eigen::Vector2d& velocity, double distance,
-                                                        double horizon) const
+std::optional<PeriodicImageSearch::Touch> PeriodicImageSearch::firstTouch(const Eigen::Vector2d& position,
+                                                                          const Eigen::Vector2d& velocity,
+                                                                          double distance,
+                                                                          double horizon) const
 {
   const double reach = distance * (1.0 + REACH_MARGIN);
   const auto in_row = intoBase(rotation, position.x(), position.y());

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <optional>
 
-#include "doubts.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
+#include "scene_warnings.h"
 
 namespace ratchet_sieve
 {
@@ -32,7 +32,7 @@ bool isTame(const DriveBounds& drive, double gravity)
 }
 
 /// A plausible frequency, if the given one is in rad/s, revolutions per minute or mHz.
-std::optional<double> meantFrequency(const SceneDefinition& scene)
+std::optional<double> suggestedFrequency(const SceneDefinition& scene)
 {
   for (const double factor : {0.5 / PI, 1.0 / 60.0, 1e-3})
     if (isTame(drivenAt(scene.base, factor * scene.base.frequency), scene.gravity))
@@ -78,7 +78,7 @@ bool shakes(const DriveBounds& drive, double gravity)
   return drive.acceleration >= 0.5 * gravity;
 }
 
-void doubtDrive(const SceneDefinition& scene, Doubts& doubts)
+void warnOfDrive(const SceneDefinition& scene, SceneWarnings& warnings)
 {
   const BaseDefinition& base = scene.base;
   const DriveBounds now = driveBounds(base);
@@ -92,28 +92,28 @@ void doubtDrive(const SceneDefinition& scene, Doubts& doubts)
   const std::string with = std::string("with ") + named.key + " = " + quantity(amplitude, "m") + " ";
   const bool wild = !isTame(now, scene.gravity) && !isWeightless(scene);
   if (now.displacement > (wild ? 1.0 : WIDEST_STROKE) * base.toothWidth())
-    doubts.add(named.key, amplitude, "m",
-               number(amplitude / base.toothWidth()) + " times " + toothKey(base, "width") +
-                   ", and at base.frequency = " + quantity(base.frequency, "Hz") + " " + figure,
-               meantAmplitude(scene, named));
+    warnings.add(named.key, amplitude, "m",
+                 number(amplitude / base.toothWidth()) + " times " + toothKey(base, "width") +
+                     ", and at base.frequency = " + quantity(base.frequency, "Hz") + " " + figure,
+                 meantAmplitude(scene, named));
   else if (wild)
-    doubts.add("base.frequency", base.frequency, "Hz", with + figure, meantFrequency(scene));
+    warnings.add("base.frequency", base.frequency, "Hz", with + figure, suggestedFrequency(scene));
   else if (now.acceleration > 0.0 && now.acceleration < SOFTEST_DRIVE * scene.gravity)
-    doubts.add(
+    warnings.add(
         "base.frequency", base.frequency, "Hz", with + figure + ", too weak to lift a disk",
-        meant(base.frequency, 1e3, [&](double f) { return isTame(drivenAt(base, f), scene.gravity); }));
+        suggestUnit(base.frequency, 1e3, [&](double f) { return isTame(drivenAt(base, f), scene.gravity); }));
 }
 
-void doubtAngles(const SceneDefinition& scene, Doubts& doubts)
+void warnOfAngles(const SceneDefinition& scene, SceneWarnings& warnings)
 {
   const double inclination = scene.base.inclination;
   if (std::abs(inclination) > STEEPEST)
-    doubts.add("base.inclination", inclination, "rad", number(180.0 / PI * inclination) + " degrees",
-               inclination * PI / 180.0);
+    warnings.add("base.inclination", inclination, "rad", number(180.0 / PI * inclination) + " degrees",
+                 inclination * PI / 180.0);
   const auto doubt_phase = [&](const std::string& key, double phase)
   {
     if (std::abs(phase) > MOST_TURNS * 2.0 * PI)
-      doubts.add(key, phase, "rad", number(0.5 / PI * phase) + " turns of the drive", phase * PI / 180.0);
+      warnings.add(key, phase, "rad", number(0.5 / PI * phase) + " turns of the drive", phase * PI / 180.0);
   };
   doubt_phase("base.phase", scene.base.phase);
   doubt_phase("base.horizontal_phase", scene.base.horizontal_phase);
@@ -125,7 +125,7 @@ void doubtAngles(const SceneDefinition& scene, Doubts& doubts)
   }
 }
 
-void doubtGravity(const SceneDefinition& scene, Doubts& doubts)
+void warnOfGravity(const SceneDefinition& scene, SceneWarnings& warnings)
 {
   const bool weightless = isWeightless(scene);
   if (scene.gravity <= STRONGEST_GRAVITY && !weightless)
@@ -137,7 +137,7 @@ void doubtGravity(const SceneDefinition& scene, Doubts& doubts)
   for (const double factor : {1e-3, 1e-2, 1e3})
     if (factor * scene.gravity > 1.0 && factor * scene.gravity < 20.0)
       intended = factor * scene.gravity;
-  doubts.add("gravity", scene.gravity, "m/s^2", figure, intended);
+  warnings.add("gravity", scene.gravity, "m/s^2", figure, intended);
 }
 
 }  // namespace ratchet_sieve

@@ -12,7 +12,7 @@ namespace ratchet_sieve
 /// Finds the first contact of a disk with the images of another on a ring. The images form a row, one width
 /// apart, and the relative motion is a straight line. So the disk comes near the row once, and only the
 /// images near that place are tested.
-struct RingCourse
+struct PeriodicImageSearch
 {
   Rotation rotation;  ///< by the row's inclination
   double width;       ///< of the ring [m]

@@ -1,25 +1,25 @@
 #include <initializer_list>
 
-#include "lanes/lane_kernels.h"
 #include "model/lane_limit.h"
+#include "simd/batch_kernels.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-const LaneKernel* asked_for = nullptr;
+const BatchKernel* asked_for = nullptr;
 
-const LaneKernel& widest()
+const BatchKernel& widest()
 {
   const int limit = laneLimit();
   for (const int lanes : {8, 4, 2})
-    if (const LaneKernel* kernel = lanes <= limit ? laneKernel(lanes) : nullptr)
+    if (const BatchKernel* kernel = lanes <= limit ? batchKernel(lanes) : nullptr)
       return *kernel;
   return KERNEL_OF_ONE_LANE;
 }
 }  // namespace
 
-const LaneKernel* laneKernel(int lanes)
+const BatchKernel* batchKernel(int lanes)
 {
   switch (lanes)
   {
@@ -39,15 +39,15 @@ const LaneKernel* laneKernel(int lanes)
   }
 }
 
-const LaneKernel& presentLaneKernel()
+const BatchKernel& presentBatchKernel()
 {
-  static const LaneKernel& widest_kernel = widest();
+  static const BatchKernel& widest_kernel = widest();
   return asked_for ? *asked_for : widest_kernel;
 }
 
 bool useLanes(int lanes)
 {
-  const LaneKernel* kernel = lanes == 0 ? nullptr : laneKernel(lanes);
+  const BatchKernel* kernel = lanes == 0 ? nullptr : batchKernel(lanes);
   if (lanes != 0 && !kernel)
     return false;
   asked_for = kernel;

@@ -13,7 +13,7 @@
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/scene/scalars.h"
 
-/// The texts of doubts about a scene: see implausibilities().
+/// The texts of warnings about a scene: see implausibilities().
 namespace ratchet_sieve
 {
 
@@ -53,16 +53,16 @@ inline double relief(const BaseDefinition& base)
 }
 
 /// Collects the lines.
-class Doubts
+class SceneWarnings
 {
 public:
   /// "KEY = VALUE UNIT: REASON; did you mean MEANT UNIT?"
   void add(const std::string& key, double value, const char* unit, const std::string& reason,
-           const std::optional<double>& meant = std::nullopt)
+           const std::optional<double>& suggested = std::nullopt)
   {
     std::string line = key + " = " + scalarText(value) + " " + unit + ": " + reason;
-    if (meant)
-      line += "; did you mean " + quantity(*meant, unit) + "?";
+    if (suggested)
+      line += "; did you mean " + quantity(*suggested, unit) + "?";
     lines_.push_back(line);
   }
 
@@ -78,7 +78,7 @@ private:
 
 /// The value times the factor between two units, if that is plausible.
 template <typename Plausible>
-std::optional<double> meant(double value, double factor, Plausible&& plausible)
+std::optional<double> suggestUnit(double value, double factor, Plausible&& plausible)
 {
   return plausible(value * factor) ? std::optional(value * factor) : std::nullopt;
 }
@@ -86,13 +86,13 @@ std::optional<double> meant(double value, double factor, Plausible&& plausible)
 /// Whether a drive is strong enough to throw disks up, or nearly so.
 bool shakes(const DriveBounds& drive, double gravity);
 
-void doubtDrive(const SceneDefinition& scene, Doubts& doubts);
-void doubtAngles(const SceneDefinition& scene, Doubts& doubts);
-void doubtGravity(const SceneDefinition& scene, Doubts& doubts);
+void warnOfDrive(const SceneDefinition& scene, SceneWarnings& warnings);
+void warnOfAngles(const SceneDefinition& scene, SceneWarnings& warnings);
+void warnOfGravity(const SceneDefinition& scene, SceneWarnings& warnings);
 
 /// About `accuracy`.
 /// @param speed of the fastest disks, after the start [m/s]
-void doubtAccuracy(const SceneDefinition& scene, double speed, Doubts& doubts);
+void warnOfAccuracy(const SceneDefinition& scene, double speed, SceneWarnings& warnings);
 
 /// The line on a wrong unit in many keys, such as all lengths in mm, if the scene is plausible without this
 /// mistake.

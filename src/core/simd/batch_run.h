@@ -5,30 +5,30 @@
 #include <utility>
 #include <vector>
 
-#include "lanes/lane_rows.h"
+#include "simd/batch_rows.h"
 
 namespace ratchet_sieve
 {
 
 /// One thread's part of advancing an ensemble: loads disks into the rows of a batch, and stores them when
 /// their next event is later than the requested time.
-class LaneRun
+class BatchRun
 {
 public:
   struct Report
   {
     std::uint64_t events = 0;
-    std::vector<std::uint32_t> not_for_lanes;  ///< slots of disks whose next event is not ordinary
+    std::vector<std::uint32_t> not_ordinary;  ///< slots of disks whose next event is not ordinary
   };
 
-  LaneRun() : batch_() {}
+  BatchRun() : batch_() {}
 
   /// Advances the disks that `take` returns, until it returns false: bool take(std::uint32_t& slot).
   template <typename Take>
-  void advance(SystemState& system, std::vector<BaseEvent>& next, const LaneScene& scene, double time,
+  void advance(SystemState& system, std::vector<BaseEvent>& next, const BatchScene& scene, double time,
                Take&& take)
   {
-    const LaneKernel& kernel = presentLaneKernel();
+    const BatchKernel& kernel = presentBatchKernel();
     share_.emplace(system.observers());
     std::uint32_t slot = 0;
     std::size_t rows = 0;
@@ -44,7 +44,7 @@ public:
         }
       return false;
     };
-    while (rows < LaneBatch::ROWS && take_up(rows))
+    while (rows < SimdBatch::ROWS && take_up(rows))
       ++rows;
     while (rows > 0)
     {
@@ -83,7 +83,7 @@ private:
   {
     if (watch.countOrdinary(slot, time))
       return true;
-    report_.not_for_lanes.push_back(slot);
+    report_.not_ordinary.push_back(slot);
     return false;
   }
 
@@ -93,9 +93,9 @@ private:
   /// Passes the outcomes of the first `rows` rows to the observers.
   void takeOutcomes(std::size_t rows);
 
-  LaneBatch batch_;
-  std::uint32_t slots_[LaneBatch::ROWS];
-  std::uint32_t species_[LaneBatch::ROWS];
+  SimdBatch batch_;
+  std::uint32_t slots_[SimdBatch::ROWS];
+  std::uint32_t species_[SimdBatch::ROWS];
   std::optional<Observers::Share> share_;
   Report report_;
 };

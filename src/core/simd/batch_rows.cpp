@@ -1,4 +1,4 @@
-#include "lanes/lane_rows.h"
+#include "simd/batch_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,31 +14,31 @@ namespace
 /// tighter than the bound on the acceleration.
 constexpr double LONGEST_TRIAL = 1.5;
 
-struct LaneContact
+struct BatchContact
 {
-  LaneFeature feature;
+  BatchFeature feature;
   std::int32_t valley;
 };
 
 // Of a sawtooth, whose faces are 0 and 1, with the apex at the left end of face 1.
-LaneContact laneContact(const BaseFeature& feature)
+BatchContact batchContact(const BaseFeature& feature)
 {
   if (feature.kind() == BaseFeatureKind::FACE && feature.index() == 0)
-    return {LANE_LEFT_SLOPE, feature.tooth()};
+    return {BATCH_LEFT_SLOPE, feature.tooth()};
   if (feature.kind() == BaseFeatureKind::FACE)
-    return {LANE_RIGHT_SLOPE, feature.tooth() + 1};
-  return {feature ? LANE_APEX : LANE_NOTHING, feature.tooth()};
+    return {BATCH_RIGHT_SLOPE, feature.tooth() + 1};
+  return {feature ? BATCH_APEX : BATCH_NOTHING, feature.tooth()};
 }
 
-BaseFeature baseFeature(LaneFeature feature, std::int32_t valley)
+BaseFeature baseFeature(BatchFeature feature, std::int32_t valley)
 {
   switch (feature)
   {
-    case LANE_LEFT_SLOPE:
+    case BATCH_LEFT_SLOPE:
       return {BaseFeatureKind::FACE, valley, 0};
-    case LANE_RIGHT_SLOPE:
+    case BATCH_RIGHT_SLOPE:
       return {BaseFeatureKind::FACE, valley - 1, 1};
-    case LANE_APEX:
+    case BATCH_APEX:
       return {BaseFeatureKind::CORNER, valley, 1};
     default:
       return {};
@@ -46,7 +46,7 @@ BaseFeature baseFeature(LaneFeature feature, std::int32_t valley)
 }
 
 /// @pre the shape is a sawtooth
-void setTeeth(const BaseShape& shape, LaneScene& scene)
+void setTeeth(const BaseShape& shape, BatchScene& scene)
 {
   const BaseShape::Face& left_slope = shape.faces().front();
   const BaseShape::Face& right_slope = shape.faces().back();
@@ -63,13 +63,13 @@ void setTeeth(const BaseShape& shape, LaneScene& scene)
 }
 }  // namespace
 
-std::optional<LaneScene> laneScene(const SystemState& system)
+std::optional<BatchScene> batchScene(const SystemState& system)
 {
   const SceneDefinition& definition = system.scene();
   const BaseMotion& motion = system.motion();
-  if (!system.plan().lanes || motion.nextChange())
+  if (!system.plan().simd || motion.nextChange())
     return std::nullopt;
-  LaneScene scene{};
+  BatchScene scene{};
   scene.gravity = definition.gravity;
   scene.base = motion.rotation();
   const auto gravity = verticalIntoBase(scene.base, definition.gravity);
@@ -81,7 +81,7 @@ std::optional<LaneScene> laneScene(const SystemState& system)
   scene.law = definition.contact;
   setTeeth(system.shape(), scene);
   const double w = angularFrequency(scene.drive.frequency);
-  LaneBounds& bounds = scene.bounds;
+  BatchBounds& bounds = scene.bounds;
   bounds.gravity = static_cast<float>(scene.gravity);
   bounds.fall = static_cast<float>(std::max(0.0, scene.gravity_n));
   bounds.amplitude = static_cast<float>(scene.drive.amplitude);
@@ -94,14 +94,14 @@ std::optional<LaneScene> laneScene(const SystemState& system)
   return scene;
 }
 
-BaseEvent rowEvent(const LaneBatch& batch, std::size_t row)
+BaseEvent rowEvent(const SimdBatch& batch, std::size_t row)
 {
   return {batch.event_time[row],
-          baseFeature(static_cast<LaneFeature>(static_cast<std::int32_t>(batch.feature[row])),
+          baseFeature(static_cast<BatchFeature>(static_cast<std::int32_t>(batch.feature[row])),
                       static_cast<std::int32_t>(batch.valley[row]))};
 }
 
-void loadRow(const SystemState& system, std::uint32_t slot, const BaseEvent& next, LaneBatch& batch,
+void loadRow(const SystemState& system, std::uint32_t slot, const BaseEvent& next, SimdBatch& batch,
              std::size_t row)
 {
   const Disk& disk = system.disk(slot);
@@ -128,13 +128,13 @@ void loadRow(const SystemState& system, std::uint32_t slot, const BaseEvent& nex
   batch.angle[row] = sums.angle;
   batch.impulse_x[row] = sums.impulse_x;
   batch.impulse_y[row] = sums.impulse_y;
-  const LaneContact contact = laneContact(next.feature);
+  const BatchContact contact = batchContact(next.feature);
   batch.event_time[row] = next.time;
   batch.feature[row] = contact.feature;
   batch.valley[row] = contact.valley;
 }
 
-void readState(const LaneBatch& batch, std::size_t row, Disk& disk)
+void readState(const SimdBatch& batch, std::size_t row, Disk& disk)
 {
   disk.position.x() = batch.x[row];
   disk.position.y() = batch.y[row];
@@ -144,7 +144,7 @@ void readState(const LaneBatch& batch, std::size_t row, Disk& disk)
   disk.time = batch.time[row];
 }
 
-void storeRow(const LaneBatch& batch, std::size_t row, SystemState& system, std::uint32_t slot,
+void storeRow(const SimdBatch& batch, std::size_t row, SystemState& system, std::uint32_t slot,
               BaseEvent& next)
 {
   readState(batch, row, system.changeable(slot));
@@ -153,7 +153,7 @@ void storeRow(const LaneBatch& batch, std::size_t row, SystemState& system, std:
   next = rowEvent(batch, row);
 }
 
-void copyRow(LaneBatch& batch, std::size_t from, std::size_t to)
+void copyRow(SimdBatch& batch, std::size_t from, std::size_t to)
 {
   for (double* column : {batch.x,           batch.y,
                          batch.vx,          batch.vy,
