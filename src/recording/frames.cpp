@@ -13,7 +13,7 @@ namespace
 /// The size classes of each species that has sizes, as an observable.
 Observed observedSizeClasses(const Simulation& simulation)
 {
-  Observed observed{"size_classes", {}};
+  Observed observed{SIZE_CLASSES, {}};
   const std::vector<SizeClass>& classes = simulation.sizeClasses();
   const std::vector<SpeciesMeans> means = simulation.sizeClassMeans();
   for (std::size_t k = 0; k < classes.size();)

@@ -132,6 +132,9 @@ RATCHET_SIEVE_FIELDS(StatisticsFrame)
   RATCHET_SIEVE_FIELD(max_overlap, "m");
 }
 
+/// The name of what is observed of each size class.
+constexpr const char* SIZE_CLASSES = "size_classes";
+
 /// What the scene asks to be observed (`observe`), since the end of `settle`; and, where species have sizes,
 /// what became of each size class, since the start.
 struct ObservedFrame
