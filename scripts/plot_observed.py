@@ -1,11 +1,11 @@
 """Draws what a scene asks to be observed, from tables that sieve_analyze wrote."""
 import math
 
-from plot_tables import COLOURS, MM, UJ, MaxNLocator, Table, any_defined, beside, plt, say_undefined
+from plot_tables import COLOURS, MM, UJ, MaxNLocator, Table, any_defined, beside, matplotlib, plt, say_undefined
 
 G = 1e3  # per kg
 PLACES = {'left': '--', 'right': '-'}  # their lines
-FEWEST_TIMES = 5  # of which a distribution is drawn
+FEWEST_TIMES = 20  # of which a distribution is drawn
 
 
 def parts(table):
@@ -26,7 +26,7 @@ def draw_residence_times(directory):
             edges, counts = coarser(edges, counts)
             density = [count / sum(counts) / math.log(to / begin)
                        for count, begin, to in zip(counts, edges, edges[1:])]
-            axes.step(edges, density + [0.0], where='post', color=colour, linestyle=line,
+            axes.step(edges[:1] + edges, [0.0, *density, 0.0], where='post', color=colour, linestyle=line,
                       label=f'{label} ({sum(counts):.0f})')
     if axes.lines:
         axes.set_xscale('log')
@@ -42,10 +42,10 @@ def draw_residence_times(directory):
 
 
 def coarser(edges, counts):
-    """Neighbouring bins together, until there are about sqrt(n) of them."""
-    together = max(1, round(len(counts) / max(4.0, math.sqrt(sum(counts)))))
-    starts = range(0, len(counts), together)
-    return [edges[k] for k in starts] + edges[-1:], [sum(counts[k:k + together]) for k in starts]
+    """Neighbouring bins together, until there are about sqrt(n) / 2 of them; the last is the widest."""
+    together = max(1, math.ceil(2.0 * len(counts) / math.sqrt(sum(counts))))
+    starts = [*range(0, max(len(counts) - together, 0) + 1, together), len(counts)]
+    return [edges[k] for k in starts], [sum(counts[k:end]) for k, end in zip(starts, starts[1:])]
 
 
 def draw_mass_flow(directory):
@@ -73,7 +73,7 @@ def smoothed(time, flow, points=40):
 
 PROFILES = {'number_density': ('disks [1/cm²]', 1e-4), 'velocity_along': ('velocity along [mm/s]', MM),
             'velocity_up': ('velocity up [mm/s]', MM), 'temperature': ('temperature [µJ]', UJ)}
-DENSE = 1e-3  # of a profile: slices of a lower share of the largest density have too few disks to be drawn
+DENSE = 0.02  # slices of a smaller share of the largest density have too few disks for their means to be drawn
 PHASE_LINES = ['-', '--', ':', '-.']
 MOST_PHASES_DRAWN = len(PHASE_LINES)
 
@@ -86,18 +86,19 @@ def draw_height_profile(directory):
     for colour, species in zip(COLOURS, table.values('species')):
         for line, phase in zip(PHASE_LINES, drawn):
             part = table.where('species', species).where('phase_from', phase)
-            label = species if len(phases) == 1 else f'{species}, from {float(phase) / math.pi:.2g} π'
+            label = species if len(phases) == 1 else f'{species}, phase {float(phase) / math.pi:.2g} π'
             plot_profile(axes, part, colour, line, label)
     for each, (label, _) in zip(axes, PROFILES.values()):
         each.set_xlabel(label)
-        each.xaxis.set_major_locator(MaxNLocator(4))
+        each.xaxis.set_major_locator(MaxNLocator(3))
     axes[0].set_ylabel('height above the base [mm]')
     axes[0].set_ylim(bottom=0.0)
     axes[0].set_title('Means over time, by height', loc='left')
     if axes[0].lines:
-        beside(axes[-1])
+        beside(axes[-1], title=None if len(phases) < 2 else f'parts of {2.0 / len(phases):.2g} π from')
     else:
         say_undefined(axes[0], 'no disk was seen')
+    figure.subplots_adjust(wspace=0.15)
     return figure
 
 
@@ -106,10 +107,15 @@ def plot_profile(axes, part, colour, line, label):
     density = part.numbers('number_density')
     if not any_defined(density):
         return
-    kept = [k for k, value in enumerate(density) if value >= DENSE * max(density)]
     for each, (column, (_, scale)) in zip(axes, PROFILES.items()):
         values = part.numbers(column, scale)
-        each.plot([values[k] for k in kept], [heights[k] for k in kept], color=colour, linestyle=line, label=label)
+        if column != 'number_density':
+            values = [value if disks >= DENSE * max(density) else math.nan for value, disks in zip(values, density)]
+        each.plot(values, heights, color=colour, linestyle=line, label=label)
+
+
+def paler(colour, share):
+    return [1.0 - (1.0 - shade) * (1.0 - share) for shade in matplotlib.colors.to_rgb(colour)]
 
 
 def draw_size_classes(directory):
@@ -124,8 +130,8 @@ def draw_size_classes(directory):
         shares, velocities = axes[0, column], axes[1, column]
         counts = [part.numbers(key) for key in ('left', 'right', 'on_base')]
         below = [0.0] * len(widths)
-        for numbers, shade, label in zip(counts, (0.95, 0.55, 0.2), ('left', 'right', 'on the base')):
-            shares.bar(edges[:-1], numbers, widths, bottom=below, align='edge', color=colour, alpha=shade,
+        for numbers, shade, label in zip(counts, (0.0, 0.45, 0.8), ('left', 'right', 'on the base')):
+            shares.bar(edges[:-1], numbers, widths, bottom=below, align='edge', color=paler(colour, shade),
                        edgecolor='white', linewidth=0.8, label=label)
             below = [a + b for a, b in zip(below, numbers)]
         shares.set_title(f'Species {species}', loc='left')
@@ -135,7 +141,8 @@ def draw_size_classes(directory):
                             capsize=3)
         velocities.axhline(0.0, color='black', linewidth=0.6)
         velocities.set_xlabel('radius [mm]')
-        shares.legend(loc='upper right', fontsize=7)
+        shares.legend(loc='lower right', bbox_to_anchor=(1.0, 1.08), ncol=3, borderaxespad=0.0, columnspacing=0.8,
+                      handlelength=1.0)
     axes[0, 0].set_ylabel('disks')
     axes[1, 0].set_ylabel(r'$\langle V_x \rangle$ [mm/s]')
     return figure

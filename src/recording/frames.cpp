@@ -20,16 +20,20 @@ Observed observedSizeClasses(const Simulation& simulation)
   {
     const std::size_t species = classes[k].species;
     ObservedRow row{"", simulation.scene().species[species].name, {}, {}};
-    row.table = {{"radius_from", "m", {}}, {"radius_to", "m", {}}, {"left", "", {}},
-                 {"right", "", {}},        {"on_base", "", {}},    {"left_mass", "kg", {}},
-                 {"right_mass", "kg", {}}, {"mean_vx", "m/s", {}}, {"mean_vx_stderr", "m/s", {}}};
+    row.table = {{"radius_from", "m", {}},
+                 {"radius_to", "m", {}},
+                 {"left", "", {}},
+                 {"right", "", {}},
+                 {"on_base", "", {}},
+                 {"mean_vx", "m/s", {}},
+                 {"mean_vx_stderr", "m/s", {}}};
     std::vector<SpeciesBins> all;
     for (; k < classes.size() && classes[k].species == species; ++k)
     {
       const SpeciesBins& bins = all.emplace_back(simulation.sizeClassBins()[k]);
       addLine(row.table, {classes[k].smallest, classes[k].largest, static_cast<double>(bins.left),
-                          static_cast<double>(bins.right), static_cast<double>(bins.on_base), bins.left_mass,
-                          bins.right_mass, means[k].mean_vx, means[k].mean_vx_stderr});
+                          static_cast<double>(bins.right), static_cast<double>(bins.on_base),
+                          means[k].mean_vx, means[k].mean_vx_stderr});
     }
     row.numbers = {{"size_quality", "", bestQuality(all)}};
     observed.rows.push_back(std::move(row));

@@ -44,6 +44,7 @@ protected:
 TEST_F(Record, holdsTheFirstAndTheLastMessageWhenInterrupted)
 {
   prepare("/interrupted", 1.0, true);
+  ros::param::set("/interrupted/scene/observe", std::vector<std::string>{"height_profile"});
   ChildNode node("sieve_node", named("interrupted"));
   SieveClient sieve("/interrupted");
   ASSERT_TRUE(sieve.connect());
@@ -62,6 +63,10 @@ TEST_F(Record, holdsTheFirstAndTheLastMessageWhenInterrupted)
   EXPECT_TRUE(sameBits(recorded.particles.back(), sieve.particles.frames.back()));
   EXPECT_TRUE(sameBits(recorded.bins.back(), sieve.bins.frames.back()));
   EXPECT_TRUE(sameButForSpeed(recorded.statistics.back(), sieve.statistics.frames.back()));
+  ASSERT_TRUE(sieve.observed.waitForTime(2.4876));
+  EXPECT_EQ(recorded.observed.size(), 4u);  // at 0, 1 and 2 s, and the last
+  EXPECT_TRUE(sameBits(recorded.observed.back(), sieve.observed.frames.back()));
+  EXPECT_EQ(recorded.observed.back().observed.at(0).name, "height_profile");
   ASSERT_TRUE(recorded.bins.back().quality);
   EXPECT_EQ(recorded.bins.back().quality, sieve.bins.frames.back().quality);
   EXPECT_EQ(recorded.bins.back().processed, sieve.bins.frames.back().processed);
@@ -92,6 +97,8 @@ TEST_F(Record, endsWithTheSceneAndClosesTheBag)
   EXPECT_EQ(recorded.bins.size(), 20u * 60u + 1u);
   EXPECT_TRUE(sameBits(recorded.bins.back(), sieve.bins.frames.back()));
   EXPECT_TRUE(recorded.bins.back().quality);
+  EXPECT_TRUE(recorded.observed.empty());
+  EXPECT_TRUE(sieve.observed.frames.empty());
 }
 
 /// Number of times up to `until`.

@@ -6,6 +6,7 @@
 #include "draws.h"
 #include "model/base_motion.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
+#include "ratchet_sieve/core/observable.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "scene_spelling.h"
 
