@@ -36,7 +36,8 @@ class Row:
 def collisions(program, rounds):
     """@return benchmark -> collisions per second of its best round, which other load on the machine disturbs least"""
     best = {}
-    command = [program, '--benchmark_filter=^(mixture/|singleParticles)', '--benchmark_format=json']
+    command = [program, '--benchmark_filter=^(mixture/|singleParticles|wideSizes|lognormalSizes)',
+               '--benchmark_format=json']
     for _ in range(rounds):
         finished = subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         for run in json.loads(finished.stdout)['benchmarks']:
@@ -73,6 +74,12 @@ def rows(best, memory):
     yield Row('disks_1e5.collisions', 'with 10⁵ disks', '0.8 M', '1.2 M', millions('mixture/3817'))
     yield Row('size_cost', 'cost of a collision among 10⁵ disks, over that among 10³', '≤ 2.5', '≤ 1.6',
               times('mixture/38', 'mixture/3817'))
+    for times_as_large in (5, 10, 25, 50):
+        yield Row(f'wide.{times_as_large}', f'one disk {times_as_large} times as large among 2000: cost of a collision, '
+                  'over that of equal disks', '≤ 1.5', '', times('wideSizes/1', f'wideSizes/{times_as_large}'))
+    for percent in (25, 50):
+        yield Row(f'lognormal.{percent}', f'2000 disks of lognormal radii, σ = {percent / 100:g}: the same', '≤ 2', '',
+                  times('wideSizes/1', f'lognormalSizes/{percent}'))
     if memory:
         yield Row('bytes_per_disk', '10⁶ disks: bytes a disk, everything included', '≤ 400', '≤ 250', f'{memory:.0f}')
     yield Row('single.collisions', 'single disks (Fig. 3): collisions per second, as many lanes as there are', '8 M',

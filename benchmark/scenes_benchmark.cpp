@@ -1,4 +1,3 @@
-#include <ctime>
 #include <map>
 
 #include <benchmark/benchmark.h>
@@ -84,29 +83,10 @@ void mixtureWithoutPairs(benchmark::State& state)
 }
 BENCHMARK(mixtureWithoutPairs)->Unit(benchmark::kMillisecond);
 
-/// Time per collision of a scene that has come down, and its ratio to that of equal disks in the same run.
-void timeCollisions(benchmark::State& state, const SceneDefinition& scene, bool equal)
-{
-  static double of_equal = 0.0;
-  Simulation simulation(scene);
-  simulation.advanceTo(0.5);
-  const auto before = simulation.collisions().total();
-  const std::clock_t start = std::clock();
-  for (auto _ : state)
-    simulation.advanceTo(simulation.time() + 5.0 / scene.base.frequency);
-  const double elapsed = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  const double of_one = elapsed / static_cast<double>(simulation.collisions().total() - before);
-  if (equal)
-    of_equal = of_one;
-  state.counters["ns_a_collision"] = 1e9 * of_one;
-  if (of_equal > 0.0)
-    state.counters["to_equal"] = of_one / of_equal;
-}
-
 /// Two thousand equal disks and one that is so many times as large.
 void wideSizes(benchmark::State& state)
 {
-  timeCollisions(state, test::oneLarge(2000, static_cast<double>(state.range(0))), state.range(0) == 1);
+  advance(state, test::oneLarge(2000, static_cast<double>(state.range(0))), 0.2);
 }
 BENCHMARK(wideSizes)->Arg(1)->Arg(5)->Arg(10)->Arg(25)->Arg(50)->Unit(benchmark::kMillisecond);
 
@@ -114,7 +94,7 @@ BENCHMARK(wideSizes)->Arg(1)->Arg(5)->Arg(10)->Arg(25)->Arg(50)->Unit(benchmark:
 /// percent.
 void lognormalSizes(benchmark::State& state)
 {
-  timeCollisions(state, test::lognormalSizes(2000, 0.01 * static_cast<double>(state.range(0))), false);
+  advance(state, test::lognormalSizes(2000, 0.01 * static_cast<double>(state.range(0))), 0.2);
 }
 BENCHMARK(lognormalSizes)->Arg(25)->Arg(50)->Unit(benchmark::kMillisecond);
 

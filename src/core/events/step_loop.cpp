@@ -135,7 +135,9 @@ private:
     near_base_.clear();
     ends_.resize(state_.disks().size());
     overlaps_.begin(state_.disks().size());
-    base_reach_ = state_.motion().speedBound() * (end_ - start_);
+    length_ = end_ - start_;
+    base_reach_ = state_.motion().speedBound() * length_;
+    turning_ = state_.motion().turning();
     for (std::uint32_t slot = 0; slot < state_.disks().size(); ++slot)
     {
       if (!state_.active(slot))
@@ -175,12 +177,12 @@ private:
   bool mayTouchBase(std::uint32_t slot, const Eigen::Vector2d& at) const
   {
     const double radius = ends_[slot].radius;
-    if (state_.motion().turning() && !withinEnds(at))
+    if (turning_ && !withinEnds(at))
       return true;
     if (base_overlap_.overlaps(at.x(), at.y(), radius))
       return true;
     const Two velocity = ends_[slot].kinematics.velocity;
-    const double reach = (std::abs(velocity[0]) + std::abs(velocity[1])) * (end_ - start_) + base_reach_;
+    const double reach = (std::abs(velocity[0]) + std::abs(velocity[1])) * length_ + base_reach_;
     return reach > base_overlap_.shortestPassage(radius) &&
            base_overlap_.overlaps(at.x(), at.y(), radius + reach);
   }
@@ -202,9 +204,9 @@ private:
     redirect(slot);
   }
 
-  /// Finds the contact of two disks that may overlap at the end of the step, searching backwards from there. If
-  /// the contact is not after `from`, the search of the event loops decides whether they approach there, by the same sum as the
-  /// execution.
+  /// Finds the contact of two disks that may overlap at the end of the step, searching backwards from there.
+  /// If the contact is not after `from`, the search of the event loops decides whether they approach there,
+  /// by the same sum as the execution.
   void findContact(std::uint32_t slot, std::uint32_t other, int shift, double from)
   {
     if (slot == other)
@@ -287,6 +289,8 @@ private:
   double gravity_;      ///< [m/s^2]
   double start_ = 0.0;  ///< of the next step
   double end_ = 0.0;
+  double length_ = 0.0;      ///< of the step [s]
+  bool turning_ = false;     ///< the base, within the step
   double base_reach_ = 0.0;  ///< largest displacement of the base within the step [m]
   OverlapSearch overlaps_;
   BaseOverlap base_overlap_;

@@ -33,10 +33,11 @@ inline std::optional<double> timeToContact(const Eigen::Vector2d& position, cons
   return excess / (std::sqrt(discriminant) - closing);
 }
 
-/// The time since two disks that overlap have touched, if they have moved as they do now. The same motion as in
-/// timeToContact(), backwards. @param excess the square of their distance minus that of the sum of the radii,
-/// < 0
-inline double timeSinceContact(const Eigen::Vector2d& position, const Eigen::Vector2d& velocity, double excess)
+/// The time since two disks that overlap have touched, if they have moved as they do now. The same motion as
+/// in timeToContact(), backwards. @param excess the square of their distance minus that of the sum of the
+/// radii, < 0
+inline double timeSinceContact(const Eigen::Vector2d& position, const Eigen::Vector2d& velocity,
+                               double excess)
 {
   const double speed_squared = velocity.squaredNorm();
   const double parting = position.dot(velocity);

@@ -201,9 +201,9 @@ private:
       call(*observer);
   }
 
-  void tell(const ContactOutcome& outcome);
-  void tell(const Flight& flight);
-  void tell(const Departure& departure);
+  [[gnu::noinline]] void tell(const ContactOutcome& outcome);
+  [[gnu::noinline]] void tell(const Flight& flight);
+  [[gnu::noinline]] void tell(const Departure& departure);
   void deliver(const Notice& notice);
   void sortByWishes();
 
