@@ -64,7 +64,10 @@ TEST_F(Record, holdsTheFirstAndTheLastMessageWhenInterrupted)
   EXPECT_TRUE(sameBits(recorded.bins.back(), sieve.bins.frames.back()));
   EXPECT_TRUE(sameButForSpeed(recorded.statistics.back(), sieve.statistics.frames.back()));
   ASSERT_TRUE(sieve.observed.waitForTime(2.4876));
-  EXPECT_EQ(recorded.observed.size(), 4u);  // at 0, 1 and 2 s, and the last
+  std::vector<double> times;
+  for (const ObservedFrame& frame : recorded.observed)
+    times.push_back(frame.time);
+  EXPECT_EQ(times, (std::vector<double>{0.0, 1.0, 1.5, 2.0, 2.4876}));  // and at the end of each step
   EXPECT_TRUE(sameBits(recorded.observed.back(), sieve.observed.frames.back()));
   EXPECT_EQ(recorded.observed.back().observed.at(0).name, "height_profile");
   ASSERT_TRUE(recorded.bins.back().quality);
