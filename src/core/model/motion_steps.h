@@ -40,7 +40,8 @@ public:
     const std::size_t per_period = parts_ * (motion.swings() ? per_part_ : 1);
     const double turn = std::abs(motion.inclinationRate());
     const double longest = turn > 0.0 ? LARGEST_TURN / turn : std::numeric_limits<double>::infinity();
-    auto step = static_cast<std::uint64_t>(motion.turnsAt(begin) * static_cast<double>(per_period));
+    auto step =
+        static_cast<std::uint64_t>(std::max(0.0, motion.turnsAt(begin)) * static_cast<double>(per_period));
     for (double from = begin; from < end; ++step)
     {
       const auto next = motion.timeOfTurns(static_cast<double>(step + 1) / static_cast<double>(per_period));
