@@ -165,6 +165,23 @@ TEST(HeightProfile, SeesFromTheBase)
   EXPECT_NEAR(number(row, "mean_height"), HEIGHT, 1e-7);
 }
 
+TEST(HeightProfile, CountsFromTheLowestCorners)
+{
+  SceneDefinition scene = test::singleParticles(0);
+  scene.gravity = 0.0;
+  scene.base.profile = {{0.0, 0.0}, {0.01, -0.005}, {0.02, 0.0}};
+  scene.base.amplitude = 0.0;
+  scene.initial = {{0, 0.1, 0.0205, 0.0, 0.0, 0.0}};
+  scene.observe = {"height_profile"};
+  Simulation simulation(scene);
+  simulation.advanceTo(1.0);
+  const ObservedRow row = simulation.observed()[0].rows[0];
+  EXPECT_NEAR(number(row, "mean_height"), 0.0255, 1e-12);
+  // Slices as high as the smallest radius, up to that of the disk.
+  EXPECT_EQ(column(row, "from").size(), 26u);
+  EXPECT_NEAR(column(row, "number_density").back() * 0.001 * scene.base.width(), 1.0, 1e-12);
+}
+
 /// Sums of a reader that looks at all disks at many instants.
 struct SlowProfile
 {
