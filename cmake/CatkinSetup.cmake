@@ -32,6 +32,11 @@ add_message_files(FILES
   BaseState.msg
   BinCounts.msg
   Command.msg
+  Observation.msg
+  ObservationColumn.msg
+  ObservationNumber.msg
+  ObservationRow.msg
+  Observations.msg
   ParticleStates.msg
   SceneDescription.msg
   SeekTrial.msg

@@ -3,7 +3,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "scripts"))
-from plot_analysis import COLOURS, GREY, STYLE, matplotlib, plt, writing  # noqa: E402
+from plot_tables import COLOURS, GREY, STYLE, matplotlib, plt, writing  # noqa: E402
 
 MM = 1e3  # per m
 STEPS = 10  # of a colour scale

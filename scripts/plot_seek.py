@@ -6,8 +6,9 @@ import bisect
 import math
 import pathlib
 
-from plot_analysis import (COLOURS, GREY, MaxNLocator, Table, any_defined, beside, of_run, plot_drive, plt, run_program,
-                           say_undefined, write)
+from plot_analysis import plot_drive
+from plot_tables import (COLOURS, GREY, MaxNLocator, Table, any_defined, beside, of_run, plt, run_program, say_undefined,
+                         write)
 
 
 def fallen(bins, species):

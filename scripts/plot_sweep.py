@@ -13,7 +13,7 @@ import statistics
 
 from matplotlib.patches import Rectangle
 
-from plot_analysis import GREY, Refusal, Row, matplotlib, plt, read_csv, run_program, writing
+from plot_tables import GREY, Refusal, Row, matplotlib, plt, read_csv, run_program, writing
 from sweep_colours import COLOUR_STEPS, colour_steps, curve_colours, label_ends
 
 SMALLEST_DIFFERENCE = 1e-6  # of an axis: steps that differ by a smaller part are taken as equal

@@ -1,7 +1,7 @@
 """The colours of plot_sweep.py's curves and maps, and the labels at the ends of curves."""
 from matplotlib.colors import BoundaryNorm
 
-from plot_analysis import COLOURS, GREY, MaxNLocator, matplotlib
+from plot_tables import COLOURS, GREY, MaxNLocator, matplotlib
 
 COLOUR_STEPS = 10  # of a map's colours, and the most curves
 SEQUENTIAL, DIVERGING = 'viridis', 'RdBu_r'  # the latter where values have both signs

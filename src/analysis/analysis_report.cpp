@@ -107,7 +107,8 @@ std::string missingText(const RunResult& result)
       {"particles", "no <V_x>, no displacements"},
       {"bins", "no counts, no Q, no P"},
       {"base", "no inclination, frequency and amplitude over time"},
-      {"statistics", "no temperatures, no contacts"}};
+      {"statistics", "no temperatures, no contacts"},
+      {"observed", "nothing of what the scene observes, no size classes"}};
   std::string text;
   for (const std::string& kind : result.missing())
     text += fmt::format("not recorded: {} ({})\n", kind, means.at(kind));
@@ -232,6 +233,8 @@ Json reportJson(const RunResult& result)
     json["max_overlap"] = statistics->max_overlap;
   }
   json["short_to_long"] = numberOrNull(result.shortToLong());
+  for (const Observed& observed : result.observed)
+    json[observed.name] = observedResults(observed);
   return json;
 }
 

@@ -39,11 +39,14 @@ std::string driftTable(const RunResult& result)
 
 std::string binTable(const RunResult& result)
 {
-  std::string text = "time [s],species,left,right,on_base\n";
+  std::string text = "time [s],species,left,right,on_base,left_mass [kg],right_mass [kg]\n";
   for (const BinFrame& frame : result.bins)
     for (std::size_t i = 0; i < frame.bins.size(); ++i)
-      text += fmt::format("{},{},{},{},{}\n", frame.time, result.species[i], frame.bins[i].left,
-                          frame.bins[i].right, frame.bins[i].on_base);
+    {
+      const SpeciesBins& bins = frame.bins[i];
+      text += fmt::format("{},{},{},{},{},{},{}\n", frame.time, result.species[i], bins.left, bins.right,
+                          bins.on_base, bins.left_mass, bins.right_mass);
+    }
   return text;
 }
 
@@ -128,6 +131,41 @@ std::string displacementTable(const RunResult& result)
   return text;
 }
 
+std::string unitText(const std::string& unit)
+{
+  return unit.empty() ? "" : " [" + shownText(unit) + "]";
+}
+
+std::string observedTable(const RunResult& result)
+{
+  std::string text = "observable,place,species,number,unit,value\n";
+  for (const Observed& observed : result.observed)
+    for (const ObservedRow& row : observed.rows)
+      for (const ObservedNumber& number : row.numbers)
+        text += fmt::format("{},{},{},{},{},{}\n", observed.name, row.place, row.species,
+                            shownText(number.name), shownText(number.unit), field(number.value));
+  return text;
+}
+
+/// The tables of an observable's rows, one below the other.
+std::string tableOf(const Observed& observed)
+{
+  std::string text = "place,species";
+  if (!observed.rows.empty())
+    for (const ObservedColumn& column : observed.rows.front().table)
+      text += "," + shownText(column.name) + unitText(column.unit);
+  text += '\n';
+  for (const ObservedRow& row : observed.rows)
+    for (std::size_t line = 0; !row.table.empty() && line < row.table.front().values.size(); ++line)
+    {
+      text += row.place + "," + row.species;
+      for (const ObservedColumn& column : row.table)
+        text += "," + field(column.values[line]);
+      text += '\n';
+    }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> writeTables(const RunResult& result, const std::string& directory)
@@ -137,7 +175,7 @@ std::vector<std::string> writeTables(const RunResult& result, const std::string&
   if (error)
     throw OutputError(directory + ": cannot be made a directory: " + error.message());
   std::vector<std::string> paths;
-  const auto write = [&](const char* name, const std::string& text)
+  const auto write = [&](const std::string& name, const std::string& text)
   {
     const std::string path = (std::filesystem::path(directory) / name).string();
     AtomicFile file(path);
@@ -154,6 +192,9 @@ std::vector<std::string> writeTables(const RunResult& result, const std::string&
   write("velocities.csv", velocityTable(result));
   write("drift.csv", driftTable(result));
   write("displacements.csv", displacementTable(result));
+  write("observed.csv", observedTable(result));
+  for (const Observed& observed : result.observed)
+    write(observed.name + ".csv", tableOf(observed));
   return paths;
 }
 

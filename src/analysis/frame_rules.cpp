@@ -1,5 +1,6 @@
 #include "frame_rules.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -11,6 +12,7 @@
 #include "ratchet_sieve/analysis/run_analysis.h"
 #include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/recording/frame_kinds.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
@@ -103,6 +105,36 @@ void requireFit(const StatisticsFrame& frame, const SceneDefinition& scene)
         frame.time, frame.faces.face_contacts.size(), frame.faces.corner_contacts.size(), faces));
 }
 
+/// Names become names of files.
+void requireFit(const ObservedFrame& frame, const SceneDefinition& scene)
+{
+  const auto refuse = [&](const std::string& what)
+  {
+    throw AnalysisError(fmt::format("{} at {} s does not fit the scene: {}", describeFrame<ObservedFrame>(),
+                                    frame.time, what));
+  };
+  const auto known = [](const auto& names, const std::string& name)
+  { return std::find(names.begin(), names.end(), name) != names.end(); };
+  std::vector<std::string> names = scene.observe;
+  names.emplace_back(SIZE_CLASSES);
+  for (const Observed& observed : frame.observed)
+  {
+    if (!known(names, observed.name))
+      refuse("it does not observe " + shownText(observed.name));
+    for (const ObservedRow& row : observed.rows)
+    {
+      if (!known(speciesNames(scene), row.species))
+        refuse("it has no species " + shownText(row.species));
+      if (!known(std::vector<std::string>{"", "left", "right"}, row.place))
+        refuse("it has no place " + shownText(row.place));
+      for (const ObservedColumn& column : row.table)
+        if (column.values.size() != row.table.front().values.size() ||
+            row.table.size() != observed.rows.front().table.size())
+          refuse("columns of " + observed.name + " differ in length");
+    }
+  }
+}
+
 }  // namespace
 
 template <typename Frame>
@@ -118,5 +150,6 @@ template void requireSound(const BaseFrame&, const SceneDefinition&);
 template void requireSound(const ParticleFrame&, const SceneDefinition&);
 template void requireSound(const BinFrame&, const SceneDefinition&);
 template void requireSound(const StatisticsFrame&, const SceneDefinition&);
+template void requireSound(const ObservedFrame&, const SceneDefinition&);
 
 }  // namespace ratchet_sieve

@@ -62,6 +62,7 @@ struct RunAnalysis::Run
   void take(const ParticleFrame& frame);
   void take(const BinFrame& frame);
   void take(const StatisticsFrame& frame);
+  void take(const ObservedFrame& frame) { observed = frame.observed; }
 
   SceneFrame scene_frame;
   SceneDefinition scene;
@@ -75,6 +76,7 @@ struct RunAnalysis::Run
   ThinnedSeries<Drift> drift;
   ThinnedSeries<BaseFrame> base;
   ThinnedSeries<StatisticsFrame> statistics;
+  std::vector<Observed> observed;
   std::vector<TemperatureSum> temperatures;  ///< per species, over frames
 };
 
@@ -157,6 +159,7 @@ RunResult RunAnalysis::result() const
   result.drift = run.drift.samples();
   result.base = run.base.samples();
   result.statistics = run.statistics.samples();
+  result.observed = run.observed;
   for (const TemperatureSum& temperature : run.temperatures)
     result.granular_temperatures.push_back(temperature.mean());
   return result;
@@ -174,6 +177,7 @@ std::vector<std::string> RunResult::missing() const
   require(FrameKind::BINS, !bins.empty());
   require(FrameKind::BASE, !base.empty());
   require(FrameKind::STATISTICS, !statistics.empty());
+  require(FrameKind::OBSERVED, !observed.empty() || !isObserved(scene));
   return kinds;
 }
 

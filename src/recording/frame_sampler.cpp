@@ -83,6 +83,11 @@ void FrameSampler::take(const Simulation& simulation, FrameSink& sink)
   // Also for an unwanted frame, so that later windows do not depend on the subscribers.
   if constexpr (std::is_same_v<Frame, StatisticsFrame>)
     window_.moveTo(simulation);
+  if (!hasFrames<Frame>(simulation.scene()))
+  {
+    stream<Frame>().rate = 0.0;  // the run need not stop for it
+    return;
+  }
   if (!sink.wants(kindOf<Frame>()))
     return;
   if constexpr (std::is_same_v<Frame, ParticleFrame>)

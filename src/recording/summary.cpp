@@ -57,25 +57,6 @@ Json speciesResults(const Simulation& simulation)
   return list;
 }
 
-Json observedResults(const Observed& observed)
-{
-  Json json;
-  for (const ObservedRow& row : observed.rows)
-  {
-    Json of_row = {{"name", row.species}};
-    for (const ObservedNumber& number : row.numbers)
-      of_row[number.name] = numberOrNull(number.value);
-    for (const ObservedColumn& column : row.table)
-    {
-      Json& values = of_row["table"][column.name] = Json::array();
-      for (const std::optional<double>& value : column.values)
-        values.push_back(numberOrNull(value));
-    }
-    (row.place.empty() ? json : json[row.place]).push_back(std::move(of_row));
-  }
-  return json;
-}
-
 Json pairResults(const Simulation& simulation)
 {
   Json list = Json::array();
@@ -118,6 +99,25 @@ Json certaintyParts(const Simulation& simulation)
 }
 
 }  // namespace
+
+Json observedResults(const Observed& observed)
+{
+  Json json;
+  for (const ObservedRow& row : observed.rows)
+  {
+    Json of_row = {{"name", row.species}};
+    for (const ObservedNumber& number : row.numbers)
+      of_row[number.name] = numberOrNull(number.value);
+    for (const ObservedColumn& column : row.table)
+    {
+      Json& values = of_row["table"][column.name] = Json::array();
+      for (const std::optional<double>& value : column.values)
+        values.push_back(numberOrNull(value));
+    }
+    (row.place.empty() ? json : json[row.place]).push_back(std::move(of_row));
+  }
+  return json;
+}
 
 Json planParts(const Plan& plan)
 {

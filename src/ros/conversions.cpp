@@ -27,6 +27,12 @@ struct Writer
       to.value = from.value_or(0.0);
       to.defined = from.has_value();
     }
+    else if constexpr (IS_OPTIONAL_LIST<From>)
+      for (const auto& value : from)
+      {
+        to.value.push_back(value.value_or(0.0));
+        to.defined.push_back(value.has_value());
+      }
     else if constexpr (std::is_enum_v<From>)
       to = static_cast<std::underlying_type_t<From>>(from);
     else
@@ -74,7 +80,7 @@ private:
 };
 
 /// Copies a message into a frame, field by field. All arrays of a message have one entry per disk or per
-/// species, but for lists of numbers: commanded values, contacts with each face.
+/// species, but for lists of numbers (commanded values, contacts with each face) and of messages.
 class Reader
 {
 public:
@@ -83,6 +89,13 @@ public:
   {
     if constexpr (IS_OPTIONAL<To>)
       to = from.defined ? To(from.value) : std::nullopt;
+    else if constexpr (IS_OPTIONAL_LIST<To>)
+    {
+      requireLength(field, from.value.size());
+      requireLength(field, from.defined.size());
+      for (std::size_t k = 0; k < from.value.size(); ++k)
+        to.push_back(from.defined[k] ? std::optional(from.value[k]) : std::nullopt);
+    }
     else if constexpr (std::is_enum_v<To>)
       to = commandKind(from);
     else
@@ -99,7 +112,7 @@ private:
   template <typename Row, typename RowMessage>
   void get(const FieldInfo& field, std::vector<Row>& to, const std::vector<RowMessage>& from)
   {
-    if constexpr (!std::is_arithmetic_v<Row>)
+    if constexpr (!std::is_arithmetic_v<Row> && !IS_DESCRIBED<Row>)
       requireLength(field, from.size());
     if constexpr (!IS_DESCRIBED<Row>)
       to = from;
@@ -107,7 +120,7 @@ private:
     {
       to.resize(from.size());
       for (std::size_t k = 0; k < from.size(); ++k)
-        Fields<Row>::each(*this, to[k], from[k]);
+        Fields<Row>::each(Reader(), to[k], from[k]);
     }
   }
 
@@ -240,6 +253,16 @@ SieveStatistics toMessage(const StatisticsFrame& frame)
 StatisticsFrame toFrame(const SieveStatistics& message)
 {
   return frameOf<StatisticsFrame>(message);
+}
+
+Observations toMessage(const ObservedFrame& frame)
+{
+  return messageOf(frame);
+}
+
+ObservedFrame toFrame(const Observations& message)
+{
+  return frameOf<ObservedFrame>(message);
 }
 
 }  // namespace ratchet_sieve

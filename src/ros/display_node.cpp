@@ -65,7 +65,7 @@ void DisplayNode::subscribe(const std::string& sieve)
       [this](auto type)
       {
         using Frame = typename decltype(type)::Frame;
-        if (kindOf<Frame>() != FrameKind::COMMANDS)
+        if (kindOf<Frame>() != FrameKind::COMMANDS && kindOf<Frame>() != FrameKind::OBSERVED)
           subscribe<MessageOf<Frame>>(sieve_ + "/" + describe(kindOf<Frame>()).name);
       });
 }

@@ -18,7 +18,10 @@ void TopicPublisher::advertise(ros::NodeHandle& node, Frame (LiveRun::*state)() 
 {
   const ros::SubscriberStatusCallback give =
       [current = current_, frame_id = frame_id_, state](const ros::SingleSubscriberPublisher& subscriber)
-  { subscriber.publish(inFrame(frame_id, toMessage((current().*state)()))); };
+  {
+    if (hasFrames<Frame>(current().simulation().scene()))
+      subscriber.publish(inFrame(frame_id, toMessage((current().*state)())));
+  };
   const FrameKind kind = kindOf<Frame>();
   publisher(kind) = node.advertise<MessageOf<Frame>>(describe(kind).name, FRAME_QUEUE_SIZE, give);
 }
@@ -34,6 +37,7 @@ TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function
   advertise(private_node, &LiveRun::bins);
   advertise(private_node, &LiveRun::base);
   advertise(private_node, &LiveRun::statistics);
+  advertise(private_node, &LiveRun::observed);
   publisher(FrameKind::COMMANDS) =
       private_node.advertise<Command>(describe(FrameKind::COMMANDS).name, FRAME_QUEUE_SIZE);
 }

@@ -45,6 +45,18 @@ void writeSection(std::ostream& out, const char* name, const Keys<Part>& keys, c
   out << "}\n";
 }
 
+/// The keys of a section that differ from their defaults; empty if none does.
+template <typename Part>
+std::string changedSection(const char* name, const Part& part,
+                           std::initializer_list<const Keys<Part>*> key_lists)
+{
+  std::ostringstream out;
+  FlowWriter flow(out);
+  for (const Keys<Part>* keys : key_lists)
+    writeValues(*keys, part, std::ref(flow));
+  return out.str().empty() ? "" : name + (": {" + out.str()) + "}\n";
+}
+
 /// `[{...}, {...}]`
 template <typename Part>
 std::string flowList(const Keys<Part>& keys, const std::vector<Part>& parts)
@@ -128,18 +140,8 @@ std::string motionYaml(const SceneDefinition& scene)
               flow("species", scalarText(scene.species[disk.species].name));
               writeValues(initialKeys(), disk, std::ref(flow));
             });
+  out << changedSection("height_profile", scene.height_profile, {&heightProfileKeys()});
   return out.str();
-}
-
-/// The keys of `accuracy` that differ from their defaults; empty if none does.
-std::string accuracyYaml(const AccuracyDefinition& accuracy,
-                         std::initializer_list<const Keys<AccuracyDefinition>*> key_lists)
-{
-  std::ostringstream out;
-  FlowWriter flow(out);
-  for (const Keys<AccuracyDefinition>* keys : key_lists)
-    writeValues(*keys, accuracy, std::ref(flow));
-  return out.str().empty() ? "" : "accuracy: {" + out.str() + "}\n";
 }
 
 std::string hashText(const std::string& text)
@@ -156,13 +158,13 @@ std::string canonicalYaml(const SceneDefinition& scene)
   std::ostringstream out;
   out << motionYaml(scene);
   writeRoot(out, runKeys(), scene);
-  out << accuracyYaml(scene.accuracy, {&methodKeys(), &certaintyKeys()});
+  out << changedSection("accuracy", scene.accuracy, {&methodKeys(), &certaintyKeys()});
   return out.str();
 }
 
 std::string sceneHash(const SceneDefinition& scene)
 {
-  return hashText(motionYaml(scene) + accuracyYaml(scene.accuracy, {&methodKeys()}));
+  return hashText(motionYaml(scene) + changedSection("accuracy", scene.accuracy, {&methodKeys()}));
 }
 
 std::string runHash(const SceneDefinition& scene)

@@ -85,6 +85,8 @@ std::vector<KeyGroup> sceneKeyGroups()
       Group("initial.N", "a list of disks that are placed one by one, in place of the pour")
           .addSpecies("name", "name of a species", "Species of the disk.")
           .add(initialKeys()),
+      Group("height_profile", "what the observable of that name (see observe) divides into")
+          .add(heightProfileKeys()),
       Group("accuracy", "the method of simulation, and when a run may end early")
           .add(methodKeys())
           .add(certaintyKeys()),

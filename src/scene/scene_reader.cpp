@@ -171,8 +171,8 @@ void readAccuracy(const Entry& root, AccuracyDefinition& accuracy)
 
 void readRoot(const Entry& root, SceneDefinition& scene)
 {
-  const std::set<std::string> parts = {"base", "species", "pairs",   "contact",
-                                       "pour", "feed",    "initial", "accuracy"};
+  const std::set<std::string> parts = {"base", "species", "pairs",    "contact",       "pour",
+                                       "feed", "initial", "accuracy", "height_profile"};
   root.requireKeys(namesOf(motionKeys(), namesOf(densityKeys(), namesOf(runKeys(), parts))), {"species"});
   readValues(root, motionKeys(), scene);
   readValues(root, runKeys(), scene);
@@ -180,6 +180,7 @@ void readRoot(const Entry& root, SceneDefinition& scene)
   readSection(root, "contact", contactKeys(), scene.contact);
   readSection(root, "pour", pourKeys(), scene.pour);
   readSection(root, "feed", feedKeys(), scene.feed);
+  readSection(root, "height_profile", heightProfileKeys(), scene.height_profile);
   readAccuracy(root, scene.accuracy);
 }
 

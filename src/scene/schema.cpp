@@ -30,6 +30,7 @@ constexpr double LONGEST_STEP = 0.1;    ///< [s]
 constexpr double HIGHEST_MULTIPLE = 100;
 constexpr double LARGEST_SPREAD = 3.0;
 constexpr double LARGEST_MASS_EXPONENT = 10.0;
+constexpr double MOST_PHASES = 64;
 
 const Range ANY{};
 
@@ -74,9 +75,9 @@ const Keys<SceneDefinition>& motionKeys()
       {"gravity", [](S& s) -> Slot { return &s.gravity; }, upTo(LARGEST_GRAVITY, "m/s^2"),
        "Gravitational acceleration g, downwards."},
       {"observe", [](S& s) -> Slot { return &s.observe; }, ANY,
-       "What else to observe, of open ends by species and bin: the time in the machine (residence_times); "
-       "the "
-       "mass per time (mass_flow).",
+       "What else to observe, by species: of each bin the time in the machine (residence_times) and the mass "
+       "per time (mass_flow); number density, mean velocity and temperature over the height above the base "
+       "(height_profile).",
        Presence::ADDED},
   };
   return KEYS;
@@ -314,6 +315,20 @@ const Keys<FeedDefinition>& feedKeys()
       {"to", [](F& f) -> Slot { return &f.stretch.to; }, upTo(LARGEST_WIDTH, "m"),
        "Right end of that stretch, at least feed.from; without it, the right end of the base.",
        Presence::ADDED, "-"},
+  };
+  return KEYS;
+}
+
+const Keys<HeightProfileDefinition>& heightProfileKeys()
+{
+  using H = HeightProfileDefinition;
+  static const Keys<H> KEYS = {
+      {"slice", [](H& h) -> Slot { return &h.slice; }, upTo(LARGEST_LENGTH, "m"),
+       "Height of each of its slices, along the base's normal; 0: the smallest radius.", Presence::ADDED},
+      {"phases", [](H& h) -> Slot { return &h.phases; }, between(1, MOST_PHASES),
+       "Equal parts of the drive's period, from phase 0 on, of which each has its own profile; 1: means over "
+       "the whole period.",
+       Presence::ADDED},
   };
   return KEYS;
 }

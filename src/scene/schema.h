@@ -56,6 +56,7 @@ const Keys<ContactCoefficients>& coefficientKeys();
 const Keys<ContactDefinition>& contactKeys();
 const Keys<PourDefinition>& pourKeys();
 const Keys<FeedDefinition>& feedKeys();
+const Keys<HeightProfileDefinition>& heightProfileKeys();
 const Keys<InitialDisk>& initialKeys();
 const Keys<AccuracyDefinition>& methodKeys();     ///< of accuracy, decide how the disks move
 const Keys<AccuracyDefinition>& certaintyKeys();  ///< of accuracy, decide only what part of it is run

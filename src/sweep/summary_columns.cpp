@@ -50,6 +50,24 @@ void addSpecies(const std::string& prefix, const Json& species, SummaryColumns& 
                              value);
 }
 
+/// The scalars of each size class, numbered from 1.
+void addSizeClasses(const Json& species, SummaryColumns& columns)
+{
+  if (species.size() > MOST_COLUMN_SPECIES)
+    return;
+  const std::map<std::string, std::string> names = columnNames(species);
+  for (const Json& each : species)
+  {
+    const Json classes = each.value("size_classes", Json::array());
+    for (std::size_t k = 0; k < classes.size(); ++k)
+      for (const auto& [field, value] : classes[k].items())
+        if (isScalar(value))
+          columns.emplace_back("size_classes." + std::to_string(k + 1) + '.' + field + '.' +
+                                   names.at(each.at("name").get<std::string>()),
+                               value);
+  }
+}
+
 bool isOfSpecies(const Json& list)
 {
   return list.is_array() && !list.empty() && list[0].is_object() && list[0].contains("name");
@@ -115,9 +133,14 @@ SummaryColumns summaryColumns(const Json& summary)
     }
     else if (key == "warnings")
       addWarnings(value, columns);
+    else if (isOfSpecies(value))
+      addSpecies(key + '.', value, columns);
     else
       addParts(key, value, columns);
   }
+  // Last, for they are many and there may be no room for all.
+  if (summary.contains("species"))
+    addSizeClasses(summary["species"], columns);
   return columns;
 }
 

@@ -24,7 +24,7 @@ protected:
 
 TEST_F(AnalysisTables, StandWhereTheyAreSaidToBe)
 {
-  EXPECT_EQ(paths_.size(), 9u);
+  EXPECT_EQ(paths_.size(), 12u);
   for (const std::string& path : paths_)
     EXPECT_TRUE(std::filesystem::is_regular_file(path)) << path;
 }
@@ -32,8 +32,17 @@ TEST_F(AnalysisTables, StandWhereTheyAreSaidToBe)
 TEST_F(AnalysisTables, HoldTheBins)
 {
   EXPECT_EQ(table("bins.csv"),
-            "time [s],species,left,right,on_base\n"
-            "0,A,0,0,10\n0,long-name,0,0,1\n2.5,A,1,3,6\n2.5,long-name,1,0,0\n");
+            "time [s],species,left,right,on_base,left_mass [kg],right_mass [kg]\n"
+            "0,A,0,0,10,0,0\n0,long-name,0,0,1,0,0\n2.5,A,1,3,6,0.01,0.03\n2.5,long-name,1,0,0,0.002,0\n");
+}
+
+TEST_F(AnalysisTables, HoldWhatWasObserved)
+{
+  EXPECT_EQ(table("observed.csv"),
+            "observable,place,species,number,unit,value\n"
+            "mass_flow,left,A,mean,kg/s,0.5\nmass_flow,left,A,stderr,kg/s,\n"
+            "height_profile,,long-name,mean_height,m,0.25\n");
+  EXPECT_EQ(table("mass_flow.csv"), "place,species,time [s],flow [kg/s]\nleft,A,1.5,0.75\nleft,A,2.5,\n");
 }
 
 TEST_F(AnalysisTables, LeaveEmptyWhatIsNotDefined)

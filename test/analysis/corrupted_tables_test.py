@@ -24,7 +24,7 @@ import plot_seek  # noqa: E402
 import plot_sweep  # noqa: E402
 
 READ_BY = {plot_analysis: ['run', 'drift', 'bins', 'segregation', 'drive', 'statistics', 'contacts', 'displacements',
-                           'velocities'],
+                           'velocities', 'observed', 'residence_times', 'height_profile', 'mass_flow', 'size_classes'],
            plot_seek: ['run', 'drive', 'bins'], plot_sweep: ['cases']}
 SEED = 7
 
@@ -43,7 +43,9 @@ def write_tables(directory):
     def run(*command):
         subprocess.run([*map(str, command)], check=True, capture_output=True)
 
-    run(SIEVE_RUN, SCENE, '--duration', 2, '--bag', directory / 'run.bag')
+    run(SIEVE_RUN, SCENE, '--duration', 2, '--bag', directory / 'run.bag',
+        '--set', 'observe=[residence_times, height_profile, mass_flow]',
+        '--set', 'species.0.size={distribution: uniform, spread: 0.2}')
     run(SIEVE_ANALYZE, directory / 'run.bag', '--out', directory / 'tables')
     sweep = directory / 'sweep.yaml'
     sweep.write_text(f'{{scene: {SCENE}, set: {{duration: 0.2}}, grid: {{base.inclination: [0.0, 0.1]}}, seed: {{first: 1, count: 2}}}}')

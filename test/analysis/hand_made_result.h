@@ -22,7 +22,7 @@ inline RunResult handMadeResult()
   result.displacement_distributions = {{2.5, 1, -0.5, 0.25, {1, 3}}};
   result.drift = {{0.0, {10, 1}, {0.0, 0.0}}, {2.5, {6, 0}, {0.03, std::nullopt}}};
   result.bins = {{0.0, result.species, {{0, 0, 10}, {0, 0, 1}}, std::nullopt, std::nullopt},
-                 {2.5, result.species, {{1, 3, 6}, {1, 0, 0}}, 0.75, 0.5}};
+                 {2.5, result.species, {{1, 3, 6, 0.01, 0.03}, {1, 0, 0, 0.002, 0.0}}, 0.75, 0.5}};
   BaseFrame base;
   base.time = 0.5;
   base.base.inclination = 0.125;
@@ -43,6 +43,21 @@ inline RunResult handMadeResult()
   statistics.collision_rates = {50.0, 5.0, 10.0, 0.5, 0.0};
   statistics.max_overlap = 1e-16;
   result.statistics = {statistics};
+  const auto profile = [](const char* name, double value) {
+    return ObservedColumn{name, "", {value, value}};
+  };
+  result.observed = {{"mass_flow",
+                      {{"left",
+                        "A",
+                        {{"mean", "kg/s", 0.5}, {"stderr", "kg/s", std::nullopt}},
+                        {{"time", "s", {1.5, 2.5}}, {"flow", "kg/s", {0.75, std::nullopt}}}}}},
+                     {"height_profile",
+                      {{"",
+                        "long-name",
+                        {{"mean_height", "m", 0.25}},
+                        {profile("phase_from", 0.0), profile("from", 0.1), profile("to", 0.2),
+                         profile("number_density", 4.0), profile("velocity_along", 0.1),
+                         profile("velocity_up", -0.1), profile("temperature", 1e-6)}}}}};
   return result;
 }
 

@@ -47,6 +47,8 @@ void expectPictures(const RunResult& result, const char* result_picture)
     EXPECT_TRUE(isPicture(directory / name)) << name;
     EXPECT_NE(contents(directory / "output").find(name), std::string::npos);
   }
+  for (const Observed& observed : result.observed)
+    EXPECT_TRUE(isPicture(directory / (observed.name + ".png"))) << observed.name;
 }
 
 TEST(PlotAnalysis, DrawsAResult)
@@ -73,6 +75,10 @@ TEST(PlotAnalysis, DrawsARunInWhichNothingIsDefined)
   result.base.clear();
   result.statistics.clear();
   result.drift.clear();
+  for (Observed& observed : result.observed)
+    for (ObservedRow& row : observed.rows)
+      for (ObservedColumn& column : row.table)
+        column.values.clear();
   expectPictures(result, "drift.png");
 }
 

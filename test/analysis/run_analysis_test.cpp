@@ -253,6 +253,33 @@ TEST(RunAnalysis, RefusesNumbersThatNoRunHas)
             "a frame of statistics at 0 s holds a number that is not finite: mean_vx");
 }
 
+/// What a frame names becomes a file's name and a table's lines.
+TEST(RunAnalysis, RefusesObservationsThatDoNotFitTheScene)
+{
+  SceneDefinition scene = smallMixture();
+  scene.observe = {"mass_flow"};
+  RunAnalysis analysis;
+  analysis.take(sceneFrame(scene));
+  const auto refused = [&](const Observed& observed) {
+    return refusal([&] { analysis.take(ObservedFrame{0.5, {observed}}); });
+  };
+  const std::string begin = "a frame of observed at 0.5 s does not fit the scene: ";
+  const ObservedRow row{"left", "A", {}, {{"time", "s", {0.5}}, {"flow", "kg/s", {std::nullopt}}}};
+  EXPECT_EQ(refused({"../mass_flow", {row}}), begin + "it does not observe ../mass_flow");
+  EXPECT_EQ(refused({"height_profile", {row}}), begin + "it does not observe height_profile");
+  EXPECT_EQ(refused({"mass_flow", {{"left", "C", {}, {}}}}), begin + "it has no species C");
+  EXPECT_EQ(refused({"mass_flow", {{"above", "A", {}, {}}}}), begin + "it has no place above");
+  EXPECT_EQ(refused({"mass_flow", {row, {"left", "A", {}, {{"time", "s", {0.5}}}}}}),
+            begin + "columns of mass_flow differ in length");
+  EXPECT_EQ(refused({"mass_flow", {{"left", "A", {}, {{"time", "s", {}}, {"flow", "kg/s", {1.0}}}}}}),
+            begin + "columns of mass_flow differ in length");
+  EXPECT_EQ(refused({"mass_flow", {{"left", "A", {{"mean", "kg/s", std::nan("")}}, {}}}}),
+            "a frame of observed at 0.5 s holds a number that is not finite: value");
+  EXPECT_EQ(analysis.result().missing().back(), "observed");
+  analysis.take(ObservedFrame{0.5, {{"mass_flow", {row}}}});
+  EXPECT_EQ(analysis.result().observed.at(0).rows.at(0).table.size(), 2u);
+}
+
 TEST(RunAnalysis, RefusesASceneThatIsNone)
 {
   RunAnalysis analysis;

@@ -84,7 +84,35 @@ TEST_F(SieveAnalyze, PrintsATableAndThePathsOfTheFiles)
     EXPECT_TRUE(std::filesystem::is_regular_file(line)) << line;
     ++files;
   }
-  EXPECT_EQ(files, 14u);
+  EXPECT_EQ(files, 15u);
+}
+
+TEST_F(SieveAnalyze, FindsInTheBagWhatTheSceneObserves)
+{
+  const std::string bag = record(
+      "--duration 4 --set 'observe=[residence_times, height_profile, mass_flow]' "
+      "--set 'species.1.size={distribution: uniform, spread: 0.3}'");
+  ASSERT_EQ(run("SIEVE_ANALYZE",
+                bag + " --summary " + (directory_ / "bag.json") + " --out " + (directory_ / "out")),
+            0)
+      << errors();
+  const Json summary = json("run.json");
+  const Json analysis = json("bag.json");
+  for (const char* key : {"residence_times", "height_profile", "mass_flow"})
+  {
+    EXPECT_EQ(analysis[key], summary[key]) << key;
+    for (const char* end : {".csv", ".png"})
+      EXPECT_TRUE(std::filesystem::exists(directory_ / ("out/" + std::string(key) + end))) << key << end;
+  }
+  const Json& classes = summary["species"][1]["size_classes"];
+  const Json& table = analysis["size_classes"][0]["table"];
+  EXPECT_EQ(analysis["size_classes"][0]["size_quality"], summary["species"][1]["size_quality"]);
+  ASSERT_EQ(table["left"].size(), classes.size());
+  for (std::size_t k = 0; k < classes.size(); ++k)
+    for (const char* key : {"left", "right", "mean_vx"})
+      EXPECT_EQ(table[key][k], classes[k][key]) << key;
+  EXPECT_TRUE(std::filesystem::exists(directory_ / "out/size_classes.png"));
+  EXPECT_EQ(run("SIEVE_RESIMULATE", bag), 0) << errors();
 }
 
 TEST_F(SieveAnalyze, CountsTheFramesThatTheRunWasToldToRecord)

@@ -7,7 +7,7 @@ import unittest
 from matplotlib.text import Text
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / 'scripts'))
-from plot_analysis import plt  # noqa: E402
+from plot_tables import plt  # noqa: E402
 from sweep_colours import COLOUR_STEPS, DIVERGING, SEQUENTIAL, colour_steps, curve_colours, label_ends  # noqa: E402
 
 

@@ -82,6 +82,7 @@ int refusals(const SceneDefinition& scene)
       resumed.auditOverlaps();
       resumed.advanceTo(resumed.time() + 0.02);
       resumed.auditOverlaps();
+      resumed.observed();
     }
     catch (const StateError& error)
     {
@@ -115,6 +116,14 @@ TEST(MutatedState, OfNestedCellsIsRefusedOrGoesOn)
 TEST(MutatedState, OfAnEnsembleIsRefusedOrGoesOn)
 {
   EXPECT_GT(refusals(quickToCollapse(test::singleParticles(30))), 0);
+}
+
+TEST(MutatedState, OfAnObservedMachineIsRefusedOrGoesOn)
+{
+  SceneDefinition scene = quickToCollapse(test::openMixture(5));
+  scene.observe = observableNames();
+  scene.height_profile = {0.01, 2};
+  EXPECT_GT(refusals(scene), 0);
 }
 
 TEST(MutatedState, OfAStepLoopIsRefusedOrGoesOn)

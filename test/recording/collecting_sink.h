@@ -21,6 +21,7 @@ public:
   std::vector<BinFrame> bins;
   std::vector<BaseFrame> bases;
   std::vector<StatisticsFrame> statistics;
+  std::vector<ObservedFrame> observed;
   std::vector<CommandFrame> commands;
 
 private:
@@ -29,6 +30,7 @@ private:
   void keep(const BinFrame& frame) { bins.push_back(frame); }
   void keep(const BaseFrame& frame) { bases.push_back(frame); }
   void keep(const StatisticsFrame& frame) { statistics.push_back(frame); }
+  void keep(const ObservedFrame& frame) { observed.push_back(frame); }
   void keep(const CommandFrame& frame) { commands.push_back(frame); }
 };
 

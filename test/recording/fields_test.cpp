@@ -64,6 +64,11 @@ TEST(FrameFields, LeaveOutNoMember)
   EXPECT_EQ(bytesLeftOut<CollisionCounts>(), 0u);
   EXPECT_EQ(bytesLeftOut<CollisionRates>(), 0u);
   EXPECT_EQ(bytesLeftOut<StatisticsFrame>(), 0u);
+  EXPECT_EQ(bytesLeftOut<ObservedNumber>(), 0u);
+  EXPECT_EQ(bytesLeftOut<ObservedColumn>(), 0u);
+  EXPECT_EQ(bytesLeftOut<ObservedRow>(), 0u);
+  EXPECT_EQ(bytesLeftOut<Observed>(), 0u);
+  EXPECT_EQ(bytesLeftOut<ObservedFrame>(), 0u);
 }
 
 /// A field that is described twice could hide one that is missing.

@@ -100,6 +100,47 @@ TEST(FrameSampler, TakesOneFrameForTimesThatWerePassedOver)
   EXPECT_EQ(sampler.nextTime(), 6 / 10.0);
 }
 
+TEST(FrameSampler, TakesWhatIsObservedOfScenesThatAskForItOrHaveSizes)
+{
+  for (const auto& [observe, sizes, names] : {std::tuple(false, false, std::vector<std::string>{}),
+                                              {true, false, {"height_profile", "mass_flow"}},
+                                              {false, true, {"size_classes"}}})
+  {
+    SceneDefinition scene = smallMixture();
+    if (observe)
+      scene.observe = {"height_profile", "mass_flow"};
+    if (sizes)
+      scene.species[0].size.spread = 0.2;
+    Simulation simulation(scene);
+    FrameSampler sampler({0.0, 0.0, 0.0, 0.0, 10.0}, 0.0);
+    CollectingSink sink;
+    for (int k = 0; k <= 5; ++k)
+    {
+      simulation.advanceTo(0.1 * k);
+      sampler.takeDue(simulation, sink);
+    }
+    ASSERT_EQ(sink.observed.size(), names.empty() ? 0u : 6u);
+    for (const ObservedFrame& frame : sink.observed)
+    {
+      ASSERT_EQ(frame.observed.size(), names.size());
+      for (std::size_t k = 0; k < names.size(); ++k)
+        EXPECT_EQ(frame.observed[k].name, names[k]);
+    }
+    if (sizes)
+    {
+      const ObservedRow& row = sink.observed.back().observed[0].rows.at(0);
+      EXPECT_EQ(row.species, scene.species[0].name);
+      double disks = 0.0;
+      for (const char* column : {"left", "right", "on_base"})
+        for (const ObservedColumn& each : row.table)
+          if (each.name == column)
+            for (const std::optional<double>& count : each.values)
+              disks += *count;
+      EXPECT_EQ(disks, scene.species[0].count);
+    }
+  }
+}
+
 /// Wants particles and statistics only at some times.
 class ChoosySink : public CollectingSink
 {

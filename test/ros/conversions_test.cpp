@@ -74,7 +74,7 @@ std::set<std::string> describedFields()
       names.merge(describedFields<typename Value::value_type>());
     else
       names.insert(field.name);
-    if (IS_OPTIONAL<Value>)
+    if (IS_OPTIONAL<Value> || IS_OPTIONAL_LIST<Value>)
       names.insert(std::string(field.name) + "_defined");
   };
   Fields<Struct>::each(add, object);
@@ -93,6 +93,10 @@ TEST(Conversions, leaveOutNoFieldOfAMessage)
         EXPECT_EQ(fieldsOfMessage<MessageOf<Frame>>(), expected) << describe(kindOf<Frame>()).name;
       });
   EXPECT_EQ(fieldsOfMessage<SpeciesStatistics>(), describedFields<SpeciesRow>());
+  EXPECT_EQ(fieldsOfMessage<Observation>(), describedFields<Observed>());
+  EXPECT_EQ(fieldsOfMessage<ObservationRow>(), describedFields<ObservedRow>());
+  EXPECT_EQ(fieldsOfMessage<ObservationNumber>(), describedFields<ObservedNumber>());
+  EXPECT_EQ(fieldsOfMessage<ObservationColumn>(), describedFields<ObservedColumn>());
 }
 
 TEST(Conversions, stampToTheNearestNanosecond)

@@ -44,6 +44,7 @@ protected:
 TEST_F(Record, holdsTheFirstAndTheLastMessageWhenInterrupted)
 {
   prepare("/interrupted", 1.0, true);
+  ros::param::set("/interrupted/scene/observe", std::vector<std::string>{"height_profile"});
   ChildNode node("sieve_node", named("interrupted"));
   SieveClient sieve("/interrupted");
   ASSERT_TRUE(sieve.connect());
@@ -62,6 +63,13 @@ TEST_F(Record, holdsTheFirstAndTheLastMessageWhenInterrupted)
   EXPECT_TRUE(sameBits(recorded.particles.back(), sieve.particles.frames.back()));
   EXPECT_TRUE(sameBits(recorded.bins.back(), sieve.bins.frames.back()));
   EXPECT_TRUE(sameButForSpeed(recorded.statistics.back(), sieve.statistics.frames.back()));
+  ASSERT_TRUE(sieve.observed.waitForTime(2.4876));
+  std::vector<double> times;
+  for (const ObservedFrame& frame : recorded.observed)
+    times.push_back(frame.time);
+  EXPECT_EQ(times, (std::vector<double>{0.0, 1.0, 1.5, 2.0, 2.4876}));  // and at the end of each step
+  EXPECT_TRUE(sameBits(recorded.observed.back(), sieve.observed.frames.back()));
+  EXPECT_EQ(recorded.observed.back().observed.at(0).name, "height_profile");
   ASSERT_TRUE(recorded.bins.back().quality);
   EXPECT_EQ(recorded.bins.back().quality, sieve.bins.frames.back().quality);
   EXPECT_EQ(recorded.bins.back().processed, sieve.bins.frames.back().processed);
@@ -92,6 +100,8 @@ TEST_F(Record, endsWithTheSceneAndClosesTheBag)
   EXPECT_EQ(recorded.bins.size(), 20u * 60u + 1u);
   EXPECT_TRUE(sameBits(recorded.bins.back(), sieve.bins.frames.back()));
   EXPECT_TRUE(recorded.bins.back().quality);
+  EXPECT_TRUE(recorded.observed.empty());
+  EXPECT_TRUE(sieve.observed.frames.empty());
 }
 
 /// Number of times up to `until`.

@@ -119,6 +119,7 @@ SceneDefinition fedMixture()
   scene.duration = 100.0;
   scene.settle = 0.1;
   scene.feed.rate = 20.0;
+  scene.observe = observableNames();
   return scene;
 }
 

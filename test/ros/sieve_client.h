@@ -67,6 +67,7 @@ public:
     bins.subscribe(node, "bins");
     base.subscribe(node, "base");
     statistics.subscribe(node, "statistics");
+    observed.subscribe(node, "observed");
   }
 
   /// Waits for the first message of every topic and for a subscriber of every setpoint.
@@ -130,6 +131,7 @@ public:
     bins.forget();
     base.forget();
     statistics.forget();
+    observed.forget();
   }
 
   void publish(const std::string& quantity, double value)
@@ -152,6 +154,7 @@ public:
   Topic<BinCounts> bins;
   Topic<BaseState> base;
   Topic<SieveStatistics> statistics;
+  Topic<Observations> observed;
 };
 
 }  // namespace ratchet_sieve

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "ratchet_sieve/core/observable.h"
 #include "scene_texts.h"
 
 namespace ratchet_sieve
@@ -102,8 +103,10 @@ bool same(const SceneDefinition& a, const SceneDefinition& b)
          sameBits(a.contact.restitution_exponent, b.contact.restitution_exponent) &&
          sameBits(a.pour.drop_height, b.pour.drop_height) && sameBits(a.pour.speed, b.pour.speed) &&
          sameBits(a.feed.rate, b.feed.rate) && same(a.pour.stretch, b.pour.stretch) &&
-         same(a.feed.stretch, b.feed.stretch) && same(a.initial, b.initial) &&
-         sameBits(a.duration, b.duration) && sameBits(a.settle, b.settle) && a.seed == b.seed;
+         same(a.feed.stretch, b.feed.stretch) && same(a.initial, b.initial) && a.observe == b.observe &&
+         sameBits(a.height_profile.slice, b.height_profile.slice) &&
+         a.height_profile.phases == b.height_profile.phases && sameBits(a.duration, b.duration) &&
+         sameBits(a.settle, b.settle) && a.seed == b.seed;
 }
 
 /// Any double of an interval, with all its digits.
@@ -210,6 +213,11 @@ SceneDefinition anyScene()
   }
   scene.pour = {number(0.0, 1.0), number(0.0, 1.0), someStretch(scene.base.width())};
   scene.feed = {number(0.0, 100.0), someStretch(scene.base.width())};
+  if (*rc::gen::arbitrary<bool>())
+  {
+    scene.observe = observableNames();
+    scene.height_profile = {number(0.0, 1.0), *rc::gen::inRange(1, 65)};
+  }
   scene.duration = number(10.0, 1e4);
   scene.settle = number(0.0, 10.0);
   scene.seed = *rc::gen::arbitrary<std::uint64_t>();

@@ -110,6 +110,7 @@ TEST(IllegalScenes, AreMadeOfEveryKeyThereIs)
   full.pour.stretch = full.feed.stretch = {0.1, 0.2};
   full.contact.restitution_speed = 1.0;
   full.contact.restitution_exponent = 0.5;
+  full.height_profile = {0.001, 4};
   full.accuracy = {Method::STEPS, 0.001, 0.001, 0.02, 0.9};
   std::set<std::string> written = {".density"};
   collectKeys(YAML::Load(canonicalYaml(full)), "", written);

@@ -312,6 +312,16 @@ void drawPour(SceneDefinition& scene)
   drawStretch(scene.base.width(), scene.feed.stretch);
 }
 
+/// Not of fast drives: each of their periods has many steps.
+void drawObserved(SceneDefinition& scene)
+{
+  if (scene.base.frequency > 1e3 || drawnChance(80))
+    return;
+  scene.observe = observableNames();
+  scene.height_profile.slice = zeroOrMagnitude(1e-3 * scene.base.tooth_width, LARGEST_LENGTH);
+  scene.height_profile.phases = drawnCount(1, 64);
+}
+
 /// In the frame of the base, one above the other, so that none overlaps another or the base.
 void drawInitial(SceneDefinition& scene, double speed)
 {
@@ -414,6 +424,7 @@ RandomScene drawnScene(Placing placing)
   drawContact(scene);
   drawPairs(scene);
   drawPour(scene);
+  drawObserved(scene);
   if (placing == Placing::INITIAL)
     drawInitial(scene, std::min(fastestSpeed(scene),
                                 scene.base.toothWidth() / timeScale(scene) * drawnMagnitude(1e-3, 1e3)));

@@ -52,6 +52,8 @@ const std::vector<SceneKey>& sceneKeys()
       {"feed", "rate", K::NUMBER, 0, 1e6},
       {"feed", "from", K::NUMBER, 0, 1e9},
       {"feed", "to", K::NUMBER, 0, 1e9},
+      {"height_profile", "slice", K::NUMBER, 0, 1e3},
+      {"height_profile", "phases", K::INTEGER, 1, 64},
       {"initial", "species", K::SPECIES, 0, 0, true},
       {"initial", "x", K::NUMBER, -1e9, 1e9, true},
       {"initial", "y", K::NUMBER, -1e9, 1e9, true},

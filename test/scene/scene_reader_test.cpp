@@ -52,6 +52,8 @@ pairs: [{species: [B, A], restitution: 0.1, friction: 0.2, tangential_restitutio
 contact: {pair_collisions: false, min_rebound_speed: 0.01, contact_duration: 0.0001}
 pour: {drop_height: 0.05, speed: 0.5, from: 0.001, to: 0.002}
 feed: {rate: 3.5, from: 0.01}
+observe: [height_profile]
+height_profile: {slice: 0.0005, phases: 4}
 duration: 7
 settle: 2
 seed: 18446744073709551615
@@ -91,6 +93,9 @@ seed: 18446744073709551615
   EXPECT_EQ(scene.feed.rate, 3.5);
   EXPECT_EQ(scene.feed.stretch.from, 0.01);
   EXPECT_DOUBLE_EQ(scene.feed.stretch.length(0.03), 0.02);
+  EXPECT_EQ(scene.observe, std::vector<std::string>{"height_profile"});
+  EXPECT_EQ(scene.height_profile.slice, 0.0005);
+  EXPECT_EQ(scene.height_profile.phases, 4);
   EXPECT_EQ(scene.settle, 2.0);
   EXPECT_EQ(scene.seed, 18446744073709551615u);
 }

@@ -126,7 +126,9 @@ const Refusal VALUES[] = {
      "s.yaml:2: boundary = aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa...: must be "
      "periodic, open or walled"},
     {"NothingToObserve", "boundary: periodic", "observe: [mass_flow, colour]",
-     "s.yaml:2: observe.1 = colour: must be one of residence_times, mass_flow"},
+     "s.yaml:2: observe.1 = colour: must be one of residence_times, height_profile, mass_flow"},
+    {"NoPhase", "boundary: periodic", "height_profile: {phases: 0}",
+     "s.yaml:2: height_profile.phases = 0: must be an integer from 1 to 64"},
     {"ObservedTwice", "boundary: periodic", "observe: [mass_flow, mass_flow]",
      "s.yaml:2: observe.1 = mass_flow: is given twice"},
     {"NoListToObserve", "boundary: periodic", "observe: mass_flow",
@@ -342,7 +344,7 @@ TEST(SceneText, OfAliasesThatMultiplyIsRefusedAtOnce)
   }
   EXPECT_EQ(refusalOf(bomb + "species: *k\n"),
             "s.yaml:1: a: unknown key; must be one of accuracy, base, boundary, contact, density, duration, "
-            "feed, gravity, initial, observe, pairs, pour, seed, settle, species");
+            "feed, gravity, height_profile, initial, observe, pairs, pour, seed, settle, species");
 }
 
 TEST(SceneText, ThatIsHugeIsRefused)

@@ -82,8 +82,10 @@ SceneTree spelled(const SceneDefinition& scene, std::optional<double> density)
   SceneTree tree = treeOf(scene);
   SceneTree defaults = treeOf(defaultScene(scene));
   vary(tree, defaults);
-  for (const char* section : {"base", "contact", "pour", "feed"})
+  for (const char* section : {"base", "contact", "pour", "feed", "height_profile"})
   {
+    if (!tree.has(section))
+      continue;
     vary(tree[section], defaults[section]);
     if (tree[section].items().empty() && !drawnChance(20))
       tree.remove(section);

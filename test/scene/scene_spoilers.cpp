@@ -221,7 +221,8 @@ void addWrongKeys(std::vector<Spoiler>& spoilers)
 
 void addWrongParts(std::vector<Spoiler>& spoilers)
 {
-  for (const char* part : {"base", "species", "pairs", "contact", "pour", "feed", "initial"})
+  for (const char* part :
+       {"base", "species", "pairs", "contact", "pour", "feed", "height_profile", "initial"})
   {
     const std::string name = part;
     const auto add = [&](const std::string& text, const std::string& shown)

@@ -179,7 +179,7 @@ void enforceRules(SceneTree& root)
 SceneTree drawnTree()
 {
   SceneTree root = drawnPart("");
-  for (const char* section : {"base", "contact", "pour", "feed"})
+  for (const char* section : {"base", "contact", "pour", "feed", "height_profile"})
     if (drawnChance(70))
       root.mapAt(section) = drawnPart(section);
   for (auto harmonics = drawnIndex<std::size_t>(0, 4); harmonics > 0; --harmonics)

@@ -186,12 +186,18 @@ TEST(SummaryColumns, AreTheScalars)
       {"quality", nullptr},
       {"collisions", {{"apex", 2}, {"wall", 0}}},
       {"species",
-       {{{"name", "A"}, {"mean_vx", 0.5}, {"left", 3}, {"right", 4}},
+       {{{"name", "A"},
+         {"mean_vx", 0.5},
+         {"left", 3},
+         {"right", 4},
+         {"size_classes", {{{"radius", {0.1, 0.2}}, {"left", 1}}, {{"radius", {0.2, 0.3}}, {"left", 2}}}}},
         {{"name", "B"}, {"mean_vx", nullptr}, {"left", 0}, {"right", 5}}}},
       {"accuracy",
        {{"reached", true},
         {"mean_vx", {{{"name", "A"}, {"half_width", 0.1}}, {{"name", "B"}, {"half_width", nullptr}}}},
         {"quality", {{"value", 0.25}}}}},
+      {"height_profile", {{{"name", "A"}, {"mean_height", 0.01}, {"table", {{"from", {0.0}}}}}}},
+      {"mass_flow", {{"left", {{{"name", "B"}, {"mean", 0.02}}}}}},
       {"base_impulse", {1.0, 2.0}},
       {"plan", {{"pairs", true}}},
       {"warnings", {"one", "two"}}};
@@ -203,8 +209,9 @@ TEST(SummaryColumns, AreTheScalars)
       R"({"quality":null,"collisions.apex":2,"collisions.wall":0,"mean_vx.A":0.5,"left.A":3,"right.A":4,)"
       R"("mean_vx.B":null,"left.B":0,"right.B":5,"counted":12,)"
       R"("accuracy.reached":true,"accuracy.mean_vx.half_width.A":0.1,"accuracy.mean_vx.half_width.B":null,)"
-      R"("accuracy.quality.value":0.25,"base_impulse.x":1.0,"base_impulse.y":2.0,"warnings":2,)"
-      R"("warning_text":"one | two"})");
+      R"("accuracy.quality.value":0.25,"height_profile.mean_height.A":0.01,"mass_flow.left.mean.B":0.02,)"
+      R"("base_impulse.x":1.0,"base_impulse.y":2.0,"warnings":2,)"
+      R"("warning_text":"one | two","size_classes.1.left.A":1,"size_classes.2.left.A":2})");
 }
 
 TEST(SummaryColumns, TellSpeciesApartThatSqlDoesNot)

@@ -50,6 +50,7 @@ struct RunResult
   std::vector<BinFrame> bins;  ///< first, every change, last
   std::vector<BaseFrame> base;
   std::vector<StatisticsFrame> statistics;
+  std::vector<Observed> observed;  ///< of the last frame, which is of the whole run
 
   /// Contacts with the shorter slope over contacts with the longer one, since the start.
   std::optional<double> shortToLong() const;

@@ -229,6 +229,13 @@ struct AccuracyDefinition
   bool endsEarly() const { return mean_vx > 0.0 || quality > 0.0; }
 };
 
+/// How the observable height_profile divides what it sees.
+struct HeightProfileDefinition
+{
+  double slice = 0.0;  ///< height of a slice [m]; 0: the smallest radius
+  int phases = 1;      ///< equal parts of the drive's period, from phase 0 on; 1: means over the whole
+};
+
 /// The complete definition of a run. A plain struct: the scene layer reads and validates it.
 struct SceneDefinition
 {
@@ -244,7 +251,8 @@ struct SceneDefinition
   AccuracyDefinition accuracy;
   double duration = 100.0;           ///< [s]
   std::vector<std::string> observe;  ///< names of observableNames()
-  double settle = 0.0;               ///< initial part of the duration that the means leave out [s]
+  HeightProfileDefinition height_profile;
+  double settle = 0.0;  ///< initial part of the duration that the means leave out [s]
   std::uint64_t seed = 1;
 };
 

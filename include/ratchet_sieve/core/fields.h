@@ -50,6 +50,11 @@ template <typename T>
 constexpr bool IS_OPTIONAL<std::optional<T>> = true;
 
 template <typename T>
+constexpr bool IS_OPTIONAL_LIST = false;
+template <typename T>
+constexpr bool IS_OPTIONAL_LIST<std::vector<std::optional<T>>> = true;
+
+template <typename T>
 constexpr bool IS_VECTOR = false;
 template <typename T>
 constexpr bool IS_VECTOR<std::vector<T>> = true;
@@ -75,17 +80,17 @@ constexpr bool IS_VECTOR<std::vector<T>> = true;
 /// The same for a number of a struct that is stored in arrays: an empty array if it is 0 in all of them.
 #define RATCHET_SIEVE_SPARSE(NAME, UNIT) visit(FieldInfo{#NAME, UNIT, true}, objects.NAME...)
 
-/// An optional number; NAME and NAME_defined in a message.
-#define RATCHET_SIEVE_OPTIONAL(NAME, UNIT)                                              \
-  visit(FieldInfo{#NAME, UNIT},                                                         \
-        [](auto& object) -> decltype(auto)                                              \
-        {                                                                               \
-          if constexpr (IS_OPTIONAL<decltype(object.NAME)>)                             \
-            return (object.NAME);                                                       \
-          else                                                                          \
-            return Flagged<std::remove_reference_t<decltype((object.NAME))>,            \
-                           std::remove_reference_t<decltype((object.NAME##_defined))>>{ \
-                object.NAME, object.NAME##_defined};                                    \
+/// An optional number, or a list of them; NAME and NAME_defined in a message.
+#define RATCHET_SIEVE_OPTIONAL(NAME, UNIT)                                                             \
+  visit(FieldInfo{#NAME, UNIT},                                                                        \
+        [](auto& object) -> decltype(auto)                                                             \
+        {                                                                                              \
+          if constexpr (IS_OPTIONAL<decltype(object.NAME)> || IS_OPTIONAL_LIST<decltype(object.NAME)>) \
+            return (object.NAME);                                                                      \
+          else                                                                                         \
+            return Flagged<std::remove_reference_t<decltype((object.NAME))>,                           \
+                           std::remove_reference_t<decltype((object.NAME##_defined))>>{                \
+                object.NAME, object.NAME##_defined};                                                   \
         }(objects)...)
 
 /// A described struct whose fields are fields of the message itself.

@@ -65,6 +65,7 @@ public:
   ParticleFrame particles() const { return makeParticleFrame(simulation_); }
   BinFrame bins() const { return makeBinFrame(simulation_); }
   BaseFrame base() const { return makeBaseFrame(simulation_); }
+  ObservedFrame observed() const { return makeObservedFrame(simulation_); }
   /// The statistics over the periods since the last statistics frame that was due; over none if no sink has
   /// wanted statistics so far. Leaves real_time_factor at 0.
   StatisticsFrame statistics() const;

@@ -20,7 +20,7 @@ namespace ratchet_sieve
 struct RunParameters
 {
   bool start_paused = false;  ///< ~start_paused
-  FrameRates rates;           ///< ~rates/particles, bins, base, statistics [1/s of simulated time]
+  FrameRates rates;           ///< ~rates/particles, bins, base, statistics, observed [1/s of simulated time]
 
   /// ~limits/inclination/min, max and so on for frequency and amplitude
   std::array<Setpoint, QUANTITIES> setpoints = usualSetpoints();  ///< in the order of Quantity

@@ -34,6 +34,7 @@ private:
   void see(const ParticleFrame& frame) { see(frame, particles_); }
   void see(const BinFrame& frame) { see(frame, bins_); }
   void see(const StatisticsFrame& frame) { see(frame, statistics_); }
+  void see(const ObservedFrame&) {}
   void see(const CommandFrame&) {}
   template <typename Frame>
   void see(const Frame& frame, std::optional<Frame>& last);

@@ -19,12 +19,14 @@ enum class FrameKind
   BASE,
   PARTICLES,
   BINS,
-  STATISTICS
+  STATISTICS,
+  OBSERVED
 };
 
 /// A pointer to a frame of any kind, in the order of FrameKind.
-using FramePointer = std::variant<const SceneFrame*, const CommandFrame*, const BaseFrame*,
-                                  const ParticleFrame*, const BinFrame*, const StatisticsFrame*>;
+using FramePointer =
+    std::variant<const SceneFrame*, const CommandFrame*, const BaseFrame*, const ParticleFrame*,
+                 const BinFrame*, const StatisticsFrame*, const ObservedFrame*>;
 
 constexpr std::size_t FRAME_KINDS = std::variant_size_v<FramePointer>;
 
@@ -35,6 +37,7 @@ struct FrameRates
   double bins = 60.0;
   double base = 60.0;
   double statistics = 10.0;
+  double observed = 1.0;
 };
 
 /// Largest rate that a user may set [1/s].
@@ -56,6 +59,7 @@ constexpr std::array<FrameKindInfo, FRAME_KINDS> FRAME_LIST = {{
     {FrameKind::PARTICLES, "particles", &FrameRates::particles},
     {FrameKind::BINS, "bins", &FrameRates::bins},
     {FrameKind::STATISTICS, "statistics", &FrameRates::statistics},
+    {FrameKind::OBSERVED, "observed", &FrameRates::observed},
 }};
 
 constexpr const FrameKindInfo& describe(FrameKind kind)
@@ -141,6 +145,16 @@ void forEachSampledType(Visit&& visit)
       });
 }
 
+/// Whether a run of this scene has frames of this kind.
+template <typename Frame>
+bool hasFrames(const SceneDefinition& scene)
+{
+  if constexpr (std::is_same_v<Frame, ObservedFrame>)
+    return isObserved(scene);
+  else
+    return true;
+}
+
 /// Makes a frame of a kind that has a rate. @param window see makeStatisticsFrame()
 template <typename Frame>
 Frame makeFrame(const Simulation& simulation, const StatisticsWindow& window)
@@ -151,6 +165,8 @@ Frame makeFrame(const Simulation& simulation, const StatisticsWindow& window)
     return makeParticleFrame(simulation);
   else if constexpr (std::is_same_v<Frame, BinFrame>)
     return makeBinFrame(simulation);
+  else if constexpr (std::is_same_v<Frame, ObservedFrame>)
+    return makeObservedFrame(simulation);
   else
     return makeStatisticsFrame(simulation, window);
 }

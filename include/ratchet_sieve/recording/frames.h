@@ -7,6 +7,7 @@
 
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/fields.h"
+#include "ratchet_sieve/core/observable.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/statistics_window.h"
@@ -131,6 +132,23 @@ RATCHET_SIEVE_FIELDS(StatisticsFrame)
   RATCHET_SIEVE_FIELD(max_overlap, "m");
 }
 
+/// The name of what is observed of each size class.
+constexpr const char* SIZE_CLASSES = "size_classes";
+
+/// What the scene asks to be observed (`observe`), since the end of `settle`; and, where species have sizes,
+/// what became of each size class, since the start.
+struct ObservedFrame
+{
+  double time = 0.0;
+  std::vector<Observed> observed;
+};
+
+RATCHET_SIEVE_FIELDS(ObservedFrame)
+{
+  RATCHET_SIEVE_FIELD(time, "s");
+  RATCHET_SIEVE_FIELD(observed, "");
+}
+
 /// Setpoints and actions. The setpoints come first, in the order of Quantity.
 enum class CommandKind : std::uint8_t
 {
@@ -175,6 +193,11 @@ ParticleFrame makeParticleFrame(const Simulation& simulation);
 void makeParticleFrame(const Simulation& simulation, ParticleFrame& frame);
 BinFrame makeBinFrame(const Simulation& simulation);
 BaseFrame makeBaseFrame(const Simulation& simulation);
+
+ObservedFrame makeObservedFrame(const Simulation& simulation);
+
+/// Whether a run of this scene has frames of what is observed.
+bool isObserved(const SceneDefinition& scene);
 
 /// Leaves real_time_factor at 0. @param window of this series of frames. @pre window.moveTo(simulation) was
 /// called

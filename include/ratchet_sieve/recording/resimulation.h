@@ -49,7 +49,7 @@ private:
   {
     double time = 0.0;
     std::tuple<std::vector<BaseFrame>, std::vector<ParticleFrame>, std::vector<BinFrame>,
-               std::vector<StatisticsFrame>>
+               std::vector<StatisticsFrame>, std::vector<ObservedFrame>>
         frames;
     std::vector<CommandFrame> commands;
 

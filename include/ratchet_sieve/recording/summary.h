@@ -33,6 +33,9 @@ void addMeans(nlohmann::ordered_json& species, const SpeciesMeans& means);
 void addBinShares(nlohmann::ordered_json& json, const std::vector<std::string>& species,
                   const std::vector<SpeciesBins>& bins);
 
+/// What was observed: of each bin, or of the whole machine, of each species its numbers and its `table`.
+nlohmann::ordered_json observedResults(const Observed& observed);
+
 /// A number, or null where there is none.
 nlohmann::ordered_json numberOrNull(const std::optional<double>& value);
 

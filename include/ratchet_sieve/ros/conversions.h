@@ -7,6 +7,7 @@
 #include "ratchet_sieve/BaseState.h"
 #include "ratchet_sieve/BinCounts.h"
 #include "ratchet_sieve/Command.h"
+#include "ratchet_sieve/Observations.h"
 #include "ratchet_sieve/ParticleStates.h"
 #include "ratchet_sieve/SceneDescription.h"
 #include "ratchet_sieve/SieveStatistics.h"
@@ -29,6 +30,7 @@ ParticleStates toMessage(const ParticleFrame& frame);
 BinCounts toMessage(const BinFrame& frame);
 BaseState toMessage(const BaseFrame& frame);
 SieveStatistics toMessage(const StatisticsFrame& frame);
+Observations toMessage(const ObservedFrame& frame);
 Command toMessage(const CommandFrame& frame);
 
 template <typename Frame>
@@ -48,6 +50,7 @@ ParticleFrame toFrame(const ParticleStates& message);
 BinFrame toFrame(const BinCounts& message);
 BaseFrame toFrame(const BaseState& message);
 StatisticsFrame toFrame(const SieveStatistics& message);
+ObservedFrame toFrame(const Observations& message);
 CommandFrame toFrame(const Command& message);
 
 }  // namespace ratchet_sieve

@@ -13,10 +13,10 @@ namespace ratchet_sieve
 /// The contents of a recording and how it is split. The comments give the names of the node's parameters.
 struct RecordingParameters
 {
-  /// ~recording/particles, bins, base, statistics: frames per second of simulated time; 0: not recorded.
-  /// Disks take nearly all of the bytes and are seldom needed at the rate of publishing. By default every
-  /// sixth published frame is recorded, bit for bit.
-  FrameRates rates = {10.0, 60.0, 60.0, 10.0};
+  /// ~recording/particles, bins, base, statistics, observed: frames per second of simulated time; 0: not
+  /// recorded. Disks take nearly all of the bytes and are seldom needed at the rate of publishing. By default
+  /// every sixth published frame is recorded, bit for bit.
+  FrameRates rates = {10.0, 60.0, 60.0, 10.0, 1.0};
   double split_size = 0.0;      ///< ~recording/split_size: largest file size [MB]; 0: not split
   double split_duration = 0.0;  ///< ~recording/split_duration: longest file, simulated [s]; 0: not split
 

@@ -14,8 +14,8 @@
 namespace ratchet_sieve
 {
 
-/// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~commands and ~scene (latched). The base is
-/// also published on /tf, with a transform at the stamp of every message of the disks. Topics without
+/// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~observed, ~commands and ~scene (latched). The
+/// base is also published on /tf, with a transform at the stamp of every message of the disks. Topics without
 /// subscribers are skipped. A new subscriber gets the present state at once, also in a pause.
 class TopicPublisher : public FrameSink
 {

@@ -39,21 +39,19 @@ Observed MassFlow::observed(double time) const
       [&](const Flow& flow)
       {
         const auto mean = span > 0.0 ? std::optional<double>(flow.mass / span) : std::nullopt;
-        ObservedColumn end{"time", "s", {}};
-        ObservedColumn mass_flow{"flow", "kg/s", {}};
+        std::vector<ObservedColumn> table{{"time", "s", {}}, {"flow", "kg/s", {}}};
         double block_end = start_;
         for (const BlockSum& block : flow.blocks.blocks())
         {
           block_end += block.weight;
-          end.values.emplace_back(block_end);
-          mass_flow.values.emplace_back(block.sum / block.weight);
+          addLine(table, {block_end, block.sum / block.weight});
         }
         return ObservedRow{"",
                            "",
                            {{"mass", "kg", flow.mass},
                             {"mean", "kg/s", mean},
                             {"stderr", "kg/s", mean ? flow.blocks.standardError() : std::nullopt}},
-                           {std::move(end), std::move(mass_flow)}};
+                           std::move(table)};
       });
 }
 

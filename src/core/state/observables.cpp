@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "state/height_profile.h"
 #include "state/mass_flow.h"
 #include "state/observable.h"
 #include "state/residence_times.h"
@@ -21,6 +22,7 @@ constexpr struct
   std::unique_ptr<Observable> (*make)(const SystemState& system);
 } OBSERVABLES[] = {
     {ResidenceTimes::NAME, made<ResidenceTimes>},
+    {HeightProfile::NAME, made<HeightProfile>},
     {MassFlow::NAME, made<MassFlow>},
 };
 }  // namespace

@@ -92,6 +92,10 @@ public:
   virtual void endBlock(double /*time*/) {}
   virtual void endEpoch(double /*time*/) {}
 
+  /// A segment of the base's motion ends. An observer of the motion takes into account now what disks in
+  /// flight did until then, because afterwards the motion before `time` is not known.
+  virtual void endSegment(double /*time*/) {}
+
   /// The zero of time is about to be moved forward by `length`.
   virtual void rebase(double /*length*/) {}
 

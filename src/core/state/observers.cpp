@@ -136,6 +136,12 @@ void Observers::endEpoch(double time)
   forEach([=](Observer& observer) { observer.endEpoch(time); });
 }
 
+void Observers::endSegment(double time)
+{
+  deliver();
+  forEach([=](Observer& observer) { observer.endSegment(time); });
+}
+
 void Observers::rebase(double length)
 {
   deliver();

@@ -153,6 +153,7 @@ public:
   void restart(double time);
   void endBlock(double time);
   void endEpoch(double time);
+  void endSegment(double time);
   void rebase(double length);
 
   /// Whether blocks of the mean series are recorded: always for a layer, whose disks move together.

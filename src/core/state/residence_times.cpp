@@ -72,9 +72,7 @@ std::vector<ObservedColumn> TimeHistogram::table() const
   const auto first = std::find_if(counts_.begin(), counts_.end(), [](std::uint64_t n) { return n > 0; });
   for (auto bin = static_cast<std::size_t>(first - counts_.begin()); bin < counts_.size(); ++bin)
   {
-    columns[0].values.emplace_back(timeEdge(bin));
-    columns[1].values.emplace_back(timeEdge(bin + 1));
-    columns[2].values.emplace_back(static_cast<double>(counts_[bin]));
+    addLine(columns, {timeEdge(bin), timeEdge(bin + 1), static_cast<double>(counts_[bin])});
   }
   return columns;
 }

@@ -330,6 +330,7 @@ double SystemState::shortenEpoch(double now)
 
 void SystemState::rebase(double length)
 {
+  observers_.endSegment(length);
   motion_.rebase(length);
   for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
   {

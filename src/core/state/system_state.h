@@ -49,6 +49,7 @@ public:
   void changeMotion(Command&& command, double time)
   {
     const bool turned = motion_.turning();
+    observers_.endSegment(time);
     command(motion_, time);
     if (motion_.turning() && !turned)
       wrapAll(time);

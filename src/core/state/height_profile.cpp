@@ -1,0 +1,209 @@
+#include "state/height_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "model/orbit.h"
+#include "state/system_state.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+std::size_t partsFor(std::size_t phases)
+{
+  return phases * ((HeightProfile::LEAST_PARTS + phases - 1) / phases);
+}
+
+std::vector<ObservedColumn> emptyTable()
+{
+  return {{"phase_from", "rad", {}},
+          {"phase_to", "rad", {}},
+          {"from", "m", {}},
+          {"to", "m", {}},
+          {"number_density", "1/m^2", {}},
+          {"velocity_along", "m/s", {}},
+          {"velocity_up", "m/s", {}},
+          {"temperature", "J", {}}};
+}
+
+std::optional<double> quotient(double part, double whole)
+{
+  return whole > 0.0 ? std::optional<double>(part / whole) : std::nullopt;
+}
+
+/// The height below which disks are for this share of their time, interpolated within its slice.
+std::optional<double> quantile(double share, const HeightSlices& slices, std::size_t parts, double height)
+{
+  double rest = share * slices.time();
+  for (std::size_t slice = 0; slice < slices.count(); ++slice)
+  {
+    double time = 0.0;
+    for (std::size_t part = 0; part < parts; ++part)
+      time += slices.at(slice, part).time;
+    if (time > 0.0 && rest <= time)
+      return height * (static_cast<double>(slice) + rest / time);
+    rest -= time;
+  }
+  return std::nullopt;
+}
+
+/// A sum of granular temperatures over disks and time.
+struct Temperature
+{
+  double sum = 0.0;
+  double time = 0.0;
+
+  void add(const HeightSlices::Sums& sums)
+  {
+    if (sums.time <= 0.0)
+      return;
+    sum += sums.time * sums.variance();
+    time += sums.time;
+  }
+
+  std::optional<double> mean(double mass) const { return quotient(0.5 * mass * sum, time); }
+};
+}  // namespace
+
+HeightProfile::HeightProfile(const SystemState& system)
+    : system_(system),
+      phases_(static_cast<std::size_t>(system.scene().height_profile.phases)),
+      slice_(system.scene().height_profile.slice > 0.0 ? system.scene().height_profile.slice
+                                                       : system.smallestRadius()),
+      steps_(partsFor(phases_), Orbit(system.scene().base).highestMultiple()),
+      sums_(noSums())
+{
+}
+
+HeightProfile::Sums HeightProfile::noSums() const
+{
+  Sums sums;
+  sums.spans.resize(steps_.parts());
+  sums.species.resize(system_.scene().species.size(), HeightSlices(slice_, steps_.parts()));
+  return sums;
+}
+
+void HeightProfile::restart(double time)
+{
+  sums_ = noSums();
+  sums_.since = time;
+}
+
+void HeightProfile::flew(const Flight& flight)
+{
+  count(flight, sums_);
+}
+
+void HeightProfile::count(const Flight& flight, Sums& sums) const
+{
+  const double begin = std::max(flight.from.time, sums.since);
+  if (!(begin < flight.end))
+    return;
+  const BaseMotion& motion = system_.motion();
+  const double depth = system_.shape().depth();
+  const auto seen = [&](double time)
+  {
+    const Kinematics kinematics = kinematicsAt(flight.from, time, system_.scene().gravity);
+    return motion.at(time).see(vectorOf(kinematics.position), vectorOf(kinematics.velocity));
+  };
+  const double weight = system_.grain(flight.slot).mass / system_.scene().species[flight.from.species].mass;
+  HeightSlices& slices = sums.species[flight.from.species];
+  BasePoint start = seen(begin);
+  steps_.forEach(motion, begin, flight.end,
+                 [&](double from, double to, std::size_t part)
+                 {
+                   const BasePoint end = seen(to);
+                   slices.add({to - from,
+                               {start.n() + depth, end.n() + depth},
+                               {start.velocity.x(), end.velocity.x()},
+                               {start.velocity.y(), end.velocity.y()},
+                               weight},
+                              part);
+                   start = end;
+                 });
+}
+
+void HeightProfile::countUntil(double time, Sums& sums) const
+{
+  if (!(sums.since < time))
+    return;
+  for (std::uint32_t slot = 0; slot < system_.disks().size(); ++slot)
+    if (system_.active(slot))
+      count({slot, system_.disk(slot), time}, sums);
+  steps_.forEach(system_.motion(), sums.since, time,
+                 [&](double from, double to, std::size_t part) { sums.spans[part] += to - from; });
+  sums.since = time;
+}
+
+void HeightProfile::archive(StateArchive& state)
+{
+  state(sums_.since, sums_.spans);
+  for (HeightSlices& slices : sums_.species)
+    state(slices);
+  state.require(sums_.since >= 0.0 && sums_.spans.size() == steps_.parts() &&
+                    std::all_of(sums_.spans.begin(), sums_.spans.end(),
+                                [](double span) { return span >= 0.0 && std::isfinite(span); }),
+                "the heights of the disks are of another scene");
+}
+
+Observed HeightProfile::observed(double time) const
+{
+  Sums sums = sums_;
+  countUntil(time, sums);
+  Observed result{NAME, {}};
+  for (std::size_t s = 0; s < sums.species.size(); ++s)
+    result.rows.push_back(row(s, sums));
+  return result;
+}
+
+ObservedRow HeightProfile::row(std::size_t species, const Sums& sums) const
+{
+  const HeightSlices& slices = sums.species[species];
+  const SpeciesDefinition& definition = system_.scene().species[species];
+  Temperature temperature;
+  for (std::size_t slice = 0; slice < slices.count(); ++slice)
+    for (std::size_t part = 0; part < steps_.parts(); ++part)
+      temperature.add(slices.at(slice, part));
+  std::vector<ObservedColumn> table = emptyTable();
+  for (std::size_t phase = 0; phase < phases_; ++phase)
+    addPhase(species, phase, sums, table);
+  const double span = std::accumulate(sums.spans.begin(), sums.spans.end(), 0.0);
+  return {"",
+          definition.name,
+          {{"disks", "", quotient(slices.time(), span)},
+           {"mean_height", "m", quotient(slices.heightIntegral(), slices.time())},
+           {"median_height", "m", quantile(0.5, slices, steps_.parts(), slice_)},
+           {"quantile_90_height", "m", quantile(0.9, slices, steps_.parts(), slice_)},
+           {"share_above", "", quotient(slices.timeAbove(), slices.time())},
+           {"temperature", "J", temperature.mean(definition.mass)}},
+          std::move(table)};
+}
+
+void HeightProfile::addPhase(std::size_t species, std::size_t phase, const Sums& sums,
+                             std::vector<ObservedColumn>& table) const
+{
+  const HeightSlices& slices = sums.species[species];
+  const std::size_t parts = steps_.parts() / phases_;
+  const double radians = RADIANS_PER_TURN / static_cast<double>(phases_);
+  const auto spans = sums.spans.begin() + static_cast<std::ptrdiff_t>(phase * parts);
+  const double span = std::accumulate(spans, spans + static_cast<std::ptrdiff_t>(parts), 0.0);
+  for (std::size_t slice = 0; slice < slices.count(); ++slice)
+  {
+    HeightSlices::Sums all;
+    Temperature temperature;
+    for (std::size_t part = phase * parts; part < (phase + 1) * parts; ++part)
+    {
+      all += slices.at(slice, part);
+      temperature.add(slices.at(slice, part));
+    }
+    addLine(table,
+            {radians * static_cast<double>(phase), radians * static_cast<double>(phase + 1),
+             slice_ * static_cast<double>(slice), slice_ * static_cast<double>(slice + 1),
+             quotient(all.time, span * slice_ * system_.shape().width()), quotient(all.along, all.weight),
+             quotient(all.upwards, all.weight), temperature.mean(system_.scene().species[species].mass)});
+  }
+}
+
+}  // namespace ratchet_sieve
