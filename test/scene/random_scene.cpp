@@ -312,12 +312,15 @@ void drawPour(SceneDefinition& scene)
   drawStretch(scene.base.width(), scene.feed.stretch);
 }
 
-/// Not of fast drives: each of their periods has many steps.
+/// No height profile of fast drives: each of their periods has many steps.
 void drawObserved(SceneDefinition& scene)
 {
-  if (scene.base.frequency > 1e3 || drawnChance(80))
+  const bool profile = scene.base.frequency <= 1e3 && drawnChance(20);
+  for (const std::string& name : observableNames())
+    if (name == "height_profile" ? profile : drawnChance(30))
+      scene.observe.push_back(name);
+  if (!profile)
     return;
-  scene.observe = observableNames();
   scene.height_profile.slice = zeroOrMagnitude(1e-3 * scene.base.tooth_width, LARGEST_LENGTH);
   scene.height_profile.phases = drawnCount(1, 64);
 }
@@ -435,9 +438,6 @@ RandomScene drawnScene(Placing placing)
   drawMethod(scene);
   if (sumOfShares(scene) <= 0.0)
     scene.feed.rate = 0.0;
-  for (const std::string& name : observableNames())
-    if (drawnChance(30))
-      scene.observe.push_back(name);
   scene.seed = *rc::gen::arbitrary<std::uint64_t>();
   return {scene, spelled(scene, density)};
 }
