@@ -20,8 +20,8 @@ namespace ratchet_sieve
 namespace
 {
 // Both of wall time [s].
-constexpr double WARN_MISSING_AFTER = 10.0;  ///< before the first warning that the sieve is missing
-constexpr double LAST_SETPOINT_FLUSH_TIME = 0.5;   ///< for sending the last setpoint before the node exits
+constexpr double WARN_MISSING_AFTER = 10.0;       ///< before the first warning that the sieve is missing
+constexpr double LAST_SETPOINT_FLUSH_TIME = 0.5;  ///< for sending the last setpoint before the node exits
 
 std::string sourceOf(const ros::NodeHandle& node)
 {
@@ -116,7 +116,8 @@ void ScheduleNode::end(double now)
   ROS_INFO("the schedule is over at %.3f s", now);
   if (exit_at_end_)
     timer_ = node_.createSteadyTimer(
-        ros::WallDuration(LAST_SETPOINT_FLUSH_TIME), [](const ros::SteadyTimerEvent&) { ros::shutdown(); }, true);
+        ros::WallDuration(LAST_SETPOINT_FLUSH_TIME), [](const ros::SteadyTimerEvent&) { ros::shutdown(); },
+        true);
 }
 
 void ScheduleNode::command(const ScheduleEntry& entry, double now)
