@@ -155,7 +155,7 @@ const std::vector<Mistake>& mistakes()
         "of a sphere "
         "would be 26674520 kg/m^3; osmium has 22590 kg/m^3; did you mean 1e-05 kg?"}},
       {{"species.1.size={distribution: uniform, spread: 0.5}", "species.1.radius=0.008"},
-       {"species.1.radius = 0.008 m: a disk's diameter, 0.024 m, is larger than a tooth, base.tooth_width = "
+       {"species.1.size: the largest disk's diameter, 0.024 m, is larger than a tooth, base.tooth_width = "
         "0.02 m"}},
       {{"species.1.size={distribution: uniform, spread: 0.9}"}, {}},
       {{"duration=100000"}, {"duration = 100000 s: 27.78 hours, 2300000 drive periods; did you mean 100 s?"}},
