@@ -22,10 +22,18 @@ PlacedDisk placed(const SystemState& system, std::uint32_t slot, const FrameOfBa
   return {s - system.shape().width() * system.widthsOutside(s), base.into(disk.position).y(),
           system.radius(slot)};
 }
-}  // namespace
 
-void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, const Stretch& stretch,
-               double time, Random& random, const PourObserver& observer)
+struct Poured
+{
+  PlacedDisk room;
+  std::uint32_t species;
+};
+
+/// Finds room for a disk of each of these species; in the order along the base. The memory of the search, as
+/// much as that of the disks, is freed before they are added.
+std::vector<Poured> findRoom(const SystemState& system, const std::vector<std::uint32_t>& species,
+                             const Stretch& stretch, double time, Random& random,
+                             const PourObserver& observer)
 {
   const SceneDefinition& scene = system.scene();
   const FrameOfBase base = system.motion().at(time);
@@ -36,11 +44,6 @@ void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, c
   for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
     if (system.active(slot))
       pour.occupy(placed(system, slot, base, time));
-  struct Poured
-  {
-    PlacedDisk room;
-    std::uint32_t species;
-  };
   std::vector<Poured> poured;
   poured.reserve(species.size());
   for (const std::uint32_t kind : species)
@@ -53,6 +56,16 @@ void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, c
   // Numbered along the base, so that neighbours are near each other in memory.
   std::stable_sort(poured.begin(), poured.end(),
                    [](const Poured& a, const Poured& b) { return a.room.s < b.room.s; });
+  return poured;
+}
+}  // namespace
+
+void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, const Stretch& stretch,
+               double time, Random& random, const PourObserver& observer)
+{
+  const SceneDefinition& scene = system.scene();
+  const FrameOfBase base = system.motion().at(time);
+  const std::vector<Poured> poured = findRoom(system, species, stretch, time, random, observer);
   system.reserve(system.disks().size() + poured.size());
   for (const auto& [room, kind] : poured)
   {
