@@ -194,14 +194,14 @@ private:
   /// find a contact.
   void pushOut(std::uint32_t slot)
   {
-    const Disk now = flown(state_.disk(slot), start_, gravity_);
+    const Kinematics now = kinematicsAt(state_.disk(slot), start_, gravity_);
     const FrameOfBase& base = base_.at(start_);
-    const Eigen::Vector2d at = base.positionInto(now.position);
+    const Eigen::Vector2d at = base.positionInto(vectorOf(now.position));
     const auto way = base_overlap_.wayOut(at.x(), at.y(), ends_[slot].radius);
     if (!way)
       return;
     ++state_.observers().counts().pushed_out;
-    state_.moveTo(slot, now);
+    state_.endFlight(slot, now, start_);
     state_.changeable(slot).position += base.outOf({0.0, *way});
     ++state_.changeable(slot).event_count;
     redirect(slot);

@@ -38,10 +38,11 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
                                                  BaseInstant& base)
 {
   const SceneDefinition& scene = system_.scene();
-  const Disk disk = flown(system_.disk(slot), time, scene.gravity);
+  const Disk& disk = system_.disk(slot);
+  const Kinematics now = kinematicsAt(disk, time, scene.gravity);
   const SpeciesDefinition& species = scene.species[disk.species];
   const FrameOfBase& frame = base.at(time);
-  const BasePoint point = frame.see(disk.position, disk.velocity);
+  const BasePoint point = frame.see(vectorOf(now.position), vectorOf(now.velocity));
   const Approach approach = system_.shape().approach(feature, point, disk.radius);
   ContactOutcome outcome;
   outcome.time = time;
@@ -63,10 +64,10 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
     ContactCoefficients coefficients = outcome.lossless ? LOSSLESS : species.contact;
     if (outcome.kind == CollisionKind::WALL)
       coefficients.friction = 0.0;
-    respond(outcome, coefficients, contactMasses(inertia(slot, disk)), tangential_velocity,
+    respond(outcome, coefficients, contactMasses(inertia(slot)), tangential_velocity,
             reboundFloor(slot, outcome.lossless));
   }
-  push(slot, disk, outcome, 1.0);
+  push(slot, now, outcome, 1.0);
   system_.observers().take(outcome);
   return outcome;
 }
@@ -74,12 +75,14 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
 ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, int shift, double time)
 {
   const double gravity = system_.scene().gravity;
-  const Disk a = flown(system_.disk(i), time, gravity);
-  const Disk b = flown(system_.disk(j), time, gravity);
+  const Disk& a = system_.disk(i);
+  const Disk& b = system_.disk(j);
+  const Kinematics a_now = kinematicsAt(a, time, gravity);
+  const Kinematics b_now = kinematicsAt(b, time, gravity);
   const Image there = system_.image(shift, time);
-  const Eigen::Vector2d position = a.position - there.shift - b.position;
+  const Eigen::Vector2d position = vectorOf(a_now.position) - there.shift - vectorOf(b_now.position);
   const double distance = position.norm();
-  const Eigen::Vector2d velocity = a.velocity - b.velocity - there.velocity;
+  const Eigen::Vector2d velocity = vectorOf(a_now.velocity - b_now.velocity) - there.velocity;
   ContactOutcome outcome;
   outcome.time = time;
   outcome.kind = CollisionKind::DISK_DISK;
@@ -104,11 +107,11 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
     outcome.lossless = lossless(i, time) || lossless(j, time);
     const std::size_t pair = a.species * system_.scene().species.size() + b.species;
     respond(outcome, outcome.lossless ? LOSSLESS : pair_coefficients_[pair],
-            contactMasses(inertia(i, a), inertia(j, b)), tangential_velocity,
+            contactMasses(inertia(i), inertia(j)), tangential_velocity,
             std::max(reboundFloor(i, outcome.lossless), reboundFloor(j, outcome.lossless)));
   }
-  push(i, a, outcome, 1.0);
-  push(j, b, outcome, -1.0);
+  push(i, a_now, outcome, 1.0);
+  push(j, b_now, outcome, -1.0);
   system_.observers().take(outcome);
   return outcome;
 }
@@ -125,29 +128,30 @@ void ContactExecution::respond(ContactOutcome& outcome, const ContactCoefficient
   outcome.tangential_impulse = impulse.tangential;
 }
 
-/// Applies the impulse to a partner, whose state at the contact is `now`. For the second partner the contact
+/// Applies the impulse to a partner, which is at `now` at the contact. For the second partner the contact
 /// is on the opposite side, so that the torque of the tangential impulse has the same sign on both.
 ///
 /// In an inelastic collapse contacts follow one another before the disk has moved by one resolution of its
 /// position. A position rounded at each of them would stand still or run ahead, while the partner moves on,
 /// and the overlap would grow by that distance. So an impulse that changes the position only negligibly if it
 /// is applied at the start of the flight is applied there, and the stored position stays unchanged.
-void ContactExecution::push(std::uint32_t slot, const Disk& now, const ContactOutcome& contact, double sign)
+void ContactExecution::push(std::uint32_t slot, const Kinematics& now, const ContactOutcome& contact,
+                            double sign)
 {
   Disk& disk = system_.changeable(slot);
   const Grain& grain = system_.grain(slot);
   const double per_mass = 1.0 / grain.mass;
   const double change = per_mass * (std::abs(contact.normal_impulse) + std::abs(contact.tangential_impulse));
-  if (change * (now.time - disk.time) > negligible_way_)
-    system_.moveTo(slot, now);
+  if (change * (contact.time - disk.time) > negligible_way_)
+    system_.endFlight(slot, now, contact.time);
   ++disk.event_count;
   disk.velocity += sign * per_mass * impulseOf(contact);
   disk.spin -= grain.spin_response * contact.tangential_impulse;
 }
 
-Inertia ContactExecution::inertia(std::uint32_t slot, const Disk& disk) const
+Inertia ContactExecution::inertia(std::uint32_t slot) const
 {
-  return {system_.grain(slot).mass, levers_[disk.species]};
+  return {system_.grain(slot).mass, levers_[system_.disk(slot).species]};
 }
 
 bool ContactExecution::lossless(std::uint32_t slot, double time) const

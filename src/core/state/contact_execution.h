@@ -35,12 +35,12 @@ public:
   ContactOutcome collidePair(std::uint32_t i, std::uint32_t j, int shift, double time);
 
 private:
-  Inertia inertia(std::uint32_t slot, const Disk& disk) const;
+  Inertia inertia(std::uint32_t slot) const;
   bool lossless(std::uint32_t slot, double time) const;
   double reboundFloor(std::uint32_t slot, bool no_loss) const;
   void respond(ContactOutcome& outcome, const ContactCoefficients& coefficients, const ContactMasses& masses,
                double tangential_velocity, double floor) const;
-  void push(std::uint32_t slot, const Disk& now, const ContactOutcome& contact, double sign);
+  void push(std::uint32_t slot, const Kinematics& now, const ContactOutcome& contact, double sign);
 
   SystemState& system_;
   CollisionLaw law_;

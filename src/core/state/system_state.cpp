@@ -180,8 +180,7 @@ bool SystemState::compact()
 Disk& SystemState::fly(std::uint32_t slot, double time)
 {
   Disk& disk = disks_[slot];
-  observers_.flew({slot, disk, time});
-  disk = flown(disk, time, scene_.gravity);
+  endFlight(slot, kinematicsAt(disk, time, scene_.gravity), time);
   ++disk.event_count;
   return disk;
 }
