@@ -1,9 +1,5 @@
 #include "events/engine.h"
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -22,18 +18,6 @@ namespace
 {
 /// The SIMD batches are emptied at the end of a block: about as often as at the end of an epoch.
 constexpr double SCALES_PER_ENSEMBLE_BLOCK = 8.0;
-
-/// After a pour of so many disks, its memory is given back.
-constexpr std::size_t MANY_DISKS = 50000;
-
-/// A pour allocates some 100 bytes a disk in small pieces. The allocator keeps them when they are freed, and
-/// cannot use them for the long arrays of a run.
-void giveMemoryBack()
-{
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
 }  // namespace
 
 const Engine::MachineEvent Engine::MACHINE_EVENTS[] = {{&Engine::nextSettle, &Engine::settle},
@@ -52,8 +36,6 @@ Engine::Engine(const SceneDefinition& scene, const Plan& plan, double start_time
     pourDisks(state_, pourOrder(scene.species, random_), scene.pour.stretch, now_, random_, pour_observer);
   else
     placeInitialDisks(state_, now_);
-  if (state_.disks().size() >= MANY_DISKS)
-    giveMemoryBack();
   loop_ = makeLoop();
   announce(0);
 }

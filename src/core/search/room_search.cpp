@@ -19,8 +19,8 @@ constexpr double WIDEST_CLASS = 1.1;
 constexpr double NARROWEST = 1e-9;
 }  // namespace
 
-RoomSearch::RoomSearch(double lowest, double radius, double column_width)
-    : lowest_(lowest), radius_(radius), bin_width_(std::min(BIN_WIDTH * radius, column_width))
+RoomSearch::RoomSearch(double lowest, double radius, double column_width, std::pmr::memory_resource& memory)
+    : lowest_(lowest), radius_(radius), bin_width_(std::min(BIN_WIDTH * radius, column_width)), bins_(&memory)
 {
 }
 

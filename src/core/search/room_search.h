@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory_resource>
 #include <unordered_map>
 #include <vector>
 
@@ -20,8 +21,9 @@ namespace ratchet_sieve
 class RoomSearch
 {
 public:
-  /// @param lowest smallest height for a disk [m]; @param radius of the smallest disks [m]
-  RoomSearch(double lowest, double radius, double column_width);
+  /// @param lowest smallest height for a disk [m] @param radius of the smallest disks [m] @param memory
+  /// outlives this
+  RoomSearch(double lowest, double radius, double column_width, std::pmr::memory_resource& memory);
 
   /// Whether it is for disks of this radius [m]: what is full for the smallest is full for them, too, and
   /// little that is full is searched.
@@ -38,7 +40,7 @@ private:
     double left;   ///< [m]
     double right;  ///< [m]
   };
-  using Cells = std::vector<Cell>;  ///< of one bin, ordered by their lower ends
+  using Cells = std::pmr::vector<Cell>;  ///< of one bin, ordered by their lower ends
 
   Cells& cellsAt(double s, double& clamped);
   void replace(Cells& cells, std::size_t at, const StandingDisks& standing, bool halved) const;
@@ -46,7 +48,7 @@ private:
   double lowest_;
   double radius_;
   double bin_width_;
-  std::unordered_map<std::size_t, Cells> bins_;  ///< along s; only bins that were visited
+  std::pmr::unordered_map<std::size_t, Cells> bins_;  ///< along s; only bins that were visited
 };
 
 }  // namespace ratchet_sieve

@@ -34,8 +34,9 @@ bool startsLower(const HeightRange& a, const HeightRange& b)
 }
 }  // namespace
 
-StandingDisks::StandingDisks(double width, bool periodic, double largest_diameter)
-    : width_(width), periodic_(periodic), largest_radius_(0.5 * largest_diameter)
+StandingDisks::StandingDisks(double width, bool periodic, double largest_diameter,
+                             std::pmr::memory_resource& memory)
+    : width_(width), periodic_(periodic), largest_radius_(0.5 * largest_diameter), memory_(memory)
 {
 }
 
@@ -56,7 +57,9 @@ StandingDisks::SizeClass& StandingDisks::classOf(double radius)
     next.radius = std::ldexp(largest_radius_, -static_cast<int>(classes_.size()));
     const double columns = columnsFor(2.0 * next.radius);
     next.column_width = width_ / columns;
-    next.columns.resize(static_cast<std::size_t>(columns));
+    next.columns.reserve(static_cast<std::size_t>(columns));
+    while (next.columns.size() < next.columns.capacity())
+      next.columns.emplace_back(memory_);
     classes_.push_back(std::move(next));
   }
   return classes_[at];

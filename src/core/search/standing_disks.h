@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory_resource>
 #include <vector>
 
 namespace ratchet_sieve
@@ -28,8 +29,8 @@ struct HeightRange
 class StandingDisks
 {
 public:
-  /// @param width of the base [m]
-  StandingDisks(double width, bool periodic, double largest_diameter);
+  /// @param width of the base [m] @param memory outlives this
+  StandingDisks(double width, bool periodic, double largest_diameter, std::pmr::memory_resource& memory);
 
   void add(const PlacedDisk& disk);
 
@@ -47,7 +48,9 @@ public:
 private:
   struct Column
   {
-    mutable std::vector<PlacedDisk> disks;
+    explicit Column(std::pmr::memory_resource& memory) : disks(&memory) {}
+
+    mutable std::pmr::vector<PlacedDisk> disks;
     mutable std::size_t sorted = 0;  ///< the first ones, ordered by height
   };
 
@@ -69,6 +72,7 @@ private:
   double width_;
   bool periodic_;
   double largest_radius_;
+  std::pmr::memory_resource& memory_;
   std::vector<SizeClass> classes_;  ///< from the largest down, as far as there are disks
 };
 

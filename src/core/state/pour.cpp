@@ -13,7 +13,7 @@ Pour::Pour(const BaseDefinition& base, Boundary boundary, const Stretch& stretch
       lowest_underside_(base.highest() + base.amplitude + drop_height),
       periodic_(boundary == Boundary::PERIODIC),
       see_each_other_(see_each_other),
-      standing_(width_, periodic_, largest_diameter)
+      standing_(width_, periodic_, largest_diameter, memory_)
 {
 }
 
@@ -43,7 +43,7 @@ RoomSearch& Pour::searchFor(double radius)
   for (RoomSearch& search : searches_)
     if (search.serves(radius))
       return search;
-  searches_.emplace_back(lowest_underside_ + radius, radius, standing_.columnWidth());
+  searches_.emplace_back(lowest_underside_ + radius, radius, standing_.columnWidth(), memory_);
   return searches_.back();
 }
 

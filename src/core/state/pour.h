@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory_resource>
 #include <vector>
 
 #include "model/random.h"
@@ -36,6 +37,10 @@ private:
   double lowest_underside_;
   bool periodic_;
   bool see_each_other_;
+  /// For what finds room: many small pieces, given back as a few large ones. Freed one by one they would stay
+  /// with the heap, which has no use for them while a run goes on.
+  std::pmr::monotonic_buffer_resource blocks_;
+  std::pmr::unsynchronized_pool_resource memory_{&blocks_};
   StandingDisks standing_;
   std::vector<RoomSearch> searches_;  ///< one per radius, or class of radii
 };
