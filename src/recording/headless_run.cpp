@@ -10,6 +10,7 @@
 
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/certainty.h"
+#include "ratchet_sieve/recording/stride.h"
 #include "ratchet_sieve/recording/wall_warnings.h"
 
 namespace ratchet_sieve
@@ -18,10 +19,6 @@ namespace
 {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr double FIRST_STRIDE = 1e-3;  ///< of simulated time [s]
-constexpr double SHORT_STRIDE = 0.02;  ///< of wall time: shorter ones are lengthened [s]
-constexpr double LONG_STRIDE = 0.08;   ///< of wall time: longer ones are shortened [s]
 
 /// Time scales of the machine between audits of all disks for overlaps. Audits fall on the same times for
 /// every duration, so that a resumed run has those of an uninterrupted one.
@@ -96,24 +93,11 @@ private:
         outcome_.warnings.push_back(fmt::format("stopped at {} s of {} s", simulation_.time(), duration));
         return;
       }
-      stride(std::min({simulation_.time() + stride_, nextAudit(), nextFrame(), nextLook(), duration}));
+      stride_.advance(simulation_, std::min({nextAudit(), nextFrame(), nextLook(), duration}));
       lookAtDue();
       if (secondsSince(last_save_) >= watchers_.save_period)
         save();
     }
-  }
-
-  /// Advances, and adapts the stride so that watchers are served in time.
-  void stride(double until)
-  {
-    const Clock::time_point start = Clock::now();
-    const bool full = until >= simulation_.time() + stride_;
-    simulation_.advanceTo(until);
-    const double taken = secondsSince(start);
-    if (taken > LONG_STRIDE)
-      stride_ *= 0.5;
-    else if (full && taken < SHORT_STRIDE)
-      stride_ *= 2.0;
   }
 
   void lookAtDue()
@@ -170,7 +154,7 @@ private:
   FrameSampler sampler_;
   std::optional<LookTimes> looks_;  ///< present if the run may end before its duration
   RunOutcome outcome_;
-  double stride_ = FIRST_STRIDE;
+  Stride stride_;            ///< so that watchers are served in time
   double audit_period_;  ///< [s]
   double audits_ = 0.0;
   Clock::time_point last_save_ = Clock::now();

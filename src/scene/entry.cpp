@@ -127,12 +127,13 @@ std::string Entry::shownKey() const
 
 void Entry::refuseValue(const std::string& allowed) const
 {
-  throw SceneError(place() + shownKey() + " = " + valueText(node_) + ": " + allowed);
+  throw SceneError(place() + shownKey() + " = " + valueText(node_) + ": " + allowed, key_, valueText(node_),
+                   allowed);
 }
 
 void Entry::refuse(const std::string& reason) const
 {
-  throw SceneError(place() + shownKey() + ": " + reason);
+  throw SceneError(place() + shownKey() + ": " + reason, key_, "", reason);
 }
 
 }  // namespace ratchet_sieve

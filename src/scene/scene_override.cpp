@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstddef>
 #include <sstream>
 
@@ -13,7 +14,9 @@ namespace
 
 [[noreturn]] void refuse(const std::string& assignment, const std::string& reason)
 {
-  throw SceneError("override " + shownText(assignment) + ": " + reason);
+  const std::size_t equals = std::min(assignment.find('='), assignment.size());
+  throw SceneError("override " + shownText(assignment) + ": " + reason, assignment.substr(0, equals),
+                   assignment.substr(std::min(equals + 1, assignment.size())), reason);
 }
 
 std::vector<std::string> splitPath(const std::string& path, const std::string& assignment)

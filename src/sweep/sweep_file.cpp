@@ -120,11 +120,16 @@ void requireCountable(const Entry& root, const Sweep& sweep)
 
 Sweep loadSweep(const std::string& path)
 {
-  const YAML::Node tree = copyableYaml(readYamlText(path), path);
-  const Entry root(tree, path, "sweep");
+  return sweepFromText(readYamlText(path), path);
+}
+
+Sweep sweepFromText(const std::string& text, const std::string& source)
+{
+  const YAML::Node tree = copyableYaml(text, source);
+  const Entry root(tree, source, "sweep");
   root.requireKeys({"scene", "set", "grid", "zip", "cases", "seed"}, {"scene"});
   Sweep sweep;
-  sweep.source = path;
+  sweep.source = source;
   readScene(root, sweep);
   if (root.has("set"))
     sweep.fixed = readAssignments(root.at("set"));

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <yaml-cpp/yaml.h>
@@ -14,7 +15,15 @@ namespace ratchet_sieve
 /// An invalid scene: one line with file, line (if there is one), key, value and what is allowed.
 struct SceneError : std::runtime_error
 {
-  using std::runtime_error::runtime_error;
+  explicit SceneError(const std::string& line, std::string at_key = "", std::string given = "",
+                      std::string reason = "")
+      : std::runtime_error(line), key(std::move(at_key)), value(std::move(given)), allowed(std::move(reason))
+  {
+  }
+
+  std::string key;      ///< dotted path; these are empty if the line is about no key
+  std::string value;    ///< as given
+  std::string allowed;  ///< or what is wrong
 };
 
 /// A validated scene and its warnings.

@@ -51,4 +51,8 @@ constexpr std::uint64_t MOST_CASES = 1'000'000'000'000'000;
 /// @throws SceneError if the sweep is illegal; the cases are not checked
 Sweep loadSweep(const std::string& path);
 
+/// The same from the text of a sweep file. @param source named in errors; the path of the scene is relative
+/// to it
+Sweep sweepFromText(const std::string& text, const std::string& source);
+
 }  // namespace ratchet_sieve

@@ -1,0 +1,35 @@
+"""The errors of the engine."""
+
+
+class SceneError(ValueError):
+    """An illegal scene or sweep; its text is the line that the programs print.
+
+    key      dotted path of the key, such as "base.inclination"; "" if the error is about no key
+    value    as it was given, as text; "" if the error is about no value
+    allowed  what is allowed, or what is wrong
+    """
+
+    def __init__(self, line, key="", value="", allowed=""):
+        super().__init__(line)
+        self.key = key
+        self.value = value
+        self.allowed = allowed
+
+    def __reduce__(self):
+        return type(self), (str(self), self.key, self.value, self.allowed)
+
+
+class StallError(RuntimeError):
+    """An inelastic collapse ended the run (contact.on_collapse: stop)."""
+
+
+class StateError(ValueError):
+    """Bytes that are no saved state of such a scene."""
+
+
+class ResultsError(RuntimeError):
+    """A results file of sweeps that cannot be used."""
+
+
+class SieveWarning(UserWarning):
+    """A legal but implausible scene, or a run to be looked at."""

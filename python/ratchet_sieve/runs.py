@@ -1,0 +1,123 @@
+"""Whole runs, from the pour to the end."""
+from __future__ import annotations
+
+import warnings
+from typing import Any, Mapping, Optional
+
+import numpy as np
+
+from . import _engine
+from .errors import SieveWarning
+from .progress import Progress
+from .scene import Scene
+from .simulation import Simulation
+from .values import Summary, Values
+
+KINDS: tuple = _engine.COLLISION_KINDS
+"""The kinds of collisions, in the order of the numbers of Collisions.records["kind"]."""
+
+
+class Frames:
+    """The frames of a run, at equal steps of time and at its end.
+
+    time    array (frames,) [s]
+    disks   list of structured arrays, one a frame; see Simulation.disks
+    base    structured array (frames,): see Simulation.base
+    bins    of each species, by name, a structured array (frames,): see Simulation.bins
+    """
+
+    def __init__(self, species: list[str], lists: Mapping[str, list]):
+        self.time = np.array([time for time, _ in lists["disks"]])
+        self.disks = [disks for _, disks in lists["disks"]]
+        self.base = _columns([base for _, base in lists["base"]])
+        self.bins = Values((name, _columns([bins[k] for _, bins in lists["bins"]]))
+                           for k, name in enumerate(species))
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} frames>"
+
+
+class Collisions(Values):
+    """The numbers of collisions of a run, by kind.
+
+    records  None, or with run(..., collisions=True) each collision: a structured array of time [s], kind (its
+             number in KINDS), i, j (ids of the disks; j is -1 for the base), normal_speed [m/s], normal_impulse,
+             tangential_impulse [N s]
+    """
+
+    records: Optional[np.ndarray] = None
+
+
+class Run:
+    """A run that has ended.
+
+    scene, summary, frames (empty unless asked for), collisions
+    """
+
+    def __init__(self, simulation: Simulation, summary: Summary, frames: Frames, collisions: Collisions):
+        self.scene = simulation.scene
+        self.simulation = simulation
+        self.summary = summary
+        self.frames = frames
+        self.collisions = collisions
+
+    def plot(self, frame: int = -1, ax: Any = None) -> Any:
+        """Draws the machine at a frame; of a run without frames, at its end. Returns matplotlib's axes."""
+        from .plots import machine
+
+        if len(self.frames):
+            disks, base = self.frames.disks[frame], self.frames.base[frame]
+        else:
+            disks, base = self.simulation.disks, self.simulation.base
+        return machine.draw(self.scene, disks, base, ax=ax)
+
+    def animate(self, speed: float = 1.0) -> Any:
+        """The frames as matplotlib's FuncAnimation, `speed` times as fast as the machine; in Jupyter it is shown as a
+        video. Raises ValueError if the run has no frames."""
+        if not len(self.frames):
+            raise ValueError("the run has no frames: call run(..., frames=60)")
+        from .plots import machine
+
+        return machine.animate(self.scene, self.frames, speed)
+
+    def __repr__(self) -> str:
+        return f"<Run of {self.scene.source}, {self.summary.simulated_time:.6g} s>\n{self.summary!r}"
+
+
+def run(scene: Scene, *, until: Optional[Mapping[str, float]] = None, frames: float = 0.0, collisions: bool = False,
+        threads: int = 1, progress: bool = True) -> Run:
+    """Runs a scene to its end, as `sieve_run` does.
+
+    until       ends the run once its means are known so well: {"mean_vx": 0.001} [m/s], {"quality": 0.02}
+    frames      frames per simulated second; 0: none
+    collisions  whether to keep each collision: 48 bytes each
+    threads     of disks that do not see each other; 0: one per processor. The bits depend on none of these.
+    progress    whether to show a bar, in a terminal or a notebook
+    Raises SceneError, ValueError. Warns (SieveWarning) as sieve_run does. Ctrl-C raises KeyboardInterrupt.
+    """
+    if not 0.0 <= frames <= 1e5:
+        raise ValueError(f"frames = {frames}: must be 0 to 100000 1/s")
+    if until:
+        scene = scene.replace({f"accuracy.{key}": value for key, value in until.items()})
+    simulation = Simulation(scene)
+    duration = scene["duration"]
+    with Progress(progress, "run") as bar:
+        summary, lists, records = _engine.run(
+            simulation._engine, float(frames), collisions, threads,
+            lambda time: bar.show(time / duration if duration else 1.0, f"{time:.4g} of {duration:.4g} s"))
+    for warning in summary["warnings"]:
+        warnings.warn(warning, SieveWarning, stacklevel=2)
+    counts = Collisions(summary["collisions"])
+    counts.__dict__["records"] = records
+    return Run(simulation, Summary.of(summary), Frames(scene.species, lists), counts)
+
+
+def _columns(rows: list[Mapping[str, Any]]) -> np.ndarray:
+    """Rows with the same keys as a structured array."""
+    if not rows:
+        return np.empty(0)
+    kinds = [(name, np.int64 if isinstance(value, int) else np.float64) for name, value in rows[0].items()]
+    return np.array([tuple(row.values()) for row in rows], dtype=kinds)

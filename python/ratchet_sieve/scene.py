@@ -1,0 +1,140 @@
+"""Scenes: what is simulated."""
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from typing import Any, Mapping, Optional, Union
+
+import numpy as np
+
+from . import _engine
+from .errors import SieveWarning
+
+Overrides = Mapping[str, Any]
+
+
+def yaml_text(value: Any) -> str:
+    """A value as YAML text on one line. A str is taken for such a text itself, as after `--set KEY=`."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    return json.dumps(value, default=_plain, ensure_ascii=False)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, (np.integer, np.floating, np.bool_)):
+        return value.item()
+    raise TypeError(f"{value!r} cannot be a value of a scene: allowed are numbers, texts, lists, maps and None")
+
+
+class Scene:
+    """A legal scene. It does not change: `replace()` gives another one.
+
+    Keys, units and ranges: docs/scenes.md, or `sieve_run --keys`.
+    """
+
+    def __init__(self, text: Union[str, Mapping[str, Any]], overrides: Optional[Overrides] = None, *,
+                 source: str = "scene"):
+        """From YAML text, or from nested mappings.
+
+        overrides  dotted key -> value; None takes a key out, as `--set KEY=null` does
+        source     named in errors
+        Raises SceneError. Warns (SieveWarning) of what is legal but implausible.
+        """
+        self._begin(_engine.scene_of_text(yaml_text(text), source, _assignments(overrides)), source)
+
+    @classmethod
+    def load(cls, path: Union[str, os.PathLike], overrides: Optional[Overrides] = None) -> Scene:
+        """From a scene file; see __init__()."""
+        scene = cls.__new__(cls)
+        scene._begin(_engine.load_scene(os.fspath(path), _assignments(overrides)), os.fspath(path))
+        return scene
+
+    def _begin(self, engine: _engine.Scene, source: str) -> None:
+        self._engine = engine
+        self._values: Optional[dict] = None
+        self.source = source
+        for warning in engine.warnings:
+            warnings.warn(warning, SieveWarning, stacklevel=4)
+
+    def replace(self, overrides: Optional[Overrides] = None, **keys: Any) -> Scene:
+        """The scene with other values: `replace({"base.inclination": 0.06}, seed=3)`. Raises SceneError."""
+        scene = type(self).__new__(type(self))
+        scene._begin(_engine.scene_of_text(self.yaml, self.source, _assignments({**(overrides or {}), **keys})),
+                     self.source)
+        return scene
+
+    @property
+    def yaml(self) -> str:
+        """All keys with their values, defaults included, as YAML."""
+        return self._engine.yaml
+
+    @property
+    def values(self) -> dict:
+        """The same as nested dicts and lists: a copy."""
+        return self._engine.values
+
+    def __getitem__(self, key: str) -> Any:
+        """The value of a dotted key: scene["species.0.radius"]. SI units. Raises KeyError."""
+        if self._values is None:
+            self._values = self._engine.values
+        value: Any = self._values
+        for part in key.split("."):
+            try:
+                value = value[int(part) if isinstance(value, list) else part]
+            except (KeyError, IndexError, TypeError, ValueError):
+                raise KeyError(key) from None
+        return value
+
+    @property
+    def hash(self) -> str:
+        """16 hexadecimal digits over every key that decides the disks' motion: not seed, duration, settle."""
+        return self._engine.hash
+
+    @property
+    def species(self) -> list[str]:
+        """The names of the species, in their order."""
+        return self._engine.species
+
+    @property
+    def width(self) -> float:
+        """W, the length of the base [m]."""
+        return self._engine.width
+
+    @property
+    def outline(self) -> np.ndarray:
+        """The corners of all teeth, from left to right, in the frame of the base: an array (corners, 2) of s along
+        the base and n normal to it [m]."""
+        tooth = np.array(self._engine.outline)
+        teeth = round(self.width / tooth[-1, 0])
+        corners = [tooth[:-1] + (k * tooth[-1, 0], 0.0) for k in range(teeth)]
+        return np.concatenate([*corners, [(self.width, tooth[-1, 1])]])
+
+    @property
+    def warnings(self) -> list[str]:
+        """What is legal but implausible, one line each."""
+        return self._engine.warnings
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scene) and self._engine.run_hash == other._engine.run_hash
+
+    def __hash__(self) -> int:
+        return hash(self._engine.run_hash)
+
+    def __reduce__(self):
+        return _unpickled, (self.yaml, self.source)
+
+    def __repr__(self) -> str:
+        return f"<Scene {self.source}: {', '.join(self.species)}; hash {self.hash}>"
+
+
+def _unpickled(text: str, source: str) -> Scene:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", SieveWarning)
+        return Scene(text, source=source)
+
+
+def _assignments(overrides: Optional[Overrides]) -> list[str]:
+    return [f"{key}={yaml_text(value)}" for key, value in (overrides or {}).items()]

@@ -1,0 +1,127 @@
+"""The simulation, step by step."""
+from __future__ import annotations
+
+import math
+from typing import Optional, Union
+
+import numpy as np
+
+from . import _engine
+from .scene import Scene
+from .values import Summary, Values
+
+
+class Simulation:
+    """A running machine. Ctrl-C stops a call within a tenth of a second, and the simulation goes on from there.
+
+    One thread at a time may use it; others get a RuntimeError meanwhile. C++ runs without Python's lock (GIL).
+    The same scene and commands give the same bits, however the time is divided.
+    """
+
+    def __init__(self, scene: Scene, start_time: float = 0.0):
+        """Pours the disks of the scene at `start_time` [s]. Raises ValueError if disks of `initial` overlap."""
+        self._begin(scene, _engine.Simulation(scene._engine, float(start_time)))
+
+    @classmethod
+    def restore(cls, scene: Scene, state: bytes) -> Simulation:
+        """Goes on from a saved state, bit for bit. Only `duration` and `accuracy` of the scene may have changed.
+        Raises StateError."""
+        simulation = cls.__new__(cls)
+        simulation._begin(scene, _engine.Simulation.restore(scene._engine, state))
+        return simulation
+
+    def _begin(self, scene: Scene, engine: _engine.Simulation) -> None:
+        self._scene = scene
+        self._engine = engine
+
+    def save(self) -> bytes:
+        """The state, without the scene; nothing changes."""
+        return self._engine.save()
+
+    @property
+    def scene(self) -> Scene:
+        return self._scene
+
+    @property
+    def time(self) -> float:
+        """Simulated time [s]."""
+        return self._engine.time()
+
+    def advance(self, duration: float) -> None:
+        """Advances by a duration >= 0 [s]. Raises StallError if a collapse ends the run."""
+        if not 0.0 <= duration < math.inf:
+            raise ValueError(f"duration = {duration}: must be 0 s or more")
+        self.advance_to(self.time + duration)
+
+    def advance_to(self, time: float) -> None:
+        """Advances up to and including a time [s]; an earlier one does nothing. Raises StallError."""
+        if not math.isfinite(time):
+            raise ValueError(f"time = {time}: must be a finite time in s")
+        self._engine.advance_to(time)
+
+    def command(self, *, inclination: Optional[float] = None, frequency: Optional[float] = None,
+                amplitude: Optional[float] = None) -> None:
+        """New setpoints of the base [rad], [Hz], [m], to which it moves from now on at its slew rates.
+        Raises ValueError if one is not legal; none is then taken."""
+        setpoints = {"inclination": inclination, "frequency": frequency, "amplitude": amplitude}
+        self._engine.command({name: float(value) for name, value in setpoints.items() if value is not None})
+
+    def set_slew_rates(self, *, inclination: float = 0.1, frequency: float = 10.0, amplitude: float = 0.002) -> None:
+        """How fast the base follows its setpoints [rad/s], [Hz/s], [m/s]. Raises ValueError."""
+        self._engine.set_slew_rates(inclination, frequency, amplitude)
+
+    def pour(self, species: Union[str, int], count: int) -> None:
+        """Pours more disks of a species, by name or number, at the lowest free places. Raises ValueError."""
+        if isinstance(species, str):
+            if species not in self._scene.species:
+                raise ValueError(f"there is no species {species!r}; there are {', '.join(self._scene.species)}")
+            species = self._scene.species.index(species)
+        self._engine.pour(species, count)
+
+    @property
+    def disks(self) -> np.ndarray:
+        """The disks in the machine at this time: a structured array, a copy of its own.
+
+        id, species (its number), radius [m], mass [kg], x, y [m], vx, vy [m/s], angle [rad], spin [rad/s],
+        displacement (unwrapped path along x since the disk entered) [m]; world frame (docs/model.md).
+        """
+        return self._engine.disks()
+
+    @property
+    def active_disks(self) -> int:
+        """The number of disks in the machine."""
+        return self._engine.active_disks()
+
+    @property
+    def base(self) -> Values:
+        """The base and its drive: inclination [rad], frequency [Hz], amplitude [m], the three setpoints as
+        commanded_*, phase [rad], displacement, horizontal_displacement [m], velocity, horizontal_velocity [m/s]."""
+        return Values(self._engine.base())
+
+    @property
+    def bins(self) -> Values:
+        """Of each species, by name: left, right, on_base (numbers of disks), left_mass, right_mass [kg]."""
+        return Values(zip(self._scene.species, map(Values, self._engine.bins())))
+
+    @property
+    def collisions(self) -> Values:
+        """The numbers of collisions since the start, by kind."""
+        return Values(self._engine.collisions())
+
+    @property
+    def events(self) -> int:
+        """The number of all events since the start."""
+        return self._engine.events()
+
+    @property
+    def energy(self) -> float:
+        """Kinetic and potential energy of the disks in the machine [J]."""
+        return self._engine.energy()
+
+    @property
+    def summary(self) -> Summary:
+        """The results so far, as in the summary of a run."""
+        return Summary.of(self._engine.summary())
+
+    def __repr__(self) -> str:
+        return f"<Simulation of {self._scene.source} at {self.time:.6g} s: {self.active_disks} disks>"

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+/// What each part adds to the module ratchet_sieve._engine, whose functions are wrapped and described in
+/// Python.
+namespace ratchet_sieve
+{
+
+void bindScene(pybind11::module_& module);
+void bindSimulation(pybind11::module_& module);
+void bindRun(pybind11::module_& module);
+void bindSweep(pybind11::module_& module);
+
+}  // namespace ratchet_sieve

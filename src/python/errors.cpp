@@ -1,0 +1,61 @@
+#include "errors.h"
+
+#include <exception>
+#include <string>
+
+#include <pybind11/pybind11.h>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/sweep/database.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+namespace py = pybind11;
+
+template <typename... Arguments>
+void raise(const char* type, const Arguments&... arguments)
+{
+  const py::object error = py::module_::import("ratchet_sieve.errors").attr(type);
+  PyErr_SetObject(error.ptr(), error(arguments...).ptr());
+}
+
+}  // namespace
+
+void translateErrors()
+{
+  py::register_exception_translator(
+      [](std::exception_ptr pointer)
+      {
+        try
+        {
+          std::rethrow_exception(pointer);
+        }
+        catch (const SceneError& error)
+        {
+          raise("SceneError", std::string(error.what()), error.key, error.value, error.allowed);
+        }
+        catch (const StallError& error)
+        {
+          raise("StallError", std::string(error.what()));
+        }
+        catch (const StateError& error)
+        {
+          raise("StateError", std::string(error.what()));
+        }
+        catch (const DatabaseError& error)
+        {
+          raise("ResultsError", std::string(error.what()));
+        }
+        catch (const OutputError& error)
+        {
+          PyErr_SetString(PyExc_OSError, error.what());
+        }
+      });
+}
+
+}  // namespace ratchet_sieve

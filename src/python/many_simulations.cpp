@@ -1,0 +1,88 @@
+#include "many_simulations.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include <pybind11/pybind11.h>
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+namespace py = pybind11;
+
+/// The work of all threads: each takes the next simulation until none is left.
+struct Work
+{
+  const std::vector<std::shared_ptr<RunningSimulation>>& simulations;
+  const std::vector<double>& times;
+  std::vector<char> stalled;  ///< written by several threads, so no vector of bits
+  std::vector<std::exception_ptr> errors;
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> stop{false};
+
+  void run(const std::function<bool()>& stop_wanted)
+  {
+    for (std::size_t k = next++; k < simulations.size(); k = next++)
+    {
+      try
+      {
+        simulations[k]->advanceTo(times[k], [&] { return stop || stop_wanted(); });
+      }
+      catch (const StallError&)
+      {
+        stalled[k] = 1;
+      }
+      catch (...)
+      {
+        errors[k] = std::current_exception();
+        stop = true;
+      }
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<bool> advanceMany(const std::vector<std::shared_ptr<RunningSimulation>>& simulations,
+                              const std::vector<double>& times, std::size_t threads)
+{
+  const std::size_t count = simulations.size();
+  if (times.size() != count)
+    throw std::invalid_argument("there must be one time for each simulation");
+  if (std::set<std::shared_ptr<RunningSimulation>>(simulations.begin(), simulations.end()).size() != count)
+    throw std::invalid_argument("a simulation is given twice");
+  if (threads == 0)
+    threads = std::max(1u, std::thread::hardware_concurrency());
+  Work work{simulations, times, std::vector<char>(count), std::vector<std::exception_ptr>(count)};
+  SignalWatch signals;
+  {
+    const py::gil_scoped_release let_go;
+    std::vector<std::thread> others;
+    for (std::size_t k = 1; k < std::min(threads, count); ++k)
+      others.emplace_back([&work] { work.run([] { return false; }); });
+    // This thread serves the signals.
+    work.run(
+        [&]
+        {
+          if (signals.stopWanted())
+            work.stop = true;
+          return work.stop.load();
+        });
+    for (std::thread& other : others)
+      other.join();
+  }
+  signals.raise();
+  for (const std::exception_ptr& error : work.errors)
+    if (error)
+      std::rethrow_exception(error);
+  return {work.stalled.begin(), work.stalled.end()};
+}
+
+}  // namespace ratchet_sieve

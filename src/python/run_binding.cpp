@@ -1,0 +1,129 @@
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+
+#include "bindings.h"
+#include "ratchet_sieve/recording/frame_sampler.h"
+#include "ratchet_sieve/recording/headless_run.h"
+#include "ratchet_sieve/recording/summary.h"
+#include "running_simulation.h"
+#include "to_python.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+namespace py = pybind11;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds PROGRESS_PERIOD(100);
+
+/// The frames of a run as Python's objects: lists of (time, disks), (time, base) and (time, bins).
+class CollectedFrames : public FrameSink
+{
+public:
+  explicit CollectedFrames(const SceneDefinition& scene) : scene_(scene) {}
+
+  void take(const AnyFrame& frame) override
+  {
+    const py::gil_scoped_acquire held;
+    if (const auto* particles = frame.as<ParticleFrame>())
+      disks_.append(py::make_tuple(particles->time, arrayOf(particles->disks, scene_)));
+    else if (const auto* base = frame.as<BaseFrame>())
+      bases_.append(py::make_tuple(base->time, fieldsOf(base->base)));
+    else if (const auto* bins = frame.as<BinFrame>())
+    {
+      py::list species;
+      for (const SpeciesBins& of_species : bins->bins)
+        species.append(fieldsOf(of_species));
+      bins_.append(py::make_tuple(bins->time, species));
+    }
+  }
+
+  py::dict lists() const
+  {
+    py::dict lists;
+    lists["disks"] = disks_;
+    lists["base"] = bases_;
+    lists["bins"] = bins_;
+    return lists;
+  }
+
+private:
+  const SceneDefinition& scene_;
+  py::list disks_;
+  py::list bases_;
+  py::list bins_;
+};
+
+/// Runs to the end of the scene.
+/// @param frame_rate of frames [1/s of simulated time]; 0: none
+/// @param progress called with the time, ten times a second; or None
+py::tuple run(RunningSimulation& running, double frame_rate, bool collisions, std::size_t threads,
+              const py::object& progress)
+{
+  RunningSimulation::Use simulation(running);
+  SignalWatch signals;
+  CollectedFrames frames(running.scene()->definition);
+  std::vector<CollisionRecord> records;
+  RunOutcome outcome;
+  RunWatchers watchers;
+  watchers.rates = {frame_rate, frame_rate, frame_rate, 0.0, 0.0};
+  if (frame_rate > 0.0)
+    watchers.frames = &frames;
+  bool failed = false;
+  Clock::time_point next;
+  if (!progress.is_none())
+    watchers.progress = [&](const Simulation& now)
+    {
+      if (failed || Clock::now() < next)
+        return;
+      next = Clock::now() + PROGRESS_PERIOD;
+      const py::gil_scoped_acquire held;
+      try
+      {
+        progress(now.time());
+      }
+      catch (py::error_already_set& error)
+      {
+        error.restore();
+        failed = true;
+      }
+    };
+  watchers.stop_wanted = [&] { return failed || signals.stopWanted(); };
+  {
+    const py::gil_scoped_release let_go;
+    simulation->setThreads(threads);
+    if (collisions)
+      simulation->observeCollisions([&records](const CollisionRecord& record) { records.push_back(record); });
+    outcome = runToEnd(*simulation, watchers);
+    simulation->observeCollisions({});
+  }
+  signals.raise();
+  if (failed)
+    throw py::error_already_set();
+  const nlohmann::ordered_json summary = summarize(*simulation, outcome);
+  return py::make_tuple(toPython(summary), frames.lists(),
+                        collisions ? py::object(arrayOf(records)) : py::none());
+}
+
+}  // namespace
+
+void bindRun(py::module_& module)
+{
+  module.def("run", &run, py::arg("simulation"), py::arg("frame_rate"), py::arg("collisions"),
+             py::arg("threads"), py::arg("progress"));
+  py::list kinds;
+  for (const CollisionKind kind :
+       {CollisionKind::DISK_DISK, CollisionKind::LEFT_SLOPE, CollisionKind::RIGHT_SLOPE, CollisionKind::APEX,
+        CollisionKind::WALL, CollisionKind::LEVEL})
+    kinds.append(name(kind));
+  module.attr("COLLISION_KINDS") = py::tuple(kinds);
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,83 @@
+#include "running_simulation.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include <pybind11/pybind11.h>
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+namespace py = pybind11;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds SIGNAL_PERIOD(20);
+
+/// A pour can be stopped, too.
+std::unique_ptr<Simulation> poured(const SceneDefinition& scene, double start_time)
+{
+  struct Stopped
+  {
+  };
+  SignalWatch signals;
+  try
+  {
+    const py::gil_scoped_release let_go;
+    return std::make_unique<Simulation>(scene, start_time,
+                                        [&signals](std::size_t, std::size_t)
+                                        {
+                                          if (signals.stopWanted())
+                                            throw Stopped();
+                                        });
+  }
+  catch (const Stopped&)
+  {
+    signals.raise();
+    throw;
+  }
+}
+
+}  // namespace
+
+bool SignalWatch::stopWanted()
+{
+  if (stop_wanted_ || Clock::now() < next_)
+    return stop_wanted_;
+  next_ = Clock::now() + SIGNAL_PERIOD;
+  const py::gil_scoped_acquire held;
+  stop_wanted_ = PyErr_CheckSignals() != 0;
+  return stop_wanted_;
+}
+
+void SignalWatch::raise() const
+{
+  if (stop_wanted_)
+    throw py::error_already_set();
+}
+
+RunningSimulation::Use::Use(RunningSimulation& of) : of_(of)
+{
+  if (of.in_use_.exchange(true))
+    throw std::runtime_error("the simulation is in use by another thread");
+}
+
+RunningSimulation::RunningSimulation(std::shared_ptr<Scene> scene, double start_time)
+    : scene_(std::move(scene)), simulation_(poured(scene_->definition, start_time))
+{
+}
+
+RunningSimulation::RunningSimulation(std::shared_ptr<Scene> scene, std::string_view saved_state)
+    : scene_(std::move(scene)), simulation_(std::make_unique<Simulation>(scene_->definition, saved_state))
+{
+}
+
+void RunningSimulation::advanceTo(double time, const std::function<bool()>& stop_wanted)
+{
+  Use simulation(*this);
+  while (simulation->time() < time && !stop_wanted())
+    stride_.advance(*simulation, time);
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string_view>
+
+#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/recording/stride.h"
+#include "ratchet_sieve/scene/scene_file.h"
+
+namespace ratchet_sieve
+{
+
+/// Asks Python whether a signal, such as Ctrl-C, wants the caller to stop. Python acts on signals in its main
+/// thread alone.
+class SignalWatch
+{
+public:
+  /// At most fifty times a second, because it takes Python's lock. @pre that lock is not held
+  bool stopWanted();
+
+  /// Raises the error of the signal's handler, if there is one. @pre Python's lock is held
+  void raise() const;
+
+private:
+  std::chrono::steady_clock::time_point next_;
+  bool stop_wanted_ = false;
+};
+
+/// A simulation that Python holds: one thread at a time uses it.
+class RunningSimulation
+{
+public:
+  /// Pours the disks, with Python's lock let go. @throws as Simulation
+  RunningSimulation(std::shared_ptr<Scene> scene, double start_time);
+  RunningSimulation(std::shared_ptr<Scene> scene, std::string_view saved_state);
+
+  /// The exclusive use of a simulation while this exists.
+  class Use
+  {
+  public:
+    /// @throws std::runtime_error while another thread uses it
+    explicit Use(RunningSimulation& of);
+    ~Use() { of_.in_use_ = false; }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+
+    Simulation* operator->() { return of_.simulation_.get(); }
+    Simulation& operator*() { return *of_.simulation_; }
+
+  private:
+    RunningSimulation& of_;
+  };
+
+  const std::shared_ptr<Scene>& scene() const { return scene_; }
+
+  /// Advances until `stop_wanted`, which is asked every few hundredths of a second. The simulation then
+  /// stands at an earlier time and may be used as before. @pre Python's lock is let go @throws StallError
+  void advanceTo(double time, const std::function<bool()>& stop_wanted);
+
+private:
+  std::shared_ptr<Scene> scene_;
+  std::unique_ptr<Simulation> simulation_;
+  std::atomic<bool> in_use_{false};
+  Stride stride_;
+};
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,148 @@
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "bindings.h"
+#include "many_simulations.h"
+#include "ratchet_sieve/recording/summary.h"
+#include "running_simulation.h"
+#include "to_python.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+namespace py = pybind11;
+
+/// Calls `use` with the simulation.
+template <typename Result>
+auto read(Result (*use)(Simulation&))
+{
+  return [use](RunningSimulation& running)
+  {
+    RunningSimulation::Use simulation(running);
+    return use(*simulation);
+  };
+}
+
+void advanceTo(RunningSimulation& running, double time)
+{
+  SignalWatch signals;
+  {
+    const py::gil_scoped_release let_go;
+    running.advanceTo(time, [&signals] { return signals.stopWanted(); });
+  }
+  signals.raise();
+}
+
+const CommandedQuantity& quantityOf(const std::string& name)
+{
+  for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
+    if (name == quantity.name)
+      return quantity;
+  throw std::invalid_argument("there is no quantity " + name);
+}
+
+void requireWithin(const std::string& name, double value, const Interval& allowed, const char* unit)
+{
+  if (!allowed.contains(value))
+    throw std::invalid_argument(
+        fmt::format("{} = {}: must be {} to {} {}", name, value, allowed.min, allowed.max, unit));
+}
+
+/// All setpoints are checked before the first one is taken.
+void command(RunningSimulation& running, const std::map<std::string, double>& setpoints)
+{
+  for (const auto& [name, setpoint] : setpoints)
+    requireWithin(name, setpoint, quantityOf(name).legal, quantityOf(name).unit);
+  RunningSimulation::Use simulation(running);
+  for (const auto& [name, setpoint] : setpoints)
+    simulation->command(quantityOf(name).quantity, setpoint);
+}
+
+void setSlewRates(RunningSimulation& running, double inclination, double frequency, double amplitude)
+{
+  const SlewRates rates{inclination, frequency, amplitude};
+  for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
+    requireWithin(std::string(quantity.name) + " (slew rate)", rates.*quantity.slew_rate, quantity.slew_rates,
+                  (std::string(quantity.unit) + "/s").c_str());
+  RunningSimulation::Use(running)->setSlewRates(rates);
+}
+
+void pour(RunningSimulation& running, std::size_t species, std::size_t count)
+{
+  const py::gil_scoped_release let_go;
+  RunningSimulation::Use(running)->pour(species, count);
+}
+
+py::array disks(RunningSimulation& running)
+{
+  RunningSimulation::Use simulation(running);
+  return arrayOf(simulation->disks(), running.scene()->definition);
+}
+
+py::bytes save(RunningSimulation& running)
+{
+  return RunningSimulation::Use(running)->saveState();
+}
+
+std::shared_ptr<RunningSimulation> restore(const std::shared_ptr<Scene>& scene, const std::string& state)
+{
+  return std::make_shared<RunningSimulation>(scene, std::string_view(state));
+}
+
+py::list bins(Simulation& simulation)
+{
+  py::list list;
+  for (const SpeciesBins& of_species : simulation.bins())
+    list.append(fieldsOf(of_species));
+  return list;
+}
+
+/// What a summary says of a run so far. A part of it is known at the end of runToEnd() alone.
+py::object summary(Simulation& simulation)
+{
+  nlohmann::ordered_json json = summarize(simulation, {});
+  for (const char* of_whole_run : {"wall_time", "energy_start", "through_base", "warnings"})
+    json.erase(of_whole_run);
+  return toPython(json);
+}
+
+}  // namespace
+
+void bindSimulation(py::module_& module)
+{
+  py::class_<RunningSimulation, std::shared_ptr<RunningSimulation>>(module, "Simulation")
+      .def(py::init<std::shared_ptr<Scene>, double>(), py::arg("scene"), py::arg("start_time"))
+      .def_static("restore", &restore, py::arg("scene"), py::arg("state"))
+      .def("save", &save)
+      .def("advance_to", &advanceTo, py::arg("time"))
+      .def("command", &command, py::arg("setpoints"))
+      .def("set_slew_rates", &setSlewRates, py::arg("inclination"), py::arg("frequency"),
+           py::arg("amplitude"))
+      .def("pour", &pour, py::arg("species"), py::arg("count"))
+      .def("disks", &disks)
+      .def("time", read<double>([](Simulation& simulation) { return simulation.time(); }))
+      .def("active_disks", read<std::size_t>([](Simulation& simulation) { return simulation.activeDisks(); }))
+      .def("events", read<std::uint64_t>([](Simulation& simulation) { return simulation.events(); }))
+      .def("energy", read<double>([](Simulation& simulation) { return simulation.energy(); }))
+      .def("base", read<py::dict>([](Simulation& simulation) { return fieldsOf(simulation.base()); }))
+      .def("collisions",
+           read<py::dict>([](Simulation& simulation) { return fieldsOf(simulation.collisions()); }))
+      .def("bins", read<py::list>(&bins))
+      .def("summary", read<py::object>(&summary));
+  module.def("advance_many", &advanceMany, py::arg("simulations"), py::arg("times"), py::arg("threads"));
+}
+
+}  // namespace ratchet_sieve

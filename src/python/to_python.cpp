@@ -1,0 +1,142 @@
+#include "to_python.h"
+
+#include <cstdint>
+
+#include "ratchet_sieve/recording/frames.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+namespace py = pybind11;
+
+struct DiskRow
+{
+  std::uint32_t id;
+  std::uint32_t species;
+  double radius;
+  double mass;
+  double x;
+  double y;
+  double vx;
+  double vy;
+  double angle;
+  double spin;
+  double displacement;
+};
+
+struct CollisionRow
+{
+  double time;
+  std::int32_t kind;
+  std::int64_t i;
+  std::int64_t j;
+  double normal_speed;
+  double normal_impulse;
+  double tangential_impulse;
+};
+
+py::object scalarToPython(const YAML::Node& node)
+{
+  std::int64_t integer = 0;
+  double number = 0.0;
+  bool flag = false;
+  if (node.Tag() != "!")
+  {
+    if (YAML::convert<std::int64_t>::decode(node, integer))
+      return py::int_(integer);
+    if (YAML::convert<double>::decode(node, number))
+      return py::float_(number);
+    if (YAML::convert<bool>::decode(node, flag))
+      return py::bool_(flag);
+  }
+  return py::str(node.Scalar());
+}
+
+}  // namespace
+
+py::object toPython(const nlohmann::ordered_json& json)
+{
+  if (json.is_object())
+  {
+    py::dict dict;
+    for (const auto& item : json.items())
+      dict[py::str(item.key())] = toPython(item.value());
+    return dict;
+  }
+  if (json.is_array())
+  {
+    py::list list;
+    for (const auto& item : json)
+      list.append(toPython(item));
+    return list;
+  }
+  if (json.is_boolean())
+    return py::bool_(json.get<bool>());
+  if (json.is_number_unsigned())
+    return py::int_(json.get<std::uint64_t>());
+  if (json.is_number_integer())
+    return py::int_(json.get<std::int64_t>());
+  if (json.is_number())
+    return py::float_(json.get<double>());
+  if (json.is_string())
+    return py::str(json.get<std::string>());
+  return py::none();
+}
+
+py::object toPython(const YAML::Node& node)
+{
+  if (node.IsMap())
+  {
+    py::dict dict;
+    for (const auto& item : node)
+      dict[py::str(item.first.Scalar())] = toPython(item.second);
+    return dict;
+  }
+  if (node.IsSequence())
+  {
+    py::list list;
+    for (const YAML::Node& item : node)
+      list.append(toPython(item));
+    return list;
+  }
+  return node.IsScalar() ? scalarToPython(node) : py::none();
+}
+
+py::array arrayOf(const std::vector<DiskState>& disks, const SceneDefinition& scene)
+{
+  py::array_t<DiskRow> rows(static_cast<py::ssize_t>(disks.size()));
+  DiskRow* row = rows.mutable_data();
+  for (const DiskState& disk : disks)
+  {
+    const double radius = radiusOf(disk, scene.species);
+    *row++ = {disk.id,    disk.species, radius,           scene.species[disk.species].massOf(radius),
+              disk.x,     disk.y,       disk.vx,          disk.vy,
+              disk.angle, disk.spin,    disk.displacement};
+  }
+  return std::move(rows);
+}
+
+py::array arrayOf(const std::vector<CollisionRecord>& collisions)
+{
+  py::array_t<CollisionRow> rows(static_cast<py::ssize_t>(collisions.size()));
+  CollisionRow* row = rows.mutable_data();
+  for (const CollisionRecord& collision : collisions)
+    *row++ = {collision.time,
+              static_cast<std::int32_t>(collision.kind),
+              collision.i,
+              collision.j ? static_cast<std::int64_t>(*collision.j) : -1,
+              collision.normal_speed,
+              collision.normal_impulse,
+              collision.tangential_impulse};
+  return std::move(rows);
+}
+
+void describeArrays()
+{
+  PYBIND11_NUMPY_DTYPE(DiskRow, id, species, radius, mass, x, y, vx, vy, angle, spin, displacement);
+  PYBIND11_NUMPY_DTYPE(CollisionRow, time, kind, i, j, normal_speed, normal_impulse, tangential_impulse);
+}
+
+}  // namespace ratchet_sieve

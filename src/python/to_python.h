@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <yaml-cpp/yaml.h>
+#include <nlohmann/json.hpp>
+
+#include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/fields.h"
+#include "ratchet_sieve/core/observation.h"
+
+/// Values of the layers as Python's.
+namespace ratchet_sieve
+{
+
+/// dict, list, int, float, bool, str; None for null.
+pybind11::object toPython(const nlohmann::ordered_json& json);
+
+/// The same of a YAML tree, whose scalars are numbers where the scene's reader takes them for numbers.
+pybind11::object toPython(const YAML::Node& node);
+
+/// The fields of a struct by their names.
+template <typename Struct>
+pybind11::dict fieldsOf(const Struct& of)
+{
+  pybind11::dict fields;
+  Fields<Struct>::each([&fields](const FieldInfo& field, const auto& value) { fields[field.name] = value; },
+                       of);
+  return fields;
+}
+
+/// A new structured array of disks: id, species, radius, mass, x, y, vx, vy, angle, spin, displacement. SI.
+/// @param scene for masses and for the radii that a frame leaves out
+pybind11::array arrayOf(const std::vector<DiskState>& disks, const SceneDefinition& scene);
+
+/// A new structured array of collisions: time, kind (its number in CollisionKind), i, j (-1: the base),
+/// normal_speed, normal_impulse, tangential_impulse. SI.
+pybind11::array arrayOf(const std::vector<CollisionRecord>& collisions);
+
+/// Registers the types of the elements of these arrays.
+void describeArrays();
+
+}  // namespace ratchet_sieve
