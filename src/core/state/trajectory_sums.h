@@ -68,6 +68,13 @@ public:
     return trajectory;
   }
 
+  /// At a local time of the disk's present flight [rad].
+  double angle(std::uint32_t slot, const Disk& disk, double local_time) const
+  {
+    const double angle = trajectories_[slot].angle;
+    return spin_ ? positionAfter(angle, disk.spin, local_time - disk.time) : angle;
+  }
+
   /// For SIMD batches, which add to sums of their own.
   void load(std::uint32_t slot, RowSums& sums) const
   {
