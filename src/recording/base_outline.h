@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/observation.h"
+
+namespace ratchet_sieve
+{
+
+/// A point of the frame of the base in the world frame [m].
+Eigen::Vector2d fromBase(const DriveState& base, const Eigen::Vector2d& point);
+
+/// The corners of the base from left to right, in the world frame [m]. Where the scene gives the height of
+/// the walls, the outline begins and ends at their tops.
+std::vector<Eigen::Vector2d> baseOutline(const SceneDefinition& scene, const DriveState& base);
+
+}  // namespace ratchet_sieve
