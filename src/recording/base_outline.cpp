@@ -5,10 +5,14 @@
 namespace ratchet_sieve
 {
 
-Eigen::Vector2d fromBase(const DriveState& base, const Eigen::Vector2d& point)
+Eigen::Vector2d footOf(const DriveState& base)
 {
-  return Eigen::Rotation2Dd(base.inclination) * point +
-         Eigen::Vector2d(base.horizontal_displacement, base.displacement);
+  return {base.horizontal_displacement, base.displacement};
+}
+
+Eigen::Vector2d outOfBase(const DriveState& base, const Eigen::Vector2d& vector)
+{
+  return Eigen::Rotation2Dd(base.inclination) * vector;
 }
 
 std::vector<Eigen::Vector2d> baseOutline(const SceneDefinition& scene, const DriveState& base)
@@ -24,7 +28,7 @@ std::vector<Eigen::Vector2d> baseOutline(const SceneDefinition& scene, const Dri
     corners.emplace_back(corners.back().x(), scene.base.wall_height);
   }
   for (Eigen::Vector2d& corner : corners)
-    corner = fromBase(base, corner);
+    corner = footOf(base) + outOfBase(base, corner);
   return corners;
 }
 

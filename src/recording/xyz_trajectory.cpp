@@ -1,6 +1,5 @@
 #include "xyz_trajectory.h"
 
-#include <cctype>
 #include <cstddef>
 #include <vector>
 
@@ -23,25 +22,13 @@ constexpr const char* CORNER_COLUMNS = "type:S:1:pos:R:3:radius:R:1";
 /// Radius of the dots that show the corners of the base [widths of a tooth].
 constexpr double CORNER_RADIUS = 0.02;
 
-std::string percentEncoded(const std::string& name)
-{
-  std::string text;
-  for (const unsigned char c : name)
-    if (c < 0x80 && std::isgraph(c) != 0 && c != '%' && c != '"' && c != '\'' && c != '\\')
-      text += static_cast<char>(c);
-    else
-      text += fmt::format("%{:02X}", c);
-  return text.empty() ? "\"\"" : text;
-}
-
 /// The two lines above the rows of a frame.
 std::string frameHead(std::size_t rows, const SceneDefinition& scene, const DriveState& base, double time,
                       const char* columns)
 {
-  const double width = scene.base.width();
   const double depth = largestDiameter(scene);
-  const Eigen::Vector2d foot = fromBase(base, {0.0, 0.0});
-  const Eigen::Vector2d along = fromBase(base, {width, 0.0}) - foot;
+  const Eigen::Vector2d foot = footOf(base);
+  const Eigen::Vector2d along = outOfBase(base, {scene.base.width(), 0.0});
   return fmt::format(
       "{}\nLattice=\"{} {} 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} F F\" Time={} Properties={}\n",
       rows, along.x(), along.y(), -along.y(), along.x(), depth, foot.x(), foot.y(), -0.5 * depth,
@@ -60,19 +47,15 @@ XyzTrajectory::XyzTrajectory(const std::string& path) : disks_(path), base_(base
 void XyzTrajectory::write(const Instant& instant)
 {
   const auto& [scene, base, particles] = instant;
-  std::vector<std::string> types;
-  for (const SpeciesDefinition& species : scene.species)
-    types.push_back(percentEncoded(species.name));
-
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "{}", frameHead(particles.disks.size(), scene, base, particles.time, DISK_COLUMNS));
   for (const DiskState& disk : particles.disks)
   {
     const double radius = radiusOf(disk, scene.species);
-    fmt::format_to(out, "{} {} {} 0 {} {} {} 0 {} {} {} 0 0 {} {}\n", types[disk.species], disk.x, disk.y,
-                   disk.id, disk.vx, disk.vy, radius, scene.species[disk.species].massOf(radius), disk.angle,
-                   disk.spin, disk.displacement);
+    fmt::format_to(out, "{} {} {} 0 {} {} {} 0 {} {} {} 0 0 {} {}\n", scene.species[disk.species].name,
+                   disk.x, disk.y, disk.id, disk.vx, disk.vy, radius,
+                   scene.species[disk.species].massOf(radius), disk.angle, disk.spin, disk.displacement);
   }
   writeText(disks_, text);
 

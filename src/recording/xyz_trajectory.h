@@ -12,8 +12,7 @@ namespace ratchet_sieve
 /// of the corners of the base, with `_base` before the ending. SI units, world frame, z = 0. Numbers are read
 /// back bit for bit.
 ///
-/// The species' name is in the column `type`, because ASE takes only chemical elements in `species`. It is
-/// percent-encoded (RFC 3986), because columns are separated by spaces.
+/// The species' name is in the column `type`, because ASE takes only chemical elements in `species`.
 ///
 /// The cell begins at the foot of the base. It is as long as the base and as high as it is long, in the pose
 /// of the base, and one largest diameter deep.
