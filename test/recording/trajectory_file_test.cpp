@@ -95,15 +95,6 @@ std::vector<double> each(const std::vector<DiskState>& disks,
   return numbers;
 }
 
-/// The numbers of one column of so many.
-std::vector<double> component(const std::vector<double>& numbers, std::size_t column, std::size_t columns)
-{
-  std::vector<double> part;
-  for (std::size_t k = column; k < numbers.size(); k += columns)
-    part.push_back(numbers[k]);
-  return part;
-}
-
 struct NamedColumn
 {
   const char* xyz;

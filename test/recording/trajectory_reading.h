@@ -130,4 +130,14 @@ std::vector<Number> vtkNumbers(const std::string& text, const std::string& name)
   return numbers;
 }
 
+/// The numbers of one column of so many.
+inline std::vector<double> component(const std::vector<double>& numbers, std::size_t column,
+                                     std::size_t columns)
+{
+  std::vector<double> part;
+  for (std::size_t k = column; k < numbers.size(); k += columns)
+    part.push_back(numbers[k]);
+  return part;
+}
+
 }  // namespace ratchet_sieve
