@@ -77,6 +77,17 @@ void describeOutputs(CLI::App& app, RunArguments& arguments)
       ->needs(bag)
       ->check(requireRate)
       ->capture_default_str();
+  CLI::Option* trajectory =
+      app.add_option("--trajectory", arguments.trajectory,
+                     "Write the motion of the disks, and of the base beside it, for other programs; the "
+                     "ending selects the format: .xyz or .extxyz for OVITO and ASE, .pvd for ParaView")
+          ->type_name("FILE");
+  app.add_option("--trajectory-rate", arguments.trajectory_rate,
+                 "Rate of the frames of --trajectory [Hz of simulated time]; 0: only the first and the last")
+      ->type_name("HZ")
+      ->needs(trajectory)
+      ->check(requireRate)
+      ->capture_default_str();
   app.add_option("--collisions", arguments.collisions, "Write every collision to a CSV file")
       ->type_name("FILE");
   app.add_option("--summary", arguments.summary, "Write the summary to a file instead of standard output")

@@ -21,6 +21,8 @@ struct RunArguments
   std::vector<std::string> until;
   std::string bag;
   double bag_rate = FrameRates().particles;
+  std::string trajectory;
+  double trajectory_rate = FrameRates().particles;
   std::string collisions;
   std::string summary;
   std::string checkpoint;

@@ -19,6 +19,7 @@
 #include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/recording/summary.h"
+#include "ratchet_sieve/recording/trajectory_file.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/floor_check.h"
 #include "run_arguments.h"
@@ -40,7 +41,9 @@ class Outputs
 {
 public:
   explicit Outputs(const RunArguments& arguments)
+      : trajectory_rates_(trajectoryRates(arguments.trajectory_rate))
   {
+    bag_rates_.particles = arguments.bag_rate;
     try
     {
       if (!arguments.summary.empty())
@@ -49,6 +52,8 @@ public:
         collisions_ = std::make_unique<CollisionFile>(arguments.collisions);
       if (!arguments.bag.empty())
         bag_ = std::make_unique<BagOutput>(arguments.bag);
+      if (!arguments.trajectory.empty())
+        trajectory_ = openTrajectory(arguments.trajectory);
     }
     catch (const std::exception& error)
     {
@@ -61,13 +66,17 @@ public:
     if (collisions_)
       simulation.observeCollisions([this](const CollisionRecord& record) { collisions_->take(record); });
     if (bag_)
-      watchers.frames = &bag_->sink();
+      watchers.frames.push_back({&bag_->sink(), bag_rates_});
+    if (trajectory_)
+      watchers.frames.push_back({trajectory_.get(), trajectory_rates_});
   }
 
   void finish(const nlohmann::ordered_json& summary)
   {
     if (bag_)
       bag_->close();
+    if (trajectory_)
+      trajectory_->commit();
     if (collisions_)
       collisions_->commit();
     const std::string text = summary.dump(2) + "\n";
@@ -84,6 +93,9 @@ private:
   std::unique_ptr<AtomicFile> summary_;
   std::unique_ptr<CollisionFile> collisions_;
   std::unique_ptr<BagOutput> bag_;
+  FrameRates bag_rates_;
+  std::unique_ptr<TrajectoryFile> trajectory_;
+  FrameRates trajectory_rates_;
 };
 
 Scene loadScene(const RunArguments& arguments)
@@ -221,7 +233,6 @@ int run(const RunArguments& arguments)
   const std::unique_ptr<CheckpointSaver> saver = makeSaver(arguments, simulation, so_far);
   RunWatchers watchers;
   outputs.watch(simulation, watchers);
-  watchers.rates.particles = arguments.bag_rate;
   watchers.stop_wanted = [] { return stop_signal != 0; };
   if (saver)
     watchers.save = [&saver](const Simulation& now, const RunProgress& progress)

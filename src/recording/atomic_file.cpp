@@ -23,12 +23,12 @@ std::string writtenPath(const std::string& path)
   return path + ".part" + std::to_string(getpid());
 }
 
-[[noreturn]] void failToWrite(const std::string& path, const std::string& reason)
+}  // namespace
+
+void failToWrite(const std::string& path, const std::string& reason)
 {
   throw OutputError(path + ": cannot be written: " + reason);
 }
-
-}  // namespace
 
 AtomicFile::AtomicFile(const std::string& path) : path_(path), written_path_(writtenPath(path))
 {
@@ -47,12 +47,18 @@ AtomicFile::~AtomicFile()
   fs::remove(written_path_, ignored);
 }
 
-void AtomicFile::commit()
+void AtomicFile::finish()
 {
   errno = 0;
-  stream_.close();
+  if (stream_.is_open())
+    stream_.close();
   if (!stream_)
     failToWrite(path_, errno != 0 ? std::strerror(errno) : "it was not written completely");
+}
+
+void AtomicFile::commit()
+{
+  finish();
   if (written_path_ != path_)
   {
     std::error_code error;

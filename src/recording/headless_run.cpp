@@ -33,17 +33,21 @@ class HeadlessRun
 {
 public:
   HeadlessRun(Simulation& simulation, const RunWatchers& watchers, const RunProgress& so_far)
-      : simulation_(simulation),
-        watchers_(watchers),
-        sampler_(watchers.rates, 0.0),
-        audit_period_(SCALES_PER_AUDIT * simulation.timeScale())
+      : simulation_(simulation), watchers_(watchers), audit_period_(SCALES_PER_AUDIT * simulation.timeScale())
   {
     outcome_.progress = so_far;
     audits_ = std::floor(simulation.time() / audit_period_) + 1.0;
     if (simulation.scene().accuracy.endsEarly())
       looks_.emplace(simulation);
-    if (watchers_.frames != nullptr)
-      simulation_.observePeriods([this](const PeriodRecord& period) { sampler_.take(period); });
+    for (const FrameStream& stream : watchers_.frames)
+      samplers_.emplace_back(stream.rates, 0.0);
+    if (!samplers_.empty())
+      simulation_.observePeriods(
+          [this](const PeriodRecord& period)
+          {
+            for (FrameSampler& sampler : samplers_)
+              sampler.take(period);
+          });
   }
   ~HeadlessRun() { simulation_.observePeriods({}); }
   HeadlessRun(const HeadlessRun&) = delete;
@@ -71,8 +75,8 @@ public:
         outcome_.warnings.push_back(text);
     save();
     audit();
-    if (watchers_.frames != nullptr)
-      sampler_.takeLast(simulation_, *watchers_.frames);
+    for (std::size_t k = 0; k < samplers_.size(); ++k)
+      samplers_[k].takeLast(simulation_, *watchers_.frames[k].sink);
     if (const std::size_t through = outcome_.progress.through_base; through > 0)
       outcome_.warnings.push_back(fmt::format("{} {} found below the base's surface",
                                               countText(through, "disk"), through == 1 ? "was" : "were"));
@@ -107,8 +111,8 @@ private:
       audit();
       ++audits_;
     }
-    if (watchers_.frames != nullptr)
-      sampler_.takeDue(simulation_, *watchers_.frames);
+    for (std::size_t k = 0; k < samplers_.size(); ++k)
+      samplers_[k].takeDue(simulation_, *watchers_.frames[k].sink);
     if (watchers_.progress)
       watchers_.progress(simulation_);
   }
@@ -131,7 +135,10 @@ private:
 
   double nextFrame() const
   {
-    return watchers_.frames != nullptr ? sampler_.nextTime() : std::numeric_limits<double>::infinity();
+    double next = std::numeric_limits<double>::infinity();
+    for (const FrameSampler& sampler : samplers_)
+      next = std::min(next, sampler.nextTime());
+    return next;
   }
 
   void audit()
@@ -151,8 +158,8 @@ private:
 
   Simulation& simulation_;
   const RunWatchers& watchers_;
-  FrameSampler sampler_;
-  std::optional<LookTimes> looks_;  ///< present if the run may end before its duration
+  std::vector<FrameSampler> samplers_;  ///< in the order of RunWatchers::frames
+  std::optional<LookTimes> looks_;      ///< present if the run may end before its duration
   RunOutcome outcome_;
   Stride stride_;            ///< so that watchers are served in time
   double audit_period_;  ///< [s]

@@ -23,8 +23,8 @@ RunResult analyzed(Simulation& simulation, double particle_rate = 60.0)
 {
   RunAnalysis analysis;
   RunWatchers watchers;
-  watchers.rates.particles = particle_rate;
-  watchers.frames = &analysis;
+  watchers.frames = {{&analysis}};
+  watchers.frames[0].rates.particles = particle_rate;
   runToEnd(simulation, watchers);
   return analysis.result();
 }
@@ -69,7 +69,7 @@ TEST(RunAnalysis, SaysTheCollisionRatesOfTheSummary)
   Simulation simulation(scene);
   RunAnalysis analysis;
   RunWatchers watchers;
-  watchers.frames = &analysis;
+  watchers.frames = {{&analysis}};
   const auto summary = summarize(simulation, runToEnd(simulation, watchers));
   const auto report = reportJson(analysis.result());
   for (std::size_t i = 0; i < 2; ++i)

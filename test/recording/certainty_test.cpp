@@ -134,8 +134,8 @@ void expectTheSameEnd(const SceneDefinition& scene)
   Simulation watched(scene);
   CollectingSink sink;
   RunWatchers watchers;
-  watchers.frames = &sink;
-  watchers.rates.particles = watchers.rates.base = 7.0;
+  watchers.frames = {{&sink}};
+  watchers.frames[0].rates.particles = watchers.frames[0].rates.base = 7.0;
   watched.setThreads(2);
   EXPECT_EQ(runToEnd(watched, watchers).end, RunEnd::ACCURATE);
   EXPECT_EQ(sink.bins.back().time, alone.time());

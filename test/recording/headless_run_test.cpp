@@ -48,7 +48,7 @@ TEST(HeadlessRun, IsTheSameRunWhoeverWatches)
   CollectingSink sink;
   int looks = 0;
   RunWatchers watchers;
-  watchers.frames = &sink;
+  watchers.frames = {{&sink}};
   watchers.progress = [&looks](const Simulation&) { ++looks; };
   runToEnd(watched, watchers);
   EXPECT_GT(looks, 60);
@@ -70,7 +70,7 @@ TEST(HeadlessRun, StopsWhenAskedAndSaysWhere)
   Simulation simulation(smallRing());
   CollectingSink sink;
   RunWatchers watchers;
-  watchers.frames = &sink;
+  watchers.frames = {{&sink}};
   watchers.stop_wanted = [&simulation] { return simulation.time() >= 0.25; };
   const RunOutcome outcome = runToEnd(simulation, watchers);
   EXPECT_EQ(outcome.end, RunEnd::STOPPED);
@@ -116,7 +116,7 @@ TEST(HeadlessRun, OfNoDurationTakesOneFrame)
   Simulation simulation(scene);
   CollectingSink sink;
   RunWatchers watchers;
-  watchers.frames = &sink;
+  watchers.frames = {{&sink}};
   EXPECT_EQ(runToEnd(simulation, watchers).end, RunEnd::COMPLETED);
   EXPECT_EQ(sink.scenes.size(), 1u);
   EXPECT_EQ(sink.particles.size(), 1u);

@@ -166,9 +166,9 @@ TEST_F(SieveRun, ShowsItsHelpAndVersion)
 {
   const Result help = run("--help");
   EXPECT_EQ(help.status, 0);
-  for (const char* option :
-       {"--set", "--seed", "--duration", "--until", "--bag", "--bag-rate", "--collisions", "--summary",
-        "--checkpoint", "--checkpoint-every", "--resume", "--version"})
+  for (const char* option : {"--set", "--seed", "--duration", "--until", "--bag", "--bag-rate",
+                             "--trajectory", "--trajectory-rate", "--collisions", "--summary", "--checkpoint",
+                             "--checkpoint-every", "--resume", "--version"})
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
   const Result version_result = run("--version");
   EXPECT_EQ(version_result.status, 0);
@@ -204,6 +204,13 @@ TEST_F(SieveRun, RefusesBadArguments)
     expectRefusal(config("demo.yaml") + " --bag " + (written_ / "run.bag") + " --bag-rate=" + rate,
                   std::string("--bag-rate: ") + rate + ": must be a number from 0 to 100000 Hz; see --help");
   expectRefusal(config("demo.yaml") + " --bag-rate 10", "--bag-rate requires --bag; see --help");
+  expectRefusal(config("demo.yaml") + " --trajectory-rate 10",
+                "--trajectory-rate requires --trajectory; see --help");
+  const std::string trajectory = written_ / "run.dump";
+  expectRefusal(config("paper_fig3.yaml") + " --duration 100000000 --trajectory " + trajectory,
+                trajectory +
+                    ": unknown format of a trajectory; the file's ending must be one of .xyz, "
+                    ".extxyz, .pvd");
   expectRefusal(config("demo.yaml") + " --checkpoint-every -1",
                 "--checkpoint-every: -1: must be 0 s or more; see --help");
 }

@@ -38,8 +38,7 @@ CollectingSink recorded(const SceneDefinition& scene, double rate)
   Simulation simulation(scene);
   CollectingSink sink;
   RunWatchers watchers;
-  watchers.rates = {0.0, 0.0, 0.0, rate};
-  watchers.frames = &sink;
+  watchers.frames = {{&sink, {0.0, 0.0, 0.0, rate}}};
   runToEnd(simulation, watchers);
   return sink;
 }
@@ -190,8 +189,7 @@ TEST(StatisticsWindow, ComesOutTheSameInARunThatWasTakenUp)
   Simulation after(layer(), before.saveState());
   CollectingSink sink;
   RunWatchers watchers;
-  watchers.rates = {0.0, 0.0, 0.0, 10.0};
-  watchers.frames = &sink;
+  watchers.frames = {{&sink, {0.0, 0.0, 0.0, 10.0}}};
   runToEnd(after, watchers);
   ASSERT_EQ(sink.scenes.at(0).time, 0.45);
   EXPECT_EQ(differenceFrom(0.45, sink), "");

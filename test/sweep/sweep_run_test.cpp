@@ -20,7 +20,7 @@
 #include "ratchet_sieve/sweep/case_claims.h"
 #include "ratchet_sieve/sweep/case_run.h"
 #include "ratchet_sieve/sweep/sweep_report.h"
-#include "ros/file_size_limit.h"
+#include "recording/file_size_limit.h"
 #include "sweep_files.h"
 
 namespace ratchet_sieve

@@ -13,6 +13,9 @@ struct OutputError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// @throws OutputError
+[[noreturn]] void failToWrite(const std::string& path, const std::string& reason);
+
 /// A file that is written completely or not at all: into a temporary file in the same directory, which
 /// commit() renames. Anything that is not a regular file (a device, a pipe) is written directly.
 class AtomicFile
@@ -26,7 +29,11 @@ public:
 
   std::ostream& stream() { return stream_; }
 
-  /// Renames the temporary file. @throws OutputError if the file could not be written completely
+  /// Closes the file. @throws OutputError if it could not be written completely
+  void finish();
+
+  /// Closes the file, and renames the temporary file. @throws OutputError if the file could not be written
+  /// completely
   void commit();
 
 private:

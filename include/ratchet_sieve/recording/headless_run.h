@@ -43,11 +43,17 @@ struct RunOutcome
   std::vector<std::string> warnings;  ///< one line each
 };
 
+/// A sink that takes frames of a run at its own rates.
+struct FrameStream
+{
+  FrameSink* sink;
+  FrameRates rates = {};
+};
+
 /// Observers of a run; each may be empty.
 struct RunWatchers
 {
-  FrameSink* frames = nullptr;  ///< takes frames at `rates`
-  FrameRates rates;
+  std::vector<FrameStream> frames;
   std::function<void(const Simulation&)> progress;  ///< several times a second of wall time
   std::function<bool()> stop_wanted;                ///< polled several times a second
   std::function<void(const Simulation&, const RunProgress&)>
