@@ -1,8 +1,4 @@
-#!/usr/bin/python3
 """Films RViz on a virtual screen while a sieve tilts and its two kinds of disks part: the pictures of the documents.
-
-Usage: make_animation.py SCENE OUT [--teeth N] [--inclination RAD] [--from S] [--duration S] [--rate HZ] [--still S]
-                         [--width PIXELS] [--text-above]
 
 Writes OUT.gif, and OUT.png, the whole window at --still. The sieve is stepped from frame to frame, so that a scene
 gives the same film on a slow machine. Run it where `rosrun ratchet_sieve` works.
@@ -23,8 +19,9 @@ import yaml
 from std_msgs.msg import Float64
 from visualization_msgs.msg import Marker, MarkerArray
 
+from ratchet_sieve.places import SHARE
 from ratchet_sieve.srv import StepSimulation
-from virtual_screen import VirtualScreen, wait_for
+from ratchet_sieve.virtual_screen import VirtualScreen, wait_for
 
 # How fast the base follows what is commanded [rad/s].
 SLEW_RATE = 0.5
@@ -42,7 +39,7 @@ LINE_HEIGHT = 22  # [pixels]
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(prog='ratchet_sieve.animation', description=__doc__.splitlines()[0])
     parser.add_argument('scene', type=Path)
     parser.add_argument('out', type=Path)
     parser.add_argument('--teeth', type=int, help="of the base, instead of the scene's")
@@ -65,7 +62,7 @@ def free_port():
 
 def config_without_texts(directory):
     """The package's configuration of RViz without captions, as a file."""
-    source = Path(__file__).resolve().parent.parent / 'rviz/sieve.rviz'
+    source = SHARE / 'rviz/sieve.rviz'
     config = yaml.safe_load(source.read_text())
     for display in config['Visualization Manager']['Displays']:
         if display['Name'] == 'Sieve':

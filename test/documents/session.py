@@ -15,9 +15,7 @@ from pathlib import Path
 
 from commands import PACKAGE
 from plan import BEFORE, GOES_ON, READS_RECORDING, STAYING
-
-sys.path.insert(0, str(PACKAGE / 'scripts'))
-from virtual_screen import VirtualScreen, wait_for  # noqa: E402
+from ratchet_sieve.virtual_screen import VirtualScreen, wait_for
 
 LONGEST = 60.0  # of a command that is run [s]
 NOT_IN_CHECKOUT = ('.git', 'build*', 'devel', 'out', '.ccache')

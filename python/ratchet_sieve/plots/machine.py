@@ -1,7 +1,8 @@
 """A machine at an instant, to scale, and the ways of its disks."""
 import math
 
-from matplotlib.collections import EllipseCollection
+from matplotlib.collections import PatchCollection
+from matplotlib.patches import Circle
 
 from ratchet_sieve.base import outline
 from ratchet_sieve.plots.style import COLOURS, GREY, MM
@@ -25,11 +26,9 @@ def in_world(points, inclination, displacement):
 
 
 def circles(axes, xs, ys, radii, **options):
-    """Of radii in the unit of the axes."""
-    sizes = [2.0 * MM * radius for radius in radii]
-    places = [(MM * x, MM * y) for x, y in zip(xs, ys)]
-    return axes.add_collection(EllipseCollection(sizes, sizes, [0.0] * len(sizes), units="xy", offsets=places,
-                                                 transOffset=axes.transData, **options))
+    """To scale, in mm."""
+    axes.add_collection(PatchCollection([Circle((MM * x, MM * y), MM * radius) for x, y, radius in zip(xs, ys, radii)],
+                                        **options))
 
 
 def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0)):
@@ -47,7 +46,8 @@ def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0)):
     for colour, kind in zip(COLOURS, dict.fromkeys(kinds)):
         own = [k for k, other in enumerate(kinds) if other == kind]
         xs, ys, radii = ([float(list(disks[name])[k]) for k in own] for name in ("x", "y", "radius"))
-        circles(axes, xs, ys, radii, facecolor=colour, edgecolor="white", linewidth=0.3, label=kind)
+        circles(axes, xs, ys, radii, facecolor=colour, edgecolor="white", linewidth=0.3)
+        axes.plot([], [], "o", color=colour, label=kind)
         if "angle" in columns_of(disks):
             angles = list(disks["angle"])
             dots = [(x + DOT[0] * r * math.cos(angles[k]), y + DOT[0] * r * math.sin(angles[k]))

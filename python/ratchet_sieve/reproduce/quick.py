@@ -20,7 +20,8 @@ def thinned(values, needed):
 def quick_definition(definition, needed):
     """A sweep's definition as --quick runs it: its cases are among those of the whole."""
     quick = dict(definition)
-    quick["grid"] = {key: thinned(values, needed.get(key, ())) for key, values in definition.get("grid", {}).items()}
+    if "grid" in definition:
+        quick["grid"] = {key: thinned(values, needed.get(key, ())) for key, values in definition["grid"].items()}
     if "seed" in definition:
         seed = definition["seed"]
         count = min(seed["count"], max(QUICK_SEEDS, seed["count"] // 4))

@@ -15,7 +15,7 @@ WHOLE = (0.0, 60.0)  # s: the window of Q
 CLAIMED = ANGLES[0]  # where the paper has A go right and B left [rad]
 EMPTY = 0.95         # of the disks that have left: a base that counts as empty
 FEW = 0.1            # density below which too few disks are left to draw
-SWEEPS = (Sweep("paper_open"), Sweep("paper_open_long", is_quick=False))
+SWEEPS = (Sweep("paper_open", {THETA: (CLAIMED,)}), Sweep("paper_open_long", is_quick=False))
 
 
 def left_on(row):
