@@ -114,12 +114,13 @@ class Rows:
         return {key: None if pandas.isna(value) else value for key, value in self.frame.iloc[index].items()}
 
     def column(self, name):
-        return column_of(self.frame, name, self.path)
+        """@throws Refusal there is none; no rows at all have any"""
+        return column_of(self.frame, name, self.path) if len(self) else pandas.Series(dtype=object)
 
     def where(self, conditions):
         """@param conditions map from column to value"""
-        chosen = pandas.Series(True, self.frame.index)
-        for key, value in conditions.items():
+        chosen = pandas.Series(True, self.frame.index, dtype=bool)
+        for key, value in conditions.items() if len(self) else ():
             chosen &= self.column(key).map(lambda other, value=value: same(other, value))
         return Rows(self.frame[chosen], self.path)
 
@@ -129,6 +130,8 @@ class Rows:
 
     def by(self, *keys):
         """@return map from the values of these keys, in order, to their rows; of one key, from its value"""
+        if not len(self):
+            return {}
         groups = self.frame.groupby(list(keys) if len(keys) > 1 else keys[0], sort=False)
         return {place: Rows(group, self.path) for place, group in groups}
 

@@ -51,6 +51,11 @@ class Tables(unittest.TestCase):
         with self.assertRaisesRegex(Refusal, f"^{self.path}: boundary: open: must be a number$"):
             rows.mean("boundary")
 
+    def test_no_rows_have_no_values(self):
+        none = Rows()
+        self.assertEqual((none.values("seed"), none.by("seed"), len(none.where({"seed": 1})), none.mean("quality")),
+                         ([], {}, 0, None))
+
     def test_throughput_is_over_time_and_of_all_species(self):
         rows = self.read(CASES, read_rows)
         self.assertEqual(rows.samples(throughput), [1.0, 1.0])  # undefined where no time was simulated

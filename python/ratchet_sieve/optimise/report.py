@@ -121,7 +121,7 @@ def figures(results):
 
 
 def film(search, found, pictures):
-    """The film that scripts/make_animation.py made of the best machine of the last kind; nothing where there is
+    """The film that ratchet_sieve.animation made of the best machine of the last kind; nothing where there is
     none."""
     name = f"machine_{search.path.stem}_rviz.gif"
     if found[-1].best and (pictures / name).is_file():

@@ -43,7 +43,9 @@ def zero_crossing(points):
 
 def curve_of(rows, key, field, seeds):
     """Pairs of the key's value and the field's mean over these seeds, where it is defined."""
-    chosen = rows.frame[rows.frame["seed"].isin(seeds)]
+    chosen = rows.frame[rows.column("seed").isin(seeds)]
+    if not len(chosen):
+        return []
     return list(chosen.groupby(key)[field].mean().dropna().items())
 
 

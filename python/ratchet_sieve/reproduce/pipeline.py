@@ -21,7 +21,8 @@ def save(outcome, picture, path):
     """@return path"""
     with plots.styled():
         figure = picture.draw(outcome.numbers)
-        figure.supxlabel(outcome.samples(picture), x=0.995, ha="right", fontsize=7.5, color=plots.GREY)
+        if note := outcome.samples(picture):
+            figure.supxlabel(note, x=0.995, ha="right", fontsize=7.5, color=plots.GREY)
         return plots.save(figure, path)[0]
 
 
