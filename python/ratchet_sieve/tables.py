@@ -23,12 +23,12 @@ def writing(path):
         raise OSError(error.errno, error.strerror, str(path)) from error
 
 
-def write_csv(path, columns, lines):
-    """@param lines sequences, or maps from column to value; what is missing or None is left empty"""
+def write_csv(path, columns, lines, end="\n"):
+    """@param lines sequences, or maps from column to value; what is missing or None is left empty. @param end of line"""
     path.parent.mkdir(parents=True, exist_ok=True)
     table = pandas.DataFrame(list(lines), columns=columns, dtype=object)
-    with writing(path):
-        table.to_csv(path, index=False)
+    with writing(path), open(path, "w", encoding="utf-8", newline=end) as file:
+        table.to_csv(file, index=False)
 
 
 def read_csv(path):

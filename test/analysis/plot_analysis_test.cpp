@@ -15,7 +15,9 @@ namespace
 int draw(const std::string& directory, const std::string& output, const std::string& name = "analysis",
          const std::string& options = "")
 {
-  return std::system(("/usr/bin/python3 -m ratchet_sieve.plots." + name + " " + directory + options + " >" + output + " 2>&1").c_str());
+  return std::system(("/usr/bin/python3 -m ratchet_sieve.plots." + name + " " + directory + options + " >" +
+                      output + " 2>&1")
+                         .c_str());
 }
 
 /// Whether a file is a PNG of a reasonable size, by its signature and the width and height in its header.

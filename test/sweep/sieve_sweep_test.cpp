@@ -347,7 +347,9 @@ TEST_F(SieveSweep, RefusesAReportOfWhatThereIsNot)
   EXPECT_EQ(run({"report", file, "--x", "density"}), 2);
   EXPECT_EQ(errors(), "ratchet_sieve.plots.sweep: --x density: no such name; there are gravity\n");
   EXPECT_EQ(run({"report", file, "--field", "speed"}), 2);
-  EXPECT_EQ(errors().rfind("ratchet_sieve.plots.sweep: --field speed: no such name; there are seed, status, ", 0), 0u)
+  EXPECT_EQ(
+      errors().rfind("ratchet_sieve.plots.sweep: --field speed: no such name; there are seed, status, ", 0),
+      0u)
       << errors();
   EXPECT_EQ(run({"report", file, "--where", "gravity=7"}), 2);
   EXPECT_EQ(errors(), "ratchet_sieve.plots.sweep: no case is done of those that --where asks for\n");

@@ -90,9 +90,8 @@ def positive(values):
 
 def plot_contacts(axes, contacts):
     """Each kind's rate, from the end of the first window on."""
-    ends = contacts.numbers('window_end')
-    kept = [end > start for start, end in zip(contacts.numbers('window_start'), ends)]
-    contacts = Table(contacts.path, contacts.frame[kept])
+    windows = zip(contacts.numbers('window_start'), contacts.numbers('window_end'))
+    contacts = Table(contacts.path, contacts.frame.iloc[[k for k, (start, end) in enumerate(windows) if end > start]])
     for colour, (kind, label) in zip(COLOURS, CONTACTS.items()):
         rates = positive(contacts.numbers(kind + '_rate'))
         if any_defined(rates):

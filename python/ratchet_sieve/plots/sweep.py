@@ -29,6 +29,8 @@ LABELS = {
 
 
 def label(name):
+    if name is None:
+        return ''
     if name.startswith('mean_vx.'):
         return rf"$\langle V_x \rangle$ of {name.split('.', 1)[1]} [m/s]"
     return LABELS.get(name, name)
@@ -265,7 +267,7 @@ def report(options):
                    f"{findings['least_counted']:g} disks counted, in the mean")
     pictures = draw_all(means, x, y, options.directory, origin)
     header, lines = table(means, x, y)
-    write_csv(options.directory / 'means.csv', header, lines)
+    write_csv(options.directory / 'means.csv', header, lines, '\r\n')
     print(options.directory / 'means.csv')
     write_page(options.directory / 'report.html', options.title, origin, findings, pictures, header, lines)
 
