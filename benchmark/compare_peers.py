@@ -9,8 +9,9 @@ import json
 import pathlib
 import sys
 
-import document
-from peers import cases, machine, measure, points, table
+import physics
+from peers import cases, libraries, measure, points, table
+from ratchet_sieve import documents
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -36,7 +37,7 @@ def read_arguments():
     if not (arguments.programs / "ratchet_mixture").exists() and not (arguments.source or arguments.draw_only):
         parser.error(f"{arguments.programs} holds no ratchet_mixture: build with -DRATCHET_SIEVE_BENCHMARKS=ON")
     if arguments.write:
-        document.require_place(parser, arguments.write, "peers")
+        documents.require_place(parser, arguments.write, "peers")
     return arguments
 
 
@@ -47,8 +48,8 @@ def take_runs(arguments):
     runs = measure.in_turns(found, 1 if arguments.short else arguments.repetitions, arguments.short)
     if arguments.picture:
         runs += measure.in_turns(cases.sweep(arguments.programs), 1, arguments.short)
-    return {"machine": machine.describe(), "missing": missing, "runs": runs,
-            "libraries": machine.libraries(arguments.programs, arguments.lammps, runs)}
+    return {"machine": physics.describe(), "missing": missing, "runs": runs,
+            "libraries": libraries.libraries(arguments.programs, arguments.lammps, runs)}
 
 
 def draw(data, path):
@@ -67,8 +68,8 @@ def main():
         (arguments.out / "peers.json").write_text(json.dumps(taken, indent=1) + "\n")
     text = table.render(taken)
     if arguments.write:
-        document.put(arguments.write, "peers", text)
-        document.quote(arguments.write, "peers", table.figures(taken), taken["machine"])
+        documents.put(arguments.write, "peers", text)
+        documents.quote(arguments.write, "peers", table.figures(taken), taken["machine"])
     print(text)
     if arguments.picture:
         data = arguments.picture.parent.parent / "data/peers.csv"

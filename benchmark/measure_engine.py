@@ -10,8 +10,8 @@ import pathlib
 import subprocess
 import tempfile
 
-import document
-from peers import machine
+import physics
+from ratchet_sieve import documents, origin
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LARGE = 38168  # teeth: a million disks
@@ -93,7 +93,7 @@ def rows(best, memory):
 
 
 def table(all_rows, rounds, about):
-    yield (f'{about["date"]}, {about["processor"]}, {about["cores"]} cores, {about["system"]}; the best of {rounds} '
+    yield (f'{origin.text(about)}; the best of {rounds} '
            'rounds.')
     yield ''
     yield '| | wanted | hoped for | measured |'
@@ -112,15 +112,15 @@ def main():
                         help='put the table between the marks of this document')
     arguments = parser.parse_args()
     if arguments.write:
-        document.require_place(parser, arguments.write, 'engine')
+        documents.require_place(parser, arguments.write, 'engine')
     memory = None if arguments.without_memory else bytes_per_disk(arguments.programs / 'sieve_run', LARGE)
     best = collisions(arguments.programs / 'engine_benchmark', arguments.rounds)
-    about, all_rows = machine.describe(), list(rows(best, memory))
+    about, all_rows = physics.describe(), list(rows(best, memory))
     text = '\n'.join(table(all_rows, arguments.rounds, about))
     print(text)
     if arguments.write:
-        document.put(arguments.write, 'engine', text)
-        document.quote(arguments.write, 'engine', {row.key: row.measured for row in all_rows}, about)
+        documents.put(arguments.write, 'engine', text)
+        documents.quote(arguments.write, 'engine', {row.key: row.measured for row in all_rows}, about)
 
 
 if __name__ == '__main__':

@@ -14,9 +14,8 @@ import tempfile
 import rospy
 import yaml
 
-import document
 import ros_processes
-from peers import machine
+from ratchet_sieve import documents, origin
 from ratchet_sieve.msg import BinCounts
 from ratchet_sieve.srv import StepSimulation
 
@@ -115,7 +114,7 @@ def parse_arguments():
     parser.add_argument('--short', action='store_true', help='two simulated minutes, for a test')
     arguments = parser.parse_args()
     if arguments.write:
-        document.require_place(parser, arguments.write, 'memory')
+        documents.require_place(parser, arguments.write, 'memory')
     return arguments
 
 
@@ -129,12 +128,11 @@ def main():
             rospy.init_node('measure_memory', disable_signals=True, disable_rostime=True)
             watched = {case: watch(client, arguments.programs / 'sieve_node', scratch, case, times)
                        for case in (FED_RECORDED, FED, STAYING)}
-    about = machine.describe()
-    lines = [f'{about["date"]}, {about["processor"]}, {about["cores"]} cores, {about["system"]}.', '',
+    lines = [f'{origin.text()}.', '',
              *tables(times, watched)]
     print('\n'.join(lines))
     if arguments.write:
-        document.put(arguments.write, 'memory', '\n'.join(lines))
+        documents.put(arguments.write, 'memory', '\n'.join(lines))
     return 1 if any([grows(case, rows) for case, (rows, _) in watched.items()]) else 0
 
 

@@ -15,9 +15,9 @@ import tempfile
 import rosbag
 import yaml
 
-import document
+import physics
 import ros_processes
-from peers import machine
+from ratchet_sieve import documents, origin
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 RATE = 60  # frames of each kind per simulated second, the node's default
@@ -178,9 +178,7 @@ def figures(benches, rounds, start):
 
 
 def description(about=None):
-    about = about or machine.describe()
-    return (f'{about["date"]}, {about["processor"]}, {about["cores"]} cores, {about["system"]}, load '
-            f'{os.getloadavg()[1]:.1f} before the first round')
+    return f'{origin.text(about)}, load {os.getloadavg()[1]:.1f} before the first round'
 
 
 def parse_arguments():
@@ -192,14 +190,14 @@ def parse_arguments():
     parser.add_argument('--short', action='store_true', help='few disks, one round: test only that nothing is lost')
     arguments = parser.parse_args()
     if arguments.write:
-        document.require_place(parser, arguments.write, 'node')
+        documents.require_place(parser, arguments.write, 'node')
     return arguments
 
 
 def main():
     arguments = parse_arguments()
-    about = machine.describe()
-    origin = description(about)
+    about = physics.describe()
+    where = description(about)
     sizes, rounds, starts = [(382, 1.0), (20, 15.0)], arguments.rounds, 50
     if arguments.short:
         # No more messages than a publisher's queue holds: a slow machine loses none.
@@ -210,11 +208,11 @@ def main():
         with ros_processes.master(scratch) as client:
             benches = [Bench(arguments.programs, scratch, client, *size) for size in sizes]
             measured = [[bench.round() for _ in range(rounds)] for bench in benches]
-    lines = [origin + '. Medians, in brackets the range.', '', *tables(benches, measured, start)]
+    lines = [where + '. Medians, in brackets the range.', '', *tables(benches, measured, start)]
     print('\n'.join(lines))
     if arguments.write:
-        document.put(arguments.write, 'node', '\n'.join(lines))
-        document.quote(arguments.write, 'node', figures(benches, measured, start), about)
+        documents.put(arguments.write, 'node', '\n'.join(lines))
+        documents.quote(arguments.write, 'node', figures(benches, measured, start), about)
     return 1 if any(one.lost for rounds in measured for _, compared in rounds for one in compared.values()) else 0
 
 

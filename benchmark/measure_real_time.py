@@ -8,9 +8,9 @@ import pathlib
 import sys
 import tempfile
 
-import document
 import ros_processes
 from measure_node import FOR_PROGRAMS, ROOT, Bench, description
+from ratchet_sieve import documents
 
 METHODS = {'events': {}, **{f'steps of {1e3 * step:g} ms': {'accuracy': {'method': 'steps', 'step': step}}
                             for step in (0.001, 0.002, 0.004)}}
@@ -58,7 +58,7 @@ def parse_arguments():
     parser.add_argument('--short', action='store_true', help='few disks, one round: test only that nothing is lost')
     arguments = parser.parse_args()
     if arguments.write:
-        document.require_place(parser, arguments.write, 'real-time')
+        documents.require_place(parser, arguments.write, 'real-time')
     return arguments
 
 
@@ -77,7 +77,7 @@ def main():
     lines = [f'{about}. The best of {rounds} rounds.', '', *table(rows)]
     print('\n'.join(lines))
     if arguments.write:
-        document.put(arguments.write, 'real-time', '\n'.join(lines))
+        documents.put(arguments.write, 'real-time', '\n'.join(lines))
     return 1 if any(row.lost for row in rows.values()) else 0
 
 

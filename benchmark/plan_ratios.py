@@ -8,8 +8,7 @@ import pathlib
 import statistics
 import subprocess
 
-import document
-from peers import machine
+from ratchet_sieve import documents, origin
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -27,8 +26,7 @@ def measure(program, rounds):
 
 
 def lines(times, rounds):
-    about = machine.describe()
-    yield (f'{about["date"]}, {about["processor"]}, {about["cores"]} cores, {about["system"]}; {rounds} rounds; '
+    yield (f'{origin.text()}; {rounds} rounds; '
            'processor time of a stride. The ratio is that of the best rounds, in brackets the median of all.')
     yield ''
     yield '| | computed, ms | left out, ms | ratio |'
@@ -48,11 +46,11 @@ def main():
                         help='put the table between the marks of this document')
     arguments = parser.parse_args()
     if arguments.write:
-        document.require_place(parser, arguments.write, 'plan')
+        documents.require_place(parser, arguments.write, 'plan')
     text = '\n'.join(lines(measure(arguments.program, arguments.rounds), arguments.rounds))
     print(text)
     if arguments.write:
-        document.put(arguments.write, 'plan', text)
+        documents.put(arguments.write, 'plan', text)
 
 
 if __name__ == '__main__':

@@ -8,15 +8,12 @@ accuracy.md. Drawing needs matplotlib.
 """
 import argparse
 import pathlib
-import sys
+
+import physics
+from precision import data, picture, points, quoted, runs, scenes, tables
+from ratchet_sieve import documents, origin, plots
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT))
-
-import document  # noqa: E402
-from documents.figures import write_figures  # noqa: E402
-from peers import machine  # noqa: E402
-from precision import data, points, quoted, runs, scenes, tables  # noqa: E402
 
 FULL = 8.0     # times the seeds of --quick
 SHORT = (1e-9, 0.3)  # one seed a round, so long [s]
@@ -45,7 +42,7 @@ def read_arguments():
     if arguments.draw_only and not (arguments.out / "data" / data.RESULTS).exists():
         parser.error(f"--draw-only: {arguments.out / 'data' / data.RESULTS} does not exist")
     for mark in MARKS:
-        document.require_place(parser, arguments.out / "accuracy.md", mark)
+        documents.require_place(parser, arguments.out / "accuracy.md", mark)
     return arguments
 
 
@@ -54,10 +51,8 @@ def measure(arguments):
     effort, span = SHORT if arguments.short else (1.0 if arguments.quick else FULL, None)
     runs.run_all(arguments.programs / "sieve_sweep", chosen,
                  runs.Plan(effort, arguments.rounds, arguments.jobs, arguments.limit, span))
-    about = machine.describe()
-    origin = data.Origin(about["date"], f'{about["processor"]}, {about["cores"]} cores, {about["system"]}',
-                         document.physics_version())
-    data.save(arguments.out / "data", chosen, origin, not arguments.errors_only)
+    data.save(arguments.out / "data", chosen, data.Origin(*origin.describe().values(), physics.version()),
+              not arguments.errors_only)
 
 
 def said(origin):
@@ -83,12 +78,11 @@ def main():
     large = [point for point in every if point.scene.name.startswith("large")]
     groups = points.by_scene(point for point in every if point.is_measured() and point not in large)
     for mark, text in texts(groups, large, results, costs).items():
-        document.put(arguments.out / "accuracy.md", mark, text)
-    write_figures(arguments.out / "data/accuracy.json", quoted.figures(groups, large, results, costs))
-    from precision import picture
-    from reproduce import drawing
+        documents.put(arguments.out / "accuracy.md", mark, text)
+    documents.write_figures(arguments.out / "data/accuracy.json", quoted.figures(groups, large, results, costs))
     for draw in (picture.draw_method, picture.draw_model):
-        print(drawing.save(lambda: draw(groups), arguments.out / f"images/accuracy_{draw.__name__[5:]}.png"))
+        with plots.styled():
+            print(plots.save(draw(groups), arguments.out / f"images/accuracy_{draw.__name__[5:]}.png")[0])
 
 
 if __name__ == "__main__":

@@ -27,6 +27,7 @@ file(MAKE_DIRECTORY
   ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_PYTHON_DESTINATION})
 safe_execute_process(COMMAND ${GENERATE_ENVIRONMENT_CACHE_COMMAND})
 
+include(cmake/Python.cmake)
 add_message_files(FILES
   BaseSetpoint.msg
   BaseState.msg

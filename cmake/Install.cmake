@@ -10,10 +10,6 @@ if(RATCHET_SIEVE_ROS)
 endif()
 install(DIRECTORY include/ratchet_sieve/ DESTINATION ${RATCHET_SIEVE_INCLUDE_DESTINATION})
 install(DIRECTORY config launch rviz DESTINATION ${RATCHET_SIEVE_SHARE_DESTINATION})
-install(PROGRAMS scripts/plot_analysis.py scripts/plot_seek.py scripts/plot_sweep.py
-  DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
-install(FILES scripts/plot_observed.py scripts/plot_tables.py scripts/sweep_colours.py
-  DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
 
 # The targets for other packages: see ratchet_sieve-extras.cmake.in.
 if(RATCHET_SIEVE_ROS)

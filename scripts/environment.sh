@@ -44,7 +44,7 @@ enter_ros()
   if [ -e /opt/ros/noetic/setup.bash ]; then source_ros /opt/ros/noetic/setup.bash; fi
 }
 
-# Runs a Python package of this project, PACKAGE, with sieve_sweep as its --program; installs and builds what is
+# Runs ratchet_sieve.PACKAGE of python/ with sieve_sweep as its --program; installs and builds what is
 # missing before, but not for --help. IMPORTS, a line of Python, says what the package needs; GROUP, an argument of
 # scripts/setup, may be empty. SIEVE_SWEEP, where it is set, is the program to use.
 run_with_sieve_sweep()
@@ -61,5 +61,5 @@ run_with_sieve_sweep()
       fi
       ;;
   esac
-  PYTHONPATH=$project_dir exec python3 -u -m "$package" --program "$program" "$@"
+  PYTHONPATH=$project_dir/python exec python3 -u -m "ratchet_sieve.$package" --program "$program" "$@"
 }

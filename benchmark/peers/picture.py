@@ -1,26 +1,19 @@
 """Drift over processor time, for the time steps of the other programs."""
-import matplotlib
+from matplotlib.ticker import NullFormatter
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.ticker import NullFormatter  # noqa: E402
+from peers import cases
+from ratchet_sieve import plots
+from ratchet_sieve.plots import MM
+from ratchet_sieve.plots.labels import place as write_labels
 
-from peers import cases  # noqa: E402
-from precision.labels import place as write_labels  # noqa: E402
-
-MM = 1e3  # per m
 MS = 1e3  # per s
-# Okabe and Ito's colours, which colour-blind readers tell apart.
 # The steps that are written beside their points [ms]; all of them would overlap.
-LOOKS = {"chipmunk": ("Chipmunk", "#0072B2", "o", (17, 10, 4.2, 2, 1, 0.1, 0.03)),
-         "box2d": ("Box2D", "#D55E00", "s", (10, 4.2, 0.53, 0.1, 0.03)),
-         "lammps": ("LAMMPS", "#009E73", "^", (0.005,))}
+LOOKS = {"chipmunk": ("Chipmunk", plots.COLOURS[0], "o", (17, 10, 4.2, 2, 1, 0.1, 0.03)),
+         "box2d": ("Box2D", plots.COLOURS[1], "s", (10, 4.2, 0.53, 0.1, 0.03)),
+         "lammps": ("LAMMPS", plots.COLOURS[2], "^", (0.005,))}
 OURS = "#111111"
 SPECIES = ("A (1 mm, 10 g)", "B (2 mm, 1 g)")
 CLIP = (-5.0, 75.0)  # drifts beyond are drawn at the edge [mm/s]
-STYLE = {"figure.dpi": 150, "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
-         "axes.grid": True, "grid.color": "#E6E6E6", "axes.axisbelow": True, "axes.titlesize": 9,
-         "axes.titleweight": "bold", "legend.frameon": False, "legend.fontsize": 8}
 
 
 def step_label(program, step):
@@ -62,8 +55,8 @@ def draw_ours(axes, points, species):
 
 
 def draw(points, path):
-    with plt.rc_context(STYLE):
-        figure, panels = plt.subplots(1, 2, figsize=(9.0, 3.9), sharex=True)
+    with plots.styled():
+        figure, panels = plots.panels(1, 2, (9.0, 3.9), None, sharex=True)
         found = {}
         for species, axes in enumerate(panels):
             draw_ours(axes, points, species)
@@ -73,7 +66,7 @@ def draw(points, path):
             axes.set_title(SPECIES[species], loc="left")
             axes.set_xlabel("processor seconds per simulated second")
         panels[0].set_ylabel("drift, mm/s")
-        panels[0].plot([], [], "o", color="#555555", markerfacecolor="white", markersize=5,
+        panels[0].plot([], [], "o", color=plots.GREY, markerfacecolor="white", markersize=5,
                        label="open: disks fell through the base")
         handles, labels = panels[0].get_legend_handles_labels()
         figure.legend(handles, labels, ncol=len(labels), loc="lower center")
@@ -82,6 +75,4 @@ def draw(points, path):
             places = [place for own, _ in programs for place in own]
             lines = [own for own, _ in programs if len(own) > 1]
             write_labels(axes, [text for _, texts in programs for text in texts], places, lines)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        figure.savefig(path)
-        plt.close(figure)
+        plots.save(figure, path, svg=False)

@@ -1,8 +1,9 @@
 """The points of the picture, as a table: docs/data/peers.csv."""
-import csv
 import dataclasses
 
 from peers import cases, measure
+from ratchet_sieve import origin
+from ratchet_sieve.tables import read_csv, write_csv
 
 ALIKE = "β = 0 "  # in the row of this project's run without tangential restitution, which the others do not have either
 
@@ -26,34 +27,28 @@ class Point:
 
 
 def of_runs(runs, about):
-    """@param about what machine.describe() gives. @return this project without tangential restitution, and every
+    """@param about date and machine. @return this project without tangential restitution, and every
     program and step."""
-    origin = f"{about['date']}, {about['processor']}, {about['cores']} cores, {about['system']}"
+    where = origin.text(about)
     groups = {}
     for run in runs:
         if run["program"] != cases.OURS or ALIKE in run["row"]:
             groups.setdefault((run["program"], run.get("step")), []).append(run)
     return [Point(program, step, measure.speed(own), *(number for pair in measure.drift(own) for number in pair),
-                  any(run["lost"] for run in own), len(own), origin) for (program, step), own in groups.items()]
+                  any(run["lost"] for run in own), len(own), where) for (program, step), own in groups.items()]
 
 
 COLUMNS = [field.name for field in dataclasses.fields(Point)]
 
 
 def write(path, points):
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(COLUMNS)
-        for point in points:
-            writer.writerow(["" if value is None else f"{value:.4g}" if isinstance(value, float) else value
-                             for value in dataclasses.astuple(point)])
+    write_csv(path, COLUMNS, ([f"{value:.4g}" if isinstance(value, float) else value
+                               for value in dataclasses.astuple(point)] for point in points))
 
 
 def read(path):
     def number(text):
         return float(text) if text else None
 
-    with path.open(newline="", encoding="utf-8") as file:
-        return [Point(line["program"], *(number(line[name]) for name in COLUMNS[1:7]), line["loses_disks"] == "True",
-                      int(line["runs"]), line["origin"]) for line in csv.DictReader(file)]
+    return [Point(line["program"], *(number(line[name]) for name in COLUMNS[1:7]), line["loses_disks"] == "True",
+                  int(line["runs"]), line["origin"]) for line in read_csv(path).to_dict("records")]

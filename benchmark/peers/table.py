@@ -1,5 +1,6 @@
 """The runs as Markdown."""
 from peers import cases, measure
+from ratchet_sieve import origin
 
 MM = 1e3  # per m
 BUSY = 0.95  # a run with a smaller share of its core did not have it alone
@@ -34,10 +35,9 @@ def render(taken):
     for run in runs:
         by_row.setdefault(run["row"], []).append(run)
     ours = measure.speed(next(iter(by_row.values())))
-    machine = taken["machine"]
     compiler = next(run["compiler"] for run in runs if run["program"] == cases.OURS)
     repetitions = max(map(len, by_row.values()))
-    lines = [f"{machine['date']}, {machine['processor']}, {machine['cores']} virtual cores, {machine['system']}, "
+    lines = [f"{origin.text(taken['machine'])}, "
              f"{compiler}. {repetitions} runs of each row in turns (LAMMPS: one), on one core; "
              f"medians. {shared(runs)}\n"]
     lines += [f"- {library}\n" for library in taken["libraries"]]

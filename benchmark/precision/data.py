@@ -1,9 +1,9 @@
 """The measured tables: accuracy.csv has the results of each setting, accuracy_costs.csv its processor time. The results
 are the same on every machine, the times are not: each file says when, and the second where, a line was measured."""
-import csv
 import dataclasses
 
-from reproduce.samples import Mean
+from ratchet_sieve.stats import Mean
+from ratchet_sieve.tables import read_csv, write_csv
 
 RESULTS, COSTS = "accuracy.csv", "accuracy_costs.csv"
 KEY = ["scene", "family", "setting"]
@@ -21,18 +21,7 @@ class Origin:
 
 def read(path):
     """@return the file's lines as maps from column to text; none where there is no file"""
-    if not path.exists():
-        return []
-    with path.open(newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
-def write(path, columns, lines):
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, columns, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(lines)
+    return read_csv(path).to_dict("records") if path.exists() else []
 
 
 def key_of(line):
@@ -52,11 +41,11 @@ def save(directory, points, origin, with_costs):
     """Replaces the lines of these points, and keeps the others."""
     keys = {point.key() for point in points}
     kept = [line for line in read(directory / RESULTS) if key_of(line) not in keys]
-    write(directory / RESULTS, RESULT_COLUMNS,
-          kept + [line for point in points for line in result_lines(point, origin)])
+    write_csv(directory / RESULTS, RESULT_COLUMNS,
+              kept + [line for point in points for line in result_lines(point, origin)])
     if with_costs:
         kept = [line for line in read(directory / COSTS) if key_of(line) not in keys]
-        write(directory / COSTS, COST_COLUMNS, kept + [
+        write_csv(directory / COSTS, COST_COLUMNS, kept + [
             {**dict(zip(KEY, point.key())), "processor_s_per_simulated_s": f"{point.cost:.3g}",
              "measured": origin.date, "machine": origin.machine, "physics": origin.physics}
             for point in points if point.cost is not None])

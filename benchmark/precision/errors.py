@@ -4,7 +4,8 @@ import math
 
 from precision import rungs
 from precision.points import find
-from reproduce.samples import Mean, decimals_of, rounded
+from ratchet_sieve.stats import Mean
+from ratchet_sieve.texts import decimals_of, rounded
 
 PERCENT = 100.0
 LEAST = 1e-3  # that is printed [%]

@@ -1,9 +1,10 @@
 """Error over speed-up, a panel for each of four scenes: of the method (steps), and of what the model leaves out."""
 from matplotlib.ticker import LogLocator, NullFormatter
 
-from precision import errors, labels, rungs, tables
+from precision import errors, rungs, tables
 from precision.points import find
-from reproduce import drawing
+from ratchet_sieve import plots
+from ratchet_sieve.plots import labels
 
 METHOD_PANELS = {"gas": ("K_rot / K_trans",), "fig8": ("drift A", "drift B", "K_B"), "dense": ("drift B", "K_B"),
                  "violent": ("drift B", "K_B")}
@@ -23,7 +24,7 @@ LOOKS = {"drift A": (0, "o"), "drift B": (1, "s"), "K_B": (2, "^"), "K_rot / K_t
 
 def look(name):
     colour, marker = LOOKS[name]
-    return drawing.COLOURS[colour], marker
+    return plots.COLOURS[colour], marker
 
 
 def draw_point(axes, speed, error, name):
@@ -68,7 +69,7 @@ def finish(axes, points, drawn, used):
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.yaxis.set_major_formatter("{x:g}")
     axes.tick_params(which="minor", length=0)
-    axes.axvline(1.0, color=drawing.GREY, linewidth=0.8, linestyle=":")
+    axes.axvline(1.0, color=plots.GREY, linewidth=0.8, linestyle=":")
     axes.set_title(f"{points[0].scene.title} ({tables.seeds([point for _, _, point in drawn])})", loc="left")
     found = [place for place, _, point in drawn if used == (point.family, point.label)]
     if used == EVENTS and not found:  # they are the reference
@@ -88,16 +89,16 @@ def legend(figure, axes, names):
     for name in names:
         colour, marker = look(name)
         axes.plot([], [], marker + "-", color=colour, markersize=4.5, label=name)
-    axes.plot([], [], "o", color=drawing.GREY, markerfacecolor="white", markersize=4.5,
+    axes.plot([], [], "o", color=plots.GREY, markerfacecolor="white", markersize=4.5,
               label="not told from 0: at most so much (95 %)")
     axes.plot([], [], "*", color="#E6B800", markeredgecolor="black", markersize=11, label="recommended")
-    axes.plot([], [], ":", color=drawing.GREY, label="events, as the scene stands")
+    axes.plot([], [], ":", color=plots.GREY, label="events, as the scene stands")
     handles, texts = axes.get_legend_handles_labels()
     figure.legend(handles, texts, ncol=4, loc="lower center")
 
 
 def panels():
-    figure, grid = drawing.plt.subplots(2, 2, figsize=(10.0, 8.2))
+    figure, grid = plots.panels(2, 2, (10.0, 8.2), None)
     figure.subplots_adjust(left=0.08, right=0.98, top=0.95, bottom=0.15, hspace=0.28, wspace=0.18)
     for axes in grid[:, 0]:
         axes.set_ylabel("error, %")

@@ -2,7 +2,7 @@
 import dataclasses
 
 from precision import rungs, scenes
-from reproduce.samples import mean_of
+from ratchet_sieve.stats import mean_of
 
 
 @dataclasses.dataclass

@@ -1,15 +1,12 @@
 """The points as Markdown: a column for each setting, a row for each quantity."""
 from precision import errors, rungs
 from precision.points import by_scene, find
+from ratchet_sieve.texts import table as markdown
 
 MM = 1e3  # per m
 ROUNDING = 1e-12  # overlaps up to this are rounding [m]
 ENERGIES = ("K_A", "K_B", "kinetic energy", "K_rot / K_trans")
 DRIFTS = ("drift A", "drift B")
-
-
-def markdown(header, lines):
-    return "\n".join("| " + " | ".join(line) + " |" for line in (header, ["---"] * len(header), *lines))
 
 
 def condition(point):

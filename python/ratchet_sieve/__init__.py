@@ -6,14 +6,38 @@ A sawtooth base, inclined and shaken, drives grains sideways, and so separates k
     scene = rs.Scene.load("config/paper_fig8.yaml", {"base.inclination": 0.06})
     run = rs.run(scene, frames=60)
     run.summary.quality, run.plot()
-"""
-from ._engine import __version__
-from .errors import ResultsError, SceneError, SieveWarning, StallError, StateError
-from .runs import KINDS, Collisions, Frames, Run, run
-from .scene import Scene
-from .simulation import Simulation
-from .sweeps import read_sweep, sweep
-from .values import Summary, Values
 
-__all__ = ["KINDS", "Collisions", "Frames", "ResultsError", "Run", "Scene", "SceneError", "SieveWarning", "Simulation",
-           "StallError", "StateError", "Summary", "Values", "__version__", "read_sweep", "run", "sweep"]
+Documentation: docs/python.md.
+"""
+import importlib
+import pkgutil
+
+# In ROS the messages, msg and srv, are in another directory of the same name.
+__path__ = pkgutil.extend_path(__path__, __name__)
+
+# Of each name its module. Imported when it is first used: the engine, pandas and matplotlib take longer to load than
+# the rest, and what draws the tables of a run needs no engine.
+_NAMES = {
+    **dict.fromkeys(("ResultsError", "SceneError", "SieveWarning", "StallError", "StateError"), "errors"),
+    **dict.fromkeys(("KINDS", "Collisions", "Frames", "Run", "run"), "runs"),
+    **dict.fromkeys(("read_sweep", "sweep"), "sweeps"),
+    **dict.fromkeys(("Summary", "Values"), "values"),
+    "Scene": "scene",
+    "Simulation": "simulation",
+    "__version__": "_engine",
+}
+_SUBMODULES = ("documents", "env", "errors", "origin", "plots", "stats", "tables")
+
+__all__ = sorted(name for name in _NAMES if not name.startswith("_"))
+
+
+def __getattr__(name):
+    if name in _NAMES:
+        return getattr(importlib.import_module(f"{__name__}.{_NAMES[name]}"), name)
+    if name in _SUBMODULES:
+        return importlib.import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__():
+    return sorted({*globals(), *_NAMES, *_SUBMODULES})

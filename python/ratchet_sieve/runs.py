@@ -64,24 +64,21 @@ class Run:
         self.frames = frames
         self.collisions = collisions
 
-    def plot(self, frame: int = -1, ax: Any = None) -> Any:
-        """Draws the machine at a frame; of a run without frames, at its end. Returns matplotlib's axes."""
-        from .plots import machine
+    def plot(self, frame: int = -1, axes: Any = None) -> Any:
+        """Draws the machine at a frame, or of a run without frames at its end. Returns matplotlib's axes."""
+        from .plots import pictures
 
-        if len(self.frames):
-            disks, base = self.frames.disks[frame], self.frames.base[frame]
-        else:
-            disks, base = self.simulation.disks, self.simulation.base
-        return machine.draw(self.scene, disks, base, ax=ax)
+        return pictures.machine_of(self, frame, axes)
 
     def animate(self, speed: float = 1.0) -> Any:
-        """The frames as matplotlib's FuncAnimation, `speed` times as fast as the machine; in Jupyter it is shown as a
-        video. Raises ValueError if the run has no frames."""
+        """The frames as matplotlib's FuncAnimation, `speed` times as fast as the machine. Jupyter shows it as a video
+        (`from IPython.display import HTML; HTML(run.animate().to_jshtml())`); `.save("run.gif")` keeps it.
+        Raises ValueError if the run has no frames."""
         if not len(self.frames):
             raise ValueError("the run has no frames: call run(..., frames=60)")
-        from .plots import machine
+        from .plots import pictures
 
-        return machine.animate(self.scene, self.frames, speed)
+        return pictures.animation_of(self, speed)
 
     def __repr__(self) -> str:
         return f"<Run of {self.scene.source}, {self.summary.simulated_time:.6g} s>\n{self.summary!r}"

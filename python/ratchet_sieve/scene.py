@@ -9,6 +9,7 @@ from typing import Any, Mapping, Optional, Union
 import numpy as np
 
 from . import _engine
+from .base import length, surface
 from .errors import SieveWarning
 
 Overrides = Mapping[str, Any]
@@ -101,16 +102,13 @@ class Scene:
     @property
     def width(self) -> float:
         """W, the length of the base [m]."""
-        return self._engine.width
+        return length(self.values["base"])
 
     @property
     def outline(self) -> np.ndarray:
         """The corners of all teeth, from left to right, in the frame of the base: an array (corners, 2) of s along
         the base and n normal to it [m]."""
-        tooth = np.array(self._engine.outline)
-        teeth = round(self.width / tooth[-1, 0])
-        corners = [tooth[:-1] + (k * tooth[-1, 0], 0.0) for k in range(teeth)]
-        return np.concatenate([*corners, [(self.width, tooth[-1, 1])]])
+        return np.array(surface(self.values["base"]))
 
     @property
     def warnings(self) -> list[str]:

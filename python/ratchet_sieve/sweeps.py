@@ -71,8 +71,10 @@ def _read(path: str, query: str, parameters: tuple) -> pandas.DataFrame:
     try:
         connection = sqlite3.connect(f"file:{path.replace('?', '%3f').replace('#', '%23')}?mode=ro", uri=True)
         try:
-            return pandas.read_sql_query(query, connection, params=parameters).drop(columns=["summary"])
+            table = pandas.read_sql_query(query, connection, params=parameters).drop(columns=["summary"])
         finally:
             connection.close()
+        # pandas takes a column in which no value is defined for one of texts.
+        return table.astype({name: float for name in table if table[name].isna().all() and name != "error"})
     except (sqlite3.Error, pandas.errors.DatabaseError) as error:
         raise ResultsError(f"{path}: no results of a sweep: {error}") from error

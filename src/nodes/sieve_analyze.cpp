@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "command_line.h"
-#include "plot_script.h"
+#include "python_plots.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
 #include "ratchet_sieve/analysis/analysis_tables.h"
 #include "ratchet_sieve/analysis/run_analysis.h"
@@ -70,7 +70,7 @@ int analyze(const Arguments& arguments)
     for (const std::string& path : writeTables(result, arguments.directory))
       std::puts(path.c_str());
     requirePrinted();
-    return plotTables("plot_analysis.py", {arguments.directory});
+    return plotTables("ratchet_sieve.plots.analysis", {arguments.directory});
   }
   return DONE;
 }

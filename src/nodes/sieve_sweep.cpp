@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "command_line.h"
-#include "plot_script.h"
+#include "python_plots.h"
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -122,7 +122,7 @@ void describeRun(CLI::App& run, Arguments& arguments)
   run.add_flag("--yes", arguments.yes, "Confirm a sweep of more than a million cases");
 }
 
-/// Options that plot_sweep.py takes as well.
+/// Options that ratchet_sieve.plots.sweep takes as well.
 void describePlots(CLI::App& report, Arguments& arguments)
 {
   const auto plot_option = [&](const std::string& name, const char* type, const char* text)
@@ -346,7 +346,7 @@ int report(const Sweep& sweep, Arguments& arguments)
   writeFindings(sweep, findings, floor_check, arguments.out);
   std::vector<std::string> options = {arguments.out, "--title", file.stem().string()};
   options.insert(options.end(), arguments.plot_options.begin(), arguments.plot_options.end());
-  const int status = plotTables("plot_sweep.py", options);
+  const int status = plotTables("ratchet_sieve.plots.sweep", options);
   if (status == DONE)
     for (const std::string& line : findings.lines)
       std::fprintf(stderr, "%s\n", line.c_str());

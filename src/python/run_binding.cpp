@@ -73,9 +73,8 @@ py::tuple run(RunningSimulation& running, double frame_rate, bool collisions, st
   std::vector<CollisionRecord> records;
   RunOutcome outcome;
   RunWatchers watchers;
-  watchers.rates = {frame_rate, frame_rate, frame_rate, 0.0, 0.0};
   if (frame_rate > 0.0)
-    watchers.frames = &frames;
+    watchers.frames = {{&frames, {frame_rate, frame_rate, frame_rate, 0.0, 0.0}}};
   bool failed = false;
   Clock::time_point next;
   if (!progress.is_none())

@@ -1,6 +1,5 @@
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <pybind11/pybind11.h>
@@ -9,7 +8,6 @@
 #include "bindings.h"
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
-#include "ratchet_sieve/scene/key_list.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "to_python.h"
 
@@ -29,24 +27,6 @@ Scene sceneOfText(const std::string& text, const std::string& source,
   return sceneFromYaml(root, source);
 }
 
-/// The corners of one tooth.
-std::vector<std::pair<double, double>> outline(const Scene& scene)
-{
-  std::vector<std::pair<double, double>> corners;
-  for (const OutlineCorner& corner : scene.definition.base.outline())
-    corners.emplace_back(corner.s, corner.n);
-  return corners;
-}
-
-std::vector<std::pair<std::string, std::string>> keyUnits()
-{
-  std::vector<std::pair<std::string, std::string>> units;
-  for (const KeyGroup& group : sceneKeyGroups())
-    for (const KeyText& key : group.keys)
-      units.emplace_back(key.key, key.unit);
-  return units;
-}
-
 }  // namespace
 
 void bindScene(py::module_& module)
@@ -58,12 +38,9 @@ void bindScene(py::module_& module)
       .def_property_readonly("hash", [](const Scene& scene) { return sceneHash(scene.definition); })
       .def_property_readonly("run_hash", [](const Scene& scene) { return runHash(scene.definition); })
       .def_property_readonly("species", [](const Scene& scene) { return speciesNames(scene.definition); })
-      .def_property_readonly("outline", &outline)
-      .def_property_readonly("width", [](const Scene& scene) { return scene.definition.base.width(); })
       .def_readonly("warnings", &Scene::warnings);
   module.def("load_scene", &loadSceneFile, py::arg("path"), py::arg("overrides"));
   module.def("scene_of_text", &sceneOfText, py::arg("text"), py::arg("source"), py::arg("overrides"));
-  module.def("key_units", &keyUnits);
 }
 
 }  // namespace ratchet_sieve

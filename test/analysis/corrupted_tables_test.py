@@ -14,18 +14,18 @@ import tempfile
 import unittest
 from unittest import mock
 
+from matplotlib.figure import Figure
+
+from ratchet_sieve.plots import analysis, seek, sweep
+
 SIEVE_RUN, SIEVE_ANALYZE, SIEVE_SWEEP = sys.argv[1:]
 sys.argv[1:] = []
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 SCENE = PROJECT / 'test/ros/mixture.yaml'
-sys.path.insert(0, str(PROJECT / 'scripts'))
-import plot_analysis  # noqa: E402
-import plot_seek  # noqa: E402
-import plot_sweep  # noqa: E402
 
-READ_BY = {plot_analysis: ['run', 'drift', 'bins', 'segregation', 'drive', 'statistics', 'contacts', 'displacements',
+READ_BY = {analysis: ['run', 'drift', 'bins', 'segregation', 'drive', 'statistics', 'contacts', 'displacements',
                            'velocities', 'observed', 'residence_times', 'height_profile', 'mass_flow', 'size_classes'],
-           plot_seek: ['run', 'drive', 'bins'], plot_sweep: ['cases']}
+           seek: ['run', 'drive', 'bins'], sweep: ['cases']}
 SEED = 7
 
 
@@ -76,20 +76,18 @@ class Corrupted(unittest.TestCase):
                 script.main()
             except SystemExit as end:
                 return end.code, errors.getvalue()
-            finally:
-                plot_analysis.plt.close('all')
         return 0, errors.getvalue()
 
     def expect_refusal(self, script, path, because):
         status, said = self.draw(script)
-        self.assertEqual((status, said), (2, f'{script.__name__}.py: {path}: {because}\n'))
+        self.assertEqual((status, said), (2, f'{script.__name__}: {path}: {because}\n'))
 
     def test_whole_tables_are_drawn(self):
         for script in READ_BY:
             self.assertEqual(self.draw(script), (0, ''))
 
     def test_what_is_wrong_is_said(self):
-        for script, table in ((plot_analysis, 'segregation'), (plot_seek, 'drive'), (plot_sweep, 'cases')):
+        for script, table in ((analysis, 'segregation'), (seek, 'drive'), (sweep, 'cases')):
             path = self.directory / f'{table}.csv'
             whole = path.read_bytes()
             head, first = whole.splitlines()[:2]
@@ -109,19 +107,19 @@ class Corrupted(unittest.TestCase):
         path = self.directory / 'drive.csv'
         head = path.read_text().splitlines()[0]
         path.write_text(head + '\n' + ','.join(['1e'] * (head.count(',') + 1)) + '\n')
-        self.expect_refusal(plot_seek, path, 'time: 1e: must be a number')
+        self.expect_refusal(seek, path, 'time: 1e: must be a number')
 
     def test_findings_are_those_of_a_sweep(self):
         path = self.directory / 'findings.json'
         for text, because in (('{"best"', "no JSON: Expecting ':' delimiter: line 1 column 8 (char 7)"),
                               ('[]', 'has no best, least_counted, least_processed, lines')):
             path.write_text(text)
-            self.expect_refusal(plot_sweep, path, because)
+            self.expect_refusal(sweep, path, because)
 
     def test_no_damage_ends_in_a_traceback(self):
         chance = random.Random(SEED)
         # Other tests check the pictures.
-        drawn = mock.patch.object(plot_analysis.plt.Figure, 'savefig', lambda _, path, **__: pathlib.Path(path).touch())
+        drawn = mock.patch.object(Figure, 'savefig', lambda _, path, **__: pathlib.Path(path).touch())
         drawn.start()
         self.addCleanup(drawn.stop)
         for script, tables in READ_BY.items():

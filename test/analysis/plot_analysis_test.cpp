@@ -1,4 +1,4 @@
-// The plotting script, run on tables written by writeTables().
+// The plotting programs of the Python package, run on tables written by writeTables().
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -12,11 +12,12 @@ namespace ratchet_sieve
 namespace
 {
 
-int draw(const std::string& directory, const std::string& output, const char* script = "PLOT_ANALYSIS",
+int draw(const std::string& directory, const std::string& output, const std::string& name = "analysis",
          const std::string& options = "")
 {
-  return std::system(
-      (std::string(std::getenv(script)) + " " + directory + options + " >" + output + " 2>&1").c_str());
+  return std::system(("/usr/bin/python3 -m ratchet_sieve.plots." + name + " " + directory + options + " >" +
+                      output + " 2>&1")
+                         .c_str());
 }
 
 /// Whether a file is a PNG of a reasonable size, by its signature and the width and height in its header.
@@ -84,10 +85,10 @@ TEST(PlotAnalysis, DrawsARunInWhichNothingIsDefined)
 
 TEST(PlotAnalysis, SaysWhichTableIsMissing)
 {
-  for (const char* script : {"PLOT_ANALYSIS", "PLOT_SEEK"})
+  for (const char* name : {"analysis", "seek"})
   {
     const ScratchDirectory directory;
-    EXPECT_NE(draw(directory / "none", directory / "output", script), 0);
+    EXPECT_NE(draw(directory / "none", directory / "output", name), 0);
     const std::string output = contents(directory / "output");
     EXPECT_NE(output.find(".csv"), std::string::npos) << output;
     EXPECT_EQ(output.find("Traceback"), std::string::npos) << output;
@@ -102,7 +103,7 @@ TEST(PlotSeek, DrawsASearch)
   {
     const ScratchDirectory directory;
     writeTables(result, directory / "");
-    ASSERT_EQ(draw(directory / "", directory / "output", "PLOT_SEEK", " --window 0.1 --best 0 1 0.1 0.5"), 0)
+    ASSERT_EQ(draw(directory / "", directory / "output", "seek", " --window 0.1 --best 0 1 0.1 0.5"), 0)
         << contents(directory / "output");
     EXPECT_TRUE(isPicture(directory / "seek.png"));
   }

@@ -133,7 +133,7 @@ TEST_F(SieveAnalyze, NamesTheFileForWhichThereIsNoRoom)
   EXPECT_EQ(errors().rfind("sieve_analyze: " + out + "/", 0), 0u) << errors();
   EXPECT_NE(errors().find(".csv: cannot be written: "), std::string::npos) << errors();
   EXPECT_EQ(run("SIEVE_ANALYZE", bag + " --out " + out, "ulimit -f 60; "), 1);
-  EXPECT_EQ(errors(), "plot_analysis.py: " + out + "/segregation.png: File too large\n");
+  EXPECT_EQ(errors(), "ratchet_sieve.plots.analysis: " + out + "/segregation.png: File too large\n");
   EXPECT_EQ(run("SIEVE_ANALYZE", bag + " >/dev/full"), 1);
   EXPECT_EQ(errors(), "sieve_analyze: standard output: cannot be written: No space left on device\n");
 }

@@ -19,7 +19,7 @@ from commands import DOCUMENTS, PACKAGE, blocks, code_spans, commands, simple_co
 from plan import BEFORE, GOES_ON, NOT_RUN, SAVED
 from session import Session, lookup
 
-FOLDERS = 'benchmark|config|docs|documents|include|launch|msg|optimise|reproduce|rviz|scripts|src|srv|test'
+FOLDERS = 'benchmark|config|docs|include|launch|msg|python|rviz|scripts|src|srv|test'
 SECTIONS = 'base|boundary|gravity|species|pairs|density|contact|pour|feed|initial|accuracy|duration|settle|seed'
 # Files of the user, or created by the commands.
 MADE = {'controller.py', 'fig9.yaml', 'statistics.csv'}
@@ -82,7 +82,7 @@ class Documents(unittest.TestCase):
 
     def test_programs_and_options_are_there(self):
         for name, span in self.spans():
-            if re.match(rf'(\./|rosrun |roslaunch )?(sieve_\w+ |ratchet_sieve |({FOLDERS})/)', span) and ' ' in span:
+            if re.match(rf'(\./|rosrun |roslaunch |python3 -m )?(sieve_\w+ |ratchet_sieve[ .]|({FOLDERS})/)', span) and ' ' in span:
                 with self.subTest(f'{name}: {span}'):
                     self.see_what_is_named(span)
             elif re.fullmatch(r'sieve_[a-z]+', span):
@@ -93,6 +93,8 @@ class Documents(unittest.TestCase):
         for words in simple_commands(command):
             if words[0] == 'rosrun' and words[1] == 'ratchet_sieve':
                 words = words[2:]
+            if words[:2] == ['python3', '-m']:
+                words = [' '.join(words[:3]), *words[3:]]
             if words[0] == 'roslaunch':
                 arguments = {word.split(':=')[0] for word in words if ':=' in word}
                 self.assertLessEqual(arguments, self.launch_arguments(words[2]))
@@ -100,7 +102,7 @@ class Documents(unittest.TestCase):
             for word in words:
                 if re.match(rf'(\./)?({FOLDERS})/[^.]+\.', word):
                     self.see_file(word)
-            if words[0].startswith(('sieve_', './', 'benchmark/', 'scripts/', 'test/')):
+            if words[0].startswith(('sieve_', './', 'benchmark/', 'python3 -m ', 'scripts/', 'test/')):
                 options = {word.split('=')[0].strip('[]….') for word in words if re.match(r'\[?--[a-z]', word)}
                 known = self.options(words[0], words[1] if words[0] == 'sieve_sweep' and len(words) > 1 else '')
                 self.assertLessEqual(options, known, f'{words[0]} has no such option')

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""documents/figures.py on documents of a few lines."""
+"""ratchet_sieve.documents on documents of a few lines."""
 import json
 import pathlib
 import subprocess
@@ -7,9 +7,7 @@ import sys
 import tempfile
 import unittest
 
-PACKAGE = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(PACKAGE))
-from documents.figures import write_figures  # noqa: E402
+from ratchet_sieve.documents import write_figures
 
 FIGURES = {"date": "2026-11-22", "version": "0.1.0", "machine": "two cores", "speed": "1.6", "q": "0.526 ± 0.001",
            "drift": "-5.6"}
@@ -26,7 +24,7 @@ class Figures(unittest.TestCase):
         """@return exit status, error lines, and the document afterwards"""
         document = self.root / "docs/page.md"
         document.write_text(text, encoding="utf-8")
-        done = subprocess.run([PACKAGE / "documents/figures.py", "--root", self.root, *options], text=True,
+        done = subprocess.run([sys.executable, "-m", "ratchet_sieve.documents", "--root", self.root, *options], text=True,
                               stderr=subprocess.PIPE, check=False)
         return done.returncode, done.stderr, document.read_text(encoding="utf-8")
 

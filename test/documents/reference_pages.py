@@ -32,10 +32,10 @@ PROGRAMS = {
         'sieve_analyze': 'computes the results of a recorded run',
         'sieve_resimulate': 'checks that a recorded run can be reproduced bit for bit',
         'sieve_replay': 'plays the bags of a recorded run',
-        'scripts/plot_analysis.py': 'plots the tables of `sieve_analyze`',
-        'scripts/plot_seek.py': 'plots a search of `sieve_seek`',
-        'scripts/plot_sweep.py': 'plots the tables of `sieve_sweep`',
-        'scripts/make_animation.py': 'makes an animation of a sieve in RViz',
+        'python3 -m ratchet_sieve.plots.analysis': 'plots the tables of `sieve_analyze`',
+        'python3 -m ratchet_sieve.plots.seek': 'plots a search of `sieve_seek`',
+        'python3 -m ratchet_sieve.plots.sweep': 'plots the tables of `sieve_sweep`',
+        'python3 -m ratchet_sieve.animation': 'makes an animation of a sieve in RViz',
     },
     'In a checkout': {
         'scripts/setup': 'installs the packages that are missing',
@@ -45,6 +45,7 @@ PROGRAMS = {
         'scripts/reproduce': 'reproduces published figures',
         'scripts/optimise': 'searches for the machine that separates best',
         'scripts/fuzz': 'runs the fuzzers',
+        'python3 -m ratchet_sieve.documents': 'checks the figures that documents quote',
     },
 }
 
@@ -66,11 +67,14 @@ class Reference:
                               env=self.environment).stdout
 
     def program(self, name):
-        return name if '/' in name else f'{self.devel}/lib/ratchet_sieve/{name}'
+        """@return the words that run it"""
+        if name.startswith('python3 '):
+            return ['/usr/bin/python3', *name.split()[1:]]
+        return [name if '/' in name else f'{self.devel}/lib/ratchet_sieve/{name}']
 
     def help(self, name, *subcommand):
         title = ' '.join([name, *subcommand])
-        text = self.output(self.program(name), *subcommand, '--help').strip('\n')
+        text = self.output(*self.program(name), *subcommand, '--help').strip('\n')
         return f'### {title}\n\n```text\n{text}\n```\n'
 
     def programs(self):
@@ -85,16 +89,19 @@ class Reference:
         return '\n'.join(parts)
 
     def subcommands(self, name):
-        _, found, rest = self.output(self.program(name), '--help').partition('\nSubcommands:\n')
+        _, found, rest = self.output(*self.program(name), '--help').partition('\nSubcommands:\n')
         return re.findall(r'^  (\w+)', rest, re.MULTILINE) if found else []
 
     def require_all_programs(self):
-        """Each program and each script that answers --help is in PROGRAMS."""
+        """Each program, and each script and module that answers --help, is in PROGRAMS."""
         there = {path.name for path in (self.devel / 'lib/ratchet_sieve').glob('sieve_*')
                  if not path.name.endswith('_test')}
         there |= {f'scripts/{path.name}' for path in (PACKAGE / 'scripts').iterdir()
                   if path.is_file() and path.stat().st_mode & 0o100
                   and re.search('--help|argparse', path.read_text())}
+        there |= {'python3 -m ' + '.'.join(path.relative_to(PACKAGE / 'python').with_suffix('').parts)
+                  for path in (PACKAGE / 'python').rglob('*.py')
+                  if path.name != '__main__.py' and re.search('^if __name__ ==', path.read_text(), re.MULTILINE)}
         listed = {name for programs in PROGRAMS.values() for name in programs}
         if there != listed:
             raise Stale(f'PROGRAMS of {Path(__file__).name}: differs from the programs that exist in '
@@ -103,7 +110,7 @@ class Reference:
     def keys(self):
         """docs/scenes.md, below its marker, from the table of --keys: a cell ends at two spaces."""
         parts = []
-        _, *lines = self.output(self.program('sieve_run'), '--keys').splitlines()
+        _, *lines = self.output(*self.program('sieve_run'), '--keys').splitlines()
         for line in filter(None, lines):
             if line.startswith('    '):
                 parts[-1][-1].append(line.strip())

@@ -15,9 +15,7 @@ from pathlib import Path
 
 from commands import PACKAGE
 from plan import BEFORE, GOES_ON, READS_RECORDING, STAYING
-
-sys.path.insert(0, str(PACKAGE / 'scripts'))
-from virtual_screen import VirtualScreen, wait_for  # noqa: E402
+from ratchet_sieve.virtual_screen import VirtualScreen, wait_for
 
 LONGEST = 60.0  # of a command that is run [s]
 NOT_IN_CHECKOUT = ('.git', 'build*', 'devel', 'out', '.ccache')
@@ -55,7 +53,7 @@ class Session:
         port = free_port()
         self.environment = dict(
             screen.environment, HOME=str(self.scratch), ROS_HOME=str(self.scratch / 'ros'), PYTHONUNBUFFERED='1',
-            ROS_HOSTNAME='localhost', ROS_MASTER_URI=f'http://localhost:{port}')
+            PATH='/usr/bin:' + screen.environment['PATH'], ROS_HOSTNAME='localhost', ROS_MASTER_URI=f'http://localhost:{port}')
         master = self.open(f'roscore -p {port}')
         self.services.callback(self.end, master)
         wait_for(lambda: 'started core service' in master.log.read_text(), 'roscore')

@@ -2,11 +2,11 @@ import pathlib
 import tempfile
 import unittest
 
-from optimise.machine import Machine, Measured, front, measured, put, read_scene, require_goal, throughput_of
-from optimise.outcome import MOST_ON_FRONT, best_at, thinned
-from optimise.search_file import BadSearch, Seeds
-from reproduce.rows import Rows
-from reproduce.samples import Mean
+from ratchet_sieve.optimise.machine import Machine, Measured, front, measured, put, read_scene, require_goal
+from ratchet_sieve.optimise.outcome import MOST_ON_FRONT, best_at, thinned
+from ratchet_sieve.optimise.search_file import BadSearch, Seeds
+from ratchet_sieve.tables import Rows
+from ratchet_sieve.stats import Mean
 
 
 def point(quality, throughput):
@@ -47,18 +47,18 @@ class Scene(unittest.TestCase):
 
 class Throughput(unittest.TestCase):
     def test_is_over_time_and_length(self):
-        row = {"processed": 0.5, "count.A": 60.0, "count.B": 40.0, "simulated_time": 20.0}
-        scene = {"base": {"teeth": 40, "tooth_width": 0.02}}
-        self.assertAlmostEqual(throughput_of(row, scene, Machine("any", {})), 50.0 / (20.0 * 0.8))
-        self.assertAlmostEqual(throughput_of(row, scene, Machine("any", {"base.teeth": 10})), 50.0 / (20.0 * 0.2))
+        rows = Rows([{"quality": 0.1, "processed": 0.5, "left.A": 20.0, "right.A": 10.0, "left.B": 5.0, "right.B": 15.0,
+                      "simulated_time": 20.0}])
+        sawtooth = {"base": {"teeth": 40, "tooth_width": 0.02}}
         profile = {"base": {"teeth": 40, "profile": [[0, 0], [0.01, 0.01], [0.03, 0]]}}
-        self.assertAlmostEqual(throughput_of(row, profile, Machine("any", {})), 50.0 / (20.0 * 1.2))
-        self.assertAlmostEqual(throughput_of(row, profile, Machine("any", {"base.profile.2.0": 0.05})),
-                               50.0 / (20.0 * 2.0))
+        for scene, values, length in ((sawtooth, {}, 0.8), (sawtooth, {"base.teeth": 10}, 0.2), (profile, {}, 1.2),
+                                      (profile, {"base.profile.2.0": 0.05}, 2.0)):
+            found = measured(rows, scene, Machine("any", values), Seeds(1, 1), "quality")
+            self.assertAlmostEqual(found.throughput.value, 50.0 / (20.0 * length))
 
 
 class Goal(unittest.TestCase):
-    rows = Rows([{"quality": quality, "processed": 0.5, "purity.left.mass.A": purity, "count.A": 100.0,
+    rows = Rows([{"quality": quality, "processed": 0.5, "purity.left.mass.A": purity, "left.A": 50.0,
                   "simulated_time": 10.0, "warning_text": "w"} for quality, purity in ((0.2, 0.9), (None, 0.8))])
     scene = {"base": {"teeth": 10, "tooth_width": 0.1}}
 
@@ -71,14 +71,13 @@ class Goal(unittest.TestCase):
         self.assertFalse(self.of("quality").is_whole())
 
     def test_of_another_name_is_refused(self):
-        for row in self.rows:
-            require_goal("quality", row, "s.yaml")
+        require_goal("quality", self.rows, "s.yaml")
         with self.assertRaisesRegex(BadSearch, "^s.yaml: goal: purity.left.A: must be a number of the results of "
                                                "sieve_sweep, did you mean purity.left.mass.A\\?$"):
-            require_goal("purity.left.A", self.rows[0], "s.yaml")
+            require_goal("purity.left.A", self.rows, "s.yaml")
         for name in ("warning_text", "nonsense"):
             with self.assertRaisesRegex(BadSearch, f"goal: {name}: .*such as quality or purity.left.mass.A$"):
-                require_goal(name, self.rows[0], "s.yaml")
+                require_goal(name, self.rows, "s.yaml")
 
 
 class Put(unittest.TestCase):

@@ -4,7 +4,7 @@ import unittest
 
 import yaml
 
-from optimise.search_file import BadSearch, read_search
+from ratchet_sieve.optimise.search_file import BadSearch, read_search
 
 GOOD = {"title": "t", "scene": "scene.yaml", "set": {}, "search": {"base.teeth": {"from": 5, "to": 30},
                                                                    "base.frequency": {"from": 10.0, "to": 40.0}},

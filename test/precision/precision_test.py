@@ -1,15 +1,13 @@
 #!/usr/bin/python3
 """benchmark/precision: errors, bounds and verdicts, the tables on disk, and the labels of the pictures."""
 import pathlib
-import sys
 import tempfile
 import unittest
 
-PACKAGE = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(PACKAGE), str(PACKAGE / "benchmark")]
-from precision import data, errors, labels, points, quoted, rungs, tables  # noqa: E402
-from reproduce.drawing import plt  # noqa: E402
-from reproduce.samples import Mean  # noqa: E402
+from precision import data, errors, points, quoted, rungs, tables
+from ratchet_sieve import plots
+from ratchet_sieve.plots import labels
+from ratchet_sieve.stats import Mean
 
 STUDENT_9 = 2.2621571628  # 95 %, 9 degrees of freedom
 
@@ -74,7 +72,7 @@ class Tables(unittest.TestCase):
 
 class Labels(unittest.TestCase):
     def test_cover_neither_each_other_nor_points(self):
-        figure, axes = plt.subplots(figsize=(4, 4))
+        _, axes = plots.panels(1, 1, (4, 4), None)
         axes.set_xlim(0, 10)
         axes.set_ylim(0, 10)
         places = [(5, 5), (5.3, 5.1), (5.1, 5.4), (5.5, 5.5)]
@@ -84,7 +82,6 @@ class Labels(unittest.TestCase):
         for k, one in enumerate(boxes[:len(places)]):
             for other in boxes[k + 1:]:
                 self.assertEqual(labels.overlap(one, other), 0.0)
-        plt.close(figure)
 
 
 class Quoted(unittest.TestCase):

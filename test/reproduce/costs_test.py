@@ -3,7 +3,7 @@ import sys
 import tempfile
 import unittest
 
-from reproduce.costs import Costs, SweepFailed
+from ratchet_sieve.reproduce.costs import Costs, SweepFailed
 
 
 class KeptCosts(unittest.TestCase):

@@ -4,11 +4,11 @@ import pathlib
 import tempfile
 import unittest
 
-from reproduce import document, quick, sweeps
-from reproduce.documents import DOCUMENTS
-from reproduce.rows import read_rows
-from reproduce.study import Outcome, Picture, Study, Sweep
-from reproduce.verdicts import Claim, above
+from ratchet_sieve.reproduce import document, quick, sweeps
+from ratchet_sieve.reproduce.documents import DOCUMENTS
+from ratchet_sieve.tables import read_rows
+from ratchet_sieve.reproduce.study import Outcome, Picture, Study, Sweep
+from ratchet_sieve.reproduce.verdicts import Claim, above
 
 CSV = """base.frequency,seed,status,error,simulated_time,mean_vx.A,quality,version,physics,scene_hash
 20,1,done,,10,0.5,,0.1.0,1,1e5

@@ -1,9 +1,9 @@
 """One machine that stands in several maps counts once."""
 import unittest
 
-from reproduce.paper import parting_pairs
-from reproduce.paper.parting_pairs import Pair
-from reproduce.samples import Mean
+from ratchet_sieve.reproduce.paper import parting_pairs
+from ratchet_sieve.reproduce.paper.parting_pairs import Pair
+from ratchet_sieve.stats import Mean
 
 PARTED = (Mean(0.01, 0.0001, 8), Mean(-0.01, 0.0001, 8))
 LEFT = (Mean(-0.01, 0.0001, 8), Mean(-0.01, 0.0001, 8))

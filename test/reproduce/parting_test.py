@@ -1,9 +1,9 @@
 """Directions of two species and of one, and the resulting windows of separation, from hand-made numbers."""
 import unittest
 
-from reproduce.paper import open_base, parting, parting_follows
-from reproduce.samples import Mean
-from reproduce.validation import currents, rapaport
+from ratchet_sieve.reproduce.paper import open_base, parting, parting_follows
+from ratchet_sieve.stats import Mean
+from ratchet_sieve.reproduce.validation import currents, rapaport
 
 
 def sure(value):

@@ -1,8 +1,8 @@
 import unittest
 
-from reproduce import verdicts
-from reproduce.samples import Mean
-from reproduce.verdicts import Check, Claim
+from ratchet_sieve.reproduce import verdicts
+from ratchet_sieve.stats import Mean
+from ratchet_sieve.reproduce.verdicts import Check, Claim
 
 SURE, UNSURE = Mean(1.0, 0.01, 8), Mean(0.01, 0.01, 8)
 ONCE = Mean(1.0, 0.3, 8)  # p = 0.013: sure alone, not among five

@@ -10,9 +10,9 @@ from pathlib import Path
 import rosgraph
 import rospy
 
+from ratchet_sieve.virtual_screen import TIMEOUT, wait_for  # noqa: F401
+
 PACKAGE = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(PACKAGE / 'scripts'))
-from virtual_screen import TIMEOUT, wait_for  # noqa: E402, F401
 
 
 def message(topic, kind):

@@ -19,7 +19,7 @@ from visualization_msgs.msg import MarkerArray
 
 from launched import PACKAGE, Launched, message, wait_for
 from ratchet_sieve.msg import BaseState, ParticleStates, SceneDescription, SeekTrial
-from virtual_screen import VirtualScreen
+from ratchet_sieve.virtual_screen import VirtualScreen
 
 RECIPE = '## Several sieves'
 STILL = ['paused:=true', 'exit_at_end:=false', f'scene:={PACKAGE}/test/ros/mixture.yaml']

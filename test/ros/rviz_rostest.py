@@ -17,9 +17,9 @@ import rosunit
 from rosgraph_msgs.msg import Clock
 from visualization_msgs.msg import MarkerArray
 
+from ratchet_sieve.virtual_screen import VirtualScreen, wait_for
+
 PACKAGE = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(PACKAGE / 'scripts'))
-from virtual_screen import VirtualScreen, wait_for  # noqa: E402
 
 # The colours of the first two species (marker_style.cpp) and of RViz's background (sieve.rviz).
 SPECIES = ((0, 114, 178), (213, 94, 0))

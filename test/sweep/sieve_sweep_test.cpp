@@ -345,12 +345,14 @@ TEST_F(SieveSweep, RefusesAReportOfWhatThereIsNot)
   const std::string file = sweep(SMALL_SCENE + std::string("grid: {gravity: [8, 9]}\n"));
   ASSERT_EQ(run({"run", file}), 0) << errors();
   EXPECT_EQ(run({"report", file, "--x", "density"}), 2);
-  EXPECT_EQ(errors(), "plot_sweep.py: --x density: no such name; there are gravity\n");
+  EXPECT_EQ(errors(), "ratchet_sieve.plots.sweep: --x density: no such name; there are gravity\n");
   EXPECT_EQ(run({"report", file, "--field", "speed"}), 2);
-  EXPECT_EQ(errors().rfind("plot_sweep.py: --field speed: no such name; there are seed, status, ", 0), 0u)
+  EXPECT_EQ(
+      errors().rfind("ratchet_sieve.plots.sweep: --field speed: no such name; there are seed, status, ", 0),
+      0u)
       << errors();
   EXPECT_EQ(run({"report", file, "--where", "gravity=7"}), 2);
-  EXPECT_EQ(errors(), "plot_sweep.py: no case is done of those that --where asks for\n");
+  EXPECT_EQ(errors(), "ratchet_sieve.plots.sweep: no case is done of those that --where asks for\n");
 }
 
 }  // namespace

@@ -1,1 +1,0 @@
-"""What the documents and the programs that measure for them share."""

@@ -1,0 +1,204 @@
+"""Films RViz on a virtual screen while a sieve tilts and its two kinds of disks part: the pictures of the documents.
+
+Writes OUT.gif, and OUT.png, the whole window at --still. The sieve is stepped from frame to frame, so that a scene
+gives the same film on a slow machine. Run it where `rosrun ratchet_sieve` works.
+"""
+
+import argparse
+import contextlib
+import os
+import socket
+import subprocess
+import tempfile
+from pathlib import Path
+
+import numpy
+import rosgraph
+import rospy
+import yaml
+from std_msgs.msg import Float64
+from visualization_msgs.msg import Marker, MarkerArray
+
+from ratchet_sieve.places import SHARE
+from ratchet_sieve.srv import StepSimulation
+from ratchet_sieve.virtual_screen import VirtualScreen, wait_for
+
+# How fast the base follows what is commanded [rad/s].
+SLEW_RATE = 0.5
+
+# The part of RViz's window, of 1280 by 800 pixels, that shows the scene: rows, columns.
+VIEW = (slice(62, 700), slice(16, 1264))
+
+# The fewest colours with smooth text and disks.
+COLOURS = 48
+
+# The markers' namespaces that --text-above moves out of the scene.
+TEXTS = ('caption', 'legend')
+LETTER = 15       # height of that text [pixels of OUT.gif]
+LINE_HEIGHT = 22  # [pixels]
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog='ratchet_sieve.animation', description=__doc__.splitlines()[0])
+    parser.add_argument('scene', type=Path)
+    parser.add_argument('out', type=Path)
+    parser.add_argument('--teeth', type=int, help="of the base, instead of the scene's")
+    parser.add_argument('--inclination', type=float, default=0.19, help='commanded at the beginning [rad]')
+    parser.add_argument('--from', type=float, default=0.0, dest='begin', help='when the film begins [s]')
+    parser.add_argument('--duration', type=float, default=8.0, help='simulated [s]')
+    parser.add_argument('--rate', type=float, default=12.5, help='frames per simulated second')
+    parser.add_argument('--still', type=float, default=4.0, help='when OUT.png is taken, of the film [s]')
+    parser.add_argument('--width', type=int, default=760, help='of OUT.gif [pixels]')
+    parser.add_argument('--text-above', action='store_true',
+                        help='write the captions above the scene, where they cover no disks, and larger')
+    return parser.parse_args()
+
+
+def free_port():
+    with socket.socket() as listener:
+        listener.bind(('localhost', 0))
+        return listener.getsockname()[1]
+
+
+def config_without_texts(directory):
+    """The package's configuration of RViz without captions, as a file."""
+    source = SHARE / 'rviz/sieve.rviz'
+    config = yaml.safe_load(source.read_text())
+    for display in config['Visualization Manager']['Displays']:
+        if display['Name'] == 'Sieve':
+            display['Namespaces'] = dict.fromkeys(TEXTS, False)
+    path = directory / 'without_texts.rviz'
+    path.write_text(yaml.safe_dump(config))
+    return path
+
+
+@contextlib.contextmanager
+def paused_sieve(screen, scene, config=None):
+    """A sieve at its beginning, in RViz on the screen, with a master of its own. @param scene, config files"""
+    screen.environment['ROS_MASTER_URI'] = os.environ['ROS_MASTER_URI'] = uri = f'http://localhost:{free_port()}'
+    screen.environment['ROS_HOSTNAME'] = os.environ['ROS_HOSTNAME'] = 'localhost'
+    core = screen.start(['roscore', '-p', uri.rpartition(':')[2]], stdout=subprocess.DEVNULL)
+    master = rosgraph.Master('/film')
+    wait_for(master.is_online, 'roscore answers')
+    launch = screen.start(['roslaunch', 'ratchet_sieve', 'sieve.launch', f'scene:={scene.resolve()}',
+                           f'params:={{limits: {{inclination: {{slew_rate: {SLEW_RATE}}}}}}}',
+                           'paused:=true', f'rviz:={not config}', 'wait_for_rviz:=60', 'exit_at_end:=false'],
+                          stdout=subprocess.DEVNULL)
+    if config:  # with the camera fitted to the scene
+        screen.start(['rosrun', 'ratchet_sieve', 'sieve_rviz', str(config), '_view:=machine', '_sieve:=sieve'],
+                     stdout=subprocess.DEVNULL)
+    rospy.init_node('film', disable_signals=True)
+    try:
+        yield
+    finally:
+        rospy.signal_shutdown('done')
+        screen.end(launch)
+        screen.end(core)
+
+
+class Texts:
+    """The captions of the sieve, as its markers have them."""
+
+    def __init__(self):
+        self.lines = []  # pairs (text, colour)
+        rospy.Subscriber('/sieve/markers', MarkerArray, self.take)
+
+    def take(self, message):
+        texts = [m for m in message.markers if m.type == Marker.TEXT_VIEW_FACING and m.ns in TEXTS]
+        if texts:
+            texts.sort(key=lambda m: (TEXTS.index(m.ns), m.id))
+            self.lines = [(m.text.replace('+-', '±'), [round(255 * c) for c in (m.color.r, m.color.g, m.color.b)])
+                          for m in texts]
+
+    def picture(self, width):
+        """Arguments of convert(1) that draw them."""
+        drawn = ['-size', f'{width}x{LINE_HEIGHT * len(self.lines) + 6}', 'xc:#fafafa', '-font', 'DejaVu-Sans',
+                 '-pointsize', str(LETTER), '-gravity', 'north']
+        for k, (text, colour) in enumerate(self.lines):
+            drawn += ['-fill', 'rgb({},{},{})'.format(*colour), '-annotate', f'+0+{4 + k * LINE_HEIGHT}', text]
+        return drawn
+
+
+class Film:
+    """The pictures of RViz, one after the other."""
+
+    def __init__(self, screen):
+        self.screen = screen
+        self.last = None
+
+    def next(self):
+        """The next picture, once it differs from the last one and no longer changes."""
+        grabbed = [None, self.screen.pixels()]
+
+        def still():
+            grabbed[:] = grabbed[1], self.screen.pixels()
+            before, now = (pixels[VIEW] for pixels in grabbed)
+            return numpy.array_equal(before, now) and (
+                self.last is None or not numpy.array_equal(now, self.last[VIEW]))
+        wait_for(still, 'RViz shows the next picture')
+        self.last = grabbed[1]
+        return self.last
+
+
+def shows_disks(screen):
+    """Whether there are coloured pixels in the middle of the window."""
+    middle = screen.pixels()[300:500].astype(int)
+    return (middle.max(axis=2) - middle.min(axis=2) > 60).sum() > 100
+
+
+def write(pixels, path):
+    height, width, _ = pixels.shape
+    subprocess.run(['convert', '-size', f'{width}x{height}', '-depth', '8', 'rgb:-', str(path)],
+                   input=pixels.tobytes(), check=True)
+
+
+def chosen_scene(options, directory):
+    """The scene with the changes of the options, as a file."""
+    scene = yaml.safe_load(options.scene.read_text())
+    if options.teeth:
+        scene['base']['teeth'] = options.teeth
+    path = directory / 'scene.yaml'
+    path.write_text(yaml.safe_dump(scene))
+    return path
+
+
+def write_frame(pixels, path, width, texts):
+    """A frame of the film, with the texts above it. @param texts None: there are none"""
+    write(pixels, path)
+    subprocess.run(['convert', *(['('] + texts.picture(width) + [')'] if texts else []),
+                    '(', str(path), '-resize', f'{width}x', ')', '-append', '+repage', str(path)], check=True)
+
+
+def take(options, frames):
+    """Steps through the run; writes the still, and every frame into a directory."""
+    config = config_without_texts(frames) if options.text_above else None
+    with VirtualScreen() as screen, paused_sieve(screen, chosen_scene(options, frames), config):
+        texts = Texts() if options.text_above else None
+        setpoint = rospy.Publisher('/sieve/inclination_setpoint', Float64, queue_size=1, latch=True)
+        step = rospy.ServiceProxy('/sieve/step', StepSimulation)
+        step.wait_for_service()
+        wait_for(lambda: setpoint.get_num_connections() > 0, 'the sieve takes setpoints')
+        if options.begin > 0.0:
+            step(options.begin)
+        wait_for(lambda: shows_disks(screen), 'RViz shows the disks')
+        setpoint.publish(options.inclination)
+        film = Film(screen)
+        for k in range(round(options.duration * options.rate)):
+            write_frame(film.next()[VIEW], frames / f'{k:05}.png', options.width, texts)
+            if k == round(options.still * options.rate):
+                write(film.last, options.out.with_suffix('.png'))
+            step(1.0 / options.rate)
+
+
+def main():
+    options = arguments()
+    with tempfile.TemporaryDirectory() as scratch:
+        frames = Path(scratch)
+        take(options, frames)
+        subprocess.run(['convert', '-delay', str(round(100.0 / options.rate)), '-loop', '0',
+                        *map(str, sorted(frames.glob('*.png'))), '+dither', '-colors', str(COLOURS),
+                        '-layers', 'optimize', str(options.out.with_suffix('.gif'))], check=True)
+
+
+if __name__ == '__main__':
+    main()

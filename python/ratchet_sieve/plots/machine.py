@@ -1,0 +1,74 @@
+"""A machine at an instant, to scale, and the ways of its disks."""
+import math
+
+from matplotlib.collections import PatchCollection
+from matplotlib.patches import Circle
+
+from ratchet_sieve.base import surface
+from ratchet_sieve.plots.style import COLOURS, GREY, MM
+
+TEETH = "#BBBBBB"
+DEPTH = 0.5    # of the drawn base below its lowest corner, in widths of a tooth
+DOT = (0.55, 0.25)  # distance from the centre and radius of the dot that shows a disk's rotation, in radii
+
+
+def in_world(points, inclination, displacement):
+    """Of points (s, n) of the base, docs/model.md [m]."""
+    c, s = math.cos(inclination), math.sin(inclination)
+    dx, dy = displacement
+    return [(dx + along * c - up * s, dy + along * s + up * c) for along, up in points]
+
+
+def circles(axes, xs, ys, radii, **options):
+    """To scale, in mm."""
+    axes.add_collection(PatchCollection([Circle((MM * x, MM * y), MM * radius) for x, y, radius in zip(xs, ys, radii)],
+                                        **options))
+
+
+def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0)):
+    """Teeth and disks to scale, in mm, in the world's frame.
+    @param base the part `base` of a scene: teeth, and tooth_width, tooth_height and asymmetry, or profile
+    @param disks columns x, y, radius [m] and species, and angle [rad] where the rotation is to be seen: a DataFrame, or
+    a map or an array of such names
+    @param inclination of the instant [rad]; None: the scene's. @param displacement of the base at the instant [m]"""
+    theta = base.get("inclination", 0.0) if inclination is None else inclination
+    corners = surface(base)
+    bottom = min(n for _, n in corners) - DEPTH * corners[-1][0] / base["teeth"]
+    closed = in_world([*corners, (corners[-1][0], bottom), (0.0, bottom)], theta, displacement)
+    axes.fill([MM * x for x, _ in closed], [MM * y for _, y in closed], facecolor=TEETH, edgecolor=GREY, linewidth=0.6)
+    kinds = [str(kind) for kind in disks["species"]]
+    columns = [[float(value) for value in disks[name]] for name in ("x", "y", "radius")]
+    for colour, kind in zip(COLOURS, dict.fromkeys(kinds)):
+        own = [k for k, other in enumerate(kinds) if other == kind]
+        xs, ys, radii = ([column[k] for k in own] for column in columns)
+        circles(axes, xs, ys, radii, facecolor=colour, edgecolor="white", linewidth=0.3)
+        axes.plot([], [], "o", color=colour, label=kind)
+        if "angle" in columns_of(disks):
+            angles = list(disks["angle"])
+            dots = [(x + DOT[0] * r * math.cos(angles[k]), y + DOT[0] * r * math.sin(angles[k]))
+                    for x, y, r, k in zip(xs, ys, radii, own)]
+            circles(axes, *zip(*dots), [DOT[1] * r for r in radii], facecolor="white", linewidth=0.0)
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.autoscale_view()
+    axes.grid(False)
+    axes.set_xlabel("$x$ [mm]")
+    axes.set_ylabel("$y$ [mm]")
+
+
+def columns_of(disks):
+    dtype = getattr(disks, "dtype", None)
+    return dtype.names if dtype is not None and dtype.names else list(disks)
+
+
+def trajectories(axes, tracks, period=None):
+    """The ways of disks, in mm. @param tracks pairs (xs, ys) [m]
+    @param period of the base [m]: a way that leaves it at one end goes on at the other; None: it has ends"""
+    for k, (xs, ys) in enumerate(tracks):
+        way = []
+        for x, y in zip(xs, ys):
+            if way and period is not None and abs(MM * x - way[-1][0]) > 0.5 * MM * period:
+                way.append((math.nan, math.nan))
+            way.append((MM * x, MM * y))
+        axes.plot(*zip(*way), color=COLOURS[k % len(COLOURS)], linewidth=0.8)
+    axes.set_xlabel("$x$ [mm]")
+    axes.set_ylabel("$y$ [mm]")

@@ -1,0 +1,163 @@
+"""Draws what a scene asks to be observed, from tables that sieve_analyze wrote."""
+import math
+
+import matplotlib
+from matplotlib.ticker import MaxNLocator
+
+from ratchet_sieve.plots.curves import signed
+from ratchet_sieve.plots.style import COLOURS, MM, UJ, any_defined, beside, panels, say_undefined
+from ratchet_sieve.tables import Table
+
+G = 1e3  # per kg
+PLACES = {'left': '--', 'right': '-'}  # their lines
+FEWEST_TIMES = 20  # of which a distribution is drawn
+
+
+def parts(table):
+    """Of each bin and species: colour, line, label, and its lines of the table."""
+    for colour, species in zip(COLOURS, table.values('species')):
+        for place, line in PLACES.items():
+            part = table.where('species', species).where('place', place)
+            if len(part):
+                yield colour, line, f'{species} {place}', part
+
+
+def draw_residence_times(directory):
+    """Densities over the logarithm of time, in which the histogram's bins are nearly equal."""
+    figure, axes = panels(1, 1, (6.5, 3.4), None)
+    for colour, line, label, part in parts(Table(directory / 'residence_times.csv')):
+        edges, counts = part.numbers('from') + part.numbers('to')[-1:], part.numbers('count')
+        if sum(counts) >= FEWEST_TIMES:
+            edges, counts = coarser(edges, counts)
+            density = [count / sum(counts) / math.log(to / begin)
+                       for count, begin, to in zip(counts, edges, edges[1:])]
+            axes.step(edges[:1] + edges, [0.0, *density, 0.0], where='post', color=colour, linestyle=line,
+                      label=f'{label} ({sum(counts):.0f})')
+    if axes.lines:
+        axes.set_xscale('log')
+        axes.xaxis.set_major_formatter('{x:g}')
+        beside(axes, title='species, bin (disks)')
+    else:
+        say_undefined(axes, 'too few disks left')
+    axes.set_ylim(bottom=0.0)
+    axes.set_ylabel(r'density over $\ln t$')
+    axes.set_xlabel('time in the machine [s]')
+    axes.set_title('Residence times of the disks that left', loc='left')
+    return figure
+
+
+def coarser(edges, counts):
+    """Neighbouring bins together, until there are about sqrt(n) / 2 of them; the last is the widest."""
+    together = max(1, math.ceil(2.0 * len(counts) / math.sqrt(sum(counts))))
+    starts = [*range(0, max(len(counts) - together, 0) + 1, together), len(counts)]
+    return [edges[k] for k in starts], [sum(counts[k:end]) for k, end in zip(starts, starts[1:])]
+
+
+def draw_mass_flow(directory):
+    figure, axes = panels(1, 1, (6.5, 3.4), None)
+    for colour, line, label, part in parts(Table(directory / 'mass_flow.csv')):
+        time, flow = smoothed(part.numbers('time'), part.numbers('flow', G))
+        axes.plot(time, flow, color=colour, linestyle=line, label=label)
+    if axes.lines:
+        beside(axes)
+    else:
+        say_undefined(axes, 'no disk can have left')
+    axes.set_ylim(bottom=0.0)
+    axes.set_ylabel('mass per time [g/s]')
+    axes.set_xlabel('time [s]')
+    axes.set_title('Mass flow into the bins', loc='left')
+    return figure
+
+
+def smoothed(time, flow, points=40):
+    """Means of consecutive blocks, at their ends; blocks are of equal length."""
+    together = max(1, math.ceil(len(time) / points))
+    ends = range(together, len(time) + 1, together)
+    return [time[end - 1] for end in ends], [sum(flow[end - together:end]) / together for end in ends]
+
+
+PROFILES = {'number_density': ('disks [1/cm²]', 1e-4), 'velocity_along': ('velocity along [mm/s]', MM),
+            'velocity_up': ('velocity up [mm/s]', MM), 'temperature': ('temperature [µJ]', UJ)}
+DENSE = 0.02  # slices of a smaller share of the largest density have too few disks for their means to be drawn
+PHASE_LINES = ['-', '--', ':', '-.']
+MOST_PHASES_DRAWN = len(PHASE_LINES)
+
+
+def draw_height_profile(directory):
+    table = Table(directory / 'height_profile.csv')
+    figure, axes = panels(1, len(PROFILES), (9.5, 3.8), None, sharey=True)
+    phases = table.values('phase_from')
+    drawn = phases[::math.ceil(len(phases) / MOST_PHASES_DRAWN)] if phases else []
+    for colour, species in zip(COLOURS, table.values('species')):
+        for line, phase in zip(PHASE_LINES, drawn):
+            part = table.where('species', species).where('phase_from', phase)
+            label = species if len(phases) == 1 else f'{species}, phase {float(phase) / math.pi:.2g} π'
+            plot_profile(axes, part, colour, line, label)
+    for each, (label, _) in zip(axes, PROFILES.values()):
+        each.set_xlabel(label)
+        each.xaxis.set_major_locator(MaxNLocator(3))
+    axes[0].set_ylabel('height above the base [mm]')
+    axes[0].set_ylim(bottom=0.0)
+    axes[0].set_title('Means over time, by height', loc='left')
+    if axes[0].lines:
+        beside(axes[-1], title=None if len(phases) < 2 else f'parts of {2.0 / len(phases):.2g} π from')
+    else:
+        say_undefined(axes[0], 'no disk was seen')
+    figure.subplots_adjust(wspace=0.15)
+    return figure
+
+
+def plot_profile(axes, part, colour, line, label):
+    heights = [(low + high) / 2.0 for low, high in zip(part.numbers('from', MM), part.numbers('to', MM))]
+    density = part.numbers('number_density')
+    if not any_defined(density):
+        return
+    for each, (column, (_, scale)) in zip(axes, PROFILES.items()):
+        values = part.numbers(column, scale)
+        if column != 'number_density':
+            values = [value if disks >= DENSE * max(density) else math.nan for value, disks in zip(values, density)]
+        each.plot(values, heights, color=colour, linestyle=line, label=label)
+
+
+def paler(colour, share):
+    return [1.0 - (1.0 - shade) * (1.0 - share) for shade in matplotlib.colors.to_rgb(colour)]
+
+
+def draw_size_classes(directory):
+    """What left of each size class, by the bin, and its mean velocity."""
+    table = Table(directory / 'size_classes.csv')
+    names = table.values('species')
+    figure, axes = panels(2, max(len(names), 1), (2.5 + 3.0 * len(names), 4.4), None, squeeze=False, sharex='col')
+    for column, (colour, species) in enumerate(zip(COLOURS, names)):
+        part = table.where('species', species)
+        edges = part.numbers('radius_from', MM) + part.numbers('radius_to', MM)[-1:]
+        widths = [to - begin for begin, to in zip(edges, edges[1:])]
+        shares, velocities = axes[0, column], axes[1, column]
+        counts = [part.numbers(key) for key in ('left', 'right', 'on_base')]
+        below = [0.0] * len(widths)
+        for numbers, shade, label in zip(counts, (0.0, 0.45, 0.8), ('left', 'right', 'on the base')):
+            shares.bar(edges[:-1], numbers, widths, bottom=below, align='edge', color=paler(colour, shade),
+                       edgecolor='white', linewidth=0.8, label=label)
+            below = [a + b for a, b in zip(below, numbers)]
+        shares.set_title(f'Species {species}', loc='left')
+        middles = [(begin + to) / 2.0 for begin, to in zip(edges, edges[1:])]
+        errors = [0.0 if math.isnan(error) else error for error in part.numbers('mean_vx_stderr', MM)]
+        velocities.errorbar(middles, part.numbers('mean_vx', MM), yerr=errors, color=colour, marker='o', markersize=4,
+                            capsize=3)
+        signed(velocities)
+        velocities.set_xlabel('radius [mm]')
+        shares.legend(loc='lower right', bbox_to_anchor=(1.0, 1.08), ncol=3, borderaxespad=0.0, columnspacing=0.8,
+                      handlelength=1.0)
+    axes[0, 0].set_ylabel('disks')
+    axes[1, 0].set_ylabel(r'$\langle V_x \rangle$ [mm/s]')
+    return figure
+
+
+DRAWN = {'residence_times': draw_residence_times, 'height_profile': draw_height_profile, 'mass_flow': draw_mass_flow,
+         'size_classes': draw_size_classes}
+
+
+def drawings_of_observed(directory):
+    """@return by the name of its picture, what draws each observable that the run has"""
+    names = Table(directory / 'observed.csv').values('observable')
+    return {f'{name}.png': DRAWN[name] for name in names if name in DRAWN}

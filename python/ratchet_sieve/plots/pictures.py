@@ -1,0 +1,48 @@
+"""Pictures of a Run."""
+from matplotlib import pyplot
+from matplotlib.animation import FuncAnimation
+
+from ratchet_sieve.plots.machine import machine
+
+WIDTH = 8.0  # of a picture [inch]
+
+
+def instant(run, frame):
+    """Disks and base at a frame; of a run without frames, at its end."""
+    if len(run.frames):
+        return run.frames.disks[frame], run.frames.base[frame]
+    return run.simulation.disks, run.simulation.base
+
+
+def draw(run, frame, axes):
+    disks, base = instant(run, frame)
+    names = run.scene.species
+    columns = {name: disks[name] for name in ("x", "y", "radius", "angle")}
+    columns["species"] = [names[kind] for kind in disks["species"]]
+    machine(axes, run.scene.values["base"], columns, float(base["inclination"]),
+            (float(base["horizontal_displacement"]), float(base["displacement"])))
+
+
+def machine_of(run, frame, axes=None):
+    if axes is None:
+        _, axes = pyplot.subplots(figsize=(WIDTH, 0.5 * WIDTH))
+    draw(run, frame, axes)
+    axes.legend(loc="upper right")
+    return axes
+
+
+def animation_of(run, speed):
+    figure, axes = pyplot.subplots(figsize=(WIDTH, 0.5 * WIDTH))
+    draw(run, 0, axes)
+    left, right = axes.get_xlim()
+    low, high = axes.get_ylim()
+
+    def show(frame):
+        axes.clear()
+        draw(run, frame, axes)
+        axes.set(xlim=(left, right), ylim=(low, high), title=f"{run.frames.time[frame]:.3f} s")
+
+    period = 1000.0 * float(run.frames.time[-1] - run.frames.time[0]) / max(len(run.frames) - 1, 1)
+    animation = FuncAnimation(figure, show, frames=len(run.frames), interval=period / speed)
+    pyplot.close(figure)
+    return animation

@@ -1,0 +1,66 @@
+"""How all pictures look, and how they are saved: the same bytes of the same numbers."""
+import math
+
+import matplotlib
+from matplotlib.figure import Figure
+
+from ratchet_sieve.tables import writing
+
+MM = 1e3  # per m
+UJ = 1e6  # per J
+
+# Okabe and Ito's colours, which colour-blind readers can distinguish.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
+GREY = "#555555"
+
+STYLE = {
+    "figure.dpi": 150,
+    "font.size": 9,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#E6E6E6",
+    "axes.axisbelow": True,
+    "axes.titlesize": 9,
+    "axes.titleweight": "bold",
+    "legend.frameon": False,
+    "legend.fontsize": 8,
+    "lines.linewidth": 1.4,
+    "svg.hashsalt": "ratchet_sieve",
+}
+
+
+def styled():
+    """A context in which figures are made and saved."""
+    return matplotlib.rc_context(STYLE)
+
+
+def panels(rows, columns, size, layout="constrained", **options):
+    """@param size of the figure [inches]. @return the figure, and its axes"""
+    figure = Figure(figsize=size, layout=layout)
+    return figure, figure.subplots(rows, columns, **options)
+
+
+def save(figure, path, **options):
+    """@param path of the PNG; an SVG stands beside it where `svg` is true. @param options of Figure.savefig
+    @return paths"""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    paths = [path, path.with_suffix(".svg")] if options.pop("svg", True) else [path]
+    for each in paths:
+        with writing(each):
+            figure.savefig(each, metadata={"Date": None} if each.suffix == ".svg" else None, **options)
+    return paths
+
+
+def any_defined(values):
+    return any(not math.isnan(value) for value in values)
+
+
+def say_undefined(axes, text):
+    axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
+
+
+def beside(axes, **options):
+    """A legend to the right of the axes; none if nothing was recorded."""
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0, **options)

@@ -1,0 +1,157 @@
+"""Fig. 8: the mean velocity of both kinds of a mixture, over the frequency and the inclination."""
+from ratchet_sieve import plots
+from ratchet_sieve.reproduce import verdicts
+from ratchet_sieve.reproduce.crossings import crossing_of, distance_of
+from ratchet_sieve.reproduce.paper.fig7 import (F, THETA, at_one_frequency, axis, draw_kinds, more_moved, velocities,
+                                                velocity_lines)
+from ratchet_sieve.reproduce.study import Picture, Study, Sweep
+from ratchet_sieve.tables import joined
+from ratchet_sieve.texts import table
+
+SHOWN = 23.0  # Hz, as in Fig. 3
+KINDS = {"A": "A: 1 mm, 10 g", "B": "B: 2 mm, 1 g"}
+LITTLE = 1.0 / 3.0  # of the difference at θ = 0
+CLAIM = ("at θ = 0 both go right and B is faster; at 0.052 they differ little; at 0.105 and 0.157 A goes right and B "
+         "left")
+PARTED = (0.105, 0.157)  # where the paper has A go to the right and B to the left
+QUOTED = (0.0, 0.052, *PARTED)  # inclinations that other documents may quote
+TURNED = 0.209       # rad, at which Fig. 4's current goes to the left
+NEAR = (-0.01, 0.09)  # inclinations of the inset [rad]
+
+
+def evaluate(rows):
+    printed = rows["paper_fig8"]
+    every = joined(printed, rows["paper_fig8_window"])
+    turns = {}
+    for f, group in every.by(F).items():
+        turns[f] = {kind: crossing_of(group, THETA, f"mean_vx.{kind}") for kind in KINDS}
+        turns[f]["window"] = distance_of(group, THETA, "mean_vx.A", "mean_vx.B")
+    return {"means": velocities(printed), "all": velocities(every), "turns": turns}
+
+
+def draw_frequencies(numbers):
+    return draw_kinds(numbers["means"], KINDS)
+
+
+def draw_inclinations(numbers):
+    figure, axes = plots.panels(1, 1, (6.8, 4.0))
+    inset = axes.inset_axes([0.6, 0.63, 0.39, 0.36])
+    for kind, colour in zip(KINDS, plots.COLOURS):
+        points = [(theta, numbers["all"][kind][theta, SHOWN]) for theta in axis(numbers["all"][kind], 0)
+                  if (theta, SHOWN) in numbers["all"][kind]]
+        near = [point for point in points if NEAR[0] <= point[0] <= NEAR[1]]
+        plots.curve(axes, points, plots.MM, color=colour, label=KINDS[kind])
+        plots.curve(inset, near, plots.MM, color=colour)
+    for k, theta in enumerate(PARTED):
+        axes.axvline(theta, color=plots.GREY, linewidth=0.8, linestyle="--",
+                     label=None if k else "A right, B left in the paper")
+    for own in (axes, inset):
+        shade_window(own, numbers["turns"][SHOWN])
+        plots.signed(own)
+    inset.set_xlim(NEAR)
+    inset.tick_params(labelsize=7)
+    axes.set_xlabel(r"$\theta$ [rad]")
+    axes.set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
+    axes.legend(loc="lower left")
+    return figure
+
+
+def shade_window(axes, turns):
+    if turns["A"] and turns["B"]:
+        axes.axvspan(turns["B"].value, turns["A"].value, color=plots.COLOURS[2], alpha=0.3,
+                     label="A right, B left here")
+
+
+def draw_turns(numbers):
+    figure, axes = plots.panels(1, 1, (6.4, 3.8))
+    turns = sorted(numbers["turns"].items())
+    for kind, colour in zip(KINDS, plots.COLOURS):
+        plots.curve(axes, [(f, turn[kind]) for f, turn in turns], color=colour, label=f"{KINDS[kind]} turns")
+    both = [(f, turn["B"].value, turn["A"].value) for f, turn in turns if turn["A"] and turn["B"]]
+    if both:
+        axes.fill_between(*zip(*both), color=plots.COLOURS[2], alpha=0.3, label="A right, B left here")
+    for k, theta in enumerate(PARTED):
+        axes.axhline(theta, color=plots.GREY, linewidth=0.8, linestyle="--",
+                     label=None if k else "A right, B left in the paper")
+    axes.set_ylim(bottom=0.0)
+    axes.set_xlabel("$f$ [Hz]")
+    axes.set_ylabel(r"$\theta$ [rad]")
+    axes.legend(loc="lower right")
+    return figure
+
+
+def speed(says, mean, is_right):
+    check = verdicts.above if is_right else verdicts.below
+    return check(says, mean, 0.0, plots.MM, "mm/s")
+
+
+def differ_little(means):
+    """That at 0.052 they differ by less than a part of what they differ by at 0."""
+    level, tilted = (means["B"][theta, SHOWN].minus(means["A"][theta, SHOWN]) for theta in (0.0, 0.052))
+    size = tilted.scaled(-1.0 if tilted.value < 0.0 else 1.0)
+    check = verdicts.below("", size.minus(level.scaled(LITTLE)))
+    return verdicts.Check("θ = 0.052: they differ by less than a third of that at 0",
+                          f"{verdicts.shown(size, plots.MM, 'mm/s')} against {level.text(plots.MM)}", check.passes)
+
+
+def parted(numbers, theta):
+    means, turns = numbers["means"], numbers["turns"][SHOWN]
+    a, b = (means[kind][theta, SHOWN] for kind in KINDS)
+    says = f"θ = {theta:g}: A to the right, B to the left"
+    check = verdicts.both(speed(says, a, True), speed(says, b, False))
+    seen = [f"{f:g}" for f in axis(means["A"], 1)
+            if means["A"][theta, f].surely_above(0.0) and means["B"][theta, f].surely_below(0.0)]
+    came_out = (f"{check.came_out} at {SHOWN:g} Hz, where they part between θ = {shown(turns['B'])} and "
+                f"{shown(turns['A'])} (at this θ they part at {', '.join(seen) or 'no'} Hz)")
+    return verdicts.Check(says, came_out, check.passes)
+
+
+def claims(numbers):
+    means = numbers["means"]
+    level = {kind: means[kind][0.0, SHOWN] for kind in KINDS}
+    right, faster = "θ = 0: both to the right", level["B"].minus(level["A"])
+    return [verdicts.Claim("6", "Fig. 8", CLAIM, (
+                verdicts.both(speed(right, level["A"], True), speed(right, level["B"], True)),
+                verdicts.above("θ = 0: B is faster", faster, 0.0, plots.MM, "mm/s"),
+                differ_little(means),
+                *(parted(numbers, theta) for theta in PARTED)), "at the printed parameters (see A2, A3 and A7)"),
+            verdicts.Claim("10", "3.2.1", "in the mixture θ acts more on B than on A", (
+                verdicts.counted("B loses more than A from the least θ to the greatest, at every f", more_moved(means)),
+                ))]
+
+
+def shown(mean):
+    return "—" if mean is None else mean.text()
+
+
+def text(numbers):
+    turned = [[f"{f:g} Hz", *(shown(turn[part]) for part in ("B", "A", "window"))]
+              for f, turn in sorted(numbers["turns"].items())]
+    return ("Where each kind turns to the left, by a parabola through the means nearest to it, and how far A's angle "
+            "lies above B's; errors by leaving out one seed after the other:\n\n"
+            + table(["f", "B turns, θ [rad]", "A turns, θ [rad]", "width of the window [rad]"], turned)
+            + "\n\n" + at_one_frequency(numbers["means"]))
+
+
+def figures(numbers):
+    """Fig. 8's drifts at 23 Hz and its window."""
+    found = {}
+    for theta in QUOTED:
+        place = f"theta_{theta:g}".replace(".", "_")
+        for kind in KINDS:
+            found[f"fig8.drift.{kind.lower()}.{place}"] = numbers["means"][kind][theta, SHOWN].text(plots.MM)
+    turns = numbers["turns"][SHOWN]
+    found["fig8.window.from"], found["fig8.window.to"] = shown(turns["B"]), shown(turns["A"])
+    return found
+
+
+CAPTION = "of a mixture of A (1 mm, 10 g) and B (2 mm, 1 g), d = 3.93; bars: standard errors over the seeds"
+STUDY = Study("fig8", "Fig. 8: both kinds of a mixture",
+              (Sweep("paper_fig8", {F: (SHOWN,), THETA: (*QUOTED, TURNED)}),
+               Sweep("paper_fig8_window", is_quick=False)), evaluate,
+              (Picture("fig8", f"Mean velocities over the frequency, for eleven inclinations, {CAPTION}",
+                       draw_frequencies),
+               Picture("fig8_inclination", f"Mean velocities over the inclination at {SHOWN:g} Hz, near zero enlarged, "
+                       f"{CAPTION}", draw_inclinations),
+               Picture("fig8_turn", f"The inclinations at which the kinds turn, {CAPTION}", draw_turns)), claims, text,
+              figures, lambda numbers: {"fig8": velocity_lines(numbers["means"])})

@@ -1,0 +1,119 @@
+"""Means of independent samples, their standard errors, and tests of them."""
+import dataclasses
+import math
+import statistics
+
+from scipy import special
+
+from ratchet_sieve.texts import decimals_of, rounded
+
+LEVEL = 0.05  # of a test: an interval of 95 %
+
+
+def two_sided(t, freedom):
+    """The probability of a value at least as far from 0 as t, of Student's distribution."""
+    return float(2.0 * special.stdtr(freedom, -abs(t)))
+
+
+def quantile(freedom, level=LEVEL):
+    """@return t with two_sided(t, freedom) = level: 1 - level of the distribution lies between -t and t"""
+    return float(special.stdtrit(freedom, 1.0 - 0.5 * level))
+
+
+def chi_squared_tail(x, freedom):
+    """The probability of more than x."""
+    return float(special.chdtrc(freedom, x))
+
+
+@dataclasses.dataclass(frozen=True)
+class Mean:
+    """A mean and its standard error (None for one sample), or another estimate and its jackknife error."""
+    value: float
+    error: float
+    count: int  # independent samples; of a difference, the smaller number
+    freedom: float = None  # degrees of freedom; None: one less than samples
+
+    def degrees(self):
+        return self.count - 1 if self.freedom is None else self.freedom
+
+    def p_value(self, bound):
+        """Of the two-sided test that the true mean is the bound (Student's t). 1 where there is no error."""
+        if self.error is None or self.degrees() <= 0.0:
+            return 1.0
+        distance = abs(self.value - bound)
+        if self.error == 0.0:
+            return 0.0 if distance else 1.0
+        return two_sided(distance / self.error, self.degrees())
+
+    def half_width(self):
+        """Of the interval of 95 %."""
+        return quantile(self.degrees()) * self.error
+
+    def surely_above(self, bound):
+        """@return True and False where the interval of 95 % says so, None where the bound lies within it"""
+        return self.value > bound if self.p_value(bound) < LEVEL else None
+
+    def surely_below(self, bound):
+        above = self.surely_above(bound)
+        return None if above is None else not above
+
+    def scaled(self, factor):
+        return dataclasses.replace(self, value=factor * self.value,
+                                   error=None if self.error is None else abs(factor) * self.error)
+
+    def minus(self, other):
+        """Of two independent means, with the degrees of freedom of Welch and Satterthwaite."""
+        value, count = self.value - other.value, min(self.count, other.count)
+        if self.error is None or other.error is None:
+            return Mean(value, None, count)
+        a, b = self.error ** 2, other.error ** 2
+        parts = a * a / self.degrees() + b * b / other.degrees()
+        return Mean(value, math.sqrt(a + b), count, (a + b) ** 2 / parts if parts > 0.0 else count - 1)
+
+    def text(self, scale=1.0):
+        """As 12.3 ± 0.4, times a scale. An undefined error is a dash."""
+        if self.error is None:
+            return f"{rounded(scale * self.value, 3)} ± —"
+        if self.error == 0.0:
+            return f"{scale * self.value:.4g} ± 0".replace("-", "−")
+        decimals = decimals_of(scale * self.error)
+        return f"{rounded(scale * self.value, decimals)} ± {rounded(scale * self.error, decimals)}"
+
+
+def mean_of(values):
+    """@return None where there is no sample"""
+    values = list(values)
+    if not values:
+        return None
+    error = statistics.stdev(values) / math.sqrt(len(values)) if len(values) > 1 else None
+    return Mean(statistics.fmean(values), error, len(values))
+
+
+def jackknife(estimate, samples):
+    """An estimate and its error, from leaving out one sample after the other (Quenouille; Tukey).
+    @param samples a list of anything, one for each seed
+    @return None where the estimate is not defined, for all samples or without one of them"""
+    samples = list(samples)
+    value = estimate(samples)
+    if value is None:
+        return None
+    if len(samples) < 2:
+        return Mean(value, None, len(samples))
+    without = [estimate(samples[:k] + samples[k + 1:]) for k in range(len(samples))]
+    if any(other is None for other in without):
+        return None
+    count, centre = len(samples), statistics.fmean(without)
+    return Mean(value, math.sqrt((count - 1) / count * sum((w - centre) ** 2 for w in without)), count)
+
+
+def variance_of(values):
+    """The samples' variance and its standard error, for samples of any distribution. @return None of fewer than four"""
+    values = list(values)
+    count = len(values)
+    if count < 4:
+        return None
+    centre = statistics.fmean(values)
+    second = sum((v - centre) ** 2 for v in values) / (count - 1)
+    fourth = sum((v - centre) ** 4 for v in values) / count
+    error = math.sqrt(max(0.0, fourth - second ** 2 * (count - 3) / (count - 1)) / count)
+    return Mean(second, error, count)

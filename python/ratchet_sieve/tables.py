@@ -1,0 +1,181 @@
+"""CSV files: the tables of a run, and the rows of a sweep."""
+import contextlib
+import csv
+import io
+import math
+import pathlib
+
+import pandas
+
+from ratchet_sieve import stats
+
+
+class Refusal(Exception):
+    """An error of reading or drawing, in one line."""
+
+
+@contextlib.contextmanager
+def writing(path):
+    """Adds the file's name to an error of writing, such as a full disk."""
+    try:
+        yield
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from error
+
+
+def write_csv(path, columns, lines, end="\n"):
+    """@param lines sequences, or maps from column to value; what is missing or None is left empty. @param end of line"""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    table = pandas.DataFrame(list(lines), columns=columns, dtype=object)
+    with writing(path), open(path, "w", encoding="utf-8", newline=end) as file:
+        table.to_csv(file, index=False)
+
+
+def read_csv(path):
+    """@return a DataFrame of texts. @throws Refusal a damaged or cut file"""
+    try:
+        text = pathlib.Path(path).read_bytes().decode("utf-8")
+        lines = list(csv.reader(io.StringIO(text, newline=""), strict=True))
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise Refusal(f"{path}: no table: {error}") from error
+    if not text.endswith("\n"):
+        raise Refusal(f"{path}: cut off, its last line has no end")
+    for count, line in enumerate(lines, 1):
+        if len(line) != len(lines[0]):
+            raise Refusal(f"{path}: line {count}: {len(line)} fields, must be {len(lines[0])}")
+    return pandas.DataFrame(lines[1:], columns=lines[0], dtype=object)
+
+
+def column_of(frame, name, path):
+    """@throws Refusal there is none, or more than one"""
+    if list(frame.columns).count(name) != 1:
+        raise Refusal(f"{path}: has no column {name}")
+    return frame[name]
+
+
+class Table:
+    """A table of a run, by its columns, which are named without their units. A field is a text until it is asked for as
+    a number."""
+
+    def __init__(self, path, frame=None):
+        self.path = path
+        if frame is None:
+            frame = read_csv(path)
+            frame.columns = [column.split(" [")[0] for column in frame.columns]
+        self.frame = frame
+
+    def __len__(self):
+        return len(self.frame)
+
+    def texts(self, column):
+        return column_of(self.frame, column, self.path)
+
+    def numbers(self, column, scale=1.0):
+        """An empty field is undefined: NaN, which interrupts a drawn line."""
+        texts = self.texts(column)
+        values = pandas.to_numeric(texts.where(texts != "", "nan"), errors="coerce").astype(float)
+        wrong = texts[values.isna() & ~texts.str.lower().isin(("", "nan"))]
+        if len(wrong):
+            raise Refusal(f"{self.path}: {column}: {wrong.iloc[0]}: must be a number")
+        return (scale * values).tolist()
+
+    def values(self, column):
+        """The distinct values of a column, in the order of the file."""
+        return list(self.texts(column).unique())
+
+    def where(self, column, value):
+        return Table(self.path, self.frame[self.texts(column) == value])
+
+
+def typed(text):
+    """A field as a number or as text; None where it is not defined."""
+    if text == "":
+        return None
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+class Rows:
+    """The runs of a sweep that are done, in its order, as a DataFrame with numbers and texts. What is not defined is
+    NaN or None there, and left out here."""
+
+    def __init__(self, lines=(), path="", failed=0):
+        """@param lines a DataFrame, or maps from column to value. @param failed runs that are not among these"""
+        self.frame = lines if isinstance(lines, pandas.DataFrame) else pandas.DataFrame(list(lines))
+        self.path, self.failed = path, failed
+
+    def __len__(self):
+        return len(self.frame)
+
+    def __getitem__(self, index):
+        """One run, as a map from column to value."""
+        return {key: None if pandas.isna(value) else value for key, value in self.frame.iloc[index].items()}
+
+    def column(self, name):
+        """@throws Refusal there is none; no rows at all have any"""
+        return column_of(self.frame, name, self.path) if len(self) else pandas.Series(dtype=object)
+
+    def where(self, conditions):
+        """@param conditions map from column to value"""
+        chosen = pandas.Series(True, self.frame.index, dtype=bool)
+        for key, value in conditions.items() if len(self) else ():
+            chosen &= self.column(key).map(lambda other, value=value: same(other, value))
+        return Rows(self.frame[chosen], self.path)
+
+    def values(self, key):
+        """The different values of a column, in order: numbers, then texts."""
+        return sorted(self.column(key).dropna().unique(), key=lambda value: (isinstance(value, str), value))
+
+    def by(self, *keys):
+        """@return map from the values of these keys, in order, to their rows; of one key, from its value"""
+        if not len(self):
+            return {}
+        groups = self.frame.groupby(list(keys) if len(keys) > 1 else keys[0], sort=False)
+        return {place: Rows(group, self.path) for place, group in groups}
+
+    def samples(self, field):
+        """The defined values of a column, or of a function of the DataFrame: one for each run."""
+        if not callable(field) and field not in self.frame:
+            return []
+        values = (field(self.frame) if callable(field) else self.column(field)).dropna()
+        for text in values[values.map(lambda value: isinstance(value, str))]:
+            raise Refusal(f"{self.path}: {field}: {text}: must be a number")
+        return values.tolist()
+
+    def mean(self, field):
+        """The mean over the runs, which are independent: their seeds differ. None where no run defines the field."""
+        return stats.mean_of(self.samples(field))
+
+
+def same(a, b):
+    if isinstance(a, float) and isinstance(b, (int, float)):
+        return math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-12)
+    return a == b
+
+
+def joined(*parts):
+    """Rows of several sweeps, one after the other."""
+    return Rows(pandas.concat([part.frame for part in parts], ignore_index=True))
+
+
+def read_rows(path):
+    """The results of a sweep as sieve_sweep exports them."""
+    texts = read_csv(path)
+    done = column_of(texts, "status", path) == "done"
+    frame = pandas.DataFrame({name: column_of(texts, name, path)[done] for name in texts})
+    for name in frame:
+        if not name.endswith("_hash"):
+            frame[name] = frame[name].map(typed)
+    return Rows(frame.reset_index(drop=True), path, int((~done).sum()))
+
+
+def departed(frame):
+    """Disks of all species that left, of each run. @param frame of Rows"""
+    return frame[[name for name in frame if name.startswith(("left.", "right."))]].sum(axis=1, min_count=1)
+
+
+def throughput(frame):
+    """Disks that left in a second, of each run [1/s]. @param frame of Rows"""
+    return departed(frame) / frame["simulated_time"].where(frame["simulated_time"] > 0.0)

@@ -1,0 +1,44 @@
+"""Numbers, words and tables as text, in Markdown."""
+import math
+import textwrap
+
+WIDTH = 120  # of a line
+
+
+def rounded(value, decimals):
+    """With a true minus sign, and no minus before a zero."""
+    text = f"{value:.{decimals}f}"
+    if float(text) == 0.0:
+        text = text.lstrip("-")
+    return text.replace("-", "−")
+
+
+def decimals_of(error):
+    """How many decimals show an error: two digits where the first is a one, else one digit."""
+    exponent = math.floor(math.log10(error))
+    if error / 10.0 ** exponent < 1.95:
+        exponent -= 1
+    return max(0, -exponent)
+
+
+def counted(number, noun):
+    """`1 run`, `2 runs`."""
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def span(values, unit=""):
+    """From the first to the last."""
+    return f"{values[0]:g}{unit}" if len(values) == 1 else f"{values[0]:g} to {values[-1]:g}{unit}"
+
+
+def table(header, lines):
+    """In Markdown."""
+    rows = [header, ["---"] * len(header), *lines]
+    return "\n".join("| " + " | ".join(str(cell) for cell in row) + " |" for row in rows)
+
+
+def wrapped(text):
+    """A document with its paragraphs in lines of WIDTH at most; tables, lists, pictures and titles stay as they are."""
+    return "\n\n".join(block if block.startswith(("|", "- ", "![", "#")) else
+                       textwrap.fill(block, WIDTH, break_long_words=False, break_on_hyphens=False)
+                       for block in text.strip().split("\n\n")) + "\n"

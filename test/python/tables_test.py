@@ -1,0 +1,72 @@
+"""Reading and writing of tables."""
+import pathlib
+import tempfile
+import unittest
+
+from ratchet_sieve.tables import Refusal, Rows, Table, joined, read_rows, throughput, write_csv
+
+CASES = """base.frequency,boundary,seed,status,simulated_time,left.A,right.A,left.B,right.B,quality,scene_hash
+20,open,1,done,10,1,2,3,4,0.5,1e5
+20,open,2,done,10,1,2,3,4,,1e6
+30,walled,1,failed,,,,,,,ab
+30,walled,2,done,0,,,,,,1e7
+"""
+
+
+class Tables(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.path = pathlib.Path(scratch.name) / "made" / "table.csv"
+        self.path.parent.mkdir()
+
+    def read(self, text, reader):
+        self.path.write_text(text, encoding="utf-8")
+        return reader(self.path)
+
+    def test_columns_are_named_without_their_units(self):
+        table = self.read("time [s],species\n0,1e5\n2.5,B\n,B\n", Table)
+        self.assertEqual(table.values("species"), ["1e5", "B"])
+        self.assertEqual(table.numbers("time", 2.0)[:2], [0.0, 5.0])
+        self.assertEqual(str(table.where("species", "B").numbers("time")), "[2.5, nan]")
+
+    def test_what_is_no_table_of_numbers_is_refused(self):
+        for text, column, because in (("time\n1e\n", "time", "time: 1e: must be a number"),
+                                      ("time\n1\n", "mass", "has no column mass"),
+                                      ("time\n1,2\n", "time", "line 2: 2 fields, must be 1"),
+                                      ("time\n1", "time", "cut off, its last line has no end")):
+            with self.assertRaisesRegex(Refusal, f"^{self.path}: {because}$"):
+                self.read(text, Table).numbers(column)
+
+    def test_rows_are_the_runs_that_are_done(self):
+        rows = self.read(CASES, read_rows)
+        self.assertEqual((len(rows), rows.failed), (3, 1))
+        self.assertEqual((rows[0]["boundary"], rows[0]["scene_hash"], rows[1]["quality"]), ("open", "1e5", None))
+        self.assertEqual((rows.values("base.frequency"), rows.values("boundary")), ([20.0, 30.0], ["open", "walled"]))
+        self.assertEqual(rows.samples("quality"), [0.5])
+        self.assertIsNone(rows.where({"boundary": "walled"}).mean("quality"))
+        self.assertEqual({place: len(own) for place, own in rows.by("base.frequency", "boundary").items()},
+                         {(20.0, "open"): 2, (30.0, "walled"): 1})
+        self.assertEqual(len(joined(rows, Rows(), rows)), 6)
+        with self.assertRaisesRegex(Refusal, f"^{self.path}: boundary: open: must be a number$"):
+            rows.mean("boundary")
+
+    def test_no_rows_have_no_values(self):
+        none = Rows()
+        self.assertEqual((none.values("seed"), none.by("seed"), len(none.where({"seed": 1})), none.mean("quality")),
+                         ([], {}, 0, None))
+
+    def test_throughput_is_over_time_and_of_all_species(self):
+        rows = self.read(CASES, read_rows)
+        self.assertEqual(rows.samples(throughput), [1.0, 1.0])  # undefined where no time was simulated
+
+    def test_what_is_written_is_read_again(self):
+        path = self.path.parent / "new" / "rows.csv"
+        write_csv(path, ["a", "b"], [{"a": 1, "b": "x, y"}, {"b": None}])
+        self.assertEqual(path.read_text(encoding="utf-8"), 'a,b\n1,"x, y"\n,\n')
+        write_csv(path, ["a", "b"], ([0.1, 2],))
+        self.assertEqual(path.read_text(encoding="utf-8"), "a,b\n0.1,2\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
