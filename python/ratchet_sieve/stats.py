@@ -1,4 +1,5 @@
 """Means of independent samples, their standard errors, and tests of them."""
+import collections
 import dataclasses
 import math
 import statistics
@@ -117,3 +118,18 @@ def variance_of(values):
     fourth = sum((v - centre) ** 4 for v in values) / count
     error = math.sqrt(max(0.0, fourth - second ** 2 * (count - 3) / (count - 1)) / count)
     return Mean(second, error, count)
+
+
+def density_of(values, width):
+    """The distribution of independent values in bins of a width, one of which begins at 0.
+    @return of each bin that holds a value, and of its neighbours: centre, density, standard error of the density"""
+    values = list(values)
+    if not values:
+        return []
+    counts = collections.Counter(math.floor(value / width) for value in values)
+    found = []
+    for k in range(min(counts) - 1, max(counts) + 2):
+        share = counts[k] / len(values)
+        error = math.sqrt(share * (1.0 - share) / len(values))
+        found.append(((k + 0.5) * width, share / width, error / width))
+    return found

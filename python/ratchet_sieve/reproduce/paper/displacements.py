@@ -1,11 +1,10 @@
 """Distributions of the displacement of single disks at several times. Each run has one disk."""
-import collections
 import math
 
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce import verdicts
 from ratchet_sieve.reproduce.study import Picture, Study, Sweep
-from ratchet_sieve.stats import mean_of, variance_of
+from ratchet_sieve.stats import density_of, mean_of, variance_of
 from ratchet_sieve.texts import table
 
 TIME = "duration"
@@ -25,18 +24,10 @@ def evaluator(sweep):
     return evaluate
 
 
-def density(values):
-    """@return of each bin that holds a disk, and of its neighbours: centre, density [1/m], standard error of it"""
-    counts = collections.Counter(math.floor(value / BIN) for value in values)
-    for k in range(min(counts) - 1, max(counts) + 2):
-        share = counts[k] / len(values)
-        yield (k + 0.5) * BIN, share / BIN, math.sqrt(share * (1.0 - share) / len(values)) / BIN
-
-
 def draw(samples):
     figure, axes = plots.panels(1, 1, (6.4, 3.8))
     for (time, values), colour in zip(samples.items(), plots.ramp(len(samples))):
-        xs, heights, errors = zip(*density(values))
+        xs, heights, errors = zip(*density_of(values, BIN))
         axes.errorbar(xs, heights, yerr=errors, color=colour, linewidth=1.0, elinewidth=0.7, label=f"{time:g} s")
     axes.axvline(0.0, color=plots.GREY, linewidth=0.8, zorder=1)
     axes.set_xlabel("displacement [m]")
