@@ -21,13 +21,27 @@ namespace
 
 namespace py = pybind11;
 
-Scene sceneOfText(const std::string& text, const std::string& source,
-                  const std::vector<std::string>& overrides)
+/// A scene's text with its overrides.
+YAML::Node overridden(const std::string& text, const std::string& source,
+                      const std::vector<std::string>& overrides)
 {
   YAML::Node root = copyableYaml(text, source);
   for (const std::string& assignment : overrides)
     applyOverride(root, assignment);
-  return sceneFromYaml(root, source);
+  return root;
+}
+
+Scene sceneOfText(const std::string& text, const std::string& source,
+                  const std::vector<std::string>& overrides)
+{
+  return sceneFromYaml(overridden(text, source, overrides), source);
+}
+
+/// What is given of a scene, without defaults.
+py::object givenValues(const std::string& text, const std::string& source,
+                       const std::vector<std::string>& overrides)
+{
+  return toPython(overridden(text, source, overrides));
 }
 
 /// Disks of a frame that was recorded.
@@ -77,6 +91,7 @@ void bindScene(py::module_& module)
       .def("disks_of", &disksOf, py::arg("columns"));
   module.def("load_scene", &loadSceneFile, py::arg("path"), py::arg("overrides"));
   module.def("scene_of_text", &sceneOfText, py::arg("text"), py::arg("source"), py::arg("overrides"));
+  module.def("given_values", &givenValues, py::arg("text"), py::arg("source"), py::arg("overrides"));
 }
 
 }  // namespace ratchet_sieve
