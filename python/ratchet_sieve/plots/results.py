@@ -92,6 +92,19 @@ def tracks(run, ids=None, axes=None):
     return axes
 
 
+def bins(run, axes=None):
+    """The numbers of disks that have left by the left and by the right end, of each species, over time.
+    @throws ValueError the run has no frames"""
+    require_frames(run)
+    axes = axes or new_axes(SIZE)
+    for colour, (name, counts) in zip(COLOURS, run.frames.bins.items()):
+        for end, line in (("left", "-"), ("right", "--")):
+            axes.plot(run.frames.time, counts[end], line, color=colour, label=f"{name}, {end}")
+    axes.set(xlabel="time [s]", ylabel="disks that left")
+    legend_above(axes)
+    return axes
+
+
 def require_frames(run):
     if not len(run.frames):
         raise ValueError("the run has no frames: call run(..., frames=60)")
