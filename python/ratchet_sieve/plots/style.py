@@ -46,6 +46,7 @@ def new_axes(size):
     """Axes of a figure of its own, which a notebook shows. @param size of the figure [inches]"""
     from matplotlib import pyplot  # takes long, and the programs do without
 
+    pyplot.draw_if_interactive()  # loads the backend before the context, whose end would undo its settings
     with styled():
         return pyplot.subplots(figsize=size, dpi=DPI, layout="constrained")[1]
 
