@@ -9,8 +9,7 @@ from ratchet_sieve.plots.style import COLOURS, GREY, MM
 
 TEETH = "#BBBBBB"
 DEPTH = 0.5    # of the drawn base below its lowest corner, in widths of a tooth
-DETAILED = 0.004  # radius from which on disks have an edge and a dot: little would be left of smaller ones [lengths of the
-                  # base]
+DETAILED = 0.004  # least radius of disks with an edge and a dot, which would cover smaller ones [lengths of the base]
 DOT = (0.55, 0.25)  # distance from the centre and radius of the dot that shows a disk's rotation, in radii
 
 
