@@ -11,5 +11,6 @@ void bindScene(pybind11::module_& module);
 void bindSimulation(pybind11::module_& module);
 void bindRun(pybind11::module_& module);
 void bindSweep(pybind11::module_& module);
+void bindTrajectory(pybind11::module_& module);
 
 }  // namespace ratchet_sieve

@@ -15,4 +15,5 @@ PYBIND11_MODULE(_engine, module)
   ratchet_sieve::bindSimulation(module);
   ratchet_sieve::bindRun(module);
   ratchet_sieve::bindSweep(module);
+  ratchet_sieve::bindTrajectory(module);
 }

@@ -1,6 +1,7 @@
 #include "to_python.h"
 
 #include <cstdint>
+#include <stdexcept>
 
 #include "ratchet_sieve/recording/frames.h"
 
@@ -116,6 +117,22 @@ py::array arrayOf(const std::vector<DiskState>& disks, const SceneDefinition& sc
               disk.angle, disk.spin,    disk.displacement};
   }
   return std::move(rows);
+}
+
+std::vector<DiskState> disksOf(const py::array& rows)
+{
+  if (!py::isinstance<py::array_t<DiskRow>>(rows) || rows.ndim() != 1)
+    throw std::invalid_argument("the disks of a frame must be an array as Simulation.disks gives it");
+  const py::array_t<DiskRow, py::array::c_style> own(rows);
+  std::vector<DiskState> disks;
+  disks.reserve(static_cast<std::size_t>(own.size()));
+  for (py::ssize_t k = 0; k < own.size(); ++k)
+  {
+    const DiskRow& row = own.data()[k];
+    disks.push_back({row.id, row.species, row.x, row.y, row.angle, row.vx, row.vy, row.spin, row.displacement,
+                     row.radius});
+  }
+  return disks;
 }
 
 py::array arrayOf(const std::vector<CollisionRecord>& collisions)
