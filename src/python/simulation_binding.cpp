@@ -89,7 +89,7 @@ void pour(RunningSimulation& running, std::size_t species, std::size_t count)
 py::array disks(RunningSimulation& running)
 {
   RunningSimulation::Use simulation(running);
-  return arrayOf(simulation.disks(), running.scene()->definition);
+  return arrayOf(*simulation, running.scene()->definition);
 }
 
 py::bytes save(RunningSimulation& running)

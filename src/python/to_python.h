@@ -11,6 +11,7 @@
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/simulation.h"
 
 /// Values of the layers as Python's.
 namespace ratchet_sieve
@@ -45,6 +46,9 @@ void setFields(Struct& of, const pybind11::dict& fields)
 /// A new structured array of disks: id, species, radius, mass, x, y, vx, vy, angle, spin, displacement. SI.
 /// @param scene for masses and for the radii that a frame leaves out
 pybind11::array arrayOf(const std::vector<DiskState>& disks, const SceneDefinition& scene);
+
+/// The same of the disks of a simulation.
+pybind11::array arrayOf(const Simulation& simulation, const SceneDefinition& scene);
 
 /// The disks of such an array. @throws std::invalid_argument if it is of another kind
 std::vector<DiskState> disksOf(const pybind11::array& rows);
