@@ -7,7 +7,6 @@ import signal
 import socket
 import sqlite3
 import subprocess
-import sys
 import time
 from contextlib import ExitStack, closing
 from fnmatch import fnmatch
@@ -53,7 +52,8 @@ class Session:
         port = free_port()
         self.environment = dict(
             screen.environment, HOME=str(self.scratch), ROS_HOME=str(self.scratch / 'ros'), PYTHONUNBUFFERED='1',
-            PATH='/usr/bin:' + screen.environment['PATH'], ROS_HOSTNAME='localhost', ROS_MASTER_URI=f'http://localhost:{port}')
+            ROS_HOSTNAME='localhost', ROS_MASTER_URI=f'http://localhost:{port}',
+            PATH='/usr/bin:' + screen.environment['PATH'])
         master = self.open(f'roscore -p {port}')
         self.services.callback(self.end, master)
         wait_for(lambda: 'started core service' in master.log.read_text(), 'roscore')
