@@ -4,7 +4,6 @@ import os
 import re
 import shutil
 import signal
-import socket
 import sqlite3
 import subprocess
 import time
@@ -14,7 +13,8 @@ from pathlib import Path
 
 from commands import PACKAGE
 from plan import BEFORE, GOES_ON, READS_RECORDING, STAYING
-from ratchet_sieve.virtual_screen import VirtualScreen, wait_for
+from ratchet_sieve.processes import free_port, wait_for
+from ratchet_sieve.virtual_screen import VirtualScreen
 
 LONGEST = 60.0  # of a command that is run [s]
 NOT_IN_CHECKOUT = ('.git', 'build*', 'devel', 'out', '.ccache')
@@ -24,12 +24,6 @@ def lookup(table, command):
     """The entry with the longest prefix of a command."""
     matches = [start for start in table if re.sub(r'\s+#.*', '\n', command + '\n').startswith(start)]
     return max(matches, key=len, default=None)
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(('', 0))
-        return probe.getsockname()[1]
 
 
 class Failed(Exception):

@@ -9,7 +9,7 @@ from pathlib import Path
 import rosgraph
 import rospy
 
-from ratchet_sieve.virtual_screen import TIMEOUT, wait_for  # noqa: F401
+from ratchet_sieve.processes import TIMEOUT, wait_for  # noqa: F401
 
 PACKAGE = Path(__file__).resolve().parents[2]
 
