@@ -1,6 +1,7 @@
 """Distributions of the displacement of single disks at several times. Each run has one disk."""
-import collections
 import math
+
+import numpy
 
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce import verdicts
@@ -26,18 +27,18 @@ def evaluator(sweep):
 
 
 def density(values):
-    """@return of each bin that holds a disk, and of its neighbours: centre, density [1/m], standard error of it"""
-    counts = collections.Counter(math.floor(value / BIN) for value in values)
-    for k in range(min(counts) - 1, max(counts) + 2):
-        share = counts[k] / len(values)
-        yield (k + 0.5) * BIN, share / BIN, math.sqrt(share * (1.0 - share) / len(values)) / BIN
+    """@return edges of the bins that hold disks and their neighbours, densities [1/m], standard errors of these"""
+    bins = numpy.floor(numpy.array(values) / BIN).astype(int)
+    first = bins.min() - 1
+    shares = numpy.bincount(bins - first, minlength=bins.max() - first + 2) / len(values)
+    errors = numpy.sqrt(shares * (1.0 - shares) / len(values))
+    return BIN * (first + numpy.arange(len(shares) + 1)), shares / BIN, errors / BIN
 
 
 def draw(samples):
     figure, axes = plots.panels(1, 1, (6.4, 3.8))
     for (time, values), colour in zip(samples.items(), plots.ramp(len(samples))):
-        xs, heights, errors = zip(*density(values))
-        axes.errorbar(xs, heights, yerr=errors, color=colour, linewidth=1.0, elinewidth=0.7, label=f"{time:g} s")
+        plots.distribution(axes, *density(values), color=colour, label=f"{time:g} s")
     axes.axvline(0.0, color=plots.GREY, linewidth=0.8, zorder=1)
     axes.set_xlabel("displacement [m]")
     axes.set_ylabel("density [1/m]")
