@@ -25,6 +25,8 @@ class Sieves:
         self._threads = threads
         self._steps = np.zeros(count, dtype=np.int64)
         self._fed = np.zeros(count, dtype=bool)
+        self._empty = np.zeros(count, dtype=bool)  # no disk is left, and none will come
+        self._seeds = np.zeros(count, dtype=np.int64)
         self._collapses: list[Optional[str]] = [None] * count
 
     def begin(self, which: Sequence[int], seeds: Sequence[int], options: Optional[Mapping[str, Any]] = None) -> None:
@@ -38,13 +40,15 @@ class Sieves:
         simulations = [Simulation(scene) for scene in scenes]
         for simulation in simulations:
             simulation.set_slew_rates(**self.task.actions.slew_rates)
-        for k, scene, simulation in zip(which, scenes, simulations):
+        for k, simulation in zip(which, simulations):
             self.simulations[k] = simulation
-            self._fed[k] = scene["feed.rate"] > 0.0
             self._collapses[k] = None
+        self._fed[which] = [scene["feed.rate"] > 0.0 for scene in scenes]
+        self._seeds[which] = seeds
         self._steps[which] = 0
         read, _ = self._advance(which, (), np.empty((len(which), 0)))
         self.readings.begin(which, read)
+        self._empty[which] = self._are_empty(which)
 
     def step(self, which: np.ndarray, actions: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Commands and advances these sieves, all in one call of C++. Raises ValueError for an action outside the
@@ -60,9 +64,10 @@ class Sieves:
         self.readings.add(which, read)
         for k, collapse in zip(which, collapses):
             self._collapses[k] = collapse
+        self._empty[which] = self._are_empty(which)
         rewards = self.task.rewards(self.readings, which)
         collapsed = np.array([collapse is not None for collapse in collapses], dtype=bool)
-        terminated = collapsed | self._empty(which)
+        terminated = collapsed | self._empty[which]
         return rewards, terminated, (self._steps[which] >= self.task.steps) & ~terminated
 
     def _advance(self, which: np.ndarray, names: Sequence[str], setpoints: np.ndarray) -> tuple[dict, list]:
@@ -70,17 +75,16 @@ class Sieves:
         return _engine.step_many(engines, names, setpoints, self._steps[which] * self.task.step, self.task.cells,
                                  self._threads)
 
-    def _empty(self, which: np.ndarray) -> np.ndarray:
-        """Whether no disk is left, and none will come."""
+    def _are_empty(self, which: np.ndarray) -> np.ndarray:
         return ~self._fed[which] & (self.readings.histogram[which].sum(axis=(1, 2)) == 0)
 
     def info(self, k: int) -> dict[str, Any]:
         """Of a sieve: time [s] and seed of its episode; after a collapse `stalled`, its text; `empty` if no disk is
         left."""
-        info = {"time": float(self.readings.time[k]), "seed": int(self.simulations[k].scene["seed"])}
+        info = {"time": float(self.readings.time[k]), "seed": int(self._seeds[k])}
         if self._collapses[k] is not None:
             info["stalled"] = self._collapses[k]
-        if self._empty(np.array([k]))[0]:
+        if self._empty[k]:
             info["empty"] = True
         return info
 
