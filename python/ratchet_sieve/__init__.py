@@ -18,13 +18,14 @@ __path__ = pkgutil.extend_path(__path__, __name__)
 # Of each name its module. Imported when it is first used: the engine, pandas and matplotlib take longer to load than
 # the rest, and what draws the tables of a run needs no engine.
 _NAMES = {
-    **dict.fromkeys(("ResultsError", "SceneError", "SieveWarning", "StallError", "StateError"), "errors"),
-    **dict.fromkeys(("KINDS", "Collisions", "Frames", "Run", "run"), "runs"),
+    **dict.fromkeys(("BagError", "ResultsError", "SceneError", "SieveWarning", "StallError", "StateError"), "errors"),
+    **dict.fromkeys(("KINDS", "Collisions", "Frames", "Recording", "Run", "run"), "runs"),
     **dict.fromkeys(("read_sweep", "sweep"), "sweeps"),
     **dict.fromkeys(("Summary", "Values"), "values"),
     "Scene": "scene",
     "Simulation": "simulation",
     "__version__": "_engine",
+    "read_bag": "bags",
 }
 _SUBMODULES = ("documents", "env", "errors", "origin", "plots", "stats", "tables")
 

@@ -31,5 +31,9 @@ class ResultsError(RuntimeError):
     """A results file of sweeps that cannot be used."""
 
 
+class BagError(ValueError):
+    """A bag that cannot be read, or no rosbag to read it by."""
+
+
 class SieveWarning(UserWarning):
     """A legal but implausible scene, or a run to be looked at."""

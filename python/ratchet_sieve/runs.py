@@ -52,18 +52,12 @@ class Collisions(Values):
     records: Optional[np.ndarray] = None
 
 
-class Run:
-    """A run that has ended.
+class Recording:
+    """What pictures need: the frames of a run, and its scene."""
 
-    scene, summary, frames (empty unless asked for), collisions
-    """
-
-    def __init__(self, simulation: Simulation, summary: Summary, frames: Frames, collisions: Collisions):
-        self.scene = simulation.scene
-        self.simulation = simulation
-        self.summary = summary
+    def __init__(self, scene: Scene, frames: Frames):
+        self.scene = scene
         self.frames = frames
-        self.collisions = collisions
 
     def plot(self, frame: int = -1, axes: Any = None) -> Any:
         """Draws the machine at a frame, or of a run without frames at its end. Returns matplotlib's axes."""
@@ -91,6 +85,22 @@ class Run:
             os.fspath(path), self.scene._engine,
             [(float(time), disks, dict(zip(names, base.tolist())))
              for time, disks, base in zip(self.frames.time, self.frames.disks, self.frames.base)])
+
+    def __repr__(self) -> str:
+        return f"<Recording of {self.scene.source}: {len(self.frames)} frames>"
+
+
+class Run(Recording):
+    """A run that has ended.
+
+    scene, summary, frames (empty unless asked for), collisions
+    """
+
+    def __init__(self, simulation: Simulation, summary: Summary, frames: Frames, collisions: Collisions):
+        super().__init__(simulation.scene, frames)
+        self.simulation = simulation
+        self.summary = summary
+        self.collisions = collisions
 
     def __repr__(self) -> str:
         return f"<Run of {self.scene.source}, {self.summary.simulated_time:.6g} s>\n{self.summary!r}"

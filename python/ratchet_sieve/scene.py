@@ -44,16 +44,23 @@ class Scene:
         source     named in errors
         Raises SceneError. Warns (SieveWarning) of what is legal but implausible.
         """
-        self._begin(_engine.scene_of_text(yaml_text(text), source, _assignments(overrides)), source)
+        self._begin(yaml_text(text), _assignments(overrides), source)
 
     @classmethod
     def load(cls, path: Union[str, os.PathLike], overrides: Optional[Overrides] = None) -> Scene:
         """From a scene file; see __init__()."""
         scene = cls.__new__(cls)
-        scene._begin(_engine.load_scene(os.fspath(path), _assignments(overrides)), os.fspath(path))
+        source = os.fspath(path)
+        engine = _engine.load_scene(source, _assignments(overrides))
+        with open(source, encoding="utf-8") as file:
+            scene._begin(file.read(), _assignments(overrides), source, engine)
         return scene
 
-    def _begin(self, engine: _engine.Scene, source: str) -> None:
+    def _begin(self, text: str, assignments: list[str], source: str, engine: Optional[_engine.Scene] = None) -> None:
+        """The text and the overrides are kept, since a key may decide others: `density` the numbers of disks."""
+        self._text = text
+        self._assignments = assignments
+        engine = engine or _engine.scene_of_text(text, source, assignments)
         self._engine = engine
         self._values: Optional[dict] = None
         self.source = source
@@ -63,9 +70,13 @@ class Scene:
     def replace(self, overrides: Optional[Overrides] = None, **keys: Any) -> Scene:
         """The scene with other values: `replace({"base.inclination": 0.06}, seed=3)`. Raises SceneError."""
         scene = type(self).__new__(type(self))
-        scene._begin(_engine.scene_of_text(self.yaml, self.source, _assignments({**(overrides or {}), **keys})),
-                     self.source)
+        scene._begin(self._text, self._assignments + _assignments({**(overrides or {}), **keys}), self.source)
         return scene
+
+    @property
+    def given(self) -> dict:
+        """What the scene was given, without defaults, as nested dicts and lists: a copy."""
+        return _engine.given_values(self._text, self.source, self._assignments)
 
     @property
     def yaml(self) -> str:
@@ -122,16 +133,18 @@ class Scene:
         return hash(self._engine.run_hash)
 
     def __reduce__(self):
-        return _unpickled, (self.yaml, self.source)
+        return _unpickled, (self._text, self._assignments, self.source)
 
     def __repr__(self) -> str:
         return f"<Scene {self.source}: {', '.join(self.species)}; hash {self.hash}>"
 
 
-def _unpickled(text: str, source: str) -> Scene:
+def _unpickled(text: str, assignments: list[str], source: str) -> Scene:
+    scene = Scene.__new__(Scene)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SieveWarning)
-        return Scene(text, source=source)
+        scene._begin(text, assignments, source)
+    return scene
 
 
 def _assignments(overrides: Optional[Overrides]) -> list[str]:

@@ -3,6 +3,7 @@ import dataclasses
 import math
 import statistics
 
+import numpy
 from scipy import special
 
 from ratchet_sieve.texts import decimals_of, rounded
@@ -117,3 +118,14 @@ def variance_of(values):
     fourth = sum((v - centre) ** 4 for v in values) / count
     error = math.sqrt(max(0.0, fourth - second ** 2 * (count - 3) / (count - 1)) / count)
     return Mean(second, error, count)
+
+
+def density_of(values, width):
+    """The distribution of independent values in bins of a width, one of which begins at 0.
+    @return edges of the bins from the first that holds a value to the last, and of their neighbours; densities;
+    standard errors of these"""
+    bins = numpy.floor(numpy.asarray(values) / width).astype(int)
+    first = bins.min() - 1
+    shares = numpy.bincount(bins - first, minlength=bins.max() - first + 2) / len(bins)
+    errors = numpy.sqrt(shares * (1.0 - shares) / len(bins))
+    return width * (first + numpy.arange(len(shares) + 1)), shares / width, errors / width

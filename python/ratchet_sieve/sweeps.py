@@ -36,7 +36,7 @@ def sweep(scene: Scene, grid: Optional[Mapping[str, Iterable]] = None, *, zip: O
     Returns a row for each case, in the order of the product, seeds fastest: see read_sweep().
     Raises SceneError before any case is run, ResultsError. After Ctrl-C a call with the same file goes on.
     """
-    sweep_of: dict[str, Any] = {"scene": scene.values}
+    sweep_of: dict[str, Any] = {"scene": scene.given}
     for name, axes in (("grid", grid), ("zip", zip)):
         if axes:
             sweep_of[name] = {key: np.asarray(list(values)).tolist() if not isinstance(values, list) else values

@@ -176,6 +176,12 @@ def read_rows(path):
     return Rows(frame.reset_index(drop=True), path, int((~done).sum()))
 
 
+def rows_of(frame):
+    """The cases that are done of a DataFrame of ratchet_sieve.sweep() or read_sweep(), with their throughput."""
+    done = frame[frame["status"] == "done"]
+    return Rows(done.assign(throughput=throughput(done)), "sweep", len(frame) - len(done))
+
+
 def departed(frame):
     """Disks of all species that left, of each run. @param frame of Rows"""
     return frame[[name for name in frame if name.startswith(("left.", "right."))]].sum(axis=1, min_count=1)

@@ -1,4 +1,7 @@
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,13 +21,59 @@ namespace
 
 namespace py = pybind11;
 
-Scene sceneOfText(const std::string& text, const std::string& source,
-                  const std::vector<std::string>& overrides)
+/// A scene's text with its overrides.
+YAML::Node overridden(const std::string& text, const std::string& source,
+                      const std::vector<std::string>& overrides)
 {
   YAML::Node root = copyableYaml(text, source);
   for (const std::string& assignment : overrides)
     applyOverride(root, assignment);
-  return sceneFromYaml(root, source);
+  return root;
+}
+
+Scene sceneOfText(const std::string& text, const std::string& source,
+                  const std::vector<std::string>& overrides)
+{
+  return sceneFromYaml(overridden(text, source, overrides), source);
+}
+
+/// What is given of a scene, without defaults.
+py::object givenValues(const std::string& text, const std::string& source,
+                       const std::vector<std::string>& overrides)
+{
+  return toPython(overridden(text, source, overrides));
+}
+
+/// Disks of a frame that was recorded.
+/// @param columns of equal lengths, named as in ParticleStates.msg; an empty radius: that of the species
+/// @throws std::invalid_argument the scene has no such disks
+py::array disksOf(const Scene& scene, const std::map<std::string, py::array_t<double>>& columns)
+{
+  const auto size = columns.at("id").size();
+  for (const auto& [name, column] : columns)
+    if (column.size() != size && (name != "radius" || column.size() != 0))
+      throw std::invalid_argument("there are " + std::to_string(size) + " id and " +
+                                  std::to_string(column.size()) + " " + name);
+  std::vector<DiskState> disks(static_cast<std::size_t>(size));
+  for (py::ssize_t k = 0; k < size; ++k)
+  {
+    const auto value = [&columns, k](const char* name) { return columns.at(name).at(k); };
+    DiskState& disk = disks[static_cast<std::size_t>(k)];
+    disk.id = static_cast<std::uint32_t>(value("id"));
+    disk.species = static_cast<std::uint32_t>(value("species"));
+    if (disk.species >= scene.definition.species.size())
+      throw std::invalid_argument("the scene has no species " + std::to_string(disk.species));
+    disk.x = value("x");
+    disk.y = value("y");
+    disk.angle = value("angle");
+    disk.vx = value("vx");
+    disk.vy = value("vy");
+    disk.spin = value("spin");
+    disk.displacement = value("displacement");
+    if (columns.at("radius").size() != 0)
+      disk.radius = value("radius");
+  }
+  return arrayOf(disks, scene.definition);
 }
 
 }  // namespace
@@ -38,9 +87,11 @@ void bindScene(py::module_& module)
       .def_property_readonly("hash", [](const Scene& scene) { return sceneHash(scene.definition); })
       .def_property_readonly("run_hash", [](const Scene& scene) { return runHash(scene.definition); })
       .def_property_readonly("species", [](const Scene& scene) { return speciesNames(scene.definition); })
-      .def_readonly("warnings", &Scene::warnings);
+      .def_readonly("warnings", &Scene::warnings)
+      .def("disks_of", &disksOf, py::arg("columns"));
   module.def("load_scene", &loadSceneFile, py::arg("path"), py::arg("overrides"));
   module.def("scene_of_text", &sceneOfText, py::arg("text"), py::arg("source"), py::arg("overrides"));
+  module.def("given_values", &givenValues, py::arg("text"), py::arg("source"), py::arg("overrides"));
 }
 
 }  // namespace ratchet_sieve

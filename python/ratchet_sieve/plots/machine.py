@@ -25,12 +25,13 @@ def circles(axes, xs, ys, radii, **options):
                                         **options))
 
 
-def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0)):
+def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0), species=None):
     """Teeth and disks to scale, in mm, in the world's frame.
     @param base the part `base` of a scene: teeth, and tooth_width, tooth_height and asymmetry, or profile
     @param disks columns x, y, radius [m] and species, and angle [rad] where the rotation is to be seen: a DataFrame, or
     a map or an array of such names
-    @param inclination of the instant [rad]; None: the scene's. @param displacement of the base at the instant [m]"""
+    @param inclination of the instant [rad]; None: the scene's. @param displacement of the base at the instant [m]
+    @param species all names, in the order of their colours; None: those of the disks, in their order"""
     theta = base.get("inclination", 0.0) if inclination is None else inclination
     corners = surface(base)
     bottom = min(n for _, n in corners) - DEPTH * corners[-1][0] / base["teeth"]
@@ -38,12 +39,12 @@ def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0)):
     axes.fill([MM * x for x, _ in closed], [MM * y for _, y in closed], facecolor=TEETH, edgecolor=GREY, linewidth=0.6)
     kinds = [str(kind) for kind in disks["species"]]
     columns = [[float(value) for value in disks[name]] for name in ("x", "y", "radius")]
-    for colour, kind in zip(COLOURS, dict.fromkeys(kinds)):
+    for colour, kind in zip(COLOURS, species or dict.fromkeys(kinds)):
         own = [k for k, other in enumerate(kinds) if other == kind]
         xs, ys, radii = ([column[k] for k in own] for column in columns)
         circles(axes, xs, ys, radii, facecolor=colour, edgecolor="white", linewidth=0.3)
         axes.plot([], [], "o", color=colour, label=kind)
-        if "angle" in columns_of(disks):
+        if own and "angle" in columns_of(disks):
             angles = list(disks["angle"])
             dots = [(x + DOT[0] * r * math.cos(angles[k]), y + DOT[0] * r * math.sin(angles[k]))
                     for x, y, r, k in zip(xs, ys, radii, own)]

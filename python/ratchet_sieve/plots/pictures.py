@@ -1,10 +1,8 @@
 """Pictures of a Run."""
-from matplotlib import pyplot
-from matplotlib.animation import FuncAnimation
-
 from ratchet_sieve.plots.machine import machine
+from ratchet_sieve.plots.style import legend_above, new_axes
 
-WIDTH = 8.0  # of a picture [inch]
+SIZE = (8.0, 3.2)  # of a machine's picture [inch]
 
 
 def instant(run, frame):
@@ -20,19 +18,21 @@ def draw(run, frame, axes):
     columns = {name: disks[name] for name in ("x", "y", "radius", "angle")}
     columns["species"] = [names[kind] for kind in disks["species"]]
     machine(axes, run.scene.values["base"], columns, float(base["inclination"]),
-            (float(base["horizontal_displacement"]), float(base["displacement"])))
+            (float(base["horizontal_displacement"]), float(base["displacement"])), names)
+    legend_above(axes)
 
 
 def machine_of(run, frame, axes=None):
-    if axes is None:
-        _, axes = pyplot.subplots(figsize=(WIDTH, 0.5 * WIDTH))
+    axes = axes or new_axes(SIZE)
     draw(run, frame, axes)
-    axes.legend(loc="upper right")
     return axes
 
 
 def animation_of(run, speed):
-    figure, axes = pyplot.subplots(figsize=(WIDTH, 0.5 * WIDTH))
+    from matplotlib import pyplot  # these take long, and the programs do without
+    from matplotlib.animation import FuncAnimation
+
+    axes = new_axes(SIZE)
     draw(run, 0, axes)
     left, right = axes.get_xlim()
     low, high = axes.get_ylim()
@@ -43,6 +43,6 @@ def animation_of(run, speed):
         axes.set(xlim=(left, right), ylim=(low, high), title=f"{run.frames.time[frame]:.3f} s")
 
     period = 1000.0 * float(run.frames.time[-1] - run.frames.time[0]) / max(len(run.frames) - 1, 1)
-    animation = FuncAnimation(figure, show, frames=len(run.frames), interval=period / speed)
-    pyplot.close(figure)
+    animation = FuncAnimation(axes.figure, show, frames=len(run.frames), interval=period / speed)
+    pyplot.close(axes.figure)
     return animation

@@ -12,6 +12,7 @@ UJ = 1e6  # per J
 # Okabe and Ito's colours, which colour-blind readers can distinguish.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
 GREY = "#555555"
+DPI = 100  # of a figure in a notebook
 
 STYLE = {
     "figure.dpi": 150,
@@ -41,6 +42,15 @@ def panels(rows, columns, size, layout="constrained", **options):
     return figure, figure.subplots(rows, columns, **options)
 
 
+def new_axes(size):
+    """Axes of a figure of its own, which a notebook shows. @param size of the figure [inches]"""
+    from matplotlib import pyplot  # takes long, and the programs do without
+
+    pyplot.draw_if_interactive()  # loads the backend before the context, whose end would undo its settings
+    with styled():
+        return pyplot.subplots(figsize=size, dpi=DPI, layout="constrained")[1]
+
+
 def save(figure, path, **options):
     """@param path of the PNG; an SVG stands beside it where `svg` is true. @param options of Figure.savefig
     @return paths"""
@@ -64,3 +74,7 @@ def beside(axes, **options):
     """A legend to the right of the axes; none if nothing was recorded."""
     if axes.get_legend_handles_labels()[0]:
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0, **options)
+
+
+def legend_above(axes):
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=4, frameon=False, borderaxespad=0.2)

@@ -4,36 +4,17 @@ SVG, means.csv and report.html there, and prints their paths."""
 import base64
 import html
 import json
-import math
 
-from ratchet_sieve.plots.curves import STEPS, curve, end_labels, key_colours
-from ratchet_sieve.plots.maps import mark_cells, shown, value_map
+from ratchet_sieve.plots.curves import STEPS
+from ratchet_sieve.plots.maps import shown
+from ratchet_sieve.plots.means import Means, draw_curves, draw_map
 from ratchet_sieve.plots.program import parser_of, run_program
 from ratchet_sieve.plots.style import GREY, panels, save
 from ratchet_sieve.tables import Refusal, read_rows, throughput, typed, write_csv, writing
 from ratchet_sieve.texts import counted
 
-SMALLEST_DIFFERENCE = 1e-6  # of an axis: steps that differ by a smaller part are taken as equal
 MOST_CURVES = STEPS  # in one picture
 FINDINGS = {'lines', 'least_processed', 'least_counted', 'best'}  # of findings.json
-
-LABELS = {
-    'base.inclination': r'$\theta$ [rad]',
-    'base.frequency': '$f$ [Hz]',
-    'base.amplitude': '$A$ [m]',
-    'density': 'density $d$',
-    'quality': 'quality $Q$',
-    'processed': 'processed ratio $P$',
-    'throughput': 'throughput [disks/s]',
-}
-
-
-def label(name):
-    if name is None:
-        return ''
-    if name.startswith('mean_vx.'):
-        return rf"$\langle V_x \rangle$ of {name.split('.', 1)[1]} [m/s]"
-    return LABELS.get(name, name)
 
 
 def read_cases(path):
@@ -79,101 +60,12 @@ def choose_axes(options, keys, rows):
     return x, y
 
 
-def of_all(rows, field):
-    """The mean in which an undefined value counts as 0: no disk has left."""
-    return sum(rows.samples(field)) / len(rows)
-
-
-class Means:
-    """The mean of each field over the seeds at each (x, y); the places where P or the counted disks are too few for Q
-    to be compared; and the best place, if it is known."""
-
-    def __init__(self, rows, x, y, fields, findings):
-        groups = rows.by(x, y) if y else {(place, None): group for place, group in rows.by(x).items()}
-        self.fields = fields
-        self.counts = {place: len(group) for place, group in groups.items()}
-        self.below = {place for place, group in groups.items()
-                      if of_all(group, 'processed') < findings['least_processed']
-                      or of_all(group, 'counted') < findings['least_counted']}
-        best = findings['best'] and {key: typed(text) for key, text in findings['best']['values'].items()}
-        self.best = (best[x], best[y] if y else None) if best else None
-        self.at = {(field, place): group.mean(field) for field in fields for place, group in groups.items()}
-        self.xs = rows.values(x)
-        self.ys = rows.values(y) if y else [None]
-
-    def get(self, field, x, y):
-        """@return a Mean, or None"""
-        return self.at.get((field, (x, y)))
-
-    def value(self, field, x, y):
-        mean = self.get(field, x, y)
-        return mean.value if mean else math.nan
-
-
 def default_fields(rows):
     wanted = ['quality', 'processed', 'throughput'] + [name for name in rows.frame if name.startswith('mean_vx.')]
     fields = [field for field in wanted if rows.samples(field)]
     if not fields:
         raise Refusal('no field is defined in any case')
     return fields
-
-
-def is_even(values):
-    """Whether they are evenly spaced numbers."""
-    if len(values) < 2 or any(isinstance(v, str) for v in values):
-        return False
-    steps = [b - a for a, b in zip(values, values[1:])]
-    return max(steps) - min(steps) <= SMALLEST_DIFFERENCE * (values[-1] - values[0])
-
-
-def draw_curves(axes, means, field, x, y):
-    places = means.xs
-    if any(isinstance(v, str) for v in means.xs):
-        places = list(range(len(means.xs)))
-        axes.set_xticks(places, map(shown, means.xs))
-    ends = []
-    for colour, other in zip(key_colours(means.ys), means.ys):
-        points = [(place, means.get(field, v, other)) for place, v in zip(places, means.xs)]
-        curve(axes, points, color=colour)
-        known = [mean.value for _, mean in points if mean]
-        if known and y is not None:
-            ends.append((known[-1], shown(other), colour))
-        if field == 'quality':
-            mark_curve(axes, means, dict(zip(means.xs, places)), other, colour)
-    end_labels(axes, ends, label(y))
-    axes.set_xlabel(label(x))
-    axes.set_ylabel(label(field))
-
-
-def mark_curve(axes, means, places, other, colour):
-    """Hollow points where Q is not comparable, and a star at the best. @param places map from x to its place"""
-    hollow = [(place, means.value('quality', v, other)) for v, place in places.items() if (v, other) in means.below]
-    axes.plot([place for place, _ in hollow], [mean for _, mean in hollow], 'o', color=colour, markersize=5,
-              markerfacecolor='white', zorder=3)
-    if means.best and means.best[1] == other:
-        axes.plot(places[means.best[0]], means.value('quality', *means.best), '*', color=colour, markersize=11,
-                  zorder=4)
-
-
-def cells(axis, values):
-    """The edges of a map's cells, and their places: the values if they are evenly spaced, else 0, 1, 2, …"""
-    places = values if is_even(values) else list(range(len(values)))
-    if places is not values:
-        axis.set_ticks(places, map(shown, values))
-    inner = [(a + b) / 2 for a, b in zip(places, places[1:])]
-    return [2 * places[0] - inner[0], *inner, 2 * places[-1] - inner[-1]], places
-
-
-def draw_map(axes, means, field, x, y):
-    (x_edges, xs), (y_edges, ys) = cells(axes.xaxis, means.xs), cells(axes.yaxis, means.ys)
-    value_map(axes, x_edges, y_edges, [[means.value(field, u, v) for u in means.xs] for v in means.ys], label(field))
-    if field == 'quality':
-        mark_cells(axes, x_edges, y_edges, [(means.xs.index(u), means.ys.index(v)) for u, v in means.below])
-        if means.best:
-            axes.plot(xs[means.xs.index(means.best[0])], ys[means.ys.index(means.best[1])], '*', color='white',
-                      markeredgecolor='black', markersize=12)
-    axes.set_xlabel(label(x))
-    axes.set_ylabel(label(y))
 
 
 def draw_all(means, x, y, directory, origin):

@@ -6,7 +6,7 @@ import numpy
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce import verdicts
 from ratchet_sieve.reproduce.study import Picture, Study, Sweep
-from ratchet_sieve.stats import mean_of, variance_of
+from ratchet_sieve.stats import density_of, mean_of, variance_of
 from ratchet_sieve.texts import table
 
 TIME = "duration"
@@ -26,19 +26,10 @@ def evaluator(sweep):
     return evaluate
 
 
-def density(values):
-    """@return edges of the bins that hold disks and their neighbours, densities [1/m], standard errors of these"""
-    bins = numpy.floor(numpy.array(values) / BIN).astype(int)
-    first = bins.min() - 1
-    shares = numpy.bincount(bins - first, minlength=bins.max() - first + 2) / len(values)
-    errors = numpy.sqrt(shares * (1.0 - shares) / len(values))
-    return BIN * (first + numpy.arange(len(shares) + 1)), shares / BIN, errors / BIN
-
-
 def draw(samples):
     figure, axes = plots.panels(1, 1, (6.4, 3.8))
     for (time, values), colour in zip(samples.items(), plots.ramp(len(samples))):
-        plots.distribution(axes, *density(values), color=colour, label=f"{time:g} s")
+        plots.distribution(axes, *density_of(values, BIN), color=colour, label=f"{time:g} s")
     axes.axvline(0.0, color=plots.GREY, linewidth=0.8, zorder=1)
     axes.set_xlabel("displacement [m]")
     axes.set_ylabel("density [1/m]")
