@@ -1,8 +1,6 @@
 """Distributions of the displacement of single disks at several times. Each run has one disk."""
 import math
 
-import numpy
-
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce import verdicts
 from ratchet_sieve.reproduce.study import Picture, Study, Sweep
