@@ -78,7 +78,7 @@ public:
     for (const SpeciesBins& bins : simulation->bins())
       to = writeFields(bins, to);
     writeFields(base, to_base_ + row * (base_.size() / time_.size()));
-    const std::vector<DiskState>& disks = simulation.disks();
+    const std::vector<DiskState> disks = simulation->disks();
     readVelocities(row, before, disks, elapsed);
     readHistogram(row, disks, base, simulation->scene().base.width());
   }
@@ -187,7 +187,7 @@ py::tuple stepMany(const std::vector<std::shared_ptr<RunningSimulation>>& simula
              {
                RunningSimulation::Use simulation(*simulations[k]);
                commandAll(commands[k], *simulation);
-               before = simulation.disks();
+               before = simulation->disks();
                start = simulation->time();
              }
              try

@@ -47,7 +47,7 @@ py::object givenValues(const std::string& text, const std::string& source,
 /// Disks of a frame that was recorded.
 /// @param columns of equal lengths, named as in ParticleStates.msg; an empty radius: that of the species
 /// @throws std::invalid_argument the scene has no such disks
-py::array disksOf(const Scene& scene, const std::map<std::string, py::array_t<double>>& columns)
+py::array recordedDisks(const Scene& scene, const std::map<std::string, py::array_t<double>>& columns)
 {
   const auto size = columns.at("id").size();
   for (const auto& [name, column] : columns)
@@ -88,7 +88,7 @@ void bindScene(py::module_& module)
       .def_property_readonly("run_hash", [](const Scene& scene) { return runHash(scene.definition); })
       .def_property_readonly("species", [](const Scene& scene) { return speciesNames(scene.definition); })
       .def_readonly("warnings", &Scene::warnings)
-      .def("disks_of", &disksOf, py::arg("columns"));
+      .def("disks_of", &recordedDisks, py::arg("columns"));
   module.def("load_scene", &loadSceneFile, py::arg("path"), py::arg("overrides"));
   module.def("scene_of_text", &sceneOfText, py::arg("text"), py::arg("source"), py::arg("overrides"));
   module.def("given_values", &givenValues, py::arg("text"), py::arg("source"), py::arg("overrides"));
