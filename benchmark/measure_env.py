@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Measures environments for learning: simulated time per time of one sieve and of many, over that of the engine alone.
 Each round measures all in turn. The results are medians of the ratios within a round, because other load on the machine
-changes from round to round. Of a machine that others use, only the ratios of processor time, and of the wall time of many
-sieves over that of as many engines without an environment, say something.
+changes from round to round. Of a machine that others use, only the ratios of processor time say something, and that of
+the wall time of many sieves over that of as many engines without an environment.
 """
 import argparse
 import dataclasses
