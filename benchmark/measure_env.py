@@ -1,19 +1,20 @@
 #!/usr/bin/python3
 """Measures environments for learning: simulated time per time of one sieve and of many, over that of the engine alone.
 Each round measures all in turn. The results are medians of the ratios within a round, because other load on the machine
-changes from round to round. Of a machine that others use, only the ratios of processor time, and of the wall time of many
-sieves over that of as many engines without an environment, say something.
+changes from round to round. Of a machine that others use, only the ratios of processor time say something, and that of
+the wall time of many sieves over that of as many engines without an environment.
 """
 import argparse
 import dataclasses
 import os
+import pathlib
 import statistics
 import time
 
 import numpy as np
 
 import ratchet_sieve as rs
-from ratchet_sieve import _engine, places
+from ratchet_sieve import _engine, documents, origin, places
 
 BEGIN = 5.0  # until the feed has filled the base [s]
 
@@ -58,7 +59,11 @@ def main():
     parser.add_argument("--rounds", type=int, default=9)
     parser.add_argument("--seconds", type=float, default=20.0, help="simulated by each sieve in a round (default: 20)")
     parser.add_argument("--step", type=float, default=1.0, help="[s] (default: 1)")
+    parser.add_argument("--write", type=pathlib.Path, metavar="FILE",
+                        help="put the table between the marks of this document")
     arguments = parser.parse_args()
+    if arguments.write:
+        documents.require_place(parser, arguments.write, "env")
     scene, seconds = rs.Scene.load(arguments.scene), arguments.seconds
     settings = {"episode": BEGIN + seconds + 1.0, "step": arguments.step}
     single = rs.env.SieveEnv(scene, **settings)
@@ -75,21 +80,17 @@ def main():
     def ratio(one, other, clock):
         return statistics.median(getattr(row[one], clock) / getattr(row[other], clock) for row in rounds)
 
-    print(f"{arguments.scene}: medians of {arguments.rounds} rounds; {arguments.sieves} sieves, "
-          f"{arguments.threads} threads, steps of {arguments.step:g} s")
-    print("| | wall time | processor time |")
-    print("|---|---|---|")
-    for name, one, other, per in (
-            ("one engine: simulated seconds per second", "engine", None, 1),
+    lines = [f"{origin.text()}; {arguments.sieves} sieves, {arguments.threads} threads, steps of {arguments.step:g} s, "
+             f"medians of {arguments.rounds} rounds.", "", "| | wall time | processor time |", "|---|---|---|"]
+    for name, one, other, threads in (
             ("SieveEnv over one engine", "SieveEnv", "engine", 1),
             ("SieveVectorEnv over as many engines on as many threads", "SieveVectorEnv", "engines", 1),
-            ("SieveVectorEnv over one engine, per thread", "SieveVectorEnv", "engine", arguments.threads)):
-        if other:
-            cells = (ratio(one, other, "wall") / per, ratio(one, other, "processor"))
-        else:
-            cells = tuple(statistics.median(getattr(row[one], clock) for row in rounds)
-                          for clock in ("wall", "processor"))
-        print(f"| {name} | {cells[0]:.3g} | {cells[1]:.3g} |")
+            ("SieveVectorEnv per thread over one engine", "SieveVectorEnv", "engine", arguments.threads)):
+        wall, processor = ratio(one, other, "wall") / threads, ratio(one, other, "processor")
+        lines.append(f"| {name} | {wall:.2f} | {processor:.2f} |")
+    print("\n".join(lines))
+    if arguments.write:
+        documents.put(arguments.write, "env", "\n".join(lines))
 
 
 if __name__ == "__main__":

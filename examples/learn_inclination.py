@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Learns at which inclination a fed sieve separates best, by the cross-entropy method: each generation tries
-inclinations drawn from a normal distribution, one in each of many sieves, and fits the distribution to the best of them.
+inclinations drawn from a normal distribution, one in each of many sieves, and fits the distribution to the best ones.
 Draws what was tried and learned. The sieve is that of docs/seeking.md, where sieve_seek and a sweep find 0.15 rad.
 """
 import argparse
@@ -11,16 +11,16 @@ from matplotlib.figure import Figure
 import ratchet_sieve as rs
 from ratchet_sieve import places
 
-SIEVES, ELITE, GENERATIONS = 16, 4, 12
+SIEVES, ELITE = 16, 4
 STEP, WINDOW, EPISODE = 20.0, 40.0, 60.0  # [s]; the first step is left for the base to turn and the layer to settle
 KNOWN_BEST = 0.15  # [rad], by the sweep of docs/seeking.md
 
 
-def learn(sieves, random):
+def learn(sieves, generations, random):
     """@return of each generation: the inclinations tried, their Q, mean and deviation of the next distribution"""
     low, high = sieves.single_action_space.low, sieves.single_action_space.high
     mean, deviation = 0.0, 0.25
-    for generation in range(GENERATIONS):
+    for generation in range(generations):
         inclinations = np.clip(random.normal(mean, deviation, (SIEVES, 1)), low, high)
         sieves.reset(seed=1000 * generation)
         ended = np.zeros(SIEVES, dtype=bool)
@@ -50,16 +50,18 @@ def draw(generations, path):
     figure.savefig(path)
 
 
-def main():
+def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seed", type=int, default=1, help="of the inclinations that are drawn (default: 1)")
+    parser.add_argument("--generations", type=int, default=10)
     parser.add_argument("--picture", default="learn_inclination.png", metavar="FILE")
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(arguments)
     scene = rs.Scene.load(places.SHARE / "config/seek.yaml")
     sieves = rs.env.SieveVectorEnv(scene, SIEVES, step=STEP, window=WINDOW, episode=EPISODE, autoreset="disabled")
-    generations = list(learn(sieves, np.random.default_rng(arguments.seed)))
+    generations = list(learn(sieves, arguments.generations, np.random.default_rng(arguments.seed)))
     print(f"learned {generations[-1][2]:.3f} rad; best by a sweep {KNOWN_BEST} rad")
     draw(generations, arguments.picture)
+    return generations[-1][2]
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ from commands import DOCUMENTS, PACKAGE, blocks, code_spans, commands, simple_co
 from plan import BEFORE, GOES_ON, NOT_RUN, SAVED
 from session import Session, lookup
 
-FOLDERS = 'benchmark|config|docs|include|launch|msg|python|rviz|scripts|src|srv|test'
+FOLDERS = 'benchmark|config|docs|examples|include|launch|msg|python|rviz|scripts|src|srv|test'
 SECTIONS = 'base|boundary|gravity|species|pairs|density|contact|pour|feed|initial|accuracy|duration|settle|seed'
 # Files of the user, or created by the commands.
 MADE = {'controller.py', 'fig9.yaml', 'statistics.csv'}

@@ -1,5 +1,6 @@
 """Environments for learning and control: Gymnasium's contract, and that they tell the truth about the sieve."""
 import math
+import runpy
 
 import numpy as np
 import pytest
@@ -415,6 +416,12 @@ def test_refuses_batches_with_one_line(scene, call, error):
     with pytest.raises(ValueError, match=error):
         call(env)
     assert env.step(np.zeros((3, 1)))[4]["time"].tolist() == [1.0] * 3
+
+
+def test_the_example_learns_the_best_inclination(tmp_path):
+    learned = runpy.run_path(str(places.CHECKOUT / "examples/learn_inclination.py"))["main"]
+    assert learned(["--generations", "3", "--picture", str(tmp_path / "learned.png")]) == pytest.approx(0.15, abs=0.03)
+    assert (tmp_path / "learned.png").stat().st_size > 10000
 
 
 # The stand-ins, whether or not Gymnasium is installed.

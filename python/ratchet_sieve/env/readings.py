@@ -42,9 +42,10 @@ class Readings:
         self.window = np.zeros(count)
         self.quality, self.quality_defined = self.measured("quality", slice(None))
         self.processed, self.processed_defined = np.zeros(count), np.zeros(count, dtype=bool)
-        # The bins and times at the ends of the last steps, the oldest first.
+        # The bins and times at the ends of the last steps: rings, of each sieve with the place of the oldest.
         self._past_bins = np.zeros((count, window_steps + 1, *self.bins.shape[1:]))
         self._past_times = np.zeros((count, window_steps + 1))
+        self._oldest = np.zeros(count, dtype=np.int64)
 
     def begin(self, which: np.ndarray, read: Mapping[str, np.ndarray]) -> None:
         """Takes what was read of these sieves at the start of their episodes."""
@@ -54,9 +55,10 @@ class Readings:
 
     def add(self, which: np.ndarray, read: Mapping[str, np.ndarray]) -> None:
         """Takes what was read of these sieves at the end of a step."""
-        for past, now in ((self._past_bins, read["bins"]), (self._past_times, read["time"])):
-            past[which, :-1] = past[which, 1:]
-            past[which, -1] = now
+        oldest = self._oldest[which]
+        self._past_bins[which, oldest] = read["bins"]
+        self._past_times[which, oldest] = read["time"]
+        self._oldest[which] = (oldest + 1) % self._past_times.shape[1]
         self._take(which, read)
 
     def _take(self, which: np.ndarray, read: Mapping[str, np.ndarray]) -> None:
@@ -64,9 +66,9 @@ class Readings:
         for name in self._TABLES:
             getattr(self, name)[which] = read[name]
         departures = read["bins"].copy()
-        departures[..., _COUNTED] -= self._past_bins[which, 0][..., _COUNTED]
+        departures[..., _COUNTED] -= self._past_bins[which, self._oldest[which]][..., _COUNTED]
         self.departures[which] = departures
-        self.window[which] = read["time"] - self._past_times[which, 0]
+        self.window[which] = read["time"] - self._past_times[which, self._oldest[which]]
         self.quality[which], self.quality_defined[which] = self.measured("quality", which)
         self.processed[which], self.processed_defined[which] = _engine.processed_ratios(departures)
 

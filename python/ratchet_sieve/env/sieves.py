@@ -34,7 +34,7 @@ class Sieves:
         changed."""
         for key in options or ():
             if key != "scene":
-                raise ValueError(f"options: there is none of the name {key!r}; there is scene, a mapping of dotted keys")
+                raise ValueError(f"options: there is none of the name {key!r}; there is scene, a map of dotted keys")
         which = np.asarray(which, dtype=np.int64)
         scenes = [self.task.scene_of(seed, (options or {}).get("scene")) for seed in seeds]
         simulations = [Simulation(scene) for scene in scenes]

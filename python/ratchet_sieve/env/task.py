@@ -94,7 +94,7 @@ class Task:
         except ValueError as error:
             raise ValueError(f"reward: {error}; or a function of the readings") from None
         if self.scene["boundary"] == "periodic":
-            raise ValueError(f"reward = {self.reward}: nothing leaves a periodic base; give a function of the readings, "
+            raise ValueError(f"reward = {self.reward}: nothing leaves a periodic base; give a function of the readings "
                              "or a scene with boundary: open")
 
 
