@@ -45,11 +45,12 @@ def _read(bag: Any, path: str) -> Recording:
     if len(scenes) != 1:
         raise BagError(f"{path}: holds {len(scenes)} runs: must be one")
     scene = Scene(scenes[0].yaml, source=path)
-    lists = {"disks": {message.time: scene._engine.disks_of({name: getattr(message, name) for name in DISK_COLUMNS})
-                       for message in _messages(bag, DISKS, path)},
-             "base": {message.time: {name: getattr(message, name) for name in message.__slots__ if name not in ABOUT}
-                      for message in _messages(bag, BASE, path)},
-             "bins": {message.time: _bins(message) for message in _messages(bag, BINS, path)}}
+    lists: dict[str, dict[float, Any]] = {
+        "disks": {message.time: scene._engine.disks_of({name: getattr(message, name) for name in DISK_COLUMNS})
+                  for message in _messages(bag, DISKS, path)},
+        "base": {message.time: {name: getattr(message, name) for name in message.__slots__ if name not in ABOUT}
+                 for message in _messages(bag, BASE, path)},
+        "bins": {message.time: _bins(message) for message in _messages(bag, BINS, path)}}
     times = sorted(set.intersection(*(set(frames) for frames in lists.values())))
     if not times:
         raise BagError(f"{path}: at no time disks, base and bins were all recorded")

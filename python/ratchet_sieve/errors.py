@@ -1,4 +1,7 @@
 """The errors of the engine."""
+from __future__ import annotations
+
+from typing import Any
 
 
 class SceneError(ValueError):
@@ -9,13 +12,13 @@ class SceneError(ValueError):
     allowed  what is allowed, or what is wrong
     """
 
-    def __init__(self, line, key="", value="", allowed=""):
+    def __init__(self, line: str, key: str = "", value: str = "", allowed: str = ""):
         super().__init__(line)
         self.key = key
         self.value = value
         self.allowed = allowed
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (str(self), self.key, self.value, self.allowed)
 
 

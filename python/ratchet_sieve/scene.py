@@ -113,7 +113,7 @@ class Scene:
     @property
     def width(self) -> float:
         """W, the length of the base [m]."""
-        return length(self.values["base"])
+        return float(length(self.values["base"]))
 
     @property
     def outline(self) -> np.ndarray:
@@ -132,7 +132,7 @@ class Scene:
     def __hash__(self) -> int:
         return hash(self._engine.run_hash)
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return _unpickled, (self._text, self._assignments, self.source)
 
     def __repr__(self) -> str:

@@ -121,7 +121,8 @@ class Simulation:
     @property
     def summary(self) -> Summary:
         """The results so far, as in the summary of a run."""
-        return Summary.of(self._engine.summary())
+        summary: Summary = Summary.of(self._engine.summary())
+        return summary
 
     def __repr__(self) -> str:
         return f"<Simulation of {self._scene.source} at {self.time:.6g} s: {self.active_disks} disks>"

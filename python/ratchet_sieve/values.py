@@ -46,9 +46,10 @@ class Summary(Values):
 
     def of_species(self, name: str) -> Values:
         """The results of a species. Raises KeyError if there is none of this name."""
-        for species in self["species"]:
-            if species["name"] == name:
-                return species
+        found: Values
+        for found in self["species"]:
+            if found["name"] == name:
+                return found
         raise KeyError(f"there is no species {name!r}")
 
     def __repr__(self) -> str:

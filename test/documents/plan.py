@@ -13,6 +13,7 @@ NOT_RUN = {
     './scripts/fuzz': 'builds with clang; minutes',
     'benchmark/work_precision.py': 'forty minutes',
     'apt-get': 'installs packages',
+    'python3 -m venv': 'builds; minutes',
     'scripts/build': 'minutes',
     './scripts/build': 'minutes',
     'cmake': 'minutes; the rest of the block runs on the program of the devel space',

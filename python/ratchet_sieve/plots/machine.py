@@ -9,6 +9,7 @@ from ratchet_sieve.plots.style import COLOURS, GREY, MM
 
 TEETH = "#BBBBBB"
 DEPTH = 0.5    # of the drawn base below its lowest corner, in widths of a tooth
+DETAILED = 0.004  # least radius of disks with an edge and a dot, which would cover smaller ones [lengths of the base]
 DOT = (0.55, 0.25)  # distance from the centre and radius of the dot that shows a disk's rotation, in radii
 
 
@@ -42,9 +43,10 @@ def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0), specie
     for colour, kind in zip(COLOURS, species or dict.fromkeys(kinds)):
         own = [k for k, other in enumerate(kinds) if other == kind]
         xs, ys, radii = ([column[k] for k in own] for column in columns)
-        circles(axes, xs, ys, radii, facecolor=colour, edgecolor="white", linewidth=0.3)
+        detailed = bool(own) and max(radii) > DETAILED * corners[-1][0]
+        circles(axes, xs, ys, radii, facecolor=colour, edgecolor="white", linewidth=0.3 if detailed else 0.0)
         axes.plot([], [], "o", color=colour, label=kind)
-        if own and "angle" in columns_of(disks):
+        if detailed and "angle" in columns_of(disks):
             angles = list(disks["angle"])
             dots = [(x + DOT[0] * r * math.cos(angles[k]), y + DOT[0] * r * math.sin(angles[k]))
                     for x, y, r, k in zip(xs, ys, radii, own)]

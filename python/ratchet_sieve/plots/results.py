@@ -66,13 +66,14 @@ def displacements(run, frame=-1, width=None, axes=None):
 
 
 def tracks(run, ids=None, axes=None):
-    """The ways of disks through the frames, in mm. @param ids of the disks; None: the first disk of each species.
+    """The ways of disks through the frames, in mm. @param ids of the disks; None: the middle disk of each species.
     @param axes such as run.plot(0), to draw over the machine
     @throws ValueError the run has no frames, or no such disk"""
     require_frames(run)
     if ids is None:
         first = run.frames.disks[0]
-        ids = [first["id"][first["species"] == kind].min() for kind in sorted(set(first["species"]))]
+        of_kinds = [first["id"][first["species"] == kind] for kind in sorted(set(first["species"]))]
+        ids = [own[len(own) // 2] for own in of_kinds]  # ids go along the base
     ways, names = [], []
     for number in ids:
         places = [disks[disks["id"] == number] for disks in run.frames.disks]
