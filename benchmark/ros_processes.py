@@ -6,7 +6,6 @@ import os
 import pathlib
 import re
 import select
-import socket
 import subprocess
 import sys
 import time
@@ -15,7 +14,8 @@ import rosgraph
 import rospy
 from std_srvs.srv import Empty
 
-TIMEOUT = 60.0  # for a program to come up [s]
+from ratchet_sieve.processes import TIMEOUT, free_port, wait_for
+
 TICKS = os.sysconf('SC_CLK_TCK')
 
 
@@ -25,14 +25,6 @@ class Finished:
     wall: float    # [s]
     cpu: float     # of all its threads [s]
     output: str
-
-
-def wait_for(condition, what):
-    deadline = time.monotonic() + TIMEOUT
-    while not condition():
-        if time.monotonic() > deadline:
-            raise RuntimeError(f'{what} within {TIMEOUT:g} s: no')
-        time.sleep(0.01)
 
 
 def finish(process, begin, cpu_before=0.0):
@@ -57,12 +49,6 @@ def cpu_time(process):
     """The processor time of a running program, of all its threads [s]."""
     fields = pathlib.Path(f'/proc/{process.pid}/stat').read_text().rpartition(')')[2].split()
     return (int(fields[11]) + int(fields[12])) / TICKS
-
-
-def free_port():
-    with socket.socket() as listener:
-        listener.bind(('localhost', 0))
-        return listener.getsockname()[1]
 
 
 @contextlib.contextmanager

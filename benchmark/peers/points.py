@@ -34,8 +34,12 @@ def of_runs(runs, about):
     for run in runs:
         if run["program"] != cases.OURS or ALIKE in run["row"]:
             groups.setdefault((run["program"], run.get("step")), []).append(run)
-    return [Point(program, step, measure.speed(own), *(number for pair in measure.drift(own) for number in pair),
-                  any(run["lost"] for run in own), len(own), where) for (program, step), own in groups.items()]
+    found = []
+    for (program, step), own in groups.items():
+        a, b = measure.drift(own)
+        found.append(Point(program, step, measure.speed(own), a.value, a.error, b.value, b.error,
+                           any(run["lost"] for run in own), len(own), where))
+    return found
 
 
 COLUMNS = [field.name for field in dataclasses.fields(Point)]

@@ -12,8 +12,8 @@ HEAD = ("| | s per simulated s | × this project | Collisions per simulated s | 
 def row(name, runs, ours):
     speed = measure.speed(runs)
     rate = measure.collision_rate(runs)
-    drifts = [f"{MM * mean:+.1f} ± {MM * error:.1f}" if error is not None else f"{MM * mean:+.1f}"
-              for mean, error in measure.drift(runs)]
+    drifts = [f"{MM * mean.value:+.1f}" + ("" if mean.error is None else f" ± {MM * mean.error:.1f}")
+              for mean in measure.drift(runs)]
     lost = sum(run["lost"] for run in runs) / sum(run["duration"] for run in runs)
     overlaps = [max(0.0, max(run[key] for run in runs)) for key in ("overlap", "base_overlap")]
     cells = [name, f"{speed:.3g}", f"{speed / ours:.3g}", "—" if rate is None else f"{rate:,.0f}", *drifts,

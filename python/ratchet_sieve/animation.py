@@ -7,7 +7,6 @@ gives the same film on a slow machine. Run it where `rosrun ratchet_sieve` works
 import argparse
 import contextlib
 import os
-import socket
 import subprocess
 import tempfile
 from pathlib import Path
@@ -20,8 +19,9 @@ from std_msgs.msg import Float64
 from visualization_msgs.msg import Marker, MarkerArray
 
 from ratchet_sieve.places import SHARE
+from ratchet_sieve.processes import free_port, wait_for
 from ratchet_sieve.srv import StepSimulation
-from ratchet_sieve.virtual_screen import VirtualScreen, wait_for
+from ratchet_sieve.virtual_screen import VirtualScreen
 
 # How fast the base follows what is commanded [rad/s].
 SLEW_RATE = 0.5
@@ -52,12 +52,6 @@ def arguments():
     parser.add_argument('--text-above', action='store_true',
                         help='write the captions above the scene, where they cover no disks, and larger')
     return parser.parse_args()
-
-
-def free_port():
-    with socket.socket() as listener:
-        listener.bind(('localhost', 0))
-        return listener.getsockname()[1]
 
 
 def config_without_texts(directory):

@@ -93,8 +93,7 @@ def hold(document, studies, update):
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="ratchet_sieve.documents", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(prog="ratchet_sieve.documents", description=__doc__.splitlines()[0])
     parser.add_argument("--update", action="store_true", help="write the current figures into the documents")
     parser.add_argument("--root", type=pathlib.Path, default=WORK, help="of the package (default: this one)")
     options = parser.parse_args()

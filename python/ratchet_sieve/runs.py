@@ -1,8 +1,9 @@
 """Whole runs, from the pour to the end."""
 from __future__ import annotations
 
+import os
 import warnings
-from typing import Any, Mapping, Optional
+from typing import Any, Mapping, Optional, Union
 
 import numpy as np
 
@@ -73,6 +74,17 @@ class Recording:
         from .plots import pictures
 
         return pictures.animation_of(self, speed)
+
+    def write(self, path: Union[str, os.PathLike]) -> None:
+        """Writes the frames for other programs; the ending selects the format: .xyz and .extxyz for OVITO and ASE,
+        .pvd for ParaView; see docs/recording.md. Raises ValueError without frames, OSError."""
+        if not len(self.frames):
+            raise ValueError("the run has no frames: call run(..., frames=60)")
+        names = self.frames.base.dtype.names
+        _engine.write_trajectory(
+            os.fspath(path), self.scene._engine,
+            [(float(time), disks, dict(zip(names, base.tolist())))
+             for time, disks, base in zip(self.frames.time, self.frames.disks, self.frames.base)])
 
     def __repr__(self) -> str:
         return f"<Recording of {self.scene.source}: {len(self.frames)} frames>"

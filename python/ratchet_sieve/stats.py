@@ -1,9 +1,9 @@
 """Means of independent samples, their standard errors, and tests of them."""
-import collections
 import dataclasses
 import math
 import statistics
 
+import numpy
 from scipy import special
 
 from ratchet_sieve.texts import decimals_of, rounded
@@ -122,14 +122,10 @@ def variance_of(values):
 
 def density_of(values, width):
     """The distribution of independent values in bins of a width, one of which begins at 0.
-    @return of each bin that holds a value, and of its neighbours: centre, density, standard error of the density"""
-    values = list(values)
-    if not values:
-        return []
-    counts = collections.Counter(math.floor(value / width) for value in values)
-    found = []
-    for k in range(min(counts) - 1, max(counts) + 2):
-        share = counts[k] / len(values)
-        error = math.sqrt(share * (1.0 - share) / len(values))
-        found.append(((k + 0.5) * width, share / width, error / width))
-    return found
+    @return edges of the bins from the first that holds a value to the last, and of their neighbours; densities;
+    standard errors of these"""
+    bins = numpy.floor(numpy.asarray(values) / width).astype(int)
+    first = bins.min() - 1
+    shares = numpy.bincount(bins - first, minlength=bins.max() - first + 2) / len(bins)
+    errors = numpy.sqrt(shares * (1.0 - shares) / len(bins))
+    return width * (first + numpy.arange(len(shares) + 1)), shares / width, errors / width

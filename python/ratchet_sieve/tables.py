@@ -24,7 +24,8 @@ def writing(path):
 
 
 def write_csv(path, columns, lines, end="\n"):
-    """@param lines sequences, or maps from column to value; what is missing or None is left empty. @param end of line"""
+    """@param lines sequences, or maps from column to value; what is missing or None is left empty. @param end of a line
+    """
     path.parent.mkdir(parents=True, exist_ok=True)
     table = pandas.DataFrame(list(lines), columns=columns, dtype=object)
     with writing(path), open(path, "w", encoding="utf-8", newline=end) as file:
@@ -85,6 +86,10 @@ class Table:
 
     def where(self, column, value):
         return Table(self.path, self.frame[self.texts(column) == value])
+
+    def by(self, column):
+        """@return pairs of each value of a column and its part of the table"""
+        return [(value, self.where(column, value)) for value in self.values(column)]
 
 
 def typed(text):

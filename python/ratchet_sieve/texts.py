@@ -13,6 +13,11 @@ def rounded(value, decimals):
     return text.replace("-", "−")
 
 
+def shown(value):
+    """A number of few digits, with a true minus sign; a text as it is."""
+    return value if isinstance(value, str) else f"{value:g}".replace("-", "−")
+
+
 def decimals_of(error):
     """How many decimals show an error: two digits where the first is a one, else one digit."""
     exponent = math.floor(math.log10(error))

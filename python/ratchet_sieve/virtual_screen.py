@@ -6,20 +6,10 @@ Needs xvfb and imagemagick: the group `tests` of packages.txt.
 import os
 import signal
 import subprocess
-import time
 
 import numpy
 
-TIMEOUT = 60.0  # on a slow machine [s]
-
-
-def wait_for(condition, what):
-    """Waits until the condition holds."""
-    deadline = time.monotonic() + TIMEOUT
-    while not condition():
-        if time.monotonic() > deadline:
-            raise RuntimeError(f'{what}: not within {TIMEOUT:g} s')
-        time.sleep(0.05)
+from ratchet_sieve.processes import TIMEOUT
 
 
 class VirtualScreen:

@@ -94,6 +94,11 @@ void Simulation::disks(std::vector<DiskState>& states) const
                    [&](const DiskState& state) { states.push_back(state); });
 }
 
+void Simulation::forEachDisk(const std::function<void(const DiskState&)>& visit) const
+{
+  forEachDiskState(engine_->state(), engine_->now(), visit);
+}
+
 void Simulation::setThreads(std::size_t threads)
 {
   engine_->setThreads(threads);

@@ -9,7 +9,10 @@ namespace ratchet_sieve
 
 void bindScene(pybind11::module_& module);
 void bindSimulation(pybind11::module_& module);
+void bindControl(pybind11::module_& module);
+void bindGoals(pybind11::module_& module);
 void bindRun(pybind11::module_& module);
 void bindSweep(pybind11::module_& module);
+void bindTrajectory(pybind11::module_& module);
 
 }  // namespace ratchet_sieve

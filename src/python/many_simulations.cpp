@@ -20,8 +20,8 @@ namespace py = pybind11;
 /// The work of all threads: each takes the next simulation until none is left.
 struct Work
 {
-  const std::vector<std::shared_ptr<RunningSimulation>>& simulations;
-  const std::vector<double>& times;
+  std::size_t count;
+  const SimulationJob& job;
   std::vector<char> stalled;  ///< written by several threads, so no vector of bits
   std::vector<std::exception_ptr> errors;
   std::atomic<std::size_t> next{0};
@@ -29,11 +29,11 @@ struct Work
 
   void run(const std::function<bool()>& stop_wanted)
   {
-    for (std::size_t k = next++; k < simulations.size(); k = next++)
+    for (std::size_t k = next++; k < count; k = next++)
     {
       try
       {
-        simulations[k]->advanceTo(times[k], [&] { return stop || stop_wanted(); });
+        job(k, [&] { return stop || stop_wanted(); });
       }
       catch (const StallError&)
       {
@@ -50,17 +50,15 @@ struct Work
 
 }  // namespace
 
-std::vector<bool> advanceMany(const std::vector<std::shared_ptr<RunningSimulation>>& simulations,
-                              const std::vector<double>& times, std::size_t threads)
+std::vector<bool> withMany(const std::vector<std::shared_ptr<RunningSimulation>>& simulations,
+                           std::size_t threads, const SimulationJob& job)
 {
   const std::size_t count = simulations.size();
-  if (times.size() != count)
-    throw std::invalid_argument("there must be one time for each simulation");
   if (std::set<std::shared_ptr<RunningSimulation>>(simulations.begin(), simulations.end()).size() != count)
     throw std::invalid_argument("a simulation is given twice");
   if (threads == 0)
     threads = std::max(1u, std::thread::hardware_concurrency());
-  Work work{simulations, times, std::vector<char>(count), std::vector<std::exception_ptr>(count)};
+  Work work{count, job, std::vector<char>(count), std::vector<std::exception_ptr>(count)};
   SignalWatch signals;
   {
     const py::gil_scoped_release let_go;
@@ -83,6 +81,16 @@ std::vector<bool> advanceMany(const std::vector<std::shared_ptr<RunningSimulatio
     if (error)
       std::rethrow_exception(error);
   return {work.stalled.begin(), work.stalled.end()};
+}
+
+std::vector<bool> advanceMany(const std::vector<std::shared_ptr<RunningSimulation>>& simulations,
+                              const std::vector<double>& times, std::size_t threads)
+{
+  if (times.size() != simulations.size())
+    throw std::invalid_argument("there must be one time for each simulation");
+  return withMany(simulations, threads,
+                  [&](std::size_t k, const std::function<bool()>& stop_wanted)
+                  { simulations[k]->advanceTo(times[k], stop_wanted); });
 }
 
 }  // namespace ratchet_sieve

@@ -5,7 +5,6 @@
 #include <functional>
 #include <memory>
 #include <string_view>
-#include <vector>
 
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/stride.h"
@@ -48,13 +47,6 @@ public:
     Use(const Use&) = delete;
     Use& operator=(const Use&) = delete;
 
-    /// The disks, in memory that is used again.
-    const std::vector<DiskState>& disks()
-    {
-      of_.simulation_->disks(of_.disks_);
-      return of_.disks_;
-    }
-
     Simulation* operator->() { return of_.simulation_.get(); }
     Simulation& operator*() { return *of_.simulation_; }
 
@@ -73,7 +65,6 @@ private:
   std::unique_ptr<Simulation> simulation_;
   std::atomic<bool> in_use_{false};
   Stride stride_;
-  std::vector<DiskState> disks_;
 };
 
 }  // namespace ratchet_sieve

@@ -1,18 +1,14 @@
-#include <cmath>
 #include <cstddef>
-#include <map>
 #include <memory>
-#include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include "bindings.h"
+#include "commanded_quantities.h"
 #include "many_simulations.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "running_simulation.h"
@@ -46,37 +42,17 @@ void advanceTo(RunningSimulation& running, double time)
   signals.raise();
 }
 
-const CommandedQuantity& quantityOf(const std::string& name)
-{
-  for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
-    if (name == quantity.name)
-      return quantity;
-  throw std::invalid_argument("there is no quantity " + name);
-}
-
-void requireWithin(const std::string& name, double value, const Interval& allowed, const char* unit)
-{
-  if (!allowed.contains(value))
-    throw std::invalid_argument(
-        fmt::format("{} = {}: must be {} to {} {}", name, value, allowed.min, allowed.max, unit));
-}
-
 /// All setpoints are checked before the first one is taken.
-void command(RunningSimulation& running, const std::map<std::string, double>& setpoints)
+void command(RunningSimulation& running, const Setpoints& setpoints)
 {
-  for (const auto& [name, setpoint] : setpoints)
-    requireWithin(name, setpoint, quantityOf(name).legal, quantityOf(name).unit);
-  RunningSimulation::Use simulation(running);
-  for (const auto& [name, setpoint] : setpoints)
-    simulation->command(quantityOf(name).quantity, setpoint);
+  requireLegal(setpoints);
+  commandAll(setpoints, *RunningSimulation::Use(running));
 }
 
 void setSlewRates(RunningSimulation& running, double inclination, double frequency, double amplitude)
 {
   const SlewRates rates{inclination, frequency, amplitude};
-  for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
-    requireWithin(std::string(quantity.name) + " (slew rate)", rates.*quantity.slew_rate, quantity.slew_rates,
-                  (std::string(quantity.unit) + "/s").c_str());
+  requireLegal(rates);
   RunningSimulation::Use(running)->setSlewRates(rates);
 }
 
@@ -89,7 +65,7 @@ void pour(RunningSimulation& running, std::size_t species, std::size_t count)
 py::array disks(RunningSimulation& running)
 {
   RunningSimulation::Use simulation(running);
-  return arrayOf(simulation.disks(), running.scene()->definition);
+  return arrayOf(*simulation, running.scene()->definition);
 }
 
 py::bytes save(RunningSimulation& running)

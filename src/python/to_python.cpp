@@ -1,6 +1,7 @@
 #include "to_python.h"
 
 #include <cstdint>
+#include <stdexcept>
 
 #include "ratchet_sieve/recording/frames.h"
 
@@ -24,6 +25,37 @@ struct DiskRow
   double angle;
   double spin;
   double displacement;
+};
+
+/// Writes one disk after the other.
+class RowWriter
+{
+public:
+  RowWriter(DiskRow* first, const SceneDefinition& scene) : row_(first), species_(scene.species)
+  {
+    for (const SpeciesDefinition& species : species_)
+      usual_.push_back({species.radius, species.mass});
+  }
+
+  void operator()(const DiskState& disk)
+  {
+    const double radius = radiusOf(disk, species_);
+    const Usual& usual = usual_[disk.species];
+    const double mass = radius == usual.radius ? usual.mass : species_[disk.species].massOf(radius);
+    *row_++ = {disk.id, disk.species, radius,     mass,      disk.x,           disk.y,
+               disk.vx, disk.vy,      disk.angle, disk.spin, disk.displacement};
+  }
+
+private:
+  struct Usual
+  {
+    double radius;
+    double mass;
+  };
+
+  DiskRow* row_;
+  const std::vector<SpeciesDefinition>& species_;
+  std::vector<Usual> usual_;  ///< per species
 };
 
 struct CollisionRow
@@ -107,15 +139,33 @@ py::object toPython(const YAML::Node& node)
 py::array arrayOf(const std::vector<DiskState>& disks, const SceneDefinition& scene)
 {
   py::array_t<DiskRow> rows(static_cast<py::ssize_t>(disks.size()));
-  DiskRow* row = rows.mutable_data();
+  RowWriter write(rows.mutable_data(), scene);
   for (const DiskState& disk : disks)
-  {
-    const double radius = radiusOf(disk, scene.species);
-    *row++ = {disk.id,    disk.species, radius,           scene.species[disk.species].massOf(radius),
-              disk.x,     disk.y,       disk.vx,          disk.vy,
-              disk.angle, disk.spin,    disk.displacement};
-  }
+    write(disk);
   return std::move(rows);
+}
+
+py::array arrayOf(const Simulation& simulation, const SceneDefinition& scene)
+{
+  py::array_t<DiskRow> rows(static_cast<py::ssize_t>(simulation.activeDisks()));
+  simulation.forEachDisk(RowWriter(rows.mutable_data(), scene));
+  return std::move(rows);
+}
+
+std::vector<DiskState> disksOf(const py::array& rows)
+{
+  if (!py::isinstance<py::array_t<DiskRow>>(rows) || rows.ndim() != 1)
+    throw std::invalid_argument("the disks of a frame must be an array as Simulation.disks gives it");
+  const py::array_t<DiskRow, py::array::c_style> own(rows);
+  std::vector<DiskState> disks;
+  disks.reserve(static_cast<std::size_t>(own.size()));
+  for (py::ssize_t k = 0; k < own.size(); ++k)
+  {
+    const DiskRow& row = own.data()[k];
+    disks.push_back({row.id, row.species, row.x, row.y, row.angle, row.vx, row.vy, row.spin, row.displacement,
+                     row.radius});
+  }
+  return disks;
 }
 
 py::array arrayOf(const std::vector<CollisionRecord>& collisions)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <type_traits>
 #include <vector>
 
 #include <pybind11/numpy.h>
@@ -11,6 +11,7 @@
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/observation.h"
+#include "ratchet_sieve/core/simulation.h"
 
 /// Values of the layers as Python's.
 namespace ratchet_sieve
@@ -32,9 +33,25 @@ pybind11::dict fieldsOf(const Struct& of)
   return fields;
 }
 
+/// Sets the fields of a struct. @throws pybind11::key_error if one is missing
+template <typename Struct>
+void setFields(Struct& of, const pybind11::dict& fields)
+{
+  Fields<Struct>::each(
+      [&fields](const FieldInfo& field, auto& value)
+      { value = fields[field.name].template cast<std::remove_reference_t<decltype(value)>>(); },
+      of);
+}
+
 /// A new structured array of disks: id, species, radius, mass, x, y, vx, vy, angle, spin, displacement. SI.
 /// @param scene for masses and for the radii that a frame leaves out
 pybind11::array arrayOf(const std::vector<DiskState>& disks, const SceneDefinition& scene);
+
+/// The same of the disks of a simulation.
+pybind11::array arrayOf(const Simulation& simulation, const SceneDefinition& scene);
+
+/// The disks of such an array. @throws std::invalid_argument if it is of another kind
+std::vector<DiskState> disksOf(const pybind11::array& rows);
 
 /// A new structured array of collisions: time, kind (its number in CollisionKind), i, j (-1: the base),
 /// normal_speed, normal_impulse, tangential_impulse. SI.

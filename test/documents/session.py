@@ -4,10 +4,8 @@ import os
 import re
 import shutil
 import signal
-import socket
 import sqlite3
 import subprocess
-import sys
 import time
 from contextlib import ExitStack, closing
 from fnmatch import fnmatch
@@ -15,7 +13,8 @@ from pathlib import Path
 
 from commands import PACKAGE
 from plan import BEFORE, GOES_ON, READS_RECORDING, STAYING
-from ratchet_sieve.virtual_screen import VirtualScreen, wait_for
+from ratchet_sieve.processes import free_port, wait_for
+from ratchet_sieve.virtual_screen import VirtualScreen
 
 LONGEST = 60.0  # of a command that is run [s]
 NOT_IN_CHECKOUT = ('.git', 'build*', 'devel', 'out', '.ccache')
@@ -25,12 +24,6 @@ def lookup(table, command):
     """The entry with the longest prefix of a command."""
     matches = [start for start in table if re.sub(r'\s+#.*', '\n', command + '\n').startswith(start)]
     return max(matches, key=len, default=None)
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(('', 0))
-        return probe.getsockname()[1]
 
 
 class Failed(Exception):
@@ -53,7 +46,8 @@ class Session:
         port = free_port()
         self.environment = dict(
             screen.environment, HOME=str(self.scratch), ROS_HOME=str(self.scratch / 'ros'), PYTHONUNBUFFERED='1',
-            PATH='/usr/bin:' + screen.environment['PATH'], ROS_HOSTNAME='localhost', ROS_MASTER_URI=f'http://localhost:{port}')
+            ROS_HOSTNAME='localhost', ROS_MASTER_URI=f'http://localhost:{port}',
+            PATH='/usr/bin:' + screen.environment['PATH'])
         master = self.open(f'roscore -p {port}')
         self.services.callback(self.end, master)
         wait_for(lambda: 'started core service' in master.log.read_text(), 'roscore')

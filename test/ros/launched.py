@@ -3,14 +3,13 @@
 import os
 import signal
 import subprocess
-import sys
 import unittest
 from pathlib import Path
 
 import rosgraph
 import rospy
 
-from ratchet_sieve.virtual_screen import TIMEOUT, wait_for  # noqa: F401
+from ratchet_sieve.processes import TIMEOUT, wait_for  # noqa: F401
 
 PACKAGE = Path(__file__).resolve().parents[2]
 

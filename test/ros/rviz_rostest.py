@@ -17,7 +17,8 @@ import rosunit
 from rosgraph_msgs.msg import Clock
 from visualization_msgs.msg import MarkerArray
 
-from ratchet_sieve.virtual_screen import VirtualScreen, wait_for
+from ratchet_sieve.processes import wait_for
+from ratchet_sieve.virtual_screen import VirtualScreen
 
 PACKAGE = Path(__file__).resolve().parents[2]
 

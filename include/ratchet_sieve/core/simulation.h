@@ -117,6 +117,9 @@ public:
   /// As disks(), into a buffer that the caller reuses.
   void disks(std::vector<DiskState>& states) const;
 
+  /// Calls `visit` with each of disks(), in their order, without an array of them.
+  void forEachDisk(const std::function<void(const DiskState&)>& visit) const;
+
   /// Kinetic and potential energy of disks() [J]. On an inclined periodic base, the potential energy of a
   /// disk changes by m g W sin(theta) when it is wrapped by a width W.
   double energy() const;

@@ -14,8 +14,7 @@ FEWEST_DISKS = 5  # of which a distribution is drawn
 
 
 def plot_bins(axes, bins):
-    for colour, species in zip(COLOURS, bins.values('species')):
-        part = bins.where('species', species)
+    for colour, (species, part) in zip(COLOURS, bins.by('species')):
         time = part.numbers('time')
         axes.step(time, part.numbers('left'), where='post', color=colour, linestyle='--', label=f'{species} left')
         axes.step(time, part.numbers('right'), where='post', color=colour, label=f'{species} right')
@@ -63,8 +62,7 @@ def plot_whole_drive(three_axes, drive):
 
 
 def plot_drift(axes, drift):
-    for colour, species in zip(COLOURS, drift.values('species')):
-        part = drift.where('species', species)
+    for colour, (species, part) in zip(COLOURS, drift.by('species')):
         axes.plot(part.numbers('time'), part.numbers('displacement', MM), color=colour, label=species)
     signed(axes)
     axes.set_ylabel('displacement [mm]')
@@ -208,8 +206,7 @@ def reach(mean, error):
 def draw_temperature(directory):
     statistics = Table(directory / 'statistics.csv')
     figure, axes = panels(1, 1, (6.5, 3.0), None)
-    for colour, species in zip(COLOURS, statistics.values('species')):
-        part = statistics.where('species', species)
+    for colour, (species, part) in zip(COLOURS, statistics.by('species')):
         axes.plot(part.numbers('window_end'), positive(part.numbers('granular_temperature', UJ)), color=colour,
                   linewidth=1.0, label=species)
     scale_by_decades(axes)

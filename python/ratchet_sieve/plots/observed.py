@@ -15,9 +15,9 @@ FEWEST_TIMES = 20  # of which a distribution is drawn
 
 def parts(table):
     """Of each bin and species: colour, line, label, and its lines of the table."""
-    for colour, species in zip(COLOURS, table.values('species')):
+    for colour, (species, own) in zip(COLOURS, table.by('species')):
         for place, line in PLACES.items():
-            part = table.where('species', species).where('place', place)
+            part = own.where('place', place)
             if len(part):
                 yield colour, line, f'{species} {place}', part
 
@@ -88,9 +88,9 @@ def draw_height_profile(directory):
     figure, axes = panels(1, len(PROFILES), (9.5, 3.8), None, sharey=True)
     phases = table.values('phase_from')
     drawn = phases[::math.ceil(len(phases) / MOST_PHASES_DRAWN)] if phases else []
-    for colour, species in zip(COLOURS, table.values('species')):
+    for colour, (species, own) in zip(COLOURS, table.by('species')):
         for line, phase in zip(PHASE_LINES, drawn):
-            part = table.where('species', species).where('phase_from', phase)
+            part = own.where('phase_from', phase)
             label = species if len(phases) == 1 else f'{species}, phase {float(phase) / math.pi:.2g} π'
             plot_profile(axes, part, colour, line, label)
     for each, (label, _) in zip(axes, PROFILES.values()):
@@ -128,8 +128,7 @@ def draw_size_classes(directory):
     table = Table(directory / 'size_classes.csv')
     names = table.values('species')
     figure, axes = panels(2, max(len(names), 1), (2.5 + 3.0 * len(names), 4.4), None, squeeze=False, sharex='col')
-    for column, (colour, species) in enumerate(zip(COLOURS, names)):
-        part = table.where('species', species)
+    for column, (colour, (species, part)) in enumerate(zip(COLOURS, table.by('species'))):
         edges = part.numbers('radius_from', MM) + part.numbers('radius_to', MM)[-1:]
         widths = [to - begin for begin, to in zip(edges, edges[1:])]
         shares, velocities = axes[0, column], axes[1, column]

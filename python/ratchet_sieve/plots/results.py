@@ -52,11 +52,9 @@ def displacements(run, frame=-1, width=None, axes=None):
     disks = run.frames.disks[frame]
     width = width or BIN * run.scene.width / run.scene["base.teeth"]
     for kind, (colour, name) in enumerate(zip(COLOURS, run.scene.species)):
-        found = density_of(disks["displacement"][disks["species"] == kind], width)
-        if found:
-            centres, densities, errors = zip(*found)
-            edges = [centre - 0.5 * width for centre in centres] + [centres[-1] + 0.5 * width]
-            distribution(axes, edges, densities, errors, color=colour, label=name)
+        values = disks["displacement"][disks["species"] == kind]
+        if len(values):
+            distribution(axes, *density_of(values, width), color=colour, label=name)
     if len(disks):
         axes.legend(title="species", frameon=False)
     else:

@@ -1,6 +1,9 @@
 """The greatest value of a field over a key. One half of the seeds chooses the place and the other gives the value, so
 that the choice does not bias the value."""
 import dataclasses
+import math
+
+import numpy
 
 from ratchet_sieve.reproduce.crossings import curve_of
 from ratchet_sieve.stats import jackknife, mean_of
@@ -24,15 +27,10 @@ def highest(curve):
 
 def vertex(points):
     """The height of the parabola through three points. @return None where it has no maximum between the outer two"""
-    (x0, y0), (x1, y1), (x2, y2) = points
-    left, right = (y1 - y0) / (x1 - x0), (y2 - y1) / (x2 - x1)
-    bend = (right - left) / (x2 - x0)
-    if bend >= 0.0:
-        return None
-    x = 0.5 * (x0 + x1) - 0.5 * left / bend
-    if not x0 <= x <= x2:
-        return None
-    return y0 + left * (x - x0) + bend * (x - x0) * (x - x1)
+    xs, ys = zip(*points)
+    parabola = numpy.polyfit(xs, ys, 2)
+    x = -0.5 * parabola[1] / parabola[0] if parabola[0] < 0.0 else math.nan
+    return float(numpy.polyval(parabola, x)) if xs[0] <= x <= xs[-1] else None
 
 
 def peak_of(rows, key, field):

@@ -1,19 +1,7 @@
 """Where a measured curve passes through zero, and the error of that place."""
+import numpy
+
 from ratchet_sieve.stats import jackknife
-
-BISECTIONS = 60  # of an interval: below the last bit
-
-
-def parabola(points, x):
-    """Through three points (Lagrange)."""
-    total = 0.0
-    for i, (xi, yi) in enumerate(points):
-        term = yi
-        for j, (xj, _) in enumerate(points):
-            if i != j:
-                term *= (x - xj) / (xi - xj)
-        total += term
-    return total
 
 
 def zero_crossing(points):
@@ -24,20 +12,11 @@ def zero_crossing(points):
         if y0 == 0.0:
             return x0
         if y0 * y1 < 0.0:
-            others = [point for point in points if point not in (points[k], points[k + 1])]
             middle = 0.5 * (x0 + x1)
-            third = min(others, key=lambda point: abs(point[0] - middle), default=None)
-            curve = sorted([points[k], points[k + 1]] + ([third] if third else []))
-            if third is None:
-                return x0 - y0 * (x1 - x0) / (y1 - y0)
-            low, high = x0, x1
-            for _ in range(BISECTIONS):
-                middle = 0.5 * (low + high)
-                if parabola(curve, middle) * y0 > 0.0:
-                    low = middle
-                else:
-                    high = middle
-            return 0.5 * (low + high)
+            others = sorted((abs(x - middle), x, y) for x, y in points if x not in (x0, x1))
+            through = [(x0, y0), (x1, y1), *((x, y) for _, x, y in others[:1])]
+            roots = numpy.roots(numpy.polyfit(*zip(*through), len(through) - 1)).real
+            return float(min(roots, key=lambda x, middle=middle: abs(x - middle)))
     return None
 
 
@@ -65,10 +44,7 @@ def distance_of(rows, key, first, second):
 
 def value_between(points, x):
     """On straight lines from point to point. @return None outside the points"""
-    for (x0, y0), (x1, y1) in zip(points, points[1:]):
-        if x0 <= x <= x1:
-            return y0 + (y1 - y0) * (x - x0) / (x1 - x0)
-    return None
+    return float(numpy.interp(x, *zip(*points))) if points[0][0] <= x <= points[-1][0] else None
 
 
 def apart_between(rows, key, first, second):

@@ -2,6 +2,8 @@
 import dataclasses
 import math
 
+import numpy
+
 from ratchet_sieve.stats import Mean, chi_squared_tail
 
 
@@ -26,13 +28,10 @@ def line_through(points):
     known = [(x, mean) for x, mean in points if mean is not None and mean.error]
     if len(known) < 3:
         return None
-    s = sx = sy = sxx = sxy = 0.0
-    for x, mean in known:
-        w = 1.0 / mean.error ** 2
-        s, sx, sy, sxx, sxy = s + w, sx + w * x, sy + w * mean.value, sxx + w * x * x, sxy + w * x * mean.value
-    determinant = s * sxx - sx * sx
+    xs, ys, errors = (numpy.array(column) for column in zip(*((x, mean.value, mean.error) for x, mean in known)))
+    values, covariance = numpy.polyfit(xs, ys, 1, w=1.0 / errors, cov="unscaled")
     count = min(mean.count for _, mean in known)
-    intercept = Mean((sxx * sy - sx * sxy) / determinant, math.sqrt(sxx / determinant), count)
-    slope = Mean((s * sxy - sx * sy) / determinant, math.sqrt(s / determinant), count)
-    squares = sum(((mean.value - intercept.value - slope.value * x) / mean.error) ** 2 for x, mean in known)
+    slope, intercept = (Mean(float(value), math.sqrt(variance), count)
+                        for value, variance in zip(values, covariance.diagonal()))
+    squares = float((((ys - numpy.polyval(values, xs)) / errors) ** 2).sum())
     return Line(intercept, slope, squares, len(known) - 2)

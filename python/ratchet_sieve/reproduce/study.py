@@ -5,6 +5,11 @@ from typing import Callable
 from ratchet_sieve.texts import span
 
 
+def axis(means, index):
+    """The values of one key of a map's places, in order."""
+    return sorted({place[index] for place in means})
+
+
 @dataclasses.dataclass(frozen=True)
 class Sweep:
     """A file of config/sweeps, by its name without .yaml."""

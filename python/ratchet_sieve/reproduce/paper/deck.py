@@ -48,6 +48,7 @@ def text(numbers):
         table(["θ [rad]", *heads], lines)))
 
 
-STUDY = Study("deck", "Fig. 8's mixture on a base that is shaken along its own normal", (Sweep("paper_deck", {THETA: ANGLES}),), evaluate,
+STUDY = Study("deck", "Fig. 8's mixture on a base that is shaken along its own normal",
+              (Sweep("paper_deck", {THETA: ANGLES}),), evaluate,
               (Picture("deck", "Mean velocities of Fig. 8's mixture over the inclination, d = 3.93, for both axes of "
                        "the drive; bars: standard errors over the seeds", draw),), claims, text)

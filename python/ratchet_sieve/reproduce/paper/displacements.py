@@ -27,8 +27,7 @@ def evaluator(sweep):
 def draw(samples):
     figure, axes = plots.panels(1, 1, (6.4, 3.8))
     for (time, values), colour in zip(samples.items(), plots.ramp(len(samples))):
-        xs, heights, errors = zip(*density_of(values, BIN))
-        axes.errorbar(xs, heights, yerr=errors, color=colour, linewidth=1.0, elinewidth=0.7, label=f"{time:g} s")
+        plots.distribution(axes, *density_of(values, BIN), color=colour, label=f"{time:g} s")
     axes.axvline(0.0, color=plots.GREY, linewidth=0.8, zorder=1)
     axes.set_xlabel("displacement [m]")
     axes.set_ylabel("density [1/m]")

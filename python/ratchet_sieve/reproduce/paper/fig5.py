@@ -1,7 +1,7 @@
 """Fig. 5: the mean velocity of single disks over the frequency, for nine asymmetries of the tooth."""
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce import verdicts
-from ratchet_sieve.reproduce.study import Picture, Study, Sweep
+from ratchet_sieve.reproduce.study import Picture, Study, Sweep, axis
 from ratchet_sieve.stats import mean_of
 from ratchet_sieve.texts import table
 
@@ -17,10 +17,6 @@ def evaluate(rows):
     seeds = rows.where({A: SYMMETRIC}).by("seed").values()
     return {"means": {place: group.mean("mean_vx.A") for place, group in rows.by(A, F).items()},
             "symmetric": mean_of(group.mean("mean_vx.A").value for group in seeds)}
-
-
-def axis(means, index):
-    return sorted({place[index] for place in means})
 
 
 def draw(numbers):

@@ -1,7 +1,7 @@
 """Claim 13: single disks of several radii on a level base. Larger disks feel the ratchet less, as Fig. 6 says."""
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce import verdicts
-from ratchet_sieve.reproduce.study import Picture, Study, Sweep
+from ratchet_sieve.reproduce.study import Picture, Study, Sweep, axis
 from ratchet_sieve.texts import table
 
 R = "species.0.radius"
@@ -13,10 +13,6 @@ def evaluate(rows):
     """@return map from (f, r) to the ratio of contacts and the mean velocity [m/s]"""
     return {place: (cell.mean("short_to_long"), cell.mean("mean_vx.A"))
             for place, cell in sorted(rows["paper_fig6"].by(F, R).items())}
-
-
-def axis(means, index):
-    return sorted({place[index] for place in means})
 
 
 def draw(means):

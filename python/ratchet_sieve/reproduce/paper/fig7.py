@@ -1,8 +1,8 @@
 """Fig. 7: the mean velocity of small and of large single disks over the frequency, for several inclinations."""
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce import verdicts
-from ratchet_sieve.reproduce.study import Picture, Study, Sweep
-from ratchet_sieve.texts import table
+from ratchet_sieve.reproduce.study import Picture, Study, Sweep, axis
+from ratchet_sieve.texts import shown, table
 
 THETA = "base.inclination"
 F = "base.frequency"
@@ -20,10 +20,6 @@ def evaluate(rows):
     return velocities(rows["paper_fig7"])
 
 
-def axis(means, index):
-    return sorted({place[index] for place in means})
-
-
 def draw_kinds(means, names):
     """A panel for each kind: a curve over f for each inclination."""
     figure, both = plots.panels(1, 2, (8.6, 4.2), sharey=True)
@@ -36,7 +32,7 @@ def draw_kinds(means, names):
         plots.signed(axes)
         axes.set_title(name)
         axes.set_xlabel("$f$ [Hz]")
-        labels.append([(plots.MM * means[kind][theta, frequencies[-1]].value, f"{theta:g}".replace("-", "−"), colour)
+        labels.append([(plots.MM * means[kind][theta, frequencies[-1]].value, shown(theta), colour)
                        for theta, colour in zip(inclinations, colours)])
     both[0].set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
     for axes, ends in zip(both, labels):
@@ -73,7 +69,7 @@ def claims(means):
 def at_one_frequency(means):
     """A table of the velocities of both kinds over θ."""
     return (f"⟨V_x⟩ in mm/s at {SHOWN:g} Hz:\n\n"
-            + table(["θ [rad]", *KINDS], [[f"{theta:g}".replace("-", "−")]
+            + table(["θ [rad]", *KINDS], [[shown(theta)]
                                           + [means[kind][theta, SHOWN].text(plots.MM) for kind in KINDS]
                                           for theta in axis(means["A"], 0)]))
 

@@ -2,9 +2,9 @@
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce import verdicts
 from ratchet_sieve.reproduce.crossings import crossing_of, distance_of
-from ratchet_sieve.reproduce.paper.fig7 import (F, THETA, at_one_frequency, axis, draw_kinds, more_moved, velocities,
+from ratchet_sieve.reproduce.paper.fig7 import (F, THETA, at_one_frequency, draw_kinds, more_moved, velocities,
                                                 velocity_lines)
-from ratchet_sieve.reproduce.study import Picture, Study, Sweep
+from ratchet_sieve.reproduce.study import Picture, Study, Sweep, axis
 from ratchet_sieve.tables import joined
 from ratchet_sieve.texts import table
 

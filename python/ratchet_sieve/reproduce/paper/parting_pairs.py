@@ -5,7 +5,7 @@ import dataclasses
 
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce.paper import parting
-from ratchet_sieve.reproduce.study import Picture, Study, Sweep
+from ratchet_sieve.reproduce.study import Picture, Study, Sweep, axis
 from ratchet_sieve.texts import table
 
 # As printed, and as in the scenes where the paper leaves a value open.
@@ -47,10 +47,6 @@ def evaluate(rows):
     return {pair: {place: parting.ways(cell)
                    for place, cell in rows[pair.sweep].by(parting.THETA, pair.x, pair.y).items()}
             for pair in PAIRS if rows[pair.sweep]}
-
-
-def axis(means, index):
-    return sorted({place[index] for place in means})
 
 
 def draw(numbers):

@@ -4,7 +4,7 @@ import math
 
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce import verdicts
-from ratchet_sieve.reproduce.study import Picture, Study, Sweep
+from ratchet_sieve.reproduce.study import Picture, Study, Sweep, axis
 from ratchet_sieve.reproduce.validation import currents
 from ratchet_sieve.texts import table
 
@@ -34,10 +34,6 @@ def velocities(rows):
 def evaluate(rows):
     """@return velocities() of the search, and of the fresh seeds at places that it had found"""
     return {"map": velocities(rows["validation_bae"]), "fresh": velocities(rows["validation_bae_fresh"])}
-
-
-def axis(means, index):
-    return sorted({place[index] for place in means})
 
 
 def draw_regimes(numbers):

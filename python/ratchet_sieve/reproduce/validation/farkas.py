@@ -7,7 +7,7 @@ from ratchet_sieve.reproduce.best import best_of
 from ratchet_sieve.reproduce.study import Picture, Study, Sweep
 from ratchet_sieve.reproduce.validation import kinds
 from ratchet_sieve.tables import Rows
-from ratchet_sieve.texts import table
+from ratchet_sieve.texts import shown, table
 
 THETA = kinds.THETA
 USEFUL = 0.5  # Q from which a mixture counts as segregated: half way from mixed to pure
@@ -34,13 +34,8 @@ def confirmed(rows):
     fig3, steep = parts[max(parts)], parts[min(parts)]
     return {"differing": fig3.mean(lambda row: row["mean_vx.B"] - row["mean_vx.A"]), "differing_at": place_of(fig3, 0),
             "opposed": (steep.mean("mean_vx.A"), steep.mean("mean_vx.B")), "opposed_at": place_of(steep, 1),
-            "quality": open_.mean("quality"), "quality_at": f"θ = {signless(open_[0][THETA])}",
+            "quality": open_.mean("quality"), "quality_at": f"θ = {shown(open_[0][THETA])}",
             "seeds": rows.values("seed")}
-
-
-def signless(value):
-    """With a true minus sign."""
-    return f"{value:g}".replace("-", "−")
 
 
 def place_of(rows, index):
@@ -104,7 +99,7 @@ def opposed_table(means, ratchet):
 
 
 def text(numbers):
-    quality = [[f"{theta:g}".replace("-", "−"), *("—" if mean is None else mean.text() for mean in pair)]
+    quality = [[shown(theta), *("—" if mean is None else mean.text() for mean in pair)]
                for theta, pair in numbers["quality"].items()]
     found = [*(kinds.differing(means, ratchet) for ratchet, means in numbers["means"].items()),
              kinds.opposed(numbers["means"])]

@@ -3,6 +3,7 @@ import dataclasses
 
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce import verdicts
+from ratchet_sieve.reproduce.study import axis
 
 THETA = "base.inclination"
 
@@ -27,10 +28,6 @@ def velocities(rows, ratchet):
     return {place: (cell.mean("mean_vx.A"), cell.mean("mean_vx.B"),
                     cell.mean(lambda row: row["mean_vx.B"] - row["mean_vx.A"]))
             for place, cell in rows.by(ROWS, ratchet.columns, ratchet.curves, THETA).items()}
-
-
-def axis(means, index):
-    return sorted({place[index] for place in means})
 
 
 def draw(means, ratchet, kinds):

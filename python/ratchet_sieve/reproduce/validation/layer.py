@@ -2,7 +2,7 @@
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce import verdicts
 from ratchet_sieve.reproduce.crossings import crossing_of, curve_of
-from ratchet_sieve.reproduce.study import Picture, Study, Sweep
+from ratchet_sieve.reproduce.study import Picture, Study, Sweep, axis
 from ratchet_sieve.reproduce.validation import currents
 from ratchet_sieve.stats import jackknife
 from ratchet_sieve.texts import table
@@ -23,10 +23,6 @@ def evaluate(rows):
             "onset": {place: cell.mean("mean_vx.A") for place, cell in sorted(onset.by(E, F, D).items())},
             "steps": {place: jackknife(lambda seeds, cell=cell: largest_step(cell, seeds), cell.values("seed"))
                       for place, cell in sorted(onset.by(E, D).items())}}
-
-
-def axis(means, index):
-    return sorted({place[index] for place in means})
 
 
 def draw(numbers):

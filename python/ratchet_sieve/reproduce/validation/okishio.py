@@ -1,7 +1,7 @@
 """One ball over the asymmetry of the teeth (Okishio, Ito, Kitahata 2022)."""
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce import verdicts
-from ratchet_sieve.reproduce.study import Picture, Study, Sweep
+from ratchet_sieve.reproduce.study import Picture, Study, Sweep, axis
 from ratchet_sieve.stats import mean_of
 from ratchet_sieve.tables import Rows
 from ratchet_sieve.texts import table
@@ -18,10 +18,6 @@ def evaluate(rows):
     symmetric = rows.where({A: SYMMETRIC}).by("seed").values()
     return {"means": {place: cell.mean("mean_vx.A") for place, cell in sorted(rows.by(E, A).items())},
             "symmetric": mean_of(group.mean("mean_vx.A").value for group in symmetric), "mirror": mirror_of(rows)}
-
-
-def axis(means, index):
-    return sorted({place[index] for place in means})
 
 
 def draw(numbers):

@@ -1,7 +1,7 @@
 """Large and small disks of one material in a layer on a level base (Rapaport 2001)."""
 from ratchet_sieve import plots
 from ratchet_sieve.reproduce import verdicts
-from ratchet_sieve.reproduce.study import Picture, Study, Sweep
+from ratchet_sieve.reproduce.study import Picture, Study, Sweep, axis
 from ratchet_sieve.texts import table
 
 D = "density"
@@ -14,10 +14,6 @@ def evaluate(rows):
     """@return map from (e, f, d) to the mean velocities of small and large disks [m/s]"""
     return {place: (cell.mean("mean_vx.A"), cell.mean("mean_vx.B"))
             for place, cell in sorted(rows["validation_rapaport"].by(E, F, D).items())}
-
-
-def axis(means, index):
-    return sorted({place[index] for place in means})
 
 
 def draw(means):

@@ -1,0 +1,97 @@
+#!/usr/bin/python3
+"""Measures environments for learning: simulated time per time of one sieve and of many, over that of the engine alone.
+Each round measures all in turn. The results are medians of the ratios within a round, because other load on the machine
+changes from round to round. Of a machine that others use, only the ratios of processor time say something, and that of
+the wall time of many sieves over that of as many engines without an environment.
+"""
+import argparse
+import dataclasses
+import os
+import pathlib
+import statistics
+import time
+
+import numpy as np
+
+import ratchet_sieve as rs
+from ratchet_sieve import _engine, documents, origin, places
+
+BEGIN = 5.0  # until the feed has filled the base [s]
+
+
+@dataclasses.dataclass
+class Rate:
+    """Simulated seconds per second."""
+
+    wall: float
+    processor: float
+
+
+def rate_of(work, simulated):
+    wall, processor = time.perf_counter(), time.process_time()
+    work()
+    return Rate(simulated / (time.perf_counter() - wall), simulated / (time.process_time() - processor))
+
+
+def rate_of_engines(scene, count, threads, seconds):
+    """Of engines without an environment, each of which goes all the way in one call."""
+    engines = [rs.Simulation(scene.replace(seed=seed + 1))._engine for seed in range(count)]
+    _engine.advance_many(engines, [BEGIN] * count, threads)
+    return rate_of(lambda: _engine.advance_many(engines, [BEGIN + seconds] * count, threads), count * seconds)
+
+
+def rate_of_env(env, actions, seconds):
+    env.reset(seed=1)
+
+    def steps(duration):
+        for _ in range(round(duration / env.task.step)):
+            env.step(actions)
+
+    steps(BEGIN)
+    return rate_of(lambda: steps(seconds), getattr(env, "num_envs", 1) * seconds)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--scene", default=places.SHARE / "config/seek.yaml", metavar="FILE")
+    parser.add_argument("--sieves", type=int, default=32)
+    parser.add_argument("--threads", type=int, default=os.cpu_count())
+    parser.add_argument("--rounds", type=int, default=9)
+    parser.add_argument("--seconds", type=float, default=20.0, help="simulated by each sieve in a round (default: 20)")
+    parser.add_argument("--step", type=float, default=1.0, help="[s] (default: 1)")
+    parser.add_argument("--write", type=pathlib.Path, metavar="FILE",
+                        help="put the table between the marks of this document")
+    arguments = parser.parse_args()
+    if arguments.write:
+        documents.require_place(parser, arguments.write, "env")
+    scene, seconds = rs.Scene.load(arguments.scene), arguments.seconds
+    settings = {"episode": BEGIN + seconds + 1.0, "step": arguments.step}
+    single = rs.env.SieveEnv(scene, **settings)
+    many = rs.env.SieveVectorEnv(scene, arguments.sieves, threads=arguments.threads, **settings)
+    action = [scene["base.inclination"]]
+    actions = np.tile(action, (arguments.sieves, 1))
+    rounds = [{
+        "engine": rate_of_engines(scene, 4, 1, seconds),
+        "SieveEnv": rate_of_env(single, action, seconds),
+        "engines": rate_of_engines(scene, arguments.sieves, arguments.threads, seconds),
+        "SieveVectorEnv": rate_of_env(many, actions, seconds),
+    } for _ in range(arguments.rounds)]
+
+    def ratio(one, other, clock):
+        return statistics.median(getattr(row[one], clock) / getattr(row[other], clock) for row in rounds)
+
+    lines = [f"{origin.text()}; {arguments.sieves} sieves, {arguments.threads} threads, steps of {arguments.step:g} s, "
+             f"medians of {arguments.rounds} rounds.", "", "| | wall time | processor time |", "|---|---|---|"]
+    for name, one, other, threads in (
+            ("SieveEnv over one engine", "SieveEnv", "engine", 1),
+            ("SieveVectorEnv over as many engines on as many threads", "SieveVectorEnv", "engines", 1),
+            ("SieveVectorEnv per thread over one engine", "SieveVectorEnv", "engine", arguments.threads)):
+        wall, processor = ratio(one, other, "wall") / threads, ratio(one, other, "processor")
+        lines.append(f"| {name} | {wall:.2f} | {processor:.2f} |")
+    print("\n".join(lines))
+    if arguments.write:
+        documents.put(arguments.write, "env", "\n".join(lines))
+
+
+if __name__ == "__main__":
+    main()

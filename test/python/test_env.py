@@ -1,0 +1,451 @@
+"""Environments for learning and control: Gymnasium's contract, and that they tell the truth about the sieve."""
+import math
+import runpy
+
+import numpy as np
+import pytest
+
+import ratchet_sieve as rs
+from ratchet_sieve import places
+from ratchet_sieve.env import SieveEnv, SieveVectorEnv, interface, stand_ins
+
+ALL = ("time", "bins", "departures", "quality", "processed", "mean_vx", "histogram", "base")
+ACTION = [0.15]
+
+
+@pytest.fixture(scope="module")
+def scene():
+    return rs.Scene.load(places.SHARE / "config/seek.yaml")
+
+
+def element(env, observation, name):
+    return observation[..., env.observation_names.index(name)]
+
+
+# The contract of gymnasium.Env.
+
+def test_reset_gives_an_observation_of_the_space_and_an_info(scene):
+    env = SieveEnv(scene, observations=ALL)
+    observation, info = env.reset(seed=1)
+    assert observation.dtype == env.observation_space.dtype == np.float64
+    assert observation.shape == env.observation_space.shape == (len(env.observation_names),)
+    assert observation in env.observation_space
+    assert len(set(env.observation_names)) == len(env.observation_names)
+    assert set(info) == {"time", "seed"} and info["time"] == 0.0
+
+
+def test_step_gives_five_values_of_their_types(scene):
+    env = SieveEnv(scene, episode=3.0, observations=ALL)
+    env.reset(seed=1)
+    env.action_space.seed(1)
+    for k in range(1, 4):
+        observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
+        assert observation in env.observation_space and np.isfinite(observation).all()
+        assert type(reward) is float and type(terminated) is bool and type(truncated) is bool
+        assert info["time"] == element(env, observation, "time") == k
+        assert (terminated, truncated) == (False, k == 3)
+
+
+def test_a_seed_begins_a_series_of_different_episodes_that_comes_again(scene):
+    def series(env):
+        episodes = []
+        for seed in (5, None, None):
+            env.reset(seed=seed)
+            episodes.append(np.array([env.step(ACTION)[0] for _ in range(3)]))
+        return episodes
+
+    env = SieveEnv(scene)
+    first, again = series(env), series(SieveEnv(scene))
+    assert all(np.array_equal(a, b) for a, b in zip(first, again))
+    assert all(np.array_equal(a, b) for a, b in zip(first, series(env)))
+    assert not np.array_equal(first[0], first[1]) and not np.array_equal(first[1], first[2])
+
+
+@pytest.mark.parametrize("seed", [-1, 1.5, "one"])
+def test_a_seed_is_a_number_of_0_or_more(seed):
+    with pytest.raises(ValueError, match="seed = "):
+        stand_ins.np_random(seed)
+
+
+def test_needs_an_episode(scene):
+    env = SieveEnv(scene, episode=1.0)
+    with pytest.raises(RuntimeError, match="call reset"):
+        env.step(ACTION)
+    env.reset(seed=1)
+    env.step(ACTION)
+    with pytest.raises(RuntimeError, match="call reset"):
+        env.step(ACTION)
+    env.close()
+    env.close()
+    with pytest.raises(RuntimeError, match="closed"):
+        env.reset()
+
+
+@pytest.mark.parametrize("action, error", [
+    ([0.6], r"^action: inclination = 0.6: must be -0.5 to 0.5 rad$"),
+    ([math.nan], "inclination = nan: must be"),
+    ([0.1, 0.2], r"shape \(2,\): must be \(inclination\)"),
+    (0.1, "shape"),
+])
+def test_refuses_an_action_outside_the_space_and_changes_nothing(scene, action, error):
+    env, untouched = SieveEnv(scene), SieveEnv(scene)
+    env.reset(seed=1)
+    untouched.reset(seed=1)
+    with pytest.raises(ValueError, match=error):
+        env.step(action)
+    assert env.simulation.base.commanded_inclination == 0.0
+    assert np.array_equal(env.step(ACTION)[0], untouched.step(ACTION)[0])
+
+
+def test_takes_a_limit_rounded_to_32_bits_for_the_limit(scene):
+    env = SieveEnv(scene, limits={"inclination": (-0.1, 0.1)})
+    env.reset(seed=1)
+    env.step(np.array([0.1], dtype=np.float32))  # more than 0.1
+    assert env.simulation.base.commanded_inclination == 0.1
+
+
+def test_options_change_the_scene_for_one_episode(scene):
+    env = SieveEnv(scene)
+    env.reset(options={})
+    observation, _ = env.reset(options={"scene": {"base.frequency": 18.0}})
+    assert element(env, observation, "base.frequency") == 18.0
+    observation, _ = env.reset()
+    assert element(env, observation, "base.frequency") == 23.0
+
+
+@pytest.mark.parametrize("options, error", [
+    ({"frequency": 18.0}, "options: there is none of the name 'frequency'"),
+    ({"scene": {"base.inclination": 0.51}}, "base.inclination = 0.51: must be within the limits"),
+    ({"scene": {"base.inclination": 7}}, "base.inclination"),
+    ({"scene": {"species.0.name": "C"}}, "species"),
+    ({"scene": {"boundary": "walled"}}, "boundary"),
+])
+def test_refuses_options_and_goes_on(scene, options, error):
+    env = SieveEnv(scene)
+    env.reset(seed=1)
+    env.step(ACTION)
+    with pytest.raises(ValueError, match=error):
+        env.reset(options=options)
+    assert env.step(ACTION)[4]["time"] == 2.0
+
+
+def test_renders_pixels(scene):
+    env = SieveEnv(scene, render_mode="rgb_array")
+    env.reset(seed=1)
+    before = env.render()
+    assert before.dtype == np.uint8 and before.ndim == 3 and before.shape[2] == 3
+    env.step(ACTION)
+    assert not np.array_equal(env.render(), before)
+    silent = SieveEnv(scene)
+    silent.reset()
+    assert silent.render() is None
+
+
+def test_passes_the_checker_of_gymnasium(scene):
+    pytest.importorskip("gymnasium")
+    from gymnasium.utils.env_checker import check_env
+
+    assert SieveEnv.__mro__[1].__module__.startswith("gymnasium")
+    check_env(SieveEnv(scene, observations=ALL), skip_render_check=True)
+
+
+# What the observations say.
+
+def test_the_bits_are_those_of_a_simulation_that_is_commanded(scene):
+    env = SieveEnv(scene, step=0.5)
+    _, info = env.reset(seed=3)
+    simulation = rs.Simulation(scene.replace(seed=info["seed"]))
+    for k, inclination in enumerate((0.2, -0.1, 0.3)):
+        env.step([inclination])
+        simulation.command(inclination=inclination)
+        simulation.advance_to(0.5 * (k + 1))
+    assert env.simulation.disks.tobytes() == simulation.disks.tobytes()
+    assert env.readings.base == simulation.base
+    assert env.readings.bins == simulation.bins
+
+
+def test_all_quantities_are_commanded_at_their_slew_rates(scene):
+    env = SieveEnv(scene, actions=("amplitude", "inclination", "frequency"), slew_rates={"inclination": 0.3})
+    assert env.action_space.low.tolist() == [0.0, -0.5, 0.0] and env.action_space.high.tolist() == [0.01, 0.5, 100.0]
+    env.reset(seed=1)
+    env.step([0.0015, 0.5, 40.0])
+    base = env.readings.base
+    assert (base.inclination, base.frequency, base.amplitude) == pytest.approx((0.3, 33.0, 0.0015))
+    assert (base.commanded_inclination, base.commanded_frequency) == (0.5, 40.0)
+
+
+def test_departures_are_what_fell_into_the_bins_within_the_window(scene):
+    env = SieveEnv(scene, window=3.0, observations=ALL)
+    env.reset(seed=1)
+    past = [env.readings.bins]
+    for _ in range(6):
+        observation, reward, *_ = env.step(ACTION)
+        now, then = env.readings.bins, past[-3:][0]
+        left = {kind: now[kind].left - then[kind].left for kind in "AB"}
+        right = {kind: now[kind].right - then[kind].right for kind in "AB"}
+        for kind in "AB":
+            assert element(env, observation, f"departures.left.{kind}") == left[kind]
+            assert element(env, observation, f"departures.right.{kind}") == right[kind]
+            assert element(env, observation, f"departures.on_base.{kind}") == now[kind].on_base
+        gone = {kind: left[kind] + right[kind] for kind in "AB"}
+        if min(gone.values()):  # eq. (2) of the paper
+            shares = {kind: left[kind] / gone[kind] for kind in "AB"}
+            assert reward == element(env, observation, "quality") == pytest.approx(abs(shares["A"] - shares["B"]))
+        on_base = sum(now[kind].on_base for kind in "AB")
+        assert env.readings.processed == pytest.approx(sum(gone.values()) / (sum(gone.values()) + on_base))
+        past.append(now)
+    assert min(gone.values()) > 0 and env.readings.window == 3.0
+
+
+def test_velocities_and_histogram_are_those_of_the_disks(scene):
+    env = SieveEnv(scene, observations=ALL, cells=4)
+    env.reset(seed=1)
+    for _ in range(3):
+        before = {disk["id"]: disk["displacement"] for disk in env.simulation.disks}
+        observation, *_ = env.step([0.3])
+        disks, base = env.simulation.disks, env.simulation.base
+        along = ((disks["x"] - base.horizontal_displacement) * math.cos(base.inclination) +
+                 (disks["y"] - base.displacement) * math.sin(base.inclination))
+        for number, kind in enumerate("AB"):
+            of_kind = disks["species"] == number
+            stayed = [disk["displacement"] - before[disk["id"]] for disk in disks[of_kind] if disk["id"] in before]
+            assert element(env, observation, f"mean_vx.{kind}") == pytest.approx(np.mean(stayed))
+            counts, _ = np.histogram(np.clip(along[of_kind], 0.0, scene.width), 4, (0.0, scene.width))
+            assert [element(env, observation, f"histogram.{kind}.{cell}") for cell in range(4)] == counts.tolist()
+            assert counts.sum() > 0
+
+
+def test_what_is_undefined_is_0_beside_a_flag_and_none_in_the_readings(scene):
+    env = SieveEnv(scene, observations=ALL)
+    observation, _ = env.reset(seed=1)
+    assert (env.readings.quality, env.readings.mean_vx.A) == (None, None)
+    for name in ("quality", "quality_defined", "mean_vx.A", "mean_vx_defined.A"):
+        assert element(env, observation, name) == 0.0
+    for _ in range(5):
+        observation, *_ = env.step(ACTION)
+    for name in ("quality_defined", "processed_defined", "mean_vx_defined.A", "mean_vx_defined.B"):
+        assert element(env, observation, name) == 1.0
+
+
+# Rewards and ends.
+
+def test_rewards_by_name(scene):
+    expected = {
+        "purity:A:right": lambda d: d.A.right / (d.A.right + d.B.right),
+        "recovery:B:left": lambda d: d.B.left / (d.B.left + d.B.right),
+        "flow:A:right:mass": lambda d: d.A.right_mass / 2.0,
+        "throughput": lambda d: sum(bins.left + bins.right for bins in d.values()) / 2.0,
+    }
+    for name, value in expected.items():
+        env = SieveEnv(scene, reward=name, window=2.0)
+        env.reset(seed=1)
+        rewards = [env.step(ACTION)[1] for _ in range(5)]
+        assert rewards[-1] == pytest.approx(value(env.readings.departures)) and rewards[-1] > 0.0
+
+
+def test_rewards_by_a_function_also_of_a_periodic_base():
+    periodic = rs.Scene.load(places.SHARE / "config/paper_fig8.yaml", {"duration": 5.0})
+    env = SieveEnv(periodic, reward=lambda readings: (readings.mean_vx.B or 0.0) - (readings.mean_vx.A or 0.0))
+    env.reset(seed=1)
+    _, reward, *_ = env.step([0.0])
+    velocities = env.readings.mean_vx
+    assert reward == velocities.B - velocities.A != 0.0
+    with pytest.raises(ValueError, match="nothing leaves a periodic base"):
+        SieveEnv(periodic)
+
+
+def test_a_reward_is_finite(scene):
+    env = SieveEnv(scene, reward=lambda readings: math.nan)
+    env.reset(seed=1)
+    with pytest.raises(ValueError, match="reward = nan"):
+        env.step(ACTION)
+
+
+def test_a_collapse_terminates(scene):
+    env = SieveEnv(scene.replace({"contact.min_rebound_speed": 0.0, "contact.collapse_events": 10000,
+                                  "base.frequency": 0.0}))
+    env.reset(seed=1)
+    for _ in range(100):
+        observation, _, terminated, truncated, info = env.step([0.0])
+        if terminated:
+            break
+    assert terminated and not truncated and "collapse" in info["stalled"]
+    assert info["time"] == env.simulation.time and observation in env.observation_space
+    assert "stalled" not in env.reset()[1]
+
+
+def test_an_empty_base_that_is_not_fed_terminates(scene):
+    env = SieveEnv(scene.replace({"feed.rate": 0.0}))
+    env.reset(seed=1)
+    terminated = False
+    while not terminated:
+        _, _, terminated, truncated, info = env.step([0.5])
+        assert not truncated
+    assert info["empty"] and env.simulation.active_disks == 0
+
+
+@pytest.mark.parametrize("settings, error", [
+    ({"actions": ("tilt",)}, "actions: there is no quantity 'tilt'; there are inclination, frequency, amplitude"),
+    ({"actions": ()}, "actions = "),
+    ({"actions": ("frequency", "frequency")}, "different quantities"),
+    ({"limits": {"frequency": (0, 1)}}, "limits: there is no quantity 'frequency'"),
+    ({"limits": {"inclination": (0.1, 0.0)}}, "limits of inclination = 0.1, 0"),
+    ({"limits": {"inclination": (0.1, 9.0)}}, "within -1.5 to 1.5 rad"),
+    ({"limits": {"inclination": (0.1, 0.2)}}, "base.inclination = 0: must be within the limits"),
+    ({"slew_rates": {"inclination": 0.0}}, "slew rate of inclination = 0: must be 1.5e-09 to 15 rad/s"),
+    ({"observations": ("colour",)}, "observations: there is none of the name 'colour'; there are time, bins"),
+    ({"observations": ()}, "one or more"),
+    ({"reward": "beauty"}, "reward: beauty: must be quality, purity:SPECIES:BIN"),
+    ({"reward": "purity:C:left"}, "there is no species C; there are A, B"),
+    ({"reward": 3}, "reward = 3"),
+    ({"step": 0.0}, "step = 0.0: must be a time"),
+    ({"episode": math.inf}, "episode = inf"),
+    ({"window": math.nan}, "window = nan"),
+    ({"cells": 0}, "cells = 0"),
+    ({"render_mode": "human"}, "render_mode = 'human': must be None or rgb_array"),
+])
+def test_refuses_settings_with_one_line(scene, settings, error):
+    with pytest.raises(ValueError, match=error) as raised:
+        SieveEnv(scene, **settings)
+    assert "\n" not in str(raised.value)
+
+
+# Many sieves.
+
+def series_of(env, actions, seed):
+    first, _ = env.reset(seed=seed)
+    return [first] + [env.step(action) for action in actions]
+
+
+@pytest.mark.parametrize("threads", [1, 3])
+def test_many_sieves_are_as_many_single_ones(scene, threads):
+    random = np.random.default_rng(1)
+    actions = random.uniform(-0.3, 0.3, (9, 4, 1))
+    many = SieveVectorEnv(scene, 4, threads=threads, episode=3.0)
+    together = series_of(many, actions, 7)
+    for k in range(4):
+        env = SieveEnv(scene, episode=3.0)
+        assert np.array_equal(env.reset(seed=7 + k)[0], together[0][k])
+        ended = False
+        for action, (observations, rewards, terminations, truncations, infos) in zip(actions[:, k], together[1:]):
+            if ended:  # next_step: this step is the reset
+                observation, info = env.reset()
+                reward, terminated, truncated = 0.0, False, False
+            else:
+                observation, reward, terminated, truncated, info = env.step(action)
+            ended = terminated or truncated
+            assert np.array_equal(observations[k], observation)
+            assert (rewards[k], terminations[k], truncations[k]) == (reward, terminated, truncated)
+            assert {key: infos[key][k] for key in info} == info and all(infos[f"_{key}"][k] for key in info)
+
+
+def test_batches_have_their_spaces_and_types(scene):
+    env = SieveVectorEnv(scene, 3, episode=2.0)
+    assert env.num_envs == 3
+    assert env.action_space.shape == (3, 1) and env.single_action_space.shape == (1,)
+    assert env.metadata["autoreset_mode"] is interface.AutoresetMode.NEXT_STEP
+    observations, infos = env.reset(seed=1)
+    assert observations in env.observation_space and observations[0] in env.single_observation_space
+    observations, rewards, terminations, truncations, infos = env.step(env.action_space.sample())
+    assert observations in env.observation_space
+    assert (rewards.shape, rewards.dtype) == ((3,), np.float64)
+    assert all((ends.shape, ends.dtype) == ((3,), bool) for ends in (terminations, truncations))
+    kept = observations.copy()
+    env.step(env.action_space.sample())
+    assert np.array_equal(observations, kept)
+
+
+def test_same_step_returns_the_next_episode_and_the_end_of_the_last(scene):
+    actions = np.full((3, 2, 1), 0.1)
+    plain = series_of(SieveVectorEnv(scene, 2, episode=2.0), actions, 1)
+    env = SieveVectorEnv(scene, 2, episode=2.0, autoreset="same_step")
+    env.reset(seed=1)
+    env.step(actions[0])
+    observations, rewards, _, truncations, infos = env.step(actions[1])
+    assert truncations.all() and np.array_equal(rewards, plain[2][1])
+    assert all(np.array_equal(infos["final_obs"][k], plain[2][0][k]) for k in range(2))
+    assert infos["final_info"]["time"].tolist() == [2.0, 2.0] and infos["_final_info"].all()
+    assert np.array_equal(observations, plain[3][0]) and infos["time"].tolist() == [0.0, 0.0]
+    assert "final_obs" not in env.step(actions[2])[4]
+
+
+def test_disabled_waits_for_a_reset_of_those_that_have_ended(scene):
+    env = SieveVectorEnv(scene, 2, episode=2.0, autoreset="disabled")
+    actions = np.full((2, 1), 0.1)
+    env.reset(seed=1)
+    env.step(actions)
+    second = series_of(SieveVectorEnv(scene, 2, episode=2.0), [actions] * 2, 1)[2][0][1]
+    _, infos = env.reset(seed=[9, 9], options={"reset_mask": np.array([True, False])})
+    assert infos["_time"].tolist() == [True, False]
+    observations, _, _, truncations, _ = env.step(actions)
+    assert truncations.tolist() == [False, True] and np.array_equal(observations[1], second)
+    with pytest.raises(RuntimeError, match="the episode of sieve 1 has ended"):
+        env.step(actions)
+    env.reset(options={"reset_mask": np.array([False, True])})
+    assert env.step(actions)[3].tolist() == [True, False]
+
+
+def test_a_collapse_of_one_sieve_leaves_the_others(scene):
+    env = SieveVectorEnv(scene.replace({"contact.collapse_events": 10000}), 2, autoreset="disabled")
+    env.reset(seed=1)
+    env.reset(options={"scene": {"contact.min_rebound_speed": 0.0, "base.frequency": 0.0},
+                       "reset_mask": np.array([True, False])})
+    terminated = np.zeros(2, dtype=bool)
+    while not terminated.any():
+        observations, _, terminated, truncated, infos = env.step(np.zeros((2, 1)))
+        assert not truncated.any()
+    assert terminated.tolist() == infos["_stalled"].tolist() == [True, False]
+    assert "collapse" in infos["stalled"][0] and infos["stalled"][1] is None
+    assert observations in env.observation_space
+
+
+@pytest.mark.parametrize("call, error", [
+    (lambda env: env.step(np.zeros((2, 1))), r"actions of shape \(2, 1\): must be \(3, 1\)"),
+    (lambda env: env.step(np.array([[0.0], [0.9], [0.0]])), "action of sieve 1: inclination = 0.9: must be"),
+    (lambda env: env.reset(seed=[1, 2]), "2 seeds: must be 3"),
+    (lambda env: env.reset(options={"reset_mask": np.zeros(3, dtype=bool)}), "reset_mask"),
+    (lambda env: env.reset(options={"reset_mask": [True] * 3}), "reset_mask"),
+    (lambda env: SieveVectorEnv(env.task.scene, 0), "n = 0"),
+    (lambda env: SieveVectorEnv(env.task.scene, 2, autoreset="never"), "autoreset = 'never': must be next_step"),
+])
+def test_refuses_batches_with_one_line(scene, call, error):
+    env = SieveVectorEnv(scene, 3)
+    with pytest.raises(RuntimeError, match="call reset"):
+        env.step(np.zeros((3, 1)))
+    env.reset(seed=1)
+    with pytest.raises(ValueError, match=error):
+        call(env)
+    assert env.step(np.zeros((3, 1)))[4]["time"].tolist() == [1.0] * 3
+
+
+def test_the_example_learns_the_best_inclination(tmp_path):
+    learned = runpy.run_path(str(places.CHECKOUT / "examples/learn_inclination.py"))["main"]
+    assert learned(["--generations", "3", "--picture", str(tmp_path / "learned.png")]) == pytest.approx(0.15, abs=0.03)
+    assert (tmp_path / "learned.png").stat().st_size > 10000
+
+
+# The stand-ins, whether or not Gymnasium is installed.
+
+def test_a_box_has_what_is_between_its_bounds():
+    box = stand_ins.Box(np.array([-1.0, 0.0]), np.array([1.0, 5.0]), dtype=np.float64, seed=3)
+    assert (box.shape, box.dtype) == ((2,), np.float64)
+    again = stand_ins.Box(box.low, box.high, dtype=np.float64, seed=3)
+    samples = np.array([box.sample() for _ in range(200)])
+    assert all(sample in box for sample in samples)
+    assert np.array_equal(samples, [again.sample() for _ in range(200)])
+    assert np.ptp(samples[:, 1]) > 4.0
+    for inside in ([0.0, 5.0], np.array([1.0, 0.0], dtype=np.float32)):
+        assert inside in box
+    for outside in ([0.0, 5.1], [math.nan, 0.0], [0.0], "text", np.array([0.0, 1.0], dtype=np.longdouble)):
+        assert outside not in box
+    assert box == again and box != stand_ins.Box(0.0, 1.0, (2,))
+
+
+def test_a_box_without_bounds_has_samples():
+    box = stand_ins.Box(np.array([-np.inf, 2.0, -np.inf]), np.array([np.inf, np.inf, 3.0]), seed=1)
+    assert box.dtype == np.float32 and box.sample().dtype == np.float32
+    assert all(box.sample() in box for _ in range(100))
+    assert not box.is_bounded() and not box.is_bounded("below")
+    assert stand_ins.Box(0.0, 1.0, (2, 3)).is_bounded() and stand_ins.Box(0.0, 1.0).shape == (1,)
+    with pytest.raises(ValueError, match="low"):
+        stand_ins.Box(1.0, 0.0)

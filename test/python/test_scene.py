@@ -1,0 +1,74 @@
+"""Scenes in Python: the same keys, errors and warnings as the programs have."""
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+import ratchet_sieve as rs
+
+
+def test_values_are_those_of_the_text(scene):
+    assert scene["species.0.radius"] == 0.001
+    assert scene["species.1.name"] == "B"
+    assert scene["boundary"] == "open"
+    assert scene.species == ["A", "B"]
+    assert scene["base.tooth_width"] == pytest.approx(0.02)
+    with pytest.raises(KeyError):
+        scene["base.nothing"]
+
+
+def test_a_file_and_its_text_are_one_scene(scene, tmp_path):
+    path = tmp_path / "scene.yaml"
+    path.write_text(scene.yaml)
+    assert rs.Scene.load(path) == scene
+    assert rs.Scene(scene.values) == scene
+
+
+def test_overrides_take_numbers_arrays_texts_and_none(scene):
+    other = scene.replace({"base.inclination": np.float64(0.06), "species.0.count": np.int64(3),
+                           "boundary": "periodic"}, seed=11)
+    assert (other["base.inclination"], other["species.0.count"], other["boundary"], other["seed"]) == \
+        (0.06, 3, "periodic", 11)
+    tooth = np.array([[0.0, 0.0], [0.01, 0.004], [0.02, 0.0]])
+    shaped = scene.replace({"base.profile": tooth})
+    assert np.array_equal(shaped.outline[:3], tooth)
+    assert shaped.replace({"base.profile": None})["base.tooth_width"] == 0.02
+    with pytest.raises(TypeError, match="cannot be a value of a scene"):
+        scene.replace({"base.inclination": object()})
+
+
+def test_errors_name_key_value_and_what_is_allowed(scene):
+    with pytest.raises(rs.SceneError) as error:
+        scene.replace({"base.inclination": 60})
+    assert (error.value.key, error.value.value) == ("base.inclination", "60")
+    assert error.value.allowed.startswith("must be a number from -1.5 to 1.5 rad")
+    assert str(error.value).endswith(error.value.allowed)
+    with pytest.raises(rs.SceneError, match="unknown key") as error:
+        scene.replace({"base.incline": 0.1})
+    assert error.value.key == "base.incline"
+    with pytest.raises(rs.SceneError, match="no such file"):
+        rs.Scene.load("/nowhere.yaml")
+    again = pickle.loads(pickle.dumps(error.value))
+    assert (str(again), again.key) == (str(error.value), error.value.key)
+
+
+def test_an_implausible_scene_warns(scene):
+    with pytest.warns(rs.SieveWarning):
+        other = scene.replace({"base.frequency": 0.023})
+    assert other.warnings
+
+
+def test_copies_are_equal(scene):
+    for other in (copy.deepcopy(scene), pickle.loads(pickle.dumps(scene))):
+        assert other == scene and other.hash == scene.hash and hash(other) == hash(scene)
+    assert scene.replace(seed=8) != scene
+    assert scene.replace(seed=8).hash == scene.hash
+
+
+def test_the_outline_is_of_all_teeth(scene):
+    outline = scene.outline
+    assert outline.shape == (13, 2)
+    assert outline[0].tolist() == [0.0, 0.0]
+    assert outline[-1, 0] == pytest.approx(scene.width) == pytest.approx(0.12)
+    assert outline[:, 1].max() == scene["base.tooth_height"]
