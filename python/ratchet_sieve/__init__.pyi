@@ -1,5 +1,6 @@
 """What __init__.py imports when it is first used."""
 from . import documents as documents
+from . import env as env
 from . import errors as errors
 from . import origin as origin
 from . import plots as plots

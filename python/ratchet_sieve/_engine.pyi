@@ -4,7 +4,10 @@ from typing import Any, Callable, Mapping, Optional, Sequence
 import numpy as np
 
 __version__: str
+BASE_FIELDS: tuple[str, ...]
+BIN_FIELDS: tuple[str, ...]
 COLLISION_KINDS: tuple[str, ...]
+COMMANDED_QUANTITIES: tuple[dict[str, Any], ...]
 
 class Scene:
     @property
@@ -50,3 +53,10 @@ def run(simulation: Simulation, frame_rate: float, collisions: bool, threads: in
         ) -> tuple[dict[str, Any], dict[str, list[Any]], Optional[np.ndarray[Any, Any]]]: ...
 def sweep(text: str, source: str, results: str, threads: int,
           progress: Optional[Callable[[int, int, int], None]]) -> str: ...
+def write_trajectory(path: str, scene: Scene,
+                     frames: Sequence[tuple[float, np.ndarray[Any, Any], Mapping[str, float]]]) -> None: ...
+def step_many(simulations: Sequence[Simulation], names: Sequence[str], setpoints: Any, times: Sequence[float],
+              cells: int, threads: int) -> tuple[Any, ...]: ...
+def measured_goals(goal: str, species: Sequence[str], bins: Any,
+                   durations: Sequence[float]) -> tuple[Any, ...]: ...
+def processed_ratios(bins: Any) -> tuple[Any, ...]: ...

@@ -6,6 +6,7 @@ from typing import Any, Iterator, Union
 
 import numpy as np
 
+from . import _engine
 from .errors import BagError
 from .runs import Frames, Recording
 from .scene import Scene
@@ -13,9 +14,7 @@ from .scene import Scene
 # Of each message that a bag needs, its type.
 SCENE, DISKS, BASE, BINS = (f"ratchet_sieve/{name}"
                             for name in ("SceneDescription", "ParticleStates", "BaseState", "BinCounts"))
-ABOUT = ("header", "time")  # fields that are no quantities
 DISK_COLUMNS = ("id", "species", "x", "y", "angle", "vx", "vy", "spin", "displacement", "radius")
-BIN_COLUMNS = {"left": int, "right": int, "on_base": int, "left_mass": float, "right_mass": float}
 
 
 def read_bag(path: Union[str, os.PathLike]) -> Recording:
@@ -48,7 +47,7 @@ def _read(bag: Any, path: str) -> Recording:
     lists: dict[str, dict[float, Any]] = {
         "disks": {message.time: scene._engine.disks_of({name: getattr(message, name) for name in DISK_COLUMNS})
                   for message in _messages(bag, DISKS, path)},
-        "base": {message.time: {name: getattr(message, name) for name in message.__slots__ if name not in ABOUT}
+        "base": {message.time: {name: getattr(message, name) for name in _engine.BASE_FIELDS}
                  for message in _messages(bag, BASE, path)},
         "bins": {message.time: _bins(message) for message in _messages(bag, BINS, path)}}
     times = sorted(set.intersection(*(set(frames) for frames in lists.values())))
@@ -60,7 +59,7 @@ def _read(bag: Any, path: str) -> Recording:
 
 def _bins(message: Any) -> list[dict]:
     """One dict a species."""
-    return [{name: kind(getattr(message, name)[k]) for name, kind in BIN_COLUMNS.items()}
+    return [{name: getattr(message, name)[k].item() for name in _engine.BIN_FIELDS}
             for k in range(len(message.species))]
 
 

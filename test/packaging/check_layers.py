@@ -16,6 +16,7 @@ BELOW = {
     'live': ['core', 'scene', 'recording'],
     'seeking': ['core', 'scene', 'recording'],
     'bag': ['core', 'scene'],
+    'python': ['core', 'scene', 'recording', 'sweep', 'seeking'],
     'ros': ['core', 'scene', 'recording', 'analysis', 'live', 'seeking', 'bag'],
     'nodes': ['core', 'scene', 'recording', 'sweep', 'analysis', 'live', 'seeking', 'bag', 'ros'],
 }
@@ -30,6 +31,7 @@ LIBRARIES = {
     'live': ['Eigen', 'yaml-cpp', 'fmt'],
     'seeking': ['Eigen'],
     'bag': ['bzlib', 'roslz4', 'ros/message_traits.h', 'ros/serialization.h', 'ros/time.h'],
+    'python': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'pybind11'],
     'ros': None,
     'nodes': None,
 }
