@@ -1,4 +1,4 @@
-#!/ usr / bin / python3
+#!/usr/bin/python3
 """Trajectories of sieve_run as ASE reads them.
 
 Usage: trajectory_test.py SIEVE_RUN [with_ros]
