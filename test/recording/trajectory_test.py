@@ -92,7 +92,7 @@ class Trajectory(unittest.TestCase):
             numpy.testing.assert_allclose(frame.cell[0], [0.2 * math.cos(0.2), 0.2 * math.sin(0.2), 0.0], rtol=1e-15)
             self.assertAlmostEqual(frame.cell.volume, 0.2 * 0.2 * 0.008)
         for frame in base:
-#Both ends of the base are one place.
+            # Both ends of the base are one place.
             numpy.testing.assert_allclose(frame.positions[-1] - frame.positions[0], frame.cell[0], atol=1e-15)
 
     def test_fed_disks_come_and_go(self):
