@@ -161,7 +161,7 @@ private:
   std::vector<FrameSampler> samplers_;  ///< in the order of RunWatchers::frames
   std::optional<LookTimes> looks_;      ///< present if the run may end before its duration
   RunOutcome outcome_;
-  Stride stride_;            ///< so that watchers are served in time
+  Stride stride_;        ///< so that watchers are served in time
   double audit_period_;  ///< [s]
   double audits_ = 0.0;
   Clock::time_point last_save_ = Clock::now();
