@@ -1,6 +1,8 @@
 """Pictures of a Run."""
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
 from ratchet_sieve.plots.machine import machine
-from ratchet_sieve.plots.style import legend_above, new_axes
+from ratchet_sieve.plots.style import legend_above, new_axes, panels
 
 SIZE = (8.0, 3.2)  # of a machine's picture [inch]
 
@@ -29,10 +31,11 @@ def machine_of(run, frame, axes=None):
 
 
 def animation_of(run, speed):
-    from matplotlib import pyplot  # these take long, and the programs do without
-    from matplotlib.animation import FuncAnimation
+    from matplotlib.animation import FuncAnimation  # takes long, and the programs do without
 
-    axes = new_axes(SIZE)
+    # No figure of pyplot's: a window of it, closed, is still drawn to at the end of the program.
+    figure, axes = panels(1, 1, SIZE)
+    FigureCanvasAgg(figure)
     draw(run, 0, axes)
     left, right = axes.get_xlim()
     low, high = axes.get_ylim()
@@ -43,6 +46,4 @@ def animation_of(run, speed):
         axes.set(xlim=(left, right), ylim=(low, high), title=f"{run.frames.time[frame]:.3f} s")
 
     period = 1000.0 * float(run.frames.time[-1] - run.frames.time[0]) / max(len(run.frames) - 1, 1)
-    animation = FuncAnimation(axes.figure, show, frames=len(run.frames), interval=period / speed)
-    pyplot.close(axes.figure)
-    return animation
+    return FuncAnimation(figure, show, frames=len(run.frames), interval=period / speed)
