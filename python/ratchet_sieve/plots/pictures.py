@@ -2,7 +2,7 @@
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from ratchet_sieve.plots.machine import machine
-from ratchet_sieve.plots.style import legend_above, new_axes, panels
+from ratchet_sieve.plots.style import DPI, legend_above, new_axes, panels, styled
 
 SIZE = (8.0, 3.2)  # of a machine's picture [inch]
 
@@ -34,9 +34,10 @@ def animation_of(run, speed):
     from matplotlib.animation import FuncAnimation  # takes long, and the programs do without
 
     # No figure of pyplot's: a window of it, closed, is still drawn to at the end of the program.
-    figure, axes = panels(1, 1, SIZE)
-    FigureCanvasAgg(figure)
-    draw(run, 0, axes)
+    with styled():
+        figure, axes = panels(1, 1, SIZE, dpi=DPI)
+        FigureCanvasAgg(figure)
+        draw(run, 0, axes)
     left, right = axes.get_xlim()
     low, high = axes.get_ylim()
 

@@ -36,9 +36,9 @@ def styled():
     return matplotlib.rc_context(STYLE)
 
 
-def panels(rows, columns, size, layout="constrained", **options):
+def panels(rows, columns, size, layout="constrained", dpi=None, **options):
     """@param size of the figure [inches]. @return the figure, and its axes"""
-    figure = Figure(figsize=size, layout=layout)
+    figure = Figure(figsize=size, layout=layout, dpi=dpi)
     return figure, figure.subplots(rows, columns, **options)
 
 
