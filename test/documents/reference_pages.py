@@ -40,6 +40,7 @@ PROGRAMS = {
     'In a checkout': {
         'scripts/setup': 'installs the packages that are missing',
         'scripts/build': 'builds the package',
+        'scripts/python': 'runs Python with the package, without ROS',
         'scripts/test': 'builds and runs the tests',
         'scripts/demo': 'shows the whole chain: build, run, record, analyse',
         'scripts/reproduce': 'reproduces published figures',
