@@ -70,7 +70,8 @@ py::tuple run(RunningSimulation& running, double frame_rate, bool collisions, st
   RunningSimulation::Use simulation(running);
   SignalWatch signals;
   CollectedFrames frames(running.scene()->definition);
-  std::vector<CollisionRecord> records;
+  // The observer's own: after an error it stays with the simulation.
+  const auto records = std::make_shared<std::vector<CollisionRecord>>();
   RunOutcome outcome;
   RunWatchers watchers;
   if (frame_rate > 0.0)
@@ -99,7 +100,7 @@ py::tuple run(RunningSimulation& running, double frame_rate, bool collisions, st
     const py::gil_scoped_release let_go;
     simulation->setThreads(threads);
     if (collisions)
-      simulation->observeCollisions([&records](const CollisionRecord& record) { records.push_back(record); });
+      simulation->observeCollisions([records](const CollisionRecord& record) { records->push_back(record); });
     outcome = runToEnd(*simulation, watchers);
     simulation->observeCollisions({});
   }
@@ -108,7 +109,7 @@ py::tuple run(RunningSimulation& running, double frame_rate, bool collisions, st
     throw py::error_already_set();
   const nlohmann::ordered_json summary = summarize(*simulation, outcome);
   return py::make_tuple(toPython(summary), frames.lists(),
-                        collisions ? py::object(arrayOf(records)) : py::none());
+                        collisions ? py::object(arrayOf(*records)) : py::none());
 }
 
 }  // namespace
