@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <string>
+#include <utility>
 
 #include <pybind11/pybind11.h>
 
@@ -33,7 +34,7 @@ void translateErrors()
       {
         try
         {
-          std::rethrow_exception(pointer);
+          std::rethrow_exception(std::move(pointer));
         }
         catch (const SceneError& error)
         {
