@@ -4,35 +4,27 @@ import numpy as np
 import pytest
 
 import ratchet_sieve as rs
+from conftest import SCENE
 
 matplotlib.use("agg")
 THETA = "base.inclination"
-SCENE = """
-base: {teeth: 6}
-boundary: open
-species:
-  - {name: A, count: 20, radius: 0.001, mass: 0.010}
-  - {name: B, count: 20, radius: 0.002, mass: 0.001}
-duration: 1.0
-settle: 0.0
-"""
 
 
 @pytest.fixture(scope="module")
 def layer():
     """A run on a ring, from which no disk leaves."""
-    return rs.run(rs.Scene(SCENE, {"boundary": "periodic"}), frames=20)
+    return rs.run(rs.Scene(SCENE, {"settle": 0.0, "boundary": "periodic"}), frames=20)
 
 
 @pytest.fixture(scope="module")
 def emptied():
     """A run whose first disk leaves, and the last one, too."""
-    return rs.run(rs.Scene(SCENE, {"duration": 5.0, THETA: 0.5}), frames=10)
+    return rs.run(rs.Scene(SCENE, {"settle": 0.0, "duration": 5.0, THETA: 0.5}), frames=10)
 
 
 @pytest.fixture(scope="module")
 def table():
-    return rs.sweep(rs.Scene(SCENE), {THETA: [0.0, 0.1], "base.frequency": [20.0, 25.0]}, seeds=3)
+    return rs.sweep(rs.Scene(SCENE, {"settle": 0.0}), {THETA: [0.0, 0.1], "base.frequency": [20.0, 25.0]}, seeds=3)
 
 
 def points_of(container):
@@ -135,7 +127,7 @@ def test_an_animation_shows_each_frame(layer, tmp_path):
 
 
 def test_a_run_without_frames_has_no_pictures_of_them():
-    run = rs.run(rs.Scene(SCENE, {"duration": 0.1}))
+    run = rs.run(rs.Scene(SCENE, {"settle": 0.0, "duration": 0.1}))
     assert run.plot().get_xlabel() == "$x$ [mm]"
     for draw in (rs.plots.displacements, rs.plots.tracks, rs.plots.bins, rs.Run.animate):
         with pytest.raises(ValueError, match="the run has no frames"):
