@@ -10,7 +10,7 @@ import pathlib
 import sys
 
 import physics
-from peers import cases, libraries, measure, points, table
+from peers import cases, edmd, libraries, measure, points, table
 from ratchet_sieve import documents
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -22,6 +22,9 @@ def read_arguments():
                         help="where ratchet_mixture and the others are: devel/lib/ratchet_sieve after scripts/build")
     parser.add_argument("--repetitions", type=int, default=3, help="of each row, taken in turns (default: 3)")
     parser.add_argument("--lammps", default="lmp", help="LAMMPS's program (default: lmp)")
+    parser.add_argument("--edmd", type=pathlib.Path, metavar="DIR",
+                        help="a checkout of github.com/FSmallenburg/EDMD: compare collisions per second with it, "
+                             "too; some minutes more")
     parser.add_argument("--write", type=pathlib.Path, metavar="FILE",
                         help="put the table between the marks of this document")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="write every run as JSON into DIR/peers.json")
@@ -37,7 +40,8 @@ def read_arguments():
     if not (arguments.programs / "ratchet_mixture").exists() and not (arguments.source or arguments.draw_only):
         parser.error(f"{arguments.programs} holds no ratchet_mixture: build with -DRATCHET_SIEVE_BENCHMARKS=ON")
     if arguments.write:
-        documents.require_place(parser, arguments.write, "peers")
+        for place in ["peers"] + (["edmd"] if arguments.edmd else []):
+            documents.require_place(parser, arguments.write, place)
     return arguments
 
 
@@ -48,7 +52,9 @@ def take_runs(arguments):
     runs = measure.in_turns(found, 1 if arguments.short else arguments.repetitions, arguments.short)
     if arguments.picture:
         runs += measure.in_turns(cases.sweep(arguments.programs), 1, arguments.short)
-    return {"machine": physics.describe(), "missing": missing, "runs": runs,
+    beside_edmd = edmd.in_turns(arguments.programs, arguments.edmd, arguments.repetitions,
+                                arguments.short) if arguments.edmd else []
+    return {"machine": physics.describe(), "missing": missing, "runs": runs, "edmd": beside_edmd,
             "libraries": libraries.libraries(arguments.programs, arguments.lammps, runs)}
 
 
@@ -71,6 +77,11 @@ def main():
         documents.put(arguments.write, "peers", text)
         documents.quote(arguments.write, "peers", table.figures(taken), taken["machine"])
     print(text)
+    if taken.get("edmd"):
+        beside_edmd = edmd.render(taken["edmd"], taken["machine"])
+        if arguments.write:
+            documents.put(arguments.write, "edmd", beside_edmd)
+        print(beside_edmd)
     if arguments.picture:
         data = arguments.picture.parent.parent / "data/peers.csv"
         points.write(data, points.of_runs(taken["runs"], taken["machine"]))
