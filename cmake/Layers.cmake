@@ -59,7 +59,8 @@ function(ratchet_sieve_layer layer)
   # The flags are this project's own: packages that use the exported target do not see them.
   target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:ratchet_sieve_flags,INTERFACE_COMPILE_OPTIONS>)
   target_link_options(${target} PRIVATE $<TARGET_PROPERTY:ratchet_sieve_flags,INTERFACE_LINK_OPTIONS>)
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${layer})
+  # A program or module that links a layer finds, where they are installed, the layers below it too.
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${layer} INSTALL_RPATH $ORIGIN)
   target_compile_features(${target} PUBLIC cxx_std_17)
   install(TARGETS ${target} EXPORT ratchet_sieve-targets
     ARCHIVE DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION}

@@ -54,7 +54,7 @@ def _read(bag: Any, path: str) -> Recording:
     if not times:
         raise BagError(f"{path}: at no time disks, base and bins were all recorded")
     return Recording(scene, Frames(scene.species, {kind: [(time, frames[time]) for time in times]
-                                                   for kind, frames in lists.items()}))
+                                                   for kind, frames in lists.items()}), path)
 
 
 def _bins(message: Any) -> list[dict]:

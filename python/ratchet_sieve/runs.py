@@ -1,9 +1,14 @@
 """Whole runs, from the pour to the end."""
 from __future__ import annotations
 
+import html
 import os
+import pathlib
+import sys
+import tempfile
 import warnings
-from typing import Any, Mapping, Optional, Union
+import webbrowser
+from typing import Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
@@ -33,9 +38,17 @@ class Frames:
         self.base = _columns([base for _, base in lists["base"]])
         self.bins = Values((name, _columns([bins[k] for _, bins in lists["bins"]]))
                            for k, name in enumerate(species))
+        self._others = lists.get("others", [])
 
     def __len__(self) -> int:
         return len(self.time)
+
+    def _tuples(self) -> list[tuple]:
+        """Of each frame, what the engine writes files from."""
+        names = self.base.dtype.names
+        bins = [[dict(zip(of.dtype.names, row)) for row in of.tolist()] for of in self.bins.values()]
+        return [(float(time), disks, dict(zip(names, base)), list(of_species))
+                for time, disks, base, of_species in zip(self.time, self.disks, self.base.tolist(), zip(*bins))]
 
     def __repr__(self) -> str:
         return f"<{len(self)} frames>"
@@ -55,9 +68,12 @@ class Collisions(Values):
 class Recording:
     """What pictures need: the frames of a run, and its scene."""
 
-    def __init__(self, scene: Scene, frames: Frames):
+    _warnings: Sequence[str] = ()  # of the run, beside those that follow from its scene
+
+    def __init__(self, scene: Scene, frames: Frames, title: str = ""):
         self.scene = scene
         self.frames = frames
+        self.title = title or scene.source
 
     def plot(self, frame: int = -1, axes: Any = None) -> Any:
         """Draws the machine at a frame, or of a run without frames at its end. Returns matplotlib's axes."""
@@ -69,22 +85,52 @@ class Recording:
         """The frames as matplotlib's FuncAnimation, `speed` times as fast as the machine. Jupyter shows it as a video
         (`from IPython.display import HTML; HTML(run.animate().to_jshtml())`); `.save("run.gif")` keeps it.
         Raises ValueError if the run has no frames."""
-        if not len(self.frames):
-            raise ValueError("the run has no frames: call run(..., frames=60)")
+        self._require_frames()
         from .plots import pictures
 
         return pictures.animation_of(self, speed)
 
-    def write(self, path: Union[str, os.PathLike]) -> None:
-        """Writes the frames for other programs; the ending selects the format: .xyz and .extxyz for OVITO and ASE,
-        .pvd for ParaView; see docs/recording.md. Raises ValueError without frames, OSError."""
+    def write(self, path: Union[str, os.PathLike], *, megabytes: float = 3.0) -> None:
+        """Writes the frames for other programs; the ending selects the format: .html for one page that any browser
+        shows, .xyz and .extxyz for OVITO and ASE, .pvd for ParaView; see docs/recording.md.
+
+        megabytes  size of the page at most: its frames are thinned to it
+        Raises ValueError without frames, OSError.
+        """
+        self._require_frames()
+        file = os.fspath(path)
+        if os.path.splitext(file)[1] == ".html":
+            _engine.write_page(file, os.path.basename(self.title), self.scene._engine, self.frames._tuples(),
+                               self.frames._others, self._warnings, megabytes)
+        else:
+            _engine.write_trajectory(file, self.scene._engine, self.frames._tuples())
+
+    def show(self, *, height: int = 900, megabytes: float = 3.0) -> Any:
+        """Shows the page of write("run.html"): in a notebook below the cell, else in the browser.
+
+        height  in a notebook [pixels]
+        Raises ValueError without frames.
+        """
+        with tempfile.NamedTemporaryFile(prefix="ratchet_sieve_", suffix=".html", delete=False) as file:
+            page = pathlib.Path(file.name)
+        try:
+            self.write(page, megabytes=megabytes)
+            if "ipykernel" not in sys.modules:
+                webbrowser.open(page.as_uri())
+                return None
+            text = html.escape(page.read_text(encoding="utf-8"))
+        except BaseException:
+            page.unlink()
+            raise
+        page.unlink()
+        from IPython.display import HTML
+
+        return HTML(f'<div><iframe srcdoc="{text}" sandbox="allow-scripts" title="{html.escape(self.title)}" '
+                    f'style="width: 100%; height: {height}px; border: 0"></iframe></div>')
+
+    def _require_frames(self) -> None:
         if not len(self.frames):
             raise ValueError("the run has no frames: call run(..., frames=60)")
-        names = self.frames.base.dtype.names
-        _engine.write_trajectory(
-            os.fspath(path), self.scene._engine,
-            [(float(time), disks, dict(zip(names, base.tolist())))
-             for time, disks, base in zip(self.frames.time, self.frames.disks, self.frames.base)])
 
     def __repr__(self) -> str:
         return f"<Recording of {self.scene.source}: {len(self.frames)} frames>"
@@ -100,6 +146,7 @@ class Run(Recording):
         super().__init__(simulation.scene, frames)
         self.simulation = simulation
         self.summary = summary
+        self._warnings = summary.warnings
         self.collisions = collisions
 
     def __repr__(self) -> str:

@@ -88,6 +88,13 @@ void describeOutputs(CLI::App& app, RunArguments& arguments)
       ->needs(trajectory)
       ->check(requireRate)
       ->capture_default_str();
+  app.add_option("--html-rate", arguments.page_rate,
+                 "Rate of the frames of --html, before they are thinned [Hz of simulated time]; 0: only the "
+                 "first and the last")
+      ->type_name("HZ")
+      ->needs(describe(app, arguments.page))
+      ->check(requireRate)
+      ->capture_default_str();
   app.add_option("--collisions", arguments.collisions, "Write every collision to a CSV file")
       ->type_name("FILE");
   app.add_option("--summary", arguments.summary, "Write the summary to a file instead of standard output")

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "page_arguments.h"
 #include "ratchet_sieve/recording/frame_kinds.h"
 
 namespace ratchet_sieve
@@ -23,6 +24,8 @@ struct RunArguments
   double bag_rate = FrameRates().particles;
   std::string trajectory;
   double trajectory_rate = FrameRates().particles;
+  PageArguments page;
+  double page_rate = PAGE_RATE;
   std::string collisions;
   std::string summary;
   std::string checkpoint;

@@ -2,11 +2,13 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "command_line.h"
+#include "page_arguments.h"
 #include "python_plots.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
 #include "ratchet_sieve/analysis/analysis_tables.h"
@@ -27,6 +29,7 @@ struct Arguments
   std::vector<std::string> bags;
   std::string summary;
   std::string directory;
+  PageArguments page;
 };
 
 void describe(CLI::App& app, Arguments& arguments)
@@ -37,6 +40,7 @@ void describe(CLI::App& app, Arguments& arguments)
   app.add_option("--summary", arguments.summary, "Write the results as JSON to a file")->type_name("FILE");
   app.add_option("--out", arguments.directory, "Write tables (CSV) and plots (PNG) to a directory")
       ->type_name("DIR");
+  describe(app, arguments.page);
   app.footer(
       "Exit status: 0 if done; 2 for bad arguments; 1 for any other failure, such as a bag that cannot be "
       "read.");
@@ -54,15 +58,22 @@ int analyze(const Arguments& arguments)
   std::unique_ptr<AtomicFile> summary;
   if (!arguments.summary.empty())
     summary = std::make_unique<AtomicFile>(arguments.summary);
+  const std::unique_ptr<RunPage> page = arguments.page.isWanted() ? arguments.page.open() : nullptr;
   RunAnalysis analysis;
-  readBags(arguments.bags, analysis);
-  const RunResult result = analysis.result();
+  readBags(arguments.bags, page ? static_cast<FrameSink&>(*page) : analysis);
+  const RunResult result = (page ? page->analysis() : analysis).result();
   std::fputs(reportText(result).c_str(), stdout);
   requirePrinted();
   if (summary)
   {
     summary->stream() << reportJson(result).dump(2, ' ', false, REPLACE) << '\n';
     summary->commit();
+  }
+  if (page)
+  {
+    page->write(arguments.page.path, std::filesystem::path(arguments.bags.front()).filename(), {});
+    std::printf("\nPage: %s\n", arguments.page.path.c_str());
+    requirePrinted();
   }
   if (!arguments.directory.empty())
   {

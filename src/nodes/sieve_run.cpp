@@ -1,6 +1,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -41,7 +42,10 @@ class Outputs
 {
 public:
   explicit Outputs(const RunArguments& arguments)
-      : trajectory_rates_(trajectoryRates(arguments.trajectory_rate))
+      : trajectory_rates_(trajectoryRates(arguments.trajectory_rate)),
+        scene_(std::filesystem::path(arguments.scene).filename()),
+        page_path_(arguments.page.path),
+        page_rates_(pageRates(arguments.page_rate))
   {
     bag_rates_.particles = arguments.bag_rate;
     try
@@ -54,6 +58,8 @@ public:
         bag_ = std::make_unique<BagOutput>(arguments.bag);
       if (!arguments.trajectory.empty())
         trajectory_ = openTrajectory(arguments.trajectory);
+      if (arguments.page.isWanted())
+        page_ = arguments.page.open();
     }
     catch (const std::exception& error)
     {
@@ -69,14 +75,18 @@ public:
       watchers.frames.push_back({&bag_->sink(), bag_rates_});
     if (trajectory_)
       watchers.frames.push_back({trajectory_.get(), trajectory_rates_});
+    if (page_)
+      watchers.frames.push_back({page_.get(), page_rates_});
   }
 
-  void finish(const nlohmann::ordered_json& summary)
+  void finish(const nlohmann::ordered_json& summary, const std::vector<std::string>& warnings)
   {
     if (bag_)
       bag_->close();
     if (trajectory_)
       trajectory_->commit();
+    if (page_)
+      page_->write(page_path_, scene_, warnings);
     if (collisions_)
       collisions_->commit();
     const std::string text = summary.dump(2) + "\n";
@@ -96,6 +106,10 @@ private:
   FrameRates bag_rates_;
   std::unique_ptr<TrajectoryFile> trajectory_;
   FrameRates trajectory_rates_;
+  std::string scene_;  ///< the name of its file, without the folders of its writer
+  std::unique_ptr<RunPage> page_;
+  std::string page_path_;
+  FrameRates page_rates_;
 };
 
 Scene loadScene(const RunArguments& arguments)
@@ -251,7 +265,7 @@ int run(const RunArguments& arguments)
   const bool through = outcome.end == RunEnd::COMPLETED || outcome.end == RunEnd::ACCURATE;
   nlohmann::ordered_json summary = summarize(simulation, outcome);
   const bool checked = !arguments.check_floor || !through || checkFloor(scene.definition, summary);
-  outputs.finish(summary);
+  outputs.finish(summary, outcome.warnings);
   return through && all_saved && checked ? DONE : FAILED;
 }
 

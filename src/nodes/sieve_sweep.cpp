@@ -2,15 +2,18 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "case_pages.h"
 #include "command_line.h"
 #include "python_plots.h"
 #include "ratchet_sieve/core/count_text.h"
+#include "ratchet_sieve/page/sweep_page.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/case_builder.h"
@@ -19,6 +22,7 @@
 #include "ratchet_sieve/sweep/floor_check.h"
 #include "ratchet_sieve/sweep/sweep_report.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
+#include "sweep_arguments.h"
 
 namespace
 {
@@ -35,164 +39,7 @@ void onSignal(int signal)
   stop_signal = signal;
 }
 
-struct Arguments
-{
-  std::string sweep;
-  std::string results;
-  std::string out;
-  std::string engine = "threads";
-  std::string hosts;
-  std::string program;
-  std::vector<std::string> engine_options;
-  std::vector<std::string> plot_options;
-  std::vector<std::string> where;
-  bool check_floor = false;
-  bool dry_run = false;
-  bool yes = false;
-  SweepRunOptions options;
-};
-
-void describeThreads(CLI::App& command, Arguments& arguments)
-{
-  command
-      .add_option("--threads", arguments.options.threads,
-                  "Number of cases run at the same time, at most 1024; 0: one per processor")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-}
-
-/// The limits for the best setting, which is the one with the highest mean Q.
-void describeBest(CLI::App& command, Arguments& arguments)
-{
-  command
-      .add_option("--least-processed", arguments.options.best.least_processed,
-                  "Least P of the best setting, averaged over its seeds, from 0 to 1")
-      ->type_name("P")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  command
-      .add_option("--least-counted", arguments.options.best.least_counted,
-                  "Least number of disks that left in the best setting, averaged over its seeds: Q of few "
-                  "disks can be "
-                  "high by chance")
-      ->type_name("N")
-      ->check(CLI::Range(0.0, 1e12))
-      ->capture_default_str();
-}
-
-void describeEngine(CLI::App& run, Arguments& arguments)
-{
-  run.add_option(
-         "--engine", arguments.engine,
-         "What runs the cases: threads of this program, GNU parallel over ssh (parallel), or a job array of "
-         "Slurm (slurm)")
-      ->type_name("threads|parallel|slurm")
-      ->check(CLI::IsMember({"threads", "parallel", "slurm"}))
-      ->capture_default_str();
-  run.add_option("--hosts", arguments.hosts,
-                 "Hosts of --engine parallel, in the format of its --sshloginfile")
-      ->type_name("FILE");
-  run.add_option("--per-job", arguments.options.per_job,
-                 "Number of cases in one job of an engine; 0: as many as give at most a thousand jobs")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1'000'000'000))
-      ->capture_default_str();
-  run.add_option("--sbatch", arguments.engine_options,
-                 "Option of sbatch, such as --sbatch=--partition=short; repeatable")
-      ->type_name("OPTION")
-      ->allow_extra_args(false);
-  run.add_option("--program", arguments.program,
-                 "Path of this program on the hosts; without this option the same as here")
-      ->type_name("FILE");
-}
-
-void describeRun(CLI::App& run, Arguments& arguments)
-{
-  describeThreads(run, arguments);
-  describeBest(run, arguments);
-  run.add_option("--checkpoint-every", arguments.options.checkpoint_period,
-                 "Period at which a running case is saved [s of wall time]")
-      ->type_name("S")
-      ->check(CLI::Range(0.0, 1e9))
-      ->capture_default_str();
-  describeEngine(run, arguments);
-  run.add_flag("--retry-failed", arguments.options.retry_failed, "Run failed cases again");
-  run.add_flag("--dry-run", arguments.dry_run, "List the cases and run none");
-  run.add_flag("--yes", arguments.yes, "Confirm a sweep of more than a million cases");
-}
-
-/// Options that ratchet_sieve.plots.sweep takes as well.
-void describePlots(CLI::App& report, Arguments& arguments)
-{
-  const auto plot_option = [&](const std::string& name, const char* type, const char* text)
-  {
-    const auto take = [&arguments, name](const std::vector<std::string>& values)
-    {
-      for (const std::string& value : values)
-      {
-        arguments.plot_options.insert(arguments.plot_options.end(), {name, value});
-        if (name == "--where")
-          arguments.where.push_back(value);
-      }
-    };
-    report.add_option_function<std::vector<std::string>>(name, take, text)
-        ->type_name(type)
-        ->allow_extra_args(false);
-  };
-  plot_option("--x", "KEY", "Key on the x axis; without this option the key with the most values");
-  plot_option("--y", "KEY", "Key on the y axis of maps, with one curve for each of its values");
-  plot_option("--field", "NAME",
-              "Column to draw, repeatable; without this option Q, P, the disks that leave and velocities");
-  plot_option("--where", "KEY=VALUE", "Draw only the cases with this value; repeatable");
-}
-
-void describeReport(CLI::App& report, Arguments& arguments)
-{
-  report
-      .add_option("--out", arguments.out,
-                  "Directory of the report; without this option SWEEP_report beside the sweep")
-      ->type_name("DIR");
-  describePlots(report, arguments);
-  describeBest(report, arguments);
-  report.add_flag(
-      "--check-floor", arguments.check_floor,
-      "Run the seeds of the best setting again at a half and a quarter of contact.min_rebound_speed, into "
-      "the results file, and print whether Q depends on it");
-  describeThreads(report, arguments);
-}
-
-void describe(CLI::App& app, Arguments& arguments)
-{
-  app.require_subcommand(1);
-  const auto verb = [&](const char* name, const char* text)
-  {
-    CLI::App* command = app.add_subcommand(name, text);
-    command->add_option("SWEEP", arguments.sweep, "Sweep file (YAML)")->required()->type_name("FILE");
-    command
-        ->add_option("--db", arguments.results, "Results file; without this option SWEEP.db beside the sweep")
-        ->type_name("FILE");
-    return command;
-  };
-  describeRun(*verb("run", "Run the cases that have no result yet"), arguments);
-  describeBest(*verb("status", "Print the progress of the sweep and its best setting"), arguments);
-  verb("export", "Write the results as CSV")
-      ->add_option("--out", arguments.out, "Write to a file instead of standard output")
-      ->type_name("FILE");
-  describeReport(
-      *verb("report", "Draw curves and maps of the results, averaged over the seeds, as an HTML page"),
-      arguments);
-  app.add_subcommand("case", "Run the cases of a case file; engines call this")
-      ->add_option("CASE", arguments.sweep, "Case file; the results are written beside it")
-      ->required()
-      ->type_name("FILE");
-  app.footer(
-      "Exit status: 0 if done; 2 for bad arguments or a bad sweep (nothing is run); 1 for any other failure, "
-      "such as a "
-      "failed case, or if it was stopped.");
-}
-
-void requireFewOrYes(const Sweep& sweep, const Arguments& arguments)
+void requireFewOrYes(const Sweep& sweep, const SweepArguments& arguments)
 {
   if (sweep.size() <= MANY_CASES || arguments.yes)
     return;
@@ -202,7 +49,7 @@ void requireFewOrYes(const Sweep& sweep, const Arguments& arguments)
                 "; use --yes to run them");
 }
 
-SweepOutcome runCases(const Sweep& sweep, const Arguments& arguments)
+SweepOutcome runCases(const Sweep& sweep, const SweepArguments& arguments)
 {
   if (arguments.engine == "threads")
     return runSweep(sweep, arguments.results, arguments.options);
@@ -245,7 +92,7 @@ auto runAttended(SweepRunOptions& options, const Run& cases)
   return cases();
 }
 
-int listOnly(const Sweep& sweep, const Arguments& arguments)
+int listOnly(const Sweep& sweep, const SweepArguments& arguments)
 {
   for (const std::string& line : requireLegal(sweep).lines(sweep.size(), "case"))
     warn(line);
@@ -253,13 +100,17 @@ int listOnly(const Sweep& sweep, const Arguments& arguments)
   return DONE;
 }
 
-int run(const Sweep& sweep, Arguments& arguments)
+int run(const Sweep& sweep, SweepArguments& arguments)
 {
   if (arguments.options.threads == 0)
     arguments.options.threads = std::max(1u, std::thread::hardware_concurrency());
   requireFewOrYes(sweep, arguments);
+  if (arguments.pages.isWanted() && arguments.engine != "threads")
+    throw Refusal("--html: --engine " + arguments.engine + " keeps no pages of its cases");
   if (arguments.dry_run)
     return listOnly(sweep, arguments);
+  if (arguments.pages.isWanted())
+    arguments.options.record = casePages(arguments.pages, arguments.name());
   const SweepOutcome outcome = runAttended(arguments.options, [&] { return runCases(sweep, arguments); });
   const SweepCounts& counts = outcome.counts;
   if (outcome.stopped)
@@ -272,7 +123,7 @@ int run(const Sweep& sweep, Arguments& arguments)
   return counts.failed == 0 ? DONE : FAILED;
 }
 
-int exportResults(const Sweep& sweep, const Arguments& arguments)
+int exportResults(const Sweep& sweep, const SweepArguments& arguments)
 {
   if (arguments.out.empty())
   {
@@ -288,7 +139,7 @@ int exportResults(const Sweep& sweep, const Arguments& arguments)
 }
 
 /// Adds its results to the findings. @return false if it was stopped
-bool checkFloor(const Sweep& sweep, Arguments& arguments, SweepFindings& findings,
+bool checkFloor(const Sweep& sweep, SweepArguments& arguments, SweepFindings& findings,
                 nlohmann::ordered_json& json)
 {
   if (!findings.best)
@@ -308,17 +159,47 @@ bool checkFloor(const Sweep& sweep, Arguments& arguments, SweepFindings& finding
   return true;
 }
 
+/// The path of the sweep's scene from here, or of a copy if it is in the sweep's own file.
+std::string scenePath(const Sweep& sweep, const std::string& directory)
+{
+  namespace fs = std::filesystem;
+  if (!sweep.scene_is_inside)
+    return fs::path(sweep.scene_source).is_absolute() ? fs::weakly_canonical(sweep.scene_source).string()
+                                                      : fs::proximate(sweep.scene_source).string();
+  AtomicFile file(directory + "/scene.yaml");
+  file.stream() << sweep.scene_text << '\n';
+  file.commit();
+  return directory + "/scene.yaml";
+}
+
 void writeFindings(const Sweep& sweep, const SweepFindings& findings,
                    const nlohmann::ordered_json& floor_check, const std::string& directory)
 {
   nlohmann::ordered_json json = findingsJson(sweep, findings);
   json["floor_check"] = floor_check;
+  json["command"] = commandText(sweep, scenePath(sweep, directory));
   AtomicFile file(directory + "/findings.json");
   file.stream() << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
   file.commit();
 }
 
-int report(const Sweep& sweep, Arguments& arguments)
+/// Draws the pictures, and makes the page of what they show.
+int draw(const SweepArguments& arguments)
+{
+  std::vector<std::string> options = {arguments.out, "--title", arguments.name(), "--html",
+                                      arguments.pages.path};
+  options.insert(options.end(), arguments.plot_options.begin(), arguments.plot_options.end());
+  const int status = plotTables("ratchet_sieve.plots.sweep", options);
+  if (status != DONE)
+    return status;
+  const std::string page = arguments.out + "/report.html";
+  std::ifstream data(arguments.out + "/report.json");
+  writeSweepPage(page, nlohmann::ordered_json::parse(data));
+  std::printf("%s\n", page.c_str());
+  return DONE;
+}
+
+int report(const Sweep& sweep, SweepArguments& arguments)
 {
   for (const std::string& condition : arguments.where)
   {
@@ -326,9 +207,10 @@ int report(const Sweep& sweep, Arguments& arguments)
     arguments.options.best.where.push_back(
         {condition.substr(0, equals), equals == std::string::npos ? "" : condition.substr(equals + 1)});
   }
-  const std::filesystem::path file = arguments.sweep;
   if (arguments.out.empty())
-    arguments.out = (file.parent_path() / file.stem()).string() + "_report";
+    arguments.out = arguments.beside("_report");
+  if (arguments.pages.path.empty())
+    arguments.pages.path = arguments.beside("_runs");
   std::error_code error;
   std::filesystem::create_directories(arguments.out, error);
   if (error)
@@ -344,16 +226,14 @@ int report(const Sweep& sweep, Arguments& arguments)
     return FAILED;
   }
   writeFindings(sweep, findings, floor_check, arguments.out);
-  std::vector<std::string> options = {arguments.out, "--title", file.stem().string()};
-  options.insert(options.end(), arguments.plot_options.begin(), arguments.plot_options.end());
-  const int status = plotTables("ratchet_sieve.plots.sweep", options);
+  const int status = draw(arguments);
   if (status == DONE)
     for (const std::string& line : findings.lines)
       std::fprintf(stderr, "%s\n", line.c_str());
   return status;
 }
 
-int dispatch(const CLI::App& app, Arguments& arguments)
+int dispatch(const CLI::App& app, SweepArguments& arguments)
 {
   if (app.got_subcommand("case"))
     return runCaseHere(arguments.sweep);
@@ -381,7 +261,7 @@ int dispatch(const CLI::App& app, Arguments& arguments)
 
 int main(int argc, char** argv)
 {
-  Arguments arguments;
+  SweepArguments arguments;
   CLI::App app("Run many cases of one scene and keep the results in one file.", "sieve_sweep");
   describe(app, arguments);
   return runProgram(app, argc, argv, [&] { return dispatch(app, arguments); });

@@ -13,6 +13,6 @@ void bindControl(pybind11::module_& module);
 void bindGoals(pybind11::module_& module);
 void bindRun(pybind11::module_& module);
 void bindSweep(pybind11::module_& module);
-void bindTrajectory(pybind11::module_& module);
+void bindFrames(pybind11::module_& module);
 
 }  // namespace ratchet_sieve

@@ -17,5 +17,5 @@ PYBIND11_MODULE(_engine, module)
   ratchet_sieve::bindGoals(module);
   ratchet_sieve::bindRun(module);
   ratchet_sieve::bindSweep(module);
-  ratchet_sieve::bindTrajectory(module);
+  ratchet_sieve::bindFrames(module);
 }

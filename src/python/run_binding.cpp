@@ -23,7 +23,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds PROGRESS_PERIOD(100);
 
-/// The frames of a run as Python's objects: lists of (time, disks), (time, base) and (time, bins).
+/// The frames of a run as Python's objects: lists of (time, disks), (time, base) and (time, bins), and those
+/// of statistics and of what is observed, for the page.
 class CollectedFrames : public FrameSink
 {
 public:
@@ -43,6 +44,10 @@ public:
         species.append(fieldsOf(of_species));
       bins_.append(py::make_tuple(bins->time, species));
     }
+    else if (const auto* statistics = frame.as<StatisticsFrame>())
+      others_.append(*statistics);
+    else if (const auto* observed = frame.as<ObservedFrame>())
+      others_.append(*observed);
   }
 
   py::dict lists() const
@@ -51,6 +56,7 @@ public:
     lists["disks"] = disks_;
     lists["base"] = bases_;
     lists["bins"] = bins_;
+    lists["others"] = others_;
     return lists;
   }
 
@@ -59,6 +65,7 @@ private:
   py::list disks_;
   py::list bases_;
   py::list bins_;
+  py::list others_;
 };
 
 /// Runs to the end of the scene.
@@ -75,7 +82,7 @@ py::tuple run(RunningSimulation& running, double frame_rate, bool collisions, st
   RunOutcome outcome;
   RunWatchers watchers;
   if (frame_rate > 0.0)
-    watchers.frames = {{&frames, {frame_rate, frame_rate, frame_rate, 0.0, 0.0}}};
+    watchers.frames = {{&frames, {frame_rate, frame_rate, frame_rate, FrameRates().statistics, 0.0}}};
   bool failed = false;
   Clock::time_point next;
   if (!progress.is_none())

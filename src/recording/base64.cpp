@@ -1,4 +1,4 @@
-#include "base64.h"
+#include "ratchet_sieve/recording/base64.h"
 
 #include <cstddef>
 #include <cstdint>

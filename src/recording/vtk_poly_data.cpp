@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base64.h"
+#include "ratchet_sieve/recording/base64.h"
 
 namespace ratchet_sieve
 {

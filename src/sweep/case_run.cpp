@@ -39,12 +39,19 @@ public:
     watchers.save_period = options_.checkpoint_period;
     if (!options_.checkpoint.empty())
       watchers.save = [this](const Simulation& now, const RunProgress& progress) { save(now, progress); };
+    CaseRecord record;
+    if (options_.record)
+    {
+      record = options_.record(case_);
+      watchers.frames.push_back({record.sink.get(), record.rates});
+    }
     RunOutcome outcome = runToEnd(start.simulation, watchers, start.progress);
     if (outcome.end == RunEnd::STOPPED)
       return std::nullopt;
     if (outcome.end == RunEnd::STALLED)
       error = outcome.warnings.empty() ? "inelastic collapse" : outcome.warnings.front();
     outcome.warnings.insert(outcome.warnings.begin(), case_.warnings.begin(), case_.warnings.end());
+    keep(record, outcome.warnings);
     return summarize(start.simulation, outcome);
   }
 
@@ -80,6 +87,20 @@ private:
     try
     {
       writeCheckpoint(options_.checkpoint, simulation, progress);
+    }
+    catch (const OutputError& error)
+    {
+      warn(error.what());
+    }
+  }
+
+  void keep(const CaseRecord& record, const std::vector<std::string>& warnings) const
+  {
+    if (!record.keep)
+      return;
+    try
+    {
+      record.keep(warnings);
     }
     catch (const OutputError& error)
     {

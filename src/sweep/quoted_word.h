@@ -20,4 +20,11 @@ inline std::string quotedWord(const std::string& text)
   return '\'' + replaced(text, '\'', "'\\''") + '\'';
 }
 
+/// The same, without quotes where sh needs none.
+inline std::string plainWord(const std::string& text)
+{
+  constexpr const char* PLAIN = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_+-=.,:/@%";
+  return !text.empty() && text.find_first_not_of(PLAIN) == std::string::npos ? text : quotedWord(text);
+}
+
 }  // namespace ratchet_sieve

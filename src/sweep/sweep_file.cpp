@@ -22,6 +22,7 @@ void readScene(const Entry& root, Sweep& sweep)
   {
     sweep.scene_text = flowText(scene.node());
     sweep.scene_source = sweep.source + ": scene";
+    sweep.scene_is_inside = true;
     return;
   }
   if (!scene.node().IsScalar())

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "quoted_word.h"
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/headless_run.h"
@@ -62,6 +63,15 @@ SweepFindings findingsOf(const Sweep& sweep, ResultStore& store, const SweepPlan
   return findings;
 }
 
+/// Arguments of sieve_run, each after a space.
+std::string argumentsText(const std::vector<Assignment>& assignments)
+{
+  std::string text;
+  for (const Assignment& assignment : assignments)
+    text += " --set " + plainWord(assignment.key + '=' + assignment.value);
+  return text;
+}
+
 /// A field of CSV, in quotes where it needs them.
 std::string csvField(const std::string& text)
 {
@@ -82,6 +92,9 @@ std::string csvField(const Statement& row, int column)
   return csvField(row.text(column));
 }
 
+/// The column of a case's arguments, which is not in the table.
+constexpr const char* ARGUMENTS = "arguments";
+
 /// First the swept keys, then the results; without the summary's JSON.
 std::string exportColumns(const ResultStore& store, const std::vector<std::string>& keys)
 {
@@ -96,22 +109,31 @@ std::string exportColumns(const ResultStore& store, const std::vector<std::strin
   for (const std::string& name : store.columnNames())
     if (!among(first, name) && !among(last, name) && name != "summary")
       names += ", c." + quotedName(name);
+  names += std::string(", NULL AS ") + ARGUMENTS;
   for (const std::string& name : last)
     names += ", c." + quotedName(name);
   return names;
 }
 
-/// The values of swept keys that a row lacks because another sweep has run its case.
-class SweptValuesOf
+/// What a row of the table lacks.
+class MissingFields
 {
 public:
-  SweptValuesOf(const Sweep& sweep, const Database& database)
-      : builder_(sweep), sqlite_value_(database, "SELECT ?1")
+  MissingFields(const Sweep& sweep, const Database& database)
+      : sweep_(sweep), builder_(sweep), sqlite_value_(database, "SELECT ?1")
   {
   }
 
-  /// In the same form as from the table.
-  std::string csv(std::uint64_t position, int key)
+  std::string arguments(std::uint64_t position) const
+  {
+    std::string text = argumentsText(sweep_.point(position / sweep_.seedCount()));
+    if (sweep_.seeds.count > 0)
+      text += " --seed " + std::to_string(sweep_.seeds.first + position % sweep_.seeds.count);
+    return csvField(text.empty() ? text : text.substr(1));
+  }
+
+  /// The value of a swept key, if another sweep has run the case; in the same form as from the table.
+  std::string sweptValue(std::uint64_t position, int key)
   {
     bindValue(sqlite_value_, 1, builder_.at(position).values[static_cast<std::size_t>(key)].second);
     sqlite_value_.step();
@@ -121,6 +143,7 @@ public:
   }
 
 private:
+  const Sweep& sweep_;
   CaseBuilder builder_;
   Statement sqlite_value_;
 };
@@ -155,6 +178,11 @@ nlohmann::ordered_json findingsJson(const Sweep& sweep, const SweepFindings& fin
                   {"counted", best.counted},
                   {"at_edge", keysAtEdge(sweep, best.point, findings.criteria.where)}};
   return json;
+}
+
+std::string commandText(const Sweep& sweep, const std::string& scene)
+{
+  return "sieve_run " + plainWord(scene) + argumentsText(sweep.fixed);
 }
 
 std::string statusText(const Sweep& sweep, const std::string& results, const BestCriteria& criteria)
@@ -196,15 +224,21 @@ std::uint64_t exportCsv(const Sweep& sweep, const std::string& results, std::ost
     out << (column == 1 ? "" : ",") << csvField(select.columnName(column));
   out << "\r\n";
   const int keys = static_cast<int>(sweep.keys().size());
-  SweptValuesOf values(sweep, database);
+  MissingFields missing(sweep, database);
   std::uint64_t rows = 0;
   do
   {
     const auto position = static_cast<std::uint64_t>(select.integer(0));
     for (int column = 1; column < select.columns(); ++column)
-      out << (column == 1 ? "" : ",")
-          << (column <= keys && select.isNull(column) ? values.csv(position, column - 1)
-                                                      : csvField(select, column));
+    {
+      out << (column == 1 ? "" : ",");
+      if (column <= keys && select.isNull(column))
+        out << missing.sweptValue(position, column - 1);
+      else if (select.columnName(column) == ARGUMENTS)
+        out << missing.arguments(position);
+      else
+        out << csvField(select, column);
+    }
     out << "\r\n";
     ++rows;
   } while (select.step());

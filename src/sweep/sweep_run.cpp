@@ -125,7 +125,9 @@ private:
         return std::nullopt;
       const SweepCase& next = builder->at(position);
       CaseRunOptions options;
-      options.checkpoint = checkpointPath(directory_, runHash(next.scene));
+      if (!options_.record)
+        options.checkpoint = checkpointPath(directory_, runHash(next.scene));
+      options.record = options_.record;
       options.checkpoint_period = options_.checkpoint_period;
       options.stop_wanted = [this] { return stopWanted(); };
       options.warn = options_.warn;

@@ -112,7 +112,7 @@ class Corrupted(unittest.TestCase):
     def test_findings_are_those_of_a_sweep(self):
         path = self.directory / 'findings.json'
         for text, because in (('{"best"', "no JSON: Expecting ':' delimiter: line 1 column 8 (char 7)"),
-                              ('[]', 'has no best, least_counted, least_processed, lines')):
+                              ('[]', 'has no best, command, least_counted, least_processed, lines')):
             path.write_text(text)
             self.expect_refusal(sweep, path, because)
 

@@ -87,6 +87,22 @@ TEST_F(SieveAnalyze, PrintsATableAndThePathsOfTheFiles)
   EXPECT_EQ(files, 15u);
 }
 
+TEST_F(SieveAnalyze, WritesAPageOfWhatItFinds)
+{
+  const std::string page = directory_ / "run.html";
+  ASSERT_EQ(run("SIEVE_ANALYZE",
+                record("--duration 1") + " --html " + page + " --summary " + (directory_ / "bag.json")),
+            0)
+      << errors();
+  EXPECT_NE(output().find("\nPage: " + page + "\n"), std::string::npos) << output();
+  const std::string html = contents(page);
+  const std::string begin = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t from = html.find(begin) + begin.size();
+  const Json data = Json::parse(html.substr(from, html.find("</script>", from) - from));
+  EXPECT_EQ(data["title"], "run.bag");
+  EXPECT_EQ(data["results"], json("bag.json"));
+}
+
 TEST_F(SieveAnalyze, FindsInTheBagWhatTheSceneObserves)
 {
   const std::string bag = record(

@@ -13,12 +13,13 @@ BELOW = {
     'recording': ['core', 'scene'],
     'sweep': ['core', 'scene', 'recording'],
     'analysis': ['core', 'scene', 'recording'],
+    'page': ['core', 'scene', 'recording', 'analysis'],
     'live': ['core', 'scene', 'recording'],
     'seeking': ['core', 'scene', 'recording'],
     'bag': ['core', 'scene'],
-    'python': ['core', 'scene', 'recording', 'sweep', 'seeking'],
+    'python': ['core', 'scene', 'recording', 'sweep', 'analysis', 'page', 'seeking'],
     'ros': ['core', 'scene', 'recording', 'analysis', 'live', 'seeking', 'bag'],
-    'nodes': ['core', 'scene', 'recording', 'sweep', 'analysis', 'live', 'seeking', 'bag', 'ros'],
+    'nodes': ['core', 'scene', 'recording', 'sweep', 'analysis', 'page', 'live', 'seeking', 'bag', 'ros'],
 }
 # External libraries that a layer may use, by the first folder or name of the include, or the header;
 # None: any.
@@ -28,6 +29,7 @@ LIBRARIES = {
     'recording': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'boost'],
     'sweep': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'sqlite3'],
     'analysis': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt'],
+    'page': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'zlib'],
     'live': ['Eigen', 'yaml-cpp', 'fmt'],
     'seeking': ['Eigen'],
     'bag': ['bzlib', 'roslz4', 'ros/message_traits.h', 'ros/serialization.h', 'ros/time.h'],

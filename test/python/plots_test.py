@@ -1,5 +1,7 @@
 """The drawing functions, by what they draw."""
 import math
+import pathlib
+import tempfile
 import unittest
 
 from matplotlib.text import Text
@@ -9,6 +11,9 @@ from ratchet_sieve.base import length, outline
 from ratchet_sieve.plots.curves import RAMP, SIGNED, STEPS
 from ratchet_sieve.plots.machine import surface
 from ratchet_sieve.plots.maps import colour_steps
+from ratchet_sieve.plots.means import plain_label
+from ratchet_sieve.plots.sweep_page import Pages, cases_of
+from ratchet_sieve.tables import Rows
 
 SAWTOOTH = {"teeth": 3, "tooth_width": 0.02, "tooth_height": 0.006, "asymmetry": 0.25}
 PROFILE = {"teeth": 2, "profile": [[0, 0], [0.01, -0.004], [0.03, 0]]}
@@ -106,6 +111,29 @@ class Machine(unittest.TestCase):
         dots = [box_of(collection) for collection in axes.collections[1::2]]
         for (left, low, right, high), expected in zip(dots, ((10.55, 20.0), (30.0, 41.1))):
             self.assertAlmostEqual(math.dist((0.5 * (left + right), 0.5 * (low + high)), expected), 0.0, places=3)
+
+
+class SweepReports(unittest.TestCase):
+    def test_labels_have_no_mathtext_but_that_of_names(self):
+        self.assertEqual(plain_label('base.inclination'), ('\u03b8', 'rad'))
+        self.assertEqual(plain_label('throughput'), ('throughput', 'disks/s'))
+        self.assertEqual(plain_label('mean_vx.$A [x]'), ('\u27e8V_x\u27e9 of $A [x]', 'm/s'))
+        self.assertEqual(plain_label('purity.left.mass.A [x]'), ('purity.left.mass.A [x]', ''))
+
+    def test_runs_that_differ_in_the_seed_alone_are_together(self):
+        arguments = ['--set gravity=8 --seed 18446744073709551615', '--set gravity=8 --seed 2',
+                     "--set 'species.0.name=--seed 3'", None]
+        rows = Rows([{'arguments': text, 'run_hash': f'{k}'} for k, text in enumerate(arguments)])
+        with tempfile.TemporaryDirectory() as name:
+            kept = pathlib.Path(name) / 'kept #1'
+            kept.mkdir()
+            (kept / '1.html').touch()
+            cases = cases_of(rows, Pages(kept, pathlib.Path(name) / 'report'))
+        self.assertEqual(cases, [
+            {'arguments': '--set gravity=8', 'seeds': ['18446744073709551615', '2'],
+             'pages': [None, '../kept%20%231/1.html']},
+            {'arguments': "--set 'species.0.name=--seed 3'", 'seeds': [None], 'pages': [None]},
+            {'arguments': '', 'seeds': [None], 'pages': [None]}])
 
 
 if __name__ == '__main__':

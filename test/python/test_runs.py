@@ -1,11 +1,16 @@
 """Whole runs and sweeps in Python: the results of the programs."""
+import html
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
+import sys
 import threading
+import urllib.parse
+import urllib.request
 
 import numpy as np
 import pytest
@@ -115,6 +120,45 @@ def test_trajectories_are_those_of_sieve_run(scene, tmp_path):
         run.write(tmp_path / "run.abc")
     with pytest.raises(ValueError, match="no frames"):
         rs.run(scene, progress=False).write(tmp_path / "none.xyz")
+
+
+def test_pages_are_those_of_sieve_run(scene, tmp_path):
+    path = tmp_path / "scene.yaml"
+    path.write_text(scene.yaml)
+    subprocess.run([program("sieve_run"), path, "--html", tmp_path / "own.html", "--html-rate", "20"],
+                   capture_output=True, check=True)
+    run = rs.run(scene, frames=20, progress=False)
+    run.write(tmp_path / "python.html")
+
+    def parts(name):
+        text = (tmp_path / name).read_text()
+        found = dict(re.findall('<script type="[^"]*" id="([a-z]+)">([^<]*)', text))
+        return json.loads(found["data"]), found["motion"]
+
+    (own, own_motion), (python, python_motion) = parts("own.html"), parts("python.html")
+    assert python_motion == own_motion
+    for key in ("scene", "plan", "machine", "warnings", "motion", "results"):
+        assert python[key] == own[key], key
+    for megabytes in (0.4, 101, float("nan")):
+        with pytest.raises(ValueError, match="must be 0.5 to 100"):
+            run.write(tmp_path / "python.html", megabytes=megabytes)
+    with pytest.raises(OSError, match="none"):
+        run.write(tmp_path / "none" / "run.html")
+
+
+def test_a_page_is_shown_in_a_notebook_or_the_browser(scene, monkeypatch):
+    run = rs.run(scene, frames=20, progress=False)
+    opened = []
+    monkeypatch.setattr(rs.runs.webbrowser, "open", opened.append)
+    monkeypatch.delitem(sys.modules, "ipykernel", raising=False)
+    assert run.show() is None
+    page = pathlib.Path(urllib.request.url2pathname(urllib.parse.urlsplit(opened[0]).path))
+    text = page.read_text()
+    page.unlink()
+    monkeypatch.setitem(sys.modules, "ipykernel", object())
+    shown = run.show(height=500).data
+    assert html.unescape(re.search('srcdoc="([^"]*)"', shown).group(1)) == text
+    assert 'sandbox="allow-scripts"' in shown and "height: 500px" in shown
 
 
 def test_a_sweep_has_the_rows_of_its_runs_in_order(scene):

@@ -152,6 +152,17 @@ TEST_F(SieveRun, WritesWhatItIsAskedFor)
   EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), collisions + 1);
 }
 
+TEST_F(SieveRun, WritesAPage)
+{
+  const std::string page = written_ / "run.html";
+  const Result result = run(config("demo.yaml") + " --duration 0.5 --html " + page + " --html-rate 60");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_NE(contents(page).find("<!DOCTYPE html>"), std::string::npos);
+  EXPECT_NE(contents(page).find("\"frames\":31,"), std::string::npos);
+  EXPECT_NE(contents(page).find(Json::parse(result.output)["scene_hash"].get<std::string>()),
+            std::string::npos);
+}
+
 TEST_F(SieveRun, GivesTheSameCollisionsForTheSameSeed)
 {
   for (const char* name : {"a", "b"})
@@ -166,9 +177,10 @@ TEST_F(SieveRun, ShowsItsHelpAndVersion)
 {
   const Result help = run("--help");
   EXPECT_EQ(help.status, 0);
-  for (const char* option : {"--set", "--seed", "--duration", "--until", "--bag", "--bag-rate",
-                             "--trajectory", "--trajectory-rate", "--collisions", "--summary", "--checkpoint",
-                             "--checkpoint-every", "--resume", "--version"})
+  for (const char* option :
+       {"--set", "--seed", "--duration", "--until", "--bag", "--bag-rate", "--trajectory",
+        "--trajectory-rate", "--html", "--html-size", "--html-rate", "--collisions", "--summary",
+        "--checkpoint", "--checkpoint-every", "--resume", "--version"})
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
   const Result version_result = run("--version");
   EXPECT_EQ(version_result.status, 0);
@@ -206,6 +218,10 @@ TEST_F(SieveRun, RefusesBadArguments)
   expectRefusal(config("demo.yaml") + " --bag-rate 10", "--bag-rate requires --bag; see --help");
   expectRefusal(config("demo.yaml") + " --trajectory-rate 10",
                 "--trajectory-rate requires --trajectory; see --help");
+  expectRefusal(config("demo.yaml") + " --html-size 2", "--html-size requires --html; see --help");
+  for (const char* size : {"0.4", "101", "nan", "big"})
+    expectRefusal(config("demo.yaml") + " --html " + (written_ / "run.html") + " --html-size " + size,
+                  std::string("--html-size: ") + size + ": must be a number from 0.5 to 100 MB; see --help");
   const std::string trajectory = written_ / "run.dump";
   expectRefusal(config("paper_fig3.yaml") + " --duration 100000000 --trajectory " + trajectory,
                 trajectory +

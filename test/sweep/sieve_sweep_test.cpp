@@ -4,7 +4,9 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <random>
+#include <set>
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -23,6 +25,8 @@ namespace ratchet_sieve
 {
 namespace
 {
+
+using Json = nlohmann::json;
 
 /// Cases long enough for several checkpoints each.
 const std::string LONG_SWEEP = std::string(SMALL_SCENE) + R"(
@@ -66,6 +70,29 @@ protected:
   std::string errors(const std::string& name = "errors") const { return contents(directory_ / name); }
   std::string output() const { return contents(directory_ / "output"); }
   std::string sweep(const std::string& text) const { return written(directory_, "s.yaml", text); }
+
+  /// Runs a command line in a directory. @return its output
+  std::string shell(const std::string& directory, const std::string& command) const
+  {
+    const std::string output = directory_ / "shell_output";
+    const int status = std::system(("cd '" + directory + "' && " + command + " > '" + output + "'").c_str());
+    EXPECT_EQ(status, 0) << command;
+    return contents(output);
+  }
+
+  Json reportJson(const std::string& report = "s_report") const
+  {
+    return Json::parse(contents(directory_ / (report + "/report.json")));
+  }
+
+  /// What the script of a report's page reads.
+  Json pageJson(const std::string& report = "s_report") const
+  {
+    const std::string page = contents(directory_ / (report + "/report.html"));
+    const std::string start = R"(<script type="application/json" id="data">)";
+    const std::size_t begin = page.find(start) + start.size();
+    return Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  }
 
   ScratchDirectory directory_;
 };
@@ -219,12 +246,13 @@ TEST_F(SieveSweep, ReportsMeansOverTheSeedsAndTheirErrors)
   {
     EXPECT_EQ(in_report(std::string(name) + ".png").rfind("\x89PNG", 0), 0u) << name;
     EXPECT_NE(in_report(std::string(name) + ".svg").find("<svg"), std::string::npos) << name;
-    EXPECT_NE(in_report("report.html").find(std::string("alt=\"") + name + '"'), std::string::npos) << name;
   }
   std::istringstream means(in_report("means.csv"));
   std::string line;
   std::getline(means, line);
   EXPECT_EQ(line, "base.inclination,base.frequency,seeds,mean_vx.A,mean_vx.A_stderr,events,events_stderr\r");
+  const Json report = reportJson("report");
+  EXPECT_EQ(pageJson("report"), report);
   int lines = 0;
   for (; std::getline(means, line); ++lines)
   {
@@ -240,8 +268,96 @@ TEST_F(SieveSweep, ReportsMeansOverTheSeedsAndTheirErrors)
         std::stod(textOf(directory_ / "s.db", "SELECT AVG(" + column + "*" + column + ")" + cell));
     EXPECT_NEAR(mean, expected, 1e-12);
     EXPECT_NEAR(error, std::sqrt((squares - expected * expected) / 2), 1e-9);
+    const Json& place = report["places"][static_cast<std::size_t>(lines)];
+    EXPECT_EQ(report["x"]["values"][place["x"].get<std::size_t>()], x);
+    EXPECT_EQ(report["y"]["values"][place["y"].get<std::size_t>()], y);
+    EXPECT_EQ(place["runs"], seeds);
+    EXPECT_EQ(place["means"][0], Json({{"value", mean}, {"error", error}, {"count", 3}}));
   }
   EXPECT_EQ(lines, 6);
+}
+
+/// The scene is in another directory than the sweep, and both are named relative to a third.
+TEST_F(SieveSweep, ReportsACommandLineThatRunsEachCaseAlone)
+{
+  std::filesystem::create_directories(directory_ / "the scenes");
+  std::filesystem::create_directories(directory_ / "sweeps");
+  std::ofstream(directory_ / "the scenes/small.yaml")
+      << Json::parse(R"({"base": {"teeth": 4}, "boundary": "open", "duration": 0.2, "species": [
+             {"name": "A", "count": 6, "radius": 0.001, "mass": 0.01},
+             {"name": "B", "count": 6, "radius": 0.003, "mass": 0.001}]})");
+  written(directory_, "sweeps/s.yaml",
+          "scene: ../the scenes/small.yaml\nset: {base.frequency: 21}\n"
+          "grid: {gravity: [8, 9], base.profile: [[[0, 0], [0.01, 0.004], [0.02, 0]], [[0, 0], [0.02, 0]]]}\n"
+          "seed: {first: 18446744073709551613, count: 3}\n");
+  const std::string program = std::getenv("SIEVE_SWEEP");
+  shell(directory_ / "", program + " run sweeps/s.yaml 2> /dev/null");
+  shell(directory_ / "", program + " report sweeps/s.yaml --field events 2> /dev/null");
+  const Json report = reportJson("sweeps/s_report");
+  EXPECT_EQ(report["command"], "sieve_run 'the scenes/small.yaml' --set base.frequency=21");
+  ASSERT_EQ(report["places"].size(), 4u);
+  std::set<std::string> seen;
+  for (const Json& place : report["places"])
+  {
+    ASSERT_EQ(place["cases"].size(), 1u);
+    const Json& cases = place["cases"][0];
+    ASSERT_EQ(cases["seeds"].size(), 3u);
+    const std::string words = report["command"].get<std::string>().substr(std::string("sieve_run").size()) +
+                              ' ' + cases["arguments"].get<std::string>() + " --seed " +
+                              cases["seeds"][2].get<std::string>();
+    const Json summary =
+        Json::parse(shell(directory_ / "", std::getenv("SIEVE_RUN") + words + " 2> /dev/null"));
+    const std::string row =
+        " FROM cases WHERE scene_hash = '" + summary["scene_hash"].get<std::string>() + "'";
+    const std::string results = directory_ / "sweeps/s.db";
+    const char* const gravity_axis = report["x"]["key"] == "gravity" ? "x" : "y";
+    EXPECT_EQ(textOf(results, "SELECT gravity" + row), std::to_string(8 + place[gravity_axis].get<int>()));
+    EXPECT_EQ(textOf(results, "SELECT COUNT(*)" + row + " AND events = " + summary["events"].dump()), "1");
+    seen.insert(summary["scene_hash"].get<std::string>());
+  }
+  EXPECT_EQ(seen.size(), 4u);
+}
+
+TEST_F(SieveSweep, KeepsPagesOfItsCasesAndLinksToThem)
+{
+  const std::string file =
+      sweep(SMALL_SCENE + std::string("grid: {gravity: [8, 9]}\nseed: {first: 1, count: 2}\n"));
+  ASSERT_EQ(run({"run", file, "--db", directory_ / "whole.db"}), 0) << errors();
+  ASSERT_EQ(run({"run", file, "--html", directory_ / "s_runs"}), 0) << errors();
+  EXPECT_EQ(tableOf(directory_ / "s.db"), tableOf(directory_ / "whole.db"));
+  ASSERT_EQ(run({"report", file, "--field", "events"}), 0) << errors();
+  const Json report = reportJson();
+  EXPECT_EQ(report["command"], "sieve_run " + (directory_ / "s_report/scene.yaml"));
+  EXPECT_EQ(contents(directory_ / "s_report/scene.yaml").rfind("{base: ", 0), 0u);
+  std::set<std::string> pages;
+  for (const Json& place : report["places"])
+    for (const Json& page : place["cases"][0]["pages"])
+    {
+      ASSERT_TRUE(page.is_string());
+      pages.insert(page);
+      const std::string text = contents(directory_ / ("s_report/" + page.get<std::string>()));
+      EXPECT_NE(text.find("<title>s: gravity="), std::string::npos) << page;
+    }
+  EXPECT_EQ(pages.size(), 4u);
+  ASSERT_EQ(run({"report", file, "--field", "events", "--html", directory_ / "none"}), 0) << errors();
+  EXPECT_EQ(reportJson()["places"][0]["cases"][0]["pages"], Json({nullptr, nullptr}));
+  EXPECT_EQ(run({"run", file, "--engine", "slurm", "--html", directory_ / "more"}), 2);
+  EXPECT_EQ(errors(), "sieve_sweep: --html: --engine slurm keeps no pages of its cases\n");
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "more"));
+  std::ofstream(directory_ / "file") << "no directory";
+  EXPECT_EQ(run({"run", file, "--html", directory_ / "file/pages"}), 1);
+  EXPECT_EQ(errors().rfind("sieve_sweep: " + (directory_ / "file/pages") + ": cannot be made: ", 0), 0u)
+      << errors();
+}
+
+TEST_F(SieveSweep, ShowsWhatLooksLikeMarkupAsText)
+{
+  const std::string file =
+      written(directory_, "<script>alert(1)<.yaml", SMALL_SCENE + std::string("grid: {gravity: [8, 9]}\n"));
+  ASSERT_EQ(run({"run", file}), 0) << errors();
+  ASSERT_EQ(run({"report", file, "--field", "events", "--out", directory_ / "s_report"}), 0) << errors();
+  EXPECT_EQ(pageJson()["title"], "<script>alert(1)<");
+  EXPECT_EQ(contents(directory_ / "s_report/report.html").find("<script>alert"), std::string::npos);
 }
 
 TEST_F(SieveSweep, HatchesWhatHasTooFewDisksForItsQ)

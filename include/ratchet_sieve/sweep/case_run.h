@@ -1,14 +1,29 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "ratchet_sieve/recording/frame_kinds.h"
+#include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/sweep/case_builder.h"
 #include "ratchet_sieve/sweep/case_result.h"
 
 namespace ratchet_sieve
 {
+
+/// Takes the frames of one case from its beginning.
+struct CaseRecord
+{
+  std::unique_ptr<FrameSink> sink;
+  FrameRates rates;
+  std::function<void(const std::vector<std::string>& warnings)> keep;  ///< called once the case has ended
+};
+
+/// Opens the record of a case; called by the thread that runs it.
+using OpenRecord = std::function<CaseRecord(const SweepCase&)>;
 
 /// How a case is run. Each function may be empty.
 struct CaseRunOptions
@@ -17,6 +32,7 @@ struct CaseRunOptions
   double checkpoint_period = 60.0;               ///< of wall time [s]
   std::function<bool()> stop_wanted;             ///< polled several times a second
   std::function<void(const std::string&)> warn;  ///< called for problems that do not end the case
+  OpenRecord record;                             ///< @pre there is no checkpoint
 };
 
 /// Runs a case to its end in this thread. Errors become part of the result.

@@ -24,6 +24,7 @@ public:
   std::string source;             ///< its file, for error messages
   std::string scene_text;         ///< YAML
   std::string scene_source;       ///< its file, for error messages
+  bool scene_is_inside = false;   ///< in the sweep's own file
   std::vector<Assignment> fixed;  ///< set in every case
   std::vector<Axis> axes;         ///< the last one varies fastest
   SeedRange seeds;                ///< vary fastest of all

@@ -34,9 +34,14 @@ SweepFindings findingsOf(const Sweep& sweep, const std::string& results, const B
 /// criteria.
 nlohmann::ordered_json findingsJson(const Sweep& sweep, const SweepFindings& findings);
 
+/// The command line of sieve_run for the sweep's scene and what is set in every case. A case's own arguments
+/// follow it, see exportCsv(). @param scene path of the scene's file
+std::string commandText(const Sweep& sweep, const std::string& scene);
+
 /// Writes the results of a sweep's cases as CSV (RFC 4180), in the order of the sweep: swept keys, seed,
-/// status, error, the scalars of the summaries, hashes, version, wall time and host. Numbers are read back
-/// bit for bit; undefined values are empty. @return number of rows @throws DatabaseError
+/// status, error, the scalars of the summaries, the case's arguments of sieve_run, hashes, version, wall time
+/// and host. Numbers are read back bit for bit; undefined values are empty. @return number of rows
+/// @throws DatabaseError
 std::uint64_t exportCsv(const Sweep& sweep, const std::string& results, std::ostream& out);
 
 /// Writes a line for each case: its number, its assignments, and whether it has a result. Checks that each is

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ratchet_sieve/sweep/best_setting.h"
+#include "ratchet_sieve/sweep/case_run.h"
 #include "ratchet_sieve/sweep/result_store.h"
 #include "ratchet_sieve/sweep/sweep.h"
 #include "ratchet_sieve/sweep/sweep_plan.h"
@@ -25,6 +26,7 @@ struct SweepRunOptions
   std::function<bool()> stop_wanted;  ///< polled by every thread several times a second
   std::function<void(const SweepProgress&)> progress;
   std::function<void(const std::string&)> warn;  ///< may be called by any thread
+  OpenRecord record;  ///< of cases on threads of this process; they then have no checkpoints
 };
 
 /// The state of a sweep when this process leaves it.

@@ -27,6 +27,16 @@ def label(name):
     return LABELS.get(name, name)
 
 
+def plain_label(name):
+    """A label without the signs of mathtext. @return it, and its unit"""
+    if name.startswith('mean_vx.'):
+        return f"\u27e8V_x\u27e9 of {name.split('.', 1)[1]}", 'm/s'
+    if name not in LABELS:
+        return name, ''
+    text, _, unit = LABELS[name].partition(' [')
+    return text.replace(r'$\theta$', '\u03b8').replace('$', ''), unit.rstrip(']')
+
+
 def of_all(rows, field):
     """The mean in which an undefined value counts as 0: no disk has left."""
     return sum(rows.samples(field)) / len(rows)
@@ -39,6 +49,7 @@ class Means:
     def __init__(self, rows, x, y, fields, findings=NO_FINDINGS):
         groups = rows.by(x, y) if y else {(place, None): group for place, group in rows.by(x).items()}
         self.fields = fields
+        self.groups = groups
         self.counts = {place: len(group) for place, group in groups.items()}
         self.below = {place for place, group in groups.items()
                       if of_all(group, 'processed') < findings['least_processed']

@@ -1,20 +1,20 @@
 """Draws the results of a sweep, from cases.csv and findings.json that sieve_sweep wrote into a directory: curves
 over one key, maps over two, means over the seeds. Settings whose Q is not comparable are hatched or hollow. Writes PNG,
-SVG, means.csv and report.html there, and prints their paths."""
-import base64
-import html
+SVG, means.csv and report.json there, of which sieve_sweep makes report.html, and prints their paths."""
 import json
+import pathlib
 
 from ratchet_sieve.plots.curves import STEPS
 from ratchet_sieve.plots.maps import shown
 from ratchet_sieve.plots.means import Means, draw_curves, draw_map
 from ratchet_sieve.plots.program import parser_of, run_program
 from ratchet_sieve.plots.style import GREY, panels, save
-from ratchet_sieve.tables import Refusal, read_rows, throughput, typed, write_csv, writing
+from ratchet_sieve.plots.sweep_page import Pages, report_of, write_report
+from ratchet_sieve.tables import Refusal, read_rows, throughput, typed, write_csv
 from ratchet_sieve.texts import counted
 
 MOST_CURVES = STEPS  # in one picture
-FINDINGS = {'lines', 'least_processed', 'least_counted', 'best'}  # of findings.json
+FINDINGS = {'lines', 'least_processed', 'least_counted', 'best', 'command'}  # of findings.json
 
 
 def read_cases(path):
@@ -69,8 +69,7 @@ def default_fields(rows):
 
 
 def draw_all(means, x, y, directory, origin):
-    """Curves of each field, if they are few, and its map if there are two keys. @return paths of the PNG files"""
-    pictures = []
+    """Curves of each field, if they are few, and its map if there are two keys."""
     for field in means.fields:
         for kind, draw, is_wanted in (('curves', draw_curves, len(means.ys) <= MOST_CURVES),
                                       ('map', draw_map, len(means.xs) > 1 and len(means.ys) > 1)):
@@ -78,10 +77,7 @@ def draw_all(means, x, y, directory, origin):
                 figure, axes = panels(1, 1, (6.4, 3.8), None)
                 draw(axes, means, field, x, y)
                 figure.text(0.01, -0.02, origin, fontsize=7, color=GREY, va='top')
-                paths = save(figure, directory / f'{field}_{kind}.png', bbox_inches='tight')
-                print(*paths, sep='\n')
-                pictures.append(paths[0])
-    return pictures
+                print(*save(figure, directory / f'{field}_{kind}.png', bbox_inches='tight'), sep='\n')
 
 
 def table(means, x, y):
@@ -97,32 +93,8 @@ def table(means, x, y):
     return header, lines
 
 
-def html_row(cells, tag):
-    text = (f'{cell:.4g}' if isinstance(cell, float) else '' if cell is None else str(cell) for cell in cells)
-    return '<tr>' + ''.join(f'<{tag}>{html.escape(cell)}</{tag}>' for cell in text) + '</tr>'
-
-
-def write_page(path, title, origin, findings, pictures, header, lines):
-    parts = [f'<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>{html.escape(title)}</title>',
-             '<style>body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em}img{max-width:100%}'
-             'table{border-collapse:collapse;font-size:.85em}td,th{border:1px solid #ccc;padding:.2em .5em;'
-             'text-align:right}div{overflow-x:auto}</style>',
-             f'<h1>{html.escape(title)}</h1><p>{html.escape(origin)}</p>']
-    parts += [f'<p>{html.escape(line)}</p>' for line in findings['lines']]
-    for picture in pictures:
-        content = base64.b64encode(picture.read_bytes()).decode()
-        name = html.escape(picture.stem)
-        parts.append(f'<figure><img alt="{name}" src="data:image/png;base64,{content}">'
-                     f'<figcaption>{name}: <a href="{name}.svg">SVG</a></figcaption></figure>')
-    parts.append('<p>Means over the seeds, and standard errors from them.</p><div><table>' + html_row(header, 'th') +
-                 ''.join(html_row(line, 'td') for line in lines) + '</table></div></html>\n')
-    with writing(path):
-        path.write_text('\n'.join(parts), encoding='utf-8')
-    print(path)
-
-
 def read_findings(path):
-    """The best setting, and the limits of comparable settings; see FINDINGS."""
+    """The best setting, the limits of comparable settings, and how a case is run; see FINDINGS."""
     try:
         findings = json.loads(path.read_text(encoding='utf-8'))
     except ValueError as error:
@@ -157,11 +129,13 @@ def report(options):
     if 'quality' in fields and means.below:
         origin += (f"; Q hatched or hollow: P < {findings['least_processed']:g} or fewer than "
                    f"{findings['least_counted']:g} disks counted, in the mean")
-    pictures = draw_all(means, x, y, options.directory, origin)
+    draw_all(means, x, y, options.directory, origin)
     header, lines = table(means, x, y)
     write_csv(options.directory / 'means.csv', header, lines, '\r\n')
     print(options.directory / 'means.csv')
-    write_page(options.directory / 'report.html', options.title, origin, findings, pictures, header, lines)
+    write_report(options.directory / 'report.json',
+                 report_of(means, (x, y), {'title': options.title, 'origin': origin}, findings,
+                           Pages(options.html, options.directory)))
 
 
 def main():
@@ -173,6 +147,8 @@ def main():
     parser.add_argument('--where', metavar='KEY=VALUE', action='append', default=[],
                         help='only cases with this value; may be given again')
     parser.add_argument('--title', default='Sweep', help='of the page')
+    parser.add_argument('--html', metavar='PAGES', type=pathlib.Path,
+                        help='directory of the pages of cases that sieve_sweep run --html has kept')
     options = parser.parse_args()
     run_program(parser.prog, lambda: report(options))
 

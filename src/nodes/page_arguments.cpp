@@ -1,0 +1,59 @@
+#include "page_arguments.h"
+
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "ratchet_sieve/recording/atomic_file.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// The error in a size; empty if it is valid.
+std::string requireSize(const std::string& text)
+{
+  const double bytes = BYTES_PER_MB * std::strtod(text.c_str(), nullptr);
+  return bytes >= SMALLEST_PAGE && bytes <= LARGEST_PAGE
+             ? ""
+             : fmt::format("{}: must be a number from {:g} to {:g} MB", text, SMALLEST_PAGE / BYTES_PER_MB,
+                           LARGEST_PAGE / BYTES_PER_MB);
+}
+
+}  // namespace
+
+std::size_t PageArguments::bytes() const
+{
+  return static_cast<std::size_t>(BYTES_PER_MB * megabytes);
+}
+
+std::unique_ptr<RunPage> PageArguments::open() const
+{
+  AtomicFile probe(path);  // before the run, not after it
+  return std::make_unique<RunPage>(bytes());
+}
+
+CLI::Option* describe(CLI::App& app, PageArguments& arguments)
+{
+  CLI::Option* html =
+      app.add_option(
+             "--html", arguments.path,
+             "Write the run as one HTML file, which any browser shows: the machine in motion, curves, "
+             "results, and where they come from")
+          ->type_name("FILE");
+  describeSize(app, arguments, html);
+  return html;
+}
+
+void describeSize(CLI::App& app, PageArguments& arguments, CLI::Option* html)
+{
+  app.add_option("--html-size", arguments.megabytes,
+                 "Size of such a file at most [MB]: the frames of the motion are thinned to it")
+      ->type_name("MB")
+      ->needs(html)
+      ->check(requireSize)
+      ->capture_default_str();
+}
+
+}  // namespace ratchet_sieve

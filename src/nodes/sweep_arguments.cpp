@@ -1,0 +1,167 @@
+#include "sweep_arguments.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+void describeThreads(CLI::App& command, SweepArguments& arguments)
+{
+  command
+      .add_option("--threads", arguments.options.threads,
+                  "Number of cases run at the same time, at most 1024; 0: one per processor")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
+/// The limits for the best setting, which is the one with the highest mean Q.
+void describeBest(CLI::App& command, SweepArguments& arguments)
+{
+  command
+      .add_option("--least-processed", arguments.options.best.least_processed,
+                  "Least P of the best setting, averaged over its seeds, from 0 to 1")
+      ->type_name("P")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command
+      .add_option("--least-counted", arguments.options.best.least_counted,
+                  "Least number of disks that left in the best setting, averaged over its seeds: Q of few "
+                  "disks can be "
+                  "high by chance")
+      ->type_name("N")
+      ->check(CLI::Range(0.0, 1e12))
+      ->capture_default_str();
+}
+
+void describeEngine(CLI::App& run, SweepArguments& arguments)
+{
+  run.add_option(
+         "--engine", arguments.engine,
+         "What runs the cases: threads of this program, GNU parallel over ssh (parallel), or a job array of "
+         "Slurm (slurm)")
+      ->type_name("threads|parallel|slurm")
+      ->check(CLI::IsMember({"threads", "parallel", "slurm"}))
+      ->capture_default_str();
+  run.add_option("--hosts", arguments.hosts,
+                 "Hosts of --engine parallel, in the format of its --sshloginfile")
+      ->type_name("FILE");
+  run.add_option("--per-job", arguments.options.per_job,
+                 "Number of cases in one job of an engine; 0: as many as give at most a thousand jobs")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000'000'000))
+      ->capture_default_str();
+  run.add_option("--sbatch", arguments.engine_options,
+                 "Option of sbatch, such as --sbatch=--partition=short; repeatable")
+      ->type_name("OPTION")
+      ->allow_extra_args(false);
+  run.add_option("--program", arguments.program,
+                 "Path of this program on the hosts; without this option the same as here")
+      ->type_name("FILE");
+}
+
+void describePages(CLI::App& run, SweepArguments& arguments)
+{
+  CLI::Option* html =
+      run.add_option(
+             "--html", arguments.pages.path,
+             "Keep each case that is run as an HTML page in this directory, as sieve_run --html does, "
+             "for report to link to; not with other engines than threads")
+          ->type_name("DIR");
+  describeSize(run, arguments.pages, html);
+}
+
+void describeRun(CLI::App& run, SweepArguments& arguments)
+{
+  describeThreads(run, arguments);
+  describeBest(run, arguments);
+  run.add_option("--checkpoint-every", arguments.options.checkpoint_period,
+                 "Period at which a running case is saved [s of wall time]")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
+  describeEngine(run, arguments);
+  describePages(run, arguments);
+  run.add_flag("--retry-failed", arguments.options.retry_failed, "Run failed cases again");
+  run.add_flag("--dry-run", arguments.dry_run, "List the cases and run none");
+  run.add_flag("--yes", arguments.yes, "Confirm a sweep of more than a million cases");
+}
+
+/// Options that ratchet_sieve.plots.sweep takes as well.
+void describePlots(CLI::App& report, SweepArguments& arguments)
+{
+  const auto plot_option = [&](const std::string& name, const char* type, const char* text)
+  {
+    const auto take = [&arguments, name](const std::vector<std::string>& values)
+    {
+      for (const std::string& value : values)
+      {
+        arguments.plot_options.insert(arguments.plot_options.end(), {name, value});
+        if (name == "--where")
+          arguments.where.push_back(value);
+      }
+    };
+    report.add_option_function<std::vector<std::string>>(name, take, text)
+        ->type_name(type)
+        ->allow_extra_args(false);
+  };
+  plot_option("--x", "KEY", "Key on the x axis; without this option the key with the most values");
+  plot_option("--y", "KEY", "Key on the y axis of maps, with one curve for each of its values");
+  plot_option("--field", "NAME",
+              "Column to draw, repeatable; without this option Q, P, the disks that leave and velocities");
+  plot_option("--where", "KEY=VALUE", "Draw only the cases with this value; repeatable");
+}
+
+void describeReport(CLI::App& report, SweepArguments& arguments)
+{
+  report
+      .add_option("--out", arguments.out,
+                  "Directory of the report; without this option SWEEP_report beside the sweep")
+      ->type_name("DIR");
+  report
+      .add_option("--html", arguments.pages.path,
+                  "Directory of the pages that run --html has kept, to which the report links; without this "
+                  "option SWEEP_runs beside the sweep")
+      ->type_name("DIR");
+  describePlots(report, arguments);
+  describeBest(report, arguments);
+  report.add_flag(
+      "--check-floor", arguments.check_floor,
+      "Run the seeds of the best setting again at a half and a quarter of contact.min_rebound_speed, into "
+      "the results file, and print whether Q depends on it");
+  describeThreads(report, arguments);
+}
+
+}  // namespace
+
+void describe(CLI::App& app, SweepArguments& arguments)
+{
+  app.require_subcommand(1);
+  const auto verb = [&](const char* name, const char* text)
+  {
+    CLI::App* command = app.add_subcommand(name, text);
+    command->add_option("SWEEP", arguments.sweep, "Sweep file (YAML)")->required()->type_name("FILE");
+    command
+        ->add_option("--db", arguments.results, "Results file; without this option SWEEP.db beside the sweep")
+        ->type_name("FILE");
+    return command;
+  };
+  describeRun(*verb("run", "Run the cases that have no result yet"), arguments);
+  describeBest(*verb("status", "Print the progress of the sweep and its best setting"), arguments);
+  verb("export", "Write the results as CSV")
+      ->add_option("--out", arguments.out, "Write to a file instead of standard output")
+      ->type_name("FILE");
+  describeReport(
+      *verb("report", "Draw curves and maps of the results, averaged over the seeds, as an HTML page"),
+      arguments);
+  app.add_subcommand("case", "Run the cases of a case file; engines call this")
+      ->add_option("CASE", arguments.sweep, "Case file; the results are written beside it")
+      ->required()
+      ->type_name("FILE");
+  app.footer(
+      "Exit status: 0 if done; 2 for bad arguments or a bad sweep (nothing is run); 1 for any other failure, "
+      "such as a "
+      "failed case, or if it was stopped.");
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "page_arguments.h"
+#include "ratchet_sieve/sweep/sweep_run.h"
+
+namespace ratchet_sieve
+{
+
+/// The arguments of sieve_sweep.
+struct SweepArguments
+{
+  std::string sweep;
+  std::string results;
+  std::string out;
+  std::string engine = "threads";
+  std::string hosts;
+  std::string program;
+  std::vector<std::string> engine_options;
+  std::vector<std::string> plot_options;
+  std::vector<std::string> where;
+  PageArguments pages;  ///< of cases; the path is that of their directory
+  bool check_floor = false;
+  bool dry_run = false;
+  bool yes = false;
+  SweepRunOptions options;
+
+  /// Of the sweep, from its file's.
+  std::string name() const { return std::filesystem::path(sweep).stem().string(); }
+
+  /// A path next to the sweep's file.
+  std::string beside(const std::string& ending) const
+  {
+    return (std::filesystem::path(sweep).parent_path() / name()).string() + ending;
+  }
+};
+
+/// Describes the subcommands of sieve_sweep and their options, which are parsed into `arguments`, and its
+/// help.
+void describe(CLI::App& app, SweepArguments& arguments);
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,64 @@
+#include "html_page.h"
+
+#include <cstring>
+
+#include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/recording/base64.h"
+#include "ratchet_sieve/scene/shown_text.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// The same text as HTML.
+std::string htmlText(const std::string& text)
+{
+  std::string html;
+  for (const char c : text)
+    switch (c)
+    {
+      case '&':
+        html += "&amp;";
+        break;
+      case '<':
+        html += "&lt;";
+        break;
+      case '>':
+        html += "&gt;";
+        break;
+      default:
+        html += c;
+    }
+  return html;
+}
+
+}  // namespace
+
+std::size_t lengthOf(const PageTemplate& page)
+{
+  return std::strlen(page.head) + std::strlen(page.body) + std::strlen(page.tail);
+}
+
+std::string jsonForHtml(const nlohmann::ordered_json& json)
+{
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
+    text += c == '<' ? "\\u003c" : std::string(1, c);  // "<" stands only within JSON's strings
+  return text;
+}
+
+void writePage(const std::string& path, const PageTemplate& page, const std::string& title,
+               const nlohmann::ordered_json& json, const std::vector<PageData>& data)
+{
+  AtomicFile file(path);
+  std::ostream& out = file.stream();
+  out << page.head << htmlText(shownText(title)) << page.body;
+  out << R"(<script type="application/json" id="data">)" << jsonForHtml(json) << "</script>\n";
+  for (const PageData& each : data)
+    out << R"(<script type="text/plain" id=")" << each.id << R"(">)" << base64(each.bytes) << "</script>\n";
+  out << page.tail;
+  file.commit();
+}
+
+}  // namespace ratchet_sieve

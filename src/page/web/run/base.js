@@ -1,0 +1,152 @@
+/** The base: its motion, and what keeps disks above it. World frame: x to the right, y upwards [m]. */
+class Base {
+  /** @param {Object} machine @param {Object} drive series of its states */
+  constructor(machine, drive) {
+    this.machine = machine;
+    this.states = drive;
+    this.toothWidth = machine.tooth[machine.tooth.length - 1][0];
+    this.width = machine.teeth * this.toothWidth;
+    this.highest = Math.max(...machine.tooth.map((corner) => corner[1]));
+    this.lowest = Math.min(...machine.tooth.map((corner) => corner[1]));
+  }
+
+  /** Setpoints and applied values at a time, by their names, and the phase [rad]. */
+  stateAt(time) {
+    const states = this.states;
+    const last = states.time.length - 1;
+    const k = Math.min(Math.max(lastNotAbove(states.time, time), 0), Math.max(last - 1, 0));
+    const next = Math.min(k + 1, last);
+    const span = states.time[next] - states.time[k];
+    const elapsed = time - states.time[k];
+    const part = span > 0 ? elapsed / span : 0;
+    const state = {};
+    for (const name of ['inclination', 'frequency', 'amplitude']) {
+      state[name] = states[name][k] + (states[name][next] - states[name][k]) * part;
+      const commanded = states['commanded_' + name];
+      state['commanded_' + name] = commanded[part >= 1 ? next : k];
+    }
+    state.phase = this.phaseAt(k, next, span, elapsed);
+    return state;
+  }
+
+  /** The frequency is linear between two states. The remainder to the later state's phase is spread evenly. */
+  phaseAt(k, next, span, elapsed) {
+    const states = this.states;
+    if (!(span > 0)) return states.phase[k];
+    const turn = 2 * Math.PI;
+    const ramp = (states.frequency[next] - states.frequency[k]) / span;
+    const after = (t) => turn * (states.frequency[k] * t + 0.5 * ramp * t * t);
+    let rest = (states.phase[next] - states.phase[k] - after(span)) % turn;
+    rest -= turn * Math.round(rest / turn);
+    return states.phase[k] + after(elapsed) + rest * elapsed / span;
+  }
+
+  /** The displacement of the base by its drive, in the world: docs/model.md, "The drive". */
+  displacement(state) {
+    const drive = this.machine.drive;
+    const scale = drive.amplitude !== 0 ? state.amplitude / drive.amplitude : 1;
+    let x = scale * drive.horizontal_amplitude * Math.sin(state.phase + drive.horizontal_phase);
+    let y = state.amplitude * Math.sin(state.phase);
+    for (const harmonic of drive.harmonics) {
+      const phase = harmonic.multiple * state.phase;
+      x += scale * harmonic.horizontal_amplitude * Math.sin(phase + harmonic.horizontal_phase);
+      y += scale * harmonic.amplitude * Math.sin(phase + harmonic.phase);
+    }
+    if (!drive.turns_with_base) return [x, y];
+    const cosine = Math.cos(state.inclination);
+    const sine = Math.sin(state.inclination);
+    return [cosine * x - sine * y, sine * x + cosine * y];
+  }
+
+  /** Where the base is: its foot and its direction. */
+  poseAt(time) {
+    const state = this.stateAt(time);
+    const [x, y] = this.displacement(state);
+    return {x, y, cosine: Math.cos(state.inclination), sine: Math.sin(state.inclination)};
+  }
+
+  /** Corners in the frame of the base: along it, and normal to it. */
+  outline() {
+    const corners = [];
+    for (let k = 0; k < this.machine.teeth; ++k)
+      for (const [s, n] of this.machine.tooth) corners.push([k * this.toothWidth + s, n]);
+    return corners;
+  }
+
+  get isPeriodic() {
+    return this.machine.boundary === 'periodic';
+  }
+
+  /**
+   * The height at which a disk over s rests on the highest face or corner below it.
+   * @param {number} s along the base [m] @param {number} radius [m]
+   */
+  restingHeight(s, radius) {
+    let height = -Infinity;
+    this.forEachFace(s, radius, (a, b) => {
+      const ds = b[0] - a[0];
+      const dn = b[1] - a[1];
+      const length = Math.hypot(ds, dn);
+      if (ds > 0) {
+        const along = ((s - a[0]) * length + radius * dn) / ds;
+        if (along >= 0 && along <= length) height = Math.max(height, a[1] + (along * dn + radius * ds) / length);
+      }
+      for (const corner of [a, b]) {
+        const distance = s - corner[0];
+        if (Math.abs(distance) <= radius)
+          height = Math.max(height, corner[1] + Math.sqrt(radius * radius - distance * distance));
+      }
+    });
+    return height;
+  }
+
+  /** Calls back with both ends of each face that a disk over s can reach. */
+  forEachFace(s, radius, action) {
+    const tooth = this.machine.tooth;
+    let first = Math.floor((s - radius) / this.toothWidth);
+    let last = Math.floor((s + radius) / this.toothWidth);
+    if (!this.isPeriodic) {
+      first = Math.max(first, 0);
+      last = Math.min(last, this.machine.teeth - 1);
+    }
+    for (let k = first; k <= last; ++k) {
+      const start = k * this.toothWidth;
+      for (let i = 0; i + 1 < tooth.length; ++i)
+        action([start + tooth[i][0], tooth[i][1]], [start + tooth[i + 1][0], tooth[i + 1][1]]);
+    }
+  }
+
+  /** The height of the outline over s; -Infinity beyond its ends. */
+  surface(s) {
+    return this.restingHeight(s, 0);
+  }
+
+  /**
+   * The place nearest to (s, n) at which a disk does not overlap the base: moved away from the faces and corners
+   * that it overlaps, or lifted where its centre lies below the surface.
+   */
+  cleared(s, n, radius) {
+    if (n - radius > this.highest) return [s, n];
+    if (n < this.surface(s)) n = this.restingHeight(s, radius);
+    for (let pass = 0; pass < 3; ++pass) {
+      let deepest = radius;
+      let away = null;
+      this.forEachFace(s, radius, (a, b) => {
+        const ds = b[0] - a[0];
+        const dn = b[1] - a[1];
+        const part = Math.min(1, Math.max(0, ((s - a[0]) * ds + (n - a[1]) * dn) / (ds * ds + dn * dn)));
+        const fromS = s - a[0] - part * ds;
+        const fromN = n - a[1] - part * dn;
+        const distance = Math.hypot(fromS, fromN);
+        if (distance < deepest && distance > 0) {
+          deepest = distance;
+          away = [fromS / distance, fromN / distance];
+        }
+      });
+      if (!away) return [s, n];
+      s += (radius - deepest) * away[0];
+      n += (radius - deepest) * away[1];
+    }
+    return [s, Math.max(n, this.restingHeight(s, radius))];
+  }
+}

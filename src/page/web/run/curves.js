@@ -1,0 +1,115 @@
+const MM = 1e3;  // per m
+
+/** The charts of a run, with one cursor and one mark of the present time. */
+class Curves {
+  /** @param {function(number)} onClick @param {function(): number} timeNow */
+  constructor(parent, run, series, times, hasBins, onClick, timeNow) {
+    this.names = run.machine.species.map((species) => species.name);
+    this.series = series;
+    this.hasBins = hasBins;
+    this.end = times[times.length - 1];
+    this.x = {name: 'time', label: 'time [s]', scale: {range: () => [times[0], this.end]},
+      series: {value: (u, v) => seconds(u.cursor.left >= 0 && v !== null ? v : timeNow())}};
+    const common = {sync: 'time', onClick, mark: timeNow};
+    this.charts = this.all().map((chart) => addChart(parent, {x: this.x, ...chart}, common));
+  }
+
+  all() {
+    const charts = [];
+    if (this.hasBins) charts.push(this.qualities(), this.counts(), this.shares('purity'),
+      this.shares('recovery'));
+    if (this.series.velocities.time.length) charts.push(this.velocities());
+    return [...charts, ...this.setpoints()];
+  }
+
+  /** Columns of the bins, held until the end of the run. */
+  held(...columns) {
+    const time = this.series.bins.time;
+    return [[...time, this.end], ...columns.map((column) => [...column, column[column.length - 1]])];
+  }
+
+  static stepped(label, colour, more = {}) {
+    return {label, stroke: colour, paths: uPlot.paths.stepped({align: 1}), ...more};
+  }
+
+  qualities() {
+    const bins = this.series.bins;
+    return {
+      title: 'Quality Q and processed share P',
+      y: {label: 'Q, P', scale: {range: [0, 1.02]}},
+      series: [Curves.stepped('Q', colourOf(0)), Curves.stepped('P', colourOf(1), {dash: [6, 4]})],
+      data: this.held(bins.quality, bins.processed),
+    };
+  }
+
+  /** Of each species one line for the left bin, and a dashed one for the right bin. */
+  ofBins(columnOf) {
+    const series = [];
+    const columns = [];
+    this.names.forEach((name, k) => ['left', 'right'].forEach((bin) => {
+      series.push(Curves.stepped(`${name} ${bin}`, colourOf(k), bin === 'right' ? {dash: [6, 4]} : {}));
+      columns.push(columnOf(this.series.bins.species[k], bin));
+    }));
+    return {series, data: this.held(...columns)};
+  }
+
+  counts() {
+    return {title: 'Disks in the bins', y: {label: 'disks', scale: {range: (u, low, high) => [0, 1.05 * high || 1]}},
+      ...this.ofBins((species, bin) => species[bin])};
+  }
+
+  shares(share) {
+    return {
+      title: share === 'purity' ? 'Purity: share of a species in a bin, by number'
+        : 'Recovery: share of what left of a species that is in a bin, by number',
+      y: {label: share, scale: {range: [0, 1.02]}},
+      ...this.ofBins((species, bin) => species[share][bin].number),
+    };
+  }
+
+  velocities() {
+    const {time, species} = this.series.velocities;
+    const series = [];
+    const bands = [];
+    const data = [time];
+    species.forEach((each, k) => {
+      const shifted = (sign) => each.mean_vx.map((mean, i) =>
+        mean === null || each.mean_vx_stderr[i] === null ? null : MM * (mean + sign * each.mean_vx_stderr[i]));
+      const colour = colourOf(k);
+      const edge = {stroke: colour + '60', width: 0.5, class: 'edge'};
+      series.push({label: this.names[k], stroke: colour}, {...edge, label: this.names[k] + ' + error'},
+        {...edge, label: this.names[k] + ' \u2212 error'});
+      data.push(each.mean_vx.map((mean) => mean === null ? null : MM * mean), shifted(1), shifted(-1));
+      bands.push({series: [3 * k + 2, 3 * k + 3], fill: colour + '30'});
+    });
+    return {
+      title: 'Mean velocity \u27e8V_x\u27e9 since the end of settle, and its standard error',
+      y: {label: 'mm/s', unit: 'mm/s'}, series, bands, data,
+    };
+  }
+
+  /** The inclination and the frequency, and the amplitude where it varies, each with its setpoint. */
+  setpoints() {
+    const drive = this.series.drive;
+    return [['inclination', '\u03b8', 'rad'], ['frequency', 'f', 'Hz'], ['amplitude', 'A', 'm']]
+      .filter(([name]) => name !== 'amplitude' || new Set([...drive[name], ...drive['commanded_' + name]]).size > 1)
+      .map(([name, symbol, unit]) => ({
+        title: `${name[0].toUpperCase()}${name.slice(1)} ${symbol} and its setpoint`,
+        y: {label: `${symbol} [${unit}]`, unit},
+        series: [{label: symbol, stroke: colourOf(0)}, Curves.stepped('setpoint', colourOf(1), {dash: [6, 4]})],
+        data: [drive.time, drive[name], drive['commanded_' + name]],
+      }));
+  }
+
+  redraw() {
+    for (const chart of this.charts) chart.redraw();
+  }
+
+  rebuild() {
+    for (const chart of this.charts) chart.rebuild();
+  }
+
+  resize() {
+    for (const chart of this.charts) chart.resize();
+  }
+}

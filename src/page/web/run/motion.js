@@ -1,0 +1,215 @@
+/** Longest free flight that is shown before a frame and after it, where disks met something in between [s]. */
+const LONGEST_ARC = 1 / 240;
+
+/** Differences of this many units of positions are rounding. */
+const ROUNDING = 4;
+
+/**
+ * The disks over time. Positions in the world frame [m].
+ *
+ * Between two frames a disk flies on parabolas: one on from the earlier frame, one back from the later one. They meet
+ * where it had one contact. Where it had more, a third parabola joins them, so that the path fits both frames.
+ */
+class Motion {
+  /**
+   * @param {Object} description @param {Uint8Array} bytes see MotionRecord @param {Base} base
+   * @param {Array<number>} span the first and the last time of the run, for one without recorded disks
+   */
+  constructor(description, bytes, base, span) {
+    this.base = base;
+    this.gravity = base.machine.gravity;
+    this.resolution = 2 * description.position_unit;
+    this.meets = ROUNDING * description.position_unit;
+    this.readTracks(new ColumnReader(bytes), description);
+    if (!this.times.length) this.times = Float64Array.from(span);
+    this.listTracksOfFrames();
+  }
+
+  readTracks(columns, description) {
+    this.times = columns.nextDoubles(description.frames);
+    const tracks = description.tracks;
+    const states = description.states;
+    this.ids = columns.next(tracks);
+    this.species = columns.next(tracks);
+    this.radii = Float64Array.from(columns.next(tracks), (radius) => radius * description.radius_unit);
+    this.firstFrames = columns.next(tracks);
+    this.lengths = columns.next(tracks);
+    this.starts = new Int32Array(tracks);  // of a track's states
+    for (let k = 1; k < tracks; ++k) this.starts[k] = this.starts[k - 1] + this.lengths[k - 1];
+    const vx = columns.next(states);
+    const vy = columns.next(states);
+    const x = columns.next(states);
+    const y = columns.next(states);
+    const spin = columns.next(states);
+    const angle = columns.next(states);
+    for (let track = 0; track < tracks; ++track)
+      for (let i = 1; i < this.lengths[track]; ++i) {
+        const k = this.starts[track] + i;
+        const frame = this.firstFrames[track] + i;
+        const factor = (this.times[frame] - this.times[frame - 1]) * description.positions_per_velocity;
+        x[k] += x[k - 1] + Math.floor(0.5 * (vx[k] + vx[k - 1]) * factor + 0.5);
+        y[k] += y[k - 1] + Math.floor(0.5 * (vy[k] + vy[k - 1]) * factor + 0.5);
+        angle[k] += angle[k - 1];
+      }
+    const scaled = (column, unit) => Float32Array.from(column, (number) => number * unit);
+    this.x = scaled(x, description.position_unit);
+    this.y = scaled(y, description.position_unit);
+    this.vx = scaled(vx, description.velocity_unit);
+    this.vy = scaled(vy, description.velocity_unit);
+    this.spin = scaled(spin, description.spin_unit);
+    this.angle = scaled(angle, 2 * Math.PI / description.angle_steps);
+  }
+
+  /** Tracks by frame: those of frame k are listed from frameStarts[k] on. */
+  listTracksOfFrames() {
+    const frames = this.times.length;
+    this.frameStarts = new Int32Array(frames + 1);
+    for (let track = 0; track < this.ids.length; ++track)
+      for (let i = 0; i < this.lengths[track]; ++i) ++this.frameStarts[this.firstFrames[track] + i + 1];
+    for (let k = 0; k < frames; ++k) this.frameStarts[k + 1] += this.frameStarts[k];
+    const next = this.frameStarts.slice();
+    this.tracksOfFrames = new Int32Array(this.x.length);
+    for (let track = 0; track < this.ids.length; ++track)
+      for (let i = 0; i < this.lengths[track]; ++i) this.tracksOfFrames[next[this.firstFrames[track] + i]++] = track;
+  }
+
+  /** The place of the last frame that is not after a time. */
+  frameAt(time) {
+    return Math.max(0, lastNotAbove(this.times, time));
+  }
+
+  /**
+   * Calls back with each disk at a time: its track, x, y and angle.
+   * @param {function(number, number, number, number)} action
+   */
+  forEachAt(time, action) {
+    const frame = this.frameAt(time);
+    const pose = this.base.poseAt(time);
+    const place = {x: 0, y: 0, angle: 0};
+    for (let k = this.frameStarts[frame]; k < this.frameStarts[frame + 1]; ++k)
+      if (this.placeAt(this.tracksOfFrames[k], frame, time, pose, place))
+        action(this.tracksOfFrames[k], place.x, place.y, place.angle);
+  }
+
+  /** Where the disk of a track is at a time from this frame on. @return {boolean} whether it is in the machine */
+  placeAt(track, frame, time, pose, place) {
+    const i = this.starts[track] + frame - this.firstFrames[track];
+    const elapsed = time - this.times[frame];
+    const goesOn = frame + 1 < this.firstFrames[track] + this.lengths[track];
+    if (goesOn && elapsed > 0) this.fly(i, elapsed, this.times[frame + 1] - this.times[frame], pose, place);
+    else this.flyOn(i, elapsed, place);
+    return this.keepInMachine(this.radii[track], pose, place, goesOn || elapsed === 0);
+  }
+
+  /** The free flight from a state on. */
+  flyOn(i, elapsed, place) {
+    place.x = this.x[i] + this.vx[i] * elapsed;
+    place.y = this.y[i] + (this.vy[i] - 0.5 * this.gravity * elapsed) * elapsed;
+    place.angle = this.angle[i] + this.spin[i] * elapsed;
+  }
+
+  /** Between a state and the next one. In a frame that falls, free flights are straight lines. */
+  fly(i, elapsed, span, pose, place) {
+    const g = this.gravity;
+    const x0 = this.x[i], y0 = this.y[i], u0 = this.vx[i], v0 = this.vy[i];
+    let x1 = this.x[i + 1], y1 = this.y[i + 1] + 0.5 * g * span * span;
+    const u1 = this.vx[i + 1], v1 = this.vy[i + 1] + g * span;
+    if (this.base.isPeriodic) {
+      // The image of the later position that is nearest to where the disk goes.
+      const W = this.base.width;
+      const dx = x0 + 0.5 * (u0 + u1) * span - x1;
+      const dy = y0 + 0.5 * (v0 + v1) * span - y1;
+      const turns = Math.round((dx * pose.cosine + dy * pose.sine) / W);
+      x1 += turns * W * pose.cosine;
+      y1 += turns * W * pose.sine;
+    }
+    // The gap between both lines is gapX + closeX t at the time t.
+    const gapX = x0 - (x1 - u1 * span), closeX = u0 - u1;
+    const gapY = y0 - (y1 - v1 * span), closeY = v0 - v1;
+    const close2 = closeX * closeX + closeY * closeY;
+    const contact = close2 > 0 ? Math.min(span, Math.max(0, -(gapX * closeX + gapY * closeY) / close2)) : 0.5 * span;
+    const missX = gapX + closeX * contact, missY = gapY + closeY * contact;
+    const met = missX * missX + missY * missY <= this.meets * this.meets;
+    const arc = met ? 0 : Math.min(LONGEST_ARC, span / 3);
+    const leaves = met ? contact : arc, arrives = met ? contact : span - arc;
+    // The ends of the part between both flights; where they meet, it is a point half-way between them.
+    const fromX = x0 + u0 * leaves - (met ? 0.5 * missX : 0), fromY = y0 + v0 * leaves - (met ? 0.5 * missY : 0);
+    const toX = x1 - u1 * (span - arrives) + (met ? 0.5 * missX : 0);
+    const toY = y1 - v1 * (span - arrives) + (met ? 0.5 * missY : 0);
+    let fallenX, fallenY;
+    if (elapsed <= leaves) {
+      const part = leaves > 0 ? elapsed / leaves : 1;
+      fallenX = x0 + (fromX - x0) * part;
+      fallenY = y0 + (fromY - y0) * part;
+    } else if (elapsed < arrives) {
+      const part = (elapsed - leaves) / (arrives - leaves);
+      fallenX = fromX + (toX - fromX) * part;
+      fallenY = fromY + (toY - fromY) * part;
+    } else {
+      const part = span > arrives ? (elapsed - arrives) / (span - arrives) : 1;
+      fallenX = toX + (x1 - toX) * part;
+      fallenY = toY + (y1 - toY) * part;
+    }
+    place.x = fallenX;
+    place.y = fallenY - 0.5 * g * elapsed * elapsed;
+    this.turn(i, elapsed, span, 0.5 * (leaves + arrives), place);
+  }
+
+  /** The spin changes at the contact; what is left over to the next angle is spread over the time. */
+  turn(i, elapsed, span, contact, place) {
+    const after = (t) => this.spin[i] * Math.min(t, contact) + this.spin[i + 1] * Math.max(0, t - contact);
+    const turn = 2 * Math.PI;
+    let rest = (this.angle[i + 1] - this.angle[i] - after(span)) % turn;
+    rest -= turn * Math.round(rest / turn);
+    place.angle = this.angle[i] + after(elapsed) + rest * elapsed / span;
+  }
+
+  /** Moves a disk out of the base and, on a periodic one, into it. @return {boolean} whether it is in the machine */
+  keepInMachine(radius, pose, place, stays) {
+    const dx = place.x - pose.x, dy = place.y - pose.y;
+    let s = dx * pose.cosine + dy * pose.sine;
+    let n = dy * pose.cosine - dx * pose.sine;
+    const base = this.base;
+    if (base.isPeriodic) s -= base.width * Math.floor(s / base.width);
+    else if (base.machine.boundary === 'walled' && n < base.machine.wall_height)
+      s = Math.min(base.width - radius, Math.max(radius, s));
+    else if (!stays && (s < 0 || s > base.width)) return false;
+    [s, n] = base.cleared(s, n, radius);
+    place.x = pose.x + s * pose.cosine - n * pose.sine;
+    place.y = pose.y + s * pose.sine + n * pose.cosine;
+    return true;
+  }
+
+  /** A height above all disks of the first frame, and above nearly all later states. */
+  top() {
+    const share = 0.999;
+    const heights = Float32Array.from(this.y).sort();
+    let top = heights.length ? heights[Math.floor(share * (heights.length - 1))] : -Infinity;
+    for (let track = 0; track < this.ids.length; ++track)
+      if (this.firstFrames[track] === 0) top = Math.max(top, this.y[this.starts[track]] + this.radii[track]);
+    return top;
+  }
+
+  /** The track of a disk at a time; -1: it is not in the machine. */
+  trackOf(id, time) {
+    const frame = this.frameAt(time);
+    for (let k = this.frameStarts[frame]; k < this.frameStarts[frame + 1]; ++k)
+      if (this.ids[this.tracksOfFrames[k]] === id) return this.tracksOfFrames[k];
+    return -1;
+  }
+
+  /** The path of a track: points in steps of time, between two times. @return {Array<Array<number>>} [x, y, time] */
+  pathOf(track, from, to, step) {
+    const points = [];
+    const place = {x: 0, y: 0, angle: 0};
+    const first = this.firstFrames[track];
+    const begin = Math.max(from, this.times[first]);
+    const end = Math.min(to, this.times[first + this.lengths[track] - 1]);
+    for (let k = Math.ceil(begin / step); k * step <= end; ++k) {
+      const time = k * step;
+      this.placeAt(track, this.frameAt(time), time, this.base.poseAt(time), place);
+      points.push([place.x, place.y, time]);
+    }
+    return points;
+  }
+}

@@ -1,0 +1,264 @@
+const BIN_WIDTH = 0.07;         // of the base's width
+const LEAST_HEIGHT = 260;       // of the picture [pixels]
+const MOST_TEETH = 60;          // that are shown at first
+const SMALLEST_ROUND = 1.3;     // radius of disks that are drawn round [pixels]
+const SMALLEST_OUTLINED = 4;    // radius of disks with an outline and a mark that turns [pixels]
+const PATH_TIME = 1.5;          // of a followed disk's path, before and after the present [s]
+const PATH_STEP = 1 / 480;      // [s]
+
+/**
+ * Where the disks of each bin lie: in rows, in the order in which they came. In true size, or smaller where they would
+ * not fit. @param {number} width of a bin, which is as high [m]
+ */
+function heapsOf(bins, species, width) {
+  const last = bins.bins.time[bins.bins.time.length - 1];
+  const orders = {left: bins.arrivals('left', last), right: bins.arrivals('right', last)};
+  for (let shrink = 1; ; shrink *= 0.9) {
+    const heaps = {};
+    for (const bin of ['left', 'right']) heaps[bin] = heapOf(orders[bin].map((k) => [k, shrink * species[k].radius]), width);
+    if (Object.values(heaps).every((heap) => heap.height <= width) || shrink < 1e-3) return heaps;
+  }
+}
+
+function heapOf(disks, width) {
+  const heap = [];
+  let x = 0, low = 0, high = 0;
+  for (const [species, radius] of disks) {
+    if (x + 2 * radius > width) [x, low] = [0, high];
+    heap.push({species, radius, x: x + radius, y: low + radius});
+    x += 2 * radius;
+    high = Math.max(high, low + 2 * radius);
+  }
+  heap.height = high;
+  return heap;
+}
+
+/** Draws the machine at a time. */
+class Picture {
+  constructor(canvas, base, motion, bins) {
+    this.canvas = canvas;
+    this.base = base;
+    this.motion = motion;
+    this.bins = bins;
+    this.heaps = this.hasBins ? heapsOf(bins, base.machine.species, this.binWidth) : null;
+    this.view = new View(this.wholeMachine());
+    this.followed = null;
+    this.milliseconds = 0;
+  }
+
+  get hasBins() {
+    return this.bins.areUsed(this.base.machine.boundary);
+  }
+
+  get binWidth() {
+    return this.hasBins ? BIN_WIDTH * this.base.width : 0;
+  }
+
+  /** All that the base sweeps over and all disks, in the world. */
+  wholeMachine() {
+    const base = this.base;
+    const reach = Math.max(...base.states.amplitude, 0);
+    const whole = {left: 0, right: 0, low: -reach + base.lowest, high: reach + base.highest};
+    for (const inclination of base.states.inclination) {
+      const right = [base.width * Math.cos(inclination), base.width * Math.sin(inclination)];
+      whole.right = Math.max(whole.right, right[0]);
+      whole.low = Math.min(whole.low, right[1] - reach);
+      whole.high = Math.max(whole.high, right[1] + reach + base.highest);
+    }
+    whole.high = Math.max(whole.high, this.motion.top());
+    const bin = this.binWidth;
+    whole.low -= bin;
+    const margin = 0.01 * base.width;
+    return {left: whole.left - bin - margin, right: whole.right + bin + margin,
+      low: whole.low - margin, high: whole.high + 2 * margin};
+  }
+
+  /** The whole machine; of a longer one some teeth in the middle, for otherwise it would be a line. */
+  showFirst() {
+    const {machine, width, highest} = this.base;
+    this.view.showWhole();
+    if (machine.teeth <= MOST_TEETH) return;
+    this.view.zoomBy(machine.teeth / MOST_TEETH);
+    const pose = this.base.poseAt(this.motion.times[0]);
+    this.view.centre = [pose.x + 0.5 * width * pose.cosine, pose.y + 0.5 * width * pose.sine + highest];
+  }
+
+  resize() {
+    const {left, right, low, high} = this.view.whole;
+    const height = this.canvas.clientWidth * (high - low) / (right - left);
+    this.canvas.style.height = `${Math.round(Math.min(0.6 * innerHeight, Math.max(LEAST_HEIGHT, height)))}px`;
+    const ratio = devicePixelRatio || 1;
+    const {clientWidth, clientHeight} = this.canvas;
+    this.canvas.width = Math.round(clientWidth * ratio);
+    this.canvas.height = Math.round(clientHeight * ratio);
+    this.view.resize(clientWidth, clientHeight);
+  }
+
+  draw(time) {
+    const began = performance.now();
+    const {clientWidth, clientHeight} = this.canvas;
+    if (clientWidth !== this.view.width || clientHeight !== this.view.height) this.resize();
+    const context = this.canvas.getContext('2d');
+    const ratio = this.canvas.width / Math.max(1, this.canvas.clientWidth);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.fillStyle = themeColour('--ground');
+    context.fillRect(0, 0, this.view.width, this.view.height);
+    if (this.followed !== null) this.centreOnFollowed(time);
+    const pose = this.base.poseAt(time);
+    if (this.hasBins) this.drawBins(context, pose, time);
+    this.drawBase(context, pose);
+    if (this.followed !== null) this.drawPath(context, time);
+    this.drawDisks(context, time);
+    this.milliseconds = performance.now() - began;
+  }
+
+  /** A point of the base's frame as a pixel. */
+  onBase(pose, s, n) {
+    return this.view.toPixel(pose.x + s * pose.cosine - n * pose.sine, pose.y + s * pose.sine + n * pose.cosine);
+  }
+
+  /** The pixel about which the keys zoom: in the middle, at the height of the base while it is in the picture. */
+  middle(time) {
+    const {y} = this.onBase(this.base.poseAt(time), 0.5 * this.base.width, this.base.highest);
+    return [0.5 * this.view.width, Math.min(this.view.height, Math.max(0, y))];
+  }
+
+  drawBase(context, pose) {
+    const corners = this.base.outline();
+    const depth = this.base.lowest - 0.6 * Math.max(this.base.highest - this.base.lowest, 0.02 * this.base.toothWidth);
+    context.beginPath();
+    for (const [s, n] of [[0, depth], ...corners, [this.base.width, depth]]) {
+      const {x, y} = this.onBase(pose, s, n);
+      context.lineTo(x, y);
+    }
+    context.closePath();
+    context.fillStyle = themeColour('--base');
+    context.fill();
+    if (this.base.machine.boundary !== 'walled') return;
+    context.beginPath();
+    for (const s of [0, this.base.width]) {
+      const foot = this.onBase(pose, s, depth);
+      const top = this.onBase(pose, s, Math.min(this.base.machine.wall_height, this.base.width));
+      context.moveTo(foot.x, foot.y);
+      context.lineTo(top.x, top.y);
+    }
+    context.strokeStyle = themeColour('--base');
+    context.lineWidth = 3;
+    context.stroke();
+  }
+
+  /** Both bins, at the ends of the base, with the disks that they hold in the order in which they came. */
+  drawBins(context, pose, time) {
+    const width = this.binWidth;
+    for (const [bin, s] of [['left', 0], ['right', this.base.width]]) {
+      const edge = {x: pose.x + s * pose.cosine, y: pose.y + s * pose.sine};
+      const left = bin === 'left' ? edge.x - width : edge.x;
+      const low = edge.y + this.base.lowest - width;
+      const corner = this.view.toPixel(left, low + width);
+      context.fillStyle = themeColour('--bin');
+      context.fillRect(corner.x, corner.y, width * this.view.scale, width * this.view.scale);
+      const paths = this.base.machine.species.map(() => new Path2D());
+      for (const disk of this.heaps[bin].slice(0, this.bins.total(bin, time))) {
+        const pixel = this.view.toPixel(left + disk.x, low + disk.y);
+        addDisk(paths[disk.species], pixel.x, pixel.y, disk.radius * this.view.scale);
+      }
+      paths.forEach((path, species) => {
+        context.fillStyle = colourOf(species);
+        context.fill(path);
+      });
+    }
+  }
+
+  drawDisks(context, time) {
+    const view = this.view;
+    const scale = view.scale;
+    const bodies = this.base.machine.species.map(() => new Path2D());
+    const marks = new Path2D();
+    this.motion.forEachAt(time, (track, x, y, angle) => {
+      const pixelX = 0.5 * view.width + (x - view.centre[0]) * scale;
+      const pixelY = 0.5 * view.height - (y - view.centre[1]) * scale;
+      const radius = this.motion.radii[track] * scale;
+      if (pixelX < -radius || pixelX > view.width + radius || pixelY < -radius || pixelY > view.height + radius) return;
+      addDisk(bodies[this.motion.species[track]], pixelX, pixelY, radius);
+      if (radius >= SMALLEST_OUTLINED) {
+        marks.moveTo(pixelX + 0.35 * radius * Math.cos(angle), pixelY - 0.35 * radius * Math.sin(angle));
+        marks.lineTo(pixelX + 0.85 * radius * Math.cos(angle), pixelY - 0.85 * radius * Math.sin(angle));
+      }
+    });
+    bodies.forEach((body, species) => {
+      context.fillStyle = colourOf(species);
+      context.fill(body);
+    });
+    context.strokeStyle = '#ffffff';
+    context.lineWidth = 1.5;
+    context.stroke(marks);
+  }
+
+  centreOnFollowed(time) {
+    const disk = this.diskAt(time, (each) => each.id === this.followed);
+    if (disk && this.view.zoom > 1.5) this.view.centre = [disk.x, disk.y];
+  }
+
+  /** The path of the followed disk, up to now and from now on, and a ring about it. */
+  drawPath(context, time) {
+    const track = this.motion.trackOf(this.followed, time);
+    if (track < 0) return;
+    const colour = themeColour('--accent');
+    for (const [from, to, width, opacity] of [[time - PATH_TIME, time, 1.6, 0.9], [time, time + PATH_TIME, 1, 0.5]]) {
+      context.beginPath();
+      let before = null;
+      for (const [x, y] of this.motion.pathOf(track, from, to, PATH_STEP)) {
+        const pixel = this.view.toPixel(x, y);
+        // A periodic base carries the disk from one end to the other.
+        if (before !== null && Math.abs(x - before) < 0.5 * this.base.width) context.lineTo(pixel.x, pixel.y);
+        else context.moveTo(pixel.x, pixel.y);
+        before = x;
+      }
+      context.globalAlpha = opacity;
+      context.strokeStyle = colour;
+      context.lineWidth = width;
+      context.stroke();
+      context.globalAlpha = 1;
+    }
+    const disk = this.diskAt(time, (each) => each.id === this.followed);
+    if (!disk) return;
+    const pixel = this.view.toPixel(disk.x, disk.y);
+    context.beginPath();
+    context.arc(pixel.x, pixel.y, disk.radius * this.view.scale + 4, 0, 2 * Math.PI);
+    context.lineWidth = 2;
+    context.stroke();
+  }
+
+  /** The disks at a time, as drawn. */
+  disksAt(time) {
+    const disks = [];
+    this.motion.forEachAt(time, (track, x, y, angle) => disks.push({id: this.motion.ids[track],
+      species: this.motion.species[track], x, y, radius: this.motion.radii[track], angle}));
+    return disks;
+  }
+
+  diskAt(time, condition) {
+    return this.disksAt(time).find(condition) || null;
+  }
+
+  /** The disk at a pixel, or near it; null: there is none. */
+  diskNear(time, x, y) {
+    let nearest = null;
+    let least = Infinity;
+    for (const disk of this.disksAt(time)) {
+      const pixel = this.view.toPixel(disk.x, disk.y);
+      const beyond = Math.hypot(pixel.x - x, pixel.y - y) - disk.radius * this.view.scale;
+      if (beyond < least) [nearest, least] = [disk, beyond];
+    }
+    return least < 8 ? nearest : null;
+  }
+}
+
+function addDisk(path, x, y, radius) {
+  if (radius < SMALLEST_ROUND) {
+    path.rect(x - radius, y - radius, 2 * radius, 2 * radius);
+    return;
+  }
+  path.moveTo(x + radius, y);
+  path.arc(x, y, radius, 0, 2 * Math.PI);
+}

@@ -1,0 +1,65 @@
+/** Speeds over that of the machine. */
+const SPEEDS = [0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10];
+
+/** The present time of the page, and how it goes on. */
+class Player {
+  /** @param {function(number)} show called with each new time */
+  constructor(times, show) {
+    this.times = times;
+    this.start = times[0];
+    this.end = times[times.length - 1];
+    this.show = show;
+    this.time = this.start;
+    this.playing = false;
+    this.speed = 1;
+    this.onChange = () => {};
+  }
+
+  seek(time) {
+    this.time = Math.min(this.end, Math.max(this.start, time));
+    this.show(this.time);
+  }
+
+  play() {
+    if (this.playing) return;
+    if (this.time >= this.end) this.seek(this.start);
+    this.playing = true;
+    this.onChange();
+    let before = null;
+    const step = (now) => {
+      if (!this.playing) return;
+      if (before !== null) this.seek(this.time + this.speed * (now - before) / 1000);
+      before = now;
+      if (this.time >= this.end) this.pause(); else requestAnimationFrame(step);
+    };
+    requestAnimationFrame(step);
+  }
+
+  pause() {
+    this.playing = false;
+    this.onChange();
+  }
+
+  toggle() {
+    if (this.playing) this.pause(); else this.play();
+  }
+
+  /** To the next recorded frame, or to the last one before. */
+  stepFrames(frames) {
+    this.pause();
+    const k = lastNotAbove(this.times, this.time);
+    const isOn = this.times[Math.max(k, 0)] === this.time;
+    const next = k + frames + (frames < 0 && !isOn ? 1 : 0);
+    this.seek(this.times[Math.min(this.times.length - 1, Math.max(0, next))]);
+  }
+
+  setSpeed(speed) {
+    this.speed = speed;
+    this.onChange();
+  }
+
+  changeSpeed(steps) {
+    const k = SPEEDS.indexOf(this.speed) + steps;
+    this.setSpeed(SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, k))]);
+  }
+}

@@ -1,0 +1,108 @@
+// Pages for everybody: rules of accessibility in light and dark, reduced motion, a phone's width, paper.
+import assert from 'node:assert/strict';
+import {describe, it} from 'node:test';
+import {AXE_SOURCE} from './support/modules.js';
+import {ALL, HOSTILE, NARROW, SWEEP, WIDE, drawn, goesOn, openPage, openStill} from './support/pages.js';
+import {colourCount, picture} from './support/picture.js';
+import {BROWSER, useBrowser} from './support/session.js';
+
+// What is observed makes the longest tables.
+const SHOWN = [['demo', WIDE], ['demo', NARROW], [HOSTILE, WIDE], [SWEEP, WIDE], [SWEEP, NARROW]];
+const LEAST_PDF = 20000;  // bytes; an empty page has some thousand
+const A_WHILE = 500;      // ms
+
+async function violations(page)
+{
+  await page.evaluate(AXE_SOURCE);
+  const results = await page.evaluate(() => window.axe.run(document, {resultTypes: ['violations']}));
+  assert.ok(results.passes.length > 10, 'the rules were applied');
+  return results.violations.filter(({impact}) => ['serious', 'critical'].includes(impact))
+    .map(({id, nodes}) => `${id}: ${nodes.map(node => node.html).join(' | ')}`);
+}
+
+for (const dark of [false, true])
+  describe(`the rules of accessibility in ${dark ? 'dark' : 'light'}`, () => {
+    const browser = useBrowser({dark});
+    for (const [name, viewport] of SHOWN)
+      it(`hold: ${name}, ${viewport.width} px wide`, async () => {
+        const {page} = await openPage(browser(), name, viewport);
+        await page.evaluate(() => {
+          window.ratchetSieve?.pause?.();
+          document.querySelectorAll('details').forEach(part => (part.open = true));
+        });
+        await drawn(page);
+        assert.deepEqual(await violations(page), []);
+        await page.close();
+      });
+
+    it('the page is as the user prefers', async () => {
+      const {page} = await openStill(browser(), 'demo');
+      const image = picture(await page.screenshot());
+      const corner = image.at(2, 2).reduce((a, b) => a + b) / 3;
+      assert.equal(corner < 128, dark, `its background has a brightness of ${corner}`);
+      await page.close();
+    });
+  });
+
+describe('the rules', () => {
+  const browser = useBrowser();
+  it('find a button without a name', async () => {
+    const {page} = await openStill(browser(), 'demo');
+    await page.evaluate(() => document.body.append(document.createElement('button')));
+    assert.match((await violations(page)).join('\n'), /button-name/);
+    await page.close();
+  });
+});
+
+describe('with reduced motion', () => {
+  const browser = useBrowser({calm: true});
+  for (const name of ['demo', 'many', 'sizes'])
+    it(`a page does not play by itself: ${name}`, async () => {
+      const {page} = await openPage(browser(), name);
+      const time = await page.evaluate(() => window.ratchetSieve.time);
+      await new Promise(done => setTimeout(done, A_WHILE));
+      const later = await page.evaluate(() => [window.ratchetSieve.playing, window.ratchetSieve.time]);
+      assert.deepEqual(later, [false, time]);
+      await page.evaluate(() => window.ratchetSieve.play());
+      await goesOn(page, time);
+      await page.close();
+    });
+});
+
+describe('on a phone', () => {
+  const browser = useBrowser();
+  for (const name of ALL)
+    it(`a page is no wider than the screen: ${name}`, async () => {
+      const {page} = await openPage(browser(), name, NARROW);
+      await page.evaluate(() => document.querySelectorAll('details').forEach(part => (part.open = true)));
+      await drawn(page);
+      const [content, window_width, canvas] = await page.evaluate(() => [document.documentElement.scrollWidth,
+        window.innerWidth, document.querySelector('#machine')?.getBoundingClientRect().width]);
+      assert.equal(window_width, NARROW.width);
+      assert.ok(content <= NARROW.width, `the page is ${content} px wide`);
+      assert.ok(name === SWEEP || canvas > NARROW.width / 2, `the machine is ${canvas} px wide`);
+      await page.close();
+    });
+});
+
+describe('on paper', () => {
+  const browser = useBrowser();
+  for (const name of ['demo', SWEEP])
+    it(`a page is not empty: ${name}`, async () => {
+      const {page} = await openPage(browser(), name);
+      await page.evaluate(() => window.ratchetSieve?.pause?.());
+      const pdf = Buffer.from(await page.pdf({printBackground: false}));
+      assert.equal(pdf.toString('latin1', 0, 5), '%PDF-');
+      assert.ok(pdf.length > LEAST_PDF, `${pdf.length} bytes`);
+      await page.close();
+    });
+
+  it('the machine is in it', {skip: BROWSER === 'firefox' && 'Firefox shows no print media on a screen'}, async () => {
+    const {page} = await openStill(browser(), 'demo');
+    await page.emulateMediaType('print');
+    await drawn(page);
+    const image = picture(await (await page.$('#machine')).screenshot());
+    assert.ok(colourCount(image) > 3, 'the machine is blank');
+    await page.close();
+  });
+});

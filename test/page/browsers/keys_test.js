@@ -1,0 +1,167 @@
+// Each key, the buttons and clicks.
+import assert from 'node:assert/strict';
+import {describe, it} from 'node:test';
+import {drawn, factsOf, goesOn, openStill, seek} from './support/pages.js';
+import {useBrowser} from './support/session.js';
+
+function state(page)
+{
+  return page.evaluate(() => {
+    const {time, playing, followed} = window.ratchetSieve;
+    return {
+      time, playing, followed,
+      pressed: document.querySelector('#play').getAttribute('aria-pressed'),
+      slider: Number(document.querySelector('#time').value),
+      speed: document.querySelector('#speed').selectedIndex,
+    };
+  });
+}
+
+async function press(page, key)
+{
+  await page.keyboard.press(key);
+  await drawn(page);
+  return state(page);
+}
+
+/// Pixels to a metre.
+function scale(page)
+{
+  return page.evaluate(() => window.ratchetSieve.toPixel(1, 0).x - window.ratchetSieve.toPixel(0, 0).x);
+}
+
+describe('keys', () => {
+  const browser = useBrowser();
+
+  it('Space plays and pauses', async () => {
+    const {page} = await openStill(browser(), 'demo');
+    await seek(page, 1.0);
+    const playing = await press(page, ' ');
+    assert.deepEqual([playing.playing, playing.pressed], [true, 'true']);
+    await goesOn(page, playing.time);
+    const paused = await press(page, ' ');
+    assert.deepEqual([paused.playing, paused.pressed], [false, 'false']);
+    await drawn(page);
+    assert.equal((await state(page)).time, paused.time);
+    await page.close();
+  });
+
+  it('the arrows go from one recorded time to the next', async () => {
+    const {page} = await openStill(browser(), 'demo');
+    const frames = await page.evaluate(() => [...window.ratchetSieve.frames]);
+    await seek(page, frames[10]);
+    for (const [key, k] of [['ArrowRight', 11], ['ArrowRight', 12], ['ArrowLeft', 11], ['ArrowLeft', 10],
+      ['ArrowLeft', 9]])
+      assert.equal((await press(page, key)).time, frames[k], `${key} to frame ${k}`);
+    await page.close();
+  });
+
+  it('Home and End go to the start and the end, and no arrow beyond them', async () => {
+    const {page} = await openStill(browser(), 'demo');
+    const [start, end] = await page.evaluate(() => [window.ratchetSieve.start, window.ratchetSieve.end]);
+    const {times} = factsOf('demo');
+    assert.deepEqual([start, end], [times[0], times.at(-1)]);
+    for (const [key, time] of [['End', end], ['ArrowRight', end], ['Home', start], ['ArrowLeft', start]])
+      assert.equal((await press(page, key)).time, time, key);
+    await page.close();
+  });
+
+  it('+ and - zoom, 0 shows the whole machine', async () => {
+    const {page} = await openStill(browser(), 'demo');
+    const whole = await scale(page);
+    await press(page, '+');
+    const nearer = await scale(page);
+    assert.ok(nearer > whole * 1.05);
+    await press(page, '+');
+    assert.ok(await scale(page) > nearer * 1.05);
+    await press(page, '-');
+    assert.ok(Math.abs(await scale(page) / nearer - 1) < 1e-6);
+    await press(page, '0');
+    assert.ok(Math.abs(await scale(page) / whole - 1) < 1e-6);
+    await page.close();
+  });
+
+  it('comma and full stop change the speed', async () => {
+    const {page} = await openStill(browser(), 'demo');
+    const {speed} = await state(page);
+    assert.equal((await press(page, ',')).speed, speed - 1);
+    assert.equal((await press(page, '.')).speed, speed);
+    assert.equal((await press(page, '.')).speed, speed + 1);
+    for (let k = 0; k < 20; ++k)
+      await page.keyboard.press(',');
+    assert.equal((await state(page)).speed, 0);
+    await page.close();
+  });
+
+  it('Escape ends following', async () => {
+    const {page} = await openStill(browser(), 'demo');
+    const id = factsOf('demo').frames[0].disks[5].id;
+    await page.evaluate(disk => window.ratchetSieve.follow(disk), id);
+    assert.equal((await state(page)).followed, id);
+    assert.equal((await press(page, 'Escape')).followed, null);
+    await page.close();
+  });
+});
+
+describe('the pointer', () => {
+  const browser = useBrowser();
+
+  it('starts and pauses by the button', async () => {
+    const {page} = await openStill(browser(), 'demo');
+    await page.click('#play');
+    assert.equal((await state(page)).playing, true);
+    await page.click('#play');
+    assert.deepEqual([(await state(page)).playing, (await state(page)).pressed], [false, 'false']);
+    await page.close();
+  });
+
+  it('the slider shows and sets the time', async () => {
+    const {page} = await openStill(browser(), 'demo');
+    await seek(page, 12.5);
+    const step = await page.$eval('#time', slider => Number(slider.step) || 0);
+    assert.ok(Math.abs((await state(page)).slider - 12.5) <= step / 2 + 1e-9);
+    const set = await page.$eval('#time', slider => {
+      slider.value = 3;
+      slider.dispatchEvent(new Event('input', {bubbles: true}));
+      return Number(slider.value);
+    });
+    await drawn(page);
+    assert.ok(Math.abs((await state(page)).time - set) < 1e-9);
+    await page.close();
+  });
+
+  it('follows a disk that is clicked, and shows where it goes', async () => {
+    const {page} = await openStill(browser(), 'demo');
+    const frame = factsOf('demo').frames[1];
+    await seek(page, frame.time);
+    const canvas = await page.$('#machine');
+    const box = await canvas.boundingBox();
+    const largest = Math.max(...frame.disks.map(disk => disk.radius));
+    for (const disk of frame.disks.filter(one => one.radius === largest).slice(0, 3)) {
+      const at = await page.evaluate(({x, y}) => window.ratchetSieve.toPixel(x, y), disk);
+      await page.mouse.click(box.x + at.x, box.y + at.y);
+      await drawn(page);
+      assert.equal((await state(page)).followed, disk.id);
+      await press(page, 'Escape');
+      await press(page, '0');
+    }
+    await page.close();
+  });
+
+  it('keeps a followed disk in sight', async () => {
+    const {page} = await openStill(browser(), 'demo');
+    const [first, , later] = factsOf('demo').frames;
+    const disk = first.disks.find(one => later.disks.some(other => other.id === one.id));
+    await seek(page, first.time);
+    await page.evaluate(id => window.ratchetSieve.follow(id), disk.id);
+    for (let k = 0; k < 8; ++k)
+      await press(page, '+');
+    await seek(page, later.time);
+    const there = later.disks.find(other => other.id === disk.id);
+    const [at, size] = await page.evaluate(({x, y}) => [window.ratchetSieve.toPixel(x, y),
+      {width: document.querySelector('#machine').clientWidth, height: document.querySelector('#machine').clientHeight}],
+    there);
+    assert.ok(at.x > 0 && at.x < size.width && at.y > 0 && at.y < size.height, JSON.stringify({at, size}));
+    await page.close();
+  });
+});

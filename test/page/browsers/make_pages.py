@@ -1,0 +1,108 @@
+#!/usr/bin/python3
+"""Makes the pages that the tests open, by the package's programs, and beside NAME.html what its bag holds, NAME.json.
+
+Usage: make_pages.py PROGRAMS CONFIG OUT
+"""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import rosbag
+from bag_facts import facts
+
+from ratchet_sieve.processes import free_port
+
+HERE = pathlib.Path(__file__).resolve().parent
+# Texts that are programs where somebody takes them for HTML.
+IMAGE = '<img src=x onerror=alert(1)>'
+SCRIPT = '<script>alert(2)</script>'
+LEAVING = '</script><img src=x onerror=alert(3)>'
+COMMENT = '<!--<script>'
+ATTRIBUTE = '"><svg onload=alert(4)>'
+
+
+def make_hostile(message):
+    kind = message._type.partition('/')[2]
+    if kind == 'SceneDescription':
+        message.version, message.scene_hash = SCRIPT, LEAVING
+        message.yaml = f'# {COMMENT} {LEAVING}\n{message.yaml}'
+    elif kind == 'BinCounts':
+        message.species = [SCRIPT] * len(message.species)
+    elif kind == 'SieveStatistics':
+        for species in message.species:
+            species.name = SCRIPT
+    elif kind == 'Observations':
+        for row in (row for observation in message.observed for row in observation.rows):
+            for entry in [*row.numbers, *row.table]:
+                entry.name, entry.unit = f'{entry.name} {IMAGE}', ATTRIBUTE
+
+
+class Pages:
+    def __init__(self, programs, config, out):
+        self.programs, self.config, self.out = (pathlib.Path(path).resolve() for path in (programs, config, out))
+
+    def program(self, name, *arguments):
+        subprocess.run([self.programs / name, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
+
+    def page(self, name, bags):
+        """The page of bags, and the facts."""
+        self.program('sieve_analyze', *bags, '--html', self.out / f'{name}.html')
+        (self.out / f'{name}.json').write_text(json.dumps(facts(bags), allow_nan=False))
+
+    def run(self, name, scene, *options):
+        """Runs a scene into a bag and makes the page of it."""
+        bag = self.out / f'{name}.bag'
+        self.program('sieve_run', scene, '--bag', bag, *options)
+        self.page(name, [bag])
+
+    def split(self, name):
+        port = str(free_port())
+        environment = {**os.environ, 'ROS_MASTER_URI': f'http://localhost:{port}', 'ROS_HOSTNAME': 'localhost',
+                       'ROS_HOME': str(self.out / 'ros'), 'ROS_LOG_DIR': str(self.out / 'ros/log')}
+        subprocess.run(['roslaunch', '--port', port, HERE / 'split.launch', f'record:={self.out / name}.bag'],
+                       check=True, env=environment, stdout=subprocess.DEVNULL)
+        bags = sorted(self.out.glob(f'{name}_*.bag'))
+        assert len(bags) > 1, f'the run was not split: {bags}'
+        self.page(name, bags)
+
+    def hostile(self, name, source):
+        """A bag whose texts, as far as sieve_analyze takes them, are program text; so is its file's name."""
+        bag = self.out / f'{IMAGE}.bag'
+        with rosbag.Bag(str(self.out / f'{source}.bag')) as given, rosbag.Bag(str(bag), 'w') as changed:
+            for topic, message, time in given.read_messages():
+                make_hostile(message)
+                changed.write(topic, message, time)
+        self.page(name, [bag])
+
+    def sweep(self, name):
+        """The report of a sweep whose file's name is program text, and the pages of its runs."""
+        sweep, database = self.out / f'{IMAGE}.yaml', self.out / f'{name}.db'
+        shutil.copy(HERE / 'sweep.yaml', sweep)
+        shutil.copy(HERE / 'observed.yaml', self.out)
+        kept = self.out / f'{name}_runs'
+        self.program('sieve_sweep', 'run', sweep, '--db', database, '--html', kept)
+        self.program('sieve_sweep', 'report', sweep, '--db', database, '--html', kept, '--out', self.out / name)
+
+
+def main():
+    pages = Pages(*sys.argv[1:])
+    shutil.rmtree(pages.out, ignore_errors=True)
+    pages.out.mkdir(parents=True)
+    tilted = [pages.config / 'demo.yaml', '--set', 'base.inclination=0.19']
+    pages.run('demo', *tilted)
+    pages.program('sieve_run', *tilted, '--html', pages.out / 'direct.html')
+    pages.split('split')
+    pages.run('singles', pages.config / 'paper_fig3.yaml', '--duration', 2)
+    pages.run('many', pages.config / 'paper_fig8.yaml', '--set', 'base.teeth=382', '--set', 'settle=0',
+              '--duration', 1, '--bag-rate', 30)
+    pages.run('sizes', HERE / 'sizes.yaml')
+    pages.run('observed', HERE / 'observed.yaml')
+    pages.hostile('hostile', 'observed')
+    pages.sweep('sweep')
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,96 @@
+// The disks of a page are those of its bag, and never below the base.
+import assert from 'node:assert/strict';
+import {describe, it} from 'node:test';
+import {baseAt, heightAbove} from './support/base.js';
+import {DIRECT, RUNS, factsOf, openStill} from './support/pages.js';
+import {useBrowser} from './support/session.js';
+
+const SAME_TIME = 1e-9;     // s
+const FINE_ENOUGH = 0.05;   // the page's resolution over the smallest radius
+const ROUNDING = 1 + 1e-6;  // of positions on the edge of the resolution
+
+/// As one text: of 10^4 objects Firefox's protocol takes seconds.
+async function disksAt(page, time)
+{
+  return JSON.parse(await page.evaluate(to => {
+    window.ratchetSieve.seek(to);
+    return JSON.stringify(window.ratchetSieve.disks());
+  }, time));
+}
+
+/// The recorded times of the page that the facts have, too.
+async function sharedFrames(page, facts)
+{
+  const times = await page.evaluate(() => [...window.ratchetSieve.frames]);
+  return facts.frames.filter(frame => times.some(time => Math.abs(time - frame.time) < SAME_TIME));
+}
+
+function smallestRadius(facts)
+{
+  return Math.min(...facts.frames.flatMap(frame => frame.disks.map(disk => disk.radius)));
+}
+
+function assertSameDisks(drawn, recorded, resolution, species)
+{
+  const byId = new Map(drawn.map(disk => [disk.id, disk]));
+  assert.equal(drawn.length, recorded.length);
+  for (const expected of recorded) {
+    const disk = byId.get(expected.id);
+    assert.ok(disk, `disk ${expected.id} is missing`);
+    for (const field of ['x', 'y', 'radius'])
+      assert.ok(Math.abs(disk[field] - expected[field]) <= resolution * ROUNDING,
+        `${field} of disk ${disk.id}: ${disk[field]} for ${expected[field]}, resolution ${resolution}`);
+    assert.ok([expected.species, species[expected.species]].includes(disk.species), `species of disk ${disk.id}`);
+  }
+}
+
+/// Between a recorded time and the next, where base and drive are known.
+function timesBetween(facts)
+{
+  const stride = Math.max(1, Math.floor(facts.base.length / 12));
+  return facts.base.slice(0, -1).flatMap((frame, k) => (k % stride === 0 ? [0.2, 0.5, 0.8] : []).map(share =>
+    frame.time + share * (facts.base[k + 1].time - frame.time)));
+}
+
+describe('at recorded times', () => {
+  const browser = useBrowser();
+  for (const name of [...RUNS, DIRECT])
+    it(`the disks are the bag's: ${name}`, async () => {
+      const facts = factsOf(name === DIRECT ? 'demo' : name);
+      const {page} = await openStill(browser(), name);
+      const resolution = await page.evaluate(() => window.ratchetSieve.resolution);
+      assert.ok(resolution > 0 && resolution <= FINE_ENOUGH * smallestRadius(facts), `resolution ${resolution}`);
+      const frames = await sharedFrames(page, facts);
+      assert.ok(frames.length >= 3, `only ${frames.length} of the bag's times are in the page`);
+      const species = facts.scene.species.map(one => one.name);
+      for (const frame of frames)
+        assertSameDisks(await disksAt(page, frame.time), frame.disks, resolution, species);
+      await page.close();
+    });
+});
+
+describe('between recorded times', () => {
+  const browser = useBrowser();
+  for (const name of RUNS)
+    it(`no disk is below the base: ${name}`, async () => {
+      const facts = factsOf(name);
+      const {page} = await openStill(browser(), name);
+      const resolution = await page.evaluate(() => window.ratchetSieve.resolution);
+      let looked = 0;
+      for (const time of timesBetween(facts)) {
+        const base = baseAt(facts.base, time);
+        if (!base.steady)
+          continue;
+        for (const disk of await disksAt(page, time)) {
+          const height = heightAbove(facts.scene, base, disk.x, disk.y);
+          if (height === undefined)
+            continue;
+          ++looked;
+          assert.ok(height >= disk.radius - 2 * resolution,
+            `t = ${time}: disk ${disk.id} of radius ${disk.radius} is ${height} above the base`);
+        }
+      }
+      assert.ok(looked > 100, `only ${looked} disks were looked at`);
+      await page.close();
+    });
+});

@@ -1,0 +1,83 @@
+// Every page opens without a complaint, asks for nothing and has a policy that holds. The watch itself is tested first.
+import assert from 'node:assert/strict';
+import {once} from 'node:events';
+import {mkdtempSync, rmSync, writeFileSync} from 'node:fs';
+import {createServer} from 'node:http';
+import {tmpdir} from 'node:os';
+import path from 'node:path';
+import {after, describe, it} from 'node:test';
+import {ALL, drawn, openFile, openPage} from './support/pages.js';
+import {useBrowser} from './support/session.js';
+
+// A server that a page must not ask.
+const server = createServer((_, response) => response.end()).listen(0, '127.0.0.1');
+await once(server, 'listening');
+const OUTSIDE = `http://127.0.0.1:${server.address().port}/picture.png`;
+after(() => server.close());
+
+function policy(page)
+{
+  return page.$eval('meta[http-equiv="Content-Security-Policy"]', meta => meta.content);
+}
+
+describe('the watch', () => {
+  const browser = useBrowser();
+  const scratch = mkdtempSync(path.join(tmpdir(), 'page_test-'));
+  after(() => rmSync(scratch, {recursive: true}));
+
+  for (const [what, script, found] of [
+    ['a warning', 'console.warn("careful")', /^warn.*: careful/],
+    ['an error', 'console.error("wrong")', /^error: wrong/],
+    ['an exception', 'setTimeout(() => { throw new Error("thrown"); })', /^exception: .*thrown/],
+    ['a rejection', 'Promise.reject(new Error("rejected"))', /^exception: .*rejected/],
+    ['a dialog', 'alert("boo")', /^dialog: boo/],
+  ])
+    it(`sees ${what}`, async () => {
+      const file = path.join(scratch, `${what}.html`);
+      writeFileSync(file, `<!doctype html><title>x</title><script>${script}</script>`);
+      const {page, seen} = await openFile(browser(), file);
+      await drawn(page);
+      assert.match(seen.said.join('\n'), found);
+      await page.close();
+    });
+
+  it('sees a request', async () => {
+    const file = path.join(scratch, 'request.html');
+    writeFileSync(file, `<!doctype html><title>x</title><img src="${OUTSIDE}" alt="">`);
+    const {page, seen} = await openFile(browser(), file);
+    assert.deepEqual(seen.requested, [OUTSIDE]);
+    await page.close();
+  });
+});
+
+describe('every page', () => {
+  const browser = useBrowser();
+
+  for (const name of ALL)
+    it(`is quiet: ${name}`, async () => {
+      const {page, seen} = await openPage(browser(), name);
+      await page.evaluate(() => window.ratchetSieve?.play?.());
+      await new Promise(done => setTimeout(done, 300));
+      await page.evaluate(() => window.scrollTo(0, document.body.scrollHeight));
+      await drawn(page);
+      assert.deepEqual(seen.said, []);
+      assert.deepEqual(seen.requested, []);
+      assert.deepEqual(await seen.stopped(), []);
+      await page.close();
+    });
+
+  for (const name of ALL)
+    it(`has a policy against requests: ${name}`, async () => {
+      const {page, seen} = await openPage(browser(), name);
+      assert.match(await policy(page), /(^|;)\s*default-src 'none'/);
+      await page.evaluate(url => new Promise(done => {
+        const image = new Image();
+        image.onload = image.onerror = done;
+        image.src = url;
+        document.body.append(image);
+      }), OUTSIDE);
+      await drawn(page);
+      assert.deepEqual(await seen.stopped(), [OUTSIDE]);
+      await page.close();
+    });
+});

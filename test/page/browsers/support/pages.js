@@ -1,0 +1,80 @@
+// The pages that make_pages.py has made, and what their bags hold.
+import {readFileSync} from 'node:fs';
+import path from 'node:path';
+import {pathToFileURL} from 'node:url';
+import {watch} from './watch.js';
+
+const DIRECTORY = path.resolve(process.env.PAGE_TEST_PAGES ?? '.');
+
+/// Pages of runs with their facts; the same run without a bag; texts that are programs; a sweep.
+export const RUNS = ['demo', 'split', 'singles', 'many', 'sizes', 'observed'];
+export const DIRECT = 'direct';
+export const HOSTILE = 'hostile';
+export const SWEEP = 'sweep/report';
+export const ALL = [...RUNS, DIRECT, HOSTILE, SWEEP];
+
+const PATIENCE = 10000;  // ms
+
+export const WIDE = {width: 1200, height: 900};
+export const NARROW = {width: 360, height: 740};
+
+export function pathOf(name)
+{
+  return path.join(DIRECTORY, `${name}.html`);
+}
+
+export function factsOf(name)
+{
+  return JSON.parse(readFileSync(path.join(DIRECTORY, `${name}.json`), 'utf8'));
+}
+
+/// Opens a file in a page of its own, watched. A page of a run is ready and stands still.
+export async function openFile(browser, file, viewport = WIDE)
+{
+  const page = await browser.newPage();
+  const url = pathToFileURL(file).href;
+  const seen = await watch(page, url);
+  await page.setViewport(viewport);
+  await page.goto(url);
+  return {page, seen};
+}
+
+export async function openPage(browser, name, viewport = WIDE)
+{
+  const opened = await openFile(browser, pathOf(name), viewport);
+  await opened.page.evaluate(() => window.ratchetSieve?.ready);
+  return opened;
+}
+
+/// Opens it with the machine standing still.
+export async function openStill(browser, name, viewport = WIDE)
+{
+  const opened = await openPage(browser, name, viewport);
+  await opened.page.evaluate(() => window.ratchetSieve.pause());
+  return opened;
+}
+
+/// Lets the browser draw what has changed.
+export function drawn(page)
+{
+  return page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
+}
+
+export async function seek(page, time)
+{
+  await page.evaluate(to => window.ratchetSieve.seek(to), time);
+  await drawn(page);
+}
+
+/// Waits until the machine has gone on from a time. (waitForFunction evaluates text, which the page's policy forbids.)
+export async function goesOn(page, time)
+{
+  const went = await page.evaluate(async (before, patience) => {
+    const begin = performance.now();
+    while (window.ratchetSieve.time === before && performance.now() - begin < patience)
+      await new Promise(requestAnimationFrame);
+    return window.ratchetSieve.time > before;
+  }, time, PATIENCE);
+  if (!went)
+    throw new Error(`the machine stands still at ${time} s`);
+}
