@@ -52,18 +52,17 @@ std::size_t DiskCells::reserve(std::size_t count)
   return capacity_;
 }
 
-void DiskCells::add(std::uint32_t slot, double time)
+void DiskCells::add(std::uint32_t slot, double time, Observers::Share* share)
 {
   if (lattice_turns_)
     images_[slot] -= static_cast<std::int32_t>(state_.widthsOutside(inGrid(slot, time).s()));
   else
-    state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time);
+    state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time, share);
   grid_.add(slot, cellNow(slot, time), state_.radius(slot));
 }
 
-bool DiskCells::cross(std::uint32_t slot, Edge edge, double time)
+bool DiskCells::cross(std::uint32_t slot, Edge edge, double time, Observers::Share* share)
 {
-  fit_.crossed();
   CellGrid::Cell cell = grid_.cellOf(slot);
   grid_.remove(slot);
   cell.column += edge == Edge::RIGHT ? 1 : edge == Edge::LEFT ? -1 : 0;
@@ -74,9 +73,9 @@ bool DiskCells::cross(std::uint32_t slot, Edge edge, double time)
   if (wraps)
   {
     if (grid_.laps() > 0)
-      state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time);
+      state_.wrapIntoWidth(slot, inGrid(slot, time).s(), time, share);
     else
-      state_.wrap(slot, -laps, time);
+      state_.wrap(slot, -laps, time, share);
     cell.row = cellNow(slot, time).row;
   }
   else if (laps != 0)

@@ -51,14 +51,16 @@ public:
   bool crowdedBy(std::size_t count) const { return count > 2 * built_for_; }
 
   /// Adds a disk to its cell, wrapped into the width, because a new grid may have left it outside.
-  void add(std::uint32_t slot, double time);
+  /// @param share as in Observers::take(), here and below. Several threads may move disks between cells of
+  /// different columns at the same time.
+  void add(std::uint32_t slot, double time, Observers::Share* share = nullptr);
   void remove(std::uint32_t slot) { grid_.remove(slot); }
 
   /// Moves a disk to the cell of its new image.
-  void replace(std::uint32_t slot, double time)
+  void replace(std::uint32_t slot, double time, Observers::Share* share)
   {
     remove(slot);
-    add(slot, time);
+    add(slot, time, share);
   }
 
   /// When the disk next leaves its cell after `from` and before `until`, and by which edge.
@@ -92,7 +94,36 @@ public:
   }
 
   /// Moves a disk over an edge into the next cell. @return whether it was wrapped, which changes its flight
-  bool cross(std::uint32_t slot, Edge edge, double time);
+  bool cross(std::uint32_t slot, Edge edge, double time, Observers::Share* share);
+
+  /// To be called after crossings, with their number.
+  void countCrossings(std::uint64_t crossings) { fit_.crossed(crossings); }
+
+  std::int32_t columns() const { return grid_.columns(); }
+  std::int32_t columnOf(std::uint32_t slot) const { return grid_.cellOf(slot).column; }
+
+  /// The cells of the disks, without what decides on the grid.
+  struct Snapshot
+  {
+    std::vector<std::int32_t> images;
+    std::optional<CellGrid> grid;
+  };
+  void copyTo(Snapshot& snapshot)
+  {
+    snapshot.images = images_;
+    snapshot.grid = grid_;
+  }
+  void restore(const Snapshot& snapshot)
+  {
+    images_ = snapshot.images;
+    grid_ = *snapshot.grid;
+  }
+
+  /// To be called before several threads move disks.
+  void shareAmongThreads() { grid_.reserveOverflow(); }
+
+  /// Whether disks see at most those of the next column to either side.
+  bool seesNextColumnOnly() const { return grid_.levels().count() == 0 && grid_.columns() > 1; }
 
   /// As CellGrid::visit(), around the disk's cell; after a crossing, only what is new beyond the edge.
   template <typename Visit>

@@ -108,10 +108,11 @@ void Engine::pour(std::size_t species, std::size_t count, const Stretch& stretch
   announce(before);
 }
 
-void Engine::setThreads(std::size_t threads)
+void Engine::setThreads(std::size_t threads, const StripSettings& strips)
 {
+  strips_ = strips;
   threads_ = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
-  loop_->setThreads(threads_);
+  loop_->setThreads(threads_, strips_);
 }
 
 std::size_t Engine::auditOverlaps()
@@ -229,7 +230,7 @@ void Engine::renewLoop()
   const std::uint64_t events = loop_->events();
   loop_ = makeLoop();
   loop_->setEvents(events);
-  loop_->setThreads(threads_);
+  loop_->setThreads(threads_, strips_);
   announce(0);
 }
 

@@ -34,6 +34,7 @@ public:
   const SystemState& state() const { return state_; }
   SystemState& state() { return state_; }
   std::uint64_t events() const { return loop_->events(); }
+  std::uint64_t eventsInStrips() const { return loop_->eventsInStrips(); }
   bool settled() const { return settled_; }
   double now() const { return now_; }
 
@@ -65,7 +66,8 @@ public:
 
   /// @throws std::invalid_argument; nothing is changed then
   void pour(std::size_t species, std::size_t count);
-  void setThreads(std::size_t threads);
+  /// @param threads 0: one per processor
+  void setThreads(std::size_t threads, const StripSettings& strips = {});
   void observePeriods(PeriodObserver observer) { periods_.observe(std::move(observer), now_); }
 
   /// @return number of disks below the base's surface
@@ -126,6 +128,7 @@ private:
   std::uint64_t blocks_ = 0;  ///< completed blocks of the mean series
   std::uint64_t fed_ = 0;
   std::size_t threads_ = 1;
+  StripSettings strips_;
   PeriodWatch periods_{state_, state_.observers().counts().collisions};
 };
 

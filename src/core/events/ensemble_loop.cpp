@@ -72,7 +72,7 @@ public:
       event.time -= length;
   }
 
-  void setThreads(std::size_t threads) override
+  void setThreads(std::size_t threads, const StripSettings& /*strips*/ = {}) override
   {
     pool_ = threads > 1 ? std::make_unique<WorkerPool>(threads) : nullptr;
     runs_.resize(pool_ ? pool_->workers() : 1);

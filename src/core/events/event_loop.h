@@ -13,6 +13,17 @@ namespace ratchet_sieve
 class ContactExecution;
 class SystemState;
 
+/// How a layer is divided among threads and into strips (PairStrips). The results do not depend on it.
+struct StripSettings
+{
+  std::size_t disks_per_thread = 1500;   ///< with fewer, threads cost more than they gain
+  std::size_t disks_on_one = 30000;      ///< with fewer, strips gain nothing on one thread
+  std::size_t disks_per_strip = 3000;    ///< at most, so that what belongs to them fits into a core's cache
+  std::int32_t columns_per_strip = 160;  ///< at least, so that there is room for what is left to the cuts
+  std::int32_t margin = 4;               ///< columns that stay frozen next to those an event left out touches
+  double events_per_column = 2.0;        ///< in a window
+};
+
 /// Advances the disks of a system from event to event. Times are local to the epoch.
 ///
 /// The results do not depend on how a caller divides the time into calls: the same events occur with the same
@@ -54,10 +65,13 @@ public:
 
   /// Sets the largest number of threads; results do not depend on it.
   /// @pre threads >= 1
-  virtual void setThreads(std::size_t /*threads*/) {}
+  virtual void setThreads(std::size_t /*threads*/, const StripSettings& /*strips*/ = {}) {}
 
   /// Number of events so far: collisions, and internal events of the search.
   std::uint64_t events() const { return events_; }
+
+  /// Of these, the number of those that strips of a layer have executed.
+  std::uint64_t eventsInStrips() const { return events_in_strips_; }
 
   /// Continues the count of a previous loop.
   void setEvents(std::uint64_t events) { events_ = events; }
@@ -67,6 +81,7 @@ protected:
   static void requireDisks(std::size_t count, const SystemState& state);
 
   std::uint64_t events_ = 0;
+  std::uint64_t events_in_strips_ = 0;
 };
 
 /// For independent disks: every disk has its own loop, without a queue.

@@ -63,6 +63,20 @@ public:
 
   double topTime() const { return top_time_; }
 
+  /// Whether another slot's event is at the same time as that of top().
+  bool isTied() const
+  {
+    std::size_t child = 0;
+    for (auto round = rounds_.rbegin(); round != rounds_.rend(); ++round)
+    {
+      const unsigned found = (*round)[child].upTo(top_time_);
+      if ((found & (found - 1)) != 0)
+        return true;
+      child = child * GROUP + static_cast<std::size_t>(__builtin_ctz(found));
+    }
+    return false;
+  }
+
   /// The slots whose events are not later than `time`, in increasing order. @param slots are replaced
   void upTo(double time, std::vector<std::uint32_t>& slots) const
   {

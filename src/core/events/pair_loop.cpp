@@ -1,12 +1,15 @@
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "events/disk_cells.h"
 #include "events/event_loop.h"
 #include "events/event_queue.h"
+#include "events/pair_events.h"
+#include "events/pair_strips.h"
 #include "events/prefetch_window.h"
 #include "model/prefetch.h"
-#include "search/pair_search.h"
 #include "state/contact_execution.h"
 
 namespace ratchet_sieve
@@ -20,69 +23,76 @@ constexpr double EVENTS_AHEAD = 12.0;
 /// Number of disks that fit into the processor's cache; with fewer, prefetching gains nothing.
 constexpr std::size_t DISKS_IN_CACHE = 30000;
 
+/// Strips pay if they are used for this number of windows.
+constexpr double WINDOWS_IN_STRIPS = 4.0;
+
+/// Largest number of windows for the single queue after strips have failed.
+constexpr double MOST_CAUTION = 1024.0;
+
 /// Images further apart than this [widths] do not collide: more than any DiskCells::ringShifts().
 constexpr int MOST_SHIFTS = 1000;
 
-/// The event loop for colliding disks. Each disk has one event in the queue, its earliest: a pair contact, a
-/// base contact or a cell crossing. A predicted pair contact is stale if the partner's flight has changed
-/// since; that is checked when the event is due, and the disk is then searched for pairs again (Lubachevsky,
-/// J. Comput. Phys. 94, 255 (1991)). Ties within a disk are resolved in the order pair, base, cell; ties
-/// between disks by the smaller slot.
-///
-/// The base is searched lazily, only up to the disk's next other event, because most flights end in a pair
-/// contact first.
-///
-/// No pair is missed, whatever the size of the cells. Whenever a disk begins a flight or enters a cell, it is
-/// searched for contacts with all disks in adjacent cells, without a limit in time. Disks in cells that do
-/// not touch are further apart than the largest diameter. So if two disks come into contact, the one that
-/// last began its flight or entered its cell was searched against the other. On a ring of one column, the
-/// cell is as wide as the widths that it extends beyond its ends, and all images that can be within it are
-/// searched (PeriodicImageSearch).
+/// The event loop for colliding disks (PairEvents). A single queue has the events of all disks, or each strip
+/// of the layer its own (PairStrips), whichever is faster; the bits are the same.
 class PairLoop : public EventLoop
 {
 public:
   PairLoop(SystemState& state, ContactExecution& execution)
-      : state_(state), execution_(execution), base_(state.motion()), cells_(state)
+      : state_(state), layer_(state), events_of_queue_(layer_, queue_, execution, nullptr)
   {
-    predictions_.reserve(state_.disks().size());
     queue_.resize(state_.disks().size());
   }
 
   double advanceTo(double time) override
   {
-    while (queue_.topTime() <= time)
+    while (reached_ < time && useStrips(time))
     {
-      if (state_.collapseWatch().stops())
-        return queue_.topTime();
-      if (queue_.topTime() > prefetched_.end())
-        prefetchNextEvents();
-      process(queue_.top());
+      const bool advanced = strips_->advance(reached_, time);
+      const std::uint64_t events = strips_->takeEvents();
+      events_ += events;
+      events_in_strips_ += events;
+      window_length_ = strips_->windowLength();
+      if (advanced)
+      {
+        reached_ = time;
+        return time;
+      }
+      const double end = std::min(time, strips_->failedBefore() + caution_ * window_length_);
+      caution_ = strips_->copies() > 1 ? 1.0 : std::min(2.0 * caution_, MOST_CAUTION);
+      useQueue();
+      if (const double reached = advanceQueue(end); reached < end || state_.collapseWatch().stops())
+        return reached;
     }
-    return time;
+    return advanceQueue(time);
   }
 
   void added(std::uint32_t slot, double time) override
   {
-    predictions_.resize(slot + 1);
+    useQueue();
+    layer_.predictions.resize(slot + 1);
     if (slot + 1 > cells_.capacity())
       queue_.resize(cells_.reserve(slot + 1));
     if (cells_.crowdedBy(slot + 1))
       return motionChanged(time);
     cells_.add(slot, time);
-    predict(slot, time);
+    events_of_queue_.predict(slot, time);
+    reached_ = time;
   }
 
   void motionChanged(double time) override
   {
-    base_.forget();
-    cells_.rebuild(predictions_.size(), time);
-    forEachActive([&](std::uint32_t slot) { predict(slot, time); });
+    useQueue();
+    events_of_queue_.motionChanged();
+    cells_.rebuild(layer_.predictions.size(), time);
+    forEachActive([&](std::uint32_t slot) { events_of_queue_.predict(slot, time); });
+    reached_ = time;
   }
 
   void rebase(double length) override
   {
-    base_.forget();
-    for (Prediction& p : predictions_)
+    useQueue();
+    events_of_queue_.motionChanged();
+    for (DiskPrediction& p : layer_.predictions)
     {
       p.pair.time -= length;
       p.base.time -= length;
@@ -90,6 +100,7 @@ public:
     }
     queue_.rebase(length);
     prefetched_.rebase(length);
+    reached_ -= length;
   }
 
   bool outgrown(double time) override { return cells_.endEpoch(events_, time); }
@@ -97,31 +108,84 @@ public:
   void archive(StateArchive& state) override
   {
     EventLoop::archive(state);
-    state(cells_, predictions_);
-    requireDisks(predictions_.size(), state_);
+    state(cells_, layer_.predictions);
+    requireDisks(layer_.predictions.size(), state_);
     if (state.restoring())
-      restoreQueue(state);
+      checkPredictions(state);
+  }
+
+  void setThreads(std::size_t threads, const StripSettings& settings = {}) override
+  {
+    settings_ = settings;
+    useQueue();
+    pool_ = threads > 1 ? std::make_unique<WorkerPool>(threads) : nullptr;
   }
 
 private:
-  using Edge = DiskCells::Edge;
-
-  /// The first event of each type on a disk's present flight.
-  struct Prediction
+  /// Whether strips are faster up to this time; makes them.
+  bool useStrips(double time)
   {
-    PairContact pair;
-    std::uint32_t partner_event_count = 0;  ///< the partner's count at the prediction
-    Edge edge = Edge::NONE;
-    double cell_time = EventQueue::NEVER;  ///< leaves its cell; if there is no edge: not before
-    BaseEvent base;
+    if (strips_)
+      return time - reached_ > WINDOWS_IN_STRIPS * window_length_;
+    const std::size_t threads = pool_ ? pool_->workers() : 1;
+    const std::size_t disks = state_.activeCount();
+    if (disks < (threads > 1 ? settings_.disks_per_thread * threads : settings_.disks_on_one))
+      return false;
+    const std::size_t most = PairStrips::mostStrips(cells_, settings_);
+    if (most < std::max<std::size_t>(threads, 2))
+      return false;
+    if (window_length_ == 0.0 || time - reached_ < WINDOWS_IN_STRIPS * window_length_)
+      return false;
+    const std::size_t strips = threads * ((disks - 1) / (threads * settings_.disks_per_strip) + 1);
+    strips_.emplace(layer_, std::min(strips, most), settings_, pool_.get());
+    strips_->setWindowLength(window_length_);
+    return true;
+  }
 
-    void archive(StateArchive& state) { state(pair, partner_event_count, edge, cell_time, base); }
-  };
+  /// Puts the events of all disks into the single queue.
+  void useQueue()
+  {
+    if (!strips_)
+      return;
+    strips_.reset();
+    queue_ = EventQueue();
+    fillQueue();
+  }
+
+  /// Executes events from the single queue. @return the time reached
+  double advanceQueue(double time)
+  {
+    useQueue();
+    while (queue_.topTime() <= time)
+    {
+      const double now = queue_.topTime();
+      if (state_.collapseWatch().stops())
+        return finishQueue(now);
+      if (now > prefetched_.end())
+        prefetchNextEvents();
+      const std::uint32_t slot = queue_.top();
+      if (!state_.collapseWatch().count(slot, now) || !state_.collapseWatch().stops())
+        events_of_queue_.process(slot, now);
+    }
+    return finishQueue(time);
+  }
+
+  double finishQueue(double reached)
+  {
+    const std::uint64_t events = events_of_queue_.takeEvents();
+    if (events > 0)
+      window_length_ =
+          (reached - reached_) * settings_.events_per_column * cells_.columns() / static_cast<double>(events);
+    events_ += events;
+    cells_.countCrossings(events_of_queue_.takeCrossings());
+    reached_ = reached;
+    return reached;
+  }
 
   template <typename Visit>
   void forEachActive(Visit&& visit) const
   {
-    for (std::uint32_t slot = 0; slot < predictions_.size(); ++slot)
+    for (std::uint32_t slot = 0; slot < layer_.predictions.size(); ++slot)
       if (state_.active(slot))
         visit(slot);
   }
@@ -130,21 +194,21 @@ private:
   /// Otherwise each event waits for one cache miss after another.
   void prefetchNextEvents()
   {
-    prefetched_.begin(queue_.topTime(), events_);
-    if (predictions_.size() < DISKS_IN_CACHE)
+    prefetched_.begin(queue_.topTime(), events_ + events_of_queue_.events());
+    if (layer_.predictions.size() < DISKS_IN_CACHE)
       return;
     queue_.upTo(prefetched_.end(), next_);
     for (const std::uint32_t slot : next_)
       prefetchEvent(slot);
     for (const std::uint32_t slot : next_)
     {
-      const PairContact& pair = predictions_[slot].pair;
+      const PairContact& pair = layer_.predictions[slot].pair;
       if (pair.time <= prefetched_.end())
         prefetchEvent(pair.partner);
       cells_.prefetchAround(slot);
     }
     for (const std::uint32_t slot : next_)
-      cells_.visit(slot, Edge::NONE, near_,
+      cells_.visit(slot, CellEdge::NONE, near_,
                    [this](const std::uint32_t* others, std::size_t count, int)
                    {
                      for (std::size_t i = 0; i < count; ++i)
@@ -154,148 +218,48 @@ private:
 
   void prefetchEvent(std::uint32_t slot) const
   {
-    prefetch(predictions_[slot]);
+    prefetch(layer_.predictions[slot]);
     cells_.prefetchCellOf(slot);
     state_.prefetchEvent(slot);
   }
 
-  void process(std::uint32_t slot)
-  {
-    const double now = queue_.topTime();
-    if (state_.collapseWatch().count(slot, now) && state_.collapseWatch().stops())
-      return;
-    ++events_;
-    Prediction& p = predictions_[slot];
-    if (p.pair.time <= now)
-      processPair(slot, now);
-    else if (p.base.feature && p.base.time <= now)
-      processBase(slot, now);
-    else if (p.edge != Edge::NONE && p.cell_time <= now)
-      crossEdge(slot, now);
-    else
-      refresh(slot);
-  }
-
-  void processPair(std::uint32_t slot, double now)
-  {
-    const Prediction p = predictions_[slot];
-    if (!state_.active(p.pair.partner) || state_.disk(p.pair.partner).event_count != p.partner_event_count)
-    {
-      searchPairs(slot, now);
-      refresh(slot);
-      return;
-    }
-    execution_.collidePair(slot, p.pair.partner, p.pair.shift, now);
-    predict(slot, now);
-    predict(p.pair.partner, now);
-  }
-
-  void processBase(std::uint32_t slot, double now)
-  {
-    const BaseFeature feature = predictions_[slot].base.feature;
-    execution_.handleBaseEvent(slot, feature, now, base_);
-    if (state_.active(slot))
-    {
-      if (feature.isEnd())
-        cells_.replace(slot, now);
-      return predict(slot, now);
-    }
-    cells_.remove(slot);
-    predictions_[slot] = Prediction();
-    queue_.update(slot, EventQueue::NEVER);
-  }
-
-  void crossEdge(std::uint32_t slot, double now)
-  {
-    const Edge edge = predictions_[slot].edge;
-    if (cells_.cross(slot, edge, now))
-      return predict(slot, now);
-    searchPairsIn(slot, edge, now);
-    predictions_[slot].edge = Edge::NONE;
-    predictions_[slot].cell_time = now;
-    refresh(slot);
-  }
-
-  /// Predicts everything for a new flight.
-  void predict(std::uint32_t slot, double now)
-  {
-    searchPairs(slot, now);
-    Prediction& p = predictions_[slot];
-    p.edge = Edge::NONE;
-    p.cell_time = now;
-    p.base = {now, {}};
-    refresh(slot);
-  }
-
-  void searchPairs(std::uint32_t slot, double now)
-  {
-    predictions_[slot].pair = PairContact();
-    searchPairsIn(slot, Edge::NONE, now);
-  }
-
-  void searchPairsIn(std::uint32_t slot, Edge entered, double now)
-  {
-    Prediction& p = predictions_[slot];
-    const PairSearch search(state_.pairScene(), slot, now);
-    const int ring_shifts = cells_.ringShifts();
-    cells_.visit(slot, entered, near_,
-                 [&](const std::uint32_t* others, std::size_t count, int shift)
-                 {
-                   const PairContact found = ring_shifts > 0
-                                                 ? search.firstOnRing(others, count, ring_shifts)
-                                                 : search.firstAmong(others, count, shift, cells_.images());
-                   if (!found.isBefore(p.pair))
-                     return;
-                   p.pair = found;
-                   p.partner_event_count = state_.disk(found.partner).event_count;
-                 });
-  }
-
-  /// Continues the searches for cell edges and base contacts up to the disk's next other event, and queues
-  /// the earliest.
-  void refresh(std::uint32_t slot)
-  {
-    Prediction& p = predictions_[slot];
-    if (p.edge == Edge::NONE && p.cell_time < p.pair.time)
-    {
-      const DiskCells::Crossing crossing = cells_.nextCrossing(slot, p.cell_time, p.pair.time);
-      p.edge = crossing.edge;
-      p.cell_time = crossing.time;
-    }
-    const double others = std::min(p.pair.time, p.cell_time);
-    if (!p.base.feature && p.base.time < others)
-      p.base = state_.nextBaseEvent(slot, p.base.time, others, base_);
-    queue_.update(slot, std::min(others, p.base.time));
-  }
-
-  /// The queue contains the earliest prediction of each active disk.
-  void restoreQueue(const StateArchive& state)
+  void fillQueue()
   {
     queue_.resize(cells_.capacity());
-    for (std::uint32_t slot = 0; slot < predictions_.size(); ++slot)
+    forEachActive([&](std::uint32_t slot) { queue_.update(slot, layer_.predictions[slot].earliest()); });
+  }
+
+  /// Of a restored state. The queue contains the earliest prediction of each active disk.
+  void checkPredictions(const StateArchive& state)
+  {
+    for (std::uint32_t slot = 0; slot < layer_.predictions.size(); ++slot)
     {
-      const Prediction& p = predictions_[slot];
-      const double earliest = std::min({p.pair.time, p.cell_time, p.base.time});
-      state.require(p.pair.partner < predictions_.size() && p.pair.shift >= -MOST_SHIFTS &&
-                        p.pair.shift <= MOST_SHIFTS && p.edge <= Edge::UPPER,
+      const DiskPrediction& p = layer_.predictions[slot];
+      state.require(p.pair.partner < layer_.predictions.size() && p.pair.shift >= -MOST_SHIFTS &&
+                        p.pair.shift <= MOST_SHIFTS && p.edge <= CellEdge::UPPER,
                     "a disk's event has no partner");
       if (!state_.active(slot))
         continue;
-      state.require(state_.canBeTime(earliest) && state_.shape().has(p.base.feature),
+      state.require(state_.canBeTime(p.earliest()) && state_.shape().has(p.base.feature),
                     "a disk's event is impossible");
-      queue_.update(slot, earliest);
     }
+    fillQueue();
   }
 
   SystemState& state_;
-  ContactExecution& execution_;
-  BaseInstant base_;
-  DiskCells cells_;
+  PairLayer layer_;
+  DiskCells& cells_{layer_.cells};
   EventQueue queue_;
-  std::vector<Prediction> predictions_;  ///< per disk
+  PairEvents<EventQueue> events_of_queue_;
+  double reached_ = 0.0;
   PrefetchWindow prefetched_{EVENTS_AHEAD};
   std::vector<std::uint32_t> next_;  ///< the disks whose events were prefetched
   std::vector<std::uint32_t> near_;  ///< candidates of the neighbour search
+  StripSettings settings_;
+  std::unique_ptr<WorkerPool> pool_;  ///< null if one thread is enough
+  std::optional<PairStrips> strips_;  ///< while these have the events, not the queue
+  double window_length_ = 0.0;        ///< of the strips so far [s]
+  double caution_ = 1.0;              ///< windows for the queue after strips have failed
 };
 
 }  // namespace

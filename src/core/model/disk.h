@@ -25,6 +25,10 @@ struct alignas(64) Disk
   std::uint32_t species = 0;
   std::uint32_t event_count = 0;  ///< counts changes of the trajectory, to detect stale predictions
 
+  /// Another thread may read the count meanwhile, to see that it is not the one of its prediction.
+  void countEvent() { __atomic_store_n(&event_count, event_count + 1, __ATOMIC_RELAXED); }
+  std::uint32_t eventCount() const { return __atomic_load_n(&event_count, __ATOMIC_RELAXED); }
+
   void archive(StateArchive& state) { state(position, velocity, spin, radius, time, species, event_count); }
 };
 

@@ -1,6 +1,7 @@
 #include "search/cell_blocks.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ratchet_sieve
 {
@@ -28,6 +29,7 @@ void CellBlocks::remove(std::size_t cell, std::uint32_t slot)
 /// Moves the cell's full block to the overflow list.
 void CellBlocks::pushFullBlock(std::size_t cell)
 {
+  lock_.lock();
   std::size_t entry = full_.size();
   if (free_.empty())
     full_.emplace_back();
@@ -36,6 +38,7 @@ void CellBlocks::pushFullBlock(std::size_t cell)
     entry = free_.back();
     free_.pop_back();
   }
+  lock_.unlock();
   full_[entry] = blocks_[cell];
   blocks_[cell] = Block();
   blocks_[cell].next = static_cast<std::uint32_t>(entry);
@@ -46,7 +49,30 @@ void CellBlocks::popFullBlock(std::size_t cell)
 {
   const std::uint32_t entry = blocks_[cell].next;
   blocks_[cell] = full_[entry];
+  lock_.lock();
   free_.push_back(entry);
+  lock_.unlock();
+}
+
+void CellBlocks::sortOverflow()
+{
+  std::vector<Block> sorted;
+  sorted.reserve(full_.size());
+  for (Block& first : blocks_)
+    for (Block* block = &first; block->next != NONE; block = &sorted.back())
+    {
+      const std::uint32_t entry = std::exchange(block->next, static_cast<std::uint32_t>(sorted.size()));
+      sorted.push_back(full_[entry]);
+    }
+  full_ = std::move(sorted);
+  free_.clear();
+}
+
+void CellBlocks::archive(StateArchive& state)
+{
+  if (!state.restoring())
+    sortOverflow();
+  state(blocks_, full_, free_);
 }
 
 bool CellBlocks::holds(std::size_t cell, std::uint32_t slot) const

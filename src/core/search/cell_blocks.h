@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -14,6 +15,8 @@ namespace ratchet_sieve
 
 /// The disks of each cell, contiguous in memory, so that a search reads them without following pointers. When
 /// a cell's block is full, it is moved to the overflow list and an empty one begins.
+///
+/// Several threads may change different cells at the same time, after reserveOverflow().
 class CellBlocks
 {
 public:
@@ -50,6 +53,9 @@ public:
     }
   }
 
+  /// Allocates the overflow list for this number of disks in all cells.
+  void reserveOverflow(std::size_t disks) { full_.reserve(disks / Block::CAPACITY + 1); }
+
   void prefetchCell(std::size_t cell) const { prefetch(blocks_[cell]); }
 
   bool holds(std::size_t cell, std::uint32_t slot) const;
@@ -79,7 +85,8 @@ public:
     return true;
   }
 
-  void archive(StateArchive& state) { state(blocks_, full_, free_); }
+  /// The overflow list is saved in the order of the cells: its own depends on the threads.
+  void archive(StateArchive& state);
 
 private:
   static constexpr std::uint32_t NONE = 0xffffffff;
@@ -94,12 +101,32 @@ private:
     void archive(StateArchive& state) { state(slots, count, next); }
   };
 
+  /// For the overflow list. A copy is free.
+  class Lock
+  {
+  public:
+    Lock() = default;
+    Lock(const Lock& /*other*/) {}
+    Lock& operator=(const Lock& /*other*/) { return *this; }
+    void lock()
+    {
+      while (taken_.exchange(true, std::memory_order_acquire))
+        ;
+    }
+    void unlock() { taken_.store(false, std::memory_order_release); }
+
+  private:
+    std::atomic<bool> taken_{false};
+  };
+
+  void sortOverflow();
   void pushFullBlock(std::size_t cell);
   void popFullBlock(std::size_t cell);
 
   std::vector<Block> blocks_;        ///< per cell
   std::vector<Block> full_;          ///< overflow: full blocks of cells
   std::vector<std::uint32_t> free_;  ///< unused entries of full_
+  Lock lock_;                        ///< of the sizes of full_ and free_
 };
 
 }  // namespace ratchet_sieve

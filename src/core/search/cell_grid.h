@@ -66,6 +66,9 @@ public:
   /// Number of slots with memory.
   std::size_t capacity() const { return cells_.size(); }
 
+  /// Several threads may then move disks between cells of different columns at the same time.
+  void reserveOverflow() { blocks_.reserveOverflow(cells_.size()); }
+
   bool periodic() const { return periodic_; }
   std::int32_t columns() const { return columns_; }
   std::int32_t rows() const { return rows_; }

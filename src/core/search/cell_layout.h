@@ -58,8 +58,8 @@ public:
   /// The chosen layout; nothing: the one of a vibrated layer.
   const std::optional<CellLayout>& layout() const { return layout_; }
 
-  /// Counts a cell crossing.
-  void crossed() { ++crossings_; }
+  /// Counts cell crossings.
+  void crossed(std::uint64_t crossings) { crossings_ += crossings; }
 
   /// @param events of the run so far, including crossings; @param disks their number
   /// @return if a better layout should be searched: the number of events in the epoch, without crossings

@@ -25,6 +25,16 @@ namespace ratchet_sieve
 class CollapseWatch
 {
 public:
+  /// Counts the events of one disk in its present time window.
+  struct Window
+  {
+    double end = 0.0;  ///< local to the epoch [s]
+    std::uint32_t events = 0;
+    std::uint32_t level = 0;  ///< consecutive collapses
+
+    void archive(StateArchive& state) { state(end, events, level); }
+  };
+
   /// @param time_scale of the machine [s]; @param speed_scale of a fall from a tooth's height [m/s]
   /// @param ids for messages; outlives this
   CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale, const DiskIds& ids);
@@ -64,6 +74,10 @@ public:
   }
 
   std::size_t disks() const { return disks_.size(); }
+
+  /// The counts of all disks. Without a collapse in between, copies can be restored.
+  const std::vector<Window>& windows() const { return disks_; }
+  void setWindows(const std::vector<Window>& windows) { disks_ = windows; }
   void prefetchWindow(std::uint32_t slot) const { prefetch(disks_[slot]); }
 
   /// Whether the disk's contacts lose no energy at present. Fast while there was no collapse at all.
@@ -90,16 +104,6 @@ public:
   void archive(StateArchive& state);
 
 private:
-  /// Counts the events of one disk in its present time window.
-  struct Window
-  {
-    double end = 0.0;  ///< local to the epoch [s]
-    std::uint32_t events = 0;
-    std::uint32_t level = 0;  ///< consecutive collapses
-
-    void archive(StateArchive& state) { state(end, events, level); }
-  };
-
   /// A disk that collapses although its contacts are lossless.
   struct Stuck
   {

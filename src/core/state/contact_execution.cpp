@@ -19,8 +19,9 @@ double across(const Eigen::Vector2d& normal, const Eigen::Vector2d& velocity)
 }
 }  // namespace
 
-ContactExecution::ContactExecution(SystemState& system)
+ContactExecution::ContactExecution(SystemState& system, Observers::Share* share)
     : system_(system),
+      share_(share),
       law_(system.scene().contact),
       spin_(system.plan().spin),
       negligible_way_(NEGLIGIBLE_WAY * system.shape().width())
@@ -68,7 +69,7 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
             reboundFloor(slot, outcome.lossless));
   }
   push(slot, now, outcome, 1.0);
-  system_.observers().take(outcome);
+  system_.observers().take(outcome, share_);
   return outcome;
 }
 
@@ -112,7 +113,7 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   }
   push(i, a_now, outcome, 1.0);
   push(j, b_now, outcome, -1.0);
-  system_.observers().take(outcome);
+  system_.observers().take(outcome, share_);
   return outcome;
 }
 
@@ -143,8 +144,8 @@ void ContactExecution::push(std::uint32_t slot, const Kinematics& now, const Con
   const double per_mass = 1.0 / grain.mass;
   const double change = per_mass * (std::abs(contact.normal_impulse) + std::abs(contact.tangential_impulse));
   if (change * (contact.time - disk.time) > negligible_way_)
-    system_.endFlight(slot, now, contact.time);
-  ++disk.event_count;
+    system_.endFlight(slot, now, contact.time, share_);
+  disk.countEvent();
   disk.velocity += sign * per_mass * impulseOf(contact);
   disk.spin -= grain.spin_response * contact.tangential_impulse;
 }

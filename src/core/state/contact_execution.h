@@ -16,13 +16,14 @@ class ContactExecution
 {
 public:
   /// @param system outlives this
-  explicit ContactExecution(SystemState& system);
+  /// @param share of the thread, if several advance disks at the same time: see Observers; outlives this
+  explicit ContactExecution(SystemState& system, Observers::Share* share = nullptr);
 
   /// Executes a disk's event with the base: a contact, or the passage of an end.
   void handleBaseEvent(std::uint32_t slot, const BaseFeature& feature, double time, BaseInstant& base)
   {
     if (feature.isEnd())
-      return system_.passEnd(slot, feature.kind() == BaseFeatureKind::RIGHT_END, time);
+      return system_.passEnd(slot, feature.kind() == BaseFeatureKind::RIGHT_END, time, share_);
     collideWithBase(slot, feature, time, base);
   }
 
@@ -43,6 +44,7 @@ private:
   void push(std::uint32_t slot, const Kinematics& now, const ContactOutcome& contact, double sign);
 
   SystemState& system_;
+  Observers::Share* share_;
   CollisionLaw law_;
   bool spin_;
   double negligible_way_;  ///< [m]

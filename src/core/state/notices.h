@@ -31,17 +31,18 @@ struct Notice
 
   double time;  ///< local to the epoch [s]
   std::uint32_t slot;
+  std::uint32_t event_slot = slot;  ///< of the disk whose event it was
   std::variant<ContactOutcome, KeptFlight, Departure> what;
 };
 
-/// Notices of independent disks, which are simulated disk by disk, for delivery in the order of time. So what
-/// an observer adds up does not depend on the number of threads.
+/// Notices of disks that are not simulated in the order of time, for delivery in that order. So what an
+/// observer adds up does not depend on the number of threads.
 class Notices
 {
 public:
   void add(Notice&& notice) { waiting_.push_back(std::move(notice)); }
 
-  /// Those of one thread. @pre those of one disk come in the order of time
+  /// Those of one thread. @pre those of one event slot come in the order of time
   void add(std::vector<Notice>&& more)
   {
     waiting_.insert(waiting_.end(), std::make_move_iterator(more.begin()),
@@ -57,7 +58,7 @@ public:
       return;
     std::stable_sort(waiting_.begin(), waiting_.end(),
                      [](const Notice& a, const Notice& b)
-                     { return std::tie(a.time, a.slot) < std::tie(b.time, b.slot); });
+                     { return std::tie(a.time, a.event_slot) < std::tie(b.time, b.event_slot); });
     for (const Notice& notice : waiting_)
       deliver(notice);
     waiting_.clear();

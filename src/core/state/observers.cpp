@@ -31,8 +31,20 @@ void Observers::tell(const ContactOutcome& outcome)
     observer->take(outcome);
 }
 
-void Observers::tell(const Flight& flight)
+/// The sums of a disk change at once: no other thread has the disk.
+void Observers::take(const ContactOutcome& outcome, Share& share)
 {
+  share.take(1, [&](std::size_t) { return outcome; });
+  if (!outcome.closed)
+    return;
+  std::get<BaseImpulses>(standing_).take(outcome);
+  std::get<ContactTimes>(standing_).take(outcome);
+}
+
+void Observers::tell(const Flight& flight, Share* share)
+{
+  if (share != nullptr)
+    return share->flew(flight);
   if (ordered_)
     return notices_.add(Notice(flight));
   for (Observer* observer : of_flights_)
@@ -70,6 +82,8 @@ void Observers::take(Share&& share)
   counts().add(share.counts_);
   std::get<SpeciesContacts>(standing_).add(share.contacts_);
   notices_.add(std::move(share.notices_));
+  for (const Departure& departure : share.departures_)
+    forEachStanding([&](auto& observer) { observer.left(departure); });
 }
 
 void Observers::remove(const Observer* observer)

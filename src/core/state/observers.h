@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -33,9 +34,13 @@ public:
   /// @param system outlives this
   explicit Observers(const SystemState& system);
 
-  /// Takes an executed contact.
-  void take(const ContactOutcome& outcome)
+  class Share;
+
+  /// Takes an executed contact. @param share of the thread, if several advance disks at the same time
+  void take(const ContactOutcome& outcome, Share* share = nullptr)
   {
+    if (share != nullptr)
+      return take(outcome, *share);
     counts().takeOverlap(outcome.overlap);
     if (!outcome.closed)
       return;
@@ -44,11 +49,12 @@ public:
       tell(outcome);
   }
 
-  void flew(const Flight& flight)
+  /// @param share as in take()
+  void flew(const Flight& flight, Share* share = nullptr)
   {
     forEachStanding([&](auto& observer) { observer.flew(flight); });
     if (!of_flights_.empty())
-      tell(flight);
+      tell(flight, share);
   }
 
   void left(const Departure& departure)
@@ -58,7 +64,8 @@ public:
       tell(departure);
   }
 
-  /// The part of one thread that advances independent disks. Sums of a disk are in RowSums meanwhile.
+  /// What one thread has observed while several advance disks at the same time: the sums over disks, and what
+  /// added observers are told of. Sums of a disk are its own.
   class Share
   {
   public:
@@ -70,7 +77,16 @@ public:
     }
 
     bool wantsFlights() const { return of_flights_; }
-    void flew(const Flight& flight) { notices_.emplace_back(flight); }
+    void flew(const Flight& flight) { add(Notice(flight)); }
+    void left(const Departure& departure)
+    {
+      departures_.push_back(departure);
+      add(Notice(departure));
+    }
+
+    /// What follows belongs to an event of this disk, if it is not of the disk that it is about.
+    void beginEvent(std::uint32_t slot) { event_slot_ = slot; }
+    const std::vector<Departure>& departures() const { return departures_; }
 
     /// Takes contacts: `outcome(k)` for k < count.
     template <typename OutcomeAt>
@@ -90,21 +106,50 @@ public:
       counts_ = counts;
       for (std::size_t k = 0; of_contacts_ && k < count; ++k)
         if (const ContactOutcome outcome = outcome_at(k); outcome.closed)
-          notices_.emplace_back(outcome);
+          add(Notice(outcome));
     }
 
   private:
     friend Observers;
 
+    void add(Notice&& notice)
+    {
+      if (event_slot_)
+        notice.event_slot = *event_slot_;
+      notices_.push_back(std::move(notice));
+    }
+
+    std::optional<std::uint32_t> event_slot_;
     bool of_contacts_;
     bool of_flights_;
     ContactCounts counts_;
     SpeciesContacts contacts_;
     std::vector<Notice> notices_;
+    std::vector<Departure> departures_;
   };
 
-  /// Takes what a thread has observed.
+  /// Takes what a thread has observed. What added observers are told of waits for deliver().
   void take(Share&& share);
+
+  /// The sums of all disks.
+  struct DiskSums
+  {
+    std::vector<Trajectory> trajectories;
+    BaseImpulses impulses;
+    ContactTimes contact_times{false};
+  };
+  void copyTo(DiskSums& sums) const
+  {
+    sums.trajectories = trajectories().all();
+    sums.impulses = impulses();
+    sums.contact_times = contactTimes();
+  }
+  void restore(const DiskSums& sums)
+  {
+    trajectories().setAll(sums.trajectories);
+    std::get<BaseImpulses>(standing_) = sums.impulses;
+    std::get<ContactTimes>(standing_) = sums.contact_times;
+  }
 
   /// The sums of a disk that SIMD batches take along.
   RowSums rowSums(std::uint32_t slot) const
@@ -202,7 +247,8 @@ private:
   }
 
   [[gnu::noinline]] void tell(const ContactOutcome& outcome);
-  [[gnu::noinline]] void tell(const Flight& flight);
+  [[gnu::noinline]] void take(const ContactOutcome& outcome, Share& share);
+  [[gnu::noinline]] void tell(const Flight& flight, Share* share);
   [[gnu::noinline]] void tell(const Departure& departure);
   void deliver(const Notice& notice);
   void sortByWishes();

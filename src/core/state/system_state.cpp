@@ -177,59 +177,89 @@ bool SystemState::compact()
   return true;
 }
 
-Disk& SystemState::fly(std::uint32_t slot, double time)
+Disk& SystemState::fly(std::uint32_t slot, double time, Observers::Share* share)
 {
   Disk& disk = disks_[slot];
-  endFlight(slot, kinematicsAt(disk, time, scene_.gravity), time);
-  ++disk.event_count;
+  endFlight(slot, kinematicsAt(disk, time, scene_.gravity), time, share);
+  disk.countEvent();
   return disk;
 }
 
-void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time)
+void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, Observers::Share* share)
 {
   if (scene_.boundary == Boundary::PERIODIC)
-    wrap(slot, to_the_right ? -1.0 : 1.0, time);
+    wrap(slot, to_the_right ? -1.0 : 1.0, time, share);
   else
-    leave(slot, to_the_right ? Exit::RIGHT_BIN : Exit::LEFT_BIN, time);
+    leave(slot, to_the_right ? Exit::RIGHT_BIN : Exit::LEFT_BIN, time, share);
 }
 
 void SystemState::remove(std::uint32_t slot, double time)
 {
-  leave(slot, Exit::REMOVED, time);
+  leave(slot, Exit::REMOVED, time, nullptr);
 }
 
-void SystemState::leave(std::uint32_t slot, Exit exit, double time)
+void SystemState::leave(std::uint32_t slot, Exit exit, double time, Observers::Share* share)
 {
-  const Disk& disk = fly(slot, time);
-  if (SpeciesBins* bins = sizeClassBinsOf(disk); bins && exit != Exit::REMOVED)
-  {
-    --bins->on_base;
-    ++(exit == Exit::RIGHT_BIN ? bins->right : bins->left);
-  }
+  const Departure departure{slot, fly(slot, time, share).species, exit, time};
   active_[slot] = 0;
+  if (share != nullptr)
+    return share->left(departure);
+  count(departure);
+  observers_.left(departure);
+}
+
+void SystemState::count(const Departure& departure)
+{
   --active_count_;
-  observers_.left({slot, disk.species, exit, time});
+  SpeciesBins* bins = sizeClassBinsOf(disks_[departure.slot]);
+  if (bins == nullptr || departure.exit == Exit::REMOVED)
+    return;
+  --bins->on_base;
+  ++(departure.exit == Exit::RIGHT_BIN ? bins->right : bins->left);
 }
 
-void SystemState::wrap(std::uint32_t slot, double shift, double time)
+void SystemState::take(Observers::Share&& share)
 {
-  moveTo(slot, image(shift, time), time);
+  for (const Departure& departure : share.departures())
+    count(departure);
+  observers_.take(std::move(share));
 }
 
-void SystemState::moveTo(std::uint32_t slot, const Image& image, double time)
+void SystemState::copyTo(Snapshot& snapshot) const
 {
-  Disk& disk = fly(slot, time);
+  snapshot.disks = disks_;
+  snapshot.active = active_;
+  snapshot.windows = collapse_watch_.windows();
+  observers_.copyTo(snapshot.sums);
+}
+
+void SystemState::restore(const Snapshot& snapshot)
+{
+  disks_ = snapshot.disks;
+  active_ = snapshot.active;
+  collapse_watch_.setWindows(snapshot.windows);
+  observers_.restore(snapshot.sums);
+}
+
+void SystemState::wrap(std::uint32_t slot, double shift, double time, Observers::Share* share)
+{
+  moveTo(slot, image(shift, time), time, share);
+}
+
+void SystemState::moveTo(std::uint32_t slot, const Image& image, double time, Observers::Share* share)
+{
+  Disk& disk = fly(slot, time, share);
   disk.position += image.shift;
   disk.velocity += image.velocity;
   observers_.trajectories().wrapped(slot, -image.shift.x());
 }
 
-void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time)
+void SystemState::wrapIntoWidth(std::uint32_t slot, double s, double time, Observers::Share* share)
 {
   if (scene_.boundary != Boundary::PERIODIC || motion_.turning())
     return;
   if (const double widths = widthsOutside(s); widths != 0.0)
-    wrap(slot, -widths, time);
+    wrap(slot, -widths, time, share);
 }
 
 /// Wraps all disks when the base begins to turn. Before, an image moves exactly as its disk does.
@@ -245,7 +275,7 @@ void SystemState::wrapAll(double time)
       continue;
     const double s = search_.seenFromBase(disks_[slot], base, time).s();
     if (const double widths = widthsOutside(s); widths != 0.0)
-      moveTo(slot, base.image(-widths * shape_.width()), time);
+      moveTo(slot, base.image(-widths * shape_.width()), time, nullptr);
   }
 }
 

@@ -122,10 +122,11 @@ public:
 
   /// Ends the disk's flight so far, at `now`, which kinematicsAt() gives for that time.
   // Inlined: a call costs 1 % of a run.
-  [[gnu::always_inline]] void endFlight(std::uint32_t slot, const Kinematics& now, double time)
+  [[gnu::always_inline]] void endFlight(std::uint32_t slot, const Kinematics& now, double time,
+                                        Observers::Share* share = nullptr)
   {
     Disk& disk = disks_[slot];
-    observers_.flew({slot, disk, time});
+    observers_.flew({slot, disk, time}, share);
     disk.position = vectorOf(now.position);
     disk.velocity = vectorOf(now.velocity);
     disk.time = time;
@@ -136,18 +137,33 @@ public:
   Disk& changeable(std::uint32_t slot) { return disks_[slot]; }
 
   /// Moves the disk to its image `shift` widths to the right, on the same flight.
-  void wrap(std::uint32_t slot, double shift, double time);
+  /// @param share as in Observers::take(), here and below
+  void wrap(std::uint32_t slot, double shift, double time, Observers::Share* share = nullptr);
 
   /// Wraps a disk on a periodic base by the number of widths that brings `s`, its position along the base,
   /// into [0, W). Does nothing while the base turns, because a disk is then wrapped only when it passes an
   /// end.
-  void wrapIntoWidth(std::uint32_t slot, double s, double time);
+  void wrapIntoWidth(std::uint32_t slot, double s, double time, Observers::Share* share = nullptr);
 
   /// The disk passes an end of the base: into the bin, or on a periodic base to its image at the other end.
-  void passEnd(std::uint32_t slot, bool to_the_right, double time);
+  void passEnd(std::uint32_t slot, bool to_the_right, double time, Observers::Share* share = nullptr);
 
   /// Removes a disk from the simulation at its position, into no bin. It stays counted in the system.
   void remove(std::uint32_t slot, double time);
+
+  /// Takes what a thread has observed. Added observers are told of it by Observers::deliver().
+  void take(Observers::Share&& share);
+
+  /// What events without a collapse or a departure change.
+  struct Snapshot
+  {
+    std::vector<Disk> disks;
+    std::vector<std::uint8_t> active;
+    std::vector<CollapseWatch::Window> windows;
+    Observers::DiskSums sums;
+  };
+  void copyTo(Snapshot& snapshot) const;
+  void restore(const Snapshot& snapshot);
 
   /// The slots of the active disks, or of the others, in increasing order.
   std::vector<std::uint32_t> slots(bool active) const;
@@ -185,10 +201,11 @@ private:
   bool isLegal() const;
   void setTimeResolution();
   void wrapAll(double time);
-  void moveTo(std::uint32_t slot, const Image& image, double time);
-  void leave(std::uint32_t slot, Exit exit, double time);
+  void moveTo(std::uint32_t slot, const Image& image, double time, Observers::Share* share);
+  void leave(std::uint32_t slot, Exit exit, double time, Observers::Share* share);
+  void count(const Departure& departure);
   SpeciesBins* sizeClassBinsOf(const Disk& disk);  ///< nullptr if its species has no sizes
-  Disk& fly(std::uint32_t slot, double time);
+  Disk& fly(std::uint32_t slot, double time, Observers::Share* share);
 
   SceneDefinition scene_;
   std::vector<Sizes> sizes_;  ///< per species

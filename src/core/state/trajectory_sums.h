@@ -49,6 +49,8 @@ public:
   explicit TrajectorySums(const SystemState& system);
 
   const Trajectory& operator[](std::uint32_t slot) const { return trajectories_[slot]; }
+  const std::vector<Trajectory>& all() const { return trajectories_; }
+  void setAll(const std::vector<Trajectory>& trajectories) { trajectories_ = trajectories; }
   void prefetchTrajectory(std::uint32_t slot) const { prefetch(trajectories_[slot]); }
   void reserve(std::size_t count) override { trajectories_.reserve(count); }
   void compact(const Compaction& compaction) override { keepSlots(trajectories_, compaction.kept); }

@@ -1,0 +1,225 @@
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "drawn_scene.h"
+#include "events/engine.h"
+#include "events/slot_queue.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// Small strips, for small layers.
+StripSettings smallStrips()
+{
+  StripSettings strips;
+  strips.disks_per_thread = strips.disks_on_one = 2;
+  strips.disks_per_strip = 60;
+  strips.columns_per_strip = 24;
+  strips.margin = 2;
+  strips.events_per_column = 0.3;
+  return strips;
+}
+
+std::string bytesOf(Engine& engine)
+{
+  StateArchive state;
+  engine.archive(state);
+  return state.takeBytes();
+}
+
+/// Of a state's bytes, which would be too long for a message.
+std::uint64_t hashOf(Engine& engine)
+{
+  return std::hash<std::string>()(bytesOf(engine));
+}
+
+/// A run by strips on some threads, or by a single queue, with all its collisions.
+struct WatchedRun
+{
+  WatchedRun(const SceneDefinition& scene, std::size_t threads, const StripSettings& strips)
+      : engine(scene, planOf(scene), 0.0, PourObserver())
+  {
+    engine.setThreads(threads, strips);
+    engine.state().observers().observeCollisions([this](const CollisionRecord& record)
+                                                 { collisions.push_back(record); });
+  }
+
+  Engine engine;
+  std::vector<CollisionRecord> collisions;
+};
+
+StripSettings never()
+{
+  StripSettings strips;
+  strips.disks_per_thread = strips.disks_on_one = SIZE_MAX / 1024;
+  return strips;
+}
+
+bool areSame(const CollisionRecord& a, const CollisionRecord& b)
+{
+  return a.time == b.time && a.kind == b.kind && a.i == b.i && a.j == b.j &&
+         a.normal_speed == b.normal_speed && a.normal_impulse == b.normal_impulse &&
+         a.tangential_impulse == b.tangential_impulse;
+}
+
+/// A layer of about 130 columns.
+SceneDefinition longLayer(Boundary boundary = Boundary::PERIODIC)
+{
+  SceneDefinition scene = test::mixture(200);
+  scene.base.teeth = 26;
+  scene.settle = 0.05;
+  scene.boundary = boundary;
+  scene.pour.drop_height = 0.002;
+  return scene;
+}
+
+/// @param command is called with both engines, at times in between
+template <typename Command>
+void expectSameBits(const SceneDefinition& scene, Command&& command)
+{
+  for (const std::size_t threads : {1, 2, 3})
+  {
+    WatchedRun again(scene, 1, never());
+    WatchedRun strips(scene, threads, smallStrips());
+    for (int k = 1; k <= 6; ++k)
+    {
+      for (WatchedRun* run : {&again, &strips})
+      {
+        run->engine.advanceTo(0.05 * k);
+        command(run->engine, k);
+      }
+      ASSERT_EQ(hashOf(again.engine), hashOf(strips.engine)) << threads << " threads, " << 0.05 * k << " s";
+    }
+    EXPECT_GT(strips.engine.eventsInStrips(), strips.engine.events() / 8) << threads << " threads";
+    ASSERT_EQ(again.collisions.size(), strips.collisions.size());
+    for (std::size_t k = 0; k < again.collisions.size(); ++k)
+      ASSERT_TRUE(areSame(again.collisions[k], strips.collisions[k])) << "collision " << k;
+  }
+}
+
+void expectSameBits(const SceneDefinition& scene)
+{
+  expectSameBits(scene, [](Engine&, int) {});
+}
+
+TEST(PairStrips, HaveTheBitsOfASingleQueuePeriodic)
+{
+  expectSameBits(longLayer());
+}
+
+TEST(PairStrips, HaveTheBitsOfASingleQueueOpenAndFed)
+{
+  SceneDefinition scene = longLayer(Boundary::OPEN);
+  scene.feed.rate = 40.0;
+  scene.observe = observableNames();
+  expectSameBits(scene);
+}
+
+TEST(PairStrips, HaveTheBitsOfASingleQueueWalled)
+{
+  expectSameBits(longLayer(Boundary::WALLED));
+}
+
+TEST(PairStrips, HaveTheBitsOfASingleQueueWithSizes)
+{
+  SceneDefinition scene = longLayer();
+  scene.species[0].size.distribution = SizeDistribution::UNIFORM;
+  scene.species[0].size.spread = 0.5;
+  scene.contact.contact_duration = 1e-5;
+  expectSameBits(scene);
+}
+
+TEST(PairStrips, HaveTheBitsOfASingleQueueWhileSetpointsChange)
+{
+  expectSameBits(longLayer(),
+                 [](Engine& engine, int k)
+                 {
+                   engine.changeMotion(
+                       [=](BaseMotion& motion, double now)
+                       {
+                         motion.setSlewRates({0.05, 20.0, 0.01}, now);
+                         motion.command(Quantity::INCLINATION, k % 2 == 0 ? 0.002 : -0.001, now);
+                         motion.command(Quantity::FREQUENCY, 20.0 + k, now);
+                       });
+                 });
+}
+
+/// Of any scene, cut at places and into windows drawn by chance, with so small margins that windows fail.
+TEST(PairStrips, HaveTheBitsOfASingleQueueWhereverTheyAreCut)
+{
+  std::uint64_t events_in_strips = 0;
+  EXPECT_TRUE(rc::check(
+      [&]
+      {
+        SceneDefinition scene = test::drawnScene();
+        scene.contact.pair_collisions = true;
+        scene.species[0].count = *rc::gen::inRange(10, 60);
+        StripSettings strips = smallStrips();
+        strips.columns_per_strip = *rc::gen::inRange(6, 40);
+        strips.disks_per_strip = *rc::gen::inRange(2, 30);
+        strips.margin = *rc::gen::inRange(0, 5);
+        strips.events_per_column = *rc::gen::element(0.05, 0.2, 1.0, 4.0);
+        WatchedRun queue(scene, 1, never());
+        WatchedRun cut(scene, *rc::gen::inRange<std::size_t>(1, 4), strips);
+        const double stride = *rc::gen::element(0.003, 0.02, 0.1);
+        try
+        {
+          for (int k = 1; k <= 6; ++k)
+          {
+            queue.engine.advanceTo(stride * k);
+            cut.engine.advanceTo(stride * k);
+            RC_ASSERT(hashOf(queue.engine) == hashOf(cut.engine));
+          }
+        }
+        catch (const StallError&)
+        {
+          RC_ASSERT_THROWS_AS(cut.engine.advanceTo(stride * 6), StallError);
+          RC_ASSERT(hashOf(queue.engine) == hashOf(cut.engine));
+        }
+        RC_ASSERT(queue.collisions.size() == cut.collisions.size());
+        for (std::size_t k = 0; k < queue.collisions.size(); ++k)
+          RC_ASSERT(areSame(queue.collisions[k], cut.collisions[k]));
+        events_in_strips += cut.engine.eventsInStrips();
+      }));
+  EXPECT_GT(events_in_strips, 0u);
+}
+
+TEST(SlotQueue, HasTheOrderOfASingleQueue)
+{
+  EXPECT_TRUE(rc::check(
+      []
+      {
+        const std::size_t count = 60;
+        std::vector<std::uint32_t> places(count, SlotQueue::NONE);
+        SlotQueue some(places);
+        EventQueue all;
+        all.resize(count);
+        for (int step = 0; step < 300; ++step)
+        {
+          const auto slot = *rc::gen::inRange<std::uint32_t>(0, count);
+          if (*rc::gen::inRange(0, 4) == 0)
+          {
+            if (places[slot] != SlotQueue::NONE)
+              some.erase(slot);
+            all.update(slot, EventQueue::NEVER);
+          }
+          else
+          {
+            const double time = *rc::gen::inRange(0, 10);  // so few that there are ties
+            some.update(slot, time);
+            all.update(slot, time);
+          }
+          RC_ASSERT(some.topTime() == all.topTime());
+          if (all.topTime() < EventQueue::NEVER)
+            RC_ASSERT(some.top() == all.top());
+        }
+      }));
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
