@@ -118,7 +118,7 @@ public:
   {
     settings_ = settings;
     useQueue();
-    pool_ = threads > 1 ? std::make_unique<WorkerPool>(threads) : nullptr;
+    threads_ = threads;
   }
 
 private:
@@ -127,17 +127,20 @@ private:
   {
     if (strips_)
       return time - reached_ > WINDOWS_IN_STRIPS * window_length_;
-    const std::size_t threads = pool_ ? pool_->workers() : 1;
-    const std::size_t disks = state_.activeCount();
-    if (disks < (threads > 1 ? settings_.disks_per_thread * threads : settings_.disks_on_one))
-      return false;
-    const std::size_t most = PairStrips::mostStrips(cells_, settings_);
-    if (most < std::max<std::size_t>(threads, 2))
-      return false;
     if (window_length_ == 0.0 || time - reached_ < WINDOWS_IN_STRIPS * window_length_)
       return false;
-    const std::size_t strips = threads * ((disks - 1) / (threads * settings_.disks_per_strip) + 1);
-    strips_.emplace(layer_, std::min(strips, most), settings_, pool_.get());
+    const std::size_t disks = state_.activeCount();
+    const std::size_t most = PairStrips::mostStrips(cells_, settings_);
+    const std::size_t threads = std::min({threads_, most, disks / settings_.disks_per_thread});
+    if (most < 2 || (threads < 2 && disks < settings_.disks_on_one))
+      return false;
+    if (threads < 2)
+      pool_.reset();
+    else if (!pool_ || pool_->workers() != threads)
+      pool_ = std::make_unique<WorkerPool>(threads);
+    const std::size_t workers = std::max<std::size_t>(threads, 1);
+    const std::size_t strips = workers * ((disks - 1) / (workers * settings_.disks_per_strip) + 1);
+    strips_.emplace(layer_, std::clamp<std::size_t>(strips, 2, most), settings_, pool_.get());
     strips_->setWindowLength(window_length_);
     return true;
   }
@@ -255,6 +258,7 @@ private:
   PrefetchWindow prefetched_{EVENTS_AHEAD};
   std::vector<std::uint32_t> next_;  ///< the disks whose events were prefetched
   std::vector<std::uint32_t> near_;  ///< candidates of the neighbour search
+  std::size_t threads_ = 1;
   StripSettings settings_;
   std::unique_ptr<WorkerPool> pool_;  ///< null if one thread is enough
   std::optional<PairStrips> strips_;  ///< while these have the events, not the queue
