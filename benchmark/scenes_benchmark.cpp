@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <map>
+#include <string>
 
 #include <benchmark/benchmark.h>
 
+#include "events/engine.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 #include "simd/simd_batch.h"
@@ -58,21 +61,65 @@ void singleParticlesOnThreads(benchmark::State& state)
 }
 BENCHMARK(singleParticlesOnThreads)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// Fig. 8, 13.1 disks of each species to a tooth; the argument is the number of teeth.
+/// Fig. 8, 13.1 disks of each species to a tooth.
+SceneDefinition mixtureOf(int teeth)
+{
+  SceneDefinition scene = test::mixture(teeth * 131 / 10);
+  scene.base.teeth = teeth;
+  return scene;
+}
+
+/// As soon as the layer has come down, for a large one takes long.
+double landed(int teeth)
+{
+  return teeth < 1000 ? 1.0 : 0.2;
+}
+
+/// The argument is the number of teeth.
 void mixture(benchmark::State& state)
 {
   const auto teeth = static_cast<int>(state.range(0));
-  SceneDefinition scene = test::mixture(teeth * 131 / 10);
-  scene.base.teeth = teeth;
-  // Kept, for a large one takes long to come down: it is measured as soon as it has.
+  const SceneDefinition scene = mixtureOf(teeth);
   static std::map<int, Simulation> running;
   const auto [found, is_new] = running.try_emplace(teeth, scene);
   if (is_new)
-    found->second.advanceTo(teeth < 1000 ? 1.0 : 0.2);
+    found->second.advanceTo(landed(teeth));
   // Whole periods of the drive: within one, a layer is now packed, now flying.
   advance(state, found->second, 1.0 / scene.base.frequency);
 }
 BENCHMARK(mixture)->Arg(20)->Arg(38)->Arg(382)->Arg(3817)->Unit(benchmark::kMillisecond);
+
+/// The second argument is the number of threads; 0: one, with a single queue whatever the number of disks.
+/// All begin with the same disks.
+void mixtureOnThreads(benchmark::State& state)
+{
+  const auto teeth = static_cast<int>(state.range(0));
+  const SceneDefinition scene = mixtureOf(teeth);
+  static std::map<int, std::string> starts;
+  std::string& start = starts[teeth];
+  if (start.empty())
+  {
+    Simulation simulation(scene);
+    simulation.setThreads(0);
+    simulation.advanceTo(landed(teeth));
+    start = simulation.saveState();
+  }
+  Engine engine(scene, start);
+  StripSettings strips;
+  if (state.range(1) == 0)
+    strips.least_on_one_thread = SIZE_MAX;
+  engine.setThreads(std::max<std::size_t>(1, static_cast<std::size_t>(state.range(1))), strips);
+  const auto collisions = [&] { return engine.state().observers().counts().collisions.total(); };
+  const auto before = collisions();
+  for (auto _ : state)
+    engine.advanceTo(engine.time() + 1.0 / scene.base.frequency);
+  using benchmark::Counter;
+  state.counters["collisions"] = Counter(static_cast<double>(collisions() - before), Counter::kIsRate);
+}
+BENCHMARK(mixtureOnThreads)
+    ->ArgsProduct({{20, 153, 382, 3817}, {0, 1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 /// The same disks that do not see each other: what the pairs cost.
 void mixtureWithoutPairs(benchmark::State& state)

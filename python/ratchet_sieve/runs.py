@@ -154,13 +154,14 @@ class Run(Recording):
 
 
 def run(scene: Scene, *, until: Optional[Mapping[str, float]] = None, frames: float = 0.0, collisions: bool = False,
-        threads: int = 1, progress: bool = True) -> Run:
+        threads: int = 0, progress: bool = True) -> Run:
     """Runs a scene to its end, as `sieve_run` does.
 
     until       ends the run once its means are known so well: {"mean_vx": 0.001} [m/s], {"quality": 0.02}
     frames      frames per simulated second; 0: none
     collisions  whether to keep each collision: 48 bytes each
-    threads     of disks that do not see each other; 0: one per processor. The bits depend on none of these.
+    threads     at most; 0: one per processor. A run takes as many as its disks are worth. The bits depend on none
+                of these.
     progress    whether to show a bar, in a terminal or a notebook
     Raises SceneError, ValueError. Warns (SieveWarning) as sieve_run does. Ctrl-C raises KeyboardInterrupt.
     """

@@ -82,8 +82,10 @@ void RunControl::announce(const Scene& scene) const
 std::unique_ptr<LiveRun> RunControl::makeRun(const SceneDefinition& scene, std::vector<CommandFrame> opening,
                                              double start_time, double end_time) const
 {
-  return std::make_unique<LiveRun>(scene, parameters_.rates, std::move(opening), start_time, end_time,
-                                   std::chrono::steady_clock::now, pour_observer_);
+  auto run = std::make_unique<LiveRun>(scene, parameters_.rates, std::move(opening), start_time, end_time,
+                                       std::chrono::steady_clock::now, pour_observer_);
+  run->setThreads(parameters_.threads);
+  return run;
 }
 
 Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const

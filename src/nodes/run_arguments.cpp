@@ -122,10 +122,10 @@ void describeRun(CLI::App& app, RunArguments& arguments)
       "depend on it, and add floor_check to the summary");
   app.add_option(
          "--threads", arguments.threads,
-         "Number of threads, at most 256; 0: one per processor. Used where disks do not collide with each "
-         "other; the results are the same")
+         "Number of threads, at most 256; 0: one per processor. A run takes as many as its disks are worth; the "
+         "results are the same")
       ->type_name("N")
-      ->check(CLI::Range(0, 256))
+      ->check(CLI::Range(std::size_t{0}, MOST_THREADS))
       ->capture_default_str();
 }
 

@@ -32,7 +32,7 @@ struct RunArguments
   double checkpoint_every = 60.0;
   std::string resume;
   bool check_floor = false;
-  std::size_t threads = 1;
+  std::size_t threads = 0;
 
   /// --seed, --duration and --until are overrides too, so that the rules of the scene check them.
   std::vector<std::string> allOverrides() const

@@ -83,6 +83,7 @@ NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
   parameters.real_time_factor =
       reader.number("real_time_factor", parameters.real_time_factor, 0.0, MAX_REAL_TIME_FACTOR);
   parameters.start_paused = reader.flag("start_paused", parameters.start_paused);
+  parameters.threads = reader.count("threads", parameters.threads, MOST_THREADS);
   parameters.publish_clock = reader.flag("publish_clock", parameters.publish_clock);
   parameters.exit_at_end = reader.flag("exit_at_end", parameters.exit_at_end);
   parameters.wait_for_display =

@@ -50,6 +50,17 @@ double ParameterReader::number(const std::string& name, double fallback, double 
   return numberFrom(node_.resolveName(name), value, least, most);
 }
 
+std::size_t ParameterReader::count(const std::string& name, std::size_t fallback, std::size_t most)
+{
+  XmlRpc::XmlRpcValue value;
+  if (!get(name, value))
+    return fallback;
+  const int number = value.getType() == XmlRpc::XmlRpcValue::TypeInt ? static_cast<int&>(value) : -1;
+  if (number < 0 || static_cast<std::size_t>(number) > most)
+    refuse(node_.resolveName(name), value, "a whole number from 0 to " + std::to_string(most));
+  return static_cast<std::size_t>(number);
+}
+
 bool ParameterReader::flag(const std::string& name, bool fallback)
 {
   XmlRpc::XmlRpcValue value;

@@ -17,7 +17,7 @@ namespace
 StripSettings smallStrips()
 {
   StripSettings strips;
-  strips.disks_per_thread = strips.disks_on_one = 2;
+  strips.disks_per_thread = strips.least_on_one_thread = 2;
   strips.disks_per_strip = 60;
   strips.columns_per_strip = 24;
   strips.margin = 2;
@@ -56,7 +56,7 @@ struct WatchedRun
 StripSettings never()
 {
   StripSettings strips;
-  strips.disks_per_thread = strips.disks_on_one = SIZE_MAX / 1024;
+  strips.disks_per_thread = strips.least_on_one_thread = SIZE_MAX / 1024;
   return strips;
 }
 

@@ -28,6 +28,8 @@ public:
   LiveRun(const LiveRun&) = delete;
   LiveRun& operator=(const LiveRun&) = delete;
 
+  void setThreads(std::size_t threads) { simulation_.setThreads(threads); }
+
   double time() const { return simulation_.time(); }
   double startTime() const { return simulation_.startTime(); }
   double endTime() const { return end_time_; }

@@ -20,6 +20,7 @@ namespace ratchet_sieve
 struct RunParameters
 {
   bool start_paused = false;  ///< ~start_paused
+  std::size_t threads = 0;    ///< ~threads: see Simulation::setThreads()
   FrameRates rates;           ///< ~rates/particles, bins, base, statistics, observed [1/s of simulated time]
 
   /// ~limits/inclination/min, max and so on for frequency and amplitude

@@ -30,6 +30,9 @@ public:
   /// @throws ParameterError
   double number(const std::string& name, double fallback, double least, double most);
 
+  /// A whole number from 0 to `most`.
+  std::size_t count(const std::string& name, std::size_t fallback, std::size_t most);
+
   /// @throws ParameterError
   bool flag(const std::string& name, bool fallback);
 

@@ -16,12 +16,16 @@ class SystemState;
 /// How a layer is divided among threads and into strips (PairStrips). The results do not depend on it.
 struct StripSettings
 {
-  std::size_t disks_per_thread = 1500;   ///< with fewer, threads cost more than they gain
-  std::size_t disks_on_one = 30000;      ///< with fewer, strips gain nothing on one thread
-  std::size_t disks_per_strip = 3000;    ///< at most, so that what belongs to them fits into a core's cache
-  std::int32_t columns_per_strip = 160;  ///< at least, so that there is room for what is left to the cuts
+  std::size_t disks_per_thread = 1500;  ///< with fewer, threads cost more than they gain
+
+  /// Between these, strips pay on one thread: they fit into its cache. With more, their memory is worth more.
+  std::size_t least_on_one_thread = 60000;
+  std::size_t most_on_one_thread = 500000;
+
+  std::size_t disks_per_strip = 1500;    ///< at most, so that what belongs to them fits into a core's cache
+  std::int32_t columns_per_strip = 200;  ///< at least, so that there is room for what is left to the cuts
   std::int32_t margin = 4;               ///< columns that stay frozen next to those an event left out touches
-  double events_per_column = 2.0;        ///< in a window
+  double events_per_column = 1.5;        ///< in a window
 };
 
 /// Advances the disks of a system from event to event. Times are local to the epoch.

@@ -26,6 +26,9 @@ constexpr std::size_t DISKS_IN_CACHE = 30000;
 /// Strips pay if they are used for this number of windows.
 constexpr double WINDOWS_IN_STRIPS = 4.0;
 
+/// Windows that fail are shortened to this share of the settings'.
+constexpr double LEAST_PACE = 0.125;
+
 /// Largest number of windows for the single queue after strips have failed.
 constexpr double MOST_CAUTION = 1024.0;
 
@@ -54,9 +57,11 @@ public:
       window_length_ = strips_->windowLength();
       if (advanced)
       {
+        pace_ = std::min(1.1 * pace_, 1.0);
         reached_ = time;
         return time;
       }
+      pace_ = std::max(0.5 * pace_, LEAST_PACE);
       const double end = std::min(time, strips_->failedBefore() + caution_ * window_length_);
       caution_ = strips_->copies() > 1 ? 1.0 : std::min(2.0 * caution_, MOST_CAUTION);
       useQueue();
@@ -132,7 +137,8 @@ private:
     const std::size_t disks = state_.activeCount();
     const std::size_t most = PairStrips::mostStrips(cells_, settings_);
     const std::size_t threads = std::min({threads_, most, disks / settings_.disks_per_thread});
-    if (most < 2 || (threads < 2 && disks < settings_.disks_on_one))
+    if (most < 2 ||
+        (threads < 2 && (disks < settings_.least_on_one_thread || disks > settings_.most_on_one_thread)))
       return false;
     if (threads < 2)
       pool_.reset();
@@ -140,7 +146,9 @@ private:
       pool_ = std::make_unique<WorkerPool>(threads);
     const std::size_t workers = std::max<std::size_t>(threads, 1);
     const std::size_t strips = workers * ((disks - 1) / (workers * settings_.disks_per_strip) + 1);
-    strips_.emplace(layer_, std::clamp<std::size_t>(strips, 2, most), settings_, pool_.get());
+    StripSettings settings = settings_;
+    settings.events_per_column *= pace_;
+    strips_.emplace(layer_, std::clamp<std::size_t>(strips, 2, most), settings, pool_.get());
     strips_->setWindowLength(window_length_);
     return true;
   }
@@ -177,8 +185,8 @@ private:
   {
     const std::uint64_t events = events_of_queue_.takeEvents();
     if (events > 0)
-      window_length_ =
-          (reached - reached_) * settings_.events_per_column * cells_.columns() / static_cast<double>(events);
+      window_length_ = (reached - reached_) * pace_ * settings_.events_per_column * cells_.columns() /
+                       static_cast<double>(events);
     events_ += events;
     cells_.countCrossings(events_of_queue_.takeCrossings());
     reached_ = reached;
@@ -263,6 +271,7 @@ private:
   std::unique_ptr<WorkerPool> pool_;  ///< null if one thread is enough
   std::optional<PairStrips> strips_;  ///< while these have the events, not the queue
   double window_length_ = 0.0;        ///< of the strips so far [s]
+  double pace_ = 1.0;                 ///< events in a window, as a share of the settings
   double caution_ = 1.0;              ///< windows for the queue after strips have failed
 };
 

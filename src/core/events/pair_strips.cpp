@@ -130,6 +130,8 @@ bool PairStrips::advance(double now, double time)
     layer_.cells.restore(copy_.cells);
     layer_.predictions = copy_.predictions;
   }
+  // By the caller's thread.
+  layer_.state.observers().deliver();
   return !failed_;
 }
 
@@ -346,7 +348,6 @@ void PairStrips::commit()
   for (const auto& cut : cutting_)
     take(*cut);
   window_events_ = 0;
-  layer_.state.observers().deliver();
 }
 
 }  // namespace ratchet_sieve
