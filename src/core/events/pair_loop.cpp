@@ -26,6 +26,9 @@ constexpr std::size_t DISKS_IN_CACHE = 30000;
 /// Strips pay if they are used for this number of windows.
 constexpr double WINDOWS_IN_STRIPS = 4.0;
 
+/// After this time strips are considered anew [time scales].
+constexpr double LOOK_AHEAD = 0.05;
+
 /// Windows that fail are shortened to this share of the settings'.
 constexpr double LEAST_PACE = 0.125;
 
@@ -48,8 +51,16 @@ public:
 
   double advanceTo(double time) override
   {
-    while (reached_ < time && useStrips(time))
+    while (reached_ < time && plansStrips())
     {
+      if (!useStrips(time))
+      {
+        // A while later there may be more events.
+        const double end = std::min(time, reached_ + LOOK_AHEAD * state_.timeScale());
+        if (const double reached = advanceQueue(end); reached < end || state_.collapseWatch().stops())
+          return reached;
+        continue;
+      }
       const bool advanced = strips_->advance(reached_, time);
       const std::uint64_t events = strips_->takeEvents();
       events_ += events;
@@ -127,19 +138,29 @@ public:
   }
 
 private:
-  /// Whether strips are faster up to this time; makes them.
+  std::size_t mostStrips() const { return PairStrips::mostStrips(cells_, settings_); }
+  std::size_t usefulThreads() const
+  {
+    return std::min({threads_, mostStrips(), state_.activeCount() / settings_.disks_per_thread});
+  }
+
+  /// Whether strips are faster for a layer of so many disks.
+  bool plansStrips() const
+  {
+    const std::size_t disks = state_.activeCount();
+    return mostStrips() > 1 && (usefulThreads() > 1 || (disks >= settings_.least_on_one_thread &&
+                                                        disks <= settings_.most_on_one_thread));
+  }
+
+  /// Whether they are up to this time; makes them. @pre plansStrips()
   bool useStrips(double time)
   {
-    if (strips_)
-      return time - reached_ > WINDOWS_IN_STRIPS * window_length_;
     if (window_length_ == 0.0 || time - reached_ < WINDOWS_IN_STRIPS * window_length_)
       return false;
+    if (strips_)
+      return true;
     const std::size_t disks = state_.activeCount();
-    const std::size_t most = PairStrips::mostStrips(cells_, settings_);
-    const std::size_t threads = std::min({threads_, most, disks / settings_.disks_per_thread});
-    if (most < 2 ||
-        (threads < 2 && (disks < settings_.least_on_one_thread || disks > settings_.most_on_one_thread)))
-      return false;
+    const std::size_t threads = usefulThreads();
     if (threads < 2)
       pool_.reset();
     else if (!pool_ || pool_->workers() != threads)
@@ -148,7 +169,7 @@ private:
     const std::size_t strips = workers * ((disks - 1) / (workers * settings_.disks_per_strip) + 1);
     StripSettings settings = settings_;
     settings.events_per_column *= pace_;
-    strips_.emplace(layer_, std::clamp<std::size_t>(strips, 2, most), settings, pool_.get());
+    strips_.emplace(layer_, std::clamp<std::size_t>(strips, 2, mostStrips()), settings, pool_.get());
     strips_->setWindowLength(window_length_);
     return true;
   }

@@ -31,7 +31,7 @@ struct Notice
 
   double time;  ///< local to the epoch [s]
   std::uint32_t slot;
-  std::uint32_t event_slot = slot;  ///< of the disk whose event it was
+  std::uint32_t event_slot = slot;  ///< of the disk whose event it was: breaks ties
   std::variant<ContactOutcome, KeptFlight, Departure> what;
 };
 

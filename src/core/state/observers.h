@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -115,7 +116,11 @@ public:
     void add(Notice&& notice)
     {
       if (event_slot_)
-        notice.event_slot = *event_slot_;
+      {
+        // An event may lead to another at the same time, of a smaller slot: it is the later one.
+        const bool follows = !notices_.empty() && notices_.back().time == notice.time;
+        notice.event_slot = follows ? std::max(*event_slot_, notices_.back().event_slot) : *event_slot_;
+      }
       notices_.push_back(std::move(notice));
     }
 
