@@ -17,25 +17,29 @@ QUEUE, ONE, TWO = range(3)
 
 
 def measured(program, rounds):
-    """@return (teeth, way) -> collisions per second of wall time in each round"""
+    """@return (teeth, way) -> collisions per second of wall time in each round; the ways take turns"""
+    finished = subprocess.run(
+        [program, '--benchmark_filter=^mixtureOnThreads', '--benchmark_format=json',
+         f'--benchmark_repetitions={rounds}', '--benchmark_enable_random_interleaving=true'],
+        check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     found = {}
-    command = [program, '--benchmark_filter=^mixtureOnThreads', '--benchmark_format=json']
-    for _ in range(rounds):
-        finished = subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-        for run in json.loads(finished.stdout)['benchmarks']:
+    for run in json.loads(finished.stdout)['benchmarks']:
+        if run['run_type'] == 'iteration':
             teeth, way = map(int, run['name'].split('/')[1:3])
             found.setdefault((teeth, way), []).append(run['collisions'])
     return found
 
 
 def ratio(over, under):
-    """The median of the rounds' ratios, and their range."""
-    ratios = sorted(a / b for a, b in zip(over, under))
-    return f'{statistics.median(ratios):.2f} ({ratios[0]:.2f} to {ratios[-1]:.2f})'
+    """Of the medians, with the range of what halves of the rounds give."""
+    half = len(over) // 2
+    halves = sorted(statistics.median(over[part]) / statistics.median(under[part])
+                    for part in (slice(None, half), slice(half, None)))
+    return f'{statistics.median(over) / statistics.median(under):.2f} ({halves[0]:.2f}, {halves[1]:.2f})'
 
 
 def table(found, rounds, about):
-    yield f'{origin.text(about)}; medians of {rounds} rounds, in brackets their range.'
+    yield f'{origin.text(about)}; medians of {rounds} rounds, in turns; in brackets those of each half of the rounds.'
     yield ''
     yield ('| disks | single queue, M collisions/s | one thread over a single queue | two threads over one | wanted | '
            'hoped for |')
@@ -50,7 +54,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve', metavar='DIR',
                         help='where engine_benchmark is')
-    parser.add_argument('--rounds', type=int, default=5, help='repetitions of all benchmarks (default: 5)')
+    parser.add_argument('--rounds', type=int, default=11, help='repetitions of all benchmarks (default: 11)')
     parser.add_argument('--write', type=pathlib.Path, metavar='FILE',
                         help='put the table between the marks of this document')
     arguments = parser.parse_args()

@@ -116,10 +116,15 @@ void mixtureOnThreads(benchmark::State& state)
   using benchmark::Counter;
   state.counters["collisions"] = Counter(static_cast<double>(collisions() - before), Counter::kIsRate);
 }
-BENCHMARK(mixtureOnThreads)
-    ->ArgsProduct({{20, 153, 382, 3817}, {0, 1, 2}})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+/// Over the same periods of the drive, whatever the threads.
+void layersAndThreads(benchmark::internal::Benchmark* rows)
+{
+  rows->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(6);
+  for (const int teeth : {20, 153, 382, 3817})
+    for (const int threads : {0, 1, 2})
+      rows->Args({teeth, threads});
+}
+BENCHMARK(mixtureOnThreads)->Apply(layersAndThreads);
 
 /// The same disks that do not see each other: what the pairs cost.
 void mixtureWithoutPairs(benchmark::State& state)
