@@ -47,13 +47,13 @@ def collisions(program, rounds):
     return best
 
 
-def bytes_per_disk(sieve_run, teeth):
+def bytes_per_disk(sieve_run, teeth, threads):
     """Memory per disk of a run until the layer has come down, everything included."""
     count = teeth * 131 // 10
     with tempfile.TemporaryDirectory() as directory:
         scene = pathlib.Path(directory) / 'large.yaml'
         scene.write_text(LARGE_SCENE.format(teeth=teeth, count=count))
-        with subprocess.Popen([sieve_run, scene], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+        with subprocess.Popen([sieve_run, scene, '--threads', str(threads)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
             _, status, usage = os.wait4(process.pid, 0)
             process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
@@ -61,7 +61,7 @@ def bytes_per_disk(sieve_run, teeth):
     return usage.ru_maxrss * 1024 / (2 * count)
 
 
-def rows(best, memory):
+def rows(best, memory, memory_of_two):
     def millions(name):
         return f'{best[name] / 1e6:.2f} M'
 
@@ -81,7 +81,9 @@ def rows(best, memory):
         yield Row(f'lognormal.{percent}', f'2000 disks of lognormal radii, σ = {percent / 100:g}: the same', '≤ 2', '',
                   times('wideSizes/1', f'lognormalSizes/{percent}'))
     if memory:
-        yield Row('bytes_per_disk', '10⁶ disks: bytes a disk, everything included', '≤ 400', '≤ 250', f'{memory:.0f}')
+        yield Row('bytes_per_disk', '10⁶ disks, one thread: bytes a disk, everything included', '≤ 400', '≤ 250',
+                  f'{memory:.0f}')
+        yield Row('bytes_per_disk_two_threads', 'the same, two threads', '', '', f'{memory_of_two:.0f}')
     yield Row('single.collisions', 'single disks (Fig. 3): collisions per second, as many lanes as there are', '8 M',
               '20 M', millions('singleParticles'))
     for lanes in (1, 2, 4, 8):
@@ -113,9 +115,10 @@ def main():
     arguments = parser.parse_args()
     if arguments.write:
         documents.require_place(parser, arguments.write, 'engine')
-    memory = None if arguments.without_memory else bytes_per_disk(arguments.programs / 'sieve_run', LARGE)
+    memory = [None if arguments.without_memory else bytes_per_disk(arguments.programs / 'sieve_run', LARGE, threads)
+              for threads in (1, 2)]
     best = collisions(arguments.programs / 'engine_benchmark', arguments.rounds)
-    about, all_rows = physics.describe(), list(rows(best, memory))
+    about, all_rows = physics.describe(), list(rows(best, *memory))
     text = '\n'.join(table(all_rows, arguments.rounds, about))
     print(text)
     if arguments.write:

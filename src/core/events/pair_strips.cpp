@@ -195,8 +195,9 @@ bool PairStrips::execute(Region& region, std::uint32_t slot, double now, const C
   region.events.process(slot, now);
   if (!layer_.state.active(slot))
     return true;
+  // It was searched for pairs in the columns next to it.
   const std::int32_t place = placeIn(region, slot);
-  return place >= span.first && place <= span.last;
+  return place - 1 >= span.first && place + 1 <= span.last;
 }
 
 void PairStrips::advance(std::size_t s)

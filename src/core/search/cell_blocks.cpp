@@ -57,7 +57,7 @@ void CellBlocks::popFullBlock(std::size_t cell)
 void CellBlocks::sortOverflow()
 {
   std::vector<Block> sorted;
-  sorted.reserve(full_.size());
+  sorted.reserve(full_.capacity());
   for (Block& first : blocks_)
     for (Block* block = &first; block->next != NONE; block = &sorted.back())
     {
