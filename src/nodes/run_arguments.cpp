@@ -120,10 +120,10 @@ void describeRun(CLI::App& app, RunArguments& arguments)
       "--check-floor", arguments.check_floor,
       "Run the scene again at a half and a quarter of contact.min_rebound_speed; print whether the results "
       "depend on it, and add floor_check to the summary");
-  app.add_option(
-         "--threads", arguments.threads,
-         "Number of threads, at most 256; 0: one per processor. A run takes as many as its disks are worth; the "
-         "results are the same")
+  app.add_option("--threads", arguments.threads,
+                 "Number of threads, at most 256; 0: one per processor. A run takes as many as its disks are "
+                 "worth; the "
+                 "results are the same")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{0}, MOST_THREADS))
       ->capture_default_str();

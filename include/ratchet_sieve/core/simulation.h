@@ -74,8 +74,8 @@ public:
   /// @throws StallError; time() is then the time at which the run ended
   void advanceTo(double time);
 
-  /// Sets the largest number of threads; 0: one per processor. A run takes as many as its disks are worth; by steps
-  /// (Method::STEPS) it takes one. Results do not depend on it.
+  /// Sets the largest number of threads; 0: one per processor. A run takes as many as its disks are worth; by
+  /// steps (Method::STEPS) it takes one. Results do not depend on it.
   void setThreads(std::size_t threads);
 
   /// Takes effect at time(): the base moves to the setpoint at its slew rate. @pre the value is legal, see
