@@ -82,7 +82,7 @@ PairStrips::PairStrips(PairLayer& layer, std::size_t count, const StripSettings&
     cutting_.back()->left = s;
     cutting_.back()->right = next;
   }
-  touched_.assign(static_cast<std::size_t>(columns + 2 * REACH), LONG_AGO);
+  touched_.assign(static_cast<std::size_t>(columns) + 2 * REACH, LONG_AGO);
   for (std::uint32_t slot = 0; slot < slots; ++slot)
     if (layer_.state.active(slot))
     {
@@ -229,7 +229,7 @@ void PairStrips::advance(std::size_t s)
     }
     if (!execute(strip, slot, now, span))
       return fail();
-    double* const touched = &touched_[static_cast<std::size_t>(strip.first_column + REACH)];
+    double* const touched = &touched_[static_cast<std::size_t>(strip.first_column) + REACH];
     std::fill(touched + span.first, touched + span.last + 1, now);
   }
 }
@@ -264,7 +264,7 @@ void PairStrips::advance(Cut& cut)
     if (span.first < 0 || span.last >= cut.columns)
       return false;
     for (std::int32_t k = span.first; k <= span.last; ++k)
-      if (touched_[static_cast<std::size_t>((cut.first_column + k) % columns + REACH)] >= now)
+      if (touched_[static_cast<std::size_t>((cut.first_column + k) % columns) + REACH] >= now)
         return false;
     return true;
   };
