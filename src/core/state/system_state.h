@@ -154,7 +154,7 @@ public:
   /// Takes what a thread has observed. Added observers are told of it by Observers::deliver().
   void take(Observers::Share&& share);
 
-  /// What events without a collapse or a departure change.
+  /// What events without a collapse change of the disks, until their Share is taken.
   struct Snapshot
   {
     std::vector<Disk> disks;
