@@ -126,6 +126,26 @@ void layersAndThreads(benchmark::internal::Benchmark* rows)
 }
 BENCHMARK(mixtureOnThreads)->Apply(layersAndThreads);
 
+/// A layer on a periodic base at rest (0) or turning at 0.1 rad/s (1). Both begin with the same disks.
+void slewing(benchmark::State& state)
+{
+  const auto teeth = static_cast<int>(state.range(0));
+  const SceneDefinition scene = mixtureOf(teeth);
+  static std::map<int, std::string> starts;
+  std::string& start = starts[teeth];
+  if (start.empty())
+  {
+    Simulation simulation(scene);
+    simulation.advanceTo(landed(teeth));
+    start = simulation.saveState();
+  }
+  Simulation simulation(scene, start);
+  if (state.range(1) != 0)
+    simulation.command(Quantity::INCLINATION, 1.0);
+  advance(state, simulation, 1.0 / scene.base.frequency);
+}
+BENCHMARK(slewing)->ArgsProduct({{20, 382}, {0, 1}})->Iterations(6)->Unit(benchmark::kMillisecond);
+
 /// The same disks that do not see each other: what the pairs cost.
 void mixtureWithoutPairs(benchmark::State& state)
 {

@@ -259,6 +259,23 @@ TEST(TurningSeam, IsTheSameInAllLoopsContactByContact)
     }
 }
 
+std::vector<CollisionRecord> referenceRecordsOf(const SceneDefinition& scene, double rate,
+                                                const std::vector<std::pair<double, double>>& setpoints)
+{
+  test::Bench bench(scene);
+  placeInitialDisks(bench.state, 0.0);
+  std::vector<CollisionRecord> records;
+  bench.state.observers().observeCollisions([&](const CollisionRecord& r) { records.push_back(r); });
+  test::ReferenceLoop reference(bench);
+  double time = 0.0;
+  for (const auto& [until, inclination] : setpoints)
+  {
+    test::turn(bench.state, rate, inclination, time);
+    reference.advanceTo(time = until);
+  }
+  return records;
+}
+
 /// Including contacts across the seam.
 TEST(TurningSeam, MissesNoContactOfTheSlowReference)
 {
@@ -273,20 +290,43 @@ TEST(TurningSeam, MissesNoContactOfTheSlowReference)
         scene.initial.push_back({disk.species, disk.x, disk.y, 0.5 - 0.1 * disk.id, -0.2, 0.0});
       for (SpeciesDefinition& species : scene.species)
         species.count = 0;
-      test::Bench bench(scene);
-      placeInitialDisks(bench.state, 0.0);
-      std::vector<CollisionRecord> expected;
-      bench.state.observers().observeCollisions([&](const CollisionRecord& r) { expected.push_back(r); });
-      test::ReferenceLoop reference(bench);
-      double time = 0.0;
-      for (const auto& [until, inclination] : TO_AND_FRO)
-      {
-        if (until > 0.4)
-          break;
-        test::turn(bench.state, rate, inclination, time);
-        reference.advanceTo(time = until);
-      }
-      expectSameContacts(recordsOf(scene, rate, TO_AND_FRO), expected, 40);
+      const std::vector<std::pair<double, double>> at_first(TO_AND_FRO.begin(), TO_AND_FRO.end() - 1);
+      expectSameContacts(recordsOf(scene, rate, TO_AND_FRO), referenceRecordsOf(scene, rate, at_first), 40);
+    }
+}
+
+/// Pairs that meet across the ends of the base while it turns, and others far from the ends, so that cells
+/// are as small as in a layer.
+SceneDefinition meetingsAcrossTheEnds(double rate, double height)
+{
+  SceneDefinition scene = test::mixture(0);
+  const double width = scene.base.width();
+  for (int k = 0; k < 12; ++k)
+  {
+    // The one at the left has an image that keeps the height of the one at the right, and comes towards it.
+    const double y = height + 0.0045 * k;
+    scene.initial.push_back({0, width - 0.004 - 0.001 * k, y, 0.2 + 0.01 * k, 0.0, 0.0});
+    scene.initial.push_back({1, 0.006 + 0.0013 * k, y + 0.001, -0.25, -rate * width, 0.0});
+  }
+  for (int k = 0; k < 300; ++k)
+    scene.initial.push_back({1, 0.05 + 0.0045 * (k % 60), 0.1 + 0.0045 * (k / 60), 0.0, 0.0, 0.0});
+  return scene;
+}
+
+/// While the images across the ends rise by several rows of cells, at any height: the higher, the farther the
+/// ends lean over the columns.
+TEST(TurningSeam, MissesNoContactWhileImagesPassRowsOfCells)
+{
+  for (const double rate : {-0.5, 0.1})
+    for (const double height : {0.012, 1.0})
+    {
+      SCOPED_TRACE(std::to_string(rate) + " rad/s, from " + std::to_string(height) + " m");
+      const SceneDefinition scene = meetingsAcrossTheEnds(rate, height);
+      const std::vector<std::pair<double, double>> turn = {{0.045, std::copysign(0.5, rate)}};
+      const std::vector<CollisionRecord> expected = referenceRecordsOf(scene, std::abs(rate), turn);
+      EXPECT_GT(expected.size(), 6u);
+      expectSameContacts(recordsOf(scene, std::abs(rate), turn), expected,
+                         std::min<std::size_t>(expected.size(), 30));
     }
 }
 

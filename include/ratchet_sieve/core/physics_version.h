@@ -12,6 +12,7 @@ namespace ratchet_sieve
 ///
 /// 2: runs on a periodic base that turns; runs by steps; the saved state.
 /// 3: contacts with level faces in the summary; the saved state.
-constexpr std::int64_t PHYSICS_VERSION = 3;
+/// 4: runs on a periodic base that turns.
+constexpr std::int64_t PHYSICS_VERSION = 4;
 
 }  // namespace ratchet_sieve

@@ -36,6 +36,7 @@ DiskCells::DiskCells(SystemState& state)
 void DiskCells::rebuild(std::size_t count, double time)
 {
   grid_ = makeGrid();
+  openSeam();
   grid_.resize(capacity_);
   built_for_ = count;
   for (std::uint32_t slot = 0; slot < count; ++slot)
@@ -117,14 +118,15 @@ void DiskCells::archive(StateArchive& state)
   for (std::uint32_t slot = 0; legal && slot < state_.disks().size(); ++slot)
     legal = !state_.active(slot) || (grid_.holds(slot) && levelFits(slot));
   state.require(legal, "its cells do not match its disks");
+  openSeam();
 }
 
 CellGrid DiskCells::makeGrid()
 {
   const SceneDefinition& scene = state_.scene();
-  frame_ = state_.motion().at(state_.motion().segmentStart());
   const bool periodic = scene.boundary == Boundary::PERIODIC;
   lattice_turns_ = latticeTurns();
+  frame_ = frameOfCells();
   images_.assign(lattice_turns_ ? capacity_ : 0, 0);
   const Sizes now = sizes();
   const CellLayout layout = fit_.layout().value_or(layerLayout(now));
@@ -141,10 +143,32 @@ bool DiskCells::latticeTurns() const
   return state_.scene().boundary == Boundary::PERIODIC && state_.motion().turning();
 }
 
+/// The frame of the base at the start of the motion's segment; in its middle if the lattice turns.
+FrameOfBase DiskCells::frameOfCells() const
+{
+  const BaseMotion& motion = state_.motion();
+  const double start = motion.segmentStart();
+  return motion.at(lattice_turns_ ? 0.5 * (start + *motion.nextChange()) : start);
+}
+
 /// While a periodic base turns, its lattice turns relative to the cells, by up to this length [m].
 double DiskCells::latticeMargin() const
 {
-  return lattice_turns_ ? SystemState::LATTICE_MARGIN * state_.latticeDiameter() : 0.0;
+  return lattice_turns_ ? state_.latticeMargin() : 0.0;
+}
+
+/// While the lattice turns, images across an end of the base rise or sink against the rows. Disks meet them
+/// within a diameter of the end. The ends lean against the columns: the higher, the farther. Disks so high
+/// that both are in the topmost row see each other anyway.
+void DiskCells::openSeam()
+{
+  if (!lattice_turns_ || grid_.levels().count() > 0)
+    return;
+  const double rise = std::sin(state_.latticeTurn());
+  const double width = state_.shape().width();
+  const double top = grid_.rowStart(grid_.rows() - 1) + width * rise;
+  grid_.openSeam(state_.largestDiameter() + state_.latticeMargin() +
+                 rise * std::max(top / std::cos(state_.latticeTurn()), state_.shape().relief()));
 }
 
 DiskCells::Sizes DiskCells::sizes() const
@@ -154,13 +178,14 @@ DiskCells::Sizes DiskCells::sizes() const
   for (const double radius : radii)
     squares += 4.0 * radius * radius;
   Sizes sizes{cheapestLevels(radii, state_.largestDiameter()), squares, 0.0};
+  // A nested grid is not searched in all rows at its seam.
+  if (lattice_turns_ && !state_.wideSizes())
+    sizes.levels = {{state_.largestDiameter()}};
   const double diameter = sizes.levels.diameters[0];
   if (sizes.levels.count() == 1)
     sizes.squares = std::max<double>(1.0, static_cast<double>(radii.size())) * diameter * diameter;
   // Otherwise the grid would be rebuilt at every other collision while the lattice turns.
-  const double turning =
-      lattice_turns_ ? SystemState::LATTICE_MARGIN * (state_.latticeDiameter() / diameter) : 0.0;
-  sizes.least_side = diameter * (1.0 + (turning + CELL_MARGIN));
+  sizes.least_side = diameter * (1.0 + (latticeMargin() / diameter + CELL_MARGIN));
   return sizes;
 }
 

@@ -19,7 +19,8 @@ namespace ratchet_sieve
 ///
 /// The columns of a periodic grid form a ring. While the base does not turn, a disk is wrapped when it
 /// crosses the ends of the ring. While the base turns, a disk is wrapped at the ends of the base. The grid
-/// then keeps an image of it as long as the ends of base and grid differ.
+/// then keeps an image of it as long as the ends of base and grid differ, and searches all rows at its seam,
+/// where the images rise or sink by several rows.
 ///
 /// The cells are sized for a vibrated layer. In a dilute, fast system most events would be cell crossings. So
 /// at the end of an epoch the grid is rebuilt if LayoutCosts finds another layout cheaper for the present
@@ -133,8 +134,12 @@ public:
   }
 
   /// Per slot, while a periodic base turns: the image of a disk in the grid, in widths to the right of the
-  /// disk. Null if all disks are in the grid themselves.
-  const std::int32_t* images() const { return lattice_turns_ ? images_.data() : nullptr; }
+  /// disk. Null if this disk and all that it sees are in the grid themselves.
+  const std::int32_t* images(std::uint32_t slot) const
+  {
+    return lattice_turns_ && (grid_.levels().count() > 0 || grid_.seesOpenSeam(slot)) ? images_.data()
+                                                                                      : nullptr;
+  }
 
   /// Largest difference of images, in widths, that a visit finds without a shift; 0: none, shifts are exact.
   int ringShifts() const { return grid_.laps() > 0 ? 2 * grid_.laps() + 2 : 0; }
@@ -151,7 +156,10 @@ public:
 
 private:
   bool latticeTurns() const;
+  double latticeMargin() const;
+  FrameOfBase frameOfCells() const;
   CellGrid makeGrid();
+  void openSeam();
 
   /// What the cells have to suit, of the present disks.
   struct Sizes
@@ -161,7 +169,6 @@ private:
     double least_side;  ///< smallest allowed side of a cell [m]
   };
   Sizes sizes() const;
-  double latticeMargin() const;
   CellLayout layerLayout(const Sizes& sizes) const;
   std::int32_t laps() const;
   bool levelFits(std::uint32_t slot) const;
@@ -180,7 +187,7 @@ private:
   }
 
   SystemState& state_;
-  FrameOfBase frame_;  ///< of the cells: the frame of the base when the grid was built
+  FrameOfBase frame_;  ///< of the cells: see frameOfCells()
   CellFit fit_;
   std::size_t capacity_;
   std::size_t built_for_;             ///< number of disks when the grid was built

@@ -201,12 +201,13 @@ private:
     DiskPrediction& p = prediction(slot);
     const PairSearch search(state_.pairScene(), slot, now);
     const int ring_shifts = cells_.ringShifts();
+    const std::int32_t* const images = cells_.images(slot);
     cells_.visit(slot, entered, near_,
                  [&](const std::uint32_t* others, std::size_t count, int shift)
                  {
                    const PairContact found = ring_shifts > 0
                                                  ? search.firstOnRing(others, count, ring_shifts)
-                                                 : search.firstAmong(others, count, shift, cells_.images());
+                                                 : search.firstAmong(others, count, shift, images);
                    if (!found.isBefore(p.pair))
                      return;
                    p.pair = found;

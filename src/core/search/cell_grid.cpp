@@ -74,6 +74,11 @@ void CellGrid::remove(std::uint32_t slot)
   blocks_.remove(index(cell), slot);
 }
 
+void CellGrid::openSeam(double reach)
+{
+  open_columns_ = static_cast<std::int32_t>(std::min<double>(columns_, std::floor(reach / side_s_) + 1.0));
+}
+
 CellGrid::Surroundings CellGrid::beyond(CellEdge edge)
 {
   Surroundings around;

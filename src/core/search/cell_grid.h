@@ -60,6 +60,23 @@ public:
   void remove(std::uint32_t slot);
   void resize(std::size_t count);
 
+  /// From now on, disks in columns of which any part is within `reach` of the ring's seam see all rows of
+  /// the columns around them [m]. @pre levels() are empty
+  void openSeam(double reach);
+
+  bool atOpenSeam(Cell cell) const
+  {
+    return cell.column < open_columns_ || cell.column >= columns_ - open_columns_;
+  }
+
+  /// Whether a disk may see one that is at the open seam, or in the topmost row.
+  bool seesOpenSeam(std::uint32_t slot) const
+  {
+    const Cell cell = cells_[slot];
+    return cell.column <= open_columns_ || cell.column + 1 >= columns_ - open_columns_ ||
+           cell.row + 2 >= rows_;
+  }
+
   Cell cellAt(double s, double n) const;
   Cell cellOf(std::uint32_t slot) const { return cells_[slot]; }
 
@@ -81,7 +98,7 @@ public:
   double rowStart(std::int32_t row) const { return row * side_n_; }
 
   /// The cells around a cell: from (column + first_column, row + first_row) to (column + last_column, row +
-  /// last_row), each offset in [-1, 1].
+  /// last_row).
   struct Surroundings
   {
     int first_column = -1;
@@ -100,7 +117,8 @@ public:
   {
     const Cell cell = cells_[slot];
     if (nest_.empty())
-      return this->visit(cell, beyond(entered), list, visit);
+      return this->visit(cell, atOpenSeam(cell) ? Surroundings{-1, 1, -rows_, rows_} : beyond(entered), list,
+                         visit);
     const std::int32_t reach = nest_.reach(levels_[slot]);
     for (int shift = -1; shift <= 1; ++shift)
     {
@@ -178,6 +196,7 @@ private:
   std::int32_t rows_;
   double side_s_;
   double side_n_;
+  std::int32_t open_columns_ = 0;  ///< at either end of the ring; see openSeam()
   CellBlocks blocks_;
   std::vector<Cell> cells_;           ///< per disk
   CellNest nest_;                     ///< of larger disks

@@ -27,7 +27,7 @@ constexpr double MAX_SECTIONS_PER_STEP = 16.0;
 BaseEvent ContactSearch::find(const Disk& disk, double radius, double from, double until,
                               BaseInstant& base) const
 {
-  if (staysAbove(disk, radius, from, until))
+  if (staysAbove(disk, radius, from, until, base))
     return {until, {}};
   const Direction forced = forcedDirection();
   double time = nearTime(disk, radius, from);
@@ -81,12 +81,16 @@ std::optional<double> ContactSearch::refine(const Disk& disk, double radius, con
 /// Whether the disk is above the highest position of the base at both ends of a time span. Then it is so in
 /// between, because it falls towards the base; this does not hold for an inclination beyond 90 degrees. Needs
 /// comparisons only, while nearTime() takes a root. May return false although it is true.
-bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, double until) const
+bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, double until,
+                               BaseInstant& base) const
 {
-  if (search_above_band_ || motion_.turning() || motion_.rotation().cosine <= 0.0 ||
-      shape_.boundary() != Boundary::PERIODIC)
+  if (search_above_band_ || shape_.boundary() != Boundary::PERIODIC)
     return false;
+  if (motion_.turning())
+    return staysAboveTurning(disk, radius, from, until, base.at(from).rotation);
   const Rotation& rotation = motion_.rotation();
+  if (rotation.cosine <= 0.0)
+    return false;
   const double top = shape_.height() + radius + motion_.reach().y();
   const auto above = [&](double time)
   {
@@ -94,6 +98,34 @@ bool ContactSearch::staysAbove(const Disk& disk, double radius, double from, dou
     return intoBase(rotation, position[0], position[1]).second > top;
   };
   return above(until) && above(from);
+}
+
+/// The same while the base turns, and whether the disk stays between the ends of the base.
+/// @param rotation at `from`
+bool ContactSearch::staysAboveTurning(const Disk& disk, double radius, double from, double until,
+                                      const Rotation& rotation) const
+{
+  const double span = until - from;
+  const double turn = std::abs(motion_.inclinationRate()) * span;
+  if (!(turn <= MAX_TURN_PER_STEP) || rotation.cosine <= 0.0)
+    return false;
+  const auto seen = [&](double time)
+  {
+    const Two position = kinematicsAt(disk, time, gravity_).position;
+    return intoBase(rotation, position[0], position[1]);
+  };
+  const auto before = seen(from);
+  const auto after = seen(until);
+  const double bend = 0.125 * gravity_ * span * span;
+  const double first = std::min(before.first, after.first) - bend;
+  const double last = std::max(before.first, after.first) + bend;
+  const double lowest = std::min(before.second, after.second);
+  const double highest = std::max(before.second, after.second) + bend;
+  // In the axes of `from`, what is at a distance from the foot moves by no more than the turn times that; the
+  // distance itself appears smaller by half the square of the turn.
+  const double margin =
+      motion_.displacementBound().norm() + turn * (1.0 + turn) * (highest + std::max(-first, last));
+  return lowest > shape_.height() + radius + margin && first > margin && last < shape_.width() - margin;
 }
 
 /// The first time after `from` at which the base, at any phase of its oscillation, could reach the disk.
@@ -197,6 +229,9 @@ void ContactSearch::testEnds(Step& step) const
     if (below)
       return;
   }
+  const double inside = std::min(step.point.s(), shape_.width() - step.point.s());
+  if (shape_.boundary() == Boundary::PERIODIC && inside > 0.0 && !step.canReach(inside * inside))
+    return;
   test_line(BaseFeatureKind::LEFT_END, Step::ALWAYS);
   test_line(BaseFeatureKind::RIGHT_END, Step::ALWAYS);
   if (shape_.boundary() == Boundary::PERIODIC)

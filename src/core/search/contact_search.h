@@ -79,7 +79,9 @@ private:
     double acceleration = 0.0;  ///< bound on the second derivative of the gap [m/s^2]
   };
 
-  bool staysAbove(const Disk& disk, double radius, double from, double until) const;
+  bool staysAbove(const Disk& disk, double radius, double from, double until, BaseInstant& base) const;
+  bool staysAboveTurning(const Disk& disk, double radius, double from, double until,
+                         const Rotation& rotation) const;
   std::optional<double> refine(const Disk& disk, double radius, const SureContact& sure, double time) const;
   double nearTime(const Disk& disk, double radius, double from) const;
   double relativeAccelerationBound(const BasePoint& point, double span) const;

@@ -18,6 +18,15 @@ namespace
 constexpr int MAX_SEAM_STEPS = 200;
 }  // namespace
 
+PairContact PairSearch::firstOfSlots(const std::uint32_t* others, std::size_t count, int shift) const
+{
+  PairContact first;
+  const Image image = scene_.image(shift, from_);
+  for (std::size_t i = 0; i < count; i += LANES)
+    first.take(firstOfLanes(others + i, std::min(LANES, count - i), shift, image));
+  return first;
+}
+
 /// On a turning base: consecutive disks that are not across the seam are tested together.
 PairContact PairSearch::firstOfImages(const std::uint32_t* others, std::size_t count, int shift,
                                       const std::int32_t* images) const
@@ -26,15 +35,14 @@ PairContact PairSearch::firstOfImages(const std::uint32_t* others, std::size_t c
   std::size_t begin = 0;
   const auto search_row = [&](std::size_t end)
   {
-    if (end > begin)
-      first.take(firstOfLanes(others + begin, end - begin, 0, Image()));
+    first.take(firstOfSlots(others + begin, end - begin, 0));
     begin = end;
   };
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::uint32_t other = others[i];
     const int own_shift = shift + images[other] - images[slot_];
-    if (own_shift != 0 || i - begin == LANES)
+    if (own_shift != 0)
       search_row(i);
     if (own_shift == 0)
       continue;

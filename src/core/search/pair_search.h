@@ -113,11 +113,7 @@ public:
   {
     if (images != nullptr)
       return firstOfImages(others, count, shift, images);
-    PairContact first;
-    const Image image = scene_.image(shift, from_);
-    for (std::size_t i = 0; i < count; i += LANES)
-      first.take(firstOfLanes(others + i, std::min(LANES, count - i), shift, image));
-    return first;
+    return firstOfSlots(others, count, shift);
   }
 
   /// The same for all images up to `most_laps` widths to either side, in closed form for those that the disk
@@ -156,6 +152,7 @@ private:
     return {position - other.position, kinematics_.velocity - other.velocity, radius_ + scene_.radius(slot)};
   }
 
+  PairContact firstOfSlots(const std::uint32_t* others, std::size_t count, int shift) const;
   PairContact firstOfImages(const std::uint32_t* others, std::size_t count, int shift,
                             const std::int32_t* images) const;
   PairContact firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,

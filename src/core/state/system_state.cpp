@@ -23,6 +23,14 @@ constexpr double FASTEST_TOOTH = 0x1p26;
 /// feed is compacted once in a while.
 constexpr std::size_t LEAST_COMPACTED = 1024;
 
+/// What latticeMargin() may be [lattice diameters]: cells are so much wider while a periodic base turns.
+constexpr double LATTICE_MARGIN = 0.05;
+constexpr double LATTICE_MARGIN_OF_WIDE = 0.45;
+
+/// The lattice may rise so far across the width [lattice diameters]. With more, the disks at the ends would
+/// be far from the rows that are meant for them; with less, cells are built anew more often.
+constexpr double LATTICE_ROWS = 2.0;
+
 /// Speed of a fall from a tooth's height; without gravity, a tooth per time scale [m/s].
 double speedScale(const SceneDefinition& scene, double time_scale)
 {
@@ -50,11 +58,14 @@ double latticeDiameter(const SceneDefinition& scene, double largest_diameter)
                                                                    : largest_diameter;
 }
 
-double maxTurn(const SceneDefinition& scene, double lattice_diameter)
+/// See SystemState::latticeTurn().
+double latticeTurn(const SceneDefinition& scene, double lattice_diameter, bool wide)
 {
-  const bool lattice = scene.boundary == Boundary::PERIODIC && scene.contact.pair_collisions;
-  return lattice ? SystemState::LATTICE_MARGIN * lattice_diameter / scene.base.width()
-                 : std::numeric_limits<double>::infinity();
+  if (scene.boundary != Boundary::PERIODIC || !scene.contact.pair_collisions)
+    return std::numeric_limits<double>::infinity();
+  const double diameters = lattice_diameter / scene.base.width();
+  return wide ? LATTICE_MARGIN_OF_WIDE * diameters
+              : std::min(std::sqrt(2.0 * LATTICE_MARGIN * diameters), LATTICE_ROWS * diameters);
 }
 
 const Plan& covering(const Plan& plan, const SceneDefinition& scene)
@@ -73,15 +84,22 @@ SystemState::SystemState(const SceneDefinition& scene, const Plan& plan)
       shape_(scene.base, scene.boundary, wallHeight(scene)),
       largest_diameter_(ratchet_sieve::largestDiameter(scene)),
       lattice_diameter_(ratchet_sieve::latticeDiameter(scene, largest_diameter_)),
+      lattice_turn_(ratchet_sieve::latticeTurn(scene, lattice_diameter_, wideSizes())),
       time_scale_(ratchet_sieve::timeScale(scene)),
       epoch_{0.0, epochLength(time_scale_)},
-      motion_(scene.base, maxTurn(scene, lattice_diameter_), plan.drive && !planOf(scene).drive),
+      motion_(scene.base, 2.0 * lattice_turn_, plan.drive && !planOf(scene).drive),
       search_(shape_, motion_, scene.gravity, timeResolution(epoch_.length), plan.search_above_band),
       size_class_bins_(size_classes_.size()),
       pair_scene_{disks_, motion_, shape_.width(), scene.gravity, timeResolution(epoch_.length)},
       collapse_watch_(scene.contact, time_scale_, speedScale(scene, time_scale_), ids_),
       observers_(*this)
 {
+}
+
+double SystemState::latticeMargin() const
+{
+  return wideSizes() ? LATTICE_MARGIN_OF_WIDE * lattice_diameter_
+                     : shape_.width() * (1.0 - std::cos(lattice_turn_));
 }
 
 /// From the length of the epoch.

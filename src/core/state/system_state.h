@@ -27,10 +27,6 @@ namespace ratchet_sieve
 class SystemState
 {
 public:
-  /// While a periodic base turns, its lattice moves relative to a fixed frame by at most this fraction of
-  /// latticeDiameter() within one segment of the motion.
-  static constexpr double LATTICE_MARGIN = 0.45;
-
   explicit SystemState(const SceneDefinition& scene) : SystemState(scene, planOf(scene)) {}
 
   /// @throws std::invalid_argument unless the plan covers the scene
@@ -64,6 +60,12 @@ public:
 
   /// The largest diameter, or the root mean square of the scene's if sizes are wide: cells suit these.
   double latticeDiameter() const { return lattice_diameter_; }
+
+  /// While a periodic base turns: the largest angle to the inclination in the middle of a segment of the
+  /// motion [rad], and what the lattice then lacks to the same width along the base [m]. If sizes are wide,
+  /// the lattice moves by no more than that in any direction.
+  double latticeTurn() const { return lattice_turn_; }
+  double latticeMargin() const;
 
   /// Whether the scene's sizes are wide; see areWide().
   bool wideSizes() const { return lattice_diameter_ < largest_diameter_; }
@@ -214,6 +216,7 @@ private:
   BaseShape shape_;
   double largest_diameter_;
   double lattice_diameter_;
+  double lattice_turn_;
   double time_scale_;
   Epoch epoch_;
   BaseMotion motion_;
