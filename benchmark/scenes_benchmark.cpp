@@ -89,22 +89,28 @@ void mixture(benchmark::State& state)
 }
 BENCHMARK(mixture)->Arg(20)->Arg(38)->Arg(382)->Arg(3817)->Unit(benchmark::kMillisecond);
 
+/// A mixture that has come down; always the same disks.
+const std::string& landedState(int teeth)
+{
+  static std::map<int, std::string> states;
+  std::string& state = states[teeth];
+  if (state.empty())
+  {
+    Simulation simulation(mixtureOf(teeth));
+    simulation.setThreads(0);
+    simulation.advanceTo(landed(teeth));
+    state = simulation.saveState();
+  }
+  return state;
+}
+
 /// The second argument is the number of threads; 0: one, with a single queue whatever the number of disks.
 /// All begin with the same disks.
 void mixtureOnThreads(benchmark::State& state)
 {
   const auto teeth = static_cast<int>(state.range(0));
   const SceneDefinition scene = mixtureOf(teeth);
-  static std::map<int, std::string> starts;
-  std::string& start = starts[teeth];
-  if (start.empty())
-  {
-    Simulation simulation(scene);
-    simulation.setThreads(0);
-    simulation.advanceTo(landed(teeth));
-    start = simulation.saveState();
-  }
-  Engine engine(scene, start);
+  Engine engine(scene, landedState(teeth));
   StripSettings strips;
   if (state.range(1) == 0)
     strips.least_on_one_thread = SIZE_MAX;
@@ -131,15 +137,7 @@ void slewing(benchmark::State& state)
 {
   const auto teeth = static_cast<int>(state.range(0));
   const SceneDefinition scene = mixtureOf(teeth);
-  static std::map<int, std::string> starts;
-  std::string& start = starts[teeth];
-  if (start.empty())
-  {
-    Simulation simulation(scene);
-    simulation.advanceTo(landed(teeth));
-    start = simulation.saveState();
-  }
-  Simulation simulation(scene, start);
+  Simulation simulation(scene, landedState(teeth));
   if (state.range(1) != 0)
     simulation.command(Quantity::INCLINATION, 1.0);
   advance(state, simulation, 1.0 / scene.base.frequency);

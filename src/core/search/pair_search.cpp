@@ -33,19 +33,14 @@ PairContact PairSearch::firstOfImages(const std::uint32_t* others, std::size_t c
 {
   PairContact first;
   std::size_t begin = 0;
-  const auto search_row = [&](std::size_t end)
-  {
-    first.take(firstOfSlots(others + begin, end - begin, 0));
-    begin = end;
-  };
+  const auto search_row = [&](std::size_t end) { first.take(firstOfSlots(others + begin, end - begin, 0)); };
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::uint32_t other = others[i];
     const int own_shift = shift + images[other] - images[slot_];
-    if (own_shift != 0)
-      search_row(i);
     if (own_shift == 0)
       continue;
+    search_row(i);
     begin = i + 1;
     if (const auto time = other == slot_ ? std::nullopt : contactWith(other, own_shift))
       first.take({*time, other, own_shift});

@@ -61,9 +61,9 @@ public:
   /// The largest diameter, or the root mean square of the scene's if sizes are wide: cells suit these.
   double latticeDiameter() const { return lattice_diameter_; }
 
-  /// While a periodic base turns: the largest angle to the inclination in the middle of a segment of the
-  /// motion [rad], and what the lattice then lacks to the same width along the base [m]. If sizes are wide,
-  /// the lattice moves by no more than that in any direction.
+  /// While a periodic base turns: the largest angle between the inclination and that in the middle of a
+  /// segment of the motion [rad]; and how far an image at the other end then moves along the base [m], or in
+  /// any direction if sizes are wide.
   double latticeTurn() const { return lattice_turn_; }
   double latticeMargin() const;
 
