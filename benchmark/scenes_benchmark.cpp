@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <string>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
@@ -104,23 +106,40 @@ const std::string& landedState(int teeth)
   return state;
 }
 
-/// The second argument is the number of threads; 0: one, with a single queue whatever the number of disks.
-/// All begin with the same disks.
-void mixtureOnThreads(benchmark::State& state)
+/// Six periods of the drive, which always begin with the same disks. Of the strips: the speed-up that their
+/// events would allow with a thread each, the share of the wall time in which a thread waits, and that in
+/// which one works alone.
+void layerInStrips(benchmark::State& state, int teeth, std::size_t threads, const StripSettings& strips)
 {
-  const auto teeth = static_cast<int>(state.range(0));
   const SceneDefinition scene = mixtureOf(teeth);
   Engine engine(scene, landedState(teeth));
+  engine.setThreads(threads, strips);
+  const auto collisions = [&] { return engine.state().observers().counts().collisions.total(); };
+  const auto before = collisions();
+  const auto start = std::chrono::steady_clock::now();
+  for (auto _ : state)
+    engine.advanceTo(engine.time() + 1.0 / scene.base.frequency);
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  using benchmark::Counter;
+  state.counters["collisions"] = Counter(static_cast<double>(collisions() - before), Counter::kIsRate);
+  const StripCounts counts = engine.stripCounts();
+  if (counts.windows == 0)
+    return;
+  state.counters["windows"] = static_cast<double>(counts.windows);
+  state.counters["events_over_critical"] =
+      static_cast<double>(counts.events) / static_cast<double>(counts.critical_events);
+  state.counters["meeting"] = counts.meeting / (wall * static_cast<double>(threads));
+  state.counters["alone"] = counts.alone / wall;
+}
+
+/// The second argument is the number of threads; 0: one, with a single queue whatever the number of disks.
+void mixtureOnThreads(benchmark::State& state)
+{
   StripSettings strips;
   if (state.range(1) == 0)
     strips.least_on_one_thread = SIZE_MAX;
-  engine.setThreads(std::max<std::size_t>(1, static_cast<std::size_t>(state.range(1))), strips);
-  const auto collisions = [&] { return engine.state().observers().counts().collisions.total(); };
-  const auto before = collisions();
-  for (auto _ : state)
-    engine.advanceTo(engine.time() + 1.0 / scene.base.frequency);
-  using benchmark::Counter;
-  state.counters["collisions"] = Counter(static_cast<double>(collisions() - before), Counter::kIsRate);
+  layerInStrips(state, static_cast<int>(state.range(0)),
+                static_cast<std::size_t>(std::max<std::int64_t>(1, state.range(1))), strips);
 }
 /// Over the same periods of the drive, whatever the threads.
 void layersAndThreads(benchmark::internal::Benchmark* rows)
@@ -131,6 +150,28 @@ void layersAndThreads(benchmark::internal::Benchmark* rows)
       rows->Args({teeth, threads});
 }
 BENCHMARK(mixtureOnThreads)->Apply(layersAndThreads);
+
+/// The second argument is the number of strips, all on one thread: what as many threads would have to do.
+void mixtureInStrips(benchmark::State& state)
+{
+  const auto teeth = static_cast<int>(state.range(0));
+  const auto count = static_cast<std::size_t>(state.range(1));
+  StripSettings strips;
+  strips.least_on_one_thread = 0;
+  strips.most_on_one_thread = SIZE_MAX;
+  strips.disks_per_strip = 2 * static_cast<std::size_t>(mixtureOf(teeth).species[0].count) / count + 1;
+  layerInStrips(state, teeth, 1, strips);
+}
+/// As many strips as the plan would use threads at most, and fewer.
+void layersAndStrips(benchmark::internal::Benchmark* rows)
+{
+  rows->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(6);
+  for (const auto& [teeth, counts] :
+       std::map<int, std::vector<int>>{{382, {2, 4, 6}}, {3817, {2, 4, 16, 64}}, {38170, {4, 16, 64}}})
+    for (const int count : counts)
+      rows->Args({teeth, count});
+}
+BENCHMARK(mixtureInStrips)->Apply(layersAndStrips);
 
 /// A layer on a periodic base at rest (0) or turning at 0.1 rad/s (1). Both begin with the same disks.
 void slewing(benchmark::State& state)

@@ -89,6 +89,8 @@ BagFile::BagFile(const std::string& path)
 
 BagFile::~BagFile()
 {
+  if (stored_.valid())
+    stored_.wait();
   for (const int descriptor : {descriptor_, lock_})
     if (descriptor >= 0)
       ::close(descriptor);
@@ -98,10 +100,10 @@ void BagFile::startMessage(ros::Time time)
 {
   if (failure_ != 0)
     fail(failure_);
-  if (!chunk_.empty() && (time - chunk_start_).toSec() >= CHUNK_DURATION)
+  if (!filling_.bytes.empty() && (time - filling_.start).toSec() >= CHUNK_DURATION)
     endChunk();
-  if (chunk_.empty())
-    chunk_start_ = time;
+  if (filling_.bytes.empty())
+    filling_.start = time;
 }
 
 std::uint32_t BagFile::connectionOf(const Connection& connection)
@@ -114,31 +116,32 @@ std::uint32_t BagFile::connectionOf(const Connection& connection)
     return id;
   connections_.push_back(connection);
   // Before its first message, for `rosbag reindex`.
-  chunk_ += connectionRecord(id);
+  filling_.bytes += connectionRecord(id);
   return id;
 }
 
 void BagFile::finishMessage(std::uint32_t connection, ros::Time time)
 {
-  chunk_end_ = time;
-  chunk_index_.resize(connections_.size());
-  chunk_index_[connection].push_back({time, static_cast<std::uint32_t>(chunk_.size())});
-  appendRecord(chunk_,
+  filling_.end = time;
+  filling_.index.resize(connections_.size());
+  filling_.index[connection].push_back({time, static_cast<std::uint32_t>(filling_.bytes.size())});
+  appendRecord(filling_.bytes,
                FieldText(BagOp::MESSAGE).add("conn", bytesOf(connection)).add("time", stampBytes(time)),
                {reinterpret_cast<const char*>(bytes_.data()), bytes_.size()});
-  if (chunk_.size() >= CHUNK_SIZE)
+  if (filling_.bytes.size() >= CHUNK_SIZE)
     endChunk();
 }
 
-/// Compresses chunk_ into packed_.
+/// Compresses storing_ into packed_.
 void BagFile::pack()
 {
+  std::string& bytes = storing_.bytes;
   const std::size_t blocks =
-      chunk_.size() / static_cast<std::size_t>(roslz4_blockSizeFromIndex(BLOCK_SIZE)) + 1;
-  packed_.resize(chunk_.size() + blocks * BLOCK_HEAD + FRAME_HEAD);
+      bytes.size() / static_cast<std::size_t>(roslz4_blockSizeFromIndex(BLOCK_SIZE)) + 1;
+  packed_.resize(bytes.size() + blocks * BLOCK_HEAD + FRAME_HEAD);
   auto size = static_cast<unsigned int>(packed_.size());
-  if (roslz4_buffToBuffCompress(chunk_.data(), static_cast<unsigned int>(chunk_.size()), packed_.data(),
-                                &size, BLOCK_SIZE) != ROSLZ4_OK)
+  if (roslz4_buffToBuffCompress(bytes.data(), static_cast<unsigned int>(bytes.size()), packed_.data(), &size,
+                                BLOCK_SIZE) != ROSLZ4_OK)
     fail(ENOMEM);
   packed_.resize(size);
 }
@@ -149,9 +152,9 @@ void BagFile::pack()
 std::uint32_t BagFile::appendIndexes(std::string& to, std::string& counts) const
 {
   std::uint32_t connections = 0;
-  for (std::uint32_t connection = 0; connection < chunk_index_.size(); ++connection)
+  for (std::uint32_t connection = 0; connection < storing_.index.size(); ++connection)
   {
-    const std::vector<IndexEntry>& entries = chunk_index_[connection];
+    const std::vector<IndexEntry>& entries = storing_.index[connection];
     if (entries.empty())
       continue;
     std::string bytes;
@@ -170,31 +173,59 @@ std::uint32_t BagFile::appendIndexes(std::string& to, std::string& counts) const
   return connections;
 }
 
+void BagFile::Content::clear()
+{
+  bytes.clear();
+  for (std::vector<IndexEntry>& entries : index)
+    entries.clear();
+}
+
+/// Without a free thread the chunk is stored by the caller, at the latest when the next one is finished.
 void BagFile::endChunk()
 {
-  if (chunk_.empty())
+  if (filling_.bytes.empty())
     return;
+  waitForStoring();
+  std::swap(filling_, storing_);
+  filling_.clear();
+  stored_ = std::async(&BagFile::store, this);
+}
+
+/// @throws BagError if it failed
+void BagFile::waitForStoring()
+{
+  if (stored_.valid())
+    stored_.get();
+}
+
+std::uint64_t BagFile::size() const
+{
+  if (stored_.valid())
+    stored_.wait();
+  return end_ + filling_.bytes.size();
+}
+
+/// Writes storing_ to the end of the file.
+void BagFile::store()
+{
   pack();
   record_.clear();
   appendRecord(record_,
                FieldText(BagOp::CHUNK)
                    .add("compression", "lz4")
-                   .add("size", bytesOf(static_cast<std::uint32_t>(chunk_.size()))),
+                   .add("size", bytesOf(static_cast<std::uint32_t>(storing_.bytes.size()))),
                packed_);
   std::string counts;
   const std::uint32_t connections = appendIndexes(record_, counts);
-  chunk_.clear();
-  for (std::vector<IndexEntry>& entries : chunk_index_)
-    entries.clear();
   writeAt(end_, record_);
 
-  chunks_.push_back({end_, chunk_end_, chunk_infos_.size()});
+  chunks_.push_back({end_, storing_.end, chunk_infos_.size()});
   appendRecord(chunk_infos_,
                FieldText(BagOp::CHUNK_INFO)
                    .add("ver", bytesOf(CHUNK_INFO_VERSION))
                    .add("chunk_pos", bytesOf(end_))
-                   .add("start_time", stampBytes(chunk_start_))
-                   .add("end_time", stampBytes(chunk_end_))
+                   .add("start_time", stampBytes(storing_.start))
+                   .add("end_time", stampBytes(storing_.end))
                    .add("count", bytesOf(connections)),
                counts);
   end_ += record_.size();
@@ -297,6 +328,7 @@ std::optional<BagFile::Loss> BagFile::close()
   {
     if (failure_ == 0)
       endChunk();
+    waitForStoring();
   }
   catch (const BagError&)
   {

@@ -95,7 +95,7 @@ void expectSameBits(const SceneDefinition& scene, Command&& command)
       }
       ASSERT_EQ(hashOf(again.engine), hashOf(strips.engine)) << threads << " threads, " << 0.05 * k << " s";
     }
-    EXPECT_GT(strips.engine.eventsInStrips(), strips.engine.events() / 8) << threads << " threads";
+    EXPECT_GT(strips.engine.stripCounts().events, strips.engine.events() / 8) << threads << " threads";
     ASSERT_EQ(again.collisions.size(), strips.collisions.size());
     for (std::size_t k = 0; k < again.collisions.size(); ++k)
       ASSERT_TRUE(areSame(again.collisions[k], strips.collisions[k])) << "collision " << k;
@@ -184,7 +184,7 @@ TEST(PairStrips, HaveTheBitsOfASingleQueueWhereverTheyAreCut)
         RC_ASSERT(queue.collisions.size() == cut.collisions.size());
         for (std::size_t k = 0; k < queue.collisions.size(); ++k)
           RC_ASSERT(areSame(queue.collisions[k], cut.collisions[k]));
-        events_in_strips += cut.engine.eventsInStrips();
+        events_in_strips += cut.engine.stripCounts().events;
       }));
   EXPECT_GT(events_in_strips, 0u);
 }

@@ -94,7 +94,11 @@ TEST(BagFile, writesAChunkOutOnceItIsASecondLongOrLarge)
   const ScratchDirectory scratch;
   const std::string path = scratch / "a.bag";
   BagFile file(path);
-  const auto size = [&] { return std::filesystem::file_size(path); };
+  const auto size = [&]
+  {
+    file.size();  // waits until a finished chunk is in the file
+    return std::filesystem::file_size(path);
+  };
   const std::uintmax_t head = size();
   for (const std::uint32_t k : {0u, 4u, 9u})
     file.write("/noise", ros::Time(7, k * 100'000'000), noise(5, 1));

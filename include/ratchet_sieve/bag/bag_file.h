@@ -1,6 +1,8 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,9 +20,9 @@ namespace ratchet_sieve
 /// used, for two reasons. On a full disk it throws from a destructor, which ends the program. It can neither
 /// be asked to finish a chunk nor to leave one out.
 ///
-/// A chunk is finished when it holds CHUNK_SIZE bytes or CHUNK_DURATION of messages. It is written to the
-/// file at once, with its index. If the program is killed, all chunks but the last are complete, and `rosbag
-/// reindex` recovers them.
+/// A chunk is finished when it holds CHUNK_SIZE bytes or CHUNK_DURATION of messages. It is then compressed
+/// and written to the file, with its index, in a thread of its own, while the next one is filled. If the
+/// program is killed, all chunks but the last two are complete, and `rosbag reindex` recovers them.
 class BagFile
 {
 public:
@@ -39,7 +41,8 @@ public:
 
   /// @param time not earlier than the time of the previous message
   /// @param latched whether a replay keeps the message for later subscribers
-  /// @throws BagError; then only close() can still be called
+  /// @throws BagError, also for an earlier message that could not be written; then only close() can still be
+  /// called
   template <typename Message>
   void write(const std::string& topic, ros::Time time, const Message& message, bool latched = false)
   {
@@ -53,8 +56,8 @@ public:
     finishMessage(connection, time);
   }
 
-  /// Bytes in the file, and bytes not yet compressed.
-  std::uint64_t size() const { return end_ + chunk_.size(); }
+  /// Bytes in the file, and bytes not yet compressed. Waits for the chunk that is being stored.
+  std::uint64_t size() const;
 
   /// The end of a file that could not be written completely.
   struct Loss
@@ -83,6 +86,16 @@ private:
     std::uint32_t offset;  ///< in the uncompressed chunk
   };
 
+  /// The messages of a chunk, uncompressed.
+  struct Content
+  {
+    std::string bytes;
+    ros::Time start, end;
+    std::vector<std::vector<IndexEntry>> index;  ///< of each connection
+
+    void clear();
+  };
+
   struct Chunk
   {
     std::uint64_t position;   ///< in the file
@@ -94,6 +107,8 @@ private:
   std::uint32_t connectionOf(const Connection& connection);
   void finishMessage(std::uint32_t connection, ros::Time time);
   void endChunk();
+  void waitForStoring();
+  void store();
   void pack();
   std::uint32_t appendIndexes(std::string& to, std::string& counts) const;
   std::string headRecord(std::uint64_t index_position) const;
@@ -111,16 +126,17 @@ private:
   std::vector<Chunk> chunks_;
   std::string chunk_infos_;  ///< records of the file's index, one per chunk
 
-  std::string chunk_;  ///< the chunk that is being filled, uncompressed
-  ros::Time chunk_start_, chunk_end_;
-  std::vector<std::vector<IndexEntry>> chunk_index_;  ///< of each connection
+  Content filling_;
+  Content storing_;
+  std::future<void>
+      stored_;  ///< the thread that stores storing_; until it ends, end_ and chunks_ belong to it
 
   // These buffers are reused for all chunks. Allocating them anew in varying sizes fragments the heap: a
   // process grew by some hundreds of megabytes in an hour.
   std::vector<std::uint8_t> bytes_;  ///< of a message
   std::string packed_, record_;      ///< of a chunk
 
-  int failure_ = 0;  ///< errno after which nothing more can be written
+  std::atomic<int> failure_ = 0;  ///< errno after which nothing more can be written
 };
 
 }  // namespace ratchet_sieve

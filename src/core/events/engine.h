@@ -34,7 +34,7 @@ public:
   const SystemState& state() const { return state_; }
   SystemState& state() { return state_; }
   std::uint64_t events() const { return loop_->events(); }
-  std::uint64_t eventsInStrips() const { return loop_->eventsInStrips(); }
+  StripCounts stripCounts() const { return loop_->stripCounts(); }
   bool settled() const { return settled_; }
   double now() const { return now_; }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "events/strip_counts.h"
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/state_archive.h"
 
@@ -74,8 +75,8 @@ public:
   /// Number of events so far: collisions, and internal events of the search.
   std::uint64_t events() const { return events_; }
 
-  /// Of these, the number of those that strips of a layer have executed.
-  std::uint64_t eventsInStrips() const { return events_in_strips_; }
+  /// All zero for a loop without strips.
+  virtual StripCounts stripCounts() const { return {}; }
 
   /// Continues the count of a previous loop.
   void setEvents(std::uint64_t events) { events_ = events; }
@@ -85,7 +86,6 @@ protected:
   static void requireDisks(std::size_t count, const SystemState& state);
 
   std::uint64_t events_ = 0;
-  std::uint64_t events_in_strips_ = 0;
 };
 
 /// For independent disks: every disk has its own loop, without a queue.

@@ -62,9 +62,7 @@ public:
         continue;
       }
       const bool advanced = strips_->advance(reached_, time);
-      const std::uint64_t events = strips_->takeEvents();
-      events_ += events;
-      events_in_strips_ += events;
+      events_ += strips_->takeEvents();
       window_length_ = strips_->windowLength();
       if (advanced)
       {
@@ -137,6 +135,8 @@ public:
     threads_ = threads;
   }
 
+  StripCounts stripCounts() const override { return strip_counts_; }
+
 private:
   std::size_t mostStrips() const { return PairStrips::mostStrips(cells_, settings_); }
   std::size_t usefulThreads() const
@@ -169,7 +169,8 @@ private:
     const std::size_t strips = workers * ((disks - 1) / (workers * settings_.disks_per_strip) + 1);
     StripSettings settings = settings_;
     settings.events_per_column *= pace_;
-    strips_.emplace(layer_, std::clamp<std::size_t>(strips, 2, mostStrips()), settings, pool_.get());
+    strips_.emplace(layer_, std::clamp<std::size_t>(strips, 2, mostStrips()), settings, pool_.get(),
+                    strip_counts_);
     strips_->setWindowLength(window_length_);
     return true;
   }
@@ -291,9 +292,10 @@ private:
   StripSettings settings_;
   std::unique_ptr<WorkerPool> pool_;  ///< null if one thread is enough
   std::optional<PairStrips> strips_;  ///< while these have the events, not the queue
-  double window_length_ = 0.0;        ///< of the strips so far [s]
-  double pace_ = 1.0;                 ///< events in a window, as a share of the settings
-  double caution_ = 1.0;              ///< windows for the queue after strips have failed
+  StripCounts strip_counts_;
+  double window_length_ = 0.0;  ///< of the strips so far [s]
+  double pace_ = 1.0;           ///< events in a window, as a share of the settings
+  double caution_ = 1.0;        ///< windows for the queue after strips have failed
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace ratchet_sieve
@@ -37,14 +38,16 @@ std::size_t PairStrips::mostStrips(const DiskCells& cells, const StripSettings& 
   return cells.seesNextColumnOnly() ? static_cast<std::size_t>(std::max(most, 1)) : 1;
 }
 
-PairStrips::PairStrips(PairLayer& layer, std::size_t count, const StripSettings& settings, WorkerPool* pool)
+PairStrips::PairStrips(PairLayer& layer, std::size_t count, const StripSettings& settings, WorkerPool* pool,
+                       StripCounts& counts)
     : layer_(layer),
       settings_(settings),
       pool_(pool),
       ring_(layer.state.scene().boundary == Boundary::PERIODIC),
       home_(layer.predictions.size()),
       strip_places_(layer.predictions.size(), SlotQueue::NONE),
-      cut_places_(layer.predictions.size(), SlotQueue::NONE)
+      cut_places_(layer.predictions.size(), SlotQueue::NONE),
+      counts_(counts)
 {
   const DiskCells& cells = layer_.cells;
   const std::int32_t columns = cells.columns();
@@ -105,11 +108,15 @@ double PairStrips::nextTime(std::uint32_t slot) const
 
 bool PairStrips::advance(double now, double time)
 {
-  copy();
+  {
+    const TimeSpent spent(counts_.alone);
+    copy();
+  }
   done_ = false;
   start_ = now;
   end_ = std::min(time, now + length_);
   const std::size_t workers = pool_ != nullptr ? std::min(pool_->workers(), strips_.size()) : 1;
+  meeting_.assign(workers, 0.0);
   SpinBarrier barrier(workers);
   if (workers == 1)
     work(0, 1, barrier, time);
@@ -120,16 +127,14 @@ bool PairStrips::advance(double now, double time)
           if (worker < workers)
             work(worker, workers, barrier, time);
         });
+  const TimeSpent spent(counts_.alone);
+  counts_.meeting = std::accumulate(meeting_.begin(), meeting_.end(), counts_.meeting);
   if (error_)
     std::rethrow_exception(error_);
   if (!failed_)
     commit();
   else
-  {
-    layer_.state.restore(copy_.state);
-    layer_.cells.restore(copy_.cells);
-    layer_.predictions = copy_.predictions;
-  }
+    restore();
   // By the caller's thread.
   layer_.state.observers().deliver();
   return !failed_;
@@ -142,13 +147,19 @@ void PairStrips::work(std::size_t worker, std::size_t workers, SpinBarrier& barr
     for (std::size_t k = worker * count / workers; k < (worker + 1) * count / workers; ++k)
       each(k);
   };
+  double meeting = 0.0;
+  const auto meet = [&](auto&& complete)
+  {
+    const TimeSpent spent(meeting);
+    barrier.wait(complete);
+  };
   while (!done_)
   {
     guarded([&] { share(strips_.size(), [&](std::size_t s) { advance(s); }); });
-    barrier.wait([] {});
+    meet([] {});
     if (!failed_)
       guarded([&] { share(cutting_.size(), [&](std::size_t c) { advance(*cutting_[c]); }); });
-    barrier.wait(
+    meet(
         [&]
         {
           if (!failed_)
@@ -156,6 +167,7 @@ void PairStrips::work(std::size_t worker, std::size_t workers, SpinBarrier& barr
           done_ = done_ || failed_;
         });
   }
+  meeting_[worker] = meeting;
 }
 
 /// An exception must not keep a thread from the barrier.
@@ -287,18 +299,34 @@ void PairStrips::advance(Cut& cut)
       });
 }
 
+/// The events of the last window in these regions, which one thread each would have executed.
+template <typename Regions>
+std::uint64_t PairStrips::countEvents(const Regions& regions)
+{
+  std::uint64_t sum = 0;
+  std::uint64_t most = 0;
+  for (const auto& region : regions)
+  {
+    const std::uint64_t found =
+        region->events.events() - std::exchange(region->counted, region->events.events());
+    sum += found;
+    most = std::max(most, found);
+  }
+  counts_.critical_events += most;
+  return sum;
+}
+
 /// By one thread, between windows.
 void PairStrips::finishWindow(double time)
 {
+  const TimeSpent spent(counts_.alone);
   moveDisks();
-  std::uint64_t events = 0;
-  for (const auto& strip : strips_)
-    events += strip->events.events();
-  for (const auto& cut : cutting_)
-    events += cut->events.events();
+  const std::uint64_t events = countEvents(strips_) + countEvents(cutting_);
+  ++counts_.windows;
+  counts_.events += events;
+  events_to_commit_ += events;
   const double wanted = settings_.events_per_column * layer_.cells.columns();
-  const auto found = static_cast<double>(events - window_events_);
-  window_events_ = events;
+  const auto found = static_cast<double>(events);
   // Not from a window that ends early.
   if (const double whole = (end_ - start_) / length_; whole > 0.5)
     setWindowLength(length_ * std::clamp(whole * wanted / std::max(found, 1.0), 0.5, 2.0));
@@ -307,7 +335,8 @@ void PairStrips::finishWindow(double time)
     done_ = true;
     return;
   }
-  if (static_cast<double>(events) > EVENTS_PER_COPY * static_cast<double>(layer_.state.activeCount()))
+  if (static_cast<double>(events_to_commit_) >
+      EVENTS_PER_COPY * static_cast<double>(layer_.state.activeCount()))
   {
     commit();
     copy();
@@ -335,12 +364,20 @@ void PairStrips::copy()
   ++copies_;
 }
 
+void PairStrips::restore()
+{
+  layer_.state.restore(copy_.state);
+  layer_.cells.restore(copy_.cells);
+  layer_.predictions = copy_.predictions;
+}
+
 /// Hands over what the regions have counted and observed.
 void PairStrips::commit()
 {
   const auto take = [&](Region& region)
   {
     events_ += region.events.takeEvents();
+    region.counted = 0;
     layer_.cells.countCrossings(region.events.takeCrossings());
     layer_.state.take(std::exchange(region.share, Observers::Share(layer_.state.observers())));
   };
@@ -348,7 +385,7 @@ void PairStrips::commit()
     take(*strip);
   for (const auto& cut : cutting_)
     take(*cut);
-  window_events_ = 0;
+  events_to_commit_ = 0;
 }
 
 }  // namespace ratchet_sieve

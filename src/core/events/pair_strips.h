@@ -12,6 +12,7 @@
 #include "events/pair_events.h"
 #include "events/slot_queue.h"
 #include "events/spin_barrier.h"
+#include "events/strip_counts.h"
 #include "simd/worker_pool.h"
 
 namespace ratchet_sieve
@@ -35,7 +36,9 @@ public:
   /// Cuts where each strip has as many disks.
   /// @param layer outlives this; no grid is built while it exists
   /// @param count of strips, at most mostStrips(); @param pool null: one thread
-  PairStrips(PairLayer& layer, std::size_t count, const StripSettings& settings, WorkerPool* pool);
+  /// @param counts outlives this
+  PairStrips(PairLayer& layer, std::size_t count, const StripSettings& settings, WorkerPool* pool,
+             StripCounts& counts);
 
   static std::size_t mostStrips(const DiskCells& cells, const StripSettings& settings);
 
@@ -69,6 +72,7 @@ private:
     Observers::Share share;
     SlotQueue queue;
     PairEvents<SlotQueue> events;
+    std::uint64_t counted = 0;  ///< events up to the last window
   };
 
   struct Strip : Region
@@ -100,8 +104,11 @@ private:
   std::int32_t placeIn(const Region& region, std::uint32_t slot) const;
   double nextTime(std::uint32_t slot) const;
   void finishWindow(double time);
+  template <typename Regions>
+  std::uint64_t countEvents(const Regions& regions);
   void moveDisks();
   void copy();
+  void restore();
   void commit();
   void fail() { failed_.store(true, std::memory_order_relaxed); }
 
@@ -117,13 +124,15 @@ private:
   std::vector<std::unique_ptr<Cut>> cutting_;  ///< each at the right end of the strip of the same number
   std::vector<double> touched_;                ///< per column, with two more at each end: last time [s]
 
+  StripCounts& counts_;
   double length_ = 0.0;  ///< of a window [s]
   double start_ = 0.0;   ///< of the present window [s]
   double end_ = 0.0;
   bool done_ = false;
   std::atomic<bool> failed_{false};
   std::exception_ptr error_;
-  std::uint64_t window_events_ = 0;  ///< up to the present window, since the last commit
+  std::vector<double> meeting_;         ///< per thread, see StripCounts
+  std::uint64_t events_to_commit_ = 0;  ///< up to the last window
   std::uint64_t events_ = 0;
   std::uint64_t copies_ = 0;
 
