@@ -157,7 +157,9 @@ TEST(BagFile, makesRoomForItsIndex)
     file.write("/noise", ros::Time(1 + k, 0), noise(50, k));
   std::optional<BagFile::Loss> loss;
   {
+    const std::uint64_t unpacked = file.size();  // waits until all finished chunks are in the file
     const FileSizeLimit full(std::filesystem::file_size(path));
+    ASSERT_GT(unpacked, std::filesystem::file_size(path));
     loss = file.close();
   }
   ASSERT_TRUE(loss);
