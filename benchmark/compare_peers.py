@@ -81,6 +81,7 @@ def main():
         beside_edmd = edmd.render(taken["edmd"], taken["machine"])
         if arguments.write:
             documents.put(arguments.write, "edmd", beside_edmd)
+            documents.quote(arguments.write, "edmd", edmd.figures(taken["edmd"]), taken["machine"])
         print(beside_edmd)
     if arguments.picture:
         data = arguments.picture.parent.parent / "data/peers.csv"

@@ -1,6 +1,10 @@
 #!/usr/bin/python3
-"""Measures what strips and threads give a layer: collisions per second of wall time with a single queue, by strips on
-one thread, and on two. Prints a Markdown table.
+"""Measures what strips and threads give a layer, and works out what more threads would give. Prints two Markdown
+tables.
+
+Model: T(p) = alone + (T - alone) / (events / critical events) + 2 windows meeting p / 2, with p strips on one thread in
+T, of which `alone` is between windows; the critical events of a window are those of the strip with the most and of the
+cut with the most, and p threads meet twice, in a time that grows as their number. It knows nothing of memory.
 """
 import argparse
 import json
@@ -14,40 +18,94 @@ from ratchet_sieve import documents, origin
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LAYERS = ((20, '524', '≥ 1', '1.3'), (153, '4,008', '', ''), (382, '10,008', '1.7', '1.9'), (3817, '100,004', '1.8', '1.95'))
 QUEUE, ONE, TWO = range(3)
+MODELLED = ((20, '524'), (382, '10,008'), (3817, '100,004'), (38170, '1,000,054'))
+THREADS = (2, 4, 16, 64)
+M = 1e-6
 
 
-def measured(program, rounds):
-    """@return (teeth, way) -> collisions per second of wall time in each round; the ways take turns"""
+def run(program, benchmarks, repetitions=1):
+    """@return the runs of some benchmarks, which take turns"""
     finished = subprocess.run(
-        [program, '--benchmark_filter=^mixtureOnThreads', '--benchmark_format=json',
-         f'--benchmark_repetitions={rounds}', '--benchmark_enable_random_interleaving=true'],
+        [program, f'--benchmark_filter=^({benchmarks})', '--benchmark_format=json',
+         f'--benchmark_repetitions={repetitions}', '--benchmark_enable_random_interleaving=true'],
         check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    return [run for run in json.loads(finished.stdout)['benchmarks'] if run['run_type'] == 'iteration']
+
+
+def by_arguments(runs):
+    """@return the numbers in a benchmark's name, teeth first -> its runs"""
     found = {}
-    for run in json.loads(finished.stdout)['benchmarks']:
-        if run['run_type'] == 'iteration':
-            teeth, way = map(int, run['name'].split('/')[1:3])
-            found.setdefault((teeth, way), []).append(run['collisions'])
+    for one in runs:
+        found.setdefault(tuple(map(int, one['name'].split('/')[1:3])), []).append(one)
     return found
+
+
+def rate(runs):
+    """Collisions per second of wall time."""
+    return statistics.median(one['collisions'] for one in runs)
 
 
 def ratio(over, under):
     """Of the medians, with the range of what halves of the rounds give."""
     half = len(over) // 2
-    halves = sorted(statistics.median(over[part]) / statistics.median(under[part])
-                    for part in (slice(None, half), slice(half, None)))
-    return f'{statistics.median(over) / statistics.median(under):.2f} ({halves[0]:.2f}, {halves[1]:.2f})'
+    halves = sorted(rate(over[part]) / rate(under[part]) for part in (slice(None, half), slice(half, None)))
+    return f'{rate(over) / rate(under):.2f} ({halves[0]:.2f}, {halves[1]:.2f})'
 
 
-def table(found, rounds, about):
+def waiting(runs):
+    """The share of the two threads' time in which they wait for each other or one works alone, %."""
+    shares = [100 * one['meeting'] for one in runs if 'meeting' in one]
+    return f'{statistics.median(shares):.1f}' if shares else '—'
+
+
+def table(layers, rounds, about):
     yield f'{origin.text(about)}; medians of {rounds} rounds, in turns; in brackets those of each half of the rounds.'
     yield ''
     yield ('| disks | single queue, M collisions/s | one thread over a single queue | two threads over one | wanted | '
-           'hoped for |')
-    yield '|---|---|---|---|---|---|'
+           'hoped for | waiting, % |')
+    yield '|---|---|---|---|---|---|---|'
     for teeth, disks, target, stretch in LAYERS:
-        queue, one, two = (found[teeth, way] for way in (QUEUE, ONE, TWO))
-        yield (f'| {disks} | {statistics.median(queue) / 1e6:.2f} | {ratio(one, queue)} | {ratio(two, one)} | {target} | '
-               f'{stretch} |')
+        queue, one, two = (layers[teeth, way] for way in (QUEUE, ONE, TWO))
+        yield (f'| {disks} | {M * rate(queue):.2f} | {ratio(one, queue)} | {ratio(two, one)} | {target} | '
+               f'{stretch} | {waiting(two)} |')
+
+
+def figures(layers):
+    """Those of performance.json."""
+    known = {}
+    for teeth, disks, *_ in LAYERS:
+        key = 'disks_' + disks.replace(',', '')
+        queue, one, two = (layers[teeth, way] for way in (QUEUE, ONE, TWO))
+        known[f'{key}.one'] = f'{M * rate(queue):.2f} M'
+        known[f'{key}.two'] = f'{M * rate(two):.2f} M'
+        known[f'{key}.times'] = f'{rate(two) / rate(one):.2f}'
+    return known
+
+
+def speed_up(strips, threads, meeting):
+    """Of so many threads with a strip each over the same strips on one thread. @param meeting of two threads [s]"""
+    wall = strips['real_time'] * strips['iterations'] / 1e3
+    alone = strips['alone'] * wall
+    together = alone + (wall - alone) / strips['events_over_critical'] + strips['windows'] * meeting * threads
+    return wall / together
+
+
+def model(strips, layers, meeting):
+    """@param strips (teeth, strips) -> runs on one thread @param meeting of two threads [s]"""
+    yield f'A meeting of two threads takes {1e6 * meeting:.2f} µs.'
+    yield ''
+    yield '| teeth | disks | 2 threads, measured | ' + ' | '.join(f'{threads}, by the model' for threads in THREADS) + ' |'
+    yield '|---' * (3 + len(THREADS)) + '|'
+    measured = {teeth: rate(layers[teeth, TWO]) / rate(layers[teeth, ONE]) for teeth, *_ in LAYERS}
+    for teeth, disks in MODELLED:
+        most = max((count for other, count in strips if other == teeth), default=1)
+        cells = []
+        for threads in THREADS:
+            # More threads than strips have nothing to do.
+            count = min(threads, most)
+            cells.append('1' if count == 1 else f'{speed_up(strips[teeth, count][0], count, meeting):.1f}' +
+                         (f' ({count} threads)' if count < threads else ''))
+        yield f'| {teeth:,} | {disks} | ' + ' | '.join([f'{measured[teeth]:.1f}' if teeth in measured else '—', *cells]) + ' |'
 
 
 def main():
@@ -59,12 +117,19 @@ def main():
                         help='put the table between the marks of this document')
     arguments = parser.parse_args()
     if arguments.write:
-        documents.require_place(parser, arguments.write, 'threads')
-    text = '\n'.join(table(measured(arguments.programs / 'engine_benchmark', arguments.rounds), arguments.rounds,
-                           physics.describe()))
-    print(text)
+        for place in ('threads', 'threads-model'):
+            documents.require_place(parser, arguments.write, place)
+    program, about = arguments.programs / 'engine_benchmark', physics.describe()
+    layers = by_arguments(run(program, 'mixtureOnThreads', arguments.rounds))
+    meeting = 1.0 / run(program, 'meetingOfTwoThreads')[0]['meetings']
+    texts = {'threads': '\n'.join(table(layers, arguments.rounds, about)),
+             'threads-model': '\n'.join(model(by_arguments(run(program, 'mixtureInStrips')), layers, meeting))}
+    for name, text in texts.items():
+        print(text)
+        if arguments.write:
+            documents.put(arguments.write, name, text)
     if arguments.write:
-        documents.put(arguments.write, 'threads', text)
+        documents.quote(arguments.write, 'threads', figures(layers), about)
 
 
 if __name__ == '__main__':

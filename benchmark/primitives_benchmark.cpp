@@ -1,10 +1,12 @@
 #include <benchmark/benchmark.h>
 
 #include "events/event_queue.h"
+#include "events/spin_barrier.h"
 #include "model/random.h"
 #include "model/sine.h"
 #include "search/contact_search.h"
 #include "search/pair_search.h"
+#include "simd/worker_pool.h"
 
 namespace ratchet_sieve
 {
@@ -67,6 +69,27 @@ void updateOfTheQueue(benchmark::State& state)
     queue.update(queue.top(), queue.topTime() + random.uniform());
 }
 BENCHMARK(updateOfTheQueue)->Arg(524)->Arg(10000)->Arg(100000);
+
+/// Two threads that meet and do nothing in between.
+void meetingOfTwoThreads(benchmark::State& state)
+{
+  constexpr int MEETINGS = 10000;
+  WorkerPool pool(2);
+  if (pool.workers() < 2)
+    return state.SkipWithError("the system provides no second thread");
+  for (auto _ : state)
+  {
+    SpinBarrier barrier(2);
+    pool.run(
+        [&](std::size_t)
+        {
+          for (int k = 0; k < MEETINGS; ++k)
+            barrier.wait([] {});
+        });
+  }
+  state.counters["meetings"] = benchmark::Counter(MEETINGS, benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(meetingOfTwoThreads)->UseRealTime();
 
 }  // namespace
 }  // namespace ratchet_sieve

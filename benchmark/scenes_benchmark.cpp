@@ -167,7 +167,7 @@ void layersAndStrips(benchmark::internal::Benchmark* rows)
 {
   rows->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(6);
   for (const auto& [teeth, counts] :
-       std::map<int, std::vector<int>>{{382, {2, 4, 6}}, {3817, {2, 4, 16, 64}}, {38170, {4, 16, 64}}})
+       std::map<int, std::vector<int>>{{382, {2, 4, 6}}, {3817, {2, 4, 16, 64}}, {38170, {2, 4, 16, 64}}})
     for (const int count : counts)
       rows->Args({teeth, count});
 }

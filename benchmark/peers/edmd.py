@@ -102,7 +102,7 @@ def run_ours(programs, teeth, length):
     with tempfile.TemporaryDirectory() as name:
         seconds, output = processor_seconds(
             [str(programs.resolve() / "sieve_run"), str(scene), "--set", f"base.teeth={teeth}", "--set", "settle=0",
-             "--duration", repr(duration)], name)
+             "--duration", repr(duration), "--threads", "1"], name)
     summary = json.loads(output)
     return Rate("this project", sum(species["count"] for species in summary["species"]),
                 sum(summary["collisions"].values()) / seconds)
@@ -119,20 +119,33 @@ def in_turns(programs, checkout, repetitions, short):
     return [dataclasses.asdict(rate) for rate in rates]
 
 
+def medians(rates):
+    """@return for each size: disks of this project and of EDMD, and the rates of both"""
+    found = {}
+    for rate in rates:
+        found.setdefault((rate["program"], rate["disks"]), []).append(rate["rate"])
+    both = [sorted((disks, statistics.median(of)) for (name, disks), of in found.items() if name == program)
+            for program in ("this project", "EDMD")]
+    return [(ours[0], theirs[0], ours[1], theirs[1]) for ours, theirs in zip(*both)]
+
+
 def render(rates, about):
     """The rates as Markdown. @param about date, machine and version"""
-    def median(program, disks):
-        return statistics.median(rate["rate"] for rate in rates
-                                 if rate["program"] == program and rate["disks"] == disks)
-
-    sizes = {program: sorted({rate["disks"] for rate in rates if rate["program"] == program})
-             for program in ("this project", "EDMD")}
-    runs = len(rates) // (2 * len(sizes["EDMD"]))
+    sizes = medians(rates)
+    runs = len(rates) // (2 * len(sizes))
     lines = [f"{origin.text(about)}. {counted(runs, 'run')} of each in turns on one core; medians. Millions of "
              "collisions per second of processor time, of whole processes.\n\n",
              "| disks: this project, EDMD | this project, Fig. 8 | EDMD, elastic disks in a plane | × EDMD |\n"
              "|---|---|---|---|\n"]
-    for ours, theirs in zip(sizes["this project"], sizes["EDMD"]):
-        a, b = median("this project", ours), median("EDMD", theirs)
+    for ours, theirs, a, b in sizes:
         lines.append(f"| {ours}, {theirs} | {a * 1e-6:.3g} | {b * 1e-6:.3g} | {a / b:.2f} |\n")
     return "".join(lines)
+
+
+def figures(rates):
+    """Those of performance.json."""
+    known = {}
+    for _, disks, ours, theirs in medians(rates):
+        known[f"disks_{disks}.rate"] = f"{theirs * 1e-6:.3g} M"
+        known[f"disks_{disks}.times"] = f"{ours / theirs:.2f}"
+    return known

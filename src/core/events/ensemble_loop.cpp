@@ -130,7 +130,7 @@ private:
                              });
     };
     if (pool_ && behind_.size() >= DISKS_PER_THREAD * pool_->workers())
-      pool_->run(work);
+      pool_->share(work);
     else
       work(0);
   }

@@ -31,18 +31,19 @@ WorkerPool::~WorkerPool()
     thread.join();
 }
 
-void WorkerPool::run(const std::function<void(std::size_t)>& work)
+void WorkerPool::run(const std::function<void(std::size_t)>& work, std::size_t least)
 {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     work_ = &work;
-    at_work_ = threads_.size();
+    begun_ = finished_ = 0;
     ++round_;
   }
   begin_.notify_all();
   call(work, 0);
   std::unique_lock<std::mutex> lock(mutex_);
-  end_.wait(lock, [this] { return at_work_ == 0; });
+  end_.wait(lock, [&] { return finished_ == begun_ && begun_ >= least; });
+  work_ = nullptr;
   if (error_)
     std::rethrow_exception(std::exchange(error_, nullptr));
 }
@@ -53,15 +54,16 @@ void WorkerPool::serve(std::size_t worker)
   while (true)
   {
     std::unique_lock<std::mutex> lock(mutex_);
-    begin_.wait(lock, [&] { return closing_ || round_ != done; });
+    begin_.wait(lock, [&] { return closing_ || (work_ != nullptr && round_ != done); });
     if (closing_)
       return;
     done = round_;
+    ++begun_;
     const auto& work = *work_;
     lock.unlock();
     call(work, worker);
     lock.lock();
-    if (--at_work_ == 0)
+    if (++finished_ == begun_)
       end_.notify_one();
   }
 }
