@@ -38,6 +38,7 @@ KEYS = ('bag', 'nobody', 'particles', 'all', 'record')  # of those cases in perf
 SIZES = ('large', 'fig8')  # ... and of the sizes
 TARGETS = {BAG: 75, IDLE: 95, SUBSCRIBED: 85, RECORD: 75}  # percent of the headless rate
 START_TARGET = 30.0  # ms
+SINGLE_TARGET = 1.5
 
 
 def mixture(teeth, duration, **keys):
@@ -143,6 +144,26 @@ def measure_start(programs, scratch, repetitions):
     return {name: statistics.median(times) for name, times in taken.items()}
 
 
+def measure_single(programs, scratch, seconds, rounds):
+    """Wall time of 4000 single disks (Fig. 3) recorded over that without a bag, whole processes.
+    @return the ratio of each round, with one thread and with as many as there are processors"""
+    bag = scratch / 'single.bag'
+    ratios = ([], [])
+    for _ in range(rounds):
+        for options, found in zip((['--threads', '1'], []), ratios):
+            command = [programs / 'sieve_run', ROOT / 'config/paper_fig3.yaml', '--set', f'duration={seconds:g}', *options]
+            alone = ros_processes.run(command).wall
+            found.append(ros_processes.run([*command, '--bag', bag]).wall / alone)
+            bag.unlink()
+    return ratios
+
+
+def single_line(ratios, seconds):
+    one, many = (f'{statistics.median(found):.1f} ({min(found):.1f} to {max(found):.1f}) times' for found in ratios)
+    return (f'4000 single disks (Fig. 3), {seconds:g} simulated seconds: `sieve_run --bag` takes {one} the wall time of '
+            f'`sieve_run`, both with `--threads 1`, and {many} with a thread for each processor; wanted: {SINGLE_TARGET:g}.')
+
+
 def percent(values):
     """The median and, in brackets, the range."""
     values = [100 * value for value in values]
@@ -168,9 +189,11 @@ def tables(benches, rounds, start):
             yield f'| {case} | {best} | {wanted} | {every} | {times} | {sum(one.lost for one in cases)} |'
 
 
-def figures(benches, rounds, start):
+def figures(benches, rounds, start, single):
     """Those of performance.json."""
     known = {'start_ms': f'{start["sieve_run"]:.1f}'}
+    for key, found in zip(('one_thread', 'threads'), single):
+        known[f'single.bag_{key}'] = f'{statistics.median(found):.1f}'
     for name, measured in zip(SIZES, rounds):
         for key, case in zip(KEYS, (BAG, *LISTENED)):
             known[f'{name}.{key}'] = rates([compared[case] for _, compared in measured])[0]
@@ -198,21 +221,22 @@ def main():
     arguments = parse_arguments()
     about = physics.describe()
     where = description(about)
-    sizes, rounds, starts = [(382, 1.0), (20, 15.0)], arguments.rounds, 50
+    sizes, rounds, starts, single_seconds = [(382, 1.0), (20, 15.0)], arguments.rounds, 50, 20.0
     if arguments.short:
         # No more messages than a publisher's queue holds: a slow machine loses none.
-        sizes, rounds, starts = [(4, 0.4)], 1, 2
+        sizes, rounds, starts, single_seconds = [(4, 0.4)], 1, 2, 1.0
     with tempfile.TemporaryDirectory() as directory:
         scratch = pathlib.Path(directory)
         start = measure_start(arguments.programs, scratch, starts)
+        single = measure_single(arguments.programs, scratch, single_seconds, rounds)
         with ros_processes.master(scratch) as client:
             benches = [Bench(arguments.programs, scratch, client, *size) for size in sizes]
             measured = [[bench.round() for _ in range(rounds)] for bench in benches]
-    lines = [where + '. Medians, in brackets the range.', '', *tables(benches, measured, start)]
+    lines = [where + '. Medians, in brackets the range.', '', *tables(benches, measured, start), '', single_line(single, single_seconds)]
     print('\n'.join(lines))
     if arguments.write:
         documents.put(arguments.write, 'node', '\n'.join(lines))
-        documents.quote(arguments.write, 'node', figures(benches, measured, start), about)
+        documents.quote(arguments.write, 'node', figures(benches, measured, start, single), about)
     return 1 if any(one.lost for rounds in measured for _, compared in rounds for one in compared.values()) else 0
 
 

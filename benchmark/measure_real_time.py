@@ -12,8 +12,12 @@ import ros_processes
 from measure_node import FOR_PROGRAMS, ROOT, Bench, description
 from ratchet_sieve import documents
 
-METHODS = {'events': {}, **{f'steps of {1e3 * step:g} ms': {'accuracy': {'method': 'steps', 'step': step}}
-                            for step in (0.001, 0.002, 0.004)}}
+# What is asked for: keys of the scene, and parameters of the node.
+METHODS = {'events': ({}, {'real_time_factor': 1.0}),
+           'events, one thread': ({}, {'real_time_factor': 1.0, 'threads': 1}),
+           'events, as fast as it goes': ({}, {'real_time_factor': 0.0}),
+           **{f'steps of {1e3 * step:g} ms': ({'accuracy': {'method': 'steps', 'step': step}}, {'real_time_factor': 1.0})
+              for step in (0.001, 0.002, 0.004)}}
 TEETH = 382
 SPANS = (1.0, 4.0)  # in the first second all disks land within a few steps [s]
 SHORT = (4, (0.2, 0.4), 1)
@@ -22,14 +26,15 @@ SHORT = (4, (0.2, 0.4), 1)
 class Row:
     """A method at both spans. Wall times are of the best rounds, which other load disturbed least."""
 
-    def __init__(self, benches):
+    def __init__(self, benches, parameters):
         self.benches = benches
+        self.parameters = parameters
         self.walls = [float('inf')] * len(benches)
         self.lost = 0
 
     def round(self):
         for k, bench in enumerate(self.benches):
-            finished, lost = bench.node(FOR_PROGRAMS, records=True, real_time_factor=1.0)
+            finished, lost = bench.node(FOR_PROGRAMS, records=True, **self.parameters)
             self.walls[k] = min(self.walls[k], finished.wall)
             self.lost += lost
 
@@ -69,8 +74,8 @@ def main():
     with tempfile.TemporaryDirectory() as directory:
         scratch = pathlib.Path(directory)
         with ros_processes.master(scratch) as client:
-            rows = {name: Row([Bench(arguments.programs, scratch, client, teeth, span, **keys) for span in spans])
-                    for name, keys in METHODS.items()}
+            rows = {name: Row([Bench(arguments.programs, scratch, client, teeth, span, **keys) for span in spans], parameters)
+                    for name, (keys, parameters) in METHODS.items()}
             for _ in range(rounds):
                 for row in rows.values():
                     row.round()
