@@ -5,8 +5,10 @@ single disks, and the memory of a disk. Prints a Markdown table.
 import argparse
 import dataclasses
 import json
+import math
 import os
 import pathlib
+import statistics
 import subprocess
 import tempfile
 
@@ -34,9 +36,10 @@ class Row:
 
 
 def collisions(program, rounds):
-    """@return benchmark -> collisions per second of its best round, which other load on the machine disturbs least"""
-    best = {}
-    command = [program, '--benchmark_filter=^(mixture/|singleParticles|wideSizes|lognormalSizes)',
+    """Of the best round, which other load on the machine disturbs least.
+    @return benchmark -> collisions per second; processor time of an iteration [ms]"""
+    best, times = {}, {}
+    command = [program, '--benchmark_filter=^(mixture/|singleParticles|wideSizes|lognormalSizes|slewing)',
                '--benchmark_format=json']
     for _ in range(rounds):
         finished = subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
@@ -44,7 +47,32 @@ def collisions(program, rounds):
             if 'collisions' in run:
                 name = run['name'].replace('/real_time', '')
                 best[name] = max(best.get(name, 0.0), run['collisions'])
-    return best
+                times[name] = min(times.get(name, math.inf), run['cpu_time'])
+    return best, times
+
+
+def at_once(program, jobs):
+    """Runs layers in so many processes at once, each on a processor of its own.
+    @return benchmark -> mean of the processes' collisions per second"""
+    processors = sorted(os.sched_getaffinity(0))[:jobs]
+    command = [program, '--benchmark_filter=^mixture/(20|382|3817)$', '--benchmark_format=json']
+    running = [subprocess.Popen(['taskset', '--cpu-list', str(processor), *command], stdout=subprocess.PIPE,
+                                stderr=subprocess.DEVNULL) for processor in processors]
+    found = {}
+    for process in running:
+        for run in json.loads(process.communicate()[0])['benchmarks']:
+            found.setdefault(run['name'], []).append(run['collisions'])
+    return {name: statistics.mean(rates) for name, rates in found.items()}
+
+
+def two_over_one(program, rounds):
+    """@return benchmark -> collisions per second of each of two jobs at once, over those of a job alone; medians"""
+    ratios = {}
+    for _ in range(rounds):
+        alone, two = (at_once(program, jobs) for jobs in (1, 2))
+        for name, rate in alone.items():
+            ratios.setdefault(name, []).append(two[name] / rate)
+    return {name: statistics.median(found) for name, found in ratios.items()}
 
 
 def bytes_per_disk(sieve_run, teeth, threads):
@@ -61,7 +89,7 @@ def bytes_per_disk(sieve_run, teeth, threads):
     return usage.ru_maxrss * 1024 / (2 * count)
 
 
-def rows(best, memory, memory_of_two):
+def rows(best, times_of, two_jobs, memory, memory_of_two):
     def millions(name):
         return f'{best[name] / 1e6:.2f} M'
 
@@ -74,6 +102,13 @@ def rows(best, memory, memory_of_two):
     yield Row('disks_1e5.collisions', 'with 10⁵ disks', '0.8 M', '1.2 M', millions('mixture/3817'))
     yield Row('size_cost', 'cost of a collision among 10⁵ disks, over that among 10³', '≤ 2.5', '≤ 1.6',
               times('mixture/38', 'mixture/3817'))
+    for teeth, name in ((20, 'fig8'), (382, 'disks_1e4'), (3817, 'disks_1e5')):
+        yield Row(f'two_jobs.{name}', f'two jobs at once, one a core, over a lone job: {teeth} teeth', '', '',
+                  f'{two_jobs[f"mixture/{teeth}"]:.2f}')
+    for teeth, target, stretch in ((20, '', ''), (382, '1.1', '1.0')):
+        yield Row(f'slewing.{teeth}', f'a periodic base of {teeth} teeth that turns at 0.1 rad/s, over one at rest: '
+                  'processor time', target, stretch,
+                  f'{times_of[f"slewing/{teeth}/1/iterations:6"] / times_of[f"slewing/{teeth}/0/iterations:6"]:.2f}')
     for times_as_large in (5, 10, 25, 50):
         yield Row(f'wide.{times_as_large}', f'one disk {times_as_large} times as large among 2000: cost of a collision, '
                   'over that of equal disks', '≤ 1.5', '', times('wideSizes/1', f'wideSizes/{times_as_large}'))
@@ -117,8 +152,9 @@ def main():
         documents.require_place(parser, arguments.write, 'engine')
     memory = [None if arguments.without_memory else bytes_per_disk(arguments.programs / 'sieve_run', LARGE, threads)
               for threads in (1, 2)]
-    best = collisions(arguments.programs / 'engine_benchmark', arguments.rounds)
-    about, all_rows = physics.describe(), list(rows(best, *memory))
+    program = arguments.programs / 'engine_benchmark'
+    two_jobs = two_over_one(program, arguments.rounds)
+    about, all_rows = physics.describe(), list(rows(*collisions(program, arguments.rounds), two_jobs, *memory))
     text = '\n'.join(table(all_rows, arguments.rounds, about))
     print(text)
     if arguments.write:

@@ -58,7 +58,7 @@ def figures(taken):
     for run in taken["runs"]:
         speeds.setdefault(run["row"], []).append(run)
     ours = measure.speed(speeds[cases.ROW])
-    known = {"ours.cost": f"{ours:.3g}"}
+    known = {"ours.cost": f"{ours:.3g}", "ours.collisions": f"{measure.collision_rate(speeds[cases.ROW]):,.0f}"}
     for row, key in KEYS.items():
         if row in speeds:
             known[f"{key}.times"] = f"{measure.speed(speeds[row]) / ours:.3g}"
