@@ -81,7 +81,8 @@ def bytes_per_disk(sieve_run, teeth, threads):
     with tempfile.TemporaryDirectory() as directory:
         scene = pathlib.Path(directory) / 'large.yaml'
         scene.write_text(LARGE_SCENE.format(teeth=teeth, count=count))
-        with subprocess.Popen([sieve_run, scene, '--threads', str(threads)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+        with subprocess.Popen([sieve_run, scene, '--threads', str(threads)], stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL) as process:
             _, status, usage = os.wait4(process.pid, 0)
             process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:

@@ -147,11 +147,11 @@ def measure_start(programs, scratch, repetitions):
 def measure_single(programs, scratch, seconds, rounds):
     """Wall time of 4000 single disks (Fig. 3) recorded over that without a bag, whole processes.
     @return the ratio of each round, with one thread and with as many as there are processors"""
-    bag = scratch / 'single.bag'
+    scene, bag = ROOT / 'config/paper_fig3.yaml', scratch / 'single.bag'
     ratios = ([], [])
     for _ in range(rounds):
         for options, found in zip((['--threads', '1'], []), ratios):
-            command = [programs / 'sieve_run', ROOT / 'config/paper_fig3.yaml', '--set', f'duration={seconds:g}', *options]
+            command = [programs / 'sieve_run', scene, '--set', f'duration={seconds:g}', *options]
             alone = ros_processes.run(command).wall
             found.append(ros_processes.run([*command, '--bag', bag]).wall / alone)
             bag.unlink()
@@ -160,8 +160,9 @@ def measure_single(programs, scratch, seconds, rounds):
 
 def single_line(ratios, seconds):
     one, many = (f'{statistics.median(found):.1f} ({min(found):.1f} to {max(found):.1f}) times' for found in ratios)
-    return (f'4000 single disks (Fig. 3), {seconds:g} simulated seconds: `sieve_run --bag` takes {one} the wall time of '
-            f'`sieve_run`, both with `--threads 1`, and {many} with a thread for each processor; wanted: {SINGLE_TARGET:g}.')
+    return (f'4000 single disks (Fig. 3), {seconds:g} simulated seconds: `sieve_run --bag` takes {one} the wall time '
+            f'of `sieve_run`, both with `--threads 1`, and {many} with a thread for each processor; '
+            f'wanted: {SINGLE_TARGET:g}.')
 
 
 def percent(values):
@@ -232,7 +233,8 @@ def main():
         with ros_processes.master(scratch) as client:
             benches = [Bench(arguments.programs, scratch, client, *size) for size in sizes]
             measured = [[bench.round() for _ in range(rounds)] for bench in benches]
-    lines = [where + '. Medians, in brackets the range.', '', *tables(benches, measured, start), '', single_line(single, single_seconds)]
+    lines = [where + '. Medians, in brackets the range.', '', *tables(benches, measured, start), '',
+             single_line(single, single_seconds)]
     print('\n'.join(lines))
     if arguments.write:
         documents.put(arguments.write, 'node', '\n'.join(lines))

@@ -16,7 +16,8 @@ from ratchet_sieve import documents
 METHODS = {'events': ({}, {'real_time_factor': 1.0}),
            'events, one thread': ({}, {'real_time_factor': 1.0, 'threads': 1}),
            'events, as fast as it goes': ({}, {'real_time_factor': 0.0}),
-           **{f'steps of {1e3 * step:g} ms': ({'accuracy': {'method': 'steps', 'step': step}}, {'real_time_factor': 1.0})
+           **{f'steps of {1e3 * step:g} ms': ({'accuracy': {'method': 'steps', 'step': step}},
+                                              {'real_time_factor': 1.0})
               for step in (0.001, 0.002, 0.004)}}
 TEETH = 382
 SPANS = (1.0, 4.0)  # in the first second all disks land within a few steps [s]
@@ -74,7 +75,8 @@ def main():
     with tempfile.TemporaryDirectory() as directory:
         scratch = pathlib.Path(directory)
         with ros_processes.master(scratch) as client:
-            rows = {name: Row([Bench(arguments.programs, scratch, client, teeth, span, **keys) for span in spans], parameters)
+            rows = {name: Row([Bench(arguments.programs, scratch, client, teeth, span, **keys) for span in spans],
+                              parameters)
                     for name, (keys, parameters) in METHODS.items()}
             for _ in range(rounds):
                 for row in rows.values():
