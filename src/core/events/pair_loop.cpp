@@ -23,8 +23,11 @@ constexpr double EVENTS_AHEAD = 12.0;
 /// Number of disks that fit into the processor's cache; with fewer, prefetching gains nothing.
 constexpr std::size_t DISKS_IN_CACHE = 30000;
 
-/// Strips pay if they are used for this number of windows.
-constexpr double WINDOWS_IN_STRIPS = 4.0;
+/// Strips pay if the caller's strides are this number of windows, on average.
+constexpr double WINDOWS_IN_STRIPS = 1.5;
+
+/// The share of the last stride in their average: a few short ones do not matter.
+constexpr double LAST_STRIDE = 0.1;
 
 /// After this time strips are considered anew [time scales].
 constexpr double LOOK_AHEAD = 0.05;
@@ -51,9 +54,11 @@ public:
 
   double advanceTo(double time) override
   {
+    if (time > reached_)
+      stride_ += (stride_ > 0.0 ? LAST_STRIDE : 1.0) * (time - reached_ - stride_);
     while (reached_ < time && plansStrips())
     {
-      if (!useStrips(time))
+      if (!useStrips())
       {
         // A while later there may be more events.
         const double end = std::min(time, reached_ + LOOK_AHEAD * state_.timeScale());
@@ -152,10 +157,10 @@ private:
                                                         disks <= settings_.most_on_one_thread));
   }
 
-  /// Whether they are up to this time; makes them. @pre plansStrips()
-  bool useStrips(double time)
+  /// Whether they are for strides as long as these; makes them. @pre plansStrips()
+  bool useStrips()
   {
-    if (window_length_ == 0.0 || time - reached_ < WINDOWS_IN_STRIPS * window_length_)
+    if (window_length_ == 0.0 || stride_ < WINDOWS_IN_STRIPS * window_length_)
       return false;
     if (strips_)
       return true;
@@ -293,6 +298,7 @@ private:
   std::unique_ptr<WorkerPool> pool_;  ///< null if one thread is enough
   std::optional<PairStrips> strips_;  ///< while these have the events, not the queue
   StripCounts strip_counts_;
+  double stride_ = 0.0;         ///< mean of the last [s]
   double window_length_ = 0.0;  ///< of the strips so far [s]
   double pace_ = 1.0;           ///< events in a window, as a share of the settings
   double caution_ = 1.0;        ///< windows for the queue after strips have failed

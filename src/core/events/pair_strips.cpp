@@ -19,6 +19,9 @@ constexpr double SHORTEST_WINDOW = 1e-6;
 /// The number of further columns that an event may touch.
 constexpr std::int32_t REACH = 2;
 
+/// See copy(): of about the same size.
+constexpr std::size_t COPY_PARTS = 2;
+
 constexpr double LONG_AGO = -std::numeric_limits<double>::infinity();
 }  // namespace
 
@@ -108,10 +111,7 @@ double PairStrips::nextTime(std::uint32_t slot) const
 
 bool PairStrips::advance(double now, double time)
 {
-  {
-    const TimeSpent spent(counts_.alone);
-    copy();
-  }
+  copy_is_due_ = true;
   done_ = false;
   start_ = now;
   end_ = std::min(time, now + length_);
@@ -155,6 +155,11 @@ void PairStrips::work(std::size_t worker, std::size_t workers, SpinBarrier& barr
   };
   while (!done_)
   {
+    if (copy_is_due_)
+    {
+      guarded([&] { share(COPY_PARTS, [&](std::size_t part) { copy(part); }); });
+      meet([&] { copy_is_due_ = false; });
+    }
     guarded([&] { share(strips_.size(), [&](std::size_t s) { advance(s); }); });
     meet([] {});
     if (!failed_)
@@ -339,7 +344,7 @@ void PairStrips::finishWindow(double time)
       EVENTS_PER_COPY * static_cast<double>(layer_.state.activeCount()))
   {
     commit();
-    copy();
+    copy_is_due_ = true;
   }
   start_ = end_;
   end_ = std::min(time, end_ + length_);
@@ -356,12 +361,16 @@ void PairStrips::moveDisks()
     }
 }
 
-void PairStrips::copy()
+/// Each part by one thread.
+void PairStrips::copy(std::size_t part)
 {
-  layer_.state.copyTo(copy_.state);
+  if (part == 0)
+  {
+    ++copies_;
+    return layer_.state.copyTo(copy_.state);
+  }
   layer_.cells.copyTo(copy_.cells);
   copy_.predictions = layer_.predictions;
-  ++copies_;
 }
 
 void PairStrips::restore()

@@ -107,7 +107,7 @@ private:
   template <typename Regions>
   std::uint64_t countEvents(const Regions& regions);
   void moveDisks();
-  void copy();
+  void copy(std::size_t part);
   void restore();
   void commit();
   void fail() { failed_.store(true, std::memory_order_relaxed); }
@@ -129,6 +129,7 @@ private:
   double start_ = 0.0;   ///< of the present window [s]
   double end_ = 0.0;
   bool done_ = false;
+  bool copy_is_due_ = false;
   std::atomic<bool> failed_{false};
   std::exception_ptr error_;
   std::vector<double> meeting_;         ///< per thread, see StripCounts
