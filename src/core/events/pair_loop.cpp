@@ -69,9 +69,9 @@ public:
       const bool advanced = strips_->advance(reached_, time);
       events_ += strips_->takeEvents();
       window_length_ = strips_->windowLength();
+      pace_ = strips_->pace();
       if (advanced)
       {
-        pace_ = std::min(1.1 * pace_, 1.0);
         reached_ = time;
         return time;
       }
@@ -172,11 +172,9 @@ private:
       pool_ = std::make_unique<WorkerPool>(threads);
     const std::size_t workers = std::max<std::size_t>(threads, 1);
     const std::size_t strips = workers * ((disks - 1) / (workers * settings_.disks_per_strip) + 1);
-    StripSettings settings = settings_;
-    settings.events_per_column *= pace_;
-    strips_.emplace(layer_, std::clamp<std::size_t>(strips, 2, mostStrips()), settings, pool_.get(),
+    strips_.emplace(layer_, std::clamp<std::size_t>(strips, 2, mostStrips()), settings_, pool_.get(),
                     strip_counts_);
-    strips_->setWindowLength(window_length_);
+    strips_->setWindows(window_length_, pace_);
     return true;
   }
 

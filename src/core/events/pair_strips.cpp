@@ -13,6 +13,9 @@ namespace
 /// time.
 constexpr double EVENTS_PER_COPY = 16.0;
 
+/// The pace from copy to copy: a window that fails costs no more than the events since one.
+constexpr double FASTER = 1.2;
+
 /// Shortest window [time scales].
 constexpr double SHORTEST_WINDOW = 1e-6;
 
@@ -99,9 +102,10 @@ PairStrips::PairStrips(PairLayer& layer, std::size_t count, const StripSettings&
 }
 
 /// Not so short, in a collapse, that time stands still.
-void PairStrips::setWindowLength(double length)
+void PairStrips::setWindows(double length, double pace)
 {
   length_ = std::max(length, SHORTEST_WINDOW * layer_.state.timeScale());
+  pace_ = pace;
 }
 
 double PairStrips::nextTime(std::uint32_t slot) const
@@ -330,11 +334,11 @@ void PairStrips::finishWindow(double time)
   ++counts_.windows;
   counts_.events += events;
   events_to_commit_ += events;
-  const double wanted = settings_.events_per_column * layer_.cells.columns();
+  const double wanted = pace_ * settings_.events_per_column * layer_.cells.columns();
   const auto found = static_cast<double>(events);
   // Not from a window that ends early.
   if (const double whole = (end_ - start_) / length_; whole > 0.5)
-    setWindowLength(length_ * std::clamp(whole * wanted / std::max(found, 1.0), 0.5, 2.0));
+    setWindows(length_ * std::clamp(whole * wanted / std::max(found, 1.0), 0.5, 2.0), pace_);
   if (end_ >= time)
   {
     done_ = true;
@@ -395,6 +399,7 @@ void PairStrips::commit()
   for (const auto& cut : cutting_)
     take(*cut);
   events_to_commit_ = 0;
+  pace_ = std::min(FASTER * pace_, 1.0);
 }
 
 }  // namespace ratchet_sieve

@@ -50,9 +50,13 @@ public:
   /// The end of the window that failed.
   double failedBefore() const { return end_; }
 
-  /// The length of a window with as many events as wanted [s]. May be set before advance().
+  /// The length of a window with as many events as wanted [s], and their number as a share of the settings',
+  /// which grows to 1 as long as no window fails.
   double windowLength() const { return length_; }
-  void setWindowLength(double length);
+  double pace() const { return pace_; }
+
+  /// May be called before advance().
+  void setWindows(double length, double pace);
 
   /// The number of events since the last call that advance() has executed for good.
   std::uint64_t takeEvents() { return std::exchange(events_, 0); }
@@ -126,7 +130,8 @@ private:
 
   StripCounts& counts_;
   double length_ = 0.0;  ///< of a window [s]
-  double start_ = 0.0;   ///< of the present window [s]
+  double pace_ = 1.0;
+  double start_ = 0.0;  ///< of the present window [s]
   double end_ = 0.0;
   bool done_ = false;
   bool copy_is_due_ = false;
