@@ -161,8 +161,14 @@ void PairStrips::work(std::size_t worker, std::size_t workers, SpinBarrier& barr
   {
     if (copy_is_due_)
     {
-      guarded([&] { share(COPY_PARTS, [&](std::size_t part) { copy(part); }); });
-      meet([&] { copy_is_due_ = false; });
+      double copying = 0.0;
+      {
+        const TimeSpent spent(copying);
+        guarded([&] { share(COPY_PARTS, [&](std::size_t part) { copy(part); }); });
+        barrier.wait([&] { copy_is_due_ = false; });
+      }
+      if (worker == 0)
+        counts_.alone += copying;
     }
     guarded([&] { share(strips_.size(), [&](std::size_t s) { advance(s); }); });
     meet([] {});

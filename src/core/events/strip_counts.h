@@ -17,7 +17,7 @@ struct StripCounts
   std::uint64_t critical_events = 0;
 
   double meeting = 0.0;  ///< sum over the threads of the time between phases, waiting or working alone [s]
-  double alone = 0.0;    ///< time in which one thread counted, copied and handed over, between windows [s]
+  double alone = 0.0;    ///< time for copies, by two threads, and in which one counted and handed over [s]
 };
 
 /// Adds the time until it is destroyed to a sum [s].
