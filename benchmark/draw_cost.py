@@ -39,7 +39,7 @@ def steps(figures, program):
 
 def draw(figures, path):
     with plots.styled():
-        figure, axes = plots.panels(1, 1, (6.4, 3.8), None)
+        figure, axes = plots.panels(1, 1, (6.0, 3.4))
         for pattern, (name, colour, form) in LINES.items():
             axes.plot(*line(figures, pattern), form, color=colour, markersize=5, label=name)
         for program, name in STEPS.items():
