@@ -75,8 +75,8 @@ def figures(layers):
     known = {}
     for teeth, disks, *_ in LAYERS:
         key = 'disks_' + disks.replace(',', '')
-        queue, one, two = (layers[teeth, way] for way in (QUEUE, ONE, TWO))
-        known[f'{key}.one'] = f'{M * rate(queue):.2f} M'
+        one, two = (layers[teeth, way] for way in (ONE, TWO))
+        known[f'{key}.one'] = f'{M * rate(one):.2f} M'
         known[f'{key}.two'] = f'{M * rate(two):.2f} M'
         known[f'{key}.times'] = f'{rate(two) / rate(one):.2f}'
     return known
