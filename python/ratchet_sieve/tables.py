@@ -1,6 +1,7 @@
 """CSV files: the tables of a run, and the rows of a sweep."""
 import contextlib
 import csv
+import dataclasses
 import io
 import math
 import pathlib
@@ -150,7 +151,11 @@ class Rows:
         return values.tolist()
 
     def mean(self, field):
-        """The mean over the runs, which are independent: their seeds differ. None where no run defines the field."""
+        """The mean over the runs, which are independent: their seeds differ. None where no run defines the field.
+        Of `quality` it is |mean separation|, with the error of that mean: the mean of Q itself is never 0."""
+        if field == "quality" and "separation" in self.frame:
+            mean = self.mean("separation")
+            return mean and dataclasses.replace(mean, value=abs(mean.value))
         return stats.mean_of(self.samples(field))
 
 

@@ -151,13 +151,14 @@ std::string segregationText(const RunResult& result)
   if (!isOpen(result))
     return "no disk can leave this base: no bins, no Q, no P\n";
   const BinFrame* bins = result.lastBins();
-  std::string text =
-      fmt::format("Q = {}, P = {}\n", ratioText(bins != nullptr ? bins->quality : std::nullopt),
-                  ratioText(bins != nullptr ? bins->processed : std::nullopt));
-  if (bins != nullptr && result.species.size() > 2)
-    for (const PairQuality& pair : pairQualities(bins->bins))
-      text += fmt::format("  Q of {} and {} = {}\n", result.species[pair.first], result.species[pair.second],
-                          ratioText(pair.quality));
+  if (bins == nullptr)
+    return "s, Q and P: undefined\n";
+  std::string text = fmt::format("s = {}, Q = {}, P = {}\n", ratioText(bins->separation),
+                                 ratioText(bins->quality), ratioText(bins->processed));
+  if (result.species.size() > 2)
+    for (const PairSeparation& pair : pairSeparations(bins->bins))
+      text += fmt::format("  s of {} and {} = {}\n", result.species[pair.first], result.species[pair.second],
+                          ratioText(pair.separation));
   return text;
 }
 
@@ -219,10 +220,11 @@ Json reportJson(const RunResult& result)
   json["particle_frames"] = result.particle_frames;
   json["not_recorded"] = result.missing();
   json["species"] = speciesJson(result);
-  json["quality"] = numberOrNull(bins != nullptr ? bins->quality : std::nullopt);
-  json["processed"] = numberOrNull(bins != nullptr ? bins->processed : std::nullopt);
-  addBinShares(json, result.species,
-               bins != nullptr ? bins->bins : std::vector<SpeciesBins>(result.species.size()));
+  const std::vector<SpeciesBins> of_species =
+      bins != nullptr ? bins->bins : std::vector<SpeciesBins>(result.species.size());
+  addSeparation(json, of_species);
+  json["processed"] = numberOrNull(processedRatio(of_species));
+  addBinShares(json, result.species, of_species);
   json["collisions"] = nullptr;
   json["max_overlap"] = nullptr;
   if (const StatisticsFrame* statistics = result.lastStatistics())

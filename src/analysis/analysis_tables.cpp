@@ -52,9 +52,10 @@ std::string binTable(const RunResult& result)
 
 std::string segregationTable(const RunResult& result)
 {
-  std::string text = "time [s],quality,processed\n";
+  std::string text = "time [s],quality,processed,separation\n";
   for (const BinFrame& frame : result.bins)
-    text += fmt::format("{},{},{}\n", frame.time, field(frame.quality), field(frame.processed));
+    text += fmt::format("{},{},{},{}\n", frame.time, field(frame.quality), field(frame.processed),
+                        field(frame.separation));
   return text;
 }
 

@@ -90,10 +90,9 @@ void RunAnalysis::Run::take(const ParticleFrame& frame)
 
 void RunAnalysis::Run::take(const BinFrame& frame)
 {
-  // Q and P are computed from the counts, not copied from the frame, so that the analysis is independent.
+  // s, Q and P are computed from the counts, not copied from the frame, so that the analysis is independent.
   BinFrame counted = frame;
-  counted.quality = bestQuality(frame.bins);
-  counted.processed = processedRatio(frame.bins);
+  addRatios(counted);
   if (bins.empty() || !sameBits(bins.back().bins, counted.bins))
     bins.push_back(counted);
   last_bins = std::move(counted);

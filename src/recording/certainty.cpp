@@ -58,11 +58,11 @@ Approach approachToMean(const Simulation& simulation, const SteadyMeans& means)
   return approach;
 }
 
-Approach approachToQuality(const std::optional<QualityEstimate>& quality, double wanted)
+Approach approachToQuality(const std::optional<SeparationEstimate>& separation, double wanted)
 {
-  if (!quality)
+  if (!separation)
     return {};
-  return {quality->estimate.half_width / wanted, quality->times_for_trust <= 1.0};
+  return {separation->estimate.half_width / wanted, separation->times_for_trust <= 1.0};
 }
 
 std::string meanShortfall(const Simulation& simulation, const Certainty& certainty)
@@ -90,10 +90,10 @@ std::string meanShortfall(const Simulation& simulation, const Certainty& certain
 
 /// The required length or number of runs: the error is inversely proportional to the square root of the
 /// counts.
-std::string qualityNeed(const Simulation& simulation, const QualityEstimate& quality)
+std::string qualityNeed(const Simulation& simulation, const SeparationEstimate& separation)
 {
-  const double ratio = quality.sampled / simulation.scene().accuracy.quality;
-  const double times = std::min(std::max(ratio * ratio, quality.times_for_trust), LARGEST_FACTOR);
+  const double ratio = separation.sampled / simulation.scene().accuracy.quality;
+  const double times = std::min(std::max(ratio * ratio, separation.times_for_trust), LARGEST_FACTOR);
   if (isFed(simulation.scene()))
     return fmt::format("a duration of about {:.2g} s is needed", simulation.time() * times);
   const double runs = std::ceil(times * processedRatio(simulation.bins()).value_or(1.0));
@@ -103,14 +103,16 @@ std::string qualityNeed(const Simulation& simulation, const QualityEstimate& qua
       countText(disks, "disk"), disks == 1 ? "has" : "have", runs, runs == 1.0 ? "" : "s");
 }
 
-std::string qualityShortfall(const Simulation& simulation, const std::optional<QualityEstimate>& quality)
+std::string qualityShortfall(const Simulation& simulation,
+                             const std::optional<SeparationEstimate>& separation)
 {
   const std::string text = fmt::format("accuracy.quality = {:g} was not reached within {:g} s: ",
                                        simulation.scene().accuracy.quality, simulation.time());
-  if (!quality)
-    return text + "too few disks have left to estimate Q and its error";
-  return text + fmt::format("Q = {:.3g} +- {:.2g}; ", quality->estimate.value, quality->estimate.half_width) +
-         qualityNeed(simulation, *quality);
+  if (!separation)
+    return text + "too few disks have left to estimate the separation and its error";
+  return text +
+         fmt::format("s = {:.3g} +- {:.2g}; ", separation->estimate.value, separation->estimate.half_width) +
+         qualityNeed(simulation, *separation);
 }
 
 }  // namespace
@@ -119,7 +121,7 @@ std::optional<bool> Certainty::reached() const
 {
   if (!to_mean_vx && !to_quality)
     return std::nullopt;
-  return (!to_mean_vx || to_mean_vx->reached()) && (!to_quality || to_quality->reached());
+  return (!to_mean_vx || to_mean_vx->reached()) && (!to_quality || to_separation->reached());
 }
 
 std::optional<double> Certainty::ratio() const
@@ -145,11 +147,11 @@ Certainty certaintyOf(const Simulation& simulation)
       exits.push_back(species.exits);
   Certainty certainty;
   certainty.means = steadyMeans(series, wanted.confidence);
-  certainty.quality = qualityEstimate(simulation.bins(), exits, wanted.confidence);
+  certainty.separation = separationEstimate(simulation.bins(), exits, wanted.confidence);
   if (wanted.mean_vx > 0.0)
     certainty.to_mean_vx = approachToMean(simulation, certainty.means);
   if (wanted.quality > 0.0)
-    certainty.to_quality = approachToQuality(certainty.quality, wanted.quality);
+    certainty.to_quality = approachToQuality(certainty.separation, wanted.quality);
   return certainty;
 }
 
@@ -158,8 +160,8 @@ std::vector<std::string> shortfalls(const Simulation& simulation, const Certaint
   std::vector<std::string> texts;
   if (certainty.to_mean_vx && !certainty.to_mean_vx->reached())
     texts.push_back(meanShortfall(simulation, certainty));
-  if (certainty.to_quality && !certainty.to_quality->reached())
-    texts.push_back(qualityShortfall(simulation, certainty.quality));
+  if (certainty.to_quality && !certainty.to_separation->reached())
+    texts.push_back(qualityShortfall(simulation, certainty.separation));
   return texts;
 }
 

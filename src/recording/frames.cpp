@@ -35,7 +35,7 @@ Observed observedSizeClasses(const Simulation& simulation)
                           static_cast<double>(bins.right), static_cast<double>(bins.on_base),
                           means[k].mean_vx, means[k].mean_vx_stderr});
     }
-    row.numbers = {{"size_quality", "", bestQuality(all)}};
+    row.numbers = {{"size_quality", "", bestSeparation(all).quality()}};
     observed.rows.push_back(std::move(row));
   }
   return observed;
@@ -73,10 +73,20 @@ void makeParticleFrame(const Simulation& simulation, ParticleFrame& frame)
       disk.radius = 0.0;
 }
 
+void addRatios(BinFrame& frame)
+{
+  const PairSeparation best = bestSeparation(frame.bins);
+  frame.separation = best.separation;
+  frame.quality = best.quality();
+  frame.processed = processedRatio(frame.bins);
+}
+
 BinFrame makeBinFrame(const Simulation& simulation)
 {
   const std::vector<SpeciesBins> bins = simulation.bins();
-  return {simulation.time(), speciesNames(simulation.scene()), bins, bestQuality(bins), processedRatio(bins)};
+  BinFrame frame{simulation.time(), speciesNames(simulation.scene()), bins};
+  addRatios(frame);
+  return frame;
 }
 
 BaseFrame makeBaseFrame(const Simulation& simulation)

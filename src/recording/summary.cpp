@@ -1,5 +1,7 @@
 #include "ratchet_sieve/recording/summary.h"
 
+#include <cmath>
+
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/recording/certainty.h"
 #include "ratchet_sieve/recording/frames.h"
@@ -34,7 +36,7 @@ void addSizeClasses(Json& species, std::size_t index, const Simulation& simulati
   }
   if (list.empty())
     return;
-  species["size_quality"] = numberOrNull(bestQuality(bins));
+  species["size_quality"] = numberOrNull(bestSeparation(bins).quality());
   species["size_classes"] = std::move(list);
 }
 
@@ -60,11 +62,13 @@ Json speciesResults(const Simulation& simulation)
 Json pairResults(const Simulation& simulation)
 {
   Json list = Json::array();
-  for (const PairQuality& pair : pairQualities(simulation.bins()))
+  for (const PairSeparation& pair : pairSeparations(simulation.bins()))
   {
     const auto& species = simulation.scene().species;
     list.push_back({{"species", {species[pair.first].name, species[pair.second].name}},
-                    {"quality", numberOrNull(pair.quality)}});
+                    {"quality", numberOrNull(pair.quality())},
+                    {"separation", numberOrNull(pair.separation)},
+                    {"separation_by_mass", numberOrNull(pair.by_mass)}});
   }
   return list;
 }
@@ -93,8 +97,13 @@ Json certaintyParts(const Simulation& simulation)
     species.update(estimateOrNull(mean ? std::optional(mean->estimate) : std::nullopt));
     json["mean_vx"].push_back(std::move(species));
   }
-  json["quality"] =
-      estimateOrNull(certainty.quality ? std::optional(certainty.quality->estimate) : std::nullopt);
+  std::optional<Estimate> estimate;
+  if (certainty.separation)
+    estimate = certainty.separation->estimate;
+  json["separation"] = estimateOrNull(estimate);
+  if (estimate)
+    estimate->value = std::abs(estimate->value);
+  json["quality"] = estimateOrNull(estimate);
   return json;
 }
 
@@ -131,6 +140,14 @@ Json planParts(const Plan& plan)
   json["search_above_band"] = plan.search_above_band;
   json["simd"] = plan.simd;
   return json;
+}
+
+void addSeparation(Json& json, const std::vector<SpeciesBins>& bins)
+{
+  const PairSeparation best = bestSeparation(bins);
+  json["quality"] = numberOrNull(best.quality());
+  json["separation"] = numberOrNull(best.separation);
+  json["separation_by_mass"] = numberOrNull(best.by_mass);
 }
 
 void addBinShares(Json& json, const std::vector<std::string>& species, const std::vector<SpeciesBins>& bins)
@@ -196,7 +213,7 @@ Json summarize(const Simulation& simulation, const RunOutcome& outcome)
   if (!scene.base.isSawtooth())
     json["contacts_by_face"] = contactsByFace(simulation.faceContacts());
   json["species"] = speciesResults(simulation);
-  json["quality"] = numberOrNull(bestQuality(simulation.bins()));
+  addSeparation(json, simulation.bins());
   if (scene.species.size() > 2)
     json["pair_qualities"] = pairResults(simulation);
   json["processed"] = numberOrNull(processedRatio(simulation.bins()));

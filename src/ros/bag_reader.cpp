@@ -24,12 +24,20 @@ namespace
 /// Longest error message shown; it may contain a topic name [characters].
 constexpr std::size_t LONGEST_REASON = 300;
 
-/// The checksum of a message's type before its last field, an array, was added; empty if there was none. A
-/// message of that time is read with an empty array.
+/// A message's type before its last fields were added. A message of that time is read with zeros in their
+/// place: an empty array, an undefined number.
+struct EarlierType
+{
+  const char* checksum = "";
+  std::size_t missing = 0;  ///< [bytes]
+};
+
 template <typename Message>
-constexpr const char* CHECKSUM_BEFORE_LAST_ARRAY = "";
+constexpr EarlierType EARLIER = {};
 template <>
-constexpr const char* CHECKSUM_BEFORE_LAST_ARRAY<ParticleStates> = "adb6351783fa1df73aef027d3828d669";
+constexpr EarlierType EARLIER<ParticleStates> = {"adb6351783fa1df73aef027d3828d669", sizeof(std::uint32_t)};
+template <>
+constexpr EarlierType EARLIER<BinCounts> = {"8cc345b25409bfd727e7181dbe20f1bc", sizeof(double) + 1};
 
 /// The frames of one topic, with one frame of read-ahead.
 class Stream
@@ -72,7 +80,7 @@ private:
   {
     if (TopicStream::done())
       return;
-    const bool earlier = position_->getMD5Sum() == CHECKSUM_BEFORE_LAST_ARRAY<Message>;
+    const bool earlier = position_->getMD5Sum() == EARLIER<Message>.checksum;
     if (!position_->isType<Message>() && !earlier)
       throw std::invalid_argument(position_->getTopic() + " does not have its declared type");
     std::vector<std::uint8_t> bytes(position_->size());
@@ -81,7 +89,7 @@ private:
     ros::serialization::OStream filled(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
     position_->write(filled);
     if (earlier)
-      bytes.resize(bytes.size() + sizeof(std::uint32_t));  // the array's length
+      bytes.resize(bytes.size() + EARLIER<Message>.missing);
     Message message;
     BoundedStream(bytes).next(message);
     frame_ = toFrame(message);
@@ -105,7 +113,7 @@ std::set<std::string> topicsOf(rosbag::View& all)
     if (connection->datatype != type)
       continue;
     if (connection->md5sum != ros::message_traits::md5sum<Message>() &&
-        connection->md5sum != CHECKSUM_BEFORE_LAST_ARRAY<Message>)
+        connection->md5sum != EARLIER<Message>.checksum)
       throw std::invalid_argument(connection->topic + " was recorded with another version of " + type);
     topics.insert(connection->topic);
   }

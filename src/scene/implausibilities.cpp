@@ -18,6 +18,7 @@ namespace
 
 // Beyond these limits a scene is valid but implausible. Most are ratios, and hold for machines of any size.
 // Limits in m and m/s apply together with a ratio, or are of a machine on a bench.
+constexpr int FEW_PHASES = 8;              ///< of the drive, at which an even feed's disks enter
 constexpr double TALLEST_TOOTH = 10.0;     ///< tooth_height / tooth_width
 constexpr double FINEST_DISK = 1.0 / 500;  ///< largest diameter / tooth_width
 constexpr double DENSEST_DISK =
@@ -211,11 +212,32 @@ double fallSpeed(const SceneDefinition& scene, double height)
   return std::sqrt(2.0 * scene.gravity * height);
 }
 
+/// The number of phases of the drive at which an even feed's disks enter, if they are few: f / rate is a
+/// fraction of this denominator, to within a period over the whole run.
+std::optional<int> phasesOfEvenFeed(const SceneDefinition& scene)
+{
+  if (!scene.feed.even || scene.feed.rate <= 0.0 || scene.base.frequency <= 0.0)
+    return std::nullopt;
+  for (int phases = 1; phases <= FEW_PHASES; ++phases)
+  {
+    const double periods = phases * scene.base.frequency / scene.feed.rate;
+    const double drift = std::abs(periods - std::round(periods)) * scene.feed.rate / phases;
+    if (drift * scene.duration < 1.0)
+      return phases;
+  }
+  return std::nullopt;
+}
+
 void warnOfFeed(const SceneDefinition& scene, SceneWarnings& warnings)
 {
   const Stretch& stretch = scene.feed.stretch;
   if (scene.feed.rate == 0.0 && (stretch.from > 0.0 || std::isfinite(stretch.to)))
     warnings.add("feed.rate", scene.feed.rate, "1/s", "feed.from and feed.to have no effect");
+  if (const auto phases = phasesOfEvenFeed(scene))
+    warnings.add("feed.even", scene.feed.rate, "1/s",
+                 "disks enter at " + (*phases == 1 ? "one phase" : number(*phases) + " phases") +
+                     " of the drive alone, of " + quantity(scene.base.frequency, "Hz") +
+                     ": results depend on it; feed.even: false has random times");
 }
 
 void warnOfPour(const SceneDefinition& scene, SceneWarnings& warnings)

@@ -307,7 +307,13 @@ const Keys<FeedDefinition>& feedKeys()
   using F = FeedDefinition;
   static const Keys<F> KEYS = {
       {"rate", [](F& f) -> Slot { return &f.rate; }, upTo(LARGEST_RATE, "1/s"),
-       "Disks poured per second while the machine runs, species drawn by their shares; 0: none."},
+       "Mean number of disks per second that are poured while the machine runs, at random times (a Poisson "
+       "process); species drawn by their shares; 0: none."},
+      {"even", [](F& f) -> Slot { return &f.even; }, ANY,
+       "Disks are fed at intervals of 1 / rate, which lock to the drive if its frequency is a multiple of "
+       "the "
+       "rate.",
+       Presence::ADDED},
       {"from", [](F& f) -> Slot { return &f.stretch.from; }, upTo(LARGEST_WIDTH, "m"),
        "Left end, along the base, of the stretch onto which the centres of the disks are fed, as from a "
        "chute.",

@@ -88,12 +88,11 @@ double shareVariance(const SpeciesBins& bins)
 
 Measured quality(const std::vector<SpeciesBins>& bins)
 {
-  Measured best;
-  for (const PairQuality& pair : pairQualities(bins))
-    if (pair.quality && (!best.defined || *pair.quality > best.value))
-      best = {*pair.quality, std::sqrt(shareVariance(bins[pair.first]) + shareVariance(bins[pair.second])),
-              true};
-  return best;
+  const PairSeparation best = bestSeparation(bins);
+  if (!best.separation)
+    return {};
+  return {*best.quality(), std::sqrt(shareVariance(bins[best.first]) + shareVariance(bins[best.second])),
+          true};
 }
 
 /// What left, by whether it is of the goal's species and in its bin.

@@ -10,6 +10,7 @@
 
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/physics_version.h"
+#include "ratchet_sieve/recording/steady_mean.h"
 #include "ratchet_sieve/sweep/case_builder.h"
 
 namespace ratchet_sieve
@@ -55,27 +56,41 @@ bool fulfils(const SweepCase& setting, const std::vector<Assignment>& where)
 
 /// The settings whose seeds are all completed and that meet the criteria, best first.
 constexpr const char* RANKED =
-    "SELECT p.position / ?3 AS point, AVG(c.quality) FILTER (WHERE c.status = 'done') AS mean "
+    "SELECT p.position / ?3 AS point, ABS(AVG(c.separation) FILTER (WHERE c.status = 'done')) AS mean "
     "FROM plan p LEFT JOIN cases c ON c.run_hash = p.run_hash AND c.physics = ?2 WHERE p.sweep = ?1 "
     "GROUP BY point HAVING COUNT(*) = COUNT(c.status) AND mean IS NOT NULL "
     "AND AVG(COALESCE(c.processed, 0)) FILTER (WHERE c.status = 'done') >= ?4 "
     "AND AVG(COALESCE({}, 0)) FILTER (WHERE c.status = 'done') >= ?5 ORDER BY mean DESC, point";
 
-bool hasQuality(const ResultStore& store, const SweepPlan& plan)
+bool hasSeparation(const ResultStore& store, const SweepPlan& plan)
 {
   Statement select(store.database(),
                    "SELECT 1 FROM plan p JOIN cases c ON c.run_hash = p.run_hash WHERE p.sweep = ?1 "
-                   "AND c.physics = ?2 AND c.quality IS NOT NULL LIMIT 1");
+                   "AND c.physics = ?2 AND c.separation IS NOT NULL LIMIT 1");
   return select.bind(1, plan.id()).bind(2, PHYSICS_VERSION).step();
 }
 
+constexpr double CONFIDENCE = 0.95;
+
 }  // namespace
+
+double SettingMean::quality() const
+{
+  return std::abs(separation);
+}
+
+std::optional<bool> SettingMean::separated() const
+{
+  if (!error)
+    return std::nullopt;
+  return quality() > halfWidthOver(CONFIDENCE, seeds) * *error;
+}
 
 std::optional<SettingMean> meanOfSetting(const ResultStore& store, const SweepPlan& plan, const Sweep& sweep,
                                          std::uint64_t point)
 {
   Statement select(store.database(),
-                   "SELECT c.quality, COALESCE(c.processed, 0.0), COALESCE(" + countedColumn(store) +
+                   "SELECT c.separation, COALESCE(c.processed, 0.0), COALESCE(" + countedColumn(store) +
                        ", 0) FROM plan p JOIN cases c ON c.run_hash = p.run_hash WHERE p.sweep = ?1 "
                        "AND c.physics = ?2 AND c.status = 'done' AND p.position BETWEEN ?3 AND ?4");
   const auto first = static_cast<std::int64_t>(point * sweep.seedCount());
@@ -83,27 +98,27 @@ std::optional<SettingMean> meanOfSetting(const ResultStore& store, const SweepPl
   select.bind(1, plan.id()).bind(2, PHYSICS_VERSION).bind(3, first).bind(4, last);
   SettingMean mean;
   mean.point = point;
-  std::vector<double> qualities;
+  std::vector<double> separations;
   double rows = 0.0;
   for (; select.step(); ++rows)
   {
     if (!select.isNull(0))
-      qualities.push_back(select.real(0));
+      separations.push_back(select.real(0));
     mean.processed += select.real(1);
     mean.counted += select.real(2);
   }
-  if (qualities.empty())
+  if (separations.empty())
     return std::nullopt;
   mean.processed /= rows;
   mean.counted /= rows;
-  mean.seeds = qualities.size();
-  const auto count = static_cast<double>(qualities.size());
-  for (const double quality : qualities)
-    mean.quality += quality / count;
+  mean.seeds = separations.size();
+  const auto count = static_cast<double>(separations.size());
+  for (const double separation : separations)
+    mean.separation += separation / count;
   double squares = 0.0;
-  for (const double quality : qualities)
-    squares += (quality - mean.quality) * (quality - mean.quality);
-  if (qualities.size() > 1)
+  for (const double separation : separations)
+    squares += (separation - mean.separation) * (separation - mean.separation);
+  if (separations.size() > 1)
     mean.error = std::sqrt(squares / (count - 1.0) / count);
   return mean;
 }
@@ -111,7 +126,7 @@ std::optional<SettingMean> meanOfSetting(const ResultStore& store, const SweepPl
 std::optional<SettingMean> bestSetting(const ResultStore& store, const SweepPlan& plan, const Sweep& sweep,
                                        const BestCriteria& criteria)
 {
-  if (!store.hasColumn("quality"))
+  if (!store.hasColumn("separation"))
     return std::nullopt;
   Statement select(store.database(), fmt::format(RANKED, countedColumn(store)));
   select.bind(1, plan.id())
@@ -158,7 +173,7 @@ std::vector<std::string> keysAtEdge(const Sweep& sweep, std::uint64_t point,
 std::string meanText(const SettingMean& mean)
 {
   const std::string error = mean.error ? fmt::format(" +- {:.3f}", *mean.error) : "";
-  return fmt::format("{:.3f}{} over {}{}, P {:.2f}, {} counted", mean.quality, error,
+  return fmt::format("{:.3f}{} over {}{}, P {:.2f}, {} counted", mean.quality(), error,
                      countText(mean.seeds, "seed"), mean.error ? "" : " (error unknown)", mean.processed,
                      countText(static_cast<std::uint64_t>(std::llround(mean.counted)), "disk"));
 }
@@ -168,7 +183,7 @@ std::string bestText(const ResultStore& store, const SweepPlan& plan, const Swee
 {
   if (!best)
   {
-    if (!store.hasColumn("quality") || !hasQuality(store, plan))
+    if (!store.hasColumn("separation") || !hasSeparation(store, plan))
       return "";
     return fmt::format(
         "no best Q: no setting with all seeds completed has a mean P >= {:g} and a mean of {:g} counted "
@@ -176,7 +191,10 @@ std::string bestText(const ResultStore& store, const SweepPlan& plan, const Swee
         "(--least-processed, --least-counted)",
         criteria.least_processed, criteria.least_counted);
   }
-  std::string text = "best mean Q " + meanText(*best) + ": " + CaseBuilder(sweep).settingName(best->point);
+  const std::string setting = meanText(*best) + ": " + CaseBuilder(sweep).settingName(best->point);
+  if (best->separated() == false)
+    return "not separated: the interval of 95 % contains 0 even at the largest mean Q, " + setting;
+  std::string text = "best mean Q " + setting;
   std::string edges;
   for (const std::string& key : keysAtEdge(sweep, best->point, criteria.where))
     edges += (edges.empty() ? "" : ", ") + key;

@@ -98,7 +98,7 @@ FloorResult qualityOf(const FloorMean& each)
 {
   FloorResult result = {"quality", {}, {}};
   if (each.mean)
-    result.value = each.mean->quality;
+    result.value = each.mean->quality();
   if (each.mean && each.mean->error)
     result.half_width = *each.mean->error * halfWidthOver(CONFIDENCE, each.mean->seeds);
   return result;
@@ -219,7 +219,7 @@ Json floorCheckJson(const std::vector<FloorMean>& means)
   Json list = Json::array();
   for (const FloorMean& each : means)
     list.push_back({{"min_rebound_speed", each.floor},
-                    {"quality", each.mean ? Json(each.mean->quality) : Json(nullptr)},
+                    {"quality", each.mean ? Json(each.mean->quality()) : Json(nullptr)},
                     {"quality_stderr", each.mean ? numberOrNull(each.mean->error) : Json(nullptr)},
                     {"seeds", each.mean ? each.mean->seeds : 0}});
   return list;

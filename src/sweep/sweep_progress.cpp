@@ -47,7 +47,7 @@ std::string sweepProgressText(const SweepProgress& progress)
         durationText(static_cast<double>(progress.cases - std::min(finished, progress.cases)) / rate));
   }
   if (progress.best)
-    text += fmt::format("  best mean Q {:.3f}", progress.best->quality);
+    text += fmt::format("  best mean Q {:.3f}", progress.best->quality());
   if (progress.best && progress.best->error)
     text += fmt::format(" +- {:.3f}", *progress.best->error);
   return text;

@@ -171,7 +171,8 @@ nlohmann::ordered_json findingsJson(const Sweep& sweep, const SweepFindings& fin
   for (const auto& [key, value] : builder.at(best.point * sweep.seedCount()).values)
     values[key] = value.value_or("");
   json["best"] = {{"values", values},
-                  {"quality", best.quality},
+                  {"quality", best.quality()},
+                  {"separation", best.separation},
                   {"quality_stderr", numberOrNull(best.error)},
                   {"seeds", best.seeds},
                   {"processed", best.processed},

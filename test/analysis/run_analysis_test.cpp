@@ -142,7 +142,7 @@ TEST(RunAnalysis, EndsWithTheEnginesBinsAndContacts)
     EXPECT_EQ(result.lastBins()->bins[i].right, bins[i].right);
     EXPECT_EQ(result.lastBins()->bins[i].on_base, bins[i].on_base);
   }
-  EXPECT_EQ(result.lastBins()->quality, bestQuality(bins));
+  EXPECT_EQ(result.lastBins()->quality, bestSeparation(bins).quality());
   EXPECT_EQ(result.lastBins()->processed, processedRatio(bins));
   EXPECT_EQ(result.lastStatistics()->collisions.right_slope, simulation.collisions().right_slope);
   EXPECT_EQ(result.shortToLong(), simulation.collisions().shortToLong(0.1));

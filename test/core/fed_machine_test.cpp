@@ -1,8 +1,12 @@
+#include <cmath>
+#include <cstdint>
 #include <map>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "model/random.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 
@@ -18,6 +22,7 @@ SceneDefinition fedSieve(bool pairs)
   scene.base.inclination = 0.3;
   scene.boundary = Boundary::OPEN;
   scene.feed.rate = 400.0;
+  scene.feed.even = true;
   scene.settle = 1.0;
   scene.contact.pair_collisions = pairs;
   for (SpeciesDefinition& species : scene.species)
@@ -43,6 +48,69 @@ TEST(FedMachine, ForgetsTheDisksThatHaveLeft)
     EXPECT_EQ(simulation.auditOverlaps(), 0u);
     EXPECT_LT(simulation.maxOverlap(), 1e-9 * simulation.scene().species[0].radius);
   }
+}
+
+/// The disks that have entered by the ends of successive intervals of 10 ms, since the start.
+std::vector<std::uint64_t> entered(const SceneDefinition& scene, std::size_t intervals)
+{
+  Simulation simulation(scene);
+  std::vector<std::uint64_t> all;
+  for (std::size_t k = 1; k <= intervals; ++k)
+  {
+    simulation.advanceTo(0.01 * static_cast<double>(k));
+    all.push_back(0);
+    for (const SpeciesBins& bins : simulation.bins())
+      all.back() += bins.counted() + bins.on_base;
+  }
+  return all;
+}
+
+/// Intervals of a Poisson process have counts whose variance is their mean; those of an even feed of 4 disks
+/// an interval have 0.
+TEST(FedMachine, IsFedByAPoissonProcessOfTheSeedWhateverTheDrive)
+{
+  constexpr std::size_t INTERVALS = 2000;
+  SceneDefinition scene = fedSieve(false);
+  scene.feed.even = false;
+  const std::vector<std::uint64_t> all = entered(scene, INTERVALS);
+  double squares = 0.0;
+  double correlated = 0.0;
+  double last = 0.0;
+  for (std::size_t k = 1; k < INTERVALS; ++k)
+  {
+    const double excess = static_cast<double>(all[k] - all[k - 1]) - 4.0;
+    squares += excess * excess;
+    correlated += excess * last;
+    last = excess;
+  }
+  EXPECT_NEAR(static_cast<double>(all.back()), 4.0 * INTERVALS, 4.0 * std::sqrt(4.0 * INTERVALS));
+  // The variance of the square of a Poisson deviation of mean 4 is 36.
+  EXPECT_NEAR(squares / INTERVALS, 4.0, 4.0 * std::sqrt(36.0 / INTERVALS));
+  EXPECT_NEAR(correlated / INTERVALS, 0.0, 4.0 * 4.0 / std::sqrt(INTERVALS));
+  scene.base.frequency *= 1.7;
+  scene.base.inclination = 0.1;
+  EXPECT_EQ(entered(scene, INTERVALS), all);
+  scene.seed += 1;
+  EXPECT_NE(entered(scene, INTERVALS), all);
+}
+
+TEST(Random, ExponentialNumbersHaveTheMomentsAndTheTailOfTheirDistribution)
+{
+  constexpr int COUNT = 100000;
+  Random random(1);
+  double sum = 0.0, squares = 0.0;
+  int beyond = 0;
+  for (int k = 0; k < COUNT; ++k)
+  {
+    const double next = random.exponential();
+    sum += next;
+    squares += next * next;
+    beyond += next > 2.5 ? 1 : 0;
+  }
+  const double error = 4.0 / std::sqrt(COUNT);
+  EXPECT_NEAR(sum / COUNT, 1.0, error);
+  EXPECT_NEAR(squares / COUNT, 2.0, error * std::sqrt(20.0));
+  EXPECT_NEAR(beyond / static_cast<double>(COUNT), std::exp(-2.5), error * std::exp(-1.25));
 }
 
 /// At the instant of each feed, the newest disk is above the feed's stretch; the disks of the start and those

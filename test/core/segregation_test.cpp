@@ -1,5 +1,10 @@
 #include "ratchet_sieve/core/segregation.h"
 
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <random>
+
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -10,22 +15,38 @@ namespace ratchet_sieve
 namespace
 {
 
-TEST(SegregationQuality, KnownAnswers)
+PairSeparation pairOf(const SpeciesBins& a, const SpeciesBins& b)
 {
-  EXPECT_DOUBLE_EQ(*segregationQuality({10, 0, 0}, {0, 5, 3}), 1.0);
-  EXPECT_DOUBLE_EQ(*segregationQuality({0, 10, 0}, {5, 0, 0}), 1.0);
-  EXPECT_DOUBLE_EQ(*segregationQuality({5, 5, 0}, {2, 2, 0}), 0.0);
-  EXPECT_DOUBLE_EQ(*segregationQuality({3, 1, 0}, {1, 3, 0}), 0.5);
+  return pairSeparations({a, b}).front();
 }
 
-TEST(SegregationQuality, UndefinedUntilEachSpeciesWasCounted)
+/// Q as eq. (2) of the paper has it.
+double printedQuality(const SpeciesBins& a, const SpeciesBins& b)
 {
-  EXPECT_FALSE(segregationQuality({0, 0, 9}, {1, 2, 0}));
-  EXPECT_FALSE(segregationQuality({4, 0, 9}, {0, 0, 1}));
-  EXPECT_FALSE(bestQuality({{1, 2, 3}}));
+  const auto share = [](std::uint64_t part, const SpeciesBins& of)
+  { return static_cast<double>(part) / static_cast<double>(of.counted()); };
+  return std::max(share(a.left, a) + share(b.right, b), share(a.right, a) + share(b.left, b)) - 1.0;
 }
 
-TEST(SegregationQuality, LiesInTheUnitIntervalAndDoesNotCareWhichSideIsWhich)
+TEST(Separation, KnownAnswers)
+{
+  EXPECT_DOUBLE_EQ(*pairOf({10, 0, 0}, {0, 5, 3}).separation, 1.0);
+  EXPECT_DOUBLE_EQ(*pairOf({0, 10, 0}, {5, 0, 0}).separation, -1.0);
+  EXPECT_DOUBLE_EQ(*pairOf({0, 10, 0}, {5, 0, 0}).quality(), 1.0);
+  EXPECT_DOUBLE_EQ(*pairOf({5, 5, 0}, {2, 2, 0}).separation, 0.0);
+  EXPECT_DOUBLE_EQ(*pairOf({3, 1, 0}, {1, 3, 0}).separation, 0.5);
+  // Large disks of A on the left, small ones on the right.
+  EXPECT_DOUBLE_EQ(*pairOf({1, 1, 0, 0.09, 0.01}, {1, 1, 0, 0.01, 0.01}).by_mass, 0.4);
+}
+
+TEST(Separation, IsUndefinedUntilEachSpeciesWasCounted)
+{
+  EXPECT_FALSE(pairOf({0, 0, 9}, {1, 2, 0}).separation);
+  EXPECT_FALSE(pairOf({4, 0, 9}, {0, 0, 1}).quality());
+  EXPECT_FALSE(bestSeparation({{1, 2, 3}}).quality());
+}
+
+TEST(Separation, HasThePrintedQualityAsItsSizeAndTurnsWithTheSidesAndTheSpecies)
 {
   EXPECT_TRUE(rc::check(
       []
@@ -34,23 +55,50 @@ TEST(SegregationQuality, LiesInTheUnitIntervalAndDoesNotCareWhichSideIsWhich)
         const SpeciesBins a{*count, *count, *count};
         const SpeciesBins b{*count, *count, *count};
         RC_PRE(a.counted() > 0 && b.counted() > 0);
-        const double q = *segregationQuality(a, b);
-        RC_ASSERT(q >= -1e-15);
-        RC_ASSERT(q <= 1.0);
-        RC_ASSERT(*segregationQuality({a.right, a.left, 0}, {b.right, b.left, 0}) == q);
-        RC_ASSERT(*segregationQuality(b, a) == q);
+        const PairSeparation pair = pairOf(a, b);
+        RC_ASSERT(*pair.quality() <= 1.0);
+        RC_ASSERT(std::abs(*pair.quality() - printedQuality(a, b)) <= 1e-15);
+        RC_ASSERT(*pairOf(b, a).separation == -*pair.separation);
+        const double mirrored = *pairOf({a.right, a.left, 0}, {b.right, b.left, 0}).separation;
+        RC_ASSERT(std::abs(mirrored + *pair.separation) <= 1e-15);
       }));
 }
 
-TEST(PairQualities, OfThreeSpeciesInOrderAndTheBest)
+/// Two kinds that leave by either end alike: the mean of s over many runs is 0, that of Q is the bias that
+/// its documentation gives.
+TEST(Separation, OfAlikeKindsHasNoBiasWhereQualityHas)
+{
+  std::mt19937_64 bits(1);
+  constexpr int RUNS = 4000;
+  constexpr std::uint64_t DISKS = 64;
+  double separation = 0.0;
+  double quality = 0.0;
+  const auto tossed = [&bits]
+  {
+    const std::uint64_t left = std::bitset<DISKS>(bits()).count();
+    return SpeciesBins{left, DISKS - left, 0};
+  };
+  for (int k = 0; k < RUNS; ++k)
+  {
+    const SpeciesBins a = tossed();
+    const PairSeparation pair = pairOf(a, tossed());
+    separation += *pair.separation / RUNS;
+    quality += *pair.quality() / RUNS;
+  }
+  const double scatter = std::sqrt(0.5 / DISKS);  // of s
+  EXPECT_LT(std::abs(separation), 4.0 * scatter / std::sqrt(RUNS));
+  EXPECT_NEAR(quality, 0.56 / std::sqrt(DISKS), 4.0 * scatter / std::sqrt(RUNS));
+}
+
+TEST(Separation, OfThreeSpeciesInOrderAndTheBest)
 {
   const std::vector<SpeciesBins> bins{{10, 0, 0}, {0, 10, 0}, {5, 5, 0}};
-  const auto pairs = pairQualities(bins);
+  const auto pairs = pairSeparations(bins);
   ASSERT_EQ(pairs.size(), 3u);
   EXPECT_EQ(pairs[1].first, 0u);
   EXPECT_EQ(pairs[1].second, 2u);
-  EXPECT_DOUBLE_EQ(*pairs[1].quality, 0.5);
-  EXPECT_DOUBLE_EQ(*bestQuality(bins), 1.0);
+  EXPECT_DOUBLE_EQ(*pairs[1].separation, 0.5);
+  EXPECT_DOUBLE_EQ(*bestSeparation(bins).separation, 1.0);
 }
 
 TEST(ProcessedRatio, CountedOverAll)
@@ -110,7 +158,7 @@ TEST(BinShares, AddUpToOneAndToQ)
                       1e-12);
         }
         const double q = *shares[0].left.number.recovery + *shares[1].right.number.recovery - 1.0;
-        RC_ASSERT(std::abs(std::abs(q) - *segregationQuality(bins[0], bins[1])) < 1e-12);
+        RC_ASSERT(std::abs(std::abs(q) - *pairOf(bins[0], bins[1]).quality()) < 1e-12);
       }));
 }
 

@@ -120,6 +120,7 @@ TEST(Walls, RunOverWhereMoreIsFedThanTheyHold)
   scene.boundary = Boundary::WALLED;
   scene.base.wall_height = 0.03;
   scene.feed.rate = 200.0;
+  scene.feed.even = true;
   Simulation simulation(scene);
   simulation.advanceTo(1.0);
   std::uint64_t over = 0;

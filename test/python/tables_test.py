@@ -51,6 +51,12 @@ class Tables(unittest.TestCase):
         with self.assertRaisesRegex(Refusal, f"^{self.path}: boundary: open: must be a number$"):
             rows.mean("boundary")
 
+    def test_the_mean_quality_is_that_of_the_mean_separation(self):
+        text = "seed,status,error,quality,separation,simulated_time\n1,done,,0.1,0.1,1\n2,done,,0.3,-0.3,1\n"
+        mean = self.read(text, read_rows).mean("quality")
+        self.assertAlmostEqual(mean.value, 0.1)
+        self.assertAlmostEqual(mean.error, 0.2)
+
     def test_no_rows_have_no_values(self):
         none = Rows()
         self.assertEqual((none.values("seed"), none.by("seed"), len(none.where({"seed": 1})), none.mean("quality")),

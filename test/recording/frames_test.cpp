@@ -46,7 +46,7 @@ TEST(BinFrame, CountsAndRates)
   ASSERT_GT(frame.bins[0].counted() + frame.bins[1].counted(), 0u);
   EXPECT_EQ(frame.bins[0].counted() + frame.bins[0].on_base, 6u);
   EXPECT_EQ(frame.processed, processedRatio(frame.bins));
-  EXPECT_EQ(frame.quality, bestQuality(frame.bins));
+  EXPECT_EQ(frame.quality, bestSeparation(frame.bins).quality());
 }
 
 TEST(StatisticsFrame, ShowsItsWindow)

@@ -1,6 +1,7 @@
-// Bags of before ParticleStates.radius existed, when all disks of a species were equal.
+// Bags of before a message had its last fields: ParticleStates its radii, BinCounts its separation.
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
@@ -15,18 +16,23 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A message with the fields of that time. Its definition's checksum by genmsg is EARLIER_CHECKSUM.
-struct EarlierParticles
+/// A message that is written without its last fields.
+template <typename Message>
+struct Earlier
 {
-  ParticleStates fields;
+  Message message;
 };
 
-constexpr const char* EARLIER_CHECKSUM = "adb6351783fa1df73aef027d3828d669";
-constexpr const char* EARLIER_DEFINITION =
-    "Header header\nfloat64 time\nuint32[] id\nuint32[] species\nfloat64[] x\nfloat64[] y\nfloat64[] angle\n"
-    "float64[] vx\nfloat64[] vy\nfloat64[] spin\nfloat64[] displacement\n"
-    "================================================================================\n"
-    "MSG: std_msgs/Header\nuint32 seq\ntime stamp\nstring frame_id\n";
+/// The checksum by genmsg of the type of that time, and the bytes that its messages lack.
+template <typename Message>
+constexpr const char* CHECKSUM = "adb6351783fa1df73aef027d3828d669";
+template <>
+constexpr const char* CHECKSUM<BinCounts> = "8cc345b25409bfd727e7181dbe20f1bc";
+
+template <typename Message>
+constexpr std::uint32_t MISSING = sizeof(std::uint32_t);
+template <>
+constexpr std::uint32_t MISSING<BinCounts> = sizeof(double) + 1;
 }  // namespace
 }  // namespace ratchet_sieve
 
@@ -34,52 +40,43 @@ namespace ros
 {
 namespace message_traits
 {
-template <>
-struct MD5Sum<ratchet_sieve::EarlierParticles>
+template <typename Message>
+struct MD5Sum<ratchet_sieve::Earlier<Message>>
 {
-  static const char* value(const ratchet_sieve::EarlierParticles& = {})
+  static const char* value(const ratchet_sieve::Earlier<Message>& = {})
   {
-    return ratchet_sieve::EARLIER_CHECKSUM;
+    return ratchet_sieve::CHECKSUM<Message>;
   }
 };
-template <>
-struct DataType<ratchet_sieve::EarlierParticles>
+template <typename Message>
+struct DataType<ratchet_sieve::Earlier<Message>> : DataType<Message>
 {
-  static const char* value(const ratchet_sieve::EarlierParticles& = {})
-  {
-    return "ratchet_sieve/ParticleStates";
-  }
+  static const char* value(const ratchet_sieve::Earlier<Message>& = {}) { return DataType<Message>::value(); }
 };
-template <>
-struct Definition<ratchet_sieve::EarlierParticles>
+template <typename Message>
+struct Definition<ratchet_sieve::Earlier<Message>>
 {
-  static const char* value(const ratchet_sieve::EarlierParticles& = {})
-  {
-    return ratchet_sieve::EARLIER_DEFINITION;
-  }
+  static const char* value(const ratchet_sieve::Earlier<Message>& = {}) { return ""; }
 };
 }  // namespace message_traits
 
 namespace serialization
 {
-template <>
-struct Serializer<ratchet_sieve::EarlierParticles>
+template <typename Message>
+struct Serializer<ratchet_sieve::Earlier<Message>>
 {
   template <typename Stream>
-  static void write(Stream& stream, const ratchet_sieve::EarlierParticles& message)
+  static void write(Stream& stream, const ratchet_sieve::Earlier<Message>& earlier)
   {
-    const ratchet_sieve::ParticleStates& m = message.fields;
-    stream.next(m.header);
-    stream.next(m.time);
-    stream.next(m.id);
-    stream.next(m.species);
-    for (const auto* column : {&m.x, &m.y, &m.angle, &m.vx, &m.vy, &m.spin, &m.displacement})
-      stream.next(*column);
+    std::vector<std::uint8_t> bytes(serializationLength(earlier.message));
+    OStream whole(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+    serialize(whole, earlier.message);
+    std::copy_n(bytes.begin(), serializedLength(earlier), stream.advance(serializedLength(earlier)));
   }
 
-  static std::uint32_t serializedLength(const ratchet_sieve::EarlierParticles& message)
+  static std::uint32_t serializedLength(const ratchet_sieve::Earlier<Message>& earlier)
   {
-    return serializationLength(message.fields) - serializationLength(message.fields.radius);
+    return serializationLength(earlier.message) - ratchet_sieve::MISSING<Message>;
   }
 };
 }  // namespace serialization
@@ -89,6 +86,12 @@ namespace ratchet_sieve
 {
 namespace
 {
+template <typename Frame>
+auto earlier(const Frame& frame)
+{
+  return Earlier<MessageOf<Frame>>{toMessage(frame)};
+}
+
 TEST(EarlierBag, IsReadBitForBit)
 {
   const ScratchDirectory scratch;
@@ -101,8 +104,11 @@ TEST(EarlierBag, IsReadBitForBit)
     {
       simulation.advanceTo(time);
       written.take(makeParticleFrame(simulation));
-      file.write("/sieve/particles", std::max(ros::TIME_MIN, ros::Time(time)),
-                 EarlierParticles{toMessage(written.particles.back())});
+      written.take(makeBinFrame(simulation));
+      written.bins.back().separation = {};
+      const ros::Time stamp = std::max(ros::TIME_MIN, ros::Time(time));
+      file.write("/sieve/particles", stamp, earlier(written.particles.back()));
+      file.write("/sieve/bins", stamp, earlier(written.bins.back()));
     }
   }
   CollectingSink read;
@@ -110,6 +116,7 @@ TEST(EarlierBag, IsReadBitForBit)
   EXPECT_EQ(read.particles.size(), 4u);
   EXPECT_FALSE(read.particles.back().disks.empty());
   EXPECT_TRUE(sameBits(read.particles, written.particles));
+  EXPECT_TRUE(sameBits(read.bins, written.bins));
 }
 }  // namespace
 }  // namespace ratchet_sieve

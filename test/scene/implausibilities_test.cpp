@@ -50,6 +50,14 @@ const std::vector<Mistake>& mistakes()
       {{"species.1.size={distribution: table, radii: [0.001, 0.002, 0.003], weights: [1, 1, 1]}"}, {}},
       {{"feed.from=0.1"}, {"feed.rate = 0 1/s: feed.from and feed.to have no effect"}},
       {{"feed.to=0.1", "feed.rate=1"}, {}},
+      {{"feed.rate=10", "feed.even=true", "base.frequency=30"},
+       {"feed.even = 10 1/s: disks enter at one phase of the drive alone, of 30 Hz: results depend on it; "
+        "feed.even: false has random times"}},
+      {{"feed.rate=20", "feed.even=true", "base.frequency=30"},
+       {"feed.even = 20 1/s: disks enter at 2 phases of the drive alone, of 30 Hz: results depend on it; "
+        "feed.even: false has random times"}},
+      {{"feed.rate=10", "feed.even=true", "base.frequency=29.97"}, {}},
+      {{"feed.rate=10", "base.frequency=30"}, {}},
       {{"accuracy.step=0.001"},
        {"accuracy.step = 0.001 s: has no effect, because accuracy.method is events"}},
       {{"accuracy.method=steps", "contact.pair_collisions=false"},

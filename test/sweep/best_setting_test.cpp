@@ -34,7 +34,7 @@ protected:
             int counted)
   {
     for (std::size_t k = 0; k < qualities.size(); ++k)
-      change("UPDATE cases SET quality = " + std::to_string(qualities[k]) +
+      change("UPDATE cases SET separation = " + std::to_string(-qualities[k]) +
              ", processed = " + std::to_string(processed) + ", counted = " + std::to_string(counted) +
              " WHERE \"base.inclination\" = " + inclination + " AND seed = " + std::to_string(k + 1));
   }
@@ -60,7 +60,8 @@ TEST_F(BestSetting, IsOfTheHighestMeanNotOfOneLuckySeed)
   ASSERT_TRUE(found);
   EXPECT_EQ(found->point, 1u);
   EXPECT_EQ(found->seeds, 3u);
-  EXPECT_NEAR(found->quality, 0.55, 1e-12);
+  EXPECT_EQ(found->separated(), true);
+  EXPECT_NEAR(found->quality(), 0.55, 1e-12);
   EXPECT_NEAR(*found->error, 0.05 / std::sqrt(3.0), 1e-12);
   EXPECT_NEAR(found->processed, 0.9, 1e-12);
   EXPECT_NEAR(found->counted, 100.0, 1e-12);
@@ -128,7 +129,12 @@ TEST_F(BestSetting, IsSaidWithItsErrorAndWithoutOneOfOneSeed)
           .find("best mean Q 0.550 +- 0.029 over 3 seeds, P 0.90, 100 disks counted: base.inclination=0.1\n"),
       std::string::npos)
       << statusText(sweep_, results_);
-  change("UPDATE cases SET quality = NULL WHERE seed > 1");
+  change("UPDATE cases SET separation = separation * (2 - seed)");
+  EXPECT_NE(statusText(sweep_, results_)
+                .find("not separated: the interval of 95 % contains 0 even at the largest mean Q, 0."),
+            std::string::npos)
+      << statusText(sweep_, results_);
+  change("UPDATE cases SET separation = NULL WHERE seed > 1");
   EXPECT_NE(statusText(sweep_, results_)
                 .find("best mean Q 0.950 over 1 seed (error unknown), P 1.00, 200 disks counted: "
                       "base.inclination=0; at the grid's edge in base.inclination\n"),

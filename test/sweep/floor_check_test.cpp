@@ -96,10 +96,10 @@ TEST_F(FloorCheck, RunsTheSeedsOfASettingIntoTheResultsFileOnce)
   {
     double quality = 0.0;
     for (std::uint64_t seed = 0; seed < 3; ++seed)
-      quality += summaryAt(builder.at(3 + seed), floors[k])["quality"].get<double>() / 3.0;
+      quality += summaryAt(builder.at(3 + seed), floors[k])["separation"].get<double>() / 3.0;
     EXPECT_EQ((*means)[k].floor, floors[k]);
     EXPECT_EQ((*means)[k].mean->seeds, 3u);
-    EXPECT_NEAR((*means)[k].mean->quality, quality, 1e-12);
+    EXPECT_NEAR((*means)[k].mean->separation, quality, 1e-12);
   }
   runSettingAtLowerFloors(sweep_, 1, results_, {});
   EXPECT_EQ(tableOf(results_).size(), before.size() + 6);
@@ -111,7 +111,7 @@ TEST_F(FloorCheck, ComparesTheMeansOverSeedsByStudentsT)
   {
     SettingMean mean;
     mean.seeds = 4;
-    mean.quality = quality;
+    mean.separation = quality;
     mean.error = error;
     return FloorMean{floor, mean};
   };

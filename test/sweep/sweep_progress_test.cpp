@@ -19,7 +19,7 @@ TEST(SweepProgress, SaysWhatIsKnown)
   progress.wall = 10.0;
   progress.warned = 6;
   progress.best = SettingMean{};
-  progress.best->quality = 0.75;
+  progress.best->separation = -0.75;
   EXPECT_EQ(
       sweepProgressText(progress),
       "118 of 240 done, 2 running, 2 failed, 6 with warnings  2 cases/s  1:00 to go  best mean Q 0.750");

@@ -151,7 +151,7 @@ TEST_F(SweepRunTest, DoesNotMixResultsOfAnotherPhysics)
   const Sweep sweep = load("grid: {gravity: [8, 9]}\n");
   runSweep(sweep, results_, {});
   const auto before = tableOf(results_);
-  Database(results_, Database::Access::WRITE).execute("UPDATE cases SET physics = 0, quality = 99");
+  Database(results_, Database::Access::WRITE).execute("UPDATE cases SET physics = 0, separation = 99");
   EXPECT_EQ(status(sweep),
             "2 cases: 0 done, 0 failed, 0 under way, 2 to go\n2 results of these cases are of "
             "another physics version than " +

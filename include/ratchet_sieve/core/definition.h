@@ -190,10 +190,12 @@ struct PourDefinition
   Stretch stretch;
 };
 
-/// Disks that are added at a constant rate during the run.
+/// Disks that are added during the run, as a Poisson process: fixed intervals lock to the drive wherever its
+/// frequency is a multiple of the rate.
 struct FeedDefinition
 {
-  double rate = 0.0;  ///< [1/s]; species are drawn by their shares; 0: no feed
+  double rate = 0.0;  ///< mean [1/s]; species are drawn by their shares; 0: no feed
+  bool even = false;  ///< at intervals of 1 / rate
   Stretch stretch;
 };
 

@@ -15,8 +15,8 @@ struct SpeciesSeries
   /// The same for groups of independent disks. Empty if disks collide with each other.
   std::vector<std::vector<BlockSum>> groups;
 
-  /// Disks that left on the left over all disks that left. Recorded for scenes with a feed and
-  /// accuracy.quality.
+  /// Disks that left on the left over all disks that left. Recorded for several species on an open base with
+  /// a feed.
   std::vector<BlockSum> exits;
 };
 

@@ -13,6 +13,8 @@ namespace ratchet_sieve
 /// 2: runs on a periodic base that turns; runs by steps; the saved state.
 /// 3: contacts with level faces in the summary; the saved state.
 /// 4: runs on a periodic base that turns.
-constexpr std::int64_t PHYSICS_VERSION = 4;
+/// 5: runs with a feed; the separation in the summary; standard errors of short runs; ensembles that
+/// collapse.
+constexpr std::int64_t PHYSICS_VERSION = 5;
 
 }  // namespace ratchet_sieve

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/simulation.h"
-#include "ratchet_sieve/recording/quality_estimate.h"
+#include "ratchet_sieve/recording/separation_estimate.h"
 #include "ratchet_sieve/recording/steady_mean.h"
 
 namespace ratchet_sieve
@@ -27,7 +27,7 @@ struct Approach
 struct Certainty
 {
   SteadyMeans means;
-  std::optional<QualityEstimate> quality;
+  std::optional<SeparationEstimate> separation;
   std::optional<Approach> to_mean_vx;  ///< nothing if the scene does not request it
   std::optional<Approach> to_quality;
 

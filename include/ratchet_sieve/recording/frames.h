@@ -61,9 +61,10 @@ struct BinFrame
 {
   double time = 0.0;
   std::vector<std::string> species;
-  std::vector<SpeciesBins> bins;    ///< per species
-  std::optional<double> quality;    ///< Q
-  std::optional<double> processed;  ///< P
+  std::vector<SpeciesBins> bins;     ///< per species
+  std::optional<double> quality;     ///< Q
+  std::optional<double> processed;   ///< P
+  std::optional<double> separation;  ///< s
 };
 
 RATCHET_SIEVE_FIELDS(BinFrame)
@@ -73,7 +74,11 @@ RATCHET_SIEVE_FIELDS(BinFrame)
   RATCHET_SIEVE_COLUMNS(bins);
   RATCHET_SIEVE_OPTIONAL(quality, "");
   RATCHET_SIEVE_OPTIONAL(processed, "");
+  RATCHET_SIEVE_OPTIONAL(separation, "");
 }
+
+/// Sets what follows from the counts: s, Q and P.
+void addRatios(BinFrame& frame);
 
 /// The base and its drive.
 struct BaseFrame

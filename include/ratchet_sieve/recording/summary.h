@@ -13,7 +13,7 @@
 namespace ratchet_sieve
 {
 
-/// The run as a JSON object: scene_hash, seed, version, plan, times, counts, means, Q and P, their errors,
+/// The run as a JSON object: scene_hash, seed, version, plan, times, counts, means, s, Q and P, their errors,
 /// energies, overlaps, warnings. SI units; undefined values are null.
 nlohmann::ordered_json summarize(const Simulation& simulation, const RunOutcome& outcome);
 
@@ -28,6 +28,9 @@ nlohmann::ordered_json contactsByFace(const FaceContacts& contacts);
 
 /// Adds the means of a species, each under the name of its field, without replacing existing keys.
 void addMeans(nlohmann::ordered_json& species, const SpeciesMeans& means);
+
+/// Adds `quality`, `separation` and `separation_by_mass`, of the best pair of species.
+void addSeparation(nlohmann::ordered_json& json, const std::vector<SpeciesBins>& bins);
 
 /// Adds `purity` and `recovery`: of each bin, of each species, by number and by mass.
 void addBinShares(nlohmann::ordered_json& json, const std::vector<std::string>& species,

@@ -10,7 +10,7 @@
 namespace ratchet_sieve
 {
 
-/// Minimum counts for a setting's Q to be compared with others: with few disks, Q is large by chance.
+/// Minimum counts for a setting's Q to be compared with others: with few disks, |s| is large by chance.
 struct BestCriteria
 {
   double least_processed = 0.5;   ///< P, mean over the seeds
@@ -23,18 +23,25 @@ struct BestCriteria
 struct SettingMean
 {
   std::uint64_t point = 0;      ///< index for Sweep::point()
-  std::uint64_t seeds = 0;      ///< number of seeds with a defined Q
-  double quality = 0.0;         ///< mean of Q over them
+  std::uint64_t seeds = 0;      ///< number of seeds with a defined separation
+  double separation = 0.0;      ///< mean of s over them
   std::optional<double> error;  ///< standard error of that mean; nothing for a single seed
   double processed = 0.0;       ///< mean of P over all completed seeds
   double counted = 0.0;         ///< mean number of disks that left, over all completed seeds
+
+  double quality() const;  ///< |mean s|, which is without the bias of a mean of |s|
+
+  /// Whether the 95 % interval of the mean s leaves 0 out (Student's t over the seeds); nothing without an
+  /// error.
+  std::optional<bool> separated() const;
 };
 
-/// @return nothing if Q is defined for no seed
+/// @return nothing if the separation is defined for no seed
 std::optional<SettingMean> meanOfSetting(const ResultStore& store, const SweepPlan& plan, const Sweep& sweep,
                                          std::uint64_t point);
 
-/// The setting with the highest mean Q among those that meet the criteria and whose seeds are all completed.
+/// The setting with the highest |mean s| among those that meet the criteria and whose seeds are all
+/// completed.
 std::optional<SettingMean> bestSetting(const ResultStore& store, const SweepPlan& plan, const Sweep& sweep,
                                        const BestCriteria& criteria);
 
@@ -46,7 +53,8 @@ std::vector<std::string> keysAtEdge(const Sweep& sweep, std::uint64_t point,
 /// `0.642 +- 0.029 over 12 seeds, P 0.93, 250 disks counted`.
 std::string meanText(const SettingMean& mean);
 
-/// One line with the best setting, or the reason why there is none; empty if no case has a Q.
+/// One line with the best setting, whether it separates at all, or the reason why there is none; empty if no
+/// case has a Q.
 std::string bestText(const ResultStore& store, const SweepPlan& plan, const Sweep& sweep,
                      const BestCriteria& criteria, const std::optional<SettingMean>& best);
 

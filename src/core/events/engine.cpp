@@ -18,6 +18,9 @@ namespace
 {
 /// The SIMD batches are emptied at the end of a block: about as often as at the end of an epoch.
 constexpr double SCALES_PER_ENSEMBLE_BLOCK = 8.0;
+
+/// Makes the feed's random numbers other ones than those of the same seed that place the disks.
+constexpr std::uint64_t FEED_STREAM = 0x9e3779b97f4a7c15;
 }  // namespace
 
 const Engine::MachineEvent Engine::MACHINE_EVENTS[] = {{&Engine::nextSettle, &Engine::settle},
@@ -29,9 +32,11 @@ const Engine::MachineEvent Engine::MACHINE_EVENTS[] = {{&Engine::nextSettle, &En
 
 Engine::Engine(const SceneDefinition& scene, const Plan& plan, double start_time,
                const PourObserver& pour_observer)
-    : state_(scene, plan), random_(scene.seed), start_(start_time)
+    : state_(scene, plan), random_(scene.seed), feed_random_(scene.seed ^ FEED_STREAM), start_(start_time)
 {
   now_ = state_.startAt(start_);
+  next_feed_ = start_;
+  drawNextFeed();
   if (scene.initial.empty())
     pourDisks(state_, pourOrder(scene.species, random_), scene.pour.stretch, now_, random_, pour_observer);
   else
@@ -41,7 +46,7 @@ Engine::Engine(const SceneDefinition& scene, const Plan& plan, double start_time
 }
 
 Engine::Engine(const SceneDefinition& scene, std::string_view saved_state)
-    : state_(scene), random_(scene.seed), loop_(makeLoop())
+    : state_(scene), random_(scene.seed), feed_random_(scene.seed), loop_(makeLoop())
 {
   StateArchive state(saved_state);
   archive(state);
@@ -50,7 +55,7 @@ Engine::Engine(const SceneDefinition& scene, std::string_view saved_state)
 
 void Engine::archive(StateArchive& state)
 {
-  state(state_, random_, *loop_, start_, now_, settled_, blocks_, fed_);
+  state(state_, random_, feed_random_, *loop_, start_, now_, settled_, blocks_, fed_, next_feed_);
   state.require(isLegal(), "its time is impossible");
 }
 
@@ -61,8 +66,7 @@ bool Engine::isLegal() const
     return false;
   const auto keeps_up = [](double length, std::uint64_t count, double period)
   { return std::abs(length - static_cast<double>(count) * period) <= 2.0 * period; };
-  const double rate = state_.scene().feed.rate;
-  const bool fed = rate > 0.0 ? keeps_up(time() - start_, fed_, 1.0 / rate) : fed_ == 0;
+  const bool fed = state_.scene().feed.rate > 0.0 ? next_feed_ >= time() : fed_ == 0;
   const bool blocks = !settled_ || !state_.observers().keepsBlocks() ||
                       keeps_up(time() - settledTime(), blocks_, blockTime());
   return fed && blocks;
@@ -193,14 +197,25 @@ void Engine::beginSegment()
 
 std::optional<double> Engine::nextFeed() const
 {
-  const double rate = state_.scene().feed.rate;
-  return rate > 0.0 ? local(start_ + static_cast<double>(fed_ + 1) / rate) : std::nullopt;
+  return state_.scene().feed.rate > 0.0 ? local(next_feed_) : std::nullopt;
 }
 
 void Engine::feed()
 {
   ++fed_;
-  pour(drawSpecies(state_.scene().species, random_), 1, state_.scene().feed.stretch);
+  pour(drawSpecies(state_.scene().species, feed_random_), 1, state_.scene().feed.stretch);
+  drawNextFeed();
+}
+
+void Engine::drawNextFeed()
+{
+  const FeedDefinition& feed = state_.scene().feed;
+  if (feed.rate <= 0.0)
+    return;
+  if (feed.even)
+    next_feed_ = start_ + static_cast<double>(fed_ + 1) / feed.rate;
+  else
+    next_feed_ += feed_random_.exponential() / feed.rate;
 }
 
 void Engine::endEpoch()

@@ -101,6 +101,7 @@ private:
   void beginSegment();
   std::optional<double> nextFeed() const;
   void feed();
+  void drawNextFeed();
   void pour(std::size_t species, std::size_t count, const Stretch& stretch);
   std::optional<double> nextEpochEnd() const { return state_.epoch().length; }
   void endEpoch();
@@ -121,12 +122,16 @@ private:
   SystemState state_;
   ContactExecution execution_{state_};
   Random random_;
+
+  /// Of the feed's times and species alone: they are the same in every setting of a machine.
+  Random feed_random_;
   std::unique_ptr<EventLoop> loop_;
   double start_ = 0.0;  ///< of the run [s]
   double now_ = 0.0;
   bool settled_ = false;
   std::uint64_t blocks_ = 0;  ///< completed blocks of the mean series
   std::uint64_t fed_ = 0;
+  double next_feed_ = 0.0;  ///< of the run [s]
   std::size_t threads_ = 1;
   StripSettings strips_;
   PeriodWatch periods_{state_, state_.observers().counts().collisions};

@@ -20,6 +20,25 @@ public:
   /// In [0, 1), 53 bits.
   double uniform() { return static_cast<double>(generator_() >> 11) * 0x1.0p-53; }
 
+  /// Exponentially distributed with mean 1, by comparisons of uniform numbers alone, since the C library's
+  /// logarithm differs between machines. J. von Neumann, Natl. Bur. Stand. Appl. Math. Ser. 12, 36 (1951).
+  double exponential()
+  {
+    for (double whole = 0.0;; ++whole)
+    {
+      const double first = uniform();
+      double last = first;
+      bool odd = true;
+      for (double next = uniform(); next < last; next = uniform())
+      {
+        last = next;
+        odd = !odd;
+      }
+      if (odd)
+        return whole + first;
+    }
+  }
+
   /// In [0, count), count > 0; biased by less than count / 2^64.
   std::uint64_t below(std::uint64_t count) { return generator_() % count; }
 

@@ -1,6 +1,6 @@
 #include "ratchet_sieve/core/segregation.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace ratchet_sieve
 {
@@ -11,32 +11,44 @@ std::optional<double> ratio(double part, double whole)
 {
   return whole > 0.0 ? std::optional<double>(part / whole) : std::nullopt;
 }
+
+std::optional<double> difference(std::optional<double> a, std::optional<double> b)
+{
+  return a && b ? std::optional<double>(*a - *b) : std::nullopt;
+}
+
+std::optional<double> leftByNumber(const SpeciesBins& bins)
+{
+  return ratio(static_cast<double>(bins.left), static_cast<double>(bins.counted()));
+}
+
+std::optional<double> leftByMass(const SpeciesBins& bins)
+{
+  return ratio(bins.left_mass, bins.left_mass + bins.right_mass);
+}
 }  // namespace
 
-std::optional<double> segregationQuality(const SpeciesBins& a, const SpeciesBins& b)
+std::optional<double> PairSeparation::quality() const
 {
-  if (a.counted() == 0 || b.counted() == 0)
-    return std::nullopt;
-  const auto share = [](std::uint64_t part, const SpeciesBins& of)
-  { return static_cast<double>(part) / static_cast<double>(of.counted()); };
-  return std::max(share(a.left, a) + share(b.right, b), share(a.right, a) + share(b.left, b)) - 1.0;
+  return separation ? std::optional<double>(std::abs(*separation)) : std::nullopt;
 }
 
-std::vector<PairQuality> pairQualities(const std::vector<SpeciesBins>& bins)
+std::vector<PairSeparation> pairSeparations(const std::vector<SpeciesBins>& bins)
 {
-  std::vector<PairQuality> qualities;
+  std::vector<PairSeparation> pairs;
   for (std::size_t i = 0; i < bins.size(); ++i)
     for (std::size_t j = i + 1; j < bins.size(); ++j)
-      qualities.push_back({i, j, segregationQuality(bins[i], bins[j])});
-  return qualities;
+      pairs.push_back({i, j, difference(leftByNumber(bins[i]), leftByNumber(bins[j])),
+                       difference(leftByMass(bins[i]), leftByMass(bins[j]))});
+  return pairs;
 }
 
-std::optional<double> bestQuality(const std::vector<SpeciesBins>& bins)
+PairSeparation bestSeparation(const std::vector<SpeciesBins>& bins)
 {
-  std::optional<double> best;
-  for (const PairQuality& pair : pairQualities(bins))
-    if (pair.quality && (!best || *pair.quality > *best))
-      best = pair.quality;
+  PairSeparation best;
+  for (const PairSeparation& pair : pairSeparations(bins))
+    if (pair.separation && (!best.separation || *pair.quality() > *best.quality()))
+      best = pair;
   return best;
 }
 

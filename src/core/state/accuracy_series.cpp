@@ -37,7 +37,7 @@ AccuracySeries::AccuracySeries(const SystemState& system) : system_(system)
     at_block_end_.resize(species * GROUPS);
     groups_.resize(species * GROUPS);
   }
-  if (scene.accuracy.quality > 0.0 && scene.feed.rate > 0.0)
+  if (scene.feed.rate > 0.0 && scene.boundary != Boundary::PERIODIC && species > 1)
   {
     exited_.resize(species);
     exits_.resize(species);
@@ -141,12 +141,10 @@ void AccuracySeries::archive(StateArchive& state)
   const std::size_t rows = groups_.size();
   const std::size_t species = exits_.size();
   state(gone_, at_block_end_, groups_, exited_, exits_);
-  if ((groups_.empty() && rows > 0) || (exits_.empty() && species > 0))
+  if (groups_.empty() && rows > 0)
     throw StateError("it lacks the series for the requested accuracy, which its own scene did not request");
   if (rows == 0)
     groups_.clear();
-  if (species == 0)
-    exits_.clear();
   gone_.resize(rows);
   at_block_end_.resize(rows);
   exited_.resize(species);

@@ -11,8 +11,9 @@ namespace ratchet_sieve
 
 class SystemState;
 
-/// The series that only scenes with a requested accuracy need (AccuracyDefinition): <V_x> of groups of
-/// independent disks, and the exits of disks of a machine with a feed. Times are local to the epoch.
+/// The series behind the errors of a run, besides those of a layer: <V_x> of groups of independent disks, if
+/// the scene requests an accuracy of it; the exits of disks of a machine with a feed. Times are local to the
+/// epoch.
 class AccuracySeries final : public Observer
 {
 public:

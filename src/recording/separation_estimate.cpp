@@ -1,4 +1,4 @@
-#include "ratchet_sieve/recording/quality_estimate.h"
+#include "ratchet_sieve/recording/separation_estimate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,43 +67,33 @@ double open(const Share& share, const SpeciesBins& bins)
   return inside / (share.counted + inside) * std::max(share.left, 1.0 - share.left);
 }
 
-std::optional<PairQuality> bestPair(const std::vector<SpeciesBins>& bins)
-{
-  const std::optional<double> best = bestQuality(bins);
-  if (best)
-    for (const PairQuality& pair : pairQualities(bins))
-      if (pair.quality == best)
-        return pair;
-  return std::nullopt;
-}
-
 }  // namespace
 
-std::optional<QualityEstimate> qualityEstimate(const std::vector<SpeciesBins>& bins,
-                                               const std::vector<std::vector<BlockSum>>& exits,
-                                               double confidence)
+std::optional<SeparationEstimate> separationEstimate(const std::vector<SpeciesBins>& bins,
+                                                     const std::vector<std::vector<BlockSum>>& exits,
+                                                     double confidence)
 {
-  const std::optional<PairQuality> pair = bestPair(bins);
-  if (!pair)
+  const PairSeparation pair = bestSeparation(bins);
+  if (!pair.separation)
     return std::nullopt;
-  const Share a(bins[pair->first]);
-  const Share b(bins[pair->second]);
-  QualityEstimate quality;
-  quality.sampled = countedHalfWidth(a, b, confidence);
+  const Share a(bins[pair.first]);
+  const Share b(bins[pair.second]);
+  SeparationEstimate found;
+  found.sampled = countedHalfWidth(a, b, confidence);
   if (exits.empty())
   {
-    const double rest = open(a, bins[pair->first]) + open(b, bins[pair->second]);
-    quality.estimate = {*pair->quality, quality.sampled + rest};
-    return quality;
+    const double rest = open(a, bins[pair.first]) + open(b, bins[pair.second]);
+    found.estimate = {*pair.separation, found.sampled + rest};
+    return found;
   }
-  const std::vector<BlockSum> blocks = deviations(exits[pair->first], exits[pair->second]);
+  const std::vector<BlockSum> blocks = deviations(exits[pair.first], exits[pair.second]);
   const std::optional<BlockError> in_time = joinedError(blocks);
   if (!in_time)
     return std::nullopt;
-  quality.sampled = std::max(quality.sampled, halfWidthOver(confidence, in_time->blocks) * in_time->error);
-  quality.times_for_trust = timesForTrust(blocks, *in_time);
-  quality.estimate = {*pair->quality, quality.sampled};
-  return quality;
+  found.sampled = std::max(found.sampled, halfWidthOver(confidence, in_time->blocks) * in_time->error);
+  found.times_for_trust = timesForTrust(blocks, *in_time);
+  found.estimate = {*pair.separation, found.sampled};
+  return found;
 }
 
 }  // namespace ratchet_sieve
