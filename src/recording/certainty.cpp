@@ -121,7 +121,7 @@ std::optional<bool> Certainty::reached() const
 {
   if (!to_mean_vx && !to_quality)
     return std::nullopt;
-  return (!to_mean_vx || to_mean_vx->reached()) && (!to_quality || to_separation->reached());
+  return (!to_mean_vx || to_mean_vx->reached()) && (!to_quality || to_quality->reached());
 }
 
 std::optional<double> Certainty::ratio() const
@@ -160,7 +160,7 @@ std::vector<std::string> shortfalls(const Simulation& simulation, const Certaint
   std::vector<std::string> texts;
   if (certainty.to_mean_vx && !certainty.to_mean_vx->reached())
     texts.push_back(meanShortfall(simulation, certainty));
-  if (certainty.to_quality && !certainty.to_separation->reached())
+  if (certainty.to_quality && !certainty.to_quality->reached())
     texts.push_back(qualityShortfall(simulation, certainty.separation));
   return texts;
 }

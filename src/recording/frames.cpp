@@ -83,8 +83,10 @@ void addRatios(BinFrame& frame)
 
 BinFrame makeBinFrame(const Simulation& simulation)
 {
-  const std::vector<SpeciesBins> bins = simulation.bins();
-  BinFrame frame{simulation.time(), speciesNames(simulation.scene()), bins};
+  BinFrame frame;
+  frame.time = simulation.time();
+  frame.species = speciesNames(simulation.scene());
+  frame.bins = simulation.bins();
   addRatios(frame);
   return frame;
 }

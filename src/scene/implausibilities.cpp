@@ -18,7 +18,6 @@ namespace
 
 // Beyond these limits a scene is valid but implausible. Most are ratios, and hold for machines of any size.
 // Limits in m and m/s apply together with a ratio, or are of a machine on a bench.
-constexpr int FEW_PHASES = 8;              ///< of the drive, at which an even feed's disks enter
 constexpr double TALLEST_TOOTH = 10.0;     ///< tooth_height / tooth_width
 constexpr double FINEST_DISK = 1.0 / 500;  ///< largest diameter / tooth_width
 constexpr double DENSEST_DISK =
@@ -29,6 +28,7 @@ constexpr double LAYER_TO_WIDTH = 2.0;    ///< layer / base's width
 constexpr double HIGH_DROP = 1.0;         ///< [m]
 constexpr double TEETH_IN_DROP = 20.0;    ///< drop / tooth_width, of a high drop
 constexpr double LONGEST_RUN = 1e6;       ///< in drive periods
+constexpr int FEW_PHASES = 8;             ///< of the drive, at which an even feed's disks enter
 
 std::string speciesKey(std::size_t index, const char* key)
 {
@@ -234,10 +234,11 @@ void warnOfFeed(const SceneDefinition& scene, SceneWarnings& warnings)
   if (scene.feed.rate == 0.0 && (stretch.from > 0.0 || std::isfinite(stretch.to)))
     warnings.add("feed.rate", scene.feed.rate, "1/s", "feed.from and feed.to have no effect");
   if (const auto phases = phasesOfEvenFeed(scene))
-    warnings.add("feed.even", scene.feed.rate, "1/s",
-                 "disks enter at " + (*phases == 1 ? "one phase" : number(*phases) + " phases") +
-                     " of the drive alone, of " + quantity(scene.base.frequency, "Hz") +
-                     ": results depend on it; feed.even: false has random times");
+    warnings.add("feed.rate", scene.feed.rate, "1/s",
+                 "with feed.even, disks enter at " +
+                     (*phases == 1 ? "one phase" : number(*phases) + " phases") + " of the drive of " +
+                     quantity(scene.base.frequency, "Hz") +
+                     ", on which results depend; without it, at random times");
 }
 
 void warnOfPour(const SceneDefinition& scene, SceneWarnings& warnings)

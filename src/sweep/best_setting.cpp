@@ -70,7 +70,7 @@ bool hasSeparation(const ResultStore& store, const SweepPlan& plan)
   return select.bind(1, plan.id()).bind(2, PHYSICS_VERSION).step();
 }
 
-constexpr double CONFIDENCE = 0.95;
+constexpr double CONFIDENCE_OF_SEPARATION = 0.95;
 
 }  // namespace
 
@@ -83,7 +83,7 @@ std::optional<bool> SettingMean::separated() const
 {
   if (!error)
     return std::nullopt;
-  return quality() > halfWidthOver(CONFIDENCE, seeds) * *error;
+  return quality() > halfWidthOver(CONFIDENCE_OF_SEPARATION, seeds) * *error;
 }
 
 std::optional<SettingMean> meanOfSetting(const ResultStore& store, const SweepPlan& plan, const Sweep& sweep,

@@ -102,8 +102,9 @@ bool same(const SceneDefinition& a, const SceneDefinition& b)
          sameBits(a.contact.restitution_speed, b.contact.restitution_speed) &&
          sameBits(a.contact.restitution_exponent, b.contact.restitution_exponent) &&
          sameBits(a.pour.drop_height, b.pour.drop_height) && sameBits(a.pour.speed, b.pour.speed) &&
-         sameBits(a.feed.rate, b.feed.rate) && same(a.pour.stretch, b.pour.stretch) &&
-         same(a.feed.stretch, b.feed.stretch) && same(a.initial, b.initial) && a.observe == b.observe &&
+         sameBits(a.feed.rate, b.feed.rate) && a.feed.even == b.feed.even &&
+         same(a.pour.stretch, b.pour.stretch) && same(a.feed.stretch, b.feed.stretch) &&
+         same(a.initial, b.initial) && a.observe == b.observe &&
          sameBits(a.height_profile.slice, b.height_profile.slice) &&
          a.height_profile.phases == b.height_profile.phases && sameBits(a.duration, b.duration) &&
          sameBits(a.settle, b.settle) && a.seed == b.seed;
@@ -212,7 +213,9 @@ SceneDefinition anyScene()
     scene.contact.restitution_exponent = number(0.0, 10.0);
   }
   scene.pour = {number(0.0, 1.0), number(0.0, 1.0), someStretch(scene.base.width())};
-  scene.feed = {number(0.0, 100.0), someStretch(scene.base.width())};
+  scene.feed.rate = number(0.0, 100.0);
+  scene.feed.even = *rc::gen::arbitrary<bool>();
+  scene.feed.stretch = someStretch(scene.base.width());
   if (*rc::gen::arbitrary<bool>())
   {
     scene.observe = observableNames();

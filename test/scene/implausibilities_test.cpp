@@ -51,11 +51,12 @@ const std::vector<Mistake>& mistakes()
       {{"feed.from=0.1"}, {"feed.rate = 0 1/s: feed.from and feed.to have no effect"}},
       {{"feed.to=0.1", "feed.rate=1"}, {}},
       {{"feed.rate=10", "feed.even=true", "base.frequency=30"},
-       {"feed.even = 10 1/s: disks enter at one phase of the drive alone, of 30 Hz: results depend on it; "
-        "feed.even: false has random times"}},
+       {"feed.rate = 10 1/s: with feed.even, disks enter at one phase of the drive of 30 Hz, on which "
+        "results "
+        "depend; without it, at random times"}},
       {{"feed.rate=20", "feed.even=true", "base.frequency=30"},
-       {"feed.even = 20 1/s: disks enter at 2 phases of the drive alone, of 30 Hz: results depend on it; "
-        "feed.even: false has random times"}},
+       {"feed.rate = 20 1/s: with feed.even, disks enter at 2 phases of the drive of 30 Hz, on which results "
+        "depend; without it, at random times"}},
       {{"feed.rate=10", "feed.even=true", "base.frequency=29.97"}, {}},
       {{"feed.rate=10", "base.frequency=30"}, {}},
       {{"accuracy.step=0.001"},

@@ -50,6 +50,7 @@ const std::vector<SceneKey>& sceneKeys()
       {"pour", "from", K::NUMBER, 0, 1e9},
       {"pour", "to", K::NUMBER, 0, 1e9},
       {"feed", "rate", K::NUMBER, 0, 1e6},
+      {"feed", "even", K::TRUTH},
       {"feed", "from", K::NUMBER, 0, 1e9},
       {"feed", "to", K::NUMBER, 0, 1e9},
       {"height_profile", "slice", K::NUMBER, 0, 1e3},
