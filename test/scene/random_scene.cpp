@@ -373,8 +373,10 @@ void drawDuration(SceneDefinition& scene)
       1e9, std::min(fall, longest) + TEETH_PER_RUN * drawnFraction() * scene.base.toothWidth() / fastest);
   scene.settle = drawnOf({0.0, 0.0, 0.5, 1.0}) * scene.duration;
   if (scene.duration > 0.0 && drawnChance(20))
+  {
     scene.feed.rate = std::min(1e6, 0.5 * MOST_DISKS * drawnFraction() / scene.duration);
     scene.feed.even = drawnChance(2);
+  }
 }
 
 /// By steps of any length that is legal, as long as there are not too many.
