@@ -18,7 +18,7 @@ TEST(ReportText, IsATableToRead)
             "A              10       1       3        6       +12.50 +- 0.50        150\n"
             "long-name       1       1       0        0 -250.00 +- undefined  undefined\n"
             "\n"
-            "Q = 0.750, P = 0.500\n"
+            "s = -0.750, Q = 0.750, P = 0.500\n"
             "contacts: 100 disk-disk, 20 left slope, 40 right slope, 3 apex, 0 wall, 0 level\n"
             "short to long slope: 0.500\n"
             "accumulated by the engine:\n"
@@ -78,7 +78,7 @@ TEST(ReportText, SaysWhatIsNotDefined)
   result.particle_frames = 0;
   const std::string text = reportText(result);
   EXPECT_NE(text.find("A               -       -       -        - "), std::string::npos) << text;
-  EXPECT_NE(text.find("Q = undefined, P = undefined\n"
+  EXPECT_NE(text.find("s, Q and P: undefined\n"
                       "contacts: undefined\n"
                       "not recorded: particles (no <V_x>, no displacements)\n"
                       "not recorded: bins (no counts, no Q, no P)\n"
@@ -95,9 +95,9 @@ TEST(ReportText, ListsPairsOfMoreThanTwoSpecies)
   result.species = {"A", "B", "C"};
   result.velocities.resize(3);
   result.granular_temperatures.resize(3);
-  result.bins = {{1.0, result.species, {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, 1.0, 2.0 / 3.0}};
+  result.bins = {{1.0, result.species, {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, 1.0, 2.0 / 3.0, 1.0}};
   const std::string text = reportText(result);
-  EXPECT_NE(text.find("  Q of A and B = 1.000\n  Q of A and C = undefined\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  s of A and B = 1.000\n  s of A and C = undefined\n"), std::string::npos) << text;
 }
 
 TEST(ReportJson, NamesThingsAsTheSummaryDoes)

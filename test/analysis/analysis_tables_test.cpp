@@ -47,7 +47,7 @@ TEST_F(AnalysisTables, HoldWhatWasObserved)
 
 TEST_F(AnalysisTables, LeaveEmptyWhatIsNotDefined)
 {
-  EXPECT_EQ(table("segregation.csv"), "time [s],quality,processed\n0,,\n2.5,0.75,0.5\n");
+  EXPECT_EQ(table("segregation.csv"), "time [s],quality,processed,separation\n0,,,\n2.5,0.75,0.5,-0.75\n");
   EXPECT_EQ(table("velocities.csv"),
             "species,disks,mean_vx [m/s],mean_vx_stderr [m/s]\nA,10,0.0125,0.0005\nlong-name,1,-0.25,\n");
   EXPECT_EQ(table("statistics.csv"),

@@ -21,8 +21,8 @@ inline RunResult handMadeResult()
   result.granular_temperatures = {1.5e-4, std::nullopt};
   result.displacement_distributions = {{2.5, 1, -0.5, 0.25, {1, 3}}};
   result.drift = {{0.0, {10, 1}, {0.0, 0.0}}, {2.5, {6, 0}, {0.03, std::nullopt}}};
-  result.bins = {{0.0, result.species, {{0, 0, 10}, {0, 0, 1}}, std::nullopt, std::nullopt},
-                 {2.5, result.species, {{1, 3, 6, 0.01, 0.03}, {1, 0, 0, 0.002, 0.0}}, 0.75, 0.5}};
+  result.bins = {{0.0, result.species, {{0, 0, 10}, {0, 0, 1}}, {}, {}, {}},
+                 {2.5, result.species, {{1, 3, 6, 0.01, 0.03}, {1, 0, 0, 0.002, 0.0}}, 0.75, 0.5, -0.75}};
   BaseFrame base;
   base.time = 0.5;
   base.base.inclination = 0.125;

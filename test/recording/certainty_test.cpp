@@ -112,13 +112,13 @@ TEST(Certainty, OfQHoldsTheTruthAsOftenAsItClaims)
   double sum = 0.0, weight = 0.0;
   for (const Simulation& simulation : ended)
   {
-    sum += certaintyOf(simulation).quality->estimate.value * simulation.time();
+    sum += certaintyOf(simulation).separation->estimate.value * simulation.time();
     weight += simulation.time();
   }
   Coverage coverage;
   for (const Simulation& simulation : ended)
   {
-    const Estimate quality = certaintyOf(simulation).quality->estimate;
+    const Estimate quality = certaintyOf(simulation).separation->estimate;
     coverage.take(std::abs(quality.value - sum / weight) <= quality.half_width);
   }
   EXPECT_NEAR(coverage.share(), 0.8, coverage.tolerance(0.8));
@@ -253,7 +253,7 @@ TEST(Certainty, OfQThatOnePourCannotGiveIsSaidWithTheRunsThatCould)
   const RunOutcome outcome = runToEnd(simulation, {});
   ASSERT_EQ(simulation.activeDisks(), 0u);
   EXPECT_EQ(outcome.end, RunEnd::COMPLETED);
-  const Estimate quality = certaintyOf(simulation).quality->estimate;
+  const Estimate quality = certaintyOf(simulation).separation->estimate;
   const double runs = std::ceil(std::pow(quality.half_width / 0.05, 2.0));
   ASSERT_EQ(outcome.warnings.size(), 1u);
   EXPECT_NE(outcome.warnings[0].find("; 0 disks have not left; about " + std::to_string(std::lround(runs)) +

@@ -23,10 +23,27 @@ Json summaryOf(const SceneDefinition& scene)
 TEST(Summary, HasEveryFieldOthersRelyOn)
 {
   const Json json = summaryOf(smallMixture());
-  for (const char* key :
-       {"scene_hash", "seed", "version", "plan", "simulated_time", "wall_time", "events", "collisions",
-        "short_to_long", "species", "quality", "processed", "accuracy", "base_impulse", "energy_start",
-        "energy_end", "max_overlap", "through_base", "warnings"})
+  for (const char* key : {"scene_hash",
+                          "seed",
+                          "version",
+                          "plan",
+                          "simulated_time",
+                          "wall_time",
+                          "events",
+                          "collisions",
+                          "short_to_long",
+                          "species",
+                          "quality",
+                          "separation",
+                          "separation_by_mass",
+                          "processed",
+                          "accuracy",
+                          "base_impulse",
+                          "energy_start",
+                          "energy_end",
+                          "max_overlap",
+                          "through_base",
+                          "warnings"})
     EXPECT_TRUE(json.contains(key)) << key;
   for (const char* key : {"disk_disk", "left_slope", "right_slope", "apex", "wall", "level"})
     EXPECT_TRUE(json["collisions"].contains(key)) << key;
