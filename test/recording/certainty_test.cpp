@@ -243,6 +243,18 @@ TEST(Certainty, OfAMachineThatEmptiesIsNotSaidToTakeALongerRun)
       << warnings[0];
 }
 
+TEST(Certainty, OfTheSeparationIsInTheSummaryOfAFedRunThatDidNotAskForIt)
+{
+  SceneDefinition scene = fedSieve(0.0);
+  scene.duration = 60.0;
+  Simulation simulation(scene);
+  const auto json = summarize(simulation, runToEnd(simulation, {}));
+  EXPECT_EQ(json["accuracy"]["separation"]["value"], json["separation"]);
+  EXPECT_EQ(json["accuracy"]["quality"]["value"], json["quality"]);
+  EXPECT_GT(json["accuracy"]["separation"]["half_width"], 0.0);
+  EXPECT_EQ(json["accuracy"]["reached"], nullptr);
+}
+
 TEST(Certainty, OfQThatOnePourCannotGiveIsSaidWithTheRunsThatCould)
 {
   SceneDefinition scene = smallMixture();
