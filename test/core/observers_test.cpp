@@ -144,12 +144,12 @@ TEST(Observers, TakeTheOverlapOfEveryContactAndCountWhatClosed)
 TEST(Observers, TellWhatClosedByIdsAndInTheRunsTime)
 {
   constexpr std::uint32_t GONE = 1024;
-  SystemState system(test::mixture(0));
+  SystemState system(test::openMixture(0));
   const double local = system.startAt(1000.25);
   for (std::uint32_t disk = 0; disk < GONE + 2; ++disk)
     test::addDisk(system, Disk());
   for (std::uint32_t slot = 0; slot < GONE; ++slot)
-    system.remove(slot, local);
+    system.passEnd(slot, true, local);
   ASSERT_TRUE(system.compact());
 
   std::vector<CollisionRecord> told;

@@ -78,16 +78,14 @@ void Engine::advanceTo(double time)
     return;
   while (true)
   {
-    const double target = time - state_.epoch().start;
-    const double next = std::min(target, nextMachineEvent());
-    now_ = loop_->advanceTo(next);
-    state_.observers().deliver();
-    if (hasToStop())
-    {
-      stopAtATimeOfTheRun();
+    if (state_.collapseWatch().stops())
       throw StallError(state_.collapseWatch().text());
-    }
-    if (!executeMachineEvent() && next == target)
+    const double target = time - state_.epoch().start;
+    now_ = loop_->advanceTo(std::min(target, nextMachineEvent()));
+    state_.observers().deliver();
+    if (state_.collapseWatch().stops())
+      stopAtATimeOfTheRun();
+    else if (!executeMachineEvent() && now_ >= target)
       return;
   }
 }
@@ -131,7 +129,7 @@ std::unique_ptr<EventLoop> Engine::makeLoop()
   // Checked for every scene, so that an invalid limit is an error before the run begins.
   laneLimit();
   if (!hasPairs())
-    return makeEnsembleLoop(state_, execution_);
+    return makeEnsembleLoop(state_);
   const auto* const loop = std::find_if(std::begin(LOOPS), std::end(LOOPS),
                                         [this](const LoopOfMethod& candidate)
                                         { return candidate.method == state_.scene().accuracy.method; });
@@ -143,9 +141,6 @@ double Engine::nextMachineEvent() const
   double next = std::numeric_limits<double>::infinity();
   for (const MachineEvent& event : MACHINE_EVENTS)
     next = std::min(next, (this->*event.when)().value_or(next));
-  // Limits the number of notices that an ensemble holds.
-  if (state_.observers().collects())
-    next = std::min(next, now_ + state_.timeScale());
   return std::max(next, now_);
 }
 
@@ -247,14 +242,6 @@ void Engine::renewLoop()
   loop_->setEvents(events);
   loop_->setThreads(threads_, strips_);
   announce(0);
-}
-
-/// The disks of an ensemble do not reach a collapse in the order of time. So an ensemble is stopped at the
-/// end of an epoch, regardless of the calls of advanceTo().
-bool Engine::hasToStop() const
-{
-  const CollapseWatch& watch = state_.collapseWatch();
-  return watch.stops() && (hasPairs() || now_ >= state_.epoch().length);
 }
 
 /// An epoch's times are finer than the run's. The run ends at the next time that the run can represent, so

@@ -112,7 +112,6 @@ private:
   bool hasPairs() const { return state_.plan().pairs; }
   void moveZero(double length);
   void renewLoop();
-  bool hasToStop() const;
   bool isLegal() const;
   void stopAtATimeOfTheRun();
 

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -22,33 +24,58 @@ constexpr std::size_t DISKS_AT_A_TIME = 16;
 /// With fewer disks per thread, threads cost more than they gain.
 constexpr std::size_t DISKS_PER_THREAD = 64;
 
+/// A disk with more events in a pass may be in a collapse: it is not taken further than the others.
+constexpr std::uint32_t EVENTS_IN_A_PASS = 1 << 14;
+
+/// What waits to be told to observers takes some 200 bytes each.
+constexpr std::size_t NOTICES_IN_A_PASS = 1 << 16;
+
+/// After a pass that was too much, the next are short, at least this fraction of the machine's time scale,
+/// and grow by this factor. So not many have to be repeated.
+constexpr double SHORTEST_PASS = 1e-6;
+constexpr double GROWTH_OF_A_PASS = 1.0625;
+
 /// Every disk has its own event loop. Ordinary contacts are executed for many disks at a time with SIMD
 /// (BatchRun), on several threads. All other events are executed one at a time by ContactExecution: see Plan
 /// for scenes, batchScene() for times, and CollapseWatch for disks. Which of the two is used depends only on
 /// the scene and on the history of the disk.
+///
+/// A pass takes all disks to one time. If a disk comes to an event that ends the run, or has too many events
+/// or notices, the disks go back to the beginning of the pass, and it is repeated up to that event. So an
+/// ensemble stops at the first collapse, as a single queue does, and its notices do not fill the memory.
 class EnsembleLoop : public EventLoop
 {
 public:
-  EnsembleLoop(SystemState& state, ContactExecution& execution)
-      : state_(state), execution_(execution), base_(state.motion())
+  explicit EnsembleLoop(SystemState& state)
+      : state_(state), share_(state.observers()), execution_(state, &share_), base_(state.motion())
   {
     EnsembleLoop::setThreads(1);
   }
 
-  /// After a collapse of one disk the others are still advanced, because all disks must reach the same time.
   double advanceTo(double time) override
   {
-    behind_.clear();
-    for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
-      if (hasEventBy(slot, time))
-        behind_.push_back(slot);
-    if (const std::optional<BatchScene> scene = batchScene(state_))
-      advanceInBatches(*scene, time);
-    else
-      for (const std::uint32_t slot : behind_)
-        while (hasEventBy(slot, time))
-          executeNext(slot);
-    return time;
+    LastEvent last{slice_ < std::numeric_limits<double>::infinity() ? std::min(time, firstEvent() + slice_)
+                                                                    : time};
+    const double first = copyDisks(last);
+    const CollapseCounts collapses = state_.collapseWatch().counts();
+    bool repeated = false;
+    for (pass(last); pass_break_; pass(last))
+    {
+      last = pass_break_.take();
+      repeated = true;
+      restoreDisks();
+      state_.collapseWatch().setCounts(collapses);
+    }
+    events_ += pass_events_;
+    state_.take(std::move(share_));
+    if (repeated && next_[last.slot].time == last.time && state_.collapseWatch().endsAt(last.slot, last.time))
+    {
+      state_.collapseWatch().count(last.slot, last.time);
+      return last.time;
+    }
+    slice_ = repeated ? std::max(last.time - first, SHORTEST_PASS * state_.timeScale())
+                      : GROWTH_OF_A_PASS * slice_;
+    return repeated ? std::nextafter(last.time, -std::numeric_limits<double>::infinity()) : last.time;
   }
 
   void added(std::uint32_t slot, double time) override
@@ -91,31 +118,96 @@ public:
   }
 
 private:
-  bool hasEventBy(std::uint32_t slot, double time) const
+  /// A disk as it is before a pass.
+  struct Copy
   {
-    return next_[slot].time <= time && state_.active(slot);
+    Copy(const SystemState& state, const BaseEvent& next_event, std::uint32_t of_slot)
+        : disk(state.copyOf(of_slot)), next(next_event), slot(of_slot)
+    {
+    }
+
+    SystemState::DiskCopy disk;
+    BaseEvent next;
+    std::uint32_t slot;
+  };
+
+  bool hasEventUntil(const LastEvent& last, std::uint32_t slot) const
+  {
+    return last.isAtOrAfter(next_[slot].time, slot) && state_.active(slot);
   }
 
-  /// Advances the disks in behind_ with SIMD, and executes other events in between.
-  void advanceInBatches(const BatchScene& scene, double time)
+  double firstEvent() const
   {
-    while (!behind_.empty())
+    double first = std::numeric_limits<double>::infinity();
+    for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
+      if (state_.active(slot))
+        first = std::min(first, next_[slot].time);
+    return first;
+  }
+
+  /// Copies the disks that have events until the last. @return the time of the first
+  double copyDisks(const LastEvent& last)
+  {
+    double first = last.time;
+    copies_.clear();
+    for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
+      if (hasEventUntil(last, slot))
+      {
+        copies_.emplace_back(state_, next_[slot], slot);
+        first = std::min(first, next_[slot].time);
+      }
+    return first;
+  }
+
+  void restoreDisks()
+  {
+    for (const Copy& copy : copies_)
     {
-      runBatches(scene, time);
-      behind_.clear();
-      for (const std::unique_ptr<BatchRun>& run : runs_)
-        takeIn(*run, time);
+      state_.restore(copy.slot, copy.disk);
+      next_[copy.slot] = copy.next;
     }
   }
 
-  void runBatches(const BatchScene& scene, double time)
+  /// Executes the events of the copied disks until the last, or breaks off.
+  void pass(const LastEvent& last)
+  {
+    const bool collects = state_.observers().collects();
+    const bool may_end = state_.scene().contact.on_collapse == CollapseAction::STOP;
+    limits_.events = collects || may_end ? EVENTS_IN_A_PASS : std::numeric_limits<std::uint32_t>::max();
+    limits_.notices = collects ? NOTICES_IN_A_PASS / runs_.size() : std::numeric_limits<std::size_t>::max();
+    pass_events_ = 0;
+    share_ = Observers::Share(state_.observers());
+    behind_.clear();
+    for (const Copy& copy : copies_)
+      if (hasEventUntil(last, copy.slot))
+        behind_.push_back(copy.slot);
+    if (const std::optional<BatchScene> scene = batchScene(state_))
+      advanceInBatches(*scene, last);
+    else
+      for (std::size_t k = 0; k < behind_.size() && !pass_break_; ++k)
+        advanceAlone(behind_[k], last, [] { return true; });
+  }
+
+  /// Advances the disks in behind_ with SIMD, and executes other events in between.
+  void advanceInBatches(const BatchScene& scene, const LastEvent& last)
+  {
+    while (!behind_.empty() && !pass_break_)
+    {
+      runBatches(scene, last);
+      behind_.clear();
+      for (const std::unique_ptr<BatchRun>& run : runs_)
+        takeIn(*run, last);
+    }
+  }
+
+  void runBatches(const BatchScene& scene, const LastEvent& last)
   {
     std::atomic<std::size_t> handed_out{0};
     const auto work = [&](std::size_t worker)
     {
       std::size_t next = 0;
       std::size_t end = 0;
-      runs_[worker]->advance(state_, next_, scene, time,
+      runs_[worker]->advance(state_, next_, scene, last, limits_, pass_break_,
                              [&](std::uint32_t& slot)
                              {
                                if (next == end)
@@ -135,34 +227,48 @@ private:
       work(0);
   }
 
-  /// Merges the results of one thread. Leaves in behind_ the disks that have not reached `time`.
-  void takeIn(BatchRun& run, double time)
+  /// Merges the results of one thread. Leaves in behind_ the disks that have not reached the last event.
+  void takeIn(BatchRun& run, const LastEvent& last)
   {
-    const BatchRun::Report report = run.takeReport(state_.observers());
-    events_ += report.events;
+    const BatchRun::Report report = run.takeReport(share_);
+    pass_events_ += report.events;
     for (const std::uint32_t slot : report.not_ordinary)
-      if (advanceAlone(slot, time))
+    {
+      if (pass_break_)
+        return;
+      if (advanceAlone(slot, last, [&] { return state_.collapseWatch().lossless(slot); }))
         behind_.push_back(slot);
+    }
   }
 
-  /// Executes an event that is not ordinary, and the following ones until the next is ordinary again.
-  /// @return whether its next event is not after `time`
-  bool advanceAlone(std::uint32_t slot, double time)
+  /// Executes the disk's next event, and the following ones until the last as long as `goes_on()`, or breaks
+  /// off.
+  /// @return whether more of its events are to be executed
+  template <typename GoesOn>
+  bool advanceAlone(std::uint32_t slot, const LastEvent& last, GoesOn&& goes_on)
   {
+    std::uint32_t events_left = limits_.events;
     do
+    {
+      const double now = next_[slot].time;
+      if (events_left-- == 0 || share_.notices() >= limits_.notices ||
+          state_.collapseWatch().endsAt(slot, now))
+      {
+        if (!last.isAt(now, slot))
+          pass_break_.set({now, slot});
+        return false;
+      }
       executeNext(slot);
-    while (hasEventBy(slot, time) && state_.collapseWatch().lossless(slot));
-    return hasEventBy(slot, time);
+    } while (hasEventUntil(last, slot) && goes_on());
+    return hasEventUntil(last, slot);
   }
 
   void executeNext(std::uint32_t slot)
   {
     BaseEvent& next = next_[slot];
     const double now = next.time;
-    // A collapsed disk reaches no later time. The others advance to the time at which the run is stopped.
-    if (state_.collapseWatch().count(slot, now) && state_.collapseWatch().stuck(slot))
-      return state_.remove(slot, now);
-    ++events_;
+    state_.collapseWatch().count(slot, now);
+    ++pass_events_;
     if (next.feature)
       execution_.handleBaseEvent(slot, next.feature, now, base_);
     wrapIntoWidth(slot, now);
@@ -173,8 +279,8 @@ private:
   void wrapIntoWidth(std::uint32_t slot, double now)
   {
     if (state_.scene().boundary == Boundary::PERIODIC)
-      state_.wrapIntoWidth(slot, state_.search().seenFromBase(state_.disk(slot), base_.at(now), now).s(),
-                           now);
+      state_.wrapIntoWidth(slot, state_.search().seenFromBase(state_.disk(slot), base_.at(now), now).s(), now,
+                           &share_);
   }
 
   BaseEvent search(std::uint32_t slot, double from)
@@ -183,19 +289,25 @@ private:
   }
 
   SystemState& state_;
-  ContactExecution& execution_;
+  Observers::Share share_;  ///< of the present pass
+  ContactExecution execution_;
   BaseInstant base_;
-  std::vector<BaseEvent> next_;                  ///< per disk
-  std::vector<std::uint32_t> behind_;            ///< disks that have not reached the requested time
-  std::vector<std::unique_ptr<BatchRun>> runs_;  ///< per thread
-  std::unique_ptr<WorkerPool> pool_;             ///< null if one thread is enough
+  std::vector<BaseEvent> next_;        ///< per disk
+  std::vector<std::uint32_t> behind_;  ///< disks that have not reached the last event
+  std::vector<Copy> copies_;
+  std::uint64_t pass_events_ = 0;
+  PassLimits limits_{};
+  PassBreak pass_break_;
+  double slice_ = std::numeric_limits<double>::infinity();  ///< longest pass [s]
+  std::vector<std::unique_ptr<BatchRun>> runs_;             ///< per thread
+  std::unique_ptr<WorkerPool> pool_;                        ///< null if one thread is enough
 };
 
 }  // namespace
 
-std::unique_ptr<EventLoop> makeEnsembleLoop(SystemState& state, ContactExecution& execution)
+std::unique_ptr<EventLoop> makeEnsembleLoop(SystemState& state)
 {
-  return std::make_unique<EnsembleLoop>(state, execution);
+  return std::make_unique<EnsembleLoop>(state);
 }
 
 }  // namespace ratchet_sieve

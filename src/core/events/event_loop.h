@@ -89,7 +89,7 @@ protected:
 };
 
 /// For independent disks: every disk has its own loop, without a queue.
-std::unique_ptr<EventLoop> makeEnsembleLoop(SystemState& state, ContactExecution& execution);
+std::unique_ptr<EventLoop> makeEnsembleLoop(SystemState& state);
 
 /// For disks that collide with each other: one event queue for all.
 std::unique_ptr<EventLoop> makePairLoop(SystemState& state, ContactExecution& execution);

@@ -20,10 +20,10 @@ void BatchRun::takeOutcomes(std::size_t rows)
   share_->take(rows, [this](std::size_t row) { return outcomeOf(batch_, row, slots_[row], species_[row]); });
 }
 
-BatchRun::Report BatchRun::takeReport(Observers& observers)
+BatchRun::Report BatchRun::takeReport(Observers::Share& share)
 {
   if (share_)
-    observers.take(std::move(*share_));
+    share.take(std::move(*share_));
   share_.reset();
   return std::exchange(report_, Report());
 }

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "simd/batch_rows.h"
+#include "simd/ensemble_pass.h"
 
 namespace ratchet_sieve
 {
 
 /// One thread's part of advancing an ensemble: loads disks into the rows of a batch, and stores them when
-/// their next event is later than the requested time.
+/// their next event is after the last one.
 class BatchRun
 {
 public:
@@ -24,42 +25,53 @@ public:
   BatchRun() : batch_() {}
 
   /// Advances the disks that `take` returns, until it returns false: bool take(std::uint32_t& slot).
+  ///
+  /// Breaks off at an event that would end the run or is beyond the limits, and where another thread does.
+  /// Disks have then reached different events. If it is the last event, its disk just waits there.
   template <typename Take>
-  void advance(SystemState& system, std::vector<BaseEvent>& next, const BatchScene& scene, double time,
-               Take&& take)
+  void advance(SystemState& system, std::vector<BaseEvent>& next, const BatchScene& scene,
+               const LastEvent& last, const PassLimits& limits, PassBreak& pass_break, Take&& take)
   {
     const BatchKernel& kernel = presentBatchKernel();
+    CollapseWatch& watch = system.collapseWatch();
     share_.emplace(system.observers());
     std::uint32_t slot = 0;
     std::size_t rows = 0;
     const auto take_up = [&](std::size_t row)
     {
       while (take(slot))
-        if (admit(system.collapseWatch(), slot, next[slot].time))
+        if (admit(watch, slot, next[slot].time, last, pass_break))
         {
           loadRow(system, slot, next[slot], batch_, row);
           slots_[row] = slot;
           species_[row] = system.disk(slot).species;
+          events_left_[row] = limits.events;
           return true;
         }
       return false;
     };
     while (rows < SimdBatch::ROWS && take_up(rows))
       ++rows;
-    while (rows > 0)
+    while (rows > 0 && !pass_break)
     {
       if (share_->wantsFlights())
         takeFlights(rows);
       kernel.collide(scene, batch_, rows);
       takeOutcomes(rows);
       kernel.search(scene, batch_, rows);
+      const bool full = share_->notices() >= limits.notices;
       for (std::size_t row = 0; row < rows;)
       {
-        if (batch_.event_time[row] <= time &&
-            admit(system.collapseWatch(), slots_[row], batch_.event_time[row]))
+        const double time = batch_.event_time[row];
+        if (last.isAtOrAfter(time, slots_[row]))
         {
-          ++row;
-          continue;
+          if (full || events_left_[row] == 0)
+            breakOff(slots_[row], time, last, pass_break);
+          else if (admit(watch, slots_[row], time, last, pass_break))
+          {
+            --events_left_[row++];
+            continue;
+          }
         }
         storeRow(batch_, row, system, slots_[row], next[slots_[row]]);
         if (take_up(row))
@@ -69,22 +81,33 @@ public:
           copyRow(batch_, rows, row);
           slots_[row] = slots_[rows];
           species_[row] = species_[rows];
+          events_left_[row] = events_left_[rows];
         }
       }
     }
   }
 
-  /// The results since the last call; hands over to the observers what this thread has observed.
-  Report takeReport(Observers& observers);
+  /// The results since the last call; `share` takes what this thread has observed.
+  Report takeReport(Observers::Share& share);
 
 private:
   /// Counts the event if it is ordinary. @return whether it is
-  bool admit(CollapseWatch& watch, std::uint32_t slot, double time)
+  bool admit(CollapseWatch& watch, std::uint32_t slot, double time, const LastEvent& last,
+             PassBreak& pass_break)
   {
     if (watch.countOrdinary(slot, time))
       return true;
-    report_.not_ordinary.push_back(slot);
+    if (watch.endsAt(slot, time))
+      breakOff(slot, time, last, pass_break);
+    else
+      report_.not_ordinary.push_back(slot);
     return false;
+  }
+
+  static void breakOff(std::uint32_t slot, double time, const LastEvent& last, PassBreak& pass_break)
+  {
+    if (!last.isAt(time, slot))
+      pass_break.set({time, slot});
   }
 
   /// Passes the flights that end with the next events of the first `rows` rows to the observers.
@@ -96,6 +119,7 @@ private:
   SimdBatch batch_;
   std::uint32_t slots_[SimdBatch::ROWS];
   std::uint32_t species_[SimdBatch::ROWS];
+  std::uint32_t events_left_[SimdBatch::ROWS];
   std::optional<Observers::Share> share_;
   Report report_;
 };

@@ -11,8 +11,6 @@ Bins::Bins(const SystemState& system) : system_(system), bins_(system.scene().sp
 
 void Bins::left(const Departure& departure)
 {
-  if (departure.exit == Exit::REMOVED)
-    return;
   SpeciesBins& bins = bins_[departure.species];
   --bins.on_base;
   const double mass = system_.grain(departure.slot).mass;

@@ -14,10 +14,6 @@ namespace
 /// First minimum rebound speed of a lossless disk, as a fraction of the speed of a fall from a tooth's
 /// height. Hops at this speed occur some hundred times per time scale.
 constexpr double FIRST_FLOOR = 1e-3;
-
-/// After this many consecutive collapses the minimum rebound speed exceeds any speed of the machine: the disk
-/// cannot be freed.
-constexpr std::uint32_t MAX_LEVEL = 16;
 }  // namespace
 
 CollapseWatch::CollapseWatch(const ContactDefinition& contact, double time_scale, double speed_scale,
@@ -36,17 +32,12 @@ double CollapseWatch::floorSpeed(std::uint32_t slot) const
   return std::max(floor, contact_.min_rebound_speed);
 }
 
-bool CollapseWatch::stuck(std::uint32_t slot) const
-{
-  return disks_[slot].level > MAX_LEVEL;
-}
-
 void CollapseWatch::collapse(std::uint32_t slot, double time)
 {
   Window& window = disks_[slot];
   window = {time + time_scale_, 0, window.level + 1};
-  // Independent disks are advanced one by one, on several threads in any order. The first collapse is the
-  // earliest; at equal times, the one with the smallest id.
+  // Independent disks are advanced one by one, in any order. The first collapse is the earliest; at equal
+  // times, the one with the smallest id.
   const double run_time = epoch_start_ + time;
   const std::uint32_t id = ids_.of(slot);
   if (counts_.count == 0 || std::tie(run_time, id) < std::tie(counts_.first_time, counts_.first_disk))

@@ -21,7 +21,7 @@ namespace ratchet_sieve
 /// If the scene lets the run continue, the disk is lossless until a whole time scale has passed without a
 /// collapse. Its contacts lose no energy, which frees a wedged disk, and have a minimum rebound speed, which
 /// lets a resting disk hop. The minimum doubles with every consecutive collapse. A disk that is not freed by
-/// that is stuck.
+/// that is stuck, and ends the run.
 class CollapseWatch
 {
 public:
@@ -50,7 +50,7 @@ public:
   {
     Window& window = disks_[slot];
     if (time >= window.end)
-      open(window, time);
+      window = {time + time_scale_, 0, 0};
     if (++window.events <= limit_)
       return false;
     collapse(slot, time);
@@ -66,11 +66,19 @@ public:
     if (lossless(slot))
       return false;
     if (time >= window.end)
-      open(window, time);
+      window = {time + time_scale_, 0, 0};
     if (++window.events > limit_)
       return false;
     disks_[slot] = window;
     return true;
+  }
+
+  /// Whether an event of the disk at this time would end the run.
+  bool endsAt(std::uint32_t slot, double time) const
+  {
+    const Window& window = disks_[slot];
+    return time < window.end && window.events >= limit_ &&
+           (contact_.on_collapse == CollapseAction::STOP || window.level >= MAX_LEVEL);
   }
 
   std::size_t disks() const { return disks_.size(); }
@@ -78,6 +86,11 @@ public:
   /// The counts of all disks. Without a collapse in between, copies can be restored.
   const std::vector<Window>& windows() const { return disks_; }
   void setWindows(const std::vector<Window>& windows) { disks_ = windows; }
+
+  /// The count of one disk; restored together with counts().
+  const Window& window(std::uint32_t slot) const { return disks_[slot]; }
+  void setWindow(std::uint32_t slot, const Window& window) { disks_[slot] = window; }
+  void setCounts(const CollapseCounts& counts) { counts_ = counts; }
   void prefetchWindow(std::uint32_t slot) const { prefetch(disks_[slot]); }
 
   /// Whether the disk's contacts lose no energy at present. Fast while there was no collapse at all.
@@ -87,7 +100,7 @@ public:
   double floorSpeed(std::uint32_t slot) const;
 
   /// Whether MAX_LEVEL consecutive collapses did not free the disk.
-  bool stuck(std::uint32_t slot) const;
+  bool stuck(std::uint32_t slot) const { return disks_[slot].level > MAX_LEVEL; }
 
   /// Whether the run must end: by the scene's `on_collapse`, or because a disk is stuck.
   bool stops() const { return stops_; }
@@ -104,6 +117,10 @@ public:
   void archive(StateArchive& state);
 
 private:
+  /// After this many consecutive collapses the minimum rebound speed exceeds any speed of the machine: the
+  /// disk cannot be freed.
+  static constexpr std::uint32_t MAX_LEVEL = 16;
+
   /// A disk that collapses although its contacts are lossless.
   struct Stuck
   {
@@ -113,11 +130,6 @@ private:
     void archive(StateArchive& state) { state(time, disk); }
   };
 
-  /// If a collapse ends the run, the disk stays lossless until the run ends.
-  void open(Window& window, double time) const
-  {
-    window = {time + time_scale_, 0, contact_.on_collapse == CollapseAction::STOP ? window.level : 0};
-  }
   void collapse(std::uint32_t slot, double time);
 
   ContactDefinition contact_;

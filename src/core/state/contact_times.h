@@ -32,6 +32,14 @@ public:
       times_[outcome.j] = outcome.time;
   }
 
+  /// Of one disk's last contact; 0 if there are no contact times.
+  double of(std::uint32_t slot) const { return kept_ ? times_[slot] : 0.0; }
+  void set(std::uint32_t slot, double time)
+  {
+    if (kept_)
+      times_[slot] = time;
+  }
+
   /// Whether the disk's last contact was less than `duration` ago.
   bool within(double duration, std::uint32_t slot, double time) const
   {

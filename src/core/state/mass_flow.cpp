@@ -5,8 +5,6 @@ namespace ratchet_sieve
 
 void MassFlow::left(const Departure& departure)
 {
-  if (departure.exit == Exit::REMOVED)
-    return;
   const double mass = system_.grain(departure.slot).mass;
   Flow& flow = flows_.of(departure);
   flow.mass += mass;

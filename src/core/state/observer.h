@@ -24,8 +24,7 @@ struct Flight
 enum class Exit : std::uint8_t
 {
   LEFT_BIN,
-  RIGHT_BIN,
-  REMOVED  ///< into no bin: it was stuck
+  RIGHT_BIN
 };
 
 /// A disk has left the system. Its last flight was observed before.

@@ -1,6 +1,7 @@
 #include "state/observers.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "state/collision_report.h"
 #include "state/system_state.h"
@@ -75,6 +76,14 @@ void Observers::deliver(const Notice& notice)
 void Observers::deliver()
 {
   notices_.flush([this](const Notice& notice) { deliver(notice); });
+}
+
+void Observers::Share::take(Share&& later)
+{
+  counts_.add(later.counts_);
+  contacts_.add(later.contacts_);
+  std::move(later.notices_.begin(), later.notices_.end(), std::back_inserter(notices_));
+  std::move(later.departures_.begin(), later.departures_.end(), std::back_inserter(departures_));
 }
 
 void Observers::take(Share&& share)

@@ -89,6 +89,12 @@ public:
     void beginEvent(std::uint32_t slot) { event_slot_ = slot; }
     const std::vector<Departure>& departures() const { return departures_; }
 
+    /// The number of notices, which take memory.
+    std::size_t notices() const { return notices_.size(); }
+
+    /// Takes what was observed after its own.
+    void take(Share&& later);
+
     /// Takes contacts: `outcome(k)` for k < count.
     template <typename OutcomeAt>
     void take(std::size_t count, OutcomeAt&& outcome_at)
@@ -155,6 +161,10 @@ public:
     std::get<BaseImpulses>(standing_) = sums.impulses;
     std::get<ContactTimes>(standing_) = sums.contact_times;
   }
+
+  /// The time of a disk's last contact is beside its sums.
+  double contactTime(std::uint32_t slot) const { return contactTimes().of(slot); }
+  void setContactTime(std::uint32_t slot, double time) { std::get<ContactTimes>(standing_).set(slot, time); }
 
   /// The sums of a disk that SIMD batches take along.
   RowSums rowSums(std::uint32_t slot) const

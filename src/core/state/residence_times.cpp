@@ -98,8 +98,7 @@ void ResidenceTimes::entered(const Disk& disk)
 
 void ResidenceTimes::left(const Departure& departure)
 {
-  if (departure.exit != Exit::REMOVED)
-    times_.of(departure).add(system_.epoch().start + departure.time - entered_[departure.slot]);
+  times_.of(departure).add(system_.epoch().start + departure.time - entered_[departure.slot]);
 }
 
 Observed ResidenceTimes::observed(double /*time*/) const

@@ -211,11 +211,6 @@ void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, Ob
     leave(slot, to_the_right ? Exit::RIGHT_BIN : Exit::LEFT_BIN, time, share);
 }
 
-void SystemState::remove(std::uint32_t slot, double time)
-{
-  leave(slot, Exit::REMOVED, time, nullptr);
-}
-
 void SystemState::leave(std::uint32_t slot, Exit exit, double time, Observers::Share* share)
 {
   const Departure departure{slot, fly(slot, time, share).species, exit, time};
@@ -230,7 +225,7 @@ void SystemState::count(const Departure& departure)
 {
   --active_count_;
   SpeciesBins* bins = sizeClassBinsOf(disks_[departure.slot]);
-  if (bins == nullptr || departure.exit == Exit::REMOVED)
+  if (bins == nullptr)
     return;
   --bins->on_base;
   ++(departure.exit == Exit::RIGHT_BIN ? bins->right : bins->left);
@@ -257,6 +252,15 @@ void SystemState::restore(const Snapshot& snapshot)
   active_ = snapshot.active;
   collapse_watch_.setWindows(snapshot.windows);
   observers_.restore(snapshot.sums);
+}
+
+void SystemState::restore(std::uint32_t slot, const DiskCopy& copy)
+{
+  disks_[slot] = copy.disk;
+  active_[slot] = 1;
+  observers_.setRowSums(slot, copy.sums);
+  observers_.setContactTime(slot, copy.contact_time);
+  collapse_watch_.setWindow(slot, copy.window);
 }
 
 void SystemState::wrap(std::uint32_t slot, double shift, double time, Observers::Share* share)

@@ -150,9 +150,6 @@ public:
   /// The disk passes an end of the base: into the bin, or on a periodic base to its image at the other end.
   void passEnd(std::uint32_t slot, bool to_the_right, double time, Observers::Share* share = nullptr);
 
-  /// Removes a disk from the simulation at its position, into no bin. It stays counted in the system.
-  void remove(std::uint32_t slot, double time);
-
   /// Takes what a thread has observed. Added observers are told of it by Observers::deliver().
   void take(Observers::Share&& share);
 
@@ -166,6 +163,21 @@ public:
   };
   void copyTo(Snapshot& snapshot) const;
   void restore(const Snapshot& snapshot);
+
+  /// What events change of an active disk that collides with no other, until their Share is taken.
+  struct DiskCopy
+  {
+    Disk disk;
+    RowSums sums;
+    double contact_time;
+    CollapseWatch::Window window;
+  };
+  DiskCopy copyOf(std::uint32_t slot) const
+  {
+    return {disks_[slot], observers_.rowSums(slot), observers_.contactTime(slot),
+            collapse_watch_.window(slot)};
+  }
+  void restore(std::uint32_t slot, const DiskCopy& copy);
 
   /// The slots of the active disks, or of the others, in increasing order.
   std::vector<std::uint32_t> slots(bool active) const;
