@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _engine
 from .base import length, surface
-from .errors import SieveWarning
+from .errors import SceneError, SieveWarning
 
 Overrides = Mapping[str, Any]
 
@@ -21,7 +21,10 @@ def yaml_text(value: Any) -> str:
         return value
     if isinstance(value, np.ndarray):
         value = value.tolist()
-    return json.dumps(value, default=_plain, ensure_ascii=False)
+    try:
+        return json.dumps(value, default=_plain, ensure_ascii=False)
+    except (RecursionError, ValueError):  # of lists and maps that contain themselves
+        raise SceneError("scene: lists and maps nest too deep") from None
 
 
 def _plain(value: Any) -> Any:
@@ -51,20 +54,17 @@ class Scene:
         """From a scene file; see __init__()."""
         scene = cls.__new__(cls)
         source = os.fspath(path)
-        engine = _engine.load_scene(source, _assignments(overrides))
-        with open(source, encoding="utf-8") as file:
-            scene._begin(file.read(), _assignments(overrides), source, engine)
+        scene._begin(_engine.read_text(source), _assignments(overrides), source)
         return scene
 
-    def _begin(self, text: str, assignments: list[str], source: str, engine: Optional[_engine.Scene] = None) -> None:
+    def _begin(self, text: Union[str, bytes], assignments: list[str], source: str) -> None:
         """The text and the overrides are kept, since a key may decide others: `density` the numbers of disks."""
         self._text = text
         self._assignments = assignments
-        engine = engine or _engine.scene_of_text(text, source, assignments)
-        self._engine = engine
+        self._engine = _engine.scene_of_text(text, source, assignments)
         self._values: Optional[dict] = None
         self.source = source
-        for warning in engine.warnings:
+        for warning in self._engine.warnings:
             warnings.warn(warning, SieveWarning, stacklevel=4)
 
     def replace(self, overrides: Optional[Overrides] = None, **keys: Any) -> Scene:
@@ -139,7 +139,7 @@ class Scene:
         return f"<Scene {self.source}: {', '.join(self.species)}; hash {self.hash}>"
 
 
-def _unpickled(text: str, assignments: list[str], source: str) -> Scene:
+def _unpickled(text: Union[str, bytes], assignments: list[str], source: str) -> Scene:
     scene = Scene.__new__(Scene)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SieveWarning)

@@ -55,7 +55,7 @@ SceneDefinition withBase(SceneDefinition scene, const DriveState& base)
 
 RunControl::RunControl(const YAML::Node& scene, const std::string& source, const RunParameters& parameters,
                        RunRecording& recording, RunLog log, PourObserver pour_observer)
-    : scene_(YAML::Clone(scene)),
+    : scene_(scene),
       source_(source),
       parameters_(parameters),
       recording_(recording),
@@ -90,7 +90,7 @@ std::unique_ptr<LiveRun> RunControl::makeRun(const SceneDefinition& scene, std::
 
 Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const
 {
-  YAML::Node root = YAML::Clone(scene_);
+  YAML::Node root = copyWithoutLines(scene_);
   for (const std::string& assignment : overrides)
     applyOverride(root, assignment);
   if (seed != 0)

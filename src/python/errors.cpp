@@ -18,11 +18,18 @@ namespace
 
 namespace py = pybind11;
 
-template <typename... Arguments>
-void raise(const char* type, const Arguments&... arguments)
+/// A line may quote a file that is not UTF-8.
+py::str lineOf(const std::string& text)
+{
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "replace"));
+}
+
+template <typename... Texts>
+void raise(const char* type, const Texts&... texts)
 {
   const py::object error = py::module_::import("ratchet_sieve.errors").attr(type);
-  PyErr_SetObject(error.ptr(), error(arguments...).ptr());
+  PyErr_SetObject(error.ptr(), error(lineOf(texts)...).ptr());
 }
 
 }  // namespace
@@ -38,19 +45,19 @@ void translateErrors()
         }
         catch (const SceneError& error)
         {
-          raise("SceneError", std::string(error.what()), error.key, error.value, error.allowed);
+          raise("SceneError", error.what(), error.key, error.value, error.allowed);
         }
         catch (const StallError& error)
         {
-          raise("StallError", std::string(error.what()));
+          raise("StallError", error.what());
         }
         catch (const StateError& error)
         {
-          raise("StateError", std::string(error.what()));
+          raise("StateError", error.what());
         }
         catch (const DatabaseError& error)
         {
-          raise("ResultsError", std::string(error.what()));
+          raise("ResultsError", error.what());
         }
         catch (const OutputError& error)
         {

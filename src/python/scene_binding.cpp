@@ -21,27 +21,25 @@ namespace
 
 namespace py = pybind11;
 
-/// A scene's text with its overrides.
-YAML::Node overridden(const std::string& text, const std::string& source,
-                      const std::vector<std::string>& overrides)
+/// The bytes of a YAML file. The thread that writes a pipe may be one of Python's.
+py::bytes readText(const std::string& path)
 {
-  YAML::Node root = copyableYaml(text, source);
-  for (const std::string& assignment : overrides)
-    applyOverride(root, assignment);
-  return root;
-}
-
-Scene sceneOfText(const std::string& text, const std::string& source,
-                  const std::vector<std::string>& overrides)
-{
-  return sceneFromYaml(overridden(text, source, overrides), source);
+  std::string text;
+  {
+    const py::gil_scoped_release let_go;
+    text = readYamlText(path);
+  }
+  return text;
 }
 
 /// What is given of a scene, without defaults.
 py::object givenValues(const std::string& text, const std::string& source,
                        const std::vector<std::string>& overrides)
 {
-  return toPython(overridden(text, source, overrides));
+  YAML::Node root = copyableYaml(text, source);
+  for (const std::string& assignment : overrides)
+    applyOverride(root, assignment);
+  return toPython(root);
 }
 
 /// Disks of a frame that was recorded.
@@ -89,8 +87,8 @@ void bindScene(py::module_& module)
       .def_property_readonly("species", [](const Scene& scene) { return speciesNames(scene.definition); })
       .def_readonly("warnings", &Scene::warnings)
       .def("disks_of", &recordedDisks, py::arg("columns"));
-  module.def("load_scene", &loadSceneFile, py::arg("path"), py::arg("overrides"));
-  module.def("scene_of_text", &sceneOfText, py::arg("text"), py::arg("source"), py::arg("overrides"));
+  module.def("read_text", &readText, py::arg("path"));
+  module.def("scene_of_text", &sceneFromText, py::arg("text"), py::arg("source"), py::arg("overrides"));
   module.def("given_values", &givenValues, py::arg("text"), py::arg("source"), py::arg("overrides"));
 }
 

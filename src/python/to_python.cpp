@@ -69,21 +69,22 @@ struct CollisionRow
   double tangential_impulse;
 };
 
+/// As the scene's reader takes it: 020 is 20, and true and false alone are no text.
 py::object scalarToPython(const YAML::Node& node)
 {
-  std::int64_t integer = 0;
+  const std::string& text = node.Scalar();
   double number = 0.0;
-  bool flag = false;
-  if (node.Tag() != "!")
+  if (node.Tag() == "!")
+    return py::str(text);
+  if (YAML::convert<double>::decode(node, number))
   {
-    if (YAML::convert<std::int64_t>::decode(node, integer))
-      return py::int_(integer);
-    if (YAML::convert<double>::decode(node, number))
-      return py::float_(number);
-    if (YAML::convert<bool>::decode(node, flag))
-      return py::bool_(flag);
+    const bool whole = text.find_first_not_of("+-0123456789") == std::string::npos;
+    return whole ? py::reinterpret_steal<py::object>(PyLong_FromString(text.c_str(), nullptr, 10))
+                 : py::object(py::float_(number));
   }
-  return py::str(node.Scalar());
+  if (text == "true" || text == "false")
+    return py::bool_(text == "true");
+  return py::str(text);
 }
 
 }  // namespace
@@ -117,23 +118,28 @@ py::object toPython(const nlohmann::ordered_json& json)
   return py::none();
 }
 
-py::object toPython(const YAML::Node& node)
+py::object toPython(const YAML::Node& node, bool is_name)
 {
   if (node.IsMap())
   {
     py::dict dict;
     for (const auto& item : node)
-      dict[py::str(item.first.Scalar())] = toPython(item.second);
+    {
+      const std::string& key = item.first.Scalar();
+      dict[py::str(key)] = toPython(item.second, key == "name" || key == "species");
+    }
     return dict;
   }
   if (node.IsSequence())
   {
     py::list list;
     for (const YAML::Node& item : node)
-      list.append(toPython(item));
+      list.append(toPython(item, is_name));
     return list;
   }
-  return node.IsScalar() ? scalarToPython(node) : py::none();
+  if (!node.IsScalar())
+    return py::none();
+  return is_name ? py::str(node.Scalar()) : scalarToPython(node);
 }
 
 py::array arrayOf(const std::vector<DiskState>& disks, const SceneDefinition& scene)

@@ -20,8 +20,10 @@ namespace ratchet_sieve
 /// dict, list, int, float, bool, str; None for null.
 pybind11::object toPython(const nlohmann::ordered_json& json);
 
-/// The same of a YAML tree, whose scalars are numbers where the scene's reader takes them for numbers.
-pybind11::object toPython(const YAML::Node& node);
+/// The same of a scene's YAML tree, whose scalars are numbers where the scene's reader takes them for
+/// numbers.
+/// @param is_name whether its scalars are names, which may look like numbers
+pybind11::object toPython(const YAML::Node& node, bool is_name = false);
 
 /// The fields of a struct by their names.
 template <typename Struct>

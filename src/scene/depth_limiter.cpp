@@ -13,8 +13,6 @@ namespace
 class DepthLimiter : public YAML::EventHandler
 {
 public:
-  explicit DepthLimiter(Aliases aliases) : aliases_(aliases) {}
-
   void OnDocumentStart(const YAML::Mark& mark) override
   {
     if (++documents_ > 1)
@@ -24,8 +22,7 @@ public:
   void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override
   {
-    if (aliases_ == Aliases::REFUSED)
-      throw YAML::ParserException(mark, "an alias, which is not allowed here");
+    throw YAML::ParserException(mark, "an alias (*NAME): not allowed; write out its value");
   }
   void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
   void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
@@ -48,18 +45,17 @@ private:
       throw YAML::ParserException(mark, "lists and maps nest deeper than " + std::to_string(DEEPEST_NESTING));
   }
 
-  Aliases aliases_;
   int depth_ = 0;
   int documents_ = 0;
 };
 
 }  // namespace
 
-void requireShallow(const std::string& text, Aliases aliases)
+void requireShallow(const std::string& text)
 {
   std::istringstream stream(text);
   YAML::Parser parser(stream);
-  DepthLimiter limiter(aliases);
+  DepthLimiter limiter;
   while (parser.HandleNextDocument(limiter))
   {
   }

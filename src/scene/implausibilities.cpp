@@ -9,6 +9,7 @@
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
+#include "scene_rules.h"
 #include "scene_warnings.h"
 
 namespace ratchet_sieve
@@ -99,11 +100,6 @@ void warnOfTables(const SceneDefinition& scene, SceneWarnings& warnings)
   }
 }
 
-double sphere(double radius)
-{
-  return 4.0 / 3.0 * PI * std::pow(radius, 3);
-}
-
 struct SizedDisk
 {
   double mass = 0.0;    ///< [kg]
@@ -116,14 +112,15 @@ SizedDisk densestDisk(const SpeciesDefinition& species)
   const Sizes sizes(species);
   const SizedDisk smallest{species.massOf(sizes.smallest()), sizes.smallest()};
   const SizedDisk largest{species.massOf(sizes.largest()), sizes.largest()};
-  return smallest.mass / sphere(smallest.radius) > largest.mass / sphere(largest.radius) ? smallest : largest;
+  return smallest.mass / ballVolume(smallest.radius) > largest.mass / ballVolume(largest.radius) ? smallest
+                                                                                                 : largest;
 }
 
 void warnOfMass(const SceneDefinition& scene, std::size_t index, SceneWarnings& warnings)
 {
   const SpeciesDefinition& species = scene.species[index];
   const SizedDisk disk = densestDisk(species);
-  const auto dense = [](double m, double r) { return m > DENSEST_DISK * sphere(r); };
+  const auto dense = [](double m, double r) { return m > DENSEST_DISK * ballVolume(r); };
   if (!dense(disk.mass, disk.radius))
     return;
   const auto lighter = suggestUnit(
@@ -145,7 +142,7 @@ void warnOfMass(const SceneDefinition& scene, std::size_t index, SceneWarnings& 
                             : by_radius ? mass_key + " = " + quantity(disk.mass, "kg")
                                         : radius_key + " = " + quantity(disk.radius, "m");
   const std::string figure = "with " + given + " the density of a sphere would be " +
-                             quantity(disk.mass / sphere(disk.radius), "kg/m^3") +
+                             quantity(disk.mass / ballVolume(disk.radius), "kg/m^3") +
                              "; osmium has 22590 kg/m^3";
   if (by_radius)
     warnings.add(radius_key, species.radius, "m", figure, larger);

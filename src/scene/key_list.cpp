@@ -70,7 +70,10 @@ std::vector<KeyGroup> sceneKeyGroups()
       Group("base", "the base, a sawtooth or a profile, and its drive").add(baseKeys()),
       Group("base.harmonics.N", "a list of sines of multiples of the drive frequency, added to the drive")
           .add(harmonicKeys()),
-      Group("species.N", "a list of one or more kinds of disks").add(speciesKeys()).add(coefficientKeys()),
+      Group("species.N", "a list of one or more kinds of disks")
+          .add(speciesKeys())
+          .add(materialKeys())
+          .add(coefficientKeys()),
       Group("species.N.size", "the sizes of a species' disks, where they are not all equal")
           .add(sizeKeys())
           .add(spreadKeys())

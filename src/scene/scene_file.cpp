@@ -15,22 +15,6 @@ namespace
 /// times as much memory for its tokens and nodes.
 constexpr std::size_t LARGEST_TEXT = 16u << 20;  ///< [bytes]
 
-YAML::Node parseText(const std::string& text, const std::string& source, Aliases aliases)
-{
-  if (text.size() > LARGEST_TEXT)
-    throw SceneError(source + ": too large; must have at most " + std::to_string(LARGEST_TEXT) + " bytes");
-  try
-  {
-    requireShallow(text, aliases);
-    return YAML::Load(text);
-  }
-  catch (const YAML::Exception& error)
-  {
-    throw SceneError(source + ":" + std::to_string(error.mark.line + 1) +
-                     ": not YAML: " + shownText(error.msg));
-  }
-}
-
 }  // namespace
 
 std::string readYamlText(const std::string& path)
@@ -47,20 +31,32 @@ std::string readYamlText(const std::string& path)
 
 YAML::Node copyableYaml(const std::string& text, const std::string& source)
 {
-  return parseText(text, source, Aliases::REFUSED);
+  if (text.size() > LARGEST_TEXT)
+    throw SceneError(source + ": too large; must have at most " + std::to_string(LARGEST_TEXT) + " bytes");
+  try
+  {
+    requireShallow(text);
+    return YAML::Load(text);
+  }
+  catch (const YAML::Exception& error)
+  {
+    throw SceneError(source + ":" + std::to_string(error.mark.line + 1) +
+                     ": not YAML: " + shownText(error.msg));
+  }
 }
 
-Scene sceneFromText(const std::string& text, const std::string& source)
+Scene sceneFromText(const std::string& text, const std::string& source,
+                    const std::vector<std::string>& overrides)
 {
-  return sceneFromYaml(parseText(text, source, Aliases::ALLOWED), source);
+  YAML::Node root = copyableYaml(text, source);
+  for (const std::string& assignment : overrides)
+    applyOverride(root, assignment);
+  return sceneFromYaml(root, source);
 }
 
 Scene loadSceneFile(const std::string& path, const std::vector<std::string>& overrides)
 {
-  YAML::Node root = parseText(readYamlText(path), path, Aliases::ALLOWED);
-  for (const std::string& assignment : overrides)
-    applyOverride(root, assignment);
-  return sceneFromYaml(root, path);
+  return sceneFromText(readYamlText(path), path, overrides);
 }
 
 }  // namespace ratchet_sieve

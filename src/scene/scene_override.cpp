@@ -32,31 +32,12 @@ std::vector<std::string> splitPath(const std::string& path, const std::string& a
   return parts;
 }
 
-/// A copy without line numbers, which would not be those of the file it is put into.
-YAML::Node withoutMarks(const YAML::Node& node)
-{
-  YAML::Node copy(node.Type());
-  if (node.IsScalar())
-  {
-    copy = node.Scalar();
-    copy.SetTag(node.Tag());
-  }
-  for (const auto& item : node)
-  {
-    if (node.IsMap())
-      copy.force_insert(withoutMarks(item.first), withoutMarks(item.second));
-    else
-      copy.push_back(withoutMarks(item));
-  }
-  return copy;
-}
-
 YAML::Node parseValue(const std::string& text, const std::string& assignment)
 {
   try
   {
-    requireShallow(text, Aliases::REFUSED);
-    return withoutMarks(YAML::Load(text));
+    requireShallow(text);
+    return YAML::Load(text);
   }
   catch (const YAML::Exception& error)
   {
@@ -98,16 +79,11 @@ void chooseTooth(YAML::Node& root, const std::vector<std::string>& path, const s
       base.remove(key);
 }
 
-}  // namespace
-
-void applyOverride(YAML::Node& root, const std::string& assignment)
+/// @param take_out whether a map loses the key @param assignment for errors
+void setKey(YAML::Node& root, const std::string& key, const YAML::Node& value, bool take_out,
+            const std::string& assignment)
 {
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos || equals == 0)
-    refuse(assignment, "must be KEY=VALUE, such as base.inclination=0.105");
-  const std::vector<std::string> path = splitPath(assignment.substr(0, equals), assignment);
-  const std::string text = assignment.substr(equals + 1);
-  const YAML::Node value = parseValue(text, assignment);
+  const std::vector<std::string> path = splitPath(key, assignment);
   YAML::Node place;
   place.reset(root);
   YAML::Node parent;
@@ -118,11 +94,46 @@ void applyOverride(YAML::Node& root, const std::string& assignment)
     place.reset(childOf(parent, name, part, assignment));
     name = part;
   }
-  if (value.IsNull() && !text.empty() && parent.IsMap())
+  if (take_out && parent.IsMap())
     parent.remove(name);
   else
-    place = value;
+    place = copyWithoutLines(value);  // which are not those of the tree that it becomes a part of
   chooseTooth(root, path, assignment);
+}
+
+}  // namespace
+
+YAML::Node copyWithoutLines(const YAML::Node& node)
+{
+  YAML::Node copy(node.Type());
+  if (node.IsScalar())
+  {
+    copy = node.Scalar();
+    copy.SetTag(node.Tag());
+  }
+  for (const auto& item : node)
+  {
+    if (node.IsMap())
+      copy.force_insert(copyWithoutLines(item.first), copyWithoutLines(item.second));
+    else
+      copy.push_back(copyWithoutLines(item));
+  }
+  return copy;
+}
+
+void applyOverride(YAML::Node& root, const std::string& assignment)
+{
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0)
+    refuse(assignment, "must be KEY=VALUE, such as base.inclination=0.105");
+  const std::string text = assignment.substr(equals + 1);
+  const YAML::Node value = parseValue(text, assignment);
+  setKey(root, assignment.substr(0, equals), value, value.IsNull() && !text.empty(), assignment);
+}
+
+void applyOverride(YAML::Node& root, const std::string& key, const YAML::Node& value)
+{
+  setKey(root, key, value, value.IsNull(), key + '=' + (value.IsScalar() ? value.Scalar() : "..."));
 }
 
 }  // namespace ratchet_sieve

@@ -41,14 +41,35 @@ SizeDefinition readSize(const Entry& entry)
   return size;
 }
 
+/// The mass of a ball of the species' material.
+double massFromDensity(const Entry& entry, double radius)
+{
+  double density = 0.0;
+  readValues(entry, materialKeys(), density);
+  if (entry.has("mass"))
+    entry.at("mass").refuse("must be absent because density gives it");
+  const double mass = density * ballVolume(radius);
+  if (!massRange().holds(mass))
+    entry.at("density").refuseValue("gives a mass of " + scalarText(mass) + " kg; must be a number " +
+                                    massRange().text());
+  return mass;
+}
+
 SpeciesDefinition readSpecies(const Entry& entry, bool count_required)
 {
+  entry.keys();
+  const bool has_density = entry.has("density");
   std::set<std::string> required = requiredOf(speciesKeys());
   if (count_required)
     required.insert("count");
-  entry.requireKeys(namesOf(speciesKeys(), namesOf(coefficientKeys(), {"size"})), required);
+  if (has_density)
+    required.erase("mass");
+  const std::set<std::string> known = namesOf(materialKeys(), namesOf(coefficientKeys(), {"size"}));
+  entry.requireKeys(namesOf(speciesKeys(), known), required);
   SpeciesDefinition species;
   readValues(entry, speciesKeys(), species);
+  if (has_density)
+    species.mass = massFromDensity(entry, species.radius);
   readValues(entry, coefficientKeys(), species.contact);
   if (entry.has("size"))
     species.size = readSize(entry.at("size"));
@@ -193,7 +214,8 @@ Scene sceneFromYaml(const YAML::Node& node, const std::string& source)
     Scene scene;
     const Entry root(node, source);
     readRoot(root, scene.definition);
-    const bool count_required = !root.has("density") && !placesDisks(root);
+    const bool count_required =
+        !root.has("density") && !placesDisks(root) && scene.definition.feed.rate <= 0.0;
     const SpeciesIndex index = readAllSpecies(root, count_required, scene.definition);
     readPairs(root, index, scene.definition);
     readInitial(root, index, scene.definition);

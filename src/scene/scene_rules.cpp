@@ -6,6 +6,7 @@
 
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
+#include "scene_warnings.h"
 #include "schema.h"
 
 namespace ratchet_sieve
@@ -191,6 +192,11 @@ void sizesAreSound(const Entry& root, const SceneDefinition& scene)
 }
 
 }  // namespace
+
+double ballVolume(double radius)
+{
+  return 4.0 / 3.0 * PI * radius * radius * radius;
+}
 
 void resolveCounts(const Entry& root, Scene& scene)
 {

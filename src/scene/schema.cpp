@@ -15,6 +15,8 @@ constexpr double LARGEST_WIDTH = 1e9;     ///< of a base [m]
 constexpr double LARGEST_POSITION = 1e9;  ///< [m]
 constexpr double SMALLEST_MASS = 1e-18;   ///< [kg]
 constexpr double LARGEST_MASS = 1e6;      ///< [kg]
+constexpr double LIGHTEST_BALL = 1e-3;    ///< [kg/m^3]
+constexpr double DENSEST_BALL = 1e7;      ///< [kg/m^3]
 constexpr double LARGEST_SPEED = 1e4;     ///< [m/s]
 constexpr double LARGEST_SPIN = 1e9;      ///< [rad/s]
 constexpr double LARGEST_GRAVITY = 1e4;   ///< [m/s^2]
@@ -63,6 +65,11 @@ Range eitherWay()
 }
 
 }  // namespace
+
+Range massRange()
+{
+  return between(SMALLEST_MASS, LARGEST_MASS, "kg");
+}
 
 const Keys<SceneDefinition>& motionKeys()
 {
@@ -181,8 +188,8 @@ const Keys<SpeciesDefinition>& speciesKeys()
       {"name", [](S& s) -> Slot { return &s.name; }, ANY,
        "Name of the species; no two species have the same.", Presence::REQUIRED},
       {"count", [](S& s) -> Slot { return &s.count; }, upTo(MOST_DISKS),
-       "Number of disks poured at the start; required unless density or initial is given, which "
-       "replace it.",
+       "Number of disks poured at the start; required unless there is a feed (then 0 is the default), or "
+       "density or initial, which replace it.",
        Presence::OPTIONAL, "-"},
       {"share", [](S& s) -> Slot { return &s.share; }, upTo(LARGEST_SHARE),
        "Weight of the species in the split of density and among the disks that are fed."},
@@ -191,10 +198,21 @@ const Keys<SpeciesDefinition>& speciesKeys()
        "must not be too small for double "
        "precision.",
        Presence::REQUIRED},
-      {"mass", [](S& s) -> Slot { return &s.mass; }, between(SMALLEST_MASS, LARGEST_MASS, "kg"), "Mass m.",
+      {"mass", [](S& s) -> Slot { return &s.mass; }, massRange(), "Mass m; density may replace it.",
        Presence::REQUIRED},
       {"inertia_factor", [](S& s) -> Slot { return &s.inertia_factor; }, between(SMALLEST_INERTIA, 1.0),
        "Moment of inertia over m r^2; 0.5: a uniform disk."},
+  };
+  return KEYS;
+}
+
+const Keys<double>& materialKeys()
+{
+  static const Keys<double> KEYS = {
+      {"density", [](double& density) -> Slot { return &density; },
+       between(LIGHTEST_BALL, DENSEST_BALL, "kg/m^3"),
+       "Density of the material, in place of mass: m = 4/3 pi r^3 times it, as of a ball.",
+       Presence::OPTIONAL, "-"},
   };
   return KEYS;
 }

@@ -49,6 +49,7 @@ const Keys<BaseDefinition>& baseKeys();
 const std::set<std::string>& sawtoothKeys();     ///< those of the base that base.profile replaces
 const Keys<HarmonicDefinition>& harmonicKeys();  ///< of an entry of base.harmonics
 const Keys<SpeciesDefinition>& speciesKeys();
+const Keys<double>& materialKeys();        ///< of a species; not stored, but turned into its mass
 const Keys<SizeDefinition>& sizeKeys();    ///< of a species' size
 const Keys<SizeDefinition>& spreadKeys();  ///< of one with a spread
 const Keys<SizeDefinition>& tableKeys();   ///< of one with a table
@@ -60,6 +61,9 @@ const Keys<HeightProfileDefinition>& heightProfileKeys();
 const Keys<InitialDisk>& initialKeys();
 const Keys<AccuracyDefinition>& methodKeys();     ///< of accuracy, decide how the disks move
 const Keys<AccuracyDefinition>& certaintyKeys();  ///< of accuracy, decide only what part of it is run
+
+/// Of the mass of a disk.
+Range massRange();
 
 /// Most disks that a scene may have.
 constexpr int MOST_DISKS = 10'000'000;

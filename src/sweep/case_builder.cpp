@@ -64,7 +64,7 @@ const SweepCase& CaseBuilder::at(std::uint64_t position)
 
 void CaseBuilder::build(std::uint64_t point)
 {
-  YAML::Node tree = YAML::Clone(base_);
+  YAML::Node tree = copyWithoutLines(base_);
   for (const Assignment& assignment : sweep_.fixed)
     applyOverride(tree, assignment.key + '=' + assignment.value);
   for (const Assignment& assignment : sweep_.point(point))

@@ -1,6 +1,8 @@
 """Scenes in Python: the same keys, errors and warnings as the programs have."""
 import copy
+import os
 import pickle
+import threading
 
 import numpy as np
 import pytest
@@ -36,6 +38,51 @@ def test_overrides_take_numbers_arrays_texts_and_none(scene):
     assert shaped.replace({"base.profile": None})["base.tooth_width"] == 0.02
     with pytest.raises(TypeError, match="cannot be a value of a scene"):
         scene.replace({"base.inclination": object()})
+
+
+ODD = """
+base: {teeth: 020}
+boundary: open
+species:
+  - {name: NO, count: 010, radius: 0.0010, mass: 1e-3}
+  - {name: 1.10, count: 3, radius: 0.001, density: 2500}
+  - {name: 007, count: 3, radius: 0.001, mass: 0.001}
+pairs: [{species: [007, 1.10], friction: 0.2}]
+seed: 18446744073709551615
+"""
+
+
+def test_numbers_and_names_are_those_that_the_programs_read():
+    scene = rs.Scene(ODD)
+    assert (scene["base.teeth"], scene["species.0.count"], scene["seed"]) == (20, 10, 2 ** 64 - 1)
+    assert scene.species == ["NO", "1.10", "007"]
+    assert rs.Scene(scene.given) == scene == rs.Scene(scene.values)
+
+
+def test_a_file_is_read_once_and_in_any_encoding_of_yaml(tmp_path):
+    pipe = tmp_path / "pipe.yaml"
+    os.mkfifo(pipe)
+    writer = threading.Thread(target=pipe.write_text, args=(ODD,))
+    writer.start()
+    scene = rs.Scene.load(pipe)
+    writer.join()
+    assert rs.Scene(ODD) == scene == scene.replace() == pickle.loads(pickle.dumps(scene))
+    path = tmp_path / "scene.yaml"
+    path.write_text(ODD, encoding="utf-16")
+    assert rs.Scene.load(path) == scene == scene.replace()
+    path.write_text(ODD.replace("NO", "gr\xfcn"), encoding="latin-1")
+    with pytest.raises(rs.SceneError, match="scene.yaml:5: species.0.name = gr\ufffdn: must be a name of"):
+        rs.Scene.load(path)
+
+
+def test_a_mapping_without_end_is_refused():
+    deep = itself = {}
+    for _ in range(5000):
+        deep = {"a": deep}
+    itself["a"] = itself
+    for mapping in (deep, itself):
+        with pytest.raises(rs.SceneError, match="lists and maps nest too deep"):
+            rs.Scene(mapping)
 
 
 def test_errors_name_key_value_and_what_is_allowed(scene):

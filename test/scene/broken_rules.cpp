@@ -42,6 +42,7 @@ void requireCounts(SceneTree& root, const std::string& count)
 Expected missingCount(SceneTree& root)
 {
   requireCounts(root, "1");
+  root.remove("feed");
   const auto at = drawnIndex<std::size_t>(0, speciesCount(root));
   speciesAt(root, at).remove("count");
   return {"species." + std::to_string(at) + ".count", "", "missing"};

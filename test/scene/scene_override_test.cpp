@@ -169,7 +169,7 @@ TEST(SceneOverride, WhoseValueIsNoYamlIsRefused)
 
 TEST(SceneOverride, ThatHoldsItselfOrMultipliesIsRefused)
 {
-  const std::string alias = "the value is not YAML: an alias, which is not allowed here";
+  const std::string alias = "the value is not YAML: an alias (*NAME): not allowed; write out its value";
   EXPECT_EQ(refusalOfOverride("base=&a [*a]"), "override base=&a [*a]: " + alias);
   std::string bomb = "base=[&a0 [1, 1]";
   for (int i = 1; i < 40; ++i)

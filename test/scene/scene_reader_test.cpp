@@ -187,6 +187,20 @@ initial:
   EXPECT_EQ(scene.definition.initial[1].vy, 0.0);
 }
 
+TEST(SceneReader, NeedsNoCountWhereThereIsAFeed)
+{
+  const Scene scene = read("species: [{name: A, radius: 0.001, mass: 0.002}]\nfeed: {rate: 2}\n");
+  EXPECT_EQ(scene.definition.species[0].count, 0);
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(SceneReader, TakesTheMassFromADensity)
+{
+  // A ball of steel of 2 mm: 4.18879e-9 m^3 times 7800 kg/m^3.
+  const Scene scene = read("species: [{name: A, count: 1, radius: 0.001, density: 7800}]\n");
+  EXPECT_NEAR(scene.definition.species[0].mass, 3.26726e-5, 1e-10);
+}
+
 TEST(SceneReader, TakesATreeThatNoTextStandsBehind)
 {
   YAML::Node species;

@@ -145,7 +145,8 @@ TEST_F(SweepFile, RefusesWhatIsNoSweep)
                     "grid: {density: {from: 1, to: 2, count: 1000000000}, gravity: {from: 1, to: 2, count: "
                     "1000000000}}",
                 "sweep.yaml: sweep: has more than 1000000000000000 cases");
-  expectRefusal("a: &a {b: *a}", "sweep.yaml:1: not YAML: an alias, which is not allowed here");
+  expectRefusal("a: &a {b: *a}",
+                "sweep.yaml:1: not YAML: an alias (*NAME): not allowed; write out its value");
 }
 
 TEST_F(SweepFile, MaySweepAPartOfWhatIsSetInEveryCase)

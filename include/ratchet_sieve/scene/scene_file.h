@@ -43,17 +43,21 @@ Scene loadSceneFile(const std::string& path, const std::vector<std::string>& ove
 /// @throws SceneError
 Scene sceneFromYaml(const YAML::Node& root, const std::string& source);
 
-/// Reads a scene from YAML text, as a recorded SceneFrame carries it. @throws SceneError
-Scene sceneFromText(const std::string& text, const std::string& source);
+/// Reads a scene from YAML text, as a recorded SceneFrame carries it. @param overrides as of loadSceneFile()
+/// @throws SceneError
+Scene sceneFromText(const std::string& text, const std::string& source,
+                    const std::vector<std::string>& overrides = {});
 
 /// The text of a YAML file. A file larger than any scene is cut at a length that copyableYaml() refuses.
 /// @throws SceneError
 std::string readYamlText(const std::string& path);
 
-/// The tree of a YAML text, with limited size and depth and without aliases, so that YAML::Clone()
-/// terminates.
+/// The tree of a YAML text, with limited size and depth and without aliases, so that copying it terminates.
 /// @param source named in errors @throws SceneError
 YAML::Node copyableYaml(const std::string& text, const std::string& source);
+
+/// A copy of a tree, without line numbers: those of YAML::Clone() are wrong. @pre no part contains itself
+YAML::Node copyWithoutLines(const YAML::Node& node);
 
 /// The keys of `accuracy` that decide when a run ends.
 std::vector<std::string> certaintyKeyNames();
@@ -61,5 +65,8 @@ std::vector<std::string> certaintyKeyNames();
 /// Sets KEY=VALUE in a YAML tree; KEY=null takes the key out of it. base.profile takes out the keys of the
 /// sawtooth. @throws SceneError
 void applyOverride(YAML::Node& root, const std::string& assignment);
+
+/// As KEY=VALUE, the value given as a tree.
+void applyOverride(YAML::Node& root, const std::string& key, const YAML::Node& value);
 
 }  // namespace ratchet_sieve
