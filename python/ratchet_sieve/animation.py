@@ -67,14 +67,16 @@ def config_without_texts(directory):
 
 
 @contextlib.contextmanager
-def paused_sieve(screen, scene, config=None):
-    """A sieve at its beginning, in RViz on the screen, with a master of its own. @param scene, config files"""
+def paused_sieve(screen, options, config=None):
+    """A sieve at its beginning, in RViz on the screen, with a master of its own. @param config a file"""
     screen.environment['ROS_MASTER_URI'] = os.environ['ROS_MASTER_URI'] = uri = f'http://localhost:{free_port()}'
     screen.environment['ROS_HOSTNAME'] = os.environ['ROS_HOSTNAME'] = 'localhost'
     core = screen.start(['roscore', '-p', uri.rpartition(':')[2]], stdout=subprocess.DEVNULL)
     master = rosgraph.Master('/film')
     wait_for(master.is_online, 'roscore answers')
-    launch = screen.start(['roslaunch', 'ratchet_sieve', 'sieve.launch', f'scene:={scene.resolve()}',
+    changes = f'{{base.teeth: {options.teeth}}}' if options.teeth else '{}'
+    launch = screen.start(['roslaunch', 'ratchet_sieve', 'sieve.launch', f'scene:={options.scene.resolve()}',
+                           f'set:={changes}',
                            f'params:={{limits: {{inclination: {{slew_rate: {SLEW_RATE}}}}}}}',
                            'paused:=true', f'rviz:={not config}', 'wait_for_rviz:=60', 'exit_at_end:=false'],
                           stdout=subprocess.DEVNULL)
@@ -146,16 +148,6 @@ def write(pixels, path):
                    input=pixels.tobytes(), check=True)
 
 
-def chosen_scene(options, directory):
-    """The scene with the changes of the options, as a file."""
-    scene = yaml.safe_load(options.scene.read_text())
-    if options.teeth:
-        scene['base']['teeth'] = options.teeth
-    path = directory / 'scene.yaml'
-    path.write_text(yaml.safe_dump(scene))
-    return path
-
-
 def write_frame(pixels, path, width, texts):
     """A frame of the film, with the texts above it. @param texts None: there are none"""
     write(pixels, path)
@@ -166,7 +158,7 @@ def write_frame(pixels, path, width, texts):
 def take(options, frames):
     """Steps through the run; writes the still, and every frame into a directory."""
     config = config_without_texts(frames) if options.text_above else None
-    with VirtualScreen() as screen, paused_sieve(screen, chosen_scene(options, frames), config):
+    with VirtualScreen() as screen, paused_sieve(screen, options, config):
         texts = Texts() if options.text_above else None
         setpoint = rospy.Publisher('/sieve/inclination_setpoint', Float64, queue_size=1, latch=True)
         step = rospy.ServiceProxy('/sieve/step', StepSimulation)

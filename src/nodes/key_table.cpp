@@ -12,7 +12,7 @@ namespace
 
 std::string row(const KeyText& text)
 {
-  return fmt::format("{:<38}  {:<7}  {:<5}  {:<25}  {}\n", text.key, text.type,
+  return fmt::format("{:<38}  {:<7}  {:<6}  {:<25}  {}\n", text.key, text.type,
                      text.unit.empty() ? "-" : text.unit, text.values, text.default_text);
 }
 

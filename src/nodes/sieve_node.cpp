@@ -16,7 +16,7 @@ constexpr const char* HELP =
     "\n"
     "Usage: rosrun ratchet_sieve sieve_node [--help | --version] [ROS ARGUMENT...]\n"
     "\n"
-    "The scene is the parameter ~scene; for the other parameters see launch/sieve.launch.\n"
+    "The parameter ~scene_file names the scene; the other parameters are in docs/node.md.\n"
     "\n"
     "Exit status: 0 at the end of the scene or if it is stopped; 2 for a bad scene or parameter; 1 for any\n"
     "other failure.\n";

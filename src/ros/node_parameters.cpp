@@ -95,7 +95,7 @@ NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
   parameters.mount = {readMount(reader, "x"), readMount(reader, "y"), readMount(reader, "z")};
   parameters.frames =
       frameNames(readFramePrefix(reader, private_node.getNamespace()), parameters.mountedElsewhere());
-  for (const std::string& name : reader.unknown({"scene", "scene_file", "diagnostic_period"}))
+  for (const std::string& name : reader.unknown({"scene", "scene_file", "set", "seed", "diagnostic_period"}))
     ROS_WARN("parameter %s: not known, and ignored", name.c_str());
   return parameters;
 }

@@ -1,8 +1,10 @@
 #include "ratchet_sieve/ros/scene_parameters.h"
 
 #include <fmt/format.h>
+#include <ros/console.h>
 
-#include "ratchet_sieve/scene/input_file.h"
+#include "ratchet_sieve/ros/parameter_reader.h"
+#include "ratchet_sieve/scene/entry.h"
 
 namespace ratchet_sieve
 {
@@ -55,34 +57,62 @@ YAML::Node yamlFromParameter(const XmlRpc::XmlRpcValue& value, const std::string
 
 namespace
 {
-/// Reads the file from which the scene was loaded, because the parameter server knows no line numbers for an
-/// error message.
-/// @throws SceneError if the file is bad as well
-void requireGoodFile(const ros::NodeHandle& node)
+/// Sets the keys of a tree in the scene; lists replace lists. @return the keys, for the log
+std::string putOnTop(YAML::Node& scene, const YAML::Node& tree, const std::string& prefix = "")
 {
-  const std::string file = node.param<std::string>("scene_file", "");
-  if (!file.empty() && !whyUnreadable(file))
-    loadSceneFile(file);
+  std::string keys;
+  for (const auto& item : tree)
+  {
+    const std::string key = prefix + item.first.Scalar();
+    std::string put = key;
+    if (item.second.IsMap())
+      put = putOnTop(scene, item.second, key + '.');
+    else
+      applyOverride(scene, key, item.second);
+    keys += (keys.empty() || put.empty() ? "" : ", ") + put;
+  }
+  return keys;
+}
+
+YAML::Node requireMap(const YAML::Node& tree, const std::string& source, const std::string& name)
+{
+  Entry(tree, source, name).keys();
+  return tree;
+}
+
+/// ~set and ~seed.
+void applySettings(const ros::NodeHandle& node, ParameterReader& reader, YAML::Node& scene)
+{
+  const std::string source = "parameter " + reader.fullName("set");
+  if (const std::string text = reader.text("set", ""); !text.empty())
+    for (const auto& item : requireMap(copyableYaml(text, source), source, "set"))
+      applyOverride(scene, item.first.Scalar(), item.second);
+  XmlRpc::XmlRpcValue seed;
+  if (node.getParam("seed", seed))
+    if (const YAML::Node value = yamlFromParameter(seed, node.resolveName("seed")); value.Scalar() != "")
+      applyOverride(scene, "seed", value);
 }
 }  // namespace
 
 SceneParameter readSceneParameter(const ros::NodeHandle& node)
 {
-  const std::string source = "parameter " + node.resolveName("scene");
+  ParameterReader reader(node);
+  const std::string file = reader.text("scene_file", "");
+  const std::string tree_source = "parameter " + reader.fullName("scene");
   XmlRpc::XmlRpcValue value;
-  if (!node.getParam("scene", value))
-    throw SceneError(source + ": not set: load a scene file there, as launch/sieve.launch does");
-  SceneParameter parameter{yamlFromParameter(value, source), source};
-  try
-  {
-    sceneFromYaml(parameter.root, source);
-  }
-  catch (const SceneError&)
-  {
-    requireGoodFile(node);
-    throw;
-  }
-  return parameter;
+  const bool has_tree = node.getParam("scene", value);
+  if (file.empty() && !has_tree)
+    throw SceneError("parameter " + reader.fullName("scene_file") +
+                     ": not set: must be the path of a scene file");
+  const YAML::Node tree =
+      has_tree ? requireMap(yamlFromParameter(value, tree_source), tree_source, "scene") : YAML::Node();
+  SceneParameter scene = file.empty() ? SceneParameter{tree, tree_source}
+                                      : SceneParameter{copyableYaml(readYamlText(file), file), file};
+  if (const std::string keys = file.empty() ? "" : putOnTop(scene.root, tree); !keys.empty())
+    ROS_INFO("%s, but %s of %s", file.c_str(), keys.c_str(), tree_source.c_str());
+  applySettings(node, reader, scene.root);
+  sceneFromYaml(scene.root, scene.source);
+  return scene;
 }
 
 }  // namespace ratchet_sieve

@@ -4,6 +4,7 @@
 Usage: launch_rostest.py BAG [ROS ARGUMENT...]; part of launch.test, which has started a master. BAG is a recorded run.
 """
 
+import json
 import os
 import re
 import shlex
@@ -23,10 +24,24 @@ from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
 from launched import PACKAGE, TIMEOUT, Launched, message, wait_for
+from ratchet_sieve import Scene, SceneError
 from ratchet_sieve.msg import BaseState, SceneDescription, SeekTrial
 
 # A paused sieve that does not exit.
 STILL = ['paused:=true', 'exit_at_end:=false']
+
+
+# ROS's reader of YAML takes 020 for 16, NO for false, and no such seed.
+ODD_SCENE = b"""base: {teeth: 020}
+species:
+  - {name: NO, count: 010, radius: 0.001, mass: 1e-3}
+  - {name: 1.10, count: 1, radius: 0.001, mass: 0.001}
+  - {name: 007, count: 1, radius: 0.001, mass: 0.001}
+  - {name: 1_0, count: 1, radius: 0.001, mass: 0.001}
+seed: 18446744073709551615
+"""
+SPOILING = [b'duration: 1:30', b'duration: 1_0', b'seed: 7', b'pour: {speed: &v 0.1, drop_height: *v}',
+            b'boundary: gr\xfcn']
 
 
 def scene_of(sieve):
@@ -40,19 +55,41 @@ class Launch(Launched):
         seek = self.launch('sieve.launch', f'scene:={PACKAGE}/config/seek.yaml', *STILL)
         self.assertEqual(scene_of('/sieve')['feed']['rate'], 40.0)
         self.end(seek)
-        self.assertTrue(self.master.hasParam('/sieve/scene/feed'))
+        self.master.setParam('/sieve/scene/bundary', 'open')
         self.launch('sieve.launch', *STILL)
         self.assertEqual(scene_of('/sieve')['feed']['rate'], 0.0)
-        self.assertFalse(self.master.hasParam('/sieve/scene/feed'))
 
-    def test_recovers_from_a_scene_with_a_misspelt_key(self):
-        with tempfile.TemporaryDirectory() as scratch:
-            scene = Path(scratch) / 'misspelt.yaml'
-            scene.write_text((PACKAGE / 'test/ros/mixture.yaml').read_text() + 'bundary: open\n')
-            self.launch('sieve.launch', f'scene:={scene}', *STILL).wait()
-        self.assertTrue(self.master.hasParam('/sieve/scene/bundary'))
-        self.launch('sieve.launch', *STILL)
-        self.assertEqual(scene_of('/sieve')['boundary'], 'open')
+    def test_a_file_is_one_scene_for_every_program(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        file = Path(scratch.name) / 'scene.yaml'
+
+        def run(*command):
+            return subprocess.run(['rosrun', 'ratchet_sieve', *command], capture_output=True, timeout=TIMEOUT)
+
+        file.write_bytes(ODD_SCENE)
+        self.launch('sieve.launch', f'scene:={file}', *STILL)
+        read, described = Scene.load(file), message('/sieve/scene', SceneDescription)
+        summary = json.loads(run('sieve_run', file, '--duration', '0').stdout)
+        self.assertEqual((read['base.teeth'], read.species), (20, ['NO', '1.10', '007', '1_0']))
+        self.assertEqual((read.yaml, read.hash, read['seed']), (described.yaml, described.scene_hash, described.seed))
+        self.assertEqual((read.hash, read['seed']), (summary['scene_hash'], summary['seed']))
+        for line in SPOILING:
+            file.write_bytes(ODD_SCENE + line)
+            with self.assertRaises(SceneError) as refused:
+                Scene.load(file)
+            for command in (['sieve_run', file], ['sieve_node', '__name:=spoilt', f'_scene_file:={file}']):
+                self.assertEqual(run(*command).stderr.decode(errors='replace'), f'{command[0]}: {refused.exception}\n')
+
+    def test_params_come_last(self):
+        for name in ('sieve', 'demo', 'seek'):
+            config = roslaunch.config.load_config_default([(str(PACKAGE / f'launch/{name}.launch'), [
+                'params:={real_time_factor: 3, recording: {particles: 4}, limits: {inclination: {slew_rate: 0.7}}}',
+                'real_time_factor:=2', 'set:={base.teeth: 020}', 'seed:=3000000000'])], None)
+            values = {key: parameter.value for key, parameter in config.params.items()}
+            self.assertEqual([values[f'/sieve/{key}'] for key in (
+                'real_time_factor', 'recording/particles', 'limits/inclination/slew_rate', 'set', 'seed')],
+                [3, 4, 0.7, '{base.teeth: 020}', '3000000000'])
 
     def test_leaves_no_limit_of_the_launch_before(self):
         demo = self.launch('demo.launch')

@@ -165,7 +165,7 @@ TEST_F(Node, warnsOfASceneThatCannotBeMeantUntilAnotherRuns)
         return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
                status.message.rfind("base.amplitude = 2 m: 100 times base.tooth_width", 0) == 0;
       }));
-  EXPECT_TRUE(waitFor([&] { return log.count("parameter /sieve/scene: base.amplitude = 2 m: ") == 1; }));
+  EXPECT_TRUE(waitFor([&] { return log.count("/mixture.yaml: base.amplitude = 2 m: ") == 1; }));
   EXPECT_EQ(statuses.value("sieve: scene", "size"),
             "30 disks, at rest a layer of about 0.00479 m, about 1 MB of memory");
   ASSERT_TRUE(sieve.reset().success);
@@ -269,7 +269,8 @@ TEST_F(Node, refusesAResetToABadScene)
   sieve.stepAndSee(0.5);
   const ResetSimulation::Response answer = sieve.reset(0, {"base.asymmetry=3"});
   EXPECT_FALSE(answer.success);
-  EXPECT_EQ(answer.message.rfind("parameter /sieve/scene", 0), 0u) << answer.message;
+  EXPECT_NE(answer.message.find("/mixture.yaml: base.asymmetry = 3: must be "), std::string::npos)
+      << answer.message;
   EXPECT_EQ(sieve.step(0.5).time, 1.0);
 }
 
@@ -382,20 +383,34 @@ TEST(BadScene, isToldWithFileAndLineUnderRoslaunch)
 }
 
 /// For example if a launch file sets an additional key.
-TEST(BadScene, isToldWithItsParameterWhereTheFileIsGood)
+TEST(BadScene, isToldWithoutALineWhereTheFileIsGood)
 {
   const ScratchDirectory scratch;
   const std::string path = scratch / "good.yaml";
   std::ofstream(path) << "species:\n  - {name: A, count: 1, radius: 0.001, mass: 0.001}\n";
-  XmlRpc::XmlRpcValue scene;
-  ASSERT_TRUE(ros::param::get("/sieve/scene", scene));
-  ros::param::set("/other/scene", scene);
-  ros::param::set("/other/scene/duration", -1.0);
   ros::param::set("/other/scene_file", path);
+  ros::param::set("/other/scene/duration", -1.0);
   ChildNode node("sieve_node", {"__name:=other"});
   EXPECT_EQ(node.wait(), 2);
-  EXPECT_EQ(node.errors().rfind("sieve_node: parameter /other/scene: duration = -1: must be ", 0), 0u)
-      << node.errors();
+  EXPECT_EQ(node.errors().rfind("sieve_node: " + path + ": duration = -1: must be ", 0), 0u) << node.errors();
+}
+
+TEST(SceneOfANode, isTheFilesWithTheKeysThatWereSet)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "scene.yaml";
+  std::ofstream(path)
+      << "base: {teeth: 020}\nspecies:\n  - {name: NO, count: 1, radius: 0.001, mass: 0.001}\n";
+  ros::param::set("/told/scene_file", path);
+  ros::param::set("/told/scene/base/inclination", 0.1);
+  ros::param::set("/told/scene/duration", 5);
+  ros::param::set("/told/set", "{duration: 6, species.0.radius: 0.002}");
+  ros::param::set("/told/seed", "18446744073709551615");
+  const SceneParameter read = readSceneParameter(ros::NodeHandle("/told"));
+  EXPECT_EQ(canonicalYaml(sceneFromYaml(read.root, read.source).definition),
+            canonicalYaml(loadSceneFile(path, {"base.inclination=0.1", "duration=6", "species.0.radius=0.002",
+                                               "seed=18446744073709551615"})
+                              .definition));
 }
 }  // namespace
 }  // namespace ratchet_sieve

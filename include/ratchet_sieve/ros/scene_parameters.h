@@ -15,15 +15,17 @@ namespace ratchet_sieve
 /// @param source name of the parameter in error messages
 YAML::Node yamlFromParameter(const XmlRpc::XmlRpcValue& value, const std::string& source);
 
-/// The scene in the parameter `scene` of a node handle, as YAML, and its source.
+/// The scene of a node, as YAML, and its source.
 struct SceneParameter
 {
   YAML::Node root;
-  std::string source;  ///< for example "parameter /sieve/scene"
+  std::string source;  ///< a path, or for example "parameter /sieve/scene"
 };
 
-/// @throws SceneError if there is no scene or a bad one. The message gives the line of the file if the
-/// parameter `scene_file` names the file from which the scene was loaded
+/// The scene of the file that the parameter `scene_file` names, or of the tree `scene`. Where both are given,
+/// the tree's keys are set in the file's scene; then those of `set` (YAML text, such as
+/// "{base.inclination: 0.1}") and `seed`.
+/// @throws SceneError if there is no scene or a bad one @throws ParameterError
 SceneParameter readSceneParameter(const ros::NodeHandle& node);
 
 }  // namespace ratchet_sieve
