@@ -10,6 +10,8 @@
 #include <CLI/CLI.hpp>
 
 #include "help_format.h"
+#include "process_start.h"
+#include "ratchet_sieve/recording/distinct_files.h"
 #include "ratchet_sieve/recording/version.h"
 
 namespace ratchet_sieve
@@ -51,6 +53,7 @@ inline void describeHelp(CLI::App& app)
 /// becomes an error line. @return the exit status
 inline int runProgram(CLI::App& app, int argc, char** argv, const std::function<int()>& program)
 {
+  startProcess();
   describeHelp(app);
   try
   {
@@ -66,6 +69,10 @@ inline int runProgram(CLI::App& app, int argc, char** argv, const std::function<
     return complain(app, std::string(error.what()) + "; see --help", REFUSED);
   }
   catch (const Refusal& error)
+  {
+    return complain(app, error.what(), REFUSED);
+  }
+  catch (const SameFileError& error)
   {
     return complain(app, error.what(), REFUSED);
   }

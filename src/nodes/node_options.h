@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "process_start.h"
 #include "ratchet_sieve/recording/version.h"
 
 namespace ratchet_sieve
@@ -18,10 +19,11 @@ inline void writeLogByLines()
   setenv("ROSCONSOLE_STDOUT_LINE_BUFFERED", "1", 0);
 }
 
-/// Answers --help and --version. To be called before the node looks for a master, which may be missing.
-/// @return whether one of them was given
+/// Starts the process (startProcess()) and answers --help and --version. To be called before the node looks
+/// for a master, which may be missing. @return whether one of them was given
 inline bool answerOptions(int argc, char** argv, const char* program, const char* help)
 {
+  startProcess();
   for (int k = 1; k < argc; ++k)
   {
     if (std::strcmp(argv[k], "--help") == 0 || std::strcmp(argv[k], "-h") == 0)

@@ -1,4 +1,5 @@
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -8,12 +9,14 @@
 #include <vector>
 
 #include "command_line.h"
+#include "output_attempts.h"
 #include "page_arguments.h"
 #include "python_plots.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
 #include "ratchet_sieve/analysis/analysis_tables.h"
 #include "ratchet_sieve/analysis/run_analysis.h"
 #include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/recording/distinct_files.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 
 namespace
@@ -49,12 +52,52 @@ void describe(CLI::App& app, Arguments& arguments)
 /// @throws OutputError if standard output could not be written in full, as on a full disk
 void requirePrinted()
 {
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+  const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+  std::clearerr(stdout);
+  if (failed)
     throw OutputError(std::string("standard output: cannot be written: ") + std::strerror(errno));
+}
+
+void requireDistinctFiles(const Arguments& arguments)
+{
+  std::vector<NamedFile> bags;
+  for (const std::string& bag : arguments.bags)
+    bags.push_back({"BAG", bag});
+  std::vector<NamedFile> outputs = {{"--summary", arguments.summary}, {"--html", arguments.page.path}};
+  std::vector<NamedFile> files = bags;
+  files.insert(files.end(), outputs.begin(), outputs.end());
+  for (const NamedFile& table : outputsInFolder({"--out", arguments.directory}, files, {".csv", ".png"}))
+    outputs.push_back(table);
+  requireDistinct(bags, outputs);
+}
+
+void printReport(const RunResult& result)
+{
+  std::fputs(reportText(result).c_str(), stdout);
+  requirePrinted();
+}
+
+void writePage(RunPage& page, const Arguments& arguments)
+{
+  page.write(arguments.page.path, std::filesystem::path(arguments.bags.front()).filename(), {});
+  std::printf("\nPage: %s\n", arguments.page.path.c_str());
+  requirePrinted();
+}
+
+/// @return the status of the plots
+int writeTablesAndPlots(const RunResult& result, const Arguments& arguments)
+{
+  std::puts("\nTables and plots:");
+  for (const std::string& path : writeTables(result, arguments.directory))
+    std::puts(path.c_str());
+  requirePrinted();
+  return plotTables("ratchet_sieve.plots.analysis", {arguments.directory});
 }
 
 int analyze(const Arguments& arguments)
 {
+  requireDistinctFiles(arguments);
+  std::signal(SIGPIPE, SIG_IGN);  // where nobody reads its text, the files are written all the same
   std::unique_ptr<AtomicFile> summary;
   if (!arguments.summary.empty())
     summary = std::make_unique<AtomicFile>(arguments.summary);
@@ -62,28 +105,21 @@ int analyze(const Arguments& arguments)
   RunAnalysis analysis;
   readBags(arguments.bags, page ? static_cast<FrameSink&>(*page) : analysis);
   const RunResult result = (page ? page->analysis() : analysis).result();
-  std::fputs(reportText(result).c_str(), stdout);
-  requirePrinted();
+  OutputAttempts outputs("sieve_analyze");
+  int status = DONE;
   if (summary)
-  {
-    summary->stream() << reportJson(result).dump(2, ' ', false, REPLACE) << '\n';
-    summary->commit();
-  }
+    outputs.attempt(
+        [&]
+        {
+          summary->stream() << reportJson(result).dump(2, ' ', false, REPLACE) << '\n';
+          summary->commit();
+        });
+  outputs.attempt([&] { printReport(result); });
   if (page)
-  {
-    page->write(arguments.page.path, std::filesystem::path(arguments.bags.front()).filename(), {});
-    std::printf("\nPage: %s\n", arguments.page.path.c_str());
-    requirePrinted();
-  }
+    outputs.attempt([&] { writePage(*page, arguments); });
   if (!arguments.directory.empty())
-  {
-    std::puts("\nTables and plots:");
-    for (const std::string& path : writeTables(result, arguments.directory))
-      std::puts(path.c_str());
-    requirePrinted();
-    return plotTables("ratchet_sieve.plots.analysis", {arguments.directory});
-  }
-  return DONE;
+    outputs.attempt([&] { status = writeTablesAndPlots(result, arguments); });
+  return outputs.complete() ? status : FAILED;
 }
 
 }  // namespace

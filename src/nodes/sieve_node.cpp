@@ -1,5 +1,4 @@
 #include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -39,10 +38,7 @@ int main(int argc, char** argv)
   // waits for a master, a signal still ends the program at once.
   ros::init(argc, argv, "sieve", ros::init_options::NoSigintHandler);
   const ros::NodeHandle private_node("~");
-  std::signal(SIGINT, requestStop);
-  std::signal(SIGTERM, requestStop);
-  // Exceeding the file size limit ends the recording with an error, but not the run.
-  std::signal(SIGXFSZ, SIG_IGN);
+  attendSignals(requestStop);
   std::unique_ptr<SieveNode> node;
   try
   {

@@ -1,7 +1,5 @@
 #include <csignal>
 #include <cstdio>
-#include <exception>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -9,21 +7,19 @@
 #include <utility>
 #include <vector>
 
-#include "bag_output.h"
 #include "checkpoint_saver.h"
 #include "command_line.h"
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/atomic_file.h"
-#include "ratchet_sieve/recording/collision_file.h"
 #include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/recording/summary.h"
-#include "ratchet_sieve/recording/trajectory_file.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/floor_check.h"
 #include "run_arguments.h"
+#include "run_outputs.h"
 
 namespace
 {
@@ -36,81 +32,6 @@ void onSignal(int signal)
 {
   stop_signal = signal;
 }
-
-/// The files that the run writes, all opened before it starts.
-class Outputs
-{
-public:
-  explicit Outputs(const RunArguments& arguments)
-      : trajectory_rates_(trajectoryRates(arguments.trajectory_rate)),
-        scene_(std::filesystem::path(arguments.scene).filename()),
-        page_path_(arguments.page.path),
-        page_rates_(pageRates(arguments.page_rate))
-  {
-    bag_rates_.particles = arguments.bag_rate;
-    try
-    {
-      if (!arguments.summary.empty())
-        summary_ = std::make_unique<AtomicFile>(arguments.summary);
-      if (!arguments.collisions.empty())
-        collisions_ = std::make_unique<CollisionFile>(arguments.collisions);
-      if (!arguments.bag.empty())
-        bag_ = std::make_unique<BagOutput>(arguments.bag);
-      if (!arguments.trajectory.empty())
-        trajectory_ = openTrajectory(arguments.trajectory);
-      if (arguments.page.isWanted())
-        page_ = arguments.page.open();
-    }
-    catch (const std::exception& error)
-    {
-      throw Refusal(error.what());
-    }
-  }
-
-  void watch(Simulation& simulation, RunWatchers& watchers)
-  {
-    if (collisions_)
-      simulation.observeCollisions([this](const CollisionRecord& record) { collisions_->take(record); });
-    if (bag_)
-      watchers.frames.push_back({&bag_->sink(), bag_rates_});
-    if (trajectory_)
-      watchers.frames.push_back({trajectory_.get(), trajectory_rates_});
-    if (page_)
-      watchers.frames.push_back({page_.get(), page_rates_});
-  }
-
-  void finish(const nlohmann::ordered_json& summary, const std::vector<std::string>& warnings)
-  {
-    if (bag_)
-      bag_->close();
-    if (trajectory_)
-      trajectory_->commit();
-    if (page_)
-      page_->write(page_path_, scene_, warnings);
-    if (collisions_)
-      collisions_->commit();
-    const std::string text = summary.dump(2) + "\n";
-    if (summary_)
-    {
-      summary_->stream() << text;
-      summary_->commit();
-    }
-    else if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-      throw std::runtime_error("the summary could not be written to standard output");
-  }
-
-private:
-  std::unique_ptr<AtomicFile> summary_;
-  std::unique_ptr<CollisionFile> collisions_;
-  std::unique_ptr<BagOutput> bag_;
-  FrameRates bag_rates_;
-  std::unique_ptr<TrajectoryFile> trajectory_;
-  FrameRates trajectory_rates_;
-  std::string scene_;  ///< the name of its file, without the folders of its writer
-  std::unique_ptr<RunPage> page_;
-  std::string page_path_;
-  FrameRates page_rates_;
-};
 
 Scene loadScene(const RunArguments& arguments)
 {
@@ -228,8 +149,7 @@ int run(const RunArguments& arguments)
     throw Refusal("SCENE is required; see --help");
   const Scene scene = loadScene(arguments);
   requireFloorToCheck(arguments, scene.definition);
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
+  attendSignals(onSignal);
   // All checks that can refuse the run come before its first output. The pour refuses nothing and may take
   // long, so it comes last.
   const bool pours = arguments.resume.empty() && scene.definition.initial.empty();
@@ -237,7 +157,7 @@ int run(const RunArguments& arguments)
   if (!pours)
     start = arguments.resume.empty() ? begin(scene.definition, arguments.scene)
                                      : resume(scene.definition, arguments.resume);
-  Outputs outputs(arguments);
+  RunOutputs outputs(arguments);
   requireWritable(arguments.checkpoint);
   announce(scene);
   if (pours)
@@ -265,8 +185,8 @@ int run(const RunArguments& arguments)
   const bool through = outcome.end == RunEnd::COMPLETED || outcome.end == RunEnd::ACCURATE;
   nlohmann::ordered_json summary = summarize(simulation, outcome);
   const bool checked = !arguments.check_floor || !through || checkFloor(scene.definition, summary);
-  outputs.finish(summary, outcome.warnings);
-  return through && all_saved && checked ? DONE : FAILED;
+  const bool complete = outputs.finish(summary, outcome.warnings);
+  return through && all_saved && checked && complete ? DONE : FAILED;
 }
 
 }  // namespace

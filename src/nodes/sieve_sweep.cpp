@@ -15,6 +15,7 @@
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/page/sweep_page.h"
 #include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/recording/distinct_files.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/case_builder.h"
 #include "ratchet_sieve/sweep/case_file.h"
@@ -37,6 +38,31 @@ volatile std::sig_atomic_t stop_signal = 0;
 void onSignal(int signal)
 {
   stop_signal = signal;
+}
+
+/// Checks that the outputs of a subcommand are none of the sweep's files, nor its results, which `run` alone
+/// writes.
+void requireDistinctFiles(const CLI::App& app, const Sweep& sweep, const SweepArguments& arguments)
+{
+  std::vector<NamedFile> inputs = {{"SWEEP", arguments.sweep}};
+  if (!sweep.scene_is_inside)
+    inputs.push_back({"the sweep's scene", sweep.scene_source});
+  std::vector<NamedFile> outputs = {{"--db", arguments.results}};
+  if (!app.got_subcommand("run"))
+  {
+    for (const char* part : {"", "-wal", "-shm"})
+      inputs.push_back({"--db", arguments.results + part});
+    outputs = {{"--out", arguments.out}};
+  }
+  if (app.got_subcommand("report"))
+  {
+    std::vector<std::string> written = {".csv",           ".png",         ".svg",
+                                        "/findings.json", "/report.json", "/report.html"};
+    if (sweep.scene_is_inside)
+      written.emplace_back("/scene.yaml");
+    outputs = outputsInFolder(outputs.front(), inputs, written);
+  }
+  requireDistinct(inputs, outputs);
 }
 
 void requireFewOrYes(const Sweep& sweep, const SweepArguments& arguments)
@@ -68,8 +94,7 @@ SweepOutcome runCases(const Sweep& sweep, const SweepArguments& arguments)
 
 int runCaseHere(const std::string& file)
 {
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
+  attendSignals(onSignal);
   return runCaseFile(file, [] { return stop_signal != 0; }) ? DONE : FAILED;
 }
 
@@ -82,8 +107,7 @@ void warn(const std::string& text)
 template <typename Run>
 auto runAttended(SweepRunOptions& options, const Run& cases)
 {
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
+  attendSignals(onSignal);
   options.stop_wanted = [] { return stop_signal != 0; };
   options.warn = warn;
   SweepProgressLine line;
@@ -207,8 +231,6 @@ int report(const Sweep& sweep, SweepArguments& arguments)
     arguments.options.best.where.push_back(
         {condition.substr(0, equals), equals == std::string::npos ? "" : condition.substr(equals + 1)});
   }
-  if (arguments.out.empty())
-    arguments.out = arguments.beside("_report");
   if (arguments.pages.path.empty())
     arguments.pages.path = arguments.beside("_runs");
   std::error_code error;
@@ -242,6 +264,11 @@ int dispatch(const CLI::App& app, SweepArguments& arguments)
   try
   {
     const Sweep sweep = loadSweep(arguments.sweep);
+    if (app.got_subcommand("report") && arguments.out.empty())
+      arguments.out = arguments.beside("_report");
+    if (arguments.results == IN_MEMORY)
+      throw Refusal(std::string("--db ") + IN_MEMORY + ": must be a file");
+    requireDistinctFiles(app, sweep, arguments);
     if (app.got_subcommand("run"))
       return run(sweep, arguments);
     if (app.got_subcommand("export"))

@@ -34,6 +34,13 @@ void raise(const char* type, const Texts&... texts)
 
 }  // namespace
 
+void warnPython(const std::string& text)
+{
+  const py::object kind = py::module_::import("ratchet_sieve.errors").attr("SieveWarning");
+  if (PyErr_WarnEx(kind.ptr(), text.c_str(), 1) != 0)
+    throw py::error_already_set();
+}
+
 void translateErrors()
 {
   py::register_exception_translator(

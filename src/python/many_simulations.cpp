@@ -6,9 +6,13 @@
 #include <functional>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 #include <pybind11/pybind11.h>
+
+#include "errors.h"
+#include "ratchet_sieve/sweep/sweep_run.h"
 
 namespace ratchet_sieve
 {
@@ -59,12 +63,20 @@ std::vector<bool> withMany(const std::vector<std::shared_ptr<RunningSimulation>>
   if (threads == 0)
     threads = std::max(1u, std::thread::hardware_concurrency());
   Work work{count, job, std::vector<char>(count), std::vector<std::exception_ptr>(count)};
+  threads = std::min(threads, count);
   SignalWatch signals;
+  std::vector<std::thread> others;
   {
     const py::gil_scoped_release let_go;
-    std::vector<std::thread> others;
-    for (std::size_t k = 1; k < std::min(threads, count); ++k)
-      others.emplace_back([&work] { work.run([] { return false; }); });
+    try
+    {
+      for (std::size_t k = 1; k < threads; ++k)
+        others.emplace_back([&work] { work.run([] { return false; }); });
+    }
+    catch (const std::system_error&)
+    {
+      // The system provides no more; there is a warning at the end.
+    }
     // This thread serves the signals.
     work.run(
         [&]
@@ -80,6 +92,8 @@ std::vector<bool> withMany(const std::vector<std::shared_ptr<RunningSimulation>>
   for (const std::exception_ptr& error : work.errors)
     if (error)
       std::rethrow_exception(error);
+  if (others.size() + 1 < threads)
+    warnPython(fewerThreadsText(others.size() + 1, threads));
   return {work.stalled.begin(), work.stalled.end()};
 }
 

@@ -7,6 +7,7 @@
 #include <pybind11/pybind11.h>
 
 #include "bindings.h"
+#include "errors.h"
 #include "ratchet_sieve/sweep/sweep.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
 #include "running_simulation.h"
@@ -53,13 +54,16 @@ std::string sweep(const std::string& text, const std::string& source, const std:
         failed = true;
       }
     };
+  SweepOutcome outcome;
   {
     const py::gil_scoped_release let_go;
-    runSweep(sweep, results, options);
+    outcome = runSweep(sweep, results, options);
   }
   signals.raise();
   if (failed)
     throw py::error_already_set();
+  if (outcome.threads < outcome.threads_wanted)
+    warnPython(fewerThreadsText(outcome.threads, outcome.threads_wanted));
   return sweep.fingerprint();
 }
 

@@ -14,23 +14,35 @@ namespace
 
 namespace fs = std::filesystem;
 
-std::string writtenPath(const std::string& path)
+/// As many as the kernel follows.
+constexpr int MOST_LINKS = 40;
+
+bool isWrittenDirectly(const std::string& path)
 {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    return path;
-  return path + ".part" + std::to_string(getpid());
+  return fs::exists(status) && !fs::is_regular_file(status);
 }
 
 }  // namespace
+
+std::string linkTarget(const std::string& path)
+{
+  std::error_code ignored;
+  fs::path target = path;
+  for (int links = 0; links < MOST_LINKS && fs::is_symlink(target, ignored); ++links)
+    target = target.parent_path() / fs::read_symlink(target, ignored);
+  return target.string();
+}
 
 void failToWrite(const std::string& path, const std::string& reason)
 {
   throw OutputError(path + ": cannot be written: " + reason);
 }
 
-AtomicFile::AtomicFile(const std::string& path) : path_(path), written_path_(writtenPath(path))
+AtomicFile::AtomicFile(const std::string& path)
+    : path_(isWrittenDirectly(path) ? path : linkTarget(path)),
+      written_path_(isWrittenDirectly(path) ? path : path_ + ".part" + std::to_string(getpid()))
 {
   errno = 0;
   stream_.open(written_path_, std::ios::binary | std::ios::trunc);
@@ -49,11 +61,19 @@ AtomicFile::~AtomicFile()
 
 void AtomicFile::finish()
 {
+  const bool failed = !stream_;
   errno = 0;
+  if (failed)  // once more, for the reason
+  {
+    stream_.clear();
+    stream_.put('\n').flush();
+  }
   if (stream_.is_open())
     stream_.close();
-  if (!stream_)
-    failToWrite(path_, errno != 0 ? std::strerror(errno) : "it was not written completely");
+  if (!failed && stream_)
+    return;
+  stream_.setstate(std::ios::badbit);
+  failToWrite(path_, errno != 0 ? std::strerror(errno) : "it was not written completely");
 }
 
 void AtomicFile::commit()

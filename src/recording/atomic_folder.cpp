@@ -19,7 +19,9 @@ namespace fs = std::filesystem;
 }  // namespace
 
 AtomicFolder::AtomicFolder(const std::string& path, const std::string& ending)
-    : path_(path), written_path_(path + ".part" + std::to_string(getpid())), ending_(ending)
+    : path_(linkTarget(path)),
+      written_path_(path_.string() + ".part" + std::to_string(getpid())),
+      ending_(ending)
 {
   requireReplaceable();
   std::error_code error;

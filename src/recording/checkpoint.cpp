@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string_view>
@@ -67,6 +68,8 @@ std::string readAll(const std::string& path)
 {
   if (const auto why = whyUnreadable(path))
     refuse(path, *why);
+  if (!std::filesystem::is_regular_file(path))
+    refuse(path, "it is no regular file");
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }

@@ -6,6 +6,7 @@
 
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "trajectory_paths.h"
 #include "vtk_trajectory.h"
 #include "xyz_trajectory.h"
 
@@ -62,6 +63,12 @@ std::unique_ptr<TrajectoryFile> openTrajectory(const std::string& path)
     allowed += (allowed.empty() ? "" : ", ") + std::string(format.ending);
   }
   throw OutputError(path + ": unknown format of a trajectory; the file's ending must be one of " + allowed);
+}
+
+std::vector<std::string> trajectoryPaths(const std::string& path)
+{
+  return path.empty() ? std::vector<std::string>()
+                      : std::vector<std::string>{path, basePath(path), framesPath(path)};
 }
 
 FrameRates trajectoryRates(double rate)

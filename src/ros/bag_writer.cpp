@@ -12,6 +12,7 @@
 
 #include "ratchet_sieve/bag/bag_structure.h"
 #include "ratchet_sieve/live/setpoint.h"
+#include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/commands.h"
 #include "ratchet_sieve/ros/conversions.h"
 
@@ -82,8 +83,8 @@ std::unique_ptr<BagFile> opened(const std::string& path, const std::string& acti
 }  // namespace
 
 BagWriter::BagWriter(const std::string& path, const std::string& topic_prefix, const std::string& frame_id)
-    : path_(path),
-      active_path_(path + ".active"),
+    : path_(linkTarget(path)),
+      active_path_(path_ + ".active"),
       topic_prefix_(topic_prefix),
       frame_id_(frame_id),
       file_(opened(path_, active_path_))

@@ -70,6 +70,15 @@ bool whereNobodyHolds(const std::string& path, Act&& act)
   return is_free;
 }
 
+/// Selects cases without result and claim. @param condition is followed by that of a suspect
+std::string openCases(const std::string& condition)
+{
+  return "SELECT position, run_hash FROM plan p WHERE sweep = ?1 "
+         "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = p.run_hash AND c.physics = ?2) "
+         "AND NOT EXISTS (SELECT 1 FROM claims k WHERE k.run_hash = p.run_hash AND k.physics = ?2) AND " +
+         condition + "EXISTS (SELECT 1 FROM deaths d WHERE d.run_hash = p.run_hash AND d.physics = ?2) ";
+}
+
 std::vector<std::pair<std::string, std::uint64_t>> claimsByOwner(const Database& database,
                                                                  const SweepPlan& plan)
 {
@@ -85,6 +94,17 @@ std::vector<std::pair<std::string, std::uint64_t>> claimsByOwner(const Database&
 }
 
 }  // namespace
+
+const std::string& checkpointEnding()
+{
+  static const std::string ENDING = ".physics" + std::to_string(PHYSICS_VERSION) + ".checkpoint";
+  return ENDING;
+}
+
+std::string checkpointPath(const std::string& directory, const std::string& run_hash)
+{
+  return directory + '/' + run_hash + checkpointEnding();
+}
 
 OwnerLock::OwnerLock(const std::string& directory) : directory_(directory), name_(newName())
 {
@@ -126,13 +146,11 @@ CaseClaims::CaseClaims(Database& database, const SweepPlan& plan, const std::str
       directory_(directory),
       lock_(directory),
       plan_(plan),
-      select_(database,
-              "SELECT position, run_hash FROM plan p WHERE sweep = ?1 AND position >= ?2 "
-              "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = p.run_hash AND c.physics = ?3) "
-              "AND NOT EXISTS (SELECT 1 FROM claims k WHERE k.run_hash = p.run_hash AND k.physics = ?3) "
-              "ORDER BY position LIMIT ?4"),
+      select_(database, openCases("position >= ?3 AND NOT ") + "ORDER BY position LIMIT ?4"),
+      select_suspect_(database, openCases("") + "ORDER BY position LIMIT 1"),
       claim_(database, "INSERT INTO claims (run_hash, physics, owner) VALUES (?, ?, ?)"),
-      release_(database, "DELETE FROM claims WHERE run_hash = ? AND physics = ? AND owner = ?")
+      release_(database, "DELETE FROM claims WHERE run_hash = ? AND physics = ? AND owner = ?"),
+      forgive_(database, "DELETE FROM deaths WHERE run_hash = ? AND physics = ?")
 {
 }
 
@@ -144,33 +162,104 @@ std::vector<std::uint64_t> CaseClaims::take(std::size_t most)
     cursor_ = 0;
     positions = search(most);
   }
-  return positions;
+  return positions.empty() ? searchSuspect() : positions;
 }
 
 std::vector<std::uint64_t> CaseClaims::search(std::size_t most)
 {
-  std::vector<std::uint64_t> positions;
-  std::vector<std::string> hashes;
   select_.bind(1, plan_.id())
-      .bind(2, cursor_)
-      .bind(3, PHYSICS_VERSION)
+      .bind(2, PHYSICS_VERSION)
+      .bind(3, cursor_)
       .bind(4, static_cast<std::int64_t>(most));
-  while (select_.step())
-  {
-    positions.push_back(static_cast<std::uint64_t>(select_.integer(0)));
-    hashes.push_back(select_.text(1));
-  }
-  select_.reset();
-  for (const std::string& hash : hashes)
-    claim_.bind(1, hash).bind(2, PHYSICS_VERSION).bind(3, lock_.name()).run();
+  std::vector<std::uint64_t> positions = claim(select_);
   if (!positions.empty())
     cursor_ = static_cast<std::int64_t>(positions.back()) + 1;
   return positions;
 }
 
+std::vector<std::uint64_t> CaseClaims::searchSuspect()
+{
+  if (runsSuspect())
+    return {};
+  return claim(select_suspect_.bind(1, plan_.id()).bind(2, PHYSICS_VERSION));
+}
+
+/// Claims the cases that a statement selects.
+std::vector<std::uint64_t> CaseClaims::claim(Statement& select)
+{
+  std::vector<std::uint64_t> positions;
+  std::vector<std::string> hashes;
+  while (select.step())
+  {
+    positions.push_back(static_cast<std::uint64_t>(select.integer(0)));
+    hashes.push_back(select.text(1));
+  }
+  select.reset();
+  for (const std::string& hash : hashes)
+    claim_.bind(1, hash).bind(2, PHYSICS_VERSION).bind(3, lock_.name()).run();
+  return positions;
+}
+
+/// Whether a case of this process is suspect. It is not any more if it has written a checkpoint since.
+bool CaseClaims::runsSuspect()
+{
+  Statement select(database_,
+                   "SELECT d.run_hash, place FROM deaths d JOIN claims k USING (run_hash, physics) "
+                   "WHERE physics = ? AND owner = ?");
+  select.bind(1, PHYSICS_VERSION).bind(2, lock_.name());
+  std::string hash;
+  std::string place;
+  for (; select.step(); hash = select.text(0), place = select.text(1))
+  {
+  }
+  if (hash.empty() || placeOf(hash) == place)
+    return !hash.empty();
+  forgive_.bind(1, hash).bind(2, PHYSICS_VERSION).run();
+  return false;
+}
+
+/// How far a case has come: the time of its checkpoint's file, empty if there is none.
+std::string CaseClaims::placeOf(const std::string& run_hash) const
+{
+  std::error_code error;
+  const auto written = std::filesystem::last_write_time(checkpointPath(directory_, run_hash), error);
+  return error ? "" : std::to_string(written.time_since_epoch().count());
+}
+
+std::vector<std::uint64_t> CaseClaims::countDeaths()
+{
+  Transaction transaction(database_);
+  std::vector<std::uint64_t> deadly;
+  for (const auto& [owner, cases] : claimsByOwner(database_, plan_))
+    if (owner != lock_.name() && OwnerLock::isGone(directory_, owner))
+      countDeaths(owner, deadly);
+  transaction.commit();
+  return deadly;
+}
+
+void CaseClaims::countDeaths(const std::string& owner, std::vector<std::uint64_t>& deadly)
+{
+  Statement select(database_,
+                   "SELECT p.position, k.run_hash, d.place FROM claims k JOIN plan p ON p.sweep = ?1 AND "
+                   "p.run_hash = k.run_hash LEFT JOIN deaths d ON d.run_hash = k.run_hash AND "
+                   "d.physics = k.physics WHERE k.physics = ?2 AND owner = ?3");
+  Statement insert(database_, "INSERT OR REPLACE INTO deaths (run_hash, physics, place) VALUES (?, ?, ?)");
+  select.bind(1, plan_.id()).bind(2, PHYSICS_VERSION).bind(3, owner);
+  while (select.step())
+  {
+    const std::string hash = select.text(1);
+    const std::string place = placeOf(hash);
+    if (!select.isNull(2) && select.text(2) == place)
+      deadly.push_back(static_cast<std::uint64_t>(select.integer(0)));
+    insert.bind(1, hash).bind(2, PHYSICS_VERSION).bind(3, place).run();
+  }
+  Statement(database_, "DELETE FROM claims WHERE owner = ?").bind(1, owner).run();
+}
+
 void CaseClaims::release(const std::string& run_hash)
 {
   release_.bind(1, run_hash).bind(2, PHYSICS_VERSION).bind(3, lock_.name()).run();
+  forgive_.bind(1, run_hash).bind(2, PHYSICS_VERSION).run();
 }
 
 void CaseClaims::releaseAll()

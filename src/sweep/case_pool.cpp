@@ -1,5 +1,6 @@
 #include "ratchet_sieve/sweep/case_pool.h"
 
+#include <system_error>
 #include <utility>
 
 namespace ratchet_sieve
@@ -7,8 +8,16 @@ namespace ratchet_sieve
 
 CasePool::CasePool(std::size_t threads, const std::function<Work()>& make_work)
 {
-  for (std::size_t k = 0; k < threads; ++k)
-    threads_.emplace_back([this, make_work] { serveOrFail(make_work); });
+  try
+  {
+    for (std::size_t k = 0; k < threads; ++k)
+      threads_.emplace_back([this, make_work] { serveOrFail(make_work); });
+  }
+  catch (const std::system_error&)
+  {
+    if (threads_.empty())
+      own_work_ = make_work();
+  }
 }
 
 CasePool::~CasePool()
@@ -32,6 +41,8 @@ void CasePool::give(const std::vector<std::uint64_t>& positions)
 
 std::vector<FinishedCase> CasePool::take(std::chrono::milliseconds pause, std::chrono::milliseconds patience)
 {
+  if (own_work_)
+    workHere();
   std::unique_lock<std::mutex> lock(mutex_);
   const auto idles_now = [this] { return error_ || (idles() && !finished_.empty()); };
   if (!news_.wait_for(lock, pause, idles_now))
@@ -66,6 +77,15 @@ void CasePool::serveOrFail(const std::function<Work()>& make_work)
     error_ = std::current_exception();
     news_.notify_one();
   }
+}
+
+void CasePool::workHere()
+{
+  if (given_.empty())
+    return;
+  const std::uint64_t position = given_.front();
+  given_.pop_front();
+  finished_.push_back({position, own_work_(position)});
 }
 
 void CasePool::serve(const std::function<Work()>& make_work)

@@ -120,15 +120,21 @@ private:
 
 }  // namespace
 
-std::optional<CaseResult> runCase(const SweepCase& sweep_case, const CaseRunOptions& options)
+CaseResult resultFor(const SweepCase& sweep_case)
 {
-  const auto start = std::chrono::steady_clock::now();
   CaseResult result;
   result.run_hash = runHash(sweep_case.scene);
   result.scene_hash = sceneHash(sweep_case.scene);
   result.seed = sweep_case.scene.seed;
   result.values = sweep_case.values;
   result.host = hostName();
+  return result;
+}
+
+std::optional<CaseResult> runCase(const SweepCase& sweep_case, const CaseRunOptions& options)
+{
+  const auto start = std::chrono::steady_clock::now();
+  CaseResult result = resultFor(sweep_case);
   try
   {
     std::optional<nlohmann::ordered_json> summary = CaseRun(sweep_case, options).run(result.error);

@@ -36,11 +36,13 @@ std::string unchangingUri(const std::string& path)
 
 Database::Database(const std::string& path, Access access) : path_(path)
 {
+  if (path == IN_MEMORY)
+    throw DatabaseError(path + ": must be a file");
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw DatabaseError(path + ": is no regular file");
-  // An absolute path, because SQLite treats some names, such as :memory:, specially. A reader without write
+  // An absolute path, because SQLite treats some names specially. A reader without write
   // permission could not remove the files of the write-ahead log.
   open(fs::absolute(path).string(),
        SQLITE_OPEN_READWRITE | (access == Access::WRITE ? SQLITE_OPEN_CREATE : 0));

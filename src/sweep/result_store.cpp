@@ -46,6 +46,9 @@ constexpr const char* TABLES = R"(
   CREATE UNIQUE INDEX IF NOT EXISTS plan_by_run ON plan (sweep, run_hash);
   CREATE TABLE IF NOT EXISTS claims (
     run_hash TEXT NOT NULL, physics INTEGER NOT NULL, owner TEXT NOT NULL,
+    PRIMARY KEY (run_hash, physics)) WITHOUT ROWID;
+  CREATE TABLE IF NOT EXISTS deaths (
+    run_hash TEXT NOT NULL, physics INTEGER NOT NULL, place TEXT NOT NULL,
     PRIMARY KEY (run_hash, physics)) WITHOUT ROWID;)";
 
 /// Largest number of columns for a summary's scalars. SQLite allows 2000; the keys of sweeps are in addition.

@@ -2,6 +2,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "ratchet_sieve/sweep/case_builder.h"
+#include "ratchet_sieve/sweep/case_run.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -11,6 +16,9 @@ namespace
 constexpr auto BETWEEN_LOOKS = std::chrono::seconds(1);
 /// ... and at least this many times the duration of a scan.
 constexpr int TIMES_A_LOOK = 50;
+
+constexpr const char* DEADLY =
+    "the process that ran it died twice: it crashed or was killed, as where memory is short";
 
 }  // namespace
 
@@ -52,6 +60,24 @@ std::vector<std::uint64_t> SweepLedger::exchange(const std::vector<CaseResult>& 
   }
   count(results);
   return positions;
+}
+
+std::string SweepLedger::recordDeaths()
+{
+  const std::vector<std::uint64_t> deadly = claims_.countDeaths();
+  if (deadly.empty())
+    return "";
+  std::vector<CaseResult> results;
+  std::string text;
+  CaseBuilder builder(sweep_);
+  for (const std::uint64_t position : deadly)
+  {
+    results.push_back(resultFor(builder.at(position)));
+    results.back().error = DEADLY;
+    text += fmt::format("{}case {} ({})", text.empty() ? "" : ", ", position + 1, builder.name(position));
+  }
+  exchange(results, 0);
+  return text + " failed: " + DEADLY;
 }
 
 void SweepLedger::count(const std::vector<CaseResult>& results)

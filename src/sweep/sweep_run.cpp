@@ -57,14 +57,6 @@ std::string makeDirectory(const std::string& path)
   return path;
 }
 
-/// A checkpoint is valid for one physics version, as a result is.
-const std::string CHECKPOINT = ".physics" + std::to_string(PHYSICS_VERSION) + ".checkpoint";
-
-std::string checkpointPath(const std::string& directory, const std::string& run_hash)
-{
-  return directory + '/' + run_hash + CHECKPOINT;
-}
-
 /// Removes checkpoints of cases with a result, which a killed process has left.
 void removeLeftovers(const Database& database, const std::string& directory)
 {
@@ -72,7 +64,7 @@ void removeLeftovers(const Database& database, const std::string& directory)
   for (const fs::directory_entry& entry : fs::directory_iterator(directory))
   {
     const std::string name = entry.path().filename().string();
-    const std::size_t dot = name.find(CHECKPOINT);
+    const std::size_t dot = name.find(checkpointEnding());
     if (dot == std::string::npos)
       continue;
     std::error_code ignored;
@@ -92,17 +84,22 @@ public:
         store_(store),
         plan_(plan),
         ledger_(sweep, store, plan, directory),
-        threads_(threadCount(options.threads)),
-        pool_(threads_, [this, &sweep] { return makeWork(sweep); })
+        threads_wanted_(threadCount(options.threads)),
+        pool_(threads_wanted_, [this, &sweep] { return makeWork(sweep); })
   {
   }
   ~SweepRun() { stop_ = true; }
   SweepRun(const SweepRun&) = delete;
   SweepRun& operator=(const SweepRun&) = delete;
 
+  std::size_t threads() const { return pool_.threads(); }
+  std::size_t threadsWanted() const { return threads_wanted_; }
+
   /// @return whether it was stopped
   bool run()
   {
+    if (threads() < threads_wanted_ && options_.warn)
+      options_.warn(fewerThreadsText(threads(), threads_wanted_));
     try
     {
       runAll();
@@ -153,7 +150,7 @@ private:
   std::size_t wanted() const
   {
     const double ahead = std::min(rate_ * CLAIMED_AHEAD, MOST_AHEAD);
-    const std::size_t target = threads_ + static_cast<std::size_t>(ahead);
+    const std::size_t target = pool_.threads() + static_cast<std::size_t>(ahead);
     return target - std::min(target, pool_.unfinished());
   }
 
@@ -198,6 +195,8 @@ private:
   /// Whether no case is left: neither in this process nor in another, which may still be killed.
   bool isThrough()
   {
+    if (const auto text = ledger_.recordDeaths(); !text.empty() && options_.warn)
+      options_.warn(text);
     if (ledger_.claims().freeAbandoned() == 0)
     {
       ledger_.claims().requireNone();
@@ -234,7 +233,7 @@ private:
   double rate_ = 0.0;  ///< running mean [cases/s]
   Clock::time_point last_saved_ = Clock::now();
   std::atomic<bool> stop_{false};
-  std::size_t threads_;
+  std::size_t threads_wanted_;
   CasePool pool_;  ///< last, because its threads use the other members
 };
 
@@ -263,9 +262,15 @@ std::optional<SweepPlan> findOrMakePlan(const Sweep& sweep, const std::string& r
 
 }  // namespace
 
+std::string fewerThreadsText(std::size_t threads, std::size_t wanted)
+{
+  return countText(threads, "thread") + " of " + std::to_string(wanted) +
+         " could be started; the results are the same";
+}
+
 std::string workDirectory(const std::string& results)
 {
-  return results + ".d";
+  return linkTarget(results) + ".d";
 }
 
 std::optional<SweepPlan> prepareSweep(const Sweep& sweep, const std::string& results,
@@ -299,7 +304,12 @@ SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const Swee
   if (!plan)
     return {{}, true};
   SweepOutcome outcome;
-  outcome.stopped = SweepRun(sweep, *store, *plan, workDirectory(results), options).run();
+  {
+    SweepRun run(sweep, *store, *plan, workDirectory(results), options);
+    outcome.threads = run.threads();
+    outcome.threads_wanted = run.threadsWanted();
+    outcome.stopped = run.run();
+  }
   finishSweep(*plan, *store, sweep, results);
   outcome.counts = plan->counts(store->database());
   return outcome;

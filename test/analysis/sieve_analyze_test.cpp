@@ -154,6 +154,34 @@ TEST_F(SieveAnalyze, NamesTheFileForWhichThereIsNoRoom)
   EXPECT_EQ(errors(), "sieve_analyze: standard output: cannot be written: No space left on device\n");
 }
 
+TEST_F(SieveAnalyze, WritesTheOtherFilesWhereOneFails)
+{
+  const std::string bag = record("--duration 1");
+  EXPECT_EQ(run("SIEVE_ANALYZE", bag + " --html /dev/full --summary " + (directory_ / "bag.json") +
+                                     " --out " + (directory_ / "out")),
+            1);
+  EXPECT_EQ(errors(), "sieve_analyze: /dev/full: cannot be written: No space left on device\n");
+  EXPECT_EQ(json("bag.json")["scene_hash"], json("run.json")["scene_hash"]);
+  EXPECT_TRUE(std::filesystem::exists(directory_ / "out/segregation.png"));
+}
+
+TEST_F(SieveAnalyze, RefusesToWriteOverTheBagOrAnotherFile)
+{
+  const std::string bag = record("--duration 0");
+  const std::string recorded = contents(bag);
+  for (const char* output : {"--summary", "--html"})
+  {
+    EXPECT_EQ(run("SIEVE_ANALYZE", bag + ' ' + output + ' ' + bag), 2);
+    EXPECT_EQ(errors(),
+              "sieve_analyze: " + (output + (' ' + bag)) + ": is the file of BAG; must be another one\n");
+  }
+  const std::string table = directory_ / "run.csv";
+  EXPECT_EQ(run("SIEVE_ANALYZE", bag + " --summary " + table + " --out " + (directory_ / "")), 2);
+  EXPECT_EQ(errors().rfind("sieve_analyze: --out ", 0), 0u) << errors();
+  EXPECT_EQ(contents(bag), recorded);
+  EXPECT_FALSE(std::filesystem::exists(table));
+}
+
 TEST_F(SieveAnalyze, RefusesWhatIsNoBag)
 {
   std::ofstream(directory_ / "no.bag") << "not a bag";

@@ -76,6 +76,24 @@ TEST(AtomicFile, WritesToADeviceAndDoesNotReplaceIt)
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
+TEST(AtomicFile, WritesWhatALinkNamesAndKeepsTheLink)
+{
+  const ScratchDirectory directory;
+  namespace fs = std::filesystem;
+  fs::create_directory(directory / "there");
+  fs::create_symlink("there/out.txt", directory / "second");
+  fs::create_symlink("second", directory / "first");
+  for (const char* text : {"new", "newer"})
+  {
+    AtomicFile file(directory / "first");
+    file.stream() << text;
+    file.commit();
+    EXPECT_EQ(contents(directory / "there/out.txt"), text);
+    EXPECT_TRUE(fs::is_symlink(directory / "first"));
+    EXPECT_TRUE(fs::is_symlink(directory / "second"));
+  }
+}
+
 TEST(AtomicFile, SaysWhenTheDiskIsFull)
 {
   AtomicFile file("/dev/full");

@@ -47,7 +47,7 @@ public:
   ChildNode(const ChildNode&) = delete;
   ChildNode& operator=(const ChildNode&) = delete;
 
-  void interrupt() { kill(process_, SIGINT); }
+  void interrupt(int signal = SIGINT) { kill(process_, signal); }
 
   /// Like a crash, or like the kernel when memory is exhausted.
   void killAtOnce() { kill(process_, SIGKILL); }

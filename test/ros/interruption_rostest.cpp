@@ -134,7 +134,7 @@ TEST_F(Interruption, ofTwoNodesOfOneNameTheFirstEndsItsRecordingWell)
   sieve_.forget();
   ASSERT_TRUE(sieve_.connect());
   sieve_.stepAndSee(0.5);
-  second.interrupt();
+  second.interrupt(SIGHUP);
   EXPECT_EQ(second.wait(), 0) << second.errors();
   CollectingSink of_second;
   readBag(scratch_ / "second.bag", of_second);

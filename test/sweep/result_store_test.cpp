@@ -132,19 +132,11 @@ TEST_F(ResultStoreTest, KeepsARowWhoseSummaryHasMoreThanATableHolds)
   EXPECT_EQ(text("SELECT b FROM cases WHERE run_hash = '2'"), "6");
 }
 
-TEST_F(ResultStoreTest, IsAFileWhateverItsName)
+TEST_F(ResultStoreTest, IsAFile)
 {
-  const std::filesystem::path before = std::filesystem::current_path();
-  std::filesystem::current_path(directory_ / "");
-  {
-    ResultStore store(":memory:", Database::Access::WRITE);
-    Transaction transaction(store.database());
-    store.record(resultOf("1"));
-    transaction.commit();
-  }
-  EXPECT_EQ(textOf(":memory:", "SELECT run_hash FROM cases"), "1");
-  std::filesystem::current_path(before);
-  EXPECT_THROW(Database("/dev/null", Database::Access::WRITE), DatabaseError);
+  for (const char* path : {"/dev/null", ":memory:"})
+    EXPECT_THROW(Database(path, Database::Access::WRITE), DatabaseError);
+  EXPECT_FALSE(std::filesystem::exists(":memory:"));
 }
 
 TEST_F(ResultStoreTest, CommitsToNoFileThatIsGoneOrAnother)

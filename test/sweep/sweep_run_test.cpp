@@ -264,6 +264,38 @@ TEST_F(SweepRunTest, TakesUpWhatAProcessThatIsGoneHadClaimed)
   EXPECT_EQ(text("SELECT COUNT(*) FROM claims"), "0");
 }
 
+TEST_F(SweepRunTest, FindsTheCaseAtWhichProcessesDie)
+{
+  const Sweep sweep = load("grid: {gravity: [8, 9, 10]}\n");
+  SweepRunOptions none;
+  none.stop_wanted = [] { return true; };
+  runSweep(sweep, results_, none);
+  ResultStore store(results_, Database::Access::WRITE);
+  const SweepPlan plan = *SweepPlan::find(store.database(), sweep);
+  using Positions = std::vector<std::uint64_t>;
+  const auto claim = [&](CaseClaims& claims, std::size_t most)
+  {
+    Transaction transaction(store.database());
+    const Positions positions = claims.take(most);
+    transaction.commit();
+    return positions;
+  };
+  std::filesystem::create_directory(results_ + ".d");
+  EXPECT_EQ(claim(*std::make_unique<CaseClaims>(store.database(), plan, results_ + ".d"), 2),
+            (Positions{0, 1}));
+  {
+    CaseClaims second(store.database(), plan, results_ + ".d");
+    EXPECT_EQ(second.countDeaths(), Positions());
+    EXPECT_EQ(claim(second, 10), Positions{2});
+    EXPECT_EQ(claim(second, 10), Positions{0});
+    EXPECT_EQ(claim(second, 10), Positions());  // one suspect at a time
+    std::ofstream(checkpointPath(results_ + ".d", runHash(CaseBuilder(sweep).at(0).scene))) << "progress";
+    EXPECT_EQ(claim(second, 10), Positions{1});
+  }
+  CaseClaims third(store.database(), plan, results_ + ".d");
+  EXPECT_EQ(third.countDeaths(), Positions{1});
+}
+
 TEST_F(SweepRunTest, ExportsWhatRfc4180Allows)
 {
   const Sweep sweep = load("grid: {base.inclination: [0.1]}\n");

@@ -16,8 +16,12 @@ struct OutputError : std::runtime_error
 /// @throws OutputError
 [[noreturn]] void failToWrite(const std::string& path, const std::string& reason);
 
+/// The path that a symbolic link names, which need not exist; any other path as it is.
+std::string linkTarget(const std::string& path);
+
 /// A file that is written completely or not at all: into a temporary file in the same directory, which
-/// commit() renames. Anything that is not a regular file (a device, a pipe) is written directly.
+/// commit() renames. A symbolic link stays, and the file that it names is written. Anything that is not a
+/// regular file (a device, a pipe) is written directly.
 class AtomicFile
 {
 public:

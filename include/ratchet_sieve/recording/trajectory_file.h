@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/recording/frame_sink.h"
@@ -43,6 +44,9 @@ private:
 /// XYZ, .pvd is a series of VTK PolyData. @throws OutputError if there is another ending, or if a file cannot
 /// be written
 std::unique_ptr<TrajectoryFile> openTrajectory(const std::string& path);
+
+/// All that a trajectory writes: its file and what lies beside it. Nothing for an empty path.
+std::vector<std::string> trajectoryPaths(const std::string& path);
 
 /// The rates of a trajectory's frames: disks and base at `rate` [1/s], see FrameRates.
 FrameRates trajectoryRates(double rate);

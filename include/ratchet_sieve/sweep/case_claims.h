@@ -39,24 +39,35 @@ private:
   int descriptor_ = -1;
 };
 
+/// The checkpoint of a case, which holds for one physics version, as a result does; the names of all end with
+/// checkpointEnding(). @param directory of the locks
+std::string checkpointPath(const std::string& directory, const std::string& run_hash);
+const std::string& checkpointEnding();
+
 /// Number of cases of a sweep that live processes are running. @param directory of the locks
 std::uint64_t casesUnderWay(const Database& database, const SweepPlan& plan, const std::string& directory);
 
 /// The cases that this process runs. Other processes with the same results file skip them while this process
-/// lives.
+/// lives. A case whose process died is suspect until it writes a checkpoint or ends. Suspects come last, and
+/// one at a time, so that the one at fault is known by the next death.
 class CaseClaims
 {
 public:
   /// @pre `plan` outlives this
   CaseClaims(Database& database, const SweepPlan& plan, const std::string& directory);
 
-  /// Claims up to `most` cases that have no result and are not claimed; returns their positions.
+  /// Claims up to `most` cases that have no result and are not claimed, or one suspect; returns their
+  /// positions.
   /// @pre a transaction is open
   std::vector<std::uint64_t> take(std::size_t most);
 
   /// @pre a transaction is open
   void release(const std::string& run_hash);
   void releaseAll();
+
+  /// Makes the cases of dead processes suspect and releases them. @return the positions of those that were so
+  /// before: their process died twice at the same place
+  std::vector<std::uint64_t> countDeaths();
 
   /// Releases the claims of dead processes. @return number of cases that other processes are running
   std::uint64_t freeAbandoned();
@@ -73,6 +84,11 @@ public:
 
 private:
   std::vector<std::uint64_t> search(std::size_t most);
+  std::vector<std::uint64_t> searchSuspect();
+  bool runsSuspect();
+  std::vector<std::uint64_t> claim(Statement& select);
+  void countDeaths(const std::string& owner, std::vector<std::uint64_t>& deadly);
+  std::string placeOf(const std::string& run_hash) const;
 
   Database& database_;
   std::string directory_;
@@ -81,8 +97,10 @@ private:
   std::int64_t cursor_ = 0;  ///< all positions below are claimed or done, except those released since
   std::set<std::string> said_;
   Statement select_;
+  Statement select_suspect_;
   Statement claim_;
   Statement release_;
+  Statement forgive_;
 };
 
 }  // namespace ratchet_sieve

@@ -35,6 +35,9 @@ struct CaseRunOptions
   OpenRecord record;                             ///< @pre there is no checkpoint
 };
 
+/// The result of a case that has not been run.
+CaseResult resultFor(const SweepCase& sweep_case);
+
 /// Runs a case to its end in this thread. Errors become part of the result.
 /// @return nothing if it was stopped; its checkpoint then has its state
 std::optional<CaseResult> runCase(const SweepCase& sweep_case, const CaseRunOptions& options);

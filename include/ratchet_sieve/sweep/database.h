@@ -29,6 +29,9 @@ struct DatabaseBusy : DatabaseError
   using DatabaseError::DatabaseError;
 };
 
+/// What SQLite calls a database that is in no file. It is refused: nothing of it would be left.
+constexpr const char* IN_MEMORY = ":memory:";
+
 /// A connection to an SQLite file. For one thread.
 class Database
 {

@@ -28,6 +28,10 @@ public:
   /// changed then
   std::vector<std::uint64_t> exchange(const std::vector<CaseResult>& results, std::size_t wanted);
 
+  /// Stores a failed result for each case whose process died twice at the same place, and releases the other
+  /// cases of dead processes. @return which cases failed so; empty if none @throws DatabaseError
+  std::string recordDeaths();
+
   /// Counts results that other processes have stored for this one.
   void count(const std::vector<CaseResult>& results);
 

@@ -34,6 +34,8 @@ struct SweepOutcome
 {
   SweepCounts counts;
   bool stopped = false;
+  std::size_t threads = 0;  ///< that ran cases: fewer than wanted, if the system provides no more
+  std::size_t threads_wanted = 0;
 };
 
 /// Runs the cases of a sweep that have no result in the file, on threads of this process. Several processes
@@ -48,6 +50,9 @@ SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const Swee
 std::optional<SweepPlan> prepareSweep(const Sweep& sweep, const std::string& results,
                                       std::optional<ResultStore>& store, const SweepRunOptions& options);
 void finishSweep(const SweepPlan& plan, ResultStore& store, const Sweep& sweep, const std::string& results);
+
+/// Says that a system provides fewer threads than wanted.
+std::string fewerThreadsText(std::size_t threads, std::size_t wanted);
 
 /// The directory of checkpoints and locks.
 std::string workDirectory(const std::string& results);

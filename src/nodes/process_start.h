@@ -1,0 +1,33 @@
+#pragma once
+
+#include <csignal>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace ratchet_sieve
+{
+
+/// To be called first in every program. Without descriptors 0 to 2, the next files that it opens would get
+/// these numbers, and its output and log lines with them. They are filled such that writing to them is an
+/// error. A file beyond the size limit is an error, as on a full disk, and does not end the program.
+inline void startProcess()
+{
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(descriptor, F_GETFD) < 0)
+      open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+/// Has `handler` called for the signals that ask a run to end: also when its terminal is closed, except under
+/// nohup. A pipe that nobody reads any more is an error of the output, and does not end the run.
+inline void attendSignals(void (*handler)(int))
+{
+  std::signal(SIGINT, handler);
+  std::signal(SIGTERM, handler);
+  if (std::signal(SIGHUP, SIG_IGN) != SIG_IGN)
+    std::signal(SIGHUP, handler);
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+}  // namespace ratchet_sieve

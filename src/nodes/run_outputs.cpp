@@ -1,0 +1,158 @@
+#include "run_outputs.h"
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "command_line.h"
+#include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/recording/distinct_files.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+/// A run may go on from the checkpoint that it then replaces.
+void requireDistinctFiles(const RunArguments& arguments)
+{
+  const std::string active = arguments.bag.empty() ? "" : arguments.bag + ".active";
+  std::vector<NamedFile> outputs = {{"--summary", arguments.summary},
+                                    {"--collisions", arguments.collisions},
+                                    {"--bag", arguments.bag},
+                                    {"--bag", active},
+                                    {"--html", arguments.page.path}};
+  for (const std::string& path : trajectoryPaths(arguments.trajectory))
+    outputs.push_back({"--trajectory", path});
+  requireDistinct({{"SCENE", arguments.scene}, {"--resume", arguments.resume}}, outputs);
+  outputs.push_back({"--checkpoint", arguments.checkpoint});
+  requireDistinct({{"SCENE", arguments.scene}}, outputs);
+}
+
+}  // namespace
+
+/// Takes nothing after its first failure, at which its file is closed: that error may say what is in it.
+class RunOutputs::GuardedSink : public FrameSink
+{
+public:
+  GuardedSink(OutputAttempts& attempts, FrameSink& sink, std::function<void()> finish)
+      : attempts_(attempts), sink_(sink), finish_(std::move(finish))
+  {
+  }
+
+  bool wants(FrameKind kind) const override { return finish_ && sink_.wants(kind); }
+
+  void take(const AnyFrame& frame) override
+  {
+    if (!finish_)
+      return;
+    attempts_.attempt([&] { takeOrFinish(frame); });
+  }
+
+  /// @throws what its file throws
+  void finish()
+  {
+    if (const std::function<void()> write = std::exchange(finish_, nullptr))
+      write();
+  }
+
+private:
+  void takeOrFinish(const AnyFrame& frame)
+  {
+    try
+    {
+      sink_.take(frame);
+    }
+    catch (const std::exception&)
+    {
+      finish();
+      throw;
+    }
+  }
+
+  OutputAttempts& attempts_;
+  FrameSink& sink_;
+  std::function<void()> finish_;  ///< nothing once the file is closed
+};
+
+RunOutputs::RunOutputs(const RunArguments& arguments)
+{
+  try
+  {
+    requireDistinctFiles(arguments);
+    open(arguments);
+  }
+  catch (const std::exception& error)
+  {
+    throw Refusal(error.what());
+  }
+}
+
+RunOutputs::~RunOutputs() = default;
+
+void RunOutputs::open(const RunArguments& arguments)
+{
+  if (!arguments.summary.empty())
+    summary_ = std::make_unique<AtomicFile>(arguments.summary);
+  if (!arguments.collisions.empty())
+    collisions_ = std::make_unique<CollisionFile>(arguments.collisions);
+  if (!arguments.bag.empty())
+  {
+    bag_ = std::make_unique<BagOutput>(arguments.bag);
+    FrameRates rates;
+    rates.particles = arguments.bag_rate;
+    add(bag_->sink(), rates, [this] { bag_->close(); });
+  }
+  if (!arguments.trajectory.empty())
+  {
+    trajectory_ = openTrajectory(arguments.trajectory);
+    add(*trajectory_, trajectoryRates(arguments.trajectory_rate), [this] { trajectory_->commit(); });
+  }
+  if (arguments.page.isWanted())
+  {
+    page_ = arguments.page.open();
+    // The name of the scene's file, without the folders of its writer.
+    add(*page_, pageRates(arguments.page_rate),
+        [this, path = arguments.page.path, scene = std::filesystem::path(arguments.scene).filename().string()]
+        { page_->write(path, scene, warnings_); });
+  }
+}
+
+void RunOutputs::add(FrameSink& sink, const FrameRates& rates, std::function<void()> finish)
+{
+  sinks_.push_back(std::make_unique<GuardedSink>(attempts_, sink, std::move(finish)));
+  streams_.push_back({sinks_.back().get(), rates});
+}
+
+void RunOutputs::watch(Simulation& simulation, RunWatchers& watchers)
+{
+  if (collisions_)
+    simulation.observeCollisions([this](const CollisionRecord& record) { collisions_->take(record); });
+  watchers.frames = streams_;
+}
+
+bool RunOutputs::finish(const nlohmann::ordered_json& summary, const std::vector<std::string>& warnings)
+{
+  warnings_ = warnings;
+  attempts_.attempt([&] { writeSummary(summary.dump(2) + "\n"); });
+  if (collisions_)
+    attempts_.attempt([this] { collisions_->commit(); });
+  for (const auto& sink : sinks_)
+    attempts_.attempt([&sink] { sink->finish(); });
+  return attempts_.complete();
+}
+
+void RunOutputs::writeSummary(const std::string& text)
+{
+  if (summary_)
+  {
+    summary_->stream() << text;
+    summary_->commit();
+  }
+  else if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+    throw std::runtime_error("the summary could not be written to standard output");
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "bag_output.h"
+#include "output_attempts.h"
+#include "ratchet_sieve/core/simulation.h"
+#include "ratchet_sieve/recording/collision_file.h"
+#include "ratchet_sieve/recording/headless_run.h"
+#include "ratchet_sieve/recording/trajectory_file.h"
+#include "run_arguments.h"
+
+namespace ratchet_sieve
+{
+
+/// The files that a run writes, all opened before it starts. One that fails is reported on standard error and
+/// neither ends the run nor prevents the others.
+class RunOutputs
+{
+public:
+  /// @throws Refusal if a file cannot be written, or is an input or another output; nothing was written then
+  explicit RunOutputs(const RunArguments& arguments);
+  ~RunOutputs();
+
+  void watch(Simulation& simulation, RunWatchers& watchers);
+
+  /// Finishes the files, the summary first. @return whether all were written completely
+  bool finish(const nlohmann::ordered_json& summary, const std::vector<std::string>& warnings);
+
+private:
+  class GuardedSink;
+
+  void open(const RunArguments& arguments);
+  void add(FrameSink& sink, const FrameRates& rates, std::function<void()> finish);
+  void writeSummary(const std::string& text);
+
+  std::unique_ptr<AtomicFile> summary_;
+  std::unique_ptr<CollisionFile> collisions_;
+  std::unique_ptr<BagOutput> bag_;
+  std::unique_ptr<TrajectoryFile> trajectory_;
+  std::unique_ptr<RunPage> page_;
+  std::vector<std::unique_ptr<GuardedSink>> sinks_;
+  std::vector<FrameStream> streams_;
+  std::vector<std::string> warnings_;  ///< of the page
+  OutputAttempts attempts_{"sieve_run"};
+};
+
+}  // namespace ratchet_sieve

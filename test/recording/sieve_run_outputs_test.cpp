@@ -1,0 +1,146 @@
+// What sieve_run writes where something is in the way: closed streams, one file named twice, full disks,
+// signals.
+#include <cstdlib>
+
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "sieve_run_program.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+using Json = nlohmann::json;
+
+class SieveRunOutputs : public SieveRun
+{
+protected:
+  /// A run that takes a fraction of a second.
+  const std::string RUN = config("demo.yaml") + " --duration 0.5";
+
+  /// Runs bash. @return its exit status
+  static int shell(const std::string& script)
+  {
+    const int status = std::system(("bash -c '" + script + "'").c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  /// Starts a run of many collisions, and runs `script` once it has written some: its process is $run.
+  int whileItRuns(const std::string& arguments, const std::string& script,
+                  const std::string& before = "") const
+  {
+    return shell(before + std::string(std::getenv("SIEVE_RUN")) + " " + arguments + " --summary " +
+                 (written_ / "s.json") + " --collisions " + (written_ / "c.csv") +
+                 " 2>/dev/null & run=$!; while kill -0 $run && [ -z \"$(find " + (written_ / "") +
+                 " -name c.csv.part\\* -size +1)\" ]; do :; done; " + script + "; wait $run");
+  }
+};
+
+TEST_F(SieveRunOutputs, HaveNoLogLinesWhereStandardStreamsAreClosed)
+{
+  ASSERT_EQ(run(RUN + " --collisions " + (streams_ / "c.csv")).status, 0);
+  const std::string program = std::string(std::getenv("SIEVE_RUN")) + " " + RUN;
+  EXPECT_EQ(shell(program + " --summary " + (written_ / "s.json") + " --collisions " + (written_ / "c.csv") +
+                  " <&- >&- 2>&-"),
+            0);
+  EXPECT_EQ(contents(written_ / "c.csv"), contents(streams_ / "c.csv"));
+  EXPECT_EQ(Json::parse(contents(written_ / "s.json"))["simulated_time"], 0.5);
+  EXPECT_EQ(shell(program + " >&- 2>" + (streams_ / "errors")), 1);
+  EXPECT_NE(contents(streams_ / "errors")
+                .find("\nsieve_run: the summary could not be written to standard output\n"),
+            std::string::npos);
+}
+
+TEST_F(SieveRunOutputs, AreNeitherInputsNorEachOther)
+{
+  const std::string own = scene(contents(config("demo.yaml")));
+  const std::string link = streams_ / "link";
+  std::filesystem::create_hard_link(own, link);
+  const auto expect_same =
+      [this](const std::string& arguments, const std::string& output, const std::string& of)
+  { expectRefusal(arguments, output + ": is the file of " + of + "; must be another one"); };
+  expect_same(own + " --summary " + own, "--summary " + own, "SCENE");
+  expect_same(own + " --checkpoint " + link, "--checkpoint " + link, "SCENE");
+  const std::string file = written_ / "x";
+  expect_same(own + " --summary " + file + " --collisions " + (written_ / "./x"),
+              "--collisions " + (written_ / "./x"), "--summary");
+  const std::string base = written_ / "x_base.xyz";
+  expect_same(own + " --html " + base + " --trajectory " + (written_ / "x.xyz"), "--trajectory " + base,
+              "--html");
+  const std::string to_be = streams_ / "to_be";
+  std::filesystem::create_symlink(file, to_be);
+  expect_same(own + " --summary " + file + " --html " + to_be, "--html " + to_be, "--summary");
+  const std::string checkpoint = streams_ / "run.checkpoint";
+  ASSERT_EQ(run(own + " --duration 0.1 --checkpoint " + checkpoint).status, 0);
+  expect_same(own + " --resume " + checkpoint + " --summary " + checkpoint, "--summary " + checkpoint,
+              "--resume");
+  EXPECT_EQ(run(own + " --duration 0.2 --resume " + checkpoint + " --checkpoint " + checkpoint +
+                " --summary /dev/null --collisions /dev/null")
+                .status,
+            0);
+  EXPECT_EQ(contents(own), contents(config("demo.yaml")));
+}
+
+TEST_F(SieveRunOutputs, AreFinishedWhereOneFails)
+{
+  const Result result = run(RUN + " --collisions /dev/full --html " + (written_ / "p.html") + " --summary " +
+                            (written_ / "s.json"));
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.errors.find("memory\nsieve_run: /dev/full: cannot be written: No space left on device\n"),
+            std::string::npos)
+      << result.errors;
+  EXPECT_EQ(Json::parse(contents(written_ / "s.json"))["simulated_time"], 0.5);
+  EXPECT_NE(contents(written_ / "p.html").find("</html>"), std::string::npos);
+}
+
+/// A limit on the size of files, in units of 1024 bytes, ends a program that does not ignore SIGXFSZ.
+TEST_F(SieveRunOutputs, AreFinishedWhereOneIsTooLarge)
+{
+#ifdef SIEVE_RUN_HAS_ROS
+  const std::string large = written_ / "run.bag";
+  const std::string option = " --bag ";
+#else
+  const std::string large = written_ / "run.xyz";
+  const std::string option = " --trajectory ";
+#endif
+  EXPECT_EQ(shell("ulimit -f 64; " + std::string(std::getenv("SIEVE_RUN")) + " " + RUN + option + large +
+                  " --summary " + (written_ / "s.json") + " 2>" + (streams_ / "errors")),
+            1);
+  const std::string errors = contents(streams_ / "errors");
+  EXPECT_NE(errors.find("memory\nsieve_run: " + large + ": cannot be written: "), std::string::npos)
+      << errors;
+  EXPECT_NE(errors.find("File too large"), std::string::npos) << errors;
+  EXPECT_EQ(Json::parse(contents(written_ / "s.json"))["simulated_time"], 0.5);
+}
+
+TEST_F(SieveRunOutputs, AreWholeWhenTheTerminalIsClosed)
+{
+  const std::string endless =
+      config("paper_fig3.yaml") + " --duration 100000000 --checkpoint " + (written_ / "k");
+  EXPECT_EQ(whileItRuns(endless, "kill -HUP $run"), 1);
+  EXPECT_GT(Json::parse(contents(written_ / "s.json"))["simulated_time"], 0.0);
+  const Result resumed = run(config("paper_fig3.yaml") + " --duration 0 --resume " + (written_ / "k"));
+  EXPECT_NE(resumed.errors.find("beyond this run's duration"), std::string::npos) << resumed.errors;
+}
+
+TEST_F(SieveRunOutputs, AreThoseOfTheWholeRunUnderNohup)
+{
+  EXPECT_EQ(whileItRuns(config("demo.yaml") + " --duration 10", "kill -HUP $run", "trap \"\" HUP; "), 0);
+  EXPECT_EQ(Json::parse(contents(written_ / "s.json"))["simulated_time"], 10.0);
+}
+
+TEST_F(SieveRunOutputs, ResumesFromNoDeviceOrPipe)
+{
+  const std::string pipe = streams_ / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {std::string("/dev/zero"), pipe})
+    expectRefusal(RUN + " --resume " + path, path + ": cannot be resumed from: it is no regular file");
+}
+
+}  // namespace
+}  // namespace ratchet_sieve

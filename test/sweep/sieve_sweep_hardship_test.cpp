@@ -1,0 +1,109 @@
+// sieve_sweep where something is in the way: cases that end their process, limits, one file named twice.
+#include <csignal>
+
+#include "sieve_sweep_program.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+using SieveSweepHardship = SieveSweep;
+
+/// One of the cases would not end, and its process is killed as by the kernel where memory is short.
+TEST_F(SieveSweepHardship, ACaseWhoseProcessDiesTwiceFailsAndTheOthersAreRun)
+{
+  const std::string file = sweep(SMALL_SCENE + std::string("set: {boundary: periodic}\n"
+                                                           "grid: {duration: [1.0e+8, 0.2, 0.3]}\n"));
+  const std::string results = directory_ / "s.db";
+  const auto owner = [&results]
+  {
+    return std::filesystem::exists(results + ".d")
+               ? textOf(results, "SELECT owner FROM claims JOIN plan USING (run_hash) WHERE position = 0")
+               : "";
+  };
+  std::string last;
+  for (int death = 0; death < 2; ++death)
+  {
+    const pid_t child = start({"run", file, "--threads", "1"});
+    while ((owner().empty() || owner() == last) && waitpid(child, nullptr, WNOHANG) == 0)
+      usleep(1000);
+    last = owner();
+    kill(child, SIGKILL);
+    ASSERT_EQ(end(child), -SIGKILL) << errors();
+  }
+  EXPECT_EQ(run({"run", file, "--threads", "1"}), 1);
+  const std::string reason =
+      "the process that ran it died twice: it crashed or was killed, as where memory is short";
+  EXPECT_NE(errors().find("sieve_sweep: warning: case 1 (duration=1.0e+8) failed: " + reason + "\n"),
+            std::string::npos)
+      << errors();
+  EXPECT_NE(errors().find("3 cases: 2 done, 1 failed, 0 under way, 0 to go\n"), std::string::npos)
+      << errors();
+  EXPECT_EQ(textOf(results, "SELECT error FROM cases WHERE duration > 1"), reason);
+}
+
+TEST_F(SieveSweepHardship, OutputsAreNeitherTheSweepNorItsResults)
+{
+  const std::string scene = written(directory_, "scene.yaml",
+                                    "species: [{name: A, count: 1, radius: 0.002, mass: 1}]\n"
+                                    "duration: 0.1\n");
+  const std::string file = sweep("scene: scene.yaml\n");
+  const std::string results = directory_ / "s.db";
+  const auto expect_same = [this](const std::vector<std::string>& arguments, const std::string& line)
+  {
+    EXPECT_EQ(run(arguments), 2);
+    EXPECT_EQ(errors(), "sieve_sweep: " + line + "; must be another one\n");
+  };
+  expect_same({"run", file, "--db", file}, "--db " + file + ": is the file of SWEEP");
+  expect_same({"run", file, "--db", scene}, "--db " + scene + ": is the file of the sweep's scene");
+  ASSERT_EQ(run({"run", file}), 0) << errors();
+  const auto before = tableOf(results);
+  const std::string text = contents(file);
+  expect_same({"export", file, "--out", results}, "--out " + results + ": is the file of --db");
+  expect_same({"export", file, "--out", file}, "--out " + file + ": is the file of SWEEP");
+  std::filesystem::create_directory(directory_ / "report");
+  const std::string inside = written(directory_, "report/scene.yaml", SMALL_SCENE);
+  ASSERT_EQ(run({"run", inside}), 0) << errors();
+  expect_same({"report", inside, "--out", directory_ / "report"},
+              "--out " + inside + ": is the file of SWEEP");
+  EXPECT_EQ(tableOf(results), before);
+  EXPECT_EQ(contents(file), text);
+}
+
+TEST_F(SieveSweepHardship, ResultsAreInAFile)
+{
+  const std::string file = sweep(SMALL_SCENE);
+  EXPECT_EQ(run({"run", file, "--db", ":memory:"}), 2);
+  EXPECT_EQ(errors(), "sieve_sweep: --db :memory:: must be a file\n");
+  EXPECT_FALSE(std::filesystem::exists(":memory:"));
+}
+
+/// A limit on the size of files, in units of 512 or 1024 bytes, ends a program that does not ignore SIGXFSZ.
+TEST_F(SieveSweepHardship, StoredResultsStayWhereTheFileMayNotGrow)
+{
+  const std::string file = sweep(SMALL_SCENE + std::string("seed: {first: 1, count: 1000}\n"));
+  const std::string errors = directory_ / "errors";
+  const int status = std::system(("ulimit -f 400; '" + std::string(std::getenv("SIEVE_SWEEP")) + "' run '" +
+                                  file + "' 2>'" + errors + "'")
+                                     .c_str());
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_NE(contents(errors).find("; stored results are safe, "), std::string::npos) << contents(errors);
+  EXPECT_EQ(run({"run", file}), 0);
+  EXPECT_EQ(textOf(directory_ / "s.db", "SELECT COUNT(*) FROM cases WHERE status = 'done'"), "1000");
+}
+
+TEST_F(SieveSweepHardship, AClosedTerminalStopsItAsASignalDoes)
+{
+  const std::string file = sweep(SMALL_SCENE + std::string("set: {duration: 1.0e+8, boundary: periodic}\n"));
+  const pid_t child = start({"run", file});
+  while (!std::filesystem::exists(directory_ / "s.db.d") && waitpid(child, nullptr, WNOHANG) == 0)
+    usleep(1000);
+  kill(child, SIGHUP);
+  EXPECT_EQ(end(child), 1);
+  EXPECT_NE(errors().find("; run the same command to continue\n"), std::string::npos) << errors();
+}
+
+}  // namespace
+}  // namespace ratchet_sieve
