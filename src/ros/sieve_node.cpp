@@ -8,6 +8,7 @@
 #include <ros/ros.h>
 
 #include "ratchet_sieve/core/count_text.h"
+#include "ratchet_sieve/recording/distinct_files.h"
 
 namespace ratchet_sieve
 {
@@ -66,6 +67,8 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
   if (parameters_.mountedElsewhere())
     own_world_.emplace().sendTransform(ownWorldTransform(parameters_.mount, parameters_.frames));
   control_.addSink(topics_);
+  requireDistinct({{"~scene_file", node_.param<std::string>("scene_file", "")}},
+                  {{"~record", parameters_.record}});
   // After the scene was checked, so that a run that cannot begin leaves no bag.
   recorder_.open();
 }

@@ -70,14 +70,9 @@ bool whereNobodyHolds(const std::string& path, Act&& act)
   return is_free;
 }
 
-/// Selects cases without result and claim. @param condition is followed by that of a suspect
-std::string openCases(const std::string& condition)
-{
-  return "SELECT position, run_hash FROM plan p WHERE sweep = ?1 "
-         "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = p.run_hash AND c.physics = ?2) "
-         "AND NOT EXISTS (SELECT 1 FROM claims k WHERE k.run_hash = p.run_hash AND k.physics = ?2) AND " +
-         condition + "EXISTS (SELECT 1 FROM deaths d WHERE d.run_hash = p.run_hash AND d.physics = ?2) ";
-}
+const std::string IS_OPEN =
+    "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = p.run_hash AND c.physics = ?2) "
+    "AND NOT EXISTS (SELECT 1 FROM claims k WHERE k.run_hash = p.run_hash AND k.physics = ?2) ";
 
 std::vector<std::pair<std::string, std::uint64_t>> claimsByOwner(const Database& database,
                                                                  const SweepPlan& plan)
@@ -146,8 +141,15 @@ CaseClaims::CaseClaims(Database& database, const SweepPlan& plan, const std::str
       directory_(directory),
       lock_(directory),
       plan_(plan),
-      select_(database, openCases("position >= ?3 AND NOT ") + "ORDER BY position LIMIT ?4"),
-      select_suspect_(database, openCases("") + "ORDER BY position LIMIT 1"),
+      select_(database,
+              "SELECT position, run_hash FROM plan p WHERE sweep = ?1 AND position >= ?3 " + IS_OPEN +
+                  "AND NOT EXISTS (SELECT 1 FROM deaths d WHERE d.run_hash = p.run_hash AND d.physics = ?2) "
+                  "ORDER BY position LIMIT ?4"),
+      select_suspect_(
+          database,
+          "SELECT position, p.run_hash FROM deaths d CROSS JOIN plan p ON p.run_hash = d.run_hash "
+          "WHERE sweep = ?1 AND d.physics = ?2 " +
+              IS_OPEN + "ORDER BY position LIMIT 1"),
       claim_(database, "INSERT INTO claims (run_hash, physics, owner) VALUES (?, ?, ?)"),
       release_(database, "DELETE FROM claims WHERE run_hash = ? AND physics = ? AND owner = ?"),
       forgive_(database, "DELETE FROM deaths WHERE run_hash = ? AND physics = ?")

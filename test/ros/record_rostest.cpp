@@ -324,6 +324,21 @@ TEST_F(Record, refusesABagThatCannotBeWritten)
   EXPECT_NE(node.errors().find("nowhere/run.bag: cannot be written"), std::string::npos) << node.errors();
 }
 
+TEST_F(Record, doesNotReplaceTheSceneFile)
+{
+  prepare("/over", 1.0, true);
+  const std::string file = scratch_ / "scene.yaml";
+  const std::string scene = "species: [{name: A, count: 1, radius: 0.002, mass: 0.001}]\n";
+  std::ofstream(file) << scene;
+  for (const char* key : {"/over/scene_file", "/over/record"})
+    ros::param::set(key, file);
+  ChildNode node("sieve_node", named("over"));
+  EXPECT_EQ(node.wait(), 2);
+  EXPECT_EQ(node.errors(),
+            "sieve_node: ~record " + file + ": is the file of ~scene_file; must be another one\n");
+  EXPECT_EQ(contents(file), scene);
+}
+
 TEST_F(Record, helpsWithoutBeingANode)
 {
   for (const char* program : {"sieve_display", "sieve_node", "sieve_rviz", "sieve_schedule"})
