@@ -53,6 +53,7 @@ catkin_package(
 
 # What the format of bags needs of ROS: times, serialization and lz4.
 add_library(ratchet_sieve_serialization INTERFACE)
+add_library(ratchet_sieve::serialization ALIAS ratchet_sieve_serialization)
 foreach(package roscpp_serialization roslz4 rostime)
   target_include_directories(ratchet_sieve_serialization SYSTEM INTERFACE ${${package}_INCLUDE_DIRS})
   target_link_libraries(ratchet_sieve_serialization INTERFACE ${${package}_LIBRARIES})
@@ -60,6 +61,7 @@ endforeach()
 set_target_properties(ratchet_sieve_serialization PROPERTIES EXPORT_NAME serialization)
 
 add_library(ratchet_sieve_messages INTERFACE)
+add_library(ratchet_sieve::messages ALIAS ratchet_sieve_messages)
 target_include_directories(ratchet_sieve_messages SYSTEM INTERFACE
   $<BUILD_INTERFACE:${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_INCLUDE_DESTINATION}>
   $<INSTALL_INTERFACE:${CATKIN_GLOBAL_INCLUDE_DESTINATION}>

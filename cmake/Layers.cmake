@@ -52,6 +52,8 @@ function(ratchet_sieve_layer layer)
   file(MAKE_DIRECTORY ${view}/ratchet_sieve)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/include/ratchet_sieve/${layer} ${view}/ratchet_sieve/${layer} SYMBOLIC)
   add_library(${target} ${ARG_SOURCES})
+  # The exported name, for packages that are configured together with this one.
+  add_library(ratchet_sieve::${layer} ALIAS ${target})
   target_include_directories(${target}
     PUBLIC $<BUILD_INTERFACE:${view}> $<INSTALL_INTERFACE:include>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
