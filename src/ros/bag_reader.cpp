@@ -152,22 +152,10 @@ void merge(const std::vector<std::unique_ptr<Stream>>& streams, FrameSink& sink)
   }
 }
 
-/// @return the topics of scenes, one at least
-std::set<std::string> requireScene(rosbag::View& all)
+void requireScene(rosbag::View& all)
 {
-  std::set<std::string> topics = topicsOf<SceneDescription>(all);
-  if (topics.empty())
+  if (topicsOf<SceneDescription>(all).empty())
     throw std::invalid_argument("holds no run: no topic of type ratchet_sieve/SceneDescription");
-  return topics;
-}
-
-void requireSceneOf(const std::string& sieve, rosbag::View& all)
-{
-  const std::set<std::string> topics = requireScene(all);
-  const std::string topic = (sieve.front() == '/' ? "" : "/") + sieve + "/scene";
-  if (topics.count(topic) == 0)
-    throw std::invalid_argument("holds no " + topic + ", but " + *topics.begin() +
-                                ": name that sieve, or none");
 }
 
 /// Runs that begin at the same time would be mixed in a bag, and their frames could not be distinguished.
@@ -263,20 +251,6 @@ void withBag(const std::string& path, const Read& read)
   }
 }
 }  // namespace
-
-void requireShowable(const std::string& path, const std::string& sieve)
-{
-  requireSoundBag(path);
-  withBag(path,
-          [&](const rosbag::Bag& bag)
-          {
-            rosbag::View all(bag);
-            if (sieve.empty())
-              requireScene(all);
-            else
-              requireSceneOf(sieve, all);
-          });
-}
 
 void readBag(const std::string& path, FrameSink& sink)
 {

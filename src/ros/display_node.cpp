@@ -9,6 +9,7 @@
 
 #include "queue_size.h"
 #include "ratchet_sieve/ros/conversions.h"
+#include "ratchet_sieve/ros/earlier_publisher.h"
 #include "ratchet_sieve/ros/node_parameters.h"
 #include "ratchet_sieve/ros/parameter_reader.h"
 #include "ratchet_sieve/ros/sieve_search.h"
@@ -96,9 +97,8 @@ void DisplayNode::see(const Frame& frame, const std::string& publisher, const st
   mirror_.take(frame);
   // Only the messages tell whether the sieve has a world frame of its own.
   frames_.world = frame_id;
-  // A live sieve publishes its transforms itself, and tf2 warns of repeated ones.
   if constexpr (std::is_same_v<Frame, BaseFrame>)
-    if (publisher != sieve_)
+    if (!haveTransforms(publisher))
     {
       transforms_.setNames(frames_);
       transforms_.publish(frame);
@@ -106,6 +106,18 @@ void DisplayNode::see(const Frame& frame, const std::string& publisher, const st
   if constexpr (std::is_same_v<Frame, SceneFrame>)
     if (mirror_.sceneError())
       ROS_ERROR("the scene cannot be shown: %s", mirror_.sceneError()->c_str());
+}
+
+/// Whether the transforms come with the frames: a live sieve publishes them, and so does the player of a bag
+/// that holds /tf. tf2 warns of repeated ones.
+bool DisplayNode::haveTransforms(const std::string& publisher)
+{
+  if (publisher != publisher_)
+  {
+    publisher_ = publisher;
+    have_transforms_ = publisher == sieve_ || publishes(publisher, "/tf");
+  }
+  return have_transforms_;
 }
 
 /// Logs one warning if no message was received in time.

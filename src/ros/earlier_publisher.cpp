@@ -59,6 +59,8 @@ bool call(const std::string& uri, const char* method, XmlRpcValue& response)
   return client.executeCheckDone(response) && !client.isFault();
 }
 
+}  // namespace
+
 bool publishes(const std::string& node, const std::string& topic)
 {
   XmlRpcValue response, uri;
@@ -78,8 +80,6 @@ bool publishes(const std::string& node, const std::string& topic)
   }
   return false;
 }
-}  // namespace
-
 std::optional<std::string> earlierPublisher(const std::string& topic)
 {
   for (const std::string& name : publishersOf(topic))

@@ -31,7 +31,6 @@ PROGRAMS = {
     'Recorded runs': {
         'sieve_analyze': 'computes the results of a recorded run',
         'sieve_resimulate': 'checks that a recorded run can be reproduced bit for bit',
-        'sieve_replay': 'plays the bags of a recorded run',
         'python3 -m ratchet_sieve.plots.analysis': 'plots the tables of `sieve_analyze`',
         'python3 -m ratchet_sieve.plots.seek': 'plots a search of `sieve_seek`',
         'python3 -m ratchet_sieve.plots.sweep': 'plots the tables of `sieve_sweep`',

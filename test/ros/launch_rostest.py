@@ -8,7 +8,6 @@ import json
 import os
 import re
 import shlex
-import shutil
 import signal
 import subprocess
 import sys
@@ -16,10 +15,13 @@ import tempfile
 import xmlrpc.client
 from pathlib import Path
 
+import rosbag
 import roslaunch.config
 import rospy
 import rosunit
 import yaml
+from geometry_msgs.msg import TransformStamped
+from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
@@ -110,6 +112,15 @@ class Launch(Launched):
             self.assertTrue(ours)
             self.assertEqual([name for name in ours if name not in config.clear_params], [], path.name)
 
+    def test_ends_at_once_without_a_program(self):
+        """The package is found, but nothing is built."""
+        for path in PACKAGE.glob('launch/*.launch'):
+            launch = subprocess.run(['roslaunch', str(path), *(['bag:=run.bag'] if path.name == 'replay.launch' else [])],
+                                    env=dict(os.environ, CMAKE_PREFIX_PATH='', ROS_PACKAGE_PATH=str(PACKAGE)),
+                                    capture_output=True, text=True, timeout=TIMEOUT)
+            self.assertEqual(launch.returncode, 1, path.name)
+            self.assertRegex(launch.stderr, r'no such command \[\[.*/sieve_')
+
     # Topics of the display, and their times.
 
     def test_log_lines_are_there_at_once(self):
@@ -120,20 +131,33 @@ class Launch(Launched):
             self.start(['rosrun', 'ratchet_sieve', 'sieve_node', '__name:=hasty'], stdout=log)
             wait_for(lambda: '30 disks, 20 s, seed 7' in Path(log.name).read_text(), 'the start is logged')
 
-    def test_replay_of_names_with_spaces(self):
-        with tempfile.TemporaryDirectory(prefix='two words ') as scratch:
-            bag = Path(scratch) / 'a run.bag'
-            shutil.copy(sys.argv[1], bag)
-            self.launch('replay.launch', f'bag:={bag}', 'loop:=true', 'rviz:=false')
-            scene_of('/sieve')
+    def test_replay_of_all_topics(self):
+        """A bag with what the player and the display publish, too, as `rosbag record -a` makes it."""
+        clocks, stamps = [], []
+        rospy.Subscriber('/clock', Clock, lambda clock: clocks.append(clock.clock))
+        rospy.Subscriber('/tf', TFMessage, lambda message: stamps.append(message.transforms[0].header.stamp))
+        with tempfile.TemporaryDirectory(prefix="one's two words ") as scratch:
+            bag = Path(scratch) / "one's run.bag"
+            with rosbag.Bag(sys.argv[1]) as run, rosbag.Bag(bag, 'w') as everything:
+                for topic, recorded, time, connection in run.read_messages(return_connection_header=True):
+                    everything.write(topic, recorded, time, connection_header=connection)
+                    if topic == '/sieve/base':
+                        everything.write('/clock', Clock(), time)
+                        everything.write('/tf', TFMessage([TransformStamped(header=recorded.header)]), time)
+                        last = recorded.header.stamp
+            self.launch('replay.launch', f'bag:={bag}', 'exit_at_end:=true', 'rviz:=false').wait(TIMEOUT)
+        self.assertTrue(clocks)
+        self.assertEqual(clocks, sorted(clocks))
+        self.assertEqual(stamps[-1], last)
+        self.assertEqual(len(stamps), len(set(stamps)))
 
     def test_replay_splits_between_bags(self):
-        for given, names in (('run.bag', ['run.bag']), ('a b/run_0.bag a b/run_1.bag', ['a b/run_0.bag', 'a b/run_1.bag']),
+        for given, names in (('run.bag', ['run.bag']), ("a's b/run_0.bag a's b/run_1.bag", ["a's b/run_0.bag", "a's b/run_1.bag"]),
                              ('run_0.bag run.bag.active ', ['run_0.bag', 'run.bag.active'])):
             config = roslaunch.config.load_config_default(
                 [(str(PACKAGE / 'launch/replay.launch'), [f'bag:={given}', 'rviz:=false'])], None)
             player = next(node for node in config.nodes if node.name == 'player')
-            self.assertEqual(shlex.split(player.args)[:len(names) + 1], [*names, '--sieve'])
+            self.assertEqual(shlex.split(player.args)[-len(names):], names)
 
     # The controller of docs/node.md, saved as it says there.
 

@@ -21,10 +21,4 @@ void readBag(const std::string& path, FrameSink& sink);
 /// @throws BagError if a file is bad as above or belongs to another run, or if a file in between is missing
 void readBags(const std::vector<std::string>& paths, FrameSink& sink);
 
-/// Checks that a replay of the bag can be displayed: it is intact and contains a scene. It may contain other
-/// topics, several sieves, or a part of a run.
-/// @param sieve name of the node whose run is displayed; empty: any
-/// @throws BagError
-void requireShowable(const std::string& path, const std::string& sieve);
-
 }  // namespace ratchet_sieve

@@ -13,7 +13,7 @@ namespace ratchet_sieve
 {
 
 /// Displays a sieve from its topics, with the same ~markers and ~cloud as the sieve's own node. The sieve may
-/// be a recording played by `rosbag play`: then this node publishes /tf as well, as a live sieve does itself.
+/// be a recording played by `rosbag play`: then this node publishes /tf as well, unless the bag holds /tf.
 class DisplayNode
 {
 public:
@@ -32,6 +32,7 @@ private:
   /// @param publisher name of the node that published the frame @param frame_id of the message
   template <typename Frame>
   void see(const Frame& frame, const std::string& publisher, const std::string& frame_id);
+  bool haveTransforms(const std::string& publisher);
   void warnOfSilence();
   void show();
 
@@ -39,8 +40,10 @@ private:
   Display display_;
   TransformPublisher transforms_;
   RunMirror mirror_;
-  std::string sieve_;  ///< name of its node, once known
-  FrameNames frames_;  ///< of that sieve
+  std::string sieve_;             ///< name of its node, once known
+  FrameNames frames_;             ///< of that sieve
+  std::string publisher_;         ///< of the latest base
+  bool have_transforms_ = false;  ///< whether it publishes /tf, too
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer search_timer_;
   ros::WallTimer silence_timer_;

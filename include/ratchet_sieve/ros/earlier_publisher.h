@@ -15,4 +15,8 @@ namespace ratchet_sieve
 /// @pre this node has advertised the topic @param topic resolved
 std::optional<std::string> earlierPublisher(const std::string& topic);
 
+/// Whether a node, asked itself, says that it publishes a topic. Waits up to 2 s for its answer.
+/// @param node, topic resolved
+bool publishes(const std::string& node, const std::string& topic);
+
 }  // namespace ratchet_sieve
