@@ -193,7 +193,10 @@ std::vector<std::string> writeTables(const RunResult& result, const std::string&
   write("velocities.csv", velocityTable(result));
   write("drift.csv", driftTable(result));
   write("displacements.csv", displacementTable(result));
-  write("observed.csv", observedTable(result));
+  if (!result.observed.empty())
+    write("observed.csv", observedTable(result));
+  else  // that of an earlier run
+    std::filesystem::remove(std::filesystem::path(directory) / "observed.csv", error);
   for (const Observed& observed : result.observed)
     write(observed.name + ".csv", tableOf(observed));
   return paths;

@@ -87,8 +87,9 @@ void writePage(RunPage& page, const Arguments& arguments)
 /// @return the status of the plots
 int writeTablesAndPlots(const RunResult& result, const Arguments& arguments)
 {
+  const std::vector<std::string> tables = writeTables(result, arguments.directory);
   std::puts("\nTables and plots:");
-  for (const std::string& path : writeTables(result, arguments.directory))
+  for (const std::string& path : tables)
     std::puts(path.c_str());
   requirePrinted();
   return plotTables("ratchet_sieve.plots.analysis", {arguments.directory});

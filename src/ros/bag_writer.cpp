@@ -150,8 +150,13 @@ void BagWriter::write(const std::string& topic, double time, const Message& mess
 void BagWriter::take(const AnyFrame& any)
 {
   const bool latched = any.kind() == FrameKind::SCENE;
-  any.visit([&](const auto& frame)
-            { write(describe(any.kind()).name, frame.time, inFrame(frame_id_, toMessage(frame)), latched); });
+  any.visit(
+      [&](const auto& frame)
+      {
+        auto message = inFrame(frame_id_, toMessage(frame));
+        message.header.seq = written_[any.kind()]++;
+        write(describe(any.kind()).name, frame.time, message, latched);
+      });
   if (const CommandFrame* command = any.as<CommandFrame>())
     writeSetpoint(*command);
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "marker_style.h"
+#include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/ros/scene_markers.h"
 
@@ -17,9 +18,13 @@ namespace
 using visualization_msgs::MarkerArray;
 
 /// In widths of the base.
-constexpr double CAPTION_HEIGHT = 0.345;  // above the base's left end
-constexpr double CAPTION_GAP = 0.23;      // above its middle, at least
-constexpr double LEGEND_DEPTH = 0.12;     // of its first line below the lower end of the base
+constexpr double CAPTION_GAP = 0.23;   // above its middle, at least
+constexpr double CAPTION_DEPTH = 0.1;  // of two lines, with room below
+constexpr double LEGEND_DEPTH = 0.12;  // of its first line below the lower end of the base
+constexpr double MOST_FLIGHT = 0.4;    // that is left free below the caption
+
+constexpr double THROW = 3.0;          // speed of nearly all disks that the base throws up, over its own
+constexpr double LETTER_WIDTH = 0.56;  // mean, over their height
 
 constexpr double MM_PER_M = 1e3;  // and mm/s per m/s
 constexpr double G_PER_KG = 1e3;
@@ -69,11 +74,13 @@ std::vector<Line> legendLines(const Picture& picture)
   for (std::size_t k = 0; k < picture.scene.species.size(); ++k)
   {
     const SpeciesDefinition& species = picture.scene.species[k];
-    std::string words = fmt::format("{}: r = {:g} mm, m = {:g} g", species.name, MM_PER_M * species.radius,
-                                    G_PER_KG * species.mass);
-    if (const Sizes sizes(species); species.size.vary())
-      words += fmt::format(" (r from {:.3g} to {:.3g} mm)", MM_PER_M * sizes.smallest(),
-                           MM_PER_M * sizes.largest());
+    const Sizes sizes(species);
+    std::string words =
+        species.name +
+        (species.size.vary()
+             ? fmt::format(": r = {:.3g} to {:.3g} mm", MM_PER_M * sizes.smallest(),
+                           MM_PER_M * sizes.largest())
+             : fmt::format(": r = {:g} mm, m = {:g} g", MM_PER_M * species.radius, G_PER_KG * species.mass));
     if (picture.bins)
       words += fmt::format(", {} on the base", picture.bins->bins[k].on_base);
     if (k < picture.means.size())
@@ -83,11 +90,23 @@ std::vector<Line> legendLines(const Picture& picture)
   return lines;
 }
 
+/// The height of letters, in widths of the base, at which the longest line fits between the bins.
+double fittingLetter(const std::vector<Line>& lines, double inclination)
+{
+  std::size_t longest = 1;
+  for (const Line& line : lines)
+    longest = std::max(longest, line.words.size());
+  return std::min(LETTER, std::cos(inclination) / (LETTER_WIDTH * static_cast<double>(longest)));
+}
+
 }  // namespace
 
-double captionHeight(double inclination)
+double captionHeight(const SceneDefinition& scene, double inclination)
 {
-  return std::max(CAPTION_HEIGHT, 0.5 * std::sin(inclination) + CAPTION_GAP);
+  const double speed = THROW * driveBounds(scene.base).speed;
+  const double flight = std::min(MOST_FLIGHT, speed * speed / (2.0 * scene.gravity * scene.base.width()));
+  return std::max(LEAST_CAPTION_HEIGHT,
+                  0.5 * std::sin(inclination) + std::max(CAPTION_GAP, flight + CAPTION_DEPTH));
 }
 
 MarkerArray captionMarkers(const Picture& picture)
@@ -97,11 +116,13 @@ MarkerArray captionMarkers(const Picture& picture)
   const double letter = LETTER * base.width();
   const double x = 0.5 * base.width();
   const double middle = 0.5 * base.width() * std::sin(inclination);
-  const double above = captionHeight(inclination) * base.width();
+  const double above = captionHeight(picture.scene, inclination) * base.width();
   const double below = std::min(0.0, middle) - LEGEND_DEPTH * base.width();
   MarkerArray markers;
   addLines(picture.base.time, {"caption", 0, x, above}, letter, captionLines(picture), markers);
-  addLines(picture.base.time, {"legend", 0, x, below}, letter, legendLines(picture), markers);
+  const std::vector<Line> legend = legendLines(picture);
+  addLines(picture.base.time, {"legend", 0, x, below}, fittingLetter(legend, inclination) * base.width(),
+           legend, markers);
   return markers;
 }
 

@@ -50,7 +50,7 @@ Frame wholeMachine(const SceneDefinition& scene)
 {
   const double width = scene.base.width();
   const bool open = scene.boundary == Boundary::OPEN;
-  const double rise = captionHeight(scene.base.inclination) - captionHeight(0.0);
+  const double rise = captionHeight(scene, scene.base.inclination) - LEAST_CAPTION_HEIGHT;
   return {0.5 * width, width * ((open ? OPEN_MIDDLE : CLOSED_MIDDLE) + 0.5 * rise),
           width * ((open ? OPEN_WIDTH : CLOSED_WIDTH) + ASPECT * rise)};
 }

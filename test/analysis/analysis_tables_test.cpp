@@ -45,6 +45,14 @@ TEST_F(AnalysisTables, HoldWhatWasObserved)
   EXPECT_EQ(table("mass_flow.csv"), "place,species,time [s],flow [kg/s]\nleft,A,1.5,0.75\nleft,A,2.5,\n");
 }
 
+TEST_F(AnalysisTables, HaveNoneOfWhatIsNotObserved)
+{
+  RunResult result = handMadeResult();
+  result.observed.clear();
+  writeTables(result, directory_ / "new/sub");
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "new/sub/observed.csv"));
+}
+
 TEST_F(AnalysisTables, LeaveEmptyWhatIsNotDefined)
 {
   EXPECT_EQ(table("segregation.csv"), "time [s],quality,processed,separation\n0,,,\n2.5,0.75,0.5,-0.75\n");

@@ -61,6 +61,7 @@ TEST(PlotAnalysis, DrawsTheDriftWhereNoDiskCanLeave)
 {
   RunResult result = handMadeResult();
   result.scene.boundary = Boundary::PERIODIC;
+  result.observed.clear();
   for (BinFrame& frame : result.bins)
     frame.bins = {{0, 0, 10}, {0, 0, 1}};
   expectPictures(result, "drift.png");

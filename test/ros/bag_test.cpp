@@ -116,6 +116,10 @@ TEST(Bag, holdsStampsAsBagTimeAndSetpoints)
   ASSERT_EQ(setpoints.size(), 1u);
   EXPECT_EQ(setpoints.begin()->getTime(), ros::Time(0.75));
   EXPECT_EQ(setpoints.begin()->instantiate<std_msgs::Float64>()->data, 0.125);
+  std::uint32_t next = 0;
+  for (const rosbag::MessageInstance& message : rosbag::View(file, rosbag::TopicQuery("/other/base")))
+    EXPECT_EQ(message.instantiate<BaseState>()->header.seq, next++);
+  EXPECT_GT(next, 1u);
   CollectingSink read;
   readBag(scratch / "run.bag", read);
   ASSERT_EQ(read.commands.size(), 1u);

@@ -242,6 +242,25 @@ TEST(SceneMarkers, nameEachSpeciesInItsColour)
   EXPECT_EQ(markers[3].color, diskMarkers(scene, ParticleFrame()).markers.at(1).color);
 }
 
+TEST(SceneMarkers, keepTextsOffBinsAndDisks)
+{
+  SceneDefinition scene = smallMixture();
+  const double over_few_teeth = captionHeight(scene, 0.0);
+  scene.base.teeth = 40;
+  EXPECT_GT(over_few_teeth, captionHeight(scene, 0.0));
+  scene.species[0].size.spread = 0.5;
+  const Picture picture{scene, BaseFrame(), someBins(), {}, {}};
+  const auto legendWidth = [&]
+  {
+    const auto line = captionMarkers(picture).markers.at(2);
+    return 0.55 * static_cast<double>(line.text.size()) * line.scale.z / scene.base.width();
+  };
+  EXPECT_EQ(captionMarkers(picture).markers.at(2).text, "A: r = 0.5 to 1.5 mm, 3 on the base");
+  EXPECT_LT(legendWidth(), 1.0);
+  scene.species[0].name = std::string(100, 'A');
+  EXPECT_LT(legendWidth(), 1.0);
+}
+
 TEST(SceneMarkers, sayTheMeanVelocityOfEachSpeciesWithItsError)
 {
   const SceneDefinition scene = smallMixture();

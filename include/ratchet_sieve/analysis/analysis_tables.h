@@ -19,7 +19,7 @@ namespace ratchet_sieve
 ///   velocities.csv     per species: disks, mean_vx, its error
 ///   drift.csv          per time and species: disks in the machine, their mean displacement
 ///   displacements.csv  per time, species and range of displacements: count, density
-///   observed.csv       per observable, place and species: each of its numbers
+///   observed.csv       per observable, place and species: each of its numbers; if there is any
 ///   NAME.csv           per place and species: the table of the observable NAME; of size_classes where
 ///   species
 ///                      have sizes

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -48,7 +50,8 @@ private:
   std::string active_path_;
   std::string topic_prefix_;
   std::string frame_id_;
-  std::unique_ptr<BagFile> file_;  ///< null once closed
+  std::unique_ptr<BagFile> file_;               ///< null once closed
+  std::map<FrameKind, std::uint32_t> written_;  ///< messages of each kind: the next header's seq
 };
 
 }  // namespace ratchet_sieve

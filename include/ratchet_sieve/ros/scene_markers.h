@@ -23,9 +23,10 @@ visualization_msgs::MarkerArray diskMarkers(const SceneDefinition& scene, const 
 visualization_msgs::MarkerArray binMarkers(const SceneDefinition& scene, const BinFrame& frame,
                                            const BaseFrame& base);
 
-/// Height of the caption above the left end of a base of this inclination [widths of the base]; larger for a
-/// steep base.
-double captionHeight(double inclination);
+/// Height of the caption above the left end of a base [widths of the base]: of a long and level one, and at
+/// this inclination, where it is above most disks that the drive of the scene throws up.
+constexpr double LEAST_CAPTION_HEIGHT = 0.345;
+double captionHeight(const SceneDefinition& scene, double inclination);
 
 /// Above the machine: time, theta, f and A (with their setpoints while they change), Q and P. Below it, in
 /// each species' colour: name, size, number and mean velocity with its standard error.

@@ -158,5 +158,6 @@ DRAWN = {'residence_times': draw_residence_times, 'height_profile': draw_height_
 
 def drawings_of_observed(directory):
     """@return by the name of its picture, what draws each observable that the run has"""
-    names = Table(directory / 'observed.csv').values('observable')
+    table = directory / 'observed.csv'
+    names = Table(table).values('observable') if table.exists() else []
     return {f'{name}.png': DRAWN[name] for name in names if name in DRAWN}

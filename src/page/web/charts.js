@@ -39,7 +39,7 @@ function addChart(parent, chart, common) {
         ...chart.series.map((each) => ({width: 1.6, points: {show: false},
           value: (u, v) => v === null ? UNDEFINED : quantity(v, chart.y.unit), ...each}))],
       bands: chart.bands || [],
-      legend: {live: true},
+      legend: {live: true, markers: {dash: (u, k) => u.series[k].dash ? 'dashed' : 'solid'}},
       cursor: {sync: {key: common.sync}, drag: {x: false, y: false}},
       hooks: {
         drawAxes: [(u) => drawMark(u, common.mark())],

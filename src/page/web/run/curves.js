@@ -42,12 +42,12 @@ class Curves {
     };
   }
 
-  /** Of each species one line for the left bin, and a dashed one for the right bin. */
+  /** Of each species a dashed line for the left bin, and one for the right bin. */
   ofBins(columnOf) {
     const series = [];
     const columns = [];
     this.names.forEach((name, k) => ['left', 'right'].forEach((bin) => {
-      series.push(Curves.stepped(`${name} ${bin}`, colourOf(k), bin === 'right' ? {dash: [6, 4]} : {}));
+      series.push(Curves.stepped(`${name} ${bin}`, colourOf(k), bin === 'left' ? {dash: [6, 4]} : {}));
       columns.push(columnOf(this.series.bins.species[k], bin));
     }));
     return {series, data: this.held(...columns)};

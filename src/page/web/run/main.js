@@ -36,7 +36,7 @@ class RunPage {
       this.show(this.player.time);
     }).observe(byId('content'));
     this.showPlayer();
-    this.show(this.player.start);
+    this.player.seek(this.motion.opening);
   }
 
   show(time) {

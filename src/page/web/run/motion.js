@@ -73,6 +73,13 @@ class Motion {
       for (let i = 0; i < this.lengths[track]; ++i) this.tracksOfFrames[next[this.firstFrames[track] + i]++] = track;
   }
 
+  /** When to open the page: at the start or, in a machine that is only fed, once it is half full. */
+  get opening() {
+    const counts = Array.from(this.times, (time, k) => this.frameStarts[k + 1] - this.frameStarts[k]);
+    const most = counts.reduce((a, b) => Math.max(a, b), 0);
+    return this.times[counts[0] ? 0 : counts.findIndex((count) => 2 * count >= most)];
+  }
+
   /** The place of the last frame that is not after a time. */
   frameAt(time) {
     return Math.max(0, lastNotAbove(this.times, time));

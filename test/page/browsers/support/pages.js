@@ -9,9 +9,10 @@ const DIRECTORY = path.resolve(process.env.PAGE_TEST_PAGES ?? '.');
 /// Pages of runs with their facts; the same run without a bag; texts that are programs; a sweep.
 export const RUNS = ['demo', 'split', 'singles', 'many', 'sizes', 'observed'];
 export const DIRECT = 'direct';
+export const FED = 'fed';
 export const HOSTILE = 'hostile';
 export const SWEEP = 'sweep/report';
-export const ALL = [...RUNS, DIRECT, HOSTILE, SWEEP];
+export const ALL = [...RUNS, DIRECT, FED, HOSTILE, SWEEP];
 
 const PATIENCE = 10000;  // ms
 
