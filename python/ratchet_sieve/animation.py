@@ -80,9 +80,9 @@ def paused_sieve(screen, options, config=None):
                            f'params:={{limits: {{inclination: {{slew_rate: {SLEW_RATE}}}}}}}',
                            'paused:=true', f'rviz:={not config}', 'wait_for_rviz:=60', 'exit_at_end:=false'],
                           stdout=subprocess.DEVNULL)
-    if config:  # with the camera fitted to the scene
-        screen.start(['rosrun', 'ratchet_sieve', 'sieve_rviz', str(config), '_view:=machine', '_sieve:=sieve'],
-                     stdout=subprocess.DEVNULL)
+    if config:  # with the camera fitted to the scene; a splash screen would count as disks
+        screen.start(['rosrun', 'ratchet_sieve', 'sieve_rviz', str(config), '--splash-screen', '', '_view:=machine',
+                      '_sieve:=sieve'], stdout=subprocess.DEVNULL)
     rospy.init_node('film', disable_signals=True)
     try:
         yield
