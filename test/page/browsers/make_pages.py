@@ -94,8 +94,9 @@ def main():
     tilted = [pages.config / 'demo.yaml', '--set', 'base.inclination=0.19']
     pages.run('demo', *tilted)
     pages.program('sieve_run', *tilted, '--html', pages.out / 'direct.html')
-    pages.program('sieve_run', *tilted, '--set', 'species.0.count=0', '--set', 'species.1.count=0', '--set', 'feed.rate=40',
-                  '--duration', 2, '--html', pages.out / 'fed.html')
+    pages.program('sieve_run', *tilted, '--set', 'density=null', '--set', 'feed.rate=40',
+                  '--set', 'species.0.count=0', '--set', 'species.1.count=0', '--duration', 2,
+                  '--html', pages.out / 'fed.html')
     pages.split('split')
     pages.run('singles', pages.config / 'paper_fig3.yaml', '--duration', 2)
     pages.run('many', pages.config / 'paper_fig8.yaml', '--set', 'base.teeth=382', '--set', 'settle=0',
