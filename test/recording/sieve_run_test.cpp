@@ -147,10 +147,11 @@ TEST_F(SieveRun, ListsTheKeysOfAScene)
   const Result all = run("--keys");
   EXPECT_EQ(all.status, 0);
   EXPECT_EQ(all.errors, "");
-  for (const char* row : {"\nboundary                                choice   -      periodic, open or "
-                          "walled   periodic\n    What",
-                          "\nspecies.N.radius                        number   m      1e-09 to 1000           "
-                          "   required\n    Radius"})
+  for (const char* row :
+       {"\nboundary                                choice   -       periodic, open or "
+        "walled   periodic\n    What",
+        "\nspecies.N.radius                        number   m       1e-09 to 1000           "
+        "   required\n    Radius"})
     EXPECT_NE(all.output.find(row), std::string::npos) << row;
   const Result some = run("--keys friction");
   EXPECT_NE(some.output.find("\npairs.N.friction "), std::string::npos);

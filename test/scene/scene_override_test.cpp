@@ -117,6 +117,23 @@ TEST(SceneOverride, OfABadValueNamesNoLineOfTheFile)
             "s.yaml: species.0.radius = -1: must be a number from 1e-09 to 1000 m");
 }
 
+/// As scenes of resets and of sweeps' cases are.
+TEST(SceneOverride, OfACopyNamesNoLine)
+{
+  YAML::Node root = copyWithoutLines(YAML::Load(goodSceneWith("settle: 0.0", "settle: 5")));
+  applyOverride(root, "duration=1");
+  try
+  {
+    sceneFromYaml(root, "s.yaml");
+    FAIL();
+  }
+  catch (const SceneError& error)
+  {
+    EXPECT_EQ(std::string(error.what()).rfind("s.yaml: settle = 5: must be at most the duration, 1 s", 0), 0u)
+        << error.what();
+  }
+}
+
 TEST(SceneOverride, KeepsQuotesApartFromNumbers)
 {
   EXPECT_EQ(refusalOfOverride("settle=\"1\""),
