@@ -96,10 +96,12 @@ std::vector<DriftVelocity> DisplacementTracker::velocities() const
   for (std::size_t i = 0; i < sums.size(); ++i)
   {
     velocities.push_back(sums[i].velocity());
+    if (independent_ || !velocities[i].mean)
+      continue;
     // The scatter over disks does not contain fluctuations of the layer as a whole.
-    const std::optional<double> error = blocks_[i].standardError();
-    if (velocities[i].mean && error && *error > velocities[i].mean_stderr.value_or(0.0))
-      velocities[i].mean_stderr = error;
+    const std::optional<double> over_time = blocks_[i].standardError();
+    std::optional<double>& error = velocities[i].mean_stderr;
+    error = over_time ? std::optional(std::max(error.value_or(0.0), *over_time)) : std::nullopt;
   }
   return velocities;
 }

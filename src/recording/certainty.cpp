@@ -19,6 +19,8 @@ constexpr std::uint64_t BLOCKS_PER_MORE = 5;  ///< checks follow at n and n (1 +
 /// A larger factor is not informative.
 constexpr double LARGEST_FACTOR = 1e9;
 
+constexpr const char* RUNS_EMPTY = "the base runs empty, so a longer run does not help";
+
 bool isFed(const SceneDefinition& scene)
 {
   return scene.feed.rate > 0.0;
@@ -73,7 +75,7 @@ std::string meanShortfall(const Simulation& simulation, const Certainty& certain
   const std::string text =
       fmt::format("accuracy.mean_vx = {:g} m/s was not reached within {:g} s: ", wanted, simulation.time());
   if (!ratio || !means.transient)
-    return text + "the run is too short to estimate the error";
+    return text + (empties(simulation.scene()) ? RUNS_EMPTY : "the run is too short to estimate the error");
   // Small enough, but from too few blocks to be reliable.
   const std::string error = *ratio <= 1.0 ? "the run is too short for a reliable error, "
                                           : fmt::format("+- {:.3g} m/s ", *ratio * wanted);
@@ -81,7 +83,7 @@ std::string meanShortfall(const Simulation& simulation, const Certainty& certain
       error + fmt::format("over {:.3g} s, the first {:.3g} s after settle cut as transient; ", means.left,
                           *means.transient);
   if (empties(simulation.scene()))
-    return text + found + "the base runs empty, so a longer run does not help";
+    return text + found + RUNS_EMPTY;
   const double times = std::min(std::max(*ratio * *ratio, timesForTrust(means)), LARGEST_FACTOR);
   const double enough = std::max(*means.transient + means.left * times, CUTS_IN_A_RUN * *means.transient);
   return text + found +
@@ -163,6 +165,26 @@ std::vector<std::string> shortfalls(const Simulation& simulation, const Certaint
   if (certainty.to_quality && !certainty.to_quality->reached())
     texts.push_back(qualityShortfall(simulation, certainty.separation));
   return texts;
+}
+
+std::string unknownErrorText(const Simulation& simulation)
+{
+  const SceneDefinition& scene = simulation.scene();
+  if (empties(scene) || !simulation.plan().pairs)
+    return {};
+  std::string names;
+  const std::vector<SpeciesMeans> means = simulation.means();
+  for (std::size_t s = 0; s < means.size(); ++s)
+    if (means[s].mean_vx && !means[s].mean_vx_stderr)
+      names += (names.empty() ? "" : ", ") + scene.species[s].name;
+  if (names.empty())
+    return {};
+  const double counted = simulation.time() - simulation.blockEnd(0);
+  const double enough = std::max(simulation.blockEnd(BlockAverages::MIN_BLOCKS), simulation.time() + counted);
+  return fmt::format(
+      "mean_vx_stderr of {} is null: {:.3g} s after settle are too short to tell the error; a "
+      "duration of about {:.2g} s may do",
+      names, counted, enough);
 }
 
 LookTimes::LookTimes(const Simulation& simulation) : simulation_(simulation), blocks_(FIRST_LOOK)

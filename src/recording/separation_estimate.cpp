@@ -87,7 +87,7 @@ std::optional<SeparationEstimate> separationEstimate(const std::vector<SpeciesBi
     return found;
   }
   const std::vector<BlockSum> blocks = deviations(exits[pair.first], exits[pair.second]);
-  const std::optional<BlockError> in_time = joinedError(blocks);
+  const std::optional<BlockError> in_time = seriesError(blocks);
   if (!in_time)
     return std::nullopt;
   found.sampled = std::max(found.sampled, halfWidthOver(confidence, in_time->blocks) * in_time->error);

@@ -23,6 +23,9 @@ constexpr std::size_t BATCHES = 64;
 /// Number of blocks for finding the transient, if the errors come from groups.
 constexpr double BLOCKS_OF_GROUPS = 32.0;
 
+/// Fewer groups than this give no reliable scatter.
+constexpr std::size_t MIN_GROUPS = 16;
+
 /// Without blocks in which there was no disk.
 std::vector<BlockSum> after(const std::vector<BlockSum>& series, std::size_t cut)
 {
@@ -87,14 +90,19 @@ std::optional<SteadyMean> meanAfter(const SpeciesSeries& species, std::size_t cu
 {
   const std::vector<BlockSum> left = after(species.velocity, cut);
   const BlockSum all = sumOf(left);
-  const std::optional<BlockError> in_time = joinedError(left);
-  if (!in_time || all.weight <= 0.0)
+  const std::optional<BlockError> in_time = seriesError(left);
+  const std::vector<BlockSum> groups = groupSums(species, cut);
+  const bool grouped = groups.size() >= MIN_GROUPS;
+  if (all.weight <= 0.0 || (!in_time && !grouped))
     return std::nullopt;
   SteadyMean mean;
-  mean.estimate = {all.sum / all.weight, halfWidthOver(confidence, in_time->blocks) * in_time->error};
-  mean.times_for_trust = timesForTrust(left, *in_time);
-  if (const std::vector<BlockSum> groups = groupSums(species, cut);
-      groups.size() >= BlockAverages::MIN_BLOCKS)
+  mean.estimate.value = all.sum / all.weight;
+  if (in_time)
+  {
+    mean.estimate.half_width = halfWidthOver(confidence, in_time->blocks) * in_time->error;
+    mean.times_for_trust = timesForTrust(left, *in_time);
+  }
+  if (grouped)
   {
     mean.estimate.half_width =
         std::max(mean.estimate.half_width, halfWidthOver(confidence, groups.size()) * scatterError(groups));

@@ -96,7 +96,8 @@ TEST(RunAnalysis, SaysTheSameOfDisksThatAreSeenMoreSeldom)
   {
     EXPECT_EQ(decimated.velocities[i].mean, full.velocities[i].mean);
     EXPECT_EQ(decimated.velocities[i].disks, full.velocities[i].disks);
-    EXPECT_GT(decimated.velocities[i].mean_stderr.value(), 0.0);
+    EXPECT_TRUE(full.velocities[i].mean_stderr);
+    EXPECT_FALSE(decimated.velocities[i].mean_stderr) << "40 steps are too few";
   }
   ASSERT_EQ(decimated.displacement_distributions.size(), full.displacement_distributions.size());
   for (std::size_t k = 0; k < full.displacement_distributions.size(); ++k)

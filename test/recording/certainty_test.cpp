@@ -215,13 +215,13 @@ TEST(Certainty, ThatIsNotReachedIsSaidWithWhatItWouldTake)
 TEST(Certainty, ThatCannotBeTrustedYetIsNotSaidToBeTooSmall)
 {
   SceneDefinition scene = layer(0.5);
-  scene.duration = 2.0;
+  scene.duration = 4.0;
   Simulation brief(scene);
   ASSERT_LT(certaintyOf(brief).to_mean_vx->ratio.value_or(0.0), 1.0);
   const std::vector<std::string> warnings = runToEnd(brief, {}).warnings;
   ASSERT_EQ(warnings.size(), 1u);
   const std::string start =
-      "accuracy.mean_vx = 0.5 m/s was not reached within 2 s: the run is too short for a reliable error, "
+      "accuracy.mean_vx = 0.5 m/s was not reached within 4 s: the run is too short for a reliable error, "
       "over ";
   EXPECT_EQ(warnings[0].rfind(start, 0), 0u) << warnings[0];
   const std::string marker = "a duration of about ";

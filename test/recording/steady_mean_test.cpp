@@ -49,7 +49,7 @@ std::optional<SteadyMean> meanBy(const Rule& rule, const BlockAverages& blocks, 
     return std::nullopt;
   const std::vector<BlockSum> left(blocks.blocks().begin() + static_cast<std::ptrdiff_t>(from),
                                    blocks.blocks().end());
-  const BlockError error = rule.joined ? *joinedError(left) : BlockError{scatterError(left), left.size()};
+  const BlockError error = rule.joined ? *seriesError(left) : BlockError{scatterError(left), left.size()};
   const BlockSum all = sumOf(left);
   return SteadyMean{{all.sum / all.weight, halfWidthOver(confidence, error.blocks) * error.error},
                     timesForTrust(left, error)};

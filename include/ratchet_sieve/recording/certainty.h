@@ -44,6 +44,10 @@ Certainty certaintyOf(const Simulation& simulation);
 /// One line for each requested error that was not reached: the achieved error, and the duration needed.
 std::vector<std::string> shortfalls(const Simulation& simulation, const Certainty& certainty);
 
+/// A warning of one line that names the species whose mean velocity is of too short a run to have an error;
+/// empty if there are none, and for a machine that runs empty.
+std::string unknownErrorText(const Simulation& simulation);
+
 /// The times at which the run checks whether it may end early, each about 1.2 times the one before. The
 /// checks are few, because each check adds to the probability that the error is too small by chance just
 /// then. The times are multiples of the block length counted from `settle`. So they do not depend on how a

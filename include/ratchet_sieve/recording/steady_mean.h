@@ -64,9 +64,9 @@ struct SteadyMeans
   std::vector<std::optional<SteadyMean>> of;  ///< per species; nothing if there are too few blocks
 };
 
-/// Means with their errors. If disks collide with each other, the error is estimated from the time series,
-/// with neighbouring blocks joined until it no longer grows (joinedError()). For independent disks it is also
-/// estimated from the scatter between groups of disks, and the larger one is used.
+/// Means with their errors. If disks collide with each other, the error is estimated from the time series
+/// (seriesError()). For independent disks it is also estimated from the scatter between groups of disks, and
+/// the larger one is used.
 SteadyMeans steadyMeans(const MeanSeries& series, double confidence);
 
 }  // namespace ratchet_sieve

@@ -1,5 +1,6 @@
 #include "ratchet_sieve/core/block_averages.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ratchet_sieve
@@ -9,12 +10,61 @@ namespace
 /// At this number of blocks, neighbours are joined.
 constexpr std::size_t MAX_BLOCKS = 512;
 
+/// A series shorter than this many correlation times does not tell its error: most of what is left out is in
+/// correlations that are longer than the series shows.
+constexpr double SHORTEST_RUN = 6.0;
+
+/// Wolff's S: how long the correlations are at most, over what is seen of them.
+constexpr double WINDOW_FACTOR = 1.5;
+
 std::vector<BlockSum> joined(const std::vector<BlockSum>& blocks)
 {
   std::vector<BlockSum> pairs;
   for (std::size_t i = 0; i + 1 < blocks.size(); i += 2)
     pairs.push_back({blocks[i].sum + blocks[i + 1].sum, blocks[i].weight + blocks[i + 1].weight});
   return pairs;
+}
+double weightOf(const std::vector<BlockSum>& blocks)
+{
+  double weight = 0.0;
+  for (const BlockSum& block : blocks)
+    weight += block.weight;
+  return weight;
+}
+
+/// Of the blocks that have a weight: the sum less the ratio times the weight.
+std::vector<double> deviationsOf(const std::vector<BlockSum>& blocks)
+{
+  double sum = 0.0;
+  for (const BlockSum& block : blocks)
+    sum += block.sum;
+  const double weight = weightOf(blocks);
+  std::vector<double> deviations;
+  for (const BlockSum& block : blocks)
+    if (block.weight > 0.0)
+      deviations.push_back(block.sum - sum / weight * block.weight);
+  return deviations;
+}
+
+/// The sum of the products of deviations that are `lag` blocks apart.
+double lagSum(const std::vector<double>& deviations, std::size_t lag)
+{
+  double sum = 0.0;
+  for (std::size_t k = lag; k < deviations.size(); ++k)
+    sum += deviations[k] * deviations[k - lag];
+  return sum;
+}
+
+/// Whether a longer window would add more noise to the error than it removes bias from it: Wolff's eq. 52.
+/// @param correlated correlation time seen in the window, in blocks: twice the integrated autocorrelation
+/// time
+bool windowEnds(double correlated, std::size_t lag, std::size_t count)
+{
+  if (correlated <= 1.0)
+    return true;
+  const double decay = WINDOW_FACTOR / std::log((correlated + 1.0) / (correlated - 1.0));
+  const auto window = static_cast<double>(lag);
+  return std::exp(-window / decay) < decay / std::sqrt(window * static_cast<double>(count));
 }
 }  // namespace
 
@@ -35,37 +85,42 @@ void BlockAverages::add(double displacement, double time)
 
 double scatterError(const std::vector<BlockSum>& blocks)
 {
-  BlockSum all;
-  for (const BlockSum& block : blocks)
-  {
-    all.sum += block.sum;
-    all.weight += block.weight;
-  }
-  if (all.weight <= 0.0)
+  const std::vector<double> deviations = deviationsOf(blocks);
+  if (deviations.empty())
     return 0.0;
-  double scatter = 0.0;
-  for (const BlockSum& block : blocks)
-  {
-    const double deviation = block.sum - all.sum / all.weight * block.weight;
-    scatter += deviation * deviation;
-  }
-  const auto count = static_cast<double>(blocks.size());
-  return std::sqrt(scatter * count / (count - 1.0)) / all.weight;
+  const auto count = static_cast<double>(deviations.size());
+  return std::sqrt(lagSum(deviations, 0) * count / (count - 1.0)) / weightOf(blocks);
 }
 
-std::optional<BlockError> joinedError(std::vector<BlockSum> blocks)
+std::optional<BlockError> seriesError(const std::vector<BlockSum>& blocks)
 {
-  std::optional<BlockError> largest;
-  for (; blocks.size() >= BlockAverages::MIN_BLOCKS; blocks = joined(blocks))
-    if (const double error = scatterError(blocks); !largest || error > largest->error)
-      largest = {error, blocks.size()};
-  return largest;
+  const std::vector<double> deviations = deviationsOf(blocks);
+  const std::size_t count = deviations.size();
+  if (count < BlockAverages::MIN_BLOCKS)
+    return std::nullopt;
+  const double independent = lagSum(deviations, 0);
+  if (independent <= 0.0)
+    return BlockError{0.0, count};
+  double sum = independent;
+  for (std::size_t lag = 1; 2 * lag + 1 < count / 2; ++lag)
+  {
+    sum += 2.0 * lagSum(deviations, lag);
+    if (!windowEnds(sum / independent, lag, count))
+      continue;
+    const double blocks_in_window = static_cast<double>(count) / static_cast<double>(2 * lag + 1);
+    // Deviations are from the series' own mean, which makes their products too small.
+    const double squared = std::max(sum, independent) / (1.0 - 1.0 / blocks_in_window);
+    if (squared * SHORTEST_RUN > static_cast<double>(count) * independent)
+      return std::nullopt;
+    return BlockError{std::sqrt(squared) / weightOf(blocks), 1 + static_cast<std::size_t>(blocks_in_window)};
+  }
+  return std::nullopt;
 }
 
 std::optional<double> BlockAverages::standardError() const
 {
-  const std::optional<BlockError> largest = joinedError(blocks_);
-  return largest ? std::optional<double>(largest->error) : std::nullopt;
+  const std::optional<BlockError> found = seriesError(blocks_);
+  return found ? std::optional<double>(found->error) : std::nullopt;
 }
 
 }  // namespace ratchet_sieve

@@ -143,10 +143,12 @@ std::vector<SpeciesMeans> SpeciesAverages::sizeClassMeans(double time) const
 SpeciesMeans SpeciesAverages::meansOf(std::size_t group, const std::vector<Sums>& sums) const
 {
   SpeciesMeans means = sums[group].means(system_.scene().species[species_of_[group]]);
+  if (!system_.plan().pairs || !means.mean_vx)
+    return means;
   // The larger one: from differences between disks, or from fluctuations of the whole layer in time.
-  const auto over_time = blocks_[group].standardError();
-  if (over_time && means.mean_vx)
-    means.mean_vx_stderr = std::max(means.mean_vx_stderr.value_or(0.0), *over_time);
+  const std::optional<double> over_time = blocks_[group].standardError();
+  means.mean_vx_stderr =
+      over_time ? std::optional(std::max(means.mean_vx_stderr.value_or(0.0), *over_time)) : std::nullopt;
   return means;
 }
 
