@@ -182,7 +182,7 @@ int run(const RunArguments& arguments)
     std::fprintf(stderr, "sieve_run: warning: %s\n", warning.c_str());
   outcome.warnings.insert(outcome.warnings.begin(), scene.warnings.begin(), scene.warnings.end());
   const bool all_saved = !saver || saver->saved();
-  const bool through = outcome.end == RunEnd::COMPLETED || outcome.end == RunEnd::ACCURATE;
+  const bool through = outcome.end != RunEnd::STOPPED && outcome.end != RunEnd::STALLED;
   nlohmann::ordered_json summary = summarize(simulation, outcome);
   const bool checked = !arguments.check_floor || !through || checkFloor(scene.definition, summary);
   const bool complete = outputs.finish(summary, outcome.warnings);

@@ -19,6 +19,7 @@
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/case_builder.h"
 #include "ratchet_sieve/sweep/case_file.h"
+#include "ratchet_sieve/sweep/cost_estimate.h"
 #include "ratchet_sieve/sweep/engine_run.h"
 #include "ratchet_sieve/sweep/floor_check.h"
 #include "ratchet_sieve/sweep/sweep_report.h"
@@ -121,6 +122,8 @@ int listOnly(const Sweep& sweep, const SweepArguments& arguments)
   for (const std::string& line : requireLegal(sweep).lines(sweep.size(), "case"))
     warn(line);
   listCases(sweep, arguments.results, std::cout);
+  for (const std::string& line : costLines(sweep))
+    std::fprintf(stderr, "sieve_sweep: %s\n", line.c_str());
   return DONE;
 }
 

@@ -83,7 +83,10 @@ void describeRun(CLI::App& run, SweepArguments& arguments)
   describeEngine(run, arguments);
   describePages(run, arguments);
   run.add_flag("--retry-failed", arguments.options.retry_failed, "Run failed cases again");
-  run.add_flag("--dry-run", arguments.dry_run, "List the cases and run none");
+  run.add_flag(
+      "--dry-run", arguments.dry_run,
+      "List the cases, estimate what they cost from a short run of each corner of the grid, and keep no "
+      "results");
   run.add_flag("--yes", arguments.yes, "Confirm a sweep of more than a million cases");
 }
 

@@ -10,6 +10,7 @@
 
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/certainty.h"
+#include "ratchet_sieve/recording/choke.h"
 #include "ratchet_sieve/recording/stride.h"
 #include "ratchet_sieve/recording/wall_warnings.h"
 
@@ -36,7 +37,9 @@ public:
       : simulation_(simulation), watchers_(watchers), audit_period_(SCALES_PER_AUDIT * simulation.timeScale())
   {
     outcome_.progress = so_far;
-    audits_ = std::floor(simulation.time() / audit_period_) + 1.0;
+    audits_ = std::floor(simulation.time() / audit_period_);
+    if (nextAudit() < simulation.time())
+      audits_ += 1.0;
     if (simulation.scene().accuracy.endsEarly())
       looks_.emplace(simulation);
     for (const FrameStream& stream : watchers_.frames)
@@ -67,10 +70,14 @@ public:
     if (simulation_.stalled())
       outcome_.end = RunEnd::STALLED;
     if (outcome_.end == RunEnd::COMPLETED)
-      outcome_.warnings = shortfalls(simulation_, certaintyOf(simulation_));
+      warnOfErrors();
+    if (outcome_.end == RunEnd::CHOKED)
+      outcome_.warnings.push_back(fmt::format("ended at {} s of {} s by feed.on_choke", simulation_.time(),
+                                              simulation_.scene().duration));
     if (simulation_.collapses().count > 0)
       outcome_.warnings.push_back(simulation_.collapseText());
-    for (const std::string& text : {simulation_.energyText(), overWallsText(simulation_)})
+    for (const std::string& text :
+         {chokeText(simulation_), simulation_.energyText(), overWallsText(simulation_)})
       if (!text.empty())
         outcome_.warnings.push_back(text);
     save();
@@ -85,11 +92,18 @@ public:
   }
 
 private:
+  void warnOfErrors()
+  {
+    outcome_.warnings = shortfalls(simulation_, certaintyOf(simulation_));
+    if (const std::string text = unknownErrorText(simulation_); outcome_.warnings.empty() && !text.empty())
+      outcome_.warnings.push_back(text);
+  }
+
   void advanceToEnd()
   {
     const double duration = simulation_.scene().duration;
     lookAtDue();
-    while (simulation_.time() < duration && !accurate())
+    while (simulation_.time() < duration && outcome_.end != RunEnd::CHOKED && !accurate())
     {
       if (watchers_.stop_wanted && watchers_.stop_wanted())
       {
@@ -110,11 +124,19 @@ private:
     {
       audit();
       ++audits_;
+      if (mayEndChoked() && !chokeText(simulation_).empty())
+        outcome_.end = RunEnd::CHOKED;
     }
     for (std::size_t k = 0; k < samplers_.size(); ++k)
       samplers_[k].takeDue(simulation_, *watchers_.frames[k].sink);
     if (watchers_.progress)
       watchers_.progress(simulation_);
+  }
+
+  bool mayEndChoked() const
+  {
+    const SceneDefinition& scene = simulation_.scene();
+    return scene.feed.on_choke == ChokeAction::STOP && simulation_.time() < scene.duration;
   }
 
   /// Whether the run has reached the accuracy that its scene requests.

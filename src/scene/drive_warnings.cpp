@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "ratchet_sieve/core/drive_of_scene.h"
+#include "ratchet_sieve/core/layer.h"
 #include "scene_warnings.h"
 
 namespace ratchet_sieve
@@ -102,6 +103,21 @@ void warnOfDrive(const SceneDefinition& scene, SceneWarnings& warnings)
     warnings.add(
         "base.frequency", base.frequency, "Hz", with + figure + ", too weak to lift a disk",
         suggestUnit(base.frequency, 1e3, [&](double f) { return isTame(drivenAt(base, f), scene.gravity); }));
+}
+
+void warnOfLift(const SceneDefinition& scene, SceneWarnings& warnings)
+{
+  const bool poured = scene.feed.rate > 0.0 || (scene.initial.empty() && disksAtStart(scene) > 0);
+  const DriveBounds now = driveBounds(scene.base);
+  // Without a drive disks are at rest; a much weaker drive or an implausible gravity has a line of its own.
+  if (!poured || now.acceleration == 0.0 || now.acceleration < SOFTEST_DRIVE * scene.gravity ||
+      scene.gravity > STRONGEST_GRAVITY)
+    return;
+  const double lift = peakLift(scene.base);
+  if (lift < scene.gravity)
+    warnings.add("the drive's peak acceleration downwards, " + quantity(lift, "m/s^2") + ", is " +
+                 number(lift / scene.gravity) +
+                 " times gravity; below 1 it throws no disk up, and disks that are poured or fed pile up");
 }
 
 void warnOfAngles(const SceneDefinition& scene, SceneWarnings& warnings)

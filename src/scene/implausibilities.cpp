@@ -344,9 +344,9 @@ void warnOfDuration(const SceneDefinition& scene, SceneWarnings& warnings)
 std::vector<std::string> warningsOf(const SceneDefinition& scene)
 {
   SceneWarnings warnings;
-  for (const auto doubt :
-       {warnOfNumbers, warnOfRadii, warnOfTables, warnOfMasses, warnOfTeeth, warnOfDrive, warnOfAngles,
-        warnOfGravity, warnOfLayer, warnOfFeed, warnOfPour, warnOfInitial, warnOfContact, warnOfDuration})
+  for (const auto doubt : {warnOfNumbers, warnOfRadii, warnOfTables, warnOfMasses, warnOfTeeth, warnOfDrive,
+                           warnOfAngles, warnOfGravity, warnOfLayer, warnOfFeed, warnOfPour, warnOfInitial,
+                           warnOfContact, warnOfDuration, warnOfLift})
     doubt(scene, warnings);
   warnOfAccuracy(scene, lastingSpeed(scene), warnings);
   return warnings.take();

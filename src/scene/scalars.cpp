@@ -1,13 +1,11 @@
 #include "ratchet_sieve/scene/scalars.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <locale>
 #include <optional>
 #include <sstream>
-#include <utility>
 
 #include "ratchet_sieve/core/observable.h"
 
@@ -24,65 +22,12 @@ constexpr double LEAST_SLIP = 2.0;
 
 constexpr double DEGREE = 3.14159265358979323846 / 180.0;  ///< [rad]
 
-template <typename Choice, std::size_t COUNT>
-using ChoiceNames = std::array<std::pair<Choice, const char*>, COUNT>;
-
-constexpr ChoiceNames<Boundary, 3> BOUNDARY_NAMES = {
-    {{Boundary::PERIODIC, "periodic"}, {Boundary::OPEN, "open"}, {Boundary::WALLED, "walled"}}};
-
-constexpr ChoiceNames<DriveFrame, 2> DRIVE_FRAME_NAMES = {
-    {{DriveFrame::WORLD, "world"}, {DriveFrame::BASE, "base"}}};
-
-constexpr ChoiceNames<CollapseAction, 2> COLLAPSE_ACTION_NAMES = {
-    {{CollapseAction::STOP, "stop"}, {CollapseAction::REBOUND, "rebound"}}};
-
-constexpr ChoiceNames<Method, 2> METHOD_NAMES = {{{Method::EVENTS, "events"}, {Method::STEPS, "steps"}}};
-
-constexpr ChoiceNames<SizeDistribution, 4> SIZE_DISTRIBUTION_NAMES = {
-    {{SizeDistribution::UNIFORM, "uniform"},
-     {SizeDistribution::NORMAL, "normal"},
-     {SizeDistribution::LOGNORMAL, "lognormal"},
-     {SizeDistribution::TABLE, "table"}}};
-
-constexpr ChoiceNames<SizeShare, 2> SIZE_SHARE_NAMES = {
-    {{SizeShare::NUMBER, "number"}, {SizeShare::MASS, "mass"}}};
-
 std::string joined(const std::vector<std::string>& words)
 {
   std::string list;
   for (const std::string& word : words)
     list += (list.empty() ? "" : ", ") + word;
   return list;
-}
-
-template <typename Choice, std::size_t COUNT>
-LegalValues legalChoice(const ChoiceNames<Choice, COUNT>& choices)
-{
-  std::string names;
-  for (std::size_t i = 0; i < COUNT; ++i)
-    names += (i == 0 ? "" : i + 1 < COUNT ? ", " : " or ") + std::string(choices[i].second);
-  return {"choice", names};
-}
-
-template <typename Choice, std::size_t COUNT>
-void readChoice(const Entry& entry, const ChoiceNames<Choice, COUNT>& choices, Choice& value)
-{
-  for (const auto& [choice, name] : choices)
-    if (entry.node().IsScalar() && entry.node().Scalar() == name)
-    {
-      value = choice;
-      return;
-    }
-  entry.refuseValue("must be " + legalChoice(choices).values);
-}
-
-template <typename Choice, std::size_t COUNT>
-std::string choiceText(const ChoiceNames<Choice, COUNT>& choices, Choice value)
-{
-  for (const auto& [choice, name] : choices)
-    if (choice == value)
-      return name;
-  return "";
 }
 
 /// The text of a scalar, unless it is in quotes: in YAML quoted text is never a number.
@@ -201,26 +146,6 @@ void readScalar(const Entry& entry, const Range& range, std::string& value)
   value = entry.node().Scalar();
 }
 
-void readScalar(const Entry& entry, const Range&, Boundary& value)
-{
-  readChoice(entry, BOUNDARY_NAMES, value);
-}
-
-void readScalar(const Entry& entry, const Range&, DriveFrame& value)
-{
-  readChoice(entry, DRIVE_FRAME_NAMES, value);
-}
-
-void readScalar(const Entry& entry, const Range&, CollapseAction& value)
-{
-  readChoice(entry, COLLAPSE_ACTION_NAMES, value);
-}
-
-void readScalar(const Entry& entry, const Range&, Method& value)
-{
-  readChoice(entry, METHOD_NAMES, value);
-}
-
 void readScalar(const Entry& entry, const Range& range, std::vector<std::string>& value)
 {
   const std::vector<std::string> known = observableNames();
@@ -234,16 +159,6 @@ void readScalar(const Entry& entry, const Range& range, std::vector<std::string>
       item.refuseValue("is given twice");
     value.push_back(name);
   }
-}
-
-void readScalar(const Entry& entry, const Range&, SizeDistribution& value)
-{
-  readChoice(entry, SIZE_DISTRIBUTION_NAMES, value);
-}
-
-void readScalar(const Entry& entry, const Range&, SizeShare& value)
-{
-  readChoice(entry, SIZE_SHARE_NAMES, value);
 }
 
 void readScalar(const Entry& entry, const Range& range, std::vector<double>& values)
@@ -278,39 +193,9 @@ LegalValues legalValues(const Range&, const std::string&)
   return {"name", "1 to " + std::to_string(LONGEST_NAME) + " letters, digits, '_', '-' or '.'"};
 }
 
-LegalValues legalValues(const Range&, Boundary)
-{
-  return legalChoice(BOUNDARY_NAMES);
-}
-
-LegalValues legalValues(const Range&, DriveFrame)
-{
-  return legalChoice(DRIVE_FRAME_NAMES);
-}
-
-LegalValues legalValues(const Range&, CollapseAction)
-{
-  return legalChoice(COLLAPSE_ACTION_NAMES);
-}
-
-LegalValues legalValues(const Range&, Method)
-{
-  return legalChoice(METHOD_NAMES);
-}
-
 LegalValues legalValues(const Range&, const std::vector<std::string>&)
 {
   return {"list", joined(observableNames())};
-}
-
-LegalValues legalValues(const Range&, SizeDistribution)
-{
-  return legalChoice(SIZE_DISTRIBUTION_NAMES);
-}
-
-LegalValues legalValues(const Range&, SizeShare)
-{
-  return legalChoice(SIZE_SHARE_NAMES);
 }
 
 LegalValues legalValues(const Range& range, const std::vector<double>&)
@@ -350,39 +235,9 @@ std::string scalarText(const std::string& value)
   return '"' + value + '"';
 }
 
-std::string scalarText(Boundary value)
-{
-  return choiceText(BOUNDARY_NAMES, value);
-}
-
-std::string scalarText(DriveFrame value)
-{
-  return choiceText(DRIVE_FRAME_NAMES, value);
-}
-
-std::string scalarText(CollapseAction value)
-{
-  return choiceText(COLLAPSE_ACTION_NAMES, value);
-}
-
-std::string scalarText(Method value)
-{
-  return choiceText(METHOD_NAMES, value);
-}
-
 std::string scalarText(const std::vector<std::string>& value)
 {
   return '[' + joined(value) + ']';
-}
-
-std::string scalarText(SizeDistribution value)
-{
-  return choiceText(SIZE_DISTRIBUTION_NAMES, value);
-}
-
-std::string scalarText(SizeShare value)
-{
-  return choiceText(SIZE_SHARE_NAMES, value);
 }
 
 std::string scalarText(const std::vector<double>& values)

@@ -87,6 +87,8 @@ std::optional<double> suggestUnit(double value, double factor, Plausible&& plaus
 bool shakes(const DriveBounds& drive, double gravity);
 
 void warnOfDrive(const SceneDefinition& scene, SceneWarnings& warnings);
+/// About a drive that is too weak to throw disks up.
+void warnOfLift(const SceneDefinition& scene, SceneWarnings& warnings);
 void warnOfAngles(const SceneDefinition& scene, SceneWarnings& warnings);
 void warnOfGravity(const SceneDefinition& scene, SceneWarnings& warnings);
 

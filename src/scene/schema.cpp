@@ -339,6 +339,10 @@ const Keys<FeedDefinition>& feedKeys()
       {"to", [](F& f) -> Slot { return &f.stretch.to; }, upTo(LARGEST_WIDTH, "m"),
        "Right end of that stretch, at least feed.from; without it, the right end of the base.",
        Presence::ADDED, "-"},
+      {"on_choke", [](F& f) -> Slot { return &f.on_choke; }, ANY,
+       "What happens when the disks only pile up on the base: the run goes on (run) or ends early (stop), "
+       "with a warning.",
+       Presence::ADDED},
   };
   return KEYS;
 }

@@ -1,7 +1,6 @@
 #include "ratchet_sieve/sweep/sweep_report.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <optional>
 
@@ -10,7 +9,6 @@
 #include "quoted_word.h"
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/physics_version.h"
-#include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -18,15 +16,12 @@
 #include "ratchet_sieve/sweep/case_claims.h"
 #include "ratchet_sieve/sweep/result_store.h"
 #include "ratchet_sieve/sweep/sweep_plan.h"
-#include "ratchet_sieve/sweep/sweep_progress.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-
-constexpr auto LONGEST_MEASUREMENT = std::chrono::seconds(1);
 
 const char* const ROWS =
     " FROM plan p JOIN cases c ON c.run_hash = p.run_hash WHERE p.sweep = ?1 AND c.physics = ?2 ";
@@ -265,40 +260,6 @@ void listCases(const Sweep& sweep, const std::string& results, std::ostream& out
       select->reset();
     out << '\n';
   }
-}
-
-std::string estimateText(const Sweep& sweep, std::size_t threads)
-{
-  CaseBuilder builder(sweep);
-  const SceneDefinition& scene = builder.at(0).scene;
-  const auto start = std::chrono::steady_clock::now();
-  const auto late = [start] { return std::chrono::steady_clock::now() - start > LONGEST_MEASUREMENT; };
-  struct TooLate
-  {
-  };
-  try
-  {
-    Simulation simulation(scene, 0.0,
-                          [&late](std::size_t, std::size_t)
-                          {
-                            if (late())
-                              throw TooLate();
-                          });
-    RunWatchers watchers;
-    watchers.stop_wanted = late;
-    runToEnd(simulation, watchers);
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const double part = scene.duration > 0.0 ? simulation.time() / scene.duration : 1.0;
-    if (part > 0.0)
-      return "about " +
-             durationText(wall / part * static_cast<double>(sweep.size()) / static_cast<double>(threads)) +
-             " according to the first case";
-  }
-  catch (const TooLate&)
-  {
-    // Reported below.
-  }
-  return "an unknown time: the first case takes long to start";
 }
 
 }  // namespace ratchet_sieve

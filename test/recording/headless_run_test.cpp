@@ -19,7 +19,65 @@ TEST(HeadlessRun, GoesToTheScenesDuration)
   EXPECT_EQ(simulation.time(), 1.0);
   EXPECT_EQ(outcome.progress.energy_start, energy);
   EXPECT_EQ(outcome.progress.through_base, 0u);
-  EXPECT_TRUE(outcome.warnings.empty());
+  ASSERT_EQ(outcome.warnings.size(), 1u);
+  EXPECT_EQ(outcome.warnings[0],
+            "mean_vx_stderr of A, B is null: 1 s after settle are too short to tell the "
+            "error; a duration of about 2.1 s may do");
+}
+
+/// A tooth to either side of the chute, 0.9 g: nothing leaves before the heap has reached the ends.
+SceneDefinition chokedFeeder()
+{
+  SceneDefinition scene = smallMixture();
+  for (SpeciesDefinition& species : scene.species)
+    species.count = 0;
+  scene.base.frequency = 10.6;
+  scene.feed.rate = 60.0;
+  scene.feed.stretch = {0.035, 0.045};
+  scene.duration = 30.0;
+  return scene;
+}
+
+TEST(HeadlessRun, EndsAtAChokedBaseIfItsSceneSaysSo)
+{
+  SceneDefinition scene = chokedFeeder();
+  scene.feed.on_choke = ChokeAction::STOP;
+  Simulation choked(scene);
+  const RunOutcome outcome = runToEnd(choked, {});
+  EXPECT_EQ(outcome.end, RunEnd::CHOKED);
+  ASSERT_EQ(outcome.warnings.size(), 2u);
+  EXPECT_EQ(outcome.warnings[0].rfind("ended at ", 0), 0u) << outcome.warnings[0];
+  EXPECT_EQ(outcome.warnings[1].rfind("the base is choked: of ", 0), 0u) << outcome.warnings[1];
+
+  // Where it ends depends on neither its strides nor a checkpoint.
+  Simulation halved(scene);
+  halved.advanceTo(0.3 * choked.time());
+  Simulation resumed(scene, halved.saveState());
+  EXPECT_EQ(runToEnd(resumed, {}, {}).end, RunEnd::CHOKED);
+  EXPECT_EQ(resumed.saveState(), choked.saveState());
+  Simulation ended(scene, choked.saveState());
+  EXPECT_EQ(runToEnd(ended, {}, {}).end, RunEnd::CHOKED);
+  EXPECT_EQ(ended.time(), choked.time());
+
+  scene.feed.on_choke = ChokeAction::RUN;
+  scene.duration = choked.time();
+  Simulation warned(scene);
+  const RunOutcome run = runToEnd(warned, {});
+  EXPECT_EQ(run.end, RunEnd::COMPLETED);
+  EXPECT_NE(run.warnings.back().find("; feed.on_choke: stop ends such a run"), std::string::npos);
+}
+
+TEST(HeadlessRun, IsNotChokedByABaseThatFillsUp)
+{
+  SceneDefinition scene = chokedFeeder();
+  scene.base.frequency = 23.0;
+  scene.base.teeth = 20;
+  scene.feed.stretch = {0.0, 0.02};
+  scene.feed.on_choke = ChokeAction::STOP;
+  scene.duration = 3.0;
+  Simulation simulation(scene);
+  EXPECT_EQ(runToEnd(simulation, {}).end, RunEnd::COMPLETED);
+  EXPECT_LT(simulation.bins()[0].counted() + simulation.bins()[1].counted(), 90u) << "it is still filling";
 }
 
 TEST(HeadlessRun, SaysHowManyDisksWentOverTheWalls)
@@ -33,8 +91,8 @@ TEST(HeadlessRun, SaysHowManyDisksWentOverTheWalls)
       {0, 0.03, 0.04, -1.0, 0.0, 0.0}, {0, 0.05, 0.05, 1.0, 0.0, 0.0}, {0, 0.06, 0.06, 1.0, 0.0, 0.0}};
   Simulation simulation(scene);
   const RunOutcome outcome = runToEnd(simulation, {});
-  ASSERT_EQ(outcome.warnings.size(), 1u);
-  EXPECT_EQ(outcome.warnings[0],
+  ASSERT_EQ(outcome.warnings.size(), 2u) << "it is also too short for errors";
+  EXPECT_EQ(outcome.warnings[1],
             "3 of the disks went over the walls, which are 0.03 m high: 1 to the left, "
             "2 to the right; base.wall_height makes them higher");
 }

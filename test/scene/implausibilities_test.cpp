@@ -59,6 +59,13 @@ const std::vector<Mistake>& mistakes()
         "depend; without it, at random times"}},
       {{"feed.rate=10", "feed.even=true", "base.frequency=29.97"}, {}},
       {{"feed.rate=10", "base.frequency=30"}, {}},
+      {{"base.frequency=10"},
+       {"the drive's peak acceleration downwards, 7.896 m/s^2, is 0.8049 times gravity; below 1 it throws no "
+        "disk up, and disks that are poured or fed pile up"}},
+      {{"base.frequency=10", "base.harmonics=[{multiple: 2, amplitude: 0.0003}]"}, {}},
+      {{"base.frequency=12", "base.amplitude=0.001", "base.horizontal_amplitude=0.01"},
+       {"the drive's peak acceleration downwards, 5.685 m/s^2, is 0.5795 times gravity; below 1 it throws no "
+        "disk up, and disks that are poured or fed pile up"}},
       {{"accuracy.step=0.001"},
        {"accuracy.step = 0.001 s: has no effect, because accuracy.method is events"}},
       {{"accuracy.method=steps", "contact.pair_collisions=false"},

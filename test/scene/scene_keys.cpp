@@ -53,6 +53,7 @@ const std::vector<SceneKey>& sceneKeys()
       {"feed", "even", K::TRUTH},
       {"feed", "from", K::NUMBER, 0, 1e9},
       {"feed", "to", K::NUMBER, 0, 1e9},
+      {"feed", "on_choke", K::WORD, 0, 0, false, {"run", "stop"}},
       {"height_profile", "slice", K::NUMBER, 0, 1e3},
       {"height_profile", "phases", K::INTEGER, 1, 64},
       {"initial", "species", K::SPECIES, 0, 0, true},

@@ -154,6 +154,8 @@ TEST_F(SieveSweep, ListsShowsAndExports)
   const std::string file = sweep(SMALL_SCENE + std::string("grid: {gravity: [8, 9]}\n"));
   EXPECT_EQ(run({"run", file, "--dry-run"}), 0);
   EXPECT_EQ(output(), "1: gravity=8\n2: gravity=9\n");
+  EXPECT_EQ(errors().rfind("sieve_sweep: 2 cases: about ", 0), 0u) << errors();
+  EXPECT_NE(errors().find("\nsieve_sweep: gravity=9: about "), std::string::npos) << errors();
   EXPECT_FALSE(std::filesystem::exists(directory_ / "s.db"));
   EXPECT_EQ(run({"status", file}), 0);
   EXPECT_EQ(output(), "2 cases, not begun\n");

@@ -190,6 +190,13 @@ struct PourDefinition
   Stretch stretch;
 };
 
+/// What a run does when its fed base is choked: see chokeText().
+enum class ChokeAction
+{
+  RUN,  ///< It goes on, with a warning.
+  STOP  ///< It ends early, with a warning.
+};
+
 /// Disks that are added during the run, as a Poisson process: fixed intervals lock to the drive wherever its
 /// frequency is a multiple of the rate.
 struct FeedDefinition
@@ -197,6 +204,7 @@ struct FeedDefinition
   double rate = 0.0;  ///< mean [1/s]; species are drawn by their shares; 0: no feed
   bool even = false;  ///< at intervals of 1 / rate
   Stretch stretch;
+  ChokeAction on_choke = ChokeAction::RUN;
 };
 
 /// A disk placed by hand instead of poured; world frame at t = 0.

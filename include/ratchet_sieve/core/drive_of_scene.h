@@ -19,6 +19,10 @@ struct DriveBounds
 
 DriveBounds driveBounds(const BaseDefinition& base);
 
+/// The largest acceleration of the drive downwards in the world [m/s^2]: above gravity, the base throws its
+/// disks up.
+double peakLift(const BaseDefinition& base);
+
 /// Whether the drive moves the base at a frequency above 0.
 bool hasStroke(const BaseDefinition& base);
 

@@ -30,6 +30,7 @@ enum class RunEnd
 {
   COMPLETED,  ///< reached the scene's duration
   ACCURATE,   ///< reached the accuracy that the scene requests
+  CHOKED,     ///< a choked base whose scene says feed.on_choke: stop; see chokeText()
   STOPPED,    ///< stopped by the caller
   STALLED     ///< an inelastic collapse (StallError)
 };
@@ -61,9 +62,10 @@ struct RunWatchers
   double save_period = 60.0;  ///< of wall time [s]
 };
 
-/// Runs the simulation to its scene's duration or to the accuracy that its scene requests, as fast as
-/// possible. The results do not depend on how the run is divided into calls of advanceTo(). A run that ends
-/// by a collapse is not saved at its end, because it could not be resumed.
+/// Runs the simulation to its scene's duration, to the accuracy that its scene requests or until its base is
+/// choked (feed.on_choke), as fast as possible. The results do not depend on how the run is divided into
+/// calls of advanceTo(). A run that ends by a collapse is not saved at its end, because it could not be
+/// resumed.
 RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers, const RunProgress& so_far);
 
 /// The same for a new run.

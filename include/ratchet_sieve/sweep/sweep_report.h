@@ -49,8 +49,4 @@ std::uint64_t exportCsv(const Sweep& sweep, const std::string& results, std::ost
 /// @throws SceneError for the first illegal case
 void listCases(const Sweep& sweep, const std::string& results, std::ostream& out);
 
-/// Estimated duration of all cases, measured by running the first for at most a second: `about 3 days`, or
-/// the reason why it is unknown.
-std::string estimateText(const Sweep& sweep, std::size_t threads);
-
 }  // namespace ratchet_sieve

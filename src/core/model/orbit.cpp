@@ -93,6 +93,31 @@ DriveBounds driveBounds(const BaseDefinition& base)
   return bounds;
 }
 
+double peakLift(const BaseDefinition& base)
+{
+  constexpr int STEPS_PER_PERIOD = 512;  // of the fastest harmonic: the peak within 2e-5
+  const bool turned = base.drive_frame == DriveFrame::BASE;
+  const Eigen::Vector2d up = turned ? Eigen::Vector2d(std::sin(base.inclination), std::cos(base.inclination))
+                                    : Eigen::Vector2d::UnitY();
+  const int steps = STEPS_PER_PERIOD * Orbit(base).highestMultiple();
+  double peak = 0.0;
+  for (int k = 0; k < steps; ++k)
+  {
+    const double turns = static_cast<double>(k) / steps;
+    const auto sine = [turns](int multiple, double phase)
+    { return multiple * multiple * sineCosineOfTurns(multiple * turns + turnsOf(phase)).sine; };
+    Eigen::Vector2d bend(base.horizontal_amplitude * sine(1, base.horizontal_phase),
+                         base.amplitude * sine(1, 0.0));
+    for (const HarmonicDefinition& harmonic : base.harmonics)
+      bend +=
+          Eigen::Vector2d(harmonic.horizontal_amplitude * sine(harmonic.multiple, harmonic.horizontal_phase),
+                          harmonic.amplitude * sine(harmonic.multiple, harmonic.phase));
+    peak = std::max(peak, up.dot(bend));
+  }
+  const double rate = angularFrequency(base.frequency);
+  return rate * rate * peak;
+}
+
 bool hasStroke(const BaseDefinition& base)
 {
   return base.amplitude > 0.0 || !Orbit(base).empty();
