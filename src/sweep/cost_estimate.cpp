@@ -125,8 +125,8 @@ std::string cornerText(const SceneDefinition& scene, const ShortRun& run, double
   if (!run.fills())
     return text;
   const bool weak = peakLift(scene.base) < scene.gravity;
-  return text + fmt::format("{}, if it fills up further: of {:g} disks fed by {:.3g} s {:g} have left",
-                            weak ? "; choked (the drive is below 1 g)" : "", run.fed(), run.from, run.left);
+  return text + fmt::format(" if it goes on to fill up: of {:g} disks fed by {:.3g} s {:g} have left{}",
+                            run.fed(), run.from, run.left, weak ? "; choked: the drive is below 1 g" : "");
 }
 
 }  // namespace
