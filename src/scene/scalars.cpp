@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "ratchet_sieve/core/observable.h"
+#include "ratchet_sieve/scene/parsed.h"
 
 namespace ratchet_sieve
 {
@@ -36,18 +37,6 @@ std::optional<std::string> plainText(const Entry& entry)
   if (!entry.node().IsScalar() || entry.node().Tag() == "!")
     return std::nullopt;
   return entry.node().Scalar();
-}
-
-/// The whole text as a value, in the classic locale.
-template <typename T>
-std::optional<T> parsed(const std::string& text)
-{
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  T value{};
-  if (text.empty() || !(stream >> value) || stream.peek() != std::istringstream::traits_type::eof())
-    return std::nullopt;
-  return value;
 }
 
 std::string formatted(double value, int digits)

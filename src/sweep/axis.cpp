@@ -1,11 +1,12 @@
 #include "ratchet_sieve/sweep/axis.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "ratchet_sieve/scene/parsed.h"
 #include "ratchet_sieve/scene/scalars.h"
 
 namespace ratchet_sieve
@@ -85,9 +86,7 @@ double rangeValue(double from, double to, std::uint64_t count, std::uint64_t k)
   if (k == 0)
     return from;
   const double value = from + (to - from) * (static_cast<double>(k) / static_cast<double>(count - 1));
-  char text[32];
-  std::snprintf(text, sizeof text, "%.15g", value);
-  return std::strtod(text, nullptr);
+  return parsed<double>(fmt::format("{:.15g}", value)).value();
 }
 
 SweptValues readValues(const Entry& entry)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -11,6 +10,7 @@
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/steady_mean.h"
+#include "ratchet_sieve/scene/parsed.h"
 #include "ratchet_sieve/sweep/case_builder.h"
 
 namespace ratchet_sieve
@@ -27,19 +27,10 @@ std::string countedColumn(const ResultStore& store)
   return store.hasColumn("counted") ? "COALESCE(c.counted, " + from_summary + ")" : from_summary;
 }
 
-std::optional<double> numberOf(const std::string& text)
-{
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(number))
-    return std::nullopt;
-  return number;
-}
-
 bool areEqual(const std::string& a, const std::string& b)
 {
-  const std::optional<double> number = numberOf(a);
-  return a == b || (number && number == numberOf(b));
+  const std::optional<double> number = parsed<double>(a);
+  return a == b || (number && number == parsed<double>(b));
 }
 
 bool fulfils(const SweepCase& setting, const std::vector<Assignment>& where)
@@ -153,7 +144,7 @@ std::vector<std::string> keysAtEdge(const Sweep& sweep, std::uint64_t point,
     std::map<std::string, std::set<std::optional<double>>> values;
     for (std::uint64_t k = 0; k < axis.size; ++k)
       for (const Assignment& assignment : axis.at(k))
-        values[assignment.key].insert(numberOf(assignment.value));
+        values[assignment.key].insert(parsed<double>(assignment.value));
     for (const Assignment& own : sweep.point(point))
     {
       const auto found = values.find(own.key);
@@ -162,7 +153,7 @@ std::vector<std::string> keysAtEdge(const Sweep& sweep, std::uint64_t point,
       if (is_fixed || found == values.end() || found->second.size() < 3 ||
           found->second.count(std::nullopt) > 0)
         continue;
-      const std::optional<double> value = numberOf(own.value);
+      const std::optional<double> value = parsed<double>(own.value);
       if (value == *found->second.begin() || value == *found->second.rbegin())
         at_edge.push_back(own.key);
     }

@@ -1,16 +1,14 @@
 #include "ratchet_sieve/sweep/result_store.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <thread>
 
 #include "lower_case.h"
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/scene/parsed.h"
 
 namespace ratchet_sieve
 {
@@ -127,19 +125,10 @@ void bindValue(Statement& statement, int parameter, const std::optional<std::str
     statement.bind(parameter, nullptr);
     return;
   }
-  const bool numeric = !value->empty() && value->find_first_not_of("0123456789+-.eE") == std::string::npos &&
-                       value->find_first_of("0123456789") != std::string::npos;
-  char* end = nullptr;
-  errno = 0;
-  const long long integer = numeric ? std::strtoll(value->c_str(), &end, 10) : 0;
-  if (numeric && *end == '\0' && errno == 0)
-  {
-    statement.bind(parameter, static_cast<std::int64_t>(integer));
-    return;
-  }
-  const double number = numeric ? std::strtod(value->c_str(), &end) : 0.0;
-  if (numeric && *end == '\0' && std::isfinite(number))
-    statement.bind(parameter, number);
+  if (const auto integer = parsed<std::int64_t>(*value))
+    statement.bind(parameter, *integer);
+  else if (const auto number = parsed<double>(*value))
+    statement.bind(parameter, *number);
   else
     statement.bind(parameter, *value);
 }
