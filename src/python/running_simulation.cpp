@@ -5,6 +5,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include "ratchet_sieve/recording/checkpoint.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -69,7 +71,8 @@ RunningSimulation::RunningSimulation(std::shared_ptr<Scene> scene, double start_
 }
 
 RunningSimulation::RunningSimulation(std::shared_ptr<Scene> scene, std::string_view saved_state)
-    : scene_(std::move(scene)), simulation_(std::make_unique<Simulation>(scene_->definition, saved_state))
+    : scene_(std::move(scene)),
+      simulation_(std::make_unique<Simulation>(restoreRun(saved_state, scene_->definition)))
 {
 }
 

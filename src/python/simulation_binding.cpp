@@ -10,6 +10,7 @@
 #include "bindings.h"
 #include "commanded_quantities.h"
 #include "many_simulations.h"
+#include "ratchet_sieve/recording/checkpoint.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "running_simulation.h"
 #include "to_python.h"
@@ -70,7 +71,7 @@ py::array disks(RunningSimulation& running)
 
 py::bytes save(RunningSimulation& running)
 {
-  return RunningSimulation::Use(running)->saveState();
+  return saveRun(*RunningSimulation::Use(running));
 }
 
 std::shared_ptr<RunningSimulation> restore(const std::shared_ptr<Scene>& scene, const std::string& state)

@@ -1,11 +1,13 @@
 #include "ratchet_sieve/recording/checkpoint.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -15,9 +17,10 @@
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/input_file.h"
+#include "ratchet_sieve/scene/scene_difference.h"
 
-// The file: a line with its type, a line with the checksum of the rest, a line of JSON that identifies the
-// run, and the simulation's state.
+// The file: a line with its type, and the bytes of saveRun(): a line with the checksum of the rest, a line of
+// JSON that identifies the run, and the simulation's state.
 namespace ratchet_sieve
 {
 namespace
@@ -26,7 +29,7 @@ namespace
 using Json = nlohmann::ordered_json;
 
 /// Incremented with every change of the file format; the state's format depends on the physics version.
-constexpr std::string_view FIRST_LINE = "ratchet_sieve checkpoint 8\n";
+constexpr std::string_view FIRST_LINE = "ratchet_sieve checkpoint 9\n";
 constexpr std::string_view ANY_FIRST_LINE = "ratchet_sieve checkpoint ";
 
 constexpr std::size_t CHECKSUM_DIGITS = 16;
@@ -46,16 +49,24 @@ std::string byteOrder()
   return std::string(reinterpret_cast<const char*>(&BYTE_ORDER_MARK), 1) == "\x01" ? "big" : "little";
 }
 
-/// All that must match for a run to be resumed.
+/// What of a scene must match for a run to be resumed, as YAML.
+std::string decisiveYaml(SceneDefinition scene)
+{
+  const AccuracyDefinition accuracy = scene.accuracy;
+  scene.accuracy = AccuracyDefinition();
+  scene.accuracy.method = accuracy.method;
+  scene.accuracy.step = accuracy.step;
+  scene.duration = 0.0;
+  return canonicalYaml(scene);
+}
+
 Json identity(const SceneDefinition& scene)
 {
   Json json;
   json["version"] = version();
   json["physics"] = PHYSICS_VERSION;
   json["byte_order"] = byteOrder();
-  json["scene_hash"] = sceneHash(scene);
-  json["seed"] = scene.seed;
-  json["settle"] = scene.settle;
+  json["scene"] = decisiveYaml(scene);
   return json;
 }
 
@@ -74,53 +85,88 @@ std::string readAll(const std::string& path)
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// The content after the checksum. @throws if the checksum is wrong
-std::string_view checkedContent(const std::string& path, std::string_view file)
+/// What follows the line with the type.
+std::string_view savedPart(const std::string& path, std::string_view file)
 {
   if (file.substr(0, ANY_FIRST_LINE.size()) != ANY_FIRST_LINE)
     refuse(path, "it is no checkpoint");
   if (file.substr(0, FIRST_LINE.size()) != FIRST_LINE)
     refuse(path, "it is of another format than " + std::string(FIRST_LINE.substr(0, FIRST_LINE.size() - 1)));
-  file.remove_prefix(FIRST_LINE.size());
-  if (file.size() <= CHECKSUM_DIGITS ||
-      file.substr(0, CHECKSUM_DIGITS) != checksum(file.substr(CHECKSUM_DIGITS + 1)))
-    refuse(path, "it is damaged");
-  return file.substr(CHECKSUM_DIGITS + 1);
+  return file.substr(FIRST_LINE.size());
 }
 
-void requireSame(const std::string& path, const Json& saved, const Json& wanted)
+/// @throws StateError
+void requireSame(const Json& saved, const Json& wanted)
 {
-  for (const auto& [key, value] : wanted.items())
-    if (saved.at(key) != value)
-      refuse(path, "its " + key + " is " + saved.at(key).dump() + ", but this run's is " + value.dump());
+  for (const char* key : {"version", "physics", "byte_order"})
+    if (saved.at(key) != wanted.at(key))
+      throw StateError(std::string("its ") + key + " is " + saved.at(key).dump() +
+                       ", but this program's is " + wanted.at(key).dump());
+  if (const auto different = sceneDifference(saved.at("scene"), wanted.at("scene")))
+    throw StateError("its " + different->key + " is " + different->one + ", but this scene's is " +
+                     different->other);
+}
+
+std::string saveRun(const Simulation& simulation, Json header)
+{
+  header.update(identity(simulation.scene()));
+  const std::string content = header.dump() + '\n' + simulation.saveState();
+  return checksum(content) + '\n' + content;
+}
+
+/// @throws StateError
+Simulation restoreRun(std::string_view saved, const SceneDefinition& scene, Json& header)
+{
+  const std::string_view content = saved.substr(std::min(saved.size(), CHECKSUM_DIGITS + 1));
+  if (content.empty() || saved.substr(0, CHECKSUM_DIGITS) != checksum(content))
+    throw StateError("it is damaged");
+  const std::size_t end = content.find('\n');
+  header = Json::parse(content.substr(0, end));
+  requireSame(header, identity(scene));
+  return {scene, content.substr(end + 1)};
 }
 
 }  // namespace
 
+std::string saveRun(const Simulation& simulation)
+{
+  return saveRun(simulation, Json::object());
+}
+
+Simulation restoreRun(std::string_view saved, const SceneDefinition& scene)
+{
+  try
+  {
+    Json header;
+    return restoreRun(saved, scene, header);
+  }
+  catch (const Json::exception& error)
+  {
+    throw StateError(error.what());
+  }
+}
+
 void writeCheckpoint(const std::string& path, const Simulation& simulation, const RunProgress& progress)
 {
-  Json header = identity(simulation.scene());
-  header["time"] = simulation.time();
-  header["energy_start"] = progress.energy_start;
-  header["through_base"] = progress.through_base;
-  const std::string content = header.dump() + '\n' + simulation.saveState();
+  const std::string saved = saveRun(simulation, {{"time", simulation.time()},
+                                                 {"energy_start", progress.energy_start},
+                                                 {"through_base", progress.through_base}});
   AtomicFile file(path);
-  file.stream() << FIRST_LINE << checksum(content) << '\n';
-  file.stream().write(content.data(), static_cast<std::streamsize>(content.size()));
+  file.stream() << FIRST_LINE;
+  file.stream().write(saved.data(), static_cast<std::streamsize>(saved.size()));
   file.commit();
 }
 
 Checkpoint readCheckpoint(const std::string& path, const SceneDefinition& scene)
 {
   const std::string file = readAll(path);
-  const std::string_view content = checkedContent(path, file);
-  const std::size_t end = content.find('\n');
+  const std::string_view saved = savedPart(path, file);
   try
   {
-    const Json header = Json::parse(content.substr(0, end));
-    requireSame(path, header, identity(scene));
+    Json header;
+    Simulation simulation = restoreRun(saved, scene, header);
     const RunProgress progress{header.at("energy_start"), header.at("through_base")};
-    Checkpoint checkpoint{progress, Simulation(scene, content.substr(end + 1))};
+    Checkpoint checkpoint{progress, std::move(simulation)};
     if (scene.duration < checkpoint.simulation.time())
       refuse(path, "it is at " + header.at("time").dump() + " s, beyond this run's duration");
     return checkpoint;

@@ -100,15 +100,23 @@ TEST_F(CheckpointFile, OfAnotherRunIsRefused)
   save(smallRing());
   SceneDefinition scene = smallRing();
   scene.seed = 77;
-  expectRefusal(scene, "its seed is " + std::to_string(smallRing().seed) + ", but this run's is 77");
+  expectRefusal(scene, "its seed is " + std::to_string(smallRing().seed) + ", but this scene's is 77");
   scene = smallRing();
   scene.settle = 0.25;
-  expectRefusal(scene, "its settle is 0.0, but this run's is 0.25");
+  expectRefusal(scene, "its settle is 0, but this scene's is 0.25");
   scene = smallRing();
   scene.duration = 0.75;
   expectRefusal(scene, "it is at 1.0 s, beyond this run's duration");
   scene = smallRing();
-  scene.base.inclination = 0.1;
+  scene.species.at(1).radius *= 2.0;
+  expectRefusal(scene, "its species.1.radius is 0.003, but this scene's is 0.006");
+  scene = smallRing();
+  scene.base.harmonics.push_back({});
+  expectRefusal(scene,
+                "its base.harmonics is absent, but this scene's is [{multiple: 2, amplitude: 0, phase: 0, "
+                "horizontal_amplitude:...");
+  scene = smallRing();
+  scene.species.pop_back();
   EXPECT_THROW(readCheckpoint(path_, scene), CheckpointError);
 }
 
@@ -119,7 +127,7 @@ TEST_F(CheckpointFile, ThatIsNoneIsRefused)
   std::ofstream(path_) << "base: {teeth: 3}\n";
   expectRefusal(smallRing(), "it is no checkpoint");
   std::ofstream(path_) << "ratchet_sieve checkpoint 6\nabc";
-  expectRefusal(smallRing(), "it is of another format than ratchet_sieve checkpoint 8");
+  expectRefusal(smallRing(), "it is of another format than ratchet_sieve checkpoint 9");
 }
 
 TEST_F(CheckpointFile, ThatIsDamagedAnywhereIsRefused)
