@@ -22,7 +22,8 @@ StatisticsFrame comparable(StatisticsFrame frame)
   return frame;
 }
 
-/// The first frames of a later file of a split recording average over periods before that file.
+/// The first frames of a later file of a split recording average over periods before that file; those of a
+/// base at rest over the time since the frame before, which may have been taken out.
 StatisticsFrame withoutWindow(StatisticsFrame frame)
 {
   frame.window_start = frame.window_end = 0.0;
@@ -88,7 +89,7 @@ void Resimulation::observePeriods()
   if (std::exchange(periods_observed_, true))
     return;
   simulation_->advanceTo(scene_->time);
-  simulation_->observePeriods([this](const PeriodRecord& period) { window_.take(period); });
+  simulation_->observePeriods([this](const PeriodRecord& period) { periods_.push_back(period); });
 }
 
 void Resimulation::comeTo(double time)
@@ -161,12 +162,18 @@ void Resimulation::compareAsThingsAre()
 {
   if (std::vector<StatisticsFrame>& statistics = instant_.of<StatisticsFrame>(); !statistics.empty())
   {
+    // Earlier periods are those of frames that were taken out of the recording.
+    for (const PeriodRecord& period : std::exchange(periods_, {}))
+      if (period.start >= statistics.front().window_start)
+        window_.take(period);
     window_.moveTo(*simulation_);
     const StatisticsFrame now = this->now<StatisticsFrame>();
     for (StatisticsFrame& recorded : statistics)
     {
       recorded = comparable(recorded);
-      if (recorded.window_start < scene_->time && sameBits(withoutWindow(recorded), withoutWindow(now)))
+      const bool begins_unseen = recorded.window_start < scene_->time ||
+                                 (recorded.window_start > now.window_start && !simulation_->swings());
+      if (begins_unseen && sameBits(withoutWindow(recorded), withoutWindow(now)))
         recorded = now;
     }
   }

@@ -138,10 +138,10 @@ RC_GTEST_PROP(Resimulation, givesEveryBagOfARunAgain, ())
 }
 
 /// A short recorded run in memory, which tests can modify.
-CollectingSink commandedRun()
+CollectingSink commandedRun(const SceneDefinition& scene = smallRing())
 {
   const ScratchDirectory scratch;
-  RecordedRun run(smallRing(), scratch / "run.bag");
+  RecordedRun run(scene, scratch / "run.bag");
   run.step(0.3);
   EXPECT_TRUE(run.control.command(NodeParameters().setpoints[0], 0.1).success);
   run.step(0.3);
@@ -181,6 +181,35 @@ TEST(Resimulation, findsALastBitThatWasChanged)
   EXPECT_EQ(
       difference.rfind("at 0.33333333333333331 s the frames of particles differ: vy of disks[2] was ", 0), 0u)
       << difference;
+}
+
+/// The first difference of every third of the statistics, as `rosbag filter` leaves them.
+std::string differenceOfThinned(const CollectingSink& recorded)
+{
+  Resimulation resimulation;
+  resimulation.take(recorded.scenes.at(0));
+  auto command = recorded.commands.begin();
+  for (std::size_t k = 2; k < recorded.statistics.size(); k += 3)
+  {
+    while (command != recorded.commands.end() && command->time <= recorded.statistics[k].time)
+      resimulation.take(*command++);
+    resimulation.take(recorded.statistics[k]);
+  }
+  resimulation.finish();
+  return resimulation.difference().value_or("");
+}
+
+TEST(Resimulation, findsNothingWhereFramesWereTakenOut)
+{
+  SceneDefinition still = smallRing();
+  still.base.amplitude = 0.0;
+  SceneDefinition slow = smallRing();
+  slow.base.frequency = 4.0;
+  for (const SceneDefinition& scene : {smallRing(), still, slow})
+    EXPECT_EQ(differenceOfThinned(commandedRun(scene)), "");
+  CollectingSink recorded = commandedRun();
+  recorded.statistics.at(5).window_start += 1e-3;
+  EXPECT_NE(differenceOfThinned(recorded).find("window_start"), std::string::npos);
 }
 
 TEST(Resimulation, missesACommand)

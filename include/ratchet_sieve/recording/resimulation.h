@@ -79,6 +79,7 @@ private:
   std::optional<SceneFrame> scene_;
   std::unique_ptr<Simulation> simulation_;
   bool periods_observed_ = false;
+  std::vector<PeriodRecord> periods_;  ///< since the last statistics
   StatisticsWindow window_;
   Instant instant_;
   std::optional<std::string> difference_;
