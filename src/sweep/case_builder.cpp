@@ -58,7 +58,7 @@ const SweepCase& CaseBuilder::at(std::uint64_t position)
     point_ = point;
   }
   case_.position = position;
-  case_.scene.seed = sweep_.seeds.count > 0 ? sweep_.seeds.first + position % sweep_.seeds.count : own_seed_;
+  case_.scene.seed = sweep_.seeds.count > 0 ? sweep_.seeds.at(position % sweep_.seeds.count) : own_seed_;
   return case_;
 }
 
@@ -83,7 +83,7 @@ std::string CaseBuilder::name(std::uint64_t position) const
   std::string setting = settingName(position / sweep_.seedCount());
   if (sweep_.seeds.count == 0)
     return setting;
-  const std::string seed = "seed=" + std::to_string(sweep_.seeds.first + position % sweep_.seeds.count);
+  const std::string seed = "seed=" + std::to_string(sweep_.seeds.at(position % sweep_.seeds.count));
   return keys_.empty() ? seed : setting + ' ' + seed;
 }
 

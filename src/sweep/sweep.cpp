@@ -47,6 +47,8 @@ std::string Sweep::fingerprint() const
   for (const Axis& axis : axes)
     text += axis.text + '\n';
   text += "seeds " + std::to_string(seeds.first) + ' ' + std::to_string(seeds.count);
+  for (const std::uint64_t seed : seeds.listed)
+    text += ' ' + std::to_string(seed);
   char digits[17];
   std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(fnv1a(text)));
   return digits;

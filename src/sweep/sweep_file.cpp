@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "ratchet_sieve/scene/scalars.h"
@@ -48,11 +49,27 @@ void readAxes(const Entry& root, Sweep& sweep)
     sweep.axes.push_back(readCases(root.at("cases")));
 }
 
+void readListedSeeds(const Entry& entry, Seeds& seeds)
+{
+  std::set<std::uint64_t> seen;
+  for (const Entry& item : entry.list())
+  {
+    readScalar(item, {}, seeds.listed.emplace_back());
+    if (!seen.insert(seeds.listed.back()).second)
+      item.refuseValue("is given twice");
+  }
+  if (seeds.listed.empty())
+    entry.refuse("must have one seed or more");
+  seeds.count = seeds.listed.size();
+}
+
 void readSeeds(const Entry& root, Sweep& sweep)
 {
   if (!root.has("seed"))
     return;
   const Entry entry = root.at("seed");
+  if (entry.node().IsSequence())
+    return readListedSeeds(entry, sweep.seeds);
   entry.requireKeys({"first", "count"}, {"first", "count"});
   readScalar(entry.at("first"), {}, sweep.seeds.first);
   readScalar(entry.at("count"), {}, sweep.seeds.count);
@@ -83,7 +100,7 @@ void requireOnce(const Entry& root, const Sweep& sweep)
   const auto take = [&](const std::string& key, const std::string& place)
   {
     if (key == "seed" && (place != "set" || sweep.seeds.count > 0))
-      root.at(place).refuse("seeds are given by the sweep's own key, seed: {first: .., count: ..}");
+      root.at(place).refuse("seeds are given by the sweep's own key, seed: {first: .., count: ..} or [..]");
     const auto [other, is_new] = seen.emplace(key, place);
     if (!is_new)
       root.at(place).refuse(key + " is set in " + other->second + " as well");

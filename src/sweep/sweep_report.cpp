@@ -123,7 +123,7 @@ public:
   {
     std::string text = argumentsText(sweep_.point(position / sweep_.seedCount()));
     if (sweep_.seeds.count > 0)
-      text += " --seed " + std::to_string(sweep_.seeds.first + position % sweep_.seeds.count);
+      text += " --seed " + std::to_string(sweep_.seeds.at(position % sweep_.seeds.count));
     return csvField(text.empty() ? text : text.substr(1));
   }
 

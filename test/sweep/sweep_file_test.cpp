@@ -68,6 +68,16 @@ seed: {first: 7, count: 2}
       "base.inclination=0.2 boundary=walled species.0.radius=0.002 species.1.radius=0.004 gravity=9 seed=8");
 }
 
+TEST_F(SweepFile, MayListItsSeeds)
+{
+  const auto sweep_of = [this](const std::string& seeds)
+  { return load(SMALL_SCENE + std::string("grid: {gravity: [8, 9]}\nseed: ") + seeds); };
+  EXPECT_EQ(names(sweep_of("[7, 1]")), (std::vector<std::string>{"gravity=8 seed=7", "gravity=8 seed=1",
+                                                                 "gravity=9 seed=7", "gravity=9 seed=1"}));
+  EXPECT_EQ(CaseBuilder(sweep_of("[7, 1]")).at(3).scene.seed, 1u);
+  EXPECT_NE(sweep_of("[7, 1]").fingerprint(), sweep_of("[7, 2]").fingerprint());
+}
+
 TEST_F(SweepFile, SetsWhatItSaysInTheScene)
 {
   const Sweep sweep = load(std::string(SMALL_SCENE) + R"(
@@ -127,6 +137,8 @@ TEST_F(SweepFile, RefusesWhatIsNoSweep)
       "sweep.yaml:2: zip.gravity: has 1 values, but density has 2; the lists of a zip must be equally long");
   expectRefusal(scene + "cases: []", "sweep.yaml:2: cases: must have one case or more");
   expectRefusal(scene + "seed: {first: 1, count: 0}", "sweep.yaml:2: seed.count = 0: must be 1 or more");
+  expectRefusal(scene + "seed: []", "sweep.yaml:2: seed: must have one seed or more");
+  expectRefusal(scene + "seed: [3, 1, 3]", "sweep.yaml:2: seed.2 = 3: is given twice");
   expectRefusal(scene + "seed: {first: 18446744073709551615, count: 2}",
                 "sweep.yaml:2: seed: the last seed must be below 2^64");
   expectRefusal(scene + "set: {density: 1}\ngrid: {density: [1]}",
@@ -139,8 +151,9 @@ TEST_F(SweepFile, RefusesWhatIsNoSweep)
                 "sweep.yaml:2: set: base.teeth is a part of base, which is set in grid as well");
   expectRefusal(scene + "set: {base.teeth: 4, base: {teeth: 5}}",
                 "sweep.yaml:2: set: base.teeth is a part of base, which is set in set as well");
-  expectRefusal(scene + "grid: {seed: [1]}",
-                "sweep.yaml:2: grid: seeds are given by the sweep's own key, seed: {first: .., count: ..}");
+  expectRefusal(
+      scene + "grid: {seed: [1]}",
+      "sweep.yaml:2: grid: seeds are given by the sweep's own key, seed: {first: .., count: ..} or [..]");
   expectRefusal(scene +
                     "grid: {density: {from: 1, to: 2, count: 1000000000}, gravity: {from: 1, to: 2, count: "
                     "1000000000}}",

@@ -9,11 +9,15 @@
 namespace ratchet_sieve
 {
 
-/// Seeds first, first + 1, ...
-struct SeedRange
+/// Seeds first, first + 1, ..., or those that are listed.
+struct Seeds
 {
   std::uint64_t first = 0;
   std::uint64_t count = 0;  ///< 0: only the scene's own seed
+  std::vector<std::uint64_t> listed;
+
+  /// @pre k < count
+  std::uint64_t at(std::uint64_t k) const { return listed.empty() ? first + k : listed[k]; }
 };
 
 /// Many runs of one scene: the product of a grid, of lists stepped through together, of listed cases, and of
@@ -27,7 +31,7 @@ public:
   bool scene_is_inside = false;   ///< in the sweep's own file
   std::vector<Assignment> fixed;  ///< set in every case
   std::vector<Axis> axes;         ///< the last one varies fastest
-  SeedRange seeds;                ///< vary fastest of all
+  Seeds seeds;                    ///< vary fastest of all
 
   /// Number of settings, without seeds.
   std::uint64_t points() const;
