@@ -1,5 +1,6 @@
 """For `python3 -m pip install .`, with or without ROS on the machine: CMake builds the engine, setuptools packs it with
 what is written in Python. catkin builds and installs the package by CMake alone."""
+import os
 import pathlib
 import re
 import subprocess
@@ -18,7 +19,7 @@ class BuildByCmake(build_ext):
         subprocess.run(["cmake", "-S", ROOT, "-B", built, "-DCMAKE_BUILD_TYPE=Release", "-DRATCHET_SIEVE_ROS=OFF",
                         "-DCATKIN_ENABLE_TESTING=OFF", f"-DPython_EXECUTABLE={sys.executable}",
                         f"-DRATCHET_SIEVE_ENGINE_DIRECTORY={packages}/ratchet_sieve"], check=True)
-        subprocess.run(["cmake", "--build", built, "--parallel", "--target", "ratchet_sieve_engine"], check=True)
+        subprocess.run(["cmake", "--build", built, "--parallel", str(len(os.sched_getaffinity(0))), "--target", "ratchet_sieve_engine"], check=True)
 
 
 setup(version=re.search(r"project\(ratchet_sieve VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1),
