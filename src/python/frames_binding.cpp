@@ -90,13 +90,26 @@ void writePageOf(const std::string& path, const std::string& title, const Scene&
   page.write(path, title, warnings);
 }
 
+/// A frame that Python only keeps, for the page.
+template <typename Frame>
+void bindKept(py::module_& module, const char* name)
+{
+  py::class_<Frame>(module, name)
+      .def(py::pickle([](const Frame& frame) { return fieldsOf(frame); },
+                      [](const py::dict& fields)
+                      {
+                        Frame frame;
+                        setFields(frame, fields);
+                        return frame;
+                      }));
+}
+
 }  // namespace
 
 void bindFrames(py::module_& module)
 {
-  // Python only keeps these, for the page.
-  const py::class_<StatisticsFrame> statistics(module, "_StatisticsFrame");
-  const py::class_<ObservedFrame> observed(module, "_ObservedFrame");
+  bindKept<StatisticsFrame>(module, "_StatisticsFrame");
+  bindKept<ObservedFrame>(module, "_ObservedFrame");
   module.def("write_trajectory", &writeTrajectory, py::arg("path"), py::arg("scene"), py::arg("frames"));
   module.def("write_page", &writePageOf, py::arg("path"), py::arg("title"), py::arg("scene"),
              py::arg("frames"), py::arg("others"), py::arg("warnings"), py::arg("megabytes"));

@@ -68,6 +68,23 @@ private:
   py::list others_;
 };
 
+/// Gives a simulation its threads while this exists. None outlives the run: a process that forks later, as
+/// multiprocessing does, has none of them, and would wait for them without end.
+class ThreadsOfRun
+{
+public:
+  ThreadsOfRun(Simulation& simulation, std::size_t threads) : simulation_(simulation)
+  {
+    simulation.setThreads(threads);
+  }
+  ~ThreadsOfRun() { simulation_.setThreads(1); }
+  ThreadsOfRun(const ThreadsOfRun&) = delete;
+  ThreadsOfRun& operator=(const ThreadsOfRun&) = delete;
+
+private:
+  Simulation& simulation_;
+};
+
 /// Runs to the end of the scene.
 /// @param frame_rate of frames [1/s of simulated time]; 0: none
 /// @param progress called with the time, ten times a second; or None
@@ -105,7 +122,7 @@ py::tuple run(RunningSimulation& running, double frame_rate, bool collisions, st
   watchers.stop_wanted = [&] { return failed || signals.stopWanted(); };
   {
     const py::gil_scoped_release let_go;
-    simulation->setThreads(threads);
+    const ThreadsOfRun of_run(*simulation, threads);
     if (collisions)
       simulation->observeCollisions([records](const CollisionRecord& record) { records->push_back(record); });
     outcome = runToEnd(*simulation, watchers);

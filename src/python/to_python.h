@@ -1,10 +1,11 @@
 #pragma once
 
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 #include <yaml-cpp/yaml.h>
 #include <nlohmann/json.hpp>
 
@@ -25,24 +26,59 @@ pybind11::object toPython(const nlohmann::ordered_json& json);
 /// @param is_name whether its scalars are names, which may look like numbers
 pybind11::object toPython(const YAML::Node& node, bool is_name = false);
 
+template <typename Struct>
+pybind11::dict fieldsOf(const Struct& of);
+
+/// A field of a struct: a described struct as a dict, a vector as a list, None for nothing.
+template <typename Value>
+pybind11::object fieldToPython(const Value& value)
+{
+  if constexpr (IS_DESCRIBED<Value>)
+    return fieldsOf(value);
+  else if constexpr (IS_VECTOR<Value>)
+  {
+    pybind11::list list;
+    for (const auto& element : value)
+      list.append(fieldToPython(element));
+    return std::move(list);
+  }
+  else
+    return pybind11::cast(value);
+}
+
 /// The fields of a struct by their names.
 template <typename Struct>
 pybind11::dict fieldsOf(const Struct& of)
 {
   pybind11::dict fields;
-  Fields<Struct>::each([&fields](const FieldInfo& field, const auto& value) { fields[field.name] = value; },
+  Fields<Struct>::each([&fields](const FieldInfo& field, const auto& value)
+                       { fields[field.name] = fieldToPython(value); },
                        of);
   return fields;
 }
 
-/// Sets the fields of a struct. @throws pybind11::key_error if one is missing
+template <typename Struct>
+void setFields(Struct& of, const pybind11::dict& fields);
+
+/// Sets what fieldToPython() has given.
+template <typename Value>
+void setField(Value& value, const pybind11::handle& from)
+{
+  if constexpr (IS_DESCRIBED<Value>)
+    setFields(value, from.cast<pybind11::dict>());
+  else if constexpr (IS_VECTOR<Value>)
+    for (const pybind11::handle& element : from.cast<pybind11::list>())
+      setField(value.emplace_back(), element);
+  else
+    value = from.cast<Value>();
+}
+
+/// Sets the fields of a struct, whose vectors are empty. @throws pybind11::key_error if one is missing
 template <typename Struct>
 void setFields(Struct& of, const pybind11::dict& fields)
 {
   Fields<Struct>::each(
-      [&fields](const FieldInfo& field, auto& value)
-      { value = fields[field.name].template cast<std::remove_reference_t<decltype(value)>>(); },
-      of);
+      [&fields](const FieldInfo& field, auto& value) { setField(value, fields[field.name]); }, of);
 }
 
 /// A new structured array of disks: id, species, radius, mass, x, y, vx, vy, angle, spin, displacement. SI.

@@ -137,6 +137,7 @@ public:
   {
     settings_ = settings;
     useQueue();
+    pool_.reset();
     threads_ = threads;
   }
 
