@@ -2,7 +2,7 @@
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from ratchet_sieve.plots.machine import machine
-from ratchet_sieve.plots.style import DPI, legend_above, new_axes, panels, styled
+from ratchet_sieve.plots.style import DPI, drawing, legend_above, panels, styled
 
 SIZE = (8.0, 3.2)  # of a machine's picture [inch]
 
@@ -25,8 +25,8 @@ def draw(run, frame, axes):
 
 
 def machine_of(run, frame, axes=None):
-    axes = axes or new_axes(SIZE)
-    draw(run, frame, axes)
+    with drawing(axes, SIZE) as axes:
+        draw(run, frame, axes)
     return axes
 
 
@@ -42,8 +42,9 @@ def animation_of(run, speed):
     low, high = axes.get_ylim()
 
     def show(frame):
-        axes.clear()
-        draw(run, frame, axes)
+        with styled():
+            axes.clear()
+            draw(run, frame, axes)
         axes.set(xlim=(left, right), ylim=(low, high), title=f"{run.frames.time[frame]:.3f} s")
 
     period = 1000.0 * float(run.frames.time[-1] - run.frames.time[0]) / max(len(run.frames) - 1, 1)

@@ -3,7 +3,7 @@ returns matplotlib's axes."""
 from ratchet_sieve.plots.curves import distribution
 from ratchet_sieve.plots.machine import trajectories
 from ratchet_sieve.plots.means import Means, draw_curves, draw_map
-from ratchet_sieve.plots.style import COLOURS, GREY, legend_above, new_axes, say_undefined
+from ratchet_sieve.plots.style import COLOURS, GREY, drawing, legend_above, say_undefined
 from ratchet_sieve.stats import density_of
 from ratchet_sieve.tables import rows_of
 
@@ -17,16 +17,16 @@ def sweep_curves(table, key, field="quality", by=None, axes=None):
     @param field a column, or "throughput" [1/s]. @param by one curve for each value of this key
     @throws ValueError there is no such column, or another key varies as well"""
     means = means_of(table, key, by, field)
-    axes = axes or new_axes(SIZE)
-    draw_curves(axes, means, field, key, by)
+    with drawing(axes, SIZE) as axes:
+        draw_curves(axes, means, field, key, by)
     return axes
 
 
 def sweep_map(table, x, y, field="quality", axes=None):
     """Means over the seeds, over two keys; see sweep_curves()."""
     means = means_of(table, x, y, field)
-    axes = axes or new_axes(SIZE)
-    draw_map(axes, means, field, x, y)
+    with drawing(axes, SIZE) as axes:
+        draw_map(axes, means, field, x, y)
     return axes
 
 
@@ -48,20 +48,20 @@ def displacements(run, frame=-1, width=None, axes=None):
     disks. Disks that have left are not in it. @param width of the bins [m]; None: two teeth
     @throws ValueError the run has no frames"""
     require_frames(run)
-    axes = axes or new_axes(SIZE)
-    disks = run.frames.disks[frame]
-    width = width or BIN * run.scene.width / run.scene["base.teeth"]
-    for kind, (colour, name) in enumerate(zip(COLOURS, run.scene.species)):
-        values = disks["displacement"][disks["species"] == kind]
-        if len(values):
-            distribution(axes, *density_of(values, width), color=colour, label=name)
-    if len(disks):
-        axes.legend(title="species", frameon=False)
-    else:
-        say_undefined(axes, "all disks have left")
-    axes.axvline(0.0, color=GREY, linewidth=0.8, zorder=1)
-    axes.set(xlabel="displacement [m]", ylabel="density [1/m]", title=f"after {run.frames.time[frame]:g} s")
-    axes.set_ylim(bottom=0.0)
+    with drawing(axes, SIZE) as axes:
+        disks = run.frames.disks[frame]
+        width = width or BIN * run.scene.width / run.scene["base.teeth"]
+        for kind, (colour, name) in enumerate(zip(COLOURS, run.scene.species)):
+            values = disks["displacement"][disks["species"] == kind]
+            if len(values):
+                distribution(axes, *density_of(values, width), color=colour, label=name)
+        if len(disks):
+            axes.legend(title="species", frameon=False)
+        else:
+            say_undefined(axes, "all disks have left")
+        axes.axvline(0.0, color=GREY, linewidth=0.8, zorder=1)
+        axes.set(xlabel="displacement [m]", ylabel="density [1/m]", title=f"after {run.frames.time[frame]:g} s")
+        axes.set_ylim(bottom=0.0)
     return axes
 
 
@@ -82,12 +82,12 @@ def tracks(run, ids=None, axes=None):
             raise ValueError(f"there is no disk {number} in the frames")
         ways.append(([float(place["x"]) for place in way], [float(place["y"]) for place in way]))
         names.append(f"{run.scene.species[way[0]['species']]}, disk {number}")
-    axes = axes or new_axes(SIZE)
-    before = len(axes.lines)
-    trajectories(axes, ways, run.scene.width if run.scene["boundary"] == "periodic" else None)
-    for line, name in zip(axes.lines[before:], names):
-        line.set_label(name)
-    legend_above(axes)
+    with drawing(axes, SIZE) as axes:
+        before = len(axes.lines)
+        trajectories(axes, ways, run.scene.width if run.scene["boundary"] == "periodic" else None)
+        for line, name in zip(axes.lines[before:], names):
+            line.set_label(name)
+        legend_above(axes)
     return axes
 
 
@@ -95,12 +95,12 @@ def bins(run, axes=None):
     """The numbers of disks that have left by the left and by the right end, of each species, over time.
     @throws ValueError the run has no frames"""
     require_frames(run)
-    axes = axes or new_axes(SIZE)
-    for colour, (name, counts) in zip(COLOURS, run.frames.bins.items()):
-        for end, line in (("left", "-"), ("right", "--")):
-            axes.plot(run.frames.time, counts[end], line, color=colour, label=f"{name}, {end}")
-    axes.set(xlabel="time [s]", ylabel="disks that left")
-    legend_above(axes)
+    with drawing(axes, SIZE) as axes:
+        for colour, (name, counts) in zip(COLOURS, run.frames.bins.items()):
+            for end, line in (("left", "-"), ("right", "--")):
+                axes.plot(run.frames.time, counts[end], line, color=colour, label=f"{name}, {end}")
+        axes.set(xlabel="time [s]", ylabel="disks that left")
+        legend_above(axes)
     return axes
 
 

@@ -1,7 +1,8 @@
 """How all pictures look, and how they are saved: the same bytes of the same numbers."""
+import contextlib
 import math
 
-import matplotlib
+from matplotlib import style
 from matplotlib.figure import Figure
 
 from ratchet_sieve.tables import writing
@@ -32,23 +33,36 @@ STYLE = {
 
 
 def styled():
-    """A context in which figures are made and saved."""
-    return matplotlib.rc_context(STYLE)
+    """A context in which figures are made and saved: matplotlib's defaults and STYLE, whatever the user's own are."""
+    return style.context(["default", STYLE])
+
+
+class StyledFigure(Figure):
+    """Drawn in that context as well, for texts at the ticks are made only then."""
+
+    def draw(self, renderer):
+        with styled():
+            super().draw(renderer)
 
 
 def panels(rows, columns, size, layout="constrained", dpi=None, **options):
     """@param size of the figure [inches]. @return the figure, and its axes"""
-    figure = Figure(figsize=size, layout=layout, dpi=dpi)
+    figure = StyledFigure(figsize=size, layout=layout, dpi=dpi)
     return figure, figure.subplots(rows, columns, **options)
 
 
-def new_axes(size):
-    """Axes of a figure of its own, which a notebook shows. @param size of the figure [inches]"""
+@contextlib.contextmanager
+def drawing(axes, size):
+    """A context in which these axes are drawn into. None: those of a figure of its own, which a notebook shows, in the
+    package's style. @param size of that figure [inches]"""
+    if axes is not None:
+        yield axes
+        return
     from matplotlib import pyplot  # takes long, and the programs do without
 
     pyplot.draw_if_interactive()  # loads the backend before the context, whose end would undo its settings
     with styled():
-        return pyplot.subplots(figsize=size, dpi=DPI, layout="constrained")[1]
+        yield pyplot.subplots(figsize=size, dpi=DPI, layout="constrained", FigureClass=StyledFigure)[1]
 
 
 def save(figure, path, **options):
