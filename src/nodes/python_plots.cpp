@@ -45,6 +45,7 @@ int runModule(const std::string& module, std::vector<std::string> arguments)
     argv.push_back(argument.data());
   argv.push_back(nullptr);
   setenv("PYTHONPATH", path.c_str(), 1);
+  setenv("PYTHONIOENCODING", ":surrogateescape", 1);  // paths are printed byte by byte
   const pid_t child = fork();
   if (child == 0)
   {

@@ -190,7 +190,9 @@ TEST_F(SieveSweep, ReportsMeansOverTheSeedsAndTheirErrors)
   std::istringstream means(in_report("means.csv"));
   std::string line;
   std::getline(means, line);
-  EXPECT_EQ(line, "base.inclination,base.frequency,seeds,mean_vx.A,mean_vx.A_stderr,events,events_stderr\r");
+  EXPECT_EQ(line,
+            "base.inclination [rad],base.frequency [Hz],seeds,mean_vx.A [m/s],mean_vx.A_stderr [m/s],events,"
+            "events_stderr\r");
   const Json report = reportJson("report");
   EXPECT_EQ(pageJson("report"), report);
   int lines = 0;
@@ -215,6 +217,15 @@ TEST_F(SieveSweep, ReportsMeansOverTheSeedsAndTheirErrors)
     EXPECT_EQ(place["means"][0], Json({{"value", mean}, {"error", error}, {"count", 3}}));
   }
   EXPECT_EQ(lines, 6);
+}
+
+TEST_F(SieveSweep, ReportsASweepWhoseNameIsNotUtf8)
+{
+  written(directory_, "\xff.yaml",
+          SMALL_SCENE + std::string("grid: {gravity: [8, 9]}\nset: {duration: 0}\n"));
+  ASSERT_EQ(run({"run", directory_ / "\xff.yaml"}), 0) << errors();
+  ASSERT_EQ(run({"report", directory_ / "\xff.yaml", "--field", "events"}), 0) << errors();
+  EXPECT_NE(output().find(directory_ / "\xff_report/report.html"), std::string::npos) << output();
 }
 
 /// The scene is in another directory than the sweep, and both are named relative to a third.

@@ -4,6 +4,7 @@ import math
 from ratchet_sieve.plots.curves import curve, end_labels, key_colours
 from ratchet_sieve.plots.maps import mark_cells, shown, value_map
 from ratchet_sieve.tables import typed
+from ratchet_sieve.values import unit_of
 
 SMALLEST_DIFFERENCE = 1e-6  # of an axis: steps that differ by a smaller part are taken as equal
 NO_FINDINGS = {'least_processed': 0.0, 'least_counted': 0.0, 'best': None}  # all places are compared, none is the best
@@ -32,7 +33,7 @@ def plain_label(name):
     if name.startswith('mean_vx.'):
         return f"\u27e8V_x\u27e9 of {name.split('.', 1)[1]}", 'm/s'
     if name not in LABELS:
-        return name, ''
+        return name, unit_of(name) or ''
     text, _, unit = LABELS[name].partition(' [')
     return text.replace(r'$\theta$', '\u03b8').replace('$', ''), unit.rstrip(']')
 

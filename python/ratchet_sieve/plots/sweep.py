@@ -6,7 +6,7 @@ import pathlib
 
 from ratchet_sieve.plots.curves import STEPS
 from ratchet_sieve.plots.maps import shown
-from ratchet_sieve.plots.means import Means, draw_curves, draw_map
+from ratchet_sieve.plots.means import Means, draw_curves, draw_map, plain_label
 from ratchet_sieve.plots.program import parser_of, run_program
 from ratchet_sieve.plots.style import GREY, panels, save
 from ratchet_sieve.plots.sweep_page import Pages, report_of, write_report
@@ -80,11 +80,17 @@ def draw_all(means, x, y, directory, origin):
                 print(*save(figure, directory / f'{field}_{kind}.png', bbox_inches='tight'), sep='\n')
 
 
+def with_unit(name, ending=''):
+    """As the head of a column."""
+    unit = plain_label(name)[1]
+    return f'{name}{ending} [{unit}]' if unit else name + ending
+
+
 def table(means, x, y):
     """Header and lines: place, number of seeds, mean and standard error of each field."""
-    header = [x] + ([y] if y else []) + ['seeds']
+    header = [*map(with_unit, [x] + ([y] if y else [])), 'seeds']
     for field in means.fields:
-        header += [field, f'{field}_stderr']
+        header += [with_unit(field), with_unit(field, '_stderr')]
     lines = []
     for place in ((u, v) for v in means.ys for u in means.xs if (u, v) in means.counts):
         found = [means.get(field, *place) for field in means.fields]

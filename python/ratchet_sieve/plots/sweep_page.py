@@ -77,5 +77,6 @@ def report_of(means, keys, texts, findings, pages):
 
 def write_report(path, report):
     with writing(path):
-        path.write_text(json.dumps(report, ensure_ascii=False, allow_nan=False) + '\n', encoding='utf-8')
+        path.write_text(json.dumps(report, ensure_ascii=False, allow_nan=False) + '\n',
+                        encoding='utf-8', errors='replace')  # of names of files that are not UTF-8
     print(path)

@@ -15,7 +15,7 @@ const FAR = 8;                   // of 255: browsers round colours
 function rowsOf(file)
 {
   const [head, ...rows] = readFileSync(file, 'utf8').trim().split('\r\n').map(line => line.split(','));
-  return rows.map(row => Object.fromEntries(head.map((name, k) => [name, row[k]])));
+  return rows.map(row => Object.fromEntries(head.map((name, k) => [name.split(' [')[0], row[k]])));
 }
 
 function chosen(page)
