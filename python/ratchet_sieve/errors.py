@@ -1,7 +1,10 @@
 """The errors of the engine."""
 from __future__ import annotations
 
-from typing import Any
+import sys
+import warnings
+from types import FrameType
+from typing import Any, Optional
 
 
 class SceneError(ValueError):
@@ -40,3 +43,13 @@ class BagError(ValueError):
 
 class SieveWarning(UserWarning):
     """A legal but implausible scene, or a run to be looked at."""
+
+
+def warn(text: str) -> None:
+    """Warns of the line outside the package that has led here."""
+    level = 1
+    frame: Optional[FrameType] = sys._getframe()
+    while frame and f"{frame.f_globals.get('__name__')}.".startswith(f"{__package__}."):
+        level += 1
+        frame = frame.f_back
+    warnings.warn(text, SieveWarning, stacklevel=level)

@@ -6,16 +6,16 @@ import os
 import pathlib
 import sys
 import tempfile
-import warnings
 import webbrowser
 from typing import Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
 from . import _engine
-from .errors import SieveWarning
+from .arguments import integer, mapping, number
+from .errors import warn
 from .progress import Progress
-from .scene import Scene
+from .scene import AnyScene, Scene, scene_of
 from .simulation import Simulation
 from .values import Summary, Values
 
@@ -153,10 +153,11 @@ class Run(Recording):
         return f"<Run of {self.scene.source}, {self.summary.simulated_time:.6g} s>\n{self.summary!r}"
 
 
-def run(scene: Scene, *, until: Optional[Mapping[str, float]] = None, frames: float = 0.0, collisions: bool = False,
+def run(scene: AnyScene, *, until: Optional[Mapping[str, float]] = None, frames: float = 0.0, collisions: bool = False,
         threads: int = 0, progress: bool = True) -> Run:
     """Runs a scene to its end, as `sieve_run` does.
 
+    scene       a Scene, the path of a scene file, or a mapping
     until       ends the run once its means are known so well: {"mean_vx": 0.001} [m/s], {"quality": 0.02}
     frames      frames per simulated second; 0: none
     collisions  whether to keep each collision: 48 bytes each
@@ -165,18 +166,20 @@ def run(scene: Scene, *, until: Optional[Mapping[str, float]] = None, frames: fl
     progress    whether to show a bar, in a terminal or a notebook
     Raises SceneError, ValueError. Warns (SieveWarning) as sieve_run does. Ctrl-C raises KeyboardInterrupt.
     """
-    if not 0.0 <= frames <= 1e5:
-        raise ValueError(f"frames = {frames}: must be 0 to 100000 1/s")
-    if until:
-        scene = scene.replace({f"accuracy.{key}": value for key, value in until.items()})
+    scene = scene_of(scene)
+    rate = number("frames", frames, 0.0, 1e5, "1/s")
+    threads = integer("threads", threads)
+    if until is not None:
+        wanted = mapping("until", until, '{"mean_vx": 0.001}')
+        scene = scene.replace({f"accuracy.{key}": value for key, value in wanted.items()})
     simulation = Simulation(scene)
     duration = scene["duration"]
     with Progress(progress, "run") as bar:
         summary, lists, records = _engine.run(
-            simulation._engine, float(frames), collisions, threads,
+            simulation._engine, rate, collisions, threads,
             lambda time: bar.show(time / duration if duration else 1.0, f"{time:.4g} of {duration:.4g} s"))
     for warning in summary["warnings"]:
-        warnings.warn(warning, SieveWarning, stacklevel=2)
+        warn(warning)
     counts = Collisions(summary["collisions"])
     counts.__dict__["records"] = records
     return Run(simulation, Summary.of(summary), Frames(scene.species, lists), counts)

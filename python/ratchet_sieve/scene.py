@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _engine
 from .base import length, surface
-from .errors import SceneError, SieveWarning
+from .errors import SceneError, SieveWarning, warn
 
 Overrides = Mapping[str, Any]
 
@@ -19,8 +19,6 @@ def yaml_text(value: Any) -> str:
     """A value as YAML text on one line. A str is taken for such a text itself, as after `--set KEY=`."""
     if isinstance(value, str):
         return value
-    if isinstance(value, np.ndarray):
-        value = value.tolist()
     try:
         return json.dumps(value, default=_plain, ensure_ascii=False)
     except (RecursionError, ValueError):  # of lists and maps that contain themselves
@@ -30,6 +28,8 @@ def yaml_text(value: Any) -> str:
 def _plain(value: Any) -> Any:
     if isinstance(value, (np.integer, np.floating, np.bool_)):
         return value.item()
+    if isinstance(value, np.ndarray):
+        return value.tolist()
     raise TypeError(f"{value!r} cannot be a value of a scene: allowed are numbers, texts, lists, maps and None")
 
 
@@ -65,7 +65,7 @@ class Scene:
         self._values: Optional[dict] = None
         self.source = source
         for warning in self._engine.warnings:
-            warnings.warn(warning, SieveWarning, stacklevel=4)
+            warn(warning)
 
     def replace(self, overrides: Optional[Overrides] = None, **keys: Any) -> Scene:
         """The scene with other values: `replace({"base.inclination": 0.06}, seed=3)`. Raises SceneError."""
@@ -137,6 +137,20 @@ class Scene:
 
     def __repr__(self) -> str:
         return f"<Scene {self.source}: {', '.join(self.species)}; hash {self.hash}>"
+
+
+AnyScene = Union[Scene, str, os.PathLike, Mapping[str, Any]]
+
+
+def scene_of(scene: AnyScene) -> Scene:
+    """A scene as it is, that of a file by its path, or that of a mapping. Raises SceneError, ValueError."""
+    if isinstance(scene, Scene):
+        return scene
+    if isinstance(scene, (str, os.PathLike)):
+        return Scene.load(scene)
+    if isinstance(scene, Mapping):
+        return Scene(scene)
+    raise ValueError(f"scene = {scene!r}: must be a Scene, the path of a scene file or a mapping")
 
 
 def _unpickled(text: Union[str, bytes], assignments: list[str], source: str) -> Scene:

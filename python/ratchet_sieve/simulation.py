@@ -1,13 +1,14 @@
 """The simulation, step by step."""
 from __future__ import annotations
 
-import math
-from typing import Optional, Union
+from typing import Any, Optional, Union
 
 import numpy as np
 
 from . import _engine
-from .scene import Scene
+from .arguments import number
+from .errors import StateError
+from .scene import AnyScene, Scene, scene_of
 from .values import Summary, Values
 
 
@@ -18,24 +19,35 @@ class Simulation:
     The same scene and commands give the same bits, however the time is divided.
     """
 
-    def __init__(self, scene: Scene, start_time: float = 0.0):
+    def __init__(self, scene: AnyScene, start_time: float = 0.0):
         """Pours the disks of the scene at `start_time` [s]. Raises ValueError if disks of `initial` overlap."""
-        self._begin(scene, _engine.Simulation(scene._engine, float(start_time)))
+        scene = scene_of(scene)
+        self._begin(scene, _engine.Simulation(scene._engine, number("start_time", start_time, 0.0, unit="s")))
 
     @classmethod
-    def restore(cls, scene: Scene, state: bytes) -> Simulation:
-        """Goes on from a saved state, bit for bit. Only `duration` and `accuracy` of the scene may have changed.
-        Raises StateError."""
+    def restore(cls, scene: AnyScene, state: bytes) -> Simulation:
+        """Goes on from a saved state, bit for bit. Of the scene only `duration` and what ends a run early (mean_vx,
+        quality, confidence of `accuracy`) may have changed. Raises StateError, which names the key that has."""
+        scene = scene_of(scene)
+        if not isinstance(state, bytes):
+            raise StateError(f"state = {state!r}: must be bytes, as Simulation.save() returns them")
         simulation = cls.__new__(cls)
-        simulation._begin(scene, _engine.Simulation.restore(scene._engine, state))
+        try:
+            simulation._begin(scene, _engine.Simulation.restore(scene._engine, state))
+        except StateError as error:
+            raise StateError(f"the state cannot be restored: {error}") from None
         return simulation
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A copy, or what was pickled, goes on by itself."""
+        return type(self).restore, (self._scene, self.save())
 
     def _begin(self, scene: Scene, engine: _engine.Simulation) -> None:
         self._scene = scene
         self._engine = engine
 
     def save(self) -> bytes:
-        """The state, without the scene; nothing changes."""
+        """The state, for restore(); nothing changes."""
         return self._engine.save()
 
     @property
@@ -49,14 +61,12 @@ class Simulation:
 
     def advance(self, duration: float) -> None:
         """Advances by a duration >= 0 [s]. Raises StallError if a collapse ends the run."""
-        if not 0.0 <= duration < math.inf:
-            raise ValueError(f"duration = {duration}: must be 0 s or more")
-        self.advance_to(self.time + duration)
+        self._engine.advance_to(self.time + number("duration", duration, 0.0, unit="s"))
 
     def advance_to(self, time: float) -> None:
-        """Advances up to and including a time [s]; an earlier one does nothing. Raises StallError."""
-        if not math.isfinite(time):
-            raise ValueError(f"time = {time}: must be a finite time in s")
+        """Advances up to and including a time [s]. Raises ValueError if it has passed, StallError."""
+        if number("time", time, unit="s") < self.time:
+            raise ValueError(f"time = {time}: must be {self.time} s or more: a simulation does not go back")
         self._engine.advance_to(time)
 
     def command(self, *, inclination: Optional[float] = None, frequency: Optional[float] = None,

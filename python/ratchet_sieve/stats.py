@@ -6,6 +6,7 @@ import statistics
 import numpy
 from scipy import special
 
+from ratchet_sieve.arguments import number
 from ratchet_sieve.texts import decimals_of, rounded
 
 LEVEL = 0.05  # of a test: an interval of 95 %
@@ -82,8 +83,8 @@ class Mean:
 
 
 def mean_of(values):
-    """@return None where there is no sample"""
-    values = list(values)
+    """@return None where there is no sample @throws ValueError one is no finite number: leave out what is undefined"""
+    values = [number(f"values[{k}]", value) for k, value in enumerate(values)]
     if not values:
         return None
     error = statistics.stdev(values) / math.sqrt(len(values)) if len(values) > 1 else None

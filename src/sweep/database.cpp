@@ -22,7 +22,7 @@ constexpr int BUSY_TIMEOUT = 60'000;
 
 std::string unchangingUri(const std::string& path)
 {
-  std::string uri = "file:";
+  std::string uri = "file://";  // so that a path that begins with // names no host
   char code[4];
   for (const unsigned char c : path)
   {

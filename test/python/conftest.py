@@ -1,4 +1,7 @@
 """What the tests of the engine in Python share."""
+import locale
+import os
+import subprocess
 import warnings
 
 import pytest
@@ -22,6 +25,22 @@ def scene():
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", rs.SieveWarning)
         return rs.Scene(SCENE)
+
+
+@pytest.fixture
+def decimal_comma(tmp_path):
+    """A locale whose numbers have a comma where others have a point."""
+    (tmp_path / "comma").write_text('LC_NUMERIC\ndecimal_point "<U002C>"\nthousands_sep "."\ngrouping 3\nEND LC_NUMERIC\n')
+    subprocess.run(["localedef", "-c", "-i", tmp_path / "comma", tmp_path / "xx_XX"], stderr=subprocess.DEVNULL)
+    before, path = locale.setlocale(locale.LC_NUMERIC), os.environ.get("LOCPATH")
+    os.environ["LOCPATH"] = str(tmp_path)
+    locale.setlocale(locale.LC_NUMERIC, "xx_XX")
+    assert locale.localeconv()["decimal_point"] == ","
+    yield
+    locale.setlocale(locale.LC_NUMERIC, before)
+    del os.environ["LOCPATH"]
+    if path is not None:
+        os.environ["LOCPATH"] = path
 
 
 @pytest.fixture

@@ -1,4 +1,6 @@
 """The pictures of results: one call each, with the means, errors and places of the data."""
+import io
+
 import matplotlib
 import numpy as np
 import pytest
@@ -124,6 +126,29 @@ def test_an_animation_shows_each_frame(layer, tmp_path):
 
     with Image.open(tmp_path / "run.gif") as picture:
         assert picture.n_frames == len(layer.frames)
+
+
+def test_pictures_are_those_of_the_package_whatever_the_users_style(layer, table):
+    def bytes_of(axes):
+        with io.BytesIO() as file:
+            axes.figure.savefig(file, format="png")
+            matplotlib.pyplot.close(axes.figure)
+            return file.getvalue()
+
+    def pictures():
+        return [bytes_of(axes) for axes in (
+            layer.plot(), rs.plots.bins(layer), rs.plots.displacements(layer), rs.plots.tracks(layer),
+            rs.plots.sweep_curves(table, THETA, "mean_vx.A", by="base.frequency"),
+            rs.plots.sweep_map(table, THETA, "base.frequency", "mean_vx.B"))]
+
+    own = pictures()
+    with matplotlib.rc_context({"text.usetex": True, "font.family": "serif", "lines.linewidth": 9.0,
+                                "xtick.labelsize": 20.0, "axes.facecolor": "black"}):
+        assert pictures() == own
+        film = layer.animate()
+        film._func(1)
+        assert not film._fig.axes[0].title.get_usetex()
+        film._draw_was_started = True
 
 
 def test_a_run_without_frames_has_no_pictures_of_them():

@@ -1,8 +1,10 @@
 """Whole runs and sweeps in Python: the results of the programs."""
+import copy
 import html
 import json
 import os
 import pathlib
+import pickle
 import re
 import shutil
 import signal
@@ -46,11 +48,72 @@ def test_results_are_attributes_with_units(scene):
     summary = rs.run(scene, progress=False).summary
     assert summary.species[0].mean_vx == summary["species"][0]["mean_vx"] == summary.of_species("A").mean_vx
     assert summary.unit("mean_vx") == "m/s" and summary.unit("quality") == ""
+    assert summary.unit("accuracy.mean_vx.A.half_width") == "m/s" and summary.unit("mass_flow.right.mean.B") == "kg/s"
     assert "mean_vx" in repr(summary)
     with pytest.raises(AttributeError, match="there is no qualities; there are"):
         summary.qualities
     with pytest.raises(KeyError, match="no species 'C'"):
         summary.of_species("C")
+
+
+@pytest.fixture
+def full(scene):
+    """A run whose summary has every part."""
+    sizes = {"distribution": "uniform", "spread": 0.2}
+    return rs.run(scene.replace({
+        "species": scene.given["species"] + [{"name": "C", "count": 5, "radius": 0.003, "mass": 0.002, "size": sizes}],
+        "observe": ["residence_times", "height_profile", "mass_flow"], "base.inclination": 0.3, "duration": 0.4,
+        "base.profile": [[0, 0], [0.01, 0.004], [0.02, 0]]}), frames=20, progress=False)
+
+
+def parts_of(value, name=""):
+    """What a summary consists of, at any depth, with its name."""
+    yield name, value
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, item in items:
+        yield from parts_of(item, f"{name}.{key}" if name else str(key))
+
+
+def test_every_part_of_a_summary_is_shown_and_copied(full):
+    for name, part in parts_of(full.summary):
+        for other in (copy.copy(part), copy.deepcopy(part), pickle.loads(pickle.dumps(part))):
+            assert other == part and type(other) is type(part) and repr(other) == repr(part)
+        if isinstance(part, dict):
+            assert dict(part) == part and all(str(key) in repr(part) for key in part if name), name
+
+
+def test_every_number_has_its_unit(full):
+    for name, part in parts_of(full.summary):
+        if isinstance(part, (int, float)):
+            assert isinstance(rs.Summary.unit(name), str), name
+    table = rs.sweep(full.scene, progress=False)
+    others = {"run_hash", "physics", "version", "scene_hash", "status", "error", "host", "warning_text"}
+    assert all(isinstance(rs.Summary.unit(name), str) for name in table if name not in others)
+    with pytest.raises(KeyError, match="no number speed"):
+        rs.Summary.unit("speed")
+
+
+def test_a_run_is_pickled_whole(full, tmp_path):
+    other = pickle.loads(pickle.dumps(full))
+    assert other.summary == full.summary and other.collisions == full.collisions
+    assert np.array_equal(other.simulation.disks, full.simulation.disks)
+    for run, name in ((full, "own.html"), (other, "other.html")):
+        run.write(tmp_path / name)
+    own, others = ((tmp_path / name).read_text().replace(name, "") for name in ("own.html", "other.html"))
+    assert own == others
+
+
+def test_a_process_forked_after_a_threaded_run_goes_on(scene):
+    ensemble = scene.replace({"contact.pair_collisions": False, "species.0.count": 5000, "duration": 0.02,
+                              "settle": 0.0})
+    run = rs.run(ensemble, threads=4, progress=False)
+    child = os.fork()
+    if child == 0:
+        signal.alarm(60)  # ends it if it waits for threads that it does not have
+        run.simulation.advance(0.01)
+        del run
+        os._exit(0)
+    assert os.waitpid(child, 0)[1] == 0
 
 
 def test_what_is_undefined_is_none(layer):
@@ -183,6 +246,32 @@ def test_results_are_kept_and_shared_with_sieve_sweep(scene, tmp_path):
     status = subprocess.run([program("sieve_sweep"), "status", tmp_path / "sweep.yaml", "--db", path],
                             capture_output=True, check=True, text=True)
     assert "3" in status.stdout + status.stderr
+
+
+def test_a_locale_with_a_decimal_comma_changes_no_number(scene, tmp_path, request):
+    def written(name):
+        """All that a run and a sweep write, but the wall times."""
+        folder = tmp_path / f"with_{name}"
+        folder.mkdir()
+        run = rs.run(scene.replace(duration=0.3), frames=20, progress=False)
+        table = rs.sweep(run.scene, {"base.inclination": {"from": 0.0, "to": 0.1, "count": 4}, "gravity": [9.5]},
+                         results=folder / "results.db", progress=False)
+        for file in ("run.xyz", "run.html"):
+            run.write(folder / file)
+        return (run.scene.yaml, summary_of(json.dumps(run.summary)), (folder / "run.xyz").read_text(),
+                (folder / "run.html").read_text(), table.drop(columns=["wall_time"]).to_csv())
+
+    before = written("point")
+    request.getfixturevalue("decimal_comma")
+    assert written("comma") == before
+
+
+@pytest.mark.parametrize("name", ("a%41.db", "a b?c#d.db", "\N{GREEK SMALL LETTER THETA}.db", b"\xff.db"))
+def test_a_results_file_may_have_any_name(scene, tmp_path, name):
+    for path in (os.path.join(tmp_path, os.fsdecode(name)), os.path.join(f"/{tmp_path}", os.fsdecode(name))):
+        table = rs.sweep(scene.replace(duration=0.0, settle=0.0), seeds=2, results=path, progress=False)
+        assert len(rs.read_sweep(path)) == len(table) == 2
+    assert {file for file in os.listdir(tmp_path) if not file.endswith(("-shm", "-wal"))} == {os.fsdecode(name)}
 
 
 def test_a_wrong_sweep_is_refused_before_any_run(scene, tmp_path):

@@ -1,5 +1,7 @@
 """The simulation in Python: the engine's bits, whole arrays, and a way out at any time."""
+import copy
 import gc
+import pickle
 import signal
 import threading
 import time
@@ -74,10 +76,31 @@ def test_a_saved_state_goes_on_bit_for_bit(layer):
     for each in (simulation, again):
         each.advance(0.3)
     assert np.array_equal(simulation.disks, again.disks) and simulation.base == again.base
-    with pytest.raises(rs.StateError):
+    with pytest.raises(rs.StateError, match="it is damaged"):
         rs.Simulation.restore(layer, simulation.save()[:-9])
-    with pytest.raises(rs.StateError):
-        rs.Simulation.restore(layer.replace({"species.0.count": 0, "species.1.count": 0}), b"")
+
+
+@pytest.mark.parametrize("key, value, own", (("seed", 8, "7"), ("feed.rate", 3, "0"), ("settle", 0.1, "0.2"),
+                                             ("species.0.radius", 0.002, "0.001"), ("boundary", "open", "periodic")))
+def test_a_state_of_another_scene_is_refused_by_its_key(layer, key, value, own):
+    saved = rs.Simulation(layer).save()
+    line = f"the state cannot be restored: its {key} is {own}, but this scene's is {value}"
+    with pytest.raises(rs.StateError) as error:
+        rs.Simulation.restore(layer.replace({key: value}), saved)
+    assert str(error.value) == line
+    rs.Simulation.restore(layer.replace({"duration": 9, "accuracy.confidence": 0.9}), saved)
+
+
+@pytest.mark.parametrize("copied", (copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))))
+def test_a_copy_goes_on_by_itself(layer, copied):
+    simulation = rs.Simulation(layer)
+    simulation.advance(0.2)
+    other = copied(simulation)
+    simulation.command(inclination=0.1)
+    for each in (simulation, other):
+        each.advance(0.3)
+    assert other.base.commanded_inclination == layer["base.inclination"]
+    assert not np.array_equal(simulation.disks, other.disks)
 
 
 def test_commands_are_checked_before_any_is_taken(layer):
