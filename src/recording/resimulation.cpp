@@ -22,8 +22,14 @@ StatisticsFrame comparable(StatisticsFrame frame)
   return frame;
 }
 
-/// The first frames of a later file of a split recording average over periods before that file; those of a
-/// base at rest over the time since the frame before, which may have been taken out.
+/// Before the first period has ended both are the time of the first frame.
+bool hasNoWindow(const StatisticsFrame& frame)
+{
+  return frame.window_start == frame.window_end;
+}
+
+/// A frame may average over a time since an earlier frame that the recording lacks: in a later file of a
+/// split recording, or after frames were taken out.
 StatisticsFrame withoutWindow(StatisticsFrame frame)
 {
   frame.window_start = frame.window_end = 0.0;
@@ -171,8 +177,8 @@ void Resimulation::compareAsThingsAre()
     for (StatisticsFrame& recorded : statistics)
     {
       recorded = comparable(recorded);
-      const bool begins_unseen = recorded.window_start < scene_->time ||
-                                 (recorded.window_start > now.window_start && !simulation_->swings());
+      const bool begins_unseen = recorded.window_start < scene_->time || !simulation_->swings() ||
+                                 (hasNoWindow(recorded) && hasNoWindow(now));
       if (begins_unseen && sameBits(withoutWindow(recorded), withoutWindow(now)))
         recorded = now;
     }
