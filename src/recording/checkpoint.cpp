@@ -18,6 +18,7 @@
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/input_file.h"
 #include "ratchet_sieve/scene/scene_difference.h"
+#include "ratchet_sieve/scene/scene_file.h"
 
 // The file: a line with its type, and the bytes of saveRun(): a line with the checksum of the rest, a line of
 // JSON that identifies the run, and the simulation's state.
@@ -102,9 +103,16 @@ void requireSame(const Json& saved, const Json& wanted)
     if (saved.at(key) != wanted.at(key))
       throw StateError(std::string("its ") + key + " is " + saved.at(key).dump() +
                        ", but this program's is " + wanted.at(key).dump());
-  if (const auto different = sceneDifference(saved.at("scene"), wanted.at("scene")))
-    throw StateError("its " + different->key + " is " + different->one + ", but this scene's is " +
-                     different->other);
+  try
+  {
+    if (const auto different = sceneDifference(saved.at("scene"), wanted.at("scene")))
+      throw StateError("its " + different->key + " is " + different->saved + ", but this scene's is " +
+                       different->present);
+  }
+  catch (const SceneError& error)
+  {
+    throw StateError(std::string("it is damaged: ") + error.what());
+  }
 }
 
 std::string saveRun(const Simulation& simulation, Json header)

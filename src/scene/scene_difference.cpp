@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include <yaml-cpp/yaml.h>
-
+#include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
@@ -16,38 +15,40 @@ std::string shownValue(const YAML::Node& node)
   return node.IsDefined() ? shownText(YAML::Dump(node)) : "absent";
 }
 
-std::optional<SceneDifference> differenceOf(const std::string& key, const YAML::Node& one,
-                                            const YAML::Node& other)
+std::optional<SceneDifference> differenceOf(const std::string& key, const YAML::Node& saved,
+                                            const YAML::Node& present)
 {
   const auto of_part = [&](const auto& part, const std::string& name)
-  { return differenceOf(key.empty() ? name : key + '.' + name, one[part], other[part]); };
-  if (!one.IsDefined() || !other.IsDefined())
-    return SceneDifference{key, shownValue(one), shownValue(other)};
-  if (one.IsMap() && other.IsMap())
+  { return differenceOf(key.empty() ? name : key + '.' + name, saved[part], present[part]); };
+  if (!saved.IsDefined() || !present.IsDefined())
+    return SceneDifference{key, shownValue(saved), shownValue(present)};
+  if (saved.IsMap() && present.IsMap())
   {
-    for (const YAML::Node& map : {one, other})
+    for (const YAML::Node& map : {saved, present})
       for (const auto& item : map)
         if (auto found = of_part(item.first.Scalar(), item.first.Scalar()))
           return found;
     return std::nullopt;
   }
-  if (one.IsSequence() && other.IsSequence())
+  if (saved.IsSequence() && present.IsSequence())
   {
-    for (std::size_t k = 0; k < std::max(one.size(), other.size()); ++k)
+    for (std::size_t k = 0; k < std::max(saved.size(), present.size()); ++k)
       if (auto found = of_part(k, std::to_string(k)))
         return found;
     return std::nullopt;
   }
-  if (one.IsScalar() && other.IsScalar() && one.Scalar() == other.Scalar())
+  if (saved.Type() == present.Type() && saved.Scalar() == present.Scalar())
     return std::nullopt;
-  return SceneDifference{key, shownValue(one), shownValue(other)};
+  return SceneDifference{key, shownValue(saved), shownValue(present)};
 }
 
 }  // namespace
 
-std::optional<SceneDifference> sceneDifference(const std::string& one, const std::string& other)
+std::optional<SceneDifference> sceneDifference(const std::string& saved, const std::string& present)
 {
-  return one == other ? std::nullopt : differenceOf("", YAML::Load(one), YAML::Load(other));
+  return saved == present
+             ? std::nullopt
+             : differenceOf("", copyableYaml(saved, "the saved scene"), copyableYaml(present, "this scene"));
 }
 
 }  // namespace ratchet_sieve

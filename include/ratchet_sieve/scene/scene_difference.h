@@ -6,15 +6,15 @@
 namespace ratchet_sieve
 {
 
-/// The first key whose value differs in two scenes, and both values as text.
+/// The first key in which a scene differs from a saved one, and both values as text.
 struct SceneDifference
 {
   std::string key;  ///< dotted, such as species.0.radius
-  std::string one;
-  std::string other;
+  std::string saved;
+  std::string present;
 };
 
-/// @param one, other texts of canonicalYaml()
-std::optional<SceneDifference> sceneDifference(const std::string& one, const std::string& other);
+/// @param saved, present texts of canonicalYaml() @throws SceneError one of them is no YAML
+std::optional<SceneDifference> sceneDifference(const std::string& saved, const std::string& present);
 
 }  // namespace ratchet_sieve

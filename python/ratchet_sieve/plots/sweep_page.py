@@ -29,7 +29,7 @@ class Pages:
 
     def __init__(self, directory, base):
         self.names = {path.name for path in directory.glob('*.html')} if directory else set()
-        self.address = urllib.parse.quote(os.path.relpath(directory, base)) if directory else ''
+        self.address = urllib.parse.quote(os.fsencode(os.path.relpath(directory, base))) if directory else ''
 
     def of(self, run_hash):
         """None: it was not kept."""
