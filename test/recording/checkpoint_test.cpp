@@ -168,7 +168,8 @@ TEST_F(CheckpointFile, WithASceneThatIsNoneIsRefused)
     }
     catch (const CheckpointError& error)
     {
-      EXPECT_NE(std::string(error.what()).find("it is damaged: the saved scene:1: not YAML"), std::string::npos)
+      EXPECT_NE(std::string(error.what()).find("it is damaged: the saved scene:1: not YAML"),
+                std::string::npos)
           << error.what();
     }
   }
