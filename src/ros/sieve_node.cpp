@@ -60,6 +60,8 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
             clock_.publish(control_.run().time());
           })
 {
+  requireDistinct({{"~scene_file", node_.param<std::string>("scene_file", "")}},
+                  {{"~record", parameters_.record}});
   if (clock_.other())
     ROS_WARN("%s", clock_.otherText().c_str());
   if (clock_.enabled() && !ros::Time::isSimTime())
@@ -67,8 +69,6 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
   if (parameters_.mountedElsewhere())
     own_world_.emplace().sendTransform(ownWorldTransform(parameters_.mount, parameters_.frames));
   control_.addSink(topics_);
-  requireDistinct({{"~scene_file", node_.param<std::string>("scene_file", "")}},
-                  {{"~record", parameters_.record}});
   // After the scene was checked, so that a run that cannot begin leaves no bag.
   recorder_.open();
 }
