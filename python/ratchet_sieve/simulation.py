@@ -81,7 +81,8 @@ class Simulation:
         self._engine.set_slew_rates(inclination, frequency, amplitude)
 
     def pour(self, species: Union[str, int], count: int) -> None:
-        """Pours more disks of a species, by name or number, at the lowest free places. Raises ValueError."""
+        """Pours more disks of a species, by name or number, at the lowest free places; Ctrl-C cancels it. Raises
+        ValueError, also if there would be more than 10^7 disks."""
         if isinstance(species, str):
             if species not in self._scene.species:
                 raise ValueError(f"there is no species {species!r}; there are {', '.join(self._scene.species)}")

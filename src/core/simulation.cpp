@@ -64,9 +64,9 @@ void Simulation::setSlewRates(const SlewRates& rates)
   engine_->changeMotion([=](BaseMotion& m, double now) { m.setSlewRates(rates, now); });
 }
 
-void Simulation::pour(std::size_t species, std::size_t count)
+void Simulation::pour(std::size_t species, std::size_t count, const PourObserver& pour_observer)
 {
-  engine_->pour(species, count);
+  engine_->pour(species, count, pour_observer);
 }
 
 DriveState Simulation::base() const

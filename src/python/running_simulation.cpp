@@ -17,8 +17,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds SIGNAL_PERIOD(20);
 
-/// A pour can be stopped, too.
-std::unique_ptr<Simulation> poured(const SceneDefinition& scene, double start_time)
+/// Calls `pour` with an observer that stops it at a signal, with Python's lock let go.
+template <typename Pour>
+auto stoppable(Pour&& pour)
 {
   struct Stopped
   {
@@ -27,12 +28,12 @@ std::unique_ptr<Simulation> poured(const SceneDefinition& scene, double start_ti
   try
   {
     const py::gil_scoped_release let_go;
-    return std::make_unique<Simulation>(scene, start_time,
-                                        [&signals](std::size_t, std::size_t)
-                                        {
-                                          if (signals.stopWanted())
-                                            throw Stopped();
-                                        });
+    return pour(
+        [&signals](std::size_t, std::size_t)
+        {
+          if (signals.stopWanted())
+            throw Stopped();
+        });
   }
   catch (const Stopped&)
   {
@@ -66,7 +67,10 @@ RunningSimulation::Use::Use(RunningSimulation& of) : of_(of)
 }
 
 RunningSimulation::RunningSimulation(std::shared_ptr<Scene> scene, double start_time)
-    : scene_(std::move(scene)), simulation_(poured(scene_->definition, start_time))
+    : scene_(std::move(scene)),
+      simulation_(
+          stoppable([&](const PourObserver& observer)
+                    { return std::make_unique<Simulation>(scene_->definition, start_time, observer); }))
 {
 }
 
@@ -74,6 +78,12 @@ RunningSimulation::RunningSimulation(std::shared_ptr<Scene> scene, std::string_v
     : scene_(std::move(scene)),
       simulation_(std::make_unique<Simulation>(restoreRun(saved_state, scene_->definition)))
 {
+}
+
+void RunningSimulation::pour(std::size_t species, std::size_t count)
+{
+  Use simulation(*this);
+  stoppable([&](const PourObserver& observer) { simulation->pour(species, count, observer); });
 }
 
 void RunningSimulation::advanceTo(double time, const std::function<bool()>& stop_wanted)

@@ -56,6 +56,9 @@ public:
 
   const std::shared_ptr<Scene>& scene() const { return scene_; }
 
+  /// Pours more disks, with Python's lock let go; a signal cancels it. @throws as Simulation
+  void pour(std::size_t species, std::size_t count);
+
   /// Advances until `stop_wanted`, which is asked every few hundredths of a second. The simulation then
   /// stands at an earlier time and may be used as before. @pre Python's lock is let go @throws StallError
   void advanceTo(double time, const std::function<bool()>& stop_wanted);

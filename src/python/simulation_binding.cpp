@@ -57,12 +57,6 @@ void setSlewRates(RunningSimulation& running, double inclination, double frequen
   RunningSimulation::Use(running)->setSlewRates(rates);
 }
 
-void pour(RunningSimulation& running, std::size_t species, std::size_t count)
-{
-  const py::gil_scoped_release let_go;
-  RunningSimulation::Use(running)->pour(species, count);
-}
-
 py::array disks(RunningSimulation& running)
 {
   RunningSimulation::Use simulation(running);
@@ -108,7 +102,7 @@ void bindSimulation(py::module_& module)
       .def("command", &command, py::arg("setpoints"))
       .def("set_slew_rates", &setSlewRates, py::arg("inclination"), py::arg("frequency"),
            py::arg("amplitude"))
-      .def("pour", &pour, py::arg("species"), py::arg("count"))
+      .def("pour", &RunningSimulation::pour, py::arg("species"), py::arg("count"))
       .def("disks", &disks)
       .def("time", read<double>([](Simulation& simulation) { return simulation.time(); }))
       .def("active_disks", read<std::size_t>([](Simulation& simulation) { return simulation.activeDisks(); }))

@@ -169,8 +169,7 @@ private:
     most = std::max(most, simulation_.auditOverlaps());
   }
 
-  /// A stalled run could not be resumed: the previous checkpoint is kept. An ensemble stalls for a while
-  /// before it is stopped.
+  /// A stalled run could not be resumed: the previous checkpoint is kept.
   void save()
   {
     if (watchers_.save && !simulation_.stalled())

@@ -65,9 +65,6 @@ const Keys<AccuracyDefinition>& certaintyKeys();  ///< of accuracy, decide only 
 /// Of the mass of a disk.
 Range massRange();
 
-/// Most disks that a scene may have.
-constexpr int MOST_DISKS = 10'000'000;
-
 constexpr double SMALLEST_LENGTH = 1e-9;  ///< of any part of a scene [m]
 
 /// Most harmonics of a drive: each evaluation of the base's motion sums all of them.

@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -202,7 +205,7 @@ TEST(Collapse, OfADiskThatNothingFreesStopsAnEnsembleInOrder)
   EXPECT_THROW(at_once.advanceTo(3.0), StallError);
   EXPECT_EQ(at_once.auditOverlaps(), 0u);
   EXPECT_LT(at_once.maxOverlap(), 1e-12);
-  EXPECT_EQ(at_once.activeDisks(), 2u);
+  EXPECT_EQ(at_once.activeDisks(), 3u);
   EXPECT_EQ(at_once.collapses().first_disk, 2u);
   EXPECT_NE(at_once.collapseText().find("disk 1 had"), std::string::npos) << at_once.collapseText();
 
@@ -211,6 +214,79 @@ TEST(Collapse, OfADiskThatNothingFreesStopsAnEnsembleInOrder)
   in_strides.auditOverlaps();
   EXPECT_EQ(in_strides.saveState(), at_once.saveState());
   EXPECT_EQ(in_strides.collapseText(), at_once.collapseText());
+}
+
+/// All disks come to rest within a few tenths of a second.
+TEST(Collapse, OfManyDisksStopsAnEnsembleAtTheFirst)
+{
+  SceneDefinition scene = collapsing(false);
+  scene.species[0].count = 1000;
+  std::string state;
+  for (const std::size_t threads : {1, 3})
+  {
+    Simulation simulation(scene);
+    simulation.setThreads(threads);
+    EXPECT_THROW(simulation.advanceTo(10.0), StallError);
+    EXPECT_EQ(simulation.collapses().count, 1u);
+    EXPECT_NEAR(simulation.time(), simulation.collapses().first_time, 1e-15);
+    EXPECT_LT(simulation.events(), 100000u);
+    if (state.empty())
+      state = simulation.saveState();
+    EXPECT_EQ(simulation.saveState(), state) << threads << " threads";
+  }
+}
+
+/// A disk in a slot of its own width has contacts without time between them.
+SceneDefinition wedged()
+{
+  SceneDefinition scene = test::singleParticles(1);
+  scene.base.teeth = 1;
+  scene.base.profile = {{0.0, 0.0},     {0.004, 0.0},    {0.004, 0.006}, {0.010, 0.006},
+                        {0.016, 0.003}, {0.016, -0.002}, {0.020, 0.0}};
+  scene.boundary = Boundary::WALLED;
+  scene.species[0].radius = 0.002;
+  scene.initial = {{0, 0.002, 0.012}};
+  return scene;
+}
+
+TEST(Collapse, TellsOfContactsBeforeTheyAreTooMany)
+{
+  struct Enough
+  {
+  };
+  Simulation simulation(wedged());
+  simulation.observeCollisions([](const CollisionRecord&) { throw Enough(); });
+  EXPECT_THROW(simulation.advanceTo(1.0), Enough);
+  EXPECT_LT(simulation.events(), 100000u);
+
+  std::size_t told = 0;
+  Simulation to_the_end(wedged());
+  to_the_end.observeCollisions([&](const CollisionRecord&) { ++told; });
+  EXPECT_THROW(to_the_end.advanceTo(1.0), StallError);
+  EXPECT_GT(told, 900000u);
+  EXPECT_EQ(to_the_end.auditOverlaps(), 0u);
+  EXPECT_LT(to_the_end.maxOverlap(), 1e-12);
+}
+
+TEST(Collapse, OfAnEnsembleIsToldInTheOrderOfTimeInWhateverStrides)
+{
+  SceneDefinition scene = collapsing(false);
+  scene.contact.collapse_events = 100000;
+  std::vector<std::pair<double, std::uint32_t>> all;
+  for (const double stride : {10.0, 0.001})
+  {
+    std::vector<std::pair<double, std::uint32_t>> told;
+    Simulation simulation(scene);
+    simulation.observeCollisions([&](const CollisionRecord& contact)
+                                 { told.emplace_back(contact.time, contact.i); });
+    EXPECT_THROW(for (int k = 1; k <= 10000; ++k) simulation.advanceTo(stride * k), StallError);
+    EXPECT_GT(told.size(), 100000u);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end(),
+                               [](const auto& a, const auto& b) { return a.first < b.first; }));
+    if (all.empty())
+      all = told;
+    EXPECT_TRUE(told == all) << "strides of " << stride << " s";
+  }
 }
 
 TEST(Collapse, IsNotSeenWhereARestingDiskHopsAtTheFloor)

@@ -171,6 +171,18 @@ TEST(Simulation, PouringWhereThereIsNoRoomIsRefused)
   EXPECT_EQ(simulation.activeDisks(), 0u);
 }
 
+TEST(Simulation, ALaterPourThatIsRefusedOrCancelledChangesNothing)
+{
+  Simulation simulation(test::mixture(30));
+  simulation.advanceTo(0.1);
+  const std::string before = simulation.saveState();
+  EXPECT_THROW(simulation.pour(0, MOST_DISKS - 59), std::invalid_argument);
+  EXPECT_THROW(simulation.pour(0, std::size_t{1} << 63), std::invalid_argument);
+  EXPECT_THROW(simulation.pour(0, 2000, [](std::size_t poured, std::size_t /*of*/) { throw poured; }),
+               std::size_t);
+  EXPECT_EQ(simulation.saveState(), before);
+}
+
 TEST(Simulation, ManyDisksPouredOntoAnEmptyMachineAreFoundByFineCells)
 {
   SceneDefinition scene = test::mixture(0);

@@ -165,6 +165,17 @@ def test_ctrl_c_stops_at_once_and_leaves_the_simulation_usable(scene):
     assert np.array_equal(simulation.disks, reference.disks)
 
 
+def test_a_later_pour_has_the_limits_of_a_scene_and_can_be_stopped(scene):
+    simulation = rs.Simulation(scene)
+    before = simulation.save()
+    with pytest.raises(ValueError, match="at most 10000000 in total"):
+        simulation.pour(0, 2**31)
+    threading.Timer(0.3, signal.raise_signal, [signal.SIGINT]).start()
+    with pytest.raises(KeyboardInterrupt):
+        simulation.pour(0, 5_000_000)
+    assert simulation.save() == before
+
+
 def test_threads_of_python_run_meanwhile_and_cannot_interfere(scene):
     simulation = rs.Simulation(endless(scene).replace({"boundary": "periodic"}))
     refused = threading.Event()

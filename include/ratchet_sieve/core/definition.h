@@ -13,6 +13,9 @@
 namespace ratchet_sieve
 {
 
+/// Most disks that a scene may have, and that may be in a machine after a later pour.
+constexpr int MOST_DISKS = 10'000'000;
+
 /// What happens at the two ends of the base.
 enum class Boundary
 {

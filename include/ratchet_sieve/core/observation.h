@@ -159,7 +159,7 @@ struct StallError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/// Called repeatedly while the initial disks are poured; may throw to cancel the pour.
+/// Called repeatedly while disks are poured; may throw to cancel the pour.
 using PourObserver = std::function<void(std::size_t poured, std::size_t of)>;
 
 }  // namespace ratchet_sieve

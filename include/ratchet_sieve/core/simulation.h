@@ -84,9 +84,9 @@ public:
   void setSlewRates(const SlewRates& rates);
 
   /// Pours `count` more disks of a species at time(), at the lowest free positions.
-  /// @throws std::invalid_argument if there is no such species, or if its disks are wider than the machine;
-  /// the state is then unchanged
-  void pour(std::size_t species, std::size_t count);
+  /// @throws std::invalid_argument if there is no such species, if its disks are wider than the machine, or if
+  /// there would be more than MOST_DISKS in it; the state is then unchanged, also if the observer throws
+  void pour(std::size_t species, std::size_t count, const PourObserver& pour_observer = {});
 
   DriveState base() const;
   std::size_t activeDisks() const;            ///< disks in the machine
@@ -125,7 +125,7 @@ public:
   /// Kinetic and potential energy of disks() [J]. On an inclined periodic base, the potential energy of a
   /// disk changes by m g W sin(theta) when it is wrapped by a width W.
   double energy() const;
-  bool stalled() const;  ///< whether a collapse ends the run, at the end of the epoch at the latest
+  bool stalled() const;  ///< whether a collapse has ended the run
   const CollapseCounts& collapses() const;
   std::string collapseText() const;  ///< one line with the figures; empty without a collapse
   double largestEnergy() const;      ///< largest energy of a disk at the end of an epoch, see EnergyWatch

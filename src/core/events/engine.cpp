@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "model/lane_limit.h"
+#include "ratchet_sieve/core/count_text.h"
 #include "state/audit.h"
 #include "state/placement.h"
 #include "state/pour.h"
@@ -90,12 +91,16 @@ void Engine::advanceTo(double time)
   }
 }
 
-void Engine::pour(std::size_t species, std::size_t count)
+void Engine::pour(std::size_t species, std::size_t count, const PourObserver& observer)
 {
-  pour(species, count, state_.scene().pour.stretch);
+  if (const std::size_t present = state_.activeCount(); present > MOST_DISKS || count > MOST_DISKS - present)
+    throw std::invalid_argument("a pour of " + countText(count, "disk") + " onto " + std::to_string(present) +
+                                ": there must be at most " + std::to_string(MOST_DISKS) + " in total");
+  pour(species, count, state_.scene().pour.stretch, observer);
 }
 
-void Engine::pour(std::size_t species, std::size_t count, const Stretch& stretch)
+void Engine::pour(std::size_t species, std::size_t count, const Stretch& stretch,
+                  const PourObserver& observer)
 {
   const SceneDefinition& scene = state_.scene();
   if (species >= scene.species.size())
@@ -105,8 +110,10 @@ void Engine::pour(std::size_t species, std::size_t count, const Stretch& stretch
                                 " are wider than the machine: there is no room for them");
   loop_->catchUp(now_);
   const auto before = static_cast<std::uint32_t>(state_.disks().size());
+  Random random = random_;
   pourDisks(state_, std::vector<std::uint32_t>(count, static_cast<std::uint32_t>(species)), stretch, now_,
-            random_);
+            random, observer);
+  random_ = random;
   announce(before);
 }
 
@@ -198,7 +205,7 @@ std::optional<double> Engine::nextFeed() const
 void Engine::feed()
 {
   ++fed_;
-  pour(drawSpecies(state_.scene().species, feed_random_), 1, state_.scene().feed.stretch);
+  pour(drawSpecies(state_.scene().species, feed_random_), 1, state_.scene().feed.stretch, {});
   drawNextFeed();
 }
 

@@ -64,8 +64,8 @@ public:
     periods_.motionChanged(now_);
   }
 
-  /// @throws std::invalid_argument; nothing is changed then
-  void pour(std::size_t species, std::size_t count);
+  /// @throws std::invalid_argument, or what the observer throws; nothing is changed then
+  void pour(std::size_t species, std::size_t count, const PourObserver& observer);
   /// @param threads 0: one per processor
   void setThreads(std::size_t threads, const StripSettings& strips = {});
   void observePeriods(PeriodObserver observer) { periods_.observe(std::move(observer), now_); }
@@ -102,7 +102,7 @@ private:
   std::optional<double> nextFeed() const;
   void feed();
   void drawNextFeed();
-  void pour(std::size_t species, std::size_t count, const Stretch& stretch);
+  void pour(std::size_t species, std::size_t count, const Stretch& stretch, const PourObserver& observer);
   std::optional<double> nextEpochEnd() const { return state_.epoch().length; }
   void endEpoch();
 

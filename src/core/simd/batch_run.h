@@ -37,6 +37,7 @@ public:
     share_.emplace(system.observers());
     std::uint32_t slot = 0;
     std::size_t rows = 0;
+    std::uint32_t events = 0;  // of each row that is loaded all the while
     const auto take_up = [&](std::size_t row)
     {
       while (take(slot))
@@ -45,7 +46,7 @@ public:
           loadRow(system, slot, next[slot], batch_, row);
           slots_[row] = slot;
           species_[row] = system.disk(slot).species;
-          events_left_[row] = limits.events;
+          loaded_[row] = events;
           return true;
         }
       return false;
@@ -59,17 +60,18 @@ public:
       kernel.collide(scene, batch_, rows);
       takeOutcomes(rows);
       kernel.search(scene, batch_, rows);
+      ++events;
       const bool full = share_->notices() >= limits.notices;
       for (std::size_t row = 0; row < rows;)
       {
         const double time = batch_.event_time[row];
         if (last.isAtOrAfter(time, slots_[row]))
         {
-          if (full || events_left_[row] == 0)
+          if (full || events - loaded_[row] >= limits.events)
             breakOff(slots_[row], time, last, pass_break);
           else if (admit(watch, slots_[row], time, last, pass_break))
           {
-            --events_left_[row++];
+            ++row;
             continue;
           }
         }
@@ -81,7 +83,7 @@ public:
           copyRow(batch_, rows, row);
           slots_[row] = slots_[rows];
           species_[row] = species_[rows];
-          events_left_[row] = events_left_[rows];
+          loaded_[row] = loaded_[rows];
         }
       }
     }
@@ -119,7 +121,7 @@ private:
   SimdBatch batch_;
   std::uint32_t slots_[SimdBatch::ROWS];
   std::uint32_t species_[SimdBatch::ROWS];
-  std::uint32_t events_left_[SimdBatch::ROWS];
+  std::uint32_t loaded_[SimdBatch::ROWS];  ///< the count of events then
   std::optional<Observers::Share> share_;
   Report report_;
 };
