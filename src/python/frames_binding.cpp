@@ -56,7 +56,9 @@ void handOver(const Scene& scene, const py::list& frames, FrameSink& sink)
     sink.take(ParticleFrame{time, disksOf(array)});
     if (!sink.wants(FrameKind::BINS))
       continue;
-    BinFrame bins{time, speciesNames(scene.definition), {}, {}, {}};
+    BinFrame bins;
+    bins.time = time;
+    bins.species = speciesNames(scene.definition);
     for (const py::dict& fields : bins_fields)
       setFields(bins.bins.emplace_back(), fields);
     sink.take(bins);

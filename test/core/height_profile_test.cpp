@@ -161,7 +161,9 @@ TEST(HeightProfile, SeesFromTheBase)
   // In the first quarter sin(phi) goes from 1/2 to 1 in a sixth of a period.
   for (std::size_t k = 0; k < column(row, "from").size(); ++k)
     if (column(row, "phase_from")[k] == 0.0 && std::lround(1e3 * column(row, "from")[k]) == 18)
+    {
       EXPECT_NEAR(column(row, "velocity_up")[k], -0.5 * AMPLITUDE * 6.0 * FREQUENCY, 1e-4);
+    }
   EXPECT_NEAR(number(row, "mean_height"), HEIGHT, 1e-7);
 }
 
