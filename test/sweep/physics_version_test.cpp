@@ -19,7 +19,8 @@ namespace
 const std::map<std::int64_t, std::uint64_t> SUMMARIES = {{1, 10059554988278898013ull},
                                                          {2, 3678576686467559268ull},
                                                          {3, 16194533993657830448ull},
-                                                         {4, 16194533993657830448ull}};
+                                                         {4, 16194533993657830448ull},
+                                                         {5, 7415991239542553077ull}};
 
 /// One scene for each loop of the engine and each kind of boundary; together they use all parts of the
 /// physics.
