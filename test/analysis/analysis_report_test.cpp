@@ -107,7 +107,7 @@ TEST(ReportJson, NamesThingsAsTheSummaryDoes)
   EXPECT_EQ(json["seed"], 7);
   EXPECT_EQ(json["simulated_time"], 2.5);
   EXPECT_EQ(json["quality"], 0.75);
-  EXPECT_EQ(json["processed"], 0.5);
+  EXPECT_EQ(json["processed"], 5.0 / 11.0);
   EXPECT_EQ(json["short_to_long"], 0.5);
   EXPECT_EQ(json["collisions"]["disk_disk"], 100);
   EXPECT_EQ(json["species"][0]["mean_vx"], 0.0125);

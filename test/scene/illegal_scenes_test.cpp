@@ -108,6 +108,8 @@ TEST(IllegalScenes, AreMadeOfEveryKeyThereIs)
   full.base.horizontal_phase = 1.0;
   full.base.drive_frame = DriveFrame::BASE;
   full.pour.stretch = full.feed.stretch = {0.1, 0.2};
+  full.feed.even = true;
+  full.feed.on_choke = ChokeAction::STOP;
   full.contact.restitution_speed = 1.0;
   full.contact.restitution_exponent = 0.5;
   full.height_profile = {0.001, 4};
