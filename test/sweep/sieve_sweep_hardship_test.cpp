@@ -40,8 +40,7 @@ TEST_F(SieveSweepHardship, ACaseWhoseProcessDiesTwiceFailsAndTheOthersAreRun)
   EXPECT_NE(errors().find("sieve_sweep: warning: case 1 (duration=1.0e+8) failed: " + reason + "\n"),
             std::string::npos)
       << errors();
-  EXPECT_NE(errors().find("3 cases: 2 done, 1 failed, 0 under way, 0 to go\n"), std::string::npos)
-      << errors();
+  EXPECT_NE(errors().find("3 cases: 2 done, 1 failed, 0 under way, 0 to go"), std::string::npos) << errors();
   EXPECT_EQ(textOf(results, "SELECT error FROM cases WHERE duration > 1"), reason);
 }
 
