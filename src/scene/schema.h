@@ -17,8 +17,8 @@ namespace ratchet_sieve
 {
 
 using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, std::vector<double>*,
-                          std::vector<std::string>*, Boundary*, DriveFrame*, CollapseAction*, ChokeAction*, Method*,
-                          SizeDistribution*, SizeShare*, std::vector<OutlineCorner>*>;
+                          std::vector<std::string>*, Boundary*, DriveFrame*, CollapseAction*, ChokeAction*,
+                          Method*, SizeDistribution*, SizeShare*, std::vector<OutlineCorner>*>;
 
 enum class Presence
 {
