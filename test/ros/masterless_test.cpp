@@ -35,7 +35,7 @@ TEST(Masterless, aNodeGoesOnOnceThereIsAMaster)
   master.start();
   // It proceeds to the missing scene.
   EXPECT_EQ(node.wait(), 2);
-  EXPECT_NE(node.errors().find("sieve_node: parameter /early/scene: not set"), std::string::npos)
+  EXPECT_NE(node.errors().find("sieve_node: parameter /early/scene_file: not set"), std::string::npos)
       << node.errors();
 }
 
