@@ -14,6 +14,9 @@ namespace
 /// could leave a segment shorter than the time resolution.
 constexpr double SAME_END = 1e-12;
 
+/// Of a restored motion: of the end of its segment [s], and of the square of the length of its rotation.
+constexpr double TOLERANCE = 1e-9;
+
 double fraction(double x)
 {
   return x - std::floor(x);
@@ -72,7 +75,6 @@ BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn, bool always_
 /// Whether a restored motion is possible in a run.
 bool BaseMotion::isLegal() const
 {
-  bool moves = false;
   for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
   {
     const Ramp& r = ramp(q.quantity);
@@ -80,13 +82,16 @@ bool BaseMotion::isLegal() const
         (r.rate != 0.0 &&
          (std::abs(r.rate) != slew_rates_.*q.slew_rate || r.rate * (r.target - r.start) < 0.0)))
       return false;
-    moves = moves || r.rate != 0.0;
   }
+  const auto end = endOfSegment();
+  if (end.has_value() != next_change_.has_value() ||
+      (end && !(*next_change_ >= segment_start_ && *next_change_ <= *end + TOLERANCE)))
+    return false;
   const double length = rotation_.cosine * rotation_.cosine + rotation_.sine * rotation_.sine;
-  return moves == next_change_.has_value() && (!moves || *next_change_ >= segment_start_) &&
-         std::isfinite(segment_start_) && turns_ >= 0.0 && turns_ <= 1.0 && std::abs(length - 1.0) < 1e-9 &&
-         acceleration_bound_.allFinite() && displacement_bound_.allFinite() &&
-         acceleration_bound_.minCoeff() >= 0.0 && displacement_bound_.minCoeff() >= 0.0;
+  return std::isfinite(segment_start_) && turns_ >= 0.0 && turns_ <= 1.0 &&
+         std::abs(length - 1.0) < TOLERANCE && acceleration_bound_.allFinite() &&
+         displacement_bound_.allFinite() && acceleration_bound_.minCoeff() >= 0.0 &&
+         displacement_bound_.minCoeff() >= 0.0;
 }
 
 double BaseMotion::turns(double elapsed) const
@@ -194,18 +199,24 @@ void BaseMotion::plan()
     pursue(ramp(q.quantity), slew_rates_.*q.slew_rate);
 
   rotation_ = rotationBy(inclination_.start);
+  next_change_ = endOfSegment();
+  updateBounds();
+  noteDerived();
+}
 
-  next_change_.reset();
+/// The first end of a ramp, or of the largest turn within a segment; nothing if no quantity moves.
+std::optional<double> BaseMotion::endOfSegment() const
+{
+  std::optional<double> first;
   for (const auto ramp : RAMPS)
     if (const auto remaining = (this->*ramp).remaining())
     {
       const double end = segment_start_ + *remaining;
-      next_change_ = std::min(next_change_.value_or(end), end);
+      first = std::min(first.value_or(end), end);
     }
   if (turning())
-    next_change_ = std::min(*next_change_, segment_start_ + max_turn_ / std::abs(inclination_.rate));
-  updateBounds();
-  noteDerived();
+    first = std::min(*first, segment_start_ + max_turn_ / std::abs(inclination_.rate));
+  return first;
 }
 
 void BaseMotion::beginSegment(double time)

@@ -123,6 +123,7 @@ private:
   void advanceTo(double time);  ///< advances the segment's start to `time` at the present rates
   bool isLegal() const;
   void pursue(Ramp& ramp, double slew_rate) const;
+  std::optional<double> endOfSegment() const;
   void plan();  ///< sets the rates from the setpoints, and the ends of the ramps
   void updateBounds();
   void noteDerived();

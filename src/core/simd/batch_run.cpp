@@ -3,6 +3,15 @@
 namespace ratchet_sieve
 {
 
+void BatchRun::executeEvents(const BatchKernel& kernel, const BatchScene& scene, std::size_t rows)
+{
+  if (share_->wantsFlights())
+    takeFlights(rows);
+  kernel.collide(scene, batch_, rows);
+  takeOutcomes(rows);
+  kernel.search(scene, batch_, rows);
+}
+
 void BatchRun::takeFlights(std::size_t rows)
 {
   for (std::size_t row = 0; row < rows; ++row)

@@ -43,10 +43,7 @@ public:
       while (take(slot))
         if (admit(watch, slot, next[slot].time, last, pass_break))
         {
-          loadRow(system, slot, next[slot], batch_, row);
-          slots_[row] = slot;
-          species_[row] = system.disk(slot).species;
-          loaded_[row] = events;
+          load(system, slot, next[slot], row, events);
           return true;
         }
       return false;
@@ -55,11 +52,7 @@ public:
       ++rows;
     while (rows > 0 && !pass_break)
     {
-      if (share_->wantsFlights())
-        takeFlights(rows);
-      kernel.collide(scene, batch_, rows);
-      takeOutcomes(rows);
-      kernel.search(scene, batch_, rows);
+      executeEvents(kernel, scene, rows);
       ++events;
       const bool full = share_->notices() >= limits.notices;
       for (std::size_t row = 0; row < rows;)
@@ -79,12 +72,7 @@ public:
         if (take_up(row))
           ++row;
         else if (--rows > row)
-        {
-          copyRow(batch_, rows, row);
-          slots_[row] = slots_[rows];
-          species_[row] = species_[rows];
-          loaded_[row] = loaded_[rows];
-        }
+          moveRow(rows, row);
       }
     }
   }
@@ -111,6 +99,26 @@ private:
     if (!last.isAt(time, slot))
       pass_break.set({time, slot});
   }
+
+  void load(const SystemState& system, std::uint32_t slot, const BaseEvent& next, std::size_t row,
+            std::uint32_t events)
+  {
+    loadRow(system, slot, next, batch_, row);
+    slots_[row] = slot;
+    species_[row] = system.disk(slot).species;
+    loaded_[row] = events;
+  }
+
+  void moveRow(std::size_t from, std::size_t to)
+  {
+    copyRow(batch_, from, to);
+    slots_[to] = slots_[from];
+    species_[to] = species_[from];
+    loaded_[to] = loaded_[from];
+  }
+
+  /// Executes the next event of each of the first `rows` rows, and finds the one after it.
+  void executeEvents(const BatchKernel& kernel, const BatchScene& scene, std::size_t rows);
 
   /// Passes the flights that end with the next events of the first `rows` rows to the observers.
   void takeFlights(std::size_t rows);
