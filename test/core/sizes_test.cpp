@@ -216,7 +216,7 @@ TEST(Sizes, AreDrawnForEveryDiskOfAScene)
   same.advanceTo(0.5);
   same.advanceTo(1.0);
   const std::vector<DiskState> disks = one.disks();
-  ASSERT_EQ(disks.size(), 500u);
+  EXPECT_NEAR(static_cast<double>(disks.size()), 400.0 + 100.0, 40.0);  // 100 are fed, by a Poisson process
   for (std::size_t k = 0; k < disks.size(); ++k)
   {
     EXPECT_EQ(same.disks()[k].radius, disks[k].radius);

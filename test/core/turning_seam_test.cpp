@@ -330,5 +330,30 @@ TEST(TurningSeam, MissesNoContactWhileImagesPassRowsOfCells)
     }
 }
 
+/// The ends of the base swing by its width, over cells that stand: images then differ anywhere in the cells.
+TEST(TurningSeam, NoContactIsMissedWhereTheBaseSwingsByItsWidth)
+{
+  SceneDefinition scene = test::mixture(8);
+  scene.base.teeth = 1;
+  scene.base.tooth_height = 0.001;
+  scene.base.inclination = 1.2;
+  scene.base.amplitude = scene.base.width();
+  scene.base.frequency = 5.0;
+  for (SpeciesDefinition& species : scene.species)
+    species.radius = 0.001;
+  for (scene.seed = 1; scene.seed <= 20; ++scene.seed)
+  {
+    Simulation simulation(scene);
+    simulation.setSlewRates({0.5, 20.0, 0.01});
+    simulation.command(Quantity::INCLINATION, -0.3);
+    for (int k = 1; k <= 20; ++k)
+    {
+      simulation.advanceTo(0.05 * k);
+      ASSERT_EQ(simulation.auditOverlaps(), 0u) << "seed " << scene.seed << ", " << simulation.time() << " s";
+      ASSERT_LT(simulation.maxOverlap(), 1e-12) << "seed " << scene.seed << ", " << simulation.time() << " s";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ratchet_sieve

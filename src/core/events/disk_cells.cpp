@@ -158,8 +158,8 @@ double DiskCells::latticeMargin() const
 }
 
 /// While the lattice turns, images across an end of the base rise or sink against the rows. Disks meet them
-/// within a diameter of the end. The ends lean against the columns: the higher, the farther. Disks so high
-/// that both are in the topmost row see each other anyway.
+/// within a diameter of the end. The ends swing with the drive, the cells do not. The ends lean against the
+/// columns: the higher, the farther. Disks so high that both are in the topmost row see each other anyway.
 void DiskCells::openSeam()
 {
   if (!lattice_turns_ || grid_.levels().count() > 0)
@@ -167,8 +167,11 @@ void DiskCells::openSeam()
   const double rise = std::sin(state_.latticeTurn());
   const double width = state_.shape().width();
   const double top = grid_.rowStart(grid_.rows() - 1) + width * rise;
-  grid_.openSeam(state_.largestDiameter() + state_.latticeMargin() +
-                 rise * std::max(top / std::cos(state_.latticeTurn()), state_.shape().relief()));
+  const Eigen::Vector2d& swing = state_.motion().displacementBound();
+  const double along =
+      std::abs(frame_.rotation.cosine) * swing.x() + std::abs(frame_.rotation.sine) * swing.y();
+  const double height = std::max(top / std::cos(state_.latticeTurn()), state_.shape().relief());
+  grid_.openSeam(state_.largestDiameter() + state_.latticeMargin() + along + rise * (height + swing.norm()));
 }
 
 DiskCells::Sizes DiskCells::sizes() const
