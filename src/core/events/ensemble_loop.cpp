@@ -25,14 +25,16 @@ constexpr std::size_t DISKS_AT_A_TIME = 16;
 constexpr std::size_t DISKS_PER_THREAD = 64;
 
 /// A disk with more events in a pass may be in a collapse: it is not taken further than the others.
-constexpr std::uint32_t EVENTS_IN_A_PASS = 1 << 14;
+constexpr std::size_t EVENTS_IN_A_PASS = 1 << 14;
 
-/// What waits to be told to observers takes some 200 bytes each.
+/// Observers are told of so many events of all disks at a time: what waits for that takes some 200 bytes
+/// each. But not less than a few of a disk, whose passes would be too short.
 constexpr std::size_t NOTICES_IN_A_PASS = 1 << 16;
+constexpr std::size_t FEW_EVENTS = 16;
 
 /// After a pass that was too much, the next are short, at least this fraction of the machine's time scale,
 /// and grow by this factor. So not many have to be repeated.
-constexpr double SHORTEST_PASS = 1e-6;
+constexpr double SHORTEST_PASS = 1e-12;
 constexpr double GROWTH_OF_A_PASS = 1.0625;
 
 /// Every disk has its own event loop. Ordinary contacts are executed for many disks at a time with SIMD
@@ -40,8 +42,8 @@ constexpr double GROWTH_OF_A_PASS = 1.0625;
 /// for scenes, batchScene() for times, and CollapseWatch for disks. Which of the two is used depends only on
 /// the scene and on the history of the disk.
 ///
-/// A pass takes all disks to one time. If a disk comes to an event that ends the run, or has too many events
-/// or notices, the disks go back to the beginning of the pass, and it is repeated up to that event. So an
+/// A pass takes all disks to one time. If a disk comes to an event that ends the run, or has too many events,
+/// the disks go back to the beginning of the pass, and it is repeated up to that event. So an
 /// ensemble stops at the first collapse, as a single queue does, and its notices do not fill the memory.
 class EnsembleLoop : public EventLoop
 {
@@ -168,13 +170,22 @@ private:
     }
   }
 
+  /// Of each disk in a pass.
+  std::uint32_t mostEvents() const
+  {
+    std::size_t most = std::numeric_limits<std::uint32_t>::max();
+    if (state_.scene().contact.on_collapse == CollapseAction::STOP)
+      most = EVENTS_IN_A_PASS;
+    if (state_.observers().collects())
+      most =
+          std::min(most, std::max(FEW_EVENTS, NOTICES_IN_A_PASS / std::max<std::size_t>(1, copies_.size())));
+    return static_cast<std::uint32_t>(most);
+  }
+
   /// Executes the events of the copied disks until the last, or breaks off.
   void pass(const LastEvent& last)
   {
-    const bool collects = state_.observers().collects();
-    const bool may_end = state_.scene().contact.on_collapse == CollapseAction::STOP;
-    limits_.events = collects || may_end ? EVENTS_IN_A_PASS : std::numeric_limits<std::uint32_t>::max();
-    limits_.notices = collects ? NOTICES_IN_A_PASS / runs_.size() : std::numeric_limits<std::size_t>::max();
+    most_events_ = mostEvents();
     pass_events_ = 0;
     share_ = Observers::Share(state_.observers());
     behind_.clear();
@@ -207,7 +218,7 @@ private:
     {
       std::size_t next = 0;
       std::size_t end = 0;
-      runs_[worker]->advance(state_, next_, scene, last, limits_, pass_break_,
+      runs_[worker]->advance(state_, next_, scene, last, most_events_, pass_break_,
                              [&](std::uint32_t& slot)
                              {
                                if (next == end)
@@ -247,12 +258,11 @@ private:
   template <typename GoesOn>
   bool advanceAlone(std::uint32_t slot, const LastEvent& last, GoesOn&& goes_on)
   {
-    std::uint32_t events_left = limits_.events;
+    std::uint32_t events_left = most_events_;
     do
     {
       const double now = next_[slot].time;
-      if (events_left-- == 0 || share_.notices() >= limits_.notices ||
-          state_.collapseWatch().endsAt(slot, now))
+      if (events_left-- == 0 || state_.collapseWatch().endsAt(slot, now))
       {
         if (!last.isAt(now, slot))
           pass_break_.set({now, slot});
@@ -296,7 +306,7 @@ private:
   std::vector<std::uint32_t> behind_;  ///< disks that have not reached the last event
   std::vector<Copy> copies_;
   std::uint64_t pass_events_ = 0;
-  PassLimits limits_{};
+  std::uint32_t most_events_ = 0;  ///< of a disk in the present pass
   PassBreak pass_break_;
   double slice_ = std::numeric_limits<double>::infinity();  ///< longest pass [s]
   std::vector<std::unique_ptr<BatchRun>> runs_;             ///< per thread

@@ -26,11 +26,11 @@ public:
 
   /// Advances the disks that `take` returns, until it returns false: bool take(std::uint32_t& slot).
   ///
-  /// Breaks off at an event that would end the run or is beyond the limits, and where another thread does.
-  /// Disks have then reached different events. If it is the last event, its disk just waits there.
+  /// Breaks off at an event that would end the run or is one too many of its disk, and where another thread
+  /// does. Disks have then reached different events. If it is the last event, its disk just waits there.
   template <typename Take>
   void advance(SystemState& system, std::vector<BaseEvent>& next, const BatchScene& scene,
-               const LastEvent& last, const PassLimits& limits, PassBreak& pass_break, Take&& take)
+               const LastEvent& last, std::uint32_t most_events, PassBreak& pass_break, Take&& take)
   {
     const BatchKernel& kernel = presentBatchKernel();
     CollapseWatch& watch = system.collapseWatch();
@@ -54,13 +54,12 @@ public:
     {
       executeEvents(kernel, scene, rows);
       ++events;
-      const bool full = share_->notices() >= limits.notices;
       for (std::size_t row = 0; row < rows;)
       {
         const double time = batch_.event_time[row];
         if (last.isAtOrAfter(time, slots_[row]))
         {
-          if (full || events - loaded_[row] >= limits.events)
+          if (events - loaded_[row] >= most_events)
             breakOff(slots_[row], time, last, pass_break);
           else if (admit(watch, slots_[row], time, last, pass_break))
           {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <mutex>
@@ -25,15 +24,8 @@ struct LastEvent
   }
 };
 
-/// What one pass over the disks of an ensemble may take.
-struct PassLimits
-{
-  std::uint32_t events;  ///< of a disk
-  std::size_t notices;   ///< of a thread
-};
-
-/// The event at which a pass breaks off, because it would end the run or is beyond the limits: the earliest
-/// that a thread has found.
+/// The event at which a pass breaks off, because it would end the run or is one too many of its disk:
+/// the earliest that a thread has found.
 class PassBreak
 {
 public:

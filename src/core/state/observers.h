@@ -89,9 +89,6 @@ public:
     void beginEvent(std::uint32_t slot) { event_slot_ = slot; }
     const std::vector<Departure>& departures() const { return departures_; }
 
-    /// The number of notices, which take memory.
-    std::size_t notices() const { return notices_.size(); }
-
     /// Takes what was observed after its own.
     void take(Share&& later);
 
