@@ -7,6 +7,7 @@
 
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/scene/warning_id.h"
 
 namespace ratchet_sieve
 {
@@ -161,9 +162,9 @@ std::vector<std::string> shortfalls(const Simulation& simulation, const Certaint
 {
   std::vector<std::string> texts;
   if (certainty.to_mean_vx && !certainty.to_mean_vx->reached())
-    texts.push_back(meanShortfall(simulation, certainty));
+    texts.push_back(withId(meanShortfall(simulation, certainty), "mean-not-reached"));
   if (certainty.to_quality && !certainty.to_quality->reached())
-    texts.push_back(qualityShortfall(simulation, certainty.separation));
+    texts.push_back(withId(qualityShortfall(simulation, certainty.separation), "quality-not-reached"));
   return texts;
 }
 

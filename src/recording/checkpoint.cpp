@@ -18,7 +18,6 @@
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/input_file.h"
 #include "ratchet_sieve/scene/scene_difference.h"
-#include "ratchet_sieve/scene/scene_file.h"
 
 // The file: a line with its type, and the bytes of saveRun(): a line with the checksum of the rest, a line of
 // JSON that identifies the run, and the simulation's state.
@@ -103,16 +102,9 @@ void requireSame(const Json& saved, const Json& wanted)
     if (saved.at(key) != wanted.at(key))
       throw StateError(std::string("its ") + key + " is " + saved.at(key).dump() +
                        ", but this program's is " + wanted.at(key).dump());
-  try
-  {
-    if (const auto different = sceneDifference(saved.at("scene"), wanted.at("scene")))
-      throw StateError("its " + different->key + " is " + different->saved + ", but this scene's is " +
-                       different->present);
-  }
-  catch (const SceneError& error)
-  {
-    throw StateError(std::string("it is damaged: ") + error.what());
-  }
+  if (const auto different = sceneDifference(saved.at("scene"), wanted.at("scene")))
+    throw StateError("its " + different->key + " is " + different->saved + ", but this scene's is " +
+                     different->present);
 }
 
 std::string saveRun(const Simulation& simulation, Json header)
@@ -143,15 +135,8 @@ std::string saveRun(const Simulation& simulation)
 
 Simulation restoreRun(std::string_view saved, const SceneDefinition& scene)
 {
-  try
-  {
-    Json header;
-    return restoreRun(saved, scene, header);
-  }
-  catch (const Json::exception& error)
-  {
-    throw StateError(error.what());
-  }
+  Json header;
+  return restoreRun(saved, scene, header);
 }
 
 void writeCheckpoint(const std::string& path, const Simulation& simulation, const RunProgress& progress)
@@ -178,10 +163,6 @@ Checkpoint readCheckpoint(const std::string& path, const SceneDefinition& scene)
     if (scene.duration < checkpoint.simulation.time())
       refuse(path, "it is at " + header.at("time").dump() + " s, beyond this run's duration");
     return checkpoint;
-  }
-  catch (const Json::exception& error)
-  {
-    refuse(path, error.what());
   }
   catch (const StateError& error)
   {

@@ -13,6 +13,7 @@
 #include "ratchet_sieve/recording/choke.h"
 #include "ratchet_sieve/recording/stride.h"
 #include "ratchet_sieve/recording/wall_warnings.h"
+#include "ratchet_sieve/scene/warning_id.h"
 
 namespace ratchet_sieve
 {
@@ -72,31 +73,38 @@ public:
     if (outcome_.end == RunEnd::COMPLETED)
       warnOfErrors();
     if (outcome_.end == RunEnd::CHOKED)
-      outcome_.warnings.push_back(fmt::format("ended at {} s of {} s by feed.on_choke", simulation_.time(),
-                                              simulation_.scene().duration));
-    if (simulation_.collapses().count > 0)
-      outcome_.warnings.push_back(simulation_.collapseText());
-    for (const std::string& text :
-         {chokeText(simulation_), simulation_.energyText(), overWallsText(simulation_)})
-      if (!text.empty())
-        outcome_.warnings.push_back(text);
+      warn(fmt::format("ended at {} s of {} s by feed.on_choke", simulation_.time(),
+                       simulation_.scene().duration),
+           "ended-choked");
+    warn(simulation_.collapseText(), "collapse");
+    warn(chokeText(simulation_), "choked");
+    warn(simulation_.energyText(), "large-energy");
+    warn(overWallsText(simulation_), "over-walls");
     save();
     audit();
     for (std::size_t k = 0; k < samplers_.size(); ++k)
       samplers_[k].takeLast(simulation_, *watchers_.frames[k].sink);
     if (const std::size_t through = outcome_.progress.through_base; through > 0)
-      outcome_.warnings.push_back(fmt::format("{} {} found below the base's surface",
-                                              countText(through, "disk"), through == 1 ? "was" : "were"));
+      warn(fmt::format("{} {} found below the base's surface", countText(through, "disk"),
+                       through == 1 ? "was" : "were"),
+           "through-base");
     outcome_.wall_time = secondsSince(start);
     return std::move(outcome_);
   }
 
 private:
+  /// @param text of the rule of this id; empty if there is nothing to warn of
+  void warn(const std::string& text, const char* id)
+  {
+    if (!text.empty())
+      outcome_.warnings.push_back(withId(text, id));
+  }
+
   void warnOfErrors()
   {
     outcome_.warnings = shortfalls(simulation_, certaintyOf(simulation_));
-    if (const std::string text = unknownErrorText(simulation_); outcome_.warnings.empty() && !text.empty())
-      outcome_.warnings.push_back(text);
+    if (outcome_.warnings.empty())
+      warn(unknownErrorText(simulation_), "unknown-error");
   }
 
   void advanceToEnd()
@@ -108,7 +116,7 @@ private:
       if (watchers_.stop_wanted && watchers_.stop_wanted())
       {
         outcome_.end = RunEnd::STOPPED;
-        outcome_.warnings.push_back(fmt::format("stopped at {} s of {} s", simulation_.time(), duration));
+        warn(fmt::format("stopped at {} s of {} s", simulation_.time(), duration), "stopped");
         return;
       }
       stride_.advance(simulation_, std::min({nextAudit(), nextFrame(), nextLook(), duration}));

@@ -3,204 +3,54 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
+#include "plausibility.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
+#include "ratchet_sieve/scene/warning_id.h"
 #include "scene_rules.h"
-#include "scene_warnings.h"
 
+// Rules on scenes that are valid but could not be built. Most ratios hold for machines of any size.
 namespace ratchet_sieve
 {
 namespace
 {
 
-// Beyond these limits a scene is valid but implausible. Most are ratios, and hold for machines of any size.
-// Limits in m and m/s apply together with a ratio, or are of a machine on a bench.
-constexpr double TALLEST_TOOTH = 10.0;     ///< tooth_height / tooth_width
-constexpr double FINEST_DISK = 1.0 / 500;  ///< largest diameter / tooth_width
-constexpr double DENSEST_DISK =
-    1e7;  ///< of a sphere of its radius; osmium: 2.3e4, the paper's A: 2.4e6 [kg/m^3]
-constexpr double TALL_LAYER = 1.0;        ///< [m]
-constexpr double DISKS_IN_LAYER = 100.0;  ///< layer / largest diameter, of a tall layer
-constexpr double LAYER_TO_WIDTH = 2.0;    ///< layer / base's width
-constexpr double HIGH_DROP = 1.0;         ///< [m]
-constexpr double TEETH_IN_DROP = 20.0;    ///< drop / tooth_width, of a high drop
-constexpr double LONGEST_RUN = 1e6;       ///< in drive periods
-constexpr int FEW_PHASES = 8;             ///< of the drive, at which an even feed's disks enter
+constexpr double DENSEST = 1e7;  ///< as spheres; osmium: 2.3e4, the paper's A: 2.4e6 [kg/m^3]
+constexpr double HIGH = 1.0;     ///< drop or layer, if it is large in terms of the scene as well [m]
 
-std::string speciesKey(std::size_t index, const char* key)
+constexpr int FEW_PHASES = 8;            ///< of the drive, at which an even feed's disks enter
+constexpr double TIME_OF_A_STEP = 3e-8;  ///< processor time for one disk, in 2026 [s]
+
+// Limits of how far a disk moves within a step, in smallest diameters, from docs/accuracy.md: in a layer
+// steps of 1.3 are good enough; with a violent drive and steps of 1.5 energies are a third too high. Below
+// 0.01 the exact method, events, is faster.
+constexpr double FARTHEST = 1.4;
+constexpr double NEAREST = 0.01;
+
+/// From the lowest to the highest point of the teeth [m].
+double relief(const BaseDefinition& base)
 {
-  return "species." + std::to_string(index) + "." + key;
+  return base.depth() + base.highest();
 }
 
-void warnOfNumbers(const SceneDefinition& scene, SceneWarnings& warnings)
+/// The width of a tooth as a subject, or its height: the key, or the profile's, which has no key of its own.
+/// A profile whose width is mended is in mm as a whole.
+Subject toothSize(BaseDefinition& base, bool width)
 {
-  if (disksAtStart(scene) == 0 && scene.feed.rate <= 0.0)
-    warnings.add(
-        "no disks: every species.N.count is 0, initial is empty and feed.rate is 0; a density, if given, is "
-        "too "
-        "small: the base is " +
-        quantity(scene.base.width(), "m") + " wide and the largest diameter is " +
-        quantity(largestDiameter(scene), "m"));
-}
-
-/// The width available to a disk, between two teeth or on a flat base [m].
-double valley(const BaseDefinition& base)
-{
-  return relief(base) > 0.0 ? base.toothWidth() : base.width();
-}
-
-void warnOfRadii(const SceneDefinition& scene, SceneWarnings& warnings)
-{
-  const BaseDefinition& base = scene.base;
-  const double room = valley(base);
-  for (std::size_t i = 0; i < scene.species.size(); ++i)
+  const char* const name = width ? "width" : "height";
+  if (base.profile.empty())
+    return {std::string("base.tooth_") + name, width ? base.tooth_width : base.tooth_height, "m"};
+  std::vector<double*> parts;
+  for (OutlineCorner& corner : base.profile)
   {
-    const double radius = Sizes(scene.species[i]).largest();
-    if (2.0 * radius <= room)
-      continue;
-    const bool vary = scene.species[i].size.vary();
-    const std::string figure =
-        (vary ? "the largest disk's diameter, " : "a disk's diameter, ") + quantity(2.0 * radius, "m") +
-        (2.0 * radius > base.width() ? ", is larger than the base's width, " + quantity(base.width(), "m")
-                                     : ", is larger than a tooth, " + toothKey(base, "width") + " = " +
-                                           quantity(base.toothWidth(), "m"));
-    const auto smaller = suggestUnit(
-        radius, 1e-3, [&](double r) { return 2.0 * r <= room && 200.0 * r >= base.toothWidth(); });
-    if (vary)
-      warnings.add(speciesKey(i, "size") + ": " + figure + (smaller ? "; are its radii in mm?" : ""));
-    else
-      warnings.add(speciesKey(i, "radius"), radius, "m", figure, smaller);
+    if (width)
+      parts.push_back(&corner.s);
+    parts.push_back(&corner.n);
   }
-}
-
-/// Sieve analyses are often written down as the share that passes each sieve, which ends with all.
-bool looksCumulative(const std::vector<double>& weights)
-{
-  const auto not_more = [](double a, double b) { return a >= b && a > 0.0; };
-  return weights.size() > 2 && (weights.back() == 1.0 || weights.back() == 100.0) &&
-         weights.end()[-2] > 0.0 &&
-         std::adjacent_find(weights.begin(), weights.end(), not_more) == weights.end();
-}
-
-void warnOfTables(const SceneDefinition& scene, SceneWarnings& warnings)
-{
-  for (std::size_t i = 0; i < scene.species.size(); ++i)
-  {
-    const std::vector<double>& weights = scene.species[i].size.weights;
-    if (looksCumulative(weights))
-      warnings.add(
-          speciesKey(i, "size.weights") + " grow to " + number(weights.back()) +
-          ", as cumulative shares do; each weight is the share between its radius and the one before, and "
-          "these sum to " +
-          number(std::accumulate(weights.begin(), weights.end(), 0.0)));
-  }
-}
-
-struct SizedDisk
-{
-  double mass = 0.0;    ///< [kg]
-  double radius = 0.0;  ///< [m]
-};
-
-/// The smallest or the largest disk: the mass is a power of the radius.
-SizedDisk densestDisk(const SpeciesDefinition& species)
-{
-  const Sizes sizes(species);
-  const SizedDisk smallest{species.massOf(sizes.smallest()), sizes.smallest()};
-  const SizedDisk largest{species.massOf(sizes.largest()), sizes.largest()};
-  return smallest.mass / ballVolume(smallest.radius) > largest.mass / ballVolume(largest.radius) ? smallest
-                                                                                                 : largest;
-}
-
-void warnOfMass(const SceneDefinition& scene, std::size_t index, SceneWarnings& warnings)
-{
-  const SpeciesDefinition& species = scene.species[index];
-  const SizedDisk disk = densestDisk(species);
-  const auto dense = [](double m, double r) { return m > DENSEST_DISK * ballVolume(r); };
-  if (!dense(disk.mass, disk.radius))
-    return;
-  const auto lighter = suggestUnit(
-      species.mass, 1e-3, [&](double m) { return !dense(disk.mass * (m / species.mass), disk.radius); });
-  const auto larger = suggestUnit(species.radius, 1e3,
-                                  [&](double r)
-                                  {
-                                    const double scale = r / species.radius;
-                                    return species.size.radii.empty() &&
-                                           !dense(disk.mass, disk.radius * scale) &&
-                                           2.0 * Sizes(species).largest() * scale <= valley(scene.base);
-                                  });
-  const bool by_radius = larger && !lighter;
-  const std::string mass_key = speciesKey(index, "mass");
-  const std::string radius_key = speciesKey(index, "radius");
-  const std::string given = species.size.vary()
-                                ? speciesKey(index, "size") + " a disk of radius " +
-                                      quantity(disk.radius, "m") + " has " + quantity(disk.mass, "kg") + ":"
-                            : by_radius ? mass_key + " = " + quantity(disk.mass, "kg")
-                                        : radius_key + " = " + quantity(disk.radius, "m");
-  const std::string figure = "with " + given + " the density of a sphere would be " +
-                             quantity(disk.mass / ballVolume(disk.radius), "kg/m^3") +
-                             "; osmium has 22590 kg/m^3";
-  if (by_radius)
-    warnings.add(radius_key, species.radius, "m", figure, larger);
-  else
-    warnings.add(mass_key, species.mass, "kg", figure, lighter);
-}
-
-void warnOfMasses(const SceneDefinition& scene, SceneWarnings& warnings)
-{
-  for (std::size_t i = 0; i < scene.species.size(); ++i)
-    warnOfMass(scene, i, warnings);
-}
-
-void warnOfTeeth(const SceneDefinition& scene, SceneWarnings& warnings)
-{
-  const BaseDefinition& base = scene.base;
-  const double diameter = largestDiameter(scene);
-  const auto wide = [&](double width) { return diameter < FINEST_DISK * width; };
-  const double width = base.toothWidth();
-  const double height = relief(base);
-  const auto tall = [&](double h) { return h > TALLEST_TOOTH * width; };
-  if (wide(width))
-    warnings.add(
-        toothKey(base, "width"), width, "m",
-        number(width / diameter) + " times the diameter of the largest disks, " + quantity(diameter, "m"),
-        suggestUnit(width, 1e-3, [&](double w) { return !wide(w) && diameter <= w; }));
-  if (tall(height))
-    warnings.add(toothKey(base, "height"), height, "m",
-                 number(height / width) + " times " + toothKey(base, "width") + " = " + quantity(width, "m"),
-                 suggestUnit(height, 1e-3, [&](double h) { return !tall(h); }));
-}
-
-void warnOfLayer(const SceneDefinition& scene, SceneWarnings& warnings)
-{
-  const double width = scene.base.width();
-  const double diameter = largestDiameter(scene);
-  const std::size_t disks = disksAtStart(scene);
-  const double layer = settledLayer(scene);
-  const bool tall = layer > TALL_LAYER && layer > DISKS_IN_LAYER * diameter;
-  // A single disk in a narrow machine is not a layer.
-  if (tall || (layer > LAYER_TO_WIDTH * width && layer > diameter && disks > 1))
-    warnings.add("the counts of all species sum to " + std::to_string(disks) + " disks: at rest a layer " +
-                 quantity(layer, "m") + " thick, " + number(layer / diameter) +
-                 " of the largest diameters, on a base " + quantity(width, "m") +
-                 " wide; did you mean a smaller density, smaller counts or larger radii?");
-  const double growth = feedGrowth(scene) * timeScale(scene);
-  if (growth > diameter)
-    warnings.add(
-        "feed.rate", scene.feed.rate, "1/s",
-        "raises the layer by " + quantity(feedGrowth(scene), "m/s") + ", " + number(growth / diameter) +
-            " of the largest diameters within the machine's time scale, " + quantity(timeScale(scene), "s"),
-        suggestUnit(scene.feed.rate, 1e-3,
-                    [&](double rate) { return growth * rate / scene.feed.rate <= diameter; }));
-}
-
-bool isHigh(const SceneDefinition& scene, double height)
-{
-  return height > HIGH_DROP && height > TEETH_IN_DROP * scene.base.toothWidth();
+  return {std::string("base.profile's ") + name, width ? base.toothWidth() : relief(base), "m", parts};
 }
 
 /// After a fall from rest [m/s].
@@ -209,50 +59,9 @@ double fallSpeed(const SceneDefinition& scene, double height)
   return std::sqrt(2.0 * scene.gravity * height);
 }
 
-/// The number of phases of the drive at which an even feed's disks enter, if they are few: f / rate is a
-/// fraction of this denominator, to within a period over the whole run.
-std::optional<int> phasesOfEvenFeed(const SceneDefinition& scene)
+bool pours(const SceneDefinition& scene)
 {
-  if (!scene.feed.even || scene.feed.rate <= 0.0 || scene.base.frequency <= 0.0)
-    return std::nullopt;
-  for (int phases = 1; phases <= FEW_PHASES; ++phases)
-  {
-    const double periods = phases * scene.base.frequency / scene.feed.rate;
-    const double drift = std::abs(periods - std::round(periods)) * scene.feed.rate / phases;
-    if (drift * scene.duration < 1.0)
-      return phases;
-  }
-  return std::nullopt;
-}
-
-void warnOfFeed(const SceneDefinition& scene, SceneWarnings& warnings)
-{
-  const Stretch& stretch = scene.feed.stretch;
-  if (scene.feed.rate == 0.0 && (stretch.from > 0.0 || std::isfinite(stretch.to)))
-    warnings.add("feed.rate", scene.feed.rate, "1/s", "feed.from and feed.to have no effect");
-  if (const auto phases = phasesOfEvenFeed(scene))
-    warnings.add("feed.rate", scene.feed.rate, "1/s",
-                 "with feed.even, disks enter at " +
-                     (*phases == 1 ? "one phase" : number(*phases) + " phases") + " of the drive of " +
-                     quantity(scene.base.frequency, "Hz") +
-                     ", on which results depend; without it, at random times");
-}
-
-void warnOfPour(const SceneDefinition& scene, SceneWarnings& warnings)
-{
-  if (!scene.initial.empty() && scene.feed.rate <= 0.0)
-    return;
-  const double height = scene.pour.drop_height;
-  if (isHigh(scene, height))
-    warnings.add("pour.drop_height", height, "m",
-                 number(height / scene.base.toothWidth()) + " times " + toothKey(scene.base, "width") +
-                     "; disks land at " + quantity(fallSpeed(scene, height), "m/s"),
-                 suggestUnit(height, 1e-3, [&](double h) { return !isHigh(scene, h); }));
-  if (scene.pour.speed > FASTEST)
-    warnings.add("pour.speed", scene.pour.speed, "m/s",
-                 number(1e-3 * scene.pour.speed / scene.base.toothWidth()) + " times " +
-                     toothKey(scene.base, "width") + " per millisecond",
-                 suggestUnit(scene.pour.speed, 1e-3, [](double speed) { return speed <= FASTEST; }));
+  return scene.initial.empty() || scene.feed.rate > 0.0;
 }
 
 double speedOf(const InitialDisk& disk)
@@ -260,37 +69,10 @@ double speedOf(const InitialDisk& disk)
   return std::hypot(disk.vx, disk.vy);
 }
 
-/// About the first disk of `initial` that is too high, too fast or spins too fast.
-void warnOfInitial(const SceneDefinition& scene, SceneWarnings& warnings)
-{
-  const double slope = std::tan(scene.base.inclination);
-  for (std::size_t i = 0; i < scene.initial.size(); ++i)
-  {
-    const InitialDisk& disk = scene.initial[i];
-    const std::string key = "initial." + std::to_string(i);
-    const double height = disk.y - slope * disk.x;
-    const double rim = std::abs(disk.spin) * scene.species[disk.species].radius;
-    const std::size_t before = warnings.size();
-    if (isHigh(scene, height))
-      warnings.add(key + ".y", disk.y, "m",
-                   quantity(height, "m") + " above the base, " + number(height / scene.base.toothWidth()) +
-                       " times " + toothKey(scene.base, "width"),
-                   suggestUnit(disk.y, 1e-3, [&](double y) { return y > slope * disk.x; }));
-    if (speedOf(disk) > FASTEST)
-      warnings.add(key + ": the speed (vx, vy) is " + quantity(speedOf(disk), "m/s") + "; is it in mm/s?");
-    if (rim > FASTEST)
-      warnings.add(key + ".spin", disk.spin, "rad/s", "the rim of the disk moves at " + quantity(rim, "m/s"));
-    if (warnings.size() > before)
-      return;
-  }
-}
-
 /// Highest speed of a disk from the start: by pour, fall or initial velocity [m/s].
 double fastestStart(const SceneDefinition& scene)
 {
-  double start = scene.initial.empty() || scene.feed.rate > 0.0
-                     ? scene.pour.speed + fallSpeed(scene, scene.pour.drop_height)
-                     : 0.0;
+  double start = pours(scene) ? scene.pour.speed + fallSpeed(scene, scene.pour.drop_height) : 0.0;
   for (const InitialDisk& disk : scene.initial)
     start = std::max(start, speedOf(disk) + fallSpeed(scene, std::abs(disk.y)));
   return start;
@@ -308,63 +90,252 @@ double lastingSpeed(const SceneDefinition& scene)
   return drivenSpeed(scene) + (driveBounds(scene.base).speed > 0.0 ? 0.0 : fastestStart(scene));
 }
 
-void warnOfContact(const SceneDefinition& scene, SceneWarnings& warnings)
+/// Sieve analyses are often written down as the share that passes each sieve, which ends with all.
+bool looksCumulative(const std::vector<double>& weights)
 {
-  const double speed = fastestStart(scene) + drivenSpeed(scene);
-  const double floor = scene.contact.min_rebound_speed;
-  if (speed > 0.0 && floor > speed)
-    warnings.add("contact.min_rebound_speed", floor, "m/s",
-                 "higher than any speed from fall, pour and drive, " + quantity(speed, "m/s") +
-                     ": every contact accelerates the disks",
-                 suggestUnit(floor, 1e-3, [&](double v) { return v <= speed; }));
-  const double scale = timeScale(scene);
-  const double duration = scene.contact.contact_duration;
-  if (duration > scale)
-    warnings.add(
-        "contact.contact_duration", duration, "s",
-        "longer than the machine's time scale, " + quantity(scale, "s") + ": almost no contact loses energy",
-        suggestUnit(duration, 1e-3, [&](double t) { return t <= scale; }));
+  const auto not_more = [](double a, double b) { return a >= b && a > 0.0; };
+  return weights.size() > 2 && (weights.back() == 1.0 || weights.back() == 100.0) &&
+         weights.end()[-2] > 0.0 &&
+         std::adjacent_find(weights.begin(), weights.end(), not_more) == weights.end();
 }
 
-/// Compares with drive periods or, without a drive, with falls over a tooth. Skipped if those are in doubt.
-void warnOfDuration(const SceneDefinition& scene, SceneWarnings& warnings)
+void judgeDensity(SpeciesDefinition& species, const std::string& key, double room, Plausibility& is)
 {
-  if (warnings.size() > 0)
+  const Sizes sizes(species);
+  const auto as_sphere = [&](double radius) { return species.massOf(radius) / ballVolume(radius); };
+  // The smallest or the largest disk: the mass is a power of the radius.
+  const double radius =
+      as_sphere(sizes.smallest()) > as_sphere(sizes.largest()) ? sizes.smallest() : sizes.largest();
+  const double density = as_sphere(radius);
+  const bool small =
+      MILLI * density > DENSEST && species.size.radii.empty() && 2.0 * sizes.largest() / MILLI <= room;
+  is.rule("dense-disk",
+          small ? Subject(key + "radius", species.radius, "m") : Subject(key + "mass", species.mass, "kg"),
+          density, DENSEST,
+          "a disk of radius # and mass # would have the density # as a sphere; osmium has 22590 kg/m^3",
+          {{radius, "m"}, {species.massOf(radius), "kg"}, {density, "kg/m^3"}},
+          {small ? 1.0 / MILLI : MILLI});
+}
+
+void judgeDisks(SceneDefinition& scene, Plausibility& is)
+{
+  const double tooth_width = scene.base.toothWidth();
+  const double width = scene.base.width();
+  is.rule(
+      "no-disks", {}, when(disksAtStart(scene) == 0 && scene.feed.rate <= 0.0), 0.0,
+      "no disks: every species.N.count is 0, initial is empty and feed.rate is 0; a density, if given, is "
+      "too small: the base is # wide and the largest diameter is #",
+      {{width, "m"}, {largestDiameter(scene), "m"}});
+  const double room = relief(scene.base) > 0.0 ? tooth_width : width;
+  for (std::size_t i = 0; i < scene.species.size(); ++i)
+  {
+    SpeciesDefinition& species = scene.species[i];
+    const std::string key = "species." + std::to_string(i) + ".";
+    const double diameter = 2.0 * Sizes(species).largest();
+    is.rule("large-disk",
+            species.size.vary() ? Subject(key + "size") : Subject(key + "radius", species.radius, "m"),
+            diameter / room, 1.0,
+            "the largest diameter, #, is larger than the room for a disk, #: a tooth's width, or a flat "
+            "base's",
+            {{diameter, "m"}, {room, "m"}}, {MILLI});
+    const std::vector<double>& weights = species.size.weights;
+    is.rule(
+        "cumulative-weights", Subject(key + "size.weights"), when(looksCumulative(weights)), 0.0,
+        "they grow to #, as cumulative shares do; each weight is the share between its radius and the one "
+        "before, and these sum to #",
+        {{weights.empty() ? 0.0 : weights.back()}, {std::accumulate(weights.begin(), weights.end(), 0.0)}});
+    judgeDensity(species, key, room, is);
+  }
+}
+
+void judgeTeeth(SceneDefinition& scene, Plausibility& is)
+{
+  BaseDefinition& base = scene.base;
+  const double diameter = largestDiameter(scene);
+  const double width = base.toothWidth();
+  const double height = relief(base);
+  is.rule("wide-teeth", toothSize(base, true), width / diameter, 500.0,
+          "# times the diameter of the largest disks, #", {{width / diameter}, {diameter, "m"}}, {MILLI});
+  is.rule("tall-teeth", toothSize(base, false), height / width, 10.0, "# times a tooth's width, #",
+          {{height / width}, {width, "m"}}, {MILLI});
+}
+
+/// The number of phases of the drive at which an even feed's disks enter, if they are few, or else 0: f /
+/// rate is a fraction of this denominator, to within a period over the whole run.
+int phasesOfEvenFeed(const SceneDefinition& scene)
+{
+  if (!scene.feed.even || scene.feed.rate <= 0.0 || scene.base.frequency <= 0.0)
+    return 0;
+  for (int phases = 1; phases <= FEW_PHASES; ++phases)
+  {
+    const double periods = phases * scene.base.frequency / scene.feed.rate;
+    const double drift = std::abs(periods - std::round(periods)) * scene.feed.rate / phases;
+    if (drift * scene.duration < 1.0)
+      return phases;
+  }
+  return 0;
+}
+
+void judgeLayer(SceneDefinition& scene, Plausibility& is)
+{
+  const double width = scene.base.width();
+  const double diameter = largestDiameter(scene);
+  const double disks = static_cast<double>(disksAtStart(scene));
+  const double layer = settledLayer(scene);
+  const bool tall = layer > HIGH && layer > 100.0 * diameter;
+  // A single disk in a narrow machine is not a layer.
+  is.rule(
+      "thick-layer", {}, when(tall || (layer > 2.0 * width && layer > diameter && disks > 1.0)), 0.0,
+      "the counts of all species sum to # disks: at rest a layer # thick, # of the largest diameters, on a "
+      "base # wide; did you mean a smaller density, smaller counts or larger radii?",
+      {{disks}, {layer, "m"}, {layer / diameter}, {width, "m"}});
+
+  const Stretch& stretch = scene.feed.stretch;
+  const Subject rate("feed.rate", scene.feed.rate, "1/s");
+  const double growth = feedGrowth(scene) * timeScale(scene) / diameter;
+  is.rule("fast-feed", rate, growth, 1.0,
+          "raises the layer by #, # of the largest diameters within the machine's time scale, #",
+          {{feedGrowth(scene), "m/s"}, {growth}, {timeScale(scene), "s"}}, {MILLI});
+  is.rule("unused-feed", rate,
+          when(scene.feed.rate == 0.0 && (stretch.from > 0.0 || std::isfinite(stretch.to))), 0.0,
+          "feed.from and feed.to have no effect");
+  const double phases = phasesOfEvenFeed(scene);
+  is.rule("even-feed", rate, phases, 0.0,
+          "with feed.even, disks enter at # phase(s) of the drive of #, on which results depend; without it, "
+          "at random times",
+          {{phases}, {scene.base.frequency, "Hz"}});
+}
+
+/// Whether a height is large, also in teeth.
+double tall(const SceneDefinition& scene, double height)
+{
+  return when(height > HIGH && height > 20.0 * scene.base.toothWidth());
+}
+
+void judgePour(SceneDefinition& scene, Plausibility& is)
+{
+  if (!pours(scene))
     return;
+  PourDefinition& pour = scene.pour;
+  const double width = scene.base.toothWidth();
+  is.rule("high-drop", Subject("pour.drop_height", pour.drop_height, "m"), tall(scene, pour.drop_height), 0.0,
+          "# times a tooth's width; disks land at #",
+          {{pour.drop_height / width}, {fallSpeed(scene, pour.drop_height), "m/s"}}, {MILLI});
+  is.rule("fast-pour", Subject("pour.speed", pour.speed, "m/s"), pour.speed, FASTEST,
+          "# times a tooth's width per millisecond", {{MILLI * pour.speed / width}}, {MILLI});
+}
+
+/// About the first disk of `initial` that is too high, too fast or spins too fast.
+void judgeInitial(SceneDefinition& scene, Plausibility& is)
+{
+  const double width = scene.base.toothWidth();
+  const std::size_t before = is.lines().size();
+  for (std::size_t i = 0; i < scene.initial.size() && is.lines().size() == before; ++i)
+  {
+    InitialDisk& disk = scene.initial[i];
+    const std::string key = "initial." + std::to_string(i);
+    const double height = disk.y - std::tan(scene.base.inclination) * disk.x;
+    const double rim = std::abs(disk.spin) * scene.species[disk.species].radius;
+    is.rule("high-disk", Subject(key + ".y", disk.y, "m"), tall(scene, height), 0.0,
+            "# above the base, # times a tooth's width", {{height, "m"}, {height / width}}, {MILLI});
+    is.rule("fast-disk", Subject(key), speedOf(disk), FASTEST, "the speed (vx, vy) is #; is it in mm/s?",
+            {{speedOf(disk), "m/s"}});
+    is.rule("fast-spin", Subject(key + ".spin", disk.spin, "rad/s"), rim, FASTEST,
+            "the rim of the disk moves at #", {{rim, "m/s"}});
+  }
+}
+
+void judgeTimes(SceneDefinition& scene, Plausibility& is)
+{
+  ContactDefinition& contact = scene.contact;
+  const double speed = fastestStart(scene) + drivenSpeed(scene);
+  is.rule("fast-rebound", Subject("contact.min_rebound_speed", contact.min_rebound_speed, "m/s"),
+          when(speed > 0.0 && contact.min_rebound_speed > speed), 0.0,
+          "higher than any speed from fall, pour and drive, #: every contact accelerates the disks",
+          {{speed, "m/s"}}, {MILLI});
+  const double scale = timeScale(scene);
+  is.rule("long-contact", Subject("contact.contact_duration", contact.contact_duration, "s"),
+          contact.contact_duration, scale,
+          "longer than the machine's time scale, #: almost no contact loses energy", {{scale, "s"}}, {MILLI});
+
   const bool driven = scene.base.frequency > 0.0;
   const double period =
       driven ? 1.0 / scene.base.frequency : std::sqrt(scene.base.toothWidth() / scene.gravity);
-  if (scene.duration > LONGEST_RUN * period)
-    warnings.add("duration", scene.duration, "s",
-                 number(scene.duration / 3600.0) + " hours, " + number(scene.duration / period) +
-                     (driven ? " drive periods" : " times as long as a fall over a tooth"),
-                 1e-3 * scene.duration);
+  const double periods = scene.duration / period;
+  // Skipped if the drive or the teeth are in doubt.
+  if (is.lines().empty())
+    is.rule("long-run", Subject("duration", scene.duration, "s"), periods, 1e6,
+            driven ? "# hours, # drive periods" : "# hours, # times as long as a fall over a tooth",
+            {{scene.duration / 3600.0}, {periods}}, {MILLI});
 }
 
-std::vector<std::string> warningsOf(const SceneDefinition& scene)
+void judgeMethod(SceneDefinition& scene, Plausibility& is)
 {
-  SceneWarnings warnings;
-  for (const auto doubt : {warnOfNumbers, warnOfRadii, warnOfTables, warnOfMasses, warnOfTeeth, warnOfDrive,
-                           warnOfAngles, warnOfGravity, warnOfLayer, warnOfFeed, warnOfPour, warnOfInitial,
-                           warnOfContact, warnOfDuration, warnOfLift})
-    doubt(scene, warnings);
-  warnOfAccuracy(scene, lastingSpeed(scene), warnings);
-  return warnings.take();
+  double& step = scene.accuracy.step;
+  const Subject subject("accuracy.step", step, "s");
+  const bool steps = scene.accuracy.method == Method::STEPS;
+  const bool pairs = scene.contact.pair_collisions;
+  const double speed = lastingSpeed(scene);
+  const double time = 2.0 * smallestRadius(scene) / speed;
+  is.rule("long-step", subject, steps && pairs ? step : 0.0, FARTHEST * time,
+          "a disk moves by up to # within a step, # of the smallest diameters: many contacts are missed; use "
+          "at most #",
+          {{speed * step, "m"}, {step / time}, {FARTHEST * time, "s"}});
+  is.rule("short-step", subject, when(steps && pairs && speed > 0.0 && step < NEAREST * time), 0.0,
+          "# steps per simulated second take about # of processor time: slower than method events, which is "
+          "exact",
+          {{1.0 / step}, {std::ceil(TIME_OF_A_STEP / step * static_cast<double>(disksAtStart(scene))), "s"}},
+          {1.0 / MILLI});
+  is.rule("unused-steps", Subject("accuracy.method = steps"), when(steps && !pairs), 0.0,
+          "has no effect, because contact.pair_collisions is false");
+  is.rule("unused-step", subject, when(!steps && step != AccuracyDefinition().step), 0.0,
+          "has no effect, because accuracy.method is events");
 }
 
-bool isPlausible(const SceneDefinition& scene)
+void judgeCertainty(SceneDefinition& scene, Plausibility& is)
 {
-  return shakes(driveBounds(scene.base), scene.gravity) && warningsOf(scene).empty();
+  AccuracyDefinition& accuracy = scene.accuracy;
+  const Subject mean("accuracy.mean_vx", accuracy.mean_vx, "m/s");
+  const Subject quality("accuracy.quality", accuracy.quality, "");
+  const bool periodic = scene.boundary == Boundary::PERIODIC;
+  const double speed = lastingSpeed(scene);
+  is.rule("coarse-mean", mean, accuracy.mean_vx, 0.2 * speed, "too coarse for disks whose speeds reach #",
+          {{speed, "m/s"}}, {MILLI});
+  is.rule("mean-of-none", mean, empties(scene) ? accuracy.mean_vx : 0.0, 0.0,
+          "an open base that is not fed empties, and has no steady <V_x>; boundary must be periodic or "
+          "feed.rate above 0");
+  is.rule("quality-of-none", quality, periodic ? accuracy.quality : 0.0, 0.0,
+          "cannot be reached, because no disk leaves a periodic base; boundary must be open or walled");
+  is.rule("quality-of-one", quality, !periodic && scene.species.size() < 2 ? accuracy.quality : 0.0, 0.0,
+          "cannot be reached, because Q compares species; there must be two or more");
+}
+
+/// @param scene is changed on the way, and is in the end as it was
+std::vector<std::string> linesOf(SceneDefinition& scene, bool with_suggestions)
+{
+  const auto count = [&scene] { return linesOf(scene, false).size(); };
+  Plausibility is(with_suggestions ? Plausibility::Count(count) : nullptr);
+  for (const auto judge : {judgeDisks, judgeTeeth, judgeDrive, judgeAngles, judgeLayer, judgePour,
+                           judgeInitial, judgeTimes, judgeMethod, judgeCertainty})
+    judge(scene, is);
+  return is.lines();
+}
+
+/// Whether nothing is implausible, and the drive is strong enough to throw disks up, or nearly so.
+bool isPlausible(SceneDefinition scene)
+{
+  return driveBounds(scene.base).acceleration >= 0.5 * scene.gravity && linesOf(scene, false).empty();
 }
 }  // namespace
 
 std::vector<std::string> implausibilities(const SceneDefinition& scene)
 {
-  std::vector<std::string> warnings = warningsOf(scene);
-  if (!warnings.empty())
+  SceneDefinition judged = scene;
+  const std::vector<std::string> lines = linesOf(judged, true);
+  if (!lines.empty())
     if (const auto slip = unitSlip(scene, isPlausible))
-      return {*slip};
-  return warnings;
+      return {withId(*slip, "units")};
+  return lines;
 }
 
 }  // namespace ratchet_sieve

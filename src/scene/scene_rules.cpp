@@ -4,9 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "plausibility.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
-#include "scene_warnings.h"
+#include "ratchet_sieve/scene/warning_id.h"
 #include "schema.h"
 
 namespace ratchet_sieve
@@ -27,7 +28,8 @@ void warnOfCounts(const Entry& root, const std::string& winner, bool none_poured
   const std::vector<Entry> entries = root.at("species").list();
   for (std::size_t i = 0; i < entries.size(); ++i)
     if (entries[i].has("count") && !(none_poured && scene.definition.species[i].count == 0))
-      scene.warnings.push_back(entries[i].keyOf("count") + " is ignored because " + winner);
+      scene.warnings.push_back(
+          withId(entries[i].keyOf("count") + " is ignored because " + winner, "ignored-count"));
 }
 
 void splitDensity(const Entry& root, SceneDefinition& scene)

@@ -1,94 +1,93 @@
-#include <array>
 #include <cmath>
 
+#include "plausibility.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "scene_warnings.h"
+#include "ratchet_sieve/scene/scalars.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-constexpr double MILLI = 1e-3;
 
-void mendBase(SceneDefinition& scene)
+using Values = std::vector<double*>;
+
+Values lengthsOfBase(SceneDefinition& scene)
 {
   BaseDefinition& base = scene.base;
-  for (double* length : {&base.tooth_width, &base.tooth_height, &base.amplitude, &base.horizontal_amplitude,
-                         &base.wall_height})
-    *length *= MILLI;
+  Values values = {&base.tooth_width, &base.tooth_height, &base.amplitude, &base.horizontal_amplitude,
+                   &base.wall_height};
   for (OutlineCorner& corner : base.profile)
-  {
-    corner.s *= MILLI;
-    corner.n *= MILLI;
-  }
+    values.insert(values.end(), {&corner.s, &corner.n});
   for (HarmonicDefinition& harmonic : base.harmonics)
-  {
-    harmonic.amplitude *= MILLI;
-    harmonic.horizontal_amplitude *= MILLI;
-  }
+    values.insert(values.end(), {&harmonic.amplitude, &harmonic.horizontal_amplitude});
+  return values;
 }
 
-void mendLengths(SceneDefinition& scene)
+Values lengthsOfDisks(SceneDefinition& scene)
 {
-  mendBase(scene);
-  for (double* length : {&scene.pour.drop_height, &scene.pour.stretch.from, &scene.pour.stretch.to,
-                         &scene.feed.stretch.from, &scene.feed.stretch.to})
-    *length *= MILLI;
+  Values values = {&scene.pour.drop_height, &scene.pour.stretch.from, &scene.pour.stretch.to,
+                   &scene.feed.stretch.from, &scene.feed.stretch.to};
   for (SpeciesDefinition& species : scene.species)
   {
-    species.radius *= MILLI;
+    values.push_back(&species.radius);
     for (double& radius : species.size.radii)
-      radius *= MILLI;
+      values.push_back(&radius);
   }
   for (InitialDisk& disk : scene.initial)
-  {
-    disk.x *= MILLI;
-    disk.y *= MILLI;
-  }
+    values.insert(values.end(), {&disk.x, &disk.y});
+  return values;
 }
 
-void mendMasses(SceneDefinition& scene)
+Values masses(SceneDefinition& scene)
 {
+  Values values;
   for (SpeciesDefinition& species : scene.species)
-    species.mass *= MILLI;
+    values.push_back(&species.mass);
+  return values;
 }
 
-/// For counts that follow from a density.
-void mendCounts(SceneDefinition& scene)
+Values speeds(SceneDefinition& scene)
 {
-  for (SpeciesDefinition& species : scene.species)
-    species.count = static_cast<int>(std::round(species.count * MILLI));
-}
-
-void mendSpeeds(SceneDefinition& scene)
-{
-  for (double* speed : {&scene.gravity, &scene.contact.min_rebound_speed, &scene.contact.restitution_speed,
-                        &scene.pour.speed, &scene.accuracy.mean_vx})
-    *speed *= MILLI;
+  Values values = {&scene.gravity, &scene.contact.min_rebound_speed, &scene.contact.restitution_speed,
+                   &scene.pour.speed, &scene.accuracy.mean_vx};
   for (InitialDisk& disk : scene.initial)
-  {
-    disk.vx *= MILLI;
-    disk.vy *= MILLI;
-  }
+    values.insert(values.end(), {&disk.vx, &disk.vy});
+  return values;
 }
 
 /// One mistake with units in many keys.
 struct UnitSlip
 {
   const char* text;
-  std::array<void (*)(SceneDefinition&), 3> mends;
+  std::vector<Values (*)(SceneDefinition&)> values;  ///< all a thousand times too large
+  bool counts = false;                               ///< as well, which follow from a density
 };
 
-constexpr void (*NONE)(SceneDefinition&) = nullptr;
-constexpr UnitSlip UNIT_SLIPS[] = {
-    {"lengths in mm", {mendLengths, NONE, NONE}},
-    {"lengths in mm and masses in g", {mendLengths, mendMasses, NONE}},
-    {"lengths in mm, speeds in mm/s and gravity in mm/s^2", {mendLengths, mendSpeeds, NONE}},
-    {"lengths in mm, speeds in mm/s, gravity in mm/s^2 and masses in g",
-     {mendLengths, mendSpeeds, mendMasses}},
-    {"lengths of the base in mm", {mendBase, NONE, NONE}},
-    {"lengths of the base in mm", {mendBase, mendCounts, NONE}},
-};
+const std::vector<UnitSlip>& unitSlips()
+{
+  static const std::vector<UnitSlip> ALL = {
+      {"lengths in mm", {lengthsOfBase, lengthsOfDisks}},
+      {"lengths in mm and masses in g", {lengthsOfBase, lengthsOfDisks, masses}},
+      {"lengths in mm, speeds in mm/s and gravity in mm/s^2", {lengthsOfBase, lengthsOfDisks, speeds}},
+      {"lengths in mm, speeds in mm/s, gravity in mm/s^2 and masses in g",
+       {lengthsOfBase, lengthsOfDisks, speeds, masses}},
+      {"lengths of the base in mm", {lengthsOfBase}},
+      {"lengths of the base in mm", {lengthsOfBase}, true},
+  };
+  return ALL;
+}
+
+SceneDefinition mendedOf(const UnitSlip& slip, const SceneDefinition& scene)
+{
+  SceneDefinition mended = scene;
+  for (const auto values : slip.values)
+    for (double* value : values(mended))
+      *value *= MILLI;
+  if (slip.counts)
+    for (SpeciesDefinition& species : mended.species)
+      species.count = static_cast<int>(std::round(species.count * MILLI));
+  return mended;
+}
 
 /// A key that the line on a slip shows.
 struct ShownKey
@@ -118,10 +117,10 @@ std::string slipLine(const UnitSlip& slip, const SceneDefinition& scene, const S
       continue;
     const std::string separator = given.empty() ? "" : ", ";
     given += separator + shown.key + " = " + scalarText(shown.value(scene)) + " " + shown.unit;
-    intended += separator + quantity(shown.value(mended), shown.unit);
+    intended += separator + figureText({shown.value(mended), shown.unit});
   }
-  return given + ": the base is " + quantity(scene.base.width(), "m") + " wide and reaches " +
-         quantity(driveBounds(scene.base).speed, "m/s") + "; are " + slip.text + "? Did you mean " +
+  return given + ": the base is " + figureText({scene.base.width(), "m"}) + " wide and reaches " +
+         figureText({driveBounds(scene.base).speed, "m/s"}) + "; are " + slip.text + "? Did you mean " +
          intended + "?";
 }
 }  // namespace
@@ -129,12 +128,9 @@ std::string slipLine(const UnitSlip& slip, const SceneDefinition& scene, const S
 std::optional<std::string> unitSlip(const SceneDefinition& scene,
                                     const std::function<bool(const SceneDefinition&)>& plausible)
 {
-  for (const UnitSlip& slip : UNIT_SLIPS)
+  for (const UnitSlip& slip : unitSlips())
   {
-    SceneDefinition mended = scene;
-    for (const auto mend : slip.mends)
-      if (mend != NONE)
-        mend(mended);
+    const SceneDefinition mended = mendedOf(slip, scene);
     if (plausible(mended))
       return slipLine(slip, scene, mended);
   }

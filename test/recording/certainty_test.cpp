@@ -208,7 +208,7 @@ TEST(Certainty, ThatIsNotReachedIsSaidWithWhatItWouldTake)
   Simulation brief(scene);
   EXPECT_EQ(runToEnd(brief, {}).warnings,
             std::vector<std::string>{"accuracy.mean_vx = 0.001 m/s was not reached within 0.3 s: the run is "
-                                     "too short to estimate the error"});
+                                     "too short to estimate the error [mean-not-reached]"});
 }
 
 /// Any error is below 0.5 m/s: what is missing is a longer run to estimate it.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "collecting_sink.h"
+#include "ratchet_sieve/scene/warning_id.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -22,7 +23,7 @@ TEST(HeadlessRun, GoesToTheScenesDuration)
   ASSERT_EQ(outcome.warnings.size(), 1u);
   EXPECT_EQ(outcome.warnings[0],
             "mean_vx_stderr of A, B is null: 1 s after settle are too short to tell the "
-            "error; a duration of about 2.1 s may do");
+            "error; a duration of about 2.1 s may do [unknown-error]");
 }
 
 /// A tooth to either side of the chute, 0.9 g: nothing leaves before the heap has reached the ends.
@@ -94,7 +95,7 @@ TEST(HeadlessRun, SaysHowManyDisksWentOverTheWalls)
   ASSERT_EQ(outcome.warnings.size(), 2u) << "it is also too short for errors";
   EXPECT_EQ(outcome.warnings[1],
             "3 of the disks went over the walls, which are 0.03 m high: 1 to the left, "
-            "2 to the right; base.wall_height makes them higher");
+            "2 to the right; base.wall_height makes them higher [over-walls]");
 }
 
 TEST(HeadlessRun, IsTheSameRunWhoeverWatches)
@@ -164,7 +165,7 @@ TEST(HeadlessRun, ReportsAnEnergyBeyondTheMachinesScale)
   scene.duration = 100.0;
   Simulation simulation(scene);
   const RunOutcome outcome = runToEnd(simulation, {});
-  EXPECT_EQ(outcome.warnings, std::vector<std::string>{simulation.energyText()});
+  EXPECT_EQ(outcome.warnings, std::vector<std::string>{withId(simulation.energyText(), "large-energy")});
 }
 
 TEST(HeadlessRun, OfNoDurationTakesOneFrame)

@@ -41,7 +41,7 @@ TEST_F(SieveRun, WarnsOfASceneThatCannotBeMeant)
   const Json warnings = Json::parse(result.output)["warnings"];
   ASSERT_EQ(warnings.size(), 1u);
   const std::string warning = warnings[0];
-  EXPECT_EQ(warning.rfind("base.amplitude = 2 m: 100 times base.tooth_width", 0), 0u) << warning;
+  EXPECT_EQ(warning.rfind("base.amplitude = 2 m: 100 times a tooth's width", 0), 0u) << warning;
   EXPECT_NE(result.errors.find("MB of memory\nsieve_run: warning: " + warning + "\n"), std::string::npos)
       << result.errors;
 }

@@ -163,7 +163,7 @@ TEST_F(Node, warnsOfASceneThatCannotBeMeantUntilAnotherRuns)
       {
         const auto& status = statuses["sieve: scene"];
         return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
-               status.message.rfind("base.amplitude = 2 m: 100 times base.tooth_width", 0) == 0;
+               status.message.rfind("base.amplitude = 2 m: 100 times a tooth's width", 0) == 0;
       }));
   EXPECT_TRUE(waitFor([&] { return log.count("/mixture.yaml: base.amplitude = 2 m: ") == 1; }));
   EXPECT_EQ(statuses.value("sieve: scene", "size"),

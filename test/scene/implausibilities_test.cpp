@@ -31,150 +31,152 @@ const std::vector<Mistake>& mistakes()
   static const std::vector<Mistake> ALL = {
       {{"species.0.radius=1", "species.1.radius=2"},
        {"no disks: every species.N.count is 0, initial is empty and feed.rate is 0; a density, if given, is "
-        "too small: the base is 0.4 m wide and the largest diameter is 4 m",
-        "species.0.radius = 1 m: a disk's diameter, 2 m, is larger than the base's width, 0.4 m; did you "
-        "mean 0.001 m?",
-        "species.1.radius = 2 m: a disk's diameter, 4 m, is larger than the base's width, 0.4 m; did you "
-        "mean 0.002 m?"}},
+        "too small: the base is 0.4 m wide and the largest diameter is 4 m [no-disks]",
+        "species.0.radius = 1 m: the largest diameter, 2 m, is larger than the room for a disk, 0.02 m: a "
+        "tooth's width, or a flat base's; did you mean 0.001 m? [large-disk]",
+        "species.1.radius = 2 m: the largest diameter, 4 m, is larger than the room for a disk, 0.02 m: a "
+        "tooth's width, or a flat base's; did you mean 0.002 m? [large-disk]"}},
       {{"species.1.radius=0.02"},
-       {"species.1.radius = 0.02 m: a disk's diameter, 0.04 m, is larger than a tooth, base.tooth_width = "
-        "0.02 m"}},
+       {"species.1.radius = 0.02 m: the largest diameter, 0.04 m, is larger than the room for a disk, 0.02 "
+        "m: a tooth's width, or a flat base's [large-disk]"}},
       {{"species.1.size={distribution: lognormal, spread: 0.8}"},
-       {"species.1.size: the largest disk's diameter, 0.04409 m, is larger than a tooth, base.tooth_width = "
-        "0.02 m"}},
+       {"species.1.size: the largest diameter, 0.04409 m, is larger than the room for a disk, 0.02 m: a "
+        "tooth's width, or a flat base's [large-disk]"}},
       {{"species.1.size={distribution: table, radii: [0.001, 0.002, 0.003, 0.004], weights: [0, 20, 65, "
         "100]}"},
-       {"species.1.size.weights grow to 100, as cumulative shares do; each weight is the share between its "
-        "radius and the one before, and these sum to 185"}},
+       {"species.1.size.weights: they grow to 100, as cumulative shares do; each weight is the share between "
+        "its radius and the one before, and these sum to 185 [cumulative-weights]"}},
       {{"species.1.size={distribution: table, radii: [0.001, 0.002, 0.003], weights: [0, 0, 1]}"}, {}},
       {{"species.1.size={distribution: table, radii: [0.001, 0.002, 0.003], weights: [1, 1, 1]}"}, {}},
-      {{"feed.from=0.1"}, {"feed.rate = 0 1/s: feed.from and feed.to have no effect"}},
+      {{"feed.from=0.1"}, {"feed.rate = 0 1/s: feed.from and feed.to have no effect [unused-feed]"}},
       {{"feed.to=0.1", "feed.rate=1"}, {}},
       {{"feed.rate=10", "feed.even=true", "base.frequency=30"},
-       {"feed.rate = 10 1/s: with feed.even, disks enter at one phase of the drive of 30 Hz, on which "
-        "results "
-        "depend; without it, at random times"}},
+       {"feed.rate = 10 1/s: with feed.even, disks enter at 1 phase(s) of the drive of 30 Hz, on which "
+        "results depend; without it, at random times [even-feed]"}},
       {{"feed.rate=20", "feed.even=true", "base.frequency=30"},
-       {"feed.rate = 20 1/s: with feed.even, disks enter at 2 phases of the drive of 30 Hz, on which results "
-        "depend; without it, at random times"}},
+       {"feed.rate = 20 1/s: with feed.even, disks enter at 2 phase(s) of the drive of 30 Hz, on which "
+        "results depend; without it, at random times [even-feed]"}},
       {{"feed.rate=10", "feed.even=true", "base.frequency=29.97"}, {}},
       {{"feed.rate=10", "base.frequency=30"}, {}},
       {{"base.frequency=10"},
        {"the drive's peak acceleration downwards, 7.896 m/s^2, is 0.8049 times gravity; below 1 it throws no "
-        "disk up, and disks that are poured or fed pile up"}},
+        "disk up, and disks that are poured or fed pile up [no-lift]"}},
       {{"base.frequency=10", "base.harmonics=[{multiple: 2, amplitude: 0.0003}]"}, {}},
       {{"base.frequency=12", "base.amplitude=0.001", "base.horizontal_amplitude=0.01"},
        {"the drive's peak acceleration downwards, 5.685 m/s^2, is 0.5795 times gravity; below 1 it throws no "
-        "disk up, and disks that are poured or fed pile up"}},
+        "disk up, and disks that are poured or fed pile up [no-lift]"}},
       {{"accuracy.step=0.001"},
-       {"accuracy.step = 0.001 s: has no effect, because accuracy.method is events"}},
+       {"accuracy.step = 0.001 s: has no effect, because accuracy.method is events [unused-step]"}},
       {{"accuracy.method=steps", "contact.pair_collisions=false"},
-       {"accuracy.method = steps: has no effect, because contact.pair_collisions is false"}},
+       {"accuracy.method = steps: has no effect, because contact.pair_collisions is false [unused-steps]"}},
       {{"accuracy.method=steps", "accuracy.step=0.004"}, {}},
       {{"accuracy.method=steps", "accuracy.step=0.05"},
        {"accuracy.step = 0.05 s: a disk moves by up to 0.03161 m within a step, 15.8 of the smallest "
-        "diameters: many contacts are missed; use at most 0.004429 s"}},
+        "diameters: many contacts are missed; use at most 0.004429 s [long-step]"}},
       // A violent drive: energies come out a third too high (docs/accuracy.md).
       {{"accuracy.method=steps", "accuracy.step=0.001", "base.amplitude=0.0188"},
        {"accuracy.step = 0.001 s: a disk moves by up to 0.00306 m within a step, 1.53 of the smallest "
-        "diameters: many contacts are missed; use at most 0.000915 s"}},
+        "diameters: many contacts are missed; use at most 0.000915 s [long-step]"}},
       {{"accuracy.method=steps", "accuracy.step=0.0005", "base.amplitude=0.0188"}, {}},
       {{"accuracy.method=steps", "accuracy.step=0.000001"},
        {"accuracy.step = 1e-06 s: 1000000 steps per simulated second take about 16 s of processor time: "
-        "slower than method events, which is exact; did you mean 0.001 s?"}},
+        "slower than method events, which is exact; did you mean 0.001 s? [short-step]"}},
       {{"accuracy.mean_vx=100"},
        {"accuracy.mean_vx = 100 m/s: too coarse for disks whose speeds reach 0.6321 m/s; did you mean 0.1 "
-        "m/s?"}},
+        "m/s? [coarse-mean]"}},
       {{"accuracy.mean_vx=0.01", "boundary=open"},
        {"accuracy.mean_vx = 0.01 m/s: an open base that is not fed empties, and has no steady <V_x>; "
-        "boundary must be periodic or feed.rate above 0"}},
+        "boundary must be periodic or feed.rate above 0 [mean-of-none]"}},
       {{"accuracy.mean_vx=0.01", "boundary=open", "feed.rate=10"}, {}},
       {{"accuracy.quality=0.02"},
        {"accuracy.quality = 0.02: cannot be reached, because no disk leaves a periodic base; boundary must "
-        "be open or walled"}},
+        "be open or walled [quality-of-none]"}},
       {{"accuracy.quality=0.02", "boundary=open"}, {}},
       {{"base.tooth_height=0", "species.1.radius=0.15"},
        {"the counts of all species sum to 10 disks: at rest a layer 1.078 m thick, 3.592 of the largest "
-        "diameters, on a base 0.4 m wide; did you mean a smaller density, smaller counts or larger radii?"}},
+        "diameters, on a base 0.4 m wide; did you mean a smaller density, smaller counts or larger radii? "
+        "[thick-layer]"}},
       {{"density=0.001"},
        {"no disks: every species.N.count is 0, initial is empty and feed.rate is 0; a density, if given, is "
-        "too small: the base is 0.4 m wide and the largest diameter is 0.004 m"}},
+        "too small: the base is 0.4 m wide and the largest diameter is 0.004 m [no-disks]"}},
       {{"base.amplitude=2"},
-       {"base.amplitude = 2 m: 100 times base.tooth_width, and at base.frequency = 23 Hz the base reaches "
-        "289 m/s and 41768 m/s^2, 4258 times gravity; did you mean 0.002 m?"}},
+       {"base.amplitude = 2 m: 100 times a tooth's width, and at base.frequency = 23 Hz the base reaches 289 "
+        "m/s and 41768 m/s^2, 4258 times gravity; did you mean 0.002 m? [wide-stroke]"}},
       {{"base.amplitude=0.2"},
-       {"base.amplitude = 0.2 m: 10 times base.tooth_width, and at base.frequency = 23 Hz the base reaches "
-        "28.9 m/s and 4177 m/s^2, 425.8 times gravity"}},
+       {"base.amplitude = 0.2 m: 10 times a tooth's width, and at base.frequency = 23 Hz the base reaches "
+        "28.9 m/s and 4177 m/s^2, 425.8 times gravity [wide-stroke]"}},
       {{"base.frequency=1380"},
-       {"base.frequency = 1380 Hz: with base.amplitude = 0.002 m the base reaches 17.34 m/s and 150365 "
-        "m/s^2, 15328 times gravity; did you mean 23 Hz?"}},
+       {"base.frequency = 1380 Hz: with an amplitude of 0.002 m the base reaches 17.34 m/s and 150365 m/s^2, "
+        "15328 times gravity; did you mean 23 Hz? [hard-drive]"}},
       {{"base.frequency=144.5"},
-       {"base.frequency = 144.5 Hz: with base.amplitude = 0.002 m the base reaches 1.816 m/s and 1649 m/s^2, "
-        "168.1 times gravity; did you mean 23 Hz?"}},
+       {"base.frequency = 144.5 Hz: with an amplitude of 0.002 m the base reaches 1.816 m/s and 1649 m/s^2, "
+        "168.1 times gravity; did you mean 23 Hz? [hard-drive]"}},
       {{"base.frequency=23000"},
-       {"base.frequency = 23000 Hz: with base.amplitude = 0.002 m the base reaches 289 m/s and 41768166 "
-        "m/s^2, 4257713 times gravity; did you mean 23 Hz?"}},
+       {"base.frequency = 23000 Hz: with an amplitude of 0.002 m the base reaches 289 m/s and 41768166 "
+        "m/s^2, 4257713 times gravity; did you mean 23 Hz? [hard-drive]"}},
       {{"base.amplitude=0.1"},
-       {"base.amplitude = 0.1 m: 5 times base.tooth_width, and at base.frequency = 23 Hz the base reaches "
-        "14.45 m/s and 2088 m/s^2, 212.9 times gravity"}},
+       {"base.amplitude = 0.1 m: 5 times a tooth's width, and at base.frequency = 23 Hz the base reaches "
+        "14.45 m/s and 2088 m/s^2, 212.9 times gravity [wide-stroke]"}},
       {{"base.frequency=0.023"},
-       {"base.frequency = 0.023 Hz: with base.amplitude = 0.002 m the base reaches 0.000289 m/s and "
-        "4.177e-05 m/s^2, 4.258e-06 times gravity, too weak to lift a disk; did you mean 23 Hz?"}},
+       {"base.frequency = 0.023 Hz: with an amplitude of 0.002 m the base reaches 0.000289 m/s and 4.177e-05 "
+        "m/s^2, 4.258e-06 times gravity, too weak to lift a disk; did you mean 23 Hz? [soft-drive]"}},
       {{"base.amplitude=2", "base.frequency=0"},
-       {"base.amplitude = 2 m: 100 times base.tooth_width, and at base.frequency = 0 Hz the base reaches 0 "
-        "m/s and 0 m/s^2, 0 times gravity"}},
-      {{"base.inclination=1"}, {"base.inclination = 1 rad: 57.3 degrees; did you mean 0.01745 rad?"}},
-      {{"base.phase=90"}, {"base.phase = 90 rad: 14.32 turns of the drive; did you mean 1.571 rad?"}},
+       {"base.amplitude = 2 m: 100 times a tooth's width, and at base.frequency = 0 Hz the base reaches 0 "
+        "m/s and 0 m/s^2, 0 times gravity; did you mean 0.002 m? [wide-stroke]"}},
+      {{"base.inclination=1"}, {"base.inclination = 1 rad: 57.3 degrees; did you mean 0.01745 rad? [steep]"}},
+      {{"base.phase=90"}, {"base.phase = 90 rad: 14.32 turns of the drive; did you mean 1.571 rad? [turns]"}},
       {{"base.tooth_width=20", "density=0.01"},
        {"base.tooth_width = 20 m: 5000 times the diameter of the largest disks, 0.004 m; did you mean 0.02 "
-        "m?"}},
+        "m? [wide-teeth]"}},
       {{"base.tooth_height=6"},
-       {"base.tooth_height = 6 m: 300 times base.tooth_width = 0.02 m; did you mean 0.006 m?"}},
-      {{"gravity=981"}, {"gravity = 981 m/s^2: 100 times that of the earth; did you mean 9.81 m/s^2?"}},
-      {{"gravity=9810"}, {"gravity = 9810 m/s^2: 1000 times that of the earth; did you mean 9.81 m/s^2?"}},
+       {"base.tooth_height = 6 m: 300 times a tooth's width, 0.02 m; did you mean 0.006 m? [tall-teeth]"}},
+      {{"gravity=981"},
+       {"gravity = 981 m/s^2: 100 times that of the earth; did you mean 9.81 m/s^2? [strong-gravity]"}},
+      {{"gravity=9810"},
+       {"gravity = 9810 m/s^2: 1000 times that of the earth; did you mean 9.81 m/s^2? [strong-gravity]"}},
       {{"gravity=0.00981"},
        {"gravity = 0.00981 m/s^2: 0.001 times that of the earth, and the base reaches 41.77 m/s^2; did you "
-        "mean 9.81 m/s^2?"}},
+        "mean 9.81 m/s^2? [weak-gravity]"}},
       {{"density=393"},
        {"the counts of all species sum to 52400 disks: at rest a layer 1.255 m thick, 313.7 of the largest "
-        "diameters, on a base 0.4 m wide; did you mean a smaller density, smaller counts or larger radii?"}},
+        "diameters, on a base 0.4 m wide; did you mean a smaller density, smaller counts or larger radii? "
+        "[thick-layer]"}},
       {{"pour.drop_height=20"},
-       {"pour.drop_height = 20 m: 1000 times base.tooth_width; disks land at 19.81 m/s; did you mean 0.02 "
-        "m?"}},
+       {"pour.drop_height = 20 m: 1000 times a tooth's width; disks land at 19.81 m/s; did you mean 0.02 m? "
+        "[high-drop]"}},
       {{"pour.speed=500"},
-       {"pour.speed = 500 m/s: 25 times base.tooth_width per millisecond; did you mean 0.5 m/s?"}},
+       {"pour.speed = 500 m/s: 25 times a tooth's width per millisecond; did you mean 0.5 m/s? [fast-pour]"}},
       {{"contact.min_rebound_speed=50"},
        {"contact.min_rebound_speed = 50 m/s: higher than any speed from fall, pour and drive, 1.259 m/s: "
-        "every contact accelerates the disks; did you mean 0.05 m/s?"}},
+        "every contact accelerates the disks; did you mean 0.05 m/s? [fast-rebound]"}},
       {{"contact.contact_duration=1"},
        {"contact.contact_duration = 1 s: longer than the machine's time scale, 0.04348 s: almost no contact "
-        "loses energy; did you mean 0.001 s?"}},
+        "loses energy; did you mean 0.001 s? [long-contact]"}},
       {{"feed.rate=40000"},
        {"feed.rate = 40000 1/s: raises the layer by 0.9578 m/s, 10.41 of the largest diameters within the "
-        "machine's time scale, 0.04348 s; did you mean 40 1/s?"}},
+        "machine's time scale, 0.04348 s; did you mean 40 1/s? [fast-feed]"}},
       {{"species.0.mass=10"},
-       {"species.0.mass = 10 kg: with species.0.radius = 0.001 m the density of a sphere would be 2.387e+09 "
-        "kg/m^3; osmium has 22590 kg/m^3; did you mean 0.01 kg?"}},
+       {"species.0.mass = 10 kg: a disk of radius 0.001 m and mass 10 kg would have the density 2.387e+09 "
+        "kg/m^3 as a sphere; osmium has 22590 kg/m^3; did you mean 0.01 kg? [dense-disk]"}},
       {{"species.1.mass=1"},
-       {"species.1.mass = 1 kg: with species.1.radius = 0.002 m the density of a sphere would be 29841552 "
-        "kg/m^3; osmium has 22590 kg/m^3; did you mean 0.001 kg?"}},
+       {"species.1.mass = 1 kg: a disk of radius 0.002 m and mass 1 kg would have the density 29841552 "
+        "kg/m^3 as a sphere; osmium has 22590 kg/m^3; did you mean 0.001 kg? [dense-disk]"}},
       {{"species.0.radius=0.000001"},
-       {"species.0.radius = 1e-06 m: with species.0.mass = 0.01 kg the density of a sphere would be "
-        "2.387e+15 kg/m^3; osmium has 22590 kg/m^3; did you mean 0.001 m?"}},
+       {"species.0.radius = 1e-06 m: a disk of radius 1e-06 m and mass 0.01 kg would have the density "
+        "2.387e+15 kg/m^3 as a sphere; osmium has 22590 kg/m^3; did you mean 0.001 m? [dense-disk]"}},
       // Of disks of several sizes: the density of the smallest, or of the largest.
       {{"species.1.size={distribution: lognormal, spread: 0.5, mass_exponent: 0}", "species.1.mass=0.01"},
-       {"species.1.mass = 0.01 kg: with species.1.size a disk of radius 0.0004463 m has 0.01 kg: the density "
-        "of a "
-        "sphere would be 26862509 kg/m^3; osmium has 22590 kg/m^3; did you mean 1e-05 kg?"}},
+       {"species.1.mass = 0.01 kg: a disk of radius 0.0004463 m and mass 0.01 kg would have the density "
+        "26862509 kg/m^3 as a sphere; osmium has 22590 kg/m^3; did you mean 1e-05 kg? [dense-disk]"}},
       {{"species.1.size={distribution: uniform, spread: 0.9, mass_exponent: 10}", "species.1.mass=0.01"},
-       {"species.1.mass = 0.01 kg: with species.1.size a disk of radius 0.0038 m has 6.131 kg: the density "
-        "of a sphere "
-        "would be 26674520 kg/m^3; osmium has 22590 kg/m^3; did you mean 1e-05 kg?"}},
+       {"species.1.mass = 0.01 kg: a disk of radius 0.0038 m and mass 6.131 kg would have the density "
+        "26674520 kg/m^3 as a sphere; osmium has 22590 kg/m^3; did you mean 1e-05 kg? [dense-disk]"}},
       {{"species.1.size={distribution: uniform, spread: 0.5}", "species.1.radius=0.008"},
-       {"species.1.size: the largest disk's diameter, 0.024 m, is larger than a tooth, base.tooth_width = "
-        "0.02 m"}},
+       {"species.1.size: the largest diameter, 0.024 m, is larger than the room for a disk, 0.02 m: a "
+        "tooth's width, or a flat base's [large-disk]"}},
       {{"species.1.size={distribution: uniform, spread: 0.9}"}, {}},
-      {{"duration=100000"}, {"duration = 100000 s: 27.78 hours, 2300000 drive periods; did you mean 100 s?"}},
+      {{"duration=100000"},
+       {"duration = 100000 s: 27.78 hours, 2300000 drive periods; did you mean 100 s? [long-run]"}},
   };
   return ALL;
 }
@@ -254,7 +256,7 @@ TEST(Implausibilities, OfAMistakeThatGoesThroughAllKeysIsOneLine)
     SceneDefinition scene = loadSceneFile(configFile("paper_fig8.yaml")).definition;
     for (const auto part : slip.parts)
       part(scene);
-    EXPECT_EQ(implausibilities(scene), std::vector<std::string>{slip.line});
+    EXPECT_EQ(implausibilities(scene), std::vector<std::string>{slip.line + " [units]"});
   }
 }
 
@@ -286,9 +288,10 @@ TEST(Implausibilities, OfDisksPlacedByHandAreSaidOfTheFirst)
       {0, 0.1, 0.05, 1.0, -1.0, 10.0}, {0, 0.1, 50.0, 300.0, 0.0, 1e6}, {0, 0.2, 50.0, 0.0, 0.0, 0.0}};
   EXPECT_EQ(implausibilities(scene),
             (std::vector<std::string>{
-                "initial.1.y = 50 m: 50 m above the base, 2500 times base.tooth_width; did you mean 0.05 m?",
-                "initial.1: the speed (vx, vy) is 300 m/s; is it in mm/s?",
-                "initial.1.spin = 1000000 rad/s: the rim of the disk moves at 1000 m/s"}));
+                "initial.1.y = 50 m: 50 m above the base, 2500 times a tooth's width; did you mean 0.05 m? "
+                "[high-disk]",
+                "initial.1: the speed (vx, vy) is 300 m/s; is it in mm/s? [fast-disk]",
+                "initial.1.spin = 1000000 rad/s: the rim of the disk moves at 1000 m/s [fast-spin]"}));
   scene.initial.resize(1);
   EXPECT_EQ(implausibilities(scene), std::vector<std::string>());
 }

@@ -452,9 +452,4 @@ RandomScene drawnRunnableScene()
   return drawnScene(drawnOf({Placing::COUNTS, Placing::COUNTS, Placing::DENSITY, Placing::INITIAL}));
 }
 
-RandomScene drawnPlacedScene()
-{
-  return drawnScene(Placing::INITIAL);
-}
-
 }  // namespace ratchet_sieve

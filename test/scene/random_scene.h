@@ -20,9 +20,6 @@ inline std::ostream& operator<<(std::ostream& out, const RandomScene& scene)
   return out << scene.tree;
 }
 
-/// Any legal scene, most too large, too fine or too long to run: every number over the whole of its range.
-SceneTree drawnWideScene();
-
 /// Any legal scene that is cheap to run. Sizes, masses, times and coefficients go over the whole of their
 /// ranges; what costs time is bounded by these ratios, w the width of a tooth:
 /// - at most some 30 disks, poured, placed or fed on;
@@ -38,8 +35,5 @@ SceneTree drawnWideScene();
 /// - radii of at least 1/1000 w, and of at least 4e-6 of the base's width;
 /// - speeds of up to 20,000 of the smallest radii in the machine's time scale.
 RandomScene drawnRunnableScene();
-
-/// The same, its disks placed by hand.
-RandomScene drawnPlacedScene();
 
 }  // namespace ratchet_sieve

@@ -163,8 +163,8 @@ species:
 density: 1.0
 )");
   EXPECT_EQ(scene.definition.species[0].count, 200);
-  EXPECT_EQ(scene.warnings,
-            std::vector<std::string>{"species.0.count is ignored because a density is given"});
+  EXPECT_EQ(scene.warnings, std::vector<std::string>{
+                                "species.0.count is ignored because a density is given [ignored-count]"});
 }
 
 TEST(SceneReader, PoursNothingWhereInitialPlacesTheDisks)
@@ -179,7 +179,8 @@ initial:
 )");
   EXPECT_EQ(scene.definition.species[0].count, 0);
   EXPECT_EQ(scene.warnings,
-            std::vector<std::string>{"species.0.count is ignored because initial places the disks"});
+            std::vector<std::string>{
+                "species.0.count is ignored because initial places the disks [ignored-count]"});
   ASSERT_EQ(scene.definition.initial.size(), 2u);
   EXPECT_EQ(scene.definition.initial[0].species, 1u);
   EXPECT_EQ(scene.definition.initial[0].vx, -1.0);

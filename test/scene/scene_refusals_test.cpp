@@ -242,6 +242,16 @@ const Refusal RULES[] = {
     {"DiskInMillimetres", "radius: 0.002", "radius: 2",
      "s.yaml:5: species.1.radius = 2: the diameter must be at most the base's width (teeth times "
      "tooth_width), 0.4 m; did you mean 0.002 m?"},
+    {"DiskTooFineForTheBase", "radius: 0.001", "radius: 1e-7",
+     "s.yaml:4: species.0.radius = 1e-7: must be at least 3.552713678800501e-07 m in this scene, because the "
+     "base's width is 0.4 m: with double precision, smaller disks would overlap by more than 1e-9 of their "
+     "radius"},
+    {"DiskTooFineForTheDrive",
+     "tooth_width: 0.02}\nboundary: periodic\nspecies:\n  - {name: A, count: 10, radius: 0.001",
+     "tooth_width: 0.02, amplitude: 1, frequency: 1000}\nspecies:\n  - {name: A, count: 10, radius: 1e-5",
+     "s.yaml:3: species.0.radius = 1e-5: must be at least 8.719671245021578e-05 m in this scene, because the "
+     "drive's speed is 6283.19 m/s: with double precision, smaller disks would overlap by more than 1e-9 of "
+     "their radius"},
     {"PouredBesideTheBase", "pairs: []", "pour: {from: 0.5}",
      "s.yaml:6: pour.from = 0.5: must be at most the base's width, 0.4 m"},
     {"FedInMillimetres", "feed: {rate: 0.0}", "feed: {from: 0.1, to: 200}",

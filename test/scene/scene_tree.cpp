@@ -19,14 +19,6 @@ SceneTree& SceneTree::operator[](const std::string& key)
   return items_.back().second;
 }
 
-SceneTree& SceneTree::at(const std::string& key, Sort sort)
-{
-  SceneTree& entry = (*this)[key];
-  if (entry.sort_ != sort)
-    entry = SceneTree(sort);
-  return entry;
-}
-
 void SceneTree::remove(const std::string& key)
 {
   items_.erase(

@@ -8,8 +8,7 @@
 namespace ratchet_sieve
 {
 
-/// A scene's YAML before it is text: all that a hand could write, right or wrong, such as a key twice, a list
-/// where a number should be, or nothing.
+/// A scene's YAML before it is text: as a hand could write it.
 class SceneTree
 {
 public:
@@ -31,17 +30,12 @@ public:
   /// A map's entry; made, as a single value of nothing, if it is not there.
   SceneTree& operator[](const std::string& key);
 
-  /// A map's entry that is a map or a list; made if it is not there.
-  SceneTree& mapAt(const std::string& key) { return at(key, Sort::MAP); }
-  SceneTree& listAt(const std::string& key) { return at(key, Sort::LIST); }
-
   /// A list's entries, or a map's with their keys.
   std::vector<std::pair<std::string, SceneTree>>& items() { return items_; }
   const std::vector<std::pair<std::string, SceneTree>>& items() const { return items_; }
 
   void append(SceneTree entry) { items_.emplace_back("", std::move(entry)); }
 
-  /// Adds a key, were it there already.
   void force(const std::string& key, SceneTree entry) { items_.emplace_back(key, std::move(entry)); }
   void remove(const std::string& key);
 
@@ -53,7 +47,6 @@ public:
 
 private:
   explicit SceneTree(Sort sort) : sort_(sort) {}
-  SceneTree& at(const std::string& key, Sort sort);
 
   Sort sort_ = Sort::SCALAR;
   std::string text_;

@@ -29,20 +29,14 @@ TEST(WarningTally, CountsTheCasesOfEachWarningTheMostFrequentFirst)
   EXPECT_EQ(tally.lines(5, "case").front(), "in every case: no disk at all");
 }
 
-TEST(WarningTally, TakesWarningsThatDifferInTheirNumbersAloneAsOne)
+TEST(WarningTally, TakesWarningsOfOneRuleAsOne)
 {
   WarningTally tally;
-  tally.add({"not reached within 40 s: +- 1.5e-05 m/s."});
-  tally.add({"not reached within 8.25 s: +- 0.003 m/s."});
+  tally.add({"species.0.radius = 1.5 m: large [large-disk]", "species.1.radius = 2 m: large [large-disk]"});
+  tally.add({"species.1.radius = 2 m: large [large-disk]", "species.1.radius = 2 m: large [dense-disk]"});
   EXPECT_EQ(tally.lines(3, "case"),
-            Lines{"in 2 of 3 cases, such as: not reached within 40 s: +- 1.5e-05 m/s."});
-}
-
-TEST(WarningTally, KeepsKeysWithAnIndexApart)
-{
-  WarningTally tally;
-  tally.add({"species.0.radius = 1.5 m: large", "species.1.radius = 1.5 m: large"});
-  EXPECT_EQ(tally.lines(1, "case").size(), 2u);
+            (Lines{"in 2 of 3 cases, such as: species.0.radius = 1.5 m: large [large-disk]",
+                   "in 1 of 3 cases: species.1.radius = 2 m: large [dense-disk]"}));
 }
 
 TEST(WarningTally, ShowsFiveAndCountsTheRest)

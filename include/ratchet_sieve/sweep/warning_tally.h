@@ -8,8 +8,7 @@
 namespace ratchet_sieve
 {
 
-/// Groups the warnings of cases. Warnings that differ only in numbers are one group; a number within a key,
-/// as in species.0.radius, is part of the key.
+/// Groups the warnings of cases by warningId().
 class WarningTally
 {
 public:
@@ -18,8 +17,8 @@ public:
 
   std::uint64_t warned() const { return warned_; }  ///< cases with a warning
 
-  /// One line for each of the most frequent warnings, for example `in 3 of 12 cases: ...`; if their numbers
-  /// differ, the text of the first. @param cases total number @param noun for the items counted, for example
+  /// One line for each of the most frequent warnings, for example `in 3 of 12 cases: ...`; if their texts
+  /// differ, that of the first. @param cases total number @param noun for the items counted, for example
   /// `case`
   std::vector<std::string> lines(std::uint64_t cases, const std::string& noun) const;
 
@@ -30,7 +29,7 @@ private:
     bool alike = true;  ///< all texts are equal to `first`
     std::uint64_t cases = 0;
   };
-  std::map<std::string, Group> groups_;
+  std::map<std::string, Group> groups_;  ///< by id
   std::uint64_t warned_ = 0;
 };
 

@@ -151,7 +151,6 @@ public:
   void prefetchCellOf(std::uint32_t slot) const { grid_.prefetchCellOf(slot); }
   void prefetchAround(std::uint32_t slot) const { grid_.prefetchAround(grid_.cellOf(slot)); }
 
-  /// @throws StateError
   void archive(StateArchive& state);
 
 private:
@@ -171,7 +170,6 @@ private:
   Sizes sizes() const;
   CellLayout layerLayout(const Sizes& sizes) const;
   std::int32_t laps() const;
-  bool levelFits(std::uint32_t slot) const;
   CellGrid::Cell cellNow(std::uint32_t slot, double time) const;
 
   /// The position of a disk, or of its image in the grid, in the fixed frame of the cells.

@@ -1,7 +1,6 @@
 #include "events/engine.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -57,20 +56,6 @@ Engine::Engine(const SceneDefinition& scene, std::string_view saved_state)
 void Engine::archive(StateArchive& state)
 {
   state(state_, random_, feed_random_, *loop_, start_, now_, settled_, blocks_, fed_, next_feed_);
-  state.require(isLegal(), "its time is impossible");
-}
-
-/// Whether a restored state is possible: counters that increase with time must match the time.
-bool Engine::isLegal() const
-{
-  if (!(start_ >= 0.0 && now_ >= 0.0 && now_ <= state_.epoch().length && start_ <= time()))
-    return false;
-  const auto keeps_up = [](double length, std::uint64_t count, double period)
-  { return std::abs(length - static_cast<double>(count) * period) <= 2.0 * period; };
-  const bool fed = state_.scene().feed.rate > 0.0 ? next_feed_ >= time() : fed_ == 0;
-  const bool blocks = !settled_ || !state_.observers().keepsBlocks() ||
-                      keeps_up(time() - settledTime(), blocks_, blockTime());
-  return fed && blocks;
 }
 
 void Engine::advanceTo(double time)

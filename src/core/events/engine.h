@@ -112,7 +112,6 @@ private:
   bool hasPairs() const { return state_.plan().pairs; }
   void moveZero(double length);
   void renewLoop();
-  bool isLegal() const;
   void stopAtATimeOfTheRun();
 
   /// Adds the disks from slot `first` on to the loop.

@@ -114,9 +114,6 @@ public:
   {
     EventLoop::archive(state);
     state(next_);
-    requireDisks(next_.size(), state_);
-    for (std::uint32_t slot = 0; slot < next_.size(); ++slot)
-      state.require(!state_.active(slot) || state_.canBe(next_[slot]), "a disk's event is impossible");
   }
 
 private:

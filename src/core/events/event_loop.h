@@ -65,7 +65,6 @@ public:
   /// @return whether it needs a rebuild; then motionChanged() must be called, which does it
   virtual bool outgrown(double /*time*/) { return false; }
 
-  /// @throws StateError
   virtual void archive(StateArchive& state) { state(events_); }
 
   /// Sets the largest number of threads; results do not depend on it.
@@ -82,9 +81,6 @@ public:
   void setEvents(std::uint64_t events) { events_ = events; }
 
 protected:
-  /// @throws StateError if the restored number of disks is not the system's
-  static void requireDisks(std::size_t count, const SystemState& state);
-
   std::uint64_t events_ = 0;
 };
 

@@ -38,9 +38,6 @@ constexpr double LEAST_PACE = 0.125;
 /// Largest number of windows for the single queue after strips have failed.
 constexpr double MOST_CAUTION = 1024.0;
 
-/// Images further apart than this [widths] do not collide: more than any DiskCells::ringShifts().
-constexpr int MOST_SHIFTS = 1000;
-
 /// The event loop for colliding disks (PairEvents). A single queue has the events of all disks, or each strip
 /// of the layer its own (PairStrips), whichever is faster; the bits are the same.
 class PairLoop : public EventLoop
@@ -128,9 +125,8 @@ public:
   {
     EventLoop::archive(state);
     state(cells_, layer_.predictions);
-    requireDisks(layer_.predictions.size(), state_);
     if (state.restoring())
-      checkPredictions(state);
+      fillQueue();
   }
 
   void setThreads(std::size_t threads, const StripSettings& settings = {}) override
@@ -260,27 +256,11 @@ private:
     state_.prefetchEvent(slot);
   }
 
+  /// The queue contains the earliest prediction of each active disk.
   void fillQueue()
   {
     queue_.resize(cells_.capacity());
     forEachActive([&](std::uint32_t slot) { queue_.update(slot, layer_.predictions[slot].earliest()); });
-  }
-
-  /// Of a restored state. The queue contains the earliest prediction of each active disk.
-  void checkPredictions(const StateArchive& state)
-  {
-    for (std::uint32_t slot = 0; slot < layer_.predictions.size(); ++slot)
-    {
-      const DiskPrediction& p = layer_.predictions[slot];
-      state.require(p.pair.partner < layer_.predictions.size() && p.pair.shift >= -MOST_SHIFTS &&
-                        p.pair.shift <= MOST_SHIFTS && p.edge <= CellEdge::UPPER,
-                    "a disk's event has no partner");
-      if (!state_.active(slot))
-        continue;
-      state.require(state_.canBeTime(p.earliest()) && state_.shape().has(p.base.feature),
-                    "a disk's event is impossible");
-    }
-    fillQueue();
   }
 
   SystemState& state_;

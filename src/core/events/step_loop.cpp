@@ -87,8 +87,6 @@ public:
   {
     EventLoop::archive(state);
     state(start_);
-    state.require(state_.canBeTime(start_) && start_ <= state_.epoch().length,
-                  "the start of a step is impossible");
   }
 
 private:

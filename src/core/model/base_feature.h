@@ -43,17 +43,7 @@ public:
   explicit operator bool() const { return part_ != 0; }
   bool isEnd() const { return kind() >= BaseFeatureKind::LEFT_END; }
 
-  void archive(StateArchive& state)
-  {
-    /// Bound on the number of teeth, and on the index of the tooth under a disk many widths away from a
-    /// periodic base.
-    constexpr std::int32_t FARTHEST_TOOTH = 1 << 30;
-    state(part_, tooth_);
-    const bool indexed = kind() == BaseFeatureKind::FACE || kind() == BaseFeatureKind::CORNER;
-    state.require(
-        part_ >= 0 && (indexed || index() == 0) && tooth_ >= -FARTHEST_TOOTH && tooth_ <= FARTHEST_TOOTH,
-        "a disk's contact is with an unknown part of the base");
-  }
+  void archive(StateArchive& state) { state(part_, tooth_); }
 
 private:
   static constexpr int KIND_BITS = 3;

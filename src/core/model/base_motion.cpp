@@ -14,9 +14,6 @@ namespace
 /// could leave a segment shorter than the time resolution.
 constexpr double SAME_END = 1e-12;
 
-/// Of a restored motion: of the end of its segment [s], and of the square of the length of its rotation.
-constexpr double TOLERANCE = 1e-9;
-
 double fraction(double x)
 {
   return x - std::floor(x);
@@ -70,28 +67,6 @@ BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn, bool always_
     ramp(q.quantity) = {base.*q.definition, 0.0, base.*q.definition};
   turns_ = fraction(base.phase / RADIANS_PER_TURN);
   plan();
-}
-
-/// Whether a restored motion is possible in a run.
-bool BaseMotion::isLegal() const
-{
-  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
-  {
-    const Ramp& r = ramp(q.quantity);
-    if (!q.legal.contains(r.start) || !q.legal.contains(r.target) || !(slew_rates_.*q.slew_rate > 0.0) ||
-        (r.rate != 0.0 &&
-         (std::abs(r.rate) != slew_rates_.*q.slew_rate || r.rate * (r.target - r.start) < 0.0)))
-      return false;
-  }
-  const auto end = endOfSegment();
-  if (end.has_value() != next_change_.has_value() ||
-      (end && !(*next_change_ >= segment_start_ && *next_change_ <= *end + TOLERANCE)))
-    return false;
-  const double length = rotation_.cosine * rotation_.cosine + rotation_.sine * rotation_.sine;
-  return std::isfinite(segment_start_) && turns_ >= 0.0 && turns_ <= 1.0 &&
-         std::abs(length - 1.0) < TOLERANCE && acceleration_bound_.allFinite() &&
-         displacement_bound_.allFinite() && acceleration_bound_.minCoeff() >= 0.0 &&
-         displacement_bound_.minCoeff() >= 0.0;
 }
 
 double BaseMotion::turns(double elapsed) const

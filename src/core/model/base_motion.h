@@ -99,7 +99,6 @@ public:
     state(inclination_, frequency_, amplitude_, slew_rates_, segment_start_, turns_, rotation_.cosine,
           rotation_.sine, next_change_, acceleration_bound_.x(), acceleration_bound_.y(),
           displacement_bound_.x(), displacement_bound_.y());
-    state.require(isLegal(), "the motion of the base is impossible");
     noteDerived();
   }
 
@@ -121,7 +120,6 @@ private:
   const Ramp& ramp(Quantity quantity) const { return this->*RAMPS[indexOf(quantity)]; }
   double turns(double elapsed) const;
   void advanceTo(double time);  ///< advances the segment's start to `time` at the present rates
-  bool isLegal() const;
   void pursue(Ramp& ramp, double slew_rate) const;
   std::optional<double> endOfSegment() const;
   void plan();  ///< sets the rates from the setpoints, and the ends of the ramps

@@ -142,11 +142,6 @@ CollisionKind BaseShape::kindOf(const BaseFeature& feature) const
   }
 }
 
-bool BaseShape::has(const BaseFeature& feature) const
-{
-  return static_cast<std::size_t>(feature.index()) < faces_.size();
-}
-
 std::int32_t BaseShape::toothAt(double s) const
 {
   double tooth = std::floor(s * teeth_per_length_);

@@ -87,9 +87,6 @@ public:
   /// The kind of a contact with a feature that is a surface.
   CollisionKind kindOf(const BaseFeature& feature) const;
 
-  /// Whether a feature of a restored state is one of this shape.
-  bool has(const BaseFeature& feature) const;
-
   /// The tooth at s. Any integer for a periodic base; otherwise clamped to the existing teeth.
   std::int32_t toothAt(double s) const;
 

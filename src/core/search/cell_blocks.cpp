@@ -75,11 +75,4 @@ void CellBlocks::archive(StateArchive& state)
   state(blocks_, full_, free_);
 }
 
-bool CellBlocks::holds(std::size_t cell, std::uint32_t slot) const
-{
-  std::vector<std::uint32_t> list;
-  const auto count = static_cast<std::ptrdiff_t>(collect(cell, list, 0));
-  return std::find(list.begin(), list.begin() + count, slot) != list.begin() + count;
-}
-
 }  // namespace ratchet_sieve

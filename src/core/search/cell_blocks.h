@@ -58,33 +58,6 @@ public:
 
   void prefetchCell(std::size_t cell) const { prefetch(blocks_[cell]); }
 
-  bool holds(std::size_t cell, std::uint32_t slot) const;
-
-  /// Calls visit(cell, slot) for the disks of all cells, until it returns false.
-  /// @return whether it never did, and whether every block is in one list
-  template <typename Visit>
-  bool isLegal(Visit&& visit) const
-  {
-    std::vector<std::uint8_t> used(full_.size());
-    for (const std::uint32_t entry : free_)
-      if (entry >= full_.size() || used[entry]++ != 0)
-        return false;
-    for (std::size_t cell = 0; cell < blocks_.size(); ++cell)
-      for (const Block* block = &blocks_[cell];; block = &full_[block->next])
-      {
-        if (block->count > Block::CAPACITY || (block != &blocks_[cell] && block->count < Block::CAPACITY))
-          return false;
-        for (std::uint32_t k = 0; k < block->count; ++k)
-          if (!visit(cell, block->slots[k]))
-            return false;
-        if (block->next == NONE)
-          break;
-        if (block->next >= full_.size() || used[block->next]++ != 0)
-          return false;
-      }
-    return true;
-  }
-
   /// The overflow list is saved in the order of the cells: its own depends on the threads.
   void archive(StateArchive& state);
 

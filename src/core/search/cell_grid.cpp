@@ -110,49 +110,10 @@ std::size_t CellGrid::collectNested(const CellNest::Place& place, std::vector<st
   return nest_.collect(place, blocks_, list, count);
 }
 
-bool CellGrid::holds(std::uint32_t slot) const
-{
-  if (slot >= cells_.size())
-    return false;
-  const Cell cell = cells_[slot];
-  if (cell.column < 0 || cell.column >= columns_ || cell.row < 0 || cell.row >= rows_)
-    return false;
-  return !nest_.empty() && levels_[slot] > 0 ? nest_.holds(levels_[slot], cell.column, cell.row, slot)
-                                             : blocks_.holds(index(cell), slot);
-}
-
 void CellGrid::archive(StateArchive& state)
 {
   state(periodic_, laps_, columns_, rows_, side_s_, side_n_, blocks_, cells_, levels_);
-  const bool of_a_size = columns_ > 0 && rows_ > 0 && laps_ >= 0 && (laps_ == 0 || columns_ == 1) &&
-                         side_s_ > 0.0 && side_n_ > 0.0 && std::isfinite(side_s_) && std::isfinite(side_n_);
-  state.require(of_a_size, "its cells have an invalid size");
   nest_.archive(state, lattice());
-  state.require(isLegal(), "a disk is not in its cell");
-}
-
-/// Whether every disk is in at most one cell, the cell recorded for it, and every block in one list.
-bool CellGrid::isLegal() const
-{
-  if (blocks_.size() != static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) ||
-      levels_.size() != (nest_.empty() ? 0 : cells_.size()))
-    return false;
-  std::vector<std::uint8_t> seen(cells_.size());
-  const auto is_there = [&](std::uint8_t level, std::size_t place, std::uint32_t slot)
-  {
-    if (slot >= cells_.size() || seen[slot]++ != 0)
-      return false;
-    const Cell at = cells_[slot];
-    if (at.column < 0 || at.column >= columns_ || at.row < 0 || at.row >= rows_)
-      return false;
-    if (!nest_.empty() && levels_[slot] != level)
-      return false;
-    return place == (level > 0 ? nest_.bucket(level, at.column, at.row) : index(at));
-  };
-  return blocks_.isLegal([&](std::size_t cell, std::uint32_t slot) { return is_there(0, cell, slot); }) &&
-         nest_.isLegal(is_there) &&
-         std::all_of(levels_.begin(), levels_.end(),
-                     [this](std::uint8_t level) { return level < nest_.levels().count(); });
 }
 
 CellGrid::Cell CellGrid::cellAt(double s, double n) const

@@ -171,20 +171,12 @@ public:
         blocks_.prefetchCell(index({column, row}));
   }
 
-  /// @throws StateError
   void archive(StateArchive& state);
 
   /// The diameters of the levels of sizes; empty: a single one.
   const SizeLevels& levels() const { return nest_.levels(); }
 
-  /// The level at which a disk is. @pre levels() are not empty
-  std::uint8_t levelOf(std::uint32_t slot) const { return levels_[slot]; }
-
-  /// Whether the disk at a slot is in a cell, by searching the cell.
-  bool holds(std::uint32_t slot) const;
-
 private:
-  bool isLegal() const;
   CellNest::Lattice lattice() const { return {periodic_, columns_, rows_, side_s_, side_n_}; }
   std::size_t collectNested(const CellNest::Place& place, std::vector<std::uint32_t>& list) const;
 

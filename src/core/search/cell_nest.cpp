@@ -8,9 +8,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Bound on a saved diameter, in cells.
-constexpr double MOST_CELLS = 0x1p20;
-
 std::int32_t at(const std::vector<std::int32_t>& extent, std::int32_t rows)
 {
   return rows < static_cast<std::int32_t>(extent.size()) ? extent[static_cast<std::size_t>(rows)] : -1;
@@ -101,11 +98,6 @@ void CellNest::remove(std::uint8_t level, std::int32_t column, std::int32_t row,
   Level& of = larger_[level - 1];
   of.blocks.remove(bucket(level, column, row), slot);
   --of.disks;
-}
-
-bool CellNest::holds(std::uint8_t level, std::int32_t column, std::int32_t row, std::uint32_t slot) const
-{
-  return larger_[level - 1].blocks.holds(bucket(level, column, row), slot);
 }
 
 std::size_t CellNest::collect(const Place& place, const CellBlocks& smallest,
@@ -217,22 +209,10 @@ void CellNest::archive(StateArchive& state, const Lattice& lattice)
 {
   state(levels_, margin_, larger_);
   if (!state.restoring() || empty())
-    return state.require(!empty() || levels_.diameters.empty(), "it has levels of sizes without cells");
-  // Bounds the memory for what is built.
-  bool legal = levels_.count() == larger_.size() + 1 && levels_.diameters[0] > 0.0 && margin_ >= 0.0 &&
-               levels_.largest() + margin_ <= MOST_CELLS * std::min(lattice.side_s, lattice.side_n) &&
-               levels_.largest() <= MOST_CELLS * levels_.diameters[0];
-  for (std::size_t k = 0; legal && k < larger_.size(); ++k)
-    legal = levels_.diameters[k] < levels_.diameters[k + 1] && larger_[k].smallest_radius > 0.0 &&
-            larger_[k].smallest_radius <= levels_.largest();
-  state.require(legal, "its levels of sizes are impossible");
+    return;
   build(lattice);
   for (Level& level : larger_)
-  {
-    const auto rows = static_cast<std::size_t>((lattice_.rows - 1) >> level.shift) + 1;
-    state.require(level.blocks.size() == level.columns * rows, "its levels of sizes are impossible");
     level.covered = coveredBy(level.smallest_radius);
-  }
 }
 
 }  // namespace ratchet_sieve

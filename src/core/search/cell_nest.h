@@ -74,20 +74,6 @@ public:
   std::size_t collect(const Place& place, const CellBlocks& smallest, std::vector<std::uint32_t>& list,
                       std::size_t count) const;
 
-  bool holds(std::uint8_t level, std::int32_t column, std::int32_t row, std::uint32_t slot) const;
-
-  /// Calls visit(level, bucket, slot) for every disk, until it returns false. @return as
-  /// CellBlocks::isLegal()
-  template <typename Visit>
-  bool isLegal(Visit&& visit) const
-  {
-    for (std::size_t k = 0; k < larger_.size(); ++k)
-      if (!larger_[k].blocks.isLegal([&](std::size_t bucket, std::uint32_t slot)
-                                     { return visit(static_cast<std::uint8_t>(k + 1), bucket, slot); }))
-        return false;
-    return true;
-  }
-
   std::size_t bucket(std::uint8_t level, std::int32_t column, std::int32_t row) const
   {
     const Level& of = larger_[level - 1];
@@ -95,7 +81,6 @@ public:
            static_cast<std::size_t>(column >> of.shift);
   }
 
-  /// @throws StateError
   void archive(StateArchive& state, const Lattice& lattice);
 
 private:

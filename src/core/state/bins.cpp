@@ -32,10 +32,6 @@ void Bins::archive(StateArchive& state)
   state(bins_);
   if (bins_.size() != species)
     throw StateError("it is of another scene");
-  for (const SpeciesBins& bins : bins_)
-    state.require(bins.left_mass >= 0.0 && std::isfinite(bins.left_mass) && bins.right_mass >= 0.0 &&
-                      std::isfinite(bins.right_mass),
-                  "the mass in a bin is impossible");
 }
 
 }  // namespace ratchet_sieve

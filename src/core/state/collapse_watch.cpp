@@ -78,9 +78,6 @@ std::string CollapseWatch::text() const
 void CollapseWatch::archive(StateArchive& state)
 {
   state(epoch_start_, disks_, counts_, first_stuck_, stops_);
-  for (const Window& window : disks_)
-    state.require(window.level <= MAX_LEVEL + 1 && window.events <= limit_ && std::isfinite(window.end),
-                  "the number of a disk's collapses is impossible");
 }
 
 void CollapseWatch::rebase(double length, double epoch_start)

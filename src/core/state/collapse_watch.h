@@ -113,7 +113,6 @@ public:
   /// Moves the zero of time. @param epoch_start the new one [s]
   void rebase(double length, double epoch_start);
 
-  /// @throws StateError
   void archive(StateArchive& state);
 
 private:

@@ -142,10 +142,6 @@ void HeightProfile::archive(StateArchive& state)
   state(sums_.since, sums_.spans);
   for (HeightSlices& slices : sums_.species)
     state(slices);
-  state.require(sums_.since >= 0.0 && sums_.spans.size() == steps_.parts() &&
-                    std::all_of(sums_.spans.begin(), sums_.spans.end(),
-                                [](double span) { return span >= 0.0 && std::isfinite(span); }),
-                "the heights of the disks are of another scene");
 }
 
 Observed HeightProfile::observed(double time) const

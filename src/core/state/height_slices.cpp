@@ -112,17 +112,6 @@ void HeightSlices::addWithin(const Fall& fall, double from, double to, std::size
 void HeightSlices::archive(StateArchive& state)
 {
   state(sums_, time_, height_integral_, time_above_);
-  const auto possible = [](const Sums& sums)
-  {
-    return sums.time >= 0.0 && sums.weight >= 0.0 && sums.squared >= 0.0 && std::isfinite(sums.time) &&
-           std::isfinite(sums.weight) && std::isfinite(sums.along) && std::isfinite(sums.upwards) &&
-           std::isfinite(sums.squared);
-  };
-  state.require(sums_.size() % parts_ == 0 && count() <= MOST &&
-                    std::all_of(sums_.begin(), sums_.end(), possible) && time_ >= 0.0 &&
-                    std::isfinite(time_) && std::isfinite(height_integral_) && time_above_ >= 0.0 &&
-                    std::isfinite(time_above_),
-                "the heights of the disks are impossible");
 }
 
 }  // namespace ratchet_sieve

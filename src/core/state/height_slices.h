@@ -58,7 +58,6 @@ public:
   double heightIntegral() const { return height_integral_; }  ///< over disks and time [m s]
   double timeAbove() const { return time_above_; }            ///< of disks above all slices [s]
 
-  /// @throws StateError
   void archive(StateArchive& state);
 
 private:

@@ -49,14 +49,7 @@ public:
     return result;
   }
 
-  /// @throws StateError
-  void archive(StateArchive& state)
-  {
-    const std::size_t species = bins_[0].size();
-    state(bins_);
-    for (const std::vector<Value>& bin : bins_)
-      state.require(bin.size() == species, "what was observed is of another number of species");
-  }
+  void archive(StateArchive& state) { state(bins_); }
 
 private:
   std::array<std::vector<Value>, 2> bins_;  ///< left, right; per species

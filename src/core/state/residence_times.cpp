@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace ratchet_sieve
 {
@@ -80,10 +79,6 @@ std::vector<ObservedColumn> TimeHistogram::table() const
 void TimeHistogram::archive(StateArchive& state)
 {
   state(times_, sum_, squares_, counts_);
-  state.require(counts_.size() <= static_cast<std::size_t>(OCTAVES) * static_cast<std::size_t>(PARTS) &&
-                    times_ == std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}) &&
-                    sum_ >= 0.0 && std::isfinite(sum_) && std::isfinite(squares_),
-                "the times that disks spent in the machine are impossible");
 }
 
 ResidenceTimes::ResidenceTimes(const SystemState& system)

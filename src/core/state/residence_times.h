@@ -29,7 +29,6 @@ public:
   /// Lower and upper edge [s] and count of every bin, from the first to the last that is not empty.
   std::vector<ObservedColumn> table() const;
 
-  /// @throws StateError
   void archive(StateArchive& state);
 
 private:

@@ -37,7 +37,6 @@ public:
   /// Per size class; without collision rates.
   std::vector<SpeciesMeans> sizeClassMeans(double time) const;
 
-  /// @throws StateError
   void archive(StateArchive& state) override;
 
 private:

@@ -14,11 +14,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Limit for a saved state, in teeth: distance of a disk, and its path within the time scale. So the index of
-/// the tooth stays representable within an epoch.
-constexpr double FARTHEST_TOOTH = 0x1p28;
-constexpr double FASTEST_TOOTH = 0x1p26;
-
 /// Smallest number of slots that compaction removes. Usual runs never reach it; a machine with an endless
 /// feed is compacted once in a while.
 constexpr std::size_t LEAST_COMPACTED = 1024;
@@ -313,45 +308,7 @@ void SystemState::archive(StateArchive& state)
                   [this](const Disk& disk) { return disk.species < scene_.species.size(); });
   if (!of_this_scene)
     throw StateError("it is of another scene");
-  state.require(isLegal(), "the state of the machine or of a disk is impossible");
   observers_.archive(state, count);
-}
-
-bool SystemState::canBeTime(double time) const
-{
-  return time >= -2.0 * epochLength(time_scale_);
-}
-
-bool SystemState::isLegal() const
-{
-  int exponent = 0;
-  if (!std::isfinite(epoch_.start) || epoch_.start < 0.0 || std::frexp(epoch_.length, &exponent) != 0.5 ||
-      epoch_.length > epochLength(time_scale_) || epoch_.start + epoch_.length == epoch_.start ||
-      !canBeTime(motion_.segmentStart()))
-    return false;
-  for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
-    if (active_[slot] > 1 || !hasLegalGrain(slot) || (active(slot) && !isLegal(slot)))
-      return false;
-  return static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1)) == active_count_;
-}
-
-bool SystemState::hasLegalGrain(std::uint32_t slot) const
-{
-  const Disk& disk = disks_[slot];
-  const Sizes& sizes = sizes_[disk.species];
-  return disk.radius >= sizes.smallest() && disk.radius <= sizes.largest() &&
-         grains_[slot] == grainOf(scene_.species[disk.species], disk.radius);
-}
-
-bool SystemState::isLegal(std::uint32_t slot) const
-{
-  const Disk& disk = disks_[slot];
-  const double tooth = shape_.toothWidth();
-  return canBeTime(disk.time) && disk.time <= epoch_.length && disk.position.allFinite() &&
-         (scene_.boundary != Boundary::PERIODIC ||
-          std::abs(motion_.at(disk.time).into(disk.position).x()) <= FARTHEST_TOOTH * tooth) &&
-         disk.velocity.lpNorm<Eigen::Infinity>() <= FASTEST_TOOTH * tooth / time_scale_ &&
-         std::isfinite(disk.spin);
 }
 
 std::vector<double> SystemState::activeRadii() const

@@ -202,17 +202,7 @@ public:
   /// @throws StateError as StateArchive, or if the state is of another number of species
   void archive(StateArchive& state);
 
-  /// Whether an event can be at this time, which may be infinite: in a restored state, times are at most one
-  /// longest epoch in the past.
-  bool canBeTime(double time) const;
-
-  /// Whether an event can be one of this base, at its time.
-  bool canBe(const BaseEvent& event) const { return canBeTime(event.time) && shape_.has(event.feature); }
-
 private:
-  bool isLegal(std::uint32_t slot) const;
-  bool hasLegalGrain(std::uint32_t slot) const;
-  bool isLegal() const;
   void setTimeResolution();
   void wrapAll(double time);
   void moveTo(std::uint32_t slot, const Image& image, double time, Observers::Share* share);

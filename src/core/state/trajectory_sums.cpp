@@ -1,8 +1,5 @@
 #include "state/trajectory_sums.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "state/system_state.h"
 
 namespace ratchet_sieve
@@ -61,9 +58,6 @@ void TrajectorySums::restart(double time)
 void TrajectorySums::archive(StateArchive& state)
 {
   state(trajectories_);
-  state.require(std::all_of(trajectories_.begin(), trajectories_.end(),
-                            [](const Trajectory& trajectory) { return std::isfinite(trajectory.angle); }),
-                "a disk's angle is impossible");
 }
 
 }  // namespace ratchet_sieve
