@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Learns at which inclination a fed sieve separates best, by the cross-entropy method: each generation tries
 inclinations drawn from a normal distribution, one in each of many sieves, and fits the distribution to the best ones.
-Draws what was tried and learned. The sieve is that of docs/seeking.md, where sieve_seek and a sweep find 0.15 rad.
+Draws what was tried and learned. The sieve is that of docs/seeking.md, where seek.py and a sweep find 0.15 rad.
 """
 import argparse
 

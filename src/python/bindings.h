@@ -10,7 +10,6 @@ namespace ratchet_sieve
 void bindScene(pybind11::module_& module);
 void bindSimulation(pybind11::module_& module);
 void bindControl(pybind11::module_& module);
-void bindGoals(pybind11::module_& module);
 void bindRun(pybind11::module_& module);
 void bindSweep(pybind11::module_& module);
 void bindFrames(pybind11::module_& module);

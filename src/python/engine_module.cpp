@@ -14,7 +14,6 @@ PYBIND11_MODULE(_engine, module)
   ratchet_sieve::bindScene(module);
   ratchet_sieve::bindSimulation(module);
   ratchet_sieve::bindControl(module);
-  ratchet_sieve::bindGoals(module);
   ratchet_sieve::bindRun(module);
   ratchet_sieve::bindSweep(module);
   ratchet_sieve::bindFrames(module);

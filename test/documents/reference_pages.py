@@ -23,16 +23,18 @@ PROGRAMS = {
     },
     'Nodes': {
         'sieve_node': 'runs a sieve live: topics, services, recording',
-        'sieve_schedule': 'sends setpoints to a sieve at given times',
-        'sieve_seek': 'searches for the best inclination of a running sieve',
         'sieve_display': 'draws a sieve from its topics or from a bag',
         'sieve_rviz': 'opens RViz with its camera on a sieve',
+    },
+    'Examples of nodes that control a sieve': {
+        'schedule.py': 'sends setpoints to a sieve at given times',
+        'seek.py': 'searches for the best inclination of a running sieve',
     },
     'Recorded runs': {
         'sieve_analyze': 'computes the results of a recorded run',
         'sieve_resimulate': 'checks that a recorded run can be reproduced bit for bit',
         'python3 -m ratchet_sieve.plots.analysis': 'plots the tables of `sieve_analyze`',
-        'python3 -m ratchet_sieve.plots.seek': 'plots a search of `sieve_seek`',
+        'python3 -m ratchet_sieve.plots.seek': 'plots a search of `seek.py`',
         'python3 -m ratchet_sieve.plots.sweep': 'plots the tables of `sieve_sweep`',
         'python3 -m ratchet_sieve.animation': 'makes an animation of a sieve in RViz',
     },
@@ -94,7 +96,8 @@ class Reference:
 
     def require_all_programs(self):
         """Each program, and each script and module that answers --help, is in PROGRAMS."""
-        there = {path.name for path in (self.devel / 'lib/ratchet_sieve').glob('sieve_*')
+        there = {path.name for path in (self.devel / 'lib/ratchet_sieve').glob('*.py')}
+        there |= {path.name for path in (self.devel / 'lib/ratchet_sieve').glob('sieve_*')
                  if not path.name.endswith('_test')}
         there |= {f'scripts/{path.name}' for path in (PACKAGE / 'scripts').iterdir()
                   if path.is_file() and path.stat().st_mode & 0o100

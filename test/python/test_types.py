@@ -11,7 +11,7 @@ import ratchet_sieve as rs
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCES = HERE.parents[1] / "python/ratchet_sieve"
-TYPED = ("__init__.pyi", "_engine.pyi", "arguments.py", "bags.py", "errors.py", "progress.py", "runs.py", "scene.py",
+TYPED = ("__init__.pyi", "_engine.pyi", "arguments.py", "bags.py", "errors.py", "goals.py", "progress.py", "runs.py", "scene.py",
          "simulation.py", "sweeps.py", "values.py")
 
 

@@ -145,7 +145,7 @@ TEST_F(Hardship, aScheduleBeginsAnewWithANodeThatComesAgain)
   ros::param::set("/conductor/sieve", "/staged");
   ros::param::set("/staged/real_time_factor", 10.0);
   const NodeLog log("/conductor");
-  ChildNode conductor("sieve_schedule", named("/conductor"));
+  ChildNode conductor("schedule.py", named("/conductor"));
   SieveClient sieve("/staged");
   for (int life = 0; life < 2; ++life)
   {
@@ -178,7 +178,7 @@ TEST_F(Hardship, aScheduleThatIsOverDoesNotMindTheEnd)
   ros::param::set("/usher/schedule", schedule);
   ros::param::set("/usher/sieve", "/finite");
   const NodeLog log("/usher");
-  ChildNode usher("sieve_schedule", named("/usher"));
+  ChildNode usher("schedule.py", named("/usher"));
   SieveClient sieve("/finite");
   ChildNode first("sieve_node", named("/finite"));
   EXPECT_EQ(first.wait(), 0) << first.errors();

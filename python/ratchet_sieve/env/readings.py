@@ -6,11 +6,12 @@ from typing import Any, Mapping, Optional
 import numpy as np
 
 from .. import _engine
+from ..goals import LEFT, ON_BASE, RIGHT, Goal
 from ..values import Values
 
 BIN_FIELDS: tuple = _engine.BIN_FIELDS
 BASE_FIELDS: tuple = _engine.BASE_FIELDS
-_COUNTED = [k for k, name in enumerate(BIN_FIELDS) if name != "on_base"]  # what only grows
+_COUNTED = [k for k in range(len(BIN_FIELDS)) if k != ON_BASE]  # what only grows
 
 
 class Readings:
@@ -40,7 +41,8 @@ class Readings:
         self.base = np.zeros((count, len(BASE_FIELDS)))
         self.departures = self.bins.copy()
         self.window = np.zeros(count)
-        self.quality, self.quality_defined = self.measured("quality", slice(None))
+        self._quality = Goal("quality", species)
+        self.quality, self.quality_defined = self.measured(self._quality, slice(None))
         self.processed, self.processed_defined = np.zeros(count), np.zeros(count, dtype=bool)
         # The bins and times at the ends of the last steps: rings, of each sieve with the place of the oldest.
         self._past_bins = np.zeros((count, window_steps + 1, *self.bins.shape[1:]))
@@ -69,13 +71,16 @@ class Readings:
         departures[..., _COUNTED] -= self._past_bins[which, self._oldest[which]][..., _COUNTED]
         self.departures[which] = departures
         self.window[which] = read["time"] - self._past_times[which, self._oldest[which]]
-        self.quality[which], self.quality_defined[which] = self.measured("quality", which)
-        self.processed[which], self.processed_defined[which] = _engine.processed_ratios(departures)
+        self.quality[which], self.quality_defined[which] = self.measured(self._quality, which)
+        left = departures[..., (LEFT, RIGHT)].sum(axis=(1, 2))
+        every = left + departures[..., ON_BASE].sum(axis=1)
+        self.processed_defined[which] = left > 0.0
+        self.processed[which] = np.divide(left, every, out=np.zeros(len(left)), where=left > 0.0)
 
-    def measured(self, goal: str, which: Any) -> tuple[np.ndarray, np.ndarray]:
-        """A goal of sieve_seek, of the departures: values, 0 where it is undefined, and whether it is defined.
-        Raises ValueError for a text that is no goal."""
-        return _engine.measured_goals(goal, self.species, self.departures[which], self.window[which])
+    def measured(self, goal: Goal, which: Any) -> tuple[np.ndarray, np.ndarray]:
+        """A goal, of the departures: values, 0 where it is undefined, and whether it is defined."""
+        value, _, defined = goal.measured(self.departures[which], self.window[which])
+        return value, defined
 
     def of(self, k: int) -> Values:
         """All of one sieve, by name; undefined values are None."""

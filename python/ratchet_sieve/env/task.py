@@ -8,6 +8,7 @@ from typing import Any, Callable, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from ..errors import SieveWarning
+from ..goals import Goal
 from ..scene import Scene
 from ..values import Values
 from . import observations as observed
@@ -25,7 +26,7 @@ class Task:
     limits        name -> (min, max) of an action. Default: the ROS node's limits, such as -0.5 to 0.5 rad
     slew_rates    name -> how fast the base follows [rad/s], [Hz/s], [m/s]. Default: 0.1, 10, 0.002
     observations  names of the parts of an observation; see docs/python_env.md
-    reward        a goal of sieve_seek, of what left within the window, 0 where it is undefined: quality,
+    reward        a goal (ratchet_sieve.goals), of what left within the window, 0 where it is undefined: quality,
                   purity:SPECIES:BIN, recovery:SPECIES:BIN, flow:SPECIES:BIN [1/s] or throughput [1/s], BIN left or
                   right; all but quality may end in :mass [kg/s]. Or a function of the readings (see Readings.of)
                   that returns a finite number
@@ -59,7 +60,7 @@ class Task:
         self.observations = observed.Observations(observations, scene.species, self.cells, self.steps * self.step,
                                                   self.actions.limits)
         self.reward = reward
-        self._require_reward()
+        self._goal = None if callable(reward) else self._goal_of(reward)
 
     def readings(self, count: int) -> Readings:
         return Readings(self.scene.species, count, self.cells, self.window_steps)
@@ -80,22 +81,21 @@ class Task:
 
     def rewards(self, readings: Readings, which: np.ndarray) -> np.ndarray:
         """Of these sieves. Raises ValueError if the function returns no finite number."""
-        if isinstance(self.reward, str):
-            return readings.measured(self.reward, which)[0]
+        if self._goal:
+            return readings.measured(self._goal, which)[0]
         return np.array([_finite(self.reward(readings.of(k))) for k in which])
 
-    def _require_reward(self) -> None:
-        if callable(self.reward):
-            return
-        if not isinstance(self.reward, str):
-            raise ValueError(f"reward = {self.reward!r}: must be a text or a function of the readings")
+    def _goal_of(self, reward: Any) -> Goal:
+        if not isinstance(reward, str):
+            raise ValueError(f"reward = {reward!r}: must be a text or a function of the readings")
         try:
-            self.readings(1).measured(self.reward, slice(None))
+            goal = Goal(reward, self.scene.species)
         except ValueError as error:
             raise ValueError(f"reward: {error}; or a function of the readings") from None
         if self.scene["boundary"] == "periodic":
-            raise ValueError(f"reward = {self.reward}: nothing leaves a periodic base; give a function of the readings "
+            raise ValueError(f"reward = {reward}: nothing leaves a periodic base; give a function of the readings "
                              "or a scene with boundary: open")
+        return goal
 
 
 def _finite(value: Any) -> float:

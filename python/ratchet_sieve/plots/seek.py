@@ -1,4 +1,4 @@
-"""Draws a search of sieve_seek, from the tables that sieve_analyze wrote from its bag: inclination, frequency, and Q of
+"""Draws a search of seek.py, from the tables that sieve_analyze wrote from its bag: inclination, frequency, and Q of
 the disks that left within the last seconds, over time. Prints the path of the picture."""
 import bisect
 import math
