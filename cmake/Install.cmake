@@ -3,9 +3,10 @@
 install(TARGETS sieve_run sieve_sweep RUNTIME DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
 if(RATCHET_SIEVE_ROS)
   install(
-    TARGETS sieve_analyze sieve_display sieve_node sieve_resimulate sieve_rviz sieve_schedule sieve_seek
+    TARGETS sieve_analyze sieve_display sieve_node sieve_resimulate sieve_schedule sieve_seek
     RUNTIME DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
-  install(TARGETS ratchet_sieve_bag_plugin ratchet_sieve_rviz_windows LIBRARY DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION})
+  install(TARGETS ratchet_sieve_bag_plugin LIBRARY DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION})
+  catkin_install_python(PROGRAMS rviz/fitted_rviz.py DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
   install(TARGETS ratchet_sieve_messages ratchet_sieve_serialization EXPORT ratchet_sieve-targets)
 endif()
 install(DIRECTORY include/ratchet_sieve/ DESTINATION ${RATCHET_SIEVE_INCLUDE_DESTINATION})

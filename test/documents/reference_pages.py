@@ -26,7 +26,6 @@ PROGRAMS = {
         'sieve_schedule': 'sends setpoints to a sieve at given times',
         'sieve_seek': 'searches for the best inclination of a running sieve',
         'sieve_display': 'draws a sieve from its topics or from a bag',
-        'sieve_rviz': 'opens RViz with its camera on a sieve',
     },
     'Recorded runs': {
         'sieve_analyze': 'computes the results of a recorded run',
