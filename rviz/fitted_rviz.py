@@ -99,10 +99,12 @@ def main():
 
 
 if __name__ == '__main__':
-    if '--help' in sys.argv:
+    if len(sys.argv) < 2 or '--help' in sys.argv:
         print(__doc__)
         sys.exit()
     try:
         main()
+    except OSError as error:
+        sys.exit(f'fitted_rviz.py: {error.filename or "rviz"}: {error.strerror}')
     except (KeyboardInterrupt, rospy.ROSInterruptException):
         pass
