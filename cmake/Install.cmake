@@ -3,11 +3,12 @@
 install(TARGETS sieve_run sieve_sweep RUNTIME DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
 if(RATCHET_SIEVE_ROS)
   install(
-    TARGETS sieve_analyze sieve_display sieve_node sieve_resimulate sieve_rviz
+    TARGETS sieve_analyze sieve_display sieve_node sieve_resimulate
     RUNTIME DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
-  install(TARGETS ratchet_sieve_bag_plugin ratchet_sieve_rviz_windows LIBRARY DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION})
+  install(TARGETS ratchet_sieve_bag_plugin LIBRARY DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION})
   # In the sources they are not executable: rosrun would find them twice, there and in the devel space.
-  catkin_install_python(PROGRAMS examples/schedule.py examples/seek.py DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
+  catkin_install_python(
+    PROGRAMS examples/schedule.py examples/seek.py rviz/fitted_rviz.py DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
   install(TARGETS ratchet_sieve_messages ratchet_sieve_serialization EXPORT ratchet_sieve-targets)
 endif()
 install(DIRECTORY include/ratchet_sieve/ DESTINATION ${RATCHET_SIEVE_INCLUDE_DESTINATION})

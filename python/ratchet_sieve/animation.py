@@ -78,11 +78,11 @@ def paused_sieve(screen, options, config=None):
     launch = screen.start(['roslaunch', 'ratchet_sieve', 'sieve.launch', f'scene:={options.scene.resolve()}',
                            f'set:={changes}',
                            f'params:={{limits: {{inclination: {{slew_rate: {SLEW_RATE}}}}}}}',
-                           'paused:=true', f'rviz:={not config}', 'wait_for_rviz:=60', 'exit_at_end:=false'],
+                           'paused:=true', f'rviz:={not config}', 'exit_at_end:=false'],
                           stdout=subprocess.DEVNULL)
     if config:  # with the camera fitted to the scene; a splash screen would count as disks
-        screen.start(['rosrun', 'ratchet_sieve', 'sieve_rviz', str(config), '--splash-screen', '', '_view:=machine',
-                      '_sieve:=sieve'], stdout=subprocess.DEVNULL)
+        screen.start(['rosrun', 'ratchet_sieve', 'fitted_rviz.py', str(config), '--splash-screen', ''],
+                     stdout=subprocess.DEVNULL)
     rospy.init_node('film', disable_signals=True)
     try:
         yield

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 
 #include "process_start.h"
@@ -11,12 +10,9 @@ namespace ratchet_sieve
 {
 
 /// Flushes standard output after each log line, also into a pipe or a file. To be called before any output.
-/// ROS reads its own switch before main(), so it is set for programs that replace this one, unless the user
-/// has set it.
 inline void writeLogByLines()
 {
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-  setenv("ROSCONSOLE_STDOUT_LINE_BUFFERED", "1", 0);
 }
 
 /// Starts the process (startProcess()) and answers --help and --version. To be called before the node looks

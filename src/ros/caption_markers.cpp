@@ -18,10 +18,11 @@ namespace
 using visualization_msgs::MarkerArray;
 
 /// In widths of the base.
-constexpr double CAPTION_GAP = 0.23;   // above its middle, at least
-constexpr double CAPTION_DEPTH = 0.1;  // of two lines, with room below
-constexpr double LEGEND_DEPTH = 0.12;  // of its first line below the lower end of the base
-constexpr double MOST_FLIGHT = 0.4;    // that is left free below the caption
+constexpr double LEAST_CAPTION_HEIGHT = 0.345;  // above the left end of the base
+constexpr double CAPTION_GAP = 0.23;            // above its middle, at least
+constexpr double CAPTION_DEPTH = 0.1;           // of two lines, with room below
+constexpr double LEGEND_DEPTH = 0.12;           // of its first line below the lower end of the base
+constexpr double MOST_FLIGHT = 0.4;             // that is left free below the caption
 
 constexpr double THROW = 3.0;          // speed of nearly all disks that the base throws up, over its own
 constexpr double LETTER_WIDTH = 0.56;  // mean, over their height

@@ -13,8 +13,6 @@ namespace
 constexpr double MAX_SPLIT_SIZE = 1e6;  // MB
 constexpr double MAX_DISTANCE = 1e6;    // m
 
-constexpr double LONGEST_WAIT_FOR_DISPLAY = 3600.0;  // s
-
 /// @return the slew rate
 double readSetpoint(ParameterReader& reader, double slew_rate, Setpoint& setpoint)
 {
@@ -86,8 +84,6 @@ NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
   parameters.threads = reader.count("threads", parameters.threads, MOST_THREADS);
   parameters.publish_clock = reader.flag("publish_clock", parameters.publish_clock);
   parameters.exit_at_end = reader.flag("exit_at_end", parameters.exit_at_end);
-  parameters.wait_for_display =
-      reader.number("wait_for_display", parameters.wait_for_display, 0.0, LONGEST_WAIT_FOR_DISPLAY);
   parameters.record = reader.text("record", parameters.record);
   readRecording(reader, parameters.recording);
   readAllRates(reader, parameters);

@@ -50,7 +50,6 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
           node_, [this]() -> const LiveRun& { return control_.run(); }, parameters_.frames.world, clock_,
           transforms_),
       display_(node_, parameters_.display_rate),
-      display_wait_(parameters_.wait_for_display),
       diagnostics_(control_, {real_time_factor_, pacer_, speed_}, recorder_, clock_),
       commands_(
           node_, parameters_, control_, diagnostics_, [this](double time) { return stride(time); },
@@ -83,26 +82,8 @@ bool SieveNode::ended() const
   return control_.run().finished() && parameters_.exit_at_end;
 }
 
-/// Whether the run is not paused.
-bool SieveNode::underWay() const
-{
-  return !control_.paused() && !display_wait_.waiting();
-}
-
-void SieveNode::watchDisplay()
-{
-  const auto now = Pacer::Clock::now();
-  if (!display_wait_.waiting())
-    return;
-  if (const auto line = display_wait_.update(display_.watched(), now))
-    ROS_INFO_STREAM(*line);
-  if (!display_wait_.waiting())
-    pacer_.anchor(control_.run().time(), now);
-}
-
 void SieveNode::keepAlive()
 {
-  watchDisplay();
   clock_.publishDue(control_.run().time());
   const LiveRun& run = control_.run();
   if (display_.due(run.time()))
@@ -134,7 +115,7 @@ void SieveNode::watchSpeed()
     ROS_INFO("real-time factor: %g from %.3f s on%s", *factor, run.time(),
              *factor > 0.0 ? "" : ": as fast as possible");
   }
-  speed_.update(underWay(), run.time(), pacer_.lost(), now);
+  speed_.update(!control_.paused(), run.time(), pacer_.lost(), now);
   if (const auto line = speed_.line(pacer_.factor(), now))
     ROS_LOG_STREAM(line->warning ? ros::console::levels::Warn : ros::console::levels::Info,
                    ROSCONSOLE_DEFAULT_NAME, line->text);
@@ -209,9 +190,9 @@ void SieveNode::run()
   pacer_.anchor(run.time(), Pacer::Clock::now());
   while (!stopped() && !ended())
   {
-    serveCallbacks(underWay() ? waitUntilDue() : Pacer::LONGEST_WAIT);
+    serveCallbacks(control_.paused() ? Pacer::LONGEST_WAIT : waitUntilDue());
     commands_.deliverSetpoints();
-    if (underWay() && !stopped())
+    if (!control_.paused() && !stopped())
       advance();
     keepAlive();
   }

@@ -4,8 +4,6 @@
 
 #include <ros/console.h>
 #include <ros/master.h>
-#include <sensor_msgs/PointCloud2.h>
-#include <visualization_msgs/MarkerArray.h>
 
 #include "ratchet_sieve/SceneDescription.h"
 
@@ -13,9 +11,8 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// The nodes that publish messages of this type on a topic of their own.
-template <typename Message>
-std::set<std::string> publishersOf(const std::string& topic_name)
+/// The nodes that publish a scene on a topic of their own.
+std::set<std::string> sieves()
 {
   ros::master::V_TopicInfo topics;
   ros::master::getTopics(topics);
@@ -23,8 +20,8 @@ std::set<std::string> publishersOf(const std::string& topic_name)
   for (const ros::master::TopicInfo& topic : topics)
   {
     const std::size_t slash = topic.name.rfind('/');
-    if (topic.datatype == ros::message_traits::datatype<Message>() &&
-        topic.name.substr(slash + 1) == topic_name)
+    if (topic.datatype == ros::message_traits::datatype<SceneDescription>() &&
+        topic.name.substr(slash + 1) == "scene")
       names.insert(topic.name.substr(0, slash));
   }
   return names;
@@ -33,7 +30,7 @@ std::set<std::string> publishersOf(const std::string& topic_name)
 
 std::string missingSieveText(const std::string& sieve)
 {
-  const std::set<std::string> names = publishersOf<SceneDescription>("scene");
+  const std::set<std::string> names = sieves();
   const std::string missing = sieve.empty() ? "no sieve yet" : "no scene of " + sieve + " yet";
   if (names.empty())
     return missing + ": no sieve runs, and no bag of one is played";
@@ -45,19 +42,9 @@ std::string missingSieveText(const std::string& sieve)
   return missing + "; there is " + others + ", to be named in the parameter ~sieve";
 }
 
-std::optional<std::string> findDisplay(const std::string& preferred)
-{
-  const std::set<std::string> clouds = publishersOf<sensor_msgs::PointCloud2>("cloud");
-  std::optional<std::string> found;
-  for (const std::string& name : publishersOf<visualization_msgs::MarkerArray>("markers"))
-    if (clouds.count(name) > 0 && (!found || name == preferred))
-      found = name;
-  return found;
-}
-
 std::optional<std::string> findSieve()
 {
-  const std::set<std::string> names = publishersOf<SceneDescription>("scene");
+  const std::set<std::string> names = sieves();
   if (names.empty())
     return {};
   if (names.size() > 1)

@@ -98,13 +98,6 @@ protected:
   tf2_ros::TransformListener listener{buffer};
 };
 
-TEST_F(Clock, ofThisVeryProcessIsTheSieves)
-{
-  EXPECT_TRUE(ros::Time::isSimTime());
-  sieve.stepAndSee(0.75);
-  EXPECT_TRUE(waitFor([] { return ros::Time::now() == ros::Time(0.75); }));
-}
-
 TEST_F(Clock, transformsEveryMessageAtItsStamp)
 {
   for (int k = 0; k < 4; ++k)

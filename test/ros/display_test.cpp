@@ -96,6 +96,20 @@ TEST(SceneMarkers, drawTheBaseWhereTheEngineHasIt)
     EXPECT_NEAR(shape.heightAbove(point.x, point.z), 0.0, 1e-12);
 }
 
+TEST(SceneMarkers, drawEachCornerOfAProfile)
+{
+  SceneDefinition scene = smallMixture();
+  scene.base.profile = {{0.0, 0.0}, {0.012, 0.006}, {0.012, 0.0}, {0.02, 0.0}};
+  const auto points = baseMarkers(scene, BaseFrame()).markers[1].points;
+  ASSERT_EQ(points.size(), 6u * scene.base.teeth);
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    const OutlineCorner& corner = scene.base.profile[k % 6 / 2 + k % 2];
+    EXPECT_DOUBLE_EQ(points[k].x, static_cast<double>(k / 6) * scene.base.toothWidth() + corner.s);
+    EXPECT_DOUBLE_EQ(points[k].z, corner.n);
+  }
+}
+
 /// The highest and the furthest point of the drawn base, in its own frame.
 Vector reachOfBase(const SceneDefinition& scene)
 {

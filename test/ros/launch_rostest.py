@@ -114,7 +114,7 @@ class Launch(Launched):
 
     def test_ends_at_once_without_a_program(self):
         """The package is found, but nothing is built."""
-        for path in PACKAGE.glob('launch/*.launch'):
+        for path in {*PACKAGE.glob('launch/*.launch')} - {PACKAGE / 'launch/rviz.launch'}:
             launch = subprocess.run(['roslaunch', str(path), *(['bag:=run.bag'] if path.name == 'replay.launch' else [])],
                                     env=dict(os.environ, CMAKE_PREFIX_PATH='', ROS_PACKAGE_PATH=str(PACKAGE)),
                                     capture_output=True, text=True, timeout=TIMEOUT)

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <fstream>
-#include <limits>
 
 #include <gtest/gtest.h>
 #include <rosgraph_msgs/Clock.h>
@@ -73,14 +72,6 @@ TEST_F(Node, stepsAsTheSimulationDoesBitForBit)
   }
 }
 
-TEST_F(Node, publishesAtExactTimes)
-{
-  sieve.stepAndSee(0.5);
-  ASSERT_EQ(sieve.particles.frames.size(), 30u);
-  for (std::size_t k = 0; k < 30; ++k)
-    EXPECT_EQ(sieve.particles.frames[k].time, static_cast<double>(k + 1) / 60.0);
-}
-
 TEST_F(Node, followsASetpointAtItsSlewRate)
 {
   command("inclination", 0.1, &DriveState::commanded_inclination);
@@ -91,28 +82,6 @@ TEST_F(Node, followsASetpointAtItsSlewRate)
   EXPECT_NEAR(moving.inclination, 0.02, 1e-12);  // limits/inclination/slew_rate: 0.2
   EXPECT_NEAR(moving.frequency, 24.0, 1e-12);
   EXPECT_NEAR(moving.amplitude, 0.0018, 1e-15);
-  sieve.stepAndSee(0.9);
-  const DriveState there = sieve.base.frames.back().base;
-  EXPECT_EQ(there.inclination, 0.1);
-  EXPECT_EQ(there.frequency, 25.0);
-  EXPECT_EQ(there.amplitude, 0.0015);
-}
-
-TEST_F(Node, appliesASetpointAtThePresentTime)
-{
-  sieve.stepAndSee(0.3);
-  command("inclination", 0.1, &DriveState::commanded_inclination);
-  EXPECT_EQ(sieve.base.frames.back().time, 0.3);
-  sieve.stepAndSee(0.5);
-
-  Simulation simulation(sceneOfNode());
-  SlewRates slew_rates;
-  slew_rates.inclination = 0.2;
-  simulation.setSlewRates(slew_rates);
-  simulation.advanceTo(0.3);
-  simulation.command(Quantity::INCLINATION, 0.1);
-  simulation.advanceTo(0.8);
-  EXPECT_TRUE(sameBits(sieve.particles.frames.back().disks, makeParticleFrame(simulation).disks));
 }
 
 TEST_F(Node, saysThatACollapseStoppedIt)
@@ -129,10 +98,6 @@ TEST_F(Node, saysThatACollapseStoppedIt)
         const auto& status = statuses["sieve: simulation"];
         return status.level == diagnostic_msgs::DiagnosticStatus::ERROR && status.message == answer.message;
       }));
-  // It continues only after a reset.
-  EXPECT_EQ(sieve.step(1.0).message, answer.message);
-  sieve.resetAndSee();
-  EXPECT_TRUE(sieve.step(1.0).success);
 }
 
 TEST_F(Node, goesOnThroughACollapseAndWarns)
@@ -224,56 +189,6 @@ TEST_F(Node, warnsOfAWalledBaseThatMayTurnTooFast)
       }));
 }
 
-TEST_F(Node, refusesASetpointAndSaysWhy)
-{
-  Statuses statuses(sieve.node);
-  command("inclination", 0.05, &DriveState::commanded_inclination);
-  for (const double bad :
-       {0.31, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
-    sieve.publish("inclination", bad);
-  ASSERT_TRUE(waitFor(
-      [&]
-      {
-        const auto& status = statuses["sieve: setpoints"];
-        return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
-               status.message == "inclination_setpoint inf rad refused: must be from -0.3 to 0.3 rad";
-      }));
-  EXPECT_EQ(sieve.base.frames.back().base.commanded_inclination, 0.05);
-  sieve.stepAndSee(1.0);
-  EXPECT_EQ(sieve.base.frames.back().base.inclination, 0.05);
-
-  command("inclination", 0.06, &DriveState::commanded_inclination);
-  EXPECT_TRUE(
-      waitFor([&] { return statuses["sieve: setpoints"].level == diagnostic_msgs::DiagnosticStatus::OK; }));
-}
-
-TEST_F(Node, refusesAStepThatMakesNoSense)
-{
-  const StepSimulation::Response answer = sieve.step(-1.0);
-  EXPECT_FALSE(answer.success);
-  EXPECT_EQ(answer.message, "duration -1.000000 s: must be > 0 and finite");
-  EXPECT_EQ(answer.time, 0.0);
-}
-
-TEST_F(Node, resetGivesTheSameRun)
-{
-  sieve.stepAndSee(1.0);
-  const ParticleFrame first = sieve.particles.frames.back();
-  sieve.resetAndSee();
-  sieve.stepAndSee(1.0);
-  EXPECT_TRUE(sameBits(sieve.particles.frames.back(), first));
-}
-
-TEST_F(Node, refusesAResetToABadScene)
-{
-  sieve.stepAndSee(0.5);
-  const ResetSimulation::Response answer = sieve.reset(0, {"base.asymmetry=3"});
-  EXPECT_FALSE(answer.success);
-  EXPECT_NE(answer.message.find("/mixture.yaml: base.asymmetry = 3: must be "), std::string::npos)
-      << answer.message;
-  EXPECT_EQ(sieve.step(0.5).time, 1.0);
-}
-
 TEST_F(Node, poursOnAndAnew)
 {
   const std::size_t poured = sieve.bins.frames.back().bins.at(0).on_base;
@@ -308,15 +223,6 @@ TEST_F(Node, failsToPlaceDisksAnewWhereTheBaseStandsAndGoesOn)
   EXPECT_TRUE(warns());
   ASSERT_TRUE(sieve.reset().success);
   EXPECT_TRUE(waitFor([&] { return !warns(); }));
-}
-
-TEST_F(Node, saysThatTheEndCameBeforeAStepWasDone)
-{
-  ASSERT_TRUE(sieve.reset(0, {"duration=0.5"}).success);
-  const StepSimulation::Response answer = sieve.step(0.75);
-  EXPECT_TRUE(answer.success);
-  EXPECT_EQ(answer.message, "the end of the run was reached at 0.5 s: 0.25 s of the step are left");
-  EXPECT_EQ(answer.time, 0.5);
 }
 
 TEST_F(Node, runsUntilItIsPausedAndThenStandsStill)

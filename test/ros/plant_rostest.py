@@ -64,14 +64,13 @@ class Plant(Launched):
         screen = VirtualScreen().__enter__()
         self.addCleanup(screen.__exit__)
         first, second, third, tilt = recipe()
-        display = screen.environment['DISPLAY']
-        self.shell(first, display)
+        self.shell(first, screen.environment)
         self.assertEqual(message('/s1/particles', ParticleStates).header.frame_id, 'world')
-        self.shell(second, display)
+        self.shell(second, screen.environment)
         self.assertEqual(message('/s2/particles', ParticleStates).header.frame_id, 's2/sieve_world')
-        self.shell(third, display)
+        self.shell(third, screen.environment)
         self.assertGreater(sum(message('/line2/seek/trials', SeekTrial).right), 0)
-        self.shell(tilt, display)
+        self.shell(tilt, screen.environment)
         wait_for(lambda: message('/s2/base', BaseState).commanded_inclination == 0.1, 's2 is tilted')
         self.assertEqual(message('/s1/base', BaseState).commanded_inclination, 0.0)
 
@@ -82,7 +81,8 @@ class Plant(Launched):
         self.assertEqual({link: origin.z for link, origin in links('/tf_static', 1).items()},
                          {('world', 's2/sieve_world'): -0.2})
         for sieve, frame in (('s1', 'world'), ('s2', 's2/sieve_world')):
-            wait_for(lambda: f'/{sieve}_rviz' in self.subscribers(f'/{sieve}/markers'), f'RViz shows {sieve}')
+            wait_for(lambda: all(f'/{sieve}_rviz' in self.subscribers(topic) for topic in ('/tf', f'/{sieve}/markers')),
+                     f'RViz shows {sieve}')
             self.assertEqual(frames_drawn_in(f'/{sieve}/markers'), {frame})
 
         self.assertEqual(self.publishers('/clock'), ['/s1'])
@@ -94,9 +94,9 @@ class Plant(Launched):
             behind = {entry.key: float(entry.value) for entry in status.values}['simulated time minus /clock [s]']
             self.assertNotEqual(behind, 0.0)
 
-    def shell(self, line, display):
+    def shell(self, line, environment):
         # The shell is replaced by the last command, so that a signal reaches it.
-        return self.start(['bash', '-c', line.replace('roslaunch', 'exec roslaunch', 1)], DISPLAY=display)
+        return self.start(['bash', '-c', line.replace('roslaunch', 'exec roslaunch', 1)], **environment)
 
     def test_two_that_start_at_once_have_one_clock(self):
         for _ in range(3):

@@ -341,7 +341,7 @@ TEST_F(Record, doesNotReplaceTheSceneFile)
 
 TEST_F(Record, helpsWithoutBeingANode)
 {
-  for (const char* program : {"sieve_display", "sieve_node", "sieve_rviz"})
+  for (const char* program : {"sieve_display", "sieve_node"})
     for (const char* option : {"--help", "--version"})
     {
       ChildNode node(program, {option});

@@ -144,26 +144,6 @@ TEST_F(Resimulate, runsInLockStepWithAControllerTheSameEachTime)
   EXPECT_TRUE(sameBits(toFrame(first.statistics).species, toFrame(second.statistics).species));
   EXPECT_FALSE(sameBits(toFrame(first.statistics).species, toFrame(other.statistics).species));
 }
-
-TEST_F(Resimulate, refusesALockStepAsAWhole)
-{
-  prepare("/refusing");
-  ChildNode node("sieve_node", named("refusing"));
-  SieveClient sieve("/refusing");
-  ASSERT_TRUE(sieve.connect());
-  LockStep step;
-  step.request.duration = 0.1;
-  step.request.setpoints.resize(2);
-  step.request.setpoints[0].quantity = "frequency";
-  step.request.setpoints[0].value = 30.0;
-  step.request.setpoints[1].quantity = "inclination";
-  step.request.setpoints[1].value = 7.0;
-  ASSERT_TRUE(ros::service::call("/refusing/lock_step", step));
-  EXPECT_FALSE(step.response.success);
-  EXPECT_EQ(step.response.message, "inclination_setpoint 7 rad refused: must be from -0.5 to 0.5 rad");
-  EXPECT_EQ(step.response.time, 0.0);
-  EXPECT_EQ(step.response.base.commanded_frequency, sieve.base.frames.front().base.frequency);
-}
 }  // namespace
 }  // namespace ratchet_sieve
 

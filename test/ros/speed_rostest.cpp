@@ -56,22 +56,6 @@ TEST_F(Speed, changesWhileItRuns)
   EXPECT_TRUE(waitFor([&] { return asked() == "0"; }));
 }
 
-TEST_F(Speed, goesOnFromWhereItIs)
-{
-  ASSERT_TRUE(sieve.call("unpause_physics"));
-  ros::param::set(PARAMETER, 1.0);
-  ASSERT_TRUE(waitFor([&] { return asked() == "1"; }));
-  ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().time > 0.1; }));
-  ros::param::set(PARAMETER, STANDSTILL);
-  ASSERT_TRUE(waitFor([&] { return asked() == "1e-06"; }));
-  // If time had jumped ahead to that of the new factor, it would have to stop for long now.
-  const double before = nextTimes(1).back();
-  EXPECT_GE(before, 0.1);
-  EXPECT_LT(nextTimes(20).back() - before, 1e-3);
-  ros::param::set(PARAMETER, 2.0);
-  ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().time > before + 0.1; }));
-}
-
 TEST_F(Speed, refusesABadFactorAndKeepsTheLastGoodOne)
 {
   XmlRpc::XmlRpcValue list;

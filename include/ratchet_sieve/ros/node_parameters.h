@@ -26,7 +26,6 @@ struct NodeParameters : RunParameters
   std::string record;             ///< ~record: path of the recorded bag; empty: no recording
   RecordingParameters recording;  ///< ~recording/: rates, and sizes of the files
   double display_rate = 30.0;     ///< ~rates/display: upper limit for markers and cloud [1/s of wall time]
-  double wait_for_display = 0.0;  ///< ~wait_for_display: timeout of the wait for a display [s of wall time]
   double clock_rate = 100.0;      ///< ~rates/clock [1/s of wall time]
   std::array<double, 3> mount{};  ///< ~mount/x, y, z: position of the base's foot in `world` [m]
   FrameNames frames;              ///< from ~frame_prefix and ~mount

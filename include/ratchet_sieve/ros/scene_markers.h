@@ -23,9 +23,8 @@ visualization_msgs::MarkerArray diskMarkers(const SceneDefinition& scene, const 
 visualization_msgs::MarkerArray binMarkers(const SceneDefinition& scene, const BinFrame& frame,
                                            const BaseFrame& base);
 
-/// Height of the caption above the left end of a base [widths of the base]: of a long and level one, and at
-/// this inclination, where it is above most disks that the drive of the scene throws up.
-constexpr double LEAST_CAPTION_HEIGHT = 0.345;
+/// Height of the caption above the left end of a base at this inclination [widths of the base]: above most
+/// disks that the drive of the scene throws up.
 double captionHeight(const SceneDefinition& scene, double inclination);
 
 /// Above the machine: time, theta, f and A (with their setpoints while they change), Q and P. Below it, in

@@ -7,7 +7,6 @@
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include "ratchet_sieve/live/certainty_log.h"
-#include "ratchet_sieve/live/display_wait.h"
 #include "ratchet_sieve/live/pacer.h"
 #include "ratchet_sieve/live/pour_log.h"
 #include "ratchet_sieve/live/progress_log.h"
@@ -43,7 +42,6 @@ private:
 
   bool stopped() const;
   bool ended() const;
-  bool underWay() const;
   double waitUntilDue() const;
   void advance();
   void advanceTo(double time);
@@ -53,7 +51,6 @@ private:
   void watchSpeed();
   void watchEnergy();
   void watchPour(std::size_t poured, std::size_t of);
-  void watchDisplay();
   void end();
 
   ros::NodeHandle node_;
@@ -70,7 +67,6 @@ private:
   TransformPublisher transforms_;
   TopicPublisher topics_;
   Display display_;
-  DisplayWait display_wait_;
   Diagnostics diagnostics_;
   ProgressLog progress_;
   bool energy_said_ = false;

@@ -17,8 +17,4 @@ std::optional<std::string> findSieve();
 /// @param sieve name of its node; empty: any
 std::string missingSieveText(const std::string& sieve);
 
-/// A node that draws a sieve: one that publishes ~markers and ~cloud. The preferred one is returned if it
-/// does.
-std::optional<std::string> findDisplay(const std::string& preferred);
-
 }  // namespace ratchet_sieve
