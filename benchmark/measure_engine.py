@@ -12,7 +12,6 @@ import statistics
 import subprocess
 import tempfile
 
-import physics
 from ratchet_sieve import documents, origin
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -155,7 +154,7 @@ def main():
               for threads in (1, 2)]
     program = arguments.programs / 'engine_benchmark'
     two_jobs = two_over_one(program, arguments.rounds)
-    about, all_rows = physics.describe(), list(rows(*collisions(program, arguments.rounds), two_jobs, *memory))
+    about, all_rows = origin.describe_physics(), list(rows(*collisions(program, arguments.rounds), two_jobs, *memory))
     text = '\n'.join(table(all_rows, arguments.rounds, about))
     print(text)
     if arguments.write:

@@ -15,7 +15,6 @@ import tempfile
 import rosbag
 import yaml
 
-import physics
 import ros_processes
 from ratchet_sieve import documents, origin
 
@@ -220,7 +219,7 @@ def parse_arguments():
 
 def main():
     arguments = parse_arguments()
-    about = physics.describe()
+    about = origin.describe_physics()
     where = description(about)
     sizes, rounds, starts, single_seconds = [(382, 1.0), (20, 15.0)], arguments.rounds, 50, 20.0
     if arguments.short:

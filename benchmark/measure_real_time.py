@@ -8,10 +8,9 @@ import pathlib
 import sys
 import tempfile
 
-import physics
 import ros_processes
 from measure_node import FOR_PROGRAMS, ROOT, Bench, description
-from ratchet_sieve import documents
+from ratchet_sieve import documents, origin
 
 # What is asked for: keys of the scene, and parameters of the node.
 METHODS = {'events': ({}, {'real_time_factor': 1.0}),
@@ -93,7 +92,7 @@ def main():
         documents.put(arguments.write, 'real-time', '\n'.join(lines))
         known = {f'{key}.{span}': factor for key, name in QUOTED.items()
                  for span, factor in zip(('first', 'after'), rows[name].factors())}
-        documents.quote(arguments.write.with_name('performance.md'), 'real_time', known, physics.describe())
+        documents.quote(arguments.write.with_name('performance.md'), 'real_time', known, origin.describe_physics())
     return 1 if any(row.lost for row in rows.values()) else 0
 
 

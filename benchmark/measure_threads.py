@@ -12,7 +12,6 @@ import pathlib
 import statistics
 import subprocess
 
-import physics
 from ratchet_sieve import documents, origin
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -119,7 +118,7 @@ def main():
     if arguments.write:
         for place in ('threads', 'threads-model'):
             documents.require_place(parser, arguments.write, place)
-    program, about = arguments.programs / 'engine_benchmark', physics.describe()
+    program, about = arguments.programs / 'engine_benchmark', origin.describe_physics()
     layers = by_arguments(run(program, 'mixtureOnThreads', arguments.rounds))
     meeting = 1.0 / run(program, 'meetingOfTwoThreads')[0]['meetings']
     texts = {'threads': '\n'.join(table(layers, arguments.rounds, about)),
