@@ -66,27 +66,10 @@ def named(place, ratchet):
     return f"{ROW_NAME} = {row:g}, {', '.join(values)}, θ = {theta:g}".replace("-", "−")
 
 
-def differing(means, ratchet):
-    """Where the search has kinds of different velocities, and where they differ most, in words."""
-    sure = {place: pair[2] for place, pair in means.items() if pair[2].surely_above(0.0) is not None}
-    if not sure:
-        return f"On {ratchet.about} the kinds drift at different speeds at none of {len(means)} places."
-    most = max(sure, key=lambda place: abs(sure[place].value))
-    return (f"On {ratchet.about} the kinds drift at different speeds at {len(sure)} of {len(means)} places, most at "
-            f"{named(most, ratchet)}: B less A {verdicts.speed(sure[most])}.")
-
-
 def opposed_at(means):
     """@return places where one kind surely goes to the right and the other to the left, with both"""
     ways = {place: (pair[0].surely_above(0.0), pair[1].surely_above(0.0)) for place, pair in means.items()}
     return {place: means[place] for place, (a, b) in sorted(ways.items()) if None not in (a, b) and a != b}
-
-
-def opposed(means_of):
-    """On how many places of each ratchet the search has kinds that go opposite ways, in words."""
-    counts = [f"{len(opposed_at(means))} of {len(means)} places on {ratchet.about}"
-              for ratchet, means in means_of.items()]
-    return f"They go opposite ways at {' and at '.join(counts)}."
 
 
 def evaluator(name):
@@ -167,10 +150,7 @@ def opposed_table(means, ratchet):
 def text(numbers):
     quality = [[shown(theta), *(told(mean) for mean in pair)]
                for theta, pair in numbers["quality"].items()]
-    found = [*(differing(means, ratchet) for ratchet, means in numbers["means"].items()),
-             opposed(numbers["means"])]
-    return "\n\n".join(["What the search found: " + " ".join(found),
-                        *(opposed_table(means, ratchet) for ratchet, means in numbers["means"].items()),
+    return "\n\n".join([*(opposed_table(means, ratchet) for ratchet, means in numbers["means"].items()),
                         "On the open base, in the search; the fresh seeds' Q above is the one to quote:",
                         table(["θ [rad]", "Q", "P"], quality)])
 
@@ -183,7 +163,7 @@ def picture(name, word, names, ratchet):
 
 
 def study(number, word, names, scene):
-    """@param names of both  @param scene of the open base, in words"""
+    """@param names of both kinds. @param scene of the open base, in words"""
     name, sweep = f"farkas_{word}", f"validation_farkas_{word}"
     quality = Picture(f"{name}_quality", f"Quality and processed share of the mixture on an open base ({scene}); bars: "
                       "standard errors over the seeds", draw_quality, (f"{sweep}_open",))
@@ -191,6 +171,7 @@ def study(number, word, names, scene):
                  (*(Sweep(sweep + ratchet.suffix) for ratchet in RATCHETS), Sweep(f"{sweep}_open"),
                   Sweep(f"{sweep}_fresh")), evaluator(sweep),
                  (*(picture(name, word, names, ratchet) for ratchet in RATCHETS), quality), claimer(number, word), text)
+
 
 RESTITUTION = study("1", "restitution", ("A: e = 0.4", "B: e = 0.8"),
                     "1 m of teeth of 5 mm, h = 4 mm, A = 1.4 mm, d = 0.1 at the start, 200 s")

@@ -108,11 +108,7 @@ def text(numbers):
     densities = axis(means, 2)
     lines = [[f"{e:g}", f"{f:g}", *(bae.speed_text(means[e, f, d]) for d in densities),
               turn.text() if turn else "—"] for (e, f), turn in numbers["turns"].items()]
-    again = [f"e = {e:g}, {f:g} Hz" for (e, f), changes in reversals(means).items() if len(changes) > 1]
-    tried = len(axis(means, 0)) * len(axis(means, 1))
-    return (f"In the search the current turns as the layer is made thicker at {len(reversals(means))} of {tried} "
-            f"(e, f). It turns a second time, in still thicker layers, at {'; '.join(again) or 'no e and f'}. ⟨V_x⟩ in "
-            "mm/s, and the density at which it first changes its sign:\n\n"
+    return ("The search: ⟨V_x⟩ in mm/s, and the density at which it first changes its sign:\n\n"
             + table(["e", "f [Hz]"] + [f"d = {d:g}" for d in densities] + ["turns at d"], lines))
 
 
