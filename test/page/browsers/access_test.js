@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {describe, it} from 'node:test';
 import {AXE_SOURCE} from './support/modules.js';
-import {ALL, HOSTILE, NARROW, SWEEP, WIDE, drawn, goesOn, openPage, openStill} from './support/pages.js';
+import {ALL, HOSTILE, NARROW, RUNS, SWEEP, WIDE, drawn, goesOn, openPage, openStill} from './support/pages.js';
 import {colourCount, picture} from './support/picture.js';
 import {BROWSER, useBrowser} from './support/session.js';
 
@@ -56,7 +56,7 @@ describe('the rules', () => {
 
 describe('with reduced motion', () => {
   const browser = useBrowser({calm: true});
-  for (const name of ['demo', 'many', 'sizes'])
+  for (const name of RUNS)
     it(`a page does not play by itself: ${name}`, async () => {
       const {page} = await openPage(browser(), name);
       const time = await page.evaluate(() => window.ratchetSieve.time);
