@@ -26,6 +26,8 @@ def read_arguments():
     parser.add_argument("--quick", action="store_true",
                         help="about 40 minutes of one core; without it eight times as many seeds")
     parser.add_argument("--only", nargs="+", metavar="SCENE", help="measure these scenes alone; the others are kept")
+    parser.add_argument("--errors-only", action="store_true",
+                        help="keep the times: for a machine that is busy with other work")
     parser.add_argument("--short", action="store_true", help="test whether it runs: its figures mean nothing")
     parser.add_argument("--draw-only", action="store_true", help="measure nothing: write all from the CSV files")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs", metavar="DIR",
@@ -44,7 +46,8 @@ def measure(arguments):
     chosen = points.planned(arguments.only)
     effort, span = SHORT if arguments.short else (1.0 if arguments.quick else FULL, None)
     runs.run_all(arguments.programs / "sieve_sweep", chosen, effort, span)
-    points.save(arguments.out / "data", chosen, points.Origin(*origin.describe().values(), origin.physics()))
+    points.save(arguments.out / "data", chosen, points.Origin(*origin.describe().values(), origin.physics()),
+                not arguments.errors_only)
 
 
 def said(origin):

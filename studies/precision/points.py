@@ -304,17 +304,18 @@ def result_lines(point, origin):
         yield {**common, "quantity": name, "runs": "", "mean": f"{getattr(point, name):.4g}", "standard_error": ""}
 
 
-def save(directory, points, origin):
+def save(directory, points, origin, with_costs):
     """Replaces the lines of these points, and keeps the others."""
     keys = {point.key() for point in points}
     kept = [line for line in read(directory / RESULTS) if key_of(line) not in keys]
     write_csv(directory / RESULTS, RESULT_COLUMNS,
               kept + [line for point in points for line in result_lines(point, origin)])
-    kept = [line for line in read(directory / COSTS) if key_of(line) not in keys]
-    write_csv(directory / COSTS, COST_COLUMNS, kept + [
-        {**dict(zip(KEY, point.key())), "processor_s_per_simulated_s": f"{point.cost:.3g}",
-         "measured": origin.date, "machine": origin.machine, "physics": origin.physics}
-        for point in points if point.cost is not None])
+    if with_costs:
+        kept = [line for line in read(directory / COSTS) if key_of(line) not in keys]
+        write_csv(directory / COSTS, COST_COLUMNS, kept + [
+            {**dict(zip(KEY, point.key())), "processor_s_per_simulated_s": f"{point.cost:.3g}",
+             "measured": origin.date, "machine": origin.machine, "physics": origin.physics}
+            for point in points if point.cost is not None])
 
 
 def load(directory, points):

@@ -62,8 +62,8 @@ class Tables(unittest.TestCase):
         origin = points.Origin("2026-11-23", "a machine", "2")
         with tempfile.TemporaryDirectory() as directory:
             path = pathlib.Path(directory)
-            points.save(path, own, origin)
-            points.save(path, [], origin)  # keeps what it does not measure
+            points.save(path, own, origin, True)
+            points.save(path, [], origin, True)  # keeps what it does not measure
             read = points.planned(["fig8"])
             results, costs = points.load(path, read)
         self.assertEqual(read, own)
