@@ -21,8 +21,6 @@ from report import ROOT, parsed, parser_of, publish
 RATE = 60  # frames of each kind per simulated second, the node's default
 STATISTICS_RATE = 10
 
-
-HEADLESS = '`sieve_run`'
 BAG = '`sieve_run --bag`'
 IDLE = '`sieve_node`, nobody subscribed'
 SUBSCRIBED = '`sieve_node`, one subscriber to `~particles`'

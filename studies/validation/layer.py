@@ -60,19 +60,6 @@ def draw_onset(numbers):
     return figure
 
 
-def reversals(means):
-    """@return of each (e, f) whose current turns in thicker layers: of each turn both densities and ways"""
-    found = {}
-    for e in axis(means, 0):
-        for f in axis(means, 1):
-            ways = [(d, bae.regime(means[e, f, d], LEAST)) for d in axis(means, 2)]
-            told = [(d, way) for d, way in ways if way in (bae.NORMAL, bae.REVERSED)]
-            changes = [(a, b) for a, b in zip(told, told[1:]) if a[1] != b[1]]
-            if changes:
-                found[e, f] = changes
-    return found
-
-
 def turns_afresh(fresh):
     """A check by fresh seeds that the current of a thin layer and of a thicker one have opposite signs."""
     says = "the current turns as the layer is made thicker (e = 0.6, 30 Hz)"
