@@ -1,6 +1,5 @@
-"""Repeats published experiments: runs their sweeps by sieve_sweep, draws each as PNG and SVG with error bars, tests
-each printed claim, and writes docs/paper.md, docs/validation.md and docs/data. Existing results are not computed
-again."""
+"""Repeats published experiments: runs their sweeps by sieve_sweep, draws each with error bars, tests each printed
+claim, and writes docs/paper.md, docs/validation.md and docs/data. Existing results are not computed again."""
 import argparse
 import importlib
 import pathlib
@@ -49,7 +48,7 @@ def run_study(study, runner, directory, name):
             figure = picture.draw(outcome.numbers)
             if note := outcome.samples(picture):
                 figure.supxlabel(note, x=0.995, ha="right", fontsize=7.5, color=plots.GREY)
-            print(plots.save(figure, directory / f"{name}_{picture.name}.png")[0])
+            print(plots.save(figure, directory / f"{name}_{picture.name}.png", svg=False)[0])
     for claim in outcome.claims():
         print(f"  {claim.number} {claim.text}: {claim.verdict()}", *(f"    {check.text()}" for check in claim.checks),
               sep="\n", flush=True)

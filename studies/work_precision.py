@@ -77,7 +77,7 @@ def main():
     documents.write_figures(arguments.out / "data/accuracy.json", tables.figures(groups, large, results, costs))
     for draw in (picture.draw_method, picture.draw_model):
         with plots.styled():
-            print(plots.save(draw(groups), arguments.out / f"images/accuracy_{draw.__name__[5:]}.png")[0])
+            print(plots.save(draw(groups), arguments.out / f"images/accuracy_{draw.__name__[5:]}.png", svg=False)[0])
 
 
 if __name__ == "__main__":

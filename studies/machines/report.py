@@ -126,7 +126,7 @@ def draw(search, found):
 def save(search, found, path):
     """@return path"""
     with plots.styled():
-        return plots.save(draw(search, found), path)[0]
+        return plots.save(draw(search, found), path, svg=False)[0]
 
 
 def scene_of(search, machine):
