@@ -34,29 +34,6 @@ void particleFrame(benchmark::State& state)
 }
 BENCHMARK(particleFrame)->Unit(benchmark::kMicrosecond);
 
-void statisticsFrame(benchmark::State& state)
-{
-  for (auto _ : state)
-    benchmark::DoNotOptimize(makeStatisticsFrame(manyDisks(), StatisticsWindow()));
-}
-BENCHMARK(statisticsFrame)->Unit(benchmark::kMicrosecond);
-
-void particleMessage(benchmark::State& state)
-{
-  const ParticleFrame frame = makeParticleFrame(manyDisks());
-  for (auto _ : state)
-    benchmark::DoNotOptimize(toMessage(frame));
-}
-BENCHMARK(particleMessage)->Unit(benchmark::kMicrosecond);
-
-void frameOfParticleMessage(benchmark::State& state)
-{
-  const ParticleStates message = toMessage(makeParticleFrame(manyDisks()));
-  for (auto _ : state)
-    benchmark::DoNotOptimize(toFrame(message));
-}
-BENCHMARK(frameOfParticleMessage)->Unit(benchmark::kMicrosecond);
-
 /// As roscpp does for a subscriber.
 void serializedParticleMessage(benchmark::State& state)
 {
@@ -65,14 +42,6 @@ void serializedParticleMessage(benchmark::State& state)
     benchmark::DoNotOptimize(ros::serialization::serializeMessage(toMessage(frame)));
 }
 BENCHMARK(serializedParticleMessage)->Unit(benchmark::kMicrosecond);
-
-/// Eight of them in each period of the drive.
-void temperatures(benchmark::State& state)
-{
-  for (auto _ : state)
-    benchmark::DoNotOptimize(manyDisks().granularTemperatures());
-}
-BENCHMARK(temperatures)->Unit(benchmark::kMicrosecond);
 
 /// Into an lz4 bag, written to the temporary directory.
 void recordedParticleFrame(benchmark::State& state)

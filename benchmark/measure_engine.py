@@ -2,7 +2,6 @@
 """Measures the engine against its targets: collisions per second of processor time of layers of many sizes and of
 single disks, and the memory of a disk. Prints a Markdown table.
 """
-import argparse
 import dataclasses
 import json
 import math
@@ -12,10 +11,9 @@ import statistics
 import subprocess
 import tempfile
 
-import physics
 from ratchet_sieve import documents, origin
+from report import parsed, parser_of, publish
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 LARGE = 38168  # teeth: a million disks
 LARGE_SCENE = '''
 base: {{teeth: {teeth}}}
@@ -116,10 +114,9 @@ def rows(best, times_of, two_jobs, memory, memory_of_two):
     for percent in (25, 50):
         yield Row(f'lognormal.{percent}', f'2000 disks of lognormal radii, σ = {percent / 100:g}: the same', '≤ 2', '',
                   times('wideSizes/1', f'lognormalSizes/{percent}'))
-    if memory:
-        yield Row('bytes_per_disk', '10⁶ disks, one thread: bytes a disk, everything included', '≤ 400', '≤ 250',
-                  f'{memory:.0f}')
-        yield Row('bytes_per_disk_two_threads', 'the same, two threads', '', '', f'{memory_of_two:.0f}')
+    yield Row('bytes_per_disk', '10⁶ disks, one thread: bytes a disk, everything included', '≤ 400', '≤ 250',
+              f'{memory:.0f}')
+    yield Row('bytes_per_disk_two_threads', 'the same, two threads', '', '', f'{memory_of_two:.0f}')
     yield Row('single.collisions', 'single disks (Fig. 3): collisions per second, as many lanes as there are', '8 M',
               '20 M', millions('singleParticles'))
     for lanes in (1, 2, 4, 8):
@@ -131,8 +128,7 @@ def rows(best, times_of, two_jobs, memory, memory_of_two):
 
 
 def table(all_rows, rounds, about):
-    yield (f'{origin.text(about)}; the best of {rounds} '
-           'rounds.')
+    yield f'{origin.text(about)}; the best of {rounds} rounds.'
     yield ''
     yield '| | wanted | hoped for | measured |'
     yield '|---|---|---|---|'
@@ -141,25 +137,13 @@ def table(all_rows, rounds, about):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve', metavar='DIR',
-                        help='where engine_benchmark and sieve_run are')
-    parser.add_argument('--rounds', type=int, default=5, help='repetitions of all benchmarks (default: 5)')
-    parser.add_argument('--without-memory', action='store_true', help='leave out the run of a million disks')
-    parser.add_argument('--write', type=pathlib.Path, metavar='FILE',
-                        help='put the table between the marks of this document')
-    arguments = parser.parse_args()
-    if arguments.write:
-        documents.require_place(parser, arguments.write, 'engine')
-    memory = [None if arguments.without_memory else bytes_per_disk(arguments.programs / 'sieve_run', LARGE, threads)
-              for threads in (1, 2)]
+    arguments = parsed(parser_of(__doc__, rounds=5), 'engine')
+    memory = [bytes_per_disk(arguments.programs / 'sieve_run', LARGE, threads) for threads in (1, 2)]
     program = arguments.programs / 'engine_benchmark'
     two_jobs = two_over_one(program, arguments.rounds)
-    about, all_rows = physics.describe(), list(rows(*collisions(program, arguments.rounds), two_jobs, *memory))
-    text = '\n'.join(table(all_rows, arguments.rounds, about))
-    print(text)
+    about, all_rows = origin.describe_physics(), list(rows(*collisions(program, arguments.rounds), two_jobs, *memory))
+    publish(arguments, 'engine', table(all_rows, arguments.rounds, about))
     if arguments.write:
-        documents.put(arguments.write, 'engine', text)
         documents.quote(arguments.write, 'engine', {row.key: row.measured for row in all_rows}, about)
 
 

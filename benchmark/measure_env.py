@@ -14,8 +14,10 @@ import time
 import numpy as np
 
 import ratchet_sieve as rs
-from ratchet_sieve import _engine, documents, origin, places
+from ratchet_sieve import _engine, origin, places
+from report import parsed, publish
 
+STEP = 1.0   # [s]
 BEGIN = 5.0  # until the feed has filled the base [s]
 
 
@@ -53,19 +55,15 @@ def rate_of_env(env, actions, seconds):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--scene", default=places.SHARE / "config/seek.yaml", metavar="FILE")
     parser.add_argument("--sieves", type=int, default=32)
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     parser.add_argument("--rounds", type=int, default=9)
     parser.add_argument("--seconds", type=float, default=20.0, help="simulated by each sieve in a round (default: 20)")
-    parser.add_argument("--step", type=float, default=1.0, help="[s] (default: 1)")
     parser.add_argument("--write", type=pathlib.Path, metavar="FILE",
                         help="put the table between the marks of this document")
-    arguments = parser.parse_args()
-    if arguments.write:
-        documents.require_place(parser, arguments.write, "env")
-    scene, seconds = rs.Scene.load(arguments.scene), arguments.seconds
-    settings = {"episode": BEGIN + seconds + 1.0, "step": arguments.step}
+    arguments = parsed(parser, "env")
+    scene, seconds = rs.Scene.load(places.SHARE / "config/seek.yaml"), arguments.seconds
+    settings = {"episode": BEGIN + seconds + 1.0, "step": STEP}
     single = rs.env.SieveEnv(scene, **settings)
     many = rs.env.SieveVectorEnv(scene, arguments.sieves, threads=arguments.threads, **settings)
     action = [scene["base.inclination"]]
@@ -80,7 +78,7 @@ def main():
     def ratio(one, other, clock):
         return statistics.median(getattr(row[one], clock) / getattr(row[other], clock) for row in rounds)
 
-    lines = [f"{origin.text()}; {arguments.sieves} sieves, {arguments.threads} threads, steps of {arguments.step:g} s, "
+    lines = [f"{origin.text()}; {arguments.sieves} sieves, {arguments.threads} threads, steps of {STEP:g} s, "
              f"medians of {arguments.rounds} rounds.", "", "| | wall time | processor time |", "|---|---|---|"]
     for name, one, other, threads in (
             ("SieveEnv over one engine", "SieveEnv", "engine", 1),
@@ -88,9 +86,7 @@ def main():
             ("SieveVectorEnv per thread over one engine", "SieveVectorEnv", "engine", arguments.threads)):
         wall, processor = ratio(one, other, "wall") / threads, ratio(one, other, "processor")
         lines.append(f"| {name} | {wall:.2f} | {processor:.2f} |")
-    print("\n".join(lines))
-    if arguments.write:
-        documents.put(arguments.write, "env", "\n".join(lines))
+    publish(arguments, "env", lines)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@
 disks come and go, recorded and not, and one whose disks stay. Needs ROS on the path, but no master: it starts its own.
 Exit status 1 where the memory grows by more than it may.
 """
-import argparse
 import contextlib
 import pathlib
 import re
@@ -15,11 +14,11 @@ import rospy
 import yaml
 
 import ros_processes
-from ratchet_sieve import documents, origin
+from ratchet_sieve import origin
 from ratchet_sieve.msg import BinCounts
 from ratchet_sieve.srv import StepSimulation
+from report import ROOT, parsed, parser_of, publish
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 FED_RECORDED, FED, STAYING = 'fed, recorded', 'fed, not recorded', 'not fed, recorded'
 
@@ -105,22 +104,11 @@ def tables(times, watched):
     yield f'The bags: {sizes}.'
 
 
-def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve',
-                        metavar='DIR', help='where sieve_node is')
-    parser.add_argument('--hours', type=float, default=1.0, help='simulated time (default: 1)')
-    parser.add_argument('--write', type=pathlib.Path, metavar='FILE', help='put the table into this document')
-    parser.add_argument('--short', action='store_true', help='two simulated minutes, for a test')
-    arguments = parser.parse_args()
-    if arguments.write:
-        documents.require_place(parser, arguments.write, 'memory')
-    return arguments
-
-
 def main():
-    arguments = parse_arguments()
-    duration = 120.0 if arguments.short else 3600.0 * arguments.hours
+    parser = parser_of(__doc__)
+    parser.add_argument('--short', action='store_true', help='two simulated minutes, for a test')
+    arguments = parsed(parser, 'memory')
+    duration = 120.0 if arguments.short else 3600.0
     times = [duration * k / 12 for k in range(1, 13)]
     with tempfile.TemporaryDirectory() as directory:
         scratch = pathlib.Path(directory)
@@ -128,11 +116,7 @@ def main():
             rospy.init_node('measure_memory', disable_signals=True, disable_rostime=True)
             watched = {case: watch(client, arguments.programs / 'sieve_node', scratch, case, times)
                        for case in (FED_RECORDED, FED, STAYING)}
-    lines = [f'{origin.text()}.', '',
-             *tables(times, watched)]
-    print('\n'.join(lines))
-    if arguments.write:
-        documents.put(arguments.write, 'memory', '\n'.join(lines))
+    publish(arguments, 'memory', [f'{origin.text()}.', '', *tables(times, watched)])
     return 1 if any([grows(case, rows) for case, (rows, _) in watched.items()]) else 0
 
 

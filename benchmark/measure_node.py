@@ -3,7 +3,6 @@
 Each is a ratio to sieve_run without a bag in the same round, so that other load on the machine counts for both. Exit
 status 1 if a message was lost. Needs ROS on the path, but no master: it starts its own.
 """
-import argparse
 import dataclasses
 import json
 import os
@@ -15,16 +14,13 @@ import tempfile
 import rosbag
 import yaml
 
-import physics
 import ros_processes
 from ratchet_sieve import documents, origin
+from report import ROOT, parsed, parser_of, publish
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 RATE = 60  # frames of each kind per simulated second, the node's default
 STATISTICS_RATE = 10
 
-
-HEADLESS = '`sieve_run`'
 BAG = '`sieve_run --bag`'
 IDLE = '`sieve_node`, nobody subscribed'
 SUBSCRIBED = '`sieve_node`, one subscriber to `~particles`'
@@ -205,22 +201,11 @@ def description(about=None):
     return f'{origin.text(about)}, load {os.getloadavg()[1]:.1f} before the first round'
 
 
-def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve',
-                        metavar='DIR', help='where sieve_run and sieve_node are')
-    parser.add_argument('--rounds', type=int, default=7, help='repetitions of every case (default: 7)')
-    parser.add_argument('--write', type=pathlib.Path, metavar='FILE', help='put the tables into this document')
-    parser.add_argument('--short', action='store_true', help='few disks, one round: test only that nothing is lost')
-    arguments = parser.parse_args()
-    if arguments.write:
-        documents.require_place(parser, arguments.write, 'node')
-    return arguments
-
-
 def main():
-    arguments = parse_arguments()
-    about = physics.describe()
+    parser = parser_of(__doc__, rounds=7)
+    parser.add_argument('--short', action='store_true', help='few disks, one round: test only that nothing is lost')
+    arguments = parsed(parser, 'node')
+    about = origin.describe_physics()
     where = description(about)
     sizes, rounds, starts, single_seconds = [(382, 1.0), (20, 15.0)], arguments.rounds, 50, 20.0
     if arguments.short:
@@ -233,11 +218,9 @@ def main():
         with ros_processes.master(scratch) as client:
             benches = [Bench(arguments.programs, scratch, client, *size) for size in sizes]
             measured = [[bench.round() for _ in range(rounds)] for bench in benches]
-    lines = [where + '. Medians, in brackets the range.', '', *tables(benches, measured, start), '',
-             single_line(single, single_seconds)]
-    print('\n'.join(lines))
+    publish(arguments, 'node', [where + '. Medians, in brackets the range.', '', *tables(benches, measured, start), '',
+                                single_line(single, single_seconds)])
     if arguments.write:
-        documents.put(arguments.write, 'node', '\n'.join(lines))
         documents.quote(arguments.write, 'node', figures(benches, measured, start, single), about)
     return 1 if any(one.lost for rounds in measured for _, compared in rounds for one in compared.values()) else 0
 

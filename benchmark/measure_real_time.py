@@ -3,15 +3,14 @@
 does not: the mixture of Fig. 8, with a listener to each of its topics for programs, while it records. Prints a table.
 Exit status 1 if a message was lost. Needs ROS on the path, but no master: it starts its own.
 """
-import argparse
 import pathlib
 import sys
 import tempfile
 
-import physics
 import ros_processes
-from measure_node import FOR_PROGRAMS, ROOT, Bench, description
-from ratchet_sieve import documents
+from measure_node import FOR_PROGRAMS, Bench, description
+from ratchet_sieve import documents, origin
+from report import parsed, parser_of, publish
 
 # What is asked for: keys of the scene, and parameters of the node.
 METHODS = {'events': ({}, {'real_time_factor': 1.0}),
@@ -61,21 +60,10 @@ def table(rows):
     yield from (row.text(name) for name, row in rows.items())
 
 
-def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve',
-                        metavar='DIR', help='where sieve_node is')
-    parser.add_argument('--rounds', type=int, default=3, help='repetitions of every case (default: 3)')
-    parser.add_argument('--write', type=pathlib.Path, metavar='FILE', help='put the table into this document')
-    parser.add_argument('--short', action='store_true', help='few disks, one round: test only that nothing is lost')
-    arguments = parser.parse_args()
-    if arguments.write:
-        documents.require_place(parser, arguments.write, 'real-time')
-    return arguments
-
-
 def main():
-    arguments = parse_arguments()
+    parser = parser_of(__doc__, rounds=3)
+    parser.add_argument('--short', action='store_true', help='few disks, one round: test only that nothing is lost')
+    arguments = parsed(parser, 'real-time')
     about = description()
     teeth, spans, rounds = SHORT if arguments.short else (TEETH, SPANS, arguments.rounds)
     with tempfile.TemporaryDirectory() as directory:
@@ -87,13 +75,11 @@ def main():
             for _ in range(rounds):
                 for row in rows.values():
                     row.round()
-    lines = [f'{about}. The best of {rounds} rounds.', '', *table(rows)]
-    print('\n'.join(lines))
+    publish(arguments, 'real-time', [f'{about}. The best of {rounds} rounds.', '', *table(rows)])
     if arguments.write:
-        documents.put(arguments.write, 'real-time', '\n'.join(lines))
         known = {f'{key}.{span}': factor for key, name in QUOTED.items()
                  for span, factor in zip(('first', 'after'), rows[name].factors())}
-        documents.quote(arguments.write.with_name('performance.md'), 'real_time', known, physics.describe())
+        documents.quote(arguments.write.with_name('performance.md'), 'real_time', known, origin.describe_physics())
     return 1 if any(row.lost for row in rows.values()) else 0
 
 

@@ -6,16 +6,13 @@ Model: T(p) = alone + (T - alone) / (events / critical events) + 2 windows meeti
 T, of which `alone` is between windows; the critical events of a window are those of the strip with the most and of the
 cut with the most, and p threads meet twice, in a time that grows as their number. It knows nothing of memory.
 """
-import argparse
 import json
-import pathlib
 import statistics
 import subprocess
 
-import physics
 from ratchet_sieve import documents, origin
+from report import parsed, parser_of, publish
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 LAYERS = ((20, '524', '≥ 1', '1.3'), (153, '4,008', '', ''), (382, '10,008', '1.7', '1.9'), (3817, '100,004', '1.8', '1.95'))
 QUEUE, ONE, TWO = range(3)
 MODELLED = ((20, '524'), (382, '10,008'), (3817, '100,004'), (38170, '1,000,054'))
@@ -109,25 +106,12 @@ def model(strips, layers, meeting):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('--programs', type=pathlib.Path, default=ROOT / 'devel/lib/ratchet_sieve', metavar='DIR',
-                        help='where engine_benchmark is')
-    parser.add_argument('--rounds', type=int, default=11, help='repetitions of all benchmarks (default: 11)')
-    parser.add_argument('--write', type=pathlib.Path, metavar='FILE',
-                        help='put the table between the marks of this document')
-    arguments = parser.parse_args()
-    if arguments.write:
-        for place in ('threads', 'threads-model'):
-            documents.require_place(parser, arguments.write, place)
-    program, about = arguments.programs / 'engine_benchmark', physics.describe()
+    arguments = parsed(parser_of(__doc__, rounds=11), 'threads', 'threads-model')
+    program, about = arguments.programs / 'engine_benchmark', origin.describe_physics()
     layers = by_arguments(run(program, 'mixtureOnThreads', arguments.rounds))
     meeting = 1.0 / run(program, 'meetingOfTwoThreads')[0]['meetings']
-    texts = {'threads': '\n'.join(table(layers, arguments.rounds, about)),
-             'threads-model': '\n'.join(model(by_arguments(run(program, 'mixtureInStrips')), layers, meeting))}
-    for name, text in texts.items():
-        print(text)
-        if arguments.write:
-            documents.put(arguments.write, name, text)
+    publish(arguments, 'threads', table(layers, arguments.rounds, about))
+    publish(arguments, 'threads-model', model(by_arguments(run(program, 'mixtureInStrips')), layers, meeting))
     if arguments.write:
         documents.quote(arguments.write, 'threads', figures(layers), about)
 

@@ -7,9 +7,11 @@
 #include <benchmark/benchmark.h>
 
 #include "events/engine.h"
+#include "events/spin_barrier.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 #include "simd/simd_batch.h"
+#include "simd/worker_pool.h"
 
 namespace ratchet_sieve
 {
@@ -201,15 +203,6 @@ void slewing(benchmark::State& state)
 }
 BENCHMARK(slewing)->ArgsProduct({{20, 382}, {0, 1}})->Iterations(6)->Unit(benchmark::kMillisecond);
 
-/// The same disks that do not see each other: what the pairs cost.
-void mixtureWithoutPairs(benchmark::State& state)
-{
-  SceneDefinition scene = test::mixture(262);
-  scene.contact.pair_collisions = false;
-  advance(state, scene, 0.1);
-}
-BENCHMARK(mixtureWithoutPairs)->Unit(benchmark::kMillisecond);
-
 /// Two thousand equal disks and one that is so many times as large.
 void wideSizes(benchmark::State& state)
 {
@@ -224,6 +217,27 @@ void lognormalSizes(benchmark::State& state)
   advance(state, test::lognormalSizes(2000, 0.01 * static_cast<double>(state.range(0))), 0.2);
 }
 BENCHMARK(lognormalSizes)->Arg(25)->Arg(50)->Unit(benchmark::kMillisecond);
+
+/// Two threads that meet and do nothing in between.
+void meetingOfTwoThreads(benchmark::State& state)
+{
+  constexpr int MEETINGS = 10000;
+  WorkerPool pool(2);
+  if (pool.workers() < 2)
+    return state.SkipWithError("the system provides no second thread");
+  for (auto _ : state)
+  {
+    SpinBarrier barrier(2);
+    pool.run(
+        [&](std::size_t)
+        {
+          for (int k = 0; k < MEETINGS; ++k)
+            barrier.wait([] {});
+        });
+  }
+  state.counters["meetings"] = benchmark::Counter(MEETINGS, benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(meetingOfTwoThreads)->UseRealTime();
 
 }  // namespace
 }  // namespace ratchet_sieve

@@ -44,12 +44,12 @@ enter_ros()
   if [ -e /opt/ros/noetic/setup.bash ]; then source_ros /opt/ros/noetic/setup.bash; fi
 }
 
-# Runs ratchet_sieve.PACKAGE of python/ with sieve_sweep as its --program; installs and builds what is
-# missing before, without ROS, but not for --help. IMPORTS, a line of Python, says what the package needs; GROUP, an
+# Runs studies/STUDY.py with sieve_sweep as its --program; installs and builds what is missing before, without ROS,
+# but not for --help. IMPORTS, a line of Python, says what the study needs; GROUP, an
 # argument of scripts/setup, may be empty. SIEVE_SWEEP, where it is set, is the program to use.
 run_with_sieve_sweep()
 {
-  local package=$1 imports=$2 group=$3
+  local study=$1 imports=$2 group=$3
   shift 3
   local without_ros=$build_dir/without_ros
   local program=${SIEVE_SWEEP:-$devel_dir/lib/ratchet_sieve/sieve_sweep}
@@ -66,5 +66,5 @@ run_with_sieve_sweep()
       fi
       ;;
   esac
-  PYTHONPATH=$project_dir/python exec python3 -u -m "ratchet_sieve.$package" --program "$program" "$@"
+  PYTHONPATH=$project_dir/python exec python3 -u "$project_dir/studies/$study.py" --program "$program" "$@"
 }

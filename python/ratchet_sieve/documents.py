@@ -12,7 +12,7 @@ import sys
 
 from ratchet_sieve.places import WORK
 
-DOCUMENTS = ("*.md", "docs/**/*.md", "python/**/*.md")
+DOCUMENTS = ("*.md", "docs/**/*.md", "studies/**/*.md")
 QUOTED = re.compile(r"<!--([\w-]+):([\w.-]+)-->")
 KEY = re.compile(r"[a-z0-9_]+(\.[a-z0-9_]+)*")
 RESERVED = ("date", "version", "machine")

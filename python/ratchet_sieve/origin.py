@@ -3,6 +3,9 @@ import datetime
 import os
 import pathlib
 import platform
+import re
+
+from ratchet_sieve.places import WORK
 
 
 def processor():
@@ -21,6 +24,17 @@ def system():
 def describe():
     """@return the date of today and the machine, as texts"""
     return {"date": str(datetime.date.today()), "machine": f"{processor()}, {os.cpu_count()} cores, {system()}"}
+
+
+def physics():
+    """The version of the physics of this checkout."""
+    header = WORK / "include/ratchet_sieve/core/physics_version.h"
+    return re.search(r"PHYSICS_VERSION = (\d+)", header.read_text(encoding="utf-8")).group(1)
+
+
+def describe_physics():
+    """describe() with the version of the physics that is measured."""
+    return {**describe(), "version": f"physics version {physics()}"}
 
 
 def text(about=None):

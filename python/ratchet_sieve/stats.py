@@ -82,6 +82,26 @@ class Mean:
         return f"{rounded(scale * self.value, decimals)} ± {rounded(scale * self.error, decimals)}"
 
 
+def holm(p_values, level=LEVEL):
+    """Which of several hypotheses are rejected, so that a true one is among them with this probability at most (Holm,
+    Scand. J. Statist. 6, 65 (1979)). @return a truth value for each"""
+    p_values = list(p_values)
+    order = sorted(range(len(p_values)), key=p_values.__getitem__)
+    rejected = [False] * len(p_values)
+    for rank, k in enumerate(order):
+        if p_values[k] > level / (len(p_values) - rank):
+            break
+        rejected[k] = True
+    return rejected
+
+
+def signs(means):
+    """Of each mean: True where it is surely above 0, False where it is surely below, else None; by Holm's method."""
+    means = list(means)
+    sure = holm(1.0 if mean is None else mean.p_value(0.0) for mean in means)
+    return [mean.value > 0.0 if is_sure else None for mean, is_sure in zip(means, sure)]
+
+
 def mean_of(values):
     """@return None where there is no sample @throws ValueError one is no finite number: leave out what is undefined"""
     values = [number(f"values[{k}]", value) for k, value in enumerate(values)]

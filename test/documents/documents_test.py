@@ -19,7 +19,7 @@ from commands import DOCUMENTS, PACKAGE, blocks, code_spans, commands, simple_co
 from plan import BEFORE, GOES_ON, NOT_RUN, SAVED
 from session import Session, lookup
 
-FOLDERS = 'benchmark|config|docs|examples|include|launch|msg|python|rviz|scripts|src|srv|test'
+FOLDERS = 'benchmark|config|docs|examples|include|launch|msg|python|rviz|scripts|src|srv|studies|test'
 SECTIONS = 'base|boundary|gravity|species|pairs|density|contact|pour|feed|initial|accuracy|duration|settle|seed'
 # Files of the user, or created by the commands.
 MADE = {'controller.py', 'fig9.yaml', 'statistics.csv'}
@@ -102,7 +102,7 @@ class Documents(unittest.TestCase):
             for word in words:
                 if re.match(rf'(\./)?({FOLDERS})/[^.]+\.', word):
                     self.see_file(word)
-            if words[0].startswith(('sieve_', './', 'benchmark/', 'python3 -m ', 'scripts/', 'test/')):
+            if words[0].startswith(('sieve_', './', 'benchmark/', 'python3 -m ', 'scripts/', 'studies/', 'test/')):
                 options = {word.split('=')[0].strip('[]….') for word in words if re.match(r'\[?--[a-z]', word)}
                 known = self.options(words[0], words[1] if words[0] == 'sieve_sweep' and len(words) > 1 else '')
                 self.assertLessEqual(options, known, f'{words[0]} has no such option')
@@ -159,7 +159,7 @@ class Documents(unittest.TestCase):
 
     @staticmethod
     def programs():
-        scripts = [str(path.relative_to(PACKAGE)) for folder in ('scripts', 'benchmark', 'test/stability')
+        scripts = [str(path.relative_to(PACKAGE)) for folder in ('scripts', 'benchmark', 'studies', 'test/stability')
                    for path in sorted((PACKAGE / folder).iterdir())
                    if path.is_file() and re.search('--help|argparse', path.read_text()) and path.stat().st_mode & 0o100]
         return scripts + [path.name for path in sorted((DEVEL / 'lib/ratchet_sieve').glob('sieve_*'))

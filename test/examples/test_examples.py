@@ -16,7 +16,6 @@ QUICK = {
     "first_steps": ("DURATION, INCLINATIONS, SEEDS, FILM = 4.0, [0.1, 0.2], 2, 0.2", 2),
     "my_two_grains": ("DURATION, INCLINATIONS, FREQUENCIES, SEEDS, FRESH = 20.0, [0.1, 0.14, 0.18], [20.0, 23.0], 2, 3",
                       5),
-    "fig9": ("ONLY = {'base.teeth': [20], 'density': [0.5, 1], 'base.inclination': [0.18, 0.2, 0.22]}; SEEDS = 4", 1),
     "controller": ("DURATION, CHANGE, SEEDS = 40.0, 20.0, [1, 2]", 1),
 }
 

@@ -3,7 +3,7 @@ import random
 import statistics
 import unittest
 
-from ratchet_sieve.stats import Mean, chi_squared_tail, jackknife, mean_of, quantile, two_sided, variance_of
+from ratchet_sieve.stats import Mean, chi_squared_tail, holm, jackknife, mean_of, quantile, signs, two_sided, variance_of
 
 
 class Means(unittest.TestCase):
@@ -67,6 +67,14 @@ class Means(unittest.TestCase):
         variance = variance_of([draws.gauss(0.0, 2.0) for _ in range(20000)])
         self.assertAlmostEqual(variance.value, 4.0, delta=3.0 * variance.error)
         self.assertAlmostEqual(variance.error, 4.0 * math.sqrt(2.0 / 20000.0), delta=0.003)  # sigma^2 sqrt(2 / n)
+
+    def test_holm_of_the_textbook(self):
+        self.assertEqual(holm([0.01, 0.04, 0.03, 0.005]), [True, False, False, True])
+        self.assertEqual(holm([0.04]), [True])
+        self.assertEqual(holm([0.03, 0.03]), [False, False])
+
+    def test_a_mean_without_an_error_has_no_sure_sign(self):
+        self.assertEqual(signs([None, Mean(1.0, None, 1), Mean(1.0, 0.01, 8)]), [None, None, True])
 
     def test_chi_squared_has_the_tail_of_print(self):
         # Abramowitz and Stegun, table 26.8.

@@ -30,10 +30,6 @@ struct Plan
 /// followed even if the plan has no `drive`: BaseMotion checks for that in each segment.
 Plan planOf(const SceneDefinition& scene);
 
-/// The plan with all parts that do not change the results, for tests and measurements of planOf(). `pairs`
-/// and the kind of drive follow the scene; `simd` is as in planOf().
-Plan fullPlan(const SceneDefinition& scene);
-
 /// Whether `plan` gives the results of the scene: it includes all that the scene needs, and SIMD only for
 /// scenes that support it.
 bool covers(const Plan& plan, const SceneDefinition& scene);

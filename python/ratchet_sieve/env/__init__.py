@@ -1,4 +1,4 @@
-"""Sieves to be controlled, and to learn from: environments with the interfaces of Gymnasium.
+"""Sieves to be controlled, and to learn from: environments with the methods of Gymnasium's.
 
     import ratchet_sieve as rs
     env = rs.env.SieveEnv(rs.Scene.load("config/seek.yaml"), step=1.0, episode=100.0)
@@ -9,10 +9,9 @@
 
 Where gymnasium is installed, they are derived from its classes. Documentation: docs/python_env.md.
 """
-from .interface import AutoresetMode, Box
 from .readings import Readings
 from .single import SieveEnv
 from .task import Task
 from .vector import SieveVectorEnv
 
-__all__ = ["AutoresetMode", "Box", "Readings", "SieveEnv", "SieveVectorEnv", "Task"]
+__all__ = ["Readings", "SieveEnv", "SieveVectorEnv", "Task"]

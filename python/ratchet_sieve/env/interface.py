@@ -1,24 +1,27 @@
-"""The classes of Gymnasium, or where it is not installed stand-ins with the same contract."""
+"""The classes of Gymnasium that the environments are derived from; where it is not installed, none."""
 from __future__ import annotations
 
-import enum
+from typing import Any, NamedTuple
+
+import numpy as np
 
 try:
     from gymnasium import Env
     from gymnasium.spaces import Box
-    from gymnasium.utils.seeding import np_random
     from gymnasium.vector import VectorEnv
 except ImportError:
-    from .stand_ins import Box, Env, VectorEnv, np_random
+    Env = VectorEnv = object
+
+    class Box(NamedTuple):
+        """The bounds of the elements of an array."""
+
+        low: np.ndarray
+        high: np.ndarray
+        dtype: Any
 
 try:
     from gymnasium.vector import AutoresetMode
 except ImportError:
-    class AutoresetMode(enum.Enum):
-        """When a sieve whose episode has ended begins the next one."""
+    AutoresetMode = None
 
-        NEXT_STEP = "NextStep"
-        SAME_STEP = "SameStep"
-        DISABLED = "Disabled"
-
-__all__ = ["AutoresetMode", "Box", "Env", "VectorEnv", "np_random"]
+__all__ = ["AutoresetMode", "Box", "Env", "VectorEnv"]

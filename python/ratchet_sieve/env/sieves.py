@@ -6,8 +6,8 @@ from typing import Any, Mapping, Optional, Sequence
 import numpy as np
 
 from .. import _engine
+from ..arguments import integer
 from ..simulation import Simulation
-from .interface import np_random
 from .task import Task
 
 
@@ -98,4 +98,5 @@ def episode_seed(random: np.random.Generator) -> int:
 
 
 def generator(seed: Optional[int]) -> np.random.Generator:
-    return np_random(seed)[0]
+    """The same as Gymnasium's. Raises ValueError."""
+    return np.random.default_rng(None if seed is None else integer("seed", seed))

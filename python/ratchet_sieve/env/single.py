@@ -9,7 +9,7 @@ from ..scene import Scene
 from ..simulation import Simulation
 from ..values import Values
 from .interface import Env
-from .sieves import Sieves, episode_seed
+from .sieves import Sieves, episode_seed, generator
 from .task import Task
 
 ONE = np.zeros(1, dtype=np.int64)
@@ -19,8 +19,10 @@ RENDER_MODES = ("rgb_array",)
 class SieveEnv(Env):
     """A sieve under command, with the interface of gymnasium.Env.
 
-    action_space       Box (quantities,) of float64, SI units: setpoints of the base. An action outside is refused
-    observation_space  Box (elements,) of float64, SI units; finite always
+    action_space       low and high of its elements (quantities,), SI units: setpoints of the base. An action outside
+                       is refused
+    observation_space  low and high of its elements (elements,), SI units; finite always. Where Gymnasium is installed,
+                       both are its Box
     observation_names  of the elements of an observation
     """
 
@@ -39,6 +41,7 @@ class SieveEnv(Env):
         self._sieves = Sieves(self.task, 1, 1)
         self._closed = False
         self._ended = True
+        self._np_random = generator(None)  # Gymnasium's np_random
 
     def reset(self, *, seed: Optional[int] = None,
               options: Optional[Mapping[str, Any]] = None) -> tuple[np.ndarray, dict[str, Any]]:
@@ -49,8 +52,9 @@ class SieveEnv(Env):
         Returns the observation and {"time": 0.0, "seed": of the episode's scene}. Raises ValueError, SceneError.
         """
         self._require_open()
-        super().reset(seed=seed)
-        self._sieves.begin(ONE, [episode_seed(self.np_random)], options)
+        if seed is not None:
+            self._np_random, self._np_random_seed = generator(seed), seed
+        self._sieves.begin(ONE, [episode_seed(self._np_random)], options)
         self._ended = False
         return self._observation(), self._sieves.info(0)
 
@@ -114,6 +118,16 @@ def metadata_of(task: Task) -> dict[str, Any]:
 
 
 def picture_of(simulation: Simulation) -> np.ndarray:
-    from .picture import pixels
+    """The machine at its time: an array (height, width, 3) of uint8."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
 
-    return pixels(simulation)
+    from ..plots import pictures
+
+    figure = Figure(figsize=(8.0, 4.0), dpi=100)
+    canvas = FigureCanvasAgg(figure)
+    axes = figure.subplots()
+    pictures.draw(Values(frames=(), simulation=simulation, scene=simulation.scene), -1, axes)
+    axes.set_title(f"{simulation.time:.3f} s")
+    canvas.draw()
+    return np.asarray(canvas.buffer_rgba())[..., :3].copy()

@@ -12,6 +12,8 @@ from .sieves import Sieves, episode_seed, generator
 from .single import metadata_of, picture_of, require_render_mode
 from .task import Task
 
+AUTORESET = ("next_step", "same_step", "disabled")
+
 
 class SieveVectorEnv(VectorEnv):
     """n sieves on all cores, with the interface of gymnasium.vector.VectorEnv. A step is one call of C++.
@@ -32,16 +34,21 @@ class SieveVectorEnv(VectorEnv):
     """
 
     def __init__(self, scene: Scene, n: int, *, threads: int = 0,
-                 autoreset: Union[str, AutoresetMode] = "next_step", render_mode: Optional[str] = None,
+                 autoreset: str = "next_step", render_mode: Optional[str] = None,
                  **settings: Any):
         """@param threads 0: one per processor @param settings see Task. Raises ValueError, SceneError."""
         if isinstance(n, bool) or not isinstance(n, (int, np.integer)) or n < 1:
             raise ValueError(f"n = {n!r}: must be an int of 1 or more")
         require_render_mode(render_mode)
         self.render_mode = render_mode
-        self.autoreset_mode = _mode(autoreset)
+        self.autoreset = str(getattr(autoreset, "name", autoreset)).lower()  # Gymnasium's AutoresetMode has a name
+        if self.autoreset not in AUTORESET:
+            raise ValueError(f"autoreset = {autoreset!r}: must be {', '.join(AUTORESET)}")
         self.task = Task(scene, **settings)
-        self.metadata = {**metadata_of(self.task), "autoreset_mode": self.autoreset_mode}
+        self.metadata = metadata_of(self.task)
+        if AutoresetMode is not None:
+            self.metadata["autoreset_mode"] = AutoresetMode[self.autoreset.upper()]
+        self.closed = False
         self.num_envs = int(n)
         self.single_action_space = self.task.actions.space
         self.single_observation_space = self.task.observations.space
@@ -83,8 +90,9 @@ class SieveVectorEnv(VectorEnv):
         self._require_open()
         self._require_episodes()
         actions = np.asarray(actions)
-        if actions.shape != self.action_space.shape:
-            raise ValueError(f"actions of shape {actions.shape}: must be {self.action_space.shape}")
+        wanted = (self.num_envs, *self.single_action_space.low.shape)
+        if actions.shape != wanted:
+            raise ValueError(f"actions of shape {actions.shape}: must be {wanted}")
         rewards = np.zeros(self.num_envs)
         terminated, truncated = np.zeros(self.num_envs, dtype=bool), np.zeros(self.num_envs, dtype=bool)
         going, again = np.flatnonzero(~self._ended), np.flatnonzero(self._ended)
@@ -93,7 +101,7 @@ class SieveVectorEnv(VectorEnv):
         self._begin_again(again)
         self._ended = terminated | truncated
         last = {}
-        if self.autoreset_mode is AutoresetMode.SAME_STEP and self._ended.any():
+        if self.autoreset == "same_step" and self._ended.any():
             last = self._end_now(np.flatnonzero(self._ended))
         return self._observations(), rewards, terminated, truncated, {**self._infos(range(self.num_envs)), **last}
 
@@ -127,7 +135,9 @@ class SieveVectorEnv(VectorEnv):
             raise RuntimeError("there are no episodes: call reset() first")
         return tuple(picture_of(simulation) for simulation in self._sieves.simulations)
 
-    def close_extras(self, **keywords: Any) -> None:
+    def close(self, **keywords: Any) -> None:
+        """Lets go of the simulations."""
+        self.closed = True
         self._sieves.close()
 
     def _observations(self) -> np.ndarray:
@@ -173,21 +183,12 @@ class SieveVectorEnv(VectorEnv):
     def _require_episodes(self) -> None:
         if self._ended is None:
             raise RuntimeError("there are no episodes: call reset() first")
-        if self.autoreset_mode is AutoresetMode.DISABLED and self._ended.any():
+        if self.autoreset == "disabled" and self._ended.any():
             raise RuntimeError(f"the episode of sieve {np.flatnonzero(self._ended)[0]} has ended: call reset() with "
                                "options={\"reset_mask\": ...} first")
 
     def __repr__(self) -> str:
         return f"<SieveVectorEnv of {self.task.scene.source}: {self.num_envs} sieves>"
-
-
-def _mode(autoreset: Union[str, AutoresetMode]) -> AutoresetMode:
-    if isinstance(autoreset, AutoresetMode):
-        return autoreset
-    modes = {mode.name.lower(): mode for mode in AutoresetMode}
-    if autoreset not in modes:
-        raise ValueError(f"autoreset = {autoreset!r}: must be {', '.join(modes)}")
-    return modes[autoreset]
 
 
 def _rows(space: Box, count: int) -> Box:

@@ -58,16 +58,6 @@ Plan planOf(const SceneDefinition& scene)
   return plan;
 }
 
-Plan fullPlan(const SceneDefinition& scene)
-{
-  Plan plan;
-  plan.pairs = scene.contact.pair_collisions;
-  plan.steps = planOf(scene).steps;
-  plan.orbit = planOf(scene).orbit;
-  plan.simd = planOf(scene).simd;
-  return plan;
-}
-
 bool covers(const Plan& plan, const SceneDefinition& scene)
 {
   const Plan needed = planOf(scene);

@@ -56,17 +56,16 @@ describe('the rules', () => {
 
 describe('with reduced motion', () => {
   const browser = useBrowser({calm: true});
-  for (const name of ['demo', 'many', 'sizes'])
-    it(`a page does not play by itself: ${name}`, async () => {
-      const {page} = await openPage(browser(), name);
-      const time = await page.evaluate(() => window.ratchetSieve.time);
-      await new Promise(done => setTimeout(done, A_WHILE));
-      const later = await page.evaluate(() => [window.ratchetSieve.playing, window.ratchetSieve.time]);
-      assert.deepEqual(later, [false, time]);
-      await page.evaluate(() => window.ratchetSieve.play());
-      await goesOn(page, time);
-      await page.close();
-    });
+  it('a page does not play by itself', async () => {
+    const {page} = await openPage(browser(), 'demo');
+    const time = await page.evaluate(() => window.ratchetSieve.time);
+    await new Promise(done => setTimeout(done, A_WHILE));
+    const later = await page.evaluate(() => [window.ratchetSieve.playing, window.ratchetSieve.time]);
+    assert.deepEqual(later, [false, time]);
+    await page.evaluate(() => window.ratchetSieve.play());
+    await goesOn(page, time);
+    await page.close();
+  });
 });
 
 describe('on a phone', () => {

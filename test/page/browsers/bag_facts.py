@@ -12,16 +12,12 @@ TIMES = 5
 BASE_FIELDS = ('time', 'inclination', 'frequency', 'amplitude', 'phase', 'displacement', 'horizontal_displacement')
 
 
-def messages(bags, kind):
-    """The messages of a type, by time; files of a split bag repeat some."""
-    found = {}
-    for path in bags:
-        with rosbag.Bag(str(path)) as bag:
-            topics = [topic for topic, about in bag.get_type_and_topic_info().topics.items()
-                      if about.msg_type == f'ratchet_sieve/{kind}']
-            for _, message, _ in bag.read_messages(topics=topics) if topics else ():
-                found[message.time] = message
-    return [found[time] for time in sorted(found)]
+def messages(path, kind):
+    """The messages of a type, in their order."""
+    with rosbag.Bag(str(path)) as bag:
+        topics = [topic for topic, about in bag.get_type_and_topic_info().topics.items()
+                  if about.msg_type == f'ratchet_sieve/{kind}']
+        return [message for _, message, _ in bag.read_messages(topics=topics)] if topics else []
 
 
 def spread(times):
@@ -43,11 +39,11 @@ def bins_of(message):
             'processed': message.processed if message.processed_defined else None}
 
 
-def facts(bags):
+def facts(bag):
     """The scene, the base and the bins at every recorded time, the disks at some."""
-    description = messages(bags, 'SceneDescription')[0]
+    description = messages(bag, 'SceneDescription')[0]
     scene = yaml.safe_load(description.yaml)
-    particles = {message.time: message for message in messages(bags, 'ParticleStates')}
+    particles = {message.time: message for message in messages(bag, 'ParticleStates')}
     return {
         'scene': scene,
         'yaml': description.yaml,
@@ -56,6 +52,6 @@ def facts(bags):
         'version': description.version,
         'times': sorted(particles),
         'frames': [{'time': time, 'disks': disks_of(particles[time], scene)} for time in spread(sorted(particles))],
-        'base': [{name: getattr(message, name) for name in BASE_FIELDS} for message in messages(bags, 'BaseState')],
-        'bins': [bins_of(message) for message in messages(bags, 'BinCounts')],
+        'base': [{name: getattr(message, name) for name in BASE_FIELDS} for message in messages(bag, 'BaseState')],
+        'bins': [bins_of(message) for message in messages(bag, 'BinCounts')],
     }

@@ -92,28 +92,10 @@ describe('keys', () => {
     assert.equal((await state(page)).speed, 0);
     await page.close();
   });
-
-  it('Escape ends following', async () => {
-    const {page} = await openStill(browser(), 'demo');
-    const id = factsOf('demo').frames[0].disks[5].id;
-    await page.evaluate(disk => window.ratchetSieve.follow(disk), id);
-    assert.equal((await state(page)).followed, id);
-    assert.equal((await press(page, 'Escape')).followed, null);
-    await page.close();
-  });
 });
 
 describe('the pointer', () => {
   const browser = useBrowser();
-
-  it('starts and pauses by the button', async () => {
-    const {page} = await openStill(browser(), 'demo');
-    await page.click('#play');
-    assert.equal((await state(page)).playing, true);
-    await page.click('#play');
-    assert.deepEqual([(await state(page)).playing, (await state(page)).pressed], [false, 'false']);
-    await page.close();
-  });
 
   it('the slider shows and sets the time', async () => {
     const {page} = await openStill(browser(), 'demo');

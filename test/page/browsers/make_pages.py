@@ -4,7 +4,6 @@
 Usage: make_pages.py PROGRAMS CONFIG OUT
 """
 import json
-import os
 import pathlib
 import shutil
 import subprocess
@@ -12,8 +11,6 @@ import sys
 
 import rosbag
 from bag_facts import facts
-
-from ratchet_sieve.processes import free_port
 
 HERE = pathlib.Path(__file__).resolve().parent
 # Texts that are programs where somebody takes them for HTML.
@@ -47,35 +44,25 @@ class Pages:
     def program(self, name, *arguments):
         subprocess.run([self.programs / name, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
 
-    def page(self, name, bags):
-        """The page of bags, and the facts."""
-        self.program('sieve_analyze', *bags, '--html', self.out / f'{name}.html')
-        (self.out / f'{name}.json').write_text(json.dumps(facts(bags), allow_nan=False))
+    def page(self, name, bag):
+        """The page of a bag, and the facts."""
+        self.program('sieve_analyze', bag, '--html', self.out / f'{name}.html')
+        (self.out / f'{name}.json').write_text(json.dumps(facts(bag), allow_nan=False))
 
     def run(self, name, scene, *options):
-        """Runs a scene into a bag and makes the page of it."""
+        """Runs a scene. @return its bag"""
         bag = self.out / f'{name}.bag'
         self.program('sieve_run', scene, '--bag', bag, *options)
-        self.page(name, [bag])
-
-    def split(self, name):
-        port = str(free_port())
-        environment = {**os.environ, 'ROS_MASTER_URI': f'http://localhost:{port}', 'ROS_HOSTNAME': 'localhost',
-                       'ROS_HOME': str(self.out / 'ros'), 'ROS_LOG_DIR': str(self.out / 'ros/log')}
-        subprocess.run(['roslaunch', '--port', port, HERE / 'split.launch', f'record:={self.out / name}.bag'],
-                       check=True, env=environment, stdout=subprocess.DEVNULL)
-        bags = sorted(self.out.glob(f'{name}_*.bag'))
-        assert len(bags) > 1, f'the run was not split: {bags}'
-        self.page(name, bags)
+        return bag
 
     def hostile(self, name, source):
         """A bag whose texts, as far as sieve_analyze takes them, are program text; so is its file's name."""
         bag = self.out / f'{IMAGE}.bag'
-        with rosbag.Bag(str(self.out / f'{source}.bag')) as given, rosbag.Bag(str(bag), 'w') as changed:
+        with rosbag.Bag(str(source)) as given, rosbag.Bag(str(bag), 'w') as changed:
             for topic, message, time in given.read_messages():
                 make_hostile(message)
                 changed.write(topic, message, time)
-        self.page(name, [bag])
+        self.page(name, bag)
 
     def sweep(self, name):
         """The report of a sweep whose file's name is program text, and the pages of its runs."""
@@ -91,19 +78,9 @@ def main():
     pages = Pages(*sys.argv[1:])
     shutil.rmtree(pages.out, ignore_errors=True)
     pages.out.mkdir(parents=True)
-    tilted = [pages.config / 'demo.yaml', '--set', 'base.inclination=0.19']
-    pages.run('demo', *tilted)
-    pages.program('sieve_run', *tilted, '--html', pages.out / 'direct.html')
-    pages.program('sieve_run', *tilted, '--set', 'density=null', '--set', 'feed.rate=40',
-                  '--set', 'species.0.count=0', '--set', 'species.1.count=0', '--duration', 2,
-                  '--html', pages.out / 'fed.html')
-    pages.split('split')
-    pages.run('singles', pages.config / 'paper_fig3.yaml', '--duration', 2)
-    pages.run('many', pages.config / 'paper_fig8.yaml', '--set', 'base.teeth=382', '--set', 'settle=0',
-              '--duration', 1, '--bag-rate', 30)
-    pages.run('sizes', HERE / 'sizes.yaml')
-    pages.run('observed', HERE / 'observed.yaml')
-    pages.hostile('hostile', 'observed')
+    pages.page('demo', pages.run('demo', pages.config / 'demo.yaml', '--set', 'base.inclination=0.19'))
+    pages.page('sizes', pages.run('sizes', HERE / 'sizes.yaml'))
+    pages.hostile('hostile', pages.run('observed', HERE / 'observed.yaml'))
     pages.sweep('sweep')
 
 

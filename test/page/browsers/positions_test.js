@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {describe, it} from 'node:test';
 import {baseAt, heightAbove} from './support/base.js';
-import {DIRECT, RUNS, factsOf, openStill} from './support/pages.js';
+import {RUNS, factsOf, openStill} from './support/pages.js';
 import {useBrowser} from './support/session.js';
 
 const SAME_TIME = 1e-9;     // s
@@ -54,9 +54,9 @@ function timesBetween(facts)
 
 describe('at recorded times', () => {
   const browser = useBrowser();
-  for (const name of [...RUNS, DIRECT])
+  for (const name of RUNS)
     it(`the disks are the bag's: ${name}`, async () => {
-      const facts = factsOf(name === DIRECT ? 'demo' : name);
+      const facts = factsOf(name);
       const {page} = await openStill(browser(), name);
       const resolution = await page.evaluate(() => window.ratchetSieve.resolution);
       assert.ok(resolution > 0 && resolution <= FINE_ENOUGH * smallestRadius(facts), `resolution ${resolution}`);
@@ -79,8 +79,6 @@ describe('between recorded times', () => {
       let looked = 0;
       for (const time of timesBetween(facts)) {
         const base = baseAt(facts.base, time);
-        if (!base.steady)
-          continue;
         for (const disk of await disksAt(page, time)) {
           const height = heightAbove(facts.scene, base, disk.x, disk.y);
           if (height === undefined)

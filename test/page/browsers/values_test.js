@@ -1,7 +1,7 @@
 // Q and P of a page at a time are those of the bag; so are its scene and where it comes from.
 import assert from 'node:assert/strict';
 import {describe, it} from 'node:test';
-import {DIRECT, FED, HOSTILE, RUNS, factsOf, openStill, seek} from './support/pages.js';
+import {HOSTILE, RUNS, factsOf, openStill, seek} from './support/pages.js';
 import {useBrowser} from './support/session.js';
 
 const UNDEFINED = 'undefined';
@@ -32,9 +32,9 @@ function spread(bins)
 
 describe('Q and P', () => {
   const browser = useBrowser();
-  for (const name of [...RUNS, DIRECT])
+  for (const name of RUNS)
     it(`are the bag's at scrubbed times: ${name}`, async () => {
-      const facts = factsOf(name === DIRECT ? 'demo' : name);
+      const facts = factsOf(name);
       const {page} = await openStill(browser(), name);
       const frames = new Set(await page.evaluate(() => window.ratchetSieve.frames.map(time => time.toFixed(9))));
       const bins = facts.bins.filter(frame => frames.has(frame.time.toFixed(9)));
@@ -60,23 +60,6 @@ describe('Q and P', () => {
     const last = facts.bins.at(-1);
     assert.ok(last.quality > 0.5);
     assertShown(await textOf(page, 'quality'), last.quality, 'Q at the end');
-    await page.close();
-  });
-});
-
-describe('at a glance', () => {
-  const browser = useBrowser();
-  it('a machine that is only fed has disks', async () => {
-    const {page} = await openStill(browser(), FED);
-    assert.ok(await page.evaluate(() => window.ratchetSieve.disks().length) > 0);
-    await page.close();
-  });
-
-  it('the legend tells the bins apart', async () => {
-    const {page} = await openStill(browser(), 'demo');
-    const styles = await page.$$eval('.u-legend .u-label', labels => Object.fromEntries(
-      labels.map(label => [label.textContent, getComputedStyle(label.parentElement.querySelector('.u-marker')).borderTopStyle])));
-    assert.deepEqual([styles['A left'], styles['A right']], ['dashed', 'solid']);
     await page.close();
   });
 });

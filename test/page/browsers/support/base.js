@@ -5,7 +5,7 @@ function corners({tooth_width: width, tooth_height: height, asymmetry, profile})
   return profile ?? [[0, 0], [asymmetry * width, height], [width, 0]];
 }
 
-/// The drive between two recorded instants at which f and A were the same.
+/// The drive between two recorded instants: f and A stay the same.
 export function baseAt(frames, time)
 {
   const k = frames.findLastIndex(frame => frame.time <= time);
@@ -13,7 +13,6 @@ export function baseAt(frames, time)
   const share = to.time > from.time ? (time - from.time) / (to.time - from.time) : 0;
   const phase = from.phase + 2 * Math.PI * from.frequency * (time - from.time);
   return {
-    steady: from.frequency === to.frequency && from.amplitude === to.amplitude,
     inclination: from.inclination + share * (to.inclination - from.inclination),
     displacement: from.amplitude * Math.sin(phase),
   };

@@ -6,13 +6,11 @@ import {watch} from './watch.js';
 
 const DIRECTORY = path.resolve(process.env.PAGE_TEST_PAGES ?? '.');
 
-/// Pages of runs with their facts; the same run without a bag; texts that are programs; a sweep.
-export const RUNS = ['demo', 'split', 'singles', 'many', 'sizes', 'observed'];
-export const DIRECT = 'direct';
-export const FED = 'fed';
+/// Pages of runs with their facts; texts that are programs; a sweep.
+export const RUNS = ['demo', 'sizes'];
 export const HOSTILE = 'hostile';
 export const SWEEP = 'sweep/report';
-export const ALL = [...RUNS, DIRECT, FED, HOSTILE, SWEEP];
+export const ALL = [...RUNS, HOSTILE, SWEEP];
 
 const PATIENCE = 10000;  // ms
 

@@ -1,1 +1,0 @@
-"""Searches for the machine that separates best: see __main__.py."""

@@ -1,1 +1,0 @@
-"""Studies: sweeps of runs, the claims that they test, their pictures, and the documents made from them."""

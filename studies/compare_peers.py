@@ -1,0 +1,84 @@
+#!/usr/bin/python3
+"""Runs one scene in this project and in other programs, one after another, and writes the table.
+
+The scene is the mixture of Fig. 8 at theta = 0: peers/mixture_scene.cpp. The table names programs that are not
+installed. In full it takes less than ten minutes. Drawing needs matplotlib.
+"""
+import argparse
+import json
+import pathlib
+import sys
+
+from ratchet_sieve import documents, origin
+from peers import edmd, picture, runs, table
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+REPETITIONS = 3  # of each row, taken in turns
+
+
+def read_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("programs", type=pathlib.Path, metavar="DIR",
+                        help="where ratchet_mixture and the others are: devel/lib/ratchet_sieve after scripts/build")
+    parser.add_argument("--edmd", type=pathlib.Path, metavar="DIR",
+                        help="a checkout of github.com/FSmallenburg/EDMD: compare collisions per second with it, "
+                             "too; some minutes more")
+    parser.add_argument("--write", type=pathlib.Path, metavar="FILE",
+                        help="put the table between the marks of this document")
+    parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="write every run as JSON into DIR/peers.json")
+    parser.add_argument("--picture", type=pathlib.Path, metavar="FILE",
+                        help="draw drift over time for many steps, and write ../data/peers.csv beside it: some minutes "
+                             "more")
+    parser.add_argument("--short", action="store_true", help="test whether it runs: its figures mean nothing")
+    parser.add_argument("--draw-only", action="store_true",
+                        help="run nothing: draw docs/images/peers.png from docs/data/peers.csv")
+    arguments = parser.parse_args()
+    if not (arguments.programs / "ratchet_mixture").exists() and not arguments.draw_only:
+        parser.error(f"{arguments.programs} holds no ratchet_mixture: build with -DRATCHET_SIEVE_BENCHMARKS=ON")
+    if arguments.write:
+        for place in ["peers"] + (["edmd"] if arguments.edmd else []):
+            documents.require_place(parser, arguments.write, place)
+    return arguments
+
+
+def take_runs(arguments):
+    found, missing = runs.rows(arguments.programs)
+    taken = runs.in_turns(found, 1 if arguments.short else REPETITIONS, arguments.short)
+    if arguments.picture:
+        taken += runs.in_turns(runs.sweep(arguments.programs), 1, arguments.short)
+    beside_edmd = edmd.in_turns(arguments.programs, arguments.edmd, REPETITIONS,
+                                arguments.short) if arguments.edmd else []
+    return {"machine": origin.describe_physics(), "missing": missing, "runs": taken, "edmd": beside_edmd,
+            "libraries": table.libraries(arguments.programs, taken)}
+
+
+def main():
+    arguments = read_arguments()
+    if arguments.draw_only:
+        picture.draw(picture.read(ROOT / "docs/data/peers.csv"), ROOT / "docs/images/peers.png")
+        return
+    taken = take_runs(arguments)
+    if arguments.out:
+        arguments.out.mkdir(parents=True, exist_ok=True)
+        (arguments.out / "peers.json").write_text(json.dumps(taken, indent=1) + "\n")
+    text = table.render(taken)
+    if arguments.write:
+        documents.put(arguments.write, "peers", text)
+        documents.quote(arguments.write, "peers", table.figures(taken), taken["machine"])
+    print(text)
+    if taken["edmd"]:
+        beside_edmd = edmd.render(taken["edmd"], taken["machine"])
+        if arguments.write:
+            documents.put(arguments.write, "edmd", beside_edmd)
+            documents.quote(arguments.write, "edmd", edmd.figures(taken["edmd"]), taken["machine"])
+        print(beside_edmd)
+    if arguments.picture:
+        data = arguments.picture.parent.parent / "data/peers.csv"
+        picture.write(data, picture.of_runs(taken["runs"], taken["machine"]))
+        picture.draw(picture.read(data), arguments.picture)
+    if any(run["program"] == runs.OURS and (run["lost"] or run["behind_base"]) for run in taken["runs"]):
+        sys.exit("this project has lost a disk")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,79 @@
+"""Addition A9: how much of what Fig. 9's quality lacks of 1 comes from disks that start near the wrong end."""
+import dataclasses
+
+from ratchet_sieve import plots
+from ratchet_sieve.tables import Rows, joined
+from ratchet_sieve.texts import table
+from curves import best_of
+from study import Picture, Study, Sweep
+import verdicts
+
+THETA = "base.inclination"
+FROM, TO = "pour.from", "pour.to"
+SHARE = 1.0 / 3.0  # of the loss on the whole base: at most this is left with a chute
+
+
+def name(place):
+    return f"{place[0]:g} to {place[1]:g} m"
+
+
+def best_place(groups):
+    """The best pair of place and θ: one half of the seeds chooses it, the other gives Q, both ways."""
+    pairs = sorted((place, theta) for place, group in groups.items() for theta in group.values(THETA))
+    frame = joined(*groups.values()).frame
+    rows = Rows(frame.assign(pair=[float(pairs.index(((a, b), theta))) for a, b, theta in
+                                   zip(frame[FROM], frame[TO], frame[THETA])]))
+    best = best_of(rows, "pair", "quality")
+    return pairs[int(best.at)], best.mean
+
+
+def evaluate(rows):
+    """@return of each place of the pour: Q over θ, and the best Q; and the best of all places but the whole base"""
+    groups = dict(sorted(rows["paper_fig9_chute"].by(FROM, TO).items()))
+    whole = max(groups, key=lambda place: place[1] - place[0])
+    return {"whole": whole,
+            "Q": {place: [(theta, own.mean("quality")) for theta, own in sorted(group.by(THETA).items())]
+                  for place, group in groups.items()},
+            "best": {place: best_of(group, THETA, "quality") for place, group in groups.items()},
+            "chosen": best_place({place: group for place, group in groups.items() if place != whole})}
+
+
+def draw(numbers):
+    figure, axes = plots.panels(1, 1, (6.4, 3.8))
+    chutes = [place for place in numbers["Q"] if place != numbers["whole"]]
+    plots.curve(axes, numbers["Q"][numbers["whole"]], color=plots.GREY, label="the whole base")
+    for place, colour in zip(chutes, plots.ramp(len(chutes))):
+        plots.curve(axes, numbers["Q"][place], color=colour, label=name(place))
+    axes.set(xlabel=r"$\theta$ [rad]", ylabel="quality $Q$ after 100 s")
+    axes.legend(title="poured onto")
+    return figure
+
+
+def loss(mean):
+    """1 − Q."""
+    return dataclasses.replace(mean, value=1.0 - mean.value)
+
+
+def claims(numbers):
+    (place, theta), mean = numbers["chosen"]
+    whole = numbers["best"][numbers["whole"]].mean
+    says = (f"poured onto {name(place)}, at θ = {theta:g}: 1 − Q ({loss(mean).text()}) less a third of that of the whole "
+            f"base at its best θ ({loss(whole).text()}) is below 0")
+    return [verdicts.Claim("A9", "Fig. 9", "most of what Q lacks of 1 comes from where the disks start: poured onto a "
+                           "fifth of the base, at the best place, it lacks less than a third of it",
+                           (verdicts.below(says, loss(mean).minus(loss(whole).scaled(SHARE))),))]
+
+
+def text(numbers):
+    lines = [["the whole base" if place == numbers["whole"] else name(place), f"{best.at:g}", best.mean.text()]
+             for place, best in numbers["best"].items()]
+    return "\n\n".join((
+        "A disk that starts near the end to which the other kind goes may leave there before it has turned round. So Q "
+        "depends on where the disks start. Here they do not rain onto all of the base but onto a fifth of it, as from a "
+        "chute (`pour.from`, `pour.to`): 100 teeth, 2 m, d = 1 on the whole base, so that the heap below a chute is five "
+        "times as deep.", table(["poured onto", "best θ [rad]", "Q there"], lines)))
+
+
+STUDY = Study("chute", "Fig. 9's mixture poured by a chute", (Sweep("paper_fig9_chute"),), evaluate,
+              (Picture("chute", "Quality Q over the inclination for several places of the pour, 100 teeth, d = 1; bars: "
+                       "standard errors over the seeds", draw),), claims, text)

@@ -1,0 +1,64 @@
+"""Claim 2: contacts with short over those with long slopes, over the smallest rebound speed v_min."""
+import math
+
+from ratchet_sieve import plots
+from ratchet_sieve.texts import table
+from study import Picture, Study, Sweep
+import verdicts
+
+V_MIN = "contact.min_rebound_speed"
+SCENES = 0.05        # v_min of the scenes [m/s]
+PRINTED = 0.53
+ROUNDING = 0.015     # "about 0.53": nearer to it than to 0.5 or 0.56
+LENGTHS = math.hypot(0.3 * 20.0, 6.0) / math.hypot(0.7 * 20.0, 6.0)  # of the slopes, short over long
+
+
+def evaluate(rows):
+    groups = sorted(rows["paper_fig3_contacts"].by(V_MIN).items())
+    return {v: (group.mean("short_to_long"), group.mean("mean_vx.A")) for v, group in groups}
+
+
+def draw(means):
+    figure, axes = plots.panels(1, 1, (6.4, 3.6))
+    plots.curve(axes, [(v, ratio) for v, (ratio, _) in means.items()], color=plots.COLOURS[0])
+    axes.axhspan(PRINTED - ROUNDING, PRINTED + ROUNDING, color=plots.COLOURS[4], alpha=0.3, label="about 0.53")
+    axes.axhline(LENGTHS, color=plots.GREY, linewidth=0.8, linestyle="--", label=f"slopes' lengths, {LENGTHS:.3f}")
+    axes.set(xscale="log", xlabel=r"$v_\mathrm{min}$ [m/s]", ylabel="short to long contacts")
+    axes.legend(loc="lower right")
+    return figure
+
+
+def is_printed(mean):
+    return verdicts.all_of((mean.surely_above(PRINTED - ROUNDING), mean.surely_below(PRINTED + ROUNDING)))
+
+
+def fitting(means):
+    """The values of v_min at which the ratio is the printed one."""
+    return [v for v, (ratio, _) in means.items() if is_printed(ratio)]
+
+
+def condition(means):
+    """In which range of v_min the claim holds, in words."""
+    found = fitting(means)
+    if not found:
+        return "at no v_min that was tried"
+    least = min(means)
+    return (f"for v_min from {found[0]:g} to {found[-1]:g} m/s ({means[least][0].value:.2f} at {least:g} m/s)")
+
+
+def claims(means):
+    return [verdicts.Claim("2", "3.1.1", "contacts of short to long slopes are about 0.53 in Fig. 3", (
+        verdicts.within(f"between {PRINTED - ROUNDING:g} and {PRINTED + ROUNDING:g} at v_min = {SCENES:g} m/s, as in "
+                        "the scenes", means[SCENES][0], PRINTED - ROUNDING, PRINTED + ROUNDING),), condition(means))]
+
+
+def text(means):
+    return table(["v_min [m/s]", "short to long", "⟨V_x⟩ [mm/s]"],
+                 [[f"{v:g}", ratio.text(), speed.text(plots.MM)] for v, (ratio, speed) in means.items()])
+
+
+STUDY = Study("contacts", "Short and long slopes, over the smallest rebound speed",
+              (Sweep("paper_fig3_contacts", {V_MIN: (SCENES, 0.1)}),), evaluate,
+              (Picture("contacts", "Contacts with short over those with long slopes, of Fig. 3's disks, over v_min; "
+                       "bars: standard errors over the seeds", draw),), claims, text,
+              lambda means: {"contacts.short_to_long": means[SCENES][0].text()})

@@ -1,0 +1,44 @@
+"""Addition A8: whether a base that is shaken along its own normal parts Fig. 8's mixture at the paper's angles."""
+from ratchet_sieve import plots
+from ratchet_sieve.texts import table
+from paper import parting
+from paper.parting import ANGLES, THETA
+from study import Picture, Study, Sweep
+import verdicts
+
+FRAME = "base.drive_frame"
+NAMES = {"world": "vertically, as in the paper", "base": "along its own normal"}
+
+
+def evaluate(rows):
+    """@return of each drive's axes: map from θ to both kinds' mean velocities [m/s]"""
+    return {frame: {theta: parting.ways(cell) for theta, cell in sorted(group.by(THETA).items())}
+            for frame, group in rows["paper_deck"].by(FRAME).items()}
+
+
+def draw(numbers):
+    return parting.draw_ways({f"shaken {name}": numbers[frame] for frame, name in NAMES.items()})
+
+
+def claims(numbers):
+    checks = tuple(parting.parted(f"θ = {theta:g}: A to the right, B to the left", numbers["base"][theta])
+                   for theta in ANGLES)
+    return [verdicts.Claim("A8", "Fig. 8", "claim 6's A right and B left at 0.105 and at 0.157 come out on a base that "
+                           "is shaken along its own normal", checks)]
+
+
+def text(numbers):
+    thetas = numbers["world"]
+    lines = [[f"{theta:g}", *(mean.text(plots.MM) for frame in NAMES for mean in numbers[frame][theta])]
+             for theta in thetas]
+    heads = [f"{kind}, {name} [mm/s]" for name in NAMES.values() for kind in "AB"]
+    return "\n\n".join((
+        "The paper says that its base is shaken vertically. A vibrator bolted to the deck shakes it along its normal "
+        "(`base.drive_frame: base`), which at an inclination θ also pushes towards the lower end.",
+        table(["θ [rad]", *heads], lines)))
+
+
+STUDY = Study("deck", "Fig. 8's mixture on a base that is shaken along its own normal",
+              (Sweep("paper_deck", {THETA: ANGLES}),), evaluate,
+              (Picture("deck", "Mean velocities of Fig. 8's mixture over the inclination, d = 3.93, for both axes of "
+                       "the drive; bars: standard errors over the seeds", draw),), claims, text)

@@ -1,0 +1,132 @@
+"""Claims 11 and 12: what single disks, which do not collide with each other, say of the mixtures of Figs. 8 and 9."""
+from ratchet_sieve import plots
+from ratchet_sieve.tables import joined
+from ratchet_sieve.texts import table
+from curves import best_of, crossing_of
+from paper import fig9
+from paper.fig7 import F, THETA, velocities
+from paper.fig8 import TURNED
+from study import Picture, Study, Sweep
+import verdicts
+
+SHOWN = 23.0     # Hz
+ENOUGH = 0.9     # of the best Q: what a guide to the inclination should reach
+SINGLE, ALONE, WINDOW = "paper_single", "paper_fig9_alone", "paper_fig8_window"
+
+
+def evaluate(rows):
+    mixtures = fig9.evaluate(rows)
+    single = rows[SINGLE]
+    alone = {teeth: {"best": best_of(group, fig9.THETA, "quality"),
+                     "Q": [(theta, own.mean("quality")) for theta, own in sorted(group.by(fig9.THETA).items())]}
+             for teeth, group in sorted(rows[ALONE].by(fig9.TEETH).items())
+             if teeth in fig9.compared_lengths(mixtures)}
+    turns = {name: {kind: crossing_of(group.where({F: SHOWN}), THETA, f"mean_vx.{kind}") for kind in "AB"}
+             for name, group in (("single", single), ("mixture", joined(rows["paper_fig8"], rows[WINDOW])))}
+    return {"single": velocities(single), "mixture": velocities(rows["paper_fig8"]), "turns": turns,
+            "alone": alone, "Q": mixtures["Q"], "best": mixtures["best"]}
+
+
+def densest(numbers, teeth):
+    return max(density for length, density in numbers["Q"] if length == teeth)
+
+
+def draw(numbers):
+    lengths = list(numbers["alone"])
+    figure, row = plots.panels(1, len(lengths), (3.2 * len(lengths), 3.4), sharey=True, squeeze=False)
+    for axes, teeth in zip(row[0], lengths):
+        density = densest(numbers, teeth)
+        plots.curve(axes, numbers["alone"][teeth]["Q"], color=plots.COLOURS[0], label="single disks")
+        plots.curve(axes, numbers["Q"][teeth, density], color=plots.COLOURS[1], label=f"mixture, $d$ = {density:g}")
+        axes.set(title=f"{teeth:g} teeth", xlabel=r"$\theta$ [rad]")
+        axes.set_ylim(0.0, 1.05)
+    row[0][0].set_ylabel("$Q$")
+    row[0][0].legend(loc="upper left")
+    return figure
+
+
+def lowered(numbers):
+    """Of each length: the best Q of single disks less that of the densest mixture."""
+    for teeth, alone in numbers["alone"].items():
+        density = densest(numbers, teeth)
+        mixture = numbers["best"][teeth, density]
+        gain = alone["best"].mean.minus(mixture.mean)
+        yield verdicts.above(f"{teeth:g} teeth, each at its best θ: Q of single disks ({alone['best'].mean.text()} at "
+                             f"θ = {alone['best'].at:g}) less Q of the mixture at d = {density:g} "
+                             f"({mixture.mean.text()} at θ = {mixture.at:g}) is above 0", gain)
+
+
+def same_way(numbers):
+    """At each θ and f of Fig. 8, where the way of the single disks is sure: the mixture's drift along it."""
+    for kind, means in numbers["single"].items():
+        for (theta, f), mean in means.items():
+            other = numbers["mixture"][kind].get((theta, f))
+            way = mean.surely_above(0.0)
+            if way is not None and other is not None:
+                yield (kind, theta, f), other.scaled(1.0 if way else -1.0)
+
+
+def directions(numbers):
+    comparisons = list(same_way(numbers))
+    outcomes = verdicts.signs(mean for _, mean in comparisons)
+    against = {theta for ((_, theta, _), _), way in zip(comparisons, outcomes) if way is False}
+    said = (f"{outcomes.count(True)} of {len(outcomes)} are sure, {outcomes.count(False)} surely the other way"
+            + (f" (at θ = {', '.join(f'{theta:g}' for theta in sorted(against))})" if against else ""))
+    return verdicts.Check("each kind of Fig. 8's mixture goes where its single disks go, at every θ and f", said,
+                          verdicts.all_of(outcomes))
+
+
+def remain(numbers):
+    """That the currents are still there in the mixture."""
+    means = numbers["mixture"]
+    checks = [verdicts.both(*(compare("", means[kind][theta, SHOWN], 0.0, plots.MM, "mm/s") for kind in "AB"))
+              for compare, theta in ((verdicts.above, 0.0), (verdicts.below, TURNED))]
+    return verdicts.Check(f"the currents of Figs. 3 and 4 remain in the mixture: to the right at θ = 0, to the left at "
+                          f"{TURNED:g}", "; ".join(check.came_out for check in checks),
+                          verdicts.all_of(check.passes for check in checks))
+
+
+def window(numbers):
+    single, mixture = numbers["turns"]["single"], numbers["turns"]["mixture"]
+    says = "the windows of θ in which the kinds part overlap: A turns in the mixture above where B turns alone"
+    if None in (mixture["A"], single["B"]):
+        return verdicts.Check(says, "—", None)
+    check = verdicts.above(says, mixture["A"].minus(single["B"]), 0.0, 1.0, "rad")
+    told = (f"{mixture['B'].text()} to {mixture['A'].text()} in the mixture, {single['B'].text()} to "
+            f"{single['A'].text()} for single disks; {check.came_out}")
+    return verdicts.Check(says, told, check.passes)
+
+
+def guided(numbers):
+    """That the best θ of single disks is good enough for Fig. 9's mixtures, on the base with the widest curves."""
+    teeth = min(numbers["alone"])
+    theta = numbers["alone"][teeth]["best"].at
+    for density in (min(fig9.densities_on(numbers, teeth)), densest(numbers, teeth)):
+        best = numbers["best"][teeth, density].mean
+        there = dict(numbers["Q"][teeth, density]).get(theta)
+        says = (f"Fig. 9 on {teeth:g} teeth, d = {density:g}: Q at the best θ of single disks ({theta:g}) is above "
+                f"{ENOUGH:g} of the best Q")
+        yield verdicts.Check(says, "—", None) if there is None else verdicts.Check(
+            says, f"{there.text()} against {best.text()}",
+            there.minus(best.scaled(ENOUGH)).surely_above(0.0))
+
+
+def claims(numbers):
+    return [verdicts.Claim("11", "3.2.2", "at high density collisions between disks lower Q", tuple(lowered(numbers))),
+            verdicts.Claim("12", "3.1.2, 4", "single disks are a guide to the parameters of mixtures", (
+                remain(numbers), directions(numbers), window(numbers), *guided(numbers)))]
+
+
+def text(numbers):
+    lines = [[f"{teeth:g}", f"{alone['best'].at:g}", alone["best"].mean.text(),
+              *(cell for density in (densest(numbers, teeth),)
+                for cell in (f"{numbers['best'][teeth, density].at:g}", numbers["best"][teeth, density].mean.text()))]
+             for teeth, alone in numbers["alone"].items()]
+    return ("The same disks, poured as at d = 4, without collisions between them:\n\n"
+            + table(["teeth", "best θ of single disks", "Q there", "best θ at d = 4", "Q there"], lines))
+
+
+STUDY = Study("guide", "Single disks as a guide to mixtures",
+              (Sweep("paper_fig8"), Sweep(WINDOW, is_quick=False), Sweep(SINGLE), Sweep(ALONE), *fig9.SWEEPS), evaluate,
+              (Picture("guide", "Q over the inclination, of single disks and of the mixture of Fig. 9; bars: standard "
+                       "errors over the seeds", draw, (ALONE, *(sweep.name for sweep in fig9.SWEEPS))),), claims, text)

@@ -1,0 +1,86 @@
+"""Addition A4: how the best Q rises with the length of the base, and whether a line in 1 / length says where to."""
+from ratchet_sieve import plots
+from ratchet_sieve.stats import LEVEL
+from ratchet_sieve.texts import table
+from curves import line_through
+from paper import fig9
+from paper.fig9 import axis
+from study import Picture, Study, told
+import verdicts
+
+NEAR = 0.01  # of Q(∞) from 1
+
+
+def evaluate(rows):
+    curves = fig9.evaluate(rows)
+    points = {}
+    for (teeth, density), best in sorted(curves["best"].items()):
+        points.setdefault(density, []).append((1.0 / teeth, best.mean))
+    lines = {density: line_through(own) for density, own in points.items()}
+    return {**curves, "points": points, "lines": {density: line for density, line in lines.items() if line}}
+
+
+def draw(numbers):
+    figure, axes = plots.panels(1, 1, (6.4, 3.8))
+    densities = axis(numbers, 1)
+    for density, colour in zip(densities, plots.ramp(len(densities))):
+        points, line = numbers["points"][density], numbers["lines"].get(density)
+        plots.curve(axes, points, color=colour, linestyle="none", markersize=4, label=f"$d$ = {density:g}")
+        if line:
+            ends = (0.0, max(x for x, _ in points))
+            axes.plot(ends, [line.at(x) for x in ends], color=colour, linewidth=0.9, linestyle="--")
+    lengths = axis(numbers, 0)
+    axes.set_xticks([0.0] + [1.0 / teeth for teeth in lengths], ["∞"] + [f"{teeth:g}" for teeth in lengths])
+    axes.set_xlim(left=0.0)
+    axes.set(xlabel="teeth, on a scale of 1 / teeth", ylabel=r"$Q$ at the best $\theta$ after 100 s")
+    axes.legend()
+    return figure
+
+
+def rising(numbers):
+    """Of each density: Q at the best θ of each length less that of the next shorter one."""
+    for density in axis(numbers, 1):
+        lengths = sorted(teeth for teeth, d in numbers["best"] if d == density)
+        for short, long in zip(lengths, lengths[1:]):
+            gain = numbers["best"][long, density].mean.minus(numbers["best"][short, density].mean)
+            yield f"d = {density:g}, {short:g} to {long:g} teeth", gain
+
+
+def tends_to_one(density, line):
+    """A check that a line in 1 / teeth fits, and that it ends near 1."""
+    near = verdicts.within("", line.intercept, 1.0 - NEAR, 1.0 + NEAR)
+    fits = line.probability() >= LEVEL
+    told = (f"Q(∞) = {line.intercept.text()}, the line {'fits' if fits else 'does not fit'} "
+            f"(p = {line.probability():.2g})")
+    return verdicts.Check(f"d = {density:g}: a line in 1 / teeth fits, and Q(∞) is within {NEAR:g} of 1", told,
+                          near.passes if fits else False)
+
+
+def claims(numbers):
+    return [verdicts.Claim("A4", "Fig. 9", "Q at the best θ rises with the length of the base, and tends to 1", (
+        verdicts.counted("after 100 s Q at the best θ rises from each length to the next", rising(numbers)),
+        *(tends_to_one(density, line) for density, line in numbers["lines"].items())))]
+
+
+def lines_table(numbers):
+    return table(["d", "Q(∞)", "c", "χ²", "degrees of freedom", "p"],
+                 [[f"{density:g}", told(line.intercept), told(line.slope.scaled(-1.0)), f"{line.chi_squared:.1f}",
+                   line.freedom, f"{line.probability():.2g}"] for density, line in numbers["lines"].items()])
+
+
+def text(numbers):
+    if not numbers["lines"]:
+        return ""
+    carried = [f"{density:g}" for density, line in numbers["lines"].items() if tends_to_one(density, line).passes]
+    return "\n\n".join((
+        "A straight line through Q at its best θ after 100 s, Q = Q(∞) − c / teeth, and how well it fits:",
+        lines_table(numbers),
+        "**What is carried.** Q rises with the length. Disks that start near the wrong end leave there, and their "
+        "share falls as the base grows. That Q tends to 1 on an endless base is carried at "
+        f"{'d = ' + ', '.join(carried) + ' alone' if carried else 'no density'}. Three lengths are few for a limit. "
+        "On 300 teeth not all disks are out after 100 s, so the longest base is also cut short in time."))
+
+
+STUDY = Study("length", "The length of the base", fig9.SWEEPS, evaluate,
+              (Picture("length", "Q at the best inclination over one through the length of the base, and straight "
+                       "lines; bars: standard errors over the seeds", draw),), claims, text)

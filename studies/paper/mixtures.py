@@ -1,0 +1,95 @@
+"""Section 3.2.1: mixtures of kinds that have the same radius or the same mass, against the mixture of Fig. 8."""
+from ratchet_sieve import plots
+from ratchet_sieve.texts import table
+from curves import apart_between, best_of, turns_of
+from study import Picture, Study, Sweep, told
+import verdicts
+
+THETA = "base.inclination"
+KEYS = ("species.0.radius", "species.0.mass", "species.1.radius", "species.1.mass")
+REFERENCE = (0.001, 0.01, 0.002, 0.001)  # A and B of Fig. 8: radius [m], mass [kg] of each
+NAMES = {
+    REFERENCE: "1 mm, 10 g; 2 mm, 1 g",
+    (0.001, 0.01, 0.001, 0.001): "same r: 1 mm, 10 g; 1 g",
+    (0.002, 0.01, 0.002, 0.001): "same r: 2 mm, 10 g; 1 g",
+    (0.001, 0.001, 0.002, 0.001): "same m: 1 g, 1 mm; 2 mm",
+    (0.001, 0.01, 0.002, 0.01): "same m: 10 g, 1 mm; 2 mm",
+}
+
+
+def of_mixture(rows, mixture):
+    return rows.where(dict(zip(KEYS, mixture)))
+
+
+def evaluate(rows):
+    periodic, separating = rows["paper_mixtures"], rows["paper_mixtures_quality"]
+    numbers = {}
+    for mixture in NAMES:
+        drifts, machine = of_mixture(periodic, mixture), of_mixture(separating, mixture)
+        numbers[mixture] = {
+            **turns_of(drifts, THETA),
+            "middle": apart_between(drifts, THETA, "mean_vx.A", "mean_vx.B"),
+            "apart": [(theta, group.mean(lambda row: row["mean_vx.A"] - row["mean_vx.B"]))
+                      for theta, group in sorted(drifts.by(THETA).items())],
+            "quality": [(theta, group.mean("quality")) for theta, group in sorted(machine.by(THETA).items())],
+            "best": best_of(machine, THETA, "quality")}
+    return numbers
+
+
+def draw(numbers):
+    figure, (left, right) = plots.panels(1, 2, (9.6, 3.6))
+    for (mixture, found), colour in zip(numbers.items(), plots.COLOURS):
+        plots.curve(left, found["quality"], color=colour, label=NAMES[mixture])
+        plots.curve(right, found["apart"], plots.MM, color=colour)
+    plots.signed(right)
+    left.set_ylabel("$Q$")
+    right.set_ylabel(r"$\langle V_x \rangle$ of A less that of B [mm/s]")
+    for axes in (left, right):
+        axes.set_xlabel(r"$\theta$ [rad]")
+    right.legend(*left.get_legend_handles_labels(), loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+def others(numbers):
+    return {mixture: found for mixture, found in numbers.items() if mixture != REFERENCE}
+
+
+def worse(numbers):
+    best = numbers[REFERENCE]["best"].mean
+    for mixture, found in others(numbers).items():
+        yield f"{NAMES[mixture]}: {found['best'].mean.text()}", best.minus(found["best"].mean)
+
+
+def narrower(numbers):
+    """A mixture whose kinds do not both turn has no window, and is not counted."""
+    window = numbers[REFERENCE]["window"]
+    for mixture, found in others(numbers).items():
+        if window and found["window"]:
+            yield f"{NAMES[mixture]}: {found['window'].text()}", window.minus(found["window"])
+
+
+def claims(numbers):
+    best, window = numbers[REFERENCE]["best"].mean, numbers[REFERENCE]["window"]
+    text = "the same r with different m, or the same m with different r, segregates worse than the mixture of Fig. 8"
+    return [verdicts.Claim("7", "3.2.1", text, (
+                verdicts.counted(f"Q at the best θ is lower than that mixture's, {verdicts.shown(best, 1, '')}",
+                                 worse(numbers)),)),
+            verdicts.Claim("A5", "3.2.1", "those mixtures part in a narrower window of θ on a periodic base", (
+                verdicts.counted("the window is narrower than that mixture's, "
+                                 f"{verdicts.shown(window, 1, 'rad') if window else '—'}", narrower(numbers)),))]
+
+
+def text(numbers):
+    lines = [[NAMES[mixture], f"{found['best'].at:g}", told(found["best"].mean), told(found["B"]), told(found["A"]),
+              told(found["window"]), told(found["middle"], plots.MM)]
+             for mixture, found in numbers.items()]
+    return ("Q is that of 20 teeth with open ends, after 60 s. Its best θ is chosen by one half of the seeds and Q "
+            "is that of the other half, both ways.\n\n"
+            + table(["mixture A; B", "best θ [rad]", "Q there", "B turns, θ [rad]", "A turns, θ [rad]", "window [rad]",
+                     "A less B in its middle [mm/s]"], lines))
+
+
+STUDY = Study("mixtures", "Section 3.2.1: mixtures that differ in the radius or the mass alone",
+              (Sweep("paper_mixtures"), Sweep("paper_mixtures_quality")), evaluate,
+              (Picture("mixtures", "Q on 20 teeth with open ends, and how much faster A is than B on a periodic base, "
+                       "of five mixtures, d = 3.93; bars: standard errors over the seeds", draw),), claims, text)

@@ -1,0 +1,337 @@
+"""What accuracy is measured on: scenes with their quantities and the known values of these, each with settings that
+trade accuracy for speed, from coarse to fine; and the tables of what came of them.
+
+accuracy.csv has the results of each setting, accuracy_costs.csv its processor time. The results are the same on every
+machine, the times are not: each file says when, and the second where, a line was measured."""
+import dataclasses
+import math
+import pathlib
+
+from ratchet_sieve.stats import Mean, mean_of
+from ratchet_sieve.tables import read_csv, write_csv
+
+CONFIG = pathlib.Path(__file__).resolve().parent.parent.parent / "config"
+GRAVITY = 9.81  # m/s^2
+
+# Of the bouncing ball: test/core/bouncing_ball_test.cpp has the theory.
+BALL_FREQUENCY = 50.0  # Hz
+BALL_ACCELERATION = 1.1  # of the plate, over g: in the range where period one is stable
+BALL_RESTITUTION = 0.6
+BALL_MASS = 0.001  # kg
+
+
+@dataclasses.dataclass
+class Scene:
+    """A scene file with some keys changed. The reference of a quantity is its known value, else the exact engine's."""
+    name: str
+    title: str
+    source: object        # a file's name in config/, or the scene itself
+    settings: dict
+    observables: dict     # name -> function of the summary of a run
+    seeds: int            # of --quick
+    known: dict = dataclasses.field(default_factory=dict)
+
+    def sweep(self, rung, seeds, span=None):
+        scene = self.source if isinstance(self.source, dict) else str(CONFIG / self.source)
+        settings = {**self.settings, **rung}
+        if span:
+            settings.update({"settle": 0.0, "duration": span})
+        return {"scene": scene, "set": settings,
+                "seed": {"first": seeds[0], "count": len(seeds)}}
+
+
+def mean_vx(species):
+    return lambda run: run["species"][species]["mean_vx"]
+
+
+def kinetic(species):
+    return lambda run: run["species"][species]["kinetic_translational"]
+
+
+def spin_share(run):
+    """Energy of rotation over that of translation."""
+    return (sum(s["kinetic_rotational"] for s in run["species"])
+            / sum(s["kinetic_translational"] for s in run["species"]))
+
+
+def equipartition(run):
+    return run["species"][0]["kinetic_translational"] / run["species"][1]["kinetic_translational"]
+
+
+def vertical_impulse(run):
+    return run["base_impulse"][1]
+
+
+def weight(count_a, count_b, span):
+    """The impulse that the base of Fig. 8 has to give within that time [N s]."""
+    return (count_a * 0.010 + count_b * 0.001) * GRAVITY * span
+
+
+def bouncing_balls():
+    """Balls on the period-one orbit, far from each other. A ball hits the plate once in each period 1/f, and leaves and
+    meets it with the speed g / (2 f), so that its mean kinetic energy is m g^2 / (24 f^2)."""
+    omega = 2.0 * math.pi * BALL_FREQUENCY
+    amplitude = BALL_ACCELERATION * GRAVITY / omega ** 2
+    restitution = BALL_RESTITUTION
+    phase = math.acos(math.pi * (1.0 - restitution) / (BALL_ACCELERATION * (1.0 + restitution))) - 0.05
+    start = {"species": "A", "y": 0.001 + amplitude * math.sin(phase) + 1e-6, "vx": 0.0,
+             "vy": GRAVITY / BALL_FREQUENCY / 2.0, "spin": 0.0}
+    scene = {"base": {"tooth_height": 0.0, "frequency": BALL_FREQUENCY, "amplitude": amplitude, "phase": phase},
+             "species": [{"name": "A", "radius": 0.001, "mass": BALL_MASS, "restitution": restitution, "friction": 0.0,
+                          "tangential_restitution": 0.0}],
+             "contact": {"min_rebound_speed": 0.0},
+             "initial": [{**start, "x": 0.02 + 0.04 * k} for k in range(10)], "duration": 105.0, "settle": 5.0}
+    return Scene("ball", "bouncing ball, period one", scene, {}, {"kinetic energy": kinetic(0)}, 2,
+                 {"kinetic energy": BALL_MASS * GRAVITY ** 2 / (24.0 * BALL_FREQUENCY ** 2)})
+
+
+def lossless_gas():
+    """test/core/equilibrium_test.cpp: perfectly rough, elastic disks over a base at rest."""
+    rough = {"restitution": 1.0, "friction": 1e9, "tangential_restitution": 1.0}
+    settings = {f"species.{k}.{key}": value for k in (0, 1) for key, value in rough.items()}
+    settings.update({"density": 3.0, "base.amplitude": 0.0, "contact.min_rebound_speed": 0.0,
+                     "pour.drop_height": 0.05, "duration": 60.0, "settle": 15.0})
+    return Scene("gas", "lossless gas in equilibrium", "paper_fig8.yaml", settings,
+                 {"K_rot / K_trans": spin_share, "K_A / K_B": equipartition,
+                  "energy, end / start": lambda run: run["energy_end"] / run["energy_start"]}, 8,
+                 {"K_rot / K_trans": 0.5, "K_A / K_B": 1.0, "energy, end / start": 1.0})
+
+
+DRIFTS = {"drift A": mean_vx(0), "drift B": mean_vx(1)}
+LAYER = {**DRIFTS, "K_A": kinetic(0), "K_B": kinetic(1), "short / long": lambda run: run["short_to_long"]}
+FIG8_SPAN = (2.0, 17.0)  # s
+
+
+def fig8():
+    settle, end = FIG8_SPAN
+    return Scene("fig8", "Fig. 8, mixture", "paper_fig8.yaml", {"settle": settle, "duration": end},
+                 {**LAYER, "N m g T": vertical_impulse}, 10, {"N m g T": weight(262, 262, end - settle)})
+
+
+def development():
+    """The scenes by which settings were chosen."""
+    return [
+        bouncing_balls(),
+        lossless_gas(),
+        Scene("fig3", "Fig. 3, single disks", "paper_fig3.yaml", {"duration": 22.0, "settle": 2.0},
+              {"drift A": mean_vx(0), "K_A": kinetic(0), "short / long": lambda run: run["short_to_long"]}, 8),
+        fig8(),
+        Scene("fig9", "Fig. 9, separation", "paper_fig9.yaml",
+              {"base.teeth": 40, "density": 2.0, "duration": 30.0},
+              {"Q": lambda run: run["quality"], "P": lambda run: run["processed"]}, 32),
+        Scene("dense", "dense heap, d = 8", "paper_fig8.yaml", {"density": 8.0, "settle": 2.0, "duration": 8.0}, LAYER,
+              6),
+        Scene("violent", "violent, 40 g", "paper_fig8.yaml",
+              {"base.amplitude": 0.0188, "settle": 2.0, "duration": 14.0}, LAYER, 8),
+    ]
+
+
+def held_out():
+    """The scenes on which the claimed bounds are tested. No setting was chosen by them."""
+    small_and_large = {"species.0.mass": 0.001, "species.1.mass": 0.001, "species.1.radius": 0.004}
+    return [
+        Scene("tilted", "mixture, θ = 0.105, d = 2, 30 Hz", "paper_fig8.yaml",
+              {"base.inclination": 0.105, "density": 2.0, "base.frequency": 30.0, "settle": 2.0, "duration": 22.0},
+              LAYER, 48),
+        Scene("asymmetry", "mixture, a = 0.1, B of 5 mm, d = 4", "paper_fig8.yaml",
+              {"base.asymmetry": 0.1, "species.1.radius": 0.005, "settle": 2.0, "duration": 22.0}, LAYER, 12),
+        Scene("equal", "r = 1 and 4 mm, both 1 g, d = 3", "paper_fig8.yaml",
+              {**small_and_large, "density": 3.0, "settle": 2.0, "duration": 22.0}, LAYER, 12),
+    ]
+
+
+LARGE_SPANS = (1.0, 3.0)  # s
+
+
+def large():
+    """10^4 disks: the cost of the first simulated second, in which all of them land, and of those after it."""
+    return [Scene(f"large {span:g} s", f"10⁴ disks, {span:g} s", "paper_fig8.yaml",
+                  {"base.teeth": 382, "settle": 0.0, "duration": span}, DRIFTS, 1) for span in LARGE_SPANS]
+
+
+STEPS = (0.004, 0.002, 0.001, 0.0005, 0.00025)  # s
+LARGE_STEPS = (0.002, 0.001, 0.0005)  # of 10^4 disks [s]
+FLOORS = (0.2, 0.1, 0.05, 0.025, 0.0125, 0.005, 0.002, 0.001)  # m/s
+REFERENCE_FLOOR = FLOORS[-1]  # m/s
+SCENES_FLOOR = 0.05  # the floor in the scene files [m/s]
+CONTACT_DURATIONS = (3e-3, 1e-3, 3e-4, 1e-4, 3e-5)  # s
+RESTITUTION_SPEEDS = (0.8, 0.4, 0.2, 0.1, 0.05)  # m/s
+SMALL_FLOOR = 0.005  # m/s, beside another setting that does the floor's work
+SPARING_FLOOR = 0.0125  # m/s, beside a part of the model that is left out
+
+FLOOR_KEY = "contact.min_rebound_speed"
+
+
+def steps(step, floor=None):
+    return {"accuracy.method": "steps", "accuracy.step": step, **({} if floor is None else {FLOOR_KEY: floor})}
+
+
+EXACT = {"exact": [("exact", {})]}
+METHOD = {"steps": [(f"{1e3 * step:g} ms", steps(step)) for step in STEPS]}
+MODEL = {
+    # The scenes' floor is the exact run itself.
+    "rebound floor": [(f"{floor:g} m/s", {FLOOR_KEY: floor}) for floor in FLOORS if floor != SCENES_FLOOR],
+    "contact duration": [(f"{1e3 * t:g} ms", {"contact.contact_duration": t, FLOOR_KEY: SMALL_FLOOR})
+                         for t in CONTACT_DURATIONS],
+    "restitution by speed": [(f"{v:g} m/s", {"contact.restitution_speed": v, FLOOR_KEY: SMALL_FLOOR})
+                             for v in RESTITUTION_SPEEDS],
+    "floor, in steps of 1 ms": [(f"{floor:g} m/s", steps(0.001, floor)) for floor in FLOORS[:5]],
+    "no spin": [("μ = 0", {"species.0.friction": 0.0, "species.1.friction": 0.0, FLOOR_KEY: SPARING_FLOOR})],
+    "no pairs": [("pairs left out", {"contact.pair_collisions": False, FLOOR_KEY: SPARING_FLOOR})],
+}
+
+
+# The bound on the relative error that was set for each step before the held-out scenes were run.
+CLAIMS = {0.002: 0.05, 0.001: 0.05, 0.0005: 0.03}
+
+
+def floor_of(point):
+    """Of a point in which nothing else is changed; None for others."""
+    if point.family == "exact":
+        return SCENES_FLOOR
+    return point.rung[FLOOR_KEY] if point.family == "rebound floor" else None
+
+
+def effort_of(point):
+    """Times the seeds of the scene: references have more."""
+    return 2.0 if floor_of(point) in (SCENES_FLOOR, REFERENCE_FLOOR) else 1.0
+
+
+def families_of(scene):
+    """The families that a scene is run with."""
+    families = {**EXACT}
+    if scene.name != "fig3":  # single disks are advanced exactly whatever the method
+        families.update(METHOD)
+    if scene.name in ("ball", "gas"):  # their references are known, their floor is 0
+        return families
+    model = dict(MODEL)
+    if scene.name == "fig3":
+        for name in ("no pairs", "floor, in steps of 1 ms"):
+            del model[name]
+        model["no spin"] = [("μ = 0", {"species.0.friction": 0.0, FLOOR_KEY: SPARING_FLOOR})]
+    return {**families, **model}
+
+
+@dataclasses.dataclass
+class Point:
+    """A scene with one setting, and its results over the seeds."""
+    scene: object
+    family: str
+    label: str
+    rung: dict
+    means: dict = dataclasses.field(default_factory=dict)  # quantity -> Mean
+    cost: float = None       # processor time over simulated time; None: no run was completed
+    overlap: float = 0.0     # the largest [m]
+    pushed_out: int = 0      # times that a disk was behind the base's surface after a missed contact
+    through_base: int = 0    # disks that stayed there
+    ended_early: int = 0     # runs
+
+    def key(self):
+        return self.scene.name, self.family, self.label
+
+    def fails(self):
+        return self.through_base > 0 or self.ended_early > 0
+
+    def is_measured(self):
+        return bool(self.means) or self.ended_early > 0
+
+    def take(self, summaries, ended_early):
+        """@param summaries one for each completed run"""
+        for name, of_run in self.scene.observables.items():
+            mean = mean_of(value for value in map(of_run, summaries) if value is not None)
+            if mean:
+                self.means[name] = mean
+        self.overlap = max((summary["max_overlap"] for summary in summaries), default=0.0)
+        self.pushed_out = sum(summary.get("pushed_out", 0) for summary in summaries)
+        self.through_base = sum(summary["through_base"] for summary in summaries)
+        self.ended_early = ended_early
+
+
+def planned(only=None):
+    """@param only names of scenes; None: all"""
+    points = [Point(scene, family, label, rung) for scene in development()
+              for family, settings in families_of(scene).items() for label, rung in settings]
+    for scene in (*held_out(), *large()):
+        points.append(Point(scene, "exact", "exact", {}))
+        chosen = LARGE_STEPS if scene.name.startswith("large") else CLAIMS
+        points += [Point(scene, "steps", f"{1e3 * step:g} ms", steps(step)) for step in chosen]
+    return [point for point in points if not only or point.scene.name in only]
+
+
+def by_scene(points):
+    """@return scene's name -> its points"""
+    groups = {}
+    for point in points:
+        groups.setdefault(point.scene.name, []).append(point)
+    return groups
+
+
+def find(points, family, label=None):
+    """The measured point of that family and label; None where there is none."""
+    return next((point for point in points if point.family == family and label in (None, point.label)
+                 and point.is_measured()), None)
+
+
+RESULTS, COSTS = "accuracy.csv", "accuracy_costs.csv"
+KEY = ["scene", "family", "setting"]
+RESULT_COLUMNS = [*KEY, "quantity", "runs", "mean", "standard_error", "measured", "physics"]
+COST_COLUMNS = [*KEY, "processor_s_per_simulated_s", "measured", "machine", "physics"]
+COUNTS = ("overlap", "pushed_out", "through_base", "ended_early")  # quantities that are no means over runs
+
+
+@dataclasses.dataclass(frozen=True, order=True)
+class Origin:
+    date: str
+    machine: str
+    physics: str  # version
+
+
+def read(path):
+    """@return the file's lines as maps from column to text; none where there is no file"""
+    return read_csv(path).to_dict("records") if path.exists() else []
+
+
+def key_of(line):
+    return tuple(line[column] for column in KEY)
+
+
+def result_lines(point, origin):
+    common = {**dict(zip(KEY, point.key())), "measured": origin.date, "physics": origin.physics}
+    for name, mean in point.means.items():
+        yield {**common, "quantity": name, "runs": mean.count, "mean": f"{mean.value:.10g}",
+               "standard_error": "" if mean.error is None else f"{mean.error:.4g}"}
+    for name in COUNTS:
+        yield {**common, "quantity": name, "runs": "", "mean": f"{getattr(point, name):.4g}", "standard_error": ""}
+
+
+def save(directory, points, origin, with_costs):
+    """Replaces the lines of these points, and keeps the others."""
+    keys = {point.key() for point in points}
+    kept = [line for line in read(directory / RESULTS) if key_of(line) not in keys]
+    write_csv(directory / RESULTS, RESULT_COLUMNS,
+              kept + [line for point in points for line in result_lines(point, origin)])
+    if with_costs:
+        kept = [line for line in read(directory / COSTS) if key_of(line) not in keys]
+        write_csv(directory / COSTS, COST_COLUMNS, kept + [
+            {**dict(zip(KEY, point.key())), "processor_s_per_simulated_s": f"{point.cost:.3g}",
+             "measured": origin.date, "machine": origin.machine, "physics": origin.physics}
+            for point in points if point.cost is not None])
+
+
+def load(directory, points):
+    """Puts the results in the files into the points. @return the origins of the results and of the costs, the newest
+    last"""
+    known = {point.key(): point for point in points}
+    results = [line for line in read(directory / RESULTS) if key_of(line) in known]
+    costs = [line for line in read(directory / COSTS) if key_of(line) in known]
+    for line in results:
+        point, name = known[key_of(line)], line["quantity"]
+        if name in COUNTS:
+            setattr(point, name, float(line["mean"]))
+        else:
+            error = float(line["standard_error"]) if line["standard_error"] else None
+            point.means[name] = Mean(float(line["mean"]), error, int(line["runs"]))
+    for line in costs:
+        known[key_of(line)].cost = float(line["processor_s_per_simulated_s"])
+    return [sorted({Origin(line["measured"], line.get("machine", ""), line["physics"]) for line in lines})
+            for lines in (results, costs)]

@@ -1,0 +1,175 @@
+"""One grain: no, normal and reversed current over the strength of the shaking and the roughness (Bae et al. 2004)."""
+import dataclasses
+import math
+
+from ratchet_sieve import plots
+from ratchet_sieve.texts import table
+from study import Picture, Study, Sweep, axis
+import verdicts
+
+E = "species.0.restitution"
+HEIGHT = "base.tooth_height"
+AMPLITUDE = "base.amplitude"
+WIDTH = 0.005    # of the teeth [m]
+FREQUENCY = 23.0  # Hz
+GRAVITY = 9.81
+LEAST = 0.0005   # m/s that count as a current: a tooth in ten seconds
+SLICE = 0.6      # the restitution whose curves are drawn
+CUT, STRONG, ROUGH = 0.8, 8.0, 1.0  # h/w, Γ and h/w along which the fresh places lie
+NORMAL = "normal"      # to where the gentler slopes face: to the right, as a < 0.5
+REVERSED = "reversed"
+NONE = "none"
+UNTOLD = "undecided"
+STILL = 0.00001  # m/s
+COLOURS = {NORMAL: plots.COLOURS[0], NONE: "#D9D9D9", REVERSED: plots.COLOURS[1], UNTOLD: "#FFFFFF"}
+
+
+def regime(mean, least):
+    """@param least speed that counts as a current [m/s]"""
+    if mean is None:
+        return UNTOLD
+    if mean.surely_above(least):
+        return NORMAL
+    if mean.surely_below(-least):
+        return REVERSED
+    return NONE if verdicts.all_of((mean.surely_above(-least), mean.surely_below(least))) else UNTOLD
+
+
+def speed_text(mean):
+    """In mm/s. A grain that stays in its groove moves by the remainder of a bounce, which is no current."""
+    if mean.error is not None and abs(mean.value) + mean.error < STILL:
+        return f"below {STILL * plots.MM:g}"
+    return mean.text(plots.MM)
+
+
+def exists(says, means, least, wanted):
+    """A check that a regime is somewhere, by a search of the places; it fails only where each surely has another.
+    @param means map from the place's name to its Mean"""
+    found = {place: mean for place, mean in means.items() if regime(mean, least) == wanted}
+    if not found:
+        open_ = any(regime(mean, least) == UNTOLD for mean in means.values())
+        return verdicts.Check(says, f"at none of {len(means)}", None if open_ else False)
+    if wanted == NONE:
+        return verdicts.Check(says, f"at {len(found)} of {len(means)}", True, is_searched=True)
+    place = max(found, key=lambda name: abs(found[name].value))
+    shown = verdicts.speed(found[place])
+    return verdicts.Check(says, f"at {len(found)} of {len(means)}, most at {place}: {shown}", True,
+                          is_searched=True)
+
+
+def strength(amplitude):
+    """Γ, the base's greatest acceleration over gravity."""
+    return round(amplitude * (2.0 * math.pi * FREQUENCY) ** 2 / GRAVITY, 2)
+
+
+def velocities(rows):
+    """@return of each restitution: map from (Γ, h / w) to the mean velocity [m/s]"""
+    return {e: {(strength(amplitude), round(height / WIDTH, 9)): cell.mean("mean_vx.A")
+                for (height, amplitude), cell in group.by(HEIGHT, AMPLITUDE).items()}
+            for e, group in sorted(rows.by(E).items())}
+
+
+def evaluate(rows):
+    """@return velocities() of the search, and of the fresh seeds at places that it had found"""
+    return {"map": velocities(rows["validation_bae"]), "fresh": velocities(rows["validation_bae_fresh"])}
+
+
+def draw_regimes(numbers):
+    numbers = numbers["map"]
+    figure, row = plots.panels(1, len(numbers), (3.4 * len(numbers), 3.9), sharey=True)
+    for axes, (e, means) in zip(row, numbers.items()):
+        plots.class_map(axes, axis(means, 0), axis(means, 1),
+                       lambda x, y, means=means: regime(means[x, y], LEAST), COLOURS)
+        axes.set(title=f"e = {e:g}", xlabel=r"$\Gamma = A (2 \pi f)^2 / g$")
+        axes.tick_params(axis="x", rotation=60)
+    row[0].set_ylabel("roughness $h / w$")
+    plots.class_legend(row[-1], COLOURS)
+    return figure
+
+
+def draw_curves(numbers):
+    means = numbers["map"][SLICE]
+    figure, axes = plots.panels(1, 1, (6.4, 4.0))
+    heights, strengths, ends = axis(means, 1), axis(means, 0), []
+    for height, colour in zip(heights, plots.ramp(len(heights))):
+        plots.curve(axes, [(gamma, means[gamma, height]) for gamma in strengths], plots.MM, color=colour)
+        ends.append((plots.MM * means[strengths[-1], height].value, f"{height:g}", colour))
+    plots.signed(axes)
+    axes.set(xlabel=r"$\Gamma = A (2 \pi f)^2 / g$", ylabel=r"$\langle V_x \rangle$ [mm/s]")
+    plots.end_labels(axes, ends, "$h / w$")
+    return figure
+
+
+def places(numbers):
+    return {f"e = {e:g}, Γ = {x:g}, h/w = {y:g}": mean
+            for e, means in numbers.items() for (x, y), mean in means.items()}
+
+
+def changes(says, means):
+    """A check that more than one regime is among these places. @param means map from the place's name to its Mean"""
+    regimes = {place: regime(mean, LEAST) for place, mean in means.items()}
+    told = "; ".join(f"{name} at {place}" for place, name in regimes.items())
+    known = set(regimes.values()) - {UNTOLD}
+    passes = True if len(known) > 1 else None if UNTOLD in regimes.values() else False
+    return verdicts.Check(says, told, passes)
+
+
+def along(numbers, key):
+    """Those fresh places that differ in one of "e, Γ, h/w" alone from the last place of the strength's cut."""
+    cuts = {"Γ": lambda e, x, y: e == SLICE and y == CUT, "h/w": lambda e, x, y: e == SLICE and x == STRONG,
+            "e": lambda e, x, y: (x, y) == (STRONG, ROUGH) and e != SLICE}
+    return {f"e = {e:g}, Γ = {x:g}, h/w = {y:g}": mean for e, means in numbers.items()
+            for (x, y), mean in sorted(means.items()) if cuts[key](e, x, y)}
+
+
+def regime_check(says, known, wanted):
+    """A check by fresh seeds that a regime is at one of the places."""
+    found = exists(says, known, LEAST, wanted)
+    return dataclasses.replace(found, is_searched=False)
+
+
+def claims(numbers):
+    fresh = numbers["fresh"]
+    known = places(fresh)
+    return [verdicts.Claim("4", "Bae 2004, abstract", "one grain has regimes of no, of normal and of reversed "
+                           "current, by the strength of the shaking, the roughness of the teeth and the restitution", (
+                               regime_check("no current", known, NONE),
+                               regime_check("normal current", known, NORMAL),
+                               regime_check("reversed current", known, REVERSED),
+                               changes("the regime changes with the strength, all else the same", along(fresh, "Γ")),
+                               changes("the regime changes with the roughness, all else the same", along(fresh, "h/w")),
+                               changes("the regime changes with e, all else the same", along(fresh, "e"))))]
+
+
+def extent(means, wanted):
+    cells = [place for place, mean in means.items() if regime(mean, LEAST) == wanted]
+    if not cells:
+        return "nowhere"
+    return (f"{len(cells)}: Γ {min(x for x, _ in cells):g} to {max(x for x, _ in cells):g}, "
+            f"h/w {min(y for _, y in cells):g} to {max(y for _, y in cells):g}")
+
+
+def text(numbers):
+    numbers = numbers["map"]
+    wanted = (NONE, NORMAL, REVERSED, UNTOLD)
+    lines = [[f"{e:g}", len(means), *(extent(means, name) for name in wanted)] for e, means in numbers.items()]
+    return ("Where each regime lies in the map, and between which values:\n\n"
+            + table(["e", "places", *wanted], lines))
+
+
+def lines_of(numbers):
+    """For a CSV file."""
+    return (["e", "gamma", "h_over_w", "mean_vx_m_per_s", "standard_error", "n"],
+            [[f"{e:g}", f"{x:g}", f"{y:g}", f"{mean.value:.4g}", f"{mean.error:.2g}", mean.count]
+             for e, means in numbers["map"].items() for (x, y), mean in means.items()])
+
+
+STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others 2004)",
+              (Sweep("validation_bae"), Sweep("validation_bae_fresh")), evaluate,
+              (Picture("bae_regimes", "Which way single grains go, over the strength of the shaking and the roughness "
+                       f"of the teeth, a = 0.3; a current is more than {LEAST * plots.MM:g} mm/s with 95 %",
+                       draw_regimes, ("validation_bae",)),
+               Picture("bae_current", "Mean velocity of single grains over the strength of the shaking, "
+                       f"e = {SLICE:g}, a = 0.3; bars: standard errors over the seeds", draw_curves,
+                       ("validation_bae",))),
+              claims, text, tables=lambda numbers: {"bae": lines_of(numbers)})

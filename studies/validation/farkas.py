@@ -1,0 +1,179 @@
+"""Two kinds of one size and mass that differ in restitution alone, or in friction alone (Farkas et al. 2002).
+
+The parameters were searched for. The checks are of runs with fresh seeds at places that the search had found."""
+import dataclasses
+
+from ratchet_sieve import plots
+from ratchet_sieve.tables import Rows
+from ratchet_sieve.texts import shown, table
+from curves import best_of
+from study import Picture, Study, Sweep, axis, told
+import verdicts
+
+THETA = "base.inclination"
+
+
+@dataclasses.dataclass(frozen=True)
+class Ratchet:
+    """A sweep of a mixture: panels over two keys, curves over a third, all over the inclination."""
+    suffix: str   # of the sweep's and the picture's name
+    about: str    # of its teeth
+    columns: str  # key of the panels' columns
+    column: str   # and how a value of it is written
+    curves: str
+    curve: str
+    scale: float = 1.0  # of both values in that writing
+
+
+ROWS, ROW_NAME = "density", "d"
+USEFUL = 0.5  # Q from which a mixture counts as segregated: half way from mixed to pure
+RATCHETS = (Ratchet("", "the teeth of Fig. 3", "base.asymmetry", "a = {:g}", "base.frequency", "f = {:g} Hz"),
+            Ratchet("_steep", "small steep teeth", "base.tooth_height", "h = {:g} mm", "base.amplitude",
+                          "amplitude {:g} mm", plots.MM))
+
+
+def velocities(rows, ratchet):
+    """@return map from (row, column, curve, θ) to both kinds' mean velocities and B's less A's, seed by seed [m/s]"""
+    return {place: (cell.mean("mean_vx.A"), cell.mean("mean_vx.B"),
+                    cell.mean(lambda row: row["mean_vx.B"] - row["mean_vx.A"]))
+            for place, cell in rows.by(ROWS, ratchet.columns, ratchet.curves, THETA).items()}
+
+
+def draw_kinds(means, ratchet, kinds):
+    rows, columns, curves = (axis(means, index) for index in range(3))
+    figure, grid = plots.panels(len(rows), len(columns), (8.6, 0.6 + 2.7 * len(rows)), sharex=True, squeeze=False)
+    for line, row in zip(grid, rows):
+        for axes, column in zip(line, columns):
+            for curve, colour in zip(curves, plots.COLOURS):
+                for kind, style in enumerate(("-", "--")):
+                    points = [(theta, means[row, column, curve, theta][kind]) for theta in axis(means, 3)]
+                    plots.curve(axes, points, plots.MM, color=colour, linestyle=style,
+                                label=f"{kinds[kind]}, {ratchet.curve.format(ratchet.scale * curve)}")
+            plots.signed(axes)
+            axes.set_title(f"{ROW_NAME} = {row:g}, {ratchet.column.format(ratchet.scale * column)}")
+    for axes in grid[-1]:
+        axes.set_xlabel(r"$\theta$ [rad]")
+        axes.locator_params(axis="x", nbins=5)
+    for line in grid:
+        line[0].set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
+    grid[0][-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+def named(place, ratchet):
+    row, column, curve, theta = place
+    values = (ratchet.column.format(ratchet.scale * column), ratchet.curve.format(ratchet.scale * curve))
+    return f"{ROW_NAME} = {row:g}, {', '.join(values)}, θ = {theta:g}".replace("-", "−")
+
+
+def opposed_at(means):
+    """@return places where one kind surely goes to the right and the other to the left, with both"""
+    ways = {place: (pair[0].surely_above(0.0), pair[1].surely_above(0.0)) for place, pair in means.items()}
+    return {place: means[place] for place, (a, b) in sorted(ways.items()) if None not in (a, b) and a != b}
+
+
+def evaluator(name):
+    def evaluate(rows):
+        open_rows = rows[f"{name}_open"]
+        return {"means": {ratchet: velocities(rows[name + ratchet.suffix], ratchet) for ratchet in RATCHETS},
+                "quality": {theta: (cell.mean("quality"), cell.mean("processed"))
+                            for theta, cell in sorted(open_rows.by(THETA).items())},
+                "best": best_of(open_rows, THETA, "quality"), "fresh": confirmed(rows[f"{name}_fresh"])}
+    return evaluate
+
+
+def confirmed(rows):
+    """@return of the three places of the fresh seeds: B's drift less A's on the teeth of Fig. 3, both drifts on steep
+    teeth, Q on the open base; each with the place in words; and the seeds"""
+    open_, periodic = rows.where({"boundary": "open"}), Rows(rows.frame[rows.frame["boundary"] != "open"])
+    parts = periodic.by("base.tooth_width")
+    fig3, steep = parts[max(parts)], parts[min(parts)]
+    return {"differing": fig3.mean(lambda row: row["mean_vx.B"] - row["mean_vx.A"]), "differing_at": place_of(fig3, 0),
+            "opposed": (steep.mean("mean_vx.A"), steep.mean("mean_vx.B")), "opposed_at": place_of(steep, 1),
+            "quality": open_.mean("quality"), "quality_at": f"θ = {shown(open_[0][THETA])}",
+            "seeds": rows.values("seed")}
+
+
+def place_of(rows, index):
+    ratchet, row = RATCHETS[index], rows[0]
+    return named((row[ROWS], row[ratchet.columns], row[ratchet.curves], row[THETA]), ratchet)
+
+
+def draw_quality(numbers):
+    figure, axes = plots.panels(1, 1, (6.0, 3.6))
+    for index, (name, colour) in enumerate(zip("QP", plots.COLOURS)):
+        points = [(theta, pair[index]) for theta, pair in numbers["quality"].items()]
+        plots.curve(axes, points, color=colour, label=name)
+    axes.set_ylim(0.0, 1.05)
+    axes.set(xlabel=r"$\theta$ [rad]", ylabel="$Q$ and $P$")
+    axes.legend()
+    return figure
+
+
+def differs(fresh):
+    """That the kinds drift at different speeds, whichever is faster."""
+    mean = fresh["differing"]
+    way = mean.surely_above(0.0)
+    return verdicts.Check(f"on {RATCHETS[0].about} the kinds drift at different speeds ({fresh['differing_at']})",
+                          f"B less A {verdicts.speed(mean)}", None if way is None else True)
+
+
+def opposite(fresh):
+    a, b = fresh["opposed"]
+    ways = [mean.surely_above(0.0) for mean in (a, b)]
+    return verdicts.Check(f"on {RATCHETS[1].about} they go opposite ways ({fresh['opposed_at']})",
+                          f"A {verdicts.speed(a)}, B {verdicts.speed(b)}", None if None in ways else ways[0] != ways[1])
+
+
+def segregates(fresh):
+    return verdicts.above(f"on an open base Q > {USEFUL:g} ({fresh['quality_at']})", fresh["quality"], USEFUL)
+
+
+def claimer(number, word):
+    def claims(numbers):
+        fresh = numbers["fresh"]
+        return [verdicts.Claim(number, "Farkas 2002, abstract", "two kinds of the same size that differ only in their "
+                               f"{word} coefficient can be segregated by an appropriately chosen ratchet",
+                               (differs(fresh), opposite(fresh), segregates(fresh)))]
+    return claims
+
+
+def opposed_table(means, ratchet):
+    lines = [[named(place, ratchet), *(mean.text(plots.MM) for mean in pair)]
+             for place, pair in opposed_at(means).items()]
+    if not lines:
+        return f"On {ratchet.about} the kinds go opposite ways nowhere."
+    return (f"Where the kinds go opposite ways on {ratchet.about}, velocities in mm/s:\n\n"
+            + table(["where", "A", "B", "B less A"], lines))
+
+
+def text(numbers):
+    quality = [[shown(theta), *(told(mean) for mean in pair)]
+               for theta, pair in numbers["quality"].items()]
+    return "\n\n".join([*(opposed_table(means, ratchet) for ratchet, means in numbers["means"].items()),
+                        "On the open base, in the search; the fresh seeds' Q above is the one to quote:",
+                        table(["θ [rad]", "Q", "P"], quality)])
+
+
+def picture(name, word, names, ratchet):
+    return Picture(f"{name}{ratchet.suffix}", f"Mean velocities of two kinds that differ in {word} alone, over the "
+                   f"inclination, on {ratchet.about}; bars: standard errors over the seeds",
+                   lambda numbers: draw_kinds(numbers["means"][ratchet], ratchet, names),
+                   (f"validation_{name}{ratchet.suffix}",))
+
+
+def study(number, word, names, scene):
+    """@param names of both kinds. @param scene of the open base, in words"""
+    name, sweep = f"farkas_{word}", f"validation_farkas_{word}"
+    quality = Picture(f"{name}_quality", f"Quality and processed share of the mixture on an open base ({scene}); bars: "
+                      "standard errors over the seeds", draw_quality, (f"{sweep}_open",))
+    return Study(name, f"One size, another {word} (Farkas and others 2002)",
+                 (*(Sweep(sweep + ratchet.suffix) for ratchet in RATCHETS), Sweep(f"{sweep}_open"),
+                  Sweep(f"{sweep}_fresh")), evaluator(sweep),
+                 (*(picture(name, word, names, ratchet) for ratchet in RATCHETS), quality), claimer(number, word), text)
+
+
+RESTITUTION = study("1", "restitution", ("A: e = 0.4", "B: e = 0.8"),
+                    "1 m of teeth of 5 mm, h = 4 mm, A = 1.4 mm, d = 0.1 at the start, 200 s")
+FRICTION = study("2", "friction", ("A: μ = 0", "B: μ = 0.6"),
+                 "1 m of teeth of 5 mm, h = 3.2 mm, A = 1.4 mm, d = 0.1 at the start, 300 s")

@@ -1,0 +1,109 @@
+"""A layer of one kind: its current over its thickness, and over the frequency (Derényi, Tegzes, Vicsek 1998)."""
+from ratchet_sieve import plots
+from ratchet_sieve.stats import jackknife
+from ratchet_sieve.texts import table
+from curves import crossing_of, curve_of
+from study import Picture, Study, Sweep, axis
+from validation import bae
+import verdicts
+
+D = "density"
+F = "base.frequency"
+E = "species.0.restitution"
+LEAST = 0.0005  # m/s that count as a current
+SUDDEN = 0.5    # of the greatest current within one step of the frequency: an onset that is sudden
+
+
+def evaluate(rows):
+    onset, fresh = rows["validation_layer_onset"], rows["validation_layer_fresh"]
+    rows = rows["validation_layer"]
+    return {"means": {place: cell.mean("mean_vx.A") for place, cell in sorted(rows.by(E, F, D).items())},
+            "turns": {place: crossing_of(cell, D, "mean_vx.A") for place, cell in sorted(rows.by(E, F).items())},
+            "fresh": {d: cell.mean("mean_vx.A") for d, cell in sorted(fresh.by(D).items())},
+            "onset": {place: cell.mean("mean_vx.A") for place, cell in sorted(onset.by(E, F, D).items())},
+            "steps": {place: jackknife(lambda seeds, cell=cell: largest_step(cell, seeds), cell.values("seed"))
+                      for place, cell in sorted(onset.by(E, D).items())}}
+
+
+def draw(numbers):
+    means = numbers["means"]
+    restitutions, frequencies = axis(means, 0), axis(means, 1)
+    figure, row = plots.panels(1, len(restitutions), (8.6, 3.9), sharey=True, squeeze=False)
+    labels = []
+    for axes, e in zip(row[0], restitutions):
+        ends = []
+        for f, colour in zip(frequencies, plots.ramp(len(frequencies))):
+            points = [(d, means[e, f, d]) for d in axis(means, 2)]
+            plots.curve(axes, points, plots.MM, color=colour)
+            ends.append((plots.MM * points[-1][1].value, f"{f:g} Hz", colour))
+        labels.append((axes, ends))
+        plots.signed(axes)
+        axes.set_xscale("log", base=2)
+        axes.set_xticks(axis(means, 2), [f"{d:g}" for d in axis(means, 2)])
+        axes.set(title=f"e = {e:g}", xlabel="density $d$, about the number of layers")
+    row[0][0].set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
+    for axes, ends in labels:
+        plots.end_labels(axes, ends)
+    return figure
+
+
+def draw_onset(numbers):
+    means = numbers["onset"]
+    figure, axes = plots.panels(1, 1, (6.4, 3.8))
+    for (e, d), colour in zip(((e, d) for e in axis(means, 0) for d in axis(means, 2)), plots.COLOURS):
+        points = [(f, means[e, f, d]) for f in axis(means, 1)]
+        plots.curve(axes, points, plots.MM, color=colour, label=f"e = {e:g}, d = {d:g}")
+    plots.signed(axes)
+    axes.set(xlabel="$f$ [Hz]", ylabel=r"$\langle V_x \rangle$ [mm/s]")
+    if means:
+        axes.legend()
+    return figure
+
+
+def turns_afresh(fresh):
+    """A check by fresh seeds that the current of a thin layer and of a thicker one have opposite signs."""
+    says = "the current turns as the layer is made thicker (e = 0.6, 30 Hz)"
+    thin, thick = fresh.items()
+    ways = [mean.surely_above(0.0) for _, mean in (thin, thick)]
+    told = ", ".join(f"{verdicts.shown(mean, plots.MM, 'mm/s')} at d = {d:g}" for d, mean in (thin, thick))
+    return verdicts.Check(says, told, None if None in ways else ways[0] != ways[1])
+
+
+def largest_step(rows, seeds):
+    """@return the greatest change of the velocity from one frequency to the next, over its greatest size"""
+    speeds = [speed for _, speed in curve_of(rows, F, "mean_vx.A", seeds)]
+    return max(abs(late - early) for early, late in zip(speeds, speeds[1:])) / max(map(abs, speeds))
+
+
+def sets_in(steps):
+    """A check that no single step of the frequency makes the most of the current."""
+    says = f"it sets in gradually: of the greatest current no step of 1 Hz makes {100 * SUDDEN:g} %"
+    if not steps:
+        return verdicts.Check(says, "—", None)
+    told = "; ".join(f"e = {e:g}, d = {d:g}: {share.text(100.0)} %" for (e, d), share in steps.items())
+    return verdicts.Check(says, told, verdicts.all_of(share.surely_below(SUDDEN) for share in steps.values()))
+
+
+def claims(numbers):
+    return [verdicts.Claim("3", "Derényi 1998, abstract", "increasing the layer's thickness reverses its current, "
+                           "under certain conditions; transport sets in gradually with the frequency",
+                           (turns_afresh(numbers["fresh"]), sets_in(numbers["steps"])))]
+
+
+def text(numbers):
+    means = numbers["means"]
+    densities = axis(means, 2)
+    lines = [[f"{e:g}", f"{f:g}", *(bae.speed_text(means[e, f, d]) for d in densities),
+              turn.text() if turn else "—"] for (e, f), turn in numbers["turns"].items()]
+    return ("The search: ⟨V_x⟩ in mm/s, and the density at which it first changes its sign:\n\n"
+            + table(["e", "f [Hz]"] + [f"d = {d:g}" for d in densities] + ["turns at d"], lines))
+
+
+STUDY = Study("layer", "A layer over its thickness (Derényi and others 1998)",
+              (Sweep("validation_layer"), Sweep("validation_layer_fresh"),
+               Sweep("validation_layer_onset", is_quick=False)), evaluate,
+              (Picture("layer", "Mean velocity of a layer of one kind over its thickness, on steep teeth (w = 6 mm, "
+                       "h = 5 mm, a = 0.3); bars: standard errors over the seeds", draw, ("validation_layer",)),
+               Picture("layer_onset", "Mean velocity of a thin and of a thick layer over the frequency, on the same "
+                       "teeth; bars: standard errors over the seeds", draw_onset, ("validation_layer_onset",))), claims,
+              text)

@@ -1,0 +1,65 @@
+"""Large and small disks of one material in a layer on a level base (Rapaport 2001)."""
+from ratchet_sieve import plots
+from ratchet_sieve.texts import table
+from study import Picture, Study, Sweep, axis
+import verdicts
+
+D = "density"
+F = "base.frequency"
+E = "species.0.restitution"
+KINDS = ("small", "large")
+
+
+def evaluate(rows):
+    """@return map from (e, f, d) to the mean velocities of small and large disks [m/s]"""
+    return {place: (cell.mean("mean_vx.A"), cell.mean("mean_vx.B"))
+            for place, cell in sorted(rows["validation_rapaport"].by(E, F, D).items())}
+
+
+def draw(means):
+    restitutions, frequencies, densities = (axis(means, index) for index in range(3))
+    figure, row = plots.panels(1, len(restitutions), (8.6, 3.9), sharey=True, squeeze=False)
+    for axes, e in zip(row[0], restitutions):
+        for f, colour in zip(frequencies, plots.COLOURS):
+            for kind, style in enumerate(("-", "--")):
+                plots.curve(axes, [(d, means[e, f, d][kind]) for d in densities], plots.MM, color=colour,
+                            linestyle=style, label=f"{KINDS[kind]}, {f:g} Hz")
+        plots.signed(axes)
+        axes.set_xscale("log", base=2)
+        axes.set_xticks(densities, [f"{d:g}" for d in densities])
+        axes.set(title=f"e = {e:g}", xlabel="density $d$")
+    row[0][0].set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
+    row[0][-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+def opposite(means):
+    """@return places where the kinds surely go opposite ways"""
+    ways = {place: tuple(mean.surely_above(0.0) for mean in pair) for place, pair in means.items()}
+    return [place for place, (small, large) in ways.items() if None not in (small, large) and small != large]
+
+
+def claims(means):
+    found = opposite(means)
+    says = "large and small go opposite ways"
+    check = verdicts.Check(says, f"at none of {len(means)} (e, f, d), which does not exclude other parameters", None)
+    if found:
+        most = max(found, key=lambda place: min(abs(mean.value) for mean in means[place]))
+        small, large = (verdicts.speed(mean) for mean in means[most])
+        e, f, d = most
+        check = verdicts.Check(says, f"at {len(found)} of {len(means)} (e, f, d), as at e = {e:g}, {f:g} Hz, "
+                               f"d = {d:g}: small {small}, large {large}", True, is_searched=True)
+    return [verdicts.Claim("6", "Rapaport 2001, abstract", "in a vertically vibrated layer on a sawtooth large and "
+                           "small particles are horizontally driven in opposite directions", (check,))]
+
+
+def text(means):
+    densities = axis(means, 2)
+    lines = [[f"{e:g}", f"{f:g}", KINDS[kind], *(means[e, f, d][kind].text(plots.MM) for d in densities)]
+             for e in axis(means, 0) for f in axis(means, 1) for kind in range(len(KINDS))]
+    return "⟨V_x⟩ in mm/s:\n\n" + table(["e", "f [Hz]", "", *(f"d = {d:g}" for d in densities)], lines)
+
+
+STUDY = Study("rapaport", "Large and small disks in a layer (Rapaport 2001)", (Sweep("validation_rapaport"),), evaluate,
+              (Picture("rapaport", "Mean velocities of small (0.5 mm) and large (1 mm) disks in a layer over its "
+                       "thickness, on steep teeth; bars: standard errors over the seeds", draw),), claims, text)

@@ -1,0 +1,114 @@
+"""Whether a claim holds: by checks, each a comparison of a mean with a bound, and one rule for all claims."""
+import dataclasses
+
+from ratchet_sieve.plots import MM
+from ratchet_sieve.stats import signs
+
+RULE = ("A check compares a mean with a bound. It passes, or fails, where the interval of 95 % (Student's t over the "
+        "independent samples) lies wholly on one side of the bound. Else it is undecided. A check of many comparisons "
+        "corrects for their number by Holm's method: the probability that one of them is wrongly called sure is 5 % "
+        "at most, for all of them together. The checks of different claims are not corrected for their number. A "
+        "claim *holds* if all its checks pass, *holds in part* if some do, *does not hold* if none does and one "
+        "fails, and is *undecided* if all are. A claim is *possible* if all its checks pass, but one of them only at "
+        "a place that was searched for and was not confirmed by fresh seeds.")
+
+HOLDS = "holds"
+IN_PART = "holds in part"
+POSSIBLE = "possible"
+FAILS = "does not hold"
+UNDECIDED = "undecided"
+MARKS = {True: "yes", False: "**no**", None: "undecided"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Check:
+    says: str        # what should be, bound and all
+    came_out: str    # with its error and number of samples
+    passes: bool     # None: undecided
+    is_searched: bool = False  # passes at a place that the same samples were searched for
+
+    def text(self):
+        return f"{self.says}: {self.came_out}: {MARKS[self.passes]}"
+
+
+def shown(mean, scale, unit):
+    return f"{mean.text(scale)}{' ' + unit if unit else ''} (n = {mean.count})"
+
+
+def above(says, mean, bound=0.0, scale=1.0, unit=""):
+    """A check that a mean is above a bound; undecided where there is no mean."""
+    if mean is None:
+        return Check(says, "—", None)
+    return Check(says, shown(mean, scale, unit), mean.surely_above(bound))
+
+
+def below(says, mean, bound=0.0, scale=1.0, unit=""):
+    if mean is None:
+        return Check(says, "—", None)
+    return Check(says, shown(mean, scale, unit), mean.surely_below(bound))
+
+
+def right(says, mean):
+    """A check that a velocity is to the right."""
+    return above(says, mean, 0.0, MM, "mm/s")
+
+
+def left(says, mean):
+    return below(says, mean, 0.0, MM, "mm/s")
+
+
+def speed(mean):
+    """A velocity in words."""
+    return shown(mean, MM, "mm/s")
+
+
+def all_of(outcomes):
+    """True if all are, False if one is, else None."""
+    outcomes = list(outcomes)
+    if not outcomes or any(outcome is None for outcome in outcomes) and False not in outcomes:
+        return None
+    return False not in outcomes
+
+
+def within(says, mean, low, high, scale=1.0, unit=""):
+    if mean is None:
+        return Check(says, "—", None)
+    return Check(says, shown(mean, scale, unit), all_of((mean.surely_above(low), mean.surely_below(high))))
+
+
+def both(first, second):
+    """Two comparisons that one check asks for."""
+    return Check(first.says, f"{first.came_out}, {second.came_out}", all_of((first.passes, second.passes)))
+
+
+def counted(says, comparisons):
+    """A check of many comparisons: passes if all of them do, fails if one is surely the other way.
+    @param comparisons pairs of a place and of the Mean that should be above 0 there"""
+    comparisons = list(comparisons)
+    outcomes = signs(mean for _, mean in comparisons)
+    against = [place for (place, _), outcome in zip(comparisons, outcomes) if outcome is False]
+    said = f"{outcomes.count(True)} of {len(outcomes)} are sure"
+    if against:
+        said += f", {len(against)} surely the other way ({'; '.join(against)})"
+    return Check(says, said, all_of(outcomes))
+
+
+@dataclasses.dataclass(frozen=True)
+class Claim:
+    number: str   # of the claim in the document's table; an addition's begins with a letter
+    where: str    # in the paper
+    text: str
+    checks: tuple
+    condition: str = ""  # under which the verdict stands, such as a range of a parameter
+
+    def is_addition(self):
+        """Not a claim of the paper."""
+        return not self.number[0].isdigit()
+
+    def verdict(self):
+        outcomes = [check.passes for check in self.checks]
+        if outcomes and all(outcome is True for outcome in outcomes):
+            return POSSIBLE if any(check.is_searched for check in self.checks) else HOLDS
+        if True in outcomes:
+            return IN_PART
+        return FAILS if False in outcomes else UNDECIDED

@@ -1,0 +1,84 @@
+#!/usr/bin/python3
+"""Measures error against processor time: of steps of time (accuracy.method), and of what the model may leave out, on
+scenes with a known answer and on those of the paper. sieve_sweep runs each setting on one thread over many seeds. The
+time is the processor time of the whole program over the simulated time, that of the best round.
+
+Writes data/accuracy.csv, data/accuracy_costs.csv, data/accuracy.json, pictures in images/ and the tables in
+accuracy.md. Drawing needs matplotlib.
+"""
+import argparse
+import pathlib
+
+from ratchet_sieve import documents, origin, plots
+from precision import picture, points, runs, tables
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+FULL = 8.0     # times the seeds of --quick
+SHORT = (1e-9, 0.3)  # one seed a round, so long [s]
+MARKS = ("accuracy-bounds", "accuracy-method", "accuracy-floors", "accuracy-model", "accuracy-claims", "accuracy-large")
+
+
+def read_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "devel/lib/ratchet_sieve", metavar="DIR",
+                        help="where sieve_sweep is")
+    parser.add_argument("--quick", action="store_true",
+                        help="about 40 minutes of one core; without it eight times as many seeds")
+    parser.add_argument("--only", nargs="+", metavar="SCENE", help="measure these scenes alone; the others are kept")
+    parser.add_argument("--errors-only", action="store_true",
+                        help="keep the times: for a machine that is busy with other work")
+    parser.add_argument("--short", action="store_true", help="test whether it runs: its figures mean nothing")
+    parser.add_argument("--draw-only", action="store_true", help="measure nothing: write all from the CSV files")
+    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs", metavar="DIR",
+                        help="directory with accuracy.md (default: docs)")
+    arguments = parser.parse_args()
+    if not arguments.draw_only and not (arguments.programs / "sieve_sweep").exists():
+        parser.error(f"{arguments.programs} holds no sieve_sweep")
+    if arguments.draw_only and not (arguments.out / "data" / points.RESULTS).exists():
+        parser.error(f"--draw-only: {arguments.out / 'data' / points.RESULTS} does not exist")
+    for mark in MARKS:
+        documents.require_place(parser, arguments.out / "accuracy.md", mark)
+    return arguments
+
+
+def measure(arguments):
+    chosen = points.planned(arguments.only)
+    effort, span = SHORT if arguments.short else (1.0 if arguments.quick else FULL, None)
+    runs.run_all(arguments.programs / "sieve_sweep", chosen, effort, span)
+    points.save(arguments.out / "data", chosen, points.Origin(*origin.describe().values(), origin.physics()),
+                not arguments.errors_only)
+
+
+def said(origin):
+    return ", ".join(part for part in (origin.date, origin.machine, f"physics version {origin.physics}") if part)
+
+
+def texts(groups, large, results, costs):
+    """@return mark -> the tables between them"""
+    held_out = {scene.name for scene in points.held_out()}
+    development = {name: own for name, own in groups.items() if name not in held_out}
+    origin = f"*Errors: {'; '.join(map(said, results))}. Times: {'; '.join(map(said, costs))}.*\n\n"
+    tested = {name: own for name, own in groups.items() if name in held_out}
+    return dict(zip(MARKS, (origin + tables.bounds(development), tables.method(development), tables.floors(development),
+                            tables.model(development), tables.claims(tested), tables.large(large))))
+
+
+def main():
+    arguments = read_arguments()
+    if not arguments.draw_only:
+        measure(arguments)
+    every = points.planned()
+    results, costs = points.load(arguments.out / "data", every)
+    large = [point for point in every if point.scene.name.startswith("large")]
+    groups = points.by_scene(point for point in every if point.is_measured() and point not in large)
+    for mark, text in texts(groups, large, results, costs).items():
+        documents.put(arguments.out / "accuracy.md", mark, text)
+    documents.write_figures(arguments.out / "data/accuracy.json", tables.figures(groups, large, results, costs))
+    for draw in (picture.draw_method, picture.draw_model):
+        with plots.styled():
+            print(plots.save(draw(groups), arguments.out / f"images/accuracy_{draw.__name__[5:]}.png", svg=False)[0])
+
+
+if __name__ == "__main__":
+    main()
