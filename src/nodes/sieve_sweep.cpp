@@ -18,9 +18,7 @@
 #include "ratchet_sieve/recording/distinct_files.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/case_builder.h"
-#include "ratchet_sieve/sweep/case_file.h"
 #include "ratchet_sieve/sweep/cost_estimate.h"
-#include "ratchet_sieve/sweep/engine_run.h"
 #include "ratchet_sieve/sweep/floor_check.h"
 #include "ratchet_sieve/sweep/sweep_report.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
@@ -41,15 +39,17 @@ void onSignal(int signal)
   stop_signal = signal;
 }
 
-/// Checks that the outputs of a subcommand are none of the sweep's files, nor its results, which `run` alone
-/// writes.
+/// Checks that the outputs of a subcommand are none of the sweep's files, nor its results, which `run` and
+/// `merge` alone write.
 void requireDistinctFiles(const CLI::App& app, const Sweep& sweep, const SweepArguments& arguments)
 {
   std::vector<NamedFile> inputs = {{"SWEEP", arguments.sweep}};
   if (!sweep.scene_is_inside)
     inputs.push_back({"the sweep's scene", sweep.scene_source});
+  for (const std::string& part : arguments.parts)
+    inputs.push_back({"FILE", part});
   std::vector<NamedFile> outputs = {{"--db", arguments.results}};
-  if (!app.got_subcommand("run"))
+  if (!app.got_subcommand("run") && !app.got_subcommand("merge"))
   {
     for (const char* part : {"", "-wal", "-shm"})
       inputs.push_back({"--db", arguments.results + part});
@@ -68,35 +68,12 @@ void requireDistinctFiles(const CLI::App& app, const Sweep& sweep, const SweepAr
 
 void requireFewOrYes(const Sweep& sweep, const SweepArguments& arguments)
 {
-  if (sweep.size() <= MANY_CASES || arguments.yes)
+  if (sweep.sizeOfPart() <= MANY_CASES || arguments.yes)
     return;
   const std::size_t threads = std::max<std::size_t>(arguments.options.threads, 1);
-  throw Refusal(sweep.source + ": has " + std::to_string(sweep.size()) + " cases, which take " +
+  throw Refusal(sweep.source + ": has " + std::to_string(sweep.sizeOfPart()) + " cases, which take " +
                 estimateText(sweep, threads) + " on " + countText(threads, "thread") +
                 "; use --yes to run them");
-}
-
-SweepOutcome runCases(const Sweep& sweep, const SweepArguments& arguments)
-{
-  if (arguments.engine == "threads")
-    return runSweep(sweep, arguments.results, arguments.options);
-  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  const std::string program = arguments.program.empty() ? self : arguments.program;
-  if (arguments.engine == "slurm")
-  {
-    SlurmEngine engine(program, arguments.engine_options);
-    return runSweepOn(engine, sweep, arguments.results, arguments.options);
-  }
-  if (arguments.hosts.empty())
-    throw Refusal("--engine parallel needs --hosts");
-  ParallelEngine engine(arguments.hosts, program);
-  return runSweepOn(engine, sweep, arguments.results, arguments.options);
-}
-
-int runCaseHere(const std::string& file)
-{
-  attendSignals(onSignal);
-  return runCaseFile(file, [] { return stop_signal != 0; }) ? DONE : FAILED;
 }
 
 void warn(const std::string& text)
@@ -132,13 +109,12 @@ int run(const Sweep& sweep, SweepArguments& arguments)
   if (arguments.options.threads == 0)
     arguments.options.threads = std::max(1u, std::thread::hardware_concurrency());
   requireFewOrYes(sweep, arguments);
-  if (arguments.pages.isWanted() && arguments.engine != "threads")
-    throw Refusal("--html: --engine " + arguments.engine + " keeps no pages of its cases");
   if (arguments.dry_run)
     return listOnly(sweep, arguments);
   if (arguments.pages.isWanted())
     arguments.options.record = casePages(arguments.pages, arguments.name());
-  const SweepOutcome outcome = runAttended(arguments.options, [&] { return runCases(sweep, arguments); });
+  const SweepOutcome outcome =
+      runAttended(arguments.options, [&] { return runSweep(sweep, arguments.results, arguments.options); });
   const SweepCounts& counts = outcome.counts;
   if (outcome.stopped)
   {
@@ -148,6 +124,27 @@ int run(const Sweep& sweep, SweepArguments& arguments)
   }
   std::fputs(statusText(sweep, arguments.results, arguments.options.best).c_str(), stderr);
   return counts.failed == 0 ? DONE : FAILED;
+}
+
+int merge(const Sweep& sweep, SweepArguments& arguments)
+{
+  try
+  {
+    requireMergeable(sweep, arguments.parts);
+  }
+  catch (const DatabaseError& error)
+  {
+    throw Refusal(error.what());
+  }
+  const auto copy = [&]
+  { return mergeResults(sweep, arguments.results, arguments.parts, arguments.options); };
+  if (runAttended(arguments.options, copy).stopped)
+  {
+    std::fputs("sieve_sweep: stopped; run the same command to continue\n", stderr);
+    return FAILED;
+  }
+  std::fputs(statusText(sweep, arguments.results, arguments.options.best).c_str(), stderr);
+  return DONE;
 }
 
 int exportResults(const Sweep& sweep, const SweepArguments& arguments)
@@ -260,13 +257,12 @@ int report(const Sweep& sweep, SweepArguments& arguments)
 
 int dispatch(const CLI::App& app, SweepArguments& arguments)
 {
-  if (app.got_subcommand("case"))
-    return runCaseHere(arguments.sweep);
   if (arguments.results.empty())
-    arguments.results = std::filesystem::path(arguments.sweep).replace_extension(".db").string();
+    arguments.results = arguments.ownResults();
   try
   {
-    const Sweep sweep = loadSweep(arguments.sweep);
+    Sweep sweep = loadSweep(arguments.sweep);
+    sweep.part = arguments.part.value_or(SweepPart());
     if (app.got_subcommand("report") && arguments.out.empty())
       arguments.out = arguments.beside("_report");
     if (arguments.results == IN_MEMORY)
@@ -274,6 +270,8 @@ int dispatch(const CLI::App& app, SweepArguments& arguments)
     requireDistinctFiles(app, sweep, arguments);
     if (app.got_subcommand("run"))
       return run(sweep, arguments);
+    if (app.got_subcommand("merge"))
+      return merge(sweep, arguments);
     if (app.got_subcommand("export"))
       return exportResults(sweep, arguments);
     if (app.got_subcommand("report"))

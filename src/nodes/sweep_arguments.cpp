@@ -1,9 +1,16 @@
 #include "sweep_arguments.h"
 
+#include <algorithm>
+#include <optional>
+
+#include "ratchet_sieve/scene/parsed.h"
+
 namespace ratchet_sieve
 {
 namespace
 {
+
+constexpr std::uint64_t MOST_PARTS = 1'000'000;
 
 void describeThreads(CLI::App& command, SweepArguments& arguments)
 {
@@ -34,30 +41,24 @@ void describeBest(CLI::App& command, SweepArguments& arguments)
       ->capture_default_str();
 }
 
-void describeEngine(CLI::App& run, SweepArguments& arguments)
+/// Which cases of the sweep are meant; their results are in a file of their own.
+void describePart(CLI::App& command, SweepArguments& arguments)
 {
-  run.add_option(
-         "--engine", arguments.engine,
-         "What runs the cases: threads of this program, GNU parallel over ssh (parallel), or a job array of "
-         "Slurm (slurm)")
-      ->type_name("threads|parallel|slurm")
-      ->check(CLI::IsMember({"threads", "parallel", "slurm"}))
-      ->capture_default_str();
-  run.add_option("--hosts", arguments.hosts,
-                 "Hosts of --engine parallel, in the format of its --sshloginfile")
-      ->type_name("FILE");
-  run.add_option("--per-job", arguments.options.per_job,
-                 "Number of cases in one job of an engine; 0: as many as give at most a thousand jobs")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1'000'000'000))
-      ->capture_default_str();
-  run.add_option("--sbatch", arguments.engine_options,
-                 "Option of sbatch, such as --sbatch=--partition=short; repeatable")
-      ->type_name("OPTION")
-      ->allow_extra_args(false);
-  run.add_option("--program", arguments.program,
-                 "Path of this program on the hosts; without this option the same as here")
-      ->type_name("FILE");
+  const auto take = [&arguments](const std::string& text)
+  {
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    const auto number = parsed<std::uint64_t>(text.substr(0, slash));
+    const auto count = parsed<std::uint64_t>(text.substr(std::min(slash + 1, text.size())));
+    if (!number || !count || *number < 1 || *number > *count || *count > MOST_PARTS)
+      throw CLI::ValidationError("--part " + text + ": must be K/N, a part from 1 to the number of parts");
+    arguments.part = SweepPart{*number, *count};
+  };
+  command
+      .add_option_function<std::string>(
+          "--part", take,
+          "Only every N-th case from the K-th on, as another machine runs the others; --db then is "
+          "SWEEP.K-of-N.db if not given")
+      ->type_name("K/N");
 }
 
 void describePages(CLI::App& run, SweepArguments& arguments)
@@ -66,7 +67,7 @@ void describePages(CLI::App& run, SweepArguments& arguments)
       run.add_option(
              "--html", arguments.pages.path,
              "Keep each case that is run as an HTML page in this directory, as sieve_run --html does, "
-             "for report to link to; not with other engines than threads")
+             "for report to link to")
           ->type_name("DIR");
   describeSize(run, arguments.pages, html);
 }
@@ -80,7 +81,7 @@ void describeRun(CLI::App& run, SweepArguments& arguments)
       ->type_name("S")
       ->check(CLI::Range(0.0, 1e9))
       ->capture_default_str();
-  describeEngine(run, arguments);
+  describePart(run, arguments);
   describePages(run, arguments);
   run.add_flag("--retry-failed", arguments.options.retry_failed, "Run failed cases again");
   run.add_flag(
@@ -150,15 +151,17 @@ void describe(CLI::App& app, SweepArguments& arguments)
     return command;
   };
   describeRun(*verb("run", "Run the cases that have no result yet"), arguments);
-  describeBest(*verb("status", "Print the progress of the sweep and its best setting"), arguments);
+  CLI::App& status = *verb("status", "Print the progress of the sweep and its best setting");
+  describePart(status, arguments);
+  describeBest(status, arguments);
   verb("export", "Write the results as CSV")
       ->add_option("--out", arguments.out, "Write to a file instead of standard output")
       ->type_name("FILE");
   describeReport(
       *verb("report", "Draw curves and maps of the results, averaged over the seeds, as an HTML page"),
       arguments);
-  app.add_subcommand("case", "Run the cases of a case file; engines call this")
-      ->add_option("CASE", arguments.sweep, "Case file; the results are written beside it")
+  verb("merge", "Copy the results of the sweep's parts into its results file")
+      ->add_option("FILE", arguments.parts, "Results file of a part, which stays as it is; repeatable")
       ->required()
       ->type_name("FILE");
   app.footer(

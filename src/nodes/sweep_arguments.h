@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,8 @@ struct SweepArguments
   std::string sweep;
   std::string results;
   std::string out;
-  std::string engine = "threads";
-  std::string hosts;
-  std::string program;
-  std::vector<std::string> engine_options;
+  std::optional<SweepPart> part;   ///< all of the sweep if not given
+  std::vector<std::string> parts;  ///< results files to merge
   std::vector<std::string> plot_options;
   std::vector<std::string> where;
   PageArguments pages;  ///< of cases; the path is that of their directory
@@ -32,6 +31,13 @@ struct SweepArguments
 
   /// Of the sweep, from its file's.
   std::string name() const { return std::filesystem::path(sweep).stem().string(); }
+
+  /// The results file without --db.
+  std::string ownResults() const
+  {
+    return beside(part ? '.' + std::to_string(part->number) + "-of-" + std::to_string(part->count) + ".db"
+                       : ".db");
+  }
 
   /// A path next to the sweep's file.
   std::string beside(const std::string& ending) const

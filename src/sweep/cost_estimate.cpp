@@ -139,7 +139,8 @@ std::string estimateText(const Sweep& sweep, std::size_t threads)
   if (!run)
     return "an unknown time: the first case takes long to start";
   const double wall = wholeCost(*run, scene.duration);
-  return "about " + durationText(wall * static_cast<double>(sweep.size()) / static_cast<double>(threads)) +
+  return "about " +
+         durationText(wall * static_cast<double>(sweep.sizeOfPart()) / static_cast<double>(threads)) +
          " according to the first case";
 }
 
@@ -160,8 +161,8 @@ std::vector<std::string> costLines(const Sweep& sweep)
     lines.push_back((name.empty() ? "" : name + ": ") +
                     (run ? cornerText(scene, *run, cost) : "unknown: it takes long to start"));
   }
-  lines.front() = countText(sweep.size(), "case") + ": ";
-  lines.front() += known > 0.0 ? "about " + costText(sum / known * static_cast<double>(sweep.size())) +
+  lines.front() = countText(sweep.sizeOfPart(), "case") + ": ";
+  lines.front() += known > 0.0 ? "about " + costText(sum / known * static_cast<double>(sweep.sizeOfPart())) +
                                      " of processor time, by the corners of the grid"
                                : "an unknown time";
   return lines;

@@ -160,6 +160,12 @@ Statement& Statement::bind(int parameter, std::nullptr_t)
   return *this;
 }
 
+Statement& Statement::bind(int parameter, const Statement& row, int column)
+{
+  sqlite3_bind_value(statement_, parameter, sqlite3_column_value(row.statement_, column));
+  return *this;
+}
+
 bool Statement::step()
 {
   const int result = sqlite3_step(statement_);

@@ -42,9 +42,8 @@ constexpr const char* TABLES = R"(
     sweep INTEGER NOT NULL, position INTEGER NOT NULL, run_hash TEXT NOT NULL,
     PRIMARY KEY (sweep, position)) WITHOUT ROWID;
   CREATE UNIQUE INDEX IF NOT EXISTS plan_by_run ON plan (sweep, run_hash);
-  CREATE TABLE IF NOT EXISTS claims (
-    run_hash TEXT NOT NULL, physics INTEGER NOT NULL, owner TEXT NOT NULL,
-    PRIMARY KEY (run_hash, physics)) WITHOUT ROWID;
+  CREATE TABLE IF NOT EXISTS under_way (
+    run_hash TEXT NOT NULL, physics INTEGER NOT NULL, PRIMARY KEY (run_hash, physics)) WITHOUT ROWID;
   CREATE TABLE IF NOT EXISTS deaths (
     run_hash TEXT NOT NULL, physics INTEGER NOT NULL, place TEXT NOT NULL,
     PRIMARY KEY (run_hash, physics)) WITHOUT ROWID;)";
@@ -267,6 +266,24 @@ bool ResultStore::record(const CaseResult& result)
     bindJson(statement, ++parameter, scalar.second);
   statement.run();
   return database_.changes() > 0;
+}
+
+void ResultStore::copyFrom(const ResultStore& other)
+{
+  const std::vector<std::string> columns = other.columnNames();
+  addColumns(columns);
+  Statement rows(other.database(), "SELECT run_hash, status, * FROM cases WHERE physics = ?");
+  Statement replace(database_, "DELETE FROM cases WHERE run_hash = ? AND physics = ? AND status = 'failed'");
+  Statement& insert = insertion(columns);
+  rows.bind(1, PHYSICS_VERSION);
+  while (rows.step())
+  {
+    if (rows.text(1) == "done")
+      replace.bind(1, rows.text(0)).bind(2, PHYSICS_VERSION).run();
+    for (int column = 2; column < rows.columns(); ++column)
+      insert.bind(column - 1, rows, column);
+    insert.run();
+  }
 }
 
 }  // namespace ratchet_sieve

@@ -49,6 +49,8 @@ std::string Sweep::fingerprint() const
   text += "seeds " + std::to_string(seeds.first) + ' ' + std::to_string(seeds.count);
   for (const std::uint64_t seed : seeds.listed)
     text += ' ' + std::to_string(seed);
+  if (part.count > 1)
+    text += "\npart " + std::to_string(part.number) + ' ' + std::to_string(part.count);
   char digits[17];
   std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(fnv1a(text)));
   return digits;

@@ -103,22 +103,20 @@ std::optional<SweepPlan> SweepPlan::make(Database& database, const Sweep& sweep,
 {
   const std::int64_t id = beginPlan(database, sweep);
   Statement insert(database, "INSERT OR IGNORE INTO plan (sweep, position, run_hash) VALUES (?, ?, ?)");
-  std::vector<std::string> hashes;
-  std::uint64_t first = 0;
+  std::vector<std::pair<std::uint64_t, std::string>> rows;
   const auto flush = [&]
   {
     Transaction transaction(database);
-    for (std::uint64_t k = 0; k < hashes.size(); ++k)
-      insert.bind(1, id).bind(2, static_cast<std::int64_t>(first + k)).bind(3, hashes[k]).run();
+    for (const auto& [position, hash] : rows)
+      insert.bind(1, id).bind(2, static_cast<std::int64_t>(position)).bind(3, hash).run();
     transaction.commit();
-    first += hashes.size();
-    hashes.clear();
+    rows.clear();
   };
   CaseBuilder builder(sweep);
-  for (std::uint64_t position = 0; position < sweep.size(); ++position)
+  for (std::uint64_t position = sweep.part.number - 1; position < sweep.size(); position += sweep.part.count)
   {
-    hashes.push_back(runHash(builder.at(position).scene));
-    if (hashes.size() < ROWS_AT_ONCE)
+    rows.emplace_back(position, runHash(builder.at(position).scene));
+    if (rows.size() < ROWS_AT_ONCE)
       continue;
     if (stop_wanted && stop_wanted())
       return std::nullopt;

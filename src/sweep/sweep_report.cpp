@@ -13,10 +13,9 @@
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/case_builder.h"
-#include "ratchet_sieve/sweep/case_claims.h"
 #include "ratchet_sieve/sweep/result_store.h"
 #include "ratchet_sieve/sweep/sweep_plan.h"
-#include "ratchet_sieve/sweep/sweep_run.h"
+#include "ratchet_sieve/sweep/work_directory.h"
 
 namespace ratchet_sieve
 {
@@ -40,6 +39,18 @@ std::string failureText(Database& database, const SweepPlan& plan)
   while (select.step())
     text += fmt::format("failed {}: {}\n", select.integer(1), select.text(0));
   return text;
+}
+
+/// The number that a live process runs.
+std::uint64_t casesUnderWay(const Database& database, const SweepPlan& plan)
+{
+  if (!ResultsLock::isHeld(database.path()))
+    return 0;
+  Statement select(database,
+                   "SELECT COUNT(*) FROM under_way u JOIN plan p ON p.sweep = ?1 AND "
+                   "p.run_hash = u.run_hash WHERE physics = ?2");
+  bindPlan(select, plan).step();
+  return static_cast<std::uint64_t>(select.integer(0));
 }
 
 SweepFindings findingsOf(const Sweep& sweep, ResultStore& store, const SweepPlan& plan,
@@ -184,15 +195,15 @@ std::string commandText(const Sweep& sweep, const std::string& scene)
 std::string statusText(const Sweep& sweep, const std::string& results, const BestCriteria& criteria)
 {
   if (!std::filesystem::exists(results))
-    return countText(sweep.size(), "case") + ", not begun\n";
+    return countText(sweep.sizeOfPart(), "case") + ", not begun\n";
   ResultStore store(results, Database::Access::READ);
   Database& database = store.database();
   const SweepPlan plan = SweepPlan::findOrWorkOut(database, sweep);
   const SweepCounts counts = plan.counts(database);
   const SweepFindings findings = findingsOf(sweep, store, plan, criteria);
-  std::string text = fmt::format("{}: {} done, {} failed, {} under way, {} to go",
-                                 countText(counts.cases, "case"), counts.done, counts.failed,
-                                 casesUnderWay(database, plan, workDirectory(results)), counts.open());
+  std::string text =
+      fmt::format("{}: {} done, {} failed, {} under way, {} to go", countText(counts.cases, "case"),
+                  counts.done, counts.failed, casesUnderWay(database, plan), counts.open());
   text += findings.warned > 0 ? fmt::format(", {} with warnings\n", findings.warned) : "\n";
   if (!plan.isInFile())
     text +=
@@ -251,7 +262,7 @@ void listCases(const Sweep& sweep, const std::string& results, std::ostream& out
     select.emplace(store->database(), "SELECT status FROM cases WHERE run_hash = ? AND physics = ?");
   }
   CaseBuilder builder(sweep);
-  for (std::uint64_t position = 0; position < sweep.size(); ++position)
+  for (std::uint64_t position = sweep.part.number - 1; position < sweep.size(); position += sweep.part.count)
   {
     out << position + 1 << ": " << builder.name(position);
     if (select && select->bind(1, runHash(builder.at(position).scene)).bind(2, PHYSICS_VERSION).step())

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -17,7 +18,7 @@
 #include "ratchet_sieve/sweep/case_pool.h"
 #include "ratchet_sieve/sweep/case_run.h"
 #include "ratchet_sieve/sweep/sweep_ledger.h"
-#include "result_intake.h"
+#include "ratchet_sieve/sweep/work_directory.h"
 
 namespace ratchet_sieve
 {
@@ -30,11 +31,11 @@ using Clock = std::chrono::steady_clock;
 /// Results are collected for this long, unless a thread waits for work: a transaction costs as much as a
 /// small case.
 constexpr auto GATHER = std::chrono::milliseconds(20);
-/// Interval at which the coordinator checks whether to stop, and whether other processes have abandoned
-/// cases.
+/// Interval at which the main thread checks whether to stop.
 constexpr auto POLL_PERIOD = std::chrono::milliseconds(100);
-/// Work claimed in advance for the threads [s]; none if cases take longer, to leave them to other processes.
-constexpr double CLAIMED_AHEAD = 0.05;
+/// Work begun in advance for the threads [s]; none if cases take longer, so that few are suspect after a
+/// kill.
+constexpr double BEGUN_AHEAD = 0.05;
 constexpr double MOST_AHEAD = 2000.0;  ///< [cases]
 constexpr double RATE_WEIGHT = 0.3;    ///< weight of the newest rate in the running mean
 
@@ -48,20 +49,11 @@ std::size_t threadCount(std::size_t wanted)
   return wanted > 0 ? wanted : std::max(1u, std::thread::hardware_concurrency());
 }
 
-std::string makeDirectory(const std::string& path)
-{
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error)
-    throw OutputError(path + ": cannot be made: " + error.message());
-  return path;
-}
-
 /// Removes checkpoints of cases with a result, which a killed process has left.
-void removeLeftovers(const Database& database, const std::string& directory)
+void removeLeftovers(const Database& database)
 {
   Statement select(database, "SELECT 1 FROM cases WHERE run_hash = ? AND physics = ?");
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory))
+  for (const fs::directory_entry& entry : fs::directory_iterator(workDirectory(database.path())))
   {
     const std::string name = entry.path().filename().string();
     const std::size_t dot = name.find(checkpointEnding());
@@ -77,13 +69,11 @@ void removeLeftovers(const Database& database, const std::string& directory)
 class SweepRun
 {
 public:
-  SweepRun(const Sweep& sweep, ResultStore& store, const SweepPlan& plan, const std::string& directory,
-           const SweepRunOptions& options)
+  SweepRun(const Sweep& sweep, ResultStore& store, const SweepPlan& plan, const SweepRunOptions& options)
       : options_(options),
-        directory_(directory),
         store_(store),
         plan_(plan),
-        ledger_(sweep, store, plan, directory),
+        ledger_(sweep, store, plan),
         threads_wanted_(threadCount(options.threads)),
         pool_(threads_wanted_, [this, &sweep] { return makeWork(sweep); })
   {
@@ -100,6 +90,8 @@ public:
   {
     if (threads() < threads_wanted_ && options_.warn)
       options_.warn(fewerThreadsText(threads(), threads_wanted_));
+    if (const std::string text = ledger_.recordDeaths(); !text.empty() && options_.warn)
+      options_.warn(text);
     try
     {
       runAll();
@@ -108,7 +100,7 @@ public:
     {
       giveUp(error.what());
     }
-    ledger_.claims().releaseAll();
+    ledger_.forgetUnfinished();
     return stopWanted();
   }
 
@@ -123,7 +115,7 @@ private:
       const SweepCase& next = builder->at(position);
       CaseRunOptions options;
       if (!options_.record)
-        options.checkpoint = checkpointPath(directory_, runHash(next.scene));
+        options.checkpoint = checkpointPath(store_.database().path(), runHash(next.scene));
       options.record = options_.record;
       options.checkpoint_period = options_.checkpoint_period;
       options.stop_wanted = [this] { return stopWanted(); };
@@ -141,15 +133,19 @@ private:
       const bool stopping = stopWanted();
       exchange(stopping ? 0 : wanted());
       showProgress();
-      if (pool_.unfinished() == 0 && (stopping || isThrough()))
+      if (pool_.unfinished() == 0)
+      {
+        if (!stopping)
+          requireAllRun();
         return;
+      }
       takeFinished();
     }
   }
 
   std::size_t wanted() const
   {
-    const double ahead = std::min(rate_ * CLAIMED_AHEAD, MOST_AHEAD);
+    const double ahead = std::min(rate_ * BEGUN_AHEAD, MOST_AHEAD);
     const std::size_t target = pool_.threads() + static_cast<std::size_t>(ahead);
     return target - std::min(target, pool_.unfinished());
   }
@@ -162,7 +158,7 @@ private:
         unsaved_.push_back(std::move(*each.result));
   }
 
-  /// Stores finished cases, and claims new ones.
+  /// Stores finished cases, and begins new ones.
   void exchange(std::size_t wanted)
   {
     if (unsaved_.empty() && wanted == 0)
@@ -176,7 +172,7 @@ private:
     for (const CaseResult& result : unsaved_)
     {
       std::error_code ignored;
-      fs::remove(checkpointPath(directory_, result.run_hash), ignored);
+      fs::remove(checkpointPath(store_.database().path(), result.run_hash), ignored);
     }
     const double interval = secondsSince(last_saved_);
     if (interval > 0.0)
@@ -192,18 +188,13 @@ private:
       options_.progress(ledger_.progress(running, options_.best));
   }
 
-  /// Whether no case is left: neither in this process nor in another, which may still be killed.
-  bool isThrough()
+  /// @throws DatabaseError if the hash of a case was another than in the file
+  void requireAllRun()
   {
-    if (const auto text = ledger_.recordDeaths(); !text.empty() && options_.warn)
-      options_.warn(text);
-    if (ledger_.claims().freeAbandoned() == 0)
-    {
-      ledger_.claims().requireNone();
-      return plan_.counts(store_.database()).open() == 0;
-    }
-    ledger_.claims().sayOthers(options_.warn);
-    return false;
+    Database& database = store_.database();
+    if (plan_.counts(database).open() > 0)
+      throw DatabaseError(database.path() +
+                          ": lists other cases than the sweep has: remove it, or use another file");
   }
 
   /// Stops the threads, and tries once more to store the finished cases.
@@ -225,7 +216,6 @@ private:
   }
 
   const SweepRunOptions& options_;
-  std::string directory_;
   ResultStore& store_;
   const SweepPlan& plan_;
   SweepLedger ledger_;
@@ -237,6 +227,23 @@ private:
   CasePool pool_;  ///< last, because its threads use the other members
 };
 
+/// @throws DatabaseError for a result that is not of the sweep's cases @param planned their run_hash
+void requirePlanned(const ResultStore& part, const std::set<std::string>& planned, const Sweep& sweep)
+{
+  const std::string& path = part.database().path();
+  Statement select(part.database(), "SELECT run_hash, MAX(physics = ?) FROM cases GROUP BY run_hash");
+  select.bind(1, PHYSICS_VERSION);
+  while (select.step())
+  {
+    if (planned.count(select.text(0)) == 0)
+      throw DatabaseError(path + ": has a result of no case of " + sweep.source + ": run_hash " +
+                          select.text(0));
+    if (select.integer(1) == 0)
+      throw DatabaseError(path + ": has a result of another physics version than " +
+                          std::to_string(PHYSICS_VERSION) + ": run_hash " + select.text(0));
+  }
+}
+
 void warnOf(const WarningTally& warnings, const Sweep& sweep, const SweepRunOptions& options)
 {
   if (options.warn)
@@ -244,9 +251,16 @@ void warnOf(const WarningTally& warnings, const Sweep& sweep, const SweepRunOpti
       options.warn(line);
 }
 
-/// The plan in the file, or else a new one. Illegal cases are found before anything is written.
-std::optional<SweepPlan> findOrMakePlan(const Sweep& sweep, const std::string& results,
-                                        std::optional<ResultStore>& store, const SweepRunOptions& options)
+}  // namespace
+
+std::string fewerThreadsText(std::size_t threads, std::size_t wanted)
+{
+  return countText(threads, "thread") + " of " + std::to_string(wanted) +
+         " could be started; the results are the same";
+}
+
+std::optional<SweepPlan> openResults(const Sweep& sweep, const std::string& results,
+                                     std::optional<ResultStore>& store, const SweepRunOptions& options)
 {
   if (fs::exists(results))
   {
@@ -260,59 +274,54 @@ std::optional<SweepPlan> findOrMakePlan(const Sweep& sweep, const std::string& r
   return SweepPlan::make(store->database(), sweep, options.stop_wanted);
 }
 
-}  // namespace
-
-std::string fewerThreadsText(std::size_t threads, std::size_t wanted)
-{
-  return countText(threads, "thread") + " of " + std::to_string(wanted) +
-         " could be started; the results are the same";
-}
-
-std::string workDirectory(const std::string& results)
-{
-  return linkTarget(results) + ".d";
-}
-
-std::optional<SweepPlan> prepareSweep(const Sweep& sweep, const std::string& results,
-                                      std::optional<ResultStore>& store, const SweepRunOptions& options)
-{
-  const std::optional<SweepPlan> plan = findOrMakePlan(sweep, results, store, options);
-  if (!plan)
-    return plan;
-  const std::string directory = makeDirectory(workDirectory(results));
-  for (const std::string& kept : ResultIntake(sweep, *plan, *store, directory, options.warn).takeAbandoned())
-    if (options.warn)
-      options.warn(kept + ": has results of other sweeps, which are kept");
-  removeLeftovers(store->database(), directory);
-  if (options.retry_failed)
-    plan->removeFailed(store->database());
-  return plan;
-}
-
-void finishSweep(const SweepPlan& plan, ResultStore& store, const Sweep& sweep, const std::string& results)
-{
-  plan.fillValues(store, sweep);
-  OwnerLock::removeGone(workDirectory(results));
-  std::error_code ignored;
-  fs::remove(workDirectory(results), ignored);  // only if it is empty
-}
-
 SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const SweepRunOptions& options)
 {
+  const ResultsLock lock(results);
   std::optional<ResultStore> store;
-  const std::optional<SweepPlan> plan = prepareSweep(sweep, results, store, options);
+  const std::optional<SweepPlan> plan = openResults(sweep, results, store, options);
   if (!plan)
     return {{}, true};
+  removeLeftovers(store->database());
+  if (options.retry_failed)
+    plan->removeFailed(store->database());
   SweepOutcome outcome;
   {
-    SweepRun run(sweep, *store, *plan, workDirectory(results), options);
+    SweepRun run(sweep, *store, *plan, options);
     outcome.threads = run.threads();
     outcome.threads_wanted = run.threadsWanted();
     outcome.stopped = run.run();
   }
-  finishSweep(*plan, *store, sweep, results);
+  plan->fillValues(*store, sweep);
   outcome.counts = plan->counts(store->database());
   return outcome;
+}
+
+void requireMergeable(const Sweep& sweep, const std::vector<std::string>& parts)
+{
+  std::set<std::string> planned;
+  CaseBuilder builder(sweep);
+  for (std::uint64_t position = 0; position < sweep.size(); ++position)
+    planned.insert(runHash(builder.at(position).scene));
+  for (const std::string& part : parts)
+    requirePlanned(ResultStore(part, Database::Access::READ), planned, sweep);
+}
+
+SweepOutcome mergeResults(const Sweep& sweep, const std::string& results,
+                          const std::vector<std::string>& parts, const SweepRunOptions& options)
+{
+  const ResultsLock lock(results);
+  std::optional<ResultStore> store;
+  const std::optional<SweepPlan> plan = openResults(sweep, results, store, options);
+  if (!plan)
+    return {{}, true};
+  for (const std::string& part : parts)
+  {
+    Transaction transaction(store->database());
+    store->copyFrom(ResultStore(part, Database::Access::READ));
+    transaction.commit();
+  }
+  plan->fillValues(*store, sweep);
+  return {plan->counts(store->database()), false};
 }
 
 }  // namespace ratchet_sieve

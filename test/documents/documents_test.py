@@ -109,7 +109,7 @@ class Documents(unittest.TestCase):
 
     def test_bare_options_are_there(self):
         known = {option for program in self.programs() for option in self.options(program)}
-        known |= {option for command in ('run', 'status', 'report', 'export', 'case')
+        known |= {option for command in ('run', 'status', 'report', 'export', 'merge')
                   for option in self.options('sieve_sweep', command)}
         for name, span in self.spans():
             if span.startswith('--'):

@@ -20,12 +20,12 @@ NOT_RUN = {
     'cmake': 'minutes; the rest of the block runs on the program of the devel space',
     'studies/compare_peers.py': 'ten minutes',
     'rosrun ratchet_sieve sieve_run config/paper_fig8.yaml --duration': 'a minute each',
-    'printf': 'needs two other machines; parallel_engine_test does the same',
-    'rosrun ratchet_sieve sieve_sweep run fig9.yaml --engine': 'needs other machines or a cluster',
-    'rosrun ratchet_sieve sieve_sweep run fig9.yaml --db': 'nine minutes each, and a cluster',
+    'printf': 'needs two other machines; many_machines_test does the same',
+    'seq 8': 'needs two other machines; many_machines_test does the same',
+    'sbatch': 'needs a cluster; many_machines_test does the same',
+    'rosrun ratchet_sieve sieve_sweep merge': 'merges what the command before it has run',
     'rosrun ratchet_sieve sieve_sweep report fig9.yaml --check-floor':
         'needs all seeds of a setting; SieveSweep.ChecksTheFloor does the same',
-    'for engine in threads parallel slurm': 'exports what the three before it have computed',
 }
 
 # Commands that go on, in a terminal of their own: the topic on which a message says that they are up, or the results

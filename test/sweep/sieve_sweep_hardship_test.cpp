@@ -1,6 +1,7 @@
 // sieve_sweep where something is in the way: cases that end their process, limits, one file named twice.
 #include <csignal>
 
+#include "ratchet_sieve/sweep/work_directory.h"
 #include "sieve_sweep_program.h"
 
 namespace ratchet_sieve
@@ -16,21 +17,16 @@ TEST_F(SieveSweepHardship, ACaseWhoseProcessDiesTwiceFailsAndTheOthersAreRun)
   const std::string file = sweep(SMALL_SCENE + std::string("set: {boundary: periodic}\n"
                                                            "grid: {duration: [1.0e+8, 0.2, 0.3]}\n"));
   const std::string results = directory_ / "s.db";
-  const auto owner = [&results]
+  const auto is_under_way = [&results]
   {
-    return std::filesystem::exists(results + ".d")
-               ? textOf(results,
-                        "SELECT COALESCE((SELECT owner FROM claims JOIN plan USING (run_hash) WHERE "
-                        "position = 0), '')")
-               : "";
+    return ResultsLock::isHeld(results) &&
+           textOf(results, "SELECT 1 FROM under_way JOIN plan USING (run_hash) WHERE position = 0") == "1";
   };
-  std::string last;
   for (int death = 0; death < 2; ++death)
   {
     const pid_t child = start({"run", file, "--threads", "1"});
-    while ((owner().empty() || owner() == last) && waitpid(child, nullptr, WNOHANG) == 0)
+    while (!is_under_way() && waitpid(child, nullptr, WNOHANG) == 0)
       usleep(1000);
-    last = owner();
     kill(child, SIGKILL);
     ASSERT_EQ(end(child), -SIGKILL) << errors();
   }

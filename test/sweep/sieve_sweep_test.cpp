@@ -1,4 +1,4 @@
-// sieve_sweep as a program: killed, interrupted, run twice at once, and refused.
+// sieve_sweep as a program: killed, interrupted, run in parts, and refused.
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <random>
+#include <regex>
 #include <set>
 
 #include <sys/wait.h>
@@ -18,6 +19,7 @@
 #include "ratchet_sieve/recording/checkpoint.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/sweep/case_builder.h"
+#include "ratchet_sieve/sweep/work_directory.h"
 #include "sieve_sweep_program.h"
 
 namespace ratchet_sieve
@@ -89,18 +91,91 @@ TEST_F(SieveSweep, KilledHalfWayThroughACaseGoesOnFromItsCheckpoint)
   EXPECT_FALSE(std::filesystem::exists(directory_ / "s.db.d"));
 }
 
-TEST_F(SieveSweep, TwoAtOnceShareTheWork)
+TEST_F(SieveSweep, IsRefusedWhileAnotherProcessWritesTheResults)
 {
-  const std::string file =
-      sweep(std::string(SMALL_SCENE) + "set: {duration: 2}\nseed: {first: 1, count: 300}\n");
-  const pid_t one = start({"run", file, "--threads", "1"}, "one");
-  const pid_t other = start({"run", file, "--threads", "1"}, "other");
-  EXPECT_EQ(end(one), 0) << errors("one");
-  EXPECT_EQ(end(other), 0) << errors("other");
-  EXPECT_EQ(tableOf(directory_ / "s.db").size(), 300u);
-  EXPECT_EQ(textOf(directory_ / "s.db", "SELECT COUNT(*) FROM claims"), "0");
-  ASSERT_EQ(run({"run", file, "--db", directory_ / "alone.db"}), 0);
-  EXPECT_EQ(tableOf(directory_ / "s.db"), tableOf(directory_ / "alone.db"));
+  const std::string file = sweep(SMALL_SCENE + std::string("set: {duration: 1.0e+8, boundary: periodic}\n"));
+  const std::string results = directory_ / "s.db";
+  const pid_t child = start({"run", file}, "first");
+  while (!ResultsLock::isHeld(results) && waitpid(child, nullptr, WNOHANG) == 0)
+    usleep(1000);
+  EXPECT_EQ(run({"run", file}), 1);
+  EXPECT_EQ(errors(), "sieve_sweep: " + results + ": another process runs a sweep into this file\n");
+  kill(child, SIGKILL);
+  end(child);
+  EXPECT_FALSE(ResultsLock::isHeld(results));
+}
+
+TEST_F(SieveSweep, MergesItsPartsIntoTheTableOfOneRun)
+{
+  const std::string file = sweep(SMALL_SCENE + std::string("grid: {base.inclination: [-0.1, 0, 0.1]}\n"
+                                                           "seed: {first: 1, count: 5}\n"));
+  const std::string results = directory_ / "s.db";
+  const auto part = [this](int k) { return directory_ / ("s." + std::to_string(k) + "-of-3.db"); };
+  const auto exported = [this](const std::vector<std::string>& arguments)
+  {
+    EXPECT_EQ(run(arguments), 0) << errors();
+    return std::regex_replace(output(), std::regex(",[^,]*,[^,]*\r\n"), "\n");  // without wall_time and host
+  };
+  ASSERT_EQ(run({"run", file, "--db", directory_ / "whole.db"}), 0) << errors();
+  for (int k = 1; k <= 3; ++k)
+  {
+    ASSERT_EQ(run({"run", file, "--part", std::to_string(k) + "/3"}), 0) << errors();
+    EXPECT_EQ(errors().rfind("5 cases: 5 done, 0 failed, 0 under way, 0 to go\n", 0), 0u) << errors();
+  }
+  EXPECT_EQ(run({"status", file, "--part", "2/3"}), 0);
+  EXPECT_EQ(output().rfind("5 cases: 5 done, 0 failed, 0 under way, 0 to go\n", 0), 0u) << output();
+  const std::string before = contents(part(1));
+  ASSERT_EQ(run({"merge", file, part(3), part(1)}), 0) << errors();
+  EXPECT_EQ(errors().rfind("15 cases: 10 done, 0 failed, 0 under way, 5 to go\n", 0), 0u) << errors();
+  ASSERT_EQ(run({"merge", file, part(1), part(2), part(3), part(2)}), 0) << errors();
+  EXPECT_EQ(contents(part(1)), before);
+  EXPECT_EQ(exported({"export", file}), exported({"export", file, "--db", directory_ / "whole.db"}));
+  EXPECT_EQ(tableOf(results).size(), 15u);
+  EXPECT_FALSE(std::filesystem::exists(results + ".d"));
+}
+
+TEST_F(SieveSweep, MergesNothingIfAFileHasOtherResults)
+{
+  const std::string other = written(directory_, "other.yaml", SMALL_SCENE + std::string("seed: [7]\n"));
+  ASSERT_EQ(run({"run", other}), 0) << errors();
+  const std::string file = sweep(SMALL_SCENE + std::string("seed: {first: 1, count: 2}\n"));
+  ASSERT_EQ(run({"run", file, "--part", "1/2"}), 0) << errors();
+  const std::string part = directory_ / "s.1-of-2.db";
+  const auto expect_refusal = [&](const std::vector<std::string>& files, const std::string& text)
+  {
+    std::vector<std::string> arguments = {"merge", file};
+    arguments.insert(arguments.end(), files.begin(), files.end());
+    EXPECT_EQ(run(arguments), 2);
+    EXPECT_EQ(errors().rfind("sieve_sweep: " + text, 0), 0u) << errors();
+    EXPECT_EQ(errors().find('\n'), errors().size() - 1) << errors();
+    EXPECT_FALSE(std::filesystem::exists(directory_ / "s.db"));
+  };
+  expect_refusal({part, directory_ / "other.db"},
+                 (directory_ / "other.db") + ": has a result of no case of " + file + ": run_hash ");
+  expect_refusal({part, file}, "--db ");
+  expect_refusal({part, directory_ / "none.db"},
+                 (directory_ / "none.db") + ": unable to open database file\n");
+  Database(part, Database::Access::WRITE).execute("UPDATE cases SET physics = 0");
+  expect_refusal({part}, part + ": has a result of another physics version than ");
+  for (const char* wrong : {"0/3", "4/3", "3", "1/", "a/b", "1/2/3"})
+  {
+    EXPECT_EQ(run({"run", file, "--part", wrong}), 2) << wrong;
+    EXPECT_EQ(errors(), std::string("sieve_sweep: --part ") + wrong +
+                            ": must be K/N, a part from 1 to the number of parts; see --help\n");
+  }
+}
+
+TEST_F(SieveSweep, MergesACaseThatFailedOnceAndIsDoneNow)
+{
+  const std::string file = sweep(SMALL_SCENE + std::string("seed: {first: 1, count: 2}\n"));
+  const std::string part = directory_ / "s.1-of-2.db";
+  ASSERT_EQ(run({"run", file, "--part", "1/2"}), 0) << errors();
+  Database(part, Database::Access::WRITE).execute("UPDATE cases SET status = 'failed', error = 'no memory'");
+  ASSERT_EQ(run({"merge", file, part}), 0) << errors();
+  EXPECT_EQ(errors().rfind("2 cases: 0 done, 1 failed, ", 0), 0u) << errors();
+  ASSERT_EQ(run({"run", file, "--part", "1/2", "--retry-failed"}), 0) << errors();
+  ASSERT_EQ(run({"merge", file, part}), 0) << errors();
+  EXPECT_EQ(errors().rfind("2 cases: 1 done, 0 failed, ", 0), 0u) << errors();
 }
 
 TEST_F(SieveSweep, InterruptedSaysHowToGoOn)
@@ -292,9 +367,6 @@ TEST_F(SieveSweep, KeepsPagesOfItsCasesAndLinksToThem)
   EXPECT_EQ(pages.size(), 4u);
   ASSERT_EQ(run({"report", file, "--field", "events", "--html", directory_ / "none"}), 0) << errors();
   EXPECT_EQ(reportJson()["places"][0]["cases"][0]["pages"], Json({nullptr, nullptr}));
-  EXPECT_EQ(run({"run", file, "--engine", "slurm", "--html", directory_ / "more"}), 2);
-  EXPECT_EQ(errors(), "sieve_sweep: --html: --engine slurm keeps no pages of its cases\n");
-  EXPECT_FALSE(std::filesystem::exists(directory_ / "more"));
   std::ofstream(directory_ / "file") << "no directory";
   EXPECT_EQ(run({"run", file, "--html", directory_ / "file/pages"}), 1);
   EXPECT_EQ(errors().rfind("sieve_sweep: " + (directory_ / "file/pages") + ": cannot be made: ", 0), 0u)

@@ -17,9 +17,10 @@
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/case_builder.h"
-#include "ratchet_sieve/sweep/case_claims.h"
 #include "ratchet_sieve/sweep/case_run.h"
+#include "ratchet_sieve/sweep/sweep_ledger.h"
 #include "ratchet_sieve/sweep/sweep_report.h"
+#include "ratchet_sieve/sweep/work_directory.h"
 #include "recording/file_size_limit.h"
 #include "sweep_files.h"
 
@@ -237,63 +238,54 @@ TEST_F(SweepRunTest, SaysThatTheDiskIsFullAndLosesNothing)
     EXPECT_EQ(all.at(row.first), row.second);
 }
 
-TEST_F(SweepRunTest, TakesUpWhatAProcessThatIsGoneHadClaimed)
-{
-  const Sweep sweep = load("grid: {gravity: [8, 9]}\n");
-  SweepRunOptions none;
-  none.stop_wanted = [] { return true; };
-  runSweep(sweep, results_, none);
-  ResultStore store(results_, Database::Access::WRITE);
-  const SweepPlan plan = *SweepPlan::find(store.database(), sweep);
-  std::filesystem::create_directory(results_ + ".d");
-  {
-    CaseClaims claims(store.database(), plan, results_ + ".d");
-    {
-      Transaction transaction(store.database());
-      EXPECT_EQ(claims.take(10), (std::vector<std::uint64_t>{0, 1}));
-      EXPECT_EQ(claims.take(10), std::vector<std::uint64_t>());
-      transaction.commit();
-    }
-    EXPECT_EQ(casesUnderWay(store.database(), plan, results_ + ".d"), 2u);
-    CaseClaims others(store.database(), plan, results_ + ".d");
-    EXPECT_EQ(others.freeAbandoned(), 2u);
-  }
-  EXPECT_EQ(casesUnderWay(store.database(), plan, results_ + ".d"), 0u);
-  EXPECT_EQ(text("SELECT COUNT(*) FROM claims"), "2");
-  EXPECT_EQ(runSweep(sweep, results_, {}).counts.done, 2u);
-  EXPECT_EQ(text("SELECT COUNT(*) FROM claims"), "0");
-}
-
 TEST_F(SweepRunTest, FindsTheCaseAtWhichProcessesDie)
 {
   const Sweep sweep = load("grid: {gravity: [8, 9, 10]}\n");
   SweepRunOptions none;
   none.stop_wanted = [] { return true; };
   runSweep(sweep, results_, none);
+  const ResultsLock lock(results_);
   ResultStore store(results_, Database::Access::WRITE);
   const SweepPlan plan = *SweepPlan::find(store.database(), sweep);
   using Positions = std::vector<std::uint64_t>;
-  const auto claim = [&](CaseClaims& claims, std::size_t most)
+  EXPECT_EQ(SweepLedger(sweep, store, plan).exchange({}, 2), (Positions{0, 1}));
+  EXPECT_EQ(status(sweep).rfind("3 cases: 0 done, 0 failed, 2 under way, 3 to go\n", 0), 0u);
   {
-    Transaction transaction(store.database());
-    const Positions positions = claims.take(most);
-    transaction.commit();
-    return positions;
-  };
-  std::filesystem::create_directory(results_ + ".d");
-  EXPECT_EQ(claim(*std::make_unique<CaseClaims>(store.database(), plan, results_ + ".d"), 2),
-            (Positions{0, 1}));
-  {
-    CaseClaims second(store.database(), plan, results_ + ".d");
-    EXPECT_EQ(second.countDeaths(), Positions());
-    EXPECT_EQ(claim(second, 10), Positions{2});
-    EXPECT_EQ(claim(second, 10), Positions{0});
-    EXPECT_EQ(claim(second, 10), Positions());  // one suspect at a time
-    std::ofstream(checkpointPath(results_ + ".d", runHash(CaseBuilder(sweep).at(0).scene))) << "progress";
-    EXPECT_EQ(claim(second, 10), Positions{1});
+    SweepLedger second(sweep, store, plan);
+    EXPECT_EQ(second.recordDeaths(), "");
+    EXPECT_EQ(second.exchange({}, 10), Positions{2});
+    EXPECT_EQ(second.exchange({}, 10), Positions{0});
+    EXPECT_EQ(second.exchange({}, 10), Positions());  // one suspect at a time
+    std::ofstream(checkpointPath(results_, runHash(CaseBuilder(sweep).at(0).scene))) << "progress";
+    EXPECT_EQ(second.exchange({}, 10), Positions{1});
   }
-  CaseClaims third(store.database(), plan, results_ + ".d");
-  EXPECT_EQ(third.countDeaths(), Positions{1});
+  SweepLedger third(sweep, store, plan);
+  EXPECT_EQ(third.recordDeaths().rfind("case 2 (gravity=9) failed: the process that ran it died twice", 0),
+            0u);
+  EXPECT_EQ(third.exchange({}, 10), Positions{0});
+  third.forgetUnfinished();
+  EXPECT_EQ(status(sweep).rfind("3 cases: 0 done, 1 failed, 0 under way, 2 to go\n", 0), 0u);
+}
+
+TEST_F(SweepRunTest, HasPartsThatAreDisjointAndCompleteForAnyNumberOfThem)
+{
+  Sweep sweep = load("grid: {gravity: [8, 9, 10]}\nset: {duration: 0.01}\nseed: {first: 1, count: 4}\n");
+  runSweep(sweep, results_, {});
+  for (const std::uint64_t count : {1u, 3u, 13u})
+  {
+    std::map<std::string, std::map<std::string, std::string>> all;
+    std::uint64_t cases = 0;
+    for (std::uint64_t k = 1; k <= count; ++k)
+    {
+      sweep.part = {k, count};
+      const std::string part = directory_ / (std::to_string(k) + "-of-" + std::to_string(count) + ".db");
+      EXPECT_EQ(runSweep(sweep, part, {}).counts.done, sweep.sizeOfPart());
+      cases += sweep.sizeOfPart();
+      all.merge(tableOf(part));
+    }
+    EXPECT_EQ(cases, 12u) << count;
+    EXPECT_EQ(all, tableOf(results_)) << count;
+  }
 }
 
 TEST_F(SweepRunTest, ExportsWhatRfc4180Allows)

@@ -87,6 +87,7 @@ public:
   Statement& bind(int parameter, double value);
   Statement& bind(int parameter, const std::string& value);
   Statement& bind(int parameter, std::nullptr_t);
+  Statement& bind(int parameter, const Statement& row, int column);  ///< the same value
 
   /// Advances to the next row. @return whether there is one @throws DatabaseError
   bool step();

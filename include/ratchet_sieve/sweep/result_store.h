@@ -35,6 +35,10 @@ public:
   /// @pre a transaction is open @return whether the row was added @throws DatabaseError
   bool record(const CaseResult& result);
 
+  /// Adds the rows of this physics version in another file, whole, for cases that have no row here or have
+  /// failed. @pre a transaction is open @throws DatabaseError
+  void copyFrom(const ResultStore& other);
+
   /// To be called after a rollback, which also removes the columns added in the transaction.
   void forgetColumns();
 

@@ -20,6 +20,14 @@ struct Seeds
   std::uint64_t at(std::uint64_t k) const { return listed.empty() ? first + k : listed[k]; }
 };
 
+/// One of several parts of a sweep, for instance for one machine. A case's part depends on its position
+/// alone: part 1 of 3 has the positions 0, 3, 6, ..., so that all parts take about as long.
+struct SweepPart
+{
+  std::uint64_t number = 1;  ///< from 1
+  std::uint64_t count = 1;
+};
+
 /// Many runs of one scene: the product of a grid, of lists stepped through together, of listed cases, and of
 /// seeds. The product is never stored; its cases are built one by one.
 class Sweep
@@ -32,11 +40,13 @@ public:
   std::vector<Assignment> fixed;  ///< set in every case
   std::vector<Axis> axes;         ///< the last one varies fastest
   Seeds seeds;                    ///< vary fastest of all
+  SweepPart part;                 ///< of which the cases are run
 
   /// Number of settings, without seeds.
   std::uint64_t points() const;
 
   std::uint64_t size() const { return points() * seedCount(); }
+  std::uint64_t sizeOfPart() const { return (size() + part.count - part.number) / part.count; }
   std::uint64_t seedCount() const { return seeds.count > 0 ? seeds.count : 1; }
 
   /// All swept keys, in the order of the file.
@@ -45,7 +55,7 @@ public:
   /// The assignments of a setting, without `fixed`. @pre point < points()
   std::vector<Assignment> point(std::uint64_t point) const;
 
-  /// 16 hexadecimal digits that identify the sweep, its scene and the version of the program.
+  /// 16 hexadecimal digits that identify the sweep, its part, its scene and the version of the program.
   std::string fingerprint() const;
 };
 

@@ -7,36 +7,31 @@
 #include <vector>
 
 #include "ratchet_sieve/sweep/best_setting.h"
-#include "ratchet_sieve/sweep/case_claims.h"
 #include "ratchet_sieve/sweep/case_result.h"
 #include "ratchet_sieve/sweep/sweep_progress.h"
 
 namespace ratchet_sieve
 {
 
-/// The coordinator's writes to the results file, and the sweep's progress in it.
+/// What a run writes to the results file, and the sweep's progress in it. The file lists the cases under way,
+/// so that those of a process that died are known. Such a case is suspect until it writes a checkpoint or
+/// ends. Suspects come last, and one at a time, so that the one at fault is known by the next death.
 class SweepLedger
 {
 public:
-  /// @param directory of the locks
-  SweepLedger(const Sweep& sweep, ResultStore& store, const SweepPlan& plan, const std::string& directory);
+  /// @pre this process holds the ResultsLock
+  SweepLedger(const Sweep& sweep, ResultStore& store, const SweepPlan& plan);
 
-  CaseClaims& claims() { return claims_; }
-
-  /// In one transaction: stores results, releases their claims, and claims new cases.
-  /// @param wanted largest number of cases to claim @return their positions @throws DatabaseError; nothing is
-  /// changed then
-  std::vector<std::uint64_t> exchange(const std::vector<CaseResult>& results, std::size_t wanted);
-
-  /// Stores a failed result for each case whose process died twice at the same place, and releases the other
-  /// cases of dead processes. @return which cases failed so; empty if none @throws DatabaseError
+  /// Makes the cases under way suspect, for their process died. @return which failed, because their process
+  /// died twice at the same place; empty if none. They get a result. @throws DatabaseError
   std::string recordDeaths();
 
-  /// Counts results that other processes have stored for this one.
-  void count(const std::vector<CaseResult>& results);
+  /// In one transaction: stores results, and begins up to `wanted` cases without a result, or one suspect.
+  /// @return their positions @throws DatabaseError; nothing is changed then
+  std::vector<std::uint64_t> exchange(const std::vector<CaseResult>& results, std::size_t wanted);
 
-  /// Counts the cases without a result. Other processes may have changed the number, so it is counted anew.
-  std::uint64_t countOpen();
+  /// Forgets the cases under way, which were stopped.
+  void forgetUnfinished();
 
   /// The progress of the sweep. Warnings and the best setting are updated at intervals.
   SweepProgress progress(std::uint64_t running, const BestCriteria& criteria);
@@ -44,12 +39,22 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
+  std::vector<std::uint64_t> begin(std::size_t most);
+  std::vector<std::uint64_t> begin(Statement& select);
+  bool runsSuspect();
+  std::vector<std::uint64_t> countDeaths();
+  std::string placeOf(const std::string& run_hash) const;
   void lookAtResults(const BestCriteria& criteria);
 
   const Sweep& sweep_;
   ResultStore& store_;
   const SweepPlan& plan_;
-  CaseClaims claims_;
+  std::int64_t cursor_ = 0;  ///< all positions below have been begun or are suspect
+  Statement open_;
+  Statement suspect_;
+  Statement begin_;
+  Statement end_;
+  Statement forgive_;
   SweepProgress progress_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_look_ = start_;

@@ -25,7 +25,8 @@ struct SweepCounts
   std::uint64_t open() const { return cases - done - failed; }
 };
 
-/// The cases of one sweep as listed in a results file: position and runHash(), each case once.
+/// The cases of one sweep, or of its part, as listed in a results file: position and runHash(), each case
+/// once.
 class SweepPlan
 {
 public:

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ratchet_sieve/sweep/best_setting.h"
 #include "ratchet_sieve/sweep/case_run.h"
@@ -20,13 +21,12 @@ struct SweepRunOptions
 {
   std::size_t threads = 0;            ///< 0: one per processor
   double checkpoint_period = 60.0;    ///< of wall time [s]
-  std::size_t per_job = 0;            ///< cases per job of an engine; 0: so that there are at most 1000 jobs
   bool retry_failed = false;          ///< run cases again that failed before
   BestCriteria best;                  ///< criteria for the setting in the progress line
   std::function<bool()> stop_wanted;  ///< polled by every thread several times a second
   std::function<void(const SweepProgress&)> progress;
   std::function<void(const std::string&)> warn;  ///< may be called by any thread
-  OpenRecord record;  ///< of cases on threads of this process; they then have no checkpoints
+  OpenRecord record;                             ///< of cases, which then have no checkpoints
 };
 
 /// The state of a sweep when this process leaves it.
@@ -38,23 +38,29 @@ struct SweepOutcome
   std::size_t threads_wanted = 0;
 };
 
-/// Runs the cases of a sweep that have no result in the file, on threads of this process. Several processes
-/// may run the same sweep: each case is run by one of them. The cases of a killed process are continued by
-/// another. Checkpoints and locks are in the directory RESULTS.d.
+/// Runs the cases of a sweep, or of its part, that have no result in the file. The cases of a killed process
+/// are continued. Checkpoints and a lock are in the directory RESULTS.d: one process at a time writes the
+/// file.
 /// @throws SceneError before any case is run if one is illegal
 /// @throws DatabaseFull if no more results can be stored; earlier results are intact
+/// @throws DatabaseError, also if another process runs a sweep into the file
 SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const SweepRunOptions& options);
 
-/// The common first and last steps of all ways to run a sweep. The plan is nothing if stopped.
-/// @param store is opened @throws SceneError, DatabaseError, OutputError
-std::optional<SweepPlan> prepareSweep(const Sweep& sweep, const std::string& results,
-                                      std::optional<ResultStore>& store, const SweepRunOptions& options);
-void finishSweep(const SweepPlan& plan, ResultStore& store, const Sweep& sweep, const std::string& results);
+/// Copies the results of a sweep's parts into its results file. A case that is in several counts once.
+/// @pre requireMergeable() @throws as runSweep()
+SweepOutcome mergeResults(const Sweep& sweep, const std::string& results,
+                          const std::vector<std::string>& parts, const SweepRunOptions& options);
+
+/// Checks that files have no results but of a sweep's cases and of this physics version.
+/// @throws DatabaseError for the first that has; the message names it
+void requireMergeable(const Sweep& sweep, const std::vector<std::string>& parts);
+
+/// Opens a results file, or a new one. Illegal cases are found before anything is written.
+/// @return the plan in the file, or else a new one; nothing if stopped @throws SceneError, DatabaseError
+std::optional<SweepPlan> openResults(const Sweep& sweep, const std::string& results,
+                                     std::optional<ResultStore>& store, const SweepRunOptions& options);
 
 /// Says that a system provides fewer threads than wanted.
 std::string fewerThreadsText(std::size_t threads, std::size_t wanted);
-
-/// The directory of checkpoints and locks.
-std::string workDirectory(const std::string& results);
 
 }  // namespace ratchet_sieve
