@@ -137,42 +137,6 @@ RC_GTEST_PROP(OverlapLevels, FindAllAroundADiskThatWasMoved, ())
   expectAllAroundADiskThatWasMoved<OverlapLevels>();
 }
 
-RC_GTEST_PROP(OverlapKernels, OfAllWidthsFindTheSame, ())
-{
-  const auto count = *rc::gen::inRange<std::uint32_t>(1, 70);
-  const std::size_t room = count + OverlapRows::MOST_LANES;
-  std::vector<float> s(room), n(room), radius(room);
-  for (std::uint32_t row = 0; row < count; ++row)
-  {
-    s[row] = static_cast<float>(between(0.0, 0.02));
-    n[row] = static_cast<float>(between(0.0, 0.02));
-    radius[row] = static_cast<float>(between(0.0, 0.002));
-  }
-  const auto row = *rc::gen::inRange<std::uint32_t>(0, count);
-  const auto begin = *rc::gen::inRange<std::uint32_t>(0, count);
-  const auto hitsOf = [&](OverlapKernel kernel)
-  {
-    std::vector<std::uint32_t> first(room), second(room);
-    const std::size_t found =
-        kernel({s.data(), n.data(), radius.data()}, row, begin, count, {first.data(), second.data()});
-    for (std::size_t k = 0; k < found; ++k)
-      RC_ASSERT(first[k] == row);
-    return std::vector<std::uint32_t>(second.begin(), second.begin() + static_cast<std::ptrdiff_t>(found));
-  };
-  std::vector<std::uint32_t> expected;
-  for (std::uint32_t other = begin; other < count; ++other)
-  {
-    const float ds = s[other] - s[row];
-    const float dn = n[other] - n[row];
-    const float reach = radius[other] + radius[row];
-    if (other != row && ds * ds + dn * dn < reach * reach)
-      expected.push_back(other);
-  }
-  for (const int lanes : {4, 16})
-    if (const OverlapKernel kernel = overlapKernel(lanes))
-      RC_ASSERT(hitsOf(kernel) == expected);
-}
-
 RC_GTEST_PROP(BaseOverlap, NamesAllDisksThatOverlapTheBase, ())
 {
   SceneDefinition scene = test::mixture(1);

@@ -1,5 +1,9 @@
 #include "search/overlap_search.h"
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,6 +18,32 @@ constexpr double COLUMN_MARGIN = 1.1;
 
 /// Number of roundings in a disk's position and in its differences to others.
 constexpr double ROUNDINGS = 4.0;
+
+/// Number of rows that are tested at a time. Sixteen with AVX-512 take longer: see docs/performance.md.
+constexpr std::uint32_t LANES = 4;
+
+/// Bit k: whether the row overlaps the k-th of four from `at` on.
+unsigned overlapsOfFour(const float* s, const float* n, const float* radius, std::uint32_t row,
+                        std::uint32_t at)
+{
+#if defined(__SSE2__)
+  const __m128 ds = _mm_sub_ps(_mm_loadu_ps(s + at), _mm_set1_ps(s[row]));
+  const __m128 dn = _mm_sub_ps(_mm_loadu_ps(n + at), _mm_set1_ps(n[row]));
+  const __m128 reach = _mm_add_ps(_mm_loadu_ps(radius + at), _mm_set1_ps(radius[row]));
+  const __m128 distance_squared = _mm_add_ps(_mm_mul_ps(ds, ds), _mm_mul_ps(dn, dn));
+  return static_cast<unsigned>(_mm_movemask_ps(_mm_cmplt_ps(distance_squared, _mm_mul_ps(reach, reach))));
+#else
+  unsigned found = 0;
+  for (unsigned k = 0; k < LANES; ++k)
+  {
+    const float ds = s[at + k] - s[row];
+    const float dn = n[at + k] - n[row];
+    const float reach = radius[at + k] + radius[row];
+    found |= (ds * ds + dn * dn < reach * reach ? 1U : 0U) << k;
+  }
+  return found;
+#endif
+}
 }  // namespace
 
 OverlapSearch::OverlapSearch(double width, double largest_diameter, bool periodic)
@@ -48,7 +78,7 @@ void OverlapSearch::sort()
   std::partial_sum(starts_.begin() + 1, starts_.end(), starts_.begin() + 1);
   const std::uint32_t rows = starts_[columns_ + 1] + (periodic_ ? in_first : 0);
   starts_[columns_ + 2] = rows;
-  const std::size_t room = rows + OverlapRows::MOST_LANES + 1;
+  const std::size_t room = rows + LANES + 1;
   if (rows_.s.size() < room)
   {
     for (std::vector<float>* values : {&rows_.s, &rows_.n, &rows_.radius})
@@ -75,6 +105,29 @@ void OverlapSearch::sort()
     image(k, k + disks_, -width);
   for (std::uint32_t k = 0; k < in_first; ++k)
     image(first_ + disks_ + k, first_ + k, width);
+}
+
+std::size_t OverlapSearch::hitsIn(std::uint32_t row, std::uint32_t begin, std::uint32_t end)
+{
+  const std::size_t room = end - begin + LANES;
+  if (first_hits_.size() < room)
+  {
+    first_hits_.resize(room);
+    second_hits_.resize(room);
+  }
+  std::uint32_t* const first = first_hits_.data();
+  std::uint32_t* const second = second_hits_.data();
+  std::size_t count = 0;
+  for (std::uint32_t at = begin; at < end; at += LANES)
+    for (unsigned found = overlapsOfFour(rows_.s.data(), rows_.n.data(), rows_.radius.data(), row, at);
+         found != 0; found &= found - 1)
+    {
+      const std::uint32_t other = at + static_cast<std::uint32_t>(__builtin_ctz(found));
+      first[count] = row;
+      second[count] = other;
+      count += other < end && other != row ? 1 : 0;
+    }
+  return count;
 }
 
 void OverlapSearch::put(std::uint32_t row, const Placed& disk, float s)

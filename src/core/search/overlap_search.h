@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "search/overlap_rows.h"
-
 namespace ratchet_sieve
 {
 
@@ -106,18 +104,9 @@ private:
                         : 0;
   }
 
-  /// @return the number of entries in first_hits_ and second_hits_
-  std::size_t hitsIn(std::uint32_t row, std::uint32_t begin, std::uint32_t end)
-  {
-    const std::size_t room = end - begin + OverlapRows::MOST_LANES;
-    if (first_hits_.size() < room)
-    {
-      first_hits_.resize(room);
-      second_hits_.resize(room);
-    }
-    return kernel_({rows_.s.data(), rows_.n.data(), rows_.radius.data()}, row, begin, end,
-                   {first_hits_.data(), second_hits_.data()});
-  }
+  /// Tests a row against the rows in [begin, end), except itself, and puts those that overlap into
+  /// second_hits_, in increasing order, and the row beside each into first_hits_. @return their number
+  std::size_t hitsIn(std::uint32_t row, std::uint32_t begin, std::uint32_t end);
 
   template <typename Visit>
   void visitHits(std::size_t count, Visit&& visit) const
@@ -147,7 +136,8 @@ private:
   std::uint32_t first_ = 0;            ///< row of the first disk
   std::uint32_t disks_ = 0;
 
-  /// Columns of values, ordered by the columns of the base.
+  /// Columns of values, ordered by the columns of the base. Up to LANES values after the last row are read as
+  /// well, and ignored.
   struct Rows
   {
     std::vector<float> s;
@@ -158,7 +148,6 @@ private:
   std::vector<std::uint32_t> row_of_;  ///< per slot
   std::vector<std::uint32_t> first_hits_;
   std::vector<std::uint32_t> second_hits_;
-  OverlapKernel kernel_ = widestOverlapKernel();
 };
 
 }  // namespace ratchet_sieve
