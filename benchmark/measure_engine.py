@@ -119,7 +119,7 @@ def rows(best, times_of, two_jobs, memory, memory_of_two):
     yield Row('bytes_per_disk_two_threads', 'the same, two threads', '', '', f'{memory_of_two:.0f}')
     yield Row('single.collisions', 'single disks (Fig. 3): collisions per second, as many lanes as there are', '8 M',
               '20 M', millions('singleParticles'))
-    for lanes in (2, 4):
+    for lanes in (2, 4, 8):
         if f'singleParticlesInLanes/{lanes}' in best:
             yield Row(f'single.lanes_{lanes}', f'in {lanes} lanes, in long strides', '', '',
                       millions(f'singleParticlesInLanes/{lanes}'))

@@ -56,7 +56,7 @@ void singleParticlesInLanes(benchmark::State& state)
   advance(state, test::singleParticles(1000), 0.5);
   useLanes(0);
 }
-BENCHMARK(singleParticlesInLanes)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond);
+BENCHMARK(singleParticlesInLanes)->Arg(2)->Arg(4)->Arg(8)->Unit(benchmark::kMillisecond);
 
 /// Ten thousand single disks on so many threads.
 void singleParticlesOnThreads(benchmark::State& state)

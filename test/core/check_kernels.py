@@ -17,7 +17,7 @@ def main():
     kernels = [path for path in sys.argv[1:] if pathlib.Path(path).name.startswith('batch_kernel_')]
     wrong = [f'{path}: {name}' for path in kernels for name in shared(path) if 'KERNEL_OF_' not in name]
     print(f'{len(kernels)} kernels', *wrong, sep='\n')
-    sys.exit(1 if wrong or len(kernels) != 2 else 0)
+    sys.exit(1 if wrong or len(kernels) != 3 else 0)
 
 
 if __name__ == '__main__':

@@ -15,19 +15,19 @@ namespace
 {
 
 constexpr double MIDDLE = 1.37;  ///< of the run; where it is saved [s]
-constexpr double END = 3.1;      ///< [s]
+constexpr double RUN_END = 3.1;  ///< [s]
 
 /// What is done to a simulation at the beginning of each half.
 using Command = std::function<void(Simulation&)>;
 
-struct Case
+struct BitsCase
 {
   std::string name;
   SceneDefinition scene;
   Command command = [](Simulation&) {};
 };
 
-void PrintTo(const Case& one, std::ostream* out)
+void PrintTo(const BitsCase& one, std::ostream* out)
 {
   *out << one.name;
 }
@@ -45,7 +45,7 @@ void setGoing(Simulation& simulation)
   simulation.command(Quantity::AMPLITUDE, 0.001);
 }
 
-SceneDefinition layer(Boundary boundary = Boundary::PERIODIC)
+SceneDefinition layerOf(Boundary boundary = Boundary::PERIODIC)
 {
   SceneDefinition scene = test::mixture(40);
   scene.base.teeth = 8;
@@ -68,7 +68,7 @@ SceneDefinition observed(SceneDefinition scene)
 
 SceneDefinition fed()
 {
-  SceneDefinition scene = observed(layer(Boundary::OPEN));
+  SceneDefinition scene = observed(layerOf(Boundary::OPEN));
   scene.feed.rate = 60.0;
   scene.contact.contact_duration = 1e-4;
   return scene;
@@ -82,7 +82,7 @@ SceneDefinition withoutPairs(SceneDefinition scene)
 
 SceneDefinition bySteps()
 {
-  SceneDefinition scene = layer();
+  SceneDefinition scene = layerOf();
   scene.accuracy.method = Method::STEPS;
   scene.accuracy.step = 0.0013;
   return scene;
@@ -90,14 +90,14 @@ SceneDefinition bySteps()
 
 SceneDefinition withoutDrive()
 {
-  SceneDefinition scene = layer();
+  SceneDefinition scene = layerOf();
   scene.base.amplitude = 0.0;
   return scene;
 }
 
 SceneDefinition collapsing()
 {
-  SceneDefinition scene = layer();
+  SceneDefinition scene = layerOf();
   scene.contact.min_rebound_speed = 0.0;
   scene.contact.on_collapse = CollapseAction::REBOUND;
   scene.contact.collapse_events = 1000;
@@ -127,23 +127,23 @@ SceneDefinition ofWideSizes(Boundary boundary)
   return scene;
 }
 
-std::vector<Case> cases()
+std::vector<BitsCase> bitsCases()
 {
   return {
-      {"layer", layer()},
-      {"layer under commands", observed(layer()), turnAndPour},
-      {"open under commands", observed(layer(Boundary::OPEN)), turnAndPour},
-      {"walled under commands", observed(layer(Boundary::WALLED)), turnAndPour},
+      {"layer", layerOf()},
+      {"layer under commands", observed(layerOf()), turnAndPour},
+      {"open under commands", observed(layerOf(Boundary::OPEN)), turnAndPour},
+      {"walled under commands", observed(layerOf(Boundary::WALLED)), turnAndPour},
       {"fed", fed()},
       {"fed ensemble", withoutPairs(fed())},
       {"ensemble", observed(ensemble())},
       {"ensemble under commands", observed(ensemble()), turnAndPour},
-      {"sizes", observed(test::withSizes(layer())), turnAndPour},
+      {"sizes", observed(test::withSizes(layerOf())), turnAndPour},
       {"ensemble of sizes", test::withSizes(ensemble())},
-      {"orbit", test::onAnOrbit(layer()), turnAndPour},
-      {"orbit of the base", inFrameOfBase(test::onAnOrbit(layer())), turnAndPour},
+      {"orbit", test::onAnOrbit(layerOf()), turnAndPour},
+      {"orbit of the base", inFrameOfBase(test::onAnOrbit(layerOf())), turnAndPour},
       {"ensemble on an orbit", test::onAnOrbit(ensemble())},
-      {"profile", onCastle(layer())},
+      {"profile", onCastle(layerOf())},
       {"ensemble on a profile", onCastle(ensemble())},
       {"no drive", withoutDrive(), setGoing},
       {"collapsing", collapsing()},
@@ -153,10 +153,10 @@ std::vector<Case> cases()
   };
 }
 
-class SameBits : public testing::TestWithParam<Case>
+class SameBits : public testing::TestWithParam<BitsCase>
 {
 protected:
-  /// Advances from one of 0, MIDDLE and END to the next, in strides.
+  /// Advances from one of 0, MIDDLE and RUN_END to the next, in strides.
   static void advance(Simulation& simulation, double from, double to, int strides = 1)
   {
     GetParam().command(simulation);
@@ -174,7 +174,7 @@ protected:
     Simulation simulation(GetParam().scene);
     simulation.setThreads(threads);
     advance(simulation, 0.0, MIDDLE, strides);
-    advance(simulation, MIDDLE, END, strides);
+    advance(simulation, MIDDLE, RUN_END, strides);
     return simulation.saveState();
   }
 };
@@ -184,24 +184,24 @@ TEST_P(SameBits, InWhateverStridesOnWhateverThreadsAndWhereItIsResumed)
   Simulation whole(GetParam().scene);
   advance(whole, 0.0, MIDDLE);
   const std::string saved = whole.saveState();
-  advance(whole, MIDDLE, END);
+  advance(whole, MIDDLE, RUN_END);
   ASSERT_GT(whole.collisions().total(), 100u);
   const std::string bits = whole.saveState();
 
   Simulation resumed(GetParam().scene, saved);
   EXPECT_TRUE(resumed.saveState() == saved);
-  advance(resumed, MIDDLE, END);
+  advance(resumed, MIDDLE, RUN_END);
   EXPECT_TRUE(resumed.saveState() == bits) << "resumed";
   EXPECT_TRUE(bitsAfter(97, 1) == bits) << "in strides";
   EXPECT_TRUE(bitsAfter(1, 2) == bits) << "on two threads";
   EXPECT_TRUE(bitsAfter(37, 3) == bits) << "in strides on three threads";
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SameBits, testing::ValuesIn(cases()));
+INSTANTIATE_TEST_SUITE_P(Scenes, SameBits, testing::ValuesIn(bitsCases()));
 
 TEST(SavedState, CutShortOrTooLongIsRefused)
 {
-  const SceneDefinition scene = layer();
+  const SceneDefinition scene = layerOf();
   Simulation simulation(scene);
   simulation.advanceTo(0.1);
   const std::string saved = simulation.saveState();
@@ -212,12 +212,12 @@ TEST(SavedState, CutShortOrTooLongIsRefused)
 
 TEST(SavedState, OfAnotherSceneIsRefused)
 {
-  SceneDefinition other = layer();
+  SceneDefinition other = layerOf();
   other.species.pop_back();
-  EXPECT_THROW(Simulation(other, Simulation(layer()).saveState()), StateError);
-  other = layer();
+  EXPECT_THROW(Simulation(other, Simulation(layerOf()).saveState()), StateError);
+  other = layerOf();
   other.base.profile = test::arc(0.02, 0.006, 5);
-  EXPECT_THROW(Simulation(other, Simulation(onCastle(layer())).saveState()), StateError);
+  EXPECT_THROW(Simulation(other, Simulation(onCastle(layerOf())).saveState()), StateError);
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ TEST(Simd, AnyNumberOfThemGivesTheSameBits)
   for (const SceneDefinition& scene : scenes())
   {
     const std::string widest = stateAfter(scene, 1, 1);
-    for (const int count : {2, 4})
+    for (const int count : {2, 4, 8})
     {
       const Lanes lanes(count);
       if (lanes.present())
@@ -133,15 +133,15 @@ TEST(Simd, AreLimitedByTheEnvironment)
     }
     catch (const std::invalid_argument& error)
     {
-      EXPECT_EQ(error.what(), "environment variable RATCHET_SIEVE_LANES = " + text + ": must be 2 or 4");
+      EXPECT_EQ(error.what(), "environment variable RATCHET_SIEVE_LANES = " + text + ": must be 2, 4 or 8");
     }
     unsetenv("RATCHET_SIEVE_LANES");
     return limit;
   };
-  EXPECT_EQ(laneLimit(), 4);
+  EXPECT_EQ(laneLimit(), 8);
   EXPECT_EQ(limited("2"), 2);
-  EXPECT_EQ(limited("4"), 4);
-  for (const char* text : {"1", "3", "8", "", "04", "4 "})
+  EXPECT_EQ(limited("8"), 8);
+  for (const char* text : {"1", "3", "16", "", "04", "4 "})
     EXPECT_EQ(limited(text), 0) << text;
 }
 

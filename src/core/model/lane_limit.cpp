@@ -15,12 +15,12 @@ int laneLimit()
 {
   const char* text = std::getenv(VARIABLE);
   if (text == nullptr)
-    return 4;
-  for (const int lanes : {2, 4})
+    return 8;
+  for (const int lanes : {2, 4, 8})
     if (std::to_string(lanes) == text)
       return lanes;
   throw std::invalid_argument(std::string("environment variable ") + VARIABLE + " = " + text +
-                              ": must be 2 or 4");
+                              ": must be 2, 4 or 8");
 }
 
 }  // namespace ratchet_sieve

@@ -1,3 +1,7 @@
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #include "simd/batch_kernels.h"
 
 namespace ratchet_sieve

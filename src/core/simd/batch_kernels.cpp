@@ -1,4 +1,7 @@
 #include "simd/batch_kernels.h"
+
+#include <initializer_list>
+
 #include "model/lane_limit.h"
 
 namespace ratchet_sieve
@@ -9,8 +12,11 @@ const BatchKernel* asked_for = nullptr;
 
 const BatchKernel& widest()
 {
-  const BatchKernel* four = laneLimit() >= 4 ? batchKernel(4) : nullptr;
-  return four != nullptr ? *four : KERNEL_OF_TWO_LANES;
+  const int limit = laneLimit();
+  for (const int lanes : {8, 4})
+    if (const BatchKernel* kernel = lanes <= limit ? batchKernel(lanes) : nullptr)
+      return *kernel;
+  return KERNEL_OF_TWO_LANES;
 }
 }  // namespace
 
@@ -23,6 +29,9 @@ const BatchKernel* batchKernel(int lanes)
 #if defined(__x86_64__)
     case 4:
       return __builtin_cpu_supports("avx2") ? &KERNEL_OF_FOUR_LANES : nullptr;
+    case 8:
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") ? &KERNEL_OF_EIGHT_LANES
+                                                                                     : nullptr;
 #endif
     default:
       return nullptr;

@@ -10,5 +10,6 @@ namespace ratchet_sieve
 extern const BatchKernel KERNEL_OF_TWO_LANES;
 #if defined(__x86_64__)
 extern const BatchKernel KERNEL_OF_FOUR_LANES;
+extern const BatchKernel KERNEL_OF_EIGHT_LANES;
 #endif
 }  // namespace ratchet_sieve

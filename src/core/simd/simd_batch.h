@@ -120,7 +120,7 @@ struct BatchKernel
   void (*launch)(const BatchScene& scene, SimdBatch& batch, std::size_t rows);
 };
 
-/// The kernel with this number of lanes (2 or 4), or nullptr if this processor cannot run it.
+/// The kernel with this number of lanes (2, 4 or 8), or nullptr if this processor cannot run it.
 const BatchKernel* batchKernel(int lanes);
 
 /// The kernel set by useLanes(), or else the widest that this processor can run, up to laneLimit().
