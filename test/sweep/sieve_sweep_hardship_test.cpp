@@ -1,7 +1,6 @@
 // sieve_sweep where something is in the way: cases that end their process, limits, one file named twice.
 #include <csignal>
 
-#include "ratchet_sieve/sweep/work_directory.h"
 #include "sieve_sweep_program.h"
 
 namespace ratchet_sieve
@@ -17,15 +16,20 @@ TEST_F(SieveSweepHardship, ACaseWhoseProcessDiesTwiceFailsAndTheOthersAreRun)
   const std::string file = sweep(SMALL_SCENE + std::string("set: {boundary: periodic}\n"
                                                            "grid: {duration: [1.0e+8, 0.2, 0.3]}\n"));
   const std::string results = directory_ / "s.db";
-  const auto is_under_way = [&results]
+  /// Whether the first case is under way in a process that knows of so many deaths.
+  const auto is_under_way = [&results](int deaths)
   {
-    return ResultsLock::isHeld(results) &&
-           textOf(results, "SELECT 1 FROM under_way JOIN plan USING (run_hash) WHERE position = 0") == "1";
+    return std::filesystem::exists(results) &&
+           textOf(results, "SELECT 1 FROM sqlite_master WHERE name = 'under_way'") == "1" &&
+           textOf(results,
+                  "SELECT COUNT(d.run_hash) FROM under_way JOIN plan USING (run_hash) "
+                  "LEFT JOIN deaths d USING (run_hash) WHERE position = 0 GROUP BY position") ==
+               std::to_string(deaths);
   };
   for (int death = 0; death < 2; ++death)
   {
     const pid_t child = start({"run", file, "--threads", "1"});
-    while (!is_under_way() && waitpid(child, nullptr, WNOHANG) == 0)
+    while (!is_under_way(death) && waitpid(child, nullptr, WNOHANG) == 0)
       usleep(1000);
     kill(child, SIGKILL);
     ASSERT_EQ(end(child), -SIGKILL) << errors();

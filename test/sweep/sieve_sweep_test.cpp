@@ -152,7 +152,7 @@ TEST_F(SieveSweep, MergesNothingIfAFileHasOtherResults)
   };
   expect_refusal({part, directory_ / "other.db"},
                  (directory_ / "other.db") + ": has a result of no case of " + file + ": run_hash ");
-  expect_refusal({part, file}, "--db ");
+  expect_refusal({part, file}, file + ": file is not a database\n");
   expect_refusal({part, directory_ / "none.db"},
                  (directory_ / "none.db") + ": unable to open database file\n");
   Database(part, Database::Access::WRITE).execute("UPDATE cases SET physics = 0");
