@@ -337,59 +337,5 @@ TEST(HeightProfile, HasTheTemperatureOfTheDisks)
   }
 }
 
-/// Turned on its way, at other strides and threads, and taken up again from a checkpoint in the turn.
-TEST(HeightProfile, IsTheSameBitsHoweverTheRunIsAdvanced)
-{
-  for (Case& each : cases())
-  {
-    SCOPED_TRACE(each.name);
-    each.scene.settle = 0.1;
-    each.scene.observe = {"height_profile"};
-    each.scene.height_profile = {0.0, 3};
-    const auto profile = [](const Simulation& simulation)
-    {
-      std::vector<double> all;
-      const Observed observed = simulation.observed()[0];
-      for (const ObservedRow& row : observed.rows)
-      {
-        for (const ObservedNumber& number : row.numbers)
-          all.push_back(number.value.value_or(-1.0));
-        for (const ObservedColumn& column : row.table)
-          for (const std::optional<double>& value : column.values)
-            all.push_back(value.value_or(-1.0));
-      }
-      return all;
-    };
-    const auto begun = [&](Simulation& simulation)
-    {
-      simulation.advanceTo(0.5);
-      simulation.setSlewRates({0.05, 1.0, 1.0});
-      simulation.command(Quantity::INCLINATION, each.turn);
-      simulation.command(Quantity::FREQUENCY, 22.0);
-    };
-    Simulation once(each.scene);
-    begun(once);
-    once.advanceTo(3.0);
-    const std::vector<double> expected = profile(once);
-    EXPECT_GT(expected.size(), 30u);
-    Simulation strides(each.scene);
-    strides.setThreads(3);
-    begun(strides);
-    for (int k = 1; k <= 53; ++k)
-    {
-      strides.advanceTo(0.5 + 2.5 * k / 53.0);
-      strides.observed();
-    }
-    EXPECT_EQ(profile(strides), expected);
-    Simulation first(each.scene);
-    begun(first);
-    first.advanceTo(0.9);
-    Simulation resumed(each.scene, first.saveState());
-    resumed.advanceTo(3.0);
-    EXPECT_EQ(profile(resumed), expected);
-    EXPECT_EQ(resumed.saveState(), once.saveState());
-  }
-}
-
 }  // namespace
 }  // namespace ratchet_sieve

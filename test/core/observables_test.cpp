@@ -63,23 +63,6 @@ double total(const std::vector<std::optional<double>>& values)
   return sum;
 }
 
-/// All numbers and tables, to compare runs bit for bit.
-std::vector<double> allOf(const Simulation& simulation)
-{
-  std::vector<double> all;
-  const auto take = [&all](const std::optional<double>& value) { all.push_back(value.value_or(-1.0)); };
-  for (const Observed& observed : simulation.observed())
-    for (const ObservedRow& row : observed.rows)
-    {
-      for (const ObservedNumber& number : row.numbers)
-        take(number.value);
-      for (const ObservedColumn& column : row.table)
-        for (const std::optional<double>& value : column.values)
-          take(value);
-    }
-  return all;
-}
-
 TEST(TimeHistogram, HasTheMeanAndNearlyTheQuantilesOfItsTimes)
 {
   EXPECT_TRUE(rc::check(
@@ -216,27 +199,6 @@ TEST(Observables, MassInTheBinsIsThatOfTheirDisks)
     EXPECT_GT(bins.counted(), 10u);
     EXPECT_NEAR(bins.left_mass, scene.species[s].mass * static_cast<double>(bins.left), 1e-12);
     EXPECT_NEAR(bins.right_mass, scene.species[s].mass * static_cast<double>(bins.right), 1e-12);
-  }
-}
-
-TEST(Observables, AreTheSameBitsForAnyStrideThreadsAndWhereTheRunWasTakenUp)
-{
-  for (const bool pairs : {true, false})
-  {
-    const SceneDefinition scene = observedScene(pairs);
-    Simulation once(scene);
-    once.advanceTo(3.0);
-    Simulation strides(scene);
-    strides.setThreads(3);
-    for (int k = 1; k <= 97; ++k)
-      strides.advanceTo(3.0 * k / 97.0);
-    EXPECT_EQ(allOf(strides), allOf(once));
-    Simulation first(scene);
-    first.advanceTo(1.234);
-    Simulation resumed(scene, first.saveState());
-    resumed.advanceTo(3.0);
-    EXPECT_EQ(allOf(resumed), allOf(once));
-    EXPECT_EQ(resumed.saveState(), once.saveState());
   }
 }
 

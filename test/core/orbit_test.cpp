@@ -15,7 +15,6 @@
 #include "ratchet_sieve/core/simulation.h"
 #include "reference_loop.h"
 #include "scenes.h"
-#include "state_hash.h"
 
 /// A drive with a horizontal part and harmonics.
 namespace ratchet_sieve
@@ -237,21 +236,6 @@ TEST(Orbit, ThatStandsStillKeepsTheEnergyOfLosslessDisks)
   EXPECT_GT(simulation.collisions().total(), 100u);
   EXPECT_NEAR(simulation.energy(), before, 1e-11 * before);
   EXPECT_EQ(simulation.base().horizontal_velocity, 0.0);
-}
-
-TEST(Orbit, StridesDoNotMatter)
-{
-  for (const bool pairs : {true, false})
-  {
-    SceneDefinition scene = test::onAnOrbit(test::mixture(20));
-    scene.contact.pair_collisions = pairs;
-    scene.base.inclination = 0.05;
-    Simulation one(scene), many(scene);
-    one.advanceTo(1.3);
-    for (int i = 1; i <= 130; ++i)
-      many.advanceTo(i == 130 ? 1.3 : 0.01 * i);
-    EXPECT_EQ(test::stateHash(one), test::stateHash(many));
-  }
 }
 
 /// The loop with cells, queue and lazy search is compared with the reference loop. For disks that never meet,

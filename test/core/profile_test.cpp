@@ -418,26 +418,5 @@ TEST(Profile, ADiskRestsOnTheEdgesOfAGap)
   EXPECT_EQ(contacts.face_contacts[2], 0u);
 }
 
-TEST(Profile, IsSavedAndResumedBitForBit)
-{
-  for (const bool pairs : {true, false})
-  {
-    SceneDefinition scene = onProfile(test::mixture(20), test::castle());
-    scene.base.teeth = 5;
-    scene.contact.pair_collisions = pairs;
-    Simulation through(scene);
-    Simulation first(scene);
-    first.advanceTo(0.7);
-    const std::string saved = first.saveState();
-    Simulation second(scene, saved);
-    through.advanceTo(0.7);
-    through.advanceTo(1.5);
-    second.advanceTo(1.5);
-    EXPECT_EQ(test::stateHash(second), test::stateHash(through));
-    EXPECT_EQ(second.faceContacts().face_contacts, through.faceContacts().face_contacts);
-    EXPECT_THROW(Simulation(onProfile(scene, test::arc(0.02, 0.006, 5)), saved), StateError);
-  }
-}
-
 }  // namespace
 }  // namespace ratchet_sieve

@@ -1,0 +1,224 @@
+// However a run is advanced, and wherever it is saved and resumed, it has the same bits.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "profiles.h"
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
+
+namespace ratchet_sieve::same_bits  // tests are joined in one source
+{
+namespace
+{
+
+constexpr double MIDDLE = 1.37;  ///< of the run; where it is saved [s]
+constexpr double END = 3.1;      ///< [s]
+
+/// What is done to a simulation at the beginning of each half.
+using Command = std::function<void(Simulation&)>;
+
+struct Case
+{
+  std::string name;
+  SceneDefinition scene;
+  Command command = [](Simulation&) {};
+};
+
+void PrintTo(const Case& one, std::ostream* out)
+{
+  *out << one.name;
+}
+
+void turnAndPour(Simulation& simulation)
+{
+  simulation.setSlewRates({0.02, 1.0, 0.001});
+  simulation.command(Quantity::INCLINATION, 0.02);
+  simulation.command(Quantity::FREQUENCY, 20.0);
+  simulation.pour(0, 3);
+}
+
+void setGoing(Simulation& simulation)
+{
+  simulation.command(Quantity::AMPLITUDE, 0.001);
+}
+
+SceneDefinition layer(Boundary boundary = Boundary::PERIODIC)
+{
+  SceneDefinition scene = test::mixture(40);
+  scene.base.teeth = 8;
+  scene.boundary = boundary;
+  return scene;
+}
+
+SceneDefinition ensemble()
+{
+  return test::singleParticles(40);
+}
+
+SceneDefinition observed(SceneDefinition scene)
+{
+  scene.settle = 0.5;
+  scene.observe = observableNames();
+  scene.height_profile = {0.0, 3};
+  return scene;
+}
+
+SceneDefinition fed()
+{
+  SceneDefinition scene = observed(layer(Boundary::OPEN));
+  scene.feed.rate = 60.0;
+  scene.contact.contact_duration = 1e-4;
+  return scene;
+}
+
+SceneDefinition withoutPairs(SceneDefinition scene)
+{
+  scene.contact.pair_collisions = false;
+  return scene;
+}
+
+SceneDefinition bySteps()
+{
+  SceneDefinition scene = layer();
+  scene.accuracy.method = Method::STEPS;
+  scene.accuracy.step = 0.0013;
+  return scene;
+}
+
+SceneDefinition withoutDrive()
+{
+  SceneDefinition scene = layer();
+  scene.base.amplitude = 0.0;
+  return scene;
+}
+
+SceneDefinition collapsing()
+{
+  SceneDefinition scene = layer();
+  scene.contact.min_rebound_speed = 0.0;
+  scene.contact.on_collapse = CollapseAction::REBOUND;
+  scene.contact.collapse_events = 1000;
+  return scene;
+}
+
+SceneDefinition onCastle(SceneDefinition scene)
+{
+  scene.base.profile = test::castle();
+  return scene;
+}
+
+SceneDefinition inFrameOfBase(SceneDefinition scene)
+{
+  scene.base.drive_frame = DriveFrame::BASE;
+  scene.base.inclination = 0.05;
+  return scene;
+}
+
+/// With cells in nests.
+SceneDefinition ofWideSizes(Boundary boundary)
+{
+  SceneDefinition scene = test::lognormalSizes(150, 0.5);
+  scene.species.push_back(test::disksOfSize(12.0, 1));
+  scene.base.teeth = 9;
+  scene.boundary = boundary;
+  return scene;
+}
+
+std::vector<Case> cases()
+{
+  return {
+      {"layer", layer()},
+      {"layer under commands", observed(layer()), turnAndPour},
+      {"open under commands", observed(layer(Boundary::OPEN)), turnAndPour},
+      {"walled under commands", observed(layer(Boundary::WALLED)), turnAndPour},
+      {"fed", fed()},
+      {"fed ensemble", withoutPairs(fed())},
+      {"ensemble", observed(ensemble())},
+      {"ensemble under commands", observed(ensemble()), turnAndPour},
+      {"sizes", observed(test::withSizes(layer())), turnAndPour},
+      {"ensemble of sizes", test::withSizes(ensemble())},
+      {"orbit", test::onAnOrbit(layer()), turnAndPour},
+      {"orbit of the base", inFrameOfBase(test::onAnOrbit(layer())), turnAndPour},
+      {"ensemble on an orbit", test::onAnOrbit(ensemble())},
+      {"profile", onCastle(layer())},
+      {"ensemble on a profile", onCastle(ensemble())},
+      {"no drive", withoutDrive(), setGoing},
+      {"collapsing", collapsing()},
+      {"steps", bySteps(), turnAndPour},
+      {"wide sizes", ofWideSizes(Boundary::PERIODIC), turnAndPour},
+      {"wide sizes, walled", ofWideSizes(Boundary::WALLED), turnAndPour},
+  };
+}
+
+class SameBits : public testing::TestWithParam<Case>
+{
+protected:
+  /// Advances from one of 0, MIDDLE and END to the next, in strides.
+  static void advance(Simulation& simulation, double from, double to, int strides = 1)
+  {
+    GetParam().command(simulation);
+    for (int k = 1; k <= strides; ++k)
+    {
+      simulation.advanceTo(k == strides ? to : from + (to - from) * k / strides);
+      simulation.disks();
+      simulation.observed();
+    }
+  }
+
+  /// The bits after a whole run.
+  static std::string bitsAfter(int strides, std::size_t threads)
+  {
+    Simulation simulation(GetParam().scene);
+    simulation.setThreads(threads);
+    advance(simulation, 0.0, MIDDLE, strides);
+    advance(simulation, MIDDLE, END, strides);
+    return simulation.saveState();
+  }
+};
+
+TEST_P(SameBits, InWhateverStridesOnWhateverThreadsAndWhereItIsResumed)
+{
+  Simulation whole(GetParam().scene);
+  advance(whole, 0.0, MIDDLE);
+  const std::string saved = whole.saveState();
+  advance(whole, MIDDLE, END);
+  ASSERT_GT(whole.collisions().total(), 100u);
+  const std::string bits = whole.saveState();
+
+  Simulation resumed(GetParam().scene, saved);
+  EXPECT_TRUE(resumed.saveState() == saved);
+  advance(resumed, MIDDLE, END);
+  EXPECT_TRUE(resumed.saveState() == bits) << "resumed";
+  EXPECT_TRUE(bitsAfter(97, 1) == bits) << "in strides";
+  EXPECT_TRUE(bitsAfter(1, 2) == bits) << "on two threads";
+  EXPECT_TRUE(bitsAfter(37, 3) == bits) << "in strides on three threads";
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SameBits, testing::ValuesIn(cases()));
+
+TEST(SavedState, CutShortOrTooLongIsRefused)
+{
+  const SceneDefinition scene = layer();
+  Simulation simulation(scene);
+  simulation.advanceTo(0.1);
+  const std::string saved = simulation.saveState();
+  for (std::size_t size = 0; size < saved.size(); size += 1 + size / 50)
+    EXPECT_THROW(Simulation(scene, saved.substr(0, size)), StateError) << size;
+  EXPECT_THROW(Simulation(scene, saved + '\0'), StateError);
+}
+
+TEST(SavedState, OfAnotherSceneIsRefused)
+{
+  SceneDefinition other = layer();
+  other.species.pop_back();
+  EXPECT_THROW(Simulation(other, Simulation(layer()).saveState()), StateError);
+  other = layer();
+  other.base.profile = test::arc(0.02, 0.006, 5);
+  EXPECT_THROW(Simulation(other, Simulation(onCastle(layer())).saveState()), StateError);
+}
+
+}  // namespace
+}  // namespace ratchet_sieve::same_bits
