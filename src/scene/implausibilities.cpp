@@ -331,7 +331,7 @@ bool isPlausible(SceneDefinition scene)
 std::vector<std::string> implausibilities(const SceneDefinition& scene)
 {
   SceneDefinition judged = scene;
-  const std::vector<std::string> lines = linesOf(judged, true);
+  std::vector<std::string> lines = linesOf(judged, true);
   if (!lines.empty())
     if (const auto slip = unitSlip(scene, isPlausible))
       return {withId(*slip, "units")};

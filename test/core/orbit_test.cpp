@@ -1,10 +1,8 @@
 #include "model/orbit.h"
-#include "add_disk.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -13,7 +11,6 @@
 #include "constants.h"
 #include "model/base_motion.h"
 #include "ratchet_sieve/core/simulation.h"
-#include "reference_loop.h"
 #include "scenes.h"
 
 /// A drive with a horizontal part and harmonics.
@@ -236,48 +233,6 @@ TEST(Orbit, ThatStandsStillKeepsTheEnergyOfLosslessDisks)
   EXPECT_GT(simulation.collisions().total(), 100u);
   EXPECT_NEAR(simulation.energy(), before, 1e-11 * before);
   EXPECT_EQ(simulation.base().horizontal_velocity, 0.0);
-}
-
-/// The loop with cells, queue and lazy search is compared with the reference loop. For disks that never meet,
-/// the ensemble loop is compared with the pair loop.
-TEST(Orbit, TheLoopsAgreeWithTheReference)
-{
-  SceneDefinition scene = test::onAnOrbit(test::mixture(6));
-  scene.base.teeth = 3;
-  scene.base.inclination = 0.1;
-  for (const auto& [boundary, frame] :
-       {std::pair(Boundary::PERIODIC, DriveFrame::WORLD), std::pair(Boundary::WALLED, DriveFrame::WORLD),
-        std::pair(Boundary::PERIODIC, DriveFrame::BASE), std::pair(Boundary::WALLED, DriveFrame::BASE)})
-  {
-    scene.boundary = boundary;
-    scene.base.drive_frame = frame;
-    const double end = 0.2;
-    Simulation simulation(scene);
-    simulation.advanceTo(end);
-    SceneDefinition placed = scene;
-    for (const DiskState& disk : Simulation(scene).disks())
-      placed.initial.push_back({disk.species, disk.x, disk.y, disk.vx, disk.vy, disk.spin});
-    test::Bench bench(placed);
-    for (const InitialDisk& initial : placed.initial)
-    {
-      Disk disk;
-      disk.position = {initial.x, initial.y};
-      disk.species = static_cast<std::uint32_t>(initial.species);
-      test::addDisk(bench.state, disk);
-    }
-    test::ReferenceLoop(bench).advanceTo(end);
-    EXPECT_GT(bench.state.observers().counts().collisions.total(), 20u);
-    const std::vector<DiskState> states = simulation.disks();
-    for (std::uint32_t id = 0; id < states.size(); ++id)
-    {
-      const Disk disk = flown(bench.state.disk(id), end, scene.gravity);
-      const Eigen::Vector2d lattice = Eigen::Rotation2Dd(scene.base.inclination) * Eigen::Vector2d::UnitX();
-      const Eigen::Vector2d way = disk.position - Eigen::Vector2d(states[id].x, states[id].y);
-      const double along = way.dot(lattice);
-      EXPECT_NEAR(std::remainder(along, scene.base.width()), 0.0, 1e-8);
-      EXPECT_NEAR((way - along * lattice).norm(), 0.0, 1e-8);
-    }
-  }
 }
 
 /// Independent disks: the ensemble loop is compared with each disk alone in the pair loop.

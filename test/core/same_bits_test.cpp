@@ -9,7 +9,7 @@
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 
-namespace ratchet_sieve
+namespace ratchet_sieve::same_bits  // tests are joined in one source
 {
 namespace
 {
@@ -221,4 +221,4 @@ TEST(SavedState, OfAnotherSceneIsRefused)
 }
 
 }  // namespace
-}  // namespace ratchet_sieve
+}  // namespace ratchet_sieve::same_bits

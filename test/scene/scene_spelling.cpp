@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include "draws.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
@@ -30,6 +31,17 @@ SceneTree treeOf(const YAML::Node& node)
 SceneTree treeOf(const SceneDefinition& scene)
 {
   return treeOf(YAML::Load(canonicalYaml(scene)));
+}
+
+/// A number as a hand might write it: in full, short, or with an exponent; it reads back to the same.
+std::string spelledNumber(double value)
+{
+  const char* const format = drawnOf({"%.17g", "%.3g", "%.17e"});
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
+  if (std::strtod(text, nullptr) != value)
+    std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
 }
 
 /// Leaves out some of the keys whose value is the default's, but none of `kept`; spells the others anew.
@@ -66,16 +78,6 @@ SceneDefinition defaultScene(const SceneDefinition& scene)
 }
 
 }  // namespace
-
-std::string spelledNumber(double value)
-{
-  const char* const format = drawnOf({"%.17g", "%.3g", "%.17e"});
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  if (std::strtod(text, nullptr) != value)
-    std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
 
 SceneTree spelled(const SceneDefinition& scene, std::optional<double> density)
 {

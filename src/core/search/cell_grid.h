@@ -80,9 +80,6 @@ public:
   Cell cellAt(double s, double n) const;
   Cell cellOf(std::uint32_t slot) const { return cells_[slot]; }
 
-  /// Number of slots with memory.
-  std::size_t capacity() const { return cells_.size(); }
-
   /// Several threads may then move disks between cells of different columns at the same time.
   void reserveOverflow() { blocks_.reserveOverflow(cells_.size()); }
 
