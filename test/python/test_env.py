@@ -32,7 +32,7 @@ def test_reset_gives_an_observation_of_the_space_and_an_info(scene):
     env = SieveEnv(scene, observations=ALL)
     observation, info = env.reset(seed=1)
     assert observation.dtype == env.observation_space.dtype == np.float64
-    assert observation.shape == env.observation_space.low.shape == (len(env.observation_names),)
+    assert observation.shape == env.observation_space.shape == (len(env.observation_names),)
     assert is_within(observation, env.observation_space)
     assert len(set(env.observation_names)) == len(env.observation_names)
     assert set(info) == {"time", "seed"} and info["time"] == 0.0
@@ -349,7 +349,7 @@ def test_many_sieves_are_as_many_single_ones(scene, threads):
 def test_batches_have_their_spaces_and_types(scene):
     env = SieveVectorEnv(scene, 3, episode=2.0)
     assert env.num_envs == 3
-    assert env.action_space.low.shape == (3, 1) and env.single_action_space.low.shape == (1,)
+    assert env.action_space.shape == (3, 1) and env.single_action_space.shape == (1,)
     observations, infos = env.reset(seed=1)
     assert is_within(observations, env.observation_space) and is_within(observations[0], env.single_observation_space)
     observations, rewards, terminations, truncations, infos = env.step(env.action_space.high)

@@ -19,6 +19,10 @@ except ImportError:
         high: np.ndarray
         dtype: Any
 
+        @property
+        def shape(self) -> tuple[int, ...]:
+            return self.low.shape
+
 try:
     from gymnasium.vector import AutoresetMode
 except ImportError:

@@ -90,7 +90,7 @@ class SieveVectorEnv(VectorEnv):
         self._require_open()
         self._require_episodes()
         actions = np.asarray(actions)
-        wanted = (self.num_envs, *self.single_action_space.low.shape)
+        wanted = (self.num_envs, *self.single_action_space.shape)
         if actions.shape != wanted:
             raise ValueError(f"actions of shape {actions.shape}: must be {wanted}")
         rewards = np.zeros(self.num_envs)
