@@ -6,7 +6,7 @@ if(RATCHET_SIEVE_ROS)
     TARGETS sieve_analyze sieve_display sieve_node sieve_resimulate sieve_rviz sieve_schedule sieve_seek
     RUNTIME DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
   install(TARGETS ratchet_sieve_bag_plugin ratchet_sieve_rviz_windows LIBRARY DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION})
-  install(TARGETS ratchet_sieve_messages ratchet_sieve_serialization EXPORT ratchet_sieve-targets)
+  install(TARGETS ratchet_sieve_messages EXPORT ratchet_sieve-targets)
 endif()
 install(DIRECTORY include/ratchet_sieve/ DESTINATION ${RATCHET_SIEVE_INCLUDE_DESTINATION})
 install(DIRECTORY config examples launch rviz DESTINATION ${RATCHET_SIEVE_SHARE_DESTINATION})

@@ -16,10 +16,9 @@ BELOW = {
     'page': ['core', 'scene', 'recording', 'analysis'],
     'live': ['core', 'scene', 'recording'],
     'seeking': ['core', 'scene', 'recording'],
-    'bag': ['core', 'scene'],
     'python': ['core', 'scene', 'recording', 'sweep', 'analysis', 'page', 'seeking'],
-    'ros': ['core', 'scene', 'recording', 'analysis', 'live', 'seeking', 'bag'],
-    'nodes': ['core', 'scene', 'recording', 'sweep', 'analysis', 'page', 'live', 'seeking', 'bag', 'ros'],
+    'ros': ['core', 'scene', 'recording', 'analysis', 'live', 'seeking'],
+    'nodes': ['core', 'scene', 'recording', 'sweep', 'analysis', 'page', 'live', 'seeking', 'ros'],
 }
 # External libraries that a layer may use, by the first folder or name of the include, or the header;
 # None: any.
@@ -32,7 +31,6 @@ LIBRARIES = {
     'page': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'zlib'],
     'live': ['Eigen', 'yaml-cpp', 'fmt'],
     'seeking': ['Eigen'],
-    'bag': ['bzlib', 'roslz4', 'ros/message_traits.h', 'ros/serialization.h', 'ros/time.h'],
     'python': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'pybind11'],
     'ros': None,
     'nodes': None,
