@@ -15,8 +15,8 @@ if(NOT CATKIN_DEVEL_PREFIX AND PROJECT_BINARY_DIR STREQUAL "${PROJECT_SOURCE_DIR
 endif()
 
 set(ROS_PACKAGES
-  diagnostic_msgs diagnostic_updater geometry_msgs message_runtime rosbag roscpp roscpp_serialization rosgraph_msgs
-  roslz4 rostime sensor_msgs std_msgs std_srvs tf2_eigen tf2_msgs tf2_ros visualization_msgs)
+  diagnostic_msgs diagnostic_updater geometry_msgs message_runtime rosbag roscpp rosgraph_msgs
+  sensor_msgs std_msgs std_srvs tf2_eigen tf2_msgs tf2_ros visualization_msgs)
 find_package(catkin REQUIRED COMPONENTS ${ROS_PACKAGES})
 find_package(message_generation REQUIRED)
 
@@ -50,15 +50,6 @@ catkin_package(
   INCLUDE_DIRS include
   CATKIN_DEPENDS ${ROS_PACKAGES}
   CFG_EXTRAS ratchet_sieve-extras.cmake)
-
-# What the format of bags needs of ROS: times, serialization and lz4.
-add_library(ratchet_sieve_serialization INTERFACE)
-add_library(ratchet_sieve::serialization ALIAS ratchet_sieve_serialization)
-foreach(package roscpp_serialization roslz4 rostime)
-  target_include_directories(ratchet_sieve_serialization SYSTEM INTERFACE ${${package}_INCLUDE_DIRS})
-  target_link_libraries(ratchet_sieve_serialization INTERFACE ${${package}_LIBRARIES})
-endforeach()
-set_target_properties(ratchet_sieve_serialization PROPERTIES EXPORT_NAME serialization)
 
 add_library(ratchet_sieve_messages INTERFACE)
 add_library(ratchet_sieve::messages ALIAS ratchet_sieve_messages)

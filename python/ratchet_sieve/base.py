@@ -1,4 +1,5 @@
 """The shape of the base, of its part `base` of a scene."""
+import math
 
 
 def outline(base):
@@ -18,3 +19,10 @@ def surface(base):
     """The corners (s, n) of all teeth, from the first foot to the last [m]."""
     corners = outline(base)
     return corners[:1] + [(k * corners[-1][0] + s, n) for k in range(base["teeth"]) for s, n in corners[1:]]
+
+
+def in_world(points, inclination, displacement):
+    """Of points (s, n) of the base, docs/model.md [m]."""
+    c, s = math.cos(inclination), math.sin(inclination)
+    dx, dy = displacement
+    return [(dx + along * c - up * s, dy + along * s + up * c) for along, up in points]

@@ -92,16 +92,21 @@ class Recording:
 
     def write(self, path: Union[str, os.PathLike], *, megabytes: float = 3.0) -> None:
         """Writes the frames for other programs; the ending selects the format: .html for one page that any browser
-        shows, .xyz and .extxyz for OVITO and ASE, .pvd for ParaView; see docs/recording.md.
+        shows, .xyz and .extxyz for OVITO and ASE, .pvd for ParaView (needs meshio); see docs/recording.md.
 
         megabytes  size of the page at most: its frames are thinned to it
-        Raises ValueError without frames, OSError.
+        Raises ValueError without frames, OSError, ImportError without meshio.
         """
         self._require_frames()
         file = os.fspath(path)
-        if os.path.splitext(file)[1] == ".html":
+        ending = os.path.splitext(file)[1]
+        if ending == ".html":
             _engine.write_page(file, os.path.basename(self.title), self.scene._engine, self.frames._tuples(),
                                self.frames._others, self._warnings, megabytes)
+        elif ending == ".pvd":
+            from .paraview import write_pvd
+
+            write_pvd(self, file)
         else:
             _engine.write_trajectory(file, self.scene._engine, self.frames._tuples())
 

@@ -78,9 +78,10 @@ void describeOutputs(CLI::App& app, RunArguments& arguments)
       ->check(requireRate)
       ->capture_default_str();
   CLI::Option* trajectory =
-      app.add_option("--trajectory", arguments.trajectory,
-                     "Write the motion of the disks, and of the base beside it, for other programs; the "
-                     "ending selects the format: .xyz or .extxyz for OVITO and ASE, .pvd for ParaView")
+      app.add_option(
+             "--trajectory", arguments.trajectory,
+             "Write the motion of the disks, and of the base beside it, as extended XYZ for OVITO and "
+             "ASE; FILE ends in .xyz or .extxyz")
           ->type_name("FILE");
   app.add_option("--trajectory-rate", arguments.trajectory_rate,
                  "Rate of the frames of --trajectory [Hz of simulated time]; 0: only the first and the last")

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "command_line.h"
-#include "ratchet_sieve/bag/bag_error.h"
+#include "ratchet_sieve/ros/bag_error.h"
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/recording/resimulation.h"

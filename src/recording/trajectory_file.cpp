@@ -1,37 +1,86 @@
 #include "ratchet_sieve/recording/trajectory_file.h"
 
-#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <stdexcept>
 
-#include "ratchet_sieve/recording/atomic_file.h"
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/scene/scene_file.h"
-#include "trajectory_paths.h"
-#include "vtk_trajectory.h"
-#include "xyz_trajectory.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
 
-template <typename Format>
-std::unique_ptr<TrajectoryFile> openFormat(const std::string& path)
+/// OVITO maps these names to its own properties, except for `angle` and `displacement`.
+constexpr const char* DISK_COLUMNS =
+    "type:S:1:pos:R:3:id:I:1:velo:R:3:radius:R:1:mass:R:1:angle:R:1:omega:R:3:displacement:R:1";
+constexpr const char* CORNER_COLUMNS = "type:S:1:pos:R:3:radius:R:1";
+
+/// Radius of the dots that show the corners of the base [widths of a tooth].
+constexpr double CORNER_RADIUS = 0.02;
+
+/// run.xyz -> run_base.xyz
+std::string basePath(const std::string& path)
 {
-  return std::make_unique<Format>(path);
+  const std::filesystem::path whole(path);
+  return (whole.parent_path() / (whole.stem().string() + "_base" + whole.extension().string())).string();
 }
 
-struct TrajectoryFormat
+/// World position of the base's foot, where its first tooth begins [m].
+Eigen::Vector2d footOf(const DriveState& base)
 {
-  const char* ending;
-  std::unique_ptr<TrajectoryFile> (*open)(const std::string& path);
-};
+  return {base.horizontal_displacement, base.displacement};
+}
 
-constexpr std::array<TrajectoryFormat, 3> TRAJECTORY_FORMATS = {{{".xyz", openFormat<XyzTrajectory>},
-                                                                 {".extxyz", openFormat<XyzTrajectory>},
-                                                                 {".pvd", openFormat<VtkTrajectory>}}};
+/// A vector (s, n) of the base in the world frame.
+Eigen::Vector2d outOfBase(const DriveState& base, const Eigen::Vector2d& vector)
+{
+  return Eigen::Rotation2Dd(base.inclination) * vector;
+}
+
+/// Corners of the base and its walls from left to right, in the world frame [m].
+std::vector<Eigen::Vector2d> baseOutline(const SceneDefinition& scene, const DriveState& base)
+{
+  const std::vector<OutlineCorner> tooth = scene.base.outline();
+  std::vector<Eigen::Vector2d> corners;
+  for (int k = 0; k < scene.base.teeth; ++k)
+    for (std::size_t i = k > 0 ? 1 : 0; i < tooth.size(); ++i)  // a tooth begins where the last one ends
+      corners.emplace_back(k * scene.base.toothWidth() + tooth[i].s, tooth[i].n);
+  if (scene.boundary == Boundary::WALLED && scene.base.wall_height > 0.0)
+  {
+    corners.insert(corners.begin(), {corners.front().x(), scene.base.wall_height});
+    corners.emplace_back(corners.back().x(), scene.base.wall_height);
+  }
+  for (Eigen::Vector2d& corner : corners)
+    corner = footOf(base) + outOfBase(base, corner);
+  return corners;
+}
+
+/// The two lines above the rows of a frame.
+std::string frameHead(std::size_t rows, const SceneDefinition& scene, const DriveState& base, double time,
+                      const char* columns)
+{
+  const double depth = largestDiameter(scene);
+  const Eigen::Vector2d foot = footOf(base);
+  const Eigen::Vector2d along = outOfBase(base, {scene.base.width(), 0.0});
+  return fmt::format(
+      "{}\nLattice=\"{} {} 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} F F\" Time={} Properties={}\n",
+      rows, along.x(), along.y(), -along.y(), along.x(), depth, foot.x(), foot.y(), -0.5 * depth,
+      scene.boundary == Boundary::PERIODIC ? 'T' : 'F', time, columns);
+}
+
+void writeText(AtomicFile& file, const fmt::memory_buffer& text)
+{
+  file.stream().write(text.data(), static_cast<std::streamsize>(text.size()));
+}
 
 }  // namespace
+
+TrajectoryFile::TrajectoryFile(const std::string& path) : disks_file_(path), base_file_(basePath(path)) {}
 
 bool TrajectoryFile::wants(FrameKind kind) const
 {
@@ -48,27 +97,58 @@ void TrajectoryFile::take(const AnyFrame& frame)
   {
     if (!scene_ || !base_ || base_->time != particles->time)
       throw std::invalid_argument("a trajectory needs the scene, and the base at the time of the disks");
-    write({*scene_, base_->base, *particles});
+    write(*particles);
   }
+}
+
+void TrajectoryFile::write(const ParticleFrame& particles)
+{
+  const SceneDefinition& scene = *scene_;
+  const DriveState& base = base_->base;
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{}", frameHead(particles.disks.size(), scene, base, particles.time, DISK_COLUMNS));
+  for (const DiskState& disk : particles.disks)
+  {
+    const double radius = radiusOf(disk, scene.species);
+    fmt::format_to(out, "{} {} {} 0 {} {} {} 0 {} {} {} 0 0 {} {}\n", scene.species[disk.species].name,
+                   disk.x, disk.y, disk.id, disk.vx, disk.vy, radius,
+                   scene.species[disk.species].massOf(radius), disk.angle, disk.spin, disk.displacement);
+  }
+  writeText(disks_file_, text);
+
+  text.clear();
+  const std::vector<Eigen::Vector2d> corners = baseOutline(scene, base);
+  fmt::format_to(out, "{}", frameHead(corners.size(), scene, base, particles.time, CORNER_COLUMNS));
+  for (const Eigen::Vector2d& corner : corners)
+    fmt::format_to(out, "base {} {} 0 {}\n", corner.x(), corner.y(), CORNER_RADIUS * scene.base.toothWidth());
+  writeText(base_file_, text);
+}
+
+void TrajectoryFile::commit()
+{
+  disks_file_.finish();
+  base_file_.finish();
+  disks_file_.commit();
+  base_file_.commit();
 }
 
 std::unique_ptr<TrajectoryFile> openTrajectory(const std::string& path)
 {
   const std::string ending = std::filesystem::path(path).extension().string();
-  std::string allowed;
-  for (const TrajectoryFormat& format : TRAJECTORY_FORMATS)
-  {
-    if (ending == format.ending)
-      return format.open(path);
-    allowed += (allowed.empty() ? "" : ", ") + std::string(format.ending);
-  }
-  throw OutputError(path + ": unknown format of a trajectory; the file's ending must be one of " + allowed);
+  if (ending == ".pvd")
+    throw OutputError(path +
+                      ": for ParaView use run.write(\"FILE.pvd\") of the Python package; the file's ending "
+                      "must be one of .xyz, .extxyz");
+  if (ending != ".xyz" && ending != ".extxyz")
+    throw OutputError(path +
+                      ": unknown format of a trajectory; the file's ending must be one of .xyz, .extxyz");
+  return std::make_unique<TrajectoryFile>(path);
 }
 
 std::vector<std::string> trajectoryPaths(const std::string& path)
 {
-  return path.empty() ? std::vector<std::string>()
-                      : std::vector<std::string>{path, basePath(path), framesPath(path)};
+  return path.empty() ? std::vector<std::string>() : std::vector<std::string>{path, basePath(path)};
 }
 
 FrameRates trajectoryRates(double rate)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -12,9 +13,8 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
-#include "bounded_stream.h"
-#include "ratchet_sieve/bag/bag_structure.h"
 #include "ratchet_sieve/ros/conversions.h"
+#include "ratchet_sieve/scene/input_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
@@ -83,18 +83,21 @@ private:
     const bool earlier = position_->getMD5Sum() == EARLIER<Message>.checksum;
     if (!position_->isType<Message>() && !earlier)
       throw std::invalid_argument(position_->getTopic() + " does not have its declared type");
-    std::vector<std::uint8_t> bytes(position_->size());
-    if (bytes.empty())
-      throw std::invalid_argument(position_->getTopic() + " has an empty message");
-    ros::serialization::OStream filled(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-    position_->write(filled);
-    if (earlier)
-      bytes.resize(bytes.size() + EARLIER<Message>.missing);
-    Message message;
-    BoundedStream(bytes).next(message);
-    frame_ = toFrame(message);
+    frame_ = toFrame(earlier ? completed() : *position_->instantiate<Message>());
     if (!isStamp(frame_.time))
       throw std::invalid_argument(position_->getTopic() + " has a message with an invalid time");
+  }
+
+  /// An earlier message, with zeros for what it lacks.
+  Message completed() const
+  {
+    std::vector<std::uint8_t> bytes(position_->size() + EARLIER<Message>.missing);
+    ros::serialization::OStream filled(bytes.data(), position_->size());
+    position_->write(filled);
+    Message message;
+    ros::serialization::IStream whole(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+    ros::serialization::deserialize(whole, message);
+    return message;
   }
 
   rosbag::View view_;
@@ -231,10 +234,11 @@ void requireOneRun(const std::vector<RunPart>& parts)
 template <typename Read>
 void withBag(const std::string& path, const Read& read)
 {
+  if (const auto why = whyUnreadable(path))
+    throw BagError(path + ": " + *why);
   try
   {
-    rosbag::Bag bag;
-    bag.open(path, rosbag::bagmode::Read);
+    const rosbag::Bag bag(path);
     read(bag);
   }
   catch (const rosbag::BagUnindexedException&)
@@ -245,6 +249,10 @@ void withBag(const std::string& path, const Read& read)
   {
     throw BagError(path + ": cannot be read as a bag: " + shownText(error.what(), LONGEST_REASON));
   }
+  catch (const std::bad_alloc&)
+  {
+    throw BagError(path + ": cannot be read as a bag: it asks for more memory than there is");
+  }
   catch (const std::invalid_argument& error)
   {
     throw BagError(path + ": " + shownText(error.what(), LONGEST_REASON));
@@ -254,7 +262,6 @@ void withBag(const std::string& path, const Read& read)
 
 void readBag(const std::string& path, FrameSink& sink)
 {
-  requireSoundBag(path);
   withBag(path, [&](const rosbag::Bag& bag) { readOpened(bag, true, sink); });
 }
 
@@ -264,10 +271,7 @@ void readBags(const std::vector<std::string>& paths, FrameSink& sink)
     return readBag(paths.front(), sink);
   std::vector<RunPart> parts;
   for (const std::string& path : paths)
-  {
-    requireSoundBag(path);
     withBag(path, [&](const rosbag::Bag& bag) { parts.push_back(partOf(bag, path)); });
-  }
   std::sort(parts.begin(), parts.end(),
             [](const RunPart& a, const RunPart& b)
             { return std::tie(a.start, a.end, a.path) < std::tie(b.start, b.end, b.path); });

@@ -10,7 +10,7 @@
 #include <ros/console.h>
 #include <std_msgs/Float64.h>
 
-#include "ratchet_sieve/bag/bag_structure.h"
+#include "bag_file.h"
 #include "ratchet_sieve/live/setpoint.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/commands.h"
@@ -34,6 +34,20 @@ void requireNothingOrFile(const std::string& path)
   const std::filesystem::file_status status = std::filesystem::status(path, none);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     throw BagError("it exists and is not a regular file");
+}
+
+/// Whether a file is a bag that was closed, or reindexed.
+bool isIndexedBag(const std::string& path)
+{
+  try
+  {
+    const rosbag::Bag bag(path);
+    return true;
+  }
+  catch (const ros::Exception&)
+  {
+    return false;
+  }
 }
 
 /// An unused file name.

@@ -17,7 +17,7 @@ namespace ratchet_sieve::reference  // tests are joined in one source
 namespace
 {
 
-struct Case
+struct ReferenceCase
 {
   std::string name;
   SceneDefinition scene;
@@ -26,7 +26,7 @@ struct Case
   int images = 1;              ///< of a disk on a ring, on either side, that the reference tests
 };
 
-void PrintTo(const Case& one, std::ostream* out)
+void PrintTo(const ReferenceCase& one, std::ostream* out)
 {
   *out << one.name;
 }
@@ -94,12 +94,12 @@ SceneDefinition bySteps(SceneDefinition scene)
   return scene;
 }
 
-std::vector<Case> cases()
+std::vector<ReferenceCase> referenceCases()
 {
   const Boundary open = Boundary::OPEN, walled = Boundary::WALLED;
   const DriveFrame base = DriveFrame::BASE, world = DriveFrame::WORLD;
   const std::vector<double> many = {0.3, 0.3, 0.5, 2.1, 3.0, 4.5, 6.0};
-  std::vector<Case> all = {
+  std::vector<ReferenceCase> all = {
       {"periodic", on(3, test::mixture(30)), 300},
       {"inclined", inclined(0.2, on(2, test::mixture(25)))},
       {"open", on(4, test::openMixture(25), open)},
@@ -135,11 +135,11 @@ std::vector<Case> cases()
   return all;
 }
 
-class Reference : public testing::TestWithParam<Case>
+class Reference : public testing::TestWithParam<ReferenceCase>
 {
 };
 
-std::vector<CollisionRecord> fastCollisions(const Case& one, double end)
+std::vector<CollisionRecord> fastCollisions(const ReferenceCase& one, double end)
 {
   std::vector<CollisionRecord> records;
   Simulation simulation(one.scene);
@@ -153,7 +153,7 @@ std::vector<CollisionRecord> fastCollisions(const Case& one, double end)
   return records;
 }
 
-std::vector<CollisionRecord> slowCollisions(const Case& one, double end)
+std::vector<CollisionRecord> slowCollisions(const ReferenceCase& one, double end)
 {
   std::vector<CollisionRecord> records;
   test::Bench bench(one.scene);
@@ -191,7 +191,7 @@ TEST_P(Reference, MeetsTheSameContacts)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Reference, testing::ValuesIn(cases()));
+INSTANTIATE_TEST_SUITE_P(Scenes, Reference, testing::ValuesIn(referenceCases()));
 
 }  // namespace
 }  // namespace ratchet_sieve::reference

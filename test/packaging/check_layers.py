@@ -15,10 +15,9 @@ BELOW = {
     'analysis': ['core', 'scene', 'recording'],
     'page': ['core', 'scene', 'recording', 'analysis'],
     'live': ['core', 'scene', 'recording'],
-    'bag': ['core', 'scene'],
     'python': ['core', 'scene', 'recording', 'sweep', 'analysis', 'page'],
-    'ros': ['core', 'scene', 'recording', 'analysis', 'live', 'bag'],
-    'nodes': ['core', 'scene', 'recording', 'sweep', 'analysis', 'page', 'live', 'bag', 'ros'],
+    'ros': ['core', 'scene', 'recording', 'analysis', 'live'],
+    'nodes': ['core', 'scene', 'recording', 'sweep', 'analysis', 'page', 'live', 'ros'],
 }
 # External libraries that a layer may use, by the first folder or name of the include, or the header;
 # None: any.
@@ -30,7 +29,6 @@ LIBRARIES = {
     'analysis': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt'],
     'page': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'zlib'],
     'live': ['Eigen', 'yaml-cpp', 'fmt'],
-    'bag': ['bzlib', 'roslz4', 'ros/message_traits.h', 'ros/serialization.h', 'ros/time.h'],
     'python': ['Eigen', 'yaml-cpp', 'nlohmann', 'fmt', 'pybind11'],
     'ros': None,
     'nodes': None,

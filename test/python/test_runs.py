@@ -13,6 +13,7 @@ import sys
 import threading
 import urllib.parse
 import urllib.request
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -183,6 +184,57 @@ def test_trajectories_are_those_of_sieve_run(scene, tmp_path):
         run.write(tmp_path / "run.abc")
     with pytest.raises(ValueError, match="no frames"):
         rs.run(scene, progress=False).write(tmp_path / "none.xyz")
+
+
+def pvd_frames(path):
+    """Times and meshes of a collection, as meshio reads them; None for a frame without points, which it can't read."""
+    meshio = pytest.importorskip("meshio")
+    for frame in ElementTree.parse(path).iter("DataSet"):
+        file = path.parent / frame.get("file")
+        empty = 'NumberOfPoints="0"' in file.read_text()
+        yield float(frame.get("timestep")), None if empty else meshio.read(file)
+
+
+@pytest.mark.parametrize("change", [
+    {}, {"boundary": "walled", "base.wall_height": 0.1, "base.inclination": 0.1, "base.horizontal_amplitude": 0.001},
+    {"species.0.count": 0, "species.1.count": 0, "feed.rate": 20.0}])
+def test_meshio_reads_what_is_written_for_paraview(scene, tmp_path, change):
+    run = rs.run(scene.replace({"duration": 0.5, **change}), frames=20, progress=False)
+    run.write(tmp_path / "a & b.pvd")
+    run.write(tmp_path / "a & b.xyz")
+    disks = list(pvd_frames(tmp_path / "a & b.pvd"))
+    assert [time for time, _ in disks] == list(run.frames.time)
+    for (_, mesh), of in zip(disks, run.frames.disks):
+        if mesh is None:
+            assert not len(of)
+            continue
+        assert np.array_equal(mesh.points, np.column_stack([of["x"], of["y"], 0.0 * of["x"]]))
+        assert np.array_equal(mesh.point_data["velocity"][:, :2], np.column_stack([of["vx"], of["vy"]]))
+        for name in ("id", "species", "radius", "mass", "angle", "spin", "displacement"):
+            assert np.array_equal(mesh.point_data[name], of[name]), name
+    assert any(mesh is not None for _, mesh in disks)
+    base = list(pvd_frames(tmp_path / "a & b_base.pvd"))
+    rows = re.findall("^base (.*)$", (tmp_path / "a & b_base.xyz").read_text(), re.MULTILINE)
+    corners = np.array([[float(number) for number in row.split()[:3]] for row in rows])
+    assert np.allclose(np.concatenate([mesh.points for _, mesh in base]), corners, rtol=0, atol=1e-15)
+    assert all(len(mesh.cells[0].data) == len(mesh.points) - 1 for _, mesh in base)
+
+
+def test_a_shorter_run_takes_the_place_of_a_longer_one(scene, tmp_path):
+    pytest.importorskip("meshio")
+    (tmp_path / "run_frames").mkdir()
+    (tmp_path / "run_frames" / "notes.txt").write_text("mine")
+    for duration in (0.4, 0.2):
+        rs.run(scene.replace({"duration": duration, "settle": 0.0}), frames=10, progress=False).write(tmp_path / "run.pvd")
+    files = {file.name for file in (tmp_path / "run_frames").iterdir()}
+    assert files == {"notes.txt"} | {f"{series}_{k:06}.vtu" for series in ("disks", "base") for k in range(3)}
+
+
+def test_paraview_needs_meshio(scene, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "meshio", None)
+    with pytest.raises(ImportError, match=r"run\.pvd: is written by meshio \(Debian: python3-meshio\)"):
+        rs.run(scene, frames=1, progress=False).write(tmp_path / "run.pvd")
+    assert not list(tmp_path.iterdir())
 
 
 def test_pages_are_those_of_sieve_run(scene, tmp_path):

@@ -182,7 +182,7 @@ TEST_F(SieveRun, RefusesBadArguments)
   expectRefusal(config("paper_fig3.yaml") + " --duration 100000000 --trajectory " + trajectory,
                 trajectory +
                     ": unknown format of a trajectory; the file's ending must be one of .xyz, "
-                    ".extxyz, .pvd");
+                    ".extxyz");
   expectRefusal(config("demo.yaml") + " --checkpoint-every -1",
                 "--checkpoint-every: -1: must be 0 s or more; see --help");
 }

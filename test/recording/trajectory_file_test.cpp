@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <functional>
-#include <regex>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -97,36 +96,33 @@ std::vector<double> each(const std::vector<DiskState>& disks,
 
 struct NamedColumn
 {
-  const char* xyz;
-  std::size_t xyz_column;
-  const char* vtk;
-  std::size_t vtk_column;
-  std::size_t vtk_columns;
+  const char* name;
+  std::size_t column;
   std::function<double(const DiskState&)> value;
 };
 
-/// Every number of a disk, in both formats.
+/// Every number of a disk.
 std::vector<NamedColumn> columnsOf(const SceneDefinition& scene)
 {
   const auto radius = [scene](const DiskState& disk) { return radiusOf(disk, scene.species); };
   const auto mass = [scene, radius](const DiskState& disk)
   { return scene.species[disk.species].massOf(radius(disk)); };
   const auto nothing = [](const DiskState&) { return 0.0; };
-  return {{"id", 0, "id", 0, 1, [](const DiskState& disk) { return disk.id; }},
-          {"pos", 0, "Points", 0, 3, [](const DiskState& disk) { return disk.x; }},
-          {"pos", 1, "Points", 1, 3, [](const DiskState& disk) { return disk.y; }},
-          {"pos", 2, "Points", 2, 3, nothing},
-          {"velo", 0, "velocity", 0, 3, [](const DiskState& disk) { return disk.vx; }},
-          {"velo", 1, "velocity", 1, 3, [](const DiskState& disk) { return disk.vy; }},
-          {"velo", 2, "velocity", 2, 3, nothing},
-          {"angle", 0, "angle", 0, 1, [](const DiskState& disk) { return disk.angle; }},
-          {"omega", 2, "spin", 0, 1, [](const DiskState& disk) { return disk.spin; }},
-          {"displacement", 0, "displacement", 0, 1, [](const DiskState& disk) { return disk.displacement; }},
-          {"radius", 0, "radius", 0, 1, radius},
-          {"mass", 0, "mass", 0, 1, mass}};
+  return {{"id", 0, [](const DiskState& disk) { return disk.id; }},
+          {"pos", 0, [](const DiskState& disk) { return disk.x; }},
+          {"pos", 1, [](const DiskState& disk) { return disk.y; }},
+          {"pos", 2, nothing},
+          {"velo", 0, [](const DiskState& disk) { return disk.vx; }},
+          {"velo", 1, [](const DiskState& disk) { return disk.vy; }},
+          {"velo", 2, nothing},
+          {"angle", 0, [](const DiskState& disk) { return disk.angle; }},
+          {"omega", 2, [](const DiskState& disk) { return disk.spin; }},
+          {"displacement", 0, [](const DiskState& disk) { return disk.displacement; }},
+          {"radius", 0, radius},
+          {"mass", 0, mass}};
 }
 
-RC_GTEST_PROP(TrajectoryFile, HoldsNumbersThatReadBackBitForBitFromXyz, ())
+RC_GTEST_PROP(TrajectoryFile, HoldsNumbersThatReadBackBitForBit, ())
 {
   const SceneDefinition scene = smallMixture();
   const std::vector<DiskState> disks = anyDisks();
@@ -137,34 +133,7 @@ RC_GTEST_PROP(TrajectoryFile, HoldsNumbersThatReadBackBitForBitFromXyz, ())
   for (std::size_t k = 0; k < disks.size(); ++k)
     RC_ASSERT(frames[0].columns_of.at("type")[k][0] == scene.species[disks[k].species].name);
   for (const NamedColumn& column : columnsOf(scene))
-    RC_ASSERT(sameBits(frames[0].numbers(column.xyz, column.xyz_column), each(disks, column.value)));
-}
-
-RC_GTEST_PROP(TrajectoryFile, HoldsNumbersThatReadBackBitForBitFromVtk, ())
-{
-  const SceneDefinition scene = smallMixture();
-  const std::vector<DiskState> disks = anyDisks();
-  const ScratchDirectory directory;
-  const auto file = opened(directory / "run.pvd", scene);
-  give(*file, 1.0 / 3.0, {}, disks);
-  file->commit();
-  const std::string text = contents(directory / "run_frames/disks_000000.vtp");
-  RC_ASSERT(vtkNumbers(text, "TimeValue") == std::vector<double>{1.0 / 3.0});
-  for (const NamedColumn& column : columnsOf(scene))
-    if (column.vtk != std::string("id"))
-      RC_ASSERT(sameBits(component(vtkNumbers(text, column.vtk), column.vtk_column, column.vtk_columns),
-                         each(disks, column.value)));
-  const auto ids = vtkNumbers<std::int64_t>(text, "id");
-  const auto species = vtkNumbers<std::int64_t>(text, "species");
-  const auto ends = vtkNumbers<std::int64_t>(text, "offsets");
-  RC_ASSERT(ids.size() == disks.size());
-  for (std::size_t k = 0; k < disks.size(); ++k)
-  {
-    RC_ASSERT(ids[k] == disks[k].id);
-    RC_ASSERT(species[k] == disks[k].species);
-    RC_ASSERT(ends[k] == static_cast<std::int64_t>(k) + 1);
-  }
-  RC_ASSERT(text.find("format=\"ascii\">65 0 66 0 </Array>") != std::string::npos);
+    RC_ASSERT(sameBits(frames[0].numbers(column.name, column.column), each(disks, column.value)));
 }
 
 TEST(TrajectoryFile, GivesEachDiskItsOwnRadiusAndMass)
@@ -205,29 +174,13 @@ TEST(TrajectoryFile, HasACellInThePoseOfTheBase)
   EXPECT_EQ(frame.headNumbers("Origin"), (std::vector<double>{-0.001, 0.002, -0.003}));
 }
 
-/// The corners of the base as both formats have them: x and y of each in turn.
+/// The corners of the base: x and y of each in turn.
 std::vector<double> cornersOf(const SceneDefinition& scene, const DriveState& base)
 {
   const XyzFrame frame = xyzOf(scene, base, {}, "run_base.xyz").at(0);
   std::vector<double> corners;
   for (std::size_t k = 0; k < frame.rows; ++k)
     corners.insert(corners.end(), {frame.numbers("pos", 0)[k], frame.numbers("pos", 1)[k]});
-
-  const ScratchDirectory directory;
-  const auto file = opened(directory / "run.pvd", scene);
-  give(*file, 0.0, base, {});
-  file->commit();
-  const std::string text = contents(directory / "run_frames/base_000000.vtp");
-  const std::vector<double> points = vtkNumbers(text, "Points");
-  EXPECT_EQ(points.size(), 3 * frame.rows);
-  for (std::size_t k = 0; k < frame.rows; ++k)
-  {
-    EXPECT_TRUE(sameBits(points.at(3 * k), corners[2 * k])) << k;
-    EXPECT_TRUE(sameBits(points.at(3 * k + 1), corners[2 * k + 1])) << k;
-  }
-  EXPECT_EQ(vtkNumbers<std::int64_t>(text, "connectivity").size(), frame.rows);
-  EXPECT_EQ(vtkNumbers<std::int64_t>(text, "offsets"),
-            std::vector<std::int64_t>{static_cast<std::int64_t>(frame.rows)});
   return corners;
 }
 
@@ -286,13 +239,17 @@ TEST(TrajectoryFile, NamesTheEndingsThatThereAre)
     EXPECT_EQ(errorOf([&] { openTrajectory(directory / name); }),
               directory / name +
                   ": unknown format of a trajectory; the file's ending must be one of .xyz, "
-                  ".extxyz, .pvd");
+                  ".extxyz");
+  EXPECT_EQ(errorOf([&] { openTrajectory(directory / "run.pvd"); }),
+            directory / "run.pvd" +
+                ": for ParaView use run.write(\"FILE.pvd\") of the Python package; the file's "
+                "ending must be one of .xyz, .extxyz");
   EXPECT_TRUE(directory.empty());
 }
 
 TEST(TrajectoryFile, AppearsWhenItIsComplete)
 {
-  for (const char* name : {"run.xyz", "run.extxyz", "run.pvd"})
+  for (const char* name : {"run.xyz", "run.extxyz"})
   {
     const ScratchDirectory directory;
     {
@@ -308,60 +265,21 @@ TEST(TrajectoryFile, AppearsWhenItIsComplete)
   }
 }
 
-TEST(TrajectoryFile, ReplacesALongerSeries)
-{
-  const ScratchDirectory directory;
-  for (const int frames : {12, 3})
-  {
-    const auto file = opened(directory / "a & b.pvd", smallMixture());
-    for (int k = 0; k < frames; ++k)
-      give(*file, 0.25 * k, {}, {});
-    file->commit();
-  }
-  const auto files = filesIn(directory / "");
-  EXPECT_EQ(files.size(), 2u + 2u * 3u);
-  const std::string& collection = files.at("a & b_base.pvd");
-  const std::regex frame("<DataSet timestep=\"([^\"]*)\" file=\"a &amp; b_frames/(base_00000.[.]vtp)\"/>");
-  std::vector<std::string> times;
-  for (std::sregex_iterator match(collection.begin(), collection.end(), frame), end; match != end; ++match)
-  {
-    times.push_back((*match)[1]);
-    EXPECT_EQ(files.count("a & b_frames/" + (*match)[2].str()), 1u) << (*match)[2];
-  }
-  EXPECT_EQ(times, (std::vector<std::string>{"0", "0.25", "0.5"}));
-}
-
-TEST(TrajectoryFile, LeavesAFolderThatIsNotItsOwn)
-{
-  const ScratchDirectory directory;
-  std::filesystem::create_directory(directory / "run_frames");
-  std::ofstream(directory / "run_frames/notes.txt") << "mine";
-  EXPECT_EQ(errorOf([&] { openTrajectory(directory / "run.pvd"); }),
-            directory / "run_frames: cannot be written: it has notes.txt, and .vtp files alone are replaced");
-  EXPECT_EQ(filesIn(directory / "").size(), 1u);
-  std::ofstream(directory / "file_frames") << "mine";
-  EXPECT_EQ(errorOf([&] { openTrajectory(directory / "file.pvd"); }),
-            directory / "file_frames: cannot be written: it exists and is no folder");
-}
-
 TEST(TrajectoryFile, SaysThatTheDiskIsFullAndKeepsTheEarlierOne)
 {
-  for (const char* name : {"run.xyz", "run.pvd"})
+  const ScratchDirectory directory;
+  const auto write = [&](std::size_t disks)
   {
-    const ScratchDirectory directory;
-    const auto write = [&](std::size_t disks)
-    {
-      const auto file = opened(directory / name, smallMixture());
-      give(*file, 0.0, {}, std::vector<DiskState>(disks));
-      file->commit();
-    };
-    write(1);
-    const auto before = filesIn(directory / "");
-    const FileSizeLimit limit(20000);
-    const std::string error = errorOf([&] { write(1000); });
-    EXPECT_NE(error.find(": cannot be written: "), std::string::npos) << name << error;
-    EXPECT_EQ(filesIn(directory / ""), before) << name;
-  }
+    const auto file = opened(directory / "run.xyz", smallMixture());
+    give(*file, 0.0, {}, std::vector<DiskState>(disks));
+    file->commit();
+  };
+  write(1);
+  const auto before = filesIn(directory / "");
+  const FileSizeLimit limit(20000);
+  const std::string error = errorOf([&] { write(1000); });
+  EXPECT_NE(error.find(": cannot be written: "), std::string::npos) << error;
+  EXPECT_EQ(filesIn(directory / ""), before);
 }
 
 TEST(TrajectoryFile, HasTheFramesOfARunAtItsOwnRate)

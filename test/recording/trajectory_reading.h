@@ -1,9 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -11,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-/// Readers of the formats of trajectories, as far as the tests need them.
+/// A reader of trajectories, as far as the tests need it.
 namespace ratchet_sieve
 {
 
@@ -93,51 +91,6 @@ inline std::vector<XyzFrame> xyzFrames(const std::string& text)
     frames.push_back(frame);
   }
   return frames;
-}
-
-inline std::string fromBase64(const std::string& text)
-{
-  static const std::string LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char letter : text.substr(0, text.find('=')))
-  {
-    bits = bits << 6 | static_cast<std::uint32_t>(LETTERS.find(letter));
-    count += 6;
-    if (count >= 8)
-      bytes += static_cast<char>((bits >> (count -= 8)) & 0xff);
-  }
-  return bytes;
-}
-
-/// The numbers of the array of this name in a VTK XML file.
-template <typename Number = double>
-std::vector<Number> vtkNumbers(const std::string& text, const std::string& name)
-{
-  const std::size_t named = text.find(" Name=\"" + name + "\"");
-  const std::size_t from = text.find('>', named) + 1;
-  if (named == std::string::npos)
-    throw std::runtime_error("no array " + name);
-  const std::string bytes = fromBase64(text.substr(from, text.find('<', from) - from));
-  std::uint64_t size = 0;
-  std::memcpy(&size, bytes.data(), sizeof size);
-  if (size + sizeof size != bytes.size() || size % sizeof(Number) != 0)
-    throw std::runtime_error("not as long as it says: " + name);
-  std::vector<Number> numbers(size / sizeof(Number));
-  if (!numbers.empty())
-    std::memcpy(numbers.data(), bytes.data() + sizeof size, size);
-  return numbers;
-}
-
-/// The numbers of one column of so many.
-inline std::vector<double> component(const std::vector<double>& numbers, std::size_t column,
-                                     std::size_t columns)
-{
-  std::vector<double> part;
-  for (std::size_t k = column; k < numbers.size(); k += columns)
-    part.push_back(numbers[k]);
-  return part;
 }
 
 }  // namespace ratchet_sieve

@@ -1,16 +1,17 @@
-#include "ratchet_sieve/bag/bag_file.h"
+#include "bag_file.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <random>
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <std_msgs/Float64MultiArray.h>
 #include <std_msgs/String.h>
 
 #include "file_size_limit.h"
-#include "ratchet_sieve/bag/bag_structure.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -52,7 +53,6 @@ TEST(BagFile, isReadByRosbag)
   EXPECT_FALSE(file.close());
   EXPECT_FALSE(file.close());
 
-  EXPECT_NO_THROW(requireSoundBag(path));
   rosbag::Bag bag(path);
   rosbag::View all(bag);
   ASSERT_EQ(all.size(), 3u);
@@ -74,7 +74,6 @@ TEST(BagFile, holdsWhatIsLargerThanABlock)
   for (unsigned k = 1; k <= 3; ++k)
     file.write("/noise", ros::Time(k, 0), noise(k * 400'000, k));
   EXPECT_FALSE(file.close());
-  EXPECT_NO_THROW(requireSoundBag(path));
   const auto read = readNoise(path);
   ASSERT_EQ(read.size(), 3u);
   for (unsigned k = 1; k <= 3; ++k)
@@ -85,40 +84,62 @@ TEST(BagFile, isEmptyBeforeItsFirstMessage)
 {
   const ScratchDirectory scratch;
   BagFile(scratch / "a.bag").close();
-  EXPECT_NO_THROW(requireSoundBag(scratch / "a.bag"));
   EXPECT_TRUE(readNoise(scratch / "a.bag").empty());
 }
 
-TEST(BagFile, writesAChunkOutOnceItIsASecondLongOrLarge)
+/// What is in the file of messages that were written and not closed.
+std::vector<std_msgs::Float64MultiArray> recovered(const std::string& path)
+{
+  const std::string copy = path + ".copy.bag";
+  std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing);
+  EXPECT_EQ(std::system(("rosbag reindex --quiet " + copy).c_str()), 0);
+  return readNoise(copy);
+}
+
+TEST(BagFile, isOnTheDiskOnceItIsASecondOld)
 {
   const ScratchDirectory scratch;
   const std::string path = scratch / "a.bag";
   BagFile file(path);
-  const auto size = [&]
-  {
-    file.size();  // waits until a finished chunk is in the file
-    return std::filesystem::file_size(path);
-  };
-  const std::uintmax_t head = size();
   for (const std::uint32_t k : {0u, 4u, 9u})
-    file.write("/noise", ros::Time(7, k * 100'000'000), noise(5, 1));
-  EXPECT_EQ(size(), head);
-  file.write("/noise", ros::Time(8, 0), noise(5, 1));
-  const std::uintmax_t one_chunk = size();
-  EXPECT_GT(one_chunk, head);
-  file.write("/noise", ros::Time(8, 1), noise(BagFile::CHUNK_SIZE / 8, 1));
-  EXPECT_GT(size(), one_chunk + BagFile::CHUNK_SIZE / 2);
-  EXPECT_EQ(file.size(), size());
+    file.write("/noise", ros::Time(7, k * 100'000'000), noise(5, k));
+  const std::uintmax_t head = std::filesystem::file_size(path);
+  EXPECT_LT(head, 5000u);
+  EXPECT_GT(file.size(), head + 3 * 5 * sizeof(double));
+  for (const unsigned k : {0u, 1u})
+    file.write("/noise", ros::Time(8, 0), noise(5, 10 + k));
+  file.write("/noise", ros::Time(8, 1), noise(5, 12));
+  const auto messages = recovered(path);
+  ASSERT_EQ(messages.size(), 5u);
+  EXPECT_EQ(messages.at(4).data, noise(5, 11).data);
+  EXPECT_FALSE(file.close());
+  EXPECT_EQ(readNoise(path).size(), 6u);
 }
 
-/// After a full disk, all data but the last chunk or two are readable, for any limit: within a chunk, within
-/// its index, or without space for the file's index.
+/// rosbag keeps the messages of a chunk in memory until it ends a chunk by itself.
+TEST(BagFile, keepsNoMessagesInMemory)
+{
+  const ScratchDirectory scratch;
+  BagFile file(scratch / "a.bag");
+  const auto used = [] { return mallinfo2().uordblks + mallinfo2().hblkhd; };
+  std::size_t before = 0;
+  for (std::uint32_t k = 0; k < 300; ++k)
+  {
+    if (k == 100)
+      before = used();
+    file.write("/noise", ros::Time(1 + k / 2, k % 2 * 500'000'000), noise(20'000, k));
+  }
+  EXPECT_LT(used(), before + 10 * 20'000 * sizeof(double));
+}
+
+/// After a full disk all messages that were taken are readable, for any limit: within a chunk, within its
+/// index, or without space for the file's index.
 TEST(BagFile, keepsWhatFitsWhereTheDiskIsFull)
 {
   const ScratchDirectory scratch;
   const std::string path = scratch / "a.bag";
   constexpr std::size_t COUNT = 50;  // numbers per message: 0.4 kB
-  for (std::size_t limit = 4'200; limit < 30'000; limit += 389)
+  for (std::size_t limit = 6'000; limit < 30'000; limit += 389)
   {
     const FileSizeLimit full(limit);
     BagFile file(path);
@@ -134,42 +155,17 @@ TEST(BagFile, keepsWhatFitsWhereTheDiskIsFull)
     ASSERT_TRUE(loss) << limit;
     EXPECT_EQ(loss->reason, "File too large");
 
-    EXPECT_NO_THROW(requireSoundBag(path)) << limit;
     const auto read = readNoise(path);
-    // Of the limit, the file's header takes 4.1 kB, the connection twice 1.7 kB, and a chunk 2.2 kB.
-    EXPECT_GE(read.size() * 560 + 4'100 + 2 * 1'700 + 2'200, limit);
-    EXPECT_LE(read.size(), written);
+    ASSERT_EQ(read.size(), written) << limit;
+    // Two times the header, two times the connection, and a few chunks.
+    EXPECT_GE(read.size() * 900 + 2 * 4'600 + 2 * 1'700 + 3'000, limit);
     for (std::uint32_t k = 0; k < read.size(); ++k)
       ASSERT_EQ(read[k].data, noise(COUNT, k).data) << limit;
     if (!read.empty())
     {
-      EXPECT_EQ(loss->end, ros::Time(1 + (read.size() - 1) / 4, (read.size() - 1) % 4 * 250'000'000));
+      EXPECT_EQ(loss->end, ros::Time(1 + (written - 1) / 4, (written - 1) % 4 * 250'000'000));
     }
   }
-}
-
-TEST(BagFile, makesRoomForItsIndex)
-{
-  const ScratchDirectory scratch;
-  const std::string path = scratch / "a.bag";
-  BagFile file(path);
-  for (std::uint32_t k = 0; k < 10; ++k)
-    file.write("/noise", ros::Time(1 + k, 0), noise(50, k));
-  std::optional<BagFile::Loss> loss;
-  {
-    const std::uint64_t unpacked = file.size();  // waits until all finished chunks are in the file
-    const FileSizeLimit full(std::filesystem::file_size(path));
-    ASSERT_GT(unpacked, std::filesystem::file_size(path));
-    loss = file.close();
-  }
-  ASSERT_TRUE(loss);
-  EXPECT_NO_THROW(requireSoundBag(path));
-  const auto read = readNoise(path);
-  ASSERT_GT(read.size(), 4u);
-  EXPECT_LT(read.size(), 9u);
-  for (std::uint32_t k = 0; k < read.size(); ++k)
-    EXPECT_EQ(read[k].data, noise(50, k).data);
-  EXPECT_EQ(loss->end, ros::Time(static_cast<std::uint32_t>(read.size()), 0));
 }
 
 TEST(BagFile, isRefusedWhereNothingFits)
@@ -183,7 +179,7 @@ TEST(BagFile, isRefusedWhereNothingFits)
   }
   catch (const BagError& error)
   {
-    EXPECT_STREQ(error.what(), "No space left on device");
+    EXPECT_EQ(std::string(error.what()).rfind("Error writing to file: ", 0), 0u) << error.what();
   }
   EXPECT_TRUE(scratch.empty());
 }

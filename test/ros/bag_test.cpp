@@ -1,4 +1,5 @@
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -6,10 +7,10 @@
 #include <rosbag/view.h>
 #include <std_msgs/Float64.h>
 
+#include "bag_file.h"
 #include "caught_log.h"
 #include "collecting_sink.h"
 #include "random_frames.h"
-#include "ratchet_sieve/bag/bag_file.h"
 #include "ratchet_sieve/recording/frame_sampler.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
@@ -170,6 +171,8 @@ TEST(Bag, refusesWhatIsNoBagOfARun)
   const std::string text = scratch / "text.bag";
   std::ofstream(text) << "no bag\nat all\n";
   EXPECT_EQ(refusalOf(text).rfind(text + ": cannot be read as a bag: ", 0), 0u) << refusalOf(text);
+  std::ofstream(text, std::ios::trunc).close();
+  EXPECT_EQ(refusalOf(text).rfind(text + ": cannot be read as a bag: ", 0), 0u) << refusalOf(text);
 
   const std::string foreign = scratch / "foreign.bag";
   {
@@ -204,7 +207,25 @@ TEST(Bag, refusesWhatWasNotClosedOrIsCutOff)
   for (const double part : {0.999, 0.6, 0.01})
   {
     std::ofstream(cut, std::ios::binary) << bytes.substr(0, static_cast<std::size_t>(part * bytes.size()));
-    EXPECT_EQ(refusalOf(cut).rfind(cut + ": ", 0), 0u) << part << ": " << refusalOf(cut);
+    const std::string refusal = refusalOf(cut);
+    EXPECT_EQ(refusal.rfind(cut + ": cannot be read as a bag: ", 0), 0u) << part << ": " << refusal;
+    EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
+  }
+  BagWriter bag(scratch / "open.bag");
+  showRun(bag);
+  EXPECT_EQ(refusalOf(scratch / "open.bag.active"),
+            scratch / "open.bag.active: was not closed, or is damaged: try `rosbag reindex`");
+}
+
+TEST(Bag, refusesAFrameAtNoTime)
+{
+  const ScratchDirectory scratch;
+  for (const double time : {-1.0, 1e10, std::numeric_limits<double>::quiet_NaN()})
+  {
+    SceneDescription scene;
+    scene.time = time;
+    rosbag::Bag(scratch / "b", rosbag::bagmode::Write).write("/sieve/scene", ros::Time(1.0), scene);
+    EXPECT_EQ(refusalOf(scratch / "b"), scratch / "b: /sieve/scene has a message with an invalid time");
   }
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ratchet_sieve/bag/bag_error.h"
+#include "ratchet_sieve/ros/bag_error.h"
 #include "ratchet_sieve/recording/frame_sink.h"
 
 namespace ratchet_sieve

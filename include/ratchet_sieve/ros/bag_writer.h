@@ -5,12 +5,14 @@
 #include <memory>
 #include <string>
 
-#include "ratchet_sieve/bag/bag_file.h"
 #include "ratchet_sieve/recording/frame_sink.h"
+#include "ratchet_sieve/ros/bag_error.h"
 #include "ratchet_sieve/ros/frame_names.h"
 
 namespace ratchet_sieve
 {
+
+class BagFile;
 
 /// Records a run into a bag (lz4) on the topics of the node, the scene latched. Needs no ROS master. Bag time
 /// is the header's stamp. A bag cannot hold time 0; the earliest possible time is used instead. The file has

@@ -4,20 +4,13 @@ import math
 from matplotlib.collections import PatchCollection
 from matplotlib.patches import Circle
 
-from ratchet_sieve.base import surface
+from ratchet_sieve.base import in_world, surface
 from ratchet_sieve.plots.style import COLOURS, GREY, MM
 
 TEETH = "#BBBBBB"
 DEPTH = 0.5    # of the drawn base below its lowest corner, in widths of a tooth
 DETAILED = 0.004  # least radius of disks with an edge and a dot, which would cover smaller ones [lengths of the base]
 DOT = (0.55, 0.25)  # distance from the centre and radius of the dot that shows a disk's rotation, in radii
-
-
-def in_world(points, inclination, displacement):
-    """Of points (s, n) of the base, docs/model.md [m]."""
-    c, s = math.cos(inclination), math.sin(inclination)
-    dx, dy = displacement
-    return [(dx + along * c - up * s, dy + along * s + up * c) for along, up in points]
 
 
 def circles(axes, xs, ys, radii, **options):
