@@ -6,13 +6,10 @@
 #include <ros/node_handle.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
-#include "ratchet_sieve/live/certainty_log.h"
 #include "ratchet_sieve/live/display_wait.h"
+#include "ratchet_sieve/live/journal.h"
 #include "ratchet_sieve/live/pacer.h"
-#include "ratchet_sieve/live/pour_log.h"
-#include "ratchet_sieve/live/progress_log.h"
 #include "ratchet_sieve/live/speed_watch.h"
-#include "ratchet_sieve/live/wall_log.h"
 #include "ratchet_sieve/ros/clock_publisher.h"
 #include "ratchet_sieve/ros/command_server.h"
 #include "ratchet_sieve/ros/display.h"
@@ -51,7 +48,6 @@ private:
   void finish();
   void keepAlive();
   void watchSpeed();
-  void watchEnergy();
   void watchPour(std::size_t poured, std::size_t of);
   void watchDisplay();
   void end();
@@ -59,7 +55,7 @@ private:
   ros::NodeHandle node_;
   const std::atomic<bool>& stop_;
   NodeParameters parameters_;
-  PourLog pour_log_;
+  Journal journal_;
   Recorder recorder_;
   RunControl control_;
   RealTimeFactor real_time_factor_;
@@ -72,10 +68,6 @@ private:
   Display display_;
   DisplayWait display_wait_;
   Diagnostics diagnostics_;
-  ProgressLog progress_;
-  bool energy_said_ = false;
-  WallLog walls_;
-  CertaintyLog certainty_;
   CommandServer commands_;
 };
 
