@@ -254,10 +254,13 @@ std::optional<SweepPlan> findOrMakePlan(const Sweep& sweep, const std::string& r
     if (std::optional<SweepPlan> plan = SweepPlan::find(store->database(), sweep))
       return plan;
   }
-  warnOf(requireLegal(sweep), sweep, options);
+  const std::optional<LegalCases> cases = legalCases(sweep, options.stop_wanted);
+  if (!cases)
+    return std::nullopt;
+  warnOf(cases->warnings, sweep, options);
   if (!store)
     store.emplace(results, Database::Access::WRITE);
-  return SweepPlan::make(store->database(), sweep, options.stop_wanted);
+  return SweepPlan::make(store->database(), sweep, *cases);
 }
 
 }  // namespace
