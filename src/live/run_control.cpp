@@ -34,13 +34,13 @@ constexpr double RESOLUTION = 1e-9;
 class UnderWay
 {
 public:
-  explicit UnderWay(LiveRun& run) : run_(run) { run_.setUnderWay(true); }
+  explicit UnderWay(Run& run) : run_(run) { run_.setUnderWay(true); }
   ~UnderWay() { run_.setUnderWay(false); }
   UnderWay(const UnderWay&) = delete;
   UnderWay& operator=(const UnderWay&) = delete;
 
 private:
-  LiveRun& run_;
+  Run& run_;
 };
 
 /// The scene with its base as it moves now.
@@ -79,12 +79,14 @@ void RunControl::announce(const Scene& scene) const
     log_.warn(source_ + ": " + warning);
 }
 
-std::unique_ptr<LiveRun> RunControl::makeRun(const SceneDefinition& scene, std::vector<CommandFrame> opening,
-                                             double start_time, double end_time) const
+std::unique_ptr<Run> RunControl::makeRun(const SceneDefinition& scene, std::vector<CommandFrame> opening,
+                                         double start_time, double end_time)
 {
-  auto run = std::make_unique<LiveRun>(scene, parameters_.rates, std::move(opening), start_time, end_time,
-                                       std::chrono::steady_clock::now, pour_observer_);
-  run->setThreads(parameters_.threads);
+  Simulation simulation(scene, start_time, pour_observer_);
+  simulation.setThreads(parameters_.threads);
+  auto run = std::make_unique<Run>(std::move(simulation), end_time);
+  run->add(sinks_, parameters_.rates);
+  run->open(std::move(opening));
   return run;
 }
 
@@ -108,29 +110,29 @@ void RunControl::begin()
   if (const std::string warning = turnWarning(); !warning.empty())
     log_.warn(warning);
   if (recording_.on())
-    run_->record(recording_, recording_.rates());
-  run_->takeDue(sinks_);
+    run_->add(recording_, recording_.rates());
+  run_->takeDue();
 }
 
 void RunControl::end()
 {
-  run_->takeAll(sinks_);
+  run_->takeAll();
   recording_.close();
 }
 
 void RunControl::pause()
 {
   if (!paused_)
-    run_->applyCommand(plainCommand(CommandKind::PAUSE), sinks_);
+    run_->applyCommand(plainCommand(CommandKind::PAUSE));
   paused_ = true;
-  run_->takeAll(sinks_);
+  run_->takeAll();
   run_->setUnderWay(false);
 }
 
 void RunControl::unpause()
 {
   if (paused_)
-    run_->applyCommand(plainCommand(CommandKind::UNPAUSE), sinks_);
+    run_->applyCommand(plainCommand(CommandKind::UNPAUSE));
   paused_ = false;
   run_->setUnderWay(true);
 }
@@ -158,7 +160,7 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
 {
   if (const auto reason = whyNoStep(duration))
     return failure(*reason);
-  std::vector<const Setpoint*> found;
+  std::vector<Quantity> found;
   for (const auto& [name, value] : setpoints)
   {
     const auto setpoint =
@@ -168,14 +170,14 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
       return failure("setpoint " + name + ": must be inclination, frequency or amplitude");
     if (const auto refusal = setpoint->refusal(value))
       return failure(*refusal);
-    found.push_back(&*setpoint);
+    found.push_back(setpoint->quantity);
   }
   // The response contains statistics.
   run_->keepStatistics();
   // A setpoint that changes nothing is not applied, because it would require new predictions for all disks.
   for (std::size_t k = 0; k < found.size(); ++k)
-    if (commanded(found[k]->quantity) != setpoints[k].second)
-      command(*found[k], setpoints[k].second);
+    if (commanded(found[k]) != setpoints[k].second)
+      command(found[k], setpoints[k].second);
   return advance(duration, stride);
 }
 
@@ -186,7 +188,7 @@ Outcome RunControl::advance(double duration, const Stride& stride)
   bool aborted = false;
   while (run_->time() < target && !run_->finished() && !aborted)
     aborted = !stride(target);
-  run_->takeAll(sinks_);
+  run_->takeAll();
   if (run_->stopped())
     return failure(*run_->stopReason());
   if (target - run_->time() < RESOLUTION)
@@ -196,9 +198,9 @@ Outcome RunControl::advance(double duration, const Stride& stride)
                                 target - run_->time())};
 }
 
-void RunControl::begin(std::unique_ptr<LiveRun> run)
+void RunControl::begin(std::unique_ptr<Run> run)
 {
-  run_->takeAll(sinks_);
+  run_->takeAll();
   recording_.openNext();
   run_ = std::move(run);
   run_->setUnderWay(!paused_);
@@ -225,12 +227,6 @@ Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& ov
   {
     return failure(source_ + ": " + error.what());
   }
-}
-
-void RunControl::show(const AnyFrame& frame)
-{
-  sinks_.take(frame);
-  recording_.take(frame);
 }
 
 Outcome RunControl::resetWorld()
@@ -267,14 +263,14 @@ Outcome RunControl::pour(const std::string& species, std::size_t count)
     CommandFrame command = plainCommand(CommandKind::POUR);
     command.species = static_cast<std::uint32_t>(found - all.begin());
     command.count = static_cast<std::uint32_t>(count);
-    run_->applyCommand(command, sinks_);
+    run_->applyCommand(command);
   }
   catch (const std::invalid_argument& error)
   {
     return failure(error.what());
   }
-  show(run_->particles());
-  show(run_->bins());
+  run_->show(run_->particles());
+  run_->show(run_->bins());
   return {};
 }
 
@@ -283,13 +279,10 @@ double RunControl::commanded(Quantity quantity) const
   return run_->simulation().base().*describe(quantity).commanded;
 }
 
-Outcome RunControl::command(const Setpoint& setpoint, double value)
+void RunControl::command(Quantity quantity, double value)
 {
-  if (const auto refusal = setpoint.refusal(value))
-    return failure(*refusal);
-  run_->applyCommand(setpointCommand(setpoint.quantity, value), sinks_);
-  show(run_->base());
-  return {};
+  run_->applyCommand(setpointCommand(quantity, value));
+  run_->show(run_->base());
 }
 
 }  // namespace ratchet_sieve

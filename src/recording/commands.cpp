@@ -16,30 +16,21 @@ void requireCount(const std::vector<double>& values, std::size_t count)
                                 std::to_string(count));
 }
 
-/// The value, if it is within bounds; a NaN is not.
-double within(double value, const Interval& allowed)
+/// A NaN is not within bounds.
+void requireWithin(double value, const Interval& allowed)
 {
-  if (!allowed.contains(value))
-  {
-    std::ostringstream text;
-    text << "a command has the value " << value << ": must be from " << allowed.min << " to " << allowed.max;
-    throw std::invalid_argument(text.str());
-  }
-  return value;
-}
-
-double setpointOf(Quantity quantity, const std::vector<double>& values)
-{
-  requireCount(values, 1);
-  return within(values[0], describe(quantity).legal);
+  if (allowed.contains(value))
+    return;
+  std::ostringstream text;
+  text << "a command has the value " << value << ": must be from " << allowed.min << " to " << allowed.max;
+  throw std::invalid_argument(text.str());
 }
 
 SlewRates slewRatesOf(const std::vector<double>& values)
 {
-  requireCount(values, QUANTITIES);
   SlewRates rates;
   for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
-    rates.*q.slew_rate = within(values[indexOf(q.quantity)], q.slew_rates);
+    rates.*q.slew_rate = values[indexOf(q.quantity)];
   return rates;
 }
 }  // namespace
@@ -68,18 +59,33 @@ std::optional<Quantity> setpointQuantity(CommandKind kind)
   return index < QUANTITIES ? std::optional(COMMANDED_QUANTITIES[index].quantity) : std::nullopt;
 }
 
-void apply(const CommandFrame& command, Simulation& simulation)
+void requireLegal(const CommandFrame& command)
 {
   const std::vector<double>& values = command.values;
   if (const auto quantity = setpointQuantity(command.kind))
-    return simulation.command(*quantity, setpointOf(*quantity, values));
+  {
+    requireCount(values, 1);
+    requireWithin(values[0], describe(*quantity).legal);
+  }
+  if (command.kind == CommandKind::SLEW_RATES)
+  {
+    requireCount(values, QUANTITIES);
+    for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+      requireWithin(values[indexOf(q.quantity)], q.slew_rates);
+  }
+  if (command.kind == CommandKind::POUR && command.count > MOST_POURED)
+    throw std::invalid_argument("a command pours " + countText(command.count, "disk"));
+}
+
+void apply(const CommandFrame& command, Simulation& simulation)
+{
+  if (const auto quantity = setpointQuantity(command.kind))
+    return simulation.command(*quantity, command.values[0]);
   switch (command.kind)
   {
     case CommandKind::SLEW_RATES:
-      return simulation.setSlewRates(slewRatesOf(values));
+      return simulation.setSlewRates(slewRatesOf(command.values));
     case CommandKind::POUR:
-      if (command.count > MOST_POURED)
-        throw std::invalid_argument("a command pours " + countText(command.count, "disk"));
       return simulation.pour(command.species, command.count);
     default:
       return;

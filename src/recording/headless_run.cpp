@@ -11,6 +11,7 @@
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/certainty.h"
 #include "ratchet_sieve/recording/choke.h"
+#include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/stride.h"
 #include "ratchet_sieve/recording/wall_warnings.h"
 #include "ratchet_sieve/scene/warning_id.h"
@@ -35,7 +36,10 @@ class HeadlessRun
 {
 public:
   HeadlessRun(Simulation& simulation, const RunWatchers& watchers, const RunProgress& so_far)
-      : simulation_(simulation), watchers_(watchers), audit_period_(SCALES_PER_AUDIT * simulation.timeScale())
+      : simulation_(simulation),
+        watchers_(watchers),
+        run_(simulation, simulation.scene().duration),
+        audit_period_(SCALES_PER_AUDIT * simulation.timeScale())
   {
     outcome_.progress = so_far;
     audits_ = std::floor(simulation.time() / audit_period_);
@@ -44,18 +48,8 @@ public:
     if (simulation.scene().accuracy.endsEarly())
       looks_.emplace(simulation);
     for (const FrameStream& stream : watchers_.frames)
-      samplers_.emplace_back(stream.rates, 0.0);
-    if (!samplers_.empty())
-      simulation_.observePeriods(
-          [this](const PeriodRecord& period)
-          {
-            for (FrameSampler& sampler : samplers_)
-              sampler.take(period);
-          });
+      run_.add(*stream.sink, stream.rates);
   }
-  ~HeadlessRun() { simulation_.observePeriods({}); }
-  HeadlessRun(const HeadlessRun&) = delete;
-  HeadlessRun& operator=(const HeadlessRun&) = delete;
 
   RunOutcome run()
   {
@@ -82,8 +76,7 @@ public:
     warn(overWallsText(simulation_), "over-walls");
     save();
     audit();
-    for (std::size_t k = 0; k < samplers_.size(); ++k)
-      samplers_[k].takeLast(simulation_, *watchers_.frames[k].sink);
+    run_.takeAll();
     if (const std::size_t through = outcome_.progress.through_base; through > 0)
       warn(fmt::format("{} {} found below the base's surface", countText(through, "disk"),
                        through == 1 ? "was" : "were"),
@@ -119,7 +112,8 @@ private:
         warn(fmt::format("stopped at {} s of {} s", simulation_.time(), duration), "stopped");
         return;
       }
-      stride_.advance(simulation_, std::min({nextAudit(), nextFrame(), nextLook(), duration}));
+      run_.observePeriods();
+      stride_.advance(simulation_, std::min({nextAudit(), run_.nextTime(), nextLook()}));
       lookAtDue();
       if (secondsSince(last_save_) >= watchers_.save_period)
         save();
@@ -135,8 +129,7 @@ private:
       if (mayEndChoked() && !chokeText(simulation_).empty())
         outcome_.end = RunEnd::CHOKED;
     }
-    for (std::size_t k = 0; k < samplers_.size(); ++k)
-      samplers_[k].takeDue(simulation_, *watchers_.frames[k].sink);
+    run_.takeDue();
     if (watchers_.progress)
       watchers_.progress(simulation_);
   }
@@ -163,14 +156,6 @@ private:
 
   double nextAudit() const { return audits_ * audit_period_; }
 
-  double nextFrame() const
-  {
-    double next = std::numeric_limits<double>::infinity();
-    for (const FrameSampler& sampler : samplers_)
-      next = std::min(next, sampler.nextTime());
-    return next;
-  }
-
   void audit()
   {
     std::size_t& most = outcome_.progress.through_base;
@@ -187,8 +172,8 @@ private:
 
   Simulation& simulation_;
   const RunWatchers& watchers_;
-  std::vector<FrameSampler> samplers_;  ///< in the order of RunWatchers::frames
-  std::optional<LookTimes> looks_;      ///< present if the run may end before its duration
+  Run run_;
+  std::optional<LookTimes> looks_;  ///< present if the run may end before its duration
   RunOutcome outcome_;
   Stride stride_;        ///< so that watchers are served in time
   double audit_period_;  ///< [s]

@@ -40,10 +40,9 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
       stride_([this, stride = std::move(stride)](double time)
               { return !interrupting_.any() && stride(time); }),
       time_changed_(std::move(time_changed)),
-      frame_id_(parameters.frames.world),
-      setpoints_(parameters.setpoints)
+      frame_id_(parameters.frames.world)
 {
-  for (const Setpoint& setpoint : setpoints_)
+  for (const Setpoint& setpoint : parameters.setpoints)
     subscribers_.push_back(private_node.subscribe<std_msgs::Float64>(
         setpointTopic(setpoint.quantity), QUEUE_SIZE,
         [this, setpoint](const std_msgs::Float64::ConstPtr& message) { takeSetpoint(setpoint, *message); },
@@ -88,15 +87,11 @@ void CommandServer::command(Quantity quantity, double value)
   // Repeating the commanded value changes nothing.
   if (control_.commanded(quantity) == value)
     return;
-  const Setpoint& setpoint = setpoints_[indexOf(quantity)];
-  const Outcome outcome = control_.command(setpoint, value);
-  if (!outcome.success)
-    ROS_WARN("%s", outcome.message.c_str());
+  control_.command(quantity, value);
   LogThrottle& log = logs_[indexOf(quantity)].taken;
-  const std::string line = fmt::format("{}: {:g} {} from {:.3f} s on", setpoint.name(), value,
-                                       setpoint.unit(), control_.run().time());
-  if (outcome.success)
-    say(ros::console::levels::Info, log.put(line, LogThrottle::Clock::now()));
+  const std::string line = fmt::format("{}: {:g} {} from {:.3f} s on", describe(quantity).name, value,
+                                       describe(quantity).unit, control_.run().time());
+  say(ros::console::levels::Info, log.put(line, LogThrottle::Clock::now()));
 }
 
 /// Setpoints received before a service was called are applied before it.
@@ -168,7 +163,7 @@ bool CommandServer::lockStep(LockStep::Request& request, LockStep::Response& res
     setpoints.emplace_back(setpoint.quantity, setpoint.value);
   answer("lock_step", control_.lockStep(setpoints, request.duration, stride_), response);
   time_changed_();
-  const LiveRun& run = control_.run();
+  const Run& run = control_.run();
   response.time = run.time();
   response.finished = run.finished();
   response.base = inFrame(frame_id_, toMessage(run.base()));

@@ -67,7 +67,7 @@ void Diagnostics::updateDue()
 
 void Diagnostics::reportRun(Status& status)
 {
-  const LiveRun& run = control_.run();
+  const Run& run = control_.run();
   const Simulation& simulation = run.simulation();
   const double overlap = simulation.maxOverlap();
   if (simulation.stalled())

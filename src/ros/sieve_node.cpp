@@ -38,6 +38,7 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
     : node_(private_node),
       stop_(stop),
       parameters_(readNodeParameters(private_node)),
+      journal_(rosLog()),
       recorder_(parameters_.record, private_node.getNamespace(), parameters_.recording,
                 parameters_.frames.world),
       control_(scene.root, scene.source, parameters_, recorder_, rosLog(),
@@ -47,7 +48,7 @@ SieveNode::SieveNode(const ros::NodeHandle& private_node, const SceneParameter& 
       clock_(node_, parameters_.clock_rate, parameters_.publish_clock),
       transforms_(node_, &clock_, parameters_.frames),
       topics_(
-          node_, [this]() -> const LiveRun& { return control_.run(); }, parameters_.frames.world, clock_,
+          node_, [this]() -> const Run& { return control_.run(); }, parameters_.frames.world, clock_,
           transforms_),
       display_(node_, parameters_.display_rate),
       diagnostics_(control_, {real_time_factor_, pacer_, speed_}, recorder_, clock_),
@@ -85,7 +86,7 @@ bool SieveNode::ended() const
 void SieveNode::keepAlive()
 {
   clock_.publishDue(control_.run().time());
-  const LiveRun& run = control_.run();
+  const Run& run = control_.run();
   if (display_.due(run.time()))
   {
     clock_.reach(run.time());
@@ -94,20 +95,14 @@ void SieveNode::keepAlive()
         parameters_.frames.world);
   }
   watchSpeed();
-  watchEnergy();
   diagnostics_.updateDue();
-  if (const auto line = progress_.line(control_.run()))
-    ROS_INFO_STREAM(*line);
-  if (const auto line = walls_.line(control_.run().simulation()))
-    ROS_WARN_STREAM(*line);
-  if (const auto line = certainty_.line(control_.run().simulation()))
-    ROS_INFO_STREAM(*line);
+  journal_.look(run);
 }
 
 void SieveNode::watchSpeed()
 {
   const auto now = Pacer::Clock::now();
-  const LiveRun& run = control_.run();
+  const Run& run = control_.run();
   if (const auto factor = real_time_factor_.changed())
   {
     pacer_.setFactor(*factor, run.time(), now);
@@ -121,27 +116,17 @@ void SieveNode::watchSpeed()
                    ROSCONSOLE_DEFAULT_NAME, line->text);
 }
 
-/// Warns once per run.
-void SieveNode::watchEnergy()
-{
-  const std::string text = control_.run().simulation().energyText();
-  if (!text.empty() && !energy_said_)
-    ROS_WARN_STREAM(text);
-  energy_said_ = !text.empty();
-}
-
 /// Logs the progress of a pour, and cancels it if the node is stopped.
 void SieveNode::watchPour(std::size_t poured, std::size_t of)
 {
   if (stopped())
     throw std::runtime_error(fmt::format("stopped when {} of {} were poured", poured, countText(of, "disk")));
-  if (const auto line = pour_log_.line(poured, of, PourLog::Clock::now()))
-    ROS_INFO_STREAM(*line);
+  journal_.pouring(poured, of, Journal::Clock::now());
 }
 
 double SieveNode::waitUntilDue() const
 {
-  const LiveRun& run = control_.run();
+  const Run& run = control_.run();
   return pacer_.wait(std::min(run.nextTime(), run.time() + pacer_.stride()), Pacer::Clock::now());
 }
 
@@ -175,14 +160,14 @@ bool SieveNode::stride(double time)
 void SieveNode::finish()
 {
   control_.pause();
-  const LiveRun& run = control_.run();
+  const Run& run = control_.run();
   if (run.stopped())
     ROS_ERROR("stopped at %.6f s: %s", run.time(), run.stopReason()->c_str());
 }
 
 void SieveNode::run()
 {
-  const LiveRun& run = control_.run();
+  const Run& run = control_.run();
   ROS_INFO("%s, %g s, seed %lu%s%s", countText(run.simulation().activeDisks(), "disk").c_str(), run.endTime(),
            static_cast<unsigned long>(run.simulation().scene().seed),
            recorder_.path().empty() ? "" : ", recorded into ", recorder_.path().c_str());

@@ -14,7 +14,7 @@ constexpr std::uint32_t FRAME_QUEUE_SIZE = 30;
 
 /// Advertises the topic of a kind; a new subscriber is sent the present state.
 template <typename Frame>
-void TopicPublisher::advertise(ros::NodeHandle& node, Frame (LiveRun::*state)() const)
+void TopicPublisher::advertise(ros::NodeHandle& node, Frame (Run::*state)() const)
 {
   const ros::SubscriberStatusCallback give =
       [current = current_, frame_id = frame_id_, state](const ros::SingleSubscriberPublisher& subscriber)
@@ -26,18 +26,18 @@ void TopicPublisher::advertise(ros::NodeHandle& node, Frame (LiveRun::*state)() 
   publisher(kind) = node.advertise<MessageOf<Frame>>(describe(kind).name, FRAME_QUEUE_SIZE, give);
 }
 
-TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
+TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function<const Run&()>& current,
                                const std::string& frame_id, ClockPublisher& clock,
                                TransformPublisher& transforms)
     : current_(current), frame_id_(frame_id), clock_(clock), transforms_(transforms)
 {
   publisher(FrameKind::SCENE) =
       private_node.advertise<SceneDescription>(describe(FrameKind::SCENE).name, 1, true);
-  advertise(private_node, &LiveRun::particles);
-  advertise(private_node, &LiveRun::bins);
-  advertise(private_node, &LiveRun::base);
-  advertise(private_node, &LiveRun::statistics);
-  advertise(private_node, &LiveRun::observed);
+  advertise(private_node, &Run::particles);
+  advertise(private_node, &Run::bins);
+  advertise(private_node, &Run::base);
+  advertise(private_node, &Run::statistics);
+  advertise(private_node, &Run::observed);
   publisher(FrameKind::COMMANDS) =
       private_node.advertise<Command>(describe(FrameKind::COMMANDS).name, FRAME_QUEUE_SIZE);
 }

@@ -1,5 +1,6 @@
 #include "ratchet_sieve/sweep/sweep_plan.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "ratchet_sieve/core/physics_version.h"
@@ -76,17 +77,23 @@ constexpr const char* ROWS_OF_PLAN =
 
 }  // namespace
 
-WarningTally requireLegal(const Sweep& sweep)
+std::optional<LegalCases> legalCases(const Sweep& sweep, const std::function<bool()>& stop_wanted)
 {
   CaseBuilder builder(sweep);
-  WarningTally warnings;
-  for (std::uint64_t point = 0; point < sweep.points(); ++point)
+  LegalCases cases;
+  for (std::uint64_t position = 0; position < sweep.size(); ++position)
   {
-    const SweepCase& first = builder.at(point * sweep.seedCount());
-    requirePlaceable(builder, sweep, first);
-    warnings.add(first.warnings, sweep.seedCount());
+    const SweepCase& next = builder.at(position);
+    if (position % sweep.seedCount() == 0)
+    {
+      requirePlaceable(builder, sweep, next);
+      cases.warnings.add(next.warnings, sweep.seedCount());
+    }
+    cases.run_hashes.push_back(runHash(next.scene));
+    if ((position + 1) % ROWS_AT_ONCE == 0 && stop_wanted && stop_wanted())
+      return std::nullopt;
   }
-  return warnings;
+  return cases;
 }
 
 std::optional<SweepPlan> SweepPlan::find(Database& database, const Sweep& sweep)
@@ -98,31 +105,19 @@ std::optional<SweepPlan> SweepPlan::find(Database& database, const Sweep& sweep)
   return SweepPlan(select.integer(0));
 }
 
-std::optional<SweepPlan> SweepPlan::make(Database& database, const Sweep& sweep,
-                                         const std::function<bool()>& stop_wanted)
+SweepPlan SweepPlan::make(Database& database, const Sweep& sweep, const LegalCases& cases)
 {
   const std::int64_t id = beginPlan(database, sweep);
   Statement insert(database, "INSERT OR IGNORE INTO plan (sweep, position, run_hash) VALUES (?, ?, ?)");
-  std::vector<std::pair<std::uint64_t, std::string>> rows;
-  const auto flush = [&]
+  const std::uint64_t count = cases.run_hashes.size();
+  for (std::uint64_t first = 0; first < count; first += ROWS_AT_ONCE)
   {
     Transaction transaction(database);
-    for (const auto& [position, hash] : rows)
-      insert.bind(1, id).bind(2, static_cast<std::int64_t>(position)).bind(3, hash).run();
+    for (std::uint64_t k = first; k < std::min(first + ROWS_AT_ONCE, count); ++k)
+      if (k % sweep.part.count == sweep.part.number - 1)
+        insert.bind(1, id).bind(2, static_cast<std::int64_t>(k)).bind(3, cases.run_hashes[k]).run();
     transaction.commit();
-    rows.clear();
-  };
-  CaseBuilder builder(sweep);
-  for (std::uint64_t position = sweep.part.number - 1; position < sweep.size(); position += sweep.part.count)
-  {
-    rows.emplace_back(position, runHash(builder.at(position).scene));
-    if (rows.size() < ROWS_AT_ONCE)
-      continue;
-    if (stop_wanted && stop_wanted())
-      return std::nullopt;
-    flush();
   }
-  flush();
   Statement(database, "UPDATE sweeps SET planned = 1 WHERE id = ?").bind(1, id).run();
   return SweepPlan(id);
 }
@@ -133,7 +128,7 @@ SweepPlan SweepPlan::findOrWorkOut(Database& database, const Sweep& sweep)
     return *plan;
   database.execute("PRAGMA query_only = 0");
   shadowPlanTables(database);
-  SweepPlan plan = *make(database, sweep, {});
+  SweepPlan plan = make(database, sweep, *legalCases(sweep));
   database.execute("PRAGMA query_only = 1");
   plan.in_file_ = false;
   return plan;

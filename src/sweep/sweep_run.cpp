@@ -268,10 +268,13 @@ std::optional<SweepPlan> openResults(const Sweep& sweep, const std::string& resu
     if (std::optional<SweepPlan> plan = SweepPlan::find(store->database(), sweep))
       return plan;
   }
-  warnOf(requireLegal(sweep), sweep, options);
+  const std::optional<LegalCases> cases = legalCases(sweep, options.stop_wanted);
+  if (!cases)
+    return std::nullopt;
+  warnOf(cases->warnings, sweep, options);
   if (!store)
     store.emplace(results, Database::Access::WRITE);
-  return SweepPlan::make(store->database(), sweep, options.stop_wanted);
+  return SweepPlan::make(store->database(), sweep, *cases);
 }
 
 SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const SweepRunOptions& options)

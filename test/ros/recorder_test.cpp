@@ -9,7 +9,7 @@
 #include "collecting_sink.h"
 #include "file_size_limit.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
-#include "ratchet_sieve/live/live_run.h"
+#include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 #include "small_scenes.h"
@@ -21,12 +21,13 @@ namespace
 /// Records the small mixture from `start` to `end`; hands frames to the sink at the rates of the topics.
 void recordRun(Recorder& recorder, FrameSink& sink, double start = 0.0, double end = 2.0)
 {
-  LiveRun run(smallMixture(), FrameRates(), {}, start, end);
-  run.record(recorder, recorder.rates());
-  run.takeDue(sink);
+  Run run(Simulation(smallMixture(), start), end);
+  run.add(sink, FrameRates());
+  run.add(recorder, recorder.rates());
+  run.takeDue();
   while (!run.finished())
-    run.advanceTo(run.nextTime(), sink);
-  run.takeAll(sink);
+    run.advanceTo(run.nextTime());
+  run.takeAll();
 }
 
 CollectingSink readAll(const std::vector<std::string>& paths)

@@ -48,8 +48,6 @@ public:
     control.begin();
   }
 
-  const Setpoint& inclination() const { return parameters.setpoints[0]; }
-
   NodeParameters parameters = pausedParameters();
   Recorder recorder;
   CollectingSink seen;
@@ -195,7 +193,7 @@ TEST(RunControl, commandsAtThePresentTimeAndShowsIt)
 {
   Controlled run;
   run.control.step(0.1, stridesOf(run.control));
-  EXPECT_TRUE(run.control.command(run.inclination(), 0.05).success);
+  run.control.command(Quantity::INCLINATION, 0.05);
   EXPECT_EQ(run.seen.bases.back().time, 0.1);
   EXPECT_EQ(run.seen.bases.back().base.commanded_inclination, 0.05);
   EXPECT_EQ(run.seen.bases.back().base.inclination, 0.0);
@@ -203,23 +201,12 @@ TEST(RunControl, commandsAtThePresentTimeAndShowsIt)
   EXPECT_NEAR(run.seen.bases.back().base.inclination, 0.2 * run.parameters.slew_rates.inclination, 1e-12);
 }
 
-TEST(RunControl, keepsTheLastGoodSetpoint)
-{
-  Controlled run;
-  run.control.command(run.inclination(), 0.05);
-  const std::size_t shown = run.seen.bases.size();
-  EXPECT_FALSE(run.control.command(run.inclination(), 0.6).success);
-  EXPECT_FALSE(run.control.command(run.inclination(), std::numeric_limits<double>::quiet_NaN()).success);
-  EXPECT_EQ(run.seen.bases.size(), shown);
-  EXPECT_EQ(run.control.run().base().base.commanded_inclination, 0.05);
-}
-
 TEST(RunControl, resetsToTheSameRun)
 {
   Controlled run;
   run.control.step(0.5, stridesOf(run.control));
   const auto first = run.seen.particles.back();
-  run.control.command(run.inclination(), 0.3);
+  run.control.command(Quantity::INCLINATION, 0.3);
   run.control.step(0.5, stridesOf(run.control));
   EXPECT_TRUE(run.control.reset(0, {}, false).success);
   EXPECT_EQ(run.control.run().time(), 0.0);
@@ -252,7 +239,7 @@ TEST(RunControl, goesOnAfterABadReset)
 TEST(RunControl, poursTheDisksAnewWhileTimeAndBaseGoOn)
 {
   Controlled run;
-  run.control.command(run.inclination(), 0.2);
+  run.control.command(Quantity::INCLINATION, 0.2);
   run.control.step(0.75, stridesOf(run.control));
   const BaseFrame before = run.control.run().base();
   EXPECT_TRUE(run.control.resetWorld().success);
@@ -274,7 +261,7 @@ TEST(RunControl, goesOnWhereTheBaseStandsInTheDisksToBePlacedAnew)
   const ScratchDirectory scratch;
   Controlled run(scratch / "run.bag");
   ASSERT_TRUE(run.control.reset(0, {"initial=[{species: A, x: 0.07, y: 0.0075}]"}, false).success);
-  run.control.command(run.inclination(), 0.1);
+  run.control.command(Quantity::INCLINATION, 0.1);
   run.control.step(1.5, stridesOf(run.control));
   const Outcome outcome = run.control.resetWorld();
   EXPECT_FALSE(outcome.success);
@@ -289,7 +276,7 @@ TEST(RunControl, goesOnWhereTheBaseStandsInTheDisksToBePlacedAnew)
   run.control.step(0.25, stridesOf(run.control));
   const auto seen = run.seen.particles.back();
   run.control.reset(0, {"initial=[{species: A, x: 0.07, y: 0.0075}]"}, false);
-  run.control.command(run.inclination(), 0.1);
+  run.control.command(Quantity::INCLINATION, 0.1);
   run.control.step(1.75, stridesOf(run.control));
   EXPECT_TRUE(sameBits(run.seen.particles.back(), seen));
 }
@@ -307,7 +294,7 @@ TEST(RunControl, poursAnewAtTheEndForAnotherDuration)
 TEST(RunControl, beginsAnewWhileTimeGoesOn)
 {
   Controlled run;
-  run.control.command(run.inclination(), 0.2);
+  run.control.command(Quantity::INCLINATION, 0.2);
   run.control.step(0.75, stridesOf(run.control));
   EXPECT_TRUE(run.control.reset(0, {"base.inclination=0.1"}, true).success);
   EXPECT_EQ(run.control.run().time(), 0.75);

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "ratchet_sieve/live/fan_out.h"
-#include "ratchet_sieve/live/live_run.h"
+#include "ratchet_sieve/live/journal.h"
 #include "ratchet_sieve/live/setpoint.h"
+#include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
@@ -43,13 +44,6 @@ public:
   virtual void close() = 0;
 };
 
-/// Receives the log lines of a run.
-struct RunLog
-{
-  std::function<void(const std::string&)> inform = [](const std::string&) {};
-  std::function<void(const std::string&)> warn = [](const std::string&) {};
-};
-
 /// The result of a request.
 struct Outcome
 {
@@ -57,8 +51,7 @@ struct Outcome
   std::string message;  ///< on failure the reason, otherwise a note or empty
 };
 
-/// Controls a run: pause, step, reset, pour, setpoints. Independent of topics and wall time. LiveRun advances
-/// the simulation.
+/// Controls a run: pause, step, reset, pour, setpoints. Independent of topics and wall time.
 class RunControl
 {
 public:
@@ -81,7 +74,7 @@ public:
   /// Hands the last frames to the sinks and closes the recording.
   void end();
 
-  const LiveRun& run() const { return *run_; }
+  const Run& run() const { return *run_; }
 
   /// The warnings of the present scene: see Scene.
   const std::vector<std::string>& sceneWarnings() const { return scene_warnings_; }
@@ -93,7 +86,7 @@ public:
   void unpause();
 
   /// Advances to a time, at most to the next frame or the end.
-  void advanceTo(double time) { run_->advanceTo(time, sinks_); }
+  void advanceTo(double time) { run_->advanceTo(time); }
 
   /// Advances by `duration` [s] or to the end, in strides. Reaching the end early is a success, and the
   /// outcome mentions it. An aborted step is a failure; the time already simulated stays.
@@ -117,20 +110,17 @@ public:
   /// The commanded value of a quantity.
   double commanded(Quantity quantity) const;
 
-  /// Commands the base at the present time. A refused value changes nothing.
-  Outcome command(const Setpoint& setpoint, double value);
+  /// Commands the base at the present time. @pre Setpoint::refusal() of the value is nothing
+  void command(Quantity quantity, double value);
 
 private:
   std::optional<std::string> whyNoStep(double duration) const;
   Outcome advance(double duration, const Stride& stride);
   Scene readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const;
   void announce(const Scene& scene) const;
-  std::unique_ptr<LiveRun> makeRun(const SceneDefinition& scene, std::vector<CommandFrame> opening,
-                                   double start_time, double end_time) const;
-  void begin(std::unique_ptr<LiveRun> run);
-
-  /// Hands a frame that is not due to the sinks and the recording.
-  void show(const AnyFrame& frame);
+  std::unique_ptr<Run> makeRun(const SceneDefinition& scene, std::vector<CommandFrame> opening,
+                               double start_time, double end_time);
+  void begin(std::unique_ptr<Run> run);
 
   YAML::Node scene_;
   std::string source_;
@@ -140,7 +130,7 @@ private:
   PourObserver pour_observer_;
   FanOut sinks_;
   std::vector<std::string> scene_warnings_;
-  std::unique_ptr<LiveRun> run_;
+  std::unique_ptr<Run> run_;
   bool paused_;
 };
 

@@ -20,10 +20,12 @@ CommandFrame slewRateCommand(const SlewRates& rates);
 /// The quantity of a setpoint command; nothing for other commands.
 std::optional<Quantity> setpointQuantity(CommandKind kind);
 
-/// Applies a command at the simulation's time; PAUSE and UNPAUSE do nothing. Setpoints must be legal in a
-/// scene, slew rates legal for the node.
-/// @throws std::invalid_argument if there is no such species or if a value is illegal; the state is then
-/// unchanged
+/// Checks a recorded command: setpoints are legal in a scene, slew rates legal for the node.
+/// @throws std::invalid_argument
+void requireLegal(const CommandFrame& command);
+
+/// Applies a command at the simulation's time; PAUSE and UNPAUSE do nothing. @pre its values are legal
+/// @throws std::invalid_argument if there is no such species; the state is then unchanged
 void apply(const CommandFrame& command, Simulation& simulation);
 
 }  // namespace ratchet_sieve

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ratchet_sieve/recording/frame_sink.h"
+#include "ratchet_sieve/recording/run.h"
 
 namespace ratchet_sieve
 {
@@ -78,6 +79,7 @@ private:
   std::function<void(const Simulation&)> progress_;
   std::optional<SceneFrame> scene_;
   std::unique_ptr<Simulation> simulation_;
+  std::optional<Run> run_;
   bool periods_observed_ = false;
   std::vector<PeriodRecord> periods_;  ///< since the last statistics
   StatisticsWindow window_;

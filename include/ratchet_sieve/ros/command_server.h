@@ -13,7 +13,6 @@
 #include "ratchet_sieve/PourDisks.h"
 #include "ratchet_sieve/ResetSimulation.h"
 #include "ratchet_sieve/StepSimulation.h"
-#include "ratchet_sieve/live/log_throttle.h"
 #include "ratchet_sieve/live/run_control.h"
 #include "ratchet_sieve/live/setpoint_inbox.h"
 #include "ratchet_sieve/ros/diagnostics.h"
@@ -59,9 +58,8 @@ private:
   Diagnostics& diagnostics_;
   RunControl::Stride stride_;
   std::function<void()> time_changed_;
-  std::string frame_id_;                        ///< of messages in service responses
-  std::array<Setpoint, QUANTITIES> setpoints_;  ///< in the order of Quantity
-  std::array<SetpointLog, QUANTITIES> logs_;    ///< in the order of Quantity
+  std::string frame_id_;                      ///< of messages in service responses
+  std::array<SetpointLog, QUANTITIES> logs_;  ///< in the order of Quantity
   SetpointInbox inbox_;
   WaitingCalls interrupting_;  ///< calls of services that end a step
   std::vector<ros::Subscriber> subscribers_;

@@ -6,12 +6,9 @@
 #include <ros/node_handle.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
-#include "ratchet_sieve/live/certainty_log.h"
+#include "ratchet_sieve/live/journal.h"
 #include "ratchet_sieve/live/pacer.h"
-#include "ratchet_sieve/live/pour_log.h"
-#include "ratchet_sieve/live/progress_log.h"
 #include "ratchet_sieve/live/speed_watch.h"
-#include "ratchet_sieve/live/wall_log.h"
 #include "ratchet_sieve/ros/clock_publisher.h"
 #include "ratchet_sieve/ros/command_server.h"
 #include "ratchet_sieve/ros/display.h"
@@ -49,14 +46,13 @@ private:
   void finish();
   void keepAlive();
   void watchSpeed();
-  void watchEnergy();
   void watchPour(std::size_t poured, std::size_t of);
   void end();
 
   ros::NodeHandle node_;
   const std::atomic<bool>& stop_;
   NodeParameters parameters_;
-  PourLog pour_log_;
+  Journal journal_;
   Recorder recorder_;
   RunControl control_;
   RealTimeFactor real_time_factor_;
@@ -68,10 +64,6 @@ private:
   TopicPublisher topics_;
   Display display_;
   Diagnostics diagnostics_;
-  ProgressLog progress_;
-  bool energy_said_ = false;
-  WallLog walls_;
-  CertaintyLog certainty_;
   CommandServer commands_;
 };
 

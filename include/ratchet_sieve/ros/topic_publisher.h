@@ -7,8 +7,8 @@
 #include <ros/publisher.h>
 #include <ros/single_subscriber_publisher.h>
 
-#include "ratchet_sieve/live/live_run.h"
 #include "ratchet_sieve/recording/frame_sink.h"
+#include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/ros/transform_publisher.h"
 
 namespace ratchet_sieve
@@ -23,7 +23,7 @@ public:
   /// @param current returns the present run, also after a reset
   /// @param frame_id of the messages
   /// @param clock is advanced to the stamp of every message; clock and transforms outlive this
-  TopicPublisher(ros::NodeHandle private_node, const std::function<const LiveRun&()>& current,
+  TopicPublisher(ros::NodeHandle private_node, const std::function<const Run&()>& current,
                  const std::string& frame_id, ClockPublisher& clock, TransformPublisher& transforms);
 
   bool wants(FrameKind kind) const override;
@@ -36,11 +36,11 @@ private:
     return publishers_[static_cast<std::size_t>(kind)].getNumSubscribers() > 0;
   }
   template <typename Frame>
-  void advertise(ros::NodeHandle& node, Frame (LiveRun::*state)() const);
+  void advertise(ros::NodeHandle& node, Frame (Run::*state)() const);
   template <typename Frame>
   void publish(const Frame& frame);
 
-  std::function<const LiveRun&()> current_;
+  std::function<const Run&()> current_;
   std::string frame_id_;
   ClockPublisher& clock_;
   TransformPublisher& transforms_;

@@ -25,6 +25,17 @@ struct SweepCounts
   std::uint64_t open() const { return cases - done - failed; }
 };
 
+/// The cases of a sweep, each of them legal.
+struct LegalCases
+{
+  std::vector<std::string> run_hashes;  ///< runHash(), by position
+  WarningTally warnings;                ///< of their scenes
+};
+
+/// Builds all cases, one after the other. Returns nothing if `stop_wanted`, which may be empty.
+/// @throws SceneError for the first illegal case
+std::optional<LegalCases> legalCases(const Sweep& sweep, const std::function<bool()>& stop_wanted = {});
+
 /// The cases of one sweep, or of its part, as listed in a results file: position and runHash(), each case
 /// once.
 class SweepPlan
@@ -33,10 +44,8 @@ public:
   /// The plan in the file, if it is complete.
   static std::optional<SweepPlan> find(Database& database, const Sweep& sweep);
 
-  /// Writes the list of all cases to the file. Returns nothing if `stop_wanted`. @pre requireLegal() @throws
-  /// DatabaseError
-  static std::optional<SweepPlan> make(Database& database, const Sweep& sweep,
-                                       const std::function<bool()>& stop_wanted);
+  /// Writes the list of all cases to the file. @throws DatabaseError
+  static SweepPlan make(Database& database, const Sweep& sweep, const LegalCases& cases);
 
   /// The plan in the file, or else one in temporary tables, for a sweep file that was changed since its run.
   /// Does not change the file. @throws SceneError if a case is illegal
@@ -62,9 +71,5 @@ private:
   std::int64_t id_;
   bool in_file_ = true;
 };
-
-/// Checks that each case is legal. @return the warnings of their scenes @throws SceneError for the first
-/// illegal case
-WarningTally requireLegal(const Sweep& sweep);
 
 }  // namespace ratchet_sieve

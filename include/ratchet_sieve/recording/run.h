@@ -1,6 +1,6 @@
 #pragma once
 
-#include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,24 +11,30 @@
 namespace ratchet_sieve
 {
 
-/// A simulation that hands frames to sinks while it runs. Times are simulated times.
-class LiveRun
+/// A simulation that hands frames to sinks while it runs: what runToEnd(), RunControl and Resimulation have
+/// in common. Times are simulated times.
+class Run
 {
 public:
-  /// @param opening commands that hold from the start on; their own times are ignored
-  /// @param start_time present simulated time if new disks are poured during a session, otherwise 0 [s]
+  /// @param simulation outlives this
   /// @param end_time [s]
   /// @param wall_clock for the real-time factor
-  /// @param pour_observer see Simulation
-  LiveRun(const SceneDefinition& scene, const FrameRates& rates, std::vector<CommandFrame> opening,
-          double start_time, double end_time,
-          FrameSampler::WallClock wall_clock = std::chrono::steady_clock::now,
-          const PourObserver& pour_observer = {});
+  Run(Simulation& simulation, double end_time,
+      FrameSampler::WallClock wall_clock = std::chrono::steady_clock::now);
 
-  LiveRun(const LiveRun&) = delete;
-  LiveRun& operator=(const LiveRun&) = delete;
+  /// Keeps the simulation.
+  Run(Simulation&& simulation, double end_time,
+      FrameSampler::WallClock wall_clock = std::chrono::steady_clock::now);
+  ~Run();
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
-  void setThreads(std::size_t threads) { simulation_.setThreads(threads); }
+  /// Also hands frames to this sink, at rates of its own. @param sink outlives this
+  void add(FrameSink& sink, const FrameRates& rates);
+
+  /// Applies commands that hold from the start on, and hands them over after the first frames; their own
+  /// times are ignored. @pre takeDue() was not called
+  void open(std::vector<CommandFrame> commands);
 
   double time() const { return simulation_.time(); }
   double startTime() const { return simulation_.startTime(); }
@@ -39,24 +45,28 @@ public:
   const std::optional<std::string>& stopReason() const { return stop_reason_; }
   bool stopped() const { return stop_reason_.has_value(); }
 
-  /// Also hands frames to a recorder, at rates of its own. @param recorder outlives this
-  void record(FrameSink& recorder, const FrameRates& rates);
-
   /// The time of the next frame or the end of the run, whichever is earlier [s].
   double nextTime() const;
 
   /// Advances to `time`, at most to nextTime(), and hands over the frames that are due.
-  void advanceTo(double time, FrameSink& sink);
+  void advanceTo(double time);
+
+  /// Observes periods of the drive for the statistics, if a sink wants these. To be called before the
+  /// simulation is advanced, where that is not done by advanceTo().
+  void observePeriods();
 
   /// Hands over the frames that are due. The first call hands over the scene, the first frame of each kind
   /// and the opening commands.
-  void takeDue(FrameSink& sink);
+  void takeDue();
 
   /// Hands over a present frame of each kind, except for kinds that already have a frame of this time.
-  void takeAll(FrameSink& sink);
+  void takeAll();
+
+  /// Hands over a frame that is not due.
+  void show(const AnyFrame& frame);
 
   /// Applies a command at the run's present time, and hands it over. @throws std::invalid_argument
-  void applyCommand(CommandFrame command, FrameSink& sink);
+  void applyCommand(CommandFrame command);
 
   /// See FrameSampler.
   void setUnderWay(bool under_way);
@@ -68,33 +78,32 @@ public:
   BinFrame bins() const { return makeBinFrame(simulation_); }
   BaseFrame base() const { return makeBaseFrame(simulation_); }
   ObservedFrame observed() const { return makeObservedFrame(simulation_); }
-  /// The statistics over the periods since the last statistics frame that was due; over none if no sink has
-  /// wanted statistics so far. Leaves real_time_factor at 0.
+
+  /// The statistics over the periods since the last statistics frame that was due for the first sink; over
+  /// none if no sink has wanted statistics so far. Leaves real_time_factor at 0.
   StatisticsFrame statistics() const;
 
   /// From now on periods are observed for statistics() even if no sink wants statistics.
   void keepStatistics() { statistics_kept_ = true; }
 
 private:
-  struct Recording
+  struct Stream
   {
     FrameSink& sink;
     FrameSampler sampler;
   };
 
-  void show(const CommandFrame& command, FrameSink& sink);
-  void observePeriods(bool observe);
-  bool statisticsWanted(const FrameSink& sink) const;
+  bool statisticsWanted() const;
 
-  Simulation simulation_;
+  std::unique_ptr<Simulation> kept_;  ///< the simulation, if the run keeps it
+  Simulation& simulation_;
+  double end_time_;
   FrameSampler::WallClock wall_clock_;
-  FrameSampler sampler_;
+  std::vector<Stream> streams_;
+  std::vector<CommandFrame> opening_;  ///< opening commands not yet handed over
   bool under_way_ = true;
   bool statistics_kept_ = false;
   bool periods_observed_ = false;
-  std::optional<Recording> recording_;
-  double end_time_;
-  std::vector<CommandFrame> opening_;  ///< opening commands not yet handed over
   std::optional<std::string> stop_reason_;
 };
 

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/live/live_run.h"
+#include "ratchet_sieve/recording/run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,22 +13,23 @@ namespace ratchet_sieve
 namespace
 {
 /// A recording has its own sampler, with its own clock and pauses.
-TEST(LiveRun, leavesPausesOutOfTheRealTimeFactorThatIsRecorded)
+TEST(Run, leavesPausesOutOfTheRealTimeFactorThatIsRecorded)
 {
   std::chrono::steady_clock::time_point now;
-  LiveRun run(smallMixture(), FrameRates(), {}, 0.0, 2.0, [&] { return now; });
-  run.setUnderWay(false);
+  ratchet_sieve::Run run(Simulation(smallMixture()), 2.0, [&] { return now; });
   CollectingSink shown;
   CollectingSink recorded;
-  run.record(recorded, FrameRates());
-  run.takeDue(shown);
+  run.add(shown, FrameRates());
+  run.setUnderWay(false);
+  run.add(recorded, FrameRates());
+  run.takeDue();
   const auto advance = [&](double time)
   {
     run.setUnderWay(true);
     while (run.time() < time)
-      run.advanceTo(time, shown);
+      run.advanceTo(time);
     now += std::chrono::milliseconds(100);
-    run.takeAll(shown);
+    run.takeAll();
     run.setUnderWay(false);
   };
   for (const double time : {0.05, 0.15, 0.25})
@@ -52,18 +53,19 @@ public:
   bool listening = false;
 };
 
-void advanceTo(LiveRun& run, double time, FrameSink& sink)
+void advanceTo(Run& run, double time)
 {
-  run.takeDue(sink);
+  run.takeDue();
   while (run.time() < time)
-    run.advanceTo(time, sink);
+    run.advanceTo(time);
 }
 
-TEST(LiveRun, ObservesNoPeriodsWhereNobodyWantsStatistics)
+TEST(Run, ObservesNoPeriodsWhereNobodyWantsStatistics)
 {
-  LiveRun run(smallRing(), FrameRates(), {}, 0.0, 1.0);
+  ratchet_sieve::Run run(Simulation(smallRing()), 1.0);
   Listener listener;
-  advanceTo(run, 0.75, listener);
+  run.add(listener, FrameRates());
+  advanceTo(run, 0.75);
   const StatisticsFrame now = run.statistics();
   EXPECT_EQ(now.window_start, 0.75);
   EXPECT_EQ(now.window_end, 0.75);
@@ -74,23 +76,24 @@ TEST(LiveRun, ObservesNoPeriodsWhereNobodyWantsStatistics)
 
 /// A listener that disconnects at times sees windows of whole periods that began while it was connected, with
 /// the rates and temperatures of these periods.
-TEST(LiveRun, ShowsPeriodsThatBeganWhileSomebodyListened)
+TEST(Run, ShowsPeriodsThatBeganWhileSomebodyListened)
 {
   std::vector<PeriodRecord> periods;
   Simulation reference(smallRing());
   reference.observePeriods([&](const PeriodRecord& period) { periods.push_back(period); });
   reference.advanceTo(1.0);
-  LiveRun run(smallRing(), {0.0, 0.0, 0.0, 50.0}, {}, 0.0, 1.0);
+  ratchet_sieve::Run run(Simulation(smallRing()), 1.0);
   Listener listener;
+  run.add(listener, {0.0, 0.0, 0.0, 50.0});
   std::size_t windows = 0;
   // The second time, the listener disconnects within a period, and reconnects before the frame is due.
   for (const auto& [from, until] : {std::pair(0.21, 0.507), std::pair(0.512, 0.9)})
   {
     listener.listening = false;
-    advanceTo(run, from, listener);
+    advanceTo(run, from);
     listener.listening = true;
     listener.statistics.clear();
-    advanceTo(run, until, listener);
+    advanceTo(run, until);
     for (const StatisticsFrame& frame : listener.statistics)
     {
       EXPECT_GE(frame.window_start, from);

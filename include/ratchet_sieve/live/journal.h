@@ -1,0 +1,68 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "ratchet_sieve/recording/run.h"
+
+namespace ratchet_sieve
+{
+
+/// Receives the log lines of a run.
+struct RunLog
+{
+  std::function<void(const std::string&)> inform = [](const std::string&) {};
+  std::function<void(const std::string&)> warn = [](const std::string&) {};
+};
+
+/// What the log says of the runs of a node, one after the other, while they are under way.
+class Journal
+{
+public:
+  using Clock = std::chrono::steady_clock;
+
+  explicit Journal(RunLog log) : log_(std::move(log)) {}
+
+  /// Says what is new: progress at every tenth of the duration; a violent energy, once in a run; the number
+  /// of disks that have gone over the walls, of the first and at each doubling; and that the accuracy
+  /// requested by the scene is reached. A batch run would end then; of a node's run the user decides when it
+  /// ends.
+  void look(const Run& run);
+
+  /// Progress of a slow pour. The first line comes when it has lasted for one period. To be called with the
+  /// arguments of a PourObserver.
+  void pouring(std::size_t poured, std::size_t of, Clock::time_point now);
+
+  static constexpr std::chrono::seconds POUR_PERIOD{2};  ///< between lines [s of wall time]
+
+private:
+  void lookAtProgress(const Run& run);
+  void lookAtEnergy(const Simulation& simulation);
+  void lookAtWalls(const Simulation& simulation);
+  void lookAtCertainty(const Simulation& simulation);
+
+  RunLog log_;
+  int tenths_ = 0;  ///< of the duration, announced
+  bool energy_said_ = false;
+  std::uint64_t over_walls_said_ = 0;
+
+  /// Of the accuracy requested by the present run.
+  struct CertaintyState
+  {
+    bool said = false;
+    double start = 0.0;          ///< of the run [s]
+    double last_time = 0.0;      ///< [s]
+    std::optional<double> next;  ///< time of the next check [s]
+  } certainty_;
+
+  std::size_t poured_ = std::numeric_limits<std::size_t>::max();
+  Clock::time_point next_pour_line_;
+};
+
+}  // namespace ratchet_sieve
