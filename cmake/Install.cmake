@@ -12,7 +12,8 @@ if(RATCHET_SIEVE_ROS)
   install(TARGETS ratchet_sieve_messages EXPORT ratchet_sieve-targets)
 endif()
 install(DIRECTORY include/ratchet_sieve/ DESTINATION ${RATCHET_SIEVE_INCLUDE_DESTINATION})
-install(DIRECTORY config examples launch rviz DESTINATION ${RATCHET_SIEVE_SHARE_DESTINATION})
+install(DIRECTORY config examples launch DESTINATION ${RATCHET_SIEVE_SHARE_DESTINATION})
+install(FILES rviz/sieve.rviz DESTINATION ${RATCHET_SIEVE_SHARE_DESTINATION}/rviz)
 
 # The targets for other packages: see ratchet_sieve-extras.cmake.in.
 if(RATCHET_SIEVE_ROS)
