@@ -80,7 +80,7 @@ std::vector<std::uint64_t> SweepLedger::exchange(const std::vector<CaseResult>& 
 std::vector<std::uint64_t> SweepLedger::begin(std::size_t most)
 {
   open_.bind(1, plan_.id()).bind(2, PHYSICS_VERSION).bind(3, cursor_);
-  const std::vector<std::uint64_t> positions = begin(open_.bind(4, static_cast<std::int64_t>(most)));
+  std::vector<std::uint64_t> positions = begin(open_.bind(4, static_cast<std::int64_t>(most)));
   if (!positions.empty())
     cursor_ = static_cast<std::int64_t>(positions.back()) + 1;
   else if (!runsSuspect())
