@@ -24,6 +24,7 @@ PROGRAMS = {
     'Nodes': {
         'sieve_node': 'runs a sieve live: topics, services, recording',
         'sieve_display': 'draws a sieve from its topics or from a bag',
+        'fitted_rviz.py': 'opens RViz with its camera on a sieve',
     },
     'Examples of nodes that control a sieve': {
         'schedule.py': 'sends setpoints to a sieve at given times',

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "ratchet_sieve/ros/bag_error.h"
 #include "ratchet_sieve/recording/frame_sink.h"
+#include "ratchet_sieve/ros/bag_error.h"
 
 namespace ratchet_sieve
 {
