@@ -9,6 +9,7 @@
 
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/certainty.h"
+#include "ratchet_sieve/recording/choke.h"
 #include "ratchet_sieve/recording/wall_warnings.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
@@ -57,6 +58,7 @@ int tenthsOf(const Run& run)
 void Journal::look(const Run& run)
 {
   lookAtEnergy(run.simulation());
+  lookAtChoke(run.simulation());
   lookAtProgress(run);
   lookAtWalls(run.simulation());
   lookAtCertainty(run.simulation());
@@ -79,6 +81,15 @@ void Journal::lookAtEnergy(const Simulation& simulation)
   if (!text.empty() && !energy_said_)
     log_.warn(text);
   energy_said_ = !text.empty();
+}
+
+void Journal::lookAtChoke(const Simulation& simulation)
+{
+  const std::string text = chokeText(simulation);
+  if (!text.empty() && !choke_said_)
+    log_.warn(text);
+  // Once in a run: disks that leave for a while do not begin another.
+  choke_said_ = (choke_said_ || !text.empty()) && simulation.time() > simulation.startTime();
 }
 
 void Journal::lookAtWalls(const Simulation& simulation)

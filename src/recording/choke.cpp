@@ -35,7 +35,7 @@ std::string chokeText(const Simulation& simulation)
       fed, simulation.time(), left, layers);
   if (scene.gravity > 0.0)
     text += fmt::format("; the drive's peak acceleration is {:.3g} g", peakLift(scene.base) / scene.gravity);
-  return text + (scene.feed.on_choke == ChokeAction::RUN ? "; feed.on_choke: stop ends such a run" : "");
+  return text;
 }
 
 }  // namespace ratchet_sieve

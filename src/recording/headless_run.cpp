@@ -71,7 +71,9 @@ public:
                        simulation_.scene().duration),
            "ended-choked");
     warn(simulation_.collapseText(), "collapse");
-    warn(chokeText(simulation_), "choked");
+    const std::string choke = chokeText(simulation_);
+    const bool goes_on = !choke.empty() && simulation_.scene().feed.on_choke == ChokeAction::RUN;
+    warn(choke + (goes_on ? "; feed.on_choke: stop ends such a run" : ""), "choked");
     warn(simulation_.energyText(), "large-energy");
     warn(overWallsText(simulation_), "over-walls");
     save();

@@ -197,6 +197,16 @@ TEST_F(DisksOverWalls, AreNotSaidOfOpenEnds)
   EXPECT_TRUE(warned.empty());
 }
 
+/// The user decides when a node's run ends, also where the scene says feed.on_choke: stop.
+TEST_F(Journals, SaysOnceThatTheBaseIsChoked)
+{
+  SceneDefinition scene = chokedFeeder();
+  scene.feed.on_choke = ChokeAction::STOP;
+  follow(scene, 0.0, scene.duration, 1.0);
+  ASSERT_EQ(warned.size(), 1u);
+  EXPECT_EQ(warned[0].rfind("the base is choked: of ", 0), 0u) << warned[0];
+}
+
 class SlowPour : public Journals
 {
 protected:

@@ -26,19 +26,6 @@ TEST(HeadlessRun, GoesToTheScenesDuration)
             "error; a duration of about 2.1 s may do [unknown-error]");
 }
 
-/// A tooth to either side of the chute, 0.9 g: nothing leaves before the heap has reached the ends.
-SceneDefinition chokedFeeder()
-{
-  SceneDefinition scene = smallMixture();
-  for (SpeciesDefinition& species : scene.species)
-    species.count = 0;
-  scene.base.frequency = 10.6;
-  scene.feed.rate = 60.0;
-  scene.feed.stretch = {0.035, 0.045};
-  scene.duration = 30.0;
-  return scene;
-}
-
 TEST(HeadlessRun, EndsAtAChokedBaseIfItsSceneSaysSo)
 {
   SceneDefinition scene = chokedFeeder();

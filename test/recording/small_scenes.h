@@ -71,4 +71,17 @@ inline std::string contents(const std::string& path)
   return text.str();
 }
 
+/// A tooth to either side of the chute, 0.9 g: nothing leaves before the heap has reached the ends.
+inline SceneDefinition chokedFeeder()
+{
+  SceneDefinition scene = smallMixture();
+  for (SpeciesDefinition& species : scene.species)
+    species.count = 0;
+  scene.base.frequency = 10.6;
+  scene.feed.rate = 60.0;
+  scene.feed.stretch = {0.035, 0.045};
+  scene.duration = 30.0;
+  return scene;
+}
+
 }  // namespace ratchet_sieve

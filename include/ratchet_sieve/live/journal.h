@@ -29,10 +29,10 @@ public:
 
   explicit Journal(RunLog log) : log_(std::move(log)) {}
 
-  /// Says what is new: progress at every tenth of the duration; a violent energy, once in a run; the number
-  /// of disks that have gone over the walls, of the first and at each doubling; and that the accuracy
-  /// requested by the scene is reached. A batch run would end then; of a node's run the user decides when it
-  /// ends.
+  /// Says what is new: progress at every tenth of the duration; a violent energy and a choked base, once in
+  /// a run; the number of disks that have gone over the walls, of the first and at each doubling; and that
+  /// the accuracy requested by the scene is reached. A batch run would end then, or where it is choked if the
+  /// scene says so; of a node's run the user decides when it ends.
   void look(const Run& run);
 
   /// Progress of a slow pour. The first line comes when it has lasted for one period. To be called with the
@@ -44,12 +44,14 @@ public:
 private:
   void lookAtProgress(const Run& run);
   void lookAtEnergy(const Simulation& simulation);
+  void lookAtChoke(const Simulation& simulation);
   void lookAtWalls(const Simulation& simulation);
   void lookAtCertainty(const Simulation& simulation);
 
   RunLog log_;
   int tenths_ = 0;  ///< of the duration, announced
   bool energy_said_ = false;
+  bool choke_said_ = false;
   std::uint64_t over_walls_said_ = 0;
 
   /// Of the accuracy requested by the present run.
