@@ -57,8 +57,15 @@ int tenthsOf(const Run& run)
 
 void Journal::look(const Run& run)
 {
-  lookAtEnergy(run.simulation());
-  lookAtChoke(run.simulation());
+  // After a reset another run begins.
+  if (run.startTime() != said_.start || run.time() < said_.last_time)
+    said_ = {};
+  said_.start = run.startTime();
+  said_.last_time = run.time();
+  if (!said_.energy)
+    said_.energy = warn(run.simulation().energyText());
+  if (!said_.choke)
+    said_.choke = warn(chokeText(run.simulation()));
   lookAtProgress(run);
   lookAtWalls(run.simulation());
   lookAtCertainty(run.simulation());
@@ -67,58 +74,41 @@ void Journal::look(const Run& run)
 void Journal::lookAtProgress(const Run& run)
 {
   const int tenths = tenthsOf(run);
-  // After a reset the run is at its beginning again.
-  if (tenths <= std::exchange(tenths_, tenths))
+  if (tenths <= said_.tenths)
     return;
+  said_.tenths = tenths;
   const bool open = run.simulation().scene().boundary == Boundary::OPEN;
   log_.inform(fmt::format("{:3d} %: {:.1f} s, {}", 10 * tenths, run.time(),
                           open ? binsText(run.bins()) : driftText(run.simulation())));
 }
 
-void Journal::lookAtEnergy(const Simulation& simulation)
+bool Journal::warn(const std::string& text)
 {
-  const std::string text = simulation.energyText();
-  if (!text.empty() && !energy_said_)
+  if (!text.empty())
     log_.warn(text);
-  energy_said_ = !text.empty();
-}
-
-void Journal::lookAtChoke(const Simulation& simulation)
-{
-  const std::string text = chokeText(simulation);
-  if (!text.empty() && !choke_said_)
-    log_.warn(text);
-  // Once in a run: disks that leave for a while do not begin another.
-  choke_said_ = (choke_said_ || !text.empty()) && simulation.time() > simulation.startTime();
+  return !text.empty();
 }
 
 void Journal::lookAtWalls(const Simulation& simulation)
 {
   const std::uint64_t count = disksOverWalls(simulation);
-  // After a reset the count is smaller.
-  over_walls_said_ = std::min(over_walls_said_, count);
-  if (count == 0 || count < 2 * over_walls_said_)
+  if (count == 0 || count < 2 * said_.over_walls)
     return;
-  over_walls_said_ = count;
+  said_.over_walls = count;
   log_.warn(overWallsText(simulation));
 }
 
 void Journal::lookAtCertainty(const Simulation& simulation)
 {
-  if (!simulation.scene().accuracy.endsEarly())
+  if (!simulation.scene().accuracy.endsEarly() || said_.certainty ||
+      (said_.next_certainty && simulation.time() < *said_.next_certainty))
     return;
-  CertaintyState& state = certainty_;
-  if (simulation.startTime() != state.start || simulation.time() < state.last_time)
-    state = {};
-  state.start = simulation.startTime();
-  state.last_time = simulation.time();
-  if (state.said || (state.next && state.last_time < *state.next))
-    return;
-  const bool due = std::exchange(state.next, LookTimes(simulation).next()).has_value();
+  const bool due = std::exchange(said_.next_certainty, LookTimes(simulation).next()).has_value();
   if (!due || !*certaintyOf(simulation).reached())
     return;
-  state.said = true;
-  log_.inform(fmt::format("at {:g} s the requested accuracy is reached; the run continues", state.last_time));
+  said_.certainty = true;
+  log_.inform(
+      fmt::format("at {:g} s the requested accuracy is reached; the run continues", simulation.time()));
 }
 
 void Journal::pouring(std::size_t poured, std::size_t of, Clock::time_point now)

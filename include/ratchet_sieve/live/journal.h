@@ -42,26 +42,25 @@ public:
   static constexpr std::chrono::seconds POUR_PERIOD{2};  ///< between lines [s of wall time]
 
 private:
+  bool warn(const std::string& text);  ///< @return whether there is something to warn of
   void lookAtProgress(const Run& run);
-  void lookAtEnergy(const Simulation& simulation);
-  void lookAtChoke(const Simulation& simulation);
   void lookAtWalls(const Simulation& simulation);
   void lookAtCertainty(const Simulation& simulation);
 
   RunLog log_;
-  int tenths_ = 0;  ///< of the duration, announced
-  bool energy_said_ = false;
-  bool choke_said_ = false;
-  std::uint64_t over_walls_said_ = 0;
 
-  /// Of the accuracy requested by the present run.
-  struct CertaintyState
+  /// What was said of the present run.
+  struct Said
   {
-    bool said = false;
-    double start = 0.0;          ///< of the run [s]
-    double last_time = 0.0;      ///< [s]
-    std::optional<double> next;  ///< time of the next check [s]
-  } certainty_;
+    double start = 0.0;      ///< of the run [s]
+    double last_time = 0.0;  ///< at which it was looked at [s]
+    int tenths = 0;          ///< of the duration
+    bool energy = false;
+    bool choke = false;
+    std::uint64_t over_walls = 0;  ///< disks
+    bool certainty = false;
+    std::optional<double> next_certainty;  ///< time of the next check [s]
+  } said_;
 
   std::size_t poured_ = std::numeric_limits<std::size_t>::max();
   Clock::time_point next_pour_line_;

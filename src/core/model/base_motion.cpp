@@ -174,24 +174,18 @@ void BaseMotion::plan()
     pursue(ramp(q.quantity), slew_rates_.*q.slew_rate);
 
   rotation_ = rotationBy(inclination_.start);
-  next_change_ = endOfSegment();
-  updateBounds();
-  noteDerived();
-}
 
-/// The first end of a ramp, or of the largest turn within a segment; nothing if no quantity moves.
-std::optional<double> BaseMotion::endOfSegment() const
-{
-  std::optional<double> first;
+  next_change_.reset();
   for (const auto ramp : RAMPS)
     if (const auto remaining = (this->*ramp).remaining())
     {
       const double end = segment_start_ + *remaining;
-      first = std::min(first.value_or(end), end);
+      next_change_ = std::min(next_change_.value_or(end), end);
     }
   if (turning())
-    first = std::min(*first, segment_start_ + max_turn_ / std::abs(inclination_.rate));
-  return first;
+    next_change_ = std::min(*next_change_, segment_start_ + max_turn_ / std::abs(inclination_.rate));
+  updateBounds();
+  noteDerived();
 }
 
 void BaseMotion::beginSegment(double time)

@@ -121,7 +121,6 @@ private:
   double turns(double elapsed) const;
   void advanceTo(double time);  ///< advances the segment's start to `time` at the present rates
   void pursue(Ramp& ramp, double slew_rate) const;
-  std::optional<double> endOfSegment() const;
   void plan();  ///< sets the rates from the setpoints, and the ends of the ramps
   void updateBounds();
   void noteDerived();
