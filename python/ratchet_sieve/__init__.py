@@ -22,10 +22,12 @@ _NAMES = {
     **dict.fromkeys(("KINDS", "Collisions", "Frames", "Recording", "Run", "run"), "runs"),
     **dict.fromkeys(("read_sweep", "sweep"), "sweeps"),
     **dict.fromkeys(("Summary", "Values"), "values"),
+    "Answer": "answers.answer",
     "Scene": "scene",
     "Simulation": "simulation",
     "__version__": "_engine",
     "read_bag": "bags",
+    "separate": "answers",
 }
 _SUBMODULES = ("documents", "env", "errors", "origin", "plots", "stats", "tables")
 

@@ -1,0 +1,61 @@
+"""Which machine parts a mixture best, how well, and how surely; see docs/separate.md."""
+from __future__ import annotations
+
+import re
+import time
+from typing import Any, Mapping, Optional, Union
+
+from ..arguments import integer, number
+from ..progress import Progress
+from ..scene import AnyScene
+from .answer import Answer
+from .final import answer_of
+from .machine import WITHIN, Machine
+from .search import Search
+
+SHARE_OF_SEARCH = 0.6  # of the budget: the rest is for the fresh runs
+_UNITS = {"": 1.0, "s": 1.0, "min": 60.0, "h": 3600.0}
+
+
+def separate(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, within: Optional[float] = None,
+             budget: Union[float, str, None] = None, goal: Optional[str] = None, seed: int = 1,
+             results: Any = None, threads: int = 0, progress: bool = True) -> Answer:
+    """Which settings of a machine part its kinds best, how well, and how surely.
+
+    scene     a Scene, the path of a scene file, or a mapping
+    over      dotted key -> (from, to)
+    within    no other setting is better by more than this, and half the width of the result's interval, both at 95 %;
+              default 0.02, of a machine without open ends 0.001 m/s
+    budget    wall time at most: [s], or a text such as "2 min"; None: as long as it takes
+    goal      a column of a sweep's results (docs/sweeps.md) that is to be large, such as "purity.left.mass.A", in
+              place of the separation; `within` is then required, in its units
+    seed      of the search and of the runs: the same gives the same answer, where no budget ends it
+    results   file that keeps the runs (SQLite): the same call continues. None: kept nowhere
+    threads   0: one per processor
+    Raises SceneError, ValueError before anything runs, RuntimeError where the machine works nowhere. Ctrl-C and the end
+    of the budget give the answer so far, with a warning; before there is any, KeyboardInterrupt and ValueError.
+    """
+    machine = Machine(scene, over, goal)
+    if within is None and goal is not None:
+        raise ValueError(f"within: must be given, in the units of {goal}")
+    within = number("within", WITHIN[machine.kind] if within is None else within)
+    if within <= 0.0:
+        raise ValueError(f"within = {within!r}: must be above 0")
+    seconds = _seconds(budget)
+    begin = time.monotonic()
+    search = Search(machine, within, integer("seed", seed),
+                    None if seconds is None else begin + SHARE_OF_SEARCH * seconds,
+                    threads=integer("threads", threads), results=results)
+    with Progress(progress, "separate") as bar:
+        return answer_of(search, None if seconds is None else begin + seconds, bar)
+
+
+def _seconds(budget: Union[float, str, None]) -> Optional[float]:
+    """Raises ValueError."""
+    if isinstance(budget, str):
+        match = re.fullmatch(r"([0-9.]+) *([a-z]*)", budget)
+        if match and match[2] in _UNITS and match[1].count(".") < 2 and match[1] != ".":
+            budget = float(match[1]) * _UNITS[match[2]]
+        else:
+            raise ValueError(f'budget = {budget!r}: must be seconds, or a text such as "90 s", "2 min" or "1 h"')
+    return None if budget is None else number("budget", budget, 0.0, unit="s")

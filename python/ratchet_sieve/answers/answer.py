@@ -1,0 +1,161 @@
+"""What a search for the best setting found."""
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+import pathlib
+from typing import Any, Optional
+
+import pandas
+
+from ratchet_sieve.texts import counted, decimals_of, rounded, shown
+from ratchet_sieve.values import Values
+
+
+@dataclasses.dataclass(frozen=True)
+class Interval:
+    """A mean and half the width of its interval at 95 % (None: of one run); `count` runs, 0: of a surface."""
+
+    value: float
+    half_width: Optional[float]
+    count: int
+
+    def __str__(self) -> str:
+        if not self.half_width or self.half_width < 1e-9 * abs(self.value):
+            return shown(float(f"{self.value:.3g}"))
+        decimals = decimals_of(self.half_width)
+        return f"{rounded(self.value, decimals)} ± {rounded(self.half_width, decimals)}"
+
+    __repr__ = __str__
+
+
+@dataclasses.dataclass(repr=False)
+class Answer:
+    """Which settings part the kinds best.
+
+    best        key -> value; None where nothing is separated
+    separation  Interval of the goal at the best, from runs with fresh seeds; signed: above 0 the first species of the
+                scene leaves more to the left. In a closed machine the difference of mean velocities, first less
+                second [m/s]; with a goal of the user's, that number
+    separated   whether the interval does not contain 0
+    bound       |value| is not above this anywhere in the ranges, at 95 %
+    as_good     DataFrame: settings that cannot be told from the best, with the surface's value and half_width there
+    throughput  disks [1/s], mass [kg/s] of the one plane of disks, mass_per_depth [kg/(s m)]: planes side by side, each
+                as thick as the mean diameter `depth` [m]. None in a closed machine
+    purity, recovery  .left.number.A and so on; None in a closed machine
+    floor       what changes with half and a quarter of contact.min_rebound_speed; None: not checked
+    warnings    texts: what was cut short, a setting at the end of its range, warnings of the runs
+    cost        runs, simulated [s], processor [s], seconds [s of wall time]
+    map         DataFrame: the surface over the ranges, with its half_width
+    runs        DataFrame: a row for each run, as of a sweep
+    seen        DataFrame: the value of each run and its variance
+    """
+
+    machine: Any
+    best: Optional[dict]
+    separation: Interval
+    separated: bool
+    bound: float
+    within: float
+    as_good: pandas.DataFrame
+    throughput: Optional[Values]
+    purity: Optional[Values]
+    recovery: Optional[Values]
+    cost: Values
+    warnings: list
+    map: pandas.DataFrame
+    runs: pandas.DataFrame
+    seen: pandas.DataFrame
+    floor: Any = None
+
+    @property
+    def scene(self) -> Any:
+        """The scene with the best settings. Raises ValueError where nothing is separated."""
+        if self.best is None:
+            raise ValueError("nothing is separated: there is no best setting")
+        return self.machine.scene.replace(self.best)
+
+    def __str__(self) -> str:
+        return "\n".join(self._lines())
+
+    __repr__ = __str__
+
+    def _lines(self) -> list[str]:
+        unit = " m/s" if self.machine.kind == "closed" and self.machine.is_signed else ""
+        goal = self.machine.goal
+        if not self.separated:
+            lines = [f"not separated: |{goal}| < {self.bound:.2g}{unit} at 95 % everywhere"
+                     if self.bound < self.within else
+                     f"not separated: {goal} {self.separation}{unit} at the best setting, "
+                     f"below {self.bound:.2g}{unit} at 95 % everywhere"]
+        else:
+            at = ", ".join(f"{key} = {_with_unit(key, value)}" for key, value in (self.best or {}).items())
+            source = f"{counted(self.separation.count, 'run')} with fresh seeds" if self.separation.count else \
+                "from the search's own runs"
+            lines = [f"{goal} {self.separation}{unit} (95 %, {source})", f"at {at}",
+                     f"as good: {self._region()}"]
+        for side in ("left", "right") if self.separated and self.purity else ():
+            lines.append(f"{side}: " + "; ".join(
+                f"{name} purity {self.purity[side].number[name]}, recovery {self.recovery[side].number[name]}"
+                for name in self.machine.scene.species))
+        if self.separated and self.throughput:
+            per = self.throughput
+            lines.append(f"throughput {per.disks} disks/s; {_grams(per.mass)} g/s in one plane of disks; "
+                         f"{_grams(per.mass_per_depth)} g/s per metre of depth, as of planes {1e3 * per.depth:.3g} mm "
+                         "thick")
+        lines.append(f"cost: {counted(self.cost.runs, 'run')}, {self.cost.simulated:.4g} s simulated, "
+                     f"{self.cost.processor:.2g} s of processor time")
+        return lines + [f"warning: {text}" for text in self.warnings]
+
+    def _region(self) -> str:
+        part = len(self.as_good) / max(len(self.map), 1)
+        spans = ", ".join(f"{key} {self.as_good[key].min():g} to {_with_unit(key, self.as_good[key].max())}"
+                          for key in self.machine.keys)
+        return f"{spans} ({100.0 * part:.0f} % of the ranges)"
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draws the surface with the settings that are as good. Returns matplotlib's axes."""
+        from ratchet_sieve.plots.answer import draw
+
+        return draw(self, axes)
+
+    def as_json(self) -> dict:
+        """As `sieve_separate --json` writes it; what is undefined is None."""
+        names = ("best", "separation", "separated", "bound", "throughput", "purity", "recovery", "floor", "warnings",
+                 "cost")
+        return {"goal": self.machine.goal, "within": self.within, **{name: _plain(getattr(self, name)) for name in names},
+                "as_good": json.loads(self.as_good.to_json(orient="records", double_precision=6))}
+
+    def write(self, path: Any) -> None:
+        """Writes the answer; the ending selects the form: .html, .json, .csv (its map), or a picture's (.png, .svg,
+        .pdf). Raises OSError, ValueError."""
+        file = pathlib.Path(os.fspath(path))
+        if file.suffix == ".html":
+            file.write_text(self._page(), encoding="utf-8")
+        elif file.suffix == ".json":
+            file.write_text(json.dumps(self.as_json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n",
+                            encoding="utf-8")
+        elif file.suffix == ".csv":
+            self.map.to_csv(file, index=False)
+        else:
+            self.plot().figure.savefig(file)
+
+
+def _with_unit(key: str, value: float) -> str:
+    from ratchet_sieve.plots.means import plain_label
+
+    unit = plain_label(key)[1]
+    return f"{value:g} {unit}".rstrip()
+
+
+def _grams(interval: Interval) -> Interval:
+    return Interval(1e3 * interval.value, interval.half_width and 1e3 * interval.half_width, interval.count)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Interval):
+        return {"value": value.value, "half_width": value.half_width, "count": value.count}
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    return value

@@ -1,0 +1,158 @@
+"""From the search to the answer: runs of the best setting with fresh seeds, and what they say."""
+import time
+
+import numpy as np
+import pandas
+
+from ratchet_sieve import stats
+from ratchet_sieve.answers.answer import Answer, Interval
+from ratchet_sieve.answers.search import BATCH, Z
+from ratchet_sieve.texts import counted
+from ratchet_sieve.values import Values
+
+FRESH = 12          # runs of the best setting at a time
+MOST_FRESH = 192
+LONG_ENOUGH = 20.0  # mean times in the machine that such a run of a fed machine lasts at least
+EXPECTED = 2.4      # half the width of the interval that is aimed at, in standard errors
+EDGE = 0.02         # of a range: nearer to its end than this is at its edge
+SIDES = ("left", "right")
+
+
+def answer_of(search, deadline, bar):
+    """Searches, measures the best setting with fresh seeds, and puts the answer together.
+    @param deadline of time.monotonic(), or None. @param bar a Progress
+    @throws RuntimeError the machine works nowhere. @throws ValueError the budget ends before there is an answer"""
+    begin, notes, fresh = time.monotonic(), [], None
+    try:
+        _search(search, bar, notes)
+        if not search.nowhere():
+            fresh = _fresh_runs(search, deadline, bar, notes)
+    except KeyboardInterrupt:
+        if len(search.runs) < len(search.first()) or not search.assess():
+            raise
+        notes.append("interrupted: the answer so far; the same call with the same results continues")
+    search.assess(best=search.best)  # with the fresh runs as well
+    return _answer(search, fresh, notes, time.monotonic() - begin)
+
+
+def _search(search, bar, notes):
+    first = search.first()
+    for k in range(0, len(first), BATCH):
+        search.measure(first[k:k + BATCH], np.ones(len(first[k:k + BATCH])))
+        bar.show(0.3 * (k + BATCH) / len(first), counted(len(search.runs), "run"))
+        if search.is_late() and k + BATCH < len(first):
+            raise ValueError(f"budget: too small for any answer: it ended after {len(search.runs)} of the first "
+                             f"{len(first)} runs")
+    while True:
+        if not search.assess():
+            raise RuntimeError(f"the machine works nowhere in these ranges: in {counted(len(search.runs), 'run')} "
+                               f"it was {_WHY[search.machine.kind]}")
+        bar.show(0.3 + 0.5 * min(search.within / max(float(search.may.max()), 1e-9), 1.0), _so_far(search))
+        chosen, durations = search.chosen()
+        if not len(chosen):
+            break
+        search.measure(chosen, durations)
+    left = float(search.may.max())
+    if left > search.within and not search.nowhere():
+        notes.append(f"the {'budget' if search.is_late() else 'search'} ended early: another setting may be better by "
+                     f"{left:.2g}")
+
+
+_WHY = {"fed": "choked, or too few disks left", "poured": "not emptied by half, or too few disks left",
+        "closed": "too short to tell a mean velocity"}
+
+
+def _so_far(search):
+    machine, k = search.machine, search.best
+    at = ", ".join(f"{key.rsplit('.')[-1]} {value:g}" for key, value in machine.settings(search.grid[k]).items())
+    return f"{counted(len(search.runs), 'run')}, best {search.value[k]:.3g} ± {Z * search.error[k]:.1g} at {at}"
+
+
+def _fresh_runs(search, deadline, bar, notes):
+    """Runs of the best setting until the interval of their mean is as narrow as `within`. @return their rows"""
+    machine = search.machine
+    duration = search.final_duration(FRESH, search.within / EXPECTED, LONG_ENOUGH)
+    rows = pandas.DataFrame()
+    while True:
+        rows = pandas.concat([rows, search.fresh(FRESH, duration)], ignore_index=True)
+        mean = stats.mean_of(machine.observed(rows)["value"].dropna())
+        if mean and mean.count > 1:
+            width = mean.half_width()
+            bar.show(0.8 + 0.2 * min((search.within / max(width, 1e-9)) ** 2, 1.0),
+                     f"{mean.value:.3g} ± {width:.2g} from {counted(mean.count, 'fresh run')}")
+            if width <= search.within:
+                return rows
+        if len(rows) >= MOST_FRESH or deadline is not None and time.monotonic() > deadline:
+            notes.append("the fresh runs ended before their interval was as narrow as wanted")
+            return rows
+
+
+def _answer(search, fresh, notes, seconds):
+    machine, settings = search.machine, search.machine.settings(search.grid[search.best])
+    mean = None if fresh is None else stats.mean_of(machine.observed(fresh)["value"].dropna())
+    if mean and mean.count > 1:
+        found = Interval(mean.value, mean.half_width(), mean.count)
+    else:
+        found = Interval(float(search.value[search.best]), float(Z * search.error[search.best]), 0)
+        if not search.nowhere():
+            notes.append("the separation is of the search's own runs: they chose the setting, so that it is too large")
+    separated = abs(found.value) > found.half_width or not machine.is_signed
+    if separated:
+        notes += _edges(machine, settings)
+    rows = search.runs
+    cost = Values(runs=len(rows), simulated=float(rows["simulated_time"].sum()),
+                  processor=float(rows["wall_time"].sum()), seconds=seconds)
+    return Answer(machine=machine, best=settings if separated else None, separation=found, separated=separated,
+                  bound=search.bound, within=search.within, as_good=_as_good(search, separated),
+                  map=_map(search), runs=rows, seen=machine.observed(rows), cost=cost, warnings=notes + _warned(fresh), **_of_products(machine, fresh))
+
+
+def _edges(machine, settings):
+    for key, low, high in zip(machine.keys, machine.low, machine.high):
+        for end, name in ((low, "lower"), (high, "upper")):
+            if abs(settings[key] - end) < EDGE * (high - low):
+                yield f"{key} = {settings[key]:g} is at the {name} end of its range: a better one may lie beyond"
+
+
+def _warned(fresh):
+    """The warnings of the fresh runs, each once."""
+    texts = [] if fresh is None else fresh["warning_text"].dropna()
+    return list(dict.fromkeys(line for text in texts for line in str(text).splitlines() if line))
+
+
+def _map(search):
+    """The surface: a row for each place of the grid."""
+    places = pandas.DataFrame([search.machine.settings(place) for place in search.grid])
+    return places.assign(value=np.where(search.works, search.value, np.nan),
+                         half_width=np.where(search.works, Z * search.error, np.nan),
+                         as_good=search.works & (search.may >= 0.0))
+
+
+def _as_good(search, separated):
+    """Of the map the rows that cannot be told from the best."""
+    table = _map(search)
+    return table[table.as_good if separated else search.works].drop(columns="as_good").reset_index(drop=True)
+
+
+def _of_products(machine, fresh):
+    """What leaves, of the fresh runs: means over them with intervals."""
+    if fresh is None or machine.kind == "closed":
+        return {"throughput": None, "purity": None, "recovery": None}
+    names = machine.scene.species
+
+    def mean(values):
+        found = stats.mean_of(np.asarray(values, dtype=float)[np.isfinite(np.asarray(values, dtype=float))])
+        return found and Interval(found.value, found.half_width() if found.count > 1 else None, found.count)
+
+    shares = {what: Values((side, Values((by, Values((name, mean(fresh[f"{what}.{side}.{by}.{name}"]))
+                                                     for name in names)) for by in ("number", "mass")))
+                           for side in SIDES) for what in ("purity", "recovery")}
+    seconds = fresh["simulated_time"]
+    flow = fresh[[f"mass_flow.{side}.mean.{name}" for side in SIDES for name in names]].sum(axis=1)
+    left = fresh[[f"{side}.{name}" for side in SIDES for name in names]].sum(axis=1)
+    radii = np.array([machine.scene[f"species.{k}.radius"] for k in range(len(names))])
+    counts = np.array([fresh[[f"{side}.{name}" for side in SIDES]].sum().sum() for name in names])
+    diameter = float(2.0 * (radii * counts).sum() / max(counts.sum(), 1))
+    throughput = Values(disks=mean(left / seconds), mass=mean(flow), mass_per_depth=mean(flow / diameter),
+                        depth=diameter)
+    return {"throughput": throughput, **shares}

@@ -1,0 +1,138 @@
+"""What is measured of a machine, by which runs, and how sure one run is of it."""
+import numpy as np
+import pandas
+
+from ratchet_sieve import sweeps
+from ratchet_sieve.arguments import mapping, number
+from ratchet_sieve.errors import SceneError
+from ratchet_sieve.scene import scene_of
+
+FED = 400              # disks that the shortest run of a fed machine is given
+RESIDENCES = 10.0      # mean times in the machine that a run of a fed machine lasts, once they are known
+LONGEST = 16.0         # such a run over the shortest one
+FEWEST = 5             # disks of each species that must have left
+LEAST_PROCESSED = 0.5  # P of a poured machine
+UNKNOWN = 12.0 ** -0.5  # of the share that is still in the machine: it will leave at either end, any part as likely
+STEPS = 1000           # of a range at least, to which settings are rounded
+WITHIN = {"fed": 0.02, "poured": 0.02, "closed": 0.001}  # closed: [m/s]
+GOALS = {"fed": "separation", "poured": "separation", "closed": "difference of mean_vx"}
+
+
+class Machine:
+    """A scene, the ranges of its keys, and the number that is to be large: of an open machine the separation, of a
+    closed one the difference of the species' mean velocities, or a column of a sweep's results.
+
+    A fed machine is judged while it works: its runs are as long as they must be, whatever `duration` says. A poured
+    one is judged after its duration, and so is a closed one.
+    """
+
+    def __init__(self, scene, over, goal=None):
+        """Raises ValueError, SceneError."""
+        self.scene = scene_of(scene)
+        self.keys = list(mapping("over", over, '{"base.inclination": (0.0, 0.35)}'))
+        if not self.keys:
+            raise ValueError('over: must name a range, such as {"base.inclination": (0.0, 0.35)}')
+        ranges = [_range(key, over[key]) for key in self.keys]
+        self.low, self.high = np.array(ranges, dtype=float).T
+        self._decimals = [0 if self._is_whole(key, ends) else int(np.ceil(np.log10(STEPS / (ends[1] - ends[0]))))
+                          for key, ends in zip(self.keys, ranges)]
+        values = self.scene.values
+        self.kind = "closed" if values["boundary"] != "open" else "fed" if values["feed"]["rate"] > 0.0 else "poured"
+        self.goal = goal or GOALS[self.kind]
+        self.is_signed = goal is None
+        self._require_species()
+        for corner in (0.0, 1.0):
+            self.at(np.full(len(self.keys), corner))
+        self.shortest = values["duration"]
+        if self.kind == "fed":
+            shares = np.array([species["share"] for species in values["species"]])
+            self.shortest = FED * shares.mean() / shares[shares > 0.0].min() / values["feed"]["rate"]
+
+    def _is_whole(self, key, ends):
+        """Whether a key takes whole numbers alone. Raises SceneError if it takes neither end."""
+        if not all(isinstance(end, int) for end in ends):
+            return False
+        self.scene.replace({key: ends[0]})
+        try:
+            self.scene.replace({key: ends[0] + 0.5})
+        except SceneError:
+            return True
+        return False
+
+    def _require_species(self):
+        species = self.scene.species
+        if len(species) < 2:
+            raise ValueError(f"species: {species[0]} is alone: there is nothing to separate it from")
+        if self.kind == "closed" and self.is_signed and len(species) > 2:
+            raise ValueError("species: a machine without open ends must have two, whose mean velocities are compared; "
+                             f"it has {len(species)}")
+
+    def settings(self, place):
+        """@param place (d,) from 0 to 1 within the ranges. @return the value of each key"""
+        values = self.low + np.asarray(place) * (self.high - self.low)
+        return {key: round(float(value), decimals) if decimals else round(float(value))
+                for key, value, decimals in zip(self.keys, values, self._decimals)}
+
+    def at(self, place):
+        """The scene with these settings. Raises SceneError."""
+        return self.scene.replace(self.settings(place))
+
+    def run(self, places, durations, seeds, observe=(), **options):
+        """Runs the machine at some places: each for its duration, which only a fed one takes.
+        @param seeds (first, count) @return a row for each run, the seeds of a place together"""
+        ends = {"accuracy.mean_vx": 0.0, "accuracy.quality": 0.0}
+        if self.kind == "fed":
+            ends["feed.on_choke"] = "stop"
+        if observe:
+            ends["observe"] = sorted({*self.scene.values.get("observe", ()), *observe})
+        cases = [{**self.settings(place), **({"duration": round(float(duration), 3)} if self.kind == "fed" else {})}
+                 for place, duration in zip(places, durations)]
+        return sweeps.sweep(self.scene.replace(ends), cases=cases, seeds=seeds, progress=False, **options)
+
+    def observed(self, rows):
+        """@return what each run says: `value`, its `variance`, both NaN where the machine does not work; `residence`,
+        the mean time in the machine of all disks [s], and `rate`, the events that a simulated second takes. Of a goal of the
+        user's the variances are relative ones."""
+        seen = pandas.DataFrame({"value": rows[self.goal] if self.goal in rows else np.nan,
+                                 "rate": rows["events"] / rows["simulated_time"],
+                                 "residence": 0.0, "variance": np.nan}, index=rows.index)
+        if self.kind == "closed":
+            return self._observed_closed(rows, seen)
+        left, right = (rows[[f"{side}.{name}" for name in self.scene.species]].to_numpy() for side in ("left", "right"))
+        counted = left + right
+        works = (counted >= FEWEST).all(axis=1)
+        processed = rows["processed"].fillna(0.0)
+        # Of a share of n disks, each by itself, with one more at either side so that n of n is no certainty.
+        variance = ((left + 0.5) * (right + 0.5) / (counted + 1.0) ** 3).sum(axis=1) * 2.0 / counted.shape[1]
+        if self.kind == "fed":
+            planned = rows["duration"] if "duration" in rows else rows["simulated_time"]
+            works &= (rows["simulated_time"] > (1.0 - 1e-9) * planned).to_numpy()  # a choked one ends early
+            variance += (UNKNOWN * (1.0 - processed.to_numpy())) ** 2
+            seen["residence"] = rows["simulated_time"] * (1.0 - processed)
+        else:
+            works &= (processed >= LEAST_PROCESSED).to_numpy()
+        seen["variance"] = variance if self.is_signed else self.shortest / rows["simulated_time"]
+        seen.loc[~works, ["value", "variance"]] = np.nan
+        return seen
+
+    def _observed_closed(self, rows, seen):
+        if self.is_signed:
+            first, second = self.scene.species
+            seen["value"] = rows[f"mean_vx.{first}"] - rows[f"mean_vx.{second}"]
+            seen["variance"] = rows[f"mean_vx_stderr.{first}"] ** 2 + rows[f"mean_vx_stderr.{second}"] ** 2
+        else:
+            seen["variance"] = 1.0
+        return seen
+
+
+def _range(key, ends):
+    """@return (from, to). Raises ValueError."""
+    try:
+        low, high = ends
+    except (TypeError, ValueError):
+        raise ValueError(f"over[{key!r}] = {ends!r}: must be a pair (from, to)") from None
+    number(f"over[{key!r}], from", low)
+    number(f"over[{key!r}], to", high)
+    if not low < high:
+        raise ValueError(f"over[{key!r}] = {low!r} to {high!r}: must have a width: from below to")
+    return low, high

@@ -1,0 +1,206 @@
+"""Which settings to run next: until the best is known, or cannot be told from others by more than is wanted.
+
+A surface is fitted to all runs. The best place is where it is highest. As long as any other place may be better by more
+than `within` (95 %), the one which may be so most, over what it costs, or else the best itself, whichever
+is known less, is run next (LUCB, Kalyanakrishnan et al., ICML 2012, with a Gaussian process in place of single arms).
+"""
+import time
+
+import numpy as np
+import pandas
+from scipy.stats import qmc
+
+from ratchet_sieve.answers.machine import LONGEST, RESIDENCES
+from ratchet_sieve.answers.surface import Surface
+
+Z = 1.96          # normal quantile of 95 %, two-sided
+BATCH = 8         # runs at a time; the same on any number of cores, so that the answer is the same
+FIRST = {1: 11, 2: 32}  # places that are run first, of one and two ranges; more ranges: 16 each
+GRID = {1: 81, 2: 33}   # candidates along each of one and two ranges
+CANDIDATES = 2048       # of more ranges
+MOST = 400        # runs of a search
+NEIGHBOURS = (0.08, 0.04)  # of a range: so far from the best its neighbours are run before the search ends
+SEEDS = 1_000_000  # of the scenes between two seeds of the search; the second half of them is for fresh runs
+UNKNOWN_ERRORS = 3.0  # standard deviation of the logarithm of their variance, for a goal of the user's
+SINGLE = 1.0      # variance of the separation, times the disks that have left
+
+
+class Search:
+    """@ivar runs a row for each run so far
+    @ivar grid places that may be chosen; best the number of the best; value and error of the surface at each; `may`,
+    by how much each may be better than the best; `works`, whether the machine does; bound of the value anywhere"""
+
+    def __init__(self, machine, within, seed, deadline=None, **options):
+        """@param deadline of time.monotonic(), or None. @param options of Machine.run()"""
+        self.machine, self.within, self.deadline, self._options = machine, within, deadline, options
+        self._seed = SEEDS * seed
+        self.runs = pandas.DataFrame()
+        self._places = np.empty((0, len(machine.keys)))
+        self.grid = _grid(len(machine.keys))
+        self._surface = None
+        self.rounds = 0
+
+    def first(self):
+        """The places that are run first, spread over the ranges."""
+        ranges = len(self.machine.keys)
+        spread = np.linspace(0.0, 1.0, FIRST[1])[:, None] if ranges == 1 else \
+            qmc.Halton(ranges, seed=self._seed).random(FIRST.get(ranges, 16 * ranges))
+        return np.unique([self._nearest(place) for place in spread])
+
+    def measure(self, chosen, durations):
+        """@param chosen numbers of places. @param durations of their runs, in units of the shortest"""
+        self.rounds += 1
+        durations = np.asarray(durations, dtype=float)
+        counts = np.ones(len(chosen), dtype=int)
+        if self.machine.kind != "fed":  # more runs in place of longer ones
+            counts, durations = np.maximum(durations.round().astype(int), 1), np.ones(len(chosen))
+        for k in range(counts.max()):
+            picked = counts > k
+            self._add(self.grid[chosen[picked]], self.machine.shortest * durations[picked],
+                      (self._seed + 100 * self.rounds + k, 1))
+
+    def _add(self, places, durations, seeds, observe=()):
+        rows = self.machine.run(places, durations, seeds, observe, **self._options)
+        self._places = np.vstack([self._places, np.repeat(places, seeds[1], axis=0)])
+        self.runs = pandas.concat([self.runs, rows], ignore_index=True)
+        return rows
+
+    def fresh(self, runs, duration):
+        """Runs the best place with seeds that no run has had. @return their rows"""
+        at = self.grid[self.best]
+        known = int((self.runs["seed"] >= self._seed + SEEDS // 2).sum())
+        observe = () if self.machine.kind == "closed" else ("mass_flow",)
+        return self._add(at[None], [duration], (self._seed + SEEDS // 2 + known, runs), observe)
+
+    def assess(self, best=None):
+        """Fits the surface. @param best the place that others are compared with; None: the highest
+        @return whether the machine works anywhere"""
+        seen = self.machine.observed(self.runs)
+        defined = seen["value"].notna().to_numpy()
+        nearest = ((self.grid[:, None] - self._places[None]) ** 2).sum(axis=-1).argmin(axis=1)
+        self.works = defined[nearest]
+        self._residence, self._rate = (seen[name].to_numpy()[nearest] for name in ("residence", "rate"))
+        if defined.sum() < 2:
+            return False
+        weights = 1.0 / seen["variance"].to_numpy()[defined]
+        places, group = np.unique(self._places[defined], axis=0, return_inverse=True)
+        total = np.bincount(group, weights)
+        values = np.bincount(group, weights * seen["value"].to_numpy()[defined]) / total
+        if self._surface is None:
+            is_share = self.machine.is_signed and self.machine.kind != "closed"
+            self._surface = Surface(self.grid.shape[1], 1.0 if is_share else 10.0 * values.std() or 1.0,
+                                    **({} if self.machine.is_signed else {"error_spread": UNKNOWN_ERRORS}))
+        self._known = places, (1.0 if self.machine.is_signed else values.var()) / total
+        self._surface.fit(places, values, self._known[1])
+        self.value, variance, half = self._surface.at(self.grid)
+        self.error = np.sqrt(variance)
+        height = np.where(self.works, np.abs(self.value) if self.machine.is_signed else self.value, -np.inf)
+        self.best = int(height.argmax()) if best is None else best
+        self.may = self._may(self._surface, variance, half)
+        self.bound = float((np.abs(self.value) + Z * self.error)[self.works].max())
+        return True
+
+    def _may(self, surface, variance, half):
+        """By how much each place may be better than the best, at 95 %."""
+        covariance, k = surface.covariance_with(self.grid, half, self.best), self.best
+        up = 1.0 if self.value[k] >= 0.0 or not self.machine.is_signed else -1.0
+        spread = variance + variance[k]
+        may = up * (self.value - self.value[k]) + Z * np.sqrt(np.maximum(spread - 2.0 * covariance, 0.0))
+        if self.machine.is_signed:  # the kinds may part the other way round
+            other = -up * (self.value + self.value[k]) + Z * np.sqrt(np.maximum(spread + 2.0 * covariance, 0.0))
+            may = np.maximum(may, other)
+        return np.where(self.works, may, -np.inf)
+
+    def is_separated(self):
+        """Whether the sign of the best is known."""
+        return abs(self.value[self.best]) > Z * self.error[self.best]
+
+    def nowhere(self):
+        """Whether the value is surely small everywhere."""
+        return self.machine.is_signed and self.bound < 0.5 * self.within
+
+    def chosen(self):
+        """@return the numbers of the places to run next, and how long; none: the search has ended"""
+        units = self._units()
+        if self.nowhere() or len(self.runs) >= MOST or self.is_late():
+            return np.array([], dtype=int), []
+        picks = self._challengers(units)
+        if not picks:
+            picks = dict.fromkeys(self._neighbours(), 2)
+        return np.array(list(picks), dtype=int), [units[k] * count for k, count in picks.items()]
+
+    def _units(self):
+        """The duration of a run at each place, over the shortest one."""
+        if self.machine.kind != "fed":
+            return np.ones(len(self.grid))
+        return np.clip(RESIDENCES * self._residence / self.machine.shortest, 1.0, LONGEST)
+
+    def _challengers(self, units):
+        """@return map from the number of a place to its runs"""
+        cost = self._rate * units
+        picks, places, errors = {}, [], []
+        may, error = self.may, self.error
+        for _ in range(BATCH):
+            over = may / self.within - 1.0
+            if not self.is_separated() and self.machine.is_signed:
+                over = np.maximum(over, (np.abs(self.value) + Z * error) / (0.5 * self.within) - 1.0)
+            over = np.where(self.works, over, 0.0)
+            if over.max() <= 0.0:
+                break
+            k = int(np.where(over > 0.0, (over + 0.2) / cost, 0.0).argmax())
+            if error[self.best] > error[k]:
+                k = self.best
+            picks[k] = picks.get(k, 0) + 1
+            places.append(self.grid[k])
+            errors.append(self._error_of(k, units[k]))
+            then = self._surface.with_more(np.array(places), errors)
+            _, variance, half = then.at(self.grid)
+            may, error = self._may(then, variance, half), np.sqrt(variance)
+        return picks
+
+    def _error_of(self, k, unit):
+        """The variance that a run at a place is expected to have."""
+        if self.machine.kind == "fed" and self.machine.is_signed:
+            return SINGLE / (self.machine.scene["feed.rate"] * self.machine.shortest * unit)
+        return float(np.median(self._known[1]))
+
+    def _neighbours(self):
+        """Those of the best that no run has come near, the far ones first: else a narrow ridge would be missed."""
+        for far in NEIGHBOURS:
+            found = [k for k in self._beside(far) if self.works[k] and not self._is_known(k, far)]
+            if found:
+                return found
+        return []
+
+    def _beside(self, far):
+        """The places that are so far from the best along one range, each once."""
+        steps = far * np.vstack([np.eye(self.grid.shape[1]), -np.eye(self.grid.shape[1])])
+        return dict.fromkeys(self._nearest(np.clip(self.grid[self.best] + step, 0.0, 1.0)) for step in steps)
+
+    def _is_known(self, k, far):
+        """Whether runs within half the distance have told the value at a place."""
+        places, variances = self._known
+        near = np.abs(places - self.grid[k]).max(axis=1) < 0.5 * far
+        return bool((variances[near] < self.within ** 2).any())
+
+    def _nearest(self, place):
+        return int(np.abs(self.grid - place).sum(axis=1).argmin())
+
+    def final_duration(self, runs, error, residences):
+        """Of so many runs of the best, of which the mean has about this standard error; only a fed machine takes it."""
+        if self.machine.kind != "fed":
+            return self.machine.shortest
+        rate = self.machine.scene["feed.rate"]
+        single = SINGLE if self.machine.is_signed else self._known[1].max() * rate * self.machine.shortest
+        return max(single * max(self._surface.excess, 1.0) / error ** 2 / rate / runs,
+                   residences * self._residence[self.best], self.machine.shortest)
+
+    def is_late(self):
+        return self.deadline is not None and time.monotonic() > self.deadline
+
+
+def _grid(ranges):
+    if ranges in GRID:
+        axes = np.meshgrid(*[np.linspace(0.0, 1.0, GRID[ranges])] * ranges, indexing="ij")
+        return np.stack(axes, axis=-1).reshape(-1, ranges)
+    return qmc.Sobol(ranges, scramble=False).random(CANDIDATES)

@@ -1,0 +1,66 @@
+"""The answer of a search: its surface over the ranges, the settings that are as good as the best, and the runs."""
+import numpy as np
+
+from ratchet_sieve.plots.maps import value_map
+from ratchet_sieve.plots.means import label
+from ratchet_sieve.plots.style import COLOURS, GREY, drawing
+
+SIZE = (6.4, 4.2)  # [inches]
+RUNS = {"color": GREY, "markersize": 3, "alpha": 0.6}
+
+
+def draw(answer, axes=None):
+    """Over one key a curve with its band, over two a map, over more the runs over the first key.
+    @return matplotlib's axes"""
+    with drawing(axes, SIZE) as axes:
+        keys = answer.machine.keys
+        {1: _curve, 2: _map}.get(len(keys), _points)(axes, answer, *keys[:2])
+        axes.set_xlabel(label(keys[0]))
+        return axes
+
+
+def _best(axes, *place):
+    axes.plot(*place, "*", color="white", markeredgecolor="black", markersize=13, zorder=5, label="best")
+
+
+def _curve(axes, answer, key):
+    surface, good = answer.map, answer.map.as_good
+    axes.fill_between(surface[key], surface.value - surface.half_width, surface.value + surface.half_width,
+                      color=COLOURS[0], alpha=0.2, linewidth=0.0)
+    axes.plot(surface[key], surface.value, color=COLOURS[0])
+    if answer.best:
+        axes.plot(surface[key][good], surface.value[good], color=COLOURS[1], linewidth=4, label="as good as the best")
+        axes.errorbar(answer.best[key], answer.separation.value, answer.separation.half_width, color="black", fmt="*",
+                      markersize=9, capsize=2, zorder=5, label="fresh seeds")
+    axes.plot(answer.runs[key], answer.seen.value, ".", label="runs", **RUNS)
+    axes.set_ylabel(label(answer.machine.goal))
+    axes.legend()
+
+
+def _map(axes, answer, x, y):
+    table = answer.map.pivot(index=y, columns=x, values="value")
+    xs, ys = table.columns.to_numpy(float), table.index.to_numpy(float)
+    value_map(axes, _edges(xs), _edges(ys), table.to_numpy(), label(answer.machine.goal))
+    axes.plot(answer.runs[x], answer.runs[y], ".", label="runs", **RUNS)
+    if answer.best:
+        good = answer.map.pivot(index=y, columns=x, values="as_good").to_numpy(float)
+        axes.contour(xs, ys, good, [0.5], colors="black", linewidths=1.5)
+        axes.plot([], [], color="black", label="as good as the best")
+        _best(axes, answer.best[x], answer.best[y])
+    axes.set_xlim(xs[0], xs[-1])
+    axes.set_ylim(ys[0], ys[-1])
+    axes.set_ylabel(label(y))
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=3, borderaxespad=0.2)
+
+
+def _points(axes, answer, key, *_):
+    axes.plot(answer.runs[key], answer.seen.value, ".", label="runs", **RUNS)
+    if answer.best:
+        _best(axes, answer.best[key], answer.separation.value)
+    axes.set_ylabel(label(answer.machine.goal))
+    axes.legend()
+
+
+def _edges(values):
+    middles = 0.5 * (values[1:] + values[:-1])
+    return np.concatenate([[values[0]], middles, [values[-1]]])
