@@ -7,6 +7,8 @@ from . import plots as plots
 from . import stats as stats
 from . import tables as tables
 from ._engine import __version__ as __version__
+from .answers import separate as separate
+from .answers.answer import Answer as Answer
 from .bags import read_bag as read_bag
 from .errors import BagError as BagError
 from .errors import ResultsError as ResultsError

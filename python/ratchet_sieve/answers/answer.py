@@ -1,7 +1,10 @@
 """What a search for the best setting found."""
 from __future__ import annotations
 
+import base64
 import dataclasses
+import html
+import io
 import json
 import os
 import pathlib
@@ -11,6 +14,17 @@ import pandas
 
 from ratchet_sieve.texts import counted, decimals_of, rounded, shown
 from ratchet_sieve.values import Values
+
+
+PAGE = """<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>{title}</title>
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
+<style>body {{font: 16px/1.5 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em}}
+pre {{white-space: pre-wrap}} img {{max-width: 100%}} table {{border-collapse: collapse}}
+td, th {{padding: 0.1em 0.8em; text-align: right; border-bottom: 1px solid #ddd}}</style></head>
+<body><h1>{title}</h1><pre>{text}</pre><img alt="The surface over the ranges" src="data:image/png;base64,{picture}">
+<h2>Settings that are as good</h2>{table}</body></html>
+"""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -44,7 +58,8 @@ class Answer:
     throughput  disks [1/s], mass [kg/s] of the one plane of disks, mass_per_depth [kg/(s m)]: planes side by side, each
                 as thick as the mean diameter `depth` [m]. None in a closed machine
     purity, recovery  .left.number.A and so on; None in a closed machine
-    floor       what changes with half and a quarter of contact.min_rebound_speed; None: not checked
+    floor       what changes with half of contact.min_rebound_speed: .from, .to [m/s], .change, .depends; None: not
+                checked
     warnings    texts: what was cut short, a setting at the end of its range, warnings of the runs
     cost        runs, simulated [s], processor [s], seconds [s of wall time]
     map         DataFrame: the surface over the ranges, with its half_width
@@ -104,6 +119,9 @@ class Answer:
             lines.append(f"throughput {per.disks} disks/s; {_grams(per.mass)} g/s in one plane of disks; "
                          f"{_grams(per.mass_per_depth)} g/s per metre of depth, as of planes {1e3 * per.depth:.3g} mm "
                          "thick")
+        if self.separated and self.floor:
+            lines.append(f"with half of contact.min_rebound_speed: changes by {self.floor.change}, "
+                         + ("it depends on it" if self.floor.depends else "no dependence seen"))
         lines.append(f"cost: {counted(self.cost.runs, 'run')}, {self.cost.simulated:.4g} s simulated, "
                      f"{self.cost.processor:.2g} s of processor time")
         return lines + [f"warning: {text}" for text in self.warnings]
@@ -140,6 +158,16 @@ class Answer:
             self.map.to_csv(file, index=False)
         else:
             self.plot().figure.savefig(file)
+
+    def _page(self) -> str:
+        from ratchet_sieve.plots.style import styled
+
+        picture = io.BytesIO()
+        with styled():
+            self.plot().figure.savefig(picture, format="png", dpi=150, bbox_inches="tight")
+        return PAGE.format(title=html.escape(f"Which settings part {' and '.join(self.machine.scene.species)}"),
+                           text=html.escape(str(self)), picture=base64.b64encode(picture.getvalue()).decode(),
+                           table=self.as_good.to_html(index=False, float_format="{:.4g}".format))
 
 
 def _with_unit(key: str, value: float) -> str:

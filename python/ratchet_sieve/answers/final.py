@@ -15,6 +15,7 @@ MOST_FRESH = 192
 LONG_ENOUGH = 20.0  # mean times in the machine that such a run of a fed machine lasts at least
 EXPECTED = 2.4      # half the width of the interval that is aimed at, in standard errors
 EDGE = 0.02         # of a range: nearer to its end than this is at its edge
+FLOOR = "contact.min_rebound_speed"
 SIDES = ("left", "right")
 
 
@@ -24,25 +25,26 @@ def answer_of(search, deadline, bar):
     @throws RuntimeError the machine works nowhere. @throws ValueError the budget ends before there is an answer"""
     begin, notes, fresh = time.monotonic(), [], None
     try:
-        _search(search, bar, notes)
-        if not search.nowhere():
+        _first_runs(search, bar)
+        while fresh is None:
+            _search(search, bar)
+            if search.nowhere():
+                break
             fresh = _fresh_runs(search, deadline, bar, notes)
     except KeyboardInterrupt:
         if len(search.runs) < len(search.first()) or not search.assess():
             raise
         notes.append("interrupted: the answer so far; the same call with the same results continues")
     search.assess(best=search.best)  # with the fresh runs as well
-    return _answer(search, fresh, notes, time.monotonic() - begin)
+    left = float(search.may.max())
+    if left > search.within and not search.nowhere():
+        notes.append(f"the {'budget' if search.is_late() else 'limit of runs'} ended the search: another setting may be "
+                     f"better by {left:.2g}")
+    floor = None if fresh is None or search.is_late() else _floor(search, fresh)
+    return _answer(search, fresh, notes, floor, time.monotonic() - begin)
 
 
-def _search(search, bar, notes):
-    first = search.first()
-    for k in range(0, len(first), BATCH):
-        search.measure(first[k:k + BATCH], np.ones(len(first[k:k + BATCH])))
-        bar.show(0.3 * (k + BATCH) / len(first), counted(len(search.runs), "run"))
-        if search.is_late() and k + BATCH < len(first):
-            raise ValueError(f"budget: too small for any answer: it ended after {len(search.runs)} of the first "
-                             f"{len(first)} runs")
+def _search(search, bar):
     while True:
         if not search.assess():
             raise RuntimeError(f"the machine works nowhere in these ranges: in {counted(len(search.runs), 'run')} "
@@ -52,13 +54,23 @@ def _search(search, bar, notes):
         if not len(chosen):
             break
         search.measure(chosen, durations)
-    left = float(search.may.max())
-    if left > search.within and not search.nowhere():
-        notes.append(f"the {'budget' if search.is_late() else 'search'} ended early: another setting may be better by "
-                     f"{left:.2g}")
 
 
-_WHY = {"fed": "choked, or too few disks left", "poured": "not emptied by half, or too few disks left",
+def _first_runs(search, bar):
+    """Longer ones in place of those that were too short."""
+    first = search.first()
+    for k in range(0, len(first), BATCH):
+        search.measure(first[k:k + BATCH], np.ones(len(first[k:k + BATCH])))
+        bar.show(0.3 * (k + BATCH) / len(first), counted(len(search.runs), "run"))
+        if search.is_late() and k + BATCH < len(first):
+            raise ValueError(f"budget: too small for any answer: it ended after {len(search.runs)} of the first "
+                             f"{len(first)} runs")
+    if search.is_too_short():
+        search.machine.shortest *= 2.0
+        _first_runs(search, bar)
+
+
+_WHY = {"fed": "choked, or too few of its disks left", "poured": "not emptied by half, or too few of its disks left",
         "closed": "too short to tell a mean velocity"}
 
 
@@ -69,13 +81,16 @@ def _so_far(search):
 
 
 def _fresh_runs(search, deadline, bar, notes):
-    """Runs of the best setting until the interval of their mean is as narrow as `within`. @return their rows"""
+    """Runs of the best setting until the interval of their mean is as narrow as `within`.
+    @return their rows; None where the machine does not work there"""
     machine = search.machine
     duration = search.final_duration(FRESH, search.within / EXPECTED, LONG_ENOUGH)
     rows = pandas.DataFrame()
     while True:
         rows = pandas.concat([rows, search.fresh(FRESH, duration)], ignore_index=True)
         mean = stats.mean_of(machine.observed(rows)["value"].dropna())
+        if mean is None and not search.is_late():
+            return None
         if mean and mean.count > 1:
             width = mean.half_width()
             bar.show(0.8 + 0.2 * min((search.within / max(width, 1e-9)) ** 2, 1.0),
@@ -87,7 +102,7 @@ def _fresh_runs(search, deadline, bar, notes):
             return rows
 
 
-def _answer(search, fresh, notes, seconds):
+def _answer(search, fresh, notes, floor, seconds):
     machine, settings = search.machine, search.machine.settings(search.grid[search.best])
     mean = None if fresh is None else stats.mean_of(machine.observed(fresh)["value"].dropna())
     if mean and mean.count > 1:
@@ -104,7 +119,24 @@ def _answer(search, fresh, notes, seconds):
                   processor=float(rows["wall_time"].sum()), seconds=seconds)
     return Answer(machine=machine, best=settings if separated else None, separation=found, separated=separated,
                   bound=search.bound, within=search.within, as_good=_as_good(search, separated),
-                  map=_map(search), runs=rows, seen=machine.observed(rows), cost=cost, warnings=notes + _warned(fresh), **_of_products(machine, fresh))
+                  map=_map(search), runs=rows, seen=machine.observed(rows), cost=cost, floor=floor, warnings=notes + _warned(fresh),
+                  **_of_products(machine, fresh))
+
+
+def _floor(search, fresh):
+    """What changes at the best with half of contact.min_rebound_speed: a Values of `from`, `to` [m/s], the `change` and
+    whether it `depends`, that is, whether the change is surely none."""
+    machine = search.machine
+    speed = machine.scene["contact.min_rebound_speed"]
+    if speed == 0.0:
+        return None
+    lower = search.lowered({FLOOR: 0.5 * speed}, len(fresh) // 2, fresh)
+    means = [stats.mean_of(machine.observed(rows)["value"].dropna()) for rows in (lower, fresh)]
+    if not all(mean and mean.count > 1 for mean in means):
+        return None
+    change = means[0].minus(means[1])
+    return Values({"from": speed, "to": 0.5 * speed, "change": Interval(change.value, change.half_width(), change.count),
+                   "depends": abs(change.value) > change.half_width()})
 
 
 def _edges(machine, settings):

@@ -8,10 +8,11 @@ from ratchet_sieve.errors import SceneError
 from ratchet_sieve.scene import scene_of
 
 FED = 400              # disks that the shortest run of a fed machine is given
+PERIODS = 40.0         # of the drive, in which a choked one is found to be so
 RESIDENCES = 10.0      # mean times in the machine that a run of a fed machine lasts, once they are known
 LONGEST = 16.0         # such a run over the shortest one
 FEWEST = 5             # disks of each species that must have left
-LEAST_PROCESSED = 0.5  # P of a poured machine
+LEAST_PROCESSED = {"fed": 0.25, "poured": 0.5}  # P of a machine that works
 UNKNOWN = 12.0 ** -0.5  # of the share that is still in the machine: it will leave at either end, any part as likely
 STEPS = 1000           # of a range at least, to which settings are rounded
 WITHIN = {"fed": 0.02, "poured": 0.02, "closed": 0.001}  # closed: [m/s]
@@ -46,7 +47,13 @@ class Machine:
         self.shortest = values["duration"]
         if self.kind == "fed":
             shares = np.array([species["share"] for species in values["species"]])
-            self.shortest = FED * shares.mean() / shares[shares > 0.0].min() / values["feed"]["rate"]
+            given = FED * shares.mean() / shares[shares > 0.0].min() / values["feed"]["rate"]
+            self.shortest = max(given, PERIODS / self._slowest(values["base"]["frequency"]))
+
+    def _slowest(self, frequency):
+        """The lowest frequency of the drive [Hz]."""
+        lowest = self.low[self.keys.index("base.frequency")] if "base.frequency" in self.keys else frequency
+        return max(lowest, 1.0)
 
     def _is_whole(self, key, ends):
         """Whether a key takes whole numbers alone. Raises SceneError if it takes neither end."""
@@ -77,10 +84,10 @@ class Machine:
         """The scene with these settings. Raises SceneError."""
         return self.scene.replace(self.settings(place))
 
-    def run(self, places, durations, seeds, observe=(), **options):
+    def run(self, places, durations, seeds, observe=(), changes=None, **options):
         """Runs the machine at some places: each for its duration, which only a fed one takes.
-        @param seeds (first, count) @return a row for each run, the seeds of a place together"""
-        ends = {"accuracy.mean_vx": 0.0, "accuracy.quality": 0.0}
+        @param seeds (first, count) @param changes of keys of the scene @return a row for each run, the seeds of a place together"""
+        ends = {"accuracy.mean_vx": 0.0, "accuracy.quality": 0.0, **(changes or {})}
         if self.kind == "fed":
             ends["feed.on_choke"] = "stop"
         if observe:
@@ -100,8 +107,8 @@ class Machine:
             return self._observed_closed(rows, seen)
         left, right = (rows[[f"{side}.{name}" for name in self.scene.species]].to_numpy() for side in ("left", "right"))
         counted = left + right
-        works = (counted >= FEWEST).all(axis=1)
         processed = rows["processed"].fillna(0.0)
+        works = (counted >= FEWEST).all(axis=1) & (processed >= LEAST_PROCESSED[self.kind]).to_numpy()
         # Of a share of n disks, each by itself, with one more at either side so that n of n is no certainty.
         variance = ((left + 0.5) * (right + 0.5) / (counted + 1.0) ** 3).sum(axis=1) * 2.0 / counted.shape[1]
         if self.kind == "fed":
@@ -109,8 +116,6 @@ class Machine:
             works &= (rows["simulated_time"] > (1.0 - 1e-9) * planned).to_numpy()  # a choked one ends early
             variance += (UNKNOWN * (1.0 - processed.to_numpy())) ** 2
             seen["residence"] = rows["simulated_time"] * (1.0 - processed)
-        else:
-            works &= (processed >= LEAST_PROCESSED).to_numpy()
         seen["variance"] = variance if self.is_signed else self.shortest / rows["simulated_time"]
         seen.loc[~works, ["value", "variance"]] = np.nan
         return seen

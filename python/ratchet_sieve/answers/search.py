@@ -59,6 +59,14 @@ class Search:
             self._add(self.grid[chosen[picked]], self.machine.shortest * durations[picked],
                       (self._seed + 100 * self.rounds + k, 1))
 
+    def is_too_short(self):
+        """Whether the last runs of a fed machine were too short for most disks to leave, where it was not choked."""
+        if self.machine.kind != "fed":
+            return False
+        last = self.runs.tail(len(self.first()))
+        going = last[last["simulated_time"] > 0.999 * last["duration"]]
+        return len(going) > 0 and going["processed"].fillna(0.0).median() < 0.5
+
     def _add(self, places, durations, seeds, observe=()):
         rows = self.machine.run(places, durations, seeds, observe, **self._options)
         self._places = np.vstack([self._places, np.repeat(places, seeds[1], axis=0)])
@@ -72,15 +80,23 @@ class Search:
         observe = () if self.machine.kind == "closed" else ("mass_flow",)
         return self._add(at[None], [duration], (self._seed + SEEDS // 2 + known, runs), observe)
 
+    def lowered(self, changes, runs, fresh):
+        """Runs of the best place with other values of keys, as long as the fresh ones. @return their rows"""
+        duration = fresh["duration"].iloc[0] if "duration" in fresh else self.machine.shortest
+        return self.machine.run(self.grid[self.best][None], [duration], (self._seed + SEEDS // 2, runs), (), changes,
+                                **self._options)
+
     def assess(self, best=None):
         """Fits the surface. @param best the place that others are compared with; None: the highest
         @return whether the machine works anywhere"""
         seen = self.machine.observed(self.runs)
         defined = seen["value"].notna().to_numpy()
-        nearest = ((self.grid[:, None] - self._places[None]) ** 2).sum(axis=-1).argmin(axis=1)
+        # Of several runs of a place the last, which is the longest.
+        distance = ((self.grid[:, None] - self._places[None, ::-1]) ** 2).sum(axis=-1)
+        nearest = len(self._places) - 1 - distance.argmin(axis=1)
         self.works = defined[nearest]
         self._residence, self._rate = (seen[name].to_numpy()[nearest] for name in ("residence", "rate"))
-        if defined.sum() < 2:
+        if not self.works.any() or defined.sum() < 2:
             return False
         weights = 1.0 / seen["variance"].to_numpy()[defined]
         places, group = np.unique(self._places[defined], axis=0, return_inverse=True)

@@ -1,0 +1,238 @@
+"""separate(): the surface, the search, and what it answers."""
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import ratchet_sieve as rs
+from ratchet_sieve import answers
+from ratchet_sieve.answers import final, search
+from ratchet_sieve.answers.machine import Machine
+from ratchet_sieve.answers.surface import OFFSET, Surface
+
+THETA = "base.inclination"
+SCENE = {"base": {"teeth": 8}, "boundary": "open", "feed": {"rate": 60.0},
+         "species": [{"name": "A", "radius": 0.001, "mass": 0.010}, {"name": "B", "radius": 0.002, "mass": 0.001}]}
+TWINS = [{"name": name, "radius": 0.002, "mass": 0.001} for name in "AB"]
+
+
+def changed(**changes):
+    return {**SCENE, **changes}
+
+
+@pytest.fixture(scope="module")
+def answer():
+    return rs.separate(SCENE, {THETA: (0.0, 0.4)}, within=0.06)
+
+
+def test_a_surface_is_a_gaussian_process():
+    generator = np.random.default_rng(1)
+    places, variances = generator.random((12, 2)), np.full(12, 1e-4)
+    values = np.sin(4.0 * places[:, 0]) * 0.2 + 0.1 * places[:, 1]
+    surface = Surface(2)
+    surface.fit(places, values, variances)
+    amplitude, *lengths, excess = np.exp(surface._parameters)
+
+    def matern(a, b):
+        r = np.sqrt(5.0 * sum(((a[:, None, k] - b[None, :, k]) / lengths[k]) ** 2 for k in range(2)))
+        return amplitude ** 2 * (1.0 + r + r ** 2 / 3.0) * np.exp(-r) + OFFSET ** 2
+
+    inverse = np.linalg.inv(matern(places, places) + excess * np.diag(variances))
+    there = generator.random((5, 2))
+    found, variance, half = surface.at(there)
+    across = matern(there, places)
+    covariance = matern(there, there) - across @ inverse @ across.T
+    np.testing.assert_allclose(found, across @ inverse @ values, atol=1e-6)
+    np.testing.assert_allclose(variance, np.diag(covariance), rtol=1e-4, atol=1e-8)
+    np.testing.assert_allclose(surface.covariance_with(there, half, 2), covariance[2], rtol=1e-4, atol=1e-7)
+    truth = np.sin(4.0 * there[:, 0]) * 0.2 + 0.1 * there[:, 1]
+    assert (np.abs(found - truth) < 4.0 * np.sqrt(variance) + 1e-3).all()
+
+
+def test_more_runs_make_a_surface_surer_and_leave_it_where_it_is():
+    surface, places = Surface(1), np.linspace(0.0, 1.0, 6)[:, None]
+    surface.fit(places, 0.1 * places[:, 0], np.full(6, 1e-3))
+    there = np.array([[0.5]])
+    more = surface.with_more(there, [1e-3])
+    assert more.at(there)[0] == pytest.approx(surface.at(there)[0], abs=1e-9)
+    assert more.at(there)[1] < surface.at(there)[1]
+
+
+@pytest.mark.parametrize("over, changes, line", (
+    ({THETA: (0.2, 0.2)}, {}, "over['base.inclination'] = 0.2 to 0.2: must have a width: from below to"),
+    ({THETA: 0.2}, {}, "over['base.inclination'] = 0.2: must be a pair (from, to)"),
+    ({THETA: (0.0, "a")}, {}, "over['base.inclination'], to = 'a': must be a finite number"),
+    ({}, {}, 'over: must name a range, such as {"base.inclination": (0.0, 0.35)}'),
+    ({THETA: (0.0, 0.2)}, {"species": TWINS[:1]}, "species: A is alone: there is nothing to separate it from"),
+    ({THETA: (0.0, 0.2)}, {"boundary": "periodic", "feed": {"rate": 0.0}, "density": 1.0,
+                           "species": [*TWINS, {**TWINS[0], "name": "C"}]},
+     "species: a machine without open ends must have two, whose mean velocities are compared; it has 3"),
+))
+def test_bad_input_is_refused_in_one_line(over, changes, line):
+    with pytest.raises(ValueError) as error:
+        rs.separate(changed(**changes), over)
+    assert str(error.value) == line
+
+
+@pytest.mark.parametrize("over", ({"base.inclinatoin": (0.0, 0.2)}, {THETA: (0.0, 2.0)}))
+def test_keys_and_ranges_are_those_of_a_scene(over):
+    with pytest.raises(rs.SceneError) as error:
+        rs.separate(SCENE, over)
+    assert "inclination" in str(error.value)
+
+
+@pytest.mark.parametrize("options, name", (({"budget": "2 weeks"}, "budget"), ({"budget": -1}, "budget"), ({"within": 0}, "within"),
+                                           ({"goal": "purity.left.mass.A"}, "within"), ({"seed": 1.5}, "seed")))
+def test_bad_options_are_refused_before_anything_runs(options, name, monkeypatch):
+    monkeypatch.setattr(Machine, "run", None)
+    with pytest.raises(ValueError, match=name):
+        rs.separate(SCENE, {THETA: (0.0, 0.2)}, **options)
+
+
+def test_settings_have_few_digits_and_whole_numbers_where_the_key_has_them():
+    machine = Machine(SCENE, {THETA: (0, 0.4), "base.frequency": (10, 50), "base.teeth": (8, 12)})
+    assert machine.settings([1.0 / 3.0, 1.0 / 3.0, 0.4]) == {THETA: 0.1333, "base.frequency": 23.33, "base.teeth": 10}
+
+
+def test_the_answer_is_that_of_many_runs(answer):
+    assert answer.separated and answer.separation.half_width <= 0.06 and answer.separation.count >= final.FRESH
+    table = rs.sweep(answer.scene.replace(duration=30.0), seeds=(10**9, 8))
+    mean = rs.stats.mean_of(table.separation)
+    assert abs(mean.value - answer.separation.value) < mean.half_width() + answer.separation.half_width
+    others = rs.sweep(rs.Scene(SCENE, {"duration": 20.0}), {THETA: list(np.linspace(0.0, 0.4, 9))}, seeds=2)
+    best = others.groupby(THETA).separation.mean().abs().max()
+    assert best < abs(mean.value) + answer.within + 0.06  # of the highest of 9 means of two
+
+
+def test_the_best_is_of_fresh_seeds_and_among_those_as_good(answer):
+    fresh = answer.runs.seed % search.SEEDS >= search.SEEDS // 2
+    assert answer.separation.value == pytest.approx(answer.seen.value[fresh].mean())
+    good = answer.as_good[THETA]
+    assert good.min() <= answer.best[THETA] <= good.max() and len(good) < len(answer.map)
+
+
+def test_products_add_up(answer):
+    for side in ("left", "right"):
+        assert sum(share.value for share in answer.purity[side].mass.values()) == pytest.approx(1.0)
+    for name in "AB":
+        assert sum(answer.recovery[side].number[name].value for side in ("left", "right")) == pytest.approx(1.0)
+    assert answer.throughput.disks.value == pytest.approx(60.0, rel=0.1)
+    assert answer.throughput.mass.value == pytest.approx(60.0 * 0.0055, rel=0.1)
+    assert answer.throughput.mass_per_depth.value == pytest.approx(answer.throughput.mass.value / 0.003, rel=0.05)
+
+
+def test_the_floor_is_checked_at_the_best(answer):
+    floor = answer.floor
+    assert floor["to"] == 0.5 * floor["from"] and not floor.depends and floor.change.half_width < 0.1
+
+
+def test_seed_decides_and_threads_do_not(answer):
+    again = rs.separate(SCENE, {THETA: (0.0, 0.4)}, within=0.06, threads=1)
+    assert (again.best, again.separation) == (answer.best, answer.separation)
+    assert again.runs.drop(columns=["wall_time", "host"]).equals(answer.runs.drop(columns=["wall_time", "host"]))
+    other = rs.separate(SCENE, {THETA: (0.0, 0.4)}, within=0.06, seed=2)
+    assert other.separation.value != answer.separation.value
+
+
+def test_the_same_kinds_are_not_separated():
+    found = rs.separate(changed(species=TWINS), {THETA: (0.0, 0.4)}, within=0.1)
+    assert found.best is None and not found.separated and found.bound < 0.05
+    assert str(found).startswith("not separated: |separation| < 0.0")
+    with pytest.raises(ValueError, match="nothing is separated"):
+        found.scene
+
+
+def test_a_closed_machine_is_judged_by_its_drifts():
+    ring = changed(boundary="periodic", feed={"rate": 0.0}, density=0.5, duration=20.0)
+    found = rs.separate(ring, {THETA: (0.0, 0.1)}, within=0.02)
+    assert found.machine.goal == "difference of mean_vx" and found.purity is None
+    assert "m/s" in str(found)
+
+
+def test_a_goal_is_any_column():
+    found = rs.separate(SCENE, {THETA: (0.0, 0.4)}, goal="purity.left.number.B", within=0.06)
+    assert found.separation.value > 0.5
+    assert found.separation.value == pytest.approx(found.purity.left.number.B.value)
+
+
+def test_a_poured_machine_runs_for_its_duration():
+    poured = changed(feed={"rate": 0.0}, density=1.0, duration=5.0)
+    found = rs.separate(poured, {THETA: (0.2, 0.4)}, within=0.2)
+    assert set(found.runs.simulated_time) == {5.0} and "duration" not in found.runs
+
+
+def test_a_machine_that_works_nowhere_is_an_error():
+    with pytest.raises(RuntimeError, match="the machine works nowhere in these ranges: in 11 runs it was not emptied"):
+        rs.separate(changed(feed={"rate": 0.0}, density=1.0, duration=0.05), {THETA: (0.0, 0.1)})
+
+
+def interrupted_after(calls, monkeypatch):
+    run = Machine.run
+
+    def counted(self, *arguments, **options):
+        nonlocal calls
+        calls -= 1
+        if calls < 0:
+            raise KeyboardInterrupt
+        return run(self, *arguments, **options)
+
+    monkeypatch.setattr(Machine, "run", counted)
+
+
+def test_an_interrupt_gives_the_answer_so_far_and_the_same_call_continues(answer, monkeypatch, tmp_path):
+    call = {"over": {THETA: (0.0, 0.4)}, "within": 0.06, "results": tmp_path / "runs.db"}
+    with monkeypatch.context() as patch:
+        interrupted_after(3, patch)
+        part = rs.separate(SCENE, **call)
+    assert part.warnings[0].startswith("interrupted") and part.separation.count == 0
+    whole = rs.separate(SCENE, **call)
+    assert (whole.best, whole.separation) == (answer.best, answer.separation)
+
+
+def test_an_interrupt_before_there_is_an_answer_is_one(monkeypatch):
+    interrupted_after(1, monkeypatch)
+    with pytest.raises(KeyboardInterrupt):
+        rs.separate(SCENE, {THETA: (0.0, 0.4)})
+
+
+def test_a_budget_ends_the_search(monkeypatch):
+    with pytest.raises(ValueError, match="budget: too small for any answer: it ended after 8 of the first 11 runs"):
+        rs.separate(SCENE, {THETA: (0.0, 0.4)}, budget=0)
+    monkeypatch.setattr(answers, "SHARE_OF_SEARCH", 0.0)
+    monkeypatch.setattr(search, "FIRST", {1: 8})
+    monkeypatch.setattr(final, "MOST_FRESH", final.FRESH)
+    found = rs.separate(SCENE, {THETA: (0.0, 0.4)}, budget="0.001 s", within=0.01)
+    assert any(text.startswith("the budget ended the search") for text in found.warnings)
+    assert found.separation.count == final.FRESH and found.floor is None
+
+
+def program(*arguments, cwd):
+    return subprocess.run([sys.executable, "-m", "ratchet_sieve.answers", *arguments], cwd=cwd, capture_output=True,
+                          text=True)
+
+
+def test_the_program_answers_as_the_function_does(answer, tmp_path):
+    (tmp_path / "feeder.yaml").write_text(rs.Scene(SCENE).yaml, encoding="utf-8")
+    ran = program("feeder.yaml", "--over", f"{THETA}=0:0.4", "--within", "0.06", "--json", "answer.json", "--html", "answer.html",
+                  "--plot", "answer.png", "--best", "best.yaml", cwd=tmp_path)
+    assert ran.returncode == 0, ran.stderr
+    assert ran.stdout.splitlines()[:2] == str(answer).splitlines()[:2]
+    written = json.loads((tmp_path / "answer.json").read_text(encoding="utf-8"))
+    assert written["best"] == answer.best and written["separation"]["value"] == answer.separation.value
+    assert rs.Scene.load(tmp_path / "best.yaml")[THETA] == answer.best[THETA]
+    assert (tmp_path / "answer.png").stat().st_size > 10_000
+    assert str(answer).splitlines()[0] in (tmp_path / "answer.html").read_text(encoding="utf-8")
+    assert (tmp_path / "feeder.separate.db").exists()
+
+
+@pytest.mark.parametrize("arguments, status, line", (
+    (("none.yaml", "--over", f"{THETA}=0:0.4"), 2, "none.yaml"),
+    (("feeder.yaml", "--over", THETA), 2, "must be KEY=FROM:TO"),
+    (("feeder.yaml",), 2, "--over"),
+))
+def test_the_program_refuses_bad_arguments(arguments, status, line, tmp_path):
+    (tmp_path / "feeder.yaml").write_text(rs.Scene(SCENE).yaml, encoding="utf-8")
+    ran = program(*arguments, cwd=tmp_path)
+    assert ran.returncode == status and line in ran.stderr and not (tmp_path / "feeder.separate.db").exists()
