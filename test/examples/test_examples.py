@@ -14,8 +14,7 @@ PROGRESS = re.compile(r"\r[^\r\n]*")
 # Of each notebook, other parameters, and how many pictures it makes.
 QUICK = {
     "first_steps": ("DURATION, INCLINATIONS, SEEDS, FILM = 4.0, [0.1, 0.2], 2, 0.2", 2),
-    "my_two_grains": ("DURATION, INCLINATIONS, FREQUENCIES, SEEDS, FRESH = 20.0, [0.1, 0.14, 0.18], [20.0, 23.0], 2, 3",
-                      5),
+    "my_two_grains": ("BASE[\"teeth\"], WITHIN = 10, 0.2", 3),
     "controller": ("DURATION, CHANGE, SEEDS = 40.0, 20.0, [1, 2]", 1),
 }
 

@@ -1,0 +1,151 @@
+#!/usr/bin/python3
+"""Measures what separate() answers and what it costs: several mixtures, each with many seeds, against a dense grid of
+runs with fresh seeds, and against successive halving over a fixed grid (Jamieson and Talwalkar, AISTATS 2016).
+
+Writes data/separate.json and the table in separate.md. Each answer takes one core.
+"""
+import argparse
+import pathlib
+import statistics
+import time
+import warnings
+
+import numpy as np
+
+import ratchet_sieve as rs
+from ratchet_sieve import documents, origin, stats
+from ratchet_sieve.texts import table
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+MARK = "separate-costs"
+WITHIN = 0.02
+THETA, F = "base.inclination", "base.frequency"
+RANGES = {THETA: (0.0, 0.35), F: (15, 48)}
+FRESH = 900_000_000  # first seed of the reference, of which no search knows
+GRID = {THETA: 15, F: 12}
+HALVING = ((60.0, 1, 1.0), (120.0, 2, 1.0 / 3.0), (300.0, 3, 0.3), (300.0, 6, 0.375))  # duration [s], seeds, share kept
+
+
+def feeder(*species):
+    return {"base": {"teeth": 30}, "boundary": "open", "feed": {"rate": 7.3}, "species": list(species)}
+
+
+def grains(name, **keys):
+    return {"name": name, "radius": 0.002, **keys}
+
+
+def ball(name, radius, spread, density, restitution, friction, tangential_restitution):
+    return grains(name, radius=radius, density=density, restitution=restitution, friction=friction, inertia_factor=0.4,
+                  tangential_restitution=tangential_restitution, size={"distribution": "normal", "spread": spread})
+
+
+def problems():
+    """@return map from the name to the scene, its ranges and what it is in words"""
+    glass = ball("glass", 0.001, 0.15, 2500.0, 0.97, 0.092, 0.44)
+    rubber = ball("rubber", 0.0015, 0.25, 1100.0, 0.85, 0.5, 0.5)
+    fig9 = rs.Scene.load(ROOT / "config/paper_fig9.yaml", {"base.teeth": 40})
+    return {
+        "glass_rubber": (feeder(glass, rubber), RANGES, "glass and rubber, fed"),
+        "mass": (feeder(grains("light", mass=4e-5), grains("heavy", mass=4e-4)), RANGES, "0.04 g and 0.4 g, fed"),
+        "fig9": (fig9, {THETA: (-0.3, 0.3)}, "mixture of Fig. 9, poured"),
+        "twins": (feeder(grains("one", mass=4e-5), grains("two", mass=4e-5)), RANGES, "two of one kind, fed"),
+    }
+
+
+def reference(scene, settings, duration, seeds):
+    """The separation at some settings, by long runs with fresh seeds."""
+    keys = {} if duration is None else {"duration": duration}
+    rows = rs.sweep(rs.Scene(scene, keys) if isinstance(scene, dict) else scene.replace(keys), cases=settings,
+                    seeds=(FRESH, seeds), progress=False)
+    return [stats.mean_of(part.separation.dropna()) for part in np.array_split(rows, len(settings))]
+
+
+def best_of_grid(scene, over, is_fed):
+    """The highest |s| of a dense grid: its five highest places again, by other seeds."""
+    axes = [np.linspace(*over[key], GRID[key] if len(over) > 1 else 61).round(4) for key in over]
+    places = [dict(zip(over, map(float, place))) for place in np.stack(np.meshgrid(*axes), -1).reshape(-1, len(over))]
+    means = reference(scene, places, 300.0 if is_fed else None, 4)
+    order = sorted(range(len(places)), key=lambda k: -abs(means[k].value) if means[k] else 0.0)[:5]
+    again = reference(scene, [places[k] for k in order], 600.0 if is_fed else None, 12 if is_fed else 40)
+    return max(abs(mean.value) for mean in again)
+
+
+def halving(scene, over, seed):
+    """@return the setting that is left, by the throwaway of which separate() takes the place"""
+    axes = [np.linspace(*over[key], count).round(4) for key, count in zip(over, (12, 7) if len(over) > 1 else (31,))]
+    left = [dict(zip(over, map(float, place))) for place in np.stack(np.meshgrid(*axes), -1).reshape(-1, len(over))]
+    for stage, (duration, seeds, share) in enumerate(HALVING):
+        left = left[:max(round(share * len(left)), 1)]
+        rows = rs.sweep(rs.Scene(scene, {"duration": duration, "feed.on_choke": "stop"}), cases=left, threads=1,
+                        seeds=(1000 * seed + 10 * stage, seeds), progress=False)
+        means = [abs(part.separation.mean()) if part.separation.notna().all() else 0.0
+                 for part in np.array_split(rows, len(left))]
+        left = [left[k] for k in np.argsort(means)[::-1]]
+    return left[0]
+
+
+def timed(call):
+    begin = time.process_time()
+    found = call()
+    return found, time.process_time() - begin
+
+
+def measure(name, scene, over, seeds):
+    """@return the figures of a problem as texts"""
+    is_fed = isinstance(scene, dict)
+    best = best_of_grid(scene, over, is_fed) if name != "twins" else 0.0
+    costs, lost, held, separated = [], [], 0, 0
+    for seed in range(1, seeds + 1):
+        answer, cost = timed(lambda: rs.separate(scene, over, within=WITHIN, seed=seed, threads=1, progress=False))
+        costs.append(cost)
+        separated += answer.separated
+        if not answer.separated:
+            continue
+        true, = reference(scene, [answer.best], 900.0 if is_fed else None, 12 if is_fed else 40)
+        lost.append(best - abs(true.value))
+        held += abs(true.value - answer.separation.value) < np.hypot(answer.separation.half_width, true.half_width())
+        print(name, seed, answer.best, answer.separation, true.text(), f"{cost:.1f} s", flush=True)
+    figures = {"best": f"{best:.3f}", "cost": f"{statistics.median(costs):.2g}", "most": f"{max(costs):.2g}",
+               "separated": f"{separated} of {seeds}"}
+    if name == "twins":
+        return {**figures, "lost": "—", "near": "—", "held": "—"}
+    return {**figures, "lost": f"{statistics.mean(lost):.3f}", "held": f"{held} of {seeds}",
+            "near": f"{sum(each <= WITHIN for each in lost)} of {seeds}"}
+
+
+def measure_halving(scene, over, seeds, best):
+    found = [timed(lambda: halving(scene, over, seed)) for seed in range(1, seeds + 1)]
+    lost = [best - abs(reference(scene, [setting], 900.0, 12)[0].value) for setting, _ in found]
+    return {"cost": f"{statistics.median(cost for _, cost in found):.2g}",
+            "near": f"{sum(each <= WITHIN for each in lost)} of {seeds}", "lost": f"{statistics.mean(lost):.3f}"}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seeds", type=int, default=20, metavar="N", help="of each problem (default: 20)")
+    parser.add_argument("--only", nargs="+", metavar="PROBLEM", help="; ".join(problems()))
+    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs", metavar="DIR",
+                        help="directory with separate.md (default: docs)")
+    options = parser.parse_args()
+    path = options.out / "separate.md"
+    documents.require_place(parser, path, MARK)
+    warnings.simplefilter("ignore", rs.SieveWarning)
+    figures, lines = {}, []
+    for name, (scene, over, words) in problems().items():
+        if options.only and name not in options.only:
+            continue
+        found = measure(name, scene, over, options.seeds)
+        lines.append([words, "surface", *(found[key] for key in ("cost", "most", "separated", "near", "held", "lost"))])
+        figures.update({f"{name}.{key}": text for key, text in found.items()})
+        if name in ("glass_rubber", "mass"):
+            other = measure_halving(scene, over, max(options.seeds // 4, 2), float(found["best"]))
+            lines.append([words, "halving", other["cost"], "", "", other["near"], "", other["lost"]])
+            figures.update({f"{name}.halving.{key}": text for key, text in other.items()})
+    about = {**origin.describe(), "version": f"physics version {origin.physics()}"}
+    documents.quote(path, "separate", figures, about)
+    documents.put(path, MARK, table(["mixture", "method", "median [s]", "most [s]", "separated", "within 0.02", "held",
+                                     "mean loss"], lines) + f"\n\n{origin.text(about)}, {about['version']}.")
+
+
+if __name__ == "__main__":
+    main()
