@@ -1,18 +1,14 @@
-#include "ratchet_sieve/ros/command_server.h"
+#include "command_server.h"
 
 #include <utility>
 
 #include <fmt/format.h>
 #include <ros/console.h>
 
-#include "queue_size.h"
-#include "ratchet_sieve/ros/conversions.h"
-
 namespace ratchet_sieve
 {
 namespace
 {
-
 /// Copies an outcome into a service's response, and logs it.
 template <typename Response>
 void answer(const char* service, const Outcome& outcome, Response& response)
@@ -38,7 +34,7 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
     : control_(control),
       diagnostics_(diagnostics),
       stride_([this, stride = std::move(stride)](double time)
-              { return !interrupting_.any() && stride(time); }),
+              { return interrupting_.isEmpty() && stride(time); }),
       time_changed_(std::move(time_changed)),
       frame_id_(parameters.frames.world)
 {
@@ -71,8 +67,10 @@ void CommandServer::takeSetpoint(const Setpoint& setpoint, const std_msgs::Float
   inbox_.put(setpoint.quantity, message.data);
 }
 
-void CommandServer::deliverSetpoints()
+void CommandServer::serve(double wait)
 {
+  ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(wait));
+  interrupting_.callAvailable();
   const auto now = LogThrottle::Clock::now();
   for (SetpointLog& log : logs_)
   {
@@ -166,9 +164,9 @@ bool CommandServer::lockStep(LockStep::Request& request, LockStep::Response& res
   const Run& run = control_.run();
   response.time = run.time();
   response.finished = run.finished();
-  response.base = inFrame(frame_id_, toMessage(run.base()));
-  response.bins = inFrame(frame_id_, toMessage(run.bins()));
-  response.statistics = inFrame(frame_id_, toMessage(run.statistics()));
+  response.base = toMessage(run.base(), frame_id_);
+  response.bins = toMessage(run.bins(), frame_id_);
+  response.statistics = toMessage(run.statistics(), frame_id_);
   return true;
 }
 

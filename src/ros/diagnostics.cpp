@@ -1,4 +1,4 @@
-#include "ratchet_sieve/ros/diagnostics.h"
+#include "diagnostics.h"
 
 #include <algorithm>
 
@@ -149,8 +149,8 @@ void Diagnostics::reportRecording(Status& status)
 
 void Diagnostics::reportClock(Status& status)
 {
-  if (clock_.other())
-    status.summary(DiagnosticStatus::WARN, clock_.otherText());
+  if (!clock_.conflict().empty())
+    status.summary(DiagnosticStatus::WARN, clock_.conflict());
   else
     status.summary(DiagnosticStatus::OK, clock_.enabled() ? "this node publishes /clock" : "off");
   if (!clock_.enabled() && ros::Time::isSimTime())

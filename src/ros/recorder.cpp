@@ -1,4 +1,4 @@
-#include "ratchet_sieve/ros/recorder.h"
+#include "recorder.h"
 
 #include <filesystem>
 
@@ -140,20 +140,6 @@ void Recorder::splitBefore(double time)
   bag_->take(scene_);
 }
 
-void Recorder::write(double time, const std::function<void()>& write)
-{
-  try
-  {
-    splitBefore(time);
-    write();
-    last_time_ = time;
-  }
-  catch (const BagError& error)
-  {
-    giveUp(error);
-  }
-}
-
 void Recorder::take(const AnyFrame& frame)
 {
   if (const SceneFrame* scene = frame.as<SceneFrame>())
@@ -161,8 +147,18 @@ void Recorder::take(const AnyFrame& frame)
     scene_ = *scene;
     file_start_ = last_time_ = scene->time;
   }
-  if (wants(frame.kind()))
-    write(frame.time(), [&] { bag_->take(frame); });
+  if (!wants(frame.kind()))
+    return;
+  try
+  {
+    splitBefore(frame.time());
+    bag_->take(frame);
+    last_time_ = frame.time();
+  }
+  catch (const BagError& error)
+  {
+    giveUp(error);
+  }
 }
 
 }  // namespace ratchet_sieve

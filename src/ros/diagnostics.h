@@ -6,12 +6,10 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 
+#include "clock_publisher.h"
+#include "node_parameters.h"
 #include "ratchet_sieve/live/pacer.h"
-#include "ratchet_sieve/live/run_control.h"
 #include "ratchet_sieve/live/speed_watch.h"
-#include "ratchet_sieve/ros/clock_publisher.h"
-#include "ratchet_sieve/ros/real_time_factor.h"
-#include "ratchet_sieve/ros/recorder.h"
 
 namespace ratchet_sieve
 {

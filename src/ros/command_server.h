@@ -5,19 +5,19 @@
 #include <string>
 #include <vector>
 
+#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/Empty.h>
 
+#include "diagnostics.h"
+#include "node_parameters.h"
 #include "ratchet_sieve/LockStep.h"
 #include "ratchet_sieve/PourDisks.h"
 #include "ratchet_sieve/ResetSimulation.h"
 #include "ratchet_sieve/StepSimulation.h"
 #include "ratchet_sieve/live/run_control.h"
 #include "ratchet_sieve/live/setpoint_inbox.h"
-#include "ratchet_sieve/ros/diagnostics.h"
-#include "ratchet_sieve/ros/node_parameters.h"
-#include "ratchet_sieve/ros/waiting_calls.h"
 
 namespace ratchet_sieve
 {
@@ -32,8 +32,9 @@ public:
   CommandServer(ros::NodeHandle private_node, const NodeParameters& parameters, RunControl& control,
                 Diagnostics& diagnostics, RunControl::Stride stride, std::function<void()> time_changed);
 
-  /// Applies and logs the setpoints received on topics. To be called after callbacks were served.
-  void deliverSetpoints();
+  /// Serves callbacks, waiting for them up to `wait` [s of wall time]; applies and logs the setpoints that
+  /// came.
+  void serve(double wait);
 
 private:
   /// The throttled log of one quantity's setpoints.
@@ -61,7 +62,10 @@ private:
   std::string frame_id_;                      ///< of messages in service responses
   std::array<SetpointLog, QUANTITIES> logs_;  ///< in the order of Quantity
   SetpointInbox inbox_;
-  WaitingCalls interrupting_;  ///< calls of services that end a step
+
+  /// Calls of services that end a step. A queue of their own tells a step, which is served from the global
+  /// queue, whether one waits. Outlives the services.
+  ros::CallbackQueue interrupting_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;
 };

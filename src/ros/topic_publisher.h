@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <functional>
+#include <map>
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
@@ -9,7 +9,7 @@
 
 #include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/recording/run.h"
-#include "ratchet_sieve/ros/transform_publisher.h"
+#include "transform_publisher.h"
 
 namespace ratchet_sieve
 {
@@ -21,30 +21,26 @@ class TopicPublisher : public FrameSink
 {
 public:
   /// @param current returns the present run, also after a reset
-  /// @param frame_id of the messages
+  /// @param frames of the messages and transforms
   /// @param clock is advanced to the stamp of every message; clock and transforms outlive this
   TopicPublisher(ros::NodeHandle private_node, const std::function<const Run&()>& current,
-                 const std::string& frame_id, ClockPublisher& clock, TransformPublisher& transforms);
+                 const FrameNames& frames, ClockPublisher& clock, TransformPublisher& transforms);
 
   bool wants(FrameKind kind) const override;
   void take(const AnyFrame& frame) override;
 
 private:
-  ros::Publisher& publisher(FrameKind kind) { return publishers_[static_cast<std::size_t>(kind)]; }
-  bool isHeard(FrameKind kind) const
-  {
-    return publishers_[static_cast<std::size_t>(kind)].getNumSubscribers() > 0;
-  }
+  bool isHeard(FrameKind kind) const { return publishers_.at(kind).getNumSubscribers() > 0; }
   template <typename Frame>
   void advertise(ros::NodeHandle& node, Frame (Run::*state)() const);
   template <typename Frame>
   void publish(const Frame& frame);
 
   std::function<const Run&()> current_;
-  std::string frame_id_;
+  FrameNames frames_;
   ClockPublisher& clock_;
   TransformPublisher& transforms_;
-  std::array<ros::Publisher, FRAME_KINDS> publishers_;  ///< in the order of FrameKind
+  std::map<FrameKind, ros::Publisher> publishers_;
 };
 
 }  // namespace ratchet_sieve

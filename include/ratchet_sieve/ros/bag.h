@@ -3,16 +3,31 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "ratchet_sieve/recording/frame_sink.h"
-#include "ratchet_sieve/ros/bag_error.h"
-#include "ratchet_sieve/ros/frame_names.h"
+#include "ratchet_sieve/ros/conversions.h"
 
 namespace ratchet_sieve
 {
 
 class BagFile;
+
+/// A bag that cannot be read or written. One line names the file and the error.
+struct BagError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// Hands a recorded run to the sink in the order of the frames' stamps. A bag made by `rosbag record` does
+/// not keep that order exactly. Frames of the same time come in a fixed order, the scene first. Topics are
+/// recognised by their types, so the node's name does not matter.
+/// @param paths a bag, or all files of a split recording, in any order
+/// @throws BagError if a file is missing, no bag, damaged, not closed, from another version of the messages,
+/// does not contain exactly one run, or belongs to another run; or if a file in between is missing
+void readBags(const std::vector<std::string>& paths, FrameSink& sink);
 
 /// Records a run into a bag (lz4) on the topics of the node, the scene latched. Needs no ROS master. Bag time
 /// is the header's stamp. A bag cannot hold time 0; the earliest possible time is used instead. The file has

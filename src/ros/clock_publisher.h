@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
@@ -9,6 +10,10 @@
 
 namespace ratchet_sieve
 {
+
+/// Whether a node, asked itself, says that it publishes a topic. Waits up to 2 s for its answer.
+/// @param node, topic resolved
+bool publishes(const std::string& node, const std::string& topic);
 
 /// Publishes simulated time on /clock at a rate of wall time, also in a pause, and before every message with
 /// a later stamp. So a subscriber knows the time of a message when it receives it.
@@ -22,11 +27,9 @@ public:
   /// Whether this node publishes /clock.
   bool enabled() const { return enabled_; }
 
-  /// The node that already publishes /clock, if this node was to publish it.
-  const std::optional<std::string>& other() const { return other_; }
-
-  /// A log line about it. @pre other()
-  std::string otherText() const;
+  /// A log line that names the node that already publishes /clock, if this node was to publish it; otherwise
+  /// empty.
+  const std::string& conflict() const { return conflict_; }
 
   /// Publishes if one period has passed. @param time simulated [s]
   void publishDue(double time);
@@ -51,7 +54,7 @@ private:
   std::chrono::duration<double> period_;
   bool enabled_;
   ros::Publisher publisher_;
-  std::optional<std::string> other_;
+  std::string conflict_;
   std::chrono::steady_clock::time_point last_;
   std::optional<ros::Time> shown_;
   std::chrono::steady_clock::time_point jumped_back_;     ///< time of the last jump back of /clock

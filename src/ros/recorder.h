@@ -1,11 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
 #include "ratchet_sieve/live/run_control.h"
-#include "ratchet_sieve/ros/bag_writer.h"
+#include "ratchet_sieve/ros/bag.h"
 
 namespace ratchet_sieve
 {
@@ -65,8 +64,6 @@ public:
   void take(const AnyFrame& frame) override;
 
 private:
-  void write(double time, const std::function<void()>& write);
-
   void openFile();
   void splitBefore(double time);
   bool full() const;

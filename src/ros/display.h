@@ -4,14 +4,23 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
+#include <sensor_msgs/PointCloud2.h>
 
 #include "ratchet_sieve/live/picture.h"
 
 namespace ratchet_sieve
 {
+
+/// The disks as a point cloud: x, y (0), z, radius [m, float32] and species (index, uint32).
+/// For the display of very many disks; ParticleStates carries the full state.
+/// @param species of the frame's scene
+sensor_msgs::PointCloud2 particleCloud(const ParticleFrame& frame,
+                                       const std::vector<SpeciesDefinition>& species,
+                                       const std::string& frame_id);
 
 /// Publishes pictures of a run on ~markers and ~cloud, at a rate of wall time that does not depend on the
 /// run's speed.
@@ -35,7 +44,6 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  using Names = std::set<std::pair<std::string, int>>;
 
   void showMarkers(const Picture& picture, const std::string& frame_id);
 
@@ -43,8 +51,8 @@ private:
   ros::Publisher markers_;
   ros::Publisher cloud_;
   Clock::time_point last_shown_;
-  double last_time_ = -1.0;  ///< simulated [s]
-  Names last_names_;         ///< namespace and id of every marker that is drawn
+  double last_time_ = -1.0;                           ///< simulated [s]
+  std::set<std::pair<std::string, int>> last_names_;  ///< namespace and id of every marker that is drawn
 };
 
 }  // namespace ratchet_sieve
