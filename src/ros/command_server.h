@@ -46,14 +46,12 @@ private:
 
   void takeSetpoint(const Setpoint& setpoint, const std_msgs::Float64& message);
   void command(Quantity quantity, double value);
-  void commandAll();
-  bool pause(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
-  bool unpause(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
-  bool resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
-  bool reset(ResetSimulation::Request& request, ResetSimulation::Response& response);
-  bool step(StepSimulation::Request& request, StepSimulation::Response& response);
-  bool lockStep(LockStep::Request& request, LockStep::Response& response);
-  bool pour(PourDisks::Request& request, PourDisks::Response& response);
+  void offerServices(ros::NodeHandle& private_node);
+  template <typename Service, typename Handle>
+  void offer(ros::NodeHandle& node, const char* name, const Handle& handle);
+  bool resetWorld();
+  void reset(const ResetSimulation::Request& request, ResetSimulation::Response& response);
+  void lockStep(const LockStep::Request& request, LockStep::Response& response);
 
   RunControl& control_;
   Diagnostics& diagnostics_;

@@ -31,17 +31,9 @@ public:
   Diagnostics(const RunControl& control, const Speed& speed, const Recorder& recorder,
               const ClockPublisher& clock);
 
-  /// A setpoint was accepted: clears an earlier refusal.
-  void setpointTaken(const Setpoint& setpoint);
-
-  /// A setpoint was refused: shown soon, until one is accepted.
-  void setpointRefused(const Setpoint& setpoint, const std::string& why);
-
-  /// A reset_world request failed: shown soon, until a run begins.
-  void resetWorldRefused(const std::string& why);
-
-  /// A run begins: clears the failure of reset_world.
-  void begunAnew() { reset_world_refusal_.clear(); }
+  /// A setpoint's or service's last request was refused: shown soon, until one is accepted. @param why empty
+  /// if it was accepted
+  void answered(const std::string& request, const std::string& why = "");
 
   /// Publishes if due.
   void updateDue();
@@ -61,11 +53,10 @@ private:
   const Speed speed_;
   const Recorder& recorder_;
   const ClockPublisher& clock_;
-  std::map<std::string, std::string> refusals_;  ///< the last refusal per setpoint
-  std::string reset_world_refusal_;
-  std::string last_refusal_;  ///< of the real-time factor, as last shown
-  double last_factor_ = 0.0;  ///< the requested factor, as last shown
-  bool pressing_ = false;     ///< there is something new to show soon
+  std::map<std::string, std::string> refusals_;  ///< of the last request, per setpoint or service
+  std::string last_refusal_;                     ///< of the real-time factor, as last shown
+  double last_factor_ = 0.0;                     ///< the requested factor, as last shown
+  bool pressing_ = false;                        ///< there is something new to show soon
   Clock::time_point last_update_ = Clock::now();
   diagnostic_updater::Updater updater_;
 };
