@@ -107,7 +107,12 @@ void CommandServer::takeSetpoint(const Setpoint& setpoint, const std_msgs::Float
 void CommandServer::serve(double wait)
 {
   ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(wait));
-  interrupting_.callAvailable();
+  if (!interrupting_.isEmpty())
+  {
+    // Setpoints that came during a step came before the call that ended it.
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.0));
+    interrupting_.callAvailable();
+  }
   const auto now = LogThrottle::Clock::now();
   for (SetpointLog& log : logs_)
   {
