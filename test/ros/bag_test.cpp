@@ -303,7 +303,7 @@ TEST(Bag, takesThePlaceOfNothingButAFile)
   std::filesystem::create_symlink("/dev/null", scratch / "null.bag");
   for (const std::string& path : {scratch / "run.bag", scratch / "null.bag", scratch / "nowhere/run.bag"})
   {
-    EXPECT_TRUE(begins(writingError(path), path + ": cannot be written: ")) << writingError(path);
+    EXPECT_NE(writingError(path).find(": cannot be written: "), std::string::npos) << writingError(path);
     EXPECT_FALSE(std::filesystem::exists(path + ".active"));
   }
   EXPECT_TRUE(std::filesystem::is_symlink(scratch / "null.bag"));
