@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "ratchet_sieve/recording/frames.h"
-#include "ratchet_sieve/ros/bag_writer.h"
+#include "ratchet_sieve/ros/bag.h"
 #include "ratchet_sieve/ros/conversions.h"
 #include "scenes.h"
 

@@ -8,22 +8,20 @@
 namespace ratchet_sieve
 {
 
-/// A bag that takes the frames of a run. Without ROS it cannot be opened.
-class BagOutput
+/// A bag that takes the frames of a run. A library of its own writes it, which sieve_run loads for --bag
+/// only, so that other runs need not load ROS.
+class BagOutput : public FrameSink
 {
 public:
-  /// @throws std::runtime_error if it cannot be written or this build has no ROS
-  explicit BagOutput(const std::string& path);
-  ~BagOutput();
-
-  FrameSink& sink();
-
   /// Finishes the file. @throws std::runtime_error
-  void close();
-
-private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  virtual void close() = 0;
 };
+
+/// @throws std::runtime_error if it cannot be written or this build has no ROS
+std::unique_ptr<BagOutput> openBag(const std::string& path);
+
+/// The function of that library which opens a bag; the caller deletes it. @throws std::runtime_error
+using OpenBagPlugin = BagOutput*(const char* path);
+constexpr const char* BAG_PLUGIN_FUNCTION = "ratchetSieveOpenBag";
 
 }  // namespace ratchet_sieve

@@ -1,30 +1,26 @@
-#include "bag_plugin.h"
+#include "bag_output.h"
+#include "ratchet_sieve/ros/bag.h"
 
-#include "ratchet_sieve/ros/bag_writer.h"
-
-namespace ratchet_sieve
-{
 namespace
 {
 
-class Bag : public BagPlugin
+class Bag : public ratchet_sieve::BagOutput
 {
 public:
   explicit Bag(const char* path) : writer_(path) {}
 
-  FrameSink& sink() override { return writer_; }
+  void take(const ratchet_sieve::AnyFrame& frame) override { writer_.take(frame); }
   void close() override { writer_.close(); }
 
 private:
-  BagWriter writer_;
+  ratchet_sieve::BagWriter writer_;
 };
 
 }  // namespace
-}  // namespace ratchet_sieve
 
 extern "C" ratchet_sieve::OpenBagPlugin ratchetSieveOpenBag;
 
-ratchet_sieve::BagPlugin* ratchetSieveOpenBag(const char* path)
+ratchet_sieve::BagOutput* ratchetSieveOpenBag(const char* path)
 {
-  return new ratchet_sieve::Bag(path);
+  return new Bag(path);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -9,7 +10,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "help_format.h"
 #include "process_start.h"
 #include "ratchet_sieve/recording/distinct_files.h"
 #include "ratchet_sieve/recording/version.h"
@@ -34,6 +34,91 @@ inline int complain(const CLI::App& app, const std::string& what, int status)
   std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), what.c_str());
   return status;
 }
+
+/// Writes the outputs of a program one after the other. One that fails is reported on standard error, and the
+/// others are written all the same.
+class OutputAttempts
+{
+public:
+  /// @param program its name in error lines
+  explicit OutputAttempts(const char* program) : program_(program) {}
+
+  template <typename Write>
+  void attempt(const Write& write)
+  {
+    try
+    {
+      write();
+    }
+    catch (const std::exception& error)
+    {
+      std::fprintf(stderr, "%s: %s\n", program_, error.what());
+      complete_ = false;
+    }
+  }
+
+  /// Whether none has failed.
+  bool complete() const { return complete_; }
+
+private:
+  const char* program_;
+  bool complete_ = true;
+};
+
+/// Longest line of help and tables [characters].
+constexpr std::size_t TEXT_WIDTH = 110;
+
+/// Lines of at most TEXT_WIDTH characters, each indented.
+inline std::string wrappedText(const std::string& text, std::size_t indent)
+{
+  std::string lines;
+  std::size_t begin = 0;
+  while (begin < text.size())
+  {
+    std::size_t end = text.size();
+    if (end - begin > TEXT_WIDTH - indent)
+      end = text.rfind(' ', begin + TEXT_WIDTH - indent);
+    if (end == std::string::npos || end <= begin)
+      end = text.size();
+    lines += std::string(indent, ' ') + text.substr(begin, end - begin) + "\n";
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/// Help within TEXT_WIDTH: an option's name and argument on the left, its description, ended by the default,
+/// on the right.
+class HelpFormat : public CLI::Formatter
+{
+public:
+  HelpFormat() { column_width(NAMES_WIDTH); }
+
+  std::string make_option(const CLI::Option* option, bool is_positional) const override
+  {
+    // Behind a colon CLI11 describes the check of the value.
+    const std::string type = option->get_type_name().substr(0, option->get_type_name().find(':'));
+    std::string names = "  " + make_option_name(option, is_positional);
+    if (option->get_type_size() != 0 && !is_positional)
+      names += " " + type;
+    std::string text = option->get_description();
+    if (!option->get_default_str().empty())
+      text += " (default: " + option->get_default_str() + ")";
+    std::string lines = wrappedText(text, NAMES_WIDTH);
+    if (names.size() + 2 > NAMES_WIDTH)
+      return names + "\n" + lines;
+    return lines.replace(0, names.size(), names);
+  }
+
+  std::string make_description(const CLI::App* app) const override
+  {
+    return wrappedText(app->get_description(), 0);
+  }
+
+  std::string make_footer(const CLI::App* app) const override { return wrappedText(app->get_footer(), 0); }
+
+private:
+  static constexpr std::size_t NAMES_WIDTH = 26;
+};
 
 /// Gives the program and its subcommands --help, --version, the format of their help and the footer.
 inline void describeHelp(CLI::App& app)

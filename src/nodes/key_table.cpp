@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "command_line.h"
 #include "ratchet_sieve/scene/key_list.h"
-#include "wrapped_text.h"
 
 namespace ratchet_sieve
 {

@@ -100,10 +100,10 @@ void RunOutputs::open(const RunArguments& arguments)
     collisions_ = std::make_unique<CollisionFile>(arguments.collisions);
   if (!arguments.bag.empty())
   {
-    bag_ = std::make_unique<BagOutput>(arguments.bag);
+    bag_ = openBag(arguments.bag);
     FrameRates rates;
     rates.particles = arguments.bag_rate;
-    add(bag_->sink(), rates, [this] { bag_->close(); });
+    add(*bag_, rates, [this] { bag_->close(); });
   }
   if (!arguments.trajectory.empty())
   {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bag_output.h"
-#include "output_attempts.h"
+#include "command_line.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/recording/collision_file.h"
 #include "ratchet_sieve/recording/headless_run.h"

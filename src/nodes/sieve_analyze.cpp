@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "command_line.h"
-#include "output_attempts.h"
 #include "page_arguments.h"
 #include "python_plots.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
@@ -17,7 +16,7 @@
 #include "ratchet_sieve/analysis/run_analysis.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/distinct_files.h"
-#include "ratchet_sieve/ros/bag_reader.h"
+#include "ratchet_sieve/ros/bag.h"
 
 namespace
 {

@@ -3,8 +3,8 @@
 
 #include <ros/ros.h>
 
-#include "node_options.h"
-#include "ratchet_sieve/ros/display_node.h"
+#include "process_start.h"
+#include "ratchet_sieve/ros/nodes.h"
 
 namespace
 {
@@ -31,8 +31,7 @@ int main(int argc, char** argv)
   ros::init(argc, argv, "sieve_display");
   try
   {
-    DisplayNode node(ros::NodeHandle("~"));
-    ros::spin();
+    runDisplay(ros::NodeHandle("~"));
   }
   catch (const std::exception& error)
   {

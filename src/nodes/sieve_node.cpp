@@ -1,12 +1,9 @@
 #include <atomic>
-#include <cstdio>
-#include <exception>
-#include <memory>
 
 #include <ros/ros.h>
 
-#include "node_options.h"
-#include "ratchet_sieve/ros/sieve_node.h"
+#include "process_start.h"
+#include "ratchet_sieve/ros/nodes.h"
 
 namespace
 {
@@ -39,24 +36,5 @@ int main(int argc, char** argv)
   ros::init(argc, argv, "sieve", ros::init_options::NoSigintHandler);
   const ros::NodeHandle private_node("~");
   attendSignals(requestStop);
-  std::unique_ptr<SieveNode> node;
-  try
-  {
-    node = std::make_unique<SieveNode>(private_node, stop);
-  }
-  catch (const std::exception& error)
-  {
-    std::fprintf(stderr, "sieve_node: %s\n", error.what());
-    return stop ? 0 : 2;
-  }
-  try
-  {
-    node->run();
-  }
-  catch (const std::exception& error)
-  {
-    std::fprintf(stderr, "sieve_node: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return runSieve(private_node, stop);
 }

@@ -10,8 +10,7 @@
 #include "ratchet_sieve/recording/progress_bar.h"
 #include "ratchet_sieve/recording/resimulation.h"
 #include "ratchet_sieve/recording/version.h"
-#include "ratchet_sieve/ros/bag_error.h"
-#include "ratchet_sieve/ros/bag_reader.h"
+#include "ratchet_sieve/ros/bag.h"
 
 namespace
 {

@@ -8,7 +8,7 @@
 
 #include <rosbag/bag.h>
 
-#include "ratchet_sieve/ros/bag_error.h"
+#include "ratchet_sieve/ros/bag.h"
 
 namespace ratchet_sieve
 {

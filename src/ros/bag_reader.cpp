@@ -1,4 +1,4 @@
-#include "ratchet_sieve/ros/bag_reader.h"
+#include "ratchet_sieve/ros/bag.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,6 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
-#include "ratchet_sieve/ros/conversions.h"
 #include "ratchet_sieve/scene/input_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
@@ -105,9 +104,9 @@ private:
   decltype(toFrame(std::declval<Message>())) frame_;
 };
 
-/// The topics that carry messages of this type.
+/// The one topic that carries messages of this type; empty if none does.
 template <typename Message>
-std::set<std::string> topicsOf(rosbag::View& all)
+std::string topicOf(rosbag::View& all)
 {
   const std::string type = ros::message_traits::datatype<Message>();
   std::set<std::string> topics;
@@ -120,25 +119,17 @@ std::set<std::string> topicsOf(rosbag::View& all)
       throw std::invalid_argument(connection->topic + " was recorded with another version of " + type);
     topics.insert(connection->topic);
   }
-  return topics;
-}
-
-/// The one topic that carries messages of this type; empty if none does.
-template <typename Message>
-std::string topicOf(rosbag::View& all)
-{
-  const std::set<std::string> topics = topicsOf<Message>(all);
   if (topics.size() > 1)
     throw std::invalid_argument("holds several runs: " + *topics.begin() + " and " + *topics.rbegin());
   return topics.empty() ? "" : *topics.begin();
 }
 
-template <typename Message>
-void addStream(const rosbag::Bag& bag, rosbag::View& all, std::vector<std::unique_ptr<Stream>>& streams)
+std::string sceneTopic(rosbag::View& all)
 {
-  const std::string topic = topicOf<Message>(all);
-  if (!topic.empty())
-    streams.push_back(std::make_unique<TopicStream<Message>>(bag, topic));
+  std::string topic = topicOf<SceneDescription>(all);
+  if (topic.empty())
+    throw std::invalid_argument("holds no run: no topic of type ratchet_sieve/SceneDescription");
+  return topic;
 }
 
 void merge(const std::vector<std::unique_ptr<Stream>>& streams, FrameSink& sink)
@@ -153,12 +144,6 @@ void merge(const std::vector<std::unique_ptr<Stream>>& streams, FrameSink& sink)
       return;
     next->pass(sink);
   }
-}
-
-void requireScene(rosbag::View& all)
-{
-  if (topicsOf<SceneDescription>(all).empty())
-    throw std::invalid_argument("holds no run: no topic of type ratchet_sieve/SceneDescription");
 }
 
 /// Runs that begin at the same time would be mixed in a bag, and their frames could not be distinguished.
@@ -176,15 +161,15 @@ void requireOneRunAtATime(const rosbag::Bag& bag, const std::string& topic)
 void readOpened(const rosbag::Bag& bag, bool begins_run, FrameSink& sink)
 {
   rosbag::View all(bag);
-  requireScene(all);
-  requireOneRunAtATime(bag, topicOf<SceneDescription>(all));
+  requireOneRunAtATime(bag, sceneTopic(all));
   std::vector<std::unique_ptr<Stream>> streams;
   forEachFrameType(
       [&](auto type)
       {
         using Frame = typename decltype(type)::Frame;
-        if (begins_run || kindOf<Frame>() != FrameKind::SCENE)
-          addStream<MessageOf<Frame>>(bag, all, streams);
+        const std::string topic = topicOf<MessageOf<Frame>>(all);
+        if (!topic.empty() && (begins_run || kindOf<Frame>() != FrameKind::SCENE))
+          streams.push_back(std::make_unique<TopicStream<MessageOf<Frame>>>(bag, topic));
       });
   merge(streams, sink);
 }
@@ -200,8 +185,7 @@ struct RunPart
 RunPart partOf(const rosbag::Bag& bag, const std::string& path)
 {
   rosbag::View all(bag);
-  requireScene(all);
-  TopicStream<SceneDescription> scenes(bag, topicOf<SceneDescription>(all));
+  TopicStream<SceneDescription> scenes(bag, sceneTopic(all));
   if (scenes.done())
     throw std::invalid_argument("holds no scene");
   return {path, scenes.frame(), all.getBeginTime(), all.getEndTime()};
@@ -260,15 +244,10 @@ void withBag(const std::string& path, const Read& read)
 }
 }  // namespace
 
-void readBag(const std::string& path, FrameSink& sink)
-{
-  withBag(path, [&](const rosbag::Bag& bag) { readOpened(bag, true, sink); });
-}
-
 void readBags(const std::vector<std::string>& paths, FrameSink& sink)
 {
   if (paths.size() == 1)
-    return readBag(paths.front(), sink);
+    return withBag(paths.front(), [&](const rosbag::Bag& bag) { readOpened(bag, true, sink); });
   std::vector<RunPart> parts;
   for (const std::string& path : paths)
     withBag(path, [&](const rosbag::Bag& bag) { parts.push_back(partOf(bag, path)); });

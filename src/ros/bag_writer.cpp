@@ -1,4 +1,4 @@
-#include "ratchet_sieve/ros/bag_writer.h"
+#include "ratchet_sieve/ros/bag.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -14,7 +14,6 @@
 #include "ratchet_sieve/live/setpoint.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/commands.h"
-#include "ratchet_sieve/ros/conversions.h"
 
 namespace ratchet_sieve
 {
@@ -153,7 +152,7 @@ void BagWriter::write(const std::string& topic, double time, const Message& mess
     throw cannotBeWritten(path_, "it is closed");
   try
   {
-    file_->write(topic_prefix_ + "/" + topic, std::max(stampOf(time), ros::TIME_MIN), message, latched);
+    file_->write(topic_prefix_ + "/" + topic, std::max(ros::Time(time), ros::TIME_MIN), message, latched);
   }
   catch (const BagError& error)
   {
@@ -167,7 +166,7 @@ void BagWriter::take(const AnyFrame& any)
   any.visit(
       [&](const auto& frame)
       {
-        auto message = inFrame(frame_id_, toMessage(frame));
+        auto message = toMessage(frame, frame_id_);
         message.header.seq = written_[any.kind()]++;
         write(describe(any.kind()).name, frame.time, message, latched);
       });

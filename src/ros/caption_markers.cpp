@@ -6,10 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "marker_style.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/sizes.h"
-#include "ratchet_sieve/ros/scene_markers.h"
+#include "scene_markers.h"
 
 namespace ratchet_sieve
 {

@@ -1,12 +1,17 @@
-#include "ratchet_sieve/ros/clock_publisher.h"
+#include "clock_publisher.h"
 
 #include <algorithm>
+#include <optional>
 #include <thread>
+#include <vector>
 
+#include <ros/master.h>
+#include <ros/network.h>
+#include <ros/this_node.h>
+#include <ros/xmlrpc_manager.h>
 #include <rosgraph_msgs/Clock.h>
-
-#include "ratchet_sieve/ros/conversions.h"
-#include "ratchet_sieve/ros/earlier_publisher.h"
+#include <xmlrpcpp/XmlRpcClient.h>
+#include <xmlrpcpp/XmlRpcException.h>
 
 namespace ratchet_sieve
 {
@@ -27,9 +32,94 @@ constexpr std::chrono::milliseconds SHORTEST_PERIOD(1);
 /// there.
 ros::Time shownAt(double time)
 {
-  return std::max(stampOf(time), ros::TIME_MIN);
+  return std::max(ros::Time(time), ros::TIME_MIN);
+}
+
+using XmlRpc::XmlRpcValue;
+
+/// Timeout for an answer [s of wall time]. A live node answers within milliseconds; a stopped one, or one on
+/// a machine that is switched off, does not answer.
+constexpr double ANSWER_TIMEOUT = 2.0;
+
+XmlRpcValue arguments(const std::string& second = "")
+{
+  XmlRpcValue arguments;
+  arguments[0] = ros::this_node::getName();
+  if (!second.empty())
+    arguments[1] = second;
+  return arguments;
+}
+
+/// The publishers of a topic, in the order of registration at the master. Waits if the master is too busy to
+/// answer at once, as advertising does.
+std::vector<std::string> publishersOf(const std::string& topic)
+{
+  XmlRpcValue response, state;
+  std::vector<std::string> names;
+  if (!ros::master::execute("getSystemState", arguments(), response, state, true))
+    return names;
+  XmlRpcValue& published = state[0];
+  for (int k = 0; k < published.size(); ++k)
+    if (static_cast<std::string&>(published[k][0]) == topic)
+      for (int node = 0; node < published[k][1].size(); ++node)
+        names.push_back(published[k][1][node]);
+  return names;
+}
+
+/// Calls a node's XML-RPC server. @return false if no answer comes in time
+bool call(const std::string& uri, const char* method, XmlRpcValue& response)
+{
+  std::string host;
+  std::uint32_t port = 0;
+  // This node may have got the port of one that was killed.
+  if (uri == ros::XMLRPCManager::instance()->getServerURI() || !ros::network::splitURI(uri, host, port))
+    return false;
+  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
+  if (!client.executeNonBlock(method, arguments()))
+    return false;
+  client._disp.work(ANSWER_TIMEOUT);  // until done
+  return client.executeCheckDone(response) && !client.isFault();
+}
+
+/// The node that advertised a topic before this one and still publishes it; nothing if there is none. If two
+/// nodes advertise a topic and then call this at nearly the same time, exactly one of them gets the other's
+/// name.
+///
+/// The master lists publishers in the order of registration. Each is asked whether it publishes the topic.
+/// The entry of a killed node either gets no answer or is answered by another process.
+/// @pre this node has advertised the topic @param topic resolved
+std::optional<std::string> earlierPublisher(const std::string& topic)
+{
+  for (const std::string& name : publishersOf(topic))
+  {
+    if (name == ros::this_node::getName())
+      return {};
+    if (publishes(name, topic))
+      return name;
+  }
+  return {};
 }
 }  // namespace
+
+bool publishes(const std::string& node, const std::string& topic)
+{
+  XmlRpcValue response, uri;
+  if (!ros::master::execute("lookupNode", arguments(node), response, uri, true) ||
+      !call(uri, "getPublications", response))
+    return false;
+  try
+  {
+    XmlRpcValue& topics = response[2];  // after the status code and the status message
+    for (int k = 0; k < topics.size(); ++k)
+      if (static_cast<std::string&>(topics[k][0]) == topic)
+        return true;
+  }
+  catch (const XmlRpc::XmlRpcException&)
+  {
+    // Not the answer of a ROS node.
+  }
+  return false;
+}
 
 ClockPublisher::ClockPublisher(ros::NodeHandle node, double rate, bool enabled)
     : period_(1.0 / rate), enabled_(enabled)
@@ -37,18 +127,14 @@ ClockPublisher::ClockPublisher(ros::NodeHandle node, double rate, bool enabled)
   if (!enabled_)
     return;
   publisher_ = node.advertise<rosgraph_msgs::Clock>(TOPIC, 1);
-  other_ = earlierPublisher(TOPIC);
-  if (!other_)
+  const std::optional<std::string> other = earlierPublisher(TOPIC);
+  if (!other)
     return;
+  conflict_ = *other +
+              " already publishes /clock, so this node does not: its stamps are its own simulated "
+              "time, not that of /clock";
   enabled_ = false;
   publisher_.shutdown();
-}
-
-std::string ClockPublisher::otherText() const
-{
-  return *other_ +
-         " already publishes /clock, so this node does not: its stamps are its own simulated "
-         "time, not that of /clock";
 }
 
 void ClockPublisher::publishDue(double time)

@@ -1,18 +1,15 @@
-#include "ratchet_sieve/ros/command_server.h"
+#include "command_server.h"
 
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
 #include <ros/console.h>
 
-#include "queue_size.h"
-#include "ratchet_sieve/ros/conversions.h"
-
 namespace ratchet_sieve
 {
 namespace
 {
-
 /// Copies an outcome into a service's response, and logs it.
 template <typename Response>
 void answer(const char* service, const Outcome& outcome, Response& response)
@@ -38,7 +35,7 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
     : control_(control),
       diagnostics_(diagnostics),
       stride_([this, stride = std::move(stride)](double time)
-              { return !interrupting_.any() && stride(time); }),
+              { return interrupting_.isEmpty() && stride(time); }),
       time_changed_(std::move(time_changed)),
       frame_id_(parameters.frames.world)
 {
@@ -47,15 +44,51 @@ CommandServer::CommandServer(ros::NodeHandle private_node, const NodeParameters&
         setpointTopic(setpoint.quantity), QUEUE_SIZE,
         [this, setpoint](const std_msgs::Float64::ConstPtr& message) { takeSetpoint(setpoint, *message); },
         ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
-  ros::NodeHandle interrupting_node(private_node);
-  interrupting_node.setCallbackQueue(&interrupting_);
-  services_ = {interrupting_node.advertiseService("pause_physics", &CommandServer::pause, this),
-               interrupting_node.advertiseService("unpause_physics", &CommandServer::unpause, this),
-               interrupting_node.advertiseService("reset_world", &CommandServer::resetWorld, this),
-               interrupting_node.advertiseService("reset", &CommandServer::reset, this),
-               private_node.advertiseService("step", &CommandServer::step, this),
-               private_node.advertiseService("lock_step", &CommandServer::lockStep, this),
-               private_node.advertiseService("pour", &CommandServer::pour, this)};
+  offerServices(private_node);
+}
+
+/// Advertises a service. Setpoints received before its call are applied before it. @param handle of a request
+/// and its response; may return whether it succeeded, where the response has no field for that
+template <typename Service, typename Handle>
+void CommandServer::offer(ros::NodeHandle& node, const char* name, const Handle& handle)
+{
+  using Request = typename Service::Request;
+  using Response = typename Service::Response;
+  const boost::function<bool(Request&, Response&)> serve =
+      [this, handle](Request& request, Response& response)
+  {
+    inbox_.deliver(false, [this](Quantity quantity, double value) { command(quantity, value); });
+    bool success = true;
+    if constexpr (std::is_void_v<decltype(handle(request, response))>)
+      handle(request, response);
+    else
+      success = handle(request, response);
+    time_changed_();
+    return success;
+  };
+  services_.push_back(node.advertiseService(name, serve));
+}
+
+void CommandServer::offerServices(ros::NodeHandle& private_node)
+{
+  ros::NodeHandle interrupting(private_node);
+  interrupting.setCallbackQueue(&interrupting_);
+  offer<std_srvs::Empty>(interrupting, "pause_physics", [this](auto&, auto&) { control_.pause(); });
+  offer<std_srvs::Empty>(interrupting, "unpause_physics", [this](auto&, auto&) { control_.unpause(); });
+  offer<std_srvs::Empty>(interrupting, "reset_world", [this](auto&, auto&) { return resetWorld(); });
+  offer<ResetSimulation>(interrupting, "reset",
+                         [this](auto& request, auto& response) { reset(request, response); });
+  offer<StepSimulation>(private_node, "step",
+                        [this](auto& request, auto& response)
+                        {
+                          answer("step", control_.step(request.duration, stride_), response);
+                          response.time = control_.run().time();
+                        });
+  offer<LockStep>(private_node, "lock_step",
+                  [this](auto& request, auto& response) { lockStep(request, response); });
+  offer<PourDisks>(private_node, "pour",
+                   [this](auto& request, auto& response)
+                   { answer("pour", control_.pour(request.species, request.count), response); });
 }
 
 void CommandServer::takeSetpoint(const Setpoint& setpoint, const std_msgs::Float64& message)
@@ -64,15 +97,22 @@ void CommandServer::takeSetpoint(const Setpoint& setpoint, const std_msgs::Float
   {
     LogThrottle& log = logs_[indexOf(setpoint.quantity)].refused;
     say(ros::console::levels::Warn, log.put(*refusal, LogThrottle::Clock::now()));
-    diagnostics_.setpointRefused(setpoint, *refusal);
+    diagnostics_.answered(setpoint.name(), *refusal);
     return;
   }
-  diagnostics_.setpointTaken(setpoint);
+  diagnostics_.answered(setpoint.name());
   inbox_.put(setpoint.quantity, message.data);
 }
 
-void CommandServer::deliverSetpoints()
+void CommandServer::serve(double wait)
 {
+  ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(wait));
+  if (!interrupting_.isEmpty())
+  {
+    // Setpoints that came during a step came before the call that ended it.
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.0));
+    interrupting_.callAvailable();
+  }
   const auto now = LogThrottle::Clock::now();
   for (SetpointLog& log : logs_)
   {
@@ -94,89 +134,42 @@ void CommandServer::command(Quantity quantity, double value)
   say(ros::console::levels::Info, log.put(line, LogThrottle::Clock::now()));
 }
 
-/// Setpoints received before a service was called are applied before it.
-void CommandServer::commandAll()
+bool CommandServer::resetWorld()
 {
-  inbox_.deliver(false, [this](Quantity quantity, double value) { command(quantity, value); });
-}
-
-bool CommandServer::pause(std_srvs::Empty::Request&, std_srvs::Empty::Response&)
-{
-  commandAll();
-  control_.pause();
-  time_changed_();
-  return true;
-}
-
-bool CommandServer::unpause(std_srvs::Empty::Request&, std_srvs::Empty::Response&)
-{
-  commandAll();
-  control_.unpause();
-  time_changed_();
-  return true;
-}
-
-bool CommandServer::resetWorld(std_srvs::Empty::Request&, std_srvs::Empty::Response&)
-{
-  commandAll();
   const Outcome outcome = control_.resetWorld();
-  time_changed_();
   if (!outcome.success)
   {
-    // The response has no field for the reason.
     ROS_ERROR("reset_world: %s", outcome.message.c_str());
-    diagnostics_.resetWorldRefused(outcome.message);
+    diagnostics_.answered("reset_world", outcome.message);
     return false;
   }
-  diagnostics_.begunAnew();
+  diagnostics_.answered("reset_world");
   ROS_INFO("new disks poured at %.3f s", control_.run().time());
   return true;
 }
 
-bool CommandServer::reset(ResetSimulation::Request& request, ResetSimulation::Response& response)
+void CommandServer::reset(const ResetSimulation::Request& request, ResetSimulation::Response& response)
 {
-  commandAll();
   answer("reset", control_.reset(request.seed, request.overrides, request.keep_time), response);
-  time_changed_();
   if (!response.success)
-    return true;
-  diagnostics_.begunAnew();
+    return;
+  diagnostics_.answered("reset_world");
   ROS_INFO("reset: new run from %g s with seed %lu", control_.run().time(),
            static_cast<unsigned long>(control_.run().simulation().scene().seed));
-  return true;
 }
 
-bool CommandServer::step(StepSimulation::Request& request, StepSimulation::Response& response)
+void CommandServer::lockStep(const LockStep::Request& request, LockStep::Response& response)
 {
-  commandAll();
-  answer("step", control_.step(request.duration, stride_), response);
-  time_changed_();
-  response.time = control_.run().time();
-  return true;
-}
-
-bool CommandServer::lockStep(LockStep::Request& request, LockStep::Response& response)
-{
-  commandAll();
   std::vector<std::pair<std::string, double>> setpoints;
   for (const BaseSetpoint& setpoint : request.setpoints)
     setpoints.emplace_back(setpoint.quantity, setpoint.value);
   answer("lock_step", control_.lockStep(setpoints, request.duration, stride_), response);
-  time_changed_();
   const Run& run = control_.run();
   response.time = run.time();
   response.finished = run.finished();
-  response.base = inFrame(frame_id_, toMessage(run.base()));
-  response.bins = inFrame(frame_id_, toMessage(run.bins()));
-  response.statistics = inFrame(frame_id_, toMessage(run.statistics()));
-  return true;
-}
-
-bool CommandServer::pour(PourDisks::Request& request, PourDisks::Response& response)
-{
-  commandAll();
-  answer("pour", control_.pour(request.species, request.count), response);
-  return true;
+  response.base = toMessage(run.base(), frame_id_);
+  response.bins = toMessage(run.bins(), frame_id_);
+  response.statistics = toMessage(run.statistics(), frame_id_);
 }
 
 }  // namespace ratchet_sieve

@@ -165,12 +165,14 @@ private:
 };
 
 template <typename Frame>
-MessageOf<Frame> messageOf(const Frame& frame)
+MessageOf<Frame> messageOf(const Frame& frame, const std::string& frame_id)
 {
   MessageOf<Frame> message;
-  message.header.stamp = stampOf(frame.time);
-  message.header.frame_id = WORLD_FRAME_ID;
+  message.header.stamp = ros::Time(frame.time);
+  message.header.frame_id = frame_id;
   Fields<Frame>::each(Writer(), frame, message);
+  if constexpr (std::is_same_v<Frame, StatisticsFrame>)
+    message.collision_rate = frame.collision_rates.total();
   return message;
 }
 
@@ -183,86 +185,27 @@ Frame frameOf(const MessageOf<Frame>& message)
 }
 }  // namespace
 
-ros::Time stampOf(double time)
-{
-  return ros::Time(time);
-}
-
 bool isStamp(double time)
 {
   return time >= 0.0 && time <= LATEST_STAMP;
 }
 
-SceneDescription toMessage(const SceneFrame& frame)
-{
-  return messageOf(frame);
-}
-
-SceneFrame toFrame(const SceneDescription& message)
-{
-  return frameOf<SceneFrame>(message);
-}
-
-ParticleStates toMessage(const ParticleFrame& frame)
-{
-  return messageOf(frame);
-}
-
-ParticleFrame toFrame(const ParticleStates& message)
-{
-  return frameOf<ParticleFrame>(message);
-}
-
-BinCounts toMessage(const BinFrame& frame)
-{
-  return messageOf(frame);
-}
-
-BinFrame toFrame(const BinCounts& message)
-{
-  return frameOf<BinFrame>(message);
-}
-
-BaseState toMessage(const BaseFrame& frame)
-{
-  return messageOf(frame);
-}
-
-BaseFrame toFrame(const BaseState& message)
-{
-  return frameOf<BaseFrame>(message);
-}
-
-Command toMessage(const CommandFrame& frame)
-{
-  return messageOf(frame);
-}
-
-CommandFrame toFrame(const Command& message)
-{
-  return frameOf<CommandFrame>(message);
-}
-
-SieveStatistics toMessage(const StatisticsFrame& frame)
-{
-  SieveStatistics message = messageOf(frame);
-  message.collision_rate = frame.collision_rates.total();
-  return message;
-}
-
-StatisticsFrame toFrame(const SieveStatistics& message)
-{
-  return frameOf<StatisticsFrame>(message);
-}
-
-Observations toMessage(const ObservedFrame& frame)
-{
-  return messageOf(frame);
-}
-
-ObservedFrame toFrame(const Observations& message)
-{
-  return frameOf<ObservedFrame>(message);
-}
+/// The conversions of one kind in both directions, by the list of its fields.
+#define RATCHET_SIEVE_CONVERSIONS(FRAME, MESSAGE)                    \
+  MESSAGE toMessage(const FRAME& frame, const std::string& frame_id) \
+  {                                                                  \
+    return messageOf(frame, frame_id);                               \
+  }                                                                  \
+  FRAME toFrame(const MESSAGE& message)                              \
+  {                                                                  \
+    return frameOf<FRAME>(message);                                  \
+  }
+RATCHET_SIEVE_CONVERSIONS(SceneFrame, SceneDescription)
+RATCHET_SIEVE_CONVERSIONS(ParticleFrame, ParticleStates)
+RATCHET_SIEVE_CONVERSIONS(BinFrame, BinCounts)
+RATCHET_SIEVE_CONVERSIONS(BaseFrame, BaseState)
+RATCHET_SIEVE_CONVERSIONS(StatisticsFrame, SieveStatistics)
+RATCHET_SIEVE_CONVERSIONS(ObservedFrame, Observations)
+RATCHET_SIEVE_CONVERSIONS(CommandFrame, Command)
 
 }  // namespace ratchet_sieve

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/ros/diagnostics.h"
+#include "diagnostics.h"
 
 #include <algorithm>
 
@@ -34,20 +34,12 @@ Diagnostics::Diagnostics(const RunControl& control, const Speed& speed, const Re
   updater_.add("clock", this, &Diagnostics::reportClock);
 }
 
-void Diagnostics::setpointTaken(const Setpoint& setpoint)
+void Diagnostics::answered(const std::string& request, const std::string& why)
 {
-  refusals_.erase(setpoint.name());
-}
-
-void Diagnostics::setpointRefused(const Setpoint& setpoint, const std::string& why)
-{
-  refusals_[setpoint.name()] = why;
-  pressing_ = true;
-}
-
-void Diagnostics::resetWorldRefused(const std::string& why)
-{
-  reset_world_refusal_ = "reset_world: " + why;
+  refusals_.erase(request);
+  if (why.empty())
+    return;
+  refusals_[request] = why;
   pressing_ = true;
 }
 
@@ -84,8 +76,8 @@ void Diagnostics::reportRun(Status& status)
     status.summary(DiagnosticStatus::OK, "running");
   if (const std::string text = overWallsText(simulation); !text.empty())
     status.mergeSummary(DiagnosticStatus::WARN, text);
-  if (!reset_world_refusal_.empty())
-    status.mergeSummary(DiagnosticStatus::WARN, reset_world_refusal_);
+  if (const auto refusal = refusals_.find("reset_world"); refusal != refusals_.end())
+    status.mergeSummary(DiagnosticStatus::WARN, "reset_world: " + refusal->second);
   status.add("simulated time [s]", run.time());
   status.add("end [s]", run.endTime());
   status.add("disks in the machine", simulation.activeDisks());
@@ -127,7 +119,8 @@ void Diagnostics::reportSetpoints(Status& status)
 {
   status.summary(DiagnosticStatus::OK, "all setpoints taken");
   for (const auto& [name, why] : refusals_)
-    status.mergeSummary(DiagnosticStatus::WARN, why);
+    if (name != "reset_world")
+      status.mergeSummary(DiagnosticStatus::WARN, why);
   if (const std::string text = control_.turnWarning(); !text.empty())
     status.mergeSummary(DiagnosticStatus::WARN, text);
   const DriveState base = control_.run().simulation().base();
@@ -149,8 +142,8 @@ void Diagnostics::reportRecording(Status& status)
 
 void Diagnostics::reportClock(Status& status)
 {
-  if (clock_.other())
-    status.summary(DiagnosticStatus::WARN, clock_.otherText());
+  if (!clock_.conflict().empty())
+    status.summary(DiagnosticStatus::WARN, clock_.conflict());
   else
     status.summary(DiagnosticStatus::OK, clock_.enabled() ? "this node publishes /clock" : "off");
   if (!clock_.enabled() && ros::Time::isSimTime())

@@ -1,6 +1,9 @@
-#include "ratchet_sieve/ros/node_parameters.h"
+#include "node_parameters.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
 
 #include <ros/console.h>
 
@@ -10,10 +13,43 @@ namespace ratchet_sieve
 {
 namespace
 {
+/// Largest real-time factor; for a faster run, use 0 (as fast as possible).
+constexpr double MAX_REAL_TIME_FACTOR = 1e6;
+
 constexpr double MAX_SPLIT_SIZE = 1e6;  // MB
 constexpr double MAX_DISTANCE = 1e6;    // m
 
-/// @return the slew rate
+/// Interval between checks of ~real_time_factor: short for a user, long compared to the cost [wall time].
+constexpr std::chrono::duration<double> BETWEEN_LOOKS(0.02);
+
+[[noreturn]] void refuse(const std::string& name, const XmlRpc::XmlRpcValue& value,
+                         const std::string& allowed)
+{
+  using ::operator<<;  // the messages' operators would hide it
+  std::ostringstream text;
+  text << "parameter " << name << ": " << value << ": must be " << allowed;
+  throw ParameterError(text.str());
+}
+
+/// A parameter's value, if it is a finite number in [least, most]. @param name full name
+/// @throws ParameterError
+double numberFrom(const std::string& name, XmlRpc::XmlRpcValue value, double least, double most)
+{
+  std::ostringstream allowed;
+  allowed << "a number from " << least << " to " << most;
+  double number = 0.0;
+  if (value.getType() == XmlRpc::XmlRpcValue::TypeDouble)
+    number = static_cast<double&>(value);
+  else if (value.getType() == XmlRpc::XmlRpcValue::TypeInt)
+    number = static_cast<int&>(value);
+  else
+    refuse(name, value, allowed.str());
+  if (!std::isfinite(number) || number < least || number > most)
+    refuse(name, value, allowed.str());
+  return number;
+}
+
+/// Reads the limits of a setpoint. @return its slew rate
 double readSetpoint(ParameterReader& reader, double slew_rate, Setpoint& setpoint)
 {
   const CommandedQuantity& q = describe(setpoint.quantity);
@@ -33,26 +69,73 @@ void readRates(ParameterReader& reader, const std::string& prefix, FrameRates& r
       rates.*kind.rate = reader.number(prefix + kind.name, rates.*kind.rate, 0.0, MAX_FRAME_RATE);
 }
 
-void readRecording(ParameterReader& reader, RecordingParameters& recording)
-{
-  readRates(reader, "recording/", recording.rates);
-  recording.split_size = reader.number("recording/split_size", recording.split_size, 0.0, MAX_SPLIT_SIZE);
-  recording.split_duration =
-      reader.number("recording/split_duration", recording.split_duration, 0.0, LONGEST_DURATION);
-}
-
-void readAllRates(ParameterReader& reader, NodeParameters& parameters)
-{
-  readRates(reader, "rates/", parameters.rates);
-  parameters.display_rate = reader.number("rates/display", parameters.display_rate, 0.0, 1e3);
-  parameters.clock_rate = reader.number("rates/clock", parameters.clock_rate, 1.0, 1e3);
-}
-
 double readMount(ParameterReader& reader, const char* axis)
 {
   return reader.number(std::string("mount/") + axis, 0.0, -MAX_DISTANCE, MAX_DISTANCE);
 }
 }  // namespace
+
+double ParameterReader::number(const std::string& name, double fallback, double least, double most)
+{
+  XmlRpc::XmlRpcValue value;
+  asked_.insert(name);
+  if (!node_.getParam(name, value))
+    return fallback;
+  return numberFrom(node_.resolveName(name), value, least, most);
+}
+
+std::size_t ParameterReader::count(const std::string& name, std::size_t fallback, std::size_t most)
+{
+  XmlRpc::XmlRpcValue value;
+  asked_.insert(name);
+  if (!node_.getParam(name, value))
+    return fallback;
+  const int number = value.getType() == XmlRpc::XmlRpcValue::TypeInt ? static_cast<int&>(value) : -1;
+  if (number < 0 || static_cast<std::size_t>(number) > most)
+    refuse(node_.resolveName(name), value, "a whole number from 0 to " + std::to_string(most));
+  return static_cast<std::size_t>(number);
+}
+
+template <typename T>
+T ParameterReader::read(const std::string& name, const T& fallback, XmlRpc::XmlRpcValue::Type type,
+                        const char* allowed)
+{
+  XmlRpc::XmlRpcValue value;
+  asked_.insert(name);
+  if (!node_.getParam(name, value))
+    return fallback;
+  if (value.getType() != type)
+    refuse(node_.resolveName(name), value, allowed);
+  return static_cast<T&>(value);
+}
+
+bool ParameterReader::flag(const std::string& name, bool fallback)
+{
+  return read(name, fallback, XmlRpc::XmlRpcValue::TypeBoolean, "true or false");
+}
+
+std::string ParameterReader::text(const std::string& name, const std::string& fallback)
+{
+  return read(name, fallback, XmlRpc::XmlRpcValue::TypeString, "text");
+}
+
+std::set<std::string> ParameterReader::unknown(const std::set<std::string>& ignored) const
+{
+  const std::string prefix = node_.getNamespace() + "/";
+  std::vector<std::string> names;
+  node_.getParamNames(names);
+  std::set<std::string> unknown;
+  for (const std::string& full_name : names)
+  {
+    if (full_name.compare(0, prefix.size(), prefix) != 0)
+      continue;
+    const std::string name = full_name.substr(prefix.size());
+    const std::string first = name.substr(0, name.find('/'));
+    if (asked_.count(name) == 0 && ignored.count(first) == 0)
+      unknown.insert(full_name);
+  }
+  return unknown;
+}
 
 std::string readFramePrefix(ParameterReader& reader, const std::string& sieve)
 {
@@ -61,17 +144,6 @@ std::string readFramePrefix(ParameterReader& reader, const std::string& sieve)
   if (!error.empty())
     throw ParameterError("parameter " + reader.fullName("frame_prefix") + ": " + prefix + ": " + error);
   return prefix;
-}
-
-std::array<Setpoint, QUANTITIES> readSetpoints(ParameterReader& reader, SlewRates& slew_rates)
-{
-  std::array<Setpoint, QUANTITIES> setpoints = usualSetpoints();
-  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
-  {
-    double& slew_rate = slew_rates.*q.slew_rate;
-    slew_rate = readSetpoint(reader, slew_rate, setpoints[indexOf(q.quantity)]);
-  }
-  return setpoints;
 }
 
 NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
@@ -85,15 +157,59 @@ NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
   parameters.publish_clock = reader.flag("publish_clock", parameters.publish_clock);
   parameters.exit_at_end = reader.flag("exit_at_end", parameters.exit_at_end);
   parameters.record = reader.text("record", parameters.record);
-  readRecording(reader, parameters.recording);
-  readAllRates(reader, parameters);
-  parameters.setpoints = readSetpoints(reader, parameters.slew_rates);
+  readRates(reader, "recording/", parameters.recording.rates);
+  parameters.recording.split_size = reader.number("recording/split_size", 0.0, 0.0, MAX_SPLIT_SIZE);
+  parameters.recording.split_duration = reader.number("recording/split_duration", 0.0, 0.0, LONGEST_DURATION);
+  readRates(reader, "rates/", parameters.rates);
+  parameters.display_rate = reader.number("rates/display", parameters.display_rate, 0.0, MAX_WALL_RATE);
+  parameters.clock_rate = reader.number("rates/clock", parameters.clock_rate, 1.0, MAX_WALL_RATE);
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+  {
+    double& slew_rate = parameters.slew_rates.*q.slew_rate;
+    slew_rate = readSetpoint(reader, slew_rate, parameters.setpoints[indexOf(q.quantity)]);
+  }
   parameters.mount = {readMount(reader, "x"), readMount(reader, "y"), readMount(reader, "z")};
   parameters.frames =
       frameNames(readFramePrefix(reader, private_node.getNamespace()), parameters.mountedElsewhere());
   for (const std::string& name : reader.unknown({"scene", "scene_file", "set", "seed", "diagnostic_period"}))
     ROS_WARN("parameter %s: not known, and ignored", name.c_str());
   return parameters;
+}
+
+RealTimeFactor::RealTimeFactor(const ros::NodeHandle& private_node, double present)
+    : node_(private_node), present_(present)
+{
+}
+
+std::optional<double> RealTimeFactor::changed()
+{
+  const auto now = Clock::now();
+  if (now - last_look_ < BETWEEN_LOOKS)
+    return std::nullopt;
+  last_look_ = now;
+  std::string refusal;
+  std::optional<double> change;
+  XmlRpc::XmlRpcValue value;
+  try
+  {
+    // The master sends an empty tree for a deleted parameter.
+    if (node_.getParamCached("real_time_factor", value) &&
+        !(value.getType() == XmlRpc::XmlRpcValue::TypeStruct && value.size() == 0))
+    {
+      const double factor =
+          numberFrom(node_.resolveName("real_time_factor"), value, 0.0, MAX_REAL_TIME_FACTOR);
+      if (factor != present_)
+        change = present_ = factor;
+    }
+  }
+  catch (const ParameterError& error)
+  {
+    refusal = error.what();
+    if (refusal != refusal_)
+      ROS_WARN("%s; %g stays", refusal.c_str(), present_);
+  }
+  refusal_ = refusal;
+  return change;
 }
 
 }  // namespace ratchet_sieve

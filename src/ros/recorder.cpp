@@ -1,4 +1,4 @@
-#include "ratchet_sieve/ros/recorder.h"
+#include "recorder.h"
 
 #include <filesystem>
 
@@ -9,16 +9,6 @@ namespace ratchet_sieve
 namespace
 {
 constexpr double BYTES_PER_MB = 1e6;
-
-/// run.bag, _2 -> run_2.bag
-std::string withSuffix(const std::string& path, const std::string& suffix)
-{
-  const std::size_t slash = path.rfind('/');
-  const std::size_t dot = path.rfind('.');
-  const bool has_ending = dot != std::string::npos && (slash == std::string::npos || dot > slash + 1);
-  const std::size_t stem = has_ending ? dot : path.size();
-  return path.substr(0, stem) + suffix + path.substr(stem);
-}
 
 /// The absolute path, for log lines: roslaunch starts its nodes in ~/.ros.
 std::string absolutePath(const std::string& path)
@@ -45,7 +35,9 @@ std::string Recorder::nextPath() const
     suffix += "_run" + std::to_string(run_);
   if (parameters_.splits())
     suffix += "_" + std::to_string(file_);
-  return withSuffix(base_path_, suffix);
+  std::filesystem::path path(base_path_);
+  path.replace_filename(path.stem().string() + suffix + path.extension().string());
+  return path.string();
 }
 
 void Recorder::openFile()
@@ -140,20 +132,6 @@ void Recorder::splitBefore(double time)
   bag_->take(scene_);
 }
 
-void Recorder::write(double time, const std::function<void()>& write)
-{
-  try
-  {
-    splitBefore(time);
-    write();
-    last_time_ = time;
-  }
-  catch (const BagError& error)
-  {
-    giveUp(error);
-  }
-}
-
 void Recorder::take(const AnyFrame& frame)
 {
   if (const SceneFrame* scene = frame.as<SceneFrame>())
@@ -161,8 +139,18 @@ void Recorder::take(const AnyFrame& frame)
     scene_ = *scene;
     file_start_ = last_time_ = scene->time;
   }
-  if (wants(frame.kind()))
-    write(frame.time(), [&] { bag_->take(frame); });
+  if (!wants(frame.kind()))
+    return;
+  try
+  {
+    splitBefore(frame.time());
+    bag_->take(frame);
+    last_time_ = frame.time();
+  }
+  catch (const BagError& error)
+  {
+    giveUp(error);
+  }
 }
 
 }  // namespace ratchet_sieve

@@ -1,15 +1,15 @@
-#include "ratchet_sieve/ros/scene_markers.h"
+#include "scene_markers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
 #include <tf2_eigen/tf2_eigen.h>
 
-#include "drawn_sizes.h"
-#include "marker_style.h"
-#include "plane_in_space.h"
+#include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/core/walls.h"
+#include "transform_publisher.h"
 
 namespace ratchet_sieve
 {
@@ -17,6 +17,14 @@ namespace
 {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
+
+using Rgb = std::array<float, 3>;
+constexpr std::array<Rgb, 8> PALETTE = {Rgb{0.000f, 0.447f, 0.698f}, Rgb{0.835f, 0.369f, 0.000f},
+                                        Rgb{0.000f, 0.620f, 0.451f}, Rgb{0.902f, 0.624f, 0.000f},
+                                        Rgb{0.800f, 0.475f, 0.655f}, Rgb{0.337f, 0.706f, 0.914f},
+                                        Rgb{0.941f, 0.894f, 0.259f}, Rgb{0.200f, 0.200f, 0.200f}};
+
+constexpr double LINE_HEIGHT = 1.5;  // in letters
 
 /// Proportions of the decoration, in widths of the base.
 constexpr double BEAM_HEIGHT = 0.02;
@@ -31,6 +39,78 @@ constexpr double BIN_GAP = 0.02;  // between the base's end and a bin
 /// A dot off the centre of each disk shows its rotation. In radii of the disk.
 constexpr double DOT_RADIUS = 0.28;
 constexpr double DOT_OFFSET = 0.55;
+
+/// A point of the plane. @param x to the right [m] @param y up [m]
+geometry_msgs::Point planePoint(double x, double y)
+{
+  geometry_msgs::Point point;
+  point.x = x;
+  point.z = y;
+  return point;
+}
+
+/// A marker in frame world, of one colour and unit pose. @param time of its stamp [s]
+Marker marker(double time, const std::string& name, int id, int type, const std_msgs::ColorRGBA& color)
+{
+  Marker marker;
+  marker.header.stamp = ros::Time(time);
+  marker.header.frame_id = WORLD_FRAME_ID;
+  marker.ns = name;
+  marker.id = id;
+  marker.type = type;
+  marker.action = Marker::ADD;
+  marker.pose.orientation.w = 1.0;
+  marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
+  marker.color = color;
+  return marker;
+}
+
+/// Adds a rectangle to a TRIANGLE_LIST. @param x, y of its lower left corner [m]
+void addRectangle(Marker& triangles, double x, double y, double width, double height)
+{
+  const auto lower_left = planePoint(x, y);
+  const auto lower_right = planePoint(x + width, y);
+  const auto upper_left = planePoint(x, y + height);
+  const auto upper_right = planePoint(x + width, y + height);
+  for (const auto& corner : {lower_left, lower_right, upper_right, lower_left, upper_right, upper_left})
+    triangles.points.push_back(corner);
+}
+
+/// The lists of spheres in which the disks are drawn: RViz draws all spheres of a list at one size. One for
+/// each species, and more for a species that has sizes, so that each disk is drawn within 2 % of its size.
+struct DrawnSizes
+{
+  struct List
+  {
+    std::size_t species;
+    double radius;  ///< drawn [m]
+  };
+
+  explicit DrawnSizes(const SceneDefinition& scene)
+  {
+    for (std::size_t k = 0; k < scene.species.size(); ++k)
+    {
+      const Sizes sizes(scene.species[k]);
+      const int steps = static_cast<int>(std::ceil(std::log(sizes.largest() / sizes.smallest()) / STEP));
+      first.push_back(lists.size());
+      for (int step = 0; step <= steps; ++step)
+        lists.push_back({k, sizes.smallest() * std::exp(step * STEP)});
+    }
+    first.push_back(lists.size());
+  }
+
+  std::size_t listOf(std::size_t species, double radius) const
+  {
+    const double step = std::round(std::log(radius / lists[first[species]].radius) / STEP);
+    const auto last = static_cast<double>(first[species + 1] - first[species] - 1);
+    return first[species] + static_cast<std::size_t>(std::clamp(step, 0.0, last));
+  }
+
+  static constexpr double STEP = 0.04;  ///< of the logarithm of the radius
+
+  std::vector<List> lists;
+  std::vector<std::size_t> first;  ///< list of each species, and the number of lists
+};
 
 /// The position of the dot on a disk, which is drawn as a sphere: on the viewer's side, where y is negative.
 geometry_msgs::Point dotPoint(const DiskState& disk, double radius)
@@ -106,6 +186,39 @@ void addBin(const SceneDefinition& scene, const BinFrame& frame, const BinPlace&
 }
 }  // namespace
 
+std_msgs::ColorRGBA speciesColor(std::size_t species, float opacity)
+{
+  const Rgb& rgb = PALETTE[species % PALETTE.size()];
+  std_msgs::ColorRGBA color;
+  color.r = rgb[0];
+  color.g = rgb[1];
+  color.b = rgb[2];
+  color.a = opacity;
+  return color;
+}
+
+std_msgs::ColorRGBA grey(float brightness, float opacity)
+{
+  std_msgs::ColorRGBA color;
+  color.r = color.g = color.b = brightness;
+  color.a = opacity;
+  return color;
+}
+
+void addLines(double time, const TextPlace& place, double letter, const std::vector<Line>& lines,
+              visualization_msgs::MarkerArray& markers)
+{
+  for (std::size_t k = 0; k < lines.size(); ++k)
+  {
+    const int id = place.first_id + static_cast<int>(k);
+    auto line = marker(time, place.name, id, visualization_msgs::Marker::TEXT_VIEW_FACING, lines[k].color);
+    line.pose.position = planePoint(place.x, place.y - static_cast<double>(k) * LINE_HEIGHT * letter);
+    line.scale.z = letter;
+    line.text = lines[k].words;
+    markers.markers.push_back(line);
+  }
+}
+
 MarkerArray baseMarkers(const SceneDefinition& scene, const BaseFrame& base)
 {
   const double width = scene.base.width();
@@ -133,7 +246,7 @@ MarkerArray diskMarkers(const SceneDefinition& scene, const ParticleFrame& frame
 {
   MarkerArray markers;
   const DrawnSizes sizes(scene);
-  const std::size_t count = sizes.lists().size();
+  const std::size_t count = sizes.lists.size();
   const auto add = [&](const char* name, std::size_t list, double radius, const std_msgs::ColorRGBA& color)
   {
     Marker spheres = marker(frame.time, name, static_cast<int>(list), Marker::SPHERE_LIST, color);
@@ -141,9 +254,9 @@ MarkerArray diskMarkers(const SceneDefinition& scene, const ParticleFrame& frame
     markers.markers.push_back(spheres);
   };
   for (std::size_t k = 0; k < count; ++k)
-    add("disks", k, sizes.lists()[k].radius, speciesColor(sizes.lists()[k].species));
+    add("disks", k, sizes.lists[k].radius, speciesColor(sizes.lists[k].species));
   for (std::size_t k = 0; k < count; ++k)
-    add("dots", k, DOT_RADIUS * sizes.lists()[k].radius, grey(1.0f));
+    add("dots", k, DOT_RADIUS * sizes.lists[k].radius, grey(1.0f));
   for (const DiskState& disk : frame.disks)
   {
     const double radius = radiusOf(disk, scene.species);

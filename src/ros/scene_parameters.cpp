@@ -1,9 +1,9 @@
-#include "ratchet_sieve/ros/scene_parameters.h"
+#include "scene_parameters.h"
 
 #include <fmt/format.h>
 #include <ros/console.h>
 
-#include "ratchet_sieve/ros/parameter_reader.h"
+#include "node_parameters.h"
 #include "ratchet_sieve/scene/entry.h"
 
 namespace ratchet_sieve
@@ -16,26 +16,11 @@ YAML::Node scalar(XmlRpc::XmlRpcValue value)
 {
   return YAML::Node(static_cast<T&>(value));
 }
-
-YAML::Node sequence(const XmlRpc::XmlRpcValue& value, const std::string& source)
-{
-  YAML::Node node(YAML::NodeType::Sequence);
-  for (int k = 0; k < value.size(); ++k)
-    node.push_back(yamlFromParameter(value[k], source + "/" + std::to_string(k)));
-  return node;
-}
-
-YAML::Node map(const XmlRpc::XmlRpcValue& value, const std::string& source)
-{
-  YAML::Node node(YAML::NodeType::Map);
-  for (const auto& [key, entry] : value)
-    node[key] = yamlFromParameter(entry, fmt::format("{}/{}", source, key));
-  return node;
-}
 }  // namespace
 
 YAML::Node yamlFromParameter(const XmlRpc::XmlRpcValue& value, const std::string& source)
 {
+  YAML::Node node;
   switch (value.getType())
   {
     case XmlRpc::XmlRpcValue::TypeBoolean:
@@ -47,9 +32,15 @@ YAML::Node yamlFromParameter(const XmlRpc::XmlRpcValue& value, const std::string
     case XmlRpc::XmlRpcValue::TypeString:
       return scalar<std::string>(value);
     case XmlRpc::XmlRpcValue::TypeArray:
-      return sequence(value, source);
+      node = YAML::Node(YAML::NodeType::Sequence);
+      for (int k = 0; k < value.size(); ++k)
+        node.push_back(yamlFromParameter(value[k], source + "/" + std::to_string(k)));
+      return node;
     case XmlRpc::XmlRpcValue::TypeStruct:
-      return map(value, source);
+      node = YAML::Node(YAML::NodeType::Map);
+      for (const auto& [key, entry] : value)
+        node[key] = yamlFromParameter(entry, fmt::format("{}/{}", source, key));
+      return node;
     default:
       throw SceneError(source + ": a date, binary or nothing: allowed are numbers, text, lists and maps");
   }

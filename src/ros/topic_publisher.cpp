@@ -1,6 +1,4 @@
-#include "ratchet_sieve/ros/topic_publisher.h"
-
-#include "ratchet_sieve/ros/conversions.h"
+#include "topic_publisher.h"
 
 namespace ratchet_sieve
 {
@@ -9,7 +7,6 @@ namespace
 /// Half a second of frames at the default rates; a subscriber that lags by more loses frames. roscpp has a
 /// queue for each subscriber, so that a slow one does not delay the others.
 constexpr std::uint32_t FRAME_QUEUE_SIZE = 30;
-
 }  // namespace
 
 /// Advertises the topic of a kind; a new subscriber is sent the present state.
@@ -17,28 +14,28 @@ template <typename Frame>
 void TopicPublisher::advertise(ros::NodeHandle& node, Frame (Run::*state)() const)
 {
   const ros::SubscriberStatusCallback give =
-      [current = current_, frame_id = frame_id_, state](const ros::SingleSubscriberPublisher& subscriber)
+      [current = current_, frame_id = frames_.world, state](const ros::SingleSubscriberPublisher& subscriber)
   {
     if (hasFrames<Frame>(current().simulation().scene()))
-      subscriber.publish(inFrame(frame_id, toMessage((current().*state)())));
+      subscriber.publish(toMessage((current().*state)(), frame_id));
   };
   const FrameKind kind = kindOf<Frame>();
-  publisher(kind) = node.advertise<MessageOf<Frame>>(describe(kind).name, FRAME_QUEUE_SIZE, give);
+  publishers_[kind] = node.advertise<MessageOf<Frame>>(describe(kind).name, FRAME_QUEUE_SIZE, give);
 }
 
 TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function<const Run&()>& current,
-                               const std::string& frame_id, ClockPublisher& clock,
+                               const FrameNames& frames, ClockPublisher& clock,
                                TransformPublisher& transforms)
-    : current_(current), frame_id_(frame_id), clock_(clock), transforms_(transforms)
+    : current_(current), frames_(frames), clock_(clock), transforms_(transforms)
 {
-  publisher(FrameKind::SCENE) =
+  publishers_[FrameKind::SCENE] =
       private_node.advertise<SceneDescription>(describe(FrameKind::SCENE).name, 1, true);
   advertise(private_node, &Run::particles);
   advertise(private_node, &Run::bins);
   advertise(private_node, &Run::base);
   advertise(private_node, &Run::statistics);
   advertise(private_node, &Run::observed);
-  publisher(FrameKind::COMMANDS) =
+  publishers_[FrameKind::COMMANDS] =
       private_node.advertise<Command>(describe(FrameKind::COMMANDS).name, FRAME_QUEUE_SIZE);
 }
 
@@ -56,16 +53,16 @@ void TopicPublisher::publish(const Frame& frame)
   if (KIND != FrameKind::SCENE && !isHeard(KIND))
     return;
   clock_.reach(frame.time);
-  publisher(KIND).publish(inFrame(frame_id_, toMessage(frame)));
+  publishers_[KIND].publish(toMessage(frame, frames_.world));
 }
 
 void TopicPublisher::take(const AnyFrame& any)
 {
   if (any.kind() == FrameKind::PARTICLES && isHeard(FrameKind::PARTICLES))
-    transforms_.publish(current_().base());
+    transforms_.publish(current_().base(), frames_);
   any.visit([this](const auto& frame) { publish(frame); });
   if (const BaseFrame* base = any.as<BaseFrame>())
-    transforms_.publish(*base);
+    transforms_.publish(*base, frames_);
 }
 
 }  // namespace ratchet_sieve

@@ -11,6 +11,7 @@
 #include <std_msgs/Float64MultiArray.h>
 #include <std_msgs/String.h>
 
+#include "errors.h"
 #include "file_size_limit.h"
 #include "small_scenes.h"
 
@@ -78,13 +79,6 @@ TEST(BagFile, holdsWhatIsLargerThanABlock)
   ASSERT_EQ(read.size(), 3u);
   for (unsigned k = 1; k <= 3; ++k)
     EXPECT_EQ(read[k - 1].data, noise(k * 400'000, k).data);
-}
-
-TEST(BagFile, isEmptyBeforeItsFirstMessage)
-{
-  const ScratchDirectory scratch;
-  BagFile(scratch / "a.bag").close();
-  EXPECT_TRUE(readNoise(scratch / "a.bag").empty());
 }
 
 /// What is in the file of messages that were written and not closed.
@@ -172,16 +166,21 @@ TEST(BagFile, isRefusedWhereNothingFits)
 {
   const ScratchDirectory scratch;
   std::filesystem::create_symlink("/dev/full", scratch / "a.bag");
-  try
-  {
-    BagFile file(scratch / "a.bag");
-    FAIL() << "opened";
-  }
-  catch (const BagError& error)
-  {
-    EXPECT_EQ(std::string(error.what()).rfind("Error writing to file: ", 0), 0u) << error.what();
-  }
+  const std::string error = errorOf([&] { BagFile file(scratch / "a.bag"); });
+  EXPECT_TRUE(begins(error, "Error writing to file: ")) << error;
   EXPECT_TRUE(scratch.empty());
+}
+
+TEST(BagFile, staysLockedUntilItHasItsName)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "run.bag.active";
+  {
+    BagFile file(path);
+    EXPECT_FALSE(file.close());
+    EXPECT_TRUE(BagFile::isBeingWritten(path));
+  }
+  EXPECT_FALSE(BagFile::isBeingWritten(path));
 }
 }  // namespace
 }  // namespace ratchet_sieve

@@ -4,43 +4,23 @@
 
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
+#include <tf2_eigen/tf2_eigen.h>
 
+#include "display.h"
 #include "model/base_shape.h"
-#include "ratchet_sieve/ros/particle_cloud.h"
-#include "ratchet_sieve/ros/scene_markers.h"
-#include "ratchet_sieve/ros/transform_publisher.h"
+#include "scene_markers.h"
 #include "small_scenes.h"
+#include "transform_publisher.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-struct Vector
-{
-  double x, y, z;
-};
-
-/// q v q*, for a rotation about y.
-Vector rotated(const geometry_msgs::Quaternion& q, const Vector& v)
-{
-  EXPECT_EQ(q.x, 0.0);
-  EXPECT_EQ(q.z, 0.0);
-  const double cosine = q.w * q.w - q.y * q.y;
-  const double sine = 2.0 * q.w * q.y;
-  return {cosine * v.x + sine * v.z, v.y, -sine * v.x + cosine * v.z};
-}
-
 /// A point of sieve_base in the world.
-Vector inWorld(const std::vector<geometry_msgs::TransformStamped>& transforms, const Vector& point)
+Eigen::Vector3d inWorld(const std::vector<geometry_msgs::TransformStamped>& transforms,
+                        const Eigen::Vector3d& point)
 {
-  Vector v = point;
-  for (std::size_t k = transforms.size(); k-- > 0;)
-  {
-    const geometry_msgs::Transform& transform = transforms[k].transform;
-    v = rotated(transform.rotation, v);
-    v = {v.x + transform.translation.x, v.y + transform.translation.y, v.z + transform.translation.z};
-  }
-  return v;
+  return tf2::transformToEigen(transforms.at(0)) * (tf2::transformToEigen(transforms.at(1)) * point);
 }
 
 BaseFrame inclinedBase(double inclination, double displacement)
@@ -51,86 +31,98 @@ BaseFrame inclinedBase(double inclination, double displacement)
   return frame;
 }
 
+TEST(FrameNames, haveTheNameOfEverySieveButTheUsualOne)
+{
+  EXPECT_EQ(defaultFramePrefix("/sieve"), "");
+  EXPECT_EQ(defaultFramePrefix("/s1"), "s1");
+  EXPECT_EQ(defaultFramePrefix("/plant1/sieve"), "plant1/sieve");
+  EXPECT_EQ(defaultFramePrefix("/"), "");
+}
+
+TEST(FrameNames, refuseAPrefixThatNoFrameCanHave)
+{
+  for (const char* good : {"", "s1", "plant1/sieve", "S_2"})
+    EXPECT_EQ(framePrefixError(good), "") << good;
+  for (const char* bad : {"/s1", "s1/", "1s", "~s1", "s 1", "s-1"})
+    EXPECT_NE(framePrefixError(bad), "") << bad;
+}
+
 TEST(BaseTransforms, leadFromWorldOverMountToBase)
 {
-  const auto transforms = baseTransforms(inclinedBase(0.1, 0.0));
-  ASSERT_EQ(transforms.size(), 2u);
-  EXPECT_EQ(transforms[0].header.frame_id, "world");
-  EXPECT_EQ(transforms[0].child_frame_id, "sieve_mount");
-  EXPECT_EQ(transforms[1].header.frame_id, "sieve_mount");
-  EXPECT_EQ(transforms[1].child_frame_id, "sieve_base");
+  const auto links = [](const FrameNames& names)
+  {
+    std::string text;
+    for (const auto& link : baseTransforms(BaseFrame(), names))
+      text += link.header.frame_id + " -> " + link.child_frame_id + " ";
+    return text;
+  };
+  EXPECT_EQ(links(frameNames("", false)), "world -> sieve_mount sieve_mount -> sieve_base ");
+  const FrameNames own = frameNames("plant1/s1", true);
+  EXPECT_EQ(links(own),
+            "plant1/s1/sieve_world -> plant1/s1/sieve_mount "
+            "plant1/s1/sieve_mount -> plant1/s1/sieve_base ");
+  const auto world = ownWorldTransform({1.0, 2.0, -3.0}, own);
+  EXPECT_EQ(world.header.frame_id, "world");
+  EXPECT_EQ(world.child_frame_id, own.world);
+  EXPECT_EQ(tf2::transformToEigen(world).translation(), Eigen::Vector3d(1.0, 2.0, -3.0));
 }
 
 TEST(BaseTransforms, raiseTheRightEndForPositiveInclination)
 {
-  const auto transforms = baseTransforms(inclinedBase(0.25, 0.0));
-  const Vector right_end = inWorld(transforms, {0.4, 0.0, 0.0});
-  EXPECT_NEAR(right_end.x, 0.4 * std::cos(0.25), 1e-15);
-  EXPECT_NEAR(right_end.z, 0.4 * std::sin(0.25), 1e-15);
+  const Eigen::Vector3d right_end = inWorld(baseTransforms(inclinedBase(0.25, 0.0)), {0.4, 0.0, 0.0});
+  EXPECT_TRUE(right_end.isApprox(Eigen::Vector3d(0.4 * std::cos(0.25), 0.0, 0.4 * std::sin(0.25)), 1e-14));
 }
 
 TEST(BaseTransforms, moveTheBaseByItsDriveInTheWorldWhateverItsInclination)
 {
   for (const double inclination : {-0.4, 0.0, 0.3})
   {
-    const Vector rest = inWorld(baseTransforms(inclinedBase(inclination, 0.0)), {0.1, 0.0, 0.006});
-    const Vector up = inWorld(baseTransforms(inclinedBase(inclination, 0.002)), {0.1, 0.0, 0.006});
-    EXPECT_NEAR(up.x, rest.x, 1e-15);
-    EXPECT_NEAR(up.z - rest.z, 0.002, 1e-15);
-    BaseFrame oblique = inclinedBase(inclination, 0.002);
-    oblique.base.horizontal_displacement = -0.003;
-    const Vector aside = inWorld(baseTransforms(oblique), {0.1, 0.0, 0.006});
-    EXPECT_NEAR(aside.x - rest.x, -0.003, 1e-15);
-    EXPECT_NEAR(aside.z - rest.z, 0.002, 1e-15);
+    const Eigen::Vector3d point(0.1, 0.0, 0.006);
+    BaseFrame moved = inclinedBase(inclination, 0.002);
+    moved.base.horizontal_displacement = -0.003;
+    const Eigen::Vector3d by = inWorld(baseTransforms(moved), point) -
+                               inWorld(baseTransforms(inclinedBase(inclination, 0.0)), point);
+    EXPECT_LT((by - Eigen::Vector3d(-0.003, 0.0, 0.002)).norm(), 1e-15);
   }
 }
 
 TEST(SceneMarkers, drawTheBaseWhereTheEngineHasIt)
 {
-  const SceneDefinition scene = smallMixture();
-  const BaseShape shape(scene.base, scene.boundary);
-  const auto markers = baseMarkers(scene, BaseFrame()).markers;
-  ASSERT_EQ(markers.size(), 2u);
-  EXPECT_EQ(markers[1].points.size(), 4u * scene.base.teeth);
-  for (const auto& point : markers[1].points)
-    EXPECT_NEAR(shape.heightAbove(point.x, point.z), 0.0, 1e-12);
-}
-
-TEST(SceneMarkers, drawEachCornerOfAProfile)
-{
   SceneDefinition scene = smallMixture();
-  scene.base.profile = {{0.0, 0.0}, {0.012, 0.006}, {0.012, 0.0}, {0.02, 0.0}};
-  const auto points = baseMarkers(scene, BaseFrame()).markers[1].points;
-  ASSERT_EQ(points.size(), 6u * scene.base.teeth);
-  for (std::size_t k = 0; k < points.size(); ++k)
+  for (const std::size_t faces : {2u, 3u})
   {
-    const OutlineCorner& corner = scene.base.profile[k % 6 / 2 + k % 2];
-    EXPECT_DOUBLE_EQ(points[k].x, static_cast<double>(k / 6) * scene.base.toothWidth() + corner.s);
-    EXPECT_DOUBLE_EQ(points[k].z, corner.n);
+    if (faces == 3)
+      scene.base.profile = {{0.0, 0.0}, {0.012, 0.006}, {0.012, 0.0}, {0.02, 0.0}};
+    const BaseShape shape(scene.base, scene.boundary);
+    const auto markers = baseMarkers(scene, BaseFrame()).markers;
+    ASSERT_EQ(markers.size(), 2u);
+    EXPECT_EQ(markers[1].points.size(), 2 * faces * scene.base.teeth);
+    for (const auto& point : markers[1].points)
+      EXPECT_NEAR(shape.heightAbove(point.x, point.z), 0.0, 1e-12);
   }
 }
 
 /// The highest and the furthest point of the drawn base, in its own frame.
-Vector reachOfBase(const SceneDefinition& scene)
+Eigen::Vector3d reachOfBase(const SceneDefinition& scene)
 {
-  Vector reach{0.0, 0.0, 0.0};
+  Eigen::Vector3d reach = Eigen::Vector3d::Zero();
   for (const auto& point : baseMarkers(scene, BaseFrame()).markers[0].points)
-    reach = {std::max(reach.x, point.x), 0.0, std::max(reach.z, point.z)};
+    reach = reach.cwiseMax(Eigen::Vector3d(point.x, point.y, point.z));
   return reach;
 }
 
 TEST(SceneMarkers, drawWallsBesideTheBaseUpToTheirHeight)
 {
   SceneDefinition scene = smallMixture();
-  EXPECT_EQ(reachOfBase(scene).z, scene.base.tooth_height);
+  EXPECT_EQ(reachOfBase(scene).z(), scene.base.tooth_height);
   scene.boundary = Boundary::WALLED;
   scene.base.wall_height = 0.013;
-  EXPECT_NEAR(reachOfBase(scene).z, 0.013, 1e-15);
-  EXPECT_GT(reachOfBase(scene).x, scene.base.width());
+  EXPECT_NEAR(reachOfBase(scene).z(), 0.013, 1e-15);
+  EXPECT_GT(reachOfBase(scene).x(), scene.base.width());
   // The default walls, at least ten widths high, are cut off at the edge of the view.
   scene.base.wall_height = 0.0;
-  EXPECT_LT(reachOfBase(scene).z, 0.3 * scene.base.width());
-  EXPECT_GT(reachOfBase(scene).z, 0.1 * scene.base.width());
+  EXPECT_LT(reachOfBase(scene).z(), 0.3 * scene.base.width());
+  EXPECT_GT(reachOfBase(scene).z(), 0.1 * scene.base.width());
 }
 
 TEST(SceneMarkers, moveTheBaseAsTheTransformsDo)
@@ -139,10 +131,10 @@ TEST(SceneMarkers, moveTheBaseAsTheTransformsDo)
   for (const auto& part : baseMarkers(smallMixture(), base).markers)
   {
     EXPECT_EQ(part.header.frame_id, "world");
-    const Vector turned = rotated(part.pose.orientation, {0.07, 0.0, 0.005});
-    const Vector expected = inWorld(baseTransforms(base), {0.07, 0.0, 0.005});
-    EXPECT_NEAR(turned.x + part.pose.position.x, expected.x, 1e-15);
-    EXPECT_NEAR(turned.z + part.pose.position.z, expected.z, 1e-15);
+    Eigen::Isometry3d pose;
+    tf2::fromMsg(part.pose, pose);
+    const Eigen::Vector3d point(0.07, 0.0, 0.005);
+    EXPECT_LT((pose * point - inWorld(baseTransforms(base), point)).norm(), 1e-15);
   }
 }
 
@@ -170,35 +162,27 @@ TEST(SceneMarkers, drawDisksOfManySizesWithinTwoPercent)
   EXPECT_EQ(drawn, frame.disks.size());
 }
 
-TEST(SceneMarkers, drawDisksInTrueSizeOneListPerSpecies)
-{
-  const SceneDefinition scene = smallMixture();
-  ParticleFrame frame;
-  frame.disks = {{7, 1, 0.01, 0.02, 0, 0, 0, 0, 0}, {9, 1, 0.03, 0.04, 0, 0, 0, 0, 0}};
-  const auto markers = diskMarkers(scene, frame).markers;
-  ASSERT_EQ(markers.size(), 4u);
-  EXPECT_EQ(markers[0].action, visualization_msgs::Marker::DELETE);
-  EXPECT_EQ(markers[1].type, visualization_msgs::Marker::SPHERE_LIST);
-  EXPECT_EQ(markers[1].scale.x, 2.0 * scene.species[1].radius);
-  ASSERT_EQ(markers[1].points.size(), 2u);
-  EXPECT_EQ(markers[1].points[1].x, 0.03);
-  EXPECT_EQ(markers[1].points[1].y, 0.0);
-  EXPECT_EQ(markers[1].points[1].z, 0.04);
-}
-
-TEST(SceneMarkers, markEachDiskWhereItHasTurnedTo)
+TEST(SceneMarkers, drawDisksInTrueSizeAndWhereEachHasTurnedTo)
 {
   const SceneDefinition scene = smallMixture();
   ParticleFrame frame;
   frame.disks = {{7, 1, 0.01, 0.02, 0.0, 0, 0, 0, 0}, {9, 1, 0.03, 0.04, 1.1, 0, 0, 0, 0}};
   const auto markers = diskMarkers(scene, frame).markers;
+  ASSERT_EQ(markers.size(), 4u);
+  EXPECT_EQ(markers[0].action, visualization_msgs::Marker::DELETE);
   EXPECT_EQ(markers[2].action, visualization_msgs::Marker::DELETE);
-  const auto& dots = markers[3];
+  const auto &disks = markers[1], &dots = markers[3];
+  EXPECT_EQ(disks.type, visualization_msgs::Marker::SPHERE_LIST);
+  EXPECT_EQ(disks.scale.x, 2.0 * scene.species[1].radius);
+  ASSERT_EQ(disks.points.size(), 2u);
   ASSERT_EQ(dots.points.size(), 2u);
-  EXPECT_LT(dots.scale.x, 0.5 * markers[1].scale.x);
+  EXPECT_LT(dots.scale.x, 0.5 * disks.scale.x);
   for (std::size_t k = 0; k < 2; ++k)
   {
     const DiskState& disk = frame.disks[k];
+    EXPECT_EQ(disks.points[k].x, disk.x);
+    EXPECT_EQ(disks.points[k].y, 0.0);
+    EXPECT_EQ(disks.points[k].z, disk.y);
     const double x = dots.points[k].x - disk.x;
     const double z = dots.points[k].z - disk.y;
     EXPECT_NEAR(std::atan2(z, x), disk.angle, 1e-12);
@@ -224,36 +208,26 @@ TEST(SceneMarkers, showBinsOfAnOpenBaseOnly)
   EXPECT_TRUE(binMarkers(scene, someBins(), BaseFrame()).markers.empty());
 }
 
-TEST(SceneMarkers, sayUndefinedWhereQualityIsNot)
+TEST(SceneMarkers, sayHowTheRunIs)
 {
   const SceneDefinition scene = smallMixture();
-  Picture picture{scene, BaseFrame(), someBins(), {}, {}};
-  picture.bins->processed = 0.5;
-  const auto markers = captionMarkers(picture).markers;
-  ASSERT_EQ(markers.size(), 4u);
-  EXPECT_EQ(markers[1].text, "Q = undefined    P = 0.500");
-}
-
-TEST(SceneMarkers, sayWhereTheBaseIsAndWhereItIsGoing)
-{
-  const SceneDefinition scene = smallMixture();
-  Picture picture{scene, inclinedBase(0.1, 0.0), {}, {}, {}};
+  Picture picture{scene, inclinedBase(0.1, 0.0), someBins(), {}, std::vector<SpeciesMeans>(2)};
   DriveState& base = picture.base.base;
   base.commanded_inclination = 0.19;
   base.frequency = base.commanded_frequency = 23.0;
-  const std::string words = captionMarkers(picture).markers.at(0).text;
-  EXPECT_NE(words.find("theta = +0.100 -> +0.190 rad"), std::string::npos) << words;
-  EXPECT_NE(words.find("f = 23.0 Hz"), std::string::npos) << words;
-}
-
-TEST(SceneMarkers, nameEachSpeciesInItsColour)
-{
-  const SceneDefinition scene = smallMixture();
-  const auto markers = captionMarkers({scene, BaseFrame(), someBins(), {}, {}}).markers;
-  ASSERT_EQ(markers.size(), 4u);
-  EXPECT_EQ(markers[2].text, "A: r = 1 mm, m = 10 g, 3 on the base");
-  EXPECT_EQ(markers[3].text, "B: r = 3 mm, m = 1 g, 6 on the base");
-  EXPECT_EQ(markers[3].color, diskMarkers(scene, ParticleFrame()).markers.at(1).color);
+  picture.bins->processed = 0.5;
+  picture.means[0].mean_vx = 0.01234;
+  picture.means[0].mean_vx_stderr = 0.00056;
+  std::vector<std::string> words;
+  for (const auto& marker : captionMarkers(picture).markers)
+    words.push_back(marker.text);
+  EXPECT_EQ(words, (std::vector<std::string>{
+                       "t = 0.00 s    theta = +0.100 -> +0.190 rad    f = 23.0 Hz    A = 0.00 mm",
+                       "Q = undefined    P = 0.500",
+                       "A: r = 1 mm, m = 10 g, 3 on the base, <V_x> = +12.3 +- 0.6 mm/s",
+                       "B: r = 3 mm, m = 1 g, 6 on the base, <V_x> = undefined"}));
+  EXPECT_EQ(captionMarkers(picture).markers[3].color,
+            diskMarkers(scene, ParticleFrame()).markers.at(1).color);
 }
 
 TEST(SceneMarkers, keepTextsOffBinsAndDisks)
@@ -275,18 +249,6 @@ TEST(SceneMarkers, keepTextsOffBinsAndDisks)
   EXPECT_LT(legendWidth(), 1.0);
 }
 
-TEST(SceneMarkers, sayTheMeanVelocityOfEachSpeciesWithItsError)
-{
-  const SceneDefinition scene = smallMixture();
-  Picture picture{scene, BaseFrame(), {}, {}, std::vector<SpeciesMeans>(2)};
-  picture.means[0].mean_vx = 0.01234;
-  picture.means[0].mean_vx_stderr = 0.00056;
-  const auto markers = captionMarkers(picture).markers;
-  ASSERT_EQ(markers.size(), 3u);
-  EXPECT_EQ(markers[1].text, "A: r = 1 mm, m = 10 g, <V_x> = +12.3 +- 0.6 mm/s");
-  EXPECT_EQ(markers[2].text, "B: r = 3 mm, m = 1 g, <V_x> = undefined");
-}
-
 TEST(SceneMarkers, leaveOutWhatNobodyRecorded)
 {
   const SceneDefinition scene = smallMixture();
@@ -301,9 +263,9 @@ TEST(ParticleCloud, carriesPlaceRadiusAndSpecies)
   const SceneDefinition scene = smallMixture();
   ParticleFrame frame;
   frame.disks = {{0, 0, 0.25, 0.5, 0, 0, 0, 0, 0}, {1, 1, 0.75, 1.0, 0, 0, 0, 0, 0}};
-  const auto cloud = particleCloud(frame, scene.species);
+  const auto cloud = particleCloud(frame, scene.species, "s1/sieve_world");
   EXPECT_EQ(cloud.width, 2u);
-  EXPECT_EQ(cloud.header.frame_id, "world");
+  EXPECT_EQ(cloud.header.frame_id, "s1/sieve_world");
   sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x"), z(cloud, "z"), radius(cloud, "radius");
   sensor_msgs::PointCloud2ConstIterator<std::uint32_t> species(cloud, "species");
   ++x, ++z, ++radius, ++species;

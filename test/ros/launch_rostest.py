@@ -22,12 +22,13 @@ import rosunit
 import yaml
 from geometry_msgs.msg import TransformStamped
 from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import PointCloud2
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
 from launched import PACKAGE, TIMEOUT, Launched, message, wait_for
 from ratchet_sieve import Scene, SceneError
-from ratchet_sieve.msg import BaseState, SceneDescription, SeekTrial
+from ratchet_sieve.msg import BaseState, BinCounts, SceneDescription, SeekTrial
 
 # A paused sieve that does not exit.
 STILL = ['paused:=true', 'exit_at_end:=false']
@@ -53,13 +54,17 @@ def scene_of(sieve):
 class Launch(Launched):
     # With a master that keeps running, each launch sees only its own parameters.
 
-    def test_leaves_no_key_of_the_scene_before(self):
-        seek = self.launch('sieve.launch', f'scene:={PACKAGE}/config/seek.yaml', *STILL)
-        self.assertEqual(scene_of('/sieve')['feed']['rate'], 40.0)
-        self.end(seek)
+    def test_leaves_nothing_of_the_launch_before(self):
+        demo = self.launch('demo.launch')
+        scene_of('/sieve')
+        self.assertEqual(self.master.getParam('/sieve/limits/inclination/slew_rate'), 0.5)
+        self.end(demo)
         self.master.setParam('/sieve/scene/bundary', 'open')
-        self.launch('sieve.launch', *STILL)
-        self.assertEqual(scene_of('/sieve')['feed']['rate'], 0.0)
+        self.launch('sieve.launch', f'scene:={PACKAGE}/config/seek.yaml',
+                    'params:={limits: {frequency: {max: 50}}, rates: {base: 7.0}}', *STILL)
+        self.assertEqual(scene_of('/sieve')['feed']['rate'], 40.0)
+        self.assertEqual(self.master.getParam('/sieve/limits'), {'frequency': {'max': 50}})
+        self.assertEqual(self.master.getParam('/sieve/rates'), {'base': 7.0})
 
     def test_a_file_is_one_scene_for_every_program(self):
         scratch = tempfile.TemporaryDirectory()
@@ -93,16 +98,6 @@ class Launch(Launched):
                 'real_time_factor', 'recording/particles', 'limits/inclination/slew_rate', 'set', 'seed')],
                 [3, 4, 0.7, '{base.teeth: 020}', '3000000000'])
 
-    def test_leaves_no_limit_of_the_launch_before(self):
-        demo = self.launch('demo.launch')
-        scene_of('/sieve')
-        self.assertEqual(self.master.getParam('/sieve/limits/inclination/slew_rate'), 0.5)
-        self.end(demo)
-        self.launch('sieve.launch', 'params:={limits: {frequency: {max: 50}}, rates: {base: 7.0}}', *STILL)
-        scene_of('/sieve')
-        self.assertEqual(self.master.getParam('/sieve/limits'), {'frequency': {'max': 50}})
-        self.assertEqual(self.master.getParam('/sieve/rates'), {'base': 7.0})
-
     def test_every_node_is_cleared(self):
         for path in PACKAGE.glob('launch/*.launch'):
             arguments = {'replay.launch': [f'bag:={sys.argv[1]}'], 'seek.launch': ['disturb:=true', 'rviz:=true'],
@@ -130,6 +125,58 @@ class Launch(Launched):
         with tempfile.NamedTemporaryFile('r') as log:
             self.start(['rosrun', 'ratchet_sieve', 'sieve_node', '__name:=hasty'], stdout=log)
             wait_for(lambda: '30 disks, 20 s, seed 7' in Path(log.name).read_text(), 'the start is logged')
+
+    def test_replay_brings_every_frame_and_shows_it(self):
+        """The bag again and again, in a namespace."""
+        recorded, received, pictures, places = {}, {}, [], {}
+        with rosbag.Bag(sys.argv[1]) as bag:
+            for topic, (_, content, *_), _ in bag.read_messages(raw=True):
+                recorded.setdefault(topic, []).append(content)
+            for _, frame, _ in bag.read_messages('/sieve/particles'):
+                disks = [*zip(frame.species, frame.x, frame.y)]
+                places[frame.header.stamp] = [[(x, y) for of, x, y in disks if of == species] for species in (0, 1)]
+        for topic in recorded:
+            received[topic] = []
+            rospy.Subscriber(topic, rospy.AnyMsg, lambda frame, topic=topic: received[topic].append(frame._buff))
+        rospy.Subscriber('/plant1/sieve_display/markers', MarkerArray, lambda array: pictures.append(array.markers))
+        self.launch('replay.launch', f'bag:={sys.argv[1]}', 'rate:=5', 'loop:=true', 'rviz:=false', namespace='plant1')
+
+        def whole_pass(topic):
+            starts = [k for k, content in enumerate(received[topic]) if content == recorded[topic][0]]
+            return received[topic][starts[0]:starts[1]] if len(starts) > 1 else []
+
+        def shown_again():
+            stamps = [picture[-1].header.stamp for picture in pictures]
+            return any(later < earlier for earlier, later in zip(stamps, stamps[1:]))
+
+        wait_for(lambda: all(map(whole_pass, recorded)) and shown_again(), 'the bag is played again')
+        for topic, contents in recorded.items():
+            self.assertTrue(whole_pass(topic) == contents, topic)
+        self.assertEqual(message('/sieve/scene', rospy.AnyMsg)._buff, recorded['/sieve/scene'][0])  # also for a late one
+        for picture in pictures:
+            for marker in picture:
+                if marker.ns == 'disks' and marker.action == marker.ADD:
+                    self.assertEqual([(point.x, point.z) for point in marker.points],
+                                     places[marker.header.stamp][marker.id])
+
+        with tempfile.NamedTemporaryFile('r') as log:
+            display = ['rosrun', 'ratchet_sieve', 'sieve_display']
+            self.start([*display, '__name:=lost', '_sieve:=/s1'], stdout=log, stderr=log)
+            late = self.start([*display, '__name:=late'])
+            wait_for(lambda: message('/late/cloud', PointCloud2).width > 0, 'a display that comes late shows the disks')
+            self.end(late)
+            self.assertEqual(late.returncode, 0)
+            wait_for(lambda: 'nothing to show: no scene of /s1 yet; there is /sieve' in Path(log.name).read_text(),
+                     'a display says that it finds nothing')
+
+    def test_replay_ends_where_the_bag_cannot_be_played(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            content = Path(sys.argv[1]).read_bytes()
+            (Path(scratch) / 'cut.bag').write_bytes(content[:len(content) // 2])
+            for name in ('missing.bag', 'cut.bag'):
+                launch = subprocess.run(['roslaunch', 'ratchet_sieve', 'replay.launch', 'rviz:=false',
+                                         f'bag:={scratch}/{name}'], capture_output=True, text=True, timeout=TIMEOUT)
+                self.assertIn(name, launch.stderr)
 
     def test_replay_of_all_topics(self):
         """A bag with what the player and the display publish, too, as `rosbag record -a` makes it."""
@@ -195,16 +242,21 @@ class Launch(Launched):
 
     # Nodes launched under ROS_NAMESPACE find each other.
 
-    def test_demo_in_a_namespace(self):
-        self.launch('demo.launch', namespace='plant1')
+    def test_demo_separates_its_mixture_also_in_a_namespace(self):
+        self.launch('demo.launch', 'real_time_factor:=6', 'exit_at_end:=false', namespace='plant1')
         self.assertEqual(scene_of('/plant1/sieve')['base']['teeth'], 40)
         self.assertEqual(self.master.getParam('/plant1/sieve/limits/inclination/slew_rate'), 0.5)
-        wait_for(lambda: message('/plant1/sieve/base', BaseState).commanded_inclination == 0.19,
-                 'the schedule commands the sieve')
         transforms = message('/tf', TFMessage).transforms
         self.assertEqual([(t.header.frame_id, t.child_frame_id) for t in transforms],
                          [('world', 'plant1/sieve/sieve_mount'),
                           ('plant1/sieve/sieve_mount', 'plant1/sieve/sieve_base')])
+        wait_for(lambda: message('/plant1/sieve/base', BaseState).time == 30.0, 'its end')
+        base, bins = message('/plant1/sieve/base', BaseState), message('/plant1/sieve/bins', BinCounts)
+        self.assertEqual((base.inclination, base.frequency), (0.16, 23.0))  # as its schedule has it
+        self.assertGreater(bins.processed, 0.9)
+        self.assertGreater(bins.quality, 0.5)
+        # Small and heavy to the right, large and light to the left.
+        self.assertTrue(bins.right[0] > bins.left[0] and bins.left[1] > bins.right[1])
 
     def test_seek_in_a_namespace(self):
         self.launch('seek.launch', 'real_time_factor:=0', 'goal:=recovery:B:left:mass', namespace='plant1')
@@ -212,11 +264,6 @@ class Launch(Launched):
         self.assertGreater(sum(trial.right), 0)
         self.assertEqual(trial.goal, 'recovery:B:left:mass')
         self.assertAlmostEqual(trial.value, trial.left[1] / (trial.left[1] + trial.right[1]))  # all of one mass
-
-    def test_replay_in_a_namespace(self):
-        self.launch('replay.launch', f'bag:={sys.argv[1]}', 'loop:=true', 'rviz:=false', namespace='plant1')
-        shown = '/plant1/sieve_display/markers'
-        wait_for(lambda: 'disks' in (marker.ns for marker in message(shown, MarkerArray).markers), 'a run is shown')
 
 
 if __name__ == '__main__':

@@ -28,9 +28,9 @@ class Launched(unittest.TestCase):
     def launch(self, *arguments, namespace='', **environment):
         return self.start(['roslaunch', 'ratchet_sieve', *arguments], ROS_NAMESPACE=namespace, **environment)
 
-    def start(self, command, stdout=subprocess.DEVNULL, **environment):
+    def start(self, command, stdout=subprocess.DEVNULL, stderr=None, **environment):
         program = subprocess.Popen(command, cwd=PACKAGE, env=dict(os.environ, **environment), start_new_session=True,
-                                   stdout=stdout)
+                                   stdout=stdout, stderr=stderr)
         self.addCleanup(self.end, program)
         return program
 

@@ -1,27 +1,24 @@
 #include <algorithm>
 #include <fstream>
+#include <limits>
 
 #include <gtest/gtest.h>
 #include <rosgraph_msgs/Clock.h>
-#include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "child_node.h"
-#include "node_log.h"
-#include "own_master.h"
-#include "ratchet_sieve/PourDisks.h"
+#include "node_reports.h"
 #include "ratchet_sieve/recording/same_bits.h"
-#include "ratchet_sieve/ros/scene_parameters.h"
-#include "ratchet_sieve/ros/transform_publisher.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
+#include "scene_parameters.h"
 #include "sieve_client.h"
 #include "small_scenes.h"
-#include "statuses.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
+using Level = diagnostic_msgs::DiagnosticStatus;
+
 /// A sieve started paused by roslaunch, reset for each test; and a simulation of its scene for comparison.
 class Node : public testing::Test
 {
@@ -38,14 +35,8 @@ protected:
     return sceneFromYaml(parameter.root, parameter.source).definition;
   }
 
-  /// Sends a command and waits until the sieve's base shows it.
-  void command(const std::string& quantity, double value, double DriveState::*commanded)
-  {
-    sieve.publish(quantity, value);
-    ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().base.*commanded == value; }));
-  }
-
   SieveClient sieve{"/sieve"};
+  Statuses statuses{sieve.node};
 };
 
 TEST_F(Node, latchesItsScene)
@@ -74,9 +65,9 @@ TEST_F(Node, stepsAsTheSimulationDoesBitForBit)
 
 TEST_F(Node, followsASetpointAtItsSlewRate)
 {
-  command("inclination", 0.1, &DriveState::commanded_inclination);
-  command("frequency", 25.0, &DriveState::commanded_frequency);
-  command("amplitude", 0.0015, &DriveState::commanded_amplitude);
+  sieve.command("inclination", 0.1);
+  sieve.command("frequency", 25.0);
+  sieve.command("amplitude", 0.0015);
   sieve.stepAndSee(0.1);
   const DriveState moving = sieve.base.frames.back().base;
   EXPECT_NEAR(moving.inclination, 0.02, 1e-12);  // limits/inclination/slew_rate: 0.2
@@ -84,179 +75,72 @@ TEST_F(Node, followsASetpointAtItsSlewRate)
   EXPECT_NEAR(moving.amplitude, 0.0018, 1e-15);
 }
 
-TEST_F(Node, saysThatACollapseStoppedIt)
+/// A scene, how far it is stepped, and what /diagnostics then says.
+struct Reported
 {
-  Statuses statuses(sieve.node);
-  ASSERT_TRUE(sieve.reset(0, {"contact.min_rebound_speed=0", "contact.collapse_events=10000"}).success);
-  const StepSimulation::Response answer = sieve.step(5.0);
-  EXPECT_FALSE(answer.success);
-  EXPECT_NE(answer.message.find("inelastic collapse"), std::string::npos) << answer.message;
-  EXPECT_LT(answer.time, 5.0);
-  ASSERT_TRUE(waitFor(
-      [&]
-      {
-        const auto& status = statuses["sieve: simulation"];
-        return status.level == diagnostic_msgs::DiagnosticStatus::ERROR && status.message == answer.message;
-      }));
-}
+  std::vector<std::string> overrides;
+  double duration;
+  const char* status;
+  std::uint8_t level;
+  const char* words;
+};
 
-TEST_F(Node, goesOnThroughACollapseAndWarns)
+TEST_F(Node, reportsWhatIsWrongWithARun)
 {
-  Statuses statuses(sieve.node);
-  ASSERT_TRUE(sieve
-                  .reset(0, {"contact.min_rebound_speed=0", "contact.collapse_events=1000",
-                             "contact.on_collapse=rebound"})
-                  .success);
-  EXPECT_TRUE(sieve.step(1.0).success);
-  EXPECT_TRUE(waitFor(
-      [&]
-      {
-        const auto& status = statuses["sieve: simulation"];
-        return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
-               status.message.find("inelastic collapse") != std::string::npos;
-      }));
-}
-
-TEST_F(Node, warnsOfASceneThatCannotBeMeantUntilAnotherRuns)
-{
-  Statuses statuses(sieve.node);
-  const NodeLog log("/sieve");
-  ASSERT_TRUE(waitFor([&] { return log.connected(); }));
-  ASSERT_TRUE(sieve.reset(0, {"base.amplitude=2"}).success);
-  EXPECT_TRUE(waitFor(
-      [&]
-      {
-        const auto& status = statuses["sieve: scene"];
-        return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
-               status.message.rfind("base.amplitude = 2 m: 100 times a tooth's width", 0) == 0;
-      }));
-  EXPECT_TRUE(waitFor([&] { return log.count("/mixture.yaml: base.amplitude = 2 m: ") == 1; }));
+  const Reported all[] = {
+      {{"contact.min_rebound_speed=0", "contact.collapse_events=10000"},
+       5.0,
+       "simulation",
+       Level::ERROR,
+       "inelastic collapse"},
+      {{"contact.min_rebound_speed=0", "contact.collapse_events=1000", "contact.on_collapse=rebound"},
+       1.0,
+       "simulation",
+       Level::WARN,
+       "inelastic collapse"},
+      {{"base.amplitude=2"}, 0.0, "scene", Level::WARN, "base.amplitude = 2 m: 100 times a tooth's width"},
+      {{"boundary=walled", "base.wall_height=0.002", "base.teeth=2"},
+       3.0,
+       "simulation",
+       Level::WARN,
+       "of the disks went over the walls, which are 0.002 m high"},
+      // An endless slope.
+      {{"base.inclination=1.5", "boundary=periodic", "contact.pair_collisions=false", "duration=200"},
+       120.0,
+       "simulation",
+       Level::WARN,
+       "implausibly large energy: at "},
+      // Small gravity holds the disks less: at 0.01 m/s^2 a base may turn at no more than 0.11 rad/s.
+      {{"boundary=walled", "gravity=0.01"},
+       0.0,
+       "setpoints",
+       Level::WARN,
+       "limits/inclination/slew_rate = 0.2 rad/s"}};
+  for (const Reported& one : all)
+  {
+    ASSERT_TRUE(sieve.reset(0, one.overrides).success);
+    if (one.duration > 0.0)
+    {
+      EXPECT_EQ(sieve.step(one.duration).success, one.level != Level::ERROR);
+    }
+    EXPECT_TRUE(statuses.waitFor(std::string("sieve: ") + one.status, one.level, one.words)) << one.words;
+    ASSERT_TRUE(sieve.reset().success);
+    EXPECT_TRUE(statuses.waitFor(std::string("sieve: ") + one.status, Level::OK)) << one.words;
+  }
   EXPECT_EQ(statuses.value("sieve: scene", "size"),
             "30 disks, at rest a layer of about 0.00479 m, about 1 MB of memory");
-  ASSERT_TRUE(sieve.reset().success);
-  EXPECT_TRUE(
-      waitFor([&] { return statuses["sieve: scene"].level == diagnostic_msgs::DiagnosticStatus::OK; }));
-}
-
-/// An endless slope.
-TEST_F(Node, warnsOnceThatTheEnergyLeavesTheMachinesScale)
-{
-  Statuses statuses(sieve.node);
-  const NodeLog log("/sieve");
-  ASSERT_TRUE(waitFor([&] { return log.connected(); }));
-  const std::string words = "implausibly large energy: at ";
-  const std::vector<std::string> slope = {"base.inclination=1.5", "boundary=periodic",
-                                          "contact.pair_collisions=false", "duration=200"};
-  ASSERT_TRUE(sieve.reset(0, slope).success);
-  EXPECT_TRUE(sieve.step(60.0).success);
-  EXPECT_TRUE(sieve.step(60.0).success);
-  EXPECT_TRUE(waitFor(
-      [&]
-      {
-        const auto& status = statuses["sieve: simulation"];
-        return status.level == diagnostic_msgs::DiagnosticStatus::WARN && status.message.rfind(words, 0) == 0;
-      }));
-  EXPECT_TRUE(waitFor([&] { return log.count(words) > 0; }));
-  EXPECT_EQ(log.count(words), 1);
-}
-
-TEST_F(Node, warnsOfDisksThatGoOverTheWalls)
-{
-  Statuses statuses(sieve.node);
-  ASSERT_TRUE(sieve.reset(0, {"boundary=walled", "base.wall_height=0.002", "base.teeth=2"}).success);
-  EXPECT_TRUE(sieve.step(3.0).success);
-  EXPECT_TRUE(waitFor(
-      [&]
-      {
-        const auto& status = statuses["sieve: simulation"];
-        return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
-               status.message.find("of the disks went over the walls, which are 0.002 m high") !=
-                   std::string::npos;
-      }));
-}
-
-TEST_F(Node, warnsOfAWalledBaseThatMayTurnTooFast)
-{
-  Statuses statuses(sieve.node);
-  // Small gravity holds the disks less: at 0.01 m/s^2 a base may turn at no more than 0.11 rad/s.
-  ASSERT_TRUE(sieve.reset(0, {"boundary=walled", "gravity=0.01"}).success);
-  EXPECT_TRUE(waitFor(
-      [&]
-      {
-        const auto& status = statuses["sieve: setpoints"];
-        return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
-               status.message.find("limits/inclination/slew_rate = 0.2 rad/s") != std::string::npos;
-      }));
-}
-
-TEST_F(Node, poursOnAndAnew)
-{
-  const std::size_t poured = sieve.bins.frames.back().bins.at(0).on_base;
-  PourDisks pour;
-  pour.request.species = "A";
-  pour.request.count = 5;
-  ASSERT_TRUE(ros::service::call("/sieve/pour", pour));
-  EXPECT_TRUE(pour.response.success);
-  ASSERT_TRUE(waitFor([&] { return sieve.bins.frames.back().bins.at(0).on_base == poured + 5; }));
-
-  sieve.stepAndSee(0.25);
-  ASSERT_TRUE(sieve.call("reset_world"));
-  ASSERT_TRUE(waitFor([&] { return sieve.bins.frames.back().bins.at(0).on_base == poured; }));
-  EXPECT_EQ(sieve.bins.frames.back().time, 0.25);
 }
 
 TEST_F(Node, failsToPlaceDisksAnewWhereTheBaseStandsAndGoesOn)
 {
-  Statuses statuses(sieve.node);
-  const auto warns = [&]
-  {
-    const auto& status = statuses["sieve: simulation"];
-    return status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
-           status.message.rfind("reset_world: initial.0 overlaps the base", 0) == 0;
-  };
   ASSERT_TRUE(sieve.reset(0, {"initial=[{species: A, x: 0.07, y: 0.0075}]"}).success);
-  command("inclination", 0.1, &DriveState::commanded_inclination);
+  sieve.command("inclination", 0.1);
   sieve.stepAndSee(1.5);
   EXPECT_FALSE(sieve.call("reset_world"));
-  EXPECT_TRUE(waitFor(warns));
+  EXPECT_TRUE(statuses.waitFor("sieve: simulation", Level::WARN, "reset_world: initial.0 overlaps the base"));
   EXPECT_EQ(sieve.step(0.5).time, 2.0);
-  EXPECT_TRUE(warns());
   ASSERT_TRUE(sieve.reset().success);
-  EXPECT_TRUE(waitFor([&] { return !warns(); }));
-}
-
-TEST_F(Node, runsUntilItIsPausedAndThenStandsStill)
-{
-  ASSERT_TRUE(sieve.call("unpause_physics"));
-  ASSERT_TRUE(waitFor([&] { return sieve.base.frames.back().time > 0.1; }));
-  EXPECT_FALSE(sieve.step(0.1).success);
-  ASSERT_TRUE(sieve.call("pause_physics"));
-  const double start = sieve.step(0.125).time;
-  EXPECT_EQ(sieve.step(0.125).time, start + 0.125);
-}
-
-TEST_F(Node, isTheClockAlsoWhilePaused)
-{
-  sieve.stepAndSee(0.75);
-  std::vector<ros::Time> clocks;
-  const ros::Subscriber clock = sieve.node.subscribe<rosgraph_msgs::Clock>(
-      "/clock", 100,
-      [&](const rosgraph_msgs::Clock::ConstPtr& message) { clocks.push_back(message->clock); });
-  ASSERT_TRUE(waitFor([&] { return clocks.size() >= 5; }));
-  for (const ros::Time& time : clocks)
-    EXPECT_EQ(time, ros::Time(0.75));
-}
-
-TEST_F(Node, broadcastsWhereTheBaseIs)
-{
-  tf2_msgs::TFMessage last;
-  const ros::Subscriber transforms = sieve.node.subscribe<tf2_msgs::TFMessage>(
-      "/tf", 1000, [&](const tf2_msgs::TFMessage::ConstPtr& message) { last = *message; });
-  ASSERT_TRUE(waitFor([&] { return !last.transforms.empty(); }));
-  command("inclination", 0.1, &DriveState::commanded_inclination);
-  sieve.stepAndSee(0.7);
-  ASSERT_TRUE(waitFor([&] { return last.transforms.at(0).header.stamp == ros::Time(0.7); }));
-  EXPECT_EQ(last.transforms, baseTransforms(sieve.base.frames.back()));
+  EXPECT_TRUE(statuses.waitFor("sieve: simulation", Level::OK));
 }
 
 TEST_F(Node, takesAwayWhatAnotherSceneHasNot)
@@ -273,32 +157,6 @@ TEST_F(Node, takesAwayWhatAnotherSceneHasNot)
   ASSERT_TRUE(sieve.reset(0, {"boundary=periodic"}).success);
   ASSERT_TRUE(waitFor([&] { return !last.markers.empty() && bins() == 0; }));
   EXPECT_EQ(last.markers[0].action, visualization_msgs::Marker::DELETEALL);
-}
-
-TEST(BadScene, isToldWithFileAndLineUnderRoslaunch)
-{
-  const ScratchDirectory scratch;
-  const std::string path = scratch / "bad.yaml";
-  std::ofstream(path) << "species:\n  - {name: A, count: 1, radius: -1, mass: 0.001}\n";
-  ChildNode launch("/usr/bin/env", {"roslaunch", "-p", std::to_string(freePort()), "ratchet_sieve",
-                                    "sieve.launch", "scene:=" + path});
-  launch.wait();
-  EXPECT_NE(launch.errors().find("sieve_node: " + path + ":2: species.0.radius = -1: must be "),
-            std::string::npos)
-      << launch.errors();
-}
-
-/// For example if a launch file sets an additional key.
-TEST(BadScene, isToldWithoutALineWhereTheFileIsGood)
-{
-  const ScratchDirectory scratch;
-  const std::string path = scratch / "good.yaml";
-  std::ofstream(path) << "species:\n  - {name: A, count: 1, radius: 0.001, mass: 0.001}\n";
-  ros::param::set("/other/scene_file", path);
-  ros::param::set("/other/scene/duration", -1.0);
-  ChildNode node("sieve_node", {"__name:=other"});
-  EXPECT_EQ(node.wait(), 2);
-  EXPECT_EQ(node.errors().rfind("sieve_node: " + path + ": duration = -1: must be ", 0), 0u) << node.errors();
 }
 
 TEST(SceneOfANode, isTheFilesWithTheKeysThatWereSet)
@@ -318,13 +176,89 @@ TEST(SceneOfANode, isTheFilesWithTheKeysThatWereSet)
                                                "seed=18446744073709551615"})
                               .definition));
 }
+
+/// So slow that no frame is due during a test: 20 s of wall time are 20 us.
+constexpr double STANDSTILL = 1e-6;
+
+class Speed : public Node
+{
+protected:
+  void SetUp() override
+  {
+    Node::SetUp();
+    set(STANDSTILL, "1e-06");
+  }
+  void TearDown() override
+  {
+    sieve.call("pause_physics");
+    set(1.0, "1");
+  }
+
+  void set(const XmlRpc::XmlRpcValue& factor, const std::string& shown)
+  {
+    ros::param::set("/sieve/real_time_factor", factor);
+    ASSERT_TRUE(waitFor([&] { return asked() == shown; }));
+  }
+
+  std::string asked() { return statuses.value("sieve: speed", "real-time factor, requested"); }
+
+  /// The next `count` times on /clock.
+  std::vector<double> nextTimes(std::size_t count)
+  {
+    std::vector<double> times;
+    const ros::Subscriber clock = sieve.node.subscribe<rosgraph_msgs::Clock>(
+        "/clock", 1000,
+        [&](const rosgraph_msgs::Clock::ConstPtr& message) { times.push_back(message->clock.toSec()); });
+    EXPECT_TRUE(waitFor([&] { return times.size() >= count; }));
+    return times;
+  }
+};
+
+TEST_F(Speed, changesWhileItRunsAndStaysWhereTheParameterIsTakenAway)
+{
+  ASSERT_TRUE(sieve.call("unpause_physics"));
+  EXPECT_LT(nextTimes(5).back(), 1e-3);
+  ros::param::del("/sieve/real_time_factor");
+  EXPECT_LT(nextTimes(3).back(), 1e-3);
+  EXPECT_EQ(statuses["sieve: speed"].level, Level::OK);
+  set(0, "0");                                // as `rosparam set` gives it: an integer
+  ASSERT_TRUE(sieve.bins.waitForTime(20.0));  // the end of the run
+}
+
+TEST_F(Speed, refusesABadFactorAndKeepsTheLastGoodOne)
+{
+  XmlRpc::XmlRpcValue list;
+  list[0] = 1.0;
+  const std::vector<std::pair<XmlRpc::XmlRpcValue, std::string>> bad = {
+      {-1.0, "-1"}, {std::numeric_limits<double>::quiet_NaN(), "nan"}, {"fast", "fast"}, {list, "{1}"}};
+  ASSERT_TRUE(sieve.call("unpause_physics"));
+  for (const auto& [value, shown] : bad)
+  {
+    ros::param::set("/sieve/real_time_factor", value);
+    EXPECT_TRUE(statuses.waitFor(
+        "sieve: speed", Level::WARN,
+        "parameter /sieve/real_time_factor: " + shown + ": must be a number from 0 to 1e+06"))
+        << shown;
+    EXPECT_EQ(asked(), "1e-06");
+  }
+  set(0.5, "0.5");
+  EXPECT_TRUE(statuses.waitFor("sieve: speed", Level::OK));
+}
+
+/// No machine simulates 30 disks at a million times real time.
+TEST_F(Speed, saysThatItCannotKeepUp)
+{
+  ros::param::set("/sieve/real_time_factor", 1e6);
+  ASSERT_TRUE(sieve.reset(0, {"boundary=periodic", "duration=1e6"}).success);
+  ASSERT_TRUE(sieve.call("unpause_physics"));
+  ASSERT_TRUE(statuses.waitFor("sieve: speed", Level::WARN, " times real time instead of 1e+06"));
+  EXPECT_EQ(statuses["sieve: speed"].message.rfind("too slow: ", 0), 0u);
+  EXPECT_GT(std::stod(statuses.value("sieve: speed", "wall time lost [s]")), 0.0);
+  // It continues at the requested factor, not faster.
+  set(STANDSTILL, "1e-06");
+  const double before = nextTimes(1).back();
+  EXPECT_LT(nextTimes(4).back() - before, 1e-3);
+  EXPECT_TRUE(statuses.waitFor("sieve: speed", Level::OK));
+}
 }  // namespace
 }  // namespace ratchet_sieve
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_rostest");
-  const ros::NodeHandle node;
-  return RUN_ALL_TESTS();
-}

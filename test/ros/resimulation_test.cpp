@@ -8,13 +8,13 @@
 #include <rapidcheck/gtest.h>
 
 #include "collecting_sink.h"
+#include "node_parameters.h"
 #include "ratchet_sieve/live/run_control.h"
 #include "ratchet_sieve/recording/commands.h"
-#include "ratchet_sieve/ros/bag_reader.h"
-#include "ratchet_sieve/ros/node_parameters.h"
-#include "ratchet_sieve/ros/recorder.h"
+#include "ratchet_sieve/ros/bag.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "recorder.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -101,7 +101,7 @@ public:
 void expectTheSame(const std::string& bag)
 {
   Resimulation resimulation;
-  readBag(bag, resimulation);
+  readBags({bag}, resimulation);
   resimulation.finish();
   EXPECT_FALSE(resimulation.difference()) << bag << ": " << *resimulation.difference();
   EXPECT_GT(resimulation.frames(), 0u);
@@ -141,29 +141,31 @@ CollectingSink commandedRun(const SceneDefinition& scene = smallRing())
   run.step(0.3);
   run.control.end();
   CollectingSink recorded;
-  readBag(scratch / "run.bag", recorded);
+  readBags({scratch / "run.bag"}, recorded);
   return recorded;
 }
 
-/// The first difference found when such a recording is repeated.
-std::string differenceOf(const CollectingSink& recorded)
+/// The first difference when every `step`-th frame of one kind is repeated with the commands.
+template <typename Frame>
+std::string differenceOf(const CollectingSink& recorded, const std::vector<Frame>& frames,
+                         std::size_t step = 1)
 {
   Resimulation resimulation;
   resimulation.take(recorded.scenes.at(0));
   auto command = recorded.commands.begin();
-  for (const ParticleFrame& frame : recorded.particles)
+  for (std::size_t k = step - 1; k < frames.size(); k += step)
   {
-    while (command != recorded.commands.end() && command->time <= frame.time)
+    while (command != recorded.commands.end() && command->time <= frames[k].time)
       resimulation.take(*command++);
-    resimulation.take(frame);
+    resimulation.take(frames[k]);
   }
   resimulation.finish();
   return resimulation.difference().value_or("");
 }
 
-TEST(Resimulation, findsNothingInWhatWasNotTouched)
+std::string differenceOf(const CollectingSink& recorded)
 {
-  EXPECT_EQ(differenceOf(commandedRun()), "");
+  return differenceOf(recorded, recorded.particles);
 }
 
 TEST(Resimulation, findsALastBitThatWasChanged)
@@ -177,22 +179,7 @@ TEST(Resimulation, findsALastBitThatWasChanged)
       << difference;
 }
 
-/// The first difference of every third of the statistics, as `rosbag filter` leaves them.
-std::string differenceOfThinned(const CollectingSink& recorded)
-{
-  Resimulation resimulation;
-  resimulation.take(recorded.scenes.at(0));
-  auto command = recorded.commands.begin();
-  for (std::size_t k = 2; k < recorded.statistics.size(); k += 3)
-  {
-    while (command != recorded.commands.end() && command->time <= recorded.statistics[k].time)
-      resimulation.take(*command++);
-    resimulation.take(recorded.statistics[k]);
-  }
-  resimulation.finish();
-  return resimulation.difference().value_or("");
-}
-
+/// As `rosbag filter` leaves them.
 TEST(Resimulation, findsNothingWhereFramesWereTakenOut)
 {
   SceneDefinition still = smallRing();
@@ -200,27 +187,24 @@ TEST(Resimulation, findsNothingWhereFramesWereTakenOut)
   SceneDefinition slow = smallRing();
   slow.base.frequency = 4.0;
   for (const SceneDefinition& scene : {smallRing(), still, slow})
-    EXPECT_EQ(differenceOfThinned(commandedRun(scene)), "");
+  {
+    const CollectingSink recorded = commandedRun(scene);
+    EXPECT_EQ(differenceOf(recorded, recorded.statistics, 3), "");
+  }
   CollectingSink recorded = commandedRun();
   recorded.statistics.at(5).window_start += 1e-3;
-  EXPECT_NE(differenceOfThinned(recorded).find("window_start"), std::string::npos);
+  EXPECT_NE(differenceOf(recorded, recorded.statistics, 3).find("window_start"), std::string::npos);
 }
 
-TEST(Resimulation, missesACommand)
+TEST(Resimulation, missesACommandAndADisk)
 {
   CollectingSink recorded = commandedRun();
   ASSERT_EQ(recorded.commands.size(), 2u);  // the slew rates, and the setpoint
   recorded.commands.pop_back();
-  const std::string difference = differenceOf(recorded);
-  EXPECT_NE(difference.find("the frames of particles differ"), std::string::npos) << difference;
-}
-
-TEST(Resimulation, missesADisk)
-{
-  CollectingSink recorded = commandedRun();
+  EXPECT_NE(differenceOf(recorded).find("the frames of particles differ"), std::string::npos);
+  recorded = commandedRun();
   recorded.particles.at(10).disks.pop_back();
-  const std::string difference = differenceOf(recorded);
-  EXPECT_NE(difference.find("3 disks were recorded, 4 were computed"), std::string::npos) << difference;
+  EXPECT_NE(differenceOf(recorded).find("3 disks were recorded, 4 were computed"), std::string::npos);
 }
 
 TEST(Resimulation, isOfOneRun)
@@ -303,17 +287,12 @@ TEST(Resimulation, saysWhereTheBeginningOfTheRunIsMissing)
       << difference;
 }
 
-TEST(Resimulation, doesNotCallNothingTheSame)
+TEST(Resimulation, needsASceneAndAFrame)
 {
   CollectingSink recorded = commandedRun();
   recorded.particles.clear();
   EXPECT_THROW(differenceOf(recorded), std::invalid_argument);
-}
-
-TEST(Resimulation, needsAScene)
-{
-  Resimulation resimulation;
-  EXPECT_THROW(resimulation.take(BinFrame()), std::invalid_argument);
+  EXPECT_THROW(Resimulation().take(BinFrame()), std::invalid_argument);
 }
 }  // namespace
 }  // namespace ratchet_sieve

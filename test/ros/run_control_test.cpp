@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "collecting_sink.h"
+#include "node_parameters.h"
 #include "ratchet_sieve/recording/same_bits.h"
-#include "ratchet_sieve/ros/bag_reader.h"
-#include "ratchet_sieve/ros/node_parameters.h"
-#include "ratchet_sieve/ros/recorder.h"
+#include "ratchet_sieve/ros/bag.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
+#include "recorder.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -18,15 +18,6 @@ namespace ratchet_sieve
 namespace
 {
 constexpr double CONTROL_STRIDE = 0.01;
-
-RunControl::Stride stridesOf(RunControl& control, double stride = CONTROL_STRIDE)
-{
-  return [&control, stride](double time)
-  {
-    control.advanceTo(std::min(time, control.run().time() + stride));
-    return true;
-  };
-}
 
 NodeParameters pausedParameters()
 {
@@ -39,8 +30,10 @@ NodeParameters pausedParameters()
 class Controlled
 {
 public:
-  explicit Controlled(const std::string& bag = "")
+  /// @param watched whether somebody wants frames
+  explicit Controlled(const std::string& bag = "", bool watched = true)
       : recorder(bag, "/sieve"),
+        seen{watched},
         control(YAML::Load(canonicalYaml(smallMixture())), "scene", pausedParameters(), recorder)
   {
     recorder.open();
@@ -48,9 +41,37 @@ public:
     control.begin();
   }
 
+  RunControl::Stride strides(double stride = CONTROL_STRIDE)
+  {
+    return [this, stride](double time)
+    {
+      control.advanceTo(std::min(time, control.run().time() + stride));
+      return true;
+    };
+  }
+
+  Outcome step(double duration, double stride = CONTROL_STRIDE)
+  {
+    return control.step(duration, strides(stride));
+  }
+
+  Outcome lockStep(const std::vector<std::pair<std::string, double>>& setpoints, double duration)
+  {
+    return control.lockStep(setpoints, duration, strides());
+  }
+
+  double time() const { return control.run().time(); }
+
+  struct Sink : CollectingSink
+  {
+    explicit Sink(bool watched) : watched(watched) {}
+    bool wants(FrameKind) const override { return watched; }
+    bool watched;
+  };
+
   NodeParameters parameters = pausedParameters();
   Recorder recorder;
-  CollectingSink seen;
+  Sink seen;
   RunControl control;
 };
 
@@ -64,8 +85,8 @@ std::vector<DiskState> disksAt(double time, const SceneDefinition& scene)
 TEST(RunControl, stepsExactlyAndShowsTheEnd)
 {
   Controlled run;
-  EXPECT_TRUE(run.control.step(0.123456, stridesOf(run.control)).success);
-  EXPECT_EQ(run.control.run().time(), 0.123456);
+  EXPECT_TRUE(run.step(0.123456).success);
+  EXPECT_EQ(run.time(), 0.123456);
   EXPECT_EQ(run.seen.particles.back().time, 0.123456);
   EXPECT_TRUE(sameBits(run.seen.particles.back().disks, disksAt(0.123456, smallMixture())));
   EXPECT_EQ(run.seen.bases.back().time, 0.123456);
@@ -73,68 +94,45 @@ TEST(RunControl, stepsExactlyAndShowsTheEnd)
   EXPECT_EQ(run.seen.statistics.back().time, 0.123456);
 }
 
-/// Wants no frames.
-class IdleSink : public CollectingSink
-{
-public:
-  bool wants(FrameKind) const override { return false; }
-};
-
 TEST(RunControl, makesOnlyWhatSomebodyWants)
 {
-  Recorder off("", "/sieve");
-  RunControl control(YAML::Load(canonicalYaml(smallMixture())), "scene", pausedParameters(), off);
-  IdleSink idle;
-  control.addSink(idle);
-  control.begin();
-  EXPECT_TRUE(control.step(0.5, stridesOf(control)).success);
-  EXPECT_EQ(idle.scenes.size(), 1u);
-  EXPECT_TRUE(idle.particles.empty() && idle.bins.empty() && idle.bases.empty() && idle.statistics.empty());
-
-  CollectingSink eager;
-  control.addSink(eager);
-  EXPECT_TRUE(control.resetWorld().success);
-  EXPECT_TRUE(control.step(0.5, stridesOf(control)).success);
-  EXPECT_EQ(eager.particles.size(), 31u);  // of the new run
+  Controlled run("", false);
+  EXPECT_TRUE(run.step(0.5).success);
+  EXPECT_EQ(run.seen.scenes.size(), 1u);
+  EXPECT_TRUE(run.seen.particles.empty() && run.seen.bins.empty() && run.seen.bases.empty() &&
+              run.seen.statistics.empty());
+  run.seen.watched = true;
+  EXPECT_TRUE(run.control.resetWorld().success);
+  EXPECT_TRUE(run.step(0.5).success);
+  EXPECT_EQ(run.seen.particles.size(), 31u);  // of the new run
 }
 
 TEST(RunControl, recordsWhatNobodyElseWants)
 {
-  ScratchDirectory scratch;
-  Recorder recorder(scratch / "run.bag", "/sieve");
-  RunControl control(YAML::Load(canonicalYaml(smallMixture())), "scene", pausedParameters(), recorder);
-  recorder.open();
-  IdleSink idle;
-  control.addSink(idle);
-  control.begin();
-  EXPECT_TRUE(control.step(0.5, stridesOf(control)).success);
-  control.end();
+  const ScratchDirectory scratch;
+  Controlled run(scratch / "run.bag", false);
+  EXPECT_TRUE(run.step(0.5).success);
+  run.control.end();
   CollectingSink recorded;
-  readBag(scratch / "run.bag", recorded);
+  readBags({scratch / "run.bag"}, recorded);
   EXPECT_EQ(recorded.particles.size(), 6u);
   EXPECT_EQ(recorded.bins.size(), 31u);
   EXPECT_EQ(recorded.bases.size(), 31u);
   EXPECT_EQ(recorded.statistics.size(), 6u);
 }
 
-TEST(RunControl, stepsNoFurtherThanTheEnd)
+TEST(RunControl, stepsNoFurtherThanTheEndAndSaysSo)
 {
   Controlled run;
-  EXPECT_TRUE(run.control.step(100.0, stridesOf(run.control, 10.0)).success);
-  EXPECT_TRUE(run.control.run().finished());
-  EXPECT_EQ(run.control.run().time(), smallMixture().duration);
-  EXPECT_EQ(run.control.step(1.0, stridesOf(run.control)).message, "the scene's end is reached: reset first");
-}
-
-TEST(RunControl, saysThatTheEndCameBeforeAStepWasDone)
-{
-  Controlled run;
-  EXPECT_EQ(run.control.step(0.5, stridesOf(run.control)).message, "");
-  const Outcome outcome = run.control.step(4.0, stridesOf(run.control));
+  EXPECT_EQ(run.step(0.5).message, "");
+  const Outcome outcome = run.step(4.0);
   EXPECT_TRUE(outcome.success);
   EXPECT_EQ(outcome.message, "the end of the run was reached at 2 s: 2.5 s of the step are left");
+  EXPECT_TRUE(run.control.run().finished());
+  EXPECT_EQ(run.time(), smallMixture().duration);
+  EXPECT_EQ(run.step(1.0).message, "the scene's end is reached: reset first");
   run.control.reset(0, {}, false);
-  EXPECT_EQ(run.control.lockStep({}, 2.5, stridesOf(run.control)).message,
+  EXPECT_EQ(run.lockStep({}, 2.5).message,
             "the end of the run was reached at 2 s: 0.5 s of the step are left");
 }
 
@@ -144,7 +142,7 @@ TEST(RunControl, isDoneWithAStepThatEndsWithTheScene)
   Controlled run;
   ASSERT_TRUE(run.control.reset(0, {"duration=0.3"}, false).success);
   for (int k = 0; k < 3; ++k)
-    EXPECT_EQ(run.control.step(0.1, stridesOf(run.control)).message, "");
+    EXPECT_EQ(run.step(0.1).message, "");
   EXPECT_TRUE(run.control.run().finished());
 }
 
@@ -153,94 +151,81 @@ TEST(RunControl, isFinishedByACollapseUntilItIsBegunAnew)
   Controlled run;
   ASSERT_TRUE(
       run.control.reset(0, {"contact.min_rebound_speed=0", "contact.collapse_events=10000"}, false).success);
-  const Outcome outcome = run.control.step(2.0, stridesOf(run.control));
+  const Outcome outcome = run.step(2.0);
   EXPECT_FALSE(outcome.success);
   EXPECT_NE(outcome.message.find("inelastic collapse"), std::string::npos) << outcome.message;
   EXPECT_TRUE(run.control.run().finished());
-  EXPECT_LT(run.control.run().time(), smallMixture().duration);
-  EXPECT_EQ(run.seen.particles.back().time, run.control.run().time());
-  EXPECT_EQ(run.control.step(1.0, stridesOf(run.control)).message, outcome.message);
+  EXPECT_LT(run.time(), smallMixture().duration);
+  EXPECT_EQ(run.seen.particles.back().time, run.time());
+  EXPECT_EQ(run.step(1.0).message, outcome.message);
   ASSERT_TRUE(run.control.reset(0, {}, false).success);
-  EXPECT_TRUE(run.control.step(1.0, stridesOf(run.control)).success);
+  EXPECT_TRUE(run.step(1.0).success);
 }
 
 TEST(RunControl, refusesStepsThatMakeNoSense)
 {
   Controlled run;
-  EXPECT_FALSE(run.control.step(0.0, stridesOf(run.control)).success);
-  EXPECT_EQ(run.control.step(-1.0, stridesOf(run.control)).message,
-            "duration -1.000000 s: must be > 0 and finite");
-  EXPECT_FALSE(run.control.step(std::numeric_limits<double>::quiet_NaN(), stridesOf(run.control)).success);
+  EXPECT_FALSE(run.step(0.0).success);
+  EXPECT_EQ(run.step(-1.0).message, "duration -1.000000 s: must be > 0 and finite");
+  EXPECT_FALSE(run.step(std::numeric_limits<double>::quiet_NaN()).success);
   run.control.unpause();
-  EXPECT_EQ(run.control.step(1.0, stridesOf(run.control)).message,
-            "the simulation is not paused: pause it first");
-  EXPECT_EQ(run.control.run().time(), 0.0);
+  EXPECT_EQ(run.step(1.0).message, "the simulation is not paused: pause it first");
+  EXPECT_EQ(run.time(), 0.0);
 }
 
 TEST(RunControl, interruptsALongStep)
 {
   Controlled run;
   int strides = 0;
-  const RunControl::Stride stride = stridesOf(run.control);
+  const RunControl::Stride stride = run.strides();
   const auto three = [&](double time) { return ++strides <= 3 && stride(time); };
   const Outcome outcome = run.control.step(1.0, three);
   EXPECT_FALSE(outcome.success);
   EXPECT_EQ(outcome.message, "interrupted at 0.0266666667 s: 0.973333333 s of the step are left");
-  EXPECT_EQ(run.seen.particles.back().time, run.control.run().time());
+  EXPECT_EQ(run.seen.particles.back().time, run.time());
 }
 
 TEST(RunControl, commandsAtThePresentTimeAndShowsIt)
 {
   Controlled run;
-  run.control.step(0.1, stridesOf(run.control));
+  run.step(0.1);
   run.control.command(Quantity::INCLINATION, 0.05);
   EXPECT_EQ(run.seen.bases.back().time, 0.1);
   EXPECT_EQ(run.seen.bases.back().base.commanded_inclination, 0.05);
   EXPECT_EQ(run.seen.bases.back().base.inclination, 0.0);
-  run.control.step(0.2, stridesOf(run.control));
+  run.step(0.2);
   EXPECT_NEAR(run.seen.bases.back().base.inclination, 0.2 * run.parameters.slew_rates.inclination, 1e-12);
 }
 
-TEST(RunControl, resetsToTheSameRun)
+TEST(RunControl, resetsToTheSameRunOrToAnother)
 {
   Controlled run;
-  run.control.step(0.5, stridesOf(run.control));
-  const auto first = run.seen.particles.back();
   run.control.command(Quantity::INCLINATION, 0.3);
-  run.control.step(0.5, stridesOf(run.control));
+  run.step(0.5);
   EXPECT_TRUE(run.control.reset(0, {}, false).success);
-  EXPECT_EQ(run.control.run().time(), 0.0);
-  run.control.step(0.5, stridesOf(run.control));
-  EXPECT_TRUE(sameBits(run.seen.particles.back(), first));
-}
+  EXPECT_EQ(run.time(), 0.0);
+  run.step(0.5);
+  EXPECT_TRUE(sameBits(run.seen.particles.back().disks, disksAt(0.5, smallMixture())));
 
-TEST(RunControl, resetsWithASeedAndOverrides)
-{
-  Controlled run;
   EXPECT_TRUE(run.control.reset(5, {"base.inclination=0.1"}, false).success);
   SceneDefinition scene = smallMixture();
   scene.seed = 5;
   scene.base.inclination = 0.1;
-  run.control.step(0.5, stridesOf(run.control));
+  run.step(0.5);
   EXPECT_TRUE(sameBits(run.seen.particles.back().disks, disksAt(0.5, scene)));
   EXPECT_EQ(run.seen.scenes.back().seed, 5u);
-}
 
-TEST(RunControl, goesOnAfterABadReset)
-{
-  Controlled run;
-  run.control.step(0.25, stridesOf(run.control));
   const Outcome outcome = run.control.reset(0, {"base.asymmetry=3"}, false);
   EXPECT_FALSE(outcome.success);
   EXPECT_NE(outcome.message.find("base.asymmetry"), std::string::npos) << outcome.message;
-  EXPECT_EQ(run.control.run().time(), 0.25);
+  EXPECT_EQ(run.time(), 0.5);
 }
 
 TEST(RunControl, poursTheDisksAnewWhileTimeAndBaseGoOn)
 {
   Controlled run;
   run.control.command(Quantity::INCLINATION, 0.2);
-  run.control.step(0.75, stridesOf(run.control));
+  run.step(0.75);
   const BaseFrame before = run.control.run().base();
   EXPECT_TRUE(run.control.resetWorld().success);
   const BaseFrame after = run.control.run().base();
@@ -250,10 +235,14 @@ TEST(RunControl, poursTheDisksAnewWhileTimeAndBaseGoOn)
   EXPECT_NEAR(after.base.displacement, before.base.displacement, 1e-12);
   EXPECT_EQ(run.seen.particles.back().time, 0.75);
   EXPECT_EQ(run.seen.particles.back().disks.size(), 12u);
-  run.control.step(0.5, stridesOf(run.control));
+  run.step(0.5);
   EXPECT_EQ(run.seen.particles.back().time, 1.25);
-  run.control.step(10.0, stridesOf(run.control, 10.0));
-  EXPECT_EQ(run.control.run().time(), smallMixture().duration);
+  run.step(10.0, 10.0);
+  EXPECT_EQ(run.time(), smallMixture().duration);
+  // At the end, for another duration.
+  EXPECT_TRUE(run.control.resetWorld().success);
+  EXPECT_TRUE(run.step(100.0, 10.0).success);
+  EXPECT_EQ(run.time(), 2.0 * smallMixture().duration);
 }
 
 TEST(RunControl, goesOnWhereTheBaseStandsInTheDisksToBePlacedAnew)
@@ -262,7 +251,7 @@ TEST(RunControl, goesOnWhereTheBaseStandsInTheDisksToBePlacedAnew)
   Controlled run(scratch / "run.bag");
   ASSERT_TRUE(run.control.reset(0, {"initial=[{species: A, x: 0.07, y: 0.0075}]"}, false).success);
   run.control.command(Quantity::INCLINATION, 0.1);
-  run.control.step(1.5, stridesOf(run.control));
+  run.step(1.5);
   const Outcome outcome = run.control.resetWorld();
   EXPECT_FALSE(outcome.success);
   EXPECT_EQ(outcome.message.rfind("initial.0 overlaps the base or a wall by ", 0), 0u) << outcome.message;
@@ -270,47 +259,36 @@ TEST(RunControl, goesOnWhereTheBaseStandsInTheDisksToBePlacedAnew)
   EXPECT_EQ(outcome.message.substr(outcome.message.size() - end.size()), end);
 
   // The same run, without an interruption in topics and recording.
-  EXPECT_EQ(run.control.run().time(), 1.5);
+  EXPECT_EQ(run.time(), 1.5);
   EXPECT_EQ(run.recorder.path(), scratch / "run_run2.bag");
   EXPECT_EQ(run.seen.scenes.size(), 2u);
-  run.control.step(0.25, stridesOf(run.control));
+  run.step(0.25);
   const auto seen = run.seen.particles.back();
   run.control.reset(0, {"initial=[{species: A, x: 0.07, y: 0.0075}]"}, false);
   run.control.command(Quantity::INCLINATION, 0.1);
-  run.control.step(1.75, stridesOf(run.control));
+  run.step(1.75);
   EXPECT_TRUE(sameBits(run.seen.particles.back(), seen));
-}
-
-TEST(RunControl, poursAnewAtTheEndForAnotherDuration)
-{
-  Controlled run;
-  run.control.step(100.0, stridesOf(run.control, 10.0));
-  EXPECT_TRUE(run.control.resetWorld().success);
-  EXPECT_EQ(run.control.run().time(), smallMixture().duration);
-  EXPECT_TRUE(run.control.step(100.0, stridesOf(run.control, 10.0)).success);
-  EXPECT_EQ(run.control.run().time(), 2.0 * smallMixture().duration);
 }
 
 TEST(RunControl, beginsAnewWhileTimeGoesOn)
 {
   Controlled run;
   run.control.command(Quantity::INCLINATION, 0.2);
-  run.control.step(0.75, stridesOf(run.control));
+  run.step(0.75);
   EXPECT_TRUE(run.control.reset(0, {"base.inclination=0.1"}, true).success);
-  EXPECT_EQ(run.control.run().time(), 0.75);
+  EXPECT_EQ(run.time(), 0.75);
   EXPECT_EQ(run.seen.scenes.back().start_time, 0.75);
   EXPECT_EQ(run.seen.bases.back().base.inclination, 0.1);
   EXPECT_EQ(run.seen.bases.back().base.commanded_inclination, 0.1);
-  run.control.step(100.0, stridesOf(run.control, 10.0));
-  EXPECT_EQ(run.control.run().time(), 0.75 + smallMixture().duration);
+  run.step(100.0, 10.0);
+  EXPECT_EQ(run.time(), 0.75 + smallMixture().duration);
 }
 
 TEST(RunControl, stepsInLockWithItsSetpoints)
 {
   Controlled run;
-  EXPECT_TRUE(run.control.lockStep({{"inclination", 0.1}, {"frequency", 30.0}}, 0.25, stridesOf(run.control))
-                  .success);
-  run.control.lockStep({{"inclination", 0.0}}, 0.25, stridesOf(run.control));
+  EXPECT_TRUE(run.lockStep({{"inclination", 0.1}, {"frequency", 30.0}}, 0.25).success);
+  run.lockStep({{"inclination", 0.0}}, 0.25);
   Simulation simulation(smallMixture());
   simulation.setSlewRates(run.parameters.slew_rates);
   simulation.command(Quantity::INCLINATION, 0.1);
@@ -324,17 +302,13 @@ TEST(RunControl, stepsInLockWithItsSetpoints)
 /// Its response contains statistics, even if nobody else wants them.
 TEST(RunControl, observesPeriodsForALockStep)
 {
-  Recorder off("", "/sieve");
-  RunControl control(YAML::Load(canonicalYaml(smallMixture())), "scene", pausedParameters(), off);
-  IdleSink idle;
-  control.addSink(idle);
-  control.begin();
-  ASSERT_TRUE(control.lockStep({}, 0.095, stridesOf(control)).success);
-  const StatisticsFrame first = control.run().statistics();
+  Controlled run("", false);
+  ASSERT_TRUE(run.lockStep({}, 0.095).success);
+  const StatisticsFrame first = run.control.run().statistics();
   EXPECT_EQ(first.window_start, 0.0);
   EXPECT_NEAR(first.window_end, 2.0 / smallMixture().base.frequency, 1e-9);
-  ASSERT_TRUE(control.lockStep({}, 0.1, stridesOf(control)).success);
-  EXPECT_EQ(control.run().statistics().window_start, first.window_end);
+  ASSERT_TRUE(run.lockStep({}, 0.1).success);
+  EXPECT_EQ(run.control.run().statistics().window_start, first.window_end);
 }
 
 TEST(RunControl, givesASetpointOfALockStepOnce)
@@ -342,9 +316,9 @@ TEST(RunControl, givesASetpointOfALockStepOnce)
   Controlled run;
   const std::size_t before = run.seen.commands.size();
   for (int k = 0; k < 5; ++k)
-    ASSERT_TRUE(run.control.lockStep({{"inclination", 0.1}}, 0.05, stridesOf(run.control)).success);
+    ASSERT_TRUE(run.lockStep({{"inclination", 0.1}}, 0.05).success);
   EXPECT_EQ(run.seen.commands.size(), before + 1);
-  ASSERT_TRUE(run.control.lockStep({{"inclination", 0.0}}, 0.05, stridesOf(run.control)).success);
+  ASSERT_TRUE(run.lockStep({{"inclination", 0.0}}, 0.05).success);
   EXPECT_EQ(run.seen.commands.size(), before + 2);
 }
 
@@ -352,12 +326,12 @@ TEST(RunControl, takesAllSetpointsOfALockStepOrNone)
 {
   Controlled run;
   const auto refusal = [&](const std::string& name, double value) {
-    return run.control.lockStep({{"frequency", 30.0}, {name, value}}, 0.25, stridesOf(run.control)).message;
+    return run.lockStep({{"frequency", 30.0}, {name, value}}, 0.25).message;
   };
   EXPECT_EQ(refusal("inclination", 0.6),
             "inclination_setpoint 0.6 rad refused: must be from -0.5 to 0.5 rad");
   EXPECT_EQ(refusal("angle", 0.1), "setpoint angle: must be inclination, frequency or amplitude");
-  EXPECT_EQ(run.control.run().time(), 0.0);
+  EXPECT_EQ(run.time(), 0.0);
   EXPECT_EQ(run.control.run().base().base.commanded_frequency, smallMixture().base.frequency);
   run.control.unpause();
   EXPECT_EQ(refusal("inclination", 0.1), "the simulation is not paused: pause it first");
@@ -370,26 +344,6 @@ TEST(RunControl, poursMoreOn)
   EXPECT_EQ(run.seen.bins.back().bins[1].on_base, 9u);
   EXPECT_EQ(run.control.pour("C", 1).message, "species C: there is none of that name");
   EXPECT_EQ(run.control.pour("B", 4000000000).message, "count 4000000000: must be from 1 to 10000");
-}
-
-TEST(RunControl, recordsEachRunIntoABagOfItsOwn)
-{
-  const ScratchDirectory scratch;
-  Controlled run(scratch / "run.bag");
-  run.control.step(0.5, stridesOf(run.control));
-  run.control.reset(2, {}, false);
-  run.control.step(0.25, stridesOf(run.control));
-  run.control.end();
-
-  CollectingSink first;
-  CollectingSink second;
-  readBag(scratch / "run.bag", first);
-  readBag(scratch / "run_run2.bag", second);
-  EXPECT_EQ(first.scenes.at(0).seed, 1u);
-  EXPECT_EQ(first.particles.front().time, 0.0);
-  EXPECT_EQ(first.particles.back().time, 0.5);
-  EXPECT_EQ(second.scenes.at(0).seed, 2u);
-  EXPECT_EQ(second.particles.back().time, 0.25);
 }
 }  // namespace
 }  // namespace ratchet_sieve

@@ -17,7 +17,7 @@ from ratchet_sieve.virtual_screen import VirtualScreen
 
 PACKAGE = Path(__file__).resolve().parents[2]
 
-# The colours of the first two species, of the base (marker_style.cpp) and of RViz's background (sieve.rviz).
+# The colours of the first two species, of the base (scene_markers.cpp) and of RViz's background (sieve.rviz).
 SPECIES = ((0, 114, 178), (213, 94, 0))
 BASE = (140, 140, 140)
 BACKGROUND = (250, 250, 250)

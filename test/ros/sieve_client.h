@@ -141,6 +141,24 @@ public:
     setpoints[quantity].publish(message);
   }
 
+  /// Publishes a setpoint, and waits until the base shows it.
+  void command(const std::string& quantity, double value)
+  {
+    publish(quantity, value);
+    ASSERT_TRUE(waitFor([&] { return commanded(quantity) == value; }));
+  }
+
+  double commanded(const std::string& quantity) const
+  {
+    const DriveState& last = base.frames.back().base;
+    return quantity == "inclination" ? last.commanded_inclination
+           : quantity == "frequency" ? last.commanded_frequency
+                                     : last.commanded_amplitude;
+  }
+
+  /// Name of the sieve's node, without the slash.
+  std::string name() const { return node.getNamespace().substr(1); }
+
   bool call(const std::string& service)
   {
     std_srvs::Empty nothing;

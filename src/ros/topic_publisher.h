@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/single_subscriber_publisher.h>
+
+#include "ratchet_sieve/recording/frame_sink.h"
+#include "ratchet_sieve/recording/run.h"
+#include "transform_publisher.h"
+
+namespace ratchet_sieve
+{
+
+/// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~observed, ~commands and ~scene (latched). The
+/// base is also published on /tf, with a transform at the stamp of every message of the disks. Topics without
+/// subscribers are skipped. A new subscriber gets the present state at once, also in a pause.
+class TopicPublisher : public FrameSink
+{
+public:
+  /// @param current returns the present run, also after a reset
+  /// @param frames of the messages and transforms
+  /// @param clock is advanced to the stamp of every message; clock and transforms outlive this
+  TopicPublisher(ros::NodeHandle private_node, const std::function<const Run&()>& current,
+                 const FrameNames& frames, ClockPublisher& clock, TransformPublisher& transforms);
+
+  bool wants(FrameKind kind) const override;
+  void take(const AnyFrame& frame) override;
+
+private:
+  bool isHeard(FrameKind kind) const { return publishers_.at(kind).getNumSubscribers() > 0; }
+  template <typename Frame>
+  void advertise(ros::NodeHandle& node, Frame (Run::*state)() const);
+  template <typename Frame>
+  void publish(const Frame& frame);
+
+  std::function<const Run&()> current_;
+  FrameNames frames_;
+  ClockPublisher& clock_;
+  TransformPublisher& transforms_;
+  std::map<FrameKind, ros::Publisher> publishers_;
+};
+
+}  // namespace ratchet_sieve

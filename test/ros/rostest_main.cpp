@@ -1,0 +1,10 @@
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "rostest");
+  const ros::NodeHandle node;
+  return RUN_ALL_TESTS();
+}
