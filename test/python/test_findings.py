@@ -6,6 +6,7 @@ import pytest
 
 from ratchet_sieve.plots.findings import FLOOR, best_setting, findings_of, floor_lines, setting_of
 from ratchet_sieve.plots.means import Limits
+from ratchet_sieve.plots.sweep import write_each
 from ratchet_sieve.tables import Rows
 
 KEY = "base.inclination"
@@ -97,3 +98,15 @@ def test_means_at_two_floors_are_compared_by_students_t():
     lines, found = floor_lines([(0.05, at(0.6, 0.03)), (0.0125, Rows())])
     assert lines[1:] == [f"best setting at {FLOOR} = 0.0125 m/s: Q not defined",
                          f"no error is known, so a dependence on {FLOOR} cannot be tested"]
+
+
+def test_files_after_one_that_cannot_be_written_are_written(capsys):
+    written = []
+
+    def fail():
+        raise OSError(28, "No space left on device", "map.png")
+
+    with pytest.raises(SystemExit) as end:
+        write_each("report", [fail, lambda: written.append(1), fail])
+    assert (end.value.code, written) == (1, [1])
+    assert capsys.readouterr().err == 2 * "report: map.png: No space left on device\n"
