@@ -17,8 +17,10 @@ from .scene import AnyScene, _plain, scene_of
 if TYPE_CHECKING:
     import pandas
 
+# Of the physics that has just been run: the file may keep results of earlier ones.
 _OWN = "SELECT cases.* FROM plan JOIN cases USING (run_hash) WHERE plan.sweep = " \
-       "(SELECT id FROM sweeps WHERE fingerprint = ?) ORDER BY plan.position"
+       "(SELECT id FROM sweeps WHERE fingerprint = ?) AND physics = (SELECT MAX(physics) FROM cases) " \
+       "ORDER BY plan.position"
 _ALL = "SELECT * FROM cases"
 
 

@@ -170,9 +170,9 @@ def joined(*parts):
     return Rows(pandas.concat([part.frame for part in parts], ignore_index=True))
 
 
-def read_rows(path):
-    """The results of a sweep as sieve_sweep exports them."""
-    texts = read_csv(path)
+def read_rows(path, texts=None):
+    """The results of a sweep as sieve_sweep exports them. @param texts what read_csv() gave of the path, if it did"""
+    texts = read_csv(path) if texts is None else texts
     done = column_of(texts, "status", path) == "done"
     frame = pandas.DataFrame({name: column_of(texts, name, path)[done] for name in texts})
     for name in frame:

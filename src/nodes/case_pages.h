@@ -3,7 +3,7 @@
 #include <string>
 
 #include "page_arguments.h"
-#include "ratchet_sieve/sweep/case_run.h"
+#include "ratchet_sieve/sweep/case.h"
 
 namespace ratchet_sieve
 {

@@ -132,14 +132,14 @@ void requireFloorToCheck(const RunArguments& arguments, const SceneDefinition& s
 /// @return false if it was stopped
 bool checkFloor(const SceneDefinition& scene, nlohmann::ordered_json& summary)
 {
-  const auto runs = runAtLowerFloors(scene, summary, [] { return stop_signal != 0; });
-  summary["floor_check"] = runs ? floorCheckJson(*runs) : nlohmann::ordered_json(nullptr);
-  if (!runs)
+  const nlohmann::ordered_json runs = floorCheck(scene, summary, [] { return stop_signal != 0; });
+  summary["floor_check"] = runs;
+  if (runs.is_null())
     std::fputs("sieve_run: the check of contact.min_rebound_speed was stopped\n", stderr);
   else
-    for (const std::string& line : floorCheckLines(*runs))
+    for (const std::string& line : floorCheckLines(runs))
       std::fprintf(stderr, "sieve_run: %s\n", line.c_str());
-  return runs.has_value();
+  return !runs.is_null();
 }
 
 int run(const RunArguments& arguments)

@@ -1,12 +1,10 @@
-#include <algorithm>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "case_pages.h"
@@ -17,9 +15,6 @@
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/distinct_files.h"
 #include "ratchet_sieve/scene/scene_file.h"
-#include "ratchet_sieve/sweep/case_builder.h"
-#include "ratchet_sieve/sweep/cost_estimate.h"
-#include "ratchet_sieve/sweep/floor_check.h"
 #include "ratchet_sieve/sweep/sweep_report.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
 #include "sweep_arguments.h"
@@ -57,8 +52,7 @@ void requireDistinctFiles(const CLI::App& app, const Sweep& sweep, const SweepAr
   }
   if (app.got_subcommand("report"))
   {
-    std::vector<std::string> written = {".csv",           ".png",         ".svg",
-                                        "/findings.json", "/report.json", "/report.html"};
+    std::vector<std::string> written = {".csv", ".png", ".svg", ".json", "/report.html"};
     if (sweep.scene_is_inside)
       written.emplace_back("/scene.yaml");
     outputs = outputsInFolder(outputs.front(), inputs, written);
@@ -70,10 +64,7 @@ void requireFewOrYes(const Sweep& sweep, const SweepArguments& arguments)
 {
   if (sweep.sizeOfPart() <= MANY_CASES || arguments.yes)
     return;
-  const std::size_t threads = std::max<std::size_t>(arguments.options.threads, 1);
-  throw Refusal(sweep.source + ": has " + std::to_string(sweep.sizeOfPart()) + " cases, which take " +
-                estimateText(sweep, threads) + " on " + countText(threads, "thread") +
-                "; use --yes to run them");
+  throw Refusal(sweep.source + ": " + costLines(sweep).front() + "; use --yes to run them");
 }
 
 void warn(const std::string& text)
@@ -81,24 +72,12 @@ void warn(const std::string& text)
   std::fprintf(stderr, "sieve_sweep: warning: %s\n", text.c_str());
 }
 
-/// Runs cases, with handlers of signals, warnings and progress.
-template <typename Run>
-auto runAttended(SweepRunOptions& options, const Run& cases)
-{
-  attendSignals(onSignal);
-  options.stop_wanted = [] { return stop_signal != 0; };
-  options.warn = warn;
-  SweepProgressLine line;
-  if (line.isVisible())
-    options.progress = [&line](const SweepProgress& progress) { line.show(progress); };
-  return cases();
-}
-
 int listOnly(const Sweep& sweep, const SweepArguments& arguments)
 {
-  for (const std::string& line : legalCases(sweep)->warnings.lines(sweep.size(), "case"))
+  const LegalCases cases = *legalCases(sweep);
+  for (const std::string& line : cases.warnings.lines(sweep.size(), "case"))
     warn(line);
-  listCases(sweep, arguments.results, std::cout);
+  listCases(sweep, cases, arguments.results, std::cout);
   for (const std::string& line : costLines(sweep))
     std::fprintf(stderr, "sieve_sweep: %s\n", line.c_str());
   return DONE;
@@ -106,15 +85,21 @@ int listOnly(const Sweep& sweep, const SweepArguments& arguments)
 
 int run(const Sweep& sweep, SweepArguments& arguments)
 {
-  if (arguments.options.threads == 0)
-    arguments.options.threads = std::max(1u, std::thread::hardware_concurrency());
   requireFewOrYes(sweep, arguments);
   if (arguments.dry_run)
     return listOnly(sweep, arguments);
   if (arguments.pages.isWanted())
     arguments.options.record = casePages(arguments.pages, arguments.name());
-  const SweepOutcome outcome =
-      runAttended(arguments.options, [&] { return runSweep(sweep, arguments.results, arguments.options); });
+  attendSignals(onSignal);
+  arguments.options.stop_wanted = [] { return stop_signal != 0; };
+  arguments.options.warn = warn;
+  SweepOutcome outcome;
+  {
+    SweepProgressLine line;
+    if (line.isVisible())
+      arguments.options.progress = [&line](const SweepProgress& progress) { line.show(progress); };
+    outcome = runSweep(sweep, arguments.results, arguments.options);
+  }
   const SweepCounts& counts = outcome.counts;
   if (outcome.stopped)
   {
@@ -122,28 +107,23 @@ int run(const Sweep& sweep, SweepArguments& arguments)
                  static_cast<unsigned long long>(counts.open()), countText(counts.cases, "case").c_str());
     return FAILED;
   }
-  std::fputs(statusText(sweep, arguments.results, arguments.options.best).c_str(), stderr);
+  std::fputs(statusText(sweep, arguments.results).c_str(), stderr);
   return counts.failed == 0 ? DONE : FAILED;
 }
 
-int merge(const Sweep& sweep, SweepArguments& arguments)
+int merge(const Sweep& sweep, const SweepArguments& arguments)
 {
+  LegalCases cases;
   try
   {
-    requireMergeable(sweep, arguments.parts);
+    cases = requireMergeable(sweep, arguments.parts);
   }
   catch (const DatabaseError& error)
   {
     throw Refusal(error.what());
   }
-  const auto copy = [&]
-  { return mergeResults(sweep, arguments.results, arguments.parts, arguments.options); };
-  if (runAttended(arguments.options, copy).stopped)
-  {
-    std::fputs("sieve_sweep: stopped; run the same command to continue\n", stderr);
-    return FAILED;
-  }
-  std::fputs(statusText(sweep, arguments.results, arguments.options.best).c_str(), stderr);
+  mergeResults(sweep, cases, arguments.results, arguments.parts);
+  std::fputs(statusText(sweep, arguments.results).c_str(), stderr);
   return DONE;
 }
 
@@ -162,27 +142,6 @@ int exportResults(const Sweep& sweep, const SweepArguments& arguments)
   return DONE;
 }
 
-/// Adds its results to the findings. @return false if it was stopped
-bool checkFloor(const Sweep& sweep, SweepArguments& arguments, SweepFindings& findings,
-                nlohmann::ordered_json& json)
-{
-  if (!findings.best)
-    throw Refusal("--check-floor: there is no best setting to check");
-  const std::uint64_t point = findings.best->point;
-  if (CaseBuilder(sweep).at(point * sweep.seedCount()).scene.contact.min_rebound_speed <= 0.0)
-    throw Refusal(
-        "--check-floor: contact.min_rebound_speed of the best setting is 0: there is no floor to check");
-  const auto means =
-      runAttended(arguments.options, [&]
-                  { return runSettingAtLowerFloors(sweep, point, arguments.results, arguments.options); });
-  if (!means)
-    return false;
-  for (const std::string& line : floorCheckLines(*means))
-    findings.lines.push_back(line);
-  json = floorCheckJson(*means);
-  return true;
-}
-
 /// The path of the sweep's scene from here, or of a copy if it is in the sweep's own file.
 std::string scenePath(const Sweep& sweep, const std::string& directory)
 {
@@ -196,41 +155,10 @@ std::string scenePath(const Sweep& sweep, const std::string& directory)
   return directory + "/scene.yaml";
 }
 
-void writeFindings(const Sweep& sweep, const SweepFindings& findings,
-                   const nlohmann::ordered_json& floor_check, const std::string& directory)
-{
-  nlohmann::ordered_json json = findingsJson(sweep, findings);
-  json["floor_check"] = floor_check;
-  json["command"] = commandText(sweep, scenePath(sweep, directory));
-  AtomicFile file(directory + "/findings.json");
-  file.stream() << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
-  file.commit();
-}
-
-/// Draws the pictures, and makes the page of what they show.
-int draw(const SweepArguments& arguments)
-{
-  std::vector<std::string> options = {arguments.out, "--title", arguments.name(), "--html",
-                                      arguments.pages.path};
-  options.insert(options.end(), arguments.plot_options.begin(), arguments.plot_options.end());
-  const int status = plotTables("ratchet_sieve.plots.sweep", options);
-  if (status != DONE)
-    return status;
-  const std::string page = arguments.out + "/report.html";
-  std::ifstream data(arguments.out + "/report.json");
-  writeSweepPage(page, nlohmann::ordered_json::parse(data));
-  std::printf("%s\n", page.c_str());
-  return DONE;
-}
-
+/// Writes the table of a report, and what it does not say, for the Python package; this draws the pictures
+/// and works out the page's data.
 int report(const Sweep& sweep, SweepArguments& arguments)
 {
-  for (const std::string& condition : arguments.where)
-  {
-    const std::size_t equals = condition.find('=');
-    arguments.options.best.where.push_back(
-        {condition.substr(0, equals), equals == std::string::npos ? "" : condition.substr(equals + 1)});
-  }
   if (arguments.pages.path.empty())
     arguments.pages.path = arguments.beside("_runs");
   std::error_code error;
@@ -240,19 +168,23 @@ int report(const Sweep& sweep, SweepArguments& arguments)
   AtomicFile table(arguments.out + "/cases.csv");
   exportCsv(sweep, arguments.results, table.stream());
   table.commit();
-  SweepFindings findings = findingsOf(sweep, arguments.results, arguments.options.best);
-  nlohmann::ordered_json floor_check;
-  if (arguments.check_floor && !checkFloor(sweep, arguments, findings, floor_check))
-  {
-    std::fputs("sieve_sweep: stopped; run the same command to continue\n", stderr);
-    return FAILED;
-  }
-  writeFindings(sweep, findings, floor_check, arguments.out);
-  const int status = draw(arguments);
-  if (status == DONE)
-    for (const std::string& line : findings.lines)
-      std::fprintf(stderr, "%s\n", line.c_str());
-  return status;
+  AtomicFile basis(arguments.out + "/sweep.json");
+  basis.stream() << reportBasis(sweep, arguments.results, scenePath(sweep, arguments.out))
+                        .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+                 << '\n';
+  basis.commit();
+  std::signal(SIGINT, onSignal);  // ends Python, which says so
+  const int status = plotTables("ratchet_sieve.plots.sweep", arguments.plotOptions());
+  if (status != DONE)
+    return status;
+  const std::string page = arguments.out + "/report.html";
+  std::ifstream file(arguments.out + "/report.json");
+  const auto data = nlohmann::ordered_json::parse(file);
+  writeSweepPage(page, data);
+  std::printf("%s\n", page.c_str());
+  for (const auto& line : data.at("findings"))
+    std::fprintf(stderr, "%s\n", line.get<std::string>().c_str());
+  return DONE;
 }
 
 int dispatch(const CLI::App& app, SweepArguments& arguments)
@@ -276,7 +208,7 @@ int dispatch(const CLI::App& app, SweepArguments& arguments)
       return exportResults(sweep, arguments);
     if (app.got_subcommand("report"))
       return report(sweep, arguments);
-    std::fputs(statusText(sweep, arguments.results, arguments.options.best).c_str(), stdout);
+    std::fputs(statusText(sweep, arguments.results).c_str(), stdout);
     return DONE;
   }
   catch (const SceneError& error)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "ratchet_sieve/scene/parsed.h"
 
 namespace ratchet_sieve
@@ -26,13 +28,13 @@ void describeThreads(CLI::App& command, SweepArguments& arguments)
 void describeBest(CLI::App& command, SweepArguments& arguments)
 {
   command
-      .add_option("--least-processed", arguments.options.best.least_processed,
+      .add_option("--least-processed", arguments.least_processed,
                   "Least P of the best setting, averaged over its seeds, from 0 to 1")
       ->type_name("P")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   command
-      .add_option("--least-counted", arguments.options.best.least_counted,
+      .add_option("--least-counted", arguments.least_counted,
                   "Least number of disks that left in the best setting, averaged over its seeds: Q of few "
                   "disks can be "
                   "high by chance")
@@ -75,7 +77,6 @@ void describePages(CLI::App& run, SweepArguments& arguments)
 void describeRun(CLI::App& run, SweepArguments& arguments)
 {
   describeThreads(run, arguments);
-  describeBest(run, arguments);
   run.add_option("--checkpoint-every", arguments.options.checkpoint_period,
                  "Period at which a running case is saved [s of wall time]")
       ->type_name("S")
@@ -91,7 +92,7 @@ void describeRun(CLI::App& run, SweepArguments& arguments)
   run.add_flag("--yes", arguments.yes, "Confirm a sweep of more than a million cases");
 }
 
-/// Options that ratchet_sieve.plots.sweep takes as well.
+/// Options that are those of ratchet_sieve.plots.sweep.
 void describePlots(CLI::App& report, SweepArguments& arguments)
 {
   const auto plot_option = [&](const std::string& name, const char* type, const char* text)
@@ -99,11 +100,7 @@ void describePlots(CLI::App& report, SweepArguments& arguments)
     const auto take = [&arguments, name](const std::vector<std::string>& values)
     {
       for (const std::string& value : values)
-      {
-        arguments.plot_options.insert(arguments.plot_options.end(), {name, value});
-        if (name == "--where")
-          arguments.where.push_back(value);
-      }
+        arguments.plot_options.push_back(name + '=' + value);
     };
     report.add_option_function<std::vector<std::string>>(name, take, text)
         ->type_name(type)
@@ -138,6 +135,20 @@ void describeReport(CLI::App& report, SweepArguments& arguments)
 
 }  // namespace
 
+std::vector<std::string> SweepArguments::plotOptions() const
+{
+  std::vector<std::string> all = {out,
+                                  "--title=" + name(),
+                                  "--html=" + pages.path,
+                                  fmt::format("--least-processed={}", least_processed),
+                                  fmt::format("--least-counted={}", least_counted),
+                                  "--threads=" + std::to_string(options.threads)};
+  if (check_floor)
+    all.push_back("--check-floor=" + results);
+  all.insert(all.end(), plot_options.begin(), plot_options.end());
+  return all;
+}
+
 void describe(CLI::App& app, SweepArguments& arguments)
 {
   app.require_subcommand(1);
@@ -151,9 +162,7 @@ void describe(CLI::App& app, SweepArguments& arguments)
     return command;
   };
   describeRun(*verb("run", "Run the cases that have no result yet"), arguments);
-  CLI::App& status = *verb("status", "Print the progress of the sweep and its best setting");
-  describePart(status, arguments);
-  describeBest(status, arguments);
+  describePart(*verb("status", "Print the progress of the sweep"), arguments);
   verb("export", "Write the results as CSV")
       ->add_option("--out", arguments.out, "Write to a file instead of standard output")
       ->type_name("FILE");

@@ -19,11 +19,12 @@ struct SweepArguments
   std::string sweep;
   std::string results;
   std::string out;
-  std::optional<SweepPart> part;   ///< all of the sweep if not given
-  std::vector<std::string> parts;  ///< results files to merge
-  std::vector<std::string> plot_options;
-  std::vector<std::string> where;
-  PageArguments pages;  ///< of cases; the path is that of their directory
+  std::optional<SweepPart> part;          ///< all of the sweep if not given
+  std::vector<std::string> parts;         ///< results files to merge
+  std::vector<std::string> plot_options;  ///< of ratchet_sieve.plots.sweep, as given
+  PageArguments pages;                    ///< of cases; the path is that of their directory
+  double least_processed = 0.5;
+  double least_counted = 50.0;
   bool check_floor = false;
   bool dry_run = false;
   bool yes = false;
@@ -38,6 +39,9 @@ struct SweepArguments
     return beside(part ? '.' + std::to_string(part->number) + "-of-" + std::to_string(part->count) + ".db"
                        : ".db");
   }
+
+  /// All options of ratchet_sieve.plots.sweep.
+  std::vector<std::string> plotOptions() const;
 
   /// A path next to the sweep's file.
   std::string beside(const std::string& ending) const

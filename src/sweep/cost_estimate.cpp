@@ -1,4 +1,4 @@
-#include "ratchet_sieve/sweep/cost_estimate.h"
+#include "ratchet_sieve/sweep/sweep_report.h"
 
 #include <algorithm>
 #include <chrono>
@@ -13,8 +13,7 @@
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/recording/headless_run.h"
-#include "ratchet_sieve/sweep/case_builder.h"
-#include "ratchet_sieve/sweep/sweep_progress.h"
+#include "ratchet_sieve/sweep/case.h"
 
 namespace ratchet_sieve
 {
@@ -23,7 +22,6 @@ namespace
 
 using Seconds = std::chrono::duration<double>;
 
-constexpr Seconds OF_THE_FIRST(1.0);
 constexpr Seconds OF_A_CORNER(0.5);
 constexpr std::size_t MOST_BITS = 4;  ///< 2^4 corners
 
@@ -130,19 +128,6 @@ std::string cornerText(const SceneDefinition& scene, const ShortRun& run, double
 }
 
 }  // namespace
-
-std::string estimateText(const Sweep& sweep, std::size_t threads)
-{
-  CaseBuilder builder(sweep);
-  const SceneDefinition& scene = builder.at(0).scene;
-  const std::optional<ShortRun> run = shortRun(scene, OF_THE_FIRST);
-  if (!run)
-    return "an unknown time: the first case takes long to start";
-  const double wall = wholeCost(*run, scene.duration);
-  return "about " +
-         durationText(wall * static_cast<double>(sweep.sizeOfPart()) / static_cast<double>(threads)) +
-         " according to the first case";
-}
 
 std::vector<std::string> costLines(const Sweep& sweep)
 {

@@ -1,13 +1,12 @@
 #include "ratchet_sieve/sweep/database.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
 
 #include <sqlite3.h>
-
-#include "quoted_word.h"
 
 namespace ratchet_sieve
 {
@@ -122,7 +121,16 @@ void Database::fail() const
 
 std::string quotedName(const std::string& name)
 {
-  return '"' + replaced(name, '"', "\"\"") + '"';
+  std::string quoted = "\"";
+  for (const char c : name)
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string lowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
 }
 
 Statement::Statement(const Database& database, const std::string& sql) : database_(database)

@@ -2,14 +2,12 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "ratchet_sieve/core/count_text.h"
-#include "ratchet_sieve/recording/steady_mean.h"
-#include "ratchet_sieve/recording/summary.h"
-#include "ratchet_sieve/sweep/case_builder.h"
-#include "ratchet_sieve/sweep/case_run.h"
+#include "ratchet_sieve/sweep/case.h"
 
 namespace ratchet_sieve
 {
@@ -23,111 +21,87 @@ constexpr const char* FLOOR_KEY = "contact.min_rebound_speed";
 /// Fractions of the scene's minimum rebound speed: two halvings also show the trend of a dependence.
 constexpr std::array<double, 2> LOWER_FLOORS = {0.5, 0.25};
 
-constexpr const char* NOT_KNOWN =
-    "no error is known, so a dependence on contact.min_rebound_speed cannot be tested";
-
-constexpr double CONFIDENCE = 0.95;  ///< of the intervals over seeds
-constexpr int FLOOR_WIDTH = 12;      ///< of a table [characters]
+constexpr int FLOOR_WIDTH = 12;  ///< of a table [characters]
 constexpr int RESULT_WIDTH = 26;
 
-std::optional<double> numberIn(const Json& json)
-{
-  return json.is_number() ? std::optional(json.get<double>()) : std::nullopt;
-}
-
 /// An estimate from the summary's `accuracy`, or the value without an error if there is none.
-FloorResult resultOf(const std::string& name, const Json& estimate, const Json& plain)
+Json resultOf(const Json& estimate, const Json& plain)
 {
-  const std::optional<double> value = numberIn(estimate.at("value"));
-  return {name, value ? value : numberIn(plain), numberIn(estimate.at("half_width"))};
+  const Json& value = estimate.at("value");
+  return {{"value", value.is_null() ? plain : value}, {"half_width", estimate.at("half_width")}};
 }
 
-FloorRun floorRun(double floor, const std::string& error, const Json& summary)
+/// The results of a run, by their names.
+Json resultsOf(const Json& summary)
 {
-  FloorRun run = {floor, error, {}, {}};
+  Json results = Json::object();
   if (summary.is_null())
-    return run;
-  run.warnings = summary.at("warnings").get<std::vector<std::string>>();
+    return results;
   const Json& accuracy = summary.at("accuracy");
-  run.results.push_back(resultOf("quality", accuracy.at("quality"), summary.at("quality")));
-  run.results.push_back({"processed", numberIn(summary.at("processed")), std::nullopt});
+  results["quality"] = resultOf(accuracy.at("quality"), summary.at("quality"));
+  results["processed"] = {{"value", summary.at("processed")}, {"half_width", nullptr}};
   for (std::size_t s = 0; s < summary.at("species").size(); ++s)
   {
     const Json& species = summary.at("species")[s];
-    run.results.push_back(resultOf("mean_vx." + species.at("name").get<std::string>(),
-                                   accuracy.at("mean_vx")[s], species.at("mean_vx")));
+    results["mean_vx." + species.at("name").get<std::string>()] =
+        resultOf(accuracy.at("mean_vx")[s], species.at("mean_vx"));
+  }
+  return results;
+}
+
+/// @param own results at the scene's own floor
+Json floorRun(double floor, const std::string& error, const Json& summary, const Json& own)
+{
+  Json run = {{"min_rebound_speed", floor},
+              {"error", error.empty() ? Json(nullptr) : Json(error)},
+              {"warnings", summary.is_null() ? Json::array() : summary.at("warnings")}};
+  const Json results = resultsOf(summary);
+  for (const auto& [name, result] : results.items())
+  {
+    const Json& from = own.at(name);
+    const auto combined = [&, &result = result](const char* field, double (*combine)(double, double)) -> Json
+    {
+      if (result[field].is_null() || from[field].is_null())
+        return nullptr;
+      return combine(result[field].get<double>(), from[field].get<double>());
+    };
+    const Json moved = combined("value", [](double a, double b) { return a - b; });
+    const Json width = combined("half_width", [](double a, double b) { return std::hypot(a, b); });
+    run[name] = result;
+    run[name]["difference"] = moved;
+    run[name]["difference_half_width"] = moved.is_null() ? Json(nullptr) : width;
   }
   return run;
 }
 
-/// The difference of results of independent runs; unknown if either is.
-FloorResult difference(const FloorResult& result, const FloorResult& from)
+std::string resultText(const Json& value, const Json& half_width, bool with_sign)
 {
-  FloorResult moved = {result.name, {}, {}};
-  if (result.value && from.value)
-    moved.value = *result.value - *from.value;
-  if (moved.value && result.half_width && from.half_width)
-    moved.half_width = std::hypot(*result.half_width, *from.half_width);
-  return moved;
-}
-
-std::string resultText(const FloorResult& result, bool with_sign)
-{
-  if (!result.value)
+  if (value.is_null())
     return "not defined";
-  const std::string text = fmt::format(with_sign ? "{:+.3g}" : "{:.4g}", *result.value);
-  return result.half_width ? text + fmt::format(" +- {:.2g}", *result.half_width) : text;
+  const std::string text = fmt::format(with_sign ? "{:+.3g}" : "{:.4g}", value.get<double>());
+  return half_width.is_null() ? text : text + fmt::format(" +- {:.2g}", half_width.get<double>());
 }
 
-/// One line: whether a result depends on the minimum rebound speed. Empty if its error is unknown.
-std::string verdict(const FloorResult& moved, double from, double to)
+/// Whether a result of the last run depends on the floor; its error is known.
+std::string verdict(const std::string& name, const Json& result, double from, double to)
 {
-  if (!moved.half_width)
-    return "";
-  const double size = std::abs(*moved.value);
+  const Json& moved = result["difference"];
+  const Json& width = result["difference_half_width"];
+  const double size = std::abs(moved.get<double>());
   const std::string text =
-      fmt::format("{} changes by {} from {:g} to {:g} m/s: ", moved.name, resultText(moved, true), from, to);
-  if (size > *moved.half_width)
+      fmt::format("{} changes by {} from {:g} to {:g} m/s: ", name, resultText(moved, width, true), from, to);
+  if (size > width.get<double>())
     return text + "it depends on " + FLOOR_KEY;
   return text + fmt::format("no significant dependence on {}; a change of up to {:.2g} is not excluded",
-                            FLOOR_KEY, size + *moved.half_width);
-}
-
-/// Q as a result, with the half-width from the scatter between seeds.
-FloorResult qualityOf(const FloorMean& each)
-{
-  FloorResult result = {"quality", {}, {}};
-  if (each.mean)
-    result.value = each.mean->quality();
-  if (each.mean && each.mean->error)
-    result.half_width = *each.mean->error * halfWidthOver(CONFIDENCE, each.mean->seeds);
-  return result;
-}
-
-Sweep sweepOfFloors(const Sweep& sweep, std::uint64_t point, const std::vector<double>& floors)
-{
-  Sweep check = sweep;
-  for (const Assignment& assignment : sweep.point(point))
-    check.fixed.push_back(assignment);
-  Axis axis;
-  axis.keys = {FLOOR_KEY};
-  axis.size = floors.size();
-  axis.at = [floors](std::uint64_t k) -> std::vector<Assignment> {
-    return {{FLOOR_KEY, fmt::format("{}", floors[k])}};
-  };
-  axis.text = FLOOR_KEY;
-  for (const double floor : floors)
-    axis.text += fmt::format(" {}", floor);
-  check.axes = {axis};
-  return check;
+                            FLOOR_KEY, size + width.get<double>());
 }
 
 }  // namespace
 
-std::optional<std::vector<FloorRun>> runAtLowerFloors(const SceneDefinition& scene, const Json& summary,
-                                                      const std::function<bool()>& stop_wanted)
+Json floorCheck(const SceneDefinition& scene, const Json& summary, const std::function<bool()>& stop_wanted)
 {
-  std::vector<FloorRun> runs = {floorRun(scene.contact.min_rebound_speed, "", summary)};
+  const Json own = resultsOf(summary);
+  Json runs = Json::array({floorRun(scene.contact.min_rebound_speed, "", summary, own)});
   CaseRunOptions options;
   options.stop_wanted = stop_wanted;
   for (const double part : LOWER_FLOORS)
@@ -137,104 +111,40 @@ std::optional<std::vector<FloorRun>> runAtLowerFloors(const SceneDefinition& sce
     lower.scene.contact.min_rebound_speed *= part;
     const std::optional<CaseResult> result = runCase(lower, options);
     if (!result)
-      return std::nullopt;
-    runs.push_back(floorRun(lower.scene.contact.min_rebound_speed, result->error, result->summary));
+      return nullptr;
+    runs.push_back(floorRun(lower.scene.contact.min_rebound_speed, result->error, result->summary, own));
   }
   return runs;
 }
 
-Json floorCheckJson(const std::vector<FloorRun>& runs)
+std::vector<std::string> floorCheckLines(const Json& runs)
 {
-  Json list = Json::array();
-  for (const FloorRun& run : runs)
-  {
-    Json json = {{"min_rebound_speed", run.floor},
-                 {"error", run.error.empty() ? Json(nullptr) : Json(run.error)},
-                 {"warnings", run.warnings}};
-    for (std::size_t k = 0; k < run.results.size(); ++k)
-    {
-      const FloorResult& result = run.results[k];
-      const FloorResult moved = difference(result, runs.front().results[k]);
-      json[result.name] = {{"value", numberOrNull(result.value)},
-                           {"half_width", numberOrNull(result.half_width)},
-                           {"difference", numberOrNull(moved.value)},
-                           {"difference_half_width", numberOrNull(moved.half_width)}};
-    }
-    list.push_back(std::move(json));
-  }
-  return list;
-}
-
-std::vector<std::string> floorCheckLines(const std::vector<FloorRun>& runs)
-{
-  std::string head = fmt::format("{:<{}}", "floor [m/s]", FLOOR_WIDTH);
-  for (const FloorResult& result : runs.front().results)
-    head += fmt::format("  {:<{}}", result.name, RESULT_WIDTH);
   std::vector<std::string> lines = {
-      "check of contact.min_rebound_speed, one run each, half-widths of intervals:", head};
-  for (const FloorRun& run : runs)
+      "check of contact.min_rebound_speed, one run each, half-widths of intervals:",
+      fmt::format("{:<{}}", "floor [m/s]", FLOOR_WIDTH)};
+  for (const auto& [name, result] : runs.front().items())
+    if (result.is_object())
+      lines.back() += fmt::format("  {:<{}}", name, RESULT_WIDTH);
+  const auto floor_of = [](const Json& run) { return run["min_rebound_speed"].get<double>(); };
+  std::vector<std::string> verdicts;
+  for (const Json& run : runs)
   {
-    std::string line = fmt::format("{:<{}}", fmt::format("{:g}", run.floor), FLOOR_WIDTH);
-    for (const FloorResult& result : run.results)
-      line += fmt::format("  {:<{}}", resultText(result, false), RESULT_WIDTH);
-    if (!run.warnings.empty())
-      line += countText(run.warnings.size(), "warning");
-    lines.push_back(line + (run.error.empty() ? "" : "failed: " + run.error));
+    std::string line = fmt::format("{:<{}}", fmt::format("{:g}", floor_of(run)), FLOOR_WIDTH);
+    for (const auto& [name, result] : run.items())
+    {
+      if (!result.is_object())
+        continue;
+      line += fmt::format("  {:<{}}", resultText(result["value"], result["half_width"], false), RESULT_WIDTH);
+      if (&run == &runs.back() && !result["difference_half_width"].is_null())
+        verdicts.push_back(verdict(name, result, floor_of(runs.front()), floor_of(run)));
+    }
+    if (!run["warnings"].empty())
+      line += countText(run["warnings"].size(), "warning");
+    lines.push_back(line + (run["error"].is_null() ? "" : "failed: " + run["error"].get<std::string>()));
   }
-  const FloorRun& last = runs.back();
-  const std::size_t table = lines.size();
-  for (std::size_t k = 0; k < last.results.size(); ++k)
-  {
-    const std::string text =
-        verdict(difference(last.results[k], runs.front().results[k]), runs.front().floor, last.floor);
-    if (!text.empty())
-      lines.push_back(text);
-  }
-  if (lines.size() == table)
-    lines.push_back(NOT_KNOWN);
-  return lines;
-}
-
-std::optional<std::vector<FloorMean>> runSettingAtLowerFloors(const Sweep& sweep, std::uint64_t point,
-                                                              const std::string& results,
-                                                              const SweepRunOptions& options)
-{
-  const double own = CaseBuilder(sweep).at(point * sweep.seedCount()).scene.contact.min_rebound_speed;
-  std::vector<double> floors = {own};
-  for (const double part : LOWER_FLOORS)
-    floors.push_back(part * own);
-  const Sweep check = sweepOfFloors(sweep, point, floors);
-  if (runSweep(check, results, options).stopped)
-    return std::nullopt;
-  ResultStore store(results, Database::Access::READ);
-  const SweepPlan plan = SweepPlan::findOrWorkOut(store.database(), check);
-  std::vector<FloorMean> means;
-  for (std::size_t k = 0; k < floors.size(); ++k)
-    means.push_back({floors[k], meanOfSetting(store, plan, check, k)});
-  return means;
-}
-
-Json floorCheckJson(const std::vector<FloorMean>& means)
-{
-  Json list = Json::array();
-  for (const FloorMean& each : means)
-    list.push_back({{"min_rebound_speed", each.floor},
-                    {"quality", each.mean ? Json(each.mean->quality()) : Json(nullptr)},
-                    {"quality_stderr", each.mean ? numberOrNull(each.mean->error) : Json(nullptr)},
-                    {"seeds", each.mean ? each.mean->seeds : 0}});
-  return list;
-}
-
-std::vector<std::string> floorCheckLines(const std::vector<FloorMean>& means)
-{
-  std::vector<std::string> lines;
-  lines.reserve(means.size() + 1);
-  for (const FloorMean& each : means)
-    lines.push_back(fmt::format("best setting at {} = {:g} m/s: {}", FLOOR_KEY, each.floor,
-                                each.mean ? "Q " + meanText(*each.mean) : "Q not defined"));
-  const std::string text = verdict(difference(qualityOf(means.back()), qualityOf(means.front())),
-                                   means.front().floor, means.back().floor);
-  lines.push_back(text.empty() ? NOT_KNOWN : text + " (half-width of 95 %)");
+  if (verdicts.empty())
+    verdicts = {"no error is known, so a dependence on contact.min_rebound_speed cannot be tested"};
+  lines.insert(lines.end(), verdicts.begin(), verdicts.end());
   return lines;
 }
 

@@ -5,7 +5,6 @@
 #include <limits>
 #include <thread>
 
-#include "lower_case.h"
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/parsed.h"

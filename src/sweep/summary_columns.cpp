@@ -1,8 +1,10 @@
 #include <map>
 #include <set>
 
-#include "lower_case.h"
-#include "ratchet_sieve/sweep/case_result.h"
+#include <fmt/format.h>
+
+#include "ratchet_sieve/sweep/case.h"
+#include "ratchet_sieve/sweep/database.h"
 
 namespace ratchet_sieve
 {
@@ -36,36 +38,42 @@ std::map<std::string, std::string> columnNames(const Json& species)
   return names;
 }
 
-/// @param prefix of the columns' names
-void addSpecies(const std::string& prefix, const Json& species, SummaryColumns& columns)
+/// Calls `add(each, name)` with each of the species and its name in columns, unless they are too many.
+template <typename Add>
+void forSpecies(const Json& species, const Add& add)
 {
   if (species.size() > MOST_COLUMN_SPECIES)
     return;
   const std::map<std::string, std::string> names = columnNames(species);
   for (const Json& each : species)
-    for (const auto& [field, value] : each.items())
-      if (isScalar(value))
-        columns.emplace_back(std::string(prefix).append(field).append(".").append(
-                                 names.at(each.at("name").get<std::string>())),
-                             value);
+    add(each, names.at(each.at("name").get<std::string>()));
+}
+
+/// Adds the scalars of a map as `PREFIX FIELD.NAME`.
+void addScalars(const std::string& prefix, const Json& map, const std::string& name, SummaryColumns& columns)
+{
+  for (const auto& [field, value] : map.items())
+    if (isScalar(value))
+      columns.emplace_back(fmt::format("{}{}.{}", prefix, field, name), value);
+}
+
+/// @param prefix of the columns' names
+void addSpecies(const std::string& prefix, const Json& species, SummaryColumns& columns)
+{
+  forSpecies(species,
+             [&](const Json& each, const std::string& name) { addScalars(prefix, each, name, columns); });
 }
 
 /// The scalars of each size class, numbered from 1.
 void addSizeClasses(const Json& species, SummaryColumns& columns)
 {
-  if (species.size() > MOST_COLUMN_SPECIES)
-    return;
-  const std::map<std::string, std::string> names = columnNames(species);
-  for (const Json& each : species)
+  const auto add = [&columns](const Json& each, const std::string& name)
   {
-    const Json classes = each.value("size_classes", Json::array());
-    for (std::size_t k = 0; k < classes.size(); ++k)
-      for (const auto& [field, value] : classes[k].items())
-        if (isScalar(value))
-          columns.emplace_back("size_classes." + std::to_string(k + 1) + '.' + field + '.' +
-                                   names.at(each.at("name").get<std::string>()),
-                               value);
-  }
+    std::size_t number = 0;
+    for (const Json& one : each.value("size_classes", Json::array()))
+      addScalars(fmt::format("size_classes.{}.", ++number), one, name, columns);
+  };
+  forSpecies(species, add);
 }
 
 bool isOfSpecies(const Json& list)

@@ -1,12 +1,300 @@
 #include "ratchet_sieve/sweep/sweep.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "ratchet_sieve/core/fnv1a.h"
 #include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/scene/parsed.h"
+#include "ratchet_sieve/scene/scalars.h"
+#include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
 {
+namespace
+{
+
+constexpr double MOST_VALUES = 1e15;  ///< of one range: below 2^53, so that a double counts them
+
+/// Characters that end a plain scalar within a flow map or list, or might.
+constexpr const char* FLOW_MARKS = ",[]{}#:&*!|>'\"%@`\n\t";
+
+std::string quoted(const std::string& text)
+{
+  YAML::Emitter emitter;
+  emitter << YAML::DoubleQuoted << text;
+  return emitter.c_str();
+}
+
+std::string scalarFlowText(const YAML::Node& node)
+{
+  const std::string& text = node.Scalar();
+  const bool plain =
+      node.Tag() != "!" && !text.empty() && text.find_first_of(FLOW_MARKS) == std::string::npos;
+  return plain ? text : quoted(text);
+}
+
+SweptValues readRange(const Entry& entry)
+{
+  entry.requireKeys({"from", "to", "count"}, {"from", "to", "count"});
+  double from = 0.0;
+  double to = 0.0;
+  std::uint64_t count = 0;
+  double checked_count = 0.0;
+  readScalar(entry.at("from"), {}, from);
+  readScalar(entry.at("to"), {}, to);
+  readScalar(entry.at("count"), {1.0, MOST_VALUES, ""}, checked_count);
+  readScalar(entry.at("count"), {}, count);
+  return {count, [from, to, count](std::uint64_t k) { return scalarText(rangeValue(from, to, count, k)); }};
+}
+
+SweptValues readList(const Entry& entry)
+{
+  const auto values = std::make_shared<std::vector<std::string>>();
+  for (const Entry& value : entry.list())
+  {
+    if (value.node().IsNull())
+      value.refuse("must have a value");
+    values->push_back(flowText(value.node()));
+  }
+  if (values->empty())
+    entry.refuse("must have one value or more");
+  return {values->size(), [values](std::uint64_t k) { return (*values)[k]; }};
+}
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t MOST_KEYS = 500;  ///< swept keys: each is a column, and SQLite allows 2000
+
+void readScene(const Entry& root, Sweep& sweep)
+{
+  const Entry scene = root.at("scene");
+  if (scene.node().IsMap())
+  {
+    sweep.scene_text = flowText(scene.node());
+    sweep.scene_source = sweep.source + ": scene";
+    sweep.scene_is_inside = true;
+    return;
+  }
+  if (!scene.node().IsScalar())
+    scene.refuseValue("must be the path of a scene, or the scene itself");
+  sweep.scene_source = (fs::path(sweep.source).parent_path() / scene.node().Scalar()).string();
+  sweep.scene_text = readYamlText(sweep.scene_source);
+}
+
+void readAxes(const Entry& root, Sweep& sweep)
+{
+  if (root.has("grid"))
+  {
+    const Entry grid = root.at("grid");
+    const std::vector<std::string> keys = grid.keys();
+    if (keys.empty())
+      grid.refuse("must have one key or more");
+    for (const std::string& key : keys)
+      sweep.axes.push_back(readGridAxis(grid, key));
+  }
+  if (root.has("zip"))
+    sweep.axes.push_back(readZip(root.at("zip")));
+  if (root.has("cases"))
+    sweep.axes.push_back(readCases(root.at("cases")));
+}
+
+void readListedSeeds(const Entry& entry, Seeds& seeds)
+{
+  std::set<std::uint64_t> seen;
+  for (const Entry& item : entry.list())
+  {
+    readScalar(item, {}, seeds.listed.emplace_back());
+    if (!seen.insert(seeds.listed.back()).second)
+      item.refuseValue("is given twice");
+  }
+  if (seeds.listed.empty())
+    entry.refuse("must have one seed or more");
+  seeds.count = seeds.listed.size();
+}
+
+void readSeeds(const Entry& root, Sweep& sweep)
+{
+  if (!root.has("seed"))
+    return;
+  const Entry entry = root.at("seed");
+  if (entry.node().IsSequence())
+    return readListedSeeds(entry, sweep.seeds);
+  entry.requireKeys({"first", "count"}, {"first", "count"});
+  readScalar(entry.at("first"), {}, sweep.seeds.first);
+  readScalar(entry.at("count"), {}, sweep.seeds.count);
+  if (sweep.seeds.count == 0)
+    entry.at("count").refuseValue("must be 1 or more");
+  if (sweep.seeds.first + (sweep.seeds.count - 1) < sweep.seeds.first)
+    entry.refuse("the last seed must be below 2^64");
+}
+
+/// Parts of a map or list that is set in every case may be swept. Setting both a key and a part of it is
+/// refused otherwise, because one would undo the other.
+void requireNoneWithin(const Entry& root, const std::map<std::string, std::string>& places)
+{
+  for (const auto& [key, place] : places)
+    for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1))
+    {
+      const auto holder = places.find(key.substr(0, dot));
+      if (holder != places.end() && (holder->second != "set" || place == "set"))
+        root.at(place).refuse(key + " is a part of " + holder->first + ", which is set in " + holder->second +
+                              " as well");
+    }
+}
+
+/// No key may be set in two places, and seeds only in `seed`.
+void requireOnce(const Entry& root, const Sweep& sweep)
+{
+  std::map<std::string, std::string> seen;
+  const auto take = [&](const std::string& key, const std::string& place)
+  {
+    if (key == "seed" && (place != "set" || sweep.seeds.count > 0))
+      root.at(place).refuse("seeds are given by the sweep's own key, seed: {first: .., count: ..} or [..]");
+    const auto [other, is_new] = seen.emplace(key, place);
+    if (!is_new)
+      root.at(place).refuse(key + " is set in " + other->second + " as well");
+  };
+  for (const Assignment& assignment : sweep.fixed)
+    take(assignment.key, "set");
+  std::size_t k = 0;
+  if (root.has("grid"))
+    for (; k < root.at("grid").keys().size(); ++k)
+      take(sweep.axes[k].keys.front(), "grid");
+  for (const char* place : {"zip", "cases"})
+    if (root.has(place))
+      for (const std::string& key : sweep.axes[k++].keys)
+        take(key, place);
+  requireNoneWithin(root, seen);
+  if (sweep.keys().size() > MOST_KEYS)
+    root.refuse("has more than " + std::to_string(MOST_KEYS) + " keys");
+}
+
+void requireCountable(const Entry& root, const Sweep& sweep)
+{
+  std::uint64_t product = sweep.seedCount();
+  bool countable = product <= MOST_CASES;
+  for (const Axis& axis : sweep.axes)
+  {
+    countable = countable && axis.size <= MOST_CASES / product;
+    if (countable)
+      product *= axis.size;
+  }
+  if (!countable)
+    root.refuse("has more than " + std::to_string(MOST_CASES) + " cases");
+}
+
+}  // namespace
+
+std::string flowText(const YAML::Node& node)
+{
+  if (node.IsScalar())
+    return scalarFlowText(node);
+  if (!node.IsMap() && !node.IsSequence())
+    return "~";
+  std::string text;
+  for (const auto& item : node)
+  {
+    text += text.empty() ? "" : ", ";
+    text += node.IsMap() ? flowText(item.first) + ": " + flowText(item.second) : flowText(item);
+  }
+  return node.IsMap() ? '{' + text + '}' : '[' + text + ']';
+}
+
+double rangeValue(double from, double to, std::uint64_t count, std::uint64_t k)
+{
+  if (k + 1 == count && count > 1)
+    return to;
+  if (k == 0)
+    return from;
+  const double value = from + (to - from) * (static_cast<double>(k) / static_cast<double>(count - 1));
+  return parsed<double>(fmt::format("{:.15g}", value)).value();
+}
+
+SweptValues readValues(const Entry& entry)
+{
+  if (entry.node().IsMap())
+    return readRange(entry);
+  if (!entry.node().IsSequence())
+    entry.refuseValue("must be a list of values, or {from: .., to: .., count: ..}");
+  return readList(entry);
+}
+
+Axis readGridAxis(const Entry& grid, const std::string& key)
+{
+  SweptValues values = readValues(grid.at(key));
+  return {{key},
+          values.count,
+          [key, at = std::move(values.at)](std::uint64_t k) {
+            return std::vector<Assignment>{{key, at(k)}};
+          },
+          key + ": " + flowText(grid.at(key).node())};
+}
+
+Axis readZip(const Entry& zip)
+{
+  Axis axis;
+  axis.keys = zip.keys();
+  if (axis.keys.empty())
+    zip.refuse("must have one key or more");
+  std::vector<SweptValues> columns;
+  for (const std::string& key : axis.keys)
+  {
+    columns.push_back(readValues(zip.at(key)));
+    if (columns.back().count != columns.front().count)
+      zip.at(key).refuse("has " + std::to_string(columns.back().count) + " values, but " + axis.keys.front() +
+                         " has " + std::to_string(columns.front().count) +
+                         "; the lists of a zip must be equally long");
+  }
+  axis.size = columns.front().count;
+  axis.text = flowText(zip.node());
+  axis.at = [keys = axis.keys, columns = std::move(columns)](std::uint64_t k)
+  {
+    std::vector<Assignment> assignments;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      assignments.push_back({keys[i], columns[i].at(k)});
+    return assignments;
+  };
+  return axis;
+}
+
+std::vector<Assignment> readAssignments(const Entry& map)
+{
+  std::vector<Assignment> assignments;
+  for (const std::string& key : map.keys())
+  {
+    if (map.at(key).node().IsNull())
+      map.at(key).refuse("must have a value");
+    assignments.push_back({key, flowText(map.at(key).node())});
+  }
+  return assignments;
+}
+
+Axis readCases(const Entry& cases)
+{
+  Axis axis;
+  const auto steps = std::make_shared<std::vector<std::vector<Assignment>>>();
+  for (const Entry& entry : cases.list())
+  {
+    steps->push_back(readAssignments(entry));
+    for (const Assignment& assignment : steps->back())
+      if (std::find(axis.keys.begin(), axis.keys.end(), assignment.key) == axis.keys.end())
+        axis.keys.push_back(assignment.key);
+  }
+  if (steps->empty())
+    cases.refuse("must have one case or more");
+  axis.size = steps->size();
+  axis.text = flowText(cases.node());
+  axis.at = [steps](std::uint64_t k) { return (*steps)[k]; };
+  return axis;
+}
 
 std::uint64_t Sweep::points() const
 {
@@ -54,6 +342,28 @@ std::string Sweep::fingerprint() const
   char digits[17];
   std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(fnv1a(text)));
   return digits;
+}
+
+Sweep loadSweep(const std::string& path)
+{
+  return sweepFromText(readYamlText(path), path);
+}
+
+Sweep sweepFromText(const std::string& text, const std::string& source)
+{
+  const YAML::Node tree = copyableYaml(text, source);
+  const Entry root(tree, source, "sweep");
+  root.requireKeys({"scene", "set", "grid", "zip", "cases", "seed"}, {"scene"});
+  Sweep sweep;
+  sweep.source = source;
+  readScene(root, sweep);
+  if (root.has("set"))
+    sweep.fixed = readAssignments(root.at("set"));
+  readAxes(root, sweep);
+  readSeeds(root, sweep);
+  requireOnce(root, sweep);
+  requireCountable(root, sweep);
+  return sweep;
 }
 
 }  // namespace ratchet_sieve

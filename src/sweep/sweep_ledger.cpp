@@ -1,19 +1,44 @@
 #include "ratchet_sieve/sweep/sweep_ledger.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "ratchet_sieve/core/physics_version.h"
-#include "ratchet_sieve/sweep/case_builder.h"
-#include "ratchet_sieve/sweep/case_run.h"
-#include "ratchet_sieve/sweep/work_directory.h"
+#include "ratchet_sieve/recording/atomic_file.h"
+#include "ratchet_sieve/sweep/case.h"
+#include "ratchet_sieve/sweep/database.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
+
+constexpr const char* LOCK = "/lock";
+
+/// Of a whole file. Locks of open descriptions belong to no process: two in one process exclude each other as
+/// well.
+struct flock lockOf(short type)
+{
+  struct flock lock = {};
+  lock.l_type = type;
+  lock.l_whence = SEEK_SET;
+  return lock;
+}
+
+/// Whether the descriptor still is the file at the path: the last process may have removed it meanwhile.
+bool isThere(const std::string& path, int descriptor)
+{
+  struct stat named;
+  struct stat opened;
+  return stat(path.c_str(), &named) == 0 && fstat(descriptor, &opened) == 0 && named.st_ino == opened.st_ino;
+}
 
 /// Interval between two scans of all results, at least ...
 constexpr auto BETWEEN_LOOKS = std::chrono::seconds(1);
@@ -27,6 +52,62 @@ const std::string WITHOUT_RESULT =
     "AND NOT EXISTS (SELECT 1 FROM cases c WHERE c.run_hash = p.run_hash AND c.physics = ?2) ";
 
 }  // namespace
+
+std::string workDirectory(const std::string& results)
+{
+  return linkTarget(results) + ".d";
+}
+
+const std::string& checkpointEnding()
+{
+  static const std::string ENDING = ".physics" + std::to_string(PHYSICS_VERSION) + ".checkpoint";
+  return ENDING;
+}
+
+std::string checkpointPath(const std::string& results, const std::string& run_hash)
+{
+  return workDirectory(results) + '/' + run_hash + checkpointEnding();
+}
+
+ResultsLock::ResultsLock(const std::string& results) : directory_(workDirectory(results))
+{
+  const std::string path = directory_ + LOCK;
+  do
+  {
+    if (descriptor_ >= 0)
+      close(descriptor_);
+    std::error_code ignored;  // an open file says why
+    std::filesystem::create_directories(directory_, ignored);
+    descriptor_ = open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+    struct flock lock = lockOf(F_WRLCK);
+    if (descriptor_ >= 0 && fcntl(descriptor_, F_OFD_SETLK, &lock) == 0)
+      continue;
+    const int reason = errno;
+    if (descriptor_ >= 0)
+      close(descriptor_);
+    if (reason == EAGAIN)
+      throw DatabaseError(results + ": another process runs a sweep into this file");
+    throw DatabaseError(path + ": cannot be locked: " + std::strerror(reason));
+  } while (!isThere(path, descriptor_));
+}
+
+ResultsLock::~ResultsLock()
+{
+  unlink((directory_ + LOCK).c_str());
+  close(descriptor_);
+  rmdir(directory_.c_str());
+}
+
+bool ResultsLock::isHeld(const std::string& results)
+{
+  const int descriptor = open((workDirectory(results) + LOCK).c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0)
+    return false;
+  struct flock lock = lockOf(F_RDLCK);
+  const bool is_held = fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+  close(descriptor);
+  return is_held;
+}
 
 SweepLedger::SweepLedger(const Sweep& sweep, ResultStore& store, const SweepPlan& plan)
     : sweep_(sweep),
@@ -44,10 +125,7 @@ SweepLedger::SweepLedger(const Sweep& sweep, ResultStore& store, const SweepPlan
       end_(store.database(), "DELETE FROM under_way WHERE run_hash = ? AND physics = ?"),
       forgive_(store.database(), "DELETE FROM deaths WHERE run_hash = ? AND physics = ?")
 {
-  const SweepCounts counts = plan_.counts(store_.database());
-  progress_.cases = counts.cases;
-  progress_.done = counts.done;
-  progress_.failed = counts.failed;
+  static_cast<SweepCounts&>(progress_) = plan_.counts(store_.database());
 }
 
 std::vector<std::uint64_t> SweepLedger::exchange(const std::vector<CaseResult>& results, std::size_t wanted)
@@ -79,12 +157,12 @@ std::vector<std::uint64_t> SweepLedger::exchange(const std::vector<CaseResult>& 
 
 std::vector<std::uint64_t> SweepLedger::begin(std::size_t most)
 {
-  open_.bind(1, plan_.id()).bind(2, PHYSICS_VERSION).bind(3, cursor_);
+  plan_.bind(open_).bind(3, cursor_);
   std::vector<std::uint64_t> positions = begin(open_.bind(4, static_cast<std::int64_t>(most)));
   if (!positions.empty())
     cursor_ = static_cast<std::int64_t>(positions.back()) + 1;
   else if (!runsSuspect())
-    return begin(suspect_.bind(1, plan_.id()).bind(2, PHYSICS_VERSION));
+    return begin(plan_.bind(suspect_));
   return positions;
 }
 
@@ -161,7 +239,7 @@ std::vector<std::uint64_t> SweepLedger::countDeaths()
   Statement insert(store_.database(),
                    "INSERT OR REPLACE INTO deaths (run_hash, physics, place) VALUES (?, ?, ?)");
   std::vector<std::uint64_t> deadly;
-  select.bind(1, plan_.id()).bind(2, PHYSICS_VERSION);
+  plan_.bind(select);
   while (select.step())
   {
     const std::string hash = select.text(1);
@@ -182,21 +260,20 @@ void SweepLedger::forgetUnfinished()
   transaction.commit();
 }
 
-SweepProgress SweepLedger::progress(std::uint64_t running, const BestCriteria& criteria)
+SweepProgress SweepLedger::progress(std::uint64_t running)
 {
   progress_.running = running;
   progress_.wall = std::chrono::duration<double>(Clock::now() - start_).count();
-  lookAtResults(criteria);
+  countWarnings();
   return progress_;
 }
 
-void SweepLedger::lookAtResults(const BestCriteria& criteria)
+void SweepLedger::countWarnings()
 {
   const Clock::time_point begin = Clock::now();
   if (begin < next_look_)
     return;
   progress_.warned = plan_.warnings(store_).warned();
-  progress_.best = bestSetting(store_, plan_, sweep_, criteria);
   const Clock::time_point end = Clock::now();
   next_look_ = end + std::max<Clock::duration>(BETWEEN_LOOKS, TIMES_A_LOOK * (end - begin));
 }

@@ -1,18 +1,23 @@
 #include "ratchet_sieve/sweep/sweep_plan.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
+#include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
-#include "ratchet_sieve/sweep/case_builder.h"
+#include "ratchet_sieve/scene/warning_id.h"
+#include "ratchet_sieve/sweep/case.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
+
+constexpr std::size_t MOST_LINES = 5;
 
 /// Rows per transaction while a plan is written: enough to be fast, few enough that other processes are not
 /// blocked for long.
@@ -67,15 +72,47 @@ void shadowPlanTables(Database& database)
     database.execute(definition);
 }
 
-Statement& bindPlan(Statement& statement, std::int64_t id)
-{
-  return statement.bind(1, id).bind(2, PHYSICS_VERSION);
-}
-
 constexpr const char* ROWS_OF_PLAN =
     " FROM plan p JOIN cases c ON c.run_hash = p.run_hash WHERE p.sweep = ?1 ";
 
 }  // namespace
+
+void WarningTally::add(const std::vector<std::string>& warnings, std::uint64_t cases)
+{
+  std::set<std::string> counted;
+  for (const std::string& text : warnings)
+  {
+    const std::string id = warningId(text);
+    Group& group = groups_.try_emplace(id, Group{text}).first->second;
+    group.alike = group.alike && text == group.first;
+    if (counted.insert(id).second)
+      group.cases += cases;
+  }
+  warned_ += warnings.empty() ? 0 : cases;
+}
+
+std::vector<std::string> WarningTally::lines(std::uint64_t cases, const std::string& noun) const
+{
+  std::vector<const Group*> order;
+  for (const auto& [id, group] : groups_)
+    order.push_back(&group);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Group* a, const Group* b) { return a->cases > b->cases; });
+  std::vector<std::string> lines;
+  for (const Group* group : order)
+  {
+    if (lines.size() == MOST_LINES)
+    {
+      lines.push_back("and " + countText(order.size() - MOST_LINES, "other warning"));
+      break;
+    }
+    const std::string where = group->cases == cases
+                                  ? "every " + noun
+                                  : std::to_string(group->cases) + " of " + countText(cases, noun);
+    lines.push_back("in " + where + (group->alike ? ": " : ", such as: ") + group->first);
+  }
+  return lines;
+}
 
 std::optional<LegalCases> legalCases(const Sweep& sweep, const std::function<bool()>& stop_wanted)
 {
@@ -134,19 +171,24 @@ SweepPlan SweepPlan::findOrWorkOut(Database& database, const Sweep& sweep)
   return plan;
 }
 
+Statement& SweepPlan::bind(Statement& statement) const
+{
+  return statement.bind(1, id_).bind(2, PHYSICS_VERSION);
+}
+
 SweepCounts SweepPlan::counts(Database& database) const
 {
   Statement rows(
       database,
       "SELECT COUNT(*), COUNT(c.status), SUM(c.status IS 'failed') "
       "FROM plan p LEFT JOIN cases c ON c.run_hash = p.run_hash AND c.physics = ?2 WHERE p.sweep = ?1");
-  bindPlan(rows, id_).step();
+  bind(rows).step();
   SweepCounts counts;
   counts.cases = static_cast<std::uint64_t>(rows.integer(0));
   counts.failed = static_cast<std::uint64_t>(rows.integer(2));
   counts.done = static_cast<std::uint64_t>(rows.integer(1)) - counts.failed;
   Statement others(database, std::string("SELECT COUNT(*)") + ROWS_OF_PLAN + "AND c.physics <> ?2");
-  bindPlan(others, id_).step();
+  bind(others).step();
   counts.other_physics = static_cast<std::uint64_t>(others.integer(0));
   return counts;
 }
@@ -159,7 +201,7 @@ WarningTally SweepPlan::warnings(const ResultStore& store) const
                                          "c.run_hash = p.run_hash, json_each(c.summary, '$.warnings') w "
                                          "WHERE p.sweep = ?1 AND c.physics = ?2 AND c.status = 'done' " +
                                          with_some + "ORDER BY p.position, w.key");
-  bindPlan(select, id_);
+  bind(select);
   WarningTally tally;
   std::vector<std::string> texts;
   std::int64_t position = -1;
@@ -196,7 +238,7 @@ void SweepPlan::fillValues(ResultStore& store, const Sweep& sweep) const
   Statement select(database, std::string("SELECT p.position, p.run_hash") + ROWS_OF_PLAN +
                                  "AND c.physics = ?2 AND (" + missing + ") ORDER BY p.position");
   std::vector<std::pair<std::uint64_t, std::string>> rows;
-  bindPlan(select, id_);
+  bind(select);
   while (select.step())
     rows.emplace_back(static_cast<std::uint64_t>(select.integer(0)), select.text(1));
   CaseBuilder builder(sweep);
@@ -219,7 +261,7 @@ std::int64_t SweepPlan::removeFailed(Database& database) const
   Statement remove(database,
                    "DELETE FROM cases WHERE physics = ?2 AND status = 'failed' AND run_hash IN "
                    "(SELECT run_hash FROM plan WHERE sweep = ?1)");
-  bindPlan(remove, id_).run();
+  bind(remove).run();
   const std::int64_t removed = database.changes();
   transaction.commit();
   return removed;

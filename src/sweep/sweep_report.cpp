@@ -1,40 +1,37 @@
 #include "ratchet_sieve/sweep/sweep_report.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include "quoted_word.h"
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/physics_version.h"
-#include "ratchet_sieve/recording/summary.h"
-#include "ratchet_sieve/scene/canonical_scene.h"
-#include "ratchet_sieve/scene/scene_file.h"
-#include "ratchet_sieve/sweep/case_builder.h"
+#include "ratchet_sieve/sweep/case.h"
 #include "ratchet_sieve/sweep/result_store.h"
+#include "ratchet_sieve/sweep/sweep_ledger.h"
 #include "ratchet_sieve/sweep/sweep_plan.h"
-#include "ratchet_sieve/sweep/work_directory.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
 
+constexpr auto REDRAW_INTERVAL = std::chrono::milliseconds(100);
+constexpr const char* CLEAR_LINE = "\r\x1b[K";
+
 const char* const ROWS =
     " FROM plan p JOIN cases c ON c.run_hash = p.run_hash WHERE p.sweep = ?1 AND c.physics = ?2 ";
-
-Statement& bindPlan(Statement& statement, const SweepPlan& plan)
-{
-  return statement.bind(1, plan.id()).bind(2, PHYSICS_VERSION);
-}
 
 std::string failureText(Database& database, const SweepPlan& plan)
 {
   Statement select(database, std::string("SELECT c.error, COUNT(*)") + ROWS +
                                  "AND c.status = 'failed' GROUP BY c.error ORDER BY COUNT(*) DESC LIMIT 5");
-  bindPlan(select, plan);
+  plan.bind(select);
   std::string text;
   while (select.step())
     text += fmt::format("failed {}: {}\n", select.integer(1), select.text(0));
@@ -49,24 +46,29 @@ std::uint64_t casesUnderWay(const Database& database, const SweepPlan& plan)
   Statement select(database,
                    "SELECT COUNT(*) FROM under_way u JOIN plan p ON p.sweep = ?1 AND "
                    "p.run_hash = u.run_hash WHERE physics = ?2");
-  bindPlan(select, plan).step();
+  plan.bind(select).step();
   return static_cast<std::uint64_t>(select.integer(0));
 }
 
-SweepFindings findingsOf(const Sweep& sweep, ResultStore& store, const SweepPlan& plan,
-                         const BestCriteria& criteria)
+std::vector<std::string> warningLines(const WarningTally& warnings, const SweepCounts& counts)
 {
-  SweepFindings findings = {criteria, bestSetting(store, plan, sweep, criteria), 0, {}};
-  const std::string best = bestText(store, plan, sweep, criteria, findings.best);
-  if (!best.empty())
-    findings.lines.push_back(best);
-  const SweepCounts counts = plan.counts(store.database());
-  const std::string noun = counts.done < counts.cases ? "finished case" : "case";
-  const WarningTally warnings = plan.warnings(store);
-  findings.warned = warnings.warned();
-  for (const std::string& line : warnings.lines(counts.done, noun))
-    findings.lines.push_back("warning " + line);
-  return findings;
+  std::vector<std::string> lines =
+      warnings.lines(counts.done, counts.done < counts.cases ? "finished case" : "case");
+  for (std::string& line : lines)
+    line.insert(0, "warning ");
+  return lines;
+}
+
+/// A word of a sh command, in quotes where it needs them.
+std::string shellWord(const std::string& text)
+{
+  constexpr const char* PLAIN = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_+-=.,:/@%";
+  if (!text.empty() && text.find_first_not_of(PLAIN) == std::string::npos)
+    return text;
+  std::string quoted = "'";
+  for (const char c : text)
+    quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + '\'';
 }
 
 /// Arguments of sieve_run, each after a space.
@@ -74,19 +76,14 @@ std::string argumentsText(const std::vector<Assignment>& assignments)
 {
   std::string text;
   for (const Assignment& assignment : assignments)
-    text += " --set " + plainWord(assignment.key + '=' + assignment.value);
+    text += " --set " + shellWord(assignment.key + '=' + assignment.value);
   return text;
 }
 
-/// A field of CSV, in quotes where it needs them.
+/// A field of CSV, in quotes where it needs them: they are those of a name in SQL.
 std::string csvField(const std::string& text)
 {
-  if (text.find_first_of(",\"\r\n") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for (const char c : text)
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
+  return text.find_first_of(",\"\r\n") == std::string::npos ? text : quotedName(text);
 }
 
 std::string csvField(const Statement& row, int column)
@@ -156,43 +153,69 @@ private:
 
 }  // namespace
 
-SweepFindings findingsOf(const Sweep& sweep, const std::string& results, const BestCriteria& criteria)
+std::string durationText(double seconds)
+{
+  constexpr double DAY = 86400.0;
+  if (seconds >= 1000 * DAY)
+    return fmt::format("{:.3g} years", seconds / (365.25 * DAY));
+  if (seconds >= 2 * DAY)
+    return fmt::format("{:.0f} days", seconds / DAY);
+  const long whole = std::lround(seconds);
+  if (whole >= 3600)
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+  return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+std::string sweepProgressText(const SweepProgress& progress)
+{
+  const std::uint64_t finished = progress.done + progress.failed;
+  std::string text =
+      fmt::format("{} of {} done, {} running", progress.done, progress.cases, progress.running);
+  if (progress.failed > 0)
+    text += fmt::format(", {} failed", progress.failed);
+  if (progress.warned > 0)
+    text += fmt::format(", {} with warnings", progress.warned);
+  if (progress.finished_here > 0 && progress.wall > 0.0)
+  {
+    const double rate = static_cast<double>(progress.finished_here) / progress.wall;
+    text += fmt::format(
+        "  {:.3g} cases/s  {} to go", rate,
+        durationText(static_cast<double>(progress.cases - std::min(finished, progress.cases)) / rate));
+  }
+  return text;
+}
+
+SweepProgressLine::SweepProgressLine()
+    : visible_(isatty(STDERR_FILENO) == 1), next_(std::chrono::steady_clock::now())
+{
+}
+
+void SweepProgressLine::show(const SweepProgress& progress)
+{
+  const auto now = std::chrono::steady_clock::now();
+  if (!visible_ || now < next_)
+    return;
+  next_ = now + REDRAW_INTERVAL;
+  fmt::print(stderr, "\r{}\x1b[K", sweepProgressText(progress));
+  std::fflush(stderr);
+}
+
+SweepProgressLine::~SweepProgressLine()
+{
+  if (visible_)
+    std::fputs(CLEAR_LINE, stderr);
+}
+
+nlohmann::ordered_json reportBasis(const Sweep& sweep, const std::string& results, const std::string& scene)
 {
   ResultStore store(results, Database::Access::READ);
   const SweepPlan plan = SweepPlan::findOrWorkOut(store.database(), sweep);
-  return findingsOf(sweep, store, plan, criteria);
+  return {{"command", "sieve_run " + shellWord(scene) + argumentsText(sweep.fixed)},
+          {"seeds", sweep.seedCount()},
+          {"warnings", warningLines(plan.warnings(store), plan.counts(store.database()))}};
 }
 
-nlohmann::ordered_json findingsJson(const Sweep& sweep, const SweepFindings& findings)
-{
-  nlohmann::ordered_json json = {{"lines", findings.lines},
-                                 {"least_processed", findings.criteria.least_processed},
-                                 {"least_counted", findings.criteria.least_counted},
-                                 {"best", nullptr}};
-  if (!findings.best)
-    return json;
-  const SettingMean& best = *findings.best;
-  nlohmann::ordered_json values = nlohmann::ordered_json::object();
-  CaseBuilder builder(sweep);
-  for (const auto& [key, value] : builder.at(best.point * sweep.seedCount()).values)
-    values[key] = value.value_or("");
-  json["best"] = {{"values", values},
-                  {"quality", best.quality()},
-                  {"separation", best.separation},
-                  {"quality_stderr", numberOrNull(best.error)},
-                  {"seeds", best.seeds},
-                  {"processed", best.processed},
-                  {"counted", best.counted},
-                  {"at_edge", keysAtEdge(sweep, best.point, findings.criteria.where)}};
-  return json;
-}
-
-std::string commandText(const Sweep& sweep, const std::string& scene)
-{
-  return "sieve_run " + plainWord(scene) + argumentsText(sweep.fixed);
-}
-
-std::string statusText(const Sweep& sweep, const std::string& results, const BestCriteria& criteria)
+std::string statusText(const Sweep& sweep, const std::string& results)
 {
   if (!std::filesystem::exists(results))
     return countText(sweep.sizeOfPart(), "case") + ", not begun\n";
@@ -200,11 +223,11 @@ std::string statusText(const Sweep& sweep, const std::string& results, const Bes
   Database& database = store.database();
   const SweepPlan plan = SweepPlan::findOrWorkOut(database, sweep);
   const SweepCounts counts = plan.counts(database);
-  const SweepFindings findings = findingsOf(sweep, store, plan, criteria);
+  const WarningTally warnings = plan.warnings(store);
   std::string text =
       fmt::format("{}: {} done, {} failed, {} under way, {} to go", countText(counts.cases, "case"),
                   counts.done, counts.failed, casesUnderWay(database, plan), counts.open());
-  text += findings.warned > 0 ? fmt::format(", {} with warnings\n", findings.warned) : "\n";
+  text += warnings.warned() > 0 ? fmt::format(", {} with warnings\n", warnings.warned()) : "\n";
   if (!plan.isInFile())
     text +=
         "the sweep file has changed since it was run, or was never run: the figures are for the present "
@@ -213,18 +236,18 @@ std::string statusText(const Sweep& sweep, const std::string& results, const Bes
     text += fmt::format("{} of these cases {} of another physics version than {} and {} not counted\n",
                         countText(counts.other_physics, "result"), counts.other_physics == 1 ? "is" : "are",
                         PHYSICS_VERSION, counts.other_physics == 1 ? "is" : "are");
-  for (const std::string& line : findings.lines)
+  for (const std::string& line : warningLines(warnings, counts))
     text += line + '\n';
   return counts.failed > 0 ? text + failureText(database, plan) : text;
 }
 
-std::uint64_t exportCsv(const Sweep& sweep, const std::string& results, std::ostream& out)
+void exportCsv(const Sweep& sweep, const std::string& results, std::ostream& out)
 {
   ResultStore store(results, Database::Access::READ);
   Database& database = store.database();
   const SweepPlan plan = SweepPlan::findOrWorkOut(database, sweep);
   Statement select(database, "SELECT " + exportColumns(store, sweep.keys()) + ROWS + "ORDER BY p.position");
-  bindPlan(select, plan);
+  plan.bind(select);
   if (!select.step())
     throw DatabaseError(results + ": has no results of this sweep file: run it first");
   for (int column = 1; column < select.columns(); ++column)
@@ -232,7 +255,6 @@ std::uint64_t exportCsv(const Sweep& sweep, const std::string& results, std::ost
   out << "\r\n";
   const int keys = static_cast<int>(sweep.keys().size());
   MissingFields missing(sweep, database);
-  std::uint64_t rows = 0;
   do
   {
     const auto position = static_cast<std::uint64_t>(select.integer(0));
@@ -247,12 +269,10 @@ std::uint64_t exportCsv(const Sweep& sweep, const std::string& results, std::ost
         out << csvField(select, column);
     }
     out << "\r\n";
-    ++rows;
   } while (select.step());
-  return rows;
 }
 
-void listCases(const Sweep& sweep, const std::string& results, std::ostream& out)
+void listCases(const Sweep& sweep, const LegalCases& cases, const std::string& results, std::ostream& out)
 {
   std::optional<ResultStore> store;
   std::optional<Statement> select;
@@ -261,11 +281,11 @@ void listCases(const Sweep& sweep, const std::string& results, std::ostream& out
     store.emplace(results, Database::Access::READ);
     select.emplace(store->database(), "SELECT status FROM cases WHERE run_hash = ? AND physics = ?");
   }
-  CaseBuilder builder(sweep);
+  const CaseBuilder builder(sweep);
   for (std::uint64_t position = sweep.part.number - 1; position < sweep.size(); position += sweep.part.count)
   {
     out << position + 1 << ": " << builder.name(position);
-    if (select && select->bind(1, runHash(builder.at(position).scene)).bind(2, PHYSICS_VERSION).step())
+    if (select && select->bind(1, cases.run_hashes[position]).bind(2, PHYSICS_VERSION).step())
       out << "  (" << select->text(0) << ')';
     if (select)
       select->reset();

@@ -14,11 +14,9 @@
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
-#include "ratchet_sieve/sweep/case_builder.h"
+#include "ratchet_sieve/sweep/case.h"
 #include "ratchet_sieve/sweep/case_pool.h"
-#include "ratchet_sieve/sweep/case_run.h"
 #include "ratchet_sieve/sweep/sweep_ledger.h"
-#include "ratchet_sieve/sweep/work_directory.h"
 
 namespace ratchet_sieve
 {
@@ -185,7 +183,7 @@ private:
   {
     const std::size_t running = pool_.unfinished() - std::min(pool_.unfinished(), pool_.waiting());
     if (options_.progress)
-      options_.progress(ledger_.progress(running, options_.best));
+      options_.progress(ledger_.progress(running));
   }
 
   /// @throws DatabaseError if the hash of a case was another than in the file
@@ -244,21 +242,8 @@ void requirePlanned(const ResultStore& part, const std::set<std::string>& planne
   }
 }
 
-void warnOf(const WarningTally& warnings, const Sweep& sweep, const SweepRunOptions& options)
-{
-  if (options.warn)
-    for (const std::string& line : warnings.lines(sweep.size(), "case"))
-      options.warn(line);
-}
-
-}  // namespace
-
-std::string fewerThreadsText(std::size_t threads, std::size_t wanted)
-{
-  return countText(threads, "thread") + " of " + std::to_string(wanted) +
-         " could be started; the results are the same";
-}
-
+/// Opens a results file, or a new one. Illegal cases are found before anything is written.
+/// @return the plan in the file, or else a new one; nothing if stopped @throws SceneError, DatabaseError
 std::optional<SweepPlan> openResults(const Sweep& sweep, const std::string& results,
                                      std::optional<ResultStore>& store, const SweepRunOptions& options)
 {
@@ -271,10 +256,20 @@ std::optional<SweepPlan> openResults(const Sweep& sweep, const std::string& resu
   const std::optional<LegalCases> cases = legalCases(sweep, options.stop_wanted);
   if (!cases)
     return std::nullopt;
-  warnOf(cases->warnings, sweep, options);
+  if (options.warn)
+    for (const std::string& line : cases->warnings.lines(sweep.size(), "case"))
+      options.warn(line);
   if (!store)
     store.emplace(results, Database::Access::WRITE);
   return SweepPlan::make(store->database(), sweep, *cases);
+}
+
+}  // namespace
+
+std::string fewerThreadsText(std::size_t threads, std::size_t wanted)
+{
+  return countText(threads, "thread") + " of " + std::to_string(wanted) +
+         " could be started; the results are the same";
 }
 
 SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const SweepRunOptions& options)
@@ -299,32 +294,29 @@ SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const Swee
   return outcome;
 }
 
-void requireMergeable(const Sweep& sweep, const std::vector<std::string>& parts)
+LegalCases requireMergeable(const Sweep& sweep, const std::vector<std::string>& parts)
 {
-  std::set<std::string> planned;
-  CaseBuilder builder(sweep);
-  for (std::uint64_t position = 0; position < sweep.size(); ++position)
-    planned.insert(runHash(builder.at(position).scene));
+  LegalCases cases = *legalCases(sweep);
+  const std::set<std::string> planned(cases.run_hashes.begin(), cases.run_hashes.end());
   for (const std::string& part : parts)
     requirePlanned(ResultStore(part, Database::Access::READ), planned, sweep);
+  return cases;
 }
 
-SweepOutcome mergeResults(const Sweep& sweep, const std::string& results,
-                          const std::vector<std::string>& parts, const SweepRunOptions& options)
+void mergeResults(const Sweep& sweep, const LegalCases& cases, const std::string& results,
+                  const std::vector<std::string>& parts)
 {
   const ResultsLock lock(results);
-  std::optional<ResultStore> store;
-  const std::optional<SweepPlan> plan = openResults(sweep, results, store, options);
-  if (!plan)
-    return {{}, true};
+  ResultStore store(results, Database::Access::WRITE);
+  const std::optional<SweepPlan> known = SweepPlan::find(store.database(), sweep);
+  const SweepPlan plan = known ? *known : SweepPlan::make(store.database(), sweep, cases);
   for (const std::string& part : parts)
   {
-    Transaction transaction(store->database());
-    store->copyFrom(ResultStore(part, Database::Access::READ));
+    Transaction transaction(store.database());
+    store.copyFrom(ResultStore(part, Database::Access::READ));
     transaction.commit();
   }
-  plan->fillValues(*store, sweep);
-  return {plan->counts(store->database()), false};
+  plan.fillValues(store, sweep);
 }
 
 }  // namespace ratchet_sieve

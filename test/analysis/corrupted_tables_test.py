@@ -109,10 +109,10 @@ class Corrupted(unittest.TestCase):
         path.write_text(head + '\n' + ','.join(['1e'] * (head.count(',') + 1)) + '\n')
         self.expect_refusal(seek, path, 'time: 1e: must be a number')
 
-    def test_findings_are_those_of_a_sweep(self):
-        path = self.directory / 'findings.json'
-        for text, because in (('{"best"', "no JSON: Expecting ':' delimiter: line 1 column 8 (char 7)"),
-                              ('[]', 'has no best, command, least_counted, least_processed, lines')):
+    def test_what_the_table_lacks_is_that_of_a_sweep(self):
+        path = self.directory / 'sweep.json'
+        for text, because in (('{"seeds"', "no JSON: Expecting ':' delimiter: line 1 column 9 (char 8)"),
+                              ('[]', 'has no command, seeds, warnings')):
             path.write_text(text)
             self.expect_refusal(sweep, path, because)
 

@@ -7,7 +7,7 @@
 
 #include "core/scenes.h"
 #include "ratchet_sieve/core/fnv1a.h"
-#include "ratchet_sieve/sweep/case_run.h"
+#include "ratchet_sieve/sweep/case.h"
 
 namespace ratchet_sieve
 {

@@ -5,8 +5,7 @@
 
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
-#include "ratchet_sieve/sweep/case_builder.h"
-#include "ratchet_sieve/sweep/case_run.h"
+#include "ratchet_sieve/sweep/case.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
 #include "sweep_files.h"
 

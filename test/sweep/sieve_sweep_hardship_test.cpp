@@ -95,16 +95,5 @@ TEST_F(SieveSweepHardship, StoredResultsStayWhereTheFileMayNotGrow)
   EXPECT_EQ(textOf(directory_ / "s.db", "SELECT COUNT(*) FROM cases WHERE status = 'done'"), "1000");
 }
 
-TEST_F(SieveSweepHardship, AClosedTerminalStopsItAsASignalDoes)
-{
-  const std::string file = sweep(SMALL_SCENE + std::string("set: {duration: 1.0e+8, boundary: periodic}\n"));
-  const pid_t child = start({"run", file});
-  while (!std::filesystem::exists(directory_ / "s.db.d") && waitpid(child, nullptr, WNOHANG) == 0)
-    usleep(1000);
-  kill(child, SIGHUP);
-  EXPECT_EQ(end(child), 1);
-  EXPECT_NE(errors().find("; run the same command to continue\n"), std::string::npos) << errors();
-}
-
 }  // namespace
 }  // namespace ratchet_sieve

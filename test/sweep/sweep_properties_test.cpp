@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "ratchet_sieve/sweep/case_builder.h"
+#include "ratchet_sieve/sweep/case.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
 #include "sweep_files.h"
 

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "ratchet_sieve/sweep/case_result.h"
+#include "ratchet_sieve/sweep/case.h"
 
 namespace ratchet_sieve
 {

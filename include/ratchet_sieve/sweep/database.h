@@ -73,6 +73,9 @@ private:
 /// `"name"`: a quoted SQL identifier, for any text.
 std::string quotedName(const std::string& name);
 
+/// A text with its ASCII letters in lower case: SQL compares names so.
+std::string lowerCase(std::string text);
+
 /// A prepared statement. Parameters are numbered from 1, columns from 0.
 class Statement
 {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ratchet_sieve/sweep/case_result.h"
+#include "ratchet_sieve/sweep/case.h"
 #include "ratchet_sieve/sweep/database.h"
 
 namespace ratchet_sieve

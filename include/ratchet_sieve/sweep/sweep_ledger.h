@@ -6,12 +6,38 @@
 #include <string>
 #include <vector>
 
-#include "ratchet_sieve/sweep/best_setting.h"
-#include "ratchet_sieve/sweep/case_result.h"
-#include "ratchet_sieve/sweep/sweep_progress.h"
+#include "ratchet_sieve/sweep/case.h"
+#include "ratchet_sieve/sweep/sweep_plan.h"
 
 namespace ratchet_sieve
 {
+
+/// The directory of checkpoints and of the lock, beside the results file.
+std::string workDirectory(const std::string& results);
+
+/// The checkpoint of a case, which holds for one physics version, as a result does; the names of all end with
+/// checkpointEnding().
+std::string checkpointPath(const std::string& results, const std::string& run_hash);
+const std::string& checkpointEnding();
+
+/// Held by the one process that writes a results file. The kernel releases it even if the process is killed.
+class ResultsLock
+{
+public:
+  /// Makes the work directory. @throws DatabaseError, also if another process holds the lock
+  explicit ResultsLock(const std::string& results);
+
+  /// Removes the work directory if nothing else is in it.
+  ~ResultsLock();
+  ResultsLock(const ResultsLock&) = delete;
+  ResultsLock& operator=(const ResultsLock&) = delete;
+
+  static bool isHeld(const std::string& results);
+
+private:
+  std::string directory_;
+  int descriptor_ = -1;
+};
 
 /// What a run writes to the results file, and the sweep's progress in it. The file lists the cases under way,
 /// so that those of a process that died are known. Such a case is suspect until it writes a checkpoint or
@@ -33,8 +59,8 @@ public:
   /// Forgets the cases under way, which were stopped.
   void forgetUnfinished();
 
-  /// The progress of the sweep. Warnings and the best setting are updated at intervals.
-  SweepProgress progress(std::uint64_t running, const BestCriteria& criteria);
+  /// The progress of the sweep. Warnings are counted at intervals.
+  SweepProgress progress(std::uint64_t running);
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -44,7 +70,7 @@ private:
   bool runsSuspect();
   std::vector<std::uint64_t> countDeaths();
   std::string placeOf(const std::string& run_hash) const;
-  void lookAtResults(const BestCriteria& criteria);
+  void countWarnings();
 
   const Sweep& sweep_;
   ResultStore& store_;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,10 +10,34 @@
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/sweep/result_store.h"
 #include "ratchet_sieve/sweep/sweep.h"
-#include "ratchet_sieve/sweep/warning_tally.h"
 
 namespace ratchet_sieve
 {
+
+/// Groups the warnings of cases by warningId().
+class WarningTally
+{
+public:
+  /// @param warnings of one case, or of each of `cases` cases
+  void add(const std::vector<std::string>& warnings, std::uint64_t cases = 1);
+
+  std::uint64_t warned() const { return warned_; }  ///< cases with a warning
+
+  /// One line for each of the most frequent warnings, for example `in 3 of 12 cases: ...`; if their texts
+  /// differ, that of the first. @param cases total number @param noun for the items counted, for example
+  /// `case`
+  std::vector<std::string> lines(std::uint64_t cases, const std::string& noun) const;
+
+private:
+  struct Group
+  {
+    std::string first;  ///< text of the first
+    bool alike = true;  ///< all texts are equal to `first`
+    std::uint64_t cases = 0;
+  };
+  std::map<std::string, Group> groups_;  ///< by id
+  std::uint64_t warned_ = 0;
+};
 
 /// The progress of a sweep in the results file.
 struct SweepCounts
@@ -23,6 +48,15 @@ struct SweepCounts
   std::uint64_t other_physics = 0;  ///< results of these cases from other physics versions
 
   std::uint64_t open() const { return cases - done - failed; }
+};
+
+/// The progress of a process that runs a sweep.
+struct SweepProgress : SweepCounts
+{
+  std::uint64_t warned = 0;  ///< successful, with a warning
+  std::uint64_t running = 0;
+  std::uint64_t finished_here = 0;  ///< successful or failed since this process began
+  double wall = 0.0;                ///< wall time since then [s]
 };
 
 /// The cases of a sweep, each of them legal.
@@ -52,6 +86,9 @@ public:
   static SweepPlan findOrWorkOut(Database& database, const Sweep& sweep);
 
   std::int64_t id() const { return id_; }
+
+  /// Binds ?1 and ?2 of a statement, the plan and the version of the physics.
+  Statement& bind(Statement& statement) const;
   bool isInFile() const { return in_file_; }
 
   SweepCounts counts(Database& database) const;

@@ -1,52 +1,63 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
+#include <chrono>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "ratchet_sieve/sweep/best_setting.h"
 #include "ratchet_sieve/sweep/sweep.h"
+#include "ratchet_sieve/sweep/sweep_plan.h"
 
 namespace ratchet_sieve
 {
 
-/// The progress of a sweep according to its results file, in a few lines: completed cases of its present
-/// plan, warnings, the best setting, errors. @throws DatabaseError
-std::string statusText(const Sweep& sweep, const std::string& results, const BestCriteria& criteria = {});
+/// One line: done, running, failed, with warnings, rate, time left.
+std::string sweepProgressText(const SweepProgress& progress);
 
-/// The text of a report, beside its table and pictures.
-struct SweepFindings
+/// `0:07`, `1:02:03`.
+std::string durationText(double seconds);
+
+/// The progress line on standard error, if that is a terminal. Redrawn at most ten times a second; erased at
+/// the end.
+class SweepProgressLine
 {
-  BestCriteria criteria;
-  std::optional<SettingMean> best;
-  std::uint64_t warned = 0;        ///< cases with a warning
-  std::vector<std::string> lines;  ///< the best setting, warnings
+public:
+  SweepProgressLine();
+  ~SweepProgressLine();
+  SweepProgressLine(const SweepProgressLine&) = delete;
+  SweepProgressLine& operator=(const SweepProgressLine&) = delete;
+
+  bool isVisible() const { return visible_; }
+  void show(const SweepProgress& progress);
+
+private:
+  bool visible_;
+  std::chrono::steady_clock::time_point next_;
 };
 
-/// @throws DatabaseError
-SweepFindings findingsOf(const Sweep& sweep, const std::string& results, const BestCriteria& criteria);
+/// The estimated processor time of all cases, then a line for each corner of the grid, where the keys have
+/// their first or last values. From a run of at most half a second of each corner, of at most 16: from the
+/// fifth axis on, axes go to their ends together with an earlier one.
+/// @throws SceneError for an illegal case
+std::vector<std::string> costLines(const Sweep& sweep);
 
-/// Input of the report's plotting script: `lines`, `best` with its values of the swept keys, and the
-/// criteria.
-nlohmann::ordered_json findingsJson(const Sweep& sweep, const SweepFindings& findings);
+/// The progress of a sweep according to its results file, in a few lines: completed cases of its present
+/// plan, warnings, errors. @throws DatabaseError
+std::string statusText(const Sweep& sweep, const std::string& results);
 
-/// The command line of sieve_run for the sweep's scene and what is set in every case. A case's own arguments
-/// follow it, see exportCsv(). @param scene path of the scene's file
-std::string commandText(const Sweep& sweep, const std::string& scene);
+/// What a report needs besides the table of exportCsv(): `command`, the command line of sieve_run for the
+/// scene and what is set in every case, which a case's own arguments follow; the number of `seeds` of a
+/// setting; lines on `warnings`. @param scene path of the scene's file @throws DatabaseError
+nlohmann::ordered_json reportBasis(const Sweep& sweep, const std::string& results, const std::string& scene);
 
 /// Writes the results of a sweep's cases as CSV (RFC 4180), in the order of the sweep: swept keys, seed,
 /// status, error, the scalars of the summaries, the case's arguments of sieve_run, hashes, version, wall time
-/// and host. Numbers are read back bit for bit; undefined values are empty. @return number of rows
-/// @throws DatabaseError
-std::uint64_t exportCsv(const Sweep& sweep, const std::string& results, std::ostream& out);
+/// and host. Numbers are read back bit for bit; undefined values are empty. @throws DatabaseError
+void exportCsv(const Sweep& sweep, const std::string& results, std::ostream& out);
 
-/// Writes a line for each case: its number, its assignments, and whether it has a result. Checks that each is
-/// legal.
-/// @throws SceneError for the first illegal case
-void listCases(const Sweep& sweep, const std::string& results, std::ostream& out);
+/// Writes a line for each case: its number, its assignments, and whether it has a result.
+void listCases(const Sweep& sweep, const LegalCases& cases, const std::string& results, std::ostream& out);
 
 }  // namespace ratchet_sieve

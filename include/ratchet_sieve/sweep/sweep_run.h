@@ -2,16 +2,13 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "ratchet_sieve/sweep/best_setting.h"
-#include "ratchet_sieve/sweep/case_run.h"
+#include "ratchet_sieve/sweep/case.h"
 #include "ratchet_sieve/sweep/result_store.h"
 #include "ratchet_sieve/sweep/sweep.h"
 #include "ratchet_sieve/sweep/sweep_plan.h"
-#include "ratchet_sieve/sweep/sweep_progress.h"
 
 namespace ratchet_sieve
 {
@@ -22,7 +19,6 @@ struct SweepRunOptions
   std::size_t threads = 0;            ///< 0: one per processor
   double checkpoint_period = 60.0;    ///< of wall time [s]
   bool retry_failed = false;          ///< run cases again that failed before
-  BestCriteria best;                  ///< criteria for the setting in the progress line
   std::function<bool()> stop_wanted;  ///< polled by every thread several times a second
   std::function<void(const SweepProgress&)> progress;
   std::function<void(const std::string&)> warn;  ///< may be called by any thread
@@ -46,19 +42,15 @@ struct SweepOutcome
 /// @throws DatabaseError, also if another process runs a sweep into the file
 SweepOutcome runSweep(const Sweep& sweep, const std::string& results, const SweepRunOptions& options);
 
-/// Copies the results of a sweep's parts into its results file. A case that is in several counts once.
-/// @pre requireMergeable() @throws as runSweep()
-SweepOutcome mergeResults(const Sweep& sweep, const std::string& results,
-                          const std::vector<std::string>& parts, const SweepRunOptions& options);
+/// Checks that the files of a sweep's parts have no results but of its cases and of this physics version.
+/// @return the sweep's cases @throws DatabaseError for the first that has; the message names it @throws
+/// SceneError
+LegalCases requireMergeable(const Sweep& sweep, const std::vector<std::string>& parts);
 
-/// Checks that files have no results but of a sweep's cases and of this physics version.
-/// @throws DatabaseError for the first that has; the message names it
-void requireMergeable(const Sweep& sweep, const std::vector<std::string>& parts);
-
-/// Opens a results file, or a new one. Illegal cases are found before anything is written.
-/// @return the plan in the file, or else a new one; nothing if stopped @throws SceneError, DatabaseError
-std::optional<SweepPlan> openResults(const Sweep& sweep, const std::string& results,
-                                     std::optional<ResultStore>& store, const SweepRunOptions& options);
+/// Copies the results of parts into the sweep's results file. A case that is in several counts once.
+/// @param cases requireMergeable() @throws DatabaseError
+void mergeResults(const Sweep& sweep, const LegalCases& cases, const std::string& results,
+                  const std::vector<std::string>& parts);
 
 /// Says that a system provides fewer threads than wanted.
 std::string fewerThreadsText(std::size_t threads, std::size_t wanted);

@@ -1,13 +1,12 @@
 """Means over the seeds of a sweep: as curves over one key, and as maps over two."""
+import dataclasses
 import math
 
 from ratchet_sieve.plots.curves import curve, end_labels, key_colours
 from ratchet_sieve.plots.maps import mark_cells, shown, value_map
-from ratchet_sieve.tables import typed
 from ratchet_sieve.values import unit_of
 
 SMALLEST_DIFFERENCE = 1e-6  # of an axis: steps that differ by a smaller part are taken as equal
-NO_FINDINGS = {'least_processed': 0.0, 'least_counted': 0.0, 'best': None}  # all places are compared, none is the best
 
 LABELS = {
     'base.inclination': r'$\theta$ [rad]',
@@ -43,20 +42,27 @@ def of_all(rows, field):
     return sum(rows.samples(field)) / len(rows)
 
 
-class Means:
-    """The mean of each field over the seeds at each (x, y); the places where P or the counted disks are too few for Q
-    to be compared; and the best place, if it is known."""
+@dataclasses.dataclass(frozen=True)
+class Limits:
+    """Of what is compared by its Q: with few disks, |s| is large by chance."""
+    processed: float = 0.0  # P
+    counted: float = 0.0    # disks that left
 
-    def __init__(self, rows, x, y, fields, findings=NO_FINDINGS):
+    def hold(self, rows):
+        return of_all(rows, 'processed') >= self.processed and of_all(rows, 'counted') >= self.counted
+
+
+class Means:
+    """The mean of each field over the seeds at each (x, y), and the places that are below the limits.
+    @param best one of the places, if it is known"""
+
+    def __init__(self, rows, x, y, fields, limits=Limits(), best=None):
         groups = rows.by(x, y) if y else {(place, None): group for place, group in rows.by(x).items()}
         self.fields = fields
         self.groups = groups
         self.counts = {place: len(group) for place, group in groups.items()}
-        self.below = {place for place, group in groups.items()
-                      if of_all(group, 'processed') < findings['least_processed']
-                      or of_all(group, 'counted') < findings['least_counted']}
-        best = findings['best'] and {key: typed(text) for key, text in findings['best']['values'].items()}
-        self.best = (best[x], best[y] if y else None) if best else None
+        self.below = {place for place, group in groups.items() if not limits.hold(group)}
+        self.best = best
         self.at = {(field, place): group.mean(field) for field in fields for place, group in groups.items()}
         self.xs = rows.values(x)
         self.ys = rows.values(y) if y else [None]

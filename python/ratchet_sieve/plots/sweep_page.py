@@ -1,13 +1,10 @@
 """What the page of a sweep's report shows, as report.json. Its structure is in docs/sweeps.md."""
 import json
 import os
-import re
 import urllib.parse
 
+from ratchet_sieve.plots.findings import setting_and_seed
 from ratchet_sieve.plots.means import plain_label
-from ratchet_sieve.tables import writing
-
-ARGUMENTS = re.compile(r'(.*?) ?(?:--seed (\d+))?')  # of a case
 
 
 def axis_of(key, values):
@@ -42,7 +39,7 @@ def cases_of(rows, pages):
     are numbers of JavaScript, or None: that of the scene."""
     settings = {}
     for every, run_hash in zip(rows.column('arguments').fillna(''), rows.column('run_hash')):
-        arguments, seed = ARGUMENTS.fullmatch(every).groups()
+        arguments, seed = setting_and_seed(every)
         case = settings.setdefault(arguments, {'arguments': arguments, 'seeds': [], 'pages': []})
         case['seeds'].append(seed)
         case['pages'].append(pages.of(run_hash))
@@ -66,17 +63,10 @@ def best_of(means):
 
 
 def report_of(means, keys, texts, findings, pages):
-    """@param keys x and y, which may be None. @param texts title and origin"""
+    """@param keys x and y, which may be None. @param texts title and origin. @param findings see findings_of()"""
     x, y = keys
     return {**texts, 'findings': findings['lines'], 'command': findings['command'],
             'least_processed': findings['least_processed'], 'least_counted': findings['least_counted'],
             'x': axis_of(x, means.xs), 'y': axis_of(y, means.ys) if y else None,
             'fields': [field_of(name) for name in means.fields], 'best': best_of(means),
             'places': list(places_of(means, pages))}
-
-
-def write_report(path, report):
-    with writing(path):
-        path.write_text(json.dumps(report, ensure_ascii=False, allow_nan=False) + '\n',
-                        encoding='utf-8', errors='replace')  # of names of files that are not UTF-8
-    print(path)
