@@ -9,7 +9,7 @@
 #include "drawn_sizes.h"
 #include "marker_style.h"
 #include "plane_in_space.h"
-#include "ratchet_sieve/core/walls.h"
+#include "ratchet_sieve/core/layer.h"
 
 namespace ratchet_sieve
 {

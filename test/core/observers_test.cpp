@@ -12,7 +12,6 @@
 #include "events/engine.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
-#include "state/collision_report.h"
 
 namespace ratchet_sieve
 {
@@ -184,12 +183,7 @@ class Follower final : public Observer
 public:
   explicit Follower(const SystemState& system) : system_(system) {}
 
-  Wishes wishes() const override
-  {
-    Wishes wishes;
-    wishes.contacts = wishes.flights = wishes.departures = true;
-    return wishes;
-  }
+  unsigned subscriptions() const override { return CONTACTS | FLIGHTS | DEPARTURES; }
 
   void take(const ContactOutcome& outcome) override
   {

@@ -1,5 +1,5 @@
 #include "add_disk.h"
-#include "model/lane_limit.h"
+#include "model/processor.h"
 #include "simd/batch_rows.h"
 
 #include <algorithm>

@@ -11,11 +11,10 @@
 
 #include <Eigen/Core>
 
+#include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/core/mean_series.h"
-#include "ratchet_sieve/core/observable.h"
 #include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"

@@ -6,11 +6,9 @@
 #include <string>
 #include <thread>
 
-#include "model/lane_limit.h"
+#include "model/processor.h"
 #include "ratchet_sieve/core/count_text.h"
-#include "state/audit.h"
 #include "state/placement.h"
-#include "state/pour.h"
 
 namespace ratchet_sieve
 {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "model/base_frame.h"
-#include "model/drive.h"
+#include "model/motion.h"
 #include "model/orbit.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"

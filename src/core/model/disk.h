@@ -5,8 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "model/flight.h"
-#include "model/two.h"
+#include "model/motion.h"
+#include "model/processor.h"
+#include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
@@ -62,6 +63,27 @@ inline Disk flown(const Disk& disk, double time, double gravity)
   std::memcpy(later.velocity.data(), &kinematics.velocity, sizeof kinematics.velocity);
   later.time = time;
   return later;
+}
+
+/// The properties of one disk that never change, besides its species and its radius, which the searches read
+/// in Disk.
+struct Grain
+{
+  double mass = 0.0;           ///< [kg]
+  double spin_response = 0.0;  ///< change of spin by a unit impulse along the rim: r / I [1/(kg m)]
+
+  bool operator==(const Grain& other) const
+  {
+    return mass == other.mass && spin_response == other.spin_response;
+  }
+  void archive(StateArchive& state) { state(mass, spin_response); }
+};
+
+/// The grain of a disk of this species and radius [m].
+inline Grain grainOf(const SpeciesDefinition& species, double radius)
+{
+  const double mass = species.massOf(radius);
+  return {mass, radius / species.inertiaOf(mass, radius)};
 }
 
 }  // namespace ratchet_sieve

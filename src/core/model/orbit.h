@@ -43,8 +43,6 @@ private:
     Eigen::Vector2d turns;       ///< (phi_x,k, phi_k) over 2 pi
   };
 
-  void add(const Term& term);
-
   std::vector<Term> terms_;
 };
 

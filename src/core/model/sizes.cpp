@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ratchet_sieve/core/restitution.h"
+#include "ratchet_sieve/core/luding_law.h"
 
 namespace ratchet_sieve
 {

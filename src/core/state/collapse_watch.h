@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "model/prefetch.h"
+#include "model/processor.h"
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/observation.h"
-#include "state/disk_ids.h"
+#include "state/observer.h"
 
 namespace ratchet_sieve
 {
@@ -43,7 +43,7 @@ public:
   void added() { disks_.emplace_back(); }
 
   /// Keeps the disks at these slots, which become consecutive, and forgets the others.
-  void keep(const std::vector<std::uint32_t>& slots);
+  void keep(const std::vector<std::uint32_t>& slots) { keepSlots(disks_, slots); }
 
   /// Counts an event of a disk. @return whether it exceeds the limit; the disk is lossless from then on
   bool count(std::uint32_t slot, double time)
@@ -113,7 +113,7 @@ public:
   /// Moves the zero of time. @param epoch_start the new one [s]
   void rebase(double length, double epoch_start);
 
-  void archive(StateArchive& state);
+  void archive(StateArchive& state) { state(epoch_start_, disks_, counts_, first_stuck_, stops_); }
 
 private:
   /// After this many consecutive collapses the minimum rebound speed exceeds any speed of the machine: the

@@ -91,7 +91,6 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   outcome.j = j;
   outcome.species = a.species;
   outcome.partner_species = b.species;
-  outcome.shift = shift;
   outcome.overlap = a.radius + b.radius - distance;
   // The same sum as in the prediction (timeToContact). With a different one, rounding could predict a contact
   // here that is then found separating, again and again.
@@ -122,9 +121,9 @@ void ContactExecution::respond(ContactOutcome& outcome, const ContactCoefficient
 {
   CollisionLaw law = law_;
   law.min_rebound_speed = floor;
-  const Impulse impulse =
-      spin_ ? collide(law, coefficients, masses, outcome.normal_velocity, tangential_velocity)
-            : collideSmooth(law, coefficients, masses, outcome.normal_velocity);
+  const auto contact = contactNumbers(coefficients, masses);
+  const Impulse impulse = spin_ ? ludingImpulse(law, contact, outcome.normal_velocity, tangential_velocity)
+                                : Impulse{normalImpulse(law, contact, outcome.normal_velocity), 0.0};
   outcome.normal_impulse = impulse.normal;
   outcome.tangential_impulse = impulse.tangential;
 }
@@ -148,11 +147,6 @@ void ContactExecution::push(std::uint32_t slot, const Kinematics& now, const Con
   disk.countEvent();
   disk.velocity += sign * per_mass * impulseOf(contact);
   disk.spin -= grain.spin_response * contact.tangential_impulse;
-}
-
-Inertia ContactExecution::inertia(std::uint32_t slot) const
-{
-  return {system_.grain(slot).mass, levers_[system_.disk(slot).species]};
 }
 
 bool ContactExecution::lossless(std::uint32_t slot, double time) const

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "model/sine.h"
+#include "model/motion.h"
 #include "ratchet_sieve/core/observation.h"
 #include "state/system_state.h"
 

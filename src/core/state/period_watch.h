@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -47,7 +45,6 @@ public:
 private:
   void awaitPeriod(double from);
   void begin(double now);
-  void addTemperatures(double now);
 
   const SystemState& system_;
   const CollisionCounts& counted_;

@@ -7,7 +7,6 @@
 
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
-#include "ratchet_sieve/core/walls.h"
 #include "search/size_levels.h"
 
 namespace ratchet_sieve
@@ -208,7 +207,7 @@ void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, Ob
 
 void SystemState::leave(std::uint32_t slot, Exit exit, double time, Observers::Share* share)
 {
-  const Departure departure{slot, fly(slot, time, share).species, exit, time};
+  const Departure departure{slot, fly(slot, time, share).species, grains_[slot].mass, exit, time};
   active_[slot] = 0;
   if (share != nullptr)
     return share->left(departure);
@@ -286,10 +285,8 @@ void SystemState::wrapAll(double time)
     return;
   FrameOfBase base = motion_.at(time);
   base.inclination_rate = 0.0;
-  for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
+  for (const std::uint32_t slot : slots(true))
   {
-    if (!active(slot))
-      continue;
     const double s = search_.seenFromBase(disks_[slot], base, time).s();
     if (const double widths = widthsOutside(s); widths != 0.0)
       moveTo(slot, base.image(-widths * shape_.width()), time, nullptr);
@@ -315,9 +312,8 @@ std::vector<double> SystemState::activeRadii() const
 {
   std::vector<double> radii;
   radii.reserve(active_count_);
-  for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
-    if (active(slot))
-      radii.push_back(radius(slot));
+  for (const std::uint32_t slot : slots(true))
+    radii.push_back(radius(slot));
   return radii;
 }
 

@@ -7,19 +7,28 @@
 #include "model/base_motion.h"
 #include "model/base_shape.h"
 #include "model/disk.h"
-#include "model/grain.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/sizes.h"
+#include "ratchet_sieve/core/state_archive.h"
 #include "search/contact_search.h"
 #include "search/pair_search.h"
 #include "state/collapse_watch.h"
-#include "state/disk_ids.h"
-#include "state/epoch.h"
+#include "state/observer.h"
 #include "state/observers.h"
 
 namespace ratchet_sieve
 {
+
+/// The run's zero of time, moved by whole epochs: times within an epoch are small, so that their resolution
+/// after 10^6 s is the same as at the start. A power of two [s], so that no rounding occurs.
+struct Epoch
+{
+  double start = 0.0;   ///< [s]
+  double length = 1.0;  ///< [s]
+
+  void archive(StateArchive& state) { state(start, length); }
+};
 
 /// The base, the disks, and what is kept of each disk: its count of events and the observers' sums. A disk is
 /// in all of these or in none, at one *slot* of the arrays (DiskIds), and they have one common zero of time.
@@ -57,9 +66,6 @@ public:
   /// See ratchet_sieve::timeScale().
   double timeScale() const { return time_scale_; }
   double largestDiameter() const { return largest_diameter_; }
-
-  /// The largest diameter, or the root mean square of the scene's if sizes are wide: cells suit these.
-  double latticeDiameter() const { return lattice_diameter_; }
 
   /// While a periodic base turns: the largest angle between the inclination and that in the middle of a
   /// segment of the motion [rad]; and how far an image at the other end then moves along the base [m], or in
@@ -217,7 +223,7 @@ private:
   Plan plan_;
   BaseShape shape_;
   double largest_diameter_;
-  double lattice_diameter_;
+  double lattice_diameter_;  ///< the largest, or the root mean square of the scene's if sizes are wide
   double lattice_turn_;
   double time_scale_;
   Epoch epoch_;

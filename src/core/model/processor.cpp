@@ -1,4 +1,4 @@
-#include "model/lane_limit.h"
+#include "model/processor.h"
 
 #include <cstdlib>
 #include <stdexcept>
