@@ -49,7 +49,11 @@ public:
   void add(double displacement, double time);
 
   /// Standard error of (sum of displacements) / (sum of times) [m/s]; see seriesError().
-  std::optional<double> standardError() const;
+  std::optional<double> standardError() const
+  {
+    const std::optional<BlockError> found = seriesError(blocks_);
+    return found ? std::optional<double>(found->error) : std::nullopt;
+  }
 
   /// The complete blocks, in order, of blockLength() samples each. The incomplete last block is left out.
   const std::vector<BlockSum>& blocks() const { return blocks_; }
@@ -73,7 +77,7 @@ struct SpeciesSeries
 {
   std::vector<BlockSum> velocity;  ///< displacement [m] over time [s], each summed over the disks
 
-  /// The same for groups of independent disks. Empty if disks collide with each other.
+  /// Displacement over time of groups of independent disks. Empty if disks collide with each other.
   std::vector<std::vector<BlockSum>> groups;
 
   /// Disks that left on the left over all disks that left. Recorded for several species on an open base with

@@ -110,7 +110,7 @@ void Engine::setThreads(std::size_t threads, const StripSettings& strips)
 std::size_t Engine::auditOverlaps()
 {
   const Audit found = audit(state_, loop_->executedUntil(now_));
-  state_.observers().counts().takeOverlap(found.largest_overlap);
+  state_.observers().counts().addOverlap(found.largest_overlap);
   return found.behind_surface;
 }
 

@@ -43,9 +43,9 @@ RATCHET_SIEVE_INLINE double doubleOf(unsigned long long bits)
   return value;
 }
 
-/// The same for one double, with bit operations: compilers turn the selections into branches, which are
-/// unpredictable. For random angles, sine and cosine take 8.3 ns, and 59 ns with the selections (AMD EPYC,
-/// g++ 12, 2026-11-22).
+/// turnedByQuarters() of one double, with bit operations: compilers turn the selections into branches, which
+/// are unpredictable. For random angles, sine and cosine take 8.3 ns, and 59 ns with the selections (AMD
+/// EPYC, g++ 12, 2026-11-22).
 RATCHET_SIEVE_INLINE SineCosine<double> turnedByQuarters(const SineCosine<double>& angle, double quarters)
 {
   const auto quarter = static_cast<unsigned long long>(static_cast<long long>(quarters));

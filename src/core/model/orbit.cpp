@@ -46,14 +46,6 @@ Orbit::Orbit(const BaseDefinition& base)
                         {turnsOf(sine.horizontal_phase), turnsOf(sine.phase)}});
 }
 
-int Orbit::highestMultiple() const
-{
-  int highest = 1;
-  for (const Term& term : terms_)
-    highest = std::max(highest, term.multiple);
-  return highest;
-}
-
 Orbit::Point Orbit::at(double turns) const
 {
   Point point{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};

@@ -6,13 +6,9 @@
 
 namespace ratchet_sieve
 {
-namespace
-{
-constexpr const char* VARIABLE = "RATCHET_SIEVE_LANES";
-}
-
 int laneLimit()
 {
+  constexpr const char* VARIABLE = "RATCHET_SIEVE_LANES";
   const char* text = std::getenv(VARIABLE);
   if (text == nullptr)
     return 8;

@@ -1,7 +1,5 @@
 #include "ratchet_sieve/core/segregation.h"
 
-#include <cmath>
-
 namespace ratchet_sieve
 {
 
@@ -17,11 +15,6 @@ std::optional<double> difference(std::optional<double> a, std::optional<double> 
   return a && b ? std::optional<double>(*a - *b) : std::nullopt;
 }
 }  // namespace
-
-std::optional<double> PairSeparation::quality() const
-{
-  return separation ? std::optional<double>(std::abs(*separation)) : std::nullopt;
-}
 
 std::vector<PairSeparation> pairSeparations(const std::vector<SpeciesBins>& bins)
 {

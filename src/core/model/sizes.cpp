@@ -159,16 +159,6 @@ double Sizes::mean(const std::function<double(double)>& of_radius) const
   return sum / shares;
 }
 
-double Sizes::meanRadius() const
-{
-  return mean([](double r) { return r; });
-}
-
-double Sizes::meanSquare() const
-{
-  return mean([](double r) { return r * r; });
-}
-
 std::vector<double> Sizes::classEdges() const
 {
   std::vector<double> edges;

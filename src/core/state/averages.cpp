@@ -67,7 +67,7 @@ void Averages::add(std::uint32_t slot, double time, std::vector<Sums>& sums) con
   const Trajectory trajectory =
       system_.active(slot) ? trajectories.until(slot, disk, time) : trajectories[slot];
   const BlockSum path = this->path(slot, time);
-  const double mass = system_.grain(slot).mass;
+  const double mass = system_.properties(slot).mass;
   const double inertia = species.inertiaOf(mass, disk.radius) / species.inertia();
   for (const std::size_t row :
        {std::size_t{disk.species}, system_.scene().species.size() + system_.sizeClassOf(disk)})

@@ -17,7 +17,6 @@ class SystemState;
 class Averages final : public Observer
 {
 public:
-  /// @param system outlives this
   explicit Averages(const SystemState& system);
 
   void compact(const Compaction& compaction) override;

@@ -70,11 +70,4 @@ std::string CollapseWatch::text() const
   return text.str();
 }
 
-void CollapseWatch::rebase(double length, double epoch_start)
-{
-  epoch_start_ = epoch_start;
-  for (Window& window : disks_)
-    window.end -= length;
-}
-
 }  // namespace ratchet_sieve

@@ -81,15 +81,10 @@ public:
            (contact_.on_collapse == CollapseAction::STOP || window.level >= MAX_LEVEL);
   }
 
-  std::size_t disks() const { return disks_.size(); }
-
   /// The counts of all disks. Without a collapse in between, copies can be restored.
   const std::vector<Window>& windows() const { return disks_; }
-  void setWindows(const std::vector<Window>& windows) { disks_ = windows; }
+  std::vector<Window>& windows() { return disks_; }
 
-  /// The count of one disk; restored together with counts().
-  const Window& window(std::uint32_t slot) const { return disks_[slot]; }
-  void setWindow(std::uint32_t slot, const Window& window) { disks_[slot] = window; }
   void setCounts(const CollapseCounts& counts) { counts_ = counts; }
   void prefetchWindow(std::uint32_t slot) const { prefetch(disks_[slot]); }
 
@@ -111,7 +106,12 @@ public:
   std::string text() const;
 
   /// Moves the zero of time. @param epoch_start the new one [s]
-  void rebase(double length, double epoch_start);
+  void rebase(double length, double epoch_start)
+  {
+    epoch_start_ = epoch_start;
+    for (Window& window : disks_)
+      window.end -= length;
+  }
 
   void archive(StateArchive& state) { state(epoch_start_, disks_, counts_, first_stuck_, stops_); }
 

@@ -38,9 +38,13 @@ public:
 private:
   Inertia inertia(std::uint32_t slot) const
   {
-    return {system_.grain(slot).mass, levers_[system_.disk(slot).species]};
+    return {system_.properties(slot).mass, levers_[system_.disk(slot).species]};
   }
-  bool lossless(std::uint32_t slot, double time) const;
+  bool lossless(std::uint32_t slot, double time) const
+  {
+    return system_.collapseWatch().lossless(slot) ||
+           system_.observers().contactTimes().within(system_.scene().contact.contact_duration, slot, time);
+  }
   double reboundFloor(std::uint32_t slot, bool no_loss) const;
   void respond(ContactOutcome& outcome, const ContactCoefficients& coefficients, const ContactMasses& masses,
                double tangential_velocity, double floor) const;

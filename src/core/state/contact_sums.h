@@ -20,12 +20,12 @@ public:
   double max_overlap = 0.0;      ///< [m]
   std::uint64_t pushed_out = 0;  ///< how often a disk was found below the base's surface and moved out
 
-  void take(const ContactOutcome& outcome) override { collisions.add(outcome.kind); }
-  void takeOverlap(double overlap) { max_overlap = overlap > max_overlap ? overlap : max_overlap; }
+  void collided(const ContactOutcome& outcome) override { collisions.add(outcome.kind); }
+  void addOverlap(double overlap) { max_overlap = overlap > max_overlap ? overlap : max_overlap; }
 
   void add(const ContactCounts& more)
   {
-    takeOverlap(more.max_overlap);
+    addOverlap(more.max_overlap);
     pushed_out += more.pushed_out;
     collisions.add(more.collisions);
   }
@@ -42,7 +42,7 @@ public:
 
   std::uint64_t of(std::size_t species) const { return contacts_[species]; }
 
-  void take(const ContactOutcome& outcome) override
+  void collided(const ContactOutcome& outcome) override
   {
     ++contacts_[outcome.species];
     if (outcome.j != ContactOutcome::BASE)
@@ -76,7 +76,7 @@ public:
       times_.push_back(-std::numeric_limits<double>::infinity());
   }
 
-  void take(const ContactOutcome& outcome) override
+  void collided(const ContactOutcome& outcome) override
   {
     if (!kept_)
       return;
@@ -127,7 +127,7 @@ public:
   void reserve(std::size_t count) override { given_.reserve(count); }
   void entered(const Disk& /*disk*/) override { given_.push_back(Eigen::Vector2d::Zero()); }
 
-  void take(const ContactOutcome& outcome) override
+  void collided(const ContactOutcome& outcome) override
   {
     if (outcome.j == ContactOutcome::BASE)
       given_[outcome.i] += impulseOf(outcome);
@@ -180,7 +180,7 @@ public:
 
   unsigned subscriptions() const override { return CONTACTS; }
 
-  void take(const ContactOutcome& outcome) override
+  void collided(const ContactOutcome& outcome) override
   {
     const auto index = static_cast<std::size_t>(outcome.feature.index());
     if (outcome.feature.kind() == BaseFeatureKind::FACE)

@@ -168,7 +168,8 @@ void HeightProfile::count(const Flight& flight, Sums& sums) const
     const Kinematics kinematics = kinematicsAt(flight.from, time, system_.scene().gravity);
     return motion.at(time).see(vectorOf(kinematics.position), vectorOf(kinematics.velocity));
   };
-  const double weight = system_.grain(flight.slot).mass / system_.scene().species[flight.from.species].mass;
+  const double weight =
+      system_.properties(flight.slot).mass / system_.scene().species[flight.from.species].mass;
   HeightSlices& slices = sums.species[flight.from.species];
   BasePoint start = seen(begin);
   steps_.forEach(motion, begin, flight.end,

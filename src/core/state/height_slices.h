@@ -114,7 +114,7 @@ public:
   double heightIntegral() const { return height_integral_; }  ///< over disks and time [m s]
   double timeAbove() const { return time_above_; }            ///< of disks above all slices [s]
 
-  void archive(StateArchive& state);
+  void archive(StateArchive& state) { state(sums_, time_, height_integral_, time_above_); }
 
 private:
   /// A velocity and its rate of change.

@@ -129,7 +129,7 @@ struct Compaction
 };
 
 /// Observes what happens to the disks of a run, and changes none of it. A hook that is not overridden does
-/// nothing. Times are local to the epoch.
+/// nothing. Times are local to the epoch. The system that an observer is given outlives it.
 ///
 /// Observers of every run are members of Observers, which calls them without a virtual call. Others are
 /// added for a scene or a caller that asks for them (Observers::add()), and cost nothing to those that do
@@ -154,7 +154,7 @@ public:
   virtual unsigned subscriptions() const { return 0; }
 
   /// A contact of approaching surfaces, after its execution.
-  virtual void take(const ContactOutcome& /*outcome*/) {}
+  virtual void collided(const ContactOutcome& /*outcome*/) {}
 
   /// A flight, before the disk's state is replaced by that at its end.
   virtual void flew(const Flight& /*flight*/) {}

@@ -30,14 +30,13 @@ CollisionRecord recordOf(const ContactOutcome& outcome, const SystemState& syste
 class CollisionReport final : public Observer
 {
 public:
-  /// @param system outlives this
   CollisionReport(const SystemState& system, CollisionObserver observer)
       : system_(system), observer_(std::move(observer))
   {
   }
 
   unsigned subscriptions() const override { return CONTACTS; }
-  void take(const ContactOutcome& outcome) override { observer_(recordOf(outcome, system_)); }
+  void collided(const ContactOutcome& outcome) override { observer_(recordOf(outcome, system_)); }
 
 private:
   const SystemState& system_;
@@ -63,13 +62,13 @@ Observers::Observers(const SystemState& system)
 }
 
 /// The sums of a disk change at once: no other thread has the disk.
-void Observers::take(const ContactOutcome& outcome, Share& share)
+void Observers::collided(const ContactOutcome& outcome, Share& share)
 {
-  share.take(1, [&](std::size_t) { return outcome; });
+  share.collided(1, [&](std::size_t) { return outcome; });
   if (!outcome.closed)
     return;
-  impulses_.take(outcome);
-  contact_times_.take(outcome);
+  impulses_.collided(outcome);
+  contact_times_.collided(outcome);
 }
 
 template <typename What>
@@ -88,7 +87,7 @@ template void Observers::tell(const Departure& departure);
 void Observers::deliverNow(const ContactOutcome& outcome)
 {
   for (Observer* observer : of_contacts_)
-    observer->take(outcome);
+    observer->collided(outcome);
 }
 
 void Observers::deliverNow(const Flight& flight)
@@ -113,7 +112,7 @@ void Observers::deliver()
   pending_.clear();
 }
 
-void Observers::take(Share&& share)
+void Observers::merge(Share&& share)
 {
   counts_.add(share.counts_);
   species_contacts_.add(share.species_contacts_);

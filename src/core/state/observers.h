@@ -21,7 +21,6 @@ namespace ratchet_sieve
 class Observers
 {
 public:
-  /// @param system outlives this
   explicit Observers(const SystemState& system);
 
   /// Of a thread, if several advance disks at the same time.
@@ -35,14 +34,14 @@ public:
   };
 
   /// Takes an executed contact.
-  void take(const ContactOutcome& outcome, Share* share = nullptr)
+  void collided(const ContactOutcome& outcome, Share* share = nullptr)
   {
     if (share != nullptr)
-      return take(outcome, *share);
-    counts_.takeOverlap(outcome.overlap);
+      return collided(outcome, *share);
+    counts_.addOverlap(outcome.overlap);
     if (!outcome.closed)
       return;
-    forEachStanding([&](auto& observer) { observer.take(outcome); });
+    forEachStanding([&](auto& observer) { observer.collided(outcome); });
     if (!of_contacts_.empty())
       tell(outcome);
   }
@@ -62,7 +61,7 @@ public:
   }
 
   /// Takes what a thread has observed. What added observers are told of waits for deliver().
-  void take(Share&& share);
+  void merge(Share&& share);
 
   /// The sums of all disks.
   struct DiskSums
@@ -215,7 +214,7 @@ private:
       call(*observer);
   }
 
-  [[gnu::noinline]] void take(const ContactOutcome& outcome, Share& share);
+  [[gnu::noinline]] void collided(const ContactOutcome& outcome, Share& share);
 
   /// Tells the added ones of it, or keeps it until deliver().
   template <typename What>

@@ -53,7 +53,7 @@ std::vector<std::optional<double>> granularTemperatures(const SystemState& syste
   {
     const Disk& disk = system.disk(slot);
     velocities[disk.species].add(vectorOf(kinematicsAt(disk, time, system.scene().gravity).velocity),
-                                 system.grain(slot).mass / species[disk.species].mass);
+                                 system.properties(slot).mass / species[disk.species].mass);
   }
   std::vector<std::optional<double>> temperatures;
   for (std::size_t i = 0; i < species.size(); ++i)
@@ -78,19 +78,6 @@ void PeriodWatch::observe(PeriodObserver observer, double now)
   observer_ = std::move(observer);
   swings_ = system_.motion().swings();
   awaitPeriod(now);
-}
-
-void PeriodWatch::motionChanged(double now)
-{
-  if (swings_ != system_.motion().swings())
-    awaitPeriod(now);
-  swings_ = system_.motion().swings();
-}
-
-void PeriodWatch::awaitPeriod(double from)
-{
-  from_ = from;
-  part_ = 0;
 }
 
 std::optional<double> PeriodWatch::next() const

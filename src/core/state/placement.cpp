@@ -208,12 +208,6 @@ Pour::Pour(const BaseDefinition& base, Boundary boundary, const Stretch& stretch
 {
 }
 
-void Pour::occupy(const PlacedDisk& disk)
-{
-  if (see_each_other_)
-    standing_.add(disk);
-}
-
 PlacedDisk Pour::place(double radius, Random& random)
 {
   PlacedDisk disk;
@@ -280,7 +274,7 @@ void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, c
     disk.time = time;
     disk.species = kind;
     disk.radius = room.radius;
-    system.add(disk, grainOf(scene.species[kind], room.radius));
+    system.add(disk, propertiesOf(scene.species[kind], room.radius));
   }
 }
 
@@ -296,7 +290,7 @@ void placeInitialDisks(SystemState& system, double time)
     disk.species = static_cast<std::uint32_t>(initial.species);
     const SpeciesDefinition& species = system.scene().species[initial.species];
     disk.radius = species.radius;
-    system.add(disk, grainOf(species, disk.radius));
+    system.add(disk, propertiesOf(species, disk.radius));
   }
   refuseBadStart(system, time);
 }

@@ -26,7 +26,11 @@ public:
        double largest_diameter, bool see_each_other);
 
   /// Adds an existing disk.
-  void occupy(const PlacedDisk& disk);
+  void occupy(const PlacedDisk& disk)
+  {
+    if (see_each_other_)
+      standing_.add(disk);
+  }
 
   /// Places one more disk, and adds it.
   PlacedDisk place(double radius, Random& random);

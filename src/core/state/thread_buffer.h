@@ -69,7 +69,7 @@ public:
   const std::vector<Departure>& departures() const { return departures_; }
 
   /// Takes what was observed after its own.
-  void take(ThreadBuffer&& later)
+  void merge(ThreadBuffer&& later)
   {
     counts_.add(later.counts_);
     species_contacts_.add(later.species_contacts_);
@@ -79,18 +79,18 @@ public:
 
   /// Takes contacts: `outcome(k)` for k < count.
   template <typename OutcomeAt>
-  void take(std::size_t count, OutcomeAt&& outcome_at)
+  void collided(std::size_t count, OutcomeAt&& outcome_at)
   {
     // A local copy stays in registers, because the compiler must assume that it may alias the outcomes.
     ContactCounts counts = counts_;
     for (std::size_t k = 0; k < count; ++k)
     {
       const ContactOutcome outcome = outcome_at(k);
-      counts.takeOverlap(outcome.overlap);
+      counts.addOverlap(outcome.overlap);
       if (!outcome.closed)
         continue;
-      counts.take(outcome);
-      species_contacts_.take(outcome);
+      counts.collided(outcome);
+      species_contacts_.collided(outcome);
     }
     counts_ = counts;
     for (std::size_t k = 0; of_contacts_ && k < count; ++k)

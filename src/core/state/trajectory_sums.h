@@ -55,7 +55,6 @@ struct alignas(64) Trajectory
 class TrajectorySums final : public Observer
 {
 public:
-  /// @param system outlives this
   explicit TrajectorySums(const SystemState& system);
 
   const Trajectory& operator[](std::uint32_t slot) const { return trajectories_[slot]; }
