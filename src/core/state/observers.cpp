@@ -11,21 +11,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// A contact as a record for callers.
-CollisionRecord recordOf(const ContactOutcome& outcome, const SystemState& system)
-{
-  CollisionRecord record;
-  record.time = system.epoch().start + outcome.time;
-  record.kind = outcome.kind;
-  record.i = system.id(outcome.i);
-  if (outcome.j != ContactOutcome::BASE)
-    record.j = system.id(outcome.j);
-  record.normal_speed = -outcome.normal_velocity;
-  record.normal_impulse = outcome.normal_impulse;
-  record.tangential_impulse = outcome.tangential_impulse;
-  return record;
-}
-
 /// Tells a caller of each collision.
 class CollisionReport final : public Observer
 {
@@ -36,7 +21,19 @@ public:
   }
 
   unsigned subscriptions() const override { return CONTACTS; }
-  void collided(const ContactOutcome& outcome) override { observer_(recordOf(outcome, system_)); }
+  void collided(const ContactOutcome& outcome) override
+  {
+    CollisionRecord record;
+    record.time = system_.epoch().start + outcome.time;
+    record.kind = outcome.kind;
+    record.i = system_.id(outcome.i);
+    if (outcome.j != ContactOutcome::BASE)
+      record.j = system_.id(outcome.j);
+    record.normal_speed = -outcome.normal_velocity;
+    record.normal_impulse = outcome.normal_impulse;
+    record.tangential_impulse = outcome.tangential_impulse;
+    observer_(record);
+  }
 
 private:
   const SystemState& system_;

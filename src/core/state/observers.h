@@ -132,39 +132,21 @@ public:
   /// earlier
   void deliver();
 
-  void reserve(std::size_t count)
-  {
-    forEach([=](Observer& observer) { observer.reserve(count); });
-  }
-  void entered(const Disk& disk)
-  {
-    forEach([&](Observer& observer) { observer.entered(disk); });
-  }
-  void compact(const Compaction& compaction)
-  {
-    forEach([&](Observer& observer) { observer.compact(compaction); });
-  }
-  void restart(double time)
-  {
-    forEach([=](Observer& observer) { observer.restart(time); });
-  }
-  void endBlock(double time)
-  {
-    forEach([=](Observer& observer) { observer.endBlock(time); });
-  }
-  void endEpoch(double time)
-  {
-    forEach([=](Observer& observer) { observer.endEpoch(time); });
-  }
+  void reserve(std::size_t count) { callAll(&Observer::reserve, count); }
+  void entered(const Disk& disk) { callAll(&Observer::entered, disk); }
+  void compact(const Compaction& compaction) { callAll(&Observer::compact, compaction); }
+  void restart(double time) { callAll(&Observer::restart, time); }
+  void endBlock(double time) { callAll(&Observer::endBlock, time); }
+  void endEpoch(double time) { callAll(&Observer::endEpoch, time); }
   void endSegment(double time)
   {
     deliver();
-    forEach([=](Observer& observer) { observer.endSegment(time); });
+    callAll(&Observer::endSegment, time);
   }
   void rebase(double length)
   {
     deliver();
-    forEach([=](Observer& observer) { observer.rebase(length); });
+    callAll(&Observer::rebase, length);
   }
 
   /// Whether blocks of the mean series are recorded.
@@ -212,6 +194,12 @@ private:
     forEachStanding(call);
     for (const std::unique_ptr<Observer>& observer : added_)
       call(*observer);
+  }
+
+  template <typename Hook, typename Value>
+  void callAll(Hook hook, const Value& value)
+  {
+    forEach([&](Observer& observer) { (observer.*hook)(value); });
   }
 
   [[gnu::noinline]] void collided(const ContactOutcome& outcome, Share& share);
