@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "ratchet_sieve/core/simulation.h"
-#include "ratchet_sieve/core/walls.h"
+#include "ratchet_sieve/core/layer.h"
 #include "scenes.h"
 
 namespace

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "ratchet_sieve/core/walls.h"
+#include "ratchet_sieve/core/layer.h"
 
 namespace ratchet_sieve
 {

@@ -7,8 +7,8 @@
 
 #include <tf2_eigen/tf2_eigen.h>
 
+#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/sizes.h"
-#include "ratchet_sieve/core/walls.h"
 #include "transform_publisher.h"
 
 namespace ratchet_sieve

@@ -7,7 +7,7 @@
 #include <optional>
 #include <sstream>
 
-#include "ratchet_sieve/core/observable.h"
+#include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/scene/parsed.h"
 
 namespace ratchet_sieve

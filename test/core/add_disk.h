@@ -13,7 +13,7 @@ inline std::uint32_t addDisk(SystemState& system, Disk disk)
   const SpeciesDefinition& species = system.scene().species[disk.species];
   if (disk.radius == 0.0)
     disk.radius = species.radius;
-  return system.add(disk, grainOf(species, disk.radius));
+  return system.add(disk, propertiesOf(species, disk.radius));
 }
 
 }  // namespace ratchet_sieve::test

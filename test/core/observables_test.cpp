@@ -1,5 +1,5 @@
 // What a scene asks to be observed, against a slow reader of its disks.
-#include "ratchet_sieve/core/observable.h"
+#include "ratchet_sieve/core/observation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
-#include "state/residence_times.h"
+#include "state/time_histogram.h"
 
 namespace ratchet_sieve
 {

@@ -12,7 +12,6 @@
 #include "events/engine.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
-#include "state/collision_report.h"
 
 namespace ratchet_sieve
 {
@@ -57,7 +56,7 @@ TEST(ContactCounts, CountWhatClosedByKindAndAllOverlaps)
   {
     ++times;
     for (std::size_t k = 0; k < times; ++k)
-      counts.take(onBase(0, kind));
+      counts.collided(onBase(0, kind));
   }
   EXPECT_EQ(counts.max_overlap, 0.0);
   EXPECT_EQ(counts.collisions.disk_disk, 1u);
@@ -72,9 +71,9 @@ TEST(BaseImpulses, AreThoseOfContactsWithTheBaseInTheWorld)
   BaseImpulses impulses;
   for (int disk = 0; disk < 3; ++disk)
     impulses.entered(Disk());
-  impulses.take(onBase(0, CollisionKind::APEX));
-  impulses.take(onBase(2, CollisionKind::APEX));
-  impulses.take(ofPair(0, 1));
+  impulses.collided(onBase(0, CollisionKind::APEX));
+  impulses.collided(onBase(2, CollisionKind::APEX));
+  impulses.collided(ofPair(0, 1));
   // J_n n + J_t t with t = (-0.8, 0.6).
   const Eigen::Vector2d one(2.0 * 0.6 - 0.8, 2.0 * 0.8 + 0.6);
   EXPECT_NEAR((impulses.of(0) - one).norm(), 0.0, 1e-15);
@@ -95,8 +94,8 @@ TEST(ContactTimes, AreThoseOfBothPartners)
   ContactTimes times(true);
   for (int disk = 0; disk < 3; ++disk)
     times.entered(Disk());
-  times.take(ofPair(0, 2, 1.0));
-  times.take(onBase(2, CollisionKind::APEX, 1.5));
+  times.collided(ofPair(0, 2, 1.0));
+  times.collided(onBase(2, CollisionKind::APEX, 1.5));
   EXPECT_TRUE(times.within(0.3, 0, 1.25));
   EXPECT_FALSE(times.within(0.25, 0, 1.25));
   EXPECT_FALSE(times.within(1e9, 1, 1.25));
@@ -109,19 +108,19 @@ TEST(ContactTimes, AreThoseOfBothPartners)
 
   ContactTimes none(false);
   none.entered(Disk());
-  none.take(onBase(0, CollisionKind::APEX, 1.0));
+  none.collided(onBase(0, CollisionKind::APEX, 1.0));
   EXPECT_FALSE(none.within(1e9, 0, 1.0));
 }
 
 TEST(SpeciesContacts, CountEachPartner)
 {
   SpeciesContacts contacts(2);
-  contacts.take(onBase(0, CollisionKind::APEX));
+  contacts.collided(onBase(0, CollisionKind::APEX));
   ContactOutcome pair = ofPair(0, 1);
   pair.partner_species = 1;
-  contacts.take(pair);
+  contacts.collided(pair);
   SpeciesContacts more(2);
-  more.take(pair);
+  more.collided(pair);
   contacts.add(more);
   EXPECT_EQ(contacts.of(0), 3u);
   EXPECT_EQ(contacts.of(1), 2u);
@@ -135,7 +134,7 @@ TEST(Observers, TakeTheOverlapOfEveryContactAndCountWhatClosed)
   test::addDisk(system, Disk());
   ContactOutcome overlapping = opening(onBase(0, CollisionKind::WALL));
   overlapping.overlap = 1e-9;
-  system.observers().take(overlapping);
+  system.observers().collided(overlapping);
   EXPECT_EQ(system.observers().counts().collisions.total(), 0u);
   EXPECT_EQ(system.observers().counts().max_overlap, 1e-9);
   EXPECT_EQ(system.observers().impulses().total(), Eigen::Vector2d(0.0, 0.0));
@@ -155,11 +154,11 @@ TEST(Observers, TellWhatClosedByIdsAndInTheRunsTime)
   std::vector<CollisionRecord> told;
   Observers& observers = system.observers();
   observers.observeCollisions([&](const CollisionRecord& collision) { told.push_back(collision); });
-  observers.take(ofPair(0, 1, local));
-  observers.take(opening(onBase(1, CollisionKind::WALL, local)));
-  observers.take(onBase(1, CollisionKind::WALL, local));
+  observers.collided(ofPair(0, 1, local));
+  observers.collided(opening(onBase(1, CollisionKind::WALL, local)));
+  observers.collided(onBase(1, CollisionKind::WALL, local));
   observers.observeCollisions({});
-  observers.take(onBase(1, CollisionKind::WALL, local));
+  observers.collided(onBase(1, CollisionKind::WALL, local));
   ASSERT_EQ(told.size(), 2u);
   EXPECT_EQ(told[0].time, 1000.25);
   EXPECT_EQ(told[0].kind, CollisionKind::DISK_DISK);
@@ -184,14 +183,9 @@ class Follower final : public Observer
 public:
   explicit Follower(const SystemState& system) : system_(system) {}
 
-  Wishes wishes() const override
-  {
-    Wishes wishes;
-    wishes.contacts = wishes.flights = wishes.departures = true;
-    return wishes;
-  }
+  unsigned subscriptions() const override { return CONTACTS | FLIGHTS | DEPARTURES; }
 
-  void take(const ContactOutcome& outcome) override
+  void collided(const ContactOutcome& outcome) override
   {
     inOrder(outcome.time);
     EXPECT_EQ(system_.disk(outcome.i).species, outcome.species);

@@ -1,4 +1,4 @@
-#include "state/pour.h"
+#include "state/placement.h"
 
 #include <algorithm>
 #include <cmath>

@@ -17,7 +17,6 @@
 #include "scenes.h"
 #include "search/base_overlap.h"
 #include "state/placement.h"
-#include "state/pour.h"
 #include "state_hash.h"
 
 namespace ratchet_sieve

@@ -10,7 +10,7 @@
 #include "ratchet_sieve/core/simulation.h"
 #include "reference_loop.h"
 #include "scenes.h"
-#include "state/pour.h"
+#include "state/placement.h"
 
 namespace ratchet_sieve::reference  // tests are joined in one source
 {

@@ -1,4 +1,4 @@
-#include "model/sine.h"
+#include "model/motion.h"
 
 #include <cmath>
 #include <limits>

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/simulation.h"
-#include "ratchet_sieve/core/walls.h"
 #include "scenes.h"
 
 namespace ratchet_sieve

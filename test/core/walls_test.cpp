@@ -1,4 +1,4 @@
-#include "ratchet_sieve/core/walls.h"
+#include "ratchet_sieve/core/layer.h"
 
 #include <cmath>
 

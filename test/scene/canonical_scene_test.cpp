@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "ratchet_sieve/core/observable.h"
+#include "ratchet_sieve/core/observation.h"
 #include "scene_texts.h"
 
 namespace ratchet_sieve

@@ -7,7 +7,7 @@
 #include "draws.h"
 #include "model/base_motion.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/observable.h"
+#include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
 #include "scene_spelling.h"

@@ -49,7 +49,11 @@ public:
   void add(double displacement, double time);
 
   /// Standard error of (sum of displacements) / (sum of times) [m/s]; see seriesError().
-  std::optional<double> standardError() const;
+  std::optional<double> standardError() const
+  {
+    const std::optional<BlockError> found = seriesError(blocks_);
+    return found ? std::optional<double>(found->error) : std::nullopt;
+  }
 
   /// The complete blocks, in order, of blockLength() samples each. The incomplete last block is left out.
   const std::vector<BlockSum>& blocks() const { return blocks_; }
@@ -66,6 +70,28 @@ private:
   BlockSum open_;                 ///< the incomplete block that collects samples
   std::size_t samples_ = 0;       ///< in open_
   std::size_t block_length_ = 1;  ///< samples to a block
+};
+
+/// One species' part of a MeanSeries.
+struct SpeciesSeries
+{
+  std::vector<BlockSum> velocity;  ///< displacement [m] over time [s], each summed over the disks
+
+  /// Displacement over time of groups of independent disks. Empty if disks collide with each other.
+  std::vector<std::vector<BlockSum>> groups;
+
+  /// Disks that left on the left over all disks that left. Recorded for several species on an open base with
+  /// a feed.
+  std::vector<BlockSum> exits;
+};
+
+/// The series from which the means since `settle` are computed, in blocks of time. For an ensemble of
+/// independent disks it is recorded only if the scene sets accuracy.mean_vx. Neighbouring blocks are joined
+/// as the run gets longer: there are at most a few hundred.
+struct MeanSeries
+{
+  double block_time = 0.0;  ///< of each block [s]
+  std::vector<SpeciesSeries> species;
 };
 
 }  // namespace ratchet_sieve

@@ -21,8 +21,12 @@ enum class CollisionKind
   LEVEL  ///< a level face of a profile
 };
 
-/// The name used in summaries and collision files: disk_disk, left_slope, right_slope, apex, wall, level.
-const char* name(CollisionKind kind);
+/// The name used in summaries and collision files.
+inline const char* name(CollisionKind kind)
+{
+  constexpr const char* NAMES[] = {"disk_disk", "left_slope", "right_slope", "apex", "wall", "level"};
+  return NAMES[static_cast<int>(kind)];
+}
 
 /// How often each kind of collision happened.
 struct CollisionCounts
@@ -35,8 +39,18 @@ struct CollisionCounts
   std::uint64_t level = 0;
 
   void add(CollisionKind kind, std::uint64_t times = 1) { this->*OF_KIND[static_cast<int>(kind)] += times; }
-  void add(const CollisionCounts& more);
-  CollisionCounts since(const CollisionCounts& earlier) const;
+  void add(const CollisionCounts& more)
+  {
+    for (const OfKind of_kind : OF_KIND)
+      this->*of_kind += more.*of_kind;
+  }
+  CollisionCounts since(const CollisionCounts& earlier) const
+  {
+    CollisionCounts counts;
+    for (const OfKind of_kind : OF_KIND)
+      counts.*of_kind = this->*of_kind - earlier.*of_kind;
+    return counts;
+  }
   void archive(StateArchive& state) { state(disk_disk, left_slope, right_slope, apex, wall, level); }
 
   std::uint64_t total() const { return disk_disk + left_slope + right_slope + apex + wall + level; }
@@ -45,11 +59,17 @@ struct CollisionCounts
   /// nothing if the longer one was never hit, if the slopes are equally long (a = 0.5) or if a tooth has
   /// more or other faces than two slopes.
   /// @param asymmetry as BaseDefinition::slopeAsymmetry()
-  std::optional<double> shortToLong(const std::optional<double>& asymmetry) const;
+  std::optional<double> shortToLong(const std::optional<double>& asymmetry) const
+  {
+    const std::uint64_t longer = asymmetry && *asymmetry < 0.5 ? right_slope : left_slope;
+    if (!asymmetry || *asymmetry == 0.5 || longer == 0)
+      return std::nullopt;
+    return static_cast<double>(*asymmetry < 0.5 ? left_slope : right_slope) / static_cast<double>(longer);
+  }
 
 private:
   using OfKind = std::uint64_t CollisionCounts::*;
-  static const OfKind OF_KIND[];  ///< in the order of CollisionKind
+  static const OfKind OF_KIND[6];  ///< in the order of CollisionKind
 };
 
 inline constexpr CollisionCounts::OfKind CollisionCounts::OF_KIND[] = {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/observation.h"
 

@@ -77,7 +77,7 @@ constexpr bool IS_VECTOR<std::vector<T>> = true;
 /// A member that the message has as well.
 #define RATCHET_SIEVE_FIELD(NAME, UNIT) visit(FieldInfo{#NAME, UNIT}, objects.NAME...)
 
-/// The same for a number of a struct that is stored in arrays: an empty array if it is 0 in all of them.
+/// A number of a struct that is stored in arrays: an empty array if it is 0 in all of them.
 #define RATCHET_SIEVE_SPARSE(NAME, UNIT) visit(FieldInfo{#NAME, UNIT, true}, objects.NAME...)
 
 /// An optional number, or a list of them; NAME and NAME_defined in a message.

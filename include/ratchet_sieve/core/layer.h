@@ -5,9 +5,10 @@
 
 #include "ratchet_sieve/core/definition.h"
 
-/// The number of disks in a scene, and the height of their layer.
 namespace ratchet_sieve
 {
+
+/// The number of disks in a scene, and the height of their layer.
 
 /// The number of disks poured or placed at the start.
 std::size_t disksAtStart(const SceneDefinition& scene);
@@ -36,5 +37,16 @@ double feedGrowth(const SceneDefinition& scene);
 
 /// One line for the user, printed before the pour: number of disks, layer height, memory.
 std::string sizeText(const SceneDefinition& scene);
+
+/// Height of the walls of a walled scene above the foot line n = 0 [m]: base.wall_height if above 0.
+/// Otherwise the top of the poured disks plus ten widths of the base. That is high enough to retain the disks
+/// of a nearly upright base. It is low enough that disks thrown up by a turning base leave the machine.
+/// Commands do not change the height.
+double wallHeight(const SceneDefinition& scene);
+
+/// The largest slew rate of the inclination at which a walled base throws no disks over its walls [rad/s], as
+/// measured in docs/stability.md, "A walled base that turns". 0 without gravity, because nothing returns a
+/// disk to the base.
+double calmTurnRate(const SceneDefinition& scene);
 
 }  // namespace ratchet_sieve

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The arithmetic operations of the physics, which is written once as templates over the number type (sine.h,
-/// drive.h, flight.h, luding_law.h). This file defines them for a double; pack_pairs.inc defines them for
+/// The arithmetic operations of the physics, which is written once as templates over the number type
+/// (motion.h, luding_law.h). This file defines them for a double; pack_pairs.inc defines them for
 /// SIMD packs of doubles. Both round alike, so the bits of a result do not depend on the number type.
 ///
 /// These headers include only each other and contain only templates over the number type and functions that

@@ -3,17 +3,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/core/state_archive.h"
 
-/// The state and the results of a run, as a caller reads them.
 namespace ratchet_sieve
 {
+
+/// The state and the results of a run, as a caller reads them.
 
 /// One disk at the simulation's time, world frame. All members are scalars because each is a column of
 /// messages, bags and tables (RATCHET_SIEVE_FIELDS).
@@ -161,5 +164,78 @@ struct StallError : std::runtime_error
 
 /// Called repeatedly while disks are poured; may throw to cancel the pour.
 using PourObserver = std::function<void(std::size_t poured, std::size_t of)>;
+
+/// What a scene can ask to be observed (`observe`), and what is then seen.
+
+/// A number of an observable; nothing where it is undefined.
+struct ObservedNumber
+{
+  std::string name;
+  std::string unit;
+  std::optional<double> value;
+};
+
+RATCHET_SIEVE_FIELDS(ObservedNumber)
+{
+  RATCHET_SIEVE_FIELD(name, "");
+  RATCHET_SIEVE_FIELD(unit, "");
+  RATCHET_SIEVE_OPTIONAL(value, "");
+}
+
+/// A column of a row's table.
+struct ObservedColumn
+{
+  std::string name;
+  std::string unit;
+  std::vector<std::optional<double>> values;
+};
+
+RATCHET_SIEVE_FIELDS(ObservedColumn)
+{
+  RATCHET_SIEVE_FIELD(name, "");
+  RATCHET_SIEVE_FIELD(unit, "");
+  RATCHET_SIEVE_OPTIONAL(values, "");
+}
+
+/// Adds a value to each column.
+inline void addLine(std::vector<ObservedColumn>& table, std::initializer_list<std::optional<double>> values)
+{
+  auto column = table.begin();
+  for (const std::optional<double>& value : values)
+    (column++)->values.push_back(value);
+}
+
+/// What was observed of one species at one place.
+struct ObservedRow
+{
+  std::string place;    ///< the bin, left or right; empty: the whole machine
+  std::string species;  ///< its name
+  std::vector<ObservedNumber> numbers;
+  std::vector<ObservedColumn> table;  ///< columns of the same length
+};
+
+RATCHET_SIEVE_FIELDS(ObservedRow)
+{
+  RATCHET_SIEVE_FIELD(place, "");
+  RATCHET_SIEVE_FIELD(species, "");
+  RATCHET_SIEVE_FIELD(numbers, "");
+  RATCHET_SIEVE_FIELD(table, "");
+}
+
+/// One observable: rows by place, of all species in order.
+struct Observed
+{
+  std::string name;
+  std::vector<ObservedRow> rows;
+};
+
+RATCHET_SIEVE_FIELDS(Observed)
+{
+  RATCHET_SIEVE_FIELD(name, "");
+  RATCHET_SIEVE_FIELD(rows, "");
+}
+
+/// What `observe` can name.
+std::vector<std::string> observableNames();
 
 }  // namespace ratchet_sieve

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "ratchet_sieve/core/fields.h"
@@ -48,7 +48,10 @@ struct PairSeparation
 
   /// Q = |s|: eq. (2) of the paper, max(a_l/N_a + b_r/N_b, a_r/N_a + b_l/N_b) - 1, in [0, 1]. Its mean over
   /// runs is too large: by 0.56 / sqrt(N) for N disks of each of two species that do not separate.
-  std::optional<double> quality() const;
+  std::optional<double> quality() const
+  {
+    return separation ? std::optional<double>(std::abs(*separation)) : std::nullopt;
+  }
 };
 
 /// Every pair of species, first < second, in order.

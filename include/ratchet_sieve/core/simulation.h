@@ -11,11 +11,10 @@
 
 #include <Eigen/Core>
 
+#include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/collision_counts.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/core/mean_series.h"
-#include "ratchet_sieve/core/observable.h"
 #include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
@@ -35,16 +34,13 @@ class Engine;
 class Simulation
 {
 public:
-  using CollisionObserver = ratchet_sieve::CollisionObserver;
-  using PeriodObserver = ratchet_sieve::PeriodObserver;
-
   /// Pours the disks of the scene. @throws std::invalid_argument if disks of `initial` overlap each other or
   /// the base, or lie outside the machine; the message names them.
   /// @param start_time the time of the pour [s]; the scene's phase is the phase of the drive at this time
   explicit Simulation(const SceneDefinition& scene, double start_time = 0.0,
                       const PourObserver& pour_observer = {});
 
-  /// The same with a plan that computes more than the scene needs, to measure the cost.
+  /// Pours the disks of the scene into a run that computes more than the scene needs, to measure the cost.
   /// @throws std::invalid_argument also if the plan does not cover the scene
   Simulation(const SceneDefinition& scene, const Plan& plan);
 

@@ -18,8 +18,16 @@ public:
 
   double smallest() const { return smallest_; }  ///< [m]
   double largest() const { return largest_; }    ///< [m]
-  double meanRadius() const;                     ///< expected [m]
-  double meanSquare() const;                     ///< of the radius, expected [m^2]
+  /// Expected [m].
+  double meanRadius() const
+  {
+    return mean([](double r) { return r; });
+  }
+  /// Of the square of the radius, expected [m^2].
+  double meanSquare() const
+  {
+    return mean([](double r) { return r * r; });
+  }
 
   /// The bounds of a few classes of radii for counts and means, increasing: four equal steps of the radius,
   /// or of its logarithm if lognormal; those of a table, every few of them if there are many [m].

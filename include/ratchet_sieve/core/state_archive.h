@@ -63,9 +63,13 @@ private:
   void one(Value& value)
   {
     if constexpr (std::is_same_v<Value, bool>)
-      flag(value);
+    {
+      std::uint8_t byte = value ? 1 : 0;
+      one(byte);
+      value = byte != 0;
+    }
     else if constexpr (IS_PLAIN<Value>)
-      plain(&value, 1);
+      bytes(&value, sizeof value);
     else
       value.archive(*this);
   }
@@ -73,27 +77,38 @@ private:
   template <typename Element>
   void one(std::vector<Element>& list)
   {
-    std::uint64_t size = list.size();
-    one(size);
     // Every element takes at least one byte. So a corrupt size cannot request more memory than there are
     // bytes.
-    constexpr std::size_t SMALLEST = IS_PLAIN<Element> ? sizeof(Element) : 1;
-    if (restoring_ && size > rest_.size() / SMALLEST)
-      throw StateError("it is cut short");
-    list.resize(size);
+    resize(list, IS_PLAIN<Element> ? sizeof(Element) : 1);
     if constexpr (IS_PLAIN<Element>)
-      plain(list.data(), size);
+      bytes(list.data(), list.size() * sizeof(Element));
     else
       for (Element& element : list)
         one(element);
   }
 
+  void one(std::string& text)
+  {
+    resize(text, 1);
+    bytes(text.data(), text.size());
+  }
+
+  template <typename List>
+  void resize(List& list, std::size_t bytes_per_element)
+  {
+    std::uint64_t size = list.size();
+    one(size);
+    if (restoring_ && size > rest_.size() / bytes_per_element)
+      throw StateError("it is cut short");
+    list.resize(size);
+  }
+
   template <typename Value>
   void one(std::optional<Value>& value)
   {
-    std::uint8_t present = value ? 1 : 0;
+    bool present = value.has_value();
     one(present);
-    if (present == 0)
+    if (!present)
       return value.reset();
     if (!value)
       value.emplace();
@@ -107,30 +122,7 @@ private:
       one(element);
   }
 
-  void one(Eigen::Vector2d& vector) { plain(vector.data(), 2); }
-
-  void flag(bool& value)
-  {
-    std::uint8_t byte = value ? 1 : 0;
-    one(byte);
-    value = byte != 0;
-  }
-
-  template <typename Plain>
-  void plain(Plain* values, std::size_t count)
-  {
-    bytes(values, count * sizeof(Plain));
-  }
-
-  void one(std::string& text)
-  {
-    std::uint64_t size = text.size();
-    one(size);
-    if (restoring_ && size > rest_.size())
-      throw StateError("it is cut short");
-    text.resize(size);
-    bytes(text.data(), size);
-  }
+  void one(Eigen::Vector2d& vector) { bytes(vector.data(), 2 * sizeof(double)); }
 
   void bytes(void* place, std::size_t count)
   {

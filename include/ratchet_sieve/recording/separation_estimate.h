@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "ratchet_sieve/core/mean_series.h"
+#include "ratchet_sieve/core/block_averages.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/recording/steady_mean.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ratchet_sieve/core/mean_series.h"
+#include "ratchet_sieve/core/block_averages.h"
 
 namespace ratchet_sieve
 {

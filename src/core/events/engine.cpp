@@ -6,11 +6,9 @@
 #include <string>
 #include <thread>
 
-#include "model/lane_limit.h"
+#include "model/processor.h"
 #include "ratchet_sieve/core/count_text.h"
-#include "state/audit.h"
 #include "state/placement.h"
-#include "state/pour.h"
 
 namespace ratchet_sieve
 {
@@ -112,7 +110,7 @@ void Engine::setThreads(std::size_t threads, const StripSettings& strips)
 std::size_t Engine::auditOverlaps()
 {
   const Audit found = audit(state_, loop_->executedUntil(now_));
-  state_.observers().counts().takeOverlap(found.largest_overlap);
+  state_.observers().counts().addOverlap(found.largest_overlap);
   return found.behind_surface;
 }
 

@@ -69,7 +69,7 @@ public:
       state_.collapseWatch().setCounts(collapses);
     }
     events_ += pass_events_;
-    state_.take(std::move(share_));
+    state_.merge(std::move(share_));
     if (repeated && next_[last.slot].time == last.time && state_.collapseWatch().endsAt(last.slot, last.time))
     {
       state_.collapseWatch().count(last.slot, last.time);

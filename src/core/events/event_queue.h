@@ -7,8 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "model/prefetch.h"
-#include "model/two.h"
+#include "model/processor.h"
 
 namespace ratchet_sieve
 {

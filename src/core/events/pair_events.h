@@ -74,7 +74,7 @@ class PairEvents
 {
 public:
   /// @param layer, queue outlive this
-  /// @param share as in Observers::take()
+  /// @param share as in Observers::collided()
   PairEvents(PairLayer& layer, Queue& queue, ContactExecution execution, Observers::Share* share)
       : layer_(layer),
         state_(layer.state),

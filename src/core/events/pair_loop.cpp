@@ -9,7 +9,7 @@
 #include "events/pair_events.h"
 #include "events/pair_strips.h"
 #include "events/prefetch_window.h"
-#include "model/prefetch.h"
+#include "model/processor.h"
 #include "state/contact_execution.h"
 
 namespace ratchet_sieve

@@ -398,7 +398,7 @@ void PairStrips::commit()
     events_ += region.events.takeEvents();
     region.counted = 0;
     layer_.cells.countCrossings(region.events.takeCrossings());
-    layer_.state.take(std::exchange(region.share, Observers::Share(layer_.state.observers())));
+    layer_.state.merge(std::exchange(region.share, Observers::Share(layer_.state.observers())));
   };
   for (const auto& strip : strips_)
     take(*strip);

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "model/rotation.h"
+#include "model/motion.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve

@@ -42,13 +42,6 @@ Rotation rotationBy(double angle)
 }
 }  // namespace
 
-std::optional<double> BaseMotion::Ramp::remaining() const
-{
-  if (rate == 0.0)
-    return std::nullopt;
-  return (target - start) / rate;
-}
-
 void BaseMotion::Ramp::advance(double elapsed)
 {
   const auto end = remaining();
@@ -67,11 +60,6 @@ BaseMotion::BaseMotion(const BaseDefinition& base, double max_turn, bool always_
     ramp(q.quantity) = {base.*q.definition, 0.0, base.*q.definition};
   turns_ = fraction(base.phase / RADIANS_PER_TURN);
   plan();
-}
-
-double BaseMotion::turns(double elapsed) const
-{
-  return turns_ + elapsed * (frequency_.start + 0.5 * frequency_.rate * elapsed);
 }
 
 std::optional<double> BaseMotion::timeOfTurns(double turns) const
@@ -188,12 +176,6 @@ void BaseMotion::plan()
   noteDerived();
 }
 
-void BaseMotion::beginSegment(double time)
-{
-  advanceTo(time);
-  plan();
-}
-
 void BaseMotion::rebase(double length)
 {
   if (segment_start_ < length)
@@ -207,20 +189,6 @@ void BaseMotion::rebase(double length)
   segment_start_ -= length;
   if (next_change_)
     next_change_ = *next_change_ - length;
-}
-
-void BaseMotion::command(Quantity quantity, double target, double time)
-{
-  advanceTo(time);
-  ramp(quantity).target = target;
-  plan();
-}
-
-void BaseMotion::setSlewRates(const SlewRates& rates, double time)
-{
-  advanceTo(time);
-  slew_rates_ = rates;
-  plan();
 }
 
 /// As speedBound(), without the turning of the drive's axes.

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "model/base_frame.h"
-#include "model/drive.h"
+#include "model/motion.h"
 #include "model/orbit.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/definition.h"
@@ -34,7 +34,7 @@ public:
     return frame;
   }
 
-  /// The same, written directly into `frame`.
+  /// Writes at(time) directly into `frame`.
   void evaluate(double time, FrameOfBase& frame) const;
   DriveState state(double time) const;
 
@@ -50,7 +50,11 @@ public:
   std::optional<double> nextChange() const { return next_change_; }
 
   /// Begins a new segment at `time`: at nextChange(), or earlier after a change of setpoints.
-  void beginSegment(double time);
+  void beginSegment(double time)
+  {
+    advanceTo(time);
+    plan();
+  }
 
   /// Makes `length` the new time zero. @param length a multiple of a power of two, so that the phase stays
   /// exact
@@ -59,8 +63,18 @@ public:
   /// The motion begins at `time`, not at 0. @pre nothing was commanded
   void startAt(double time) { segment_start_ = time; }
 
-  void command(Quantity quantity, double target, double time);
-  void setSlewRates(const SlewRates& rates, double time);
+  void command(Quantity quantity, double target, double time)
+  {
+    advanceTo(time);
+    ramp(quantity).target = target;
+    plan();
+  }
+  void setSlewRates(const SlewRates& rates, double time)
+  {
+    advanceTo(time);
+    slew_rates_ = rates;
+    plan();
+  }
 
   bool turning() const { return inclination_.rate != 0.0; }
 
@@ -91,7 +105,7 @@ public:
   /// sup |D| of each component in the world over the present segment [m].
   const Eigen::Vector2d& displacementBound() const { return world_displacement_; }
 
-  /// The same along the base and normal to it, valid while it does not turn.
+  /// sup |D| along the base and normal to it, valid while it does not turn [m].
   const Eigen::Vector2d& reach() const { return reach_; }
 
   void archive(StateArchive& state)
@@ -111,14 +125,22 @@ private:
     double target = 0.0;
 
     double at(double elapsed) const { return start + rate * elapsed; }
-    std::optional<double> remaining() const;
+    std::optional<double> remaining() const
+    {
+      if (rate == 0.0)
+        return std::nullopt;
+      return (target - start) / rate;
+    }
     void advance(double elapsed);
     void archive(StateArchive& state) { state(start, rate, target); }
   };
 
   Ramp& ramp(Quantity quantity) { return this->*RAMPS[indexOf(quantity)]; }
   const Ramp& ramp(Quantity quantity) const { return this->*RAMPS[indexOf(quantity)]; }
-  double turns(double elapsed) const;
+  double turns(double elapsed) const
+  {
+    return turns_ + elapsed * (frequency_.start + 0.5 * frequency_.rate * elapsed);
+  }
   void advanceTo(double time);  ///< advances the segment's start to `time` at the present rates
   void pursue(Ramp& ramp, double slew_rate) const;
   void plan();  ///< sets the rates from the setpoints, and the ends of the ramps

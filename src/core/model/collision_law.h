@@ -55,13 +55,6 @@ inline Impulse collide(const CollisionLaw& law, const ContactCoefficients& coeff
   return ludingImpulse(law, contactNumbers(coefficients, masses), normal_velocity, tangential_velocity);
 }
 
-/// The same for smooth disks: no tangential impulse.
-inline Impulse collideSmooth(const CollisionLaw& law, const ContactCoefficients& coefficients,
-                             const ContactMasses& masses, double normal_velocity)
-{
-  return {normalImpulse(law, contactNumbers(coefficients, masses), normal_velocity), 0.0};
-}
-
 /// A lossless contact: e = 1 and smooth. Used by the TC model for a contact that follows another within t_c
 /// (Luding & McNamara, Granular Matter 1, 113 (1998), doi:10.1007/s100350050017).
 constexpr ContactCoefficients LOSSLESS{1.0, 0.0, 0.0};

@@ -5,8 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "model/flight.h"
-#include "model/two.h"
+#include "model/motion.h"
+#include "model/processor.h"
+#include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
@@ -14,7 +15,7 @@ namespace ratchet_sieve
 
 /// A disk in free flight. Its state is given at its own time, not at the simulation's (delayed states). World
 /// frame; times are local to the engine's present epoch. One cache line with all that a search reads; the
-/// rest is in Grain and Trajectory.
+/// rest is in DiskProperties and Trajectory.
 struct alignas(64) Disk
 {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
@@ -62,6 +63,23 @@ inline Disk flown(const Disk& disk, double time, double gravity)
   std::memcpy(later.velocity.data(), &kinematics.velocity, sizeof kinematics.velocity);
   later.time = time;
   return later;
+}
+
+/// The properties of one disk that never change, besides its species and its radius, which the searches read
+/// in Disk.
+struct DiskProperties
+{
+  double mass = 0.0;           ///< [kg]
+  double spin_response = 0.0;  ///< change of spin by a unit impulse along the rim: r / I [1/(kg m)]
+
+  void archive(StateArchive& state) { state(mass, spin_response); }
+};
+
+/// The properties of a disk of this species and radius [m].
+inline DiskProperties propertiesOf(const SpeciesDefinition& species, double radius)
+{
+  const double mass = species.massOf(radius);
+  return {mass, radius / species.inertiaOf(mass, radius)};
 }
 
 }  // namespace ratchet_sieve

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/drive.h"
+#include "model/motion.h"
 
 namespace ratchet_sieve
 {
@@ -15,6 +15,14 @@ double turnsOf(double phase)
 {
   const double turns = phase / RADIANS_PER_TURN;
   return turns - std::floor(turns);
+}
+
+/// The whole drive: A sin(phi) with its horizontal part, and the harmonics.
+std::vector<HarmonicDefinition> sinesOf(const BaseDefinition& base)
+{
+  std::vector<HarmonicDefinition> sines = base.harmonics;
+  sines.insert(sines.begin(), {1, base.amplitude, 0.0, base.horizontal_amplitude, base.horizontal_phase});
+  return sines;
 }
 
 /// Of the ellipse (X sin(t + lead), Y sin(t)).
@@ -29,25 +37,13 @@ double greatestRadius(const Eigen::Vector2d& amplitudes, double lead)
 
 Orbit::Orbit(const BaseDefinition& base)
 {
-  add({1, {base.horizontal_amplitude, 0.0}, {turnsOf(base.horizontal_phase), 0.0}});
-  for (const HarmonicDefinition& harmonic : base.harmonics)
-    add({harmonic.multiple,
-         {harmonic.horizontal_amplitude, harmonic.amplitude},
-         {turnsOf(harmonic.horizontal_phase), turnsOf(harmonic.phase)}});
-}
-
-void Orbit::add(const Term& term)
-{
-  if (!term.amplitudes.isZero(0.0))
-    terms_.push_back(term);
-}
-
-int Orbit::highestMultiple() const
-{
-  int highest = 1;
-  for (const Term& term : terms_)
-    highest = std::max(highest, term.multiple);
-  return highest;
+  std::vector<HarmonicDefinition> sines = sinesOf(base);
+  sines.front().amplitude = 0.0;
+  for (const HarmonicDefinition& sine : sines)
+    if (sine.horizontal_amplitude != 0.0 || sine.amplitude != 0.0)
+      terms_.push_back({sine.multiple,
+                        {sine.horizontal_amplitude, sine.amplitude},
+                        {turnsOf(sine.horizontal_phase), turnsOf(sine.phase)}});
 }
 
 Orbit::Point Orbit::at(double turns) const
@@ -79,13 +75,12 @@ Eigen::Vector2d Orbit::bound(int derivative) const
 DriveBounds driveBounds(const BaseDefinition& base)
 {
   const double rate = angularFrequency(base.frequency);
-  const double stroke = greatestRadius({base.horizontal_amplitude, base.amplitude}, base.horizontal_phase);
-  DriveBounds bounds{stroke, rate * stroke, rate * rate * stroke};
-  for (const HarmonicDefinition& harmonic : base.harmonics)
+  DriveBounds bounds{};
+  for (const HarmonicDefinition& sine : sinesOf(base))
   {
-    const double radius = greatestRadius({harmonic.horizontal_amplitude, harmonic.amplitude},
-                                         harmonic.horizontal_phase - harmonic.phase);
-    const double pulse = harmonic.multiple * rate;
+    const double radius =
+        greatestRadius({sine.horizontal_amplitude, sine.amplitude}, sine.horizontal_phase - sine.phase);
+    const double pulse = sine.multiple * rate;
     bounds.displacement += radius;
     bounds.speed += pulse * radius;
     bounds.acceleration += pulse * pulse * radius;
@@ -99,19 +94,19 @@ double peakLift(const BaseDefinition& base)
   const bool turned = base.drive_frame == DriveFrame::BASE;
   const Eigen::Vector2d up = turned ? Eigen::Vector2d(std::sin(base.inclination), std::cos(base.inclination))
                                     : Eigen::Vector2d::UnitY();
+  const std::vector<HarmonicDefinition> sines = sinesOf(base);
   const int steps = STEPS_PER_PERIOD * Orbit(base).highestMultiple();
   double peak = 0.0;
   for (int k = 0; k < steps; ++k)
   {
     const double turns = static_cast<double>(k) / steps;
-    const auto sine = [turns](int multiple, double phase)
-    { return multiple * multiple * sineCosineOfTurns(multiple * turns + turnsOf(phase)).sine; };
-    Eigen::Vector2d bend(base.horizontal_amplitude * sine(1, base.horizontal_phase),
-                         base.amplitude * sine(1, 0.0));
-    for (const HarmonicDefinition& harmonic : base.harmonics)
-      bend +=
-          Eigen::Vector2d(harmonic.horizontal_amplitude * sine(harmonic.multiple, harmonic.horizontal_phase),
-                          harmonic.amplitude * sine(harmonic.multiple, harmonic.phase));
+    Eigen::Vector2d bend = Eigen::Vector2d::Zero();
+    for (const auto& [multiple, amplitude, phase, horizontal_amplitude, horizontal_phase] : sines)
+    {
+      const auto sine = [turns, k = multiple](double lead)
+      { return k * k * sineCosineOfTurns(k * turns + turnsOf(lead)).sine; };
+      bend += Eigen::Vector2d(horizontal_amplitude * sine(horizontal_phase), amplitude * sine(phase));
+    }
     peak = std::max(peak, up.dot(bend));
   }
   const double rate = angularFrequency(base.frequency);

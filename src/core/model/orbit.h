@@ -20,7 +20,13 @@ public:
   bool empty() const { return terms_.empty(); }
 
   /// The largest k; 1 without harmonics.
-  int highestMultiple() const;
+  int highestMultiple() const
+  {
+    int highest = 1;
+    for (const Term& term : terms_)
+      highest = std::max(highest, term.multiple);
+    return highest;
+  }
 
   /// D at a phase, and its derivatives by the phase.
   struct Point
@@ -42,8 +48,6 @@ private:
     Eigen::Vector2d amplitudes;  ///< (A_x,k, A_k) [m]
     Eigen::Vector2d turns;       ///< (phi_x,k, phi_k) over 2 pi
   };
-
-  void add(const Term& term);
 
   std::vector<Term> terms_;
 };

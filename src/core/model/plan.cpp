@@ -34,12 +34,6 @@ bool startsWithSpin(const SceneDefinition& scene)
   return std::any_of(scene.initial.begin(), scene.initial.end(),
                      [](const InitialDisk& disk) { return disk.spin != 0.0; });
 }
-
-/// False only if `asked` and not `there`.
-bool includes(bool there, bool asked)
-{
-  return there || !asked;
-}
 }  // namespace
 
 Plan planOf(const SceneDefinition& scene)
@@ -62,8 +56,8 @@ bool covers(const Plan& plan, const SceneDefinition& scene)
 {
   const Plan needed = planOf(scene);
   return plan.pairs == needed.pairs && plan.steps == needed.steps && plan.orbit == needed.orbit &&
-         includes(plan.spin, needed.spin) && includes(plan.drive, needed.drive) &&
-         includes(plan.contact_times, needed.contact_times) && includes(needed.simd, plan.simd);
+         (plan.spin || !needed.spin) && (plan.drive || !needed.drive) &&
+         (plan.contact_times || !needed.contact_times) && (needed.simd || !plan.simd);
 }
 
 std::string planText(const Plan& plan)

@@ -7,7 +7,7 @@
 
 #include "model/orbit.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/walls.h"
+#include "ratchet_sieve/core/layer.h"
 
 namespace ratchet_sieve
 {
@@ -29,37 +29,6 @@ constexpr double BASE_SHARE = 0.5;
 
 /// Number of roundings in computing a gap, in units of the resolution of the largest position.
 constexpr double ROUNDINGS_PER_GAP = 4.0;
-
-/// The smallest radius that the scene allows, and the reason.
-class Finest
-{
-public:
-  void length(double length, const char* what)
-  {
-    const double step = ROUNDINGS_PER_GAP * std::numeric_limits<double>::epsilon() * length;
-    take(step, what, length, "m");
-  }
-
-  void speed(double speed, double time_resolution, const char* what)
-  {
-    take(speed * time_resolution, what, speed, "m/s");
-  }
-
-  FinestDisk result() const { return finest_; }
-
-private:
-  void take(double step, const char* what, double value, const char* unit)
-  {
-    const double radius = step / LARGEST_OVERLAP;
-    if (!(radius > finest_.radius))
-      return;
-    std::ostringstream reason;
-    reason << what << ' ' << value << ' ' << unit;
-    finest_ = {radius, reason.str()};
-  }
-
-  FinestDisk finest_;
-};
 
 double speedOf(const InitialDisk& disk)
 {
@@ -114,31 +83,41 @@ double timeResolution(double epoch_length)
 FinestDisk finestDisk(const SceneDefinition& scene)
 {
   const double resolution = timeResolution(epochLength(timeScale(scene)));
+  FinestDisk finest;
+  const auto require = [&](double step, const char* what, double value, const char* unit)
+  {
+    const double radius = step / LARGEST_OVERLAP;
+    if (!(radius > finest.radius))
+      return;
+    std::ostringstream reason;
+    reason << what << ' ' << value << ' ' << unit;
+    finest = {radius, reason.str()};
+  };
+  const auto length = [&](double length, const char* what)
+  { require(ROUNDINGS_PER_GAP * std::numeric_limits<double>::epsilon() * length, what, length, "m"); };
+  const auto speed = [&](double speed, const char* what) { require(speed * resolution, what, speed, "m/s"); };
   const auto after_fall = [&](double speed, double height)
   { return std::sqrt(speed * speed + 2.0 * scene.gravity * std::max(0.0, height)); };
 
-  Finest finest;
-  finest.length(scene.base.width(), "the base's width is");
-  finest.length(std::max(scene.base.highest(), scene.base.depth()),
-                scene.base.profile.empty() ? "base.tooth_height is" : "base.profile reaches");
+  length(scene.base.width(), "the base's width is");
+  length(std::max(scene.base.highest(), scene.base.depth()),
+         scene.base.profile.empty() ? "base.tooth_height is" : "base.profile reaches");
   if (scene.boundary == Boundary::WALLED)
-    finest.length(wallHeight(scene), "base.wall_height is");
+    length(wallHeight(scene), "base.wall_height is");
   const DriveBounds drive = driveBounds(scene.base);
-  finest.length(drive.displacement,
-                Orbit(scene.base).empty() ? "base.amplitude is" : "the drive's displacement is");
-  finest.speed(drive.speed, resolution, "the drive's speed is");
+  length(drive.displacement, Orbit(scene.base).empty() ? "base.amplitude is" : "the drive's displacement is");
+  speed(drive.speed, "the drive's speed is");
   if (scene.initial.empty() || scene.feed.rate > 0.0)
   {
-    finest.length(scene.pour.drop_height, "pour.drop_height is");
-    finest.speed(after_fall(scene.pour.speed, scene.pour.drop_height), resolution,
-                 "the poured disks come at");
+    length(scene.pour.drop_height, "pour.drop_height is");
+    speed(after_fall(scene.pour.speed, scene.pour.drop_height), "the poured disks come at");
   }
   for (const InitialDisk& disk : scene.initial)
   {
-    finest.length(std::max(std::abs(disk.x), std::abs(disk.y)), "a disk of initial is placed at");
-    finest.speed(after_fall(speedOf(disk), disk.y), resolution, "a disk of initial comes at");
+    length(std::max(std::abs(disk.x), std::abs(disk.y)), "a disk of initial is placed at");
+    speed(after_fall(speedOf(disk), disk.y), "a disk of initial comes at");
   }
-  return finest.result();
+  return finest;
 }
 
 }  // namespace ratchet_sieve

@@ -1,7 +1,5 @@
 #include "ratchet_sieve/core/segregation.h"
 
-#include <cmath>
-
 namespace ratchet_sieve
 {
 
@@ -16,30 +14,16 @@ std::optional<double> difference(std::optional<double> a, std::optional<double> 
 {
   return a && b ? std::optional<double>(*a - *b) : std::nullopt;
 }
-
-std::optional<double> leftByNumber(const SpeciesBins& bins)
-{
-  return ratio(static_cast<double>(bins.left), static_cast<double>(bins.counted()));
-}
-
-std::optional<double> leftByMass(const SpeciesBins& bins)
-{
-  return ratio(bins.left_mass, bins.left_mass + bins.right_mass);
-}
 }  // namespace
-
-std::optional<double> PairSeparation::quality() const
-{
-  return separation ? std::optional<double>(std::abs(*separation)) : std::nullopt;
-}
 
 std::vector<PairSeparation> pairSeparations(const std::vector<SpeciesBins>& bins)
 {
+  const std::vector<SpeciesShares> shares = binShares(bins);
   std::vector<PairSeparation> pairs;
   for (std::size_t i = 0; i < bins.size(); ++i)
     for (std::size_t j = i + 1; j < bins.size(); ++j)
-      pairs.push_back({i, j, difference(leftByNumber(bins[i]), leftByNumber(bins[j])),
-                       difference(leftByMass(bins[i]), leftByMass(bins[j]))});
+      pairs.push_back({i, j, difference(shares[i].left.number.recovery, shares[j].left.number.recovery),
+                       difference(shares[i].left.mass.recovery, shares[j].left.mass.recovery)});
   return pairs;
 }
 

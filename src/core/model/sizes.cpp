@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ratchet_sieve/core/restitution.h"
+#include "ratchet_sieve/core/luding_law.h"
 
 namespace ratchet_sieve
 {
@@ -157,16 +157,6 @@ double Sizes::mean(const std::function<double(double)>& of_radius) const
     shares += piece.share;
   }
   return sum / shares;
-}
-
-double Sizes::meanRadius() const
-{
-  return mean([](double r) { return r; });
-}
-
-double Sizes::meanSquare() const
-{
-  return mean([](double r) { return r * r; });
 }
 
 std::vector<double> Sizes::classEdges() const

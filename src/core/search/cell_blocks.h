@@ -7,7 +7,7 @@
 #include <cstring>
 #include <vector>
 
-#include "model/prefetch.h"
+#include "model/processor.h"
 #include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/prefetch.h"
+#include "model/processor.h"
 #include "ratchet_sieve/core/state_archive.h"
 #include "search/cell_blocks.h"
 #include "search/cell_nest.h"

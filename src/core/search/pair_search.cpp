@@ -4,7 +4,7 @@
 #include <array>
 #include <cstring>
 
-#include "model/two.h"
+#include "model/processor.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "search/periodic_image_search.h"
 #include "search/quadratic.h"

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "model/rotation.h"
+#include "model/motion.h"
 
 namespace ratchet_sieve
 {

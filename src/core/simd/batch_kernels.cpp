@@ -2,7 +2,7 @@
 
 #include <initializer_list>
 
-#include "model/lane_limit.h"
+#include "model/processor.h"
 
 namespace ratchet_sieve
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/flight.h"
+#include "model/motion.h"
 #include "simd/simd_batch.h"
 
 /// The available kernels. Each is compiled for its own register width, together with the physics included

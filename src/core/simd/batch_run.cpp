@@ -26,13 +26,14 @@ void BatchRun::takeFlights(std::size_t rows)
 void BatchRun::takeOutcomes(std::size_t rows)
 {
   report_.events += rows;
-  share_->take(rows, [this](std::size_t row) { return outcomeOf(batch_, row, slots_[row], species_[row]); });
+  share_->collided(rows,
+                   [this](std::size_t row) { return outcomeOf(batch_, row, slots_[row], species_[row]); });
 }
 
 BatchRun::Report BatchRun::takeReport(Observers::Share& share)
 {
   if (share_)
-    share.take(std::move(*share_));
+    share.merge(std::move(*share_));
   share_.reset();
   return std::exchange(report_, Report());
 }

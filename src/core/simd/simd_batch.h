@@ -3,8 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "model/drive.h"
-#include "model/rotation.h"
+#include "model/motion.h"
 #include "ratchet_sieve/core/luding_law.h"
 
 /// SIMD for independent disks over a base at its setpoints: one disk per lane of the processor's registers.

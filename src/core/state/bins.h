@@ -8,30 +8,35 @@
 namespace ratchet_sieve
 {
 
-class SystemState;
-
-/// The disks and their mass by place: in the machine, and in the bins at its ends. A disk that was removed
-/// into no bin stays counted in the machine.
+/// The disks and their mass by place: in the machine, and in the bins at its ends.
 class Bins final : public Observer
 {
 public:
-  /// @param system outlives this
-  explicit Bins(const SystemState& system);
+  explicit Bins(std::size_t species) : bins_(species) {}
 
   const std::vector<SpeciesBins>& ofSpecies() const { return bins_; }
 
-  Wishes wishes() const override
-  {
-    Wishes wishes;
-    wishes.departures = true;
-    return wishes;
-  }
+  unsigned subscriptions() const override { return DEPARTURES; }
   void entered(const Disk& disk) override { ++bins_[disk.species].on_base; }
-  void left(const Departure& departure) override;
-  void archive(StateArchive& state) override;
+  void left(const Departure& departure) override
+  {
+    SpeciesBins& bins = bins_[departure.species];
+    const bool left = departure.exit == Exit::LEFT_BIN;
+    --bins.on_base;
+    ++(left ? bins.left : bins.right);
+    (left ? bins.left_mass : bins.right_mass) += departure.mass;
+  }
+
+  /// @throws StateError if the state is of another number of species
+  void archive(StateArchive& state) override
+  {
+    const std::size_t species = bins_.size();
+    state(bins_);
+    if (bins_.size() != species)
+      throw StateError("it is of another scene");
+  }
 
 private:
-  const SystemState& system_;
   std::vector<SpeciesBins> bins_;  ///< per species
 };
 

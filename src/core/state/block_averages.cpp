@@ -117,10 +117,4 @@ std::optional<BlockError> seriesError(const std::vector<BlockSum>& blocks)
   return std::nullopt;
 }
 
-std::optional<double> BlockAverages::standardError() const
-{
-  const std::optional<BlockError> found = seriesError(blocks_);
-  return found ? std::optional<double>(found->error) : std::nullopt;
-}
-
 }  // namespace ratchet_sieve

@@ -52,11 +52,6 @@ void CollapseWatch::collapse(std::uint32_t slot, double time)
   stops_ = first_stuck_ || contact_.on_collapse == CollapseAction::STOP;
 }
 
-void CollapseWatch::keep(const std::vector<std::uint32_t>& slots)
-{
-  keepSlots(disks_, slots);
-}
-
 std::string CollapseWatch::text() const
 {
   std::ostringstream text;
@@ -73,18 +68,6 @@ std::string CollapseWatch::text() const
     text << ", the first of " << countText(counts_.count, "time")
          << "; its contacts were lossless for a while";
   return text.str();
-}
-
-void CollapseWatch::archive(StateArchive& state)
-{
-  state(epoch_start_, disks_, counts_, first_stuck_, stops_);
-}
-
-void CollapseWatch::rebase(double length, double epoch_start)
-{
-  epoch_start_ = epoch_start;
-  for (Window& window : disks_)
-    window.end -= length;
 }
 
 }  // namespace ratchet_sieve

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "model/prefetch.h"
+#include "model/processor.h"
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/observation.h"
-#include "state/disk_ids.h"
+#include "state/observer.h"
 
 namespace ratchet_sieve
 {
@@ -43,7 +43,7 @@ public:
   void added() { disks_.emplace_back(); }
 
   /// Keeps the disks at these slots, which become consecutive, and forgets the others.
-  void keep(const std::vector<std::uint32_t>& slots);
+  void keep(const std::vector<std::uint32_t>& slots) { keepSlots(disks_, slots); }
 
   /// Counts an event of a disk. @return whether it exceeds the limit; the disk is lossless from then on
   bool count(std::uint32_t slot, double time)
@@ -81,15 +81,10 @@ public:
            (contact_.on_collapse == CollapseAction::STOP || window.level >= MAX_LEVEL);
   }
 
-  std::size_t disks() const { return disks_.size(); }
-
   /// The counts of all disks. Without a collapse in between, copies can be restored.
   const std::vector<Window>& windows() const { return disks_; }
-  void setWindows(const std::vector<Window>& windows) { disks_ = windows; }
+  std::vector<Window>& windows() { return disks_; }
 
-  /// The count of one disk; restored together with counts().
-  const Window& window(std::uint32_t slot) const { return disks_[slot]; }
-  void setWindow(std::uint32_t slot, const Window& window) { disks_[slot] = window; }
   void setCounts(const CollapseCounts& counts) { counts_ = counts; }
   void prefetchWindow(std::uint32_t slot) const { prefetch(disks_[slot]); }
 
@@ -111,9 +106,14 @@ public:
   std::string text() const;
 
   /// Moves the zero of time. @param epoch_start the new one [s]
-  void rebase(double length, double epoch_start);
+  void rebase(double length, double epoch_start)
+  {
+    epoch_start_ = epoch_start;
+    for (Window& window : disks_)
+      window.end -= length;
+  }
 
-  void archive(StateArchive& state);
+  void archive(StateArchive& state) { state(epoch_start_, disks_, counts_, first_stuck_, stops_); }
 
 private:
   /// After this many consecutive collapses the minimum rebound speed exceeds any speed of the machine: the

@@ -69,7 +69,7 @@ ContactOutcome ContactExecution::collideWithBase(std::uint32_t slot, const BaseF
             reboundFloor(slot, outcome.lossless));
   }
   push(slot, now, outcome, 1.0);
-  system_.observers().take(outcome, share_);
+  system_.observers().collided(outcome, share_);
   return outcome;
 }
 
@@ -91,10 +91,9 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   outcome.j = j;
   outcome.species = a.species;
   outcome.partner_species = b.species;
-  outcome.shift = shift;
   outcome.overlap = a.radius + b.radius - distance;
-  // The same sum as in the prediction (timeToContact). With a different one, rounding could predict a contact
-  // here that is then found separating, again and again.
+  // This must be the very sum of the prediction (timeToContact). With another one, rounding could predict a
+  // contact here that is then found separating, again and again.
   outcome.closed = position.dot(velocity) < 0.0;
   if (outcome.closed)
   {
@@ -113,7 +112,7 @@ ContactOutcome ContactExecution::collidePair(std::uint32_t i, std::uint32_t j, i
   }
   push(i, a_now, outcome, 1.0);
   push(j, b_now, outcome, -1.0);
-  system_.observers().take(outcome, share_);
+  system_.observers().collided(outcome, share_);
   return outcome;
 }
 
@@ -124,7 +123,7 @@ void ContactExecution::respond(ContactOutcome& outcome, const ContactCoefficient
   law.min_rebound_speed = floor;
   const Impulse impulse =
       spin_ ? collide(law, coefficients, masses, outcome.normal_velocity, tangential_velocity)
-            : collideSmooth(law, coefficients, masses, outcome.normal_velocity);
+            : Impulse{normalImpulse(law, contactNumbers(coefficients, masses), outcome.normal_velocity), 0.0};
   outcome.normal_impulse = impulse.normal;
   outcome.tangential_impulse = impulse.tangential;
 }
@@ -140,25 +139,14 @@ void ContactExecution::push(std::uint32_t slot, const Kinematics& now, const Con
                             double sign)
 {
   Disk& disk = system_.changeable(slot);
-  const Grain& grain = system_.grain(slot);
-  const double per_mass = 1.0 / grain.mass;
+  const DiskProperties& properties = system_.properties(slot);
+  const double per_mass = 1.0 / properties.mass;
   const double change = per_mass * (std::abs(contact.normal_impulse) + std::abs(contact.tangential_impulse));
   if (change * (contact.time - disk.time) > negligible_way_)
     system_.endFlight(slot, now, contact.time, share_);
   disk.countEvent();
   disk.velocity += sign * per_mass * impulseOf(contact);
-  disk.spin -= grain.spin_response * contact.tangential_impulse;
-}
-
-Inertia ContactExecution::inertia(std::uint32_t slot) const
-{
-  return {system_.grain(slot).mass, levers_[system_.disk(slot).species]};
-}
-
-bool ContactExecution::lossless(std::uint32_t slot, double time) const
-{
-  return system_.collapseWatch().lossless(slot) ||
-         system_.observers().contactTimes().within(system_.scene().contact.contact_duration, slot, time);
+  disk.spin -= properties.spin_response * contact.tangential_impulse;
 }
 
 /// v_min does not apply to lossless contacts, because it would add energy. For a disk that is lossless

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/collision_law.h"
-#include "state/contact_outcome.h"
+#include "state/observer.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
@@ -36,8 +36,15 @@ public:
   ContactOutcome collidePair(std::uint32_t i, std::uint32_t j, int shift, double time);
 
 private:
-  Inertia inertia(std::uint32_t slot) const;
-  bool lossless(std::uint32_t slot, double time) const;
+  Inertia inertia(std::uint32_t slot) const
+  {
+    return {system_.properties(slot).mass, levers_[system_.disk(slot).species]};
+  }
+  bool lossless(std::uint32_t slot, double time) const
+  {
+    return system_.collapseWatch().lossless(slot) ||
+           system_.observers().contactTimes().within(system_.scene().contact.contact_duration, slot, time);
+  }
   double reboundFloor(std::uint32_t slot, bool no_loss) const;
   void respond(ContactOutcome& outcome, const ContactCoefficients& coefficients, const ContactMasses& masses,
                double tangential_velocity, double floor) const;

@@ -27,13 +27,6 @@ double highestPlace(const SceneDefinition& scene)
   return height + scene.base.width() + scene.base.highest() + scene.base.depth() +
          2.0 * driveBounds(scene.base).displacement;
 }
-
-/// The largest speed of the base, by the drive in any direction and by the turning of its raised end [m/s].
-double baseSpeed(const SystemState& system)
-{
-  const BaseMotion& motion = system.motion();
-  return motion.speedBound() + std::abs(motion.inclinationRate()) * system.shape().width();
-}
 }  // namespace
 
 EnergyWatch::EnergyWatch(const SystemState& system)
@@ -46,7 +39,10 @@ EnergyWatch::EnergyWatch(const SystemState& system)
 
 void EnergyWatch::endEpoch(double time)
 {
-  fastest_base_ = std::max(fastest_base_, baseSpeed(system_));
+  // By the drive in any direction, and by the turning of its raised end.
+  const double base_speed =
+      system_.motion().speedBound() + std::abs(system_.motion().inclinationRate()) * system_.shape().width();
+  fastest_base_ = std::max(fastest_base_, base_speed);
   const double bounce =
       std::sqrt(2.0 * gravity_ * highest_ + start_speed_ * start_speed_) + 2.0 * fastest_base_;
   const double scale = 0.5 * bounce * bounce;
@@ -67,7 +63,7 @@ void EnergyWatch::endEpoch(double time)
       continue;
     largest_ = scales;
     if (scales > ALARM && !first_)
-      first_ = First{system_.epoch().start + time, system_.grain(slot).mass * energy,
+      first_ = First{system_.epoch().start + time, system_.properties(slot).mass * energy,
                      flown(disk, time, gravity_).position.y(), scales, system_.id(slot)};
   }
 }

@@ -24,7 +24,6 @@ public:
   /// Energies above this multiple of the scale are reported: 32 times the speed after one elastic bounce.
   static constexpr double ALARM = 1e3;
 
-  /// @param system outlives this
   explicit EnergyWatch(const SystemState& system);
 
   /// Checks every disk. Energy is conserved in flight, so the states are used as stored.

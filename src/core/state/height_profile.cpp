@@ -1,19 +1,22 @@
-#include "state/height_profile.h"
-
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "model/orbit.h"
+#include "state/height_slices.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
+/// The least number of parts of a period in which temperatures are taken: over a whole period, the common
+/// motion of all disks would count as temperature.
+constexpr std::size_t LEAST_PARTS = 16;
+
 std::size_t partsFor(std::size_t phases)
 {
-  return phases * ((HeightProfile::LEAST_PARTS + phases - 1) / phases);
+  return phases * ((LEAST_PARTS + phases - 1) / phases);
 }
 
 std::vector<ObservedColumn> emptyTable()
@@ -65,36 +68,93 @@ struct Temperature
 
   std::optional<double> mean(double mass) const { return quotient(0.5 * mass * sum, time); }
 };
-}  // namespace
 
-HeightProfile::HeightProfile(const SystemState& system)
-    : system_(system),
-      phases_(static_cast<std::size_t>(system.scene().height_profile.phases)),
-      slice_(system.scene().height_profile.slice > 0.0 ? system.scene().height_profile.slice
-                                                       : system.smallestRadius()),
-      steps_(partsFor(phases_), Orbit(system.scene().base).highestMultiple()),
-      sums_(noSums())
+/// Number density, mean velocity and granular temperature over the height above the base, since the end of
+/// `settle`: means over time, for each of equal parts of the drive's period. Height is measured from the line
+/// through the lowest corners of the teeth, along the base's normal, and velocities relative to the base.
+/// Exact in time but for the steps of MotionSteps.
+class HeightProfile final : public Observable
 {
-}
+public:
+  explicit HeightProfile(const SystemState& system)
+      : system_(system),
+        phases_(static_cast<std::size_t>(system.scene().height_profile.phases)),
+        slice_(system.scene().height_profile.slice > 0.0 ? system.scene().height_profile.slice
+                                                         : system.smallestRadius()),
+        steps_(partsFor(phases_), Orbit(system.scene().base).highestMultiple()),
+        sums_(noSums())
+  {
+  }
 
-HeightProfile::Sums HeightProfile::noSums() const
-{
-  Sums sums;
-  sums.spans.resize(steps_.parts());
-  sums.species.resize(system_.scene().species.size(), HeightSlices(slice_, steps_.parts()));
-  return sums;
-}
+  unsigned subscriptions() const override { return FLIGHTS; }
+  void flew(const Flight& flight) override { count(flight, sums_); }
+  void restart(double time) override
+  {
+    sums_ = noSums();
+    sums_.since = time;
+  }
+  void endSegment(double time) override { countUntil(time, sums_); }
+  void rebase(double length) override { sums_.since -= length; }
+  void archive(StateArchive& state) override
+  {
+    state(sums_.since, sums_.spans);
+    for (HeightSlices& slices : sums_.species)
+      state(slices);
+  }
 
-void HeightProfile::restart(double time)
-{
-  sums_ = noSums();
-  sums_.since = time;
-}
+  Observed observed(double time) const override
+  {
+    Sums sums = sums_;
+    countUntil(time, sums);
+    Observed result{HEIGHT_PROFILE, {}};
+    for (std::size_t s = 0; s < sums.species.size(); ++s)
+      result.rows.push_back(row(s, sums));
+    return result;
+  }
 
-void HeightProfile::flew(const Flight& flight)
-{
-  count(flight, sums_);
-}
+private:
+  struct Sums
+  {
+    double since = std::numeric_limits<double>::infinity();  ///< all flights until then are counted [s]
+    std::vector<double> spans;                               ///< time counted in each part of a period [s]
+    std::vector<HeightSlices> species;
+  };
+
+  Sums noSums() const
+  {
+    Sums sums;
+    sums.spans.resize(steps_.parts());
+    sums.species.resize(system_.scene().species.size(), HeightSlices(slice_, steps_.parts()));
+    return sums;
+  }
+
+  void count(const Flight& flight, Sums& sums) const;
+
+  /// Counts what disks in flight do until `time`.
+  void countUntil(double time, Sums& sums) const
+  {
+    if (!(sums.since < time))
+      return;
+    for (std::uint32_t slot = 0; slot < system_.disks().size(); ++slot)
+      if (system_.active(slot))
+        count({slot, system_.disk(slot), time}, sums);
+    steps_.forEach(system_.motion(), sums.since, time,
+                   [&](double from, double to, std::size_t part) { sums.spans[part] += to - from; });
+    sums.since = time;
+  }
+
+  ObservedRow row(std::size_t species, const Sums& sums) const;
+
+  /// Adds the lines of the table of one of the phases that the scene asks for.
+  void addPhase(std::size_t species, std::size_t phase, const Sums& sums,
+                std::vector<ObservedColumn>& table) const;
+
+  const SystemState& system_;
+  std::size_t phases_;
+  double slice_;  ///< height of a slice [m]
+  MotionSteps steps_;
+  Sums sums_;
+};
 
 void HeightProfile::count(const Flight& flight, Sums& sums) const
 {
@@ -108,7 +168,8 @@ void HeightProfile::count(const Flight& flight, Sums& sums) const
     const Kinematics kinematics = kinematicsAt(flight.from, time, system_.scene().gravity);
     return motion.at(time).see(vectorOf(kinematics.position), vectorOf(kinematics.velocity));
   };
-  const double weight = system_.grain(flight.slot).mass / system_.scene().species[flight.from.species].mass;
+  const double weight =
+      system_.properties(flight.slot).mass / system_.scene().species[flight.from.species].mass;
   HeightSlices& slices = sums.species[flight.from.species];
   BasePoint start = seen(begin);
   steps_.forEach(motion, begin, flight.end,
@@ -123,35 +184,6 @@ void HeightProfile::count(const Flight& flight, Sums& sums) const
                               part);
                    start = end;
                  });
-}
-
-void HeightProfile::countUntil(double time, Sums& sums) const
-{
-  if (!(sums.since < time))
-    return;
-  for (std::uint32_t slot = 0; slot < system_.disks().size(); ++slot)
-    if (system_.active(slot))
-      count({slot, system_.disk(slot), time}, sums);
-  steps_.forEach(system_.motion(), sums.since, time,
-                 [&](double from, double to, std::size_t part) { sums.spans[part] += to - from; });
-  sums.since = time;
-}
-
-void HeightProfile::archive(StateArchive& state)
-{
-  state(sums_.since, sums_.spans);
-  for (HeightSlices& slices : sums_.species)
-    state(slices);
-}
-
-Observed HeightProfile::observed(double time) const
-{
-  Sums sums = sums_;
-  countUntil(time, sums);
-  Observed result{NAME, {}};
-  for (std::size_t s = 0; s < sums.species.size(); ++s)
-    result.rows.push_back(row(s, sums));
-  return result;
 }
 
 ObservedRow HeightProfile::row(std::size_t species, const Sums& sums) const
@@ -200,6 +232,12 @@ void HeightProfile::addPhase(std::size_t species, std::size_t phase, const Sums&
              quotient(all.time, span * slice_ * system_.shape().width()), quotient(all.along, all.weight),
              quotient(all.upwards, all.weight), temperature.mean(system_.scene().species[species].mass)});
   }
+}
+}  // namespace
+
+std::unique_ptr<Observable> makeHeightProfile(const SystemState& system)
+{
+  return std::make_unique<HeightProfile>(system);
 }
 
 }  // namespace ratchet_sieve

@@ -109,9 +109,4 @@ void HeightSlices::addWithin(const Fall& fall, double from, double to, std::size
        weight * (squared(along_from, along_to) + squared(up_from, up_to))};
 }
 
-void HeightSlices::archive(StateArchive& state)
-{
-  state(sums_, time_, height_integral_, time_above_);
-}
-
 }  // namespace ratchet_sieve

@@ -49,13 +49,12 @@ std::vector<std::optional<double>> granularTemperatures(const SystemState& syste
 {
   const std::vector<SpeciesDefinition>& species = system.scene().species;
   std::vector<Velocities> velocities(species.size());
-  for (std::uint32_t slot = 0; slot < system.disks().size(); ++slot)
-    if (system.active(slot))
-    {
-      const Disk& disk = system.disk(slot);
-      velocities[disk.species].add(vectorOf(kinematicsAt(disk, time, system.scene().gravity).velocity),
-                                   system.grain(slot).mass / species[disk.species].mass);
-    }
+  for (const std::uint32_t slot : system.slots(true))
+  {
+    const Disk& disk = system.disk(slot);
+    velocities[disk.species].add(vectorOf(kinematicsAt(disk, time, system.scene().gravity).velocity),
+                                 system.properties(slot).mass / species[disk.species].mass);
+  }
   std::vector<std::optional<double>> temperatures;
   for (std::size_t i = 0; i < species.size(); ++i)
   {
@@ -81,19 +80,6 @@ void PeriodWatch::observe(PeriodObserver observer, double now)
   awaitPeriod(now);
 }
 
-void PeriodWatch::motionChanged(double now)
-{
-  if (swings_ != system_.motion().swings())
-    awaitPeriod(now);
-  swings_ = system_.motion().swings();
-}
-
-void PeriodWatch::awaitPeriod(double from)
-{
-  from_ = from;
-  part_ = 0;
-}
-
 std::optional<double> PeriodWatch::next() const
 {
   const BaseMotion& motion = system_.motion();
@@ -109,7 +95,10 @@ void PeriodWatch::sample(double now)
 {
   if (part_ == 0)
     return begin(now);
-  addTemperatures(now);
+  const std::vector<std::optional<double>> temperatures = granularTemperatures(system_, now);
+  for (std::size_t i = 0; i < temperatures.size(); ++i)
+    if (temperatures[i])
+      temperatures_[i].add(*temperatures[i]);
   from_ = now;
   if (part_++ < PARTS)
     return;
@@ -129,14 +118,6 @@ void PeriodWatch::begin(double now)
   begun_ = system_.epoch().start + now;
   collisions_ = counted_;
   std::fill(temperatures_.begin(), temperatures_.end(), TemperatureSum());
-}
-
-void PeriodWatch::addTemperatures(double now)
-{
-  const std::vector<std::optional<double>> temperatures = granularTemperatures(system_, now);
-  for (std::size_t i = 0; i < temperatures.size(); ++i)
-    if (temperatures[i])
-      temperatures_[i].add(*temperatures[i]);
 }
 
 }  // namespace ratchet_sieve

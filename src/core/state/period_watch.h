@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -34,7 +32,12 @@ public:
   void observe(PeriodObserver observer, double now);
 
   /// To be called when the motion changes: a period interrupted by a stop of the drive is discarded.
-  void motionChanged(double now);
+  void motionChanged(double now)
+  {
+    if (swings_ != system_.motion().swings())
+      awaitPeriod(now);
+    swings_ = system_.motion().swings();
+  }
 
   /// The time of the next sample; nothing without an observer or while the drive stands still.
   std::optional<double> next() const;
@@ -45,9 +48,12 @@ public:
   void rebase(double length) { from_ -= length; }
 
 private:
-  void awaitPeriod(double from);
+  void awaitPeriod(double from)
+  {
+    from_ = from;
+    part_ = 0;
+  }
   void begin(double now);
-  void addTemperatures(double now);
 
   const SystemState& system_;
   const CollisionCounts& counted_;

@@ -7,7 +7,6 @@
 
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
-#include "ratchet_sieve/core/walls.h"
 #include "search/size_levels.h"
 
 namespace ratchet_sieve
@@ -120,19 +119,19 @@ BaseEvent SystemState::nextBaseEvent(std::uint32_t slot, double from, double unt
 void SystemState::reserve(std::size_t count)
 {
   disks_.reserve(count);
-  grains_.reserve(count);
+  properties_.reserve(count);
   active_.reserve(count);
   collapse_watch_.reserve(count);
   observers_.reserve(count);
 }
 
-std::uint32_t SystemState::add(const Disk& disk, const Grain& grain)
+std::uint32_t SystemState::add(const Disk& disk, const DiskProperties& properties)
 {
   collapse_watch_.added();
   observers_.entered(disk);
   const auto slot = static_cast<std::uint32_t>(disks_.size());
   disks_.push_back(disk);
-  grains_.push_back(grain);
+  properties_.push_back(properties);
   active_.push_back(1);
   ++active_count_;
   if (SpeciesBins* bins = sizeClassBinsOf(disk))
@@ -185,7 +184,7 @@ bool SystemState::compact()
   collapse_watch_.keep(compaction.kept);
   ids_.keep(compaction.kept);
   keepSlots(disks_, compaction.kept);
-  keepSlots(grains_, compaction.kept);
+  keepSlots(properties_, compaction.kept);
   keepSlots(active_, compaction.kept);
   return true;
 }
@@ -201,14 +200,9 @@ Disk& SystemState::fly(std::uint32_t slot, double time, Observers::Share* share)
 void SystemState::passEnd(std::uint32_t slot, bool to_the_right, double time, Observers::Share* share)
 {
   if (scene_.boundary == Boundary::PERIODIC)
-    wrap(slot, to_the_right ? -1.0 : 1.0, time, share);
-  else
-    leave(slot, to_the_right ? Exit::RIGHT_BIN : Exit::LEFT_BIN, time, share);
-}
-
-void SystemState::leave(std::uint32_t slot, Exit exit, double time, Observers::Share* share)
-{
-  const Departure departure{slot, fly(slot, time, share).species, exit, time};
+    return wrap(slot, to_the_right ? -1.0 : 1.0, time, share);
+  const Departure departure{slot, fly(slot, time, share).species, properties_[slot].mass,
+                            to_the_right ? Exit::RIGHT_BIN : Exit::LEFT_BIN, time};
   active_[slot] = 0;
   if (share != nullptr)
     return share->left(departure);
@@ -226,11 +220,11 @@ void SystemState::count(const Departure& departure)
   ++(departure.exit == Exit::RIGHT_BIN ? bins->right : bins->left);
 }
 
-void SystemState::take(Observers::Share&& share)
+void SystemState::merge(Observers::Share&& share)
 {
   for (const Departure& departure : share.departures())
     count(departure);
-  observers_.take(std::move(share));
+  observers_.merge(std::move(share));
 }
 
 void SystemState::copyTo(Snapshot& snapshot) const
@@ -245,7 +239,7 @@ void SystemState::restore(const Snapshot& snapshot)
 {
   disks_ = snapshot.disks;
   active_ = snapshot.active;
-  collapse_watch_.setWindows(snapshot.windows);
+  collapse_watch_.windows() = snapshot.windows;
   observers_.restore(snapshot.sums);
 }
 
@@ -255,12 +249,7 @@ void SystemState::restore(std::uint32_t slot, const DiskCopy& copy)
   active_[slot] = 1;
   observers_.setRowSums(slot, copy.sums);
   observers_.setContactTime(slot, copy.contact_time);
-  collapse_watch_.setWindow(slot, copy.window);
-}
-
-void SystemState::wrap(std::uint32_t slot, double shift, double time, Observers::Share* share)
-{
-  moveTo(slot, image(shift, time), time, share);
+  collapse_watch_.windows()[slot] = copy.window;
 }
 
 void SystemState::moveTo(std::uint32_t slot, const Image& image, double time, Observers::Share* share)
@@ -286,10 +275,8 @@ void SystemState::wrapAll(double time)
     return;
   FrameOfBase base = motion_.at(time);
   base.inclination_rate = 0.0;
-  for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
+  for (const std::uint32_t slot : slots(true))
   {
-    if (!active(slot))
-      continue;
     const double s = search_.seenFromBase(disks_[slot], base, time).s();
     if (const double widths = widthsOutside(s); widths != 0.0)
       moveTo(slot, base.image(-widths * shape_.width()), time, nullptr);
@@ -298,12 +285,13 @@ void SystemState::wrapAll(double time)
 
 void SystemState::archive(StateArchive& state)
 {
-  state(epoch_, motion_, disks_, grains_, active_, active_count_, ids_, size_class_bins_, collapse_watch_);
+  state(epoch_, motion_, disks_, properties_, active_, active_count_, ids_, size_class_bins_,
+        collapse_watch_);
   setTimeResolution();
   const std::size_t count = disks_.size();
   const bool of_this_scene =
-      size_class_bins_.size() == size_classes_.size() && active_.size() == count && grains_.size() == count &&
-      collapse_watch_.disks() == count && ids_.fits(count) &&
+      size_class_bins_.size() == size_classes_.size() && active_.size() == count &&
+      properties_.size() == count && collapse_watch_.windows().size() == count && ids_.fits(count) &&
       std::all_of(disks_.begin(), disks_.end(),
                   [this](const Disk& disk) { return disk.species < scene_.species.size(); });
   if (!of_this_scene)
@@ -315,9 +303,8 @@ std::vector<double> SystemState::activeRadii() const
 {
   std::vector<double> radii;
   radii.reserve(active_count_);
-  for (std::uint32_t slot = 0; slot < disks_.size(); ++slot)
-    if (active(slot))
-      radii.push_back(radius(slot));
+  for (const std::uint32_t slot : slots(true))
+    radii.push_back(radius(slot));
   return radii;
 }
 

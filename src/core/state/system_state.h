@@ -7,19 +7,28 @@
 #include "model/base_motion.h"
 #include "model/base_shape.h"
 #include "model/disk.h"
-#include "model/grain.h"
 #include "ratchet_sieve/core/plan.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/sizes.h"
+#include "ratchet_sieve/core/state_archive.h"
 #include "search/contact_search.h"
 #include "search/pair_search.h"
 #include "state/collapse_watch.h"
-#include "state/disk_ids.h"
-#include "state/epoch.h"
+#include "state/observer.h"
 #include "state/observers.h"
 
 namespace ratchet_sieve
 {
+
+/// The run's zero of time, moved by whole epochs: times within an epoch are small, so that their resolution
+/// after 10^6 s is the same as at the start. A power of two [s], so that no rounding occurs.
+struct Epoch
+{
+  double start = 0.0;   ///< [s]
+  double length = 1.0;  ///< [s]
+
+  void archive(StateArchive& state) { state(start, length); }
+};
 
 /// The base, the disks, and what is kept of each disk: its count of events and the observers' sums. A disk is
 /// in all of these or in none, at one *slot* of the arrays (DiskIds), and they have one common zero of time.
@@ -58,9 +67,6 @@ public:
   double timeScale() const { return time_scale_; }
   double largestDiameter() const { return largest_diameter_; }
 
-  /// The largest diameter, or the root mean square of the scene's if sizes are wide: cells suit these.
-  double latticeDiameter() const { return lattice_diameter_; }
-
   /// While a periodic base turns: the largest angle between the inclination and that in the middle of a
   /// segment of the motion [rad]; and how far an image at the other end then moves along the base [m], or in
   /// any direction if sizes are wide.
@@ -82,10 +88,9 @@ public:
   const std::vector<Disk>& disks() const { return disks_; }
   const Disk& disk(std::uint32_t slot) const { return disks_[slot]; }
   double radius(std::uint32_t slot) const { return disks_[slot].radius; }
-  const Grain& grain(std::uint32_t slot) const { return grains_[slot]; }
+  const DiskProperties& properties(std::uint32_t slot) const { return properties_[slot]; }
   bool active(std::uint32_t slot) const { return active_[slot] != 0; }
   std::size_t activeCount() const { return active_count_; }
-  const DiskIds& ids() const { return ids_; }
   std::uint32_t id(std::uint32_t slot) const { return ids_.of(slot); }
   const CollapseWatch& collapseWatch() const { return collapse_watch_; }
   CollapseWatch& collapseWatch() { return collapse_watch_; }
@@ -97,7 +102,7 @@ public:
   void prefetchEvent(std::uint32_t slot) const
   {
     prefetch(disks_[slot]);
-    prefetch(grains_[slot]);
+    prefetch(properties_[slot]);
     collapse_watch_.prefetchWindow(slot);
     observers_.prefetchSums(slot);
   }
@@ -120,7 +125,7 @@ public:
   void reserve(std::size_t count);
 
   /// Adds a disk. @return its slot, after all others
-  std::uint32_t add(const Disk& disk, const Grain& grain);
+  std::uint32_t add(const Disk& disk, const DiskProperties& properties);
 
   /// Ends the disk's flight so far, at `now`, which kinematicsAt() gives for that time.
   // Inlined: a call costs 1 % of a run.
@@ -139,8 +144,11 @@ public:
   Disk& changeable(std::uint32_t slot) { return disks_[slot]; }
 
   /// Moves the disk to its image `shift` widths to the right, on the same flight.
-  /// @param share as in Observers::take(), here and below
-  void wrap(std::uint32_t slot, double shift, double time, Observers::Share* share = nullptr);
+  /// @param share as in Observers::collided(), here and below
+  void wrap(std::uint32_t slot, double shift, double time, Observers::Share* share = nullptr)
+  {
+    moveTo(slot, image(shift, time), time, share);
+  }
 
   /// Wraps a disk on a periodic base by the number of widths that brings `s`, its position along the base,
   /// into [0, W). Does nothing while the base turns, because a disk is then wrapped only when it passes an
@@ -151,7 +159,7 @@ public:
   void passEnd(std::uint32_t slot, bool to_the_right, double time, Observers::Share* share = nullptr);
 
   /// Takes what a thread has observed. Added observers are told of it by Observers::deliver().
-  void take(Observers::Share&& share);
+  void merge(Observers::Share&& share);
 
   /// What events without a collapse change of the disks, until their Share is taken.
   struct Snapshot
@@ -175,7 +183,7 @@ public:
   DiskCopy copyOf(std::uint32_t slot) const
   {
     return {disks_[slot], observers_.rowSums(slot), observers_.contactTime(slot),
-            collapse_watch_.window(slot)};
+            collapse_watch_.windows()[slot]};
   }
   void restore(std::uint32_t slot, const DiskCopy& copy);
 
@@ -206,7 +214,6 @@ private:
   void setTimeResolution();
   void wrapAll(double time);
   void moveTo(std::uint32_t slot, const Image& image, double time, Observers::Share* share);
-  void leave(std::uint32_t slot, Exit exit, double time, Observers::Share* share);
   void count(const Departure& departure);
   SpeciesBins* sizeClassBinsOf(const Disk& disk);  ///< nullptr if its species has no sizes
   Disk& fly(std::uint32_t slot, double time, Observers::Share* share);
@@ -217,7 +224,7 @@ private:
   Plan plan_;
   BaseShape shape_;
   double largest_diameter_;
-  double lattice_diameter_;
+  double lattice_diameter_;  ///< the largest, or the root mean square of the scene's if sizes are wide
   double lattice_turn_;
   double time_scale_;
   Epoch epoch_;
@@ -225,7 +232,7 @@ private:
   ContactSearch search_;
 
   std::vector<Disk> disks_;
-  std::vector<Grain> grains_;
+  std::vector<DiskProperties> properties_;
   std::vector<std::uint8_t> active_;
   std::size_t active_count_ = 0;
   DiskIds ids_;

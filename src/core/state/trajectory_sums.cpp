@@ -55,9 +55,4 @@ void TrajectorySums::restart(double time)
   }
 }
 
-void TrajectorySums::archive(StateArchive& state)
-{
-  state(trajectories_);
-}
-
 }  // namespace ratchet_sieve

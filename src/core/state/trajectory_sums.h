@@ -5,13 +5,23 @@
 #include <limits>
 #include <vector>
 
-#include "model/prefetch.h"
-#include "state/disk_ids.h"
+#include "model/processor.h"
 #include "state/observer.h"
-#include "state/row_sums.h"
 
 namespace ratchet_sieve
 {
+
+/// The sums of one disk that grow with every flight and contact. SIMD batches take them along in columns, and
+/// belong to the observers named below (Observers::rowSums()).
+struct RowSums
+{
+  double offset;       ///< see Trajectory
+  double translation;  ///< see Trajectory
+  double rotation;     ///< see Trajectory
+  double angle;        ///< see Trajectory
+  double impulse_x;    ///< see BaseImpulses
+  double impulse_y;    ///< see BaseImpulses
+};
 
 class SystemState;
 
@@ -45,13 +55,12 @@ struct alignas(64) Trajectory
 class TrajectorySums final : public Observer
 {
 public:
-  /// @param system outlives this
   explicit TrajectorySums(const SystemState& system);
 
   const Trajectory& operator[](std::uint32_t slot) const { return trajectories_[slot]; }
+  Trajectory& operator[](std::uint32_t slot) { return trajectories_[slot]; }
   const std::vector<Trajectory>& all() const { return trajectories_; }
   void setAll(const std::vector<Trajectory>& trajectories) { trajectories_ = trajectories; }
-  void prefetchTrajectory(std::uint32_t slot) const { prefetch(trajectories_[slot]); }
   void reserve(std::size_t count) override { trajectories_.reserve(count); }
   void compact(const Compaction& compaction) override { keepSlots(trajectories_, compaction.kept); }
 
@@ -77,24 +86,6 @@ public:
     return spin_ ? positionAfter(angle, disk.spin, local_time - disk.time) : angle;
   }
 
-  /// For SIMD batches, which add to sums of their own.
-  void load(std::uint32_t slot, RowSums& sums) const
-  {
-    const Trajectory& trajectory = trajectories_[slot];
-    sums.offset = trajectory.offset;
-    sums.translation = trajectory.translation;
-    sums.rotation = trajectory.rotation;
-    sums.angle = trajectory.angle;
-  }
-  void store(std::uint32_t slot, const RowSums& sums)
-  {
-    Trajectory& trajectory = trajectories_[slot];
-    trajectory.offset = sums.offset;
-    trajectory.translation = sums.translation;
-    trajectory.rotation = sums.rotation;
-    trajectory.angle = sums.angle;
-  }
-
   void restart(double time) override;
 
   /// Unwrapped path along world x since the disk entered [m].
@@ -104,7 +95,7 @@ public:
   }
 
   bool fits(std::size_t slots) const override { return trajectories_.size() == slots; }
-  void archive(StateArchive& state) override;
+  void archive(StateArchive& state) override { state(trajectories_); }
 
 private:
   void integrate(Trajectory& trajectory, const Disk& disk, double local_time) const;

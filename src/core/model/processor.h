@@ -1,15 +1,29 @@
 #pragma once
 
+#include <emmintrin.h>
 #include <cmath>
+#include <cstddef>
 
 #include <Eigen/Core>
 
 #if defined(__SSE2__)
-#include <emmintrin.h>
 #endif
 
 namespace ratchet_sieve
 {
+
+/// Prefetches all cache lines of an object. Affects only the speed.
+template <typename T>
+void prefetch(const T& object)
+{
+  constexpr std::size_t LINE = 64;
+  const char* const bytes = reinterpret_cast<const char*>(&object);
+  for (std::size_t offset = 0; offset < sizeof object; offset += LINE)
+    __builtin_prefetch(bytes + offset);
+  // Without its own alignment, an object may extend into one more line.
+  if (alignof(T) < LINE)
+    __builtin_prefetch(bytes + sizeof object - 1);
+}
 
 /// Two doubles in one register, available on every 64-bit processor. Operations round as those on single
 /// doubles.
@@ -67,5 +81,10 @@ inline unsigned whichUpTo(const double* sixteen, double limit)
   return found;
 #endif
 }
+
+/// Largest number of 64-bit values per register: the environment variable RATCHET_SIEVE_LANES (2, 4 or 8),
+/// or 8 if it is not set. For tests and bug reports: results do not depend on it.
+/// @throws std::invalid_argument if the variable has another value
+int laneLimit();
 
 }  // namespace ratchet_sieve

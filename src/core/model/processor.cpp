@@ -1,4 +1,4 @@
-#include "model/lane_limit.h"
+#include "model/processor.h"
 
 #include <cstdlib>
 #include <stdexcept>
@@ -6,13 +6,9 @@
 
 namespace ratchet_sieve
 {
-namespace
-{
-constexpr const char* VARIABLE = "RATCHET_SIEVE_LANES";
-}
-
 int laneLimit()
 {
+  constexpr const char* VARIABLE = "RATCHET_SIEVE_LANES";
   const char* text = std::getenv(VARIABLE);
   if (text == nullptr)
     return 8;
