@@ -15,7 +15,6 @@
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/page/sweep_page.h"
 #include "ratchet_sieve/recording/atomic_file.h"
-#include "ratchet_sieve/recording/distinct_files.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/case_builder.h"
 #include "ratchet_sieve/sweep/cost_estimate.h"

@@ -10,7 +10,7 @@
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/walls.h"
-#include "ratchet_sieve/recording/commands.h"
+#include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "ratchet_sieve/scene/scalars.h"
 

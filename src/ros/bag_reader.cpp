@@ -14,7 +14,7 @@
 #include <rosbag/view.h>
 
 #include "ratchet_sieve/ros/conversions.h"
-#include "ratchet_sieve/scene/input_file.h"
+#include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve

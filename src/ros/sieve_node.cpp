@@ -8,7 +8,7 @@
 #include <ros/ros.h>
 
 #include "ratchet_sieve/core/count_text.h"
-#include "ratchet_sieve/recording/distinct_files.h"
+#include "ratchet_sieve/recording/atomic_file.h"
 
 namespace ratchet_sieve
 {

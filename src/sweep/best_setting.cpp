@@ -9,7 +9,7 @@
 
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/physics_version.h"
-#include "ratchet_sieve/recording/steady_mean.h"
+#include "ratchet_sieve/recording/estimates.h"
 #include "ratchet_sieve/scene/parsed.h"
 #include "ratchet_sieve/sweep/case_builder.h"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "ratchet_sieve/core/count_text.h"
-#include "ratchet_sieve/recording/steady_mean.h"
+#include "ratchet_sieve/recording/estimates.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "ratchet_sieve/sweep/case_builder.h"
 #include "ratchet_sieve/sweep/case_run.h"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "ratchet_sieve/core/count_text.h"
-#include "ratchet_sieve/scene/warning_id.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {

@@ -1,4 +1,4 @@
-#include "ratchet_sieve/recording/separation_estimate.h"
+#include "ratchet_sieve/recording/estimates.h"
 
 #include <random>
 

@@ -1,5 +1,5 @@
 // An interval contains the true value as often as it claims, for series with a known mean.
-#include "ratchet_sieve/recording/steady_mean.h"
+#include "ratchet_sieve/recording/estimates.h"
 
 #include <gtest/gtest.h>
 

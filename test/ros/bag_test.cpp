@@ -11,7 +11,7 @@
 #include "caught_log.h"
 #include "collecting_sink.h"
 #include "random_frames.h"
-#include "ratchet_sieve/recording/frame_sampler.h"
+#include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 #include "ratchet_sieve/ros/bag_writer.h"

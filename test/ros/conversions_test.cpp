@@ -9,7 +9,7 @@
 #include <ros/serialization.h>
 
 #include "random_frames.h"
-#include "ratchet_sieve/recording/frame_kinds.h"
+#include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/recording/same_bits.h"
 
 namespace ratchet_sieve

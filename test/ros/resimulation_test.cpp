@@ -9,7 +9,7 @@
 
 #include "collecting_sink.h"
 #include "ratchet_sieve/live/run_control.h"
-#include "ratchet_sieve/recording/commands.h"
+#include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/ros/bag_reader.h"
 #include "ratchet_sieve/ros/node_parameters.h"
 #include "ratchet_sieve/ros/recorder.h"

@@ -14,7 +14,7 @@
 #include "ratchet_sieve/ResetSimulation.h"
 #include "ratchet_sieve/StepSimulation.h"
 #include "ratchet_sieve/live/run_control.h"
-#include "ratchet_sieve/live/setpoint_inbox.h"
+#include "ratchet_sieve/live/setpoint.h"
 #include "ratchet_sieve/ros/diagnostics.h"
 #include "ratchet_sieve/ros/node_parameters.h"
 #include "ratchet_sieve/ros/waiting_calls.h"

@@ -8,7 +8,6 @@
 
 #include "ratchet_sieve/live/pacer.h"
 #include "ratchet_sieve/live/run_control.h"
-#include "ratchet_sieve/live/speed_watch.h"
 #include "ratchet_sieve/ros/clock_publisher.h"
 #include "ratchet_sieve/ros/real_time_factor.h"
 #include "ratchet_sieve/ros/recorder.h"

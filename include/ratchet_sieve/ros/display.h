@@ -8,7 +8,7 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
-#include "ratchet_sieve/live/picture.h"
+#include "ratchet_sieve/live/run_mirror.h"
 
 namespace ratchet_sieve
 {

@@ -8,7 +8,6 @@
 
 #include "ratchet_sieve/live/journal.h"
 #include "ratchet_sieve/live/pacer.h"
-#include "ratchet_sieve/live/speed_watch.h"
 #include "ratchet_sieve/ros/clock_publisher.h"
 #include "ratchet_sieve/ros/command_server.h"
 #include "ratchet_sieve/ros/display.h"

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "ratchet_sieve/recording/frame_kinds.h"
 #include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/sweep/case_builder.h"
 #include "ratchet_sieve/sweep/case_result.h"

@@ -1,9 +1,10 @@
-#include "ratchet_sieve/recording/choke.h"
+#include "ratchet_sieve/recording/run_warnings.h"
 
 #include <fmt/format.h>
 
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/walls.h"
 
 namespace ratchet_sieve
 {
@@ -36,6 +37,40 @@ std::string chokeText(const Simulation& simulation)
   if (scene.gravity > 0.0)
     text += fmt::format("; the drive's peak acceleration is {:.3g} g", peakLift(scene.base) / scene.gravity);
   return text;
+}
+
+std::uint64_t disksOverWalls(const Simulation& simulation)
+{
+  std::uint64_t count = 0;
+  if (simulation.scene().boundary == Boundary::WALLED)
+    for (const SpeciesBins& bins : simulation.bins())
+      count += bins.counted();
+  return count;
+}
+
+std::string overWallsText(const Simulation& simulation)
+{
+  const std::uint64_t count = disksOverWalls(simulation);
+  if (count == 0)
+    return {};
+  std::uint64_t left = 0;
+  for (const SpeciesBins& bins : simulation.bins())
+    left += bins.left;
+  return fmt::format(
+      "{} of the disks went over the walls, which are {:.3g} m high: {} to the left, {} to the right; "
+      "base.wall_height makes them higher",
+      count, wallHeight(simulation.scene()), left, count - left);
+}
+
+std::string fastTurnText(const SceneDefinition& scene, double slew_rate)
+{
+  const double calm = calmTurnRate(scene);
+  if (scene.boundary != Boundary::WALLED || slew_rate <= calm)
+    return {};
+  return fmt::format(
+      "limits/inclination/slew_rate = {:g} rad/s: a walled base {:.3g} m wide that turns faster "
+      "than {:.3g} rad/s may throw its disks over the walls, {:.3g} m high",
+      slew_rate, scene.base.width(), calm, wallHeight(scene));
 }
 
 }  // namespace ratchet_sieve
