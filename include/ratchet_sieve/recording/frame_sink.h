@@ -135,7 +135,7 @@ void forEachFrameType(Visit&& visit)
   }
 }
 
-/// The same for the kinds that have a rate.
+/// Calls visit(FrameType<Frame>()) for each kind that has a rate.
 template <typename Visit>
 void forEachSampledType(Visit&& visit)
 {

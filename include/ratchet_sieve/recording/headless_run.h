@@ -70,7 +70,7 @@ struct RunWatchers
 /// resumed.
 RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers, const RunProgress& so_far);
 
-/// The same for a new run.
+/// Runs a new simulation, which has no progress yet.
 inline RunOutcome runToEnd(Simulation& simulation, const RunWatchers& watchers)
 {
   return runToEnd(simulation, watchers, firstProgress(simulation));
