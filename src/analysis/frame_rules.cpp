@@ -11,7 +11,7 @@
 
 #include "ratchet_sieve/analysis/run_analysis.h"
 #include "ratchet_sieve/core/fields.h"
-#include "ratchet_sieve/recording/frame_kinds.h"
+#include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve

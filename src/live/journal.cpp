@@ -9,8 +9,7 @@
 
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/certainty.h"
-#include "ratchet_sieve/recording/choke.h"
-#include "ratchet_sieve/recording/wall_warnings.h"
+#include "ratchet_sieve/recording/run_warnings.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve

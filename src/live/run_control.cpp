@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "ratchet_sieve/core/layer.h"
-#include "ratchet_sieve/recording/commands.h"
-#include "ratchet_sieve/recording/wall_warnings.h"
+#include "ratchet_sieve/recording/frames.h"
+#include "ratchet_sieve/recording/run_warnings.h"
 
 namespace ratchet_sieve
 {

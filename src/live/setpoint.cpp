@@ -1,5 +1,6 @@
 #include "ratchet_sieve/live/setpoint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -28,6 +29,44 @@ std::array<Setpoint, QUANTITIES> usualSetpoints()
   for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
     setpoints[indexOf(q.quantity)] = {q.quantity, q.usual};
   return setpoints;
+}
+
+void SetpointInbox::deliver(bool wait, const std::function<void(Quantity, double)>& command,
+                            const std::function<Clock::time_point()>& wall_clock)
+{
+  const bool empty =
+      std::none_of(newest_.begin(), newest_.end(), [](const auto& value) { return value.has_value(); });
+  if (empty)
+    return;
+  const auto begin = wall_clock();
+  if (wait && begin < next_)
+    return;
+  const auto values = newest_;
+  newest_ = {};
+  for (const CommandedQuantity& q : COMMANDED_QUANTITIES)
+    if (const auto& value = values[indexOf(q.quantity)])
+      command(q.quantity, *value);
+  const auto end = wall_clock();
+  next_ = end + std::chrono::duration_cast<Clock::duration>((end - begin) * (1.0 / SHARE - 1.0));
+}
+
+std::optional<std::string> LogThrottle::put(const std::string& line, Clock::time_point now)
+{
+  kept_ = line;
+  ++kept_count_;
+  return due(now);
+}
+
+std::optional<std::string> LogThrottle::due(Clock::time_point now)
+{
+  if (kept_count_ == 0 || (last_said_ && now - *last_said_ < PERIOD))
+    return std::nullopt;
+  last_said_ = now;
+  std::string line = kept_;
+  if (kept_count_ > 1)
+    line += " (the last of " + std::to_string(kept_count_) + ")";
+  kept_count_ = 0;
+  return line;
 }
 
 }  // namespace ratchet_sieve

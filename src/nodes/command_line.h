@@ -11,7 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "process_start.h"
-#include "ratchet_sieve/recording/distinct_files.h"
+#include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/version.h"
 
 namespace ratchet_sieve

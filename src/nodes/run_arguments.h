@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "page_arguments.h"
-#include "ratchet_sieve/recording/frame_kinds.h"
+#include "ratchet_sieve/recording/frame_sink.h"
 
 namespace ratchet_sieve
 {

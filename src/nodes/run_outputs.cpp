@@ -8,7 +8,6 @@
 
 #include "command_line.h"
 #include "ratchet_sieve/recording/atomic_file.h"
-#include "ratchet_sieve/recording/distinct_files.h"
 
 namespace ratchet_sieve
 {
@@ -107,7 +106,7 @@ void RunOutputs::open(const RunArguments& arguments)
   }
   if (!arguments.trajectory.empty())
   {
-    trajectory_ = openTrajectory(arguments.trajectory);
+    trajectory_ = std::make_unique<TrajectoryFile>(arguments.trajectory);
     add(*trajectory_, trajectoryRates(arguments.trajectory_rate), [this] { trajectory_->commit(); });
   }
   if (arguments.page.isWanted())
@@ -129,7 +128,7 @@ void RunOutputs::add(FrameSink& sink, const FrameRates& rates, std::function<voi
 void RunOutputs::watch(Simulation& simulation, RunWatchers& watchers)
 {
   if (collisions_)
-    simulation.observeCollisions([this](const CollisionRecord& record) { collisions_->take(record); });
+    simulation.observeCollisions([this](const CollisionRecord& record) { collisions_->add(record); });
   watchers.frames = streams_;
 }
 

@@ -15,7 +15,6 @@
 #include "ratchet_sieve/analysis/analysis_tables.h"
 #include "ratchet_sieve/analysis/run_analysis.h"
 #include "ratchet_sieve/recording/atomic_file.h"
-#include "ratchet_sieve/recording/distinct_files.h"
 #include "ratchet_sieve/ros/bag.h"
 
 namespace

@@ -27,14 +27,8 @@ void warnOfVersion(const Resimulation& resimulation)
 
 int resimulate(const std::vector<std::string>& bags)
 {
-  std::optional<ProgressBar> progress;
-  Resimulation resimulation(
-      [&](const Simulation& simulation)
-      {
-        if (!progress)
-          progress.emplace(simulation);
-        progress->show(simulation);
-      });
+  std::optional<ProgressBar> progress(std::in_place);
+  Resimulation resimulation([&](const Simulation& simulation) { progress->show(simulation); });
   try
   {
     readBags(bags, resimulation);

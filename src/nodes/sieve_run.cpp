@@ -48,7 +48,7 @@ Scene loadScene(const RunArguments& arguments)
 /// @throws std::runtime_error if a signal stops the pour
 Simulation makeSimulation(const SceneDefinition& scene, const std::string& path)
 {
-  PourBar bar;
+  ProgressBar bar;
   const auto observer = [&bar](std::size_t poured, std::size_t of)
   {
     if (stop_signal != 0)
@@ -174,7 +174,7 @@ int run(const RunArguments& arguments)
   watchers.save_period = arguments.checkpoint_every;
   RunOutcome outcome;
   {
-    ProgressBar progress(simulation);
+    ProgressBar progress;
     watchers.progress = [&progress](const Simulation& now) { progress.show(now); };
     outcome = runToEnd(simulation, watchers, so_far);
   }

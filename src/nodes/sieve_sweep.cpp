@@ -13,7 +13,6 @@
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/page/sweep_page.h"
 #include "ratchet_sieve/recording/atomic_file.h"
-#include "ratchet_sieve/recording/distinct_files.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/sweep_report.h"
 #include "ratchet_sieve/sweep/sweep_run.h"

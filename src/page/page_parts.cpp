@@ -8,9 +8,9 @@
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/core/layer.h"
-#include "ratchet_sieve/recording/commands.h"
+#include "ratchet_sieve/core/segregation.h"
+#include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "ratchet_sieve/scene/scalars.h"
 

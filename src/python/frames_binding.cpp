@@ -68,9 +68,9 @@ void handOver(const Scene& scene, const py::list& frames, FrameSink& sink)
 /// @param frames see handOver()
 void writeTrajectory(const std::string& path, const Scene& scene, const py::list& frames)
 {
-  const std::unique_ptr<TrajectoryFile> file = openTrajectory(path);
-  handOver(scene, frames, *file);
-  file->commit();
+  TrajectoryFile file(path);
+  handOver(scene, frames, file);
+  file.commit();
 }
 
 /// @param frames see handOver() @param others further frames of the run, as run() returns them

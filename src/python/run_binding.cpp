@@ -7,8 +7,8 @@
 #include <pybind11/pybind11.h>
 
 #include "bindings.h"
-#include "ratchet_sieve/recording/frame_sampler.h"
 #include "ratchet_sieve/recording/headless_run.h"
+#include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "running_simulation.h"
 #include "to_python.h"

@@ -7,7 +7,7 @@
 
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/layer.h"
-#include "ratchet_sieve/scene/warning_id.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {

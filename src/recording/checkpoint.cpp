@@ -2,22 +2,21 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
-#include "ratchet_sieve/core/fnv1a.h"
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
-#include "ratchet_sieve/scene/input_file.h"
-#include "ratchet_sieve/scene/scene_difference.h"
+#include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 // The file: a line with its type, and the bytes of saveRun(): a line with the checksum of the rest, a line of
 // JSON that identifies the run, and the simulation's state.
@@ -36,13 +35,6 @@ constexpr std::size_t CHECKSUM_DIGITS = 16;
 
 /// Depends on the order of the bytes.
 constexpr std::uint32_t BYTE_ORDER_MARK = 0x01020304;
-
-std::string checksum(std::string_view bytes)
-{
-  char digits[CHECKSUM_DIGITS + 1];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(fnv1a(bytes)));
-  return digits;
-}
 
 std::string byteOrder()
 {
@@ -68,6 +60,46 @@ Json identity(const SceneDefinition& scene)
   json["byte_order"] = byteOrder();
   json["scene"] = decisiveYaml(scene);
   return json;
+}
+
+/// The first key in which a scene differs from a saved one, and both values as text.
+struct SceneDifference
+{
+  std::string key;  ///< dotted, such as species.0.radius
+  std::string saved;
+  std::string present;
+};
+
+std::string shownValue(const YAML::Node& node)
+{
+  return node.IsDefined() ? shownText(YAML::Dump(node)) : "absent";
+}
+
+std::optional<SceneDifference> differenceOf(const std::string& key, const YAML::Node& saved,
+                                            const YAML::Node& present)
+{
+  const auto of_part = [&](const auto& part, const std::string& name)
+  { return differenceOf(key.empty() ? name : key + '.' + name, saved[part], present[part]); };
+  if (!saved.IsDefined() || !present.IsDefined())
+    return SceneDifference{key, shownValue(saved), shownValue(present)};
+  if (saved.IsMap() && present.IsMap())
+  {
+    for (const YAML::Node& map : {saved, present})
+      for (const auto& item : map)
+        if (auto found = of_part(item.first.Scalar(), item.first.Scalar()))
+          return found;
+    return std::nullopt;
+  }
+  if (saved.IsSequence() && present.IsSequence())
+  {
+    for (std::size_t k = 0; k < std::max(saved.size(), present.size()); ++k)
+      if (auto found = of_part(k, std::to_string(k)))
+        return found;
+    return std::nullopt;
+  }
+  if (saved.Type() == present.Type() && saved.Scalar() == present.Scalar())
+    return std::nullopt;
+  return SceneDifference{key, shownValue(saved), shownValue(present)};
 }
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason)
@@ -102,7 +134,10 @@ void requireSame(const Json& saved, const Json& wanted)
     if (saved.at(key) != wanted.at(key))
       throw StateError(std::string("its ") + key + " is " + saved.at(key).dump() +
                        ", but this program's is " + wanted.at(key).dump());
-  if (const auto different = sceneDifference(saved.at("scene"), wanted.at("scene")))
+  if (saved.at("scene") == wanted.at("scene"))
+    return;
+  if (const auto different = differenceOf("", copyableYaml(saved.at("scene"), "the saved scene"),
+                                          copyableYaml(wanted.at("scene"), "this scene")))
     throw StateError("its " + different->key + " is " + different->saved + ", but this scene's is " +
                      different->present);
 }
@@ -111,14 +146,14 @@ std::string saveRun(const Simulation& simulation, Json header)
 {
   header.update(identity(simulation.scene()));
   const std::string content = header.dump() + '\n' + simulation.saveState();
-  return checksum(content) + '\n' + content;
+  return hashText(content) + '\n' + content;
 }
 
 /// @throws StateError
 Simulation restoreRun(std::string_view saved, const SceneDefinition& scene, Json& header)
 {
   const std::string_view content = saved.substr(std::min(saved.size(), CHECKSUM_DIGITS + 1));
-  if (content.empty() || saved.substr(0, CHECKSUM_DIGITS) != checksum(content))
+  if (content.empty() || saved.substr(0, CHECKSUM_DIGITS) != hashText(content))
     throw StateError("it is damaged");
   const std::size_t end = content.find('\n');
   header = Json::parse(content.substr(0, end));

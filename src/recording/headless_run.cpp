@@ -10,11 +10,9 @@
 
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/recording/certainty.h"
-#include "ratchet_sieve/recording/choke.h"
 #include "ratchet_sieve/recording/run.h"
-#include "ratchet_sieve/recording/stride.h"
-#include "ratchet_sieve/recording/wall_warnings.h"
-#include "ratchet_sieve/scene/warning_id.h"
+#include "ratchet_sieve/recording/run_warnings.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {

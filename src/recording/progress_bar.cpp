@@ -16,7 +16,6 @@ namespace
 {
 
 constexpr auto REDRAW_INTERVAL = std::chrono::milliseconds(100);
-constexpr const char* CLEAR_LINE = "\r\x1b[K";
 constexpr int BAR_WIDTH = 24;  ///< [characters]
 
 std::string clockText(double seconds)
@@ -44,55 +43,49 @@ std::string progressText(double time, double duration, const Progress& progress)
   return text;
 }
 
-ProgressBar::ProgressBar(const Simulation& start)
-    : duration_(start.scene().duration),
-      start_time_(start.time()),
-      start_events_(start.events()),
-      visible_(isatty(STDERR_FILENO) == 1),
-      start_(std::chrono::steady_clock::now()),
-      next_(start_)
-{
-}
-
-void ProgressBar::show(const Simulation& simulation)
-{
-  const auto now = std::chrono::steady_clock::now();
-  if (!visible_ || now < next_)
-    return;
-  next_ = now + REDRAW_INTERVAL;
-  const Progress progress{
-      simulation.time() - start_time_, simulation.events() - start_events_,
-      std::chrono::duration<double>(now - start_).count(),
-      simulation.scene().accuracy.endsEarly() ? certaintyOf(simulation).ratio() : std::nullopt};
-  fmt::print(stderr, "\r{}\x1b[K", progressText(simulation.time(), duration_, progress));
-  std::fflush(stderr);
-}
+ProgressBar::ProgressBar() : visible_(isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar()
 {
   if (visible_)
-    std::fputs(CLEAR_LINE, stderr);
+    draw("");
 }
 
-PourBar::PourBar()
-    : visible_(isatty(STDERR_FILENO) == 1), next_(std::chrono::steady_clock::now() + REDRAW_INTERVAL)
+bool ProgressBar::isDue()
 {
-}
-
-void PourBar::show(std::size_t poured, std::size_t of)
-{
-  const auto now = std::chrono::steady_clock::now();
+  const auto now = Clock::now();
   if (!visible_ || now < next_)
-    return;
+    return false;
   next_ = now + REDRAW_INTERVAL;
-  fmt::print(stderr, "\r{} of {} poured\x1b[K", poured, countText(of, "disk"));
+  return true;
+}
+
+void ProgressBar::draw(const std::string& line) const
+{
+  fmt::print(stderr, "\r{}\x1b[K", line);
   std::fflush(stderr);
 }
 
-PourBar::~PourBar()
+void ProgressBar::show(std::size_t poured, std::size_t of)
 {
-  if (visible_)
-    std::fputs(CLEAR_LINE, stderr);
+  if (isDue() && poured > 0)
+    draw(fmt::format("{} of {} poured", poured, countText(of, "disk")));
+}
+
+void ProgressBar::show(const Simulation& simulation)
+{
+  if (!start_time_)
+  {
+    start_time_ = simulation.time();
+    start_events_ = simulation.events();
+  }
+  if (!isDue())
+    return;
+  const SceneDefinition& scene = simulation.scene();
+  draw(progressText(simulation.time(), scene.duration,
+                    {simulation.time() - *start_time_, simulation.events() - start_events_,
+                     std::chrono::duration<double>(Clock::now() - start_).count(),
+                     scene.accuracy.endsEarly() ? certaintyOf(simulation).ratio() : std::nullopt}));
 }
 
 }  // namespace ratchet_sieve

@@ -30,6 +30,20 @@ std::string basePath(const std::string& path)
   return (whole.parent_path() / (whole.stem().string() + "_base" + whole.extension().string())).string();
 }
 
+/// The path itself. @throws OutputError if it ends otherwise than a trajectory
+const std::string& withKnownEnding(const std::string& path)
+{
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == ".pvd")
+    throw OutputError(path +
+                      ": for ParaView use run.write(\"FILE.pvd\") of the Python package; the file's ending "
+                      "must be one of .xyz, .extxyz");
+  if (ending != ".xyz" && ending != ".extxyz")
+    throw OutputError(path +
+                      ": unknown format of a trajectory; the file's ending must be one of .xyz, .extxyz");
+  return path;
+}
+
 /// World position of the base's foot, where its first tooth begins [m].
 Eigen::Vector2d footOf(const DriveState& base)
 {
@@ -80,7 +94,10 @@ void writeText(AtomicFile& file, const fmt::memory_buffer& text)
 
 }  // namespace
 
-TrajectoryFile::TrajectoryFile(const std::string& path) : disks_file_(path), base_file_(basePath(path)) {}
+TrajectoryFile::TrajectoryFile(const std::string& path)
+    : disks_file_(withKnownEnding(path)), base_file_(basePath(path))
+{
+}
 
 bool TrajectoryFile::wants(FrameKind kind) const
 {
@@ -131,19 +148,6 @@ void TrajectoryFile::commit()
   base_file_.finish();
   disks_file_.commit();
   base_file_.commit();
-}
-
-std::unique_ptr<TrajectoryFile> openTrajectory(const std::string& path)
-{
-  const std::string ending = std::filesystem::path(path).extension().string();
-  if (ending == ".pvd")
-    throw OutputError(path +
-                      ": for ParaView use run.write(\"FILE.pvd\") of the Python package; the file's ending "
-                      "must be one of .xyz, .extxyz");
-  if (ending != ".xyz" && ending != ".extxyz")
-    throw OutputError(path +
-                      ": unknown format of a trajectory; the file's ending must be one of .xyz, .extxyz");
-  return std::make_unique<TrajectoryFile>(path);
 }
 
 std::vector<std::string> trajectoryPaths(const std::string& path)

@@ -13,7 +13,8 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
-#include "ratchet_sieve/scene/input_file.h"
+#include "ratchet_sieve/ros/conversions.h"
+#include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve

@@ -13,7 +13,8 @@
 #include "bag_file.h"
 #include "ratchet_sieve/live/setpoint.h"
 #include "ratchet_sieve/recording/atomic_file.h"
-#include "ratchet_sieve/recording/commands.h"
+#include "ratchet_sieve/recording/frames.h"
+#include "ratchet_sieve/ros/conversions.h"
 
 namespace ratchet_sieve
 {

@@ -17,7 +17,7 @@
 #include "ratchet_sieve/ResetSimulation.h"
 #include "ratchet_sieve/StepSimulation.h"
 #include "ratchet_sieve/live/run_control.h"
-#include "ratchet_sieve/live/setpoint_inbox.h"
+#include "ratchet_sieve/live/setpoint.h"
 
 namespace ratchet_sieve
 {

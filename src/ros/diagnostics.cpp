@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ratchet_sieve/core/layer.h"
-#include "ratchet_sieve/recording/wall_warnings.h"
+#include "ratchet_sieve/recording/run_warnings.h"
 
 namespace ratchet_sieve
 {

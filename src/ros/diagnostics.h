@@ -9,7 +9,8 @@
 #include "clock_publisher.h"
 #include "node_parameters.h"
 #include "ratchet_sieve/live/pacer.h"
-#include "ratchet_sieve/live/speed_watch.h"
+#include "ratchet_sieve/live/run_control.h"
+#include "recorder.h"
 
 namespace ratchet_sieve
 {

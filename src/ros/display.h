@@ -10,7 +10,7 @@
 #include <ros/publisher.h>
 #include <sensor_msgs/PointCloud2.h>
 
-#include "ratchet_sieve/live/picture.h"
+#include "ratchet_sieve/live/run_mirror.h"
 
 namespace ratchet_sieve
 {

@@ -7,7 +7,7 @@
 
 #include <ros/console.h>
 
-#include "ratchet_sieve/scene/scene_limits.h"
+#include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
 {

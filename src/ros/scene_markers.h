@@ -7,7 +7,7 @@
 #include <std_msgs/ColorRGBA.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "ratchet_sieve/live/picture.h"
+#include "ratchet_sieve/live/run_mirror.h"
 
 /// RViz markers of the machine. All markers are in frame world, in the plane y = 0: a view along y shows true
 /// sizes and true contacts, and no transform is needed.

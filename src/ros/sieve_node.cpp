@@ -12,7 +12,7 @@
 #include "display.h"
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/live/journal.h"
-#include "ratchet_sieve/recording/distinct_files.h"
+#include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/ros/nodes.h"
 #include "scene_parameters.h"
 #include "topic_publisher.h"

@@ -2,8 +2,6 @@
 
 #include <cstdio>
 #include <functional>
-#include <initializer_list>
-#include <sstream>
 
 #include "ratchet_sieve/core/fnv1a.h"
 #include "schema.h"
@@ -13,158 +11,132 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Writes a flow map's values: `name: text, name: text`.
-class FlowWriter
+/// Writes a map in one line: `{name: text, name: text}`.
+class FlowMap
 {
 public:
-  explicit FlowWriter(std::ostream& out) : out_(out) {}
-
   void operator()(const char* name, const std::string& text)
   {
-    out_ << (first_ ? "" : ", ") << name << ": " << text;
-    first_ = false;
+    entries_ += (entries_.empty() ? "" : ", ") + std::string(name) + ": " + text;
   }
 
+  template <typename Part>
+  FlowMap& add(const Keys<Part>& keys, const Part& part)
+  {
+    writeValues(keys, part, std::ref(*this));
+    return *this;
+  }
+
+  bool empty() const { return entries_.empty(); }
+  std::string text() const { return '{' + entries_ + '}'; }
+
 private:
-  std::ostream& out_;
-  bool first_ = true;
+  std::string entries_;
 };
 
 template <typename Part>
-void writeRoot(std::ostream& out, const Keys<Part>& keys, const Part& part)
+std::string rootLines(const Keys<Part>& keys, const Part& part)
 {
+  std::string lines;
   writeValues(keys, part,
-              [&out](const char* name, const std::string& text) { out << name << ": " << text << '\n'; });
+              [&lines](const char* name, const std::string& text) { lines += name + (": " + text) + '\n'; });
+  return lines;
 }
 
-template <typename Part>
-void writeSection(std::ostream& out, const char* name, const Keys<Part>& keys, const Part& part)
+std::string section(const std::string& name, const FlowMap& map)
 {
-  out << name << ": {";
-  writeValues(keys, part, FlowWriter(out));
-  out << "}\n";
+  return name + ": " + map.text() + '\n';
 }
 
-/// The keys of a section that differ from their defaults; empty if none does.
-template <typename Part>
-std::string changedSection(const char* name, const Part& part,
-                           std::initializer_list<const Keys<Part>*> key_lists)
+/// Of keys that are only written where they differ from their defaults: empty if none does.
+std::string changedSection(const std::string& name, const FlowMap& map)
 {
-  std::ostringstream out;
-  FlowWriter flow(out);
-  for (const Keys<Part>* keys : key_lists)
-    writeValues(*keys, part, std::ref(flow));
-  return out.str().empty() ? "" : name + (": {" + out.str()) + "}\n";
+  return map.empty() ? "" : section(name, map);
 }
 
-/// `[{...}, {...}]`
-template <typename Part>
-std::string flowList(const Keys<Part>& keys, const std::vector<Part>& parts)
+FlowMap baseMap(const BaseDefinition& base)
 {
-  std::ostringstream out;
-  for (const Part& part : parts)
-  {
-    out << (out.tellp() == 0 ? "[{" : ", {");
-    writeValues(keys, part, FlowWriter(out));
-    out << '}';
-  }
-  out << ']';
-  return out.str();
-}
-
-void writeBase(std::ostream& out, const BaseDefinition& base)
-{
-  FlowWriter flow(out);
-  out << "base: {";
-  writeValues(baseKeys(), base,
+  FlowMap map;
+  writeValues(BASE_KEYS, base,
               [&](const char* name, const std::string& text)
               {
-                if (base.profile.empty() || sawtoothKeys().count(name) == 0)
-                  flow(name, text);
+                if (base.profile.empty() || SAWTOOTH_KEYS.count(name) == 0)
+                  map(name, text);
               });
-  if (!base.harmonics.empty())
-    flow("harmonics", flowList(harmonicKeys(), base.harmonics));
-  out << "}\n";
+  std::string harmonics;
+  for (const HarmonicDefinition& harmonic : base.harmonics)
+    harmonics += (harmonics.empty() ? "" : ", ") + FlowMap().add(HARMONIC_KEYS, harmonic).text();
+  if (!harmonics.empty())
+    map("harmonics", '[' + harmonics + ']');
+  return map;
 }
 
-/// `name:` and one line for each entry, written by write_entry(entry, flow); `name: []` for an empty list.
+/// `name:` and a line for each entry, whose map is written by write_entry(entry, map); `name: []` if there
+/// are none.
 template <typename Entry, typename WriteEntry>
-void writeList(std::ostream& out, const char* name, const std::vector<Entry>& entries,
-               WriteEntry&& write_entry)
+std::string listLines(const std::string& name, const std::vector<Entry>& entries, WriteEntry&& write_entry)
 {
-  out << name << (entries.empty() ? ": []\n" : ":\n");
+  std::string lines = name + (entries.empty() ? ": []\n" : ":\n");
   for (const Entry& entry : entries)
   {
-    out << "  - {";
-    write_entry(entry, FlowWriter(out));
-    out << "}\n";
+    FlowMap map;
+    write_entry(entry, map);
+    lines += "  - " + map.text() + '\n';
   }
-}
-
-std::string sizeText(const SizeDefinition& size)
-{
-  std::ostringstream out;
-  FlowWriter flow(out);
-  writeValues(sizeKeys(), size, std::ref(flow));
-  const bool table = size.distribution == SizeDistribution::TABLE;
-  writeValues(table ? tableKeys() : spreadKeys(), size, std::ref(flow));
-  return '{' + out.str() + '}';
+  return lines;
 }
 
 std::string motionYaml(const SceneDefinition& scene)
 {
-  std::ostringstream out;
-  writeBase(out, scene.base);
-  writeRoot(out, motionKeys(), scene);
-  writeList(out, "species", scene.species,
-            [](const SpeciesDefinition& species, FlowWriter flow)
-            {
-              writeValues(speciesKeys(), species, std::ref(flow));
-              writeValues(coefficientKeys(), species.contact, std::ref(flow));
-              if (species.size.vary())
-                flow("size", sizeText(species.size));
-            });
-  writeList(out, "pairs", scene.pairs,
-            [&scene](const PairDefinition& pair, FlowWriter flow)
-            {
-              flow("species", '[' + scalarText(scene.species[pair.first].name) + ", " +
-                                  scalarText(scene.species[pair.second].name) + ']');
-              writeValues(coefficientKeys(), pair.contact, std::ref(flow));
-            });
-  writeSection(out, "contact", contactKeys(), scene.contact);
-  writeSection(out, "pour", pourKeys(), scene.pour);
-  writeSection(out, "feed", feedKeys(), scene.feed);
-  writeList(out, "initial", scene.initial,
-            [&scene](const InitialDisk& disk, FlowWriter flow)
-            {
-              flow("species", scalarText(scene.species[disk.species].name));
-              writeValues(initialKeys(), disk, std::ref(flow));
-            });
-  out << changedSection("height_profile", scene.height_profile, {&heightProfileKeys()});
-  return out.str();
+  const auto name_of = [&scene](std::size_t species) { return scalarText(scene.species[species].name); };
+  return section("base", baseMap(scene.base)) + rootLines(MOTION_KEYS, scene) +
+         listLines("species", scene.species,
+                   [](const SpeciesDefinition& species, FlowMap& map)
+                   {
+                     const SizeDefinition& size = species.size;
+                     const bool table = size.distribution == SizeDistribution::TABLE;
+                     map.add(SPECIES_KEYS, species).add(COEFFICIENT_KEYS, species.contact);
+                     if (size.vary())
+                       map("size",
+                           FlowMap().add(SIZE_KEYS, size).add(table ? TABLE_KEYS : SPREAD_KEYS, size).text());
+                   }) +
+         listLines("pairs", scene.pairs,
+                   [&](const PairDefinition& pair, FlowMap& map)
+                   {
+                     map("species", '[' + name_of(pair.first) + ", " + name_of(pair.second) + ']');
+                     map.add(COEFFICIENT_KEYS, pair.contact);
+                   }) +
+         section("contact", FlowMap().add(CONTACT_KEYS, scene.contact)) +
+         section("pour", FlowMap().add(POUR_KEYS, scene.pour)) +
+         section("feed", FlowMap().add(FEED_KEYS, scene.feed)) +
+         listLines("initial", scene.initial,
+                   [&](const InitialDisk& disk, FlowMap& map)
+                   {
+                     map("species", name_of(disk.species));
+                     map.add(INITIAL_KEYS, disk);
+                   }) +
+         changedSection("height_profile", FlowMap().add(HEIGHT_PROFILE_KEYS, scene.height_profile));
 }
 
-std::string hashText(const std::string& text)
+}  // namespace
+
+std::string hashText(std::string_view text)
 {
   char digits[17];
   std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(fnv1a(text)));
   return digits;
 }
 
-}  // namespace
-
 std::string canonicalYaml(const SceneDefinition& scene)
 {
-  std::ostringstream out;
-  out << motionYaml(scene);
-  writeRoot(out, runKeys(), scene);
-  out << changedSection("accuracy", scene.accuracy, {&methodKeys(), &certaintyKeys()});
-  return out.str();
+  return motionYaml(scene) + rootLines(RUN_KEYS, scene) +
+         changedSection("accuracy",
+                        FlowMap().add(METHOD_KEYS, scene.accuracy).add(CERTAINTY_KEYS, scene.accuracy));
 }
 
 std::string sceneHash(const SceneDefinition& scene)
 {
-  return hashText(motionYaml(scene) + changedSection("accuracy", scene.accuracy, {&methodKeys()}));
+  return hashText(motionYaml(scene) + changedSection("accuracy", FlowMap().add(METHOD_KEYS, scene.accuracy)));
 }
 
 std::string runHash(const SceneDefinition& scene)

@@ -1,9 +1,10 @@
 #include "ratchet_sieve/scene/entry.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <optional>
 
-#include "nearest_word.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
@@ -22,6 +23,44 @@ std::string valueText(const YAML::Node& node)
     return "nothing";
   const std::string text = shownText(node.Scalar());
   return node.Tag() == "!" ? '"' + text + '"' : text;
+}
+
+std::size_t editDistance(const std::string& a, const std::string& b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i)
+  {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j)
+    {
+      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// The known word with the least Levenshtein distance to `word`; nothing if the distance is more than half of
+/// the length of `word`.
+std::optional<std::string> nearestWord(const std::string& word, const std::set<std::string>& known)
+{
+  std::optional<std::string> nearest;
+  std::size_t least = word.size() / 2 + 1;
+  for (const std::string& candidate : known)
+  {
+    // The difference in length is a lower bound of the distance. Saves time on words of megabytes.
+    if (word.size() >= candidate.size() + least)
+      continue;
+    const std::size_t distance = editDistance(word, candidate);
+    if (distance >= least)
+      continue;
+    least = distance;
+    nearest = candidate;
+  }
+  return nearest;
 }
 
 std::string suggestion(const std::string& name, const std::set<std::string>& known)

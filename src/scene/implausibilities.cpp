@@ -1,4 +1,4 @@
-#include "ratchet_sieve/scene/implausibilities.h"
+#include "ratchet_sieve/scene/scene_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
-#include "ratchet_sieve/scene/warning_id.h"
-#include "scene_rules.h"
+#include "ratchet_sieve/scene/shown_text.h"
+#include "schema.h"
 
 // Rules on scenes that are valid but could not be built. Most ratios hold for machines of any size.
 namespace ratchet_sieve

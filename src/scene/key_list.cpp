@@ -10,7 +10,6 @@ namespace
 {
 
 constexpr const char* REQUIRED = "required";
-constexpr const char* OF_BOTH = "mean of both";
 
 template <typename Part>
 KeyText textOf(const Key<Part>& key, const std::string& group)
@@ -24,75 +23,60 @@ KeyText textOf(const Key<Part>& key, const std::string& group)
   return {group + key.name, legal.type, key.range.unit, legal.values, default_text, key.meaning};
 }
 
-/// Collects the keys of one part.
-class GroupBuilder
+template <typename... Parts>
+KeyGroup groupOf(const std::string& name, const std::string& meaning, const Keys<Parts>&... tables)
 {
-public:
-  GroupBuilder(std::string name, std::string meaning) : group_{std::move(name), std::move(meaning), {}} {}
-
-  template <typename Part>
-  GroupBuilder& add(const Keys<Part>& keys)
+  KeyGroup group{name, meaning, {}};
+  const auto add = [&group, prefix = name.empty() ? "" : name + "."](const auto& keys)
   {
-    for (const Key<Part>& key : keys)
-      group_.keys.push_back(textOf(key, group_.name.empty() ? "" : group_.name + "."));
-    return *this;
-  }
+    for (const auto& key : keys)
+      group.keys.push_back(textOf(key, prefix));
+  };
+  (add(tables), ...);
+  return group;
+}
 
-  /// A key that names one species or more.
-  GroupBuilder& addSpecies(const char* type, const char* values, const char* meaning)
-  {
-    group_.keys.push_back({group_.name + ".species", type, "", values, REQUIRED, meaning});
-    return *this;
-  }
+/// With a first key that names one species or more.
+KeyGroup withSpecies(KeyGroup group, const char* type, const char* values, const char* meaning)
+{
+  group.keys.insert(group.keys.begin(), {group.name + ".species", type, "", values, REQUIRED, meaning});
+  return group;
+}
 
-  /// Of coefficients whose default is not the table's.
-  GroupBuilder& defaultTo(const char* default_text)
-  {
-    for (KeyText& key : group_.keys)
-      if (key.default_text != REQUIRED)
-        key.default_text = default_text;
-    return *this;
-  }
-
-  operator KeyGroup() const { return group_; }
-
-private:
-  KeyGroup group_;
-};
+/// Of pairs, whose coefficients have another default than the table's.
+KeyGroup pairGroup()
+{
+  KeyGroup group =
+      groupOf("pairs.N", "a list of coefficients for contacts between two species", COEFFICIENT_KEYS);
+  for (KeyText& key : group.keys)
+    key.default_text = "mean of both";
+  return withSpecies(group, "list", "two names of species", "The two different species.");
+}
 
 }  // namespace
 
 std::vector<KeyGroup> sceneKeyGroups()
 {
-  using Group = GroupBuilder;
   return {
-      Group("", "the scene as a whole").add(motionKeys()).add(densityKeys()).add(runKeys()),
-      Group("base", "the base, a sawtooth or a profile, and its drive").add(baseKeys()),
-      Group("base.harmonics.N", "a list of sines of multiples of the drive frequency, added to the drive")
-          .add(harmonicKeys()),
-      Group("species.N", "a list of one or more kinds of disks")
-          .add(speciesKeys())
-          .add(materialKeys())
-          .add(coefficientKeys()),
-      Group("species.N.size", "the sizes of a species' disks, where they are not all equal")
-          .add(sizeKeys())
-          .add(spreadKeys())
-          .add(tableKeys()),
-      Group("pairs.N", "a list of coefficients for contacts between two species")
-          .addSpecies("list", "two names of species", "The two different species.")
-          .add(coefficientKeys())
-          .defaultTo(OF_BOTH),
-      Group("contact", "the collision law, for all contacts").add(contactKeys()),
-      Group("pour", "how the disks start: spread evenly along the base, without overlap").add(pourKeys()),
-      Group("feed", "disks that are poured while the machine runs").add(feedKeys()),
-      Group("initial.N", "a list of disks that are placed one by one, in place of the pour")
-          .addSpecies("name", "name of a species", "Species of the disk.")
-          .add(initialKeys()),
-      Group("height_profile", "what the observable of that name (see observe) divides into")
-          .add(heightProfileKeys()),
-      Group("accuracy", "the method of simulation, and when a run may end early")
-          .add(methodKeys())
-          .add(certaintyKeys()),
+      groupOf("", "the scene as a whole", MOTION_KEYS, DENSITY_KEYS, RUN_KEYS),
+      groupOf("base", "the base, a sawtooth or a profile, and its drive", BASE_KEYS),
+      groupOf("base.harmonics.N", "a list of sines of multiples of the drive frequency, added to the drive",
+              HARMONIC_KEYS),
+      groupOf("species.N", "a list of one or more kinds of disks", SPECIES_KEYS, MATERIAL_KEYS,
+              COEFFICIENT_KEYS),
+      groupOf("species.N.size", "the sizes of a species' disks, where they are not all equal", SIZE_KEYS,
+              SPREAD_KEYS, TABLE_KEYS),
+      pairGroup(),
+      groupOf("contact", "the collision law, for all contacts", CONTACT_KEYS),
+      groupOf("pour", "how the disks start: spread evenly along the base, without overlap", POUR_KEYS),
+      groupOf("feed", "disks that are poured while the machine runs", FEED_KEYS),
+      withSpecies(groupOf("initial.N", "a list of disks that are placed one by one, in place of the pour",
+                          INITIAL_KEYS),
+                  "name", "name of a species", "Species of the disk."),
+      groupOf("height_profile", "what the observable of that name (see observe) divides into",
+              HEIGHT_PROFILE_KEYS),
+      groupOf("accuracy", "the method of simulation, and when a run may end early", METHOD_KEYS,
+              CERTAINTY_KEYS),
   };
 }
 

@@ -18,6 +18,8 @@ namespace
 /// Longest name of a species [characters].
 constexpr std::size_t LONGEST_NAME = 64;
 
+constexpr const char* IN_NAMES = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
+
 /// A smaller value is unlikely to be in degrees, percent or ms.
 constexpr double LEAST_SLIP = 2.0;
 
@@ -31,12 +33,10 @@ std::string joined(const std::vector<std::string>& words)
   return list;
 }
 
-/// The text of a scalar, unless it is in quotes: in YAML quoted text is never a number.
-std::optional<std::string> plainText(const Entry& entry)
+/// The text of a scalar; empty if it is in quotes, because in YAML quoted text is never a number.
+std::string plainText(const Entry& entry)
 {
-  if (!entry.node().IsScalar() || entry.node().Tag() == "!")
-    return std::nullopt;
-  return entry.node().Scalar();
+  return entry.node().IsScalar() && entry.node().Tag() != "!" ? entry.node().Scalar() : "";
 }
 
 std::string formatted(double value, int digits)
@@ -68,12 +68,6 @@ std::string hint(const Range& range, double value)
   return unit.empty() && range.highest <= 1.0 ? suggest(0.01, "%") : "";
 }
 
-bool allowedInName(char c)
-{
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
-         c == '.';
-}
-
 }  // namespace
 
 std::string Range::values() const
@@ -90,8 +84,7 @@ std::string Range::text() const
 
 void readScalar(const Entry& entry, const Range& range, double& value)
 {
-  const std::optional<std::string> text = plainText(entry);
-  const std::optional<double> number = text ? parsed<double>(*text) : std::nullopt;
+  const std::optional<double> number = parsed<double>(plainText(entry));
   if (!number || !std::isfinite(*number) || !range.holds(*number))
     entry.refuseValue("must be a number " + range.text() + (number ? hint(range, *number) : ""));
   value = *number;
@@ -99,8 +92,7 @@ void readScalar(const Entry& entry, const Range& range, double& value)
 
 void readScalar(const Entry& entry, const Range& range, int& value)
 {
-  const std::optional<std::string> text = plainText(entry);
-  const std::optional<int> number = text ? parsed<int>(*text) : std::nullopt;
+  const std::optional<int> number = parsed<int>(plainText(entry));
   if (!number || !range.holds(*number))
     entry.refuseValue("must be an integer " + range.text());
   value = *number;
@@ -108,31 +100,28 @@ void readScalar(const Entry& entry, const Range& range, int& value)
 
 void readScalar(const Entry& entry, const Range& range, std::uint64_t& value)
 {
-  const std::optional<std::string> text = plainText(entry);
-  const bool digits =
-      text && std::all_of(text->begin(), text->end(), [](char c) { return c >= '0' && c <= '9'; });
-  const std::optional<std::uint64_t> number = digits ? parsed<std::uint64_t>(*text) : std::nullopt;
-  if (!number)
+  const std::string text = plainText(entry);
+  const std::optional<std::uint64_t> number = parsed<std::uint64_t>(text);
+  // The standard library reads -1 as the largest number.
+  if (!number || text.find_first_not_of("0123456789") != std::string::npos)
     entry.refuseValue("must be an integer from " + legalValues(range, value).values);
   value = *number;
 }
 
 void readScalar(const Entry& entry, const Range& range, bool& value)
 {
-  const std::optional<std::string> text = plainText(entry);
-  if (!text || (*text != "true" && *text != "false"))
+  const std::string text = plainText(entry);
+  if (text != "true" && text != "false")
     entry.refuseValue("must be " + legalValues(range, value).values);
-  value = *text == "true";
+  value = text == "true";
 }
 
 void readScalar(const Entry& entry, const Range& range, std::string& value)
 {
-  const bool legal = entry.node().IsScalar() && !entry.node().Scalar().empty() &&
-                     entry.node().Scalar().size() <= LONGEST_NAME &&
-                     std::all_of(entry.node().Scalar().begin(), entry.node().Scalar().end(), allowedInName);
-  if (!legal)
+  const std::string name = entry.node().IsScalar() ? entry.node().Scalar() : "";
+  if (name.empty() || name.size() > LONGEST_NAME || name.find_first_not_of(IN_NAMES) != std::string::npos)
     entry.refuseValue("must be a name of " + legalValues(range, value).values);
-  value = entry.node().Scalar();
+  value = name;
 }
 
 void readScalar(const Entry& entry, const Range& range, std::vector<std::string>& value)
@@ -169,7 +158,7 @@ LegalValues legalValues(const Range& range, int)
 
 LegalValues legalValues(const Range&, std::uint64_t)
 {
-  return {"integer", "0 to " + scalarText(std::numeric_limits<std::uint64_t>::max())};
+  return {"integer", "0 to " + std::to_string(std::numeric_limits<std::uint64_t>::max())};
 }
 
 LegalValues legalValues(const Range&, bool)
@@ -202,16 +191,6 @@ std::string scalarText(double value)
       return text;
   }
   return formatted(value, 17);
-}
-
-std::string scalarText(int value)
-{
-  return std::to_string(value);
-}
-
-std::string scalarText(std::uint64_t value)
-{
-  return std::to_string(value);
 }
 
 std::string scalarText(bool value)

@@ -5,10 +5,8 @@
 #include <utility>
 
 #include "ratchet_sieve/scene/entry.h"
-#include "ratchet_sieve/scene/implausibilities.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
-#include "scene_rules.h"
 #include "schema.h"
 
 namespace ratchet_sieve
@@ -31,12 +29,11 @@ void readSection(const Entry& root, const std::string& name, const Keys<Part>& k
 SizeDefinition readSize(const Entry& entry)
 {
   SizeDefinition size;
-  const auto& names = namesOf(sizeKeys(), namesOf(spreadKeys(), namesOf(tableKeys())));
-  entry.requireKeys(names, requiredOf(sizeKeys()));
-  readValues(entry, sizeKeys(), size);
-  const Keys<SizeDefinition>& rest =
-      size.distribution == SizeDistribution::TABLE ? tableKeys() : spreadKeys();
-  entry.requireKeys(namesOf(sizeKeys(), namesOf(rest)), requiredOf(rest));
+  const auto& names = namesOf(SIZE_KEYS, namesOf(SPREAD_KEYS, namesOf(TABLE_KEYS)));
+  entry.requireKeys(names, requiredOf(SIZE_KEYS));
+  readValues(entry, SIZE_KEYS, size);
+  const Keys<SizeDefinition>& rest = size.distribution == SizeDistribution::TABLE ? TABLE_KEYS : SPREAD_KEYS;
+  entry.requireKeys(namesOf(SIZE_KEYS, namesOf(rest)), requiredOf(rest));
   readValues(entry, rest, size);
   return size;
 }
@@ -45,7 +42,7 @@ SizeDefinition readSize(const Entry& entry)
 double massFromDensity(const Entry& entry, double radius)
 {
   double density = 0.0;
-  readValues(entry, materialKeys(), density);
+  readValues(entry, MATERIAL_KEYS, density);
   if (entry.has("mass"))
     entry.at("mass").refuse("must be absent because density gives it");
   const double mass = density * ballVolume(radius);
@@ -59,18 +56,18 @@ SpeciesDefinition readSpecies(const Entry& entry, bool count_required)
 {
   entry.keys();
   const bool has_density = entry.has("density");
-  std::set<std::string> required = requiredOf(speciesKeys());
+  std::set<std::string> required = requiredOf(SPECIES_KEYS);
   if (count_required)
     required.insert("count");
   if (has_density)
     required.erase("mass");
-  const std::set<std::string> known = namesOf(materialKeys(), namesOf(coefficientKeys(), {"size"}));
-  entry.requireKeys(namesOf(speciesKeys(), known), required);
+  const std::set<std::string> known = namesOf(MATERIAL_KEYS, namesOf(COEFFICIENT_KEYS, {"size"}));
+  entry.requireKeys(namesOf(SPECIES_KEYS, known), required);
   SpeciesDefinition species;
-  readValues(entry, speciesKeys(), species);
+  readValues(entry, SPECIES_KEYS, species);
   if (has_density)
     species.mass = massFromDensity(entry, species.radius);
-  readValues(entry, coefficientKeys(), species.contact);
+  readValues(entry, COEFFICIENT_KEYS, species.contact);
   if (entry.has("size"))
     species.size = readSize(entry.at("size"));
   return species;
@@ -108,7 +105,7 @@ std::size_t readSpeciesName(const Entry& entry, const SpeciesIndex& index)
 
 PairDefinition readPair(const Entry& entry, const SpeciesIndex& index, const SceneDefinition& scene)
 {
-  entry.requireKeys(namesOf(coefficientKeys(), {"species"}), {"species"});
+  entry.requireKeys(namesOf(COEFFICIENT_KEYS, {"species"}), {"species"});
   const std::vector<Entry> names = entry.at("species").list();
   if (names.size() != 2)
     entry.at("species").refuse("must be a list of two species");
@@ -119,7 +116,7 @@ PairDefinition readPair(const Entry& entry, const SpeciesIndex& index, const Sce
     entry.at("species").refuse(
         "must be two different species; contacts within a species have its own coefficients");
   pair.contact = contactBetween(scene, pair.first, pair.second);
-  readValues(entry, coefficientKeys(), pair.contact);
+  readValues(entry, COEFFICIENT_KEYS, pair.contact);
   return pair;
 }
 
@@ -141,14 +138,14 @@ void readInitial(const Entry& root, const SpeciesIndex& index, SceneDefinition& 
 {
   if (!root.has("initial"))
     return;
-  const std::set<std::string> known = namesOf(initialKeys(), {"species"});
-  const std::set<std::string> required = requiredOf(initialKeys(), {"species"});
+  const std::set<std::string> known = namesOf(INITIAL_KEYS, {"species"});
+  const std::set<std::string> required = requiredOf(INITIAL_KEYS, {"species"});
   for (const Entry& entry : root.at("initial").list())
   {
     entry.requireKeys(known, required);
     InitialDisk disk;
     disk.species = readSpeciesName(entry.at("species"), index);
-    readValues(entry, initialKeys(), disk);
+    readValues(entry, INITIAL_KEYS, disk);
     scene.initial.push_back(disk);
   }
 }
@@ -163,9 +160,9 @@ void readBase(const Entry& root, BaseDefinition& base)
   if (!root.has("base"))
     return;
   const Entry section = root.at("base");
-  section.requireKeys(namesOf(baseKeys(), {"harmonics"}), {});
-  readValues(section, baseKeys(), base);
-  for (const std::string& name : sawtoothKeys())
+  section.requireKeys(namesOf(BASE_KEYS, {"harmonics"}), {});
+  readValues(section, BASE_KEYS, base);
+  for (const std::string& name : SAWTOOTH_KEYS)
     if (section.has("profile") && section.has(name))
       section.at(name).refuse("must be absent because base.profile gives the tooth");
   if (!section.has("harmonics"))
@@ -175,8 +172,8 @@ void readBase(const Entry& root, BaseDefinition& base)
     section.at("harmonics").refuse("must have at most " + std::to_string(MOST_HARMONICS) + " harmonics");
   for (const Entry& entry : entries)
   {
-    entry.requireKeys(namesOf(harmonicKeys()), requiredOf(harmonicKeys()));
-    readValues(entry, harmonicKeys(), base.harmonics.emplace_back());
+    entry.requireKeys(namesOf(HARMONIC_KEYS), requiredOf(HARMONIC_KEYS));
+    readValues(entry, HARMONIC_KEYS, base.harmonics.emplace_back());
   }
 }
 
@@ -185,23 +182,23 @@ void readAccuracy(const Entry& root, AccuracyDefinition& accuracy)
   if (!root.has("accuracy"))
     return;
   const Entry section = root.at("accuracy");
-  section.requireKeys(namesOf(methodKeys(), namesOf(certaintyKeys())), {});
-  readValues(section, methodKeys(), accuracy);
-  readValues(section, certaintyKeys(), accuracy);
+  section.requireKeys(namesOf(METHOD_KEYS, namesOf(CERTAINTY_KEYS)), {});
+  readValues(section, METHOD_KEYS, accuracy);
+  readValues(section, CERTAINTY_KEYS, accuracy);
 }
 
 void readRoot(const Entry& root, SceneDefinition& scene)
 {
   const std::set<std::string> parts = {"base", "species", "pairs",    "contact",       "pour",
                                        "feed", "initial", "accuracy", "height_profile"};
-  root.requireKeys(namesOf(motionKeys(), namesOf(densityKeys(), namesOf(runKeys(), parts))), {"species"});
-  readValues(root, motionKeys(), scene);
-  readValues(root, runKeys(), scene);
+  root.requireKeys(namesOf(MOTION_KEYS, namesOf(DENSITY_KEYS, namesOf(RUN_KEYS, parts))), {"species"});
+  readValues(root, MOTION_KEYS, scene);
+  readValues(root, RUN_KEYS, scene);
   readBase(root, scene.base);
-  readSection(root, "contact", contactKeys(), scene.contact);
-  readSection(root, "pour", pourKeys(), scene.pour);
-  readSection(root, "feed", feedKeys(), scene.feed);
-  readSection(root, "height_profile", heightProfileKeys(), scene.height_profile);
+  readSection(root, "contact", CONTACT_KEYS, scene.contact);
+  readSection(root, "pour", POUR_KEYS, scene.pour);
+  readSection(root, "feed", FEED_KEYS, scene.feed);
+  readSection(root, "height_profile", HEIGHT_PROFILE_KEYS, scene.height_profile);
   readAccuracy(root, scene.accuracy);
 }
 
@@ -233,7 +230,7 @@ Scene sceneFromYaml(const YAML::Node& node, const std::string& source)
 
 std::vector<std::string> certaintyKeyNames()
 {
-  const std::set<std::string> names = namesOf(certaintyKeys());
+  const std::set<std::string> names = namesOf(CERTAINTY_KEYS);
   return {names.begin(), names.end()};
 }
 

@@ -1,5 +1,3 @@
-#include "scene_rules.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -7,7 +5,7 @@
 #include "plausibility.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
-#include "ratchet_sieve/scene/warning_id.h"
+#include "ratchet_sieve/scene/shown_text.h"
 #include "schema.h"
 
 namespace ratchet_sieve
@@ -35,7 +33,7 @@ void warnOfCounts(const Entry& root, const std::string& winner, bool none_poured
 void splitDensity(const Entry& root, SceneDefinition& scene)
 {
   double density = 0.0;
-  readValues(root, densityKeys(), density);
+  readValues(root, DENSITY_KEYS, density);
   const Entry entry = root.at("density");
   double diameters = 0.0;
   for (const SpeciesDefinition& species : scene.species)

@@ -8,8 +8,8 @@
 
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/scene/entry.h"
-#include "ratchet_sieve/scene/range.h"
 #include "ratchet_sieve/scene/scalars.h"
+#include "ratchet_sieve/scene/scene_file.h"
 
 /// Every key of a scene that holds one value, in tables: one row serves reading, checking, writing, hashing,
 /// suggestions and `sieve_run --keys`.
@@ -42,25 +42,25 @@ struct Key
 template <typename Part>
 using Keys = std::vector<Key<Part>>;
 
-const Keys<SceneDefinition>& motionKeys();  ///< at the root, decide how the disks move
-const Keys<SceneDefinition>& runKeys();     ///< at the root, decide only what part of it is run
-const Keys<double>& densityKeys();          ///< at the root; not stored, but split into counts
-const Keys<BaseDefinition>& baseKeys();
-const std::set<std::string>& sawtoothKeys();     ///< those of the base that base.profile replaces
-const Keys<HarmonicDefinition>& harmonicKeys();  ///< of an entry of base.harmonics
-const Keys<SpeciesDefinition>& speciesKeys();
-const Keys<double>& materialKeys();        ///< of a species; not stored, but turned into its mass
-const Keys<SizeDefinition>& sizeKeys();    ///< of a species' size
-const Keys<SizeDefinition>& spreadKeys();  ///< of one with a spread
-const Keys<SizeDefinition>& tableKeys();   ///< of one with a table
-const Keys<ContactCoefficients>& coefficientKeys();
-const Keys<ContactDefinition>& contactKeys();
-const Keys<PourDefinition>& pourKeys();
-const Keys<FeedDefinition>& feedKeys();
-const Keys<HeightProfileDefinition>& heightProfileKeys();
-const Keys<InitialDisk>& initialKeys();
-const Keys<AccuracyDefinition>& methodKeys();     ///< of accuracy, decide how the disks move
-const Keys<AccuracyDefinition>& certaintyKeys();  ///< of accuracy, decide only what part of it is run
+extern const Keys<SceneDefinition> MOTION_KEYS;  ///< at the root, decide how the disks move
+extern const Keys<SceneDefinition> RUN_KEYS;     ///< at the root, decide only what part of it is run
+extern const Keys<double> DENSITY_KEYS;          ///< at the root; not stored, but split into counts
+extern const Keys<BaseDefinition> BASE_KEYS;
+extern const std::set<std::string> SAWTOOTH_KEYS;     ///< those of the base that base.profile replaces
+extern const Keys<HarmonicDefinition> HARMONIC_KEYS;  ///< of an entry of base.harmonics
+extern const Keys<SpeciesDefinition> SPECIES_KEYS;
+extern const Keys<double> MATERIAL_KEYS;        ///< of a species; not stored, but turned into its mass
+extern const Keys<SizeDefinition> SIZE_KEYS;    ///< of a species' size
+extern const Keys<SizeDefinition> SPREAD_KEYS;  ///< of one with a spread
+extern const Keys<SizeDefinition> TABLE_KEYS;   ///< of one with a table
+extern const Keys<ContactCoefficients> COEFFICIENT_KEYS;
+extern const Keys<ContactDefinition> CONTACT_KEYS;
+extern const Keys<PourDefinition> POUR_KEYS;
+extern const Keys<FeedDefinition> FEED_KEYS;
+extern const Keys<HeightProfileDefinition> HEIGHT_PROFILE_KEYS;
+extern const Keys<InitialDisk> INITIAL_KEYS;
+extern const Keys<AccuracyDefinition> METHOD_KEYS;     ///< of accuracy, decide how the disks move
+extern const Keys<AccuracyDefinition> CERTAINTY_KEYS;  ///< of accuracy, decide only what part of it is run
 
 /// Of the mass of a disk.
 Range massRange();
@@ -119,5 +119,17 @@ void writeValues(const Keys<Part>& keys, Part part, Write&& write)
     if (key.presence != Presence::ADDED || valueText(key, part) != valueText(key, plain))
       write(key.name, valueText(key, part));
 }
+
+/// Of a ball of a radius [m] [m^3].
+double ballVolume(double radius);
+
+/// Determines how many disks of each species are poured: splits a density d = S / W (eq. 1 of the
+/// paper) into counts in proportion to the shares, N_k = share_k d W / sum_j(share_j 2 r_j),
+/// rounded; pours none where `initial` places them. Warns of counts that are ignored.
+/// @throws SceneError
+void resolveCounts(const Entry& root, Scene& scene);
+
+/// The rules that join several keys. @throws SceneError
+void checkRules(const Entry& root, const SceneDefinition& scene);
 
 }  // namespace ratchet_sieve

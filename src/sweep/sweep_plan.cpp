@@ -9,7 +9,7 @@
 #include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
-#include "ratchet_sieve/scene/warning_id.h"
+#include "ratchet_sieve/scene/shown_text.h"
 #include "ratchet_sieve/sweep/case.h"
 
 namespace ratchet_sieve

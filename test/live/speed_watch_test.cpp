@@ -1,4 +1,4 @@
-#include "ratchet_sieve/live/speed_watch.h"
+#include "ratchet_sieve/live/pacer.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include "html_page.h"
 #include "motion_reading.h"
 #include "ratchet_sieve/recording/atomic_file.h"
-#include "ratchet_sieve/recording/base64.h"
 #include "ratchet_sieve/recording/headless_run.h"
 #include "recording/file_size_limit.h"
 #include "recording/small_scenes.h"

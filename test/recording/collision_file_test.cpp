@@ -27,7 +27,7 @@ std::vector<std::string> linesOf(const std::vector<CollisionRecord>& records)
   const ScratchDirectory directory;
   CollisionFile file(directory / "collisions.csv");
   for (const CollisionRecord& record : records)
-    file.take(record);
+    file.add(record);
   file.commit();
   return split(contents(directory / "collisions.csv"), '\n');
 }

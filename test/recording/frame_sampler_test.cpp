@@ -1,10 +1,13 @@
-#include "ratchet_sieve/recording/frame_sampler.h"
+#include "ratchet_sieve/recording/run.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "collecting_sink.h"
+#include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/scene/scene_file.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -54,37 +57,22 @@ TEST(FrameSampler, CountsFromWhereItStarts)
   EXPECT_EQ(times, (std::vector<double>{0.3, 0.3 + 0.1, 0.3 + 0.2, 0.3 + 3 / 10.0, 0.65}));
 }
 
-TEST(FrameSampler, AtRateZeroTakesFirstAndLast)
-{
-  const CollectingSink sink = sampled({0.0, 0.0, 0.0, 0.0}, 0.0, 0.7);
-  ASSERT_EQ(sink.particles.size(), 2u);
-  EXPECT_EQ(sink.particles[0].time, 0.0);
-  EXPECT_EQ(sink.particles[1].time, 0.7);
-  EXPECT_EQ(sink.statistics.size(), 2u);
-}
-
-TEST(FrameSampler, IsNeverDueAgainWhereEveryRateIsZero)
+TEST(FrameSampler, AtRateZeroTakesFirstAndLastOnce)
 {
   Simulation simulation(smallRing());
   FrameSampler sampler({0.0, 0.0, 0.0, 0.0}, 0.0);
   CollectingSink sink;
   EXPECT_EQ(sampler.nextTime(), 0.0);
   sampler.takeDue(simulation, sink);
+  sampler.takeLast(simulation, sink);
+  EXPECT_EQ(sink.particles.size(), 1u);
   EXPECT_TRUE(std::isinf(sampler.nextTime()));
-}
-
-TEST(FrameSampler, TakesNoLastFrameTwice)
-{
-  const CollectingSink sink = sampled({4.0, 4.0, 4.0, 4.0}, 0.0, 1.0);
-  EXPECT_EQ(sink.particles.size(), 5u);
-  EXPECT_EQ(sink.bins.size(), 5u);
-
-  Simulation simulation(smallRing());
-  FrameSampler sampler({0.0, 0.0, 0.0, 0.0}, 0.0);
-  CollectingSink twice;
-  sampler.takeLast(simulation, twice);
-  sampler.takeLast(simulation, twice);
-  EXPECT_EQ(twice.particles.size(), 1u);
+  simulation.advanceTo(0.7);
+  sampler.takeLast(simulation, sink);
+  sampler.takeLast(simulation, sink);
+  ASSERT_EQ(sink.particles.size(), 2u);
+  EXPECT_EQ(sink.particles[1].time, 0.7);
+  EXPECT_EQ(sink.statistics.size(), 2u);
 }
 
 TEST(FrameSampler, TakesOneFrameForTimesThatWerePassedOver)
@@ -232,6 +220,31 @@ TEST(FrameSampler, LeavesOutOfTheRealTimeFactorWhatTheRunStoodStill)
   EXPECT_NEAR(factors[2], 2.0, 1e-6);
   EXPECT_NEAR(factors[3], 2.5, 1e-6);  // before the pause: 0.05 s in 0.02 s
   EXPECT_NEAR(factors[4], 5.0, 1e-6);  // after it: 0.05 s in 0.01 s
+}
+
+TEST(SceneFrame, CarriesTheSceneAsItRuns)
+{
+  SceneDefinition scene = smallMixture();
+  scene.seed = 77;
+  const SceneFrame frame = makeSceneFrame(Simulation(scene));
+  EXPECT_EQ(frame.seed, 77u);
+  EXPECT_EQ(frame.version, version());
+  EXPECT_EQ(frame.scene_hash, sceneHash(scene));
+  EXPECT_EQ(canonicalYaml(sceneFromText(frame.yaml, "frame").definition), canonicalYaml(scene));
+}
+
+TEST(BinFrame, CountsAndRates)
+{
+  Simulation simulation(smallMixture());
+  EXPECT_FALSE(makeBinFrame(simulation).quality);
+  EXPECT_FALSE(makeBinFrame(simulation).processed);
+  simulation.advanceTo(2.0);
+  const BinFrame frame = makeBinFrame(simulation);
+  EXPECT_EQ(frame.species, (std::vector<std::string>{"A", "B"}));
+  ASSERT_GT(frame.bins[0].counted() + frame.bins[1].counted(), 0u);
+  EXPECT_EQ(frame.bins[0].counted() + frame.bins[0].on_base, 6u);
+  EXPECT_EQ(frame.processed, processedRatio(frame.bins));
+  EXPECT_EQ(frame.quality, bestSeparation(frame.bins).quality());
 }
 
 }  // namespace

@@ -9,36 +9,17 @@ namespace
 
 TEST(ProgressText, SaysHowFarHowFastAndHowLongYet)
 {
-  EXPECT_EQ(progressText(25.0, 100.0, {25.0, 3000000, 2.0}),
-            "[######..................]  25.0 %  25.00 of 100 s simulated  1.50 M events/s  0:06 to go");
-}
-
-TEST(ProgressText, SaysHowSureARunIsThatMayEndSooner)
-{
+  const std::string quarter =
+      "[######..................]  25.0 %  25.00 of 100 s simulated  1.50 M events/s  0:06 to go";
+  EXPECT_EQ(progressText(25.0, 100.0, {25.0, 3000000, 2.0}), quarter);
   EXPECT_EQ(progressText(25.0, 100.0, {25.0, 3000000, 2.0, 1.74}),
-            "[######..................]  25.0 %  25.00 of 100 s simulated  1.50 M events/s  0:06 to go  "
-            "error 1.7 x the requested one");
-}
-
-TEST(ProgressText, CountsHours)
-{
+            quarter + "  error 1.7 x the requested one");
   EXPECT_EQ(progressText(1.0, 100.0, {1.0, 0, 100.0}),
             "[........................]   1.0 %  1.00 of 100 s simulated  0.00 M events/s  2:45:00 to go");
-}
-
-TEST(ProgressText, CountsOnlyWhatWasDoneSinceARunWasTakenUp)
-{
   EXPECT_EQ(progressText(75.0, 100.0, {25.0, 3000000, 2.0}),
-            "[##################......]  75.0 %  75.00 of 100 s simulated  1.50 M events/s  0:02 to go");
-}
-
-TEST(ProgressText, KnowsNoRateBeforeItStarts)
-{
+            "[##################......]  75.0 %  75.00 of 100 s simulated  1.50 M events/s  0:02 to go")
+      << "of a resumed run";
   EXPECT_EQ(progressText(0.0, 100.0, {}), "[........................]   0.0 %  0.00 of 100 s simulated");
-}
-
-TEST(ProgressText, OfNoDurationIsDone)
-{
   EXPECT_EQ(progressText(0.0, 0.0, {}), "[########################] 100.0 %  0.00 of 0 s simulated");
 }
 

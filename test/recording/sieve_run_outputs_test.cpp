@@ -118,6 +118,16 @@ TEST_F(SieveRunOutputs, AreFinishedWhereOneIsTooLarge)
   EXPECT_EQ(Json::parse(contents(written_ / "s.json"))["simulated_time"], 0.5);
 }
 
+TEST_F(SieveRunOutputs, AreWholeWhenInterrupted)
+{
+  EXPECT_EQ(whileItRuns(config("paper_fig3.yaml") + " --duration 100000000", "kill -INT $run"), 1);
+  const Json warnings = Json::parse(contents(written_ / "s.json"))["warnings"];
+  // The first warning: the duration is implausibly long.
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[1].get<std::string>().rfind("stopped at ", 0), 0u);
+  EXPECT_EQ(contents(written_ / "c.csv").back(), '\n');
+}
+
 TEST_F(SieveRunOutputs, AreWholeWhenTheTerminalIsClosed)
 {
   const std::string endless =

@@ -8,8 +8,9 @@
 #include <rapidcheck.h>
 #include <ros/serialization.h>
 
+#include "random_frames.h"
 #include "ratchet_sieve/core/fields.h"
-#include "ratchet_sieve/recording/frame_kinds.h"
+#include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/recording/same_bits.h"
 
 namespace ratchet_sieve

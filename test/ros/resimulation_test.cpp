@@ -10,7 +10,7 @@
 #include "collecting_sink.h"
 #include "node_parameters.h"
 #include "ratchet_sieve/live/run_control.h"
-#include "ratchet_sieve/recording/commands.h"
+#include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/ros/bag.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"

@@ -10,7 +10,6 @@
 #include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
-#include "scene_spelling.h"
 
 namespace ratchet_sieve
 {
@@ -395,33 +394,11 @@ double sumOfShares(const SceneDefinition& scene)
                          [](double sum, const SpeciesDefinition& species) { return sum + species.share; });
 }
 
-/// Counts out of a density. @return the density @pre a species has a share
-double drawDensity(SceneDefinition& scene)
-{
-  double diameters = 0.0;
-  double largest_share = 0.0;
-  for (const SpeciesDefinition& species : scene.species)
-  {
-    diameters += species.share * 2.0 * Sizes(species).meanRadius();
-    largest_share = std::max(largest_share, species.share);
-  }
-  const double count = drawnFraction() * MOST_DISKS / static_cast<double>(scene.species.size());
-  const double density = std::min(1e6, count * diameters / (largest_share * scene.base.width()));
-  for (SpeciesDefinition& species : scene.species)
-    species.count = static_cast<int>(std::round(species.share * density * scene.base.width() / diameters));
-  return density;
-}
+}  // namespace
 
-/// Where the disks come from.
-enum class Placing
+SceneDefinition drawnRunnableScene()
 {
-  COUNTS,
-  DENSITY,
-  INITIAL
-};
-
-RandomScene drawnScene(Placing placing)
-{
+  const bool placed = drawnChance(25);
   SceneDefinition scene;
   drawBase(scene);
   drawBoundary(scene);
@@ -431,25 +408,15 @@ RandomScene drawnScene(Placing placing)
   drawPairs(scene);
   drawPour(scene);
   drawObserved(scene);
-  if (placing == Placing::INITIAL)
+  if (placed)
     drawInitial(scene, std::min(fastestSpeed(scene),
                                 scene.base.toothWidth() / timeScale(scene) * drawnMagnitude(1e-3, 1e3)));
-  std::optional<double> density;
-  if (placing == Placing::DENSITY && sumOfShares(scene) > 0.0)
-    density = drawDensity(scene);
   drawDuration(scene);
   drawMethod(scene);
   if (sumOfShares(scene) <= 0.0)
     scene.feed.rate = 0.0;
   scene.seed = *rc::gen::arbitrary<std::uint64_t>();
-  return {scene, spelled(scene, density)};
-}
-
-}  // namespace
-
-RandomScene drawnRunnableScene()
-{
-  return drawnScene(drawnOf({Placing::COUNTS, Placing::COUNTS, Placing::DENSITY, Placing::INITIAL}));
+  return scene;
 }
 
 }  // namespace ratchet_sieve

@@ -1,24 +1,9 @@
 #pragma once
 
-#include <string>
-
 #include "ratchet_sieve/core/definition.h"
-#include "scene_tree.h"
 
 namespace ratchet_sieve
 {
-
-/// A legal scene, and the YAML that says it: with keys left out where their value is the default.
-struct RandomScene
-{
-  SceneDefinition definition;  ///< as it must be read
-  SceneTree tree;
-};
-
-inline std::ostream& operator<<(std::ostream& out, const RandomScene& scene)
-{
-  return out << scene.tree;
-}
 
 /// Any legal scene that is cheap to run. Sizes, masses, times and coefficients go over the whole of their
 /// ranges; what costs time is bounded by these ratios, w the width of a tooth:
@@ -34,6 +19,6 @@ inline std::ostream& operator<<(std::ostream& out, const RandomScene& scene)
 /// What double precision cannot tell apart is bounded by these:
 /// - radii of at least 1/1000 w, and of at least 4e-6 of the base's width;
 /// - speeds of up to 20,000 of the smallest radii in the machine's time scale.
-RandomScene drawnRunnableScene();
+SceneDefinition drawnRunnableScene();
 
 }  // namespace ratchet_sieve

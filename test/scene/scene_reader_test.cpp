@@ -14,27 +14,7 @@ Scene read(const std::string& text)
 
 const char* const ONE_SPECIES = "species: [{name: A, count: 3, radius: 0.001, mass: 0.002}]\n";
 
-TEST(SceneReader, FillsInTheDefaults)
-{
-  const SceneDefinition scene = read(ONE_SPECIES).definition;
-  EXPECT_EQ(scene.base.teeth, 20);
-  EXPECT_EQ(scene.base.tooth_width, 0.020);
-  EXPECT_EQ(scene.base.tooth_height, 0.006);
-  EXPECT_EQ(scene.base.asymmetry, 0.3);
-  EXPECT_EQ(scene.base.frequency, 23.0);
-  EXPECT_EQ(scene.boundary, Boundary::PERIODIC);
-  EXPECT_EQ(scene.gravity, 9.81);
-  EXPECT_TRUE(scene.contact.pair_collisions);
-  EXPECT_EQ(scene.contact.min_rebound_speed, 0.05);
-  EXPECT_EQ(scene.pour.drop_height, 0.02);
-  EXPECT_EQ(scene.duration, 100.0);
-  EXPECT_EQ(scene.seed, 1u);
-  ASSERT_EQ(scene.species.size(), 1u);
-  EXPECT_EQ(scene.species[0].contact.restitution, 0.6);
-  EXPECT_EQ(scene.species[0].contact.tangential_restitution, 0.4);
-  EXPECT_EQ(scene.species[0].inertia_factor, 0.5);
-}
-
+/// Defaults are in canonical_scene_test.cpp.
 TEST(SceneReader, TakesEveryKey)
 {
   const SceneDefinition scene = read(R"(
@@ -153,6 +133,16 @@ density: 1.0
 )");
   EXPECT_EQ(scene.definition.species[0].count, 120);
   EXPECT_EQ(scene.definition.species[1].count, 40);
+}
+
+TEST(SceneReader, SplitsADensityByTheExpectedDiameters)
+{
+  const Scene scene = read(R"(
+species:
+  - {name: A, radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.003], weights: [0, 1]}}
+density: 4
+)");
+  EXPECT_EQ(scene.definition.species[0].count, 400);  // 4 * 0.4 m / 0.004 m
 }
 
 TEST(SceneReader, WarnsOfACountBesideADensity)

@@ -47,17 +47,6 @@ const Refusal SHAPES[] = {
      "name, radius, restitution, share, size, tangential_restitution"},
     {"UnknownKeyInAHarmonic", "teeth: 20", "harmonics: [{multiple: 2, amplitud: 1}], teeth: 20",
      "s.yaml:1: base.harmonics.0.amplitud: unknown key; did you mean amplitude?"},
-    {"HarmonicWithoutAMultiple", "teeth: 20", "harmonics: [{amplitude: 1}], teeth: 20",
-     "s.yaml:1: base.harmonics.0.multiple: missing"},
-    {"HarmonicOfTheFirstMultiple", "teeth: 20", "harmonics: [{multiple: 1}], teeth: 20",
-     "s.yaml:1: base.harmonics.0.multiple = 1: must be an integer from 2 to 100"},
-    {"HarmonicThatIsNoMap", "teeth: 20", "harmonics: [2], teeth: 20",
-     "s.yaml:1: base.harmonics.0 = 2: must be a map"},
-    {"HarmonicsThatAreNoList", "teeth: 20", "harmonics: {multiple: 2}, teeth: 20",
-     "s.yaml:1: base.harmonics = a map: must be a list"},
-    {"MissingName", "name: A, ", "", "s.yaml:4: species.0.name: missing"},
-    {"MissingRadius", "radius: 0.002, ", "", "s.yaml:5: species.1.radius: missing"},
-    {"MissingMass", ", mass: 0.001", "", "s.yaml:4: species.0.mass: missing"},
     {"MissingCount", "count: 10, ", "", "s.yaml:4: species.0.count: missing"},
     {"MassBesideADensity", "mass: 0.001", "mass: 0.001, density: 2500",
      "s.yaml:4: species.0.mass: must be absent because density gives it"},
@@ -65,13 +54,9 @@ const Refusal SHAPES[] = {
      "s.yaml:4: species.0.density = 7800: gives a mass of 32672563597.333847 kg; must be a number from 1e-18 "
      "to 1000000 kg"},
     {"KeyTwiceInAMap", "teeth: 20", "teeth: 20, teeth: 21", "s.yaml:1: base.teeth: is given twice"},
-    {"KeyTwiceAtTheRoot", "seed: 1", "seed: 1\nseed: 2", "s.yaml:12: seed: is given twice"},
     {"ListForAMap", "{teeth: 20, tooth_width: 0.02}", "[1, 2]", "s.yaml:1: base = a list: must be a map"},
-    {"ValueForAMap", "{teeth: 20, tooth_width: 0.02}", "20", "s.yaml:1: base = 20: must be a map"},
     {"NothingForAMap", "{teeth: 20, tooth_width: 0.02}", "", "s.yaml:1: base = nothing: must be a map"},
     {"MapForAList", "[]", "{}", "s.yaml:6: pairs = a map: must be a list"},
-    {"MapForANumber", "10.0", "{s: 10}",
-     "s.yaml:9: duration = a map: must be a number from 0 to 1000000000 s"},
     {"KeyThatIsNoWord", "seed: 1", "[a]: 1", "s.yaml:11: scene: a key must be a word"},
 };
 INSTANTIATE_TEST_SUITE_P(Shapes, SceneRefusals, testing::ValuesIn(SHAPES), ruleName);
@@ -85,24 +70,13 @@ const Refusal VALUES[] = {
      "s.yaml:4: species.0.radius = true: must be a number from 1e-09 to 1000 m"},
     {"NotANumber", "radius: 0.001", "radius: .nan",
      "s.yaml:4: species.0.radius = .nan: must be a number from 1e-09 to 1000 m"},
-    {"InfiniteNumber", "10.0", ".inf", "s.yaml:9: duration = .inf: must be a number from 0 to 1000000000 s"},
     {"OverflowingNumber", "10.0", "1e999",
      "s.yaml:9: duration = 1e999: must be a number from 0 to 1000000000 s"},
     {"NumberWithATail", "10.0", "10s", "s.yaml:9: duration = 10s: must be a number from 0 to 1000000000 s"},
     {"NumberOutOfRange", "mass: 0.001", "mass: -0.001",
      "s.yaml:4: species.0.mass = -0.001: must be a number from 1e-18 to 1000000 kg"},
-    {"ZeroRadius", "radius: 0.001", "radius: 0",
-     "s.yaml:4: species.0.radius = 0: must be a number from 1e-09 to 1000 m"},
-    {"Restitution", "mass: 0.001", "mass: 0.001, restitution: 1.01",
-     "s.yaml:4: species.0.restitution = 1.01: must be a number from 0 to 1"},
-    {"TangentialRestitution", "mass: 0.001", "mass: 0.001, tangential_restitution: -1.01",
-     "s.yaml:4: species.0.tangential_restitution = -1.01: must be a number from -1 to 1"},
     {"InertiaFactor", "mass: 0.001", "mass: 0.001, inertia_factor: 0",
      "s.yaml:4: species.0.inertia_factor = 0: must be a number from 1e-06 to 1"},
-    {"Asymmetry", "teeth: 20", "asymmetry: -0.1",
-     "s.yaml:1: base.asymmetry = -0.1: must be a number from 0 to 1"},
-    {"Inclination", "teeth: 20", "inclination: 1.6",
-     "s.yaml:1: base.inclination = 1.6: must be a number from -1.5 to 1.5 rad"},
     {"InclinationInDegrees", "teeth: 20", "inclination: 11",
      "s.yaml:1: base.inclination = 11: must be a number from -1.5 to 1.5 rad; did you mean 0.192 rad (11 "
      "degrees)?"},
@@ -110,11 +84,8 @@ const Refusal VALUES[] = {
      "s.yaml:4: species.0.restitution = 60: must be a number from 0 to 1; did you mean 0.6 (60 %)?"},
     {"FractionForAnInteger", "count: 10", "count: 1.5",
      "s.yaml:4: species.0.count = 1.5: must be an integer from 0 to 10000000"},
-    {"NegativeCount", "count: 10", "count: -1",
-     "s.yaml:4: species.0.count = -1: must be an integer from 0 to 10000000"},
     {"HugeCount", "count: 10", "count: 99999999999",
      "s.yaml:4: species.0.count = 99999999999: must be an integer from 0 to 10000000"},
-    {"NoTeeth", "teeth: 20", "teeth: 0", "s.yaml:1: base.teeth = 0: must be an integer from 1 to 1000000"},
     {"NegativeSeed", "seed: 1", "seed: -1",
      "s.yaml:11: seed = -1: must be an integer from 0 to 18446744073709551615"},
     {"HugeSeed", "seed: 1", "seed: 18446744073709551616",
@@ -133,65 +104,44 @@ const Refusal VALUES[] = {
      "periodic, open or walled"},
     {"NothingToObserve", "boundary: periodic", "observe: [mass_flow, colour]",
      "s.yaml:2: observe.1 = colour: must be one of residence_times, height_profile, mass_flow"},
-    {"NoPhase", "boundary: periodic", "height_profile: {phases: 0}",
-     "s.yaml:2: height_profile.phases = 0: must be an integer from 1 to 64"},
     {"ObservedTwice", "boundary: periodic", "observe: [mass_flow, mass_flow]",
      "s.yaml:2: observe.1 = mass_flow: is given twice"},
-    {"NoListToObserve", "boundary: periodic", "observe: mass_flow",
-     "s.yaml:2: observe = mass_flow: must be a list"},
     {"ValueOfTwoLinesTakesOne", "periodic", "\"a\\nb\"",
      "s.yaml:2: boundary = \"a b\": must be periodic, open or walled"},
 };
 INSTANTIATE_TEST_SUITE_P(Values, SceneRefusals, testing::ValuesIn(VALUES), ruleName);
 
+const char* const A_MASS = "mass: 0.001";
 const Refusal SIZES[] = {
-    {"SizesWithoutADistribution", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {spread: 0.2}", "s.yaml:4: species.0.size.distribution: missing"},
-    {"SizesWithoutASpread", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: normal}", "s.yaml:4: species.0.size.spread: missing"},
-    {"UniformSizesDownToZero", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: uniform, spread: 1}",
+    {"UniformSizesDownToZero", A_MASS, "mass: 0.001, size: {distribution: uniform, spread: 1}",
      "s.yaml:4: species.0.size.spread = 1: must be below 1: every radius must be above 0"},
-    {"NormalSizesDownToZero", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: normal, spread: 0.34}",
+    {"NormalSizesDownToZero", A_MASS, "mass: 0.001, size: {distribution: normal, spread: 0.34}",
      "s.yaml:4: species.0.size.spread = 0.34: must be below 1/3: every radius must be above 0, and the "
      "distribution is cut at 3 standard deviations"},
-    {"SizesOfNoDistribution", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: even, spread: 0.1}",
-     "s.yaml:4: species.0.size.distribution = even: must be uniform, normal, lognormal or table"},
-    {"TableWithoutWeights", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001]}",
+    {"TableWithoutWeights", A_MASS, "mass: 0.001, size: {distribution: table, radii: [0.001]}",
      "s.yaml:4: species.0.size.weights: missing"},
-    {"TableWithASpread", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: table, spread: 0.1, radii: [0.001], weights: [1]}",
+    {"TableWithASpread", A_MASS,
+     "mass: 0.001, size: {distribution: table, spread: 0.1, radii: [0.001], weights: [1]}",
      "s.yaml:4: species.0.size.spread: unknown key; must be one of by, distribution, mass_exponent, radii, "
      "weights"},
-    {"SpreadWithWeights", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: uniform, spread: 0.1, weights: [1]}",
+    {"SpreadWithWeights", A_MASS, "mass: 0.001, size: {distribution: uniform, spread: 0.1, weights: [1]}",
      "s.yaml:4: species.0.size.weights: unknown key; must be one of distribution, mass_exponent, spread"},
-    {"TableOfUnequalLengths", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.002], weights: [1]}",
+    {"TableOfUnequalLengths", A_MASS,
+     "mass: 0.001, size: {distribution: table, radii: [0.001, 0.002], weights: [1]}",
      "s.yaml:4: species.0.size.weights: must have as many numbers as radii, 2"},
-    {"TableOfNoRadii", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [], weights: []}",
+    {"TableOfNoRadii", A_MASS, "mass: 0.001, size: {distribution: table, radii: [], weights: []}",
      "s.yaml:4: species.0.size.radii: must have 1 to 1000 numbers"},
-    {"TableOfNoWeight", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.002], weights: [0, 0]}",
+    {"TableOfNoWeight", A_MASS,
+     "mass: 0.001, size: {distribution: table, radii: [0.001, 0.002], weights: [0, 0]}",
      "s.yaml:4: species.0.size.weights: needs a weight above 0"},
-    {"TableOfRadiiThatFall", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.001], weights: [1, 1]}",
+    {"TableOfRadiiThatFall", A_MASS,
+     "mass: 0.001, size: {distribution: table, radii: [0.001, 0.001], weights: [1, 1]}",
      "s.yaml:4: species.0.size.radii.1 = 0.001: must be larger than the radius before, 0.001 m"},
-    {"TableFromZero", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0, 0.001], weights: [1, 1]}",
-     "s.yaml:4: species.0.size.radii.0 = 0: must be a number from 1e-09 to 1000 m"},
-    {"TableWithANegativeWeight", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.002], weights: [1, -1]}",
-     "s.yaml:4: species.0.size.weights.1 = -1: must be a number from 0 to 1000000000"},
-    {"TableBesideTheRadius", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.002, 0.003], weights: [1, 1]}",
+    {"TableBesideTheRadius", A_MASS,
+     "mass: 0.001, size: {distribution: table, radii: [0.002, 0.003], weights: [1, 1]}",
      "s.yaml:4: species.0.radius = 0.001: must be within size.radii, from 0.002 to 0.003 m"},
-    {"TableInMillimetres", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.5, 2], weights: [1, 1]}",
+    {"TableInMillimetres", A_MASS,
+     "mass: 0.001, size: {distribution: table, radii: [0.5, 2], weights: [1, 1]}",
      "s.yaml:4: species.0.radius = 0.001: must be within size.radii, from 0.5 to 2 m; are size.radii in mm?"},
     {"RadiusOfATableInMillimetres", "radius: 0.001, mass: 0.001",
      "radius: 1, mass: 0.001, size: {distribution: table, radii: [0.0005, 0.002], weights: [1, 1]}",
@@ -201,11 +151,8 @@ const Refusal SIZES[] = {
      "radius: 1, mass: 0.001, size: {distribution: table, radii: [0.5, 2], weights: [1, 1]}",
      "s.yaml:4: species.0.size: the largest diameter, 4 m, must be at most the base's width (teeth times "
      "tooth_width), 0.4 m; are its radii in mm?"},
-    {"TableThatIsNoList", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: table, radii: 0.001, weights: [1]}",
-     "s.yaml:4: species.0.size.radii = 0.001: must be a list"},
-    {"SizesWiderThanTheBase", "radius: 0.001, mass: 0.001",
-     "radius: 0.001, mass: 0.001, size: {distribution: table, radii: [0.001, 0.25], weights: [0, 1]}",
+    {"SizesWiderThanTheBase", A_MASS,
+     "mass: 0.001, size: {distribution: table, radii: [0.001, 0.25], weights: [0, 1]}",
      "s.yaml:4: species.0.size: the largest diameter, 0.5 m, must be at most the base's width (teeth times "
      "tooth_width), 0.4 m"},
 };
@@ -223,7 +170,6 @@ const Refusal RULES[] = {
      "coefficients"},
     {"PairTwice", "[]", "[{species: [A, B]}, {species: [B, A]}]",
      "s.yaml:6: pairs.1.species: another pair has these two species already"},
-    {"PairWithoutSpecies", "[]", "[{friction: 0.1}]", "s.yaml:6: pairs.0.species: missing"},
     {"InitialOfAnUnknownSpecies", "pairs: []", "initial: [{species: C, x: 0, y: 0.1}]",
      "s.yaml:6: initial.0.species = C: unknown species; must be one of A, B"},
     {"InitialWithoutAPlace", "pairs: []", "initial: [{species: A, x: 0}]", "s.yaml:6: initial.0.y: missing"},
@@ -232,8 +178,6 @@ const Refusal RULES[] = {
     {"SettleLongerThanDuration", "settle: 0.0", "settle: 10.5",
      "s.yaml:10: settle = 10.5: must be at most the duration, 10 s; change settle or duration in the scene, "
      "or with --set settle=0 or --duration of sieve_run"},
-    {"NegativeDensity", "pairs: []", "density: -1",
-     "s.yaml:6: density = -1: must be a number from 0 to 1000000"},
     {"DensityOfTooManyDisks", "pairs: []", "density: 1000000",
      "s.yaml:6: density = 1000000: too dense: species A would have more than 10000000 disks"},
     {"DiskWiderThanAPeriodicBase", "radius: 0.002", "radius: 0.21",
@@ -258,10 +202,6 @@ const Refusal RULES[] = {
      "s.yaml:8: feed.to = 200: must be at most the base's width, 0.4 m; did you mean 0.2 m?"},
     {"PouredBackwards", "pairs: []", "pour: {from: 0.3, to: 0.2}",
      "s.yaml:6: pour.to = 0.2: must be at least pour.from, 0.3 m"},
-    {"FedBeforeTheBase", "feed: {rate: 0.0}", "feed: {from: -0.1}",
-     "s.yaml:8: feed.from = -0.1: must be a number from 0 to 1000000000 m"},
-    {"DriveFrameOfTheDeck", "teeth: 20", "drive_frame: deck",
-     "s.yaml:1: base.drive_frame = deck: must be world or base"},
     {"StepInMilliseconds", "pairs: []", "accuracy: {method: steps, step: 4}",
      "s.yaml:6: accuracy.step = 4: must be a number from 1e-07 to 0.1 s; did you mean 0.004 s (4 ms)?"},
 };
@@ -269,25 +209,16 @@ INSTANTIATE_TEST_SUITE_P(Rules, SceneRefusals, testing::ValuesIn(RULES), ruleNam
 
 const char* const TOOTH = "teeth: 20, tooth_width: 0.02";
 const Refusal PROFILES[] = {
-    {"NoList", TOOTH, "profile: 3", "s.yaml:1: base.profile = 3: must be a list"},
-    {"Empty", TOOTH, "profile: []",
-     "s.yaml:1: base.profile = a list: must be a list of 2 to 10000 corners [s, n], each number -1000 to "
-     "1000 m"},
     {"OneCorner", TOOTH, "profile: [[0, 0]]",
      "s.yaml:1: base.profile = a list: must be a list of 2 to 10000 corners [s, n], each number -1000 to "
      "1000 m"},
     {"CornerOfOneNumber", TOOTH, "profile: [[0, 0], [0.02]]",
      "s.yaml:1: base.profile.1: must be two numbers, [s, n]"},
-    {"CornerThatIsNoList", TOOTH, "profile: [0, 0.02]", "s.yaml:1: base.profile.0 = 0: must be a list"},
     {"NotFinite", TOOTH, "profile: [[0, 0], [0.01, .inf], [0.02, 0]]",
      "s.yaml:1: base.profile.1.1 = .inf: must be a number from -1000 to 1000 m"},
-    {"Text", TOOTH, "profile: [[0, 0], [0.01, high], [0.02, 0]]",
-     "s.yaml:1: base.profile.1.1 = high: must be a number from -1000 to 1000 m"},
     {"Overhang", TOOTH, "profile: [[0, 0], [0.01, 0.005], [0.009, 0.006], [0.02, 0]]",
      "s.yaml:1: base.profile.2: s = 0.009 m is before the corner before, s = 0.01 m: corners go from left to "
      "right, and a tooth must have no overhang"},
-    {"FromRightToLeft", TOOTH, "profile: [[0.02, 0], [0.006, 0.006], [0, 0]]",
-     "s.yaml:1: base.profile.0: must be [0, 0]: a tooth begins there, at its left end"},
     {"BeginsElsewhere", TOOTH, "profile: [[0.001, 0], [0.02, 0]]",
      "s.yaml:1: base.profile.0: must be [0, 0]: a tooth begins there, at its left end"},
     {"EndsHigher", TOOTH, "profile: [[0, 0], [0.02, 0.001]]",
@@ -303,10 +234,6 @@ const Refusal PROFILES[] = {
      "thickness"},
     {"BesideAWidth", TOOTH, "tooth_width: 0.02, profile: [[0, 0], [0.02, 0]]",
      "s.yaml:1: base.tooth_width: must be absent because base.profile gives the tooth"},
-    {"BesideAHeight", TOOTH, "profile: [[0, 0], [0.02, 0]], tooth_height: 0.006",
-     "s.yaml:1: base.tooth_height: must be absent because base.profile gives the tooth"},
-    {"BesideAnAsymmetry", TOOTH, "profile: [[0, 0], [0.02, 0]], asymmetry: 0.3",
-     "s.yaml:1: base.asymmetry: must be absent because base.profile gives the tooth"},
 };
 INSTANTIATE_TEST_SUITE_P(Profiles, SceneRefusals, testing::ValuesIn(PROFILES), ruleName);
 
@@ -320,31 +247,21 @@ TEST(SceneProfile, InMillimetresIsDoubted)
   EXPECT_NE(scene.warnings[0].find("did you mean 0.02 m?"), std::string::npos) << scene.warnings[0];
 }
 
-TEST(SceneText, ThatIsNoYamlIsRefusedWithItsLine)
+TEST(SceneText, ThatIsWrongAsAWholeIsRefused)
 {
-  EXPECT_EQ(refusalOf("base: {teeth: 20\nspecies: ]\n"), "s.yaml:2: not YAML: end of map flow not found");
-}
-
-TEST(SceneText, ThatIsEmptyIsRefused)
-{
-  EXPECT_EQ(refusalOf(""), "s.yaml: scene = nothing: must be a map");
-}
-
-TEST(SceneText, WithoutSpeciesIsRefused)
-{
-  EXPECT_EQ(refusalOf("seed: 2\n"), "s.yaml:1: species: missing");
-  EXPECT_EQ(refusalOf("species: []\n"), "s.yaml:1: species: must have at least one species");
-}
-
-TEST(SceneText, OfTwoDocumentsIsRefused)
-{
-  EXPECT_EQ(refusalOf(std::string(GOOD_SCENE) + "---\nseed: 2\n"),
-            "s.yaml:12: not YAML: a second document; a scene must be a single one");
-}
-
-TEST(SceneText, ThatNestsWithoutEndIsRefused)
-{
-  EXPECT_EQ(refusalOf(std::string(100000, '[')), "s.yaml:1: not YAML: lists and maps nest deeper than 16");
+  const std::string none = "species: [{name: A, share: 0, radius: 0.001, mass: 0.001}]\n";
+  for (const auto& [text, refusal] : std::vector<std::pair<std::string, std::string>>{
+           {"base: {teeth: 20\nspecies: ]\n", "s.yaml:2: not YAML: end of map flow not found"},
+           {"", "s.yaml: scene = nothing: must be a map"},
+           {"seed: 2\n", "s.yaml:1: species: missing"},
+           {"species: []\n", "s.yaml:1: species: must have at least one species"},
+           {std::string(GOOD_SCENE) + "---\nseed: 2\n",
+            "s.yaml:12: not YAML: a second document; a scene must be a single one"},
+           {std::string(100000, '['), "s.yaml:1: not YAML: lists and maps nest deeper than 16"},
+           {std::string((16u << 20) + 1, '\n'), "s.yaml: too large; must have at most 16777216 bytes"},
+           {none + "feed: {rate: 2.0}\n", "s.yaml:2: feed.rate = 2.0: needs a species with a share above 0"},
+           {none + "density: 1.0\n", "s.yaml:2: density = 1.0: needs a species with a share above 0"}})
+    EXPECT_EQ(refusalOf(text), refusal);
 }
 
 /// An override of one place would change the other as well.
@@ -356,41 +273,22 @@ TEST(SceneText, WithAnAliasIsRefused)
             "s.yaml:5: not YAML: an alias (*NAME): not allowed; write out its value");
 }
 
-TEST(SceneText, ThatIsHugeIsRefused)
-{
-  EXPECT_EQ(refusalOf(std::string((16u << 20) + 1, '\n')),
-            "s.yaml: too large; must have at most 16777216 bytes");
-}
-
 TEST(SceneFile, ThatCannotBeReadIsRefused)
 {
-  using PathAndReason = std::pair<std::string, std::string>;
-  for (const auto& [path, why] :
-       {PathAndReason("no_such_scene.yaml", "no such file"),
-        PathAndReason("no_such_directory/scene.yaml", "no such file"), PathAndReason("/", "is a directory")})
+  for (const auto& [path, why] : std::vector<std::pair<std::string, std::string>>{
+           {"no_such_directory/scene.yaml", "no such file"},
+           {"/", "is a directory"},
+           {"/dev/null", "scene = nothing: must be a map"},
+           {"/dev/zero", "too large; must have at most 16777216 bytes"}})
     try
     {
       loadSceneFile(path);
-      FAIL();
+      FAIL() << path;
     }
     catch (const SceneError& error)
     {
       EXPECT_EQ(error.what(), path + ": " + why);
     }
-}
-
-TEST(SceneFile, ThatIsEmptyOrEndlessIsRefused)
-{
-  EXPECT_THROW(loadSceneFile("/dev/null"), SceneError);
-  try
-  {
-    loadSceneFile("/dev/zero");
-    FAIL();
-  }
-  catch (const SceneError& error)
-  {
-    EXPECT_STREQ(error.what(), "/dev/zero: too large; must have at most 16777216 bytes");
-  }
 }
 
 TEST(SceneText, IsShownInOneLineAndCut)
@@ -413,19 +311,6 @@ TEST(SceneRules, SpeciesAndDisksHaveALimit)
   EXPECT_EQ(refusalOf("species:\n  - {name: A, count: 10000000, radius: 0.001, mass: 1}\n  - {name: B, "
                       "count: 1, radius: 0.001, mass: 1}\n"),
             "s.yaml:2: species: must have at most 10000000 disks in total");
-}
-
-TEST(SceneRules, AFeedNeedsASpeciesToDrawFrom)
-{
-  const std::string text =
-      "species: [{name: A, count: 0, share: 0, radius: 0.001, mass: 0.001}]\nfeed: {rate: 2.0}\n";
-  EXPECT_EQ(refusalOf(text), "s.yaml:2: feed.rate = 2.0: needs a species with a share above 0");
-}
-
-TEST(SceneRules, ADensityNeedsASpeciesToSplitInto)
-{
-  const std::string text = "species: [{name: A, share: 0, radius: 0.001, mass: 0.001}]\ndensity: 1.0\n";
-  EXPECT_EQ(refusalOf(text), "s.yaml:2: density = 1.0: needs a species with a share above 0");
 }
 
 TEST(SceneRules, AWideDiskIsRefusedOnlyWhereItMatters)

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "ratchet_sieve/live/fan_out.h"
 #include "ratchet_sieve/live/journal.h"
 #include "ratchet_sieve/live/setpoint.h"
+#include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/scene/scene_file.h"
 

@@ -3,12 +3,23 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "ratchet_sieve/live/picture.h"
 #include "ratchet_sieve/recording/frame_sink.h"
 
 namespace ratchet_sieve
 {
+
+/// The input of a display at one instant, from the engine, from topics or from a bag. Kinds of frames that
+/// were not recorded are empty.
+struct Picture
+{
+  const SceneDefinition& scene;  ///< outlives this
+  BaseFrame base;
+  std::optional<BinFrame> bins;
+  std::optional<ParticleFrame> particles;
+  std::vector<SpeciesMeans> means = {};  ///< per species; empty if unknown
+};
 
 /// Reconstructs a run from its topics: combines the last frames received into pictures of one instant. Each
 /// topic has its own rate and may be missing. Time jumps back if a bag is played again or a sieve is reset.

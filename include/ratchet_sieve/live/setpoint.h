@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <chrono>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -28,5 +31,48 @@ struct Setpoint
 
 /// The default limits of a node, in the order of Quantity.
 std::array<Setpoint, QUANTITIES> usualSetpoints();
+
+/// Accepted setpoints that wait to be applied: the newest of each quantity. Each command requires new
+/// predictions for all disks, so a thousand commands per second could take all computing time. Commands
+/// therefore get a limited share of the time. While they wait, a newer setpoint replaces an older one.
+class SetpointInbox
+{
+public:
+  using Clock = std::chrono::steady_clock;
+
+  void put(Quantity quantity, double value) { newest_[indexOf(quantity)] = value; }
+
+  /// Applies the waiting setpoints if they are due. @param wait false: at once, because no run is under way
+  void deliver(bool wait, const std::function<void(Quantity, double)>& command,
+               const std::function<Clock::time_point()>& wall_clock = Clock::now);
+
+  /// Largest share of wall time for commands.
+  static constexpr double SHARE = 0.1;
+
+private:
+  std::array<std::optional<double>, QUANTITIES> newest_;  ///< in the order of Quantity
+  Clock::time_point next_;                                ///< not before
+};
+
+/// Limits the rate of log lines. The first line passes at once. Then one line passes per period: the newest,
+/// with the number of lines that it replaces. The last line of a burst is always logged.
+class LogThrottle
+{
+public:
+  using Clock = std::chrono::steady_clock;
+
+  /// @return the line if it may be logged now; otherwise it is kept and replaces the line kept before
+  std::optional<std::string> put(const std::string& line, Clock::time_point now);
+
+  /// @return the kept line, once the period is over
+  std::optional<std::string> due(Clock::time_point now);
+
+  static constexpr std::chrono::seconds PERIOD{1};  ///< of wall time
+
+private:
+  std::optional<Clock::time_point> last_said_;
+  std::string kept_;
+  std::uint64_t kept_count_ = 0;  ///< lines since the last one that was logged
+};
 
 }  // namespace ratchet_sieve

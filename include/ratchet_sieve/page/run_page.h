@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ratchet_sieve/analysis/run_analysis.h"
-#include "ratchet_sieve/recording/frame_kinds.h"
+#include "ratchet_sieve/recording/frame_sink.h"
 
 namespace ratchet_sieve
 {

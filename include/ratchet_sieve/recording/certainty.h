@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/simulation.h"
-#include "ratchet_sieve/recording/separation_estimate.h"
-#include "ratchet_sieve/recording/steady_mean.h"
+#include "ratchet_sieve/recording/estimates.h"
 
 namespace ratchet_sieve
 {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "ratchet_sieve/core/simulation.h"
@@ -16,20 +15,18 @@ class CollisionFile
 public:
   /// @throws OutputError
   explicit CollisionFile(const std::string& path);
-  ~CollisionFile();
 
   /// The observer for Simulation::observeCollisions().
-  void take(const CollisionRecord& record);
+  void add(const CollisionRecord& record);
 
   /// @throws OutputError if the file could not be written completely
   void commit();
 
 private:
-  struct Buffer;
   void flush();
 
   AtomicFile file_;
-  std::unique_ptr<Buffer> buffer_;
+  std::string lines_;  ///< not yet written
 };
 
 }  // namespace ratchet_sieve

@@ -30,35 +30,27 @@ std::string progressText(double time, double duration, const Progress& progress)
 class ProgressBar
 {
 public:
-  /// @param start the run at the start of this program
-  explicit ProgressBar(const Simulation& start);
+  ProgressBar();
   ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
 
+  /// Of a pour.
+  void show(std::size_t poured, std::size_t of);
+
+  /// Of a run, whose speed is counted from the first call on.
   void show(const Simulation& simulation);
 
 private:
-  double duration_;
-  double start_time_;
-  std::uint64_t start_events_;
+  bool isDue();
+  void draw(const std::string& line) const;
+
+  using Clock = std::chrono::steady_clock;
   bool visible_;
-  std::chrono::steady_clock::time_point start_;
-  std::chrono::steady_clock::time_point next_;
-};
-
-/// A progress bar for the pour on standard error, if that is a terminal. Erased at the end.
-class PourBar
-{
-public:
-  PourBar();
-  ~PourBar();
-  PourBar(const PourBar&) = delete;
-  PourBar& operator=(const PourBar&) = delete;
-
-  void show(std::size_t poured, std::size_t of);
-
-private:
-  bool visible_;
-  std::chrono::steady_clock::time_point next_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point next_ = start_;
+  std::optional<double> start_time_;  ///< of the run [s]
+  std::uint64_t start_events_ = 0;
 };
 
 }  // namespace ratchet_sieve

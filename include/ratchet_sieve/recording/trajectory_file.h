@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,7 +24,7 @@ namespace ratchet_sieve
 class TrajectoryFile : public FrameSink
 {
 public:
-  /// @throws OutputError if a file cannot be written
+  /// @throws OutputError if `path` does not end in .xyz or .extxyz, or if a file cannot be written
   explicit TrajectoryFile(const std::string& path);
 
   bool wants(FrameKind kind) const override;
@@ -44,10 +43,6 @@ private:
   AtomicFile disks_file_;
   AtomicFile base_file_;
 };
-
-/// Opens the files of a trajectory. @throws OutputError if `path` does not end in .xyz or .extxyz, or if a
-/// file cannot be written
-std::unique_ptr<TrajectoryFile> openTrajectory(const std::string& path);
 
 /// All that a trajectory writes: its file and the one beside it. Nothing for an empty path.
 std::vector<std::string> trajectoryPaths(const std::string& path);

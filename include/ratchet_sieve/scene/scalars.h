@@ -1,17 +1,38 @@
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/scene/entry.h"
-#include "ratchet_sieve/scene/range.h"
 
 /// Reads values strictly: text is not a number, a number is not a truth value, and an integer has no
 /// fraction.
 namespace ratchet_sieve
 {
+
+/// The values that a number may have: between two bounds, both included, or any.
+struct Range
+{
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
+  const char* unit = "";
+
+  bool isBounded() const { return std::isfinite(lowest) && std::isfinite(highest); }
+  bool holds(double value) const { return value >= lowest && value <= highest; }
+
+  /// Such as "0 to 1000", or "any".
+  std::string values() const;
+
+  /// Such as "from 0 to 1000 m", or "that is finite".
+  std::string text() const;
+};
 
 /// All throw SceneError, which names the value and what is allowed.
 void readScalar(const Entry& entry, const Range& range, double& value);
@@ -19,13 +40,6 @@ void readScalar(const Entry& entry, const Range& range, int& value);
 void readScalar(const Entry& entry, const Range& range, std::uint64_t& value);
 void readScalar(const Entry& entry, const Range& range, bool& value);
 void readScalar(const Entry& entry, const Range& range, std::string& value);
-void readScalar(const Entry& entry, const Range& range, Boundary& value);
-void readScalar(const Entry& entry, const Range& range, DriveFrame& value);
-void readScalar(const Entry& entry, const Range& range, CollapseAction& value);
-void readScalar(const Entry& entry, const Range& range, ChokeAction& value);
-void readScalar(const Entry& entry, const Range& range, Method& value);
-void readScalar(const Entry& entry, const Range& range, SizeDistribution& value);
-void readScalar(const Entry& entry, const Range& range, SizeShare& value);
 void readScalar(const Entry& entry, const Range& range, std::vector<double>& values);  ///< each in the range
 /// The outline of a tooth, without overhang. @param range of each number
 void readScalar(const Entry& entry, const Range& range, std::vector<OutlineCorner>& value);
@@ -46,32 +60,74 @@ LegalValues legalValues(const Range& range, int);
 LegalValues legalValues(const Range& range, std::uint64_t);
 LegalValues legalValues(const Range& range, bool);
 LegalValues legalValues(const Range& range, const std::string&);
-LegalValues legalValues(const Range& range, Boundary);
-LegalValues legalValues(const Range& range, DriveFrame);
-LegalValues legalValues(const Range& range, CollapseAction);
-LegalValues legalValues(const Range& range, ChokeAction);
-LegalValues legalValues(const Range& range, Method);
 LegalValues legalValues(const Range& range, const std::vector<std::string>&);
-LegalValues legalValues(const Range& range, SizeDistribution);
-LegalValues legalValues(const Range& range, SizeShare);
 LegalValues legalValues(const Range& range, const std::vector<double>&);
 LegalValues legalValues(const Range& range, const std::vector<OutlineCorner>&);
 
 /// The text that the readers above take back to the same value, bit for bit.
 std::string scalarText(double value);
-std::string scalarText(int value);
-std::string scalarText(std::uint64_t value);
 std::string scalarText(bool value);
 std::string scalarText(const std::string& value);
-std::string scalarText(Boundary value);
-std::string scalarText(DriveFrame value);
-std::string scalarText(CollapseAction value);
-std::string scalarText(ChokeAction value);
-std::string scalarText(Method value);
 std::string scalarText(const std::vector<std::string>& value);
-std::string scalarText(SizeDistribution value);
-std::string scalarText(SizeShare value);
 std::string scalarText(const std::vector<double>& values);
 std::string scalarText(const std::vector<OutlineCorner>& value);
+
+/// The names of a choice's values in a scene, in the order of the enumeration.
+template <typename Choice>
+constexpr std::array<const char*, 0> CHOICE_NAMES = {};
+template <>
+inline constexpr std::array<const char*, 3> CHOICE_NAMES<Boundary> = {"periodic", "open", "walled"};
+template <>
+inline constexpr std::array<const char*, 2> CHOICE_NAMES<DriveFrame> = {"world", "base"};
+template <>
+inline constexpr std::array<const char*, 2> CHOICE_NAMES<CollapseAction> = {"stop", "rebound"};
+template <>
+inline constexpr std::array<const char*, 2> CHOICE_NAMES<ChokeAction> = {"run", "stop"};
+template <>
+inline constexpr std::array<const char*, 2> CHOICE_NAMES<Method> = {"events", "steps"};
+template <>
+inline constexpr std::array<const char*, 4> CHOICE_NAMES<SizeDistribution> = {"uniform", "normal",
+                                                                              "lognormal", "table"};
+template <>
+inline constexpr std::array<const char*, 2> CHOICE_NAMES<SizeShare> = {"number", "mass"};
+
+template <typename Choice>
+using IfChoice = std::enable_if_t<std::is_enum_v<Choice>>;
+
+template <typename Integer>
+std::enable_if_t<std::is_integral_v<Integer>, std::string> scalarText(Integer value)
+{
+  return std::to_string(value);
+}
+
+template <typename Choice, typename = IfChoice<Choice>>
+std::string scalarText(Choice value)
+{
+  return CHOICE_NAMES<Choice>[static_cast<std::size_t>(value)];
+}
+
+template <typename Choice, typename = IfChoice<Choice>>
+LegalValues legalValues(const Range&, Choice)
+{
+  std::string names;
+  for (std::size_t i = 0; i < CHOICE_NAMES<Choice>.size(); ++i)
+    names += (i == 0                                ? ""
+              : i + 1 < CHOICE_NAMES<Choice>.size() ? ", "
+                                                    : " or ") +
+             std::string(CHOICE_NAMES<Choice>[i]);
+  return {"choice", names};
+}
+
+template <typename Choice, typename = IfChoice<Choice>>
+void readScalar(const Entry& entry, const Range& range, Choice& value)
+{
+  for (std::size_t i = 0; i < CHOICE_NAMES<Choice>.size(); ++i)
+    if (entry.node().IsScalar() && entry.node().Scalar() == CHOICE_NAMES<Choice>[i])
+    {
+      value = static_cast<Choice>(i);
+      return;
+    }
+  entry.refuseValue("must be " + legalValues(range, value).values);
+}
 
 }  // namespace ratchet_sieve

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,6 +12,9 @@
 
 namespace ratchet_sieve
 {
+
+/// Longest duration of a scene, and of durations that are ROS parameters [s].
+constexpr double LONGEST_DURATION = 1e9;
 
 /// An invalid scene: one line with file, line (if there is one), key, value and what is allowed.
 struct SceneError : std::runtime_error
@@ -47,6 +51,17 @@ Scene sceneFromYaml(const YAML::Node& root, const std::string& source);
 /// @throws SceneError
 Scene sceneFromText(const std::string& text, const std::string& source,
                     const std::vector<std::string>& overrides = {});
+
+/// Implausible values of a valid scene, such as lengths in mm instead of m: a line for each, with the key,
+/// its value, the reason and, if there is one, a suggested value. Empty for a scene that could be built.
+///
+/// Where possible, limits are ratios within the scene, so that they hold for machines of any size.
+/// @param scene as it was read: every count is set
+std::vector<std::string> implausibilities(const SceneDefinition& scene);
+
+/// Why a file cannot be opened for reading: "no such file", "is a directory" or the system's message; nothing
+/// if it can.
+std::optional<std::string> whyUnreadable(const std::string& path);
 
 /// The text of a YAML file. A file larger than any scene is cut at a length that copyableYaml() refuses.
 /// @throws SceneError

@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include "ratchet_sieve/core/definition.h"
-#include "ratchet_sieve/recording/frame_kinds.h"
 #include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/sweep/sweep.h"
 
