@@ -8,7 +8,7 @@ import tempfile
 import yaml
 
 from ratchet_sieve.places import SHARE
-from ratchet_sieve.tables import Rows, read_rows
+from ratchet_sieve.tables import Refusal, Rows, read_rows
 from ratchet_sieve.texts import counted
 
 DIRECTORY = SHARE / "config/sweeps"
@@ -16,8 +16,20 @@ QUICK_SEEDS = 3   # --quick runs a quarter of the seeds, and so many at least
 QUICK_VALUES = 4  # of a key with more values than these, every second one
 
 
-class SweepFailed(Exception):
-    """With a message of one line."""
+class SweepFailed(Refusal):
+    """What sieve_sweep says."""
+
+
+def run_program(name, work):
+    """Does a program's work. An error is one line."""
+    try:
+        work()
+    except Refusal as refusal:
+        sys.exit(f"{name}: {refusal}")
+    except OSError as error:
+        sys.exit(f"{name}: {error.filename}: {error.strerror}")
+    except KeyboardInterrupt:
+        sys.exit(130)
 
 
 def export(program, definition, results, jobs, draw_only=False, output=None):
