@@ -3,8 +3,8 @@
 other programs of the comparison do."""
 import json
 import math
-import os
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -130,8 +130,8 @@ def run(directory):
         said = [line for line in log.splitlines() if line.startswith("ERROR")]
         sys.exit(f"lammps: {said[0] if said else ran.stderr.strip()}")
     begun, settled, ended = (float((directory / name).read_text()) for name in ("begun", "settled", "ended"))
-    used = os.times()
-    share = min(1.0, (used.children_user + used.children_system) / (ended - begun))
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    share = min(1.0, (used.ru_utime + used.ru_stime) / (ended - begun))
     sample(directory / "look.dump", len(disks))
     return {"version": log.split("(", 1)[1].split(")", 1)[0], "wall_seconds": ended - settled,
             "processor_seconds": (ended - settled) * share, "collisions": None, "lost": 0}
