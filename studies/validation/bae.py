@@ -4,7 +4,7 @@ import math
 
 from ratchet_sieve import plots
 from ratchet_sieve.texts import table
-from study import Picture, Study, Sweep, axis
+from study import Picture, Study, Sweep, axis, named_curves
 import verdicts
 
 E = "species.0.restitution"
@@ -90,10 +90,9 @@ def draw_regimes(numbers):
 def draw_curves(numbers):
     means = numbers["map"][SLICE]
     figure, axes = plots.panels(1, 1, (6.4, 4.0))
-    heights, strengths, ends = axis(means, 1), axis(means, 0), []
-    for height, colour in zip(heights, plots.ramp(len(heights))):
-        plots.curve(axes, [(gamma, means[gamma, height]) for gamma in strengths], plots.MM, color=colour)
-        ends.append((plots.MM * means[strengths[-1], height].value, f"{height:g}", colour))
+    heights, strengths = axis(means, 1), axis(means, 0)
+    curves = {f"{height:g}": [(gamma, means[gamma, height]) for gamma in strengths] for height in heights}
+    ends = named_curves(axes, curves, plots.ramp(len(heights)), plots.MM)
     plots.signed(axes)
     axes.set(xlabel=r"$\Gamma = A (2 \pi f)^2 / g$", ylabel=r"$\langle V_x \rangle$ [mm/s]")
     plots.end_labels(axes, ends, "$h / w$")
