@@ -4,6 +4,7 @@ from matplotlib.ticker import NullFormatter
 
 from ratchet_sieve import origin, plots
 from ratchet_sieve.tables import write_csv
+from ratchet_sieve.texts import span
 from labels import place as write_labels
 from peers import runs
 
@@ -36,8 +37,7 @@ def write(path, taken, about):
 
 
 def seeds(points):
-    least, most = points["runs"].min(), points["runs"].max()
-    return f"n = {least}" if least == most else f"n = {least} to {most}"
+    return f"n = {span(sorted(points['runs'].unique()))}"
 
 
 def draw_program(axes, points, program, species):

@@ -4,7 +4,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 from ratchet_sieve import plots
 import labels
 from precision import tables
-from precision.points import MODEL, REFERENCE_FLOOR, SCENES_FLOOR, find, floor_of
+from precision.points import MODEL, SCENES_FLOOR, find
 
 METHOD_PANELS = {"gas": ("K_rot / K_trans",), "fig8": ("drift A", "drift B", "K_B"), "dense": ("drift B", "K_B"),
                  "violent": ("drift B", "K_B")}
@@ -135,10 +135,7 @@ def draw_model(groups):
     for axes, (scene, quantity) in zip(grid, MODEL_PANELS.items()):
         points, drawn, labelled = groups.get(scene, []), [], []
         for family in MODEL:
-            own = tables.measured(points, family)
-            if family == "rebound floor":
-                own = sorted((point for point in points if floor_of(point) and point.is_measured()
-                              and floor_of(point) != REFERENCE_FLOOR), key=floor_of, reverse=True)
+            own = tables.with_floors(points) if family == "rebound floor" else tables.measured(points, family)
             found = draw_series(axes, points, own, family, quantity, tables.least_floor)
             drawn += found
             used = USE_MODEL.get(scene)
