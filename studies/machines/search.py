@@ -149,23 +149,18 @@ def read_search(path, goal=None):
                   goal or definition["goal"], seeds, held_out)
 
 
-def put(scene, path, value):
-    """Sets a key by its dotted path, as `--set` of sieve_run: a profile takes the place of the sawtooth's keys."""
-    *parents, last = path.split(".")
-    place = scene
-    for name in parents:
-        place = place[int(name)] if isinstance(place, list) else place.setdefault(name, {})
-    place[int(last) if isinstance(place, list) else last] = value
-    if path == "base.profile":
-        for key in SAWTOOTH:
-            place.pop(key, None)
-
-
 def changed(scene, values):
-    """@param values map from dotted paths. @return a copy with them"""
+    """@param values map from dotted paths, as `--set` of sieve_run: a profile takes the place of the sawtooth's keys.
+    @return a copy with them"""
     scene = copy.deepcopy(scene)
     for path, value in values.items():
-        put(scene, path, value)
+        place, (*parents, last) = scene, path.split(".")
+        for name in parents:
+            place = place[int(name)] if isinstance(place, list) else place.setdefault(name, {})
+        place[int(last) if isinstance(place, list) else last] = value
+        if path == "base.profile":
+            for key in SAWTOOTH:
+                place.pop(key, None)
     return scene
 
 
