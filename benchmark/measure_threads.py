@@ -62,7 +62,8 @@ def tables(layers, rounds, about):
     lines = []
     for teeth, disks, target, stretch in LAYERS:
         queue, one, two = (layers[teeth, way] for way in (QUEUE, ONE, TWO))
-        lines.append([disks, f'{M * rate(queue):.2f}', ratio(one, queue), ratio(two, one), target, stretch, waiting(two)])
+        lines.append([disks, f'{M * rate(queue):.2f}', ratio(one, queue), ratio(two, one), target, stretch,
+                      waiting(two)])
     yield table(['disks', 'single queue, M collisions/s', 'one thread over a single queue', 'two threads over one',
                  'wanted', 'hoped for', 'waiting, %'], lines)
 

@@ -40,7 +40,7 @@ def run_study(study, runner, directory, name):
     from ratchet_sieve import plots
     from study import Outcome
 
-    rows = runner.take(study)
+    rows = {sweep.name: runner.rows_of(sweep) for sweep in study.sweeps}
     outcome = Outcome(study, study.evaluate(rows), rows)
     for picture in study.pictures:
         with plots.styled():

@@ -27,7 +27,8 @@ def told(mean, scale=1.0):
 
 
 def velocity_table(means, corner, row, column):
-    """@param means map from (row's value, column's value) to a mean velocity. @param row, column how a value is written"""
+    """@param means map from the values of row and column to a mean velocity. @param row, column how a value is written
+    """
     xs, ys = axis(means, 0), axis(means, 1)
     return ("⟨V_x⟩ in mm/s:\n\n"
             + table([corner, *map(column, ys)], [[row(x), *(means[x, y].text(plots.MM) for y in ys)] for x in xs]))

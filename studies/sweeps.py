@@ -65,11 +65,8 @@ class Runner:
         self.options = options
         self.rows = {}
 
-    def take(self, study):
-        """Runs the cases without a result. @return rows of each sweep of the study"""
-        return {sweep.name: self.rows_of(sweep) for sweep in study.sweeps}
-
     def rows_of(self, sweep):
+        """Runs its cases without a result."""
         if self.options.quick and not sweep.is_quick:
             return Rows()
         if sweep.name not in self.rows:

@@ -44,8 +44,8 @@ def drifts(times, x, kinds):
 
 
 def read(path, disks):
-    """@param disks their number. @return of each sample its time and the base's displacement; x, as if the base went on,
-    and y of each disk"""
+    """@param disks their number. @return of each sample its time and the base's displacement; x, as if the base went
+    on, and y of each disk"""
     lines = numpy.fromfile(path).reshape(-1, 2 + 2 * disks)
     return lines[:, 0], lines[:, 1], lines[:, 2::2], lines[:, 3::2]
 

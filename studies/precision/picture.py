@@ -60,8 +60,7 @@ def draw_series(axes, points, chosen, name, quantity, reference):
 def finish(axes, points, drawn, used):
     """Scales, the exact engine, and the recommended point."""
     axes.set_xscale("log", base=2)
-    axes.set_yscale("log")
-    axes.set_ylim(*LIMITS)
+    axes.set(yscale="log", ylim=LIMITS)
     speeds = [place[0] for place, _, _ in drawn] + [1.0]
     axes.set_xlim(min(speeds) / 1.5, max(speeds) * 1.6)
     axes.xaxis.set_major_locator(LogLocator(base=2.0))

@@ -20,8 +20,8 @@ def processor_time():
 
 
 def run_round(program, sweep):
-    """@return the Rows of the completed runs, how many others there are, and the processor time over the simulated time,
-    the program's start included; None where not all were completed"""
+    """@return the Rows of the completed runs, how many others there are, and the processor time over the simulated
+    time, the program's start included; None where not all were completed"""
     with tempfile.TemporaryDirectory() as directory:
         file, results = (pathlib.Path(directory) / name for name in ("point.yaml", "point.db"))
         file.write_text(json.dumps(sweep), encoding="utf-8")  # JSON is YAML

@@ -155,8 +155,9 @@ class Documents(unittest.TestCase):
     @classmethod
     @lru_cache(maxsize=None)
     def options(cls, program, subcommand=''):
-        is_path = program.startswith(('./', 'python3 ', *FOLDERS.split('|')))
-        return cls.session.words(f'{program if is_path else f"{DEVEL}/lib/ratchet_sieve/{program}"} {subcommand} --help')
+        if not program.startswith(('./', *FOLDERS.split('|'))):
+            program = f'{DEVEL}/lib/ratchet_sieve/{program}'
+        return cls.session.words(f'{program} {subcommand} --help')
 
     @staticmethod
     @lru_cache(maxsize=None)
