@@ -47,11 +47,8 @@ def draw(figures, path):
             axes.plot(FIG8, cost, "^", color=plots.COLOURS[2], markersize=6)
             axes.annotate(name, (FIG8, cost), textcoords="offset points", xytext=(9, 0), va="center", fontsize=8,
                           color=plots.COLOURS[2])
-        axes.set_xscale("log")
-        axes.set_yscale("log")
+        axes.set(xscale="log", yscale="log", xlabel="disks", ylabel="wall time of a collision, µs")
         axes.set_xlim(right=3e5)
-        axes.set_xlabel("disks")
-        axes.set_ylabel("wall time of a collision, µs")
         axes.legend(loc="center right")
         plots.save(figure, path, svg=False)
 

@@ -2,7 +2,6 @@
 """Measures the engine against its targets: collisions per second of processor time of layers of many sizes and of
 single disks, and the memory of a disk. Prints a Markdown table.
 """
-import dataclasses
 import json
 import math
 import os
@@ -11,7 +10,8 @@ import statistics
 import subprocess
 import tempfile
 
-from ratchet_sieve import documents, origin
+from ratchet_sieve import origin
+from ratchet_sieve.texts import table
 from report import parsed, parser_of, publish
 
 LARGE = 38168  # teeth: a million disks
@@ -22,15 +22,6 @@ species:
   - {{name: B, count: {count}, radius: 0.002, mass: 0.001}}
 duration: 0.07
 '''
-
-
-@dataclasses.dataclass
-class Row:
-    key: str  # in performance.json
-    what: str
-    target: str
-    stretch: str
-    measured: str
 
 
 def collisions(program, rounds):
@@ -56,21 +47,14 @@ def at_once(program, jobs):
     command = [program, '--benchmark_filter=^mixture/(20|382|3817)$', '--benchmark_format=json']
     running = [subprocess.Popen(['taskset', '--cpu-list', str(processor), *command], stdout=subprocess.PIPE,
                                 stderr=subprocess.DEVNULL) for processor in processors]
-    found = {}
-    for process in running:
-        for run in json.loads(process.communicate()[0])['benchmarks']:
-            found.setdefault(run['name'], []).append(run['collisions'])
-    return {name: statistics.mean(rates) for name, rates in found.items()}
+    runs = [json.loads(process.communicate()[0])['benchmarks'] for process in running]
+    return {same[0]['name']: statistics.mean(run['collisions'] for run in same) for same in zip(*runs)}
 
 
 def two_over_one(program, rounds):
     """@return benchmark -> collisions per second of each of two jobs at once, over those of a job alone; medians"""
-    ratios = {}
-    for _ in range(rounds):
-        alone, two = (at_once(program, jobs) for jobs in (1, 2))
-        for name, rate in alone.items():
-            ratios.setdefault(name, []).append(two[name] / rate)
-    return {name: statistics.median(found) for name, found in ratios.items()}
+    pairs = [(at_once(program, 1), at_once(program, 2)) for _ in range(rounds)]
+    return {name: statistics.median(two[name] / alone[name] for alone, two in pairs) for name in pairs[0][0]}
 
 
 def bytes_per_disk(sieve_run, teeth, threads):
@@ -89,51 +73,45 @@ def bytes_per_disk(sieve_run, teeth, threads):
 
 
 def rows(best, times_of, two_jobs, memory, memory_of_two):
+    """@return of each row its key in performance.json, what it is, wanted, hoped for, measured"""
     def millions(name):
         return f'{best[name] / 1e6:.2f} M'
 
     def times(name, other):
         return f'{best[name] / best[other]:.2f}'
 
-    yield Row('fig8.collisions', 'Fig. 8, 524 disks, θ = 0: collisions per second', '1.8 M', '2.5 M',
-              millions('mixture/20'))
-    yield Row('disks_1e4.collisions', 'the same layer with 10⁴ disks', '1.2 M', '1.7 M', millions('mixture/382'))
-    yield Row('disks_1e5.collisions', 'with 10⁵ disks', '0.8 M', '1.2 M', millions('mixture/3817'))
-    yield Row('size_cost', 'cost of a collision among 10⁵ disks, over that among 10³', '≤ 2.5', '≤ 1.6',
-              times('mixture/38', 'mixture/3817'))
+    def turning(teeth):
+        turns, rests = (times_of[f'slewing/{teeth}/{turns}/iterations:6'] for turns in (1, 0))
+        return f'{turns / rests:.2f}'
+
+    yield 'fig8.collisions', 'Fig. 8, 524 disks, θ = 0: collisions per second', '1.8 M', '2.5 M', millions('mixture/20')
+    yield 'disks_1e4.collisions', 'the same layer with 10⁴ disks', '1.2 M', '1.7 M', millions('mixture/382')
+    yield 'disks_1e5.collisions', 'with 10⁵ disks', '0.8 M', '1.2 M', millions('mixture/3817')
+    yield ('size_cost', 'cost of a collision among 10⁵ disks, over that among 10³', '≤ 2.5', '≤ 1.6',
+           times('mixture/38', 'mixture/3817'))
     for teeth, name in ((20, 'fig8'), (382, 'disks_1e4'), (3817, 'disks_1e5')):
-        yield Row(f'two_jobs.{name}', f'two jobs at once, one a core, over a lone job: {teeth} teeth', '', '',
-                  f'{two_jobs[f"mixture/{teeth}"]:.2f}')
+        yield (f'two_jobs.{name}', f'two jobs at once, one a core, over a lone job: {teeth} teeth', '', '',
+               f'{two_jobs[f"mixture/{teeth}"]:.2f}')
     for teeth, target, stretch in ((20, '', ''), (382, '1.1', '1.0')):
-        yield Row(f'slewing.{teeth}', f'a periodic base of {teeth} teeth that turns at 0.1 rad/s, over one at rest: '
-                  'processor time', target, stretch,
-                  f'{times_of[f"slewing/{teeth}/1/iterations:6"] / times_of[f"slewing/{teeth}/0/iterations:6"]:.2f}')
+        yield (f'slewing.{teeth}', f'a periodic base of {teeth} teeth that turns at 0.1 rad/s, over one at rest: '
+               'processor time', target, stretch, turning(teeth))
     for times_as_large in (5, 10, 25, 50):
-        yield Row(f'wide.{times_as_large}', f'one disk {times_as_large} times as large among 2000: cost of a collision, '
-                  'over that of equal disks', '≤ 1.5', '', times('wideSizes/1', f'wideSizes/{times_as_large}'))
+        yield (f'wide.{times_as_large}', f'one disk {times_as_large} times as large among 2000: cost of a collision, '
+               'over that of equal disks', '≤ 1.5', '', times('wideSizes/1', f'wideSizes/{times_as_large}'))
     for percent in (25, 50):
-        yield Row(f'lognormal.{percent}', f'2000 disks of lognormal radii, σ = {percent / 100:g}: the same', '≤ 2', '',
-                  times('wideSizes/1', f'lognormalSizes/{percent}'))
-    yield Row('bytes_per_disk', '10⁶ disks, one thread: bytes a disk, everything included', '≤ 400', '≤ 250',
-              f'{memory:.0f}')
-    yield Row('bytes_per_disk_two_threads', 'the same, two threads', '', '', f'{memory_of_two:.0f}')
-    yield Row('single.collisions', 'single disks (Fig. 3): collisions per second, as many lanes as there are', '8 M',
-              '20 M', millions('singleParticles'))
+        yield (f'lognormal.{percent}', f'2000 disks of lognormal radii, σ = {percent / 100:g}: the same', '≤ 2', '',
+               times('wideSizes/1', f'lognormalSizes/{percent}'))
+    yield ('bytes_per_disk', '10⁶ disks, one thread: bytes a disk, everything included', '≤ 400', '≤ 250',
+           f'{memory:.0f}')
+    yield 'bytes_per_disk_two_threads', 'the same, two threads', '', '', f'{memory_of_two:.0f}'
+    yield ('single.collisions', 'single disks (Fig. 3): collisions per second, as many lanes as there are', '8 M',
+           '20 M', millions('singleParticles'))
     for lanes in (2, 4, 8):
         if f'singleParticlesInLanes/{lanes}' in best:
-            yield Row(f'single.lanes_{lanes}', f'in {lanes} lanes, in long strides', '', '',
-                      millions(f'singleParticlesInLanes/{lanes}'))
-    yield Row('single.two_threads', '10⁴ single disks: two threads over one, wall time', '≥ 1.9', '',
-              times('singleParticlesOnThreads/2', 'singleParticlesOnThreads/1'))
-
-
-def table(all_rows, rounds, about):
-    yield f'{origin.text(about)}; the best of {rounds} rounds.'
-    yield ''
-    yield '| | wanted | hoped for | measured |'
-    yield '|---|---|---|---|'
-    for row in all_rows:
-        yield f'| {row.what} | {row.target} | {row.stretch} | {row.measured} |'
+            yield (f'single.lanes_{lanes}', f'in {lanes} lanes, in long strides', '', '',
+                   millions(f'singleParticlesInLanes/{lanes}'))
+    yield ('single.two_threads', '10⁴ single disks: two threads over one, wall time', '≥ 1.9', '',
+           times('singleParticlesOnThreads/2', 'singleParticlesOnThreads/1'))
 
 
 def main():
@@ -141,10 +119,10 @@ def main():
     memory = [bytes_per_disk(arguments.programs / 'sieve_run', LARGE, threads) for threads in (1, 2)]
     program = arguments.programs / 'engine_benchmark'
     two_jobs = two_over_one(program, arguments.rounds)
-    about, all_rows = origin.describe_physics(), list(rows(*collisions(program, arguments.rounds), two_jobs, *memory))
-    publish(arguments, 'engine', table(all_rows, arguments.rounds, about))
-    if arguments.write:
-        documents.quote(arguments.write, 'engine', {row.key: row.measured for row in all_rows}, about)
+    about, found = origin.describe_physics(), list(rows(*collisions(program, arguments.rounds), two_jobs, *memory))
+    publish(arguments, 'engine', [f'{origin.text(about)}; the best of {arguments.rounds} rounds.', '',
+                                  table(['', 'wanted', 'hoped for', 'measured'], [row[1:] for row in found])],
+            {key: measured for key, *_, measured in found}, about)
 
 
 if __name__ == '__main__':

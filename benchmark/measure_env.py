@@ -5,7 +5,6 @@ changes from round to round. Of a machine that others use, only the ratios of pr
 the wall time of many sieves over that of as many engines without an environment.
 """
 import argparse
-import dataclasses
 import os
 import pathlib
 import statistics
@@ -15,31 +14,25 @@ import numpy as np
 
 import ratchet_sieve as rs
 from ratchet_sieve import _engine, origin, places
+from ratchet_sieve.texts import table
 from report import parsed, publish
 
 STEP = 1.0   # [s]
 BEGIN = 5.0  # until the feed has filled the base [s]
 
 
-@dataclasses.dataclass
-class Rate:
-    """Simulated seconds per second."""
-
-    wall: float
-    processor: float
-
-
-def rate_of(work, simulated):
+def rates_of(work, simulated):
+    """@return simulated seconds per second of wall time and of processor time"""
     wall, processor = time.perf_counter(), time.process_time()
     work()
-    return Rate(simulated / (time.perf_counter() - wall), simulated / (time.process_time() - processor))
+    return simulated / (time.perf_counter() - wall), simulated / (time.process_time() - processor)
 
 
 def rate_of_engines(scene, count, threads, seconds):
     """Of engines without an environment, each of which goes all the way in one call."""
     engines = [rs.Simulation(scene.replace(seed=seed + 1))._engine for seed in range(count)]
     _engine.advance_many(engines, [BEGIN] * count, threads)
-    return rate_of(lambda: _engine.advance_many(engines, [BEGIN + seconds] * count, threads), count * seconds)
+    return rates_of(lambda: _engine.advance_many(engines, [BEGIN + seconds] * count, threads), count * seconds)
 
 
 def rate_of_env(env, actions, seconds):
@@ -50,7 +43,7 @@ def rate_of_env(env, actions, seconds):
             env.step(actions)
 
     steps(BEGIN)
-    return rate_of(lambda: steps(seconds), getattr(env, "num_envs", 1) * seconds)
+    return rates_of(lambda: steps(seconds), getattr(env, "num_envs", 1) * seconds)
 
 
 def main():
@@ -74,19 +67,16 @@ def main():
         "engines": rate_of_engines(scene, arguments.sieves, arguments.threads, seconds),
         "SieveVectorEnv": rate_of_env(many, actions, seconds),
     } for _ in range(arguments.rounds)]
-
-    def ratio(one, other, clock):
-        return statistics.median(getattr(row[one], clock) / getattr(row[other], clock) for row in rounds)
-
-    lines = [f"{origin.text()}; {arguments.sieves} sieves, {arguments.threads} threads, steps of {STEP:g} s, "
-             f"medians of {arguments.rounds} rounds.", "", "| | wall time | processor time |", "|---|---|---|"]
+    lines = []
     for name, one, other, threads in (
             ("SieveEnv over one engine", "SieveEnv", "engine", 1),
             ("SieveVectorEnv over as many engines on as many threads", "SieveVectorEnv", "engines", 1),
             ("SieveVectorEnv per thread over one engine", "SieveVectorEnv", "engine", arguments.threads)):
-        wall, processor = ratio(one, other, "wall") / threads, ratio(one, other, "processor")
-        lines.append(f"| {name} | {wall:.2f} | {processor:.2f} |")
-    publish(arguments, "env", lines)
+        wall, processor = (statistics.median(row[one][clock] / row[other][clock] for row in rounds) for clock in (0, 1))
+        lines.append([name, f"{wall / threads:.2f}", f"{processor:.2f}"])
+    publish(arguments, "env", [f"{origin.text()}; {arguments.sieves} sieves, {arguments.threads} threads, steps of "
+                               f"{STEP:g} s, medians of {arguments.rounds} rounds.", "",
+                               table(["", "wall time", "processor time"], lines)])
 
 
 if __name__ == "__main__":

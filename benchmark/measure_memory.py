@@ -17,6 +17,7 @@ import ros_processes
 from ratchet_sieve import origin
 from ratchet_sieve.msg import BinCounts
 from ratchet_sieve.srv import StepSimulation
+from ratchet_sieve.texts import table
 from report import ROOT, parsed, parser_of, publish
 
 
@@ -25,10 +26,9 @@ FED_RECORDED, FED, STAYING = 'fed, recorded', 'fed, not recorded', 'not fed, rec
 FEED_RATE = 20.0  # disks per second
 TEETH = 10
 
-# Allowed growth in the second half [MB]: some pages of the heap, ...
-ALLOWED = 1.0
-# ... and the places of a thousand disks that have left, which the engine frees only then [MB].
-ALLOWED_FED = 1.0
+# Allowed growth in the second half [MB]: some pages of the heap, and, where it is fed, the places of a thousand disks
+# that have left, which the engine frees only then.
+ALLOWED, ALLOWED_FED = 1.0, 1.0
 
 
 def scene(case, duration):
@@ -93,12 +93,9 @@ def grows(case, rows):
 
 
 def tables(times, watched):
-    cases = list(watched)
-    yield '| simulated time | ' + ' | '.join(f'{case}: MB' for case in cases) + ' | disks fed so far |'
-    yield '|---|' + '---|' * (len(cases) + 1)
-    for k, time in enumerate(times):
-        cells = [f'{watched[case][0][k][1]:.1f}' for case in cases]
-        yield f'| {time / 60:g} min | ' + ' | '.join(cells) + f' | {watched[FED_RECORDED][0][k][0]:,} |'
+    yield table(['simulated time', *(f'{case}: MB' for case in watched), 'disks fed so far'],
+                [[f'{time / 60:g} min', *(f'{rows[k][1]:.1f}' for rows, _ in watched.values()),
+                  f'{watched[FED_RECORDED][0][k][0]:,}'] for k, time in enumerate(times)])
     yield ''
     sizes = ', '.join(f'{size:.0f} MB ({case})' for case, (_, size) in watched.items() if size)
     yield f'The bags: {sizes}.'

@@ -15,7 +15,8 @@ import rosbag
 import yaml
 
 import ros_processes
-from ratchet_sieve import documents, origin
+from ratchet_sieve import origin
+from ratchet_sieve.texts import table
 from report import ROOT, parsed, parser_of, publish
 
 RATE = 60  # frames of each kind per simulated second, the node's default
@@ -49,11 +50,10 @@ class Bench:
     """The mixture of Fig. 8 on so many teeth, run for so long by one program after the other."""
 
     def __init__(self, programs, scratch, client, teeth, duration, **keys):
-        self.programs, self.scratch, self.client = programs, scratch, client
-        self.duration = duration
-        self.scene = scene = mixture(teeth, duration, **keys)
+        self.programs, self.client, self.duration = programs, client, duration
+        self.scene = mixture(teeth, duration, **keys)
         self.scene_file = scratch / f'{teeth}.yaml'
-        self.scene_file.write_text(yaml.safe_dump(scene))
+        self.scene_file.write_text(yaml.safe_dump(self.scene))
         self.bag = scratch / 'run.bag'
 
     def disks(self):
@@ -81,16 +81,6 @@ class Bench:
         self.bag.unlink()
         return sum(abs(counts.get(topic, 0) - count) for topic, count in wanted.items())
 
-    def headless(self):
-        """@return the run alone, and the program with its start"""
-        finished = ros_processes.run([self.programs / 'sieve_run', self.scene_file])
-        alone = ros_processes.Finished(json.loads(finished.output)['wall_time'], finished.cpu, '')
-        return alone, finished
-
-    def recorded(self):
-        finished = ros_processes.run([self.programs / 'sieve_run', self.scene_file, '--bag', self.bag])
-        return finished, self.lost_in_bag()
-
     def node(self, topics, records, **parameters):
         """Runs a node with a listener to each topic. @return what it took, how many messages were lost"""
         # Every frame that sieve_run records, too, for the two to be compared.
@@ -102,8 +92,10 @@ class Bench:
 
     def round(self):
         """@return the wall time of sieve_run, and each case beside it"""
-        alone, with_start = self.headless()
-        compared = {BAG: Compared(with_start, *self.recorded())}
+        command = [self.programs / 'sieve_run', self.scene_file]
+        with_start = ros_processes.run(command)
+        alone = dataclasses.replace(with_start, wall=json.loads(with_start.output)['wall_time'])
+        compared = {BAG: Compared(with_start, ros_processes.run([*command, '--bag', self.bag]), self.lost_in_bag())}
         for case, topics in LISTENED.items():
             compared[case] = Compared(alone, *self.node(topics, case == RECORD))
         return alone.wall, compared
@@ -176,17 +168,17 @@ def tables(benches, rounds, start):
         yield (f'{bench.disks()} disks, {bench.duration:g} simulated seconds, which `sieve_run` takes '
                f'{statistics.median(walls):.2f} s for ({min(walls):.2f} to {max(walls):.2f}), {len(walls)} rounds:')
         yield ''
-        yield '| | rate, best rounds, % of `sieve_run`\'s | wanted | every round | CPU time, % | messages lost |'
-        yield '|---|---|---|---|---|---|'
+        lines = []
         for case in (BAG, *LISTENED):
             cases = [compared[case] for _, compared in measured]
             best, every = rates(cases)
-            times = percent([one.other.cpu / one.headless.cpu for one in cases])
-            wanted = f'≥ {TARGETS[case]}' if case in TARGETS else ''
-            yield f'| {case} | {best} | {wanted} | {every} | {times} | {sum(one.lost for one in cases)} |'
+            lines.append([case, best, f'≥ {TARGETS[case]}' if case in TARGETS else '', every,
+                          percent([one.other.cpu / one.headless.cpu for one in cases]), sum(one.lost for one in cases)])
+        yield table(['', "rate, best rounds, % of `sieve_run`'s", 'wanted', 'every round', 'CPU time, %',
+                     'messages lost'], lines)
 
 
-def figures(benches, rounds, start, single):
+def figures(rounds, start, single):
     """Those of performance.json."""
     known = {'start_ms': f'{start["sieve_run"]:.1f}'}
     for key, found in zip(('one_thread', 'threads'), single):
@@ -219,9 +211,7 @@ def main():
             benches = [Bench(arguments.programs, scratch, client, *size) for size in sizes]
             measured = [[bench.round() for _ in range(rounds)] for bench in benches]
     publish(arguments, 'node', [where + '. Medians, in brackets the range.', '', *tables(benches, measured, start), '',
-                                single_line(single, single_seconds)])
-    if arguments.write:
-        documents.quote(arguments.write, 'node', figures(benches, measured, start, single), about)
+                                single_line(single, single_seconds)], figures(measured, start, single), about)
     return 1 if any(one.lost for rounds in measured for _, compared in rounds for one in compared.values()) else 0
 
 

@@ -9,7 +9,8 @@ import tempfile
 
 import ros_processes
 from measure_node import FOR_PROGRAMS, Bench, description
-from ratchet_sieve import documents, origin
+from ratchet_sieve import origin
+from ratchet_sieve.texts import table
 from report import parsed, parser_of, publish
 
 # What is asked for: keys of the scene, and parameters of the node.
@@ -25,39 +26,18 @@ SPANS = (1.0, 4.0)  # in the first second all disks land within a few steps [s]
 SHORT = (4, (0.2, 0.4), 1)
 
 
-class Row:
-    """A method at both spans. Wall times are of the best rounds, which other load disturbed least."""
-
-    def __init__(self, benches, parameters):
-        self.benches = benches
-        self.parameters = parameters
-        self.walls = [float('inf')] * len(benches)
-        self.lost = 0
-
-    def round(self):
-        for k, bench in enumerate(self.benches):
-            finished, lost = bench.node(FOR_PROGRAMS, records=True, **self.parameters)
-            self.walls[k] = min(self.walls[k], finished.wall)
-            self.lost += lost
-
-    def factors(self):
-        """Simulated over wall time, in the first span and after it."""
-        first, whole = self.benches
-        return (f'{first.duration / self.walls[0]:.2f}',
-                f'{(whole.duration - first.duration) / (self.walls[1] - self.walls[0]):.2f}')
-
-    def text(self, name):
-        return f'| {name} | {" | ".join(self.factors())} | {self.lost} |'
-
-
-def table(rows):
-    first, whole = next(iter(rows.values())).benches
-    yield f'{first.disks()} disks:'
-    yield ''
-    yield (f'| | simulated over wall time, first {first.duration:g} s | from there to {whole.duration:g} s '
-           '| messages lost, bag included |')
-    yield '|---|---|---|---|'
-    yield from (row.text(name) for name, row in rows.items())
+def measure(benches, rounds):
+    """@return of each method its wall time at each span, of the best rounds, which other load disturbed least, and how
+    many messages were lost"""
+    walls = {name: [float('inf')] * len(SPANS) for name in METHODS}
+    lost = dict.fromkeys(METHODS, 0)
+    for _ in range(rounds):
+        for name, (_, parameters) in METHODS.items():
+            for k, bench in enumerate(benches[name]):
+                finished, missed = bench.node(FOR_PROGRAMS, records=True, **parameters)
+                walls[name][k] = min(walls[name][k], finished.wall)
+                lost[name] += missed
+    return walls, lost
 
 
 def main():
@@ -69,18 +49,19 @@ def main():
     with tempfile.TemporaryDirectory() as directory:
         scratch = pathlib.Path(directory)
         with ros_processes.master(scratch) as client:
-            rows = {name: Row([Bench(arguments.programs, scratch, client, teeth, span, **keys) for span in spans],
-                              parameters)
-                    for name, (keys, parameters) in METHODS.items()}
-            for _ in range(rounds):
-                for row in rows.values():
-                    row.round()
-    publish(arguments, 'real-time', [f'{about}. The best of {rounds} rounds.', '', *table(rows)])
-    if arguments.write:
-        known = {f'{key}.{span}': factor for key, name in QUOTED.items()
-                 for span, factor in zip(('first', 'after'), rows[name].factors())}
-        documents.quote(arguments.write.with_name('performance.md'), 'real_time', known, origin.describe_physics())
-    return 1 if any(row.lost for row in rows.values()) else 0
+            benches = {name: [Bench(arguments.programs, scratch, client, teeth, span, **keys) for span in spans]
+                       for name, (keys, _) in METHODS.items()}
+            walls, lost = measure(benches, rounds)
+    first, whole = spans
+    factors = {name: (f'{first / one:.2f}', f'{(whole - first) / (both - one):.2f}')
+               for name, (one, both) in walls.items()}
+    publish(arguments, 'real-time', [
+        f'{about}. The best of {rounds} rounds.', '', f"{benches['events'][0].disks()} disks:", '',
+        table(['', f'simulated over wall time, first {first:g} s', f'from there to {whole:g} s',
+               'messages lost, bag included'], [[name, *of, lost[name]] for name, of in factors.items()])],
+        {f'{key}.{span}': factor for key, name in QUOTED.items()
+         for span, factor in zip(('first', 'after'), factors[name])}, origin.describe_physics())
+    return 1 if any(lost.values()) else 0
 
 
 if __name__ == '__main__':

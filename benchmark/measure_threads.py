@@ -10,7 +10,8 @@ import json
 import statistics
 import subprocess
 
-from ratchet_sieve import documents, origin
+from ratchet_sieve import origin
+from ratchet_sieve.texts import table
 from report import parsed, parser_of, publish
 
 LAYERS = ((20, '524', '≥ 1', '1.3'), (153, '4,008', '', ''), (382, '10,008', '1.7', '1.9'), (3817, '100,004', '1.8', '1.95'))
@@ -55,16 +56,16 @@ def waiting(runs):
     return f'{statistics.median(shares):.1f}' if shares else '—'
 
 
-def table(layers, rounds, about):
+def tables(layers, rounds, about):
     yield f'{origin.text(about)}; medians of {rounds} rounds, in turns; in brackets those of each half of the rounds.'
     yield ''
-    yield ('| disks | single queue, M collisions/s | one thread over a single queue | two threads over one | wanted | '
-           'hoped for | waiting, % |')
-    yield '|---|---|---|---|---|---|---|'
+    lines = []
     for teeth, disks, target, stretch in LAYERS:
         queue, one, two = (layers[teeth, way] for way in (QUEUE, ONE, TWO))
-        yield (f'| {disks} | {M * rate(queue):.2f} | {ratio(one, queue)} | {ratio(two, one)} | {target} | '
-               f'{stretch} | {waiting(two)} |')
+        lines.append([disks, f'{M * rate(queue):.2f}', ratio(one, queue), ratio(two, one), target, stretch,
+                      waiting(two)])
+    yield table(['disks', 'single queue, M collisions/s', 'one thread over a single queue', 'two threads over one',
+                 'wanted', 'hoped for', 'waiting, %'], lines)
 
 
 def figures(layers):
@@ -91,18 +92,18 @@ def model(strips, layers, meeting):
     """@param strips (teeth, strips) -> runs on one thread @param meeting of two threads [s]"""
     yield f'A meeting of two threads takes {1e6 * meeting:.2f} µs.'
     yield ''
-    yield '| teeth | disks | 2 threads, measured | ' + ' | '.join(f'{threads}, by the model' for threads in THREADS) + ' |'
-    yield '|---' * (3 + len(THREADS)) + '|'
-    measured = {teeth: rate(layers[teeth, TWO]) / rate(layers[teeth, ONE]) for teeth, *_ in LAYERS}
+    measured = {teeth: f'{rate(layers[teeth, TWO]) / rate(layers[teeth, ONE]):.1f}' for teeth, *_ in LAYERS}
+    lines = []
     for teeth, disks in MODELLED:
         most = max((count for other, count in strips if other == teeth), default=1)
-        cells = []
+        line = [f'{teeth:,}', disks, measured.get(teeth, '—')]
         for threads in THREADS:
             # More threads than strips have nothing to do.
             count = min(threads, most)
-            cells.append('1' if count == 1 else f'{speed_up(strips[teeth, count][0], count, meeting):.1f}' +
-                         (f' ({count} threads)' if count < threads else ''))
-        yield f'| {teeth:,} | {disks} | ' + ' | '.join([f'{measured[teeth]:.1f}' if teeth in measured else '—', *cells]) + ' |'
+            line.append('1' if count == 1 else f'{speed_up(strips[teeth, count][0], count, meeting):.1f}' +
+                        (f' ({count} threads)' if count < threads else ''))
+        lines.append(line)
+    yield table(['teeth', 'disks', '2 threads, measured', *(f'{threads}, by the model' for threads in THREADS)], lines)
 
 
 def main():
@@ -110,10 +111,8 @@ def main():
     program, about = arguments.programs / 'engine_benchmark', origin.describe_physics()
     layers = by_arguments(run(program, 'mixtureOnThreads', arguments.rounds))
     meeting = 1.0 / run(program, 'meetingOfTwoThreads')[0]['meetings']
-    publish(arguments, 'threads', table(layers, arguments.rounds, about))
+    publish(arguments, 'threads', tables(layers, arguments.rounds, about), figures(layers), about)
     publish(arguments, 'threads-model', model(by_arguments(run(program, 'mixtureInStrips')), layers, meeting))
-    if arguments.write:
-        documents.quote(arguments.write, 'threads', figures(layers), about)
 
 
 if __name__ == '__main__':

@@ -27,9 +27,11 @@ def parsed(parser, *marks):
     return arguments
 
 
-def publish(arguments, mark, lines):
-    """Prints a table, and puts it into the document."""
+def publish(arguments, mark, lines, figures=None, about=None):
+    """Prints a table, and puts it into the document. @param figures, about what documents.quote() takes for them"""
     text = '\n'.join(lines)
     print(text)
     if arguments.write:
         documents.put(arguments.write, mark, text)
+        if figures:
+            documents.quote(arguments.write.with_name('performance.md'), mark.replace('-', '_'), figures, about)

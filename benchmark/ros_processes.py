@@ -1,4 +1,6 @@
-"""Starts a ROS master, nodes and listeners, and measures the time of programs."""
+"""Starts a ROS master, nodes and listeners, and measures the time of programs. As a program it is the listener to a
+topic of a sieve: it prints a line when the first message is there. When a line comes on standard input it prints, as
+JSON, the length in bytes of all messages, and their simulated times where they have a header and a time."""
 import contextlib
 import dataclasses
 import json
@@ -6,6 +8,7 @@ import os
 import pathlib
 import re
 import select
+import struct
 import subprocess
 import sys
 import time
@@ -17,6 +20,8 @@ from std_srvs.srv import Empty
 from ratchet_sieve.processes import TIMEOUT, free_port, wait_for
 
 TICKS = os.sysconf('SC_CLK_TCK')
+LAST = 5.0        # for a listener's connection to end [s]
+BUFFER = 1 << 24  # bytes: more than a message of very many disks
 
 
 @dataclasses.dataclass
@@ -73,7 +78,7 @@ def master(scratch):
 def listener(topic):
     """Another process that is subscribed to a topic of a node that runs, and has had its first message: a sieve
     greets who comes. Gives a function that ends it and says what came."""
-    command = [sys.executable, str(pathlib.Path(__file__).with_name('topic_listener.py')), topic]
+    command = [sys.executable, __file__, topic]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
         def received():
             return json.loads(process.communicate('end\n')[0])
@@ -107,3 +112,34 @@ def run_node(client, program, parameters, topics):
         # The node stays for a moment after its end, until its last messages are sent.
         finished.wall = float(re.search(r'([\d.]+) ended at', finished.output).group(1)) - begin
         return finished, {topic: end() for topic, end in received.items()}
+
+
+def time_of(message):
+    """The field `time` behind the header: sequence number, stamp, and a text that gives its length. Nothing else is
+    unpacked."""
+    length, = struct.unpack_from('<I', message, 12)
+    return struct.unpack_from('<d', message, 16 + length)[0]
+
+
+def listen(topic):
+    messages = []
+    rospy.init_node('listener', anonymous=True, disable_signals=True)
+
+    def add(message):
+        if not messages:
+            print('there', flush=True)
+        messages.append((len(message._buff), message._buff[:64]))
+
+    subscriber = rospy.Subscriber(topic, rospy.AnyMsg, add, buff_size=BUFFER)
+    sys.stdin.readline()
+    # The last messages of the sieve may not have been read yet.
+    deadline = time.monotonic() + LAST
+    while subscriber.get_num_connections() > 0 and time.monotonic() < deadline:
+        time.sleep(0.01)
+    with_times = topic.rpartition('/')[2] not in ('markers', 'cloud')
+    json.dump({'bytes': sum(size for size, _ in messages),
+               'times': [time_of(start) for _, start in messages] if with_times else []}, sys.stdout)
+
+
+if __name__ == '__main__':
+    listen(sys.argv[1])

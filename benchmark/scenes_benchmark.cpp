@@ -18,6 +18,8 @@ namespace ratchet_sieve
 namespace
 {
 
+using benchmark::Counter;
+
 /// Advances a simulation by `stride` [s] of simulated time per iteration; counts collisions and
 /// simulated seconds per second of processor time.
 void advance(benchmark::State& state, Simulation& simulation, double stride)
@@ -26,7 +28,6 @@ void advance(benchmark::State& state, Simulation& simulation, double stride)
   const double start = simulation.time();
   for (auto _ : state)
     simulation.advanceTo(simulation.time() + stride);
-  using benchmark::Counter;
   const auto collisions = static_cast<double>(simulation.collisions().total() - before);
   state.counters["collisions"] = Counter(collisions, Counter::kIsRate);
   state.counters["simulated_seconds"] = Counter(simulation.time() - start, Counter::kIsRate);
@@ -122,7 +123,6 @@ void layerInStrips(benchmark::State& state, int teeth, std::size_t threads, cons
   for (auto _ : state)
     engine.advanceTo(engine.time() + 1.0 / scene.base.frequency);
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  using benchmark::Counter;
   state.counters["collisions"] = Counter(static_cast<double>(collisions() - before), Counter::kIsRate);
   const StripCounts counts = engine.stripCounts();
   if (counts.windows == 0)
@@ -143,15 +143,11 @@ void mixtureOnThreads(benchmark::State& state)
   layerInStrips(state, static_cast<int>(state.range(0)),
                 static_cast<std::size_t>(std::max<std::int64_t>(1, state.range(1))), strips);
 }
-/// Over the same periods of the drive, whatever the threads.
-void layersAndThreads(benchmark::internal::Benchmark* rows)
-{
-  rows->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(6);
-  for (const int teeth : {20, 153, 382, 3817})
-    for (const int threads : {0, 1, 2})
-      rows->Args({teeth, threads});
-}
-BENCHMARK(mixtureOnThreads)->Apply(layersAndThreads);
+BENCHMARK(mixtureOnThreads)
+    ->ArgsProduct({{20, 153, 382, 3817}, {0, 1, 2}})
+    ->Iterations(6)  // over the same periods of the drive, whatever the threads
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 /// As in a node that publishes: 60 frames a second, and temperatures eight times a period of the drive.
 /// Strides of some milliseconds.
@@ -235,7 +231,7 @@ void meetingOfTwoThreads(benchmark::State& state)
             barrier.wait([] {});
         });
   }
-  state.counters["meetings"] = benchmark::Counter(MEETINGS, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["meetings"] = Counter(MEETINGS, Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(meetingOfTwoThreads)->UseRealTime();
 

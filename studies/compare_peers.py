@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Runs one scene in this project and in other programs, one after another, and writes the table.
 
-The scene is the mixture of Fig. 8 at theta = 0: peers/mixture_scene.cpp. The table names programs that are not
-installed. In full it takes less than ten minutes. Drawing needs matplotlib.
+The scene is the mixture of Fig. 8 at theta = 0. The table names programs that are not installed. In full it takes less
+than ten minutes. Drawing needs matplotlib.
 """
 import argparse
 import json
@@ -33,7 +33,7 @@ def read_arguments():
     parser.add_argument("--draw-only", action="store_true",
                         help="run nothing: draw docs/images/peers.png from docs/data/peers.csv")
     arguments = parser.parse_args()
-    if not (arguments.programs / "ratchet_mixture").exists() and not arguments.draw_only:
+    if not arguments.draw_only and not runs.is_there(arguments.programs, runs.OURS):
         parser.error(f"{arguments.programs} holds no ratchet_mixture: build with -DRATCHET_SIEVE_BENCHMARKS=ON")
     if arguments.write:
         for place in ["peers"] + (["edmd"] if arguments.edmd else []):
@@ -41,42 +41,37 @@ def read_arguments():
     return arguments
 
 
-def take_runs(arguments):
-    found, missing = runs.rows(arguments.programs)
-    taken = runs.in_turns(found, 1 if arguments.short else REPETITIONS, arguments.short)
-    if arguments.picture:
-        taken += runs.in_turns(runs.sweep(arguments.programs), 1, arguments.short)
-    beside_edmd = edmd.in_turns(arguments.programs, arguments.edmd, REPETITIONS,
-                                arguments.short) if arguments.edmd else []
-    return {"machine": origin.describe_physics(), "missing": missing, "runs": taken, "edmd": beside_edmd,
-            "libraries": table.libraries(arguments.programs, taken)}
+def publish(arguments, name, text, figures, about):
+    if arguments.write:
+        documents.put(arguments.write, name, text)
+        documents.quote(arguments.write, name, figures, about)
+    print(text)
 
 
 def main():
     arguments = read_arguments()
     if arguments.draw_only:
-        picture.draw(picture.read(ROOT / "docs/data/peers.csv"), ROOT / "docs/images/peers.png")
+        picture.draw(ROOT / "docs/data/peers.csv", ROOT / "docs/images/peers.png")
         return
-    taken = take_runs(arguments)
+    cases, missing = runs.rows(arguments.programs)
+    repetitions, about = 1 if arguments.short else REPETITIONS, origin.describe_physics()
+    taken = runs.in_turns(arguments.programs, cases, repetitions, arguments.short)
+    if arguments.picture:
+        taken += runs.in_turns(arguments.programs, runs.sweep(arguments.programs), 1, arguments.short)
+    rates = edmd.in_turns(arguments.programs, arguments.edmd, repetitions, arguments.short) if arguments.edmd else None
     if arguments.out:
         arguments.out.mkdir(parents=True, exist_ok=True)
-        (arguments.out / "peers.json").write_text(json.dumps(taken, indent=1) + "\n")
-    text = table.render(taken)
-    if arguments.write:
-        documents.put(arguments.write, "peers", text)
-        documents.quote(arguments.write, "peers", table.figures(taken), taken["machine"])
-    print(text)
-    if taken["edmd"]:
-        beside_edmd = edmd.render(taken["edmd"], taken["machine"])
-        if arguments.write:
-            documents.put(arguments.write, "edmd", beside_edmd)
-            documents.quote(arguments.write, "edmd", edmd.figures(taken["edmd"]), taken["machine"])
-        print(beside_edmd)
+        (arguments.out / "peers.json").write_text(
+            json.dumps({"machine": about, "missing": missing, "runs": taken, "edmd": rates and rates.tolist()},
+                       indent=1) + "\n", encoding="utf-8")
+    publish(arguments, "peers", table.render(arguments.programs, taken, missing, about), table.figures(taken), about)
+    if arguments.edmd:
+        publish(arguments, "edmd", edmd.render(rates, about), edmd.figures(rates), about)
     if arguments.picture:
         data = arguments.picture.parent.parent / "data/peers.csv"
-        picture.write(data, picture.of_runs(taken["runs"], taken["machine"]))
-        picture.draw(picture.read(data), arguments.picture)
-    if any(run["program"] == runs.OURS and (run["lost"] or run["behind_base"]) for run in taken["runs"]):
+        picture.write(data, taken, about)
+        picture.draw(data, arguments.picture)
+    if any(run["program"] == runs.OURS and (run["lost"] or run["behind_base"]) for run in taken):
         sys.exit("this project has lost a disk")
 
 

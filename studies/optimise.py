@@ -2,7 +2,6 @@
 against throughput, and the best machine as a scene, from fresh seeds. sieve_sweep measures each machine once: the same
 command continues a search that was interrupted."""
 import argparse
-import dataclasses
 import pathlib
 import string
 import sys
@@ -56,32 +55,34 @@ def measure(options, searches, table):
         say(f"{search.path.name}:")
         trials = optimiser.Trials(options, search)
         found = optimiser.find(search, trials, say)
-        lines += report.lines(search, found, report.Origin(*about.values(), trials.version))
+        lines += report.lines(search, found, {"measured": about["date"], "machine": about["machine"],
+                                              "version": trials.version})
     report.write_table(table, lines)
 
 
-def run(options, searches, document, pictures, scenes):
+def run(options):
     """From searches' files to the table of results, pictures, scenes and the document."""
     from machines import report
+    from machines.search import read_search
     from ratchet_sieve.texts import wrapped
 
+    searches = [read_search(path, options.goal) for path in options.search or sorted(SEARCHES.glob("*.yaml"))]
+    document, pictures, scenes = places(options)
     table = document.parent / "data/machines.csv"
     if not options.draw_only:
         measure(options, searches, table)
-    results = []
+    results, sections = [], []
     for search in searches:
         found, measured = report.read_table(table, search)
         results.append((search, found))
-    sections = []
-    for search, found in results:
         name = f"machine_{search.path.stem}"
         print(report.save(search, found, pictures / f"{name}.png"))
-        sections.append(report.section(search, found, f"{name}.png", pictures))
+        sections.append(report.section(search, found, f"{name}.png"))
         if found[-1].best and not options.draw_only:
             path = scenes / f"{name}.yaml"
             path.write_text(report.scene_of(search, found[-1].best[0]), encoding="utf-8")
             print(path)
-    known = {"about": f"{measured.measured}, {measured.machine}, ratchet_sieve {measured.version}",
+    known = {"about": "{measured}, {machine}, ratchet_sieve {version}".format(**measured),
              "summary": report.summary(results), "searches": "\n\n".join(sections)}
     template = string.Template((pathlib.Path(report.__file__).with_name("template.md")).read_text(encoding="utf-8"))
     document.write_text(wrapped(template.substitute(known)), encoding="utf-8")
@@ -96,20 +97,9 @@ def main():
     if options.goal and not options.search:
         parser.error("--goal: needs a SEARCH: the pages of this package are by the searches' own goals")
     # What follows needs matplotlib, optuna and yaml, which --help does without.
-    from machines.search import BadSearch, read_search
-    from sweeps import SweepFailed
+    from sweeps import run_program
 
-    try:
-        searches = [read_search(path) for path in options.search or sorted(SEARCHES.glob("*.yaml"))]
-        if options.goal:
-            searches = [dataclasses.replace(search, goal=options.goal) for search in searches]
-        run(options, searches, *places(options))
-    except (BadSearch, SweepFailed) as error:
-        sys.exit(f"optimise: {error}")
-    except OSError as error:
-        sys.exit(f"optimise: {error.filename}: {error.strerror}")
-    except KeyboardInterrupt:
-        sys.exit(130)
+    run_program(parser.prog, lambda: run(options))
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@ claim, and writes docs/paper.md, docs/validation.md and docs/data. Existing resu
 import argparse
 import importlib
 import pathlib
-import sys
 
 from ratchet_sieve.places import WORK, program
 
@@ -41,7 +40,7 @@ def run_study(study, runner, directory, name):
     from ratchet_sieve import plots
     from study import Outcome
 
-    rows = runner.take(study)
+    rows = {sweep.name: runner.rows_of(sweep) for sweep in study.sweeps}
     outcome = Outcome(study, study.evaluate(rows), rows)
     for picture in study.pictures:
         with plots.styled():
@@ -75,7 +74,7 @@ def run(options, studies):
 def main():
     parser, options = read_arguments()
     # What follows needs matplotlib and yaml, which --help does without.
-    from sweeps import SweepFailed
+    from sweeps import run_program
 
     studies = {name: importlib.import_module(name).STUDIES for name in DOCUMENTS}
     known = [study.name for own in studies.values() for study in own]
@@ -87,14 +86,7 @@ def main():
             for study in own:
                 print(f"{name}: {study.name}: {study.title} ({', '.join(sweep.name for sweep in study.sweeps)})")
         return
-    try:
-        run(options, studies)
-    except SweepFailed as error:
-        sys.exit(f"reproduce: {error}")
-    except OSError as error:
-        sys.exit(f"reproduce: {error.filename}: {error.strerror}")
-    except KeyboardInterrupt:
-        sys.exit(130)
+    run_program(parser.prog, lambda: run(options, studies))
 
 
 if __name__ == "__main__":

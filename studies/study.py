@@ -2,7 +2,18 @@
 import dataclasses
 from typing import Callable
 
-from ratchet_sieve.texts import span
+from ratchet_sieve import plots
+from ratchet_sieve.texts import span, table
+
+
+def means(rows, field, *keys):
+    """@return map from the values of these keys, in order, to the field's Mean"""
+    return {place: cell.mean(field) for place, cell in sorted(rows.by(*keys).items())}
+
+
+def ways(rows, *keys):
+    """@return map from the values of these keys, in order, to both kinds' mean velocities [m/s]"""
+    return {place: (cell.mean("mean_vx.A"), cell.mean("mean_vx.B")) for place, cell in sorted(rows.by(*keys).items())}
 
 
 def axis(means, index):
@@ -13,6 +24,31 @@ def axis(means, index):
 def told(mean, scale=1.0):
     """A mean in words."""
     return "—" if mean is None else mean.text(scale)
+
+
+def velocity_table(means, corner, row, column):
+    """@param means map from the values of row and column to a mean velocity. @param row, column how a value is written
+    """
+    xs, ys = axis(means, 0), axis(means, 1)
+    return ("⟨V_x⟩ in mm/s:\n\n"
+            + table([corner, *map(column, ys)], [[row(x), *(means[x, y].text(plots.MM) for y in ys)] for x in xs]))
+
+
+def named_curves(axes, curves, colours, scale=1.0):
+    """Curves whose names will stand at their ends. @param curves map from name to points
+    @return what plots.end_labels takes"""
+    ends = []
+    for (name, points), colour in zip(curves.items(), colours):
+        plots.curve(axes, points, scale, color=colour)
+        ends.append((scale * points[-1][1].value, name, colour))
+    return ends
+
+
+def kind_curves(axes, pairs, kinds, colour, **options):
+    """The mean velocities of two kinds in one colour, the second dashed. @param pairs map from x to both"""
+    for index, (kind, style) in enumerate(zip(kinds, ("-", "--"))):
+        plots.curve(axes, [(x, pair[index]) for x, pair in pairs.items()], plots.MM, color=colour, linestyle=style,
+                    label=kind, **options)
 
 
 @dataclasses.dataclass(frozen=True)

@@ -8,7 +8,7 @@ import tempfile
 import yaml
 
 from ratchet_sieve.places import SHARE
-from ratchet_sieve.tables import Rows, read_rows
+from ratchet_sieve.tables import Refusal, Rows, read_rows
 from ratchet_sieve.texts import counted
 
 DIRECTORY = SHARE / "config/sweeps"
@@ -16,8 +16,20 @@ QUICK_SEEDS = 3   # --quick runs a quarter of the seeds, and so many at least
 QUICK_VALUES = 4  # of a key with more values than these, every second one
 
 
-class SweepFailed(Exception):
-    """With a message of one line."""
+class SweepFailed(Refusal):
+    """What sieve_sweep says."""
+
+
+def run_program(name, work):
+    """Does a program's work. An error is one line."""
+    try:
+        work()
+    except Refusal as refusal:
+        sys.exit(f"{name}: {refusal}")
+    except OSError as error:
+        sys.exit(f"{name}: {error.filename}: {error.strerror}")
+    except KeyboardInterrupt:
+        sys.exit(130)
 
 
 def export(program, definition, results, jobs, draw_only=False, output=None):
@@ -34,6 +46,7 @@ def export(program, definition, results, jobs, draw_only=False, output=None):
 
 
 def call(program, arguments, allowed, output):
+    """@return the exit status, one of those allowed. @throws SweepFailed"""
     try:
         done = subprocess.run([str(program), *arguments], stdout=output or subprocess.DEVNULL,
                               stderr=None if output else subprocess.PIPE, text=True, check=False)
@@ -42,6 +55,7 @@ def call(program, arguments, allowed, output):
     if done.returncode not in allowed:
         said = (done.stderr or "").strip().splitlines()
         raise SweepFailed(said[-1] if said else f"sieve_sweep {arguments[0]} ended with {done.returncode}")
+    return done.returncode
 
 
 class Runner:
@@ -51,11 +65,8 @@ class Runner:
         self.options = options
         self.rows = {}
 
-    def take(self, study):
-        """Runs the cases without a result. @return rows of each sweep of the study"""
-        return {sweep.name: self.rows_of(sweep) for sweep in study.sweeps}
-
     def rows_of(self, sweep):
+        """Runs its cases without a result."""
         if self.options.quick and not sweep.is_quick:
             return Rows()
         if sweep.name not in self.rows:

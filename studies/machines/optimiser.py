@@ -13,7 +13,7 @@ import optuna
 import yaml
 
 from ratchet_sieve.texts import counted
-from machines.search import Found, Machine, best_at, front, measured, require_goal, thinned
+from machines.search import Found, best_at, front, measured, require_goal, thinned
 from sweeps import export
 
 BATCH = 8     # trials at a time, for the cores to share
@@ -33,9 +33,9 @@ class Trials:
         self.version = None  # of the program that made the results
 
     def measure(self, machines, seeds):
-        """@param machines all with the same keys. @return their results, in their order"""
+        """@param machines all with the same keys. @return of each a Measured or None"""
         search = self.search
-        sweep = {"scene": search.scene, "set": search.settings, "cases": [machine.values for machine in machines],
+        sweep = {"scene": search.scene, "set": search.settings, "cases": machines,
                  "seed": {"first": seeds.first, "count": seeds.count}}
         with tempfile.TemporaryDirectory() as directory:
             file = pathlib.Path(directory) / "machines.yaml"
@@ -45,42 +45,38 @@ class Trials:
         if rows:
             require_goal(search.goal, rows, search.path)
             self.version = f"{rows[-1]['version']}, physics version {rows[-1]['physics']:g}"
-        return [measured(rows.where(machine.values), search.scene_of(machine)["base"], seeds, search.goal)
+        return [measured(rows.where(machine), search.scene_of(machine)["base"], seeds, search.goal)
                 for machine in machines]
 
 
 def suggested(trial, search, kind):
-    values = {}
-    for key in kind.keys:
-        bounds = search.ranges[key]
-        if bounds.is_whole:
-            values[key] = trial.suggest_int(key, bounds.low, bounds.high)
+    machine = {}
+    for key in kind.vary:
+        low, high = search.ranges[key]
+        if isinstance(low, int) and isinstance(high, int):
+            machine[key] = trial.suggest_int(key, low, high)
         else:
-            values[key] = float(f"{trial.suggest_float(key, bounds.low, bounds.high):.{DIGITS}g}")
-    return Machine(kind.name, values)
-
-
-def lacking(trial):
-    """How far P is below its limit: above 0 for a machine that is not allowed."""
-    return trial.user_attrs["lacking"]
+            machine[key] = float(f"{trial.suggest_float(key, low, high):.{DIGITS}g}")
+    return machine
 
 
 def make_study(kind, known):
     sampler = optuna.samplers.TPESampler(seed=SEED, multivariate=True, constant_liar=True, n_startup_trials=FIRST,
-                                         constraints_func=lacking)
+                                         constraints_func=lambda trial: trial.user_attrs["lacking"])
     study = optuna.create_study(directions=["maximize", "maximize"], sampler=sampler)
     for machine in known:
-        study.enqueue_trial({key: machine.values.get(key, kind.start.get(key)) for key in kind.keys})
+        study.enqueue_trial({key: machine.get(key, kind.start.get(key)) for key in kind.vary})
     return study
 
 
-def tell(study, trial, found, search):
-    if not found.is_whole():
+def tell(study, trial, found, least_processed):
+    """How far P is below its limit says that a machine is not allowed."""
+    if found is None:
         trial.set_user_attr("lacking", [1.0])
         study.tell(trial, state=optuna.trial.TrialState.FAIL)
-        return
-    trial.set_user_attr("lacking", [search.least_processed - found.processed.value])
-    study.tell(trial, (found.goal.value, found.throughput.value))
+    else:
+        trial.set_user_attr("lacking", [least_processed - found.processed.value])
+        study.tell(trial, (found.goal.value, found.throughput.value))
 
 
 def seek(search, kind, known, trials, say):
@@ -91,8 +87,8 @@ def seek(search, kind, known, trials, say):
         asked = [study.ask() for _ in range(min(BATCH, kind.trials - first))]
         machines = [suggested(trial, search, kind) for trial in asked]
         for trial, machine, found in zip(asked, machines, trials.measure(machines, search.seeds)):
-            tell(study, trial, found, search)
-            if found.is_whole() and found.processed.value >= search.least_processed:
+            tell(study, trial, found, search.least_processed)
+            if found and found.processed.value >= search.least_processed:
                 allowed.append((machine, found))
         best = max((found.goal.value for _, found in allowed), default=None)
         say(f"{kind.name}: {first + len(asked)} of {counted(kind.trials, 'machine')}, {len(allowed)} allowed, "
@@ -111,8 +107,7 @@ def find(search, trials, say):
             chosen.append(best[0])
         say(f"{kind.name}: {counted(len(chosen), 'machine')} again, by "
             f"{counted(search.held_out.count, 'fresh seed')}")
-        again = [pair for pair in zip(chosen, trials.measure(chosen, search.held_out) if chosen else ())
-                 if pair[1].is_whole()]
+        again = [pair for pair in zip(chosen, trials.measure(chosen, search.held_out) if chosen else ()) if pair[1]]
         anew = next((pair for pair in again if best and pair[0] == best[0]), None)
         found.append(Found(kind, tried, again, anew))
     return found

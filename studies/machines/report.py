@@ -10,7 +10,7 @@ from ratchet_sieve import plots
 from ratchet_sieve.stats import Mean
 from ratchet_sieve.tables import read_csv, write_csv
 from ratchet_sieve.texts import counted, table
-from machines.search import BadSearch, Found, Machine, Measured, front
+from machines.search import BadSearch, Found, Measured, front
 
 HEADER = ("# {title}: the best machine that\n"
           "# scripts/optimise {search} found; docs/machines.md has its results. Every key is explained in paper_fig8.yaml."
@@ -21,32 +21,19 @@ FIXED = ["search", "kind", "part",
 
 
 def columns_of(search):
-    """@return map from the fields of Measured to their columns"""
-    return {"goal": search.goal, "throughput": "throughput", "processed": "processed"}
-
-
-@dataclasses.dataclass(frozen=True)
-class Origin:
-    measured: str  # date
-    machine: str
-    version: str
-
-
-def digits(value):
-    return "" if value is None else f"{value:.6g}"
+    """The columns of Measured."""
+    return (search.goal, "throughput", "processed")
 
 
 def lines(search, found, origin):
+    """@param origin the last three of FIXED"""
     for one in found:
         for part, pairs in (("tried", one.tried), ("front", one.front), ("best", [one.best] if one.best else [])):
             for machine, measured in pairs:
-                line = {"search": search.path.stem, "kind": one.kind.name, "part": part,
-                        **dataclasses.asdict(origin), **machine.values}
-                for field, column in columns_of(search).items():
-                    mean = getattr(measured, field)
-                    if mean:
-                        line.update({column: digits(mean.value), f"{column}_error": digits(mean.error),
-                                     "seeds": mean.count})
+                line = {"search": search.path.stem, "kind": one.kind.name, "part": part, **origin, **machine}
+                for column, (value, error, count, _) in zip(columns_of(search), dataclasses.astuple(measured)):
+                    line.update({column: f"{value:.6g}", f"{column}_error": "" if error is None else f"{error:.6g}",
+                                 "seeds": count})
                 yield line
 
 
@@ -54,32 +41,26 @@ def write_table(path, all_lines):
     write_csv(path, FIXED + sorted({key for line in all_lines for key in line} - set(FIXED)), all_lines)
 
 
-def mean(line, name):
-    if not line[name]:
-        return None
-    error = line[f"{name}_error"]
-    return Mean(float(line[name]), float(error) if error else None, int(line["seeds"]))
-
-
 def pair(line, search):
-    values = {key: (int if bounds.is_whole else float)(line[key]) for key, bounds in search.ranges.items()
-              if line.get(key)}
-    return Machine(line["kind"], values), Measured(**{field: mean(line, column)
-                                                      for field, column in columns_of(search).items()})
+    """A machine and its Measured."""
+    machine = {key: (int if isinstance(low, int) and isinstance(high, int) else float)(line[key])
+               for key, (low, high) in search.ranges.items() if line.get(key)}
+    return machine, Measured(*(Mean(float(line[name]), float(error) if (error := line[f"{name}_error"]) else None,
+                                    int(line["seeds"])) for name in columns_of(search)))
 
 
 def read_table(path, search):
-    """@return a Found for each kind, and their Origin"""
+    """@return a Found for each kind, and the last line"""
     own = [line for line in read_csv(path).to_dict("records")
            if line["search"] == search.path.stem and line.get(search.goal)]
     if not own:
         raise BadSearch(f"{path}: has no line of {search.path.stem} with {search.goal}")
     found = []
     for kind in search.kinds:
-        parts = {part: [pair(line, search) for line in own if (line["kind"], line["part"]) == (kind.name, part)]
-                 for part in ("tried", "front", "best")}
-        found.append(Found(kind, parts["tried"], parts["front"], next(iter(parts["best"]), None)))
-    return found, Origin(*(own[-1][name] for name in ("measured", "machine", "version")))
+        tried, again, best = ([pair(line, search) for line in own if (line["kind"], line["part"]) == (kind.name, part)]
+                              for part in ("tried", "front", "best"))
+        found.append(Found(kind, tried, again, best[0] if best else None))
+    return found, own[-1]
 
 
 def draw_kind(axes, one, colour):
@@ -144,7 +125,7 @@ def machine_table(search, found):
     chosen = [one.best for one in found]
     lines = [[title, *(getattr(best[1], name).text() if best else "—" for best in chosen)]
              for title, name in ((search.label, "goal"), ("disks / (s m)", "throughput"), ("P", "processed"))]
-    lines += [[f"`{key}`", *(shown(best[0].values[key]) if best and key in best[0].values else "" for best in chosen)]
+    lines += [[f"`{key}`", *(shown(best[0][key]) if best and key in best[0] else "" for best in chosen)]
               for key in search.ranges]
     return table(["", *(one.kind.name for one in found)], lines)
 
@@ -176,16 +157,8 @@ def summary(results):
     return table([f"{goals}, at disks / (s m)", *kinds, "gain of the last over the first"], lines)
 
 
-def film(search, found, pictures):
-    """The film that ratchet_sieve.animation made of the best machine of the last kind; nothing where there is
-    none."""
-    name = f"machine_{search.path.stem}_rviz.gif"
-    if found[-1].best and (pictures / name).is_file():
-        yield f"![In RViz: the best machine of the last kind, for five seconds](images/{name})"
-
-
-def section(search, found, picture, pictures):
-    """@param picture the name of its file in the directory `pictures`"""
+def section(search, found, picture):
+    """@param picture the name of its file"""
     tried = "; ".join(f"{one.kind.name}: {counted(one.kind.trials, 'machine')} tried, {len(one.tried)} allowed"
                       for one in found)
     return "\n\n".join([
@@ -193,7 +166,6 @@ def section(search, found, picture, pictures):
         machine_table(search, found),
         "\n".join(gain_lines(search, found)),
         f"![{search.label} over throughput: {search.title}](images/{picture})",
-        *film(search, found, pictures),
         f"Search: [{search.path.name}](../config/searches/{search.path.name}). Machines: {tried}. Seeds of the search: "
         f"{search.seeds.text()}; of all results: {search.held_out.text()}. The best have the highest "
         f"{search.label} in the search, with P ≥ {search.least_processed:g} and at least {search.throughput:g} disks / (s m).",

@@ -7,21 +7,14 @@ import yaml
 
 from ratchet_sieve.base import length
 from ratchet_sieve.stats import Mean
-from ratchet_sieve.tables import throughput
+from ratchet_sieve.tables import Refusal, throughput
 
 SAWTOOTH = ("tooth_width", "tooth_height", "asymmetry")
 MOST_ON_FRONT = 8  # machines that are measured anew: of a longer front both ends and some between, evenly
 
 
-class BadSearch(Exception):
-    """One line: file, key, value and what is allowed."""
-
-
-@dataclasses.dataclass(frozen=True)
-class Range:
-    low: float
-    high: float
-    is_whole: bool  # both bounds are whole numbers, and so are all values
+class BadSearch(Refusal):
+    """File, key, value and what is allowed."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -37,9 +30,9 @@ class Seeds:
 class Kind:
     """A kind of machine: the keys that are varied, and the number of trials."""
     name: str
-    keys: tuple
+    vary: list
     trials: int
-    start: dict  # values of keys that the kind before does not vary
+    start: dict = dataclasses.field(default_factory=dict)  # values of keys that the kind before does not vary
 
 
 @dataclasses.dataclass(frozen=True)
@@ -48,8 +41,8 @@ class Search:
     title: str
     scene: str         # absolute
     settings: dict     # keys of the scene that are the same for all
-    ranges: dict       # key -> Range
-    kinds: tuple       # of Kind
+    ranges: dict       # key -> (low, high), both whole numbers where all values are
+    kinds: list        # of Kind
     least_processed: float   # P of an allowed machine
     throughput: float  # of the best machine, at least [disks / (s m)]
     goal: str          # the column of the results that is maximised, beside the throughput
@@ -62,34 +55,25 @@ class Search:
         return "Q" if self.goal == "quality" else self.goal
 
     def scene_of(self, machine):
-        """A machine as a scene of its own."""
-        return changed(read_yaml(self.scene), {**self.settings, **machine.values})
-
-
-@dataclasses.dataclass(frozen=True)
-class Machine:
-    kind: str
-    values: dict  # key of the scene -> value
+        """A machine as a scene of its own. @param machine map from the scene's keys to values"""
+        return changed(read_yaml(self.scene), {**self.settings, **machine})
 
 
 @dataclasses.dataclass(frozen=True)
 class Measured:
-    """Means over the seeds; None where a seed has no value."""
+    """Means over the seeds."""
     goal: Mean        # what the search maximises
-    processed: Mean
     throughput: Mean  # over the base's length [1/(s m)]
-
-    def is_whole(self):
-        return None not in (self.goal, self.processed, self.throughput)
+    processed: Mean
 
 
 @dataclasses.dataclass(frozen=True)
 class Found:
-    """The results of one kind of machine."""
-    kind: object
-    tried: list   # pairs (machine, Measured by the search's seeds) of all that are allowed
-    front: list   # pairs (machine, Measured by held-out seeds)
-    best: object  # such a pair: the highest goal by the search's seeds, at the search's throughput; None: there is none
+    """The results of one kind of machine: pairs (machine, Measured)."""
+    kind: Kind
+    tried: list    # of all that are allowed, by the search's seeds
+    front: list    # by held-out seeds
+    best: object   # the highest goal by the search's seeds, at the search's throughput, by held-out ones; None: none
 
 
 def is_number(value):
@@ -136,7 +120,8 @@ def read_yaml(path):
         raise BadSearch(f"{path}: {' '.join(str(error).split())}") from error
 
 
-def read_search(path):
+def read_search(path, goal=None):
+    """@param goal in place of the file's own. @throws BadSearch"""
     definition = read_yaml(path)
     definition = {"goal": "quality", **definition} if isinstance(definition, dict) else {}
     if set(definition) != set(PARTS):
@@ -148,43 +133,34 @@ def read_search(path):
     seeds, held_out = (Seeds(**definition[key]) for key in ("seeds", "held_out"))
     if max(seeds.first, held_out.first) < min(seeds.first + seeds.count, held_out.first + held_out.count):
         raise BadSearch(f"{path}: held_out: {held_out.first}: must not overlap seeds")
-    ranges = {key: Range(value["from"], value["to"], all(isinstance(bound, int) for bound in value.values()))
-              for key, value in definition["search"].items()}
-    kinds = [Kind(name, tuple(value["vary"]), value["trials"], dict(value.get("start", {})))
-             for name, value in definition["machines"].items()]
-    known = ranges
-    for kind in kinds:
-        for key in (*kind.keys, *kind.start):
+    ranges = {key: (bounds["from"], bounds["to"]) for key, bounds in definition["search"].items()}
+    kinds = [Kind(name, **value) for name, value in definition["machines"].items()]
+    for before, kind in zip([None, *kinds], kinds):
+        for key in (*kind.vary, *kind.start):
             if key not in ranges:
                 raise BadSearch(f"{path}: machines.{kind.name}: {key} has no range in search; there are "
                                 f"{', '.join(ranges)}")
-        missing = set(kind.keys) - set(known) - set(kind.start)
+        missing = set(kind.vary) - {*kind.start, *(before.vary if before else ranges)}
         if missing:
             raise BadSearch(f"{path}: machines.{kind.name}.start: has no {', '.join(sorted(missing))}, which the kind "
                             "before does not vary")
-        known = kind.keys
     return Search(path, definition["title"], str((path.parent / definition["scene"]).resolve()), definition["set"],
-                  ranges, tuple(kinds), definition["least_processed"], definition["throughput"], definition["goal"],
-                  seeds, held_out)
-
-
-def put(scene, path, value):
-    """Sets a key by its dotted path, as `--set` of sieve_run: a profile takes the place of the sawtooth's keys."""
-    *parents, last = path.split(".")
-    place = scene
-    for name in parents:
-        place = place[int(name)] if isinstance(place, list) else place.setdefault(name, {})
-    place[int(last) if isinstance(place, list) else last] = value
-    if path == "base.profile":
-        for key in SAWTOOTH:
-            place.pop(key, None)
+                  ranges, kinds, definition["least_processed"], definition["throughput"],
+                  goal or definition["goal"], seeds, held_out)
 
 
 def changed(scene, values):
-    """@param values map from dotted paths. @return a copy with them"""
+    """@param values map from dotted paths, as `--set` of sieve_run: a profile takes the place of the sawtooth's keys.
+    @return a copy with them"""
     scene = copy.deepcopy(scene)
     for path, value in values.items():
-        put(scene, path, value)
+        place, (*parents, last) = scene, path.split(".")
+        for name in parents:
+            place = place[int(name)] if isinstance(place, list) else place.setdefault(name, {})
+        place[int(last) if isinstance(place, list) else last] = value
+        if path == "base.profile":
+            for key in SAWTOOTH:
+                place.pop(key, None)
     return scene
 
 
@@ -199,20 +175,20 @@ def require_goal(goal, rows, path):
 
 
 def measured(rows, base, seeds, goal):
-    """@param rows of a machine, one a seed. @param base of its scene. @param goal the column that is maximised"""
+    """@param rows of a machine, one a seed. @param base of its scene. @param goal the column that is maximised
+    @return None where a seed has no value"""
     if any(len(rows.samples(field)) != seeds.count for field in (goal, "processed")):
-        return Measured(None, None, None)
-    return Measured(rows.mean(goal), rows.mean("processed"), rows.mean(throughput).scaled(1.0 / length(base)))
+        return None
+    return Measured(rows.mean(goal), rows.mean(throughput).scaled(1.0 / length(base)), rows.mean("processed"))
 
 
 def front(points):
     """The pairs (machine, Measured) that no other beats in both goal and throughput, by rising throughput."""
-    def beaten(one):
-        return any(other is not one and other.goal.value >= one.goal.value
-                   and other.throughput.value >= one.throughput.value
-                   and (other.goal.value, other.throughput.value) != (one.goal.value, one.throughput.value)
-                   for _, other in points)
-    return sorted((point for point in points if not beaten(point[1])), key=lambda point: point[1].throughput.value)
+    places = [(one.goal.value, one.throughput.value) for _, one in points]
+    beaten = [any(goal >= own[0] and throughput >= own[1] and (goal, throughput) != own for goal, throughput in places)
+              for own in places]
+    return sorted((point for point, is_beaten in zip(points, beaten) if not is_beaten),
+                  key=lambda point: point[1].throughput.value)
 
 
 def thinned(points):

@@ -5,7 +5,7 @@ from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows, joined
 from ratchet_sieve.texts import table
 from curves import best_of
-from study import Picture, Study, Sweep
+from study import Picture, Study, Sweep, means
 import verdicts
 
 THETA = "base.inclination"
@@ -32,8 +32,7 @@ def evaluate(rows):
     groups = dict(sorted(rows["paper_fig9_chute"].by(FROM, TO).items()))
     whole = max(groups, key=lambda place: place[1] - place[0])
     return {"whole": whole,
-            "Q": {place: [(theta, own.mean("quality")) for theta, own in sorted(group.by(THETA).items())]
-                  for place, group in groups.items()},
+            "Q": {place: means(group, "quality", THETA).items() for place, group in groups.items()},
             "best": {place: best_of(group, THETA, "quality") for place, group in groups.items()},
             "chosen": best_place({place: group for place, group in groups.items() if place != whole})}
 

@@ -3,7 +3,7 @@ from ratchet_sieve import plots
 from ratchet_sieve.texts import table
 from paper import parting
 from paper.parting import ANGLES, THETA
-from study import Picture, Study, Sweep
+from study import Picture, Study, Sweep, ways
 import verdicts
 
 FRAME = "base.drive_frame"
@@ -12,8 +12,7 @@ NAMES = {"world": "vertically, as in the paper", "base": "along its own normal"}
 
 def evaluate(rows):
     """@return of each drive's axes: map from θ to both kinds' mean velocities [m/s]"""
-    return {frame: {theta: parting.ways(cell) for theta, cell in sorted(group.by(THETA).items())}
-            for frame, group in rows["paper_deck"].by(FRAME).items()}
+    return {frame: ways(group, THETA) for frame, group in rows["paper_deck"].by(FRAME).items()}
 
 
 def draw(numbers):

@@ -1,7 +1,7 @@
 """Claim 13: single disks of several radii on a level base. Larger disks feel the ratchet less, as Fig. 6 says."""
 from ratchet_sieve import plots
 from ratchet_sieve.texts import table
-from study import Picture, Study, Sweep, axis
+from study import Picture, Study, Sweep, axis, named_curves
 import verdicts
 
 R = "species.0.radius"
@@ -20,11 +20,8 @@ def draw(means):
     frequencies, radii = axis(means, 0), axis(means, 1)
     names = ("short to long contacts", r"$\langle V_x \rangle$ [mm/s]")
     for what, (axes, name) in enumerate(zip(both, names)):
-        scale = plots.MM if what else 1.0
-        ends = []
-        for f, colour in zip(frequencies, plots.ramp(len(frequencies))):
-            plots.curve(axes, [(plots.MM * r, means[f, r][what]) for r in radii], scale, color=colour)
-            ends.append((scale * means[f, radii[-1]][what].value, f"{f:g} Hz", colour))
+        curves = {f"{f:g} Hz": [(plots.MM * r, means[f, r][what]) for r in radii] for f in frequencies}
+        ends = named_curves(axes, curves, plots.ramp(len(frequencies)), plots.MM if what else 1.0)
         axes.set(xlabel="$r$ [mm]", ylabel=name)
         plots.end_labels(axes, ends)
     return figure

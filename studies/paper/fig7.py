@@ -1,7 +1,7 @@
 """Fig. 7: the mean velocity of small and of large single disks over the frequency, for several inclinations."""
 from ratchet_sieve import plots
 from ratchet_sieve.texts import shown, table
-from study import Picture, Study, Sweep, axis
+from study import Picture, Study, Sweep, axis, means
 import verdicts
 
 THETA = "base.inclination"
@@ -12,8 +12,7 @@ SHOWN = 23.0  # Hz
 
 def velocities(rows):
     """@return of each kind: map from (θ, f) to the mean velocity [m/s]"""
-    groups = rows.by(THETA, F)
-    return {kind: {place: group.mean(f"mean_vx.{kind}") for place, group in groups.items()} for kind in KINDS}
+    return {kind: means(rows, f"mean_vx.{kind}", THETA, F) for kind in KINDS}
 
 
 def evaluate(rows):

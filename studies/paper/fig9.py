@@ -5,7 +5,7 @@ from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows, departed, joined
 from ratchet_sieve.texts import table
 from curves import best_of
-from study import Picture, Study, Sweep, told
+from study import Picture, Study, Sweep, means, told
 import verdicts
 
 THETA = "base.inclination"
@@ -26,9 +26,8 @@ def evaluate(rows):
     """@return of Q, P and what left: map from (teeth, d) to a curve over θ; and of Q what is best"""
     numbers = {"Q": {}, "P": {}, "left": {}, "best": {}}
     for place, group in over_inclinations(rows).by(TEETH, DENSITY).items():
-        by_theta = sorted(group.by(THETA).items())
         for what, field in (("Q", "quality"), ("P", "processed"), ("left", departed)):
-            numbers[what][place] = [(theta, own.mean(field)) for theta, own in by_theta]
+            numbers[what][place] = list(means(group, field, THETA).items())
         numbers["best"][place] = best_of(group, THETA, "quality")
     return numbers
 

@@ -6,7 +6,7 @@ from curves import best_of, crossing_of
 from paper import fig9
 from paper.fig7 import F, THETA, velocities
 from paper.fig8 import TURNED
-from study import Picture, Study, Sweep
+from study import Picture, Study, Sweep, means
 import verdicts
 
 SHOWN = 23.0     # Hz
@@ -17,8 +17,7 @@ SINGLE, ALONE, WINDOW = "paper_single", "paper_fig9_alone", "paper_fig8_window"
 def evaluate(rows):
     mixtures = fig9.evaluate(rows)
     single = rows[SINGLE]
-    alone = {teeth: {"best": best_of(group, fig9.THETA, "quality"),
-                     "Q": [(theta, own.mean("quality")) for theta, own in sorted(group.by(fig9.THETA).items())]}
+    alone = {teeth: {"best": best_of(group, fig9.THETA, "quality"), "Q": means(group, "quality", fig9.THETA).items()}
              for teeth, group in sorted(rows[ALONE].by(fig9.TEETH).items())
              if teeth in fig9.compared_lengths(mixtures)}
     turns = {name: {kind: crossing_of(group.where({F: SHOWN}), THETA, f"mean_vx.{kind}") for kind in "AB"}

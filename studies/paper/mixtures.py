@@ -2,7 +2,7 @@
 from ratchet_sieve import plots
 from ratchet_sieve.texts import table
 from curves import apart_between, best_of, turns_of
-from study import Picture, Study, Sweep, told
+from study import Picture, Study, Sweep, means, told
 import verdicts
 
 THETA = "base.inclination"
@@ -29,9 +29,8 @@ def evaluate(rows):
         numbers[mixture] = {
             **turns_of(drifts, THETA),
             "middle": apart_between(drifts, THETA, "mean_vx.A", "mean_vx.B"),
-            "apart": [(theta, group.mean(lambda row: row["mean_vx.A"] - row["mean_vx.B"]))
-                      for theta, group in sorted(drifts.by(THETA).items())],
-            "quality": [(theta, group.mean("quality")) for theta, group in sorted(machine.by(THETA).items())],
+            "apart": means(drifts, lambda frame: frame["mean_vx.A"] - frame["mean_vx.B"], THETA).items(),
+            "quality": means(machine, "quality", THETA).items(),
             "best": best_of(machine, THETA, "quality")}
     return numbers
 

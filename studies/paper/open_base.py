@@ -3,7 +3,7 @@ from ratchet_sieve import plots
 from ratchet_sieve.tables import joined
 from ratchet_sieve.texts import table
 from paper.parting import ANGLES, D, PRINTED
-from study import Picture, Study, Sweep
+from study import Picture, Study, Sweep, means
 import verdicts
 
 THETA = "base.inclination"
@@ -31,8 +31,7 @@ def evaluate(rows):
                          "Q": cell.mean("quality"), "P": cell.mean("processed")}
     periodic = rows["parting_window"].where({THETA: CLAIMED})
     return {"drifts": drifts,
-            "periodic": {kind: [(d, cell.mean(f"mean_vx.{kind}")) for d, cell in sorted(periodic.by(D).items())]
-                         for kind in "AB"}}
+            "periodic": {kind: means(periodic, f"mean_vx.{kind}", D).items() for kind in "AB"}}
 
 
 def lengths(numbers):

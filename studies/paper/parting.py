@@ -2,15 +2,14 @@
 inclinations in which they do, over the density."""
 from ratchet_sieve import plots
 from ratchet_sieve.texts import table
-from curves import crossing_of, turns_of
-from study import Picture, Study, Sweep, told
+from curves import turns_of
+from study import Picture, Study, Sweep, told, ways
 import verdicts
 
 THETA = "base.inclination"
 D = "density"
 PRINTED = 3.93           # the paper's density
 ANGLES = (0.105, 0.157)  # where the paper has A go to the right and B to the left [rad]
-NEEDED = ANGLES[1] - ANGLES[0]  # the least width of a window that has both angles in it
 NEEDED = ANGLES[1] - ANGLES[0]  # the least width of a window that has both angles in it
 
 PARTED = "A right, B left"
@@ -22,11 +21,6 @@ LITTLE = 1.0 / 3.0  # of the difference at θ = 0
 COLOURS = {PARTED: plots.COLOURS[2], RIGHT: plots.COLOURS[5], LEFT: plots.COLOURS[4], OTHER: plots.COLOURS[3],
            UNTOLD: "#EEEEEE"}
 CLASSES = {(True, False): PARTED, (True, True): RIGHT, (False, False): LEFT, (False, True): OTHER}
-
-
-def ways(rows):
-    """@return of each kind its mean velocity [m/s]"""
-    return rows.mean("mean_vx.A"), rows.mean("mean_vx.B")
 
 
 def class_of(pair):
@@ -61,17 +55,12 @@ def differ_little(says, level, tilted):
                           size.minus(level.scaled(LITTLE)).surely_below(0.0))
 
 
-def limits_of(rows):
-    """@return of each angle of the claim: the densities at which A and B turn to the left"""
-    return {theta: {kind: crossing_of(rows.where({THETA: theta}), D, f"mean_vx.{kind}") for kind in "AB"}
-            for theta in ANGLES}
-
-
-def evaluate_window(rows):
+def evaluate(rows):
+    """@return of each density the angles at which A and B turn to the left, of each angle of the claim the densities"""
     rows = rows["parting_window"]
     return {"turns": {d: turns_of(group, THETA) for d, group in sorted(rows.by(D).items())},
-            "limits": limits_of(rows),
-            "ways": {place: ways(cell) for place, cell in rows.by(D, THETA).items()}}
+            "limits": {theta: turns_of(rows.where({THETA: theta}), D) for theta in ANGLES},
+            "ways": ways(rows, D, THETA)}
 
 
 def draw(part):
@@ -90,10 +79,6 @@ def draw(part):
     return figure
 
 
-def densities_of(part):
-    return sorted(part["turns"])
-
-
 def is_parted(part, d, theta):
     return class_of(part["ways"][d, theta]) == PARTED
 
@@ -104,10 +89,11 @@ def listed(densities):
 
 def at_one(part):
     """A check that one density does for both angles."""
-    found = [d for d in densities_of(part) if all(is_parted(part, d, theta) for theta in ANGLES)]
-    alone = "; ".join(f"at {theta:g} alone at {listed([d for d in densities_of(part) if is_parted(part, d, theta)])}"
+    found = [d for d in part["turns"] if all(is_parted(part, d, theta) for theta in ANGLES)]
+    turns = part["turns"]
+    alone = "; ".join(f"at {theta:g} alone at {listed([d for d in turns if is_parted(part, d, theta)])}"
                       for theta in ANGLES)
-    widths = {d: turn["window"] for d, turn in part["turns"].items() if turn["window"]}
+    widths = {d: turn["window"] for d, turn in turns.items() if turn["window"]}
     widest = max(widths, key=lambda d: widths[d].value)
     said = (f"at {listed(found)} ({alone}; the widest window: {widths[widest].text()} rad at d = {widest:g}, and both "
             f"angles need {NEEDED:.3g})")
@@ -139,7 +125,7 @@ def text(part):
 
 
 WINDOW = Study("parting_window", "The window in which Fig. 8's mixture parts, over the density",
-              (Sweep("parting_window", {THETA: (0.052, *ANGLES)}),), evaluate_window,
+              (Sweep("parting_window", {THETA: (0.052, *ANGLES)}),), evaluate,
               (Picture("parting_window", "The inclinations at which A and B turn to the left, over the density; bars: "
                        "jackknife errors over the seeds", draw),),
               claims, text)

@@ -6,7 +6,7 @@ import dataclasses
 from ratchet_sieve import plots
 from ratchet_sieve.texts import table
 from paper import parting
-from study import Picture, Study, Sweep, axis
+from study import Picture, Study, Sweep, axis, ways
 
 # As printed, and as in the scenes where the paper leaves a value open.
 PRINTED = {"density": 3.93, "base.asymmetry": 0.3, "base.frequency": 23.0, "base.amplitude": 0.002,
@@ -39,9 +39,7 @@ PAIRS = (Pair("parting_density_frequency", "density", "d", *F),
 
 def evaluate(rows):
     """@return of each pair: map from (θ, x, y) to both kinds' mean velocities [m/s]"""
-    return {pair: {place: parting.ways(cell)
-                   for place, cell in rows[pair.sweep].by(parting.THETA, pair.x, pair.y).items()}
-            for pair in PAIRS if rows[pair.sweep]}
+    return {pair: ways(rows[pair.sweep], parting.THETA, pair.x, pair.y) for pair in PAIRS if rows[pair.sweep]}
 
 
 def draw(numbers):

@@ -3,7 +3,7 @@ from ratchet_sieve import plots
 from ratchet_sieve.texts import table
 from paper import parting
 from paper.parting import ANGLES, THETA
-from study import Picture, Study, Sweep
+from study import Picture, Study, Sweep, ways
 import verdicts
 
 W, H = "base.tooth_width", 0.009  # m: the height of all of them
@@ -13,8 +13,7 @@ FIRST = 6  # number of the first addition that is about one kind of teeth
 
 def evaluate(rows):
     """@return of each width: map from θ to both kinds' mean velocities [m/s]"""
-    return {w: {theta: parting.ways(cell) for theta, cell in sorted(group.by(THETA).items())}
-            for w, group in sorted(rows["parting_teeth_fresh"].by(W).items())}
+    return {w: ways(group, THETA) for w, group in sorted(rows["parting_teeth_fresh"].by(W).items())}
 
 
 def name(w):

@@ -1,17 +1,11 @@
 #include <box2d/box2d.h>
 
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "stepped_run.h"
 
 namespace
 {
 
-using namespace ratchet_sieve;
-using peers::Point;
+using namespace ratchet_sieve::peers;
 
 /// A millimetre is a unit, so that disks have sizes of 1 and 2 units: Box2D is designed for 0.1 to 10. Its
 /// time unit is scaled by the square root, so that gravity keeps its value and speeds stay in the expected
@@ -26,21 +20,21 @@ constexpr int POSITION_ITERATIONS = 3;
 class World : public b2ContactListener
 {
 public:
-  World(const SceneDefinition& scene, const std::vector<DiskState>& start, double step, bool continuous)
-      : scene_(scene), step_(step), world_(b2Vec2(0.0F, static_cast<float>(-scene.gravity)))
+  World(const Mixture& mixture, double step, bool continuous)
+      : mixture_(mixture), step_(step), world_(b2Vec2(0.0F, static_cast<float>(-mixture.gravity)))
   {
     world_.SetAllowSleeping(false);
     world_.SetContinuousPhysics(continuous);
     world_.SetContactListener(this);
     addBase();
-    for (const DiskState& disk : start)
+    for (const Disk& disk : mixture.disks)
       addDisk(disk);
   }
 
   void step(long long k)
   {
     // Moves the base to its position at the end of the step.
-    const double y = peers::baseAt(scene_.base, static_cast<double>(k + 1) * step_).y * PER_METRE;
+    const double y = mixture_.displacement(static_cast<double>(k + 1) * step_) * PER_METRE;
     const double dt = step_ * PER_SECOND;
     const double speed = (y - static_cast<double>(base_->GetPosition().y)) / dt;
     base_->SetLinearVelocity(b2Vec2(0.0F, static_cast<float>(speed)));
@@ -75,8 +69,8 @@ private:
   {
     b2FixtureDef definition;
     definition.shape = &shape;
-    definition.friction = static_cast<float>(peers::contactOf(scene_).friction);
-    definition.restitution = static_cast<float>(peers::contactOf(scene_).restitution);
+    definition.friction = static_cast<float>(mixture_.friction);
+    definition.restitution = static_cast<float>(mixture_.restitution);
     definition.restitutionThreshold = 0.0F;  // The default, 1 unit/s, is 0.03 m/s here.
     return definition;
   }
@@ -87,7 +81,7 @@ private:
     b2BodyDef definition;
     definition.type = b2_kinematicBody;
     base_ = world_.CreateBody(&definition);
-    const std::vector<Point> outline = peers::outline(scene_.base);
+    const std::vector<Point> outline = mixture_.outline();
     std::vector<b2Vec2> points;
     for (auto point = outline.rbegin(); point != outline.rend(); ++point)
       points.push_back(inUnits(*point));  // From right to left, so that the free side is on the right.
@@ -98,22 +92,21 @@ private:
     base_->CreateFixture(&definition_of_chain);
   }
 
-  void addDisk(const DiskState& disk)
+  void addDisk(const Disk& disk)
   {
-    const SpeciesDefinition& kind = scene_.species[disk.species];
     b2BodyDef definition;
     definition.type = b2_dynamicBody;
-    definition.position = inUnits({disk.x, disk.y});
+    definition.position = inUnits(disk.start);
     b2CircleShape circle;
-    circle.m_radius = static_cast<float>(kind.radius * PER_METRE);
+    circle.m_radius = static_cast<float>(disk.radius * PER_METRE);
     b2FixtureDef definition_of_circle = fixture(circle);
-    const auto mass = static_cast<float>(kind.mass * 1000.0);  // in grams
+    const auto mass = static_cast<float>(disk.mass * 1000.0);  // in grams
     definition_of_circle.density = mass / (b2_pi * circle.m_radius * circle.m_radius);
     disks_.push_back(world_.CreateBody(&definition));
     disks_.back()->CreateFixture(&definition_of_circle);
   }
 
-  const SceneDefinition& scene_;
+  const Mixture& mixture_;
   double step_;
   b2World world_;
   b2Body* base_ = nullptr;
@@ -125,16 +118,10 @@ private:
 
 int main(int argc, char** argv)
 {
-  std::vector<std::string> chosen;
-  const peers::RunOptions options = peers::readOptions(
-      argc, argv, "Box2D", {{"--continuous", {"on", "off"}, "whether contacts within a step are looked for"}},
-      &chosen);
-  const SceneDefinition scene = peers::mixtureScene(options.seed);
-  const std::vector<DiskState> start = peers::startOf(scene);
-  World world(scene, start, options.step, chosen[0] == "on");
-  peers::SteppedRun<World> run(world, scene, options, start);
-  run.run();
-  const std::string version = std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) +
-                              "." + std::to_string(b2_version.revision);
-  run.print({"box2d", version, "continuous " + chosen[0]});
+  const nlohmann::json run = readRun(argc, argv);
+  const Mixture mixture(run);
+  World world(mixture, run["step"], run["continuous"]);
+  SteppedRun(world, mixture, run)
+      .run(std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +
+           std::to_string(b2_version.revision));
 }

@@ -1,17 +1,11 @@
 #include <chipmunk/chipmunk.h>
 
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "stepped_run.h"
 
 namespace
 {
 
-using namespace ratchet_sieve;
-using peers::Point;
+using namespace ratchet_sieve::peers;
 
 /// Millimetres, so that the disks are larger than the library's length tolerances (1e-5).
 constexpr double PER_METRE = 1000.0;
@@ -28,25 +22,17 @@ constexpr int HASH_CELLS = 5240;
 /// Depth of a tooth's foot, where teeth are solid [mm].
 constexpr double SOLID_DEPTH = 20.0;
 
-struct Choices
-{
-  bool hash = false;
-  bool solid = false;
-};
-
 class World
 {
 public:
-  World(const SceneDefinition& scene, const std::vector<DiskState>& start, double step,
-        const Choices& choices)
-      : scene_(scene), step_(step), space_(cpSpaceNew())
+  World(const Mixture& mixture, double step, bool solid)
+      : mixture_(mixture), step_(step), space_(cpSpaceNew())
   {
-    cpSpaceSetGravity(space_, cpv(0.0, -scene.gravity * PER_METRE));
+    cpSpaceSetGravity(space_, cpv(0.0, -mixture.gravity * PER_METRE));
     cpSpaceSetCollisionSlop(space_, SLOP);
-    if (choices.hash)
-      cpSpaceUseSpatialHash(space_, HASH_CELL, HASH_CELLS);
-    addBase(choices.solid);
-    for (const DiskState& disk : start)
+    cpSpaceUseSpatialHash(space_, HASH_CELL, HASH_CELLS);
+    addBase(solid);
+    for (const Disk& disk : mixture.disks)
       addDisk(disk);
     cpCollisionHandler* handler = cpSpaceAddDefaultCollisionHandler(space_);
     handler->beginFunc = &World::onBegin;
@@ -59,8 +45,9 @@ public:
 
   void step(long long k)
   {
-    next_ = peers::baseAt(scene_.base, static_cast<double>(k + 1) * step_);
-    cpBodySetVelocity(base_, cpv(0.0, next_.vy * PER_METRE));
+    const double end = static_cast<double>(k + 1) * step_;
+    next_y_ = mixture_.displacement(end);
+    cpBodySetVelocity(base_, cpv(0.0, mixture_.velocity(end) * PER_METRE));
     cpSpaceStep(space_, step_);
   }
 
@@ -83,8 +70,8 @@ private:
   /// The library multiplies the two coefficients: each side gets the square root.
   void setContact(cpShape* shape) const
   {
-    cpShapeSetElasticity(shape, std::sqrt(peers::contactOf(scene_).restitution));
-    cpShapeSetFriction(shape, std::sqrt(peers::contactOf(scene_).friction));
+    cpShapeSetElasticity(shape, std::sqrt(mixture_.restitution));
+    cpShapeSetFriction(shape, std::sqrt(mixture_.friction));
     cpSpaceAddShape(space_, shape);
   }
 
@@ -94,7 +81,7 @@ private:
     cpBodySetUserData(base_, this);
     cpBodySetPositionUpdateFunc(base_, &World::followDrive);
     std::vector<cpVect> points;
-    for (const Point& point : peers::outline(scene_.base))
+    for (const Point& point : mixture_.outline())
       points.push_back(cpv(point.x * PER_METRE, point.y * PER_METRE));
     if (solid)
       addTeeth(points);
@@ -123,13 +110,12 @@ private:
     }
   }
 
-  void addDisk(const DiskState& disk)
+  void addDisk(const Disk& disk)
   {
-    const SpeciesDefinition& kind = scene_.species[disk.species];
-    const double radius = kind.radius * PER_METRE;
+    const double radius = disk.radius * PER_METRE;
     cpBody* body =
-        cpSpaceAddBody(space_, cpBodyNew(kind.mass, cpMomentForCircle(kind.mass, 0.0, radius, cpvzero)));
-    cpBodySetPosition(body, cpv(disk.x * PER_METRE, disk.y * PER_METRE));
+        cpSpaceAddBody(space_, cpBodyNew(disk.mass, cpMomentForCircle(disk.mass, 0.0, radius, cpvzero)));
+    cpBodySetPosition(body, cpv(disk.start.x * PER_METRE, disk.start.y * PER_METRE));
     setContact(cpCircleShapeNew(body, radius, cpvzero));
     disks_.push_back(body);
   }
@@ -138,7 +124,7 @@ private:
   static void followDrive(cpBody* body, cpFloat)
   {
     const World& world = *static_cast<World*>(cpBodyGetUserData(body));
-    cpBodySetPosition(body, cpv(0.0, world.next_.y * PER_METRE));
+    cpBodySetPosition(body, cpv(0.0, world.next_y_ * PER_METRE));
   }
 
   static cpBool onBegin(cpArbiter*, cpSpace*, cpDataPointer data)
@@ -147,12 +133,12 @@ private:
     return cpTrue;
   }
 
-  const SceneDefinition& scene_;
+  const Mixture& mixture_;
   double step_;
   cpSpace* space_;
   cpBody* base_ = nullptr;
   std::vector<cpBody*> disks_;
-  peers::BaseState next_;
+  double next_y_ = 0.0;  ///< of the base at the end of the step [m]
   std::uint64_t contacts_ = 0;
 };
 
@@ -160,16 +146,8 @@ private:
 
 int main(int argc, char** argv)
 {
-  std::vector<std::string> chosen;
-  const peers::RunOptions options =
-      peers::readOptions(argc, argv, "Chipmunk",
-                         {{"--index", {"hash", "tree"}, "how neighbours are found"},
-                          {"--base", {"segments", "solid"}, "what a tooth is made of"}},
-                         &chosen);
-  const SceneDefinition scene = peers::mixtureScene(options.seed);
-  const std::vector<DiskState> start = peers::startOf(scene);
-  World world(scene, start, options.step, {chosen[0] == "hash", chosen[1] == "solid"});
-  peers::SteppedRun<World> run(world, scene, options, start);
-  run.run();
-  run.print({"chipmunk", cpVersionString, chosen[0] + ", " + chosen[1]});
+  const nlohmann::json run = readRun(argc, argv);
+  const Mixture mixture(run);
+  World world(mixture, run["step"], run["solid"]);
+  SteppedRun(world, mixture, run).run(cpVersionString);
 }

@@ -4,19 +4,20 @@ per second of processor time over the number of disks.
 EDMD simulates elastic hard spheres in a periodic box. It is built from a checkout that the user brings, changed to a
 plane: z = 0, one cell across, two degrees of freedom, no thermostat. There is no wall, gravity, friction or spin in it.
 """
-import dataclasses
 import json
 import math
 import pathlib
 import re
 import resource
-import statistics
 import subprocess
 import sys
 import tempfile
 
+import numpy
+
 from ratchet_sieve import origin
-from ratchet_sieve.texts import counted
+from ratchet_sieve.places import SHARE
+from ratchet_sieve.texts import counted, table
 from peers import runs
 
 VARIANT = "Single"  # one event a disk and neighbour lists: the fastest of its variants
@@ -41,14 +42,6 @@ CHANGES = [
     ("celly == 0 || cellz == 0 || cellx", "celly == 0 || cellx"),
     ("celly == cy - 1 || cellz == cz - 1);", "celly == cy - 1);"),
 ]
-
-
-@dataclasses.dataclass
-class Rate:
-    """Collisions per second of processor time of one program, start included."""
-    program: str
-    disks: int
-    rate: float
 
 
 def build(checkout, disks, length, folder):
@@ -87,65 +80,52 @@ def processor_seconds(command, folder):
 
 
 def run_edmd(checkout, disks, length):
+    """@return how many disks, and collisions per second of processor time, start included"""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         build(checkout, disks, length, folder)
         seconds, output = processor_seconds(["./md"], folder)
-    return Rate("EDMD", disks, int(re.findall(r"Collisions: (\d+)", output)[-1]) / seconds)
+    return disks, int(re.findall(r"Collisions: (\d+)", output)[-1]) / seconds
 
 
 def run_ours(programs, teeth, length):
-    """The mixture of Fig. 8 on a base of so many teeth."""
-    scene = pathlib.Path(__file__).resolve().parents[2] / "config/paper_fig8.yaml"
-    disks = DISKS_PER_TOOTH * teeth
-    duration = length * COLLISIONS / (COLLISION_RATE * disks)
+    """As run_edmd(), of the mixture of Fig. 8 on a base of so many teeth."""
+    duration = length * COLLISIONS / (COLLISION_RATE * DISKS_PER_TOOTH * teeth)
     with tempfile.TemporaryDirectory() as name:
         seconds, output = processor_seconds(
-            [str(programs.resolve() / "sieve_run"), str(scene), "--set", f"base.teeth={teeth}", "--set", "settle=0",
-             "--duration", repr(duration), "--threads", "1"], name)
+            [str(programs.resolve() / "sieve_run"), str(SHARE / "config/paper_fig8.yaml"),
+             "--set", f"base.teeth={teeth}", "--set", "settle=0", "--duration", repr(duration), "--threads", "1"], name)
     summary = json.loads(output)
-    return Rate("this project", sum(species["count"] for species in summary["species"]),
-                sum(summary["collisions"].values()) / seconds)
+    return sum(species["count"] for species in summary["species"]), sum(summary["collisions"].values()) / seconds
 
 
 def in_turns(programs, checkout, repetitions, short):
-    """Rates of both programs, in turns, at each of SIZES."""
+    """Both programs in turns. @return of each repetition and of each of SIZES: this project's disks and rate, EDMD's"""
     rates = []
-    for repetition in range(1 if short else repetitions):
+    for repetition in range(repetitions):
+        of_sizes = []
         for disks, teeth in SIZES[:1] if short else SIZES:
             print(f"{repetition + 1}/{repetitions}: EDMD, {disks} disks", file=sys.stderr, flush=True)
             length = SHORT if short else 1.0
-            rates += [run_ours(programs, teeth, length), run_edmd(checkout, disks, length)]
-    return [dataclasses.asdict(rate) for rate in rates]
-
-
-def medians(rates):
-    """@return for each size: disks of this project and of EDMD, and the rates of both"""
-    found = {}
-    for rate in rates:
-        found.setdefault((rate["program"], rate["disks"]), []).append(rate["rate"])
-    both = [sorted((disks, statistics.median(of)) for (name, disks), of in found.items() if name == program)
-            for program in ("this project", "EDMD")]
-    return [(ours[0], theirs[0], ours[1], theirs[1]) for ours, theirs in zip(*both)]
+            of_sizes.append([*run_ours(programs, teeth, length), *run_edmd(checkout, disks, length)])
+        rates.append(of_sizes)
+    return numpy.array(rates)
 
 
 def render(rates, about):
     """The rates as Markdown. @param about date, machine and version"""
-    sizes = medians(rates)
-    count = len(rates) // (2 * len(sizes))
-    lines = [f"{origin.text(about)}. {counted(count, 'run')} of each in turns on one core; medians. Millions of "
-             "collisions per second of processor time, of whole processes.\n\n",
-             "| disks: this project, EDMD | this project, Fig. 8 | EDMD, elastic disks in a plane | × EDMD |\n"
-             "|---|---|---|---|\n"]
-    for ours, theirs, a, b in sizes:
-        lines.append(f"| {ours}, {theirs} | {a * 1e-6:.3g} | {b * 1e-6:.3g} | {a / b:.2f} |\n")
-    return "".join(lines)
+    lines = [[f"{ours:g}, {theirs:g}", f"{a * 1e-6:.3g}", f"{b * 1e-6:.3g}", f"{a / b:.2f}"]
+             for ours, a, theirs, b in numpy.median(rates, axis=0)]
+    return (f"{origin.text(about)}. {counted(len(rates), 'run')} of each in turns on one core; medians. Millions of "
+            "collisions per second of processor time, of whole processes.\n\n"
+            + table(["disks: this project, EDMD", "this project, Fig. 8", "EDMD, elastic disks in a plane", "× EDMD"],
+                    lines))
 
 
 def figures(rates):
     """Those of performance.json."""
     known = {}
-    for _, disks, ours, theirs in medians(rates):
-        known[f"disks_{disks}.rate"] = f"{theirs * 1e-6:.3g} M"
-        known[f"disks_{disks}.times"] = f"{ours / theirs:.2f}"
+    for _, ours, disks, theirs in numpy.median(rates, axis=0):
+        known[f"disks_{disks:g}.rate"] = f"{theirs * 1e-6:.3g} M"
+        known[f"disks_{disks:g}.times"] = f"{ours / theirs:.2f}"
     return known

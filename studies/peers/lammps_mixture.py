@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Runs the mixture of Fig. 8 in LAMMPS, and prints one line of JSON as the other programs of the comparison do."""
-import argparse
+"""Runs the mixture of Fig. 8 in LAMMPS, by the file that runs.py writes, and leaves samples and one line of JSON as the
+other programs of the comparison do."""
 import json
 import math
 import pathlib
@@ -9,14 +9,17 @@ import subprocess
 import sys
 import tempfile
 
+import numpy
+
 INPUT = pathlib.Path(__file__).resolve().with_name("mixture.lmp")
 
-# The scene: mixture_scene.cpp.
-TEETH, TOOTH_WIDTH, TOOTH_HEIGHT, ASYMMETRY = 20, 0.020, 0.006, 0.3
-AMPLITUDE, OMEGA, GRAVITY = 0.002, 2.0 * math.pi * 23.0, 9.81
-RADII, MASSES = (0.001, 0.002), (0.010, 0.001)
-RESTITUTION, FRICTION = 0.6, 0.1
+RUN = json.loads(pathlib.Path(sys.argv[1]).read_text(encoding="utf-8"))
+BASE, SPECIES = RUN["scene"]["base"], RUN["scene"]["species"]
+TEETH, TOOTH_WIDTH, TOOTH_HEIGHT, ASYMMETRY = (BASE[key] for key in ("teeth", "tooth_width", "tooth_height",
+                                                                     "asymmetry"))
 WIDTH = TEETH * TOOTH_WIDTH
+RADII, MASSES = ([species[key] for species in SPECIES] for key in ("radius", "mass"))
+RESTITUTION, FRICTION = SPECIES[0]["restitution"], SPECIES[0]["friction"]
 APEX_RADIUS = 1e-5   # of the particles that stand in the apices, which walls of regions do not have [m]
 TOP = 0.5            # of the box [m]
 COLUMN = 4           # teeth that are one wall
@@ -26,7 +29,7 @@ LOW_EVERY = 50       # steps between two such looks
 CONTACT_TIME = 2e-4  # soft enough for overlaps of a few per cent of a radius [s]
 STEPS_PER_CONTACT = 40
 TANGENTIAL_RATIO = 2.0  # of tangential to normal damping: a contact that sticks has stopped its sliding by its end
-LOOK, BLOCK = 0.01, 0.5      # [s], as in mixture_run.h
+STEP = CONTACT_TIME / STEPS_PER_CONTACT
 
 
 def contact(mass):
@@ -97,102 +100,43 @@ def start(disks):
     return "\n".join(lines) + "\n"
 
 
-def frames(path):
-    """Per frame of the dump: the disks as (type, unwrapped x, y)."""
-    frame = None
-    for line in path.read_text().splitlines():
-        if line.startswith("ITEM: ATOMS"):
-            frame = []
-        elif line.startswith("ITEM: TIMESTEP"):
-            if frame:
-                yield frame
-            frame = None
-        elif frame is not None:
-            _, kind, x, y = line.split()
-            frame.append((int(kind) - 1, float(x), float(y)))
-    if frame:
-        yield frame
+def sample(path, disks):
+    """Writes the samples of LAMMPS's dump: in the base's own frame, whose displacement is 0."""
+    with open(RUN["samples"], "wb") as file, open(path, encoding="utf-8") as dump:
+        for line in dump:
+            if line.startswith("ITEM: TIMESTEP"):
+                time = STEP * int(next(dump))
+            elif line.startswith("ITEM: ATOMS"):
+                places = [tuple(map(float, next(dump).split()[2:])) for _ in range(disks)]
+                numpy.array([time, 0.0, *(number for place in places for number in place)]).tofile(file)
 
 
-def height_above(x, y):
-    """Distance from a point to the base's surface, > 0 above it."""
-    s = x % TOOTH_WIDTH
-    feet_and_apices = [((k + part) * TOOTH_WIDTH, n) for k in (-1, 0, 1, 2) for part, n in
-                       ((0.0, 0.0), (ASYMMETRY, TOOTH_HEIGHT))]
-    nearest, surface = math.inf, 0.0
-    for (s1, n1), (s2, n2) in zip(feet_and_apices, feet_and_apices[1:]):
-        along_s, along_n = s2 - s1, n2 - n1
-        part = ((s - s1) * along_s + (y - n1) * along_n) / (along_s ** 2 + along_n ** 2)
-        part = min(1.0, max(0.0, part))
-        nearest = min(nearest, math.hypot(s - s1 - part * along_s, y - n1 - part * along_n))
-        if s1 <= s <= s2:
-            surface = n1 + (s - s1) / along_s * along_n
-    return math.copysign(nearest, y - surface)
-
-
-def overlap(frame):
-    disks = sorted((x % WIDTH, y, RADII[kind]) for kind, x, y in frame)
-    most = 0.0
-    for i, (x, y, radius) in enumerate(disks):
-        for other_x, other_y, other_radius in disks[i + 1:]:
-            if other_x - x > 2.0 * max(RADII):
-                break
-            most = max(most, radius + other_radius - math.hypot(other_x - x, other_y - y))
-    return most
-
-
-def drift(earlier, later, seconds):
-    return [sum(b[1] - a[1] for a, b in zip(earlier, later) if a[0] == kind)
-            / sum(a[0] == kind for a in earlier) / seconds for kind in range(len(RADII))]
-
-
-def run(arguments, directory):
-    step = CONTACT_TIME / STEPS_PER_CONTACT
-    disks = json.loads(subprocess.run([arguments.start, "--print", "start", "--seed", str(arguments.seed)],
-                                      capture_output=True, text=True, check=True).stdout)
-    (directory / "start.data").write_text(start(disks))
-    (directory / "base.lmp").write_text(base())
-    (directory / "low.lmp").write_text(low())
-    (directory / "contacts.lmp").write_text(contacts())
-    variables = {"amplitude": AMPLITUDE, "omega": OMEGA, "gravity": GRAVITY, "step": step,
-                 "settle_steps": round(arguments.settle / step), "count_steps": round(arguments.duration / step),
-                 "look_steps": round(LOOK / step), "low_every": LOW_EVERY}
+def run(directory):
+    """@return what the other programs print"""
+    disks = RUN["disks"]
+    for name, text in (("start.data", start(disks)), ("base.lmp", base()), ("low.lmp", low()),
+                       ("contacts.lmp", contacts())):
+        (directory / name).write_text(text, encoding="utf-8")
+    variables = {"amplitude": BASE["amplitude"], "omega": 2.0 * math.pi * BASE["frequency"],
+                 "gravity": RUN["scene"]["gravity"], "step": STEP, "settle_steps": round(RUN["settle"] / STEP),
+                 "count_steps": round(RUN["duration"] / STEP), "look_steps": round(RUN["look"] / STEP),
+                 "low_every": LOW_EVERY}
     command = ["lmp", "-in", str(INPUT), "-screen", "none", "-log", "log"]
     for name, value in variables.items():
         command += ["-var", name, repr(value)]
     ran = subprocess.run(command, cwd=directory, capture_output=True, text=True, check=False)
-    log = (directory / "log").read_text()
-    if ran.returncode != 0:
+    log = (directory / "log").read_text(encoding="utf-8")
+    if ran.returncode != 0:  # as where it has lost a disk
         said = [line for line in log.splitlines() if line.startswith("ERROR")]
         sys.exit(f"lammps: {said[0] if said else ran.stderr.strip()}")
     begun, settled, ended = (float((directory / name).read_text()) for name in ("begun", "settled", "ended"))
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     share = min(1.0, (used.ru_utime + used.ru_stime) / (ended - begun))
-    return disks, log, step, ended - settled, (ended - settled) * share
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--start", required=True, help="ratchet_mixture, which prints where the disks start")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--settle", type=float, default=2.0, help="simulated time before counting [s]")
-    parser.add_argument("--duration", type=float, default=8.0, help="simulated time of counting [s]")
-    arguments = parser.parse_args()
-    with tempfile.TemporaryDirectory() as name:
-        disks, log, step, wall, processor = run(arguments, pathlib.Path(name))
-        looks = list(frames(pathlib.Path(name) / "look.dump"))
-    stride = round(BLOCK / LOOK)
-    print(json.dumps({
-        "program": "lammps", "version": log.split("(", 1)[1].split(")", 1)[0],
-        "configuration": f"contact time {CONTACT_TIME} s", "step": step, "seed": arguments.seed,
-        "settle": arguments.settle, "duration": arguments.duration, "wall_seconds": wall,
-        "processor_seconds": processor, "collisions": None,
-        "lost": len(disks) - len(looks[-1]),
-        "behind_base": max(sum(height_above(x, y) < 0.0 for _, x, y in look) for look in looks),
-        "overlap": max(map(overlap, looks)),
-        "base_overlap": max(RADII[kind] - height_above(x, y) for look in looks for kind, x, y in look),
-        "drift_blocks": [drift(a, b, BLOCK) for a, b in zip(looks[::stride], looks[stride::stride])]}))
+    sample(directory / "look.dump", len(disks))
+    return {"version": log.split("(", 1)[1].split(")", 1)[0], "wall_seconds": ended - settled,
+            "processor_seconds": (ended - settled) * share, "collisions": None, "lost": 0}
 
 
 if __name__ == "__main__":
-    main()
+    with tempfile.TemporaryDirectory() as name:
+        print(json.dumps(run(pathlib.Path(name))))

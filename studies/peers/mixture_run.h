@@ -2,28 +2,46 @@
 
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <ctime>
-#include <nlohmann/json.hpp>
-#include <optional>
+#include <fstream>
 #include <string>
 #include <vector>
 
-#include "mixture_scene.h"
-#include "model/base_shape.h"
+#include <nlohmann/json.hpp>
 
+/// What the programs of the comparison have in common. Each is given a file that runs.py writes: the mixture
+/// of Fig. 8 at theta = 0, where its disks start, and for how long it runs. Each writes samples, from which
+/// looks.py tells drifts and overlaps, and prints one line of JSON.
 namespace ratchet_sieve::peers
 {
 
-/// The options of every program of the comparison.
-struct RunOptions
+#ifdef __clang__
+constexpr const char* COMPILER = __VERSION__;
+#else
+constexpr const char* COMPILER = "GCC " __VERSION__;
+#endif
+
+struct Point
 {
-  std::uint64_t seed = 1;
-  double settle = 2.0;    ///< simulated before the measurement [s]
-  double duration = 8.0;  ///< simulated during the measurement [s]
-  double step = 1e-4;     ///< integration step of the time-stepping programs [s]
+  double x = 0.0;  ///< [m]
+  double y = 0.0;  ///< [m]
 };
 
-/// Sums the time between start() and stop().
+inline nlohmann::json readRun(int argc, char** argv)
+{
+  if (argc != 2)
+  {
+    std::fprintf(stderr, "%s: needs the file of a run, which compare_peers.py writes\n", argv[0]);
+    std::exit(2);
+  }
+  std::ifstream file(argv[1]);
+  return nlohmann::json::parse(file);
+}
+
+/// Sums the time between start() and stop(). Processor time is less than wall time if other programs use the
+/// processor.
 class StopWatch
 {
 public:
@@ -38,10 +56,14 @@ public:
     processor_ += static_cast<double>(std::clock() - processor_start_) / CLOCKS_PER_SEC;
   }
   void clear() { wall_ = processor_ = 0.0; }
-  double wallSeconds() const { return wall_; }
 
-  /// Less than the wall time if other programs use the processor.
-  double processorSeconds() const { return processor_; }
+  /// What a program prints of a run. @param lost disks that fell through the base
+  nlohmann::json outcome(const std::string& version, std::uint64_t collisions, std::size_t lost) const
+  {
+    return {{"version", version},       {"compiler", COMPILER},
+            {"wall_seconds", wall_},    {"processor_seconds", processor_},
+            {"collisions", collisions}, {"lost", lost}};
+  }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -51,66 +73,28 @@ private:
   double processor_ = 0.0;
 };
 
-/// Measurements at fixed times with the clock stopped, the same for every program.
-class Watch
+/// Samples of a run, as doubles: its time [s], the base's displacement [m], and of each disk x, as if the
+/// base went on, and y [m].
+class Samples
 {
 public:
-  Watch(const SceneDefinition& scene, std::vector<std::uint32_t> species);
+  explicit Samples(const nlohmann::json& run) : file_(run["samples"].get<std::string>(), std::ios::binary) {}
 
-  /// Takes a sample. @param x unwrapped, @param place wrapped, both in the order of the disks
-  void look(double time, double base_y, const std::vector<double>& x, const std::vector<Point>& place);
-
-  /// Forgets earlier samples: the end of the settling. Mean velocities are measured from `x` on.
-  void restart(double time, const std::vector<double>& x);
-
-  /// Mean velocity of each species over each block of time [m/s].
-  nlohmann::json blocks() const { return blocks_; }
-  double largestOverlap() const { return largest_overlap_; }
-  double largestBaseOverlap() const { return largest_base_overlap_; }
-  std::size_t mostBehindBase() const { return most_behind_base_; }
+  void write(double time, double base_y, const std::vector<Point>& places)
+  {
+    writeDoubles(&time, 1);
+    writeDoubles(&base_y, 1);
+    for (const Point& place : places)
+      writeDoubles(&place.x, 2);
+  }
 
 private:
-  void endBlock(double time, const std::vector<double>& x);
-  void audit(double base_y, const std::vector<Point>& place);
+  void writeDoubles(const double* values, std::size_t count)
+  {
+    file_.write(reinterpret_cast<const char*>(values), static_cast<std::streamsize>(count * sizeof(double)));
+  }
 
-  std::vector<SpeciesDefinition> kinds_;
-  std::vector<std::uint32_t> species_;
-  BaseShape shape_;
-  double block_start_ = 0.0;
-  std::vector<double> x_at_block_start_;
-  std::vector<std::vector<double>> blocks_;
-  double largest_overlap_ = 0.0;
-  double largest_base_overlap_ = 0.0;
-  std::size_t most_behind_base_ = 0;
+  std::ofstream file_;
 };
-
-/// The sampling interval of a run. A block of the drift has several samples.
-constexpr double LOOK = 0.01;   ///< [s]
-constexpr double BLOCK = 0.5;   ///< [s]
-constexpr double TIDY = 0.001;  ///< interval at which a stepping program moves disks to the other end [s]
-
-/// The command line's options; `add` adds the program's own. Exits the program on --help or an error.
-struct OwnOption
-{
-  std::string name;
-  std::vector<std::string> values;  ///< the first is the default
-  std::string help;
-};
-RunOptions readOptions(int argc, char** argv, const std::string& what, const std::vector<OwnOption>& own = {},
-                       std::vector<std::string>* chosen = nullptr);
-
-/// The output line of every program.
-struct Outcome
-{
-  std::string program;
-  std::string version;
-  std::string configuration;
-  std::optional<double> step = {};  ///< [s]
-  double wall_seconds = 0.0;        ///< of the counted time
-  double processor_seconds = 0.0;   ///< of the counted time
-  double collisions = 0.0;
-  std::size_t lost = 0;  ///< disks that fell through the base
-};
-void print(const Outcome& outcome, const RunOptions& options, const Watch& watch);
 
 }  // namespace ratchet_sieve::peers

@@ -1,5 +1,6 @@
 """The rows of the table and the steps of the picture: each a program that is run, one after another on one core."""
 import dataclasses
+import functools
 import json
 import os
 import pathlib
@@ -7,13 +8,20 @@ import shutil
 import statistics
 import subprocess
 import sys
+import tempfile
 
+import yaml
+
+from ratchet_sieve.places import SHARE
 from ratchet_sieve.stats import mean_of
+from peers import samples
 
+SCENE = SHARE / "config/paper_fig8.yaml"
 OURS = "ratchet_sieve"
 ROW = "this project"
 TIMEOUT = 900.0   # of wall time [s]: a longer run has hung
 LAMMPS = "lmp"    # its program
+PROGRAMS = {OURS: "ratchet_mixture", "chipmunk": "chipmunk_mixture", "box2d": "box2d_mixture"}
 
 # Box2D's clock runs faster than the scene's by the root of the scale of its lengths: see box2d_mixture.cpp.
 BOX2D_CLOCK = 1000.0 ** 0.5
@@ -37,62 +45,45 @@ FINE = 5e-5  # what steps finer than this is run for a shorter time [s]
 @dataclasses.dataclass
 class Case:
     """One program with one set of options."""
-    row: str       # "" if it is only in the picture
-    command: list
+    program: str
+    row: str = ""           # "": only in the picture
+    step: float = None      # [s]
+    overrides: tuple = ()   # of the scene, as of sieve_run --set
     settle: float = 2.0     # [s]
     duration: float = 8.0   # [s]
     repeated: bool = True   # false: too slow
 
-    def arguments(self, seed, short):
-        settle, duration = (0.1, 0.5) if short else (self.settle, self.duration)
-        return [*self.command, "--seed", str(seed), "--settle", str(settle), "--duration", str(duration)]
+    def options(self):
+        """What the program alone is asked for."""
+        return {"step": self.step, "set": list(self.overrides), "solid": bool(self.step and self.step >= THIN_BASE),
+                "continuous": bool(self.step and self.step >= NO_TUNNELLING)}
 
 
-def chipmunk(programs, step, row="", **more):
-    base = "segments" if step < THIN_BASE else "solid"
-    return Case(row, [str(programs / "chipmunk_mixture"), "--step", repr(step), "--base", base], **more)
-
-
-def box2d(programs, step, row="", **more):
-    continuous = "off" if step < NO_TUNNELLING else "on"
-    return Case(row, [str(programs / "box2d_mixture"), "--step", repr(step), "--continuous", continuous], **more)
+def is_there(programs, name):
+    return bool(shutil.which(LAMMPS)) if name == "lammps" else (programs / PROGRAMS[name]).exists()
 
 
 def rows(programs):
     """@return the rows of the table, and the names of missing programs"""
-    ours = str(programs / "ratchet_mixture")
-    found = [Case(ROW, [ours], duration=40.0),
-             Case("this project, β = 0 as the others", [ours, "--tangential", "none"], duration=40.0)]
-    missing = []
-    if (programs / "chipmunk_mixture").exists():
-        found.append(chipmunk(programs, MAIN_STEP, "Chipmunk, 0.1 ms"))
-        found += [chipmunk(programs, step, f"Chipmunk, 1/{round(1 / step)} s") for step in CHIPMUNK_STEPS]
-    else:
-        missing.append("Chipmunk")
-    if (programs / "box2d_mixture").exists():
-        found.append(box2d(programs, MAIN_STEP, "Box2D, 0.1 ms"))
-        found.append(box2d(programs, BOX2D_STEP, "Box2D, 1/60 s of its clock: 0.53 ms"))
-    else:
-        missing.append("Box2D")
-    if shutil.which(LAMMPS):
-        script = pathlib.Path(__file__).resolve().with_name("lammps_mixture.py")
-        found.append(Case("LAMMPS, 5 µs", [sys.executable, str(script), "--start", ours], settle=1.0, duration=3.0,
-                          repeated=False))
-    else:
-        missing.append("LAMMPS")
-    return found, missing
+    cases = {
+        "Chipmunk": [Case("chipmunk", "Chipmunk, 0.1 ms", MAIN_STEP),
+                     *(Case("chipmunk", f"Chipmunk, 1/{round(1 / step)} s", step) for step in CHIPMUNK_STEPS)],
+        "Box2D": [Case("box2d", "Box2D, 0.1 ms", MAIN_STEP),
+                  Case("box2d", "Box2D, 1/60 s of its clock: 0.53 ms", BOX2D_STEP)],
+        "LAMMPS": [Case("lammps", "LAMMPS, 5 µs", settle=1.0, duration=3.0, repeated=False)]}
+    without_beta = tuple(f"species.{k}.tangential_restitution=0" for k in (0, 1))
+    found = [Case(OURS, ROW, duration=40.0),
+             Case(OURS, "this project, β = 0 as the others", overrides=without_beta, duration=40.0)]
+    missing = [name for name in cases if not is_there(programs, name.lower())]
+    return found + [case for name, own in cases.items() if name not in missing for case in own], missing
 
 
 def sweep(programs):
     """The steps of the picture that are not in the table."""
-    cases = []
-    for step in SWEEP:
-        length = {"settle": 1.0, "duration": 5.0} if step < FINE else {}
-        if (programs / "chipmunk_mixture").exists() and step not in (MAIN_STEP, *CHIPMUNK_STEPS):
-            cases.append(chipmunk(programs, step, **length))
-        if (programs / "box2d_mixture").exists() and step not in (MAIN_STEP, BOX2D_STEP):
-            cases.append(box2d(programs, step, **length))
-    return cases
+    in_table = {"chipmunk": (MAIN_STEP, *CHIPMUNK_STEPS), "box2d": (MAIN_STEP, BOX2D_STEP)}
+    return [Case(program, step=step, **({"settle": 1.0, "duration": 5.0} if step < FINE else {}))
+            for step in SWEEP for program, taken in in_table.items()
+            if step not in taken and is_there(programs, program)]
 
 
 def pinned(command):
@@ -102,28 +93,53 @@ def pinned(command):
     return ["taskset", "-c", str(max(os.sched_getaffinity(0))), *command]
 
 
-def run(case, seed, short):
-    ran = subprocess.run(pinned(case.arguments(seed, short)), capture_output=True, text=True, timeout=TIMEOUT,
-                         check=False)
+@functools.lru_cache(maxsize=None)
+def start_of(programs, seed):
+    """Of each disk its species, x and y at t = 0, for all programs: this project's pour."""
+    with tempfile.TemporaryDirectory() as folder:
+        return call(programs, Case(OURS, settle=0.0, duration=0.0), seed, None, folder)[0]["disks"]
+
+
+def call(programs, case, seed, disks, folder):
+    """@return the line that the program prints, and whatever it or its library has printed besides"""
+    given = {"scene": yaml.safe_load(SCENE.read_text(encoding="utf-8")), "file": str(SCENE), "disks": disks,
+             "samples": f"{folder}/samples", "settle": case.settle, "duration": case.duration, "look": samples.LOOK,
+             **case.options()}
+    given["set"].append(f"seed={seed}")
+    file = pathlib.Path(folder) / "run.json"
+    file.write_text(json.dumps(given), encoding="utf-8")
+    command = ([sys.executable, str(pathlib.Path(__file__).with_name("lammps_mixture.py"))]
+               if case.program == "lammps" else [str(programs / PROGRAMS[case.program])])
+    ran = subprocess.run(pinned([*command, str(file)]), capture_output=True, text=True, timeout=TIMEOUT, check=False)
     if ran.returncode != 0:
-        sys.exit(f"{' '.join(case.command)}: exit status {ran.returncode}: {ran.stderr.strip()}")
+        sys.exit(f"{case.row or case.program}: exit status {ran.returncode}: {ran.stderr.strip()}")
     *said, line = ran.stdout.strip().splitlines()
-    result = json.loads(line)
-    result["row"] = case.row
-    result["debug"] = any("Debug Enabled" in text for text in (*said, ran.stderr))  # printed by Chipmunk
-    return result
+    return json.loads(line), "\n".join((*said, ran.stderr))
 
 
-def in_turns(cases, repetitions, short):
+def run(programs, case, seed):
+    disks = start_of(programs, seed)
+    with tempfile.TemporaryDirectory() as folder:
+        result, said = call(programs, case, seed, disks, folder)
+        result.pop("disks", None)
+        scene = yaml.safe_load(SCENE.read_text(encoding="utf-8"))
+        result.update(samples.measured(f"{folder}/samples", scene, [kind for kind, _, _ in disks]))
+    return {"program": case.program, "row": case.row, "step": case.step, "seed": seed, "settle": case.settle,
+            "duration": case.duration, "debug": "Debug Enabled" in said,  # which Chipmunk prints
+            **result}
+
+
+def in_turns(programs, cases, repetitions, short):
     """Every case once, then every case again, so that a load on the machine affects all alike. Each repetition has
     another seed, for the scatter of the drift."""
     runs = []
-    for repetition in range(repetitions):
+    for repetition in range(1, repetitions + 1):
         for case in cases:
-            if repetition and not case.repeated:
-                continue
-            print(f"{repetition + 1}/{repetitions}: {' '.join(case.command)}", file=sys.stderr, flush=True)
-            runs.append(run(case, repetition + 1, short))
+            if repetition == 1 or case.repeated:
+                print(f"{repetition}/{repetitions}: {case.row or f'{case.program}, {case.step:g} s'}", file=sys.stderr,
+                      flush=True)
+                runs.append(run(programs, dataclasses.replace(case, settle=0.1, duration=0.5) if short else case,
+                                repetition))
     return runs
 
 

@@ -4,7 +4,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 from ratchet_sieve import plots
 import labels
 from precision import tables
-from precision.points import MODEL, REFERENCE_FLOOR, SCENES_FLOOR, find, floor_of
+from precision.points import MODEL, SCENES_FLOOR, find
 
 METHOD_PANELS = {"gas": ("K_rot / K_trans",), "fig8": ("drift A", "drift B", "K_B"), "dense": ("drift B", "K_B"),
                  "violent": ("drift B", "K_B")}
@@ -60,8 +60,7 @@ def draw_series(axes, points, chosen, name, quantity, reference):
 def finish(axes, points, drawn, used):
     """Scales, the exact engine, and the recommended point."""
     axes.set_xscale("log", base=2)
-    axes.set_yscale("log")
-    axes.set_ylim(*LIMITS)
+    axes.set(yscale="log", ylim=LIMITS)
     speeds = [place[0] for place, _, _ in drawn] + [1.0]
     axes.set_xlim(min(speeds) / 1.5, max(speeds) * 1.6)
     axes.xaxis.set_major_locator(LogLocator(base=2.0))
@@ -135,10 +134,7 @@ def draw_model(groups):
     for axes, (scene, quantity) in zip(grid, MODEL_PANELS.items()):
         points, drawn, labelled = groups.get(scene, []), [], []
         for family in MODEL:
-            own = tables.measured(points, family)
-            if family == "rebound floor":
-                own = sorted((point for point in points if floor_of(point) and point.is_measured()
-                              and floor_of(point) != REFERENCE_FLOOR), key=floor_of, reverse=True)
+            own = tables.with_floors(points) if family == "rebound floor" else tables.measured(points, family)
             found = draw_series(axes, points, own, family, quantity, tables.least_floor)
             drawn += found
             used = USE_MODEL.get(scene)

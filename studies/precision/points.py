@@ -27,7 +27,7 @@ class Scene:
     title: str
     source: object        # a file's name in config/, or the scene itself
     settings: dict
-    observables: dict     # name -> function of the summary of a run
+    observables: dict     # name -> a column of sieve_sweep export, or a function of all
     seeds: int            # of --quick
     known: dict = dataclasses.field(default_factory=dict)
 
@@ -40,26 +40,18 @@ class Scene:
                 "seed": {"first": seeds[0], "count": len(seeds)}}
 
 
-def mean_vx(species):
-    return lambda run: run["species"][species]["mean_vx"]
-
-
-def kinetic(species):
-    return lambda run: run["species"][species]["kinetic_translational"]
-
-
-def spin_share(run):
+def spin_share(runs):
     """Energy of rotation over that of translation."""
-    return (sum(s["kinetic_rotational"] for s in run["species"])
-            / sum(s["kinetic_translational"] for s in run["species"]))
+    return ((runs["kinetic_rotational.A"] + runs["kinetic_rotational.B"])
+            / (runs["kinetic_translational.A"] + runs["kinetic_translational.B"]))
 
 
-def equipartition(run):
-    return run["species"][0]["kinetic_translational"] / run["species"][1]["kinetic_translational"]
+def equipartition(runs):
+    return runs["kinetic_translational.A"] / runs["kinetic_translational.B"]
 
 
-def vertical_impulse(run):
-    return run["base_impulse"][1]
+def energy_kept(runs):
+    return runs["energy_end"] / runs["energy_start"]
 
 
 def weight(count_a, count_b, span):
@@ -81,7 +73,7 @@ def bouncing_balls():
                           "tangential_restitution": 0.0}],
              "contact": {"min_rebound_speed": 0.0},
              "initial": [{**start, "x": 0.02 + 0.04 * k} for k in range(10)], "duration": 105.0, "settle": 5.0}
-    return Scene("ball", "bouncing ball, period one", scene, {}, {"kinetic energy": kinetic(0)}, 2,
+    return Scene("ball", "bouncing ball, period one", scene, {}, {"kinetic energy": "kinetic_translational.A"}, 2,
                  {"kinetic energy": BALL_MASS * GRAVITY ** 2 / (24.0 * BALL_FREQUENCY ** 2)})
 
 
@@ -92,20 +84,20 @@ def lossless_gas():
     settings.update({"density": 3.0, "base.amplitude": 0.0, "contact.min_rebound_speed": 0.0,
                      "pour.drop_height": 0.05, "duration": 60.0, "settle": 15.0})
     return Scene("gas", "lossless gas in equilibrium", "paper_fig8.yaml", settings,
-                 {"K_rot / K_trans": spin_share, "K_A / K_B": equipartition,
-                  "energy, end / start": lambda run: run["energy_end"] / run["energy_start"]}, 8,
+                 {"K_rot / K_trans": spin_share, "K_A / K_B": equipartition, "energy, end / start": energy_kept},
+                 8,
                  {"K_rot / K_trans": 0.5, "K_A / K_B": 1.0, "energy, end / start": 1.0})
 
 
-DRIFTS = {"drift A": mean_vx(0), "drift B": mean_vx(1)}
-LAYER = {**DRIFTS, "K_A": kinetic(0), "K_B": kinetic(1), "short / long": lambda run: run["short_to_long"]}
+DRIFTS = {"drift A": "mean_vx.A", "drift B": "mean_vx.B"}
+LAYER = {**DRIFTS, "K_A": "kinetic_translational.A", "K_B": "kinetic_translational.B", "short / long": "short_to_long"}
 FIG8_SPAN = (2.0, 17.0)  # s
 
 
 def fig8():
     settle, end = FIG8_SPAN
     return Scene("fig8", "Fig. 8, mixture", "paper_fig8.yaml", {"settle": settle, "duration": end},
-                 {**LAYER, "N m g T": vertical_impulse}, 10, {"N m g T": weight(262, 262, end - settle)})
+                 {**LAYER, "N m g T": "base_impulse.y"}, 10, {"N m g T": weight(262, 262, end - settle)})
 
 
 def development():
@@ -114,11 +106,11 @@ def development():
         bouncing_balls(),
         lossless_gas(),
         Scene("fig3", "Fig. 3, single disks", "paper_fig3.yaml", {"duration": 22.0, "settle": 2.0},
-              {"drift A": mean_vx(0), "K_A": kinetic(0), "short / long": lambda run: run["short_to_long"]}, 8),
+              {name: LAYER[name] for name in ("drift A", "K_A", "short / long")}, 8),
         fig8(),
         Scene("fig9", "Fig. 9, separation", "paper_fig9.yaml",
               {"base.teeth": 40, "density": 2.0, "duration": 30.0},
-              {"Q": lambda run: run["quality"], "P": lambda run: run["processed"]}, 32),
+              {"Q": lambda runs: runs["quality"], "P": "processed"}, 32),
         Scene("dense", "dense heap, d = 8", "paper_fig8.yaml", {"density": 8.0, "settle": 2.0, "duration": 8.0}, LAYER,
               6),
         Scene("violent", "violent, 40 g", "paper_fig8.yaml",
@@ -229,21 +221,16 @@ class Point:
     def key(self):
         return self.scene.name, self.family, self.label
 
-    def fails(self):
-        return self.through_base > 0 or self.ended_early > 0
-
     def is_measured(self):
         return bool(self.means) or self.ended_early > 0
 
-    def take(self, summaries, ended_early):
-        """@param summaries one for each completed run"""
-        for name, of_run in self.scene.observables.items():
-            mean = mean_of(value for value in map(of_run, summaries) if value is not None)
-            if mean:
-                self.means[name] = mean
-        self.overlap = max((summary["max_overlap"] for summary in summaries), default=0.0)
-        self.pushed_out = sum(summary.get("pushed_out", 0) for summary in summaries)
-        self.through_base = sum(summary["through_base"] for summary in summaries)
+    def set_results(self, rows, ended_early):
+        """@param rows of the completed runs"""
+        means = {name: mean_of(rows.samples(field)) for name, field in self.scene.observables.items()}
+        self.means = {name: mean for name, mean in means.items() if mean}
+        self.overlap = max(rows.samples("max_overlap"), default=0.0)
+        self.pushed_out = sum(rows.samples("pushed_out"))
+        self.through_base = sum(rows.samples("through_base"))
         self.ended_early = ended_early
 
 
@@ -286,52 +273,48 @@ class Origin:
     physics: str  # version
 
 
-def read(path):
-    """@return the file's lines as maps from column to text; none where there is no file"""
-    return read_csv(path).to_dict("records") if path.exists() else []
+def lines_of(path, is_kept):
+    """@return the file's lines that are, as maps from column to text; none where there is no file"""
+    lines = read_csv(path).to_dict("records") if path.exists() else []
+    return [line for line in lines if is_kept(tuple(line[column] for column in KEY))]
 
 
-def key_of(line):
-    return tuple(line[column] for column in KEY)
-
-
-def result_lines(point, origin):
-    common = {**dict(zip(KEY, point.key())), "measured": origin.date, "physics": origin.physics}
+def result_lines(point):
     for name, mean in point.means.items():
-        yield {**common, "quantity": name, "runs": mean.count, "mean": f"{mean.value:.10g}",
+        yield {"quantity": name, "runs": mean.count, "mean": f"{mean.value:.10g}",
                "standard_error": "" if mean.error is None else f"{mean.error:.4g}"}
     for name in COUNTS:
-        yield {**common, "quantity": name, "runs": "", "mean": f"{getattr(point, name):.4g}", "standard_error": ""}
+        yield {"quantity": name, "mean": f"{getattr(point, name):.4g}"}
+
+
+def cost_lines(point):
+    if point.cost is not None:
+        yield {"processor_s_per_simulated_s": f"{point.cost:.3g}"}
 
 
 def save(directory, points, origin, with_costs):
     """Replaces the lines of these points, and keeps the others."""
-    keys = {point.key() for point in points}
-    kept = [line for line in read(directory / RESULTS) if key_of(line) not in keys]
-    write_csv(directory / RESULTS, RESULT_COLUMNS,
-              kept + [line for point in points for line in result_lines(point, origin)])
-    if with_costs:
-        kept = [line for line in read(directory / COSTS) if key_of(line) not in keys]
-        write_csv(directory / COSTS, COST_COLUMNS, kept + [
-            {**dict(zip(KEY, point.key())), "processor_s_per_simulated_s": f"{point.cost:.3g}",
-             "measured": origin.date, "machine": origin.machine, "physics": origin.physics}
-            for point in points if point.cost is not None])
+    about = {"measured": origin.date, "machine": origin.machine, "physics": origin.physics}
+    for name, columns, lines in ((RESULTS, RESULT_COLUMNS, result_lines), (COSTS, COST_COLUMNS, cost_lines)):
+        if lines is result_lines or with_costs:
+            kept = lines_of(directory / name, lambda key: key not in {point.key() for point in points})
+            new = ({**dict(zip(KEY, point.key())), **line, **about} for point in points for line in lines(point))
+            write_csv(directory / name, columns, [[line.get(column) for column in columns] for line in (*kept, *new)])
 
 
 def load(directory, points):
     """Puts the results in the files into the points. @return the origins of the results and of the costs, the newest
     last"""
     known = {point.key(): point for point in points}
-    results = [line for line in read(directory / RESULTS) if key_of(line) in known]
-    costs = [line for line in read(directory / COSTS) if key_of(line) in known]
+    results, costs = (lines_of(directory / name, known.__contains__) for name in (RESULTS, COSTS))
     for line in results:
-        point, name = known[key_of(line)], line["quantity"]
+        point, name = known[tuple(line[column] for column in KEY)], line["quantity"]
         if name in COUNTS:
             setattr(point, name, float(line["mean"]))
         else:
             error = float(line["standard_error"]) if line["standard_error"] else None
             point.means[name] = Mean(float(line["mean"]), error, int(line["runs"]))
     for line in costs:
-        known[key_of(line)].cost = float(line["processor_s_per_simulated_s"])
+        known[tuple(line[column] for column in KEY)].cost = float(line["processor_s_per_simulated_s"])
     return [sorted({Origin(line["measured"], line.get("machine", ""), line["physics"]) for line in lines})
             for lines in (results, costs)]

@@ -5,7 +5,7 @@ import math
 import re
 
 from ratchet_sieve.stats import Mean
-from ratchet_sieve.texts import decimals_of, rounded, table as markdown
+from ratchet_sieve.texts import decimals_of, rounded, span, table as markdown
 from precision.points import (CLAIMS, MODEL, REFERENCE_FLOOR, SCENES_FLOOR, STEPS, by_scene, find, floor_of)
 
 PERCENT = 100.0
@@ -83,9 +83,8 @@ DRIFTS = ("drift A", "drift B")
 
 def condition(point):
     """What went wrong in it."""
-    parts = [(point.through_base, "through the base"), (point.pushed_out, "pushed out"),
-             (point.ended_early, "ended early")]
-    return ", ".join(f"{count:g} {what}" for count, what in parts if count) or "—"
+    parts = {"through the base": point.through_base, "pushed out": point.pushed_out, "ended early": point.ended_early}
+    return ", ".join(f"{count:g} {what}" for what, count in parts.items() if count) or "—"
 
 
 def overlap_text(point):
@@ -102,8 +101,7 @@ def speed_text(speed):
 
 
 def seeds(points):
-    counts = sorted({mean.count for point in points for mean in point.means.values()})
-    return f"n = {counts[0]}" if len(counts) == 1 else f"n = {counts[0]} to {counts[-1]}"
+    return f"n = {span(sorted({mean.count for point in points for mean in point.means.values()}))}"
 
 
 def quantities(point):
@@ -127,6 +125,12 @@ def section(points, columns, reference):
 
 def measured(points, family):
     return [point for point in points if point.family == family and point.is_measured()]
+
+
+def with_floors(points):
+    """Those in which the rebound floor alone is changed, and the scene itself; the largest floor first."""
+    own = [point for point in points if floor_of(point) not in (None, REFERENCE_FLOOR) and point.is_measured()]
+    return sorted(own, key=floor_of, reverse=True)
 
 
 def method(groups):
@@ -169,32 +173,23 @@ def step_bound(points, point, names):
 
 def floors(groups):
     """Rebound floors against the least one."""
-    texts = []
-    for points in groups.values():
-        own = sorted((point for point in points if floor_of(point) and point.is_measured()
-                      and floor_of(point) != REFERENCE_FLOOR), key=floor_of, reverse=True)
-        if not any(point.family == "rebound floor" for point in own):
-            continue
-        table = section(points, own, least_floor)
-        texts.append(table.replace("| exact |", f"| {SCENES_FLOOR:g} m/s |", 1))
-    return "\n\n".join(texts)
+    found = {name: with_floors(points) for name, points in groups.items()}
+    return "\n\n".join(
+        section(groups[name], own, least_floor).replace("| exact |", f"| {SCENES_FLOOR:g} m/s |", 1)
+        for name, own in found.items() if any(point.family == "rebound floor" for point in own))
 
 
 def model(groups):
-    """Other parts of the model against the least floor: a row for each setting, for it has many."""
-    texts = []
-    for points in groups.values():
-        own = [point for family in MODEL if family != "rebound floor" for point in measured(points, family)]
-        if not own or points[0].scene.name != "fig8":
-            continue
-        names = [name for name in quantities(points[0]) if name != "N m g T"]
-        exact = find(points, "exact")
-        lines = [[f"{point.family}, {point.label}", speed_text(speed_up(point, exact)),
-                  *(text(relative(point.means.get(name), least_floor(points, name)))
-                    for name in names)] for point in own]
-        texts.append(f"**{points[0].scene.title}** ({seeds(own)})\n\n" + markdown(
-            ["", "times faster", *(f"{name}, %" for name in names)], lines))
-    return "\n\n".join(texts)
+    """Other parts of the model against the least floor, of Fig. 8: a row for each setting, for it has many."""
+    points = groups.get("fig8", [])
+    own = [point for family in MODEL if family != "rebound floor" for point in measured(points, family)]
+    if not own:
+        return ""
+    names = [name for name in quantities(points[0]) if name != "N m g T"]
+    lines = [[f"{point.family}, {point.label}", speed_text(speed_up(point, find(points, "exact"))),
+              *(text(relative(point.means.get(name), least_floor(points, name))) for name in names)] for point in own]
+    return f"**{points[0].scene.title}** ({seeds(own)})\n\n" + markdown(
+        ["", "times faster", *(f"{name}, %" for name in names)], lines)
 
 
 def verdict(error, claim):

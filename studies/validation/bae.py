@@ -1,10 +1,9 @@
 """One grain: no, normal and reversed current over the strength of the shaking and the roughness (Bae et al. 2004)."""
-import dataclasses
 import math
 
 from ratchet_sieve import plots
 from ratchet_sieve.texts import table
-from study import Picture, Study, Sweep, axis
+from study import Picture, Study, Sweep, axis, named_curves
 import verdicts
 
 E = "species.0.restitution"
@@ -43,18 +42,17 @@ def speed_text(mean):
 
 
 def exists(says, means, least, wanted):
-    """A check that a regime is somewhere, by a search of the places; it fails only where each surely has another.
-    @param means map from the place's name to its Mean"""
+    """A check that a regime is at one of these places; it fails only where each surely has another.
+    @param means map from the place's name to its Mean, by fresh seeds"""
     found = {place: mean for place, mean in means.items() if regime(mean, least) == wanted}
     if not found:
         open_ = any(regime(mean, least) == UNTOLD for mean in means.values())
         return verdicts.Check(says, f"at none of {len(means)}", None if open_ else False)
-    if wanted == NONE:
-        return verdicts.Check(says, f"at {len(found)} of {len(means)}", True, is_searched=True)
-    place = max(found, key=lambda name: abs(found[name].value))
-    shown = verdicts.speed(found[place])
-    return verdicts.Check(says, f"at {len(found)} of {len(means)}, most at {place}: {shown}", True,
-                          is_searched=True)
+    said = f"at {len(found)} of {len(means)}"
+    if wanted != NONE:
+        place = max(found, key=lambda name: abs(found[name].value))
+        said += f", most at {place}: {verdicts.speed(found[place])}"
+    return verdicts.Check(says, said, True)
 
 
 def strength(amplitude):
@@ -90,19 +88,13 @@ def draw_regimes(numbers):
 def draw_curves(numbers):
     means = numbers["map"][SLICE]
     figure, axes = plots.panels(1, 1, (6.4, 4.0))
-    heights, strengths, ends = axis(means, 1), axis(means, 0), []
-    for height, colour in zip(heights, plots.ramp(len(heights))):
-        plots.curve(axes, [(gamma, means[gamma, height]) for gamma in strengths], plots.MM, color=colour)
-        ends.append((plots.MM * means[strengths[-1], height].value, f"{height:g}", colour))
+    heights, strengths = axis(means, 1), axis(means, 0)
+    curves = {f"{height:g}": [(gamma, means[gamma, height]) for gamma in strengths] for height in heights}
+    ends = named_curves(axes, curves, plots.ramp(len(heights)), plots.MM)
     plots.signed(axes)
     axes.set(xlabel=r"$\Gamma = A (2 \pi f)^2 / g$", ylabel=r"$\langle V_x \rangle$ [mm/s]")
     plots.end_labels(axes, ends, "$h / w$")
     return figure
-
-
-def places(numbers):
-    return {f"e = {e:g}, Γ = {x:g}, h/w = {y:g}": mean
-            for e, means in numbers.items() for (x, y), mean in means.items()}
 
 
 def changes(says, means):
@@ -114,18 +106,15 @@ def changes(says, means):
     return verdicts.Check(says, told, passes)
 
 
-def along(numbers, key):
-    """Those fresh places that differ in one of "e, Γ, h/w" alone from the last place of the strength's cut."""
-    cuts = {"Γ": lambda e, x, y: e == SLICE and y == CUT, "h/w": lambda e, x, y: e == SLICE and x == STRONG,
-            "e": lambda e, x, y: (x, y) == (STRONG, ROUGH) and e != SLICE}
+# Those fresh places that differ in one key alone from the last place of the strength's cut.
+CUTS = {"strength": lambda e, x, y: e == SLICE and y == CUT, "roughness": lambda e, x, y: e == SLICE and x == STRONG,
+        "e": lambda e, x, y: (x, y) == (STRONG, ROUGH) and e != SLICE}
+
+
+def places(numbers, is_chosen=lambda e, x, y: True):
+    """@return map from a place in words to its mean velocity"""
     return {f"e = {e:g}, Γ = {x:g}, h/w = {y:g}": mean for e, means in numbers.items()
-            for (x, y), mean in sorted(means.items()) if cuts[key](e, x, y)}
-
-
-def regime_check(says, known, wanted):
-    """A check by fresh seeds that a regime is at one of the places."""
-    found = exists(says, known, LEAST, wanted)
-    return dataclasses.replace(found, is_searched=False)
+            for (x, y), mean in sorted(means.items()) if is_chosen(e, x, y)}
 
 
 def claims(numbers):
@@ -133,12 +122,10 @@ def claims(numbers):
     known = places(fresh)
     return [verdicts.Claim("4", "Bae 2004, abstract", "one grain has regimes of no, of normal and of reversed "
                            "current, by the strength of the shaking, the roughness of the teeth and the restitution", (
-                               regime_check("no current", known, NONE),
-                               regime_check("normal current", known, NORMAL),
-                               regime_check("reversed current", known, REVERSED),
-                               changes("the regime changes with the strength, all else the same", along(fresh, "Γ")),
-                               changes("the regime changes with the roughness, all else the same", along(fresh, "h/w")),
-                               changes("the regime changes with e, all else the same", along(fresh, "e"))))]
+                               *(exists(f"{'no' if wanted == NONE else wanted} current", known, LEAST, wanted)
+                                 for wanted in (NONE, NORMAL, REVERSED)),
+                               *(changes(f"the regime changes with {'' if name == 'e' else 'the '}{name}, all else "
+                                         "the same", places(fresh, cut)) for name, cut in CUTS.items())))]
 
 
 def extent(means, wanted):

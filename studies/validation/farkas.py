@@ -7,7 +7,7 @@ from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows
 from ratchet_sieve.texts import shown, table
 from curves import best_of
-from study import Picture, Study, Sweep, axis, told
+from study import Picture, Study, Sweep, axis, kind_curves, told
 import verdicts
 
 THETA = "base.inclination"
@@ -45,10 +45,8 @@ def draw_kinds(means, ratchet, kinds):
     for line, row in zip(grid, rows):
         for axes, column in zip(line, columns):
             for curve, colour in zip(curves, plots.COLOURS):
-                for kind, style in enumerate(("-", "--")):
-                    points = [(theta, means[row, column, curve, theta][kind]) for theta in axis(means, 3)]
-                    plots.curve(axes, points, plots.MM, color=colour, linestyle=style,
-                                label=f"{kinds[kind]}, {ratchet.curve.format(ratchet.scale * curve)}")
+                kind_curves(axes, {theta: means[row, column, curve, theta] for theta in axis(means, 3)},
+                            [f"{kind}, {ratchet.curve.format(ratchet.scale * curve)}" for kind in kinds], colour)
             plots.signed(axes)
             axes.set_title(f"{ROW_NAME} = {row:g}, {ratchet.column.format(ratchet.scale * column)}")
     for axes in grid[-1]:

@@ -3,7 +3,7 @@ from ratchet_sieve import plots
 from ratchet_sieve.stats import jackknife
 from ratchet_sieve.texts import table
 from curves import crossing_of, curve_of
-from study import Picture, Study, Sweep, axis
+from study import Picture, Study, Sweep, axis, means, named_curves
 from validation import bae
 import verdicts
 
@@ -17,29 +17,24 @@ SUDDEN = 0.5    # of the greatest current within one step of the frequency: an o
 def evaluate(rows):
     onset, fresh = rows["validation_layer_onset"], rows["validation_layer_fresh"]
     rows = rows["validation_layer"]
-    return {"means": {place: cell.mean("mean_vx.A") for place, cell in sorted(rows.by(E, F, D).items())},
+    return {"means": means(rows, "mean_vx.A", E, F, D),
             "turns": {place: crossing_of(cell, D, "mean_vx.A") for place, cell in sorted(rows.by(E, F).items())},
-            "fresh": {d: cell.mean("mean_vx.A") for d, cell in sorted(fresh.by(D).items())},
-            "onset": {place: cell.mean("mean_vx.A") for place, cell in sorted(onset.by(E, F, D).items())},
+            "fresh": means(fresh, "mean_vx.A", D), "onset": means(onset, "mean_vx.A", E, F, D),
             "steps": {place: jackknife(lambda seeds, cell=cell: largest_step(cell, seeds), cell.values("seed"))
                       for place, cell in sorted(onset.by(E, D).items())}}
 
 
 def draw(numbers):
-    means = numbers["means"]
-    restitutions, frequencies = axis(means, 0), axis(means, 1)
+    velocities = numbers["means"]
+    restitutions, frequencies, densities = (axis(velocities, index) for index in range(3))
     figure, row = plots.panels(1, len(restitutions), (8.6, 3.9), sharey=True, squeeze=False)
     labels = []
     for axes, e in zip(row[0], restitutions):
-        ends = []
-        for f, colour in zip(frequencies, plots.ramp(len(frequencies))):
-            points = [(d, means[e, f, d]) for d in axis(means, 2)]
-            plots.curve(axes, points, plots.MM, color=colour)
-            ends.append((plots.MM * points[-1][1].value, f"{f:g} Hz", colour))
-        labels.append((axes, ends))
+        curves = {f"{f:g} Hz": [(d, velocities[e, f, d]) for d in densities] for f in frequencies}
+        labels.append((axes, named_curves(axes, curves, plots.ramp(len(frequencies)), plots.MM)))
         plots.signed(axes)
         axes.set_xscale("log", base=2)
-        axes.set_xticks(axis(means, 2), [f"{d:g}" for d in axis(means, 2)])
+        axes.set_xticks(densities, [f"{d:g}" for d in densities])
         axes.set(title=f"e = {e:g}", xlabel="density $d$, about the number of layers")
     row[0][0].set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
     for axes, ends in labels:
@@ -48,14 +43,15 @@ def draw(numbers):
 
 
 def draw_onset(numbers):
-    means = numbers["onset"]
+    velocities = numbers["onset"]
     figure, axes = plots.panels(1, 1, (6.4, 3.8))
-    for (e, d), colour in zip(((e, d) for e in axis(means, 0) for d in axis(means, 2)), plots.COLOURS):
-        points = [(f, means[e, f, d]) for f in axis(means, 1)]
+    places = ((e, d) for e in axis(velocities, 0) for d in axis(velocities, 2))
+    for (e, d), colour in zip(places, plots.COLOURS):
+        points = [(f, velocities[e, f, d]) for f in axis(velocities, 1)]
         plots.curve(axes, points, plots.MM, color=colour, label=f"e = {e:g}, d = {d:g}")
     plots.signed(axes)
     axes.set(xlabel="$f$ [Hz]", ylabel=r"$\langle V_x \rangle$ [mm/s]")
-    if means:
+    if velocities:
         axes.legend()
     return figure
 
@@ -91,9 +87,9 @@ def claims(numbers):
 
 
 def text(numbers):
-    means = numbers["means"]
-    densities = axis(means, 2)
-    lines = [[f"{e:g}", f"{f:g}", *(bae.speed_text(means[e, f, d]) for d in densities),
+    velocities = numbers["means"]
+    densities = axis(velocities, 2)
+    lines = [[f"{e:g}", f"{f:g}", *(bae.speed_text(velocities[e, f, d]) for d in densities),
               turn.text() if turn else "—"] for (e, f), turn in numbers["turns"].items()]
     return ("The search: ⟨V_x⟩ in mm/s, and the density at which it first changes its sign:\n\n"
             + table(["e", "f [Hz]"] + [f"d = {d:g}" for d in densities] + ["turns at d"], lines))

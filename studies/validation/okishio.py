@@ -2,8 +2,7 @@
 from ratchet_sieve import plots
 from ratchet_sieve.stats import mean_of
 from ratchet_sieve.tables import Rows
-from ratchet_sieve.texts import table
-from study import Picture, Study, Sweep, axis
+from study import Picture, Study, Sweep, axis, means, velocity_table
 import verdicts
 
 E = "species.0.restitution"
@@ -13,18 +12,19 @@ NO_DRIFT = 0.001  # m/s
 
 
 def evaluate(rows):
-    """@return mean velocities [m/s]: of each (e, a); of symmetric teeth over all e; mirror_of()"""
+    """@return mean velocities [m/s]: of each (a, e); of symmetric teeth over all e; mirror_of()"""
     rows = rows["validation_okishio"]
     symmetric = rows.where({A: SYMMETRIC}).by("seed").values()
-    return {"means": {place: cell.mean("mean_vx.A") for place, cell in sorted(rows.by(E, A).items())},
+    return {"means": means(rows, "mean_vx.A", A, E),
             "symmetric": mean_of(group.mean("mean_vx.A").value for group in symmetric), "mirror": mirror_of(rows)}
 
 
 def draw(numbers):
-    means = numbers["means"]
+    velocities = numbers["means"]
     figure, axes = plots.panels(1, 1, (6.4, 4.0))
-    for e, colour in zip(axis(means, 0), plots.COLOURS):
-        plots.curve(axes, [(a, means[e, a]) for a in axis(means, 1)], plots.MM, color=colour, label=f"e = {e:g}")
+    for e, colour in zip(axis(velocities, 1), plots.COLOURS):
+        plots.curve(axes, [(a, velocities[a, e]) for a in axis(velocities, 0)], plots.MM, color=colour,
+                    label=f"e = {e:g}")
     plots.signed(axes)
     axes.axvline(SYMMETRIC, color=plots.GREY, linewidth=0.8, zorder=1)
     axes.set(xlabel="asymmetry $a$", ylabel=r"$\langle V_x \rangle$ [mm/s]")
@@ -32,9 +32,9 @@ def draw(numbers):
     return figure
 
 
-def gentler(means):
+def gentler(velocities):
     """To where the gentler slopes face: to the right for a < 1/2."""
-    for (e, a), mean in means.items():
+    for (a, e), mean in sorted(velocities.items(), key=lambda item: item[0][::-1]):
         if a != SYMMETRIC:
             yield f"e = {e:g}, a = {a:g}", mean.scaled(1.0 if a < SYMMETRIC else -1.0)
 
@@ -50,19 +50,16 @@ def no_drift(says, mean):
 
 
 def claims(numbers):
-    means = numbers["means"]
     return [verdicts.Claim("5", "Okishio 2022, abstract", "one ball is transported to where the gentler slopes face; "
                            "its mean velocity is a function of the asymmetry", (
-                               verdicts.counted("so it is at every asymmetry and restitution", gentler(means)),
+                               verdicts.counted("so it is at every asymmetry and restitution", gentler(numbers["means"])),
                                no_drift("at a = 0.5 less than 1 mm/s, in the mean over e", numbers["symmetric"]),
                                no_drift("1 − a is the mirror image of a: v(a) + v(1 − a), in the mean over all, is "
                                         "less than 1 mm/s", numbers["mirror"])))]
 
 
 def text(numbers):
-    means = numbers["means"]
-    lines = [[f"{a:g}"] + [means[e, a].text(plots.MM) for e in axis(means, 0)] for a in axis(means, 1)]
-    return "⟨V_x⟩ in mm/s:\n\n" + table(["a"] + [f"e = {e:g}" for e in axis(means, 0)], lines)
+    return velocity_table(numbers["means"], "a", "{:g}".format, "e = {:g}".format)
 
 
 STUDY = Study("okishio", "One ball over the asymmetry (Okishio and others 2022)",

@@ -1,7 +1,7 @@
 """Large and small disks of one material in a layer on a level base (Rapaport 2001)."""
 from ratchet_sieve import plots
 from ratchet_sieve.texts import table
-from study import Picture, Study, Sweep, axis
+from study import Picture, Study, Sweep, axis, kind_curves, ways
 import verdicts
 
 D = "density"
@@ -12,8 +12,7 @@ KINDS = ("small", "large")
 
 def evaluate(rows):
     """@return map from (e, f, d) to the mean velocities of small and large disks [m/s]"""
-    return {place: (cell.mean("mean_vx.A"), cell.mean("mean_vx.B"))
-            for place, cell in sorted(rows["validation_rapaport"].by(E, F, D).items())}
+    return ways(rows["validation_rapaport"], E, F, D)
 
 
 def draw(means):
@@ -21,9 +20,7 @@ def draw(means):
     figure, row = plots.panels(1, len(restitutions), (8.6, 3.9), sharey=True, squeeze=False)
     for axes, e in zip(row[0], restitutions):
         for f, colour in zip(frequencies, plots.COLOURS):
-            for kind, style in enumerate(("-", "--")):
-                plots.curve(axes, [(d, means[e, f, d][kind]) for d in densities], plots.MM, color=colour,
-                            linestyle=style, label=f"{KINDS[kind]}, {f:g} Hz")
+            kind_curves(axes, {d: means[e, f, d] for d in densities}, [f"{kind}, {f:g} Hz" for kind in KINDS], colour)
         plots.signed(axes)
         axes.set_xscale("log", base=2)
         axes.set_xticks(densities, [f"{d:g}" for d in densities])

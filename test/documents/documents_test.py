@@ -152,12 +152,15 @@ class Documents(unittest.TestCase):
 
     # Existing programs, options, files and keys.
 
+    @classmethod
     @lru_cache(maxsize=None)
-    def options(self, program, subcommand=''):
-        known = program.startswith(('./', *FOLDERS.split('|')))
-        return self.session.words(f'{program if known else "rosrun ratchet_sieve " + program} {subcommand} --help')
+    def options(cls, program, subcommand=''):
+        if not program.startswith(('./', *FOLDERS.split('|'))):
+            program = f'{DEVEL}/lib/ratchet_sieve/{program}'
+        return cls.session.words(f'{program} {subcommand} --help')
 
     @staticmethod
+    @lru_cache(maxsize=None)
     def programs():
         scripts = [str(path.relative_to(PACKAGE)) for folder in ('scripts', 'benchmark', 'studies', 'test/stability')
                    for path in sorted((PACKAGE / folder).iterdir())

@@ -48,6 +48,9 @@ class Session:
             screen.environment, HOME=str(self.scratch), ROS_HOME=str(self.scratch / 'ros'), PYTHONUNBUFFERED='1',
             ROS_HOSTNAME='localhost', ROS_MASTER_URI=f'http://localhost:{port}',
             PATH='/usr/bin:' + screen.environment['PATH'])
+        sourced = subprocess.run(['bash', '-c', f'. "{self.checkout}/devel/setup.bash"; env -0'], env=self.environment,
+                                 stdout=subprocess.PIPE, text=True, check=True).stdout
+        self.environment = dict(entry.split('=', 1) for entry in sourced.split('\0') if entry)
         master = self.open(f'roscore -p {port}')
         self.services.callback(self.end, master)
         wait_for(lambda: 'started core service' in master.log.read_text(), 'roscore')
@@ -59,8 +62,7 @@ class Session:
     def open(self, command):
         """A terminal in which a command is run."""
         log = self.scratch / f'terminal{time.monotonic_ns()}.log'
-        script = (f'. "{self.checkout}/devel/setup.bash"; cd "{self.here}"\n{command}\n'
-                  f'status=$?; pwd > "{self.scratch}/here"; exit $status')
+        script = f'cd "{self.here}"\n{command}\nstatus=$?; pwd > "{self.scratch}/here"; exit $status'
         with log.open('w') as output:
             program = subprocess.Popen(['bash', '-c', script], env=self.environment, stdout=output,
                                        stderr=subprocess.STDOUT, start_new_session=True,
