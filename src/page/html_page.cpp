@@ -20,20 +20,7 @@ std::string htmlText(const std::string& text)
 {
   std::string html;
   for (const char c : text)
-    switch (c)
-    {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      default:
-        html += c;
-    }
+    html += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
   return html;
 }
 
