@@ -32,7 +32,8 @@ async function coloursAbout(page, disk, disks)
   await drawn(page);
   const image = await picture(page, '#machine');
   const found = (await shownDisks(page, disks))
-    .filter(({x, y, radius}) => radius >= VISIBLE && x > radius && x < image.width - radius && y > radius && y < image.height - radius)
+    .filter(({x, y, radius}) => radius >= VISIBLE && x > radius && x < image.width - radius &&
+      y > radius && y < image.height - radius)
     .map(({species, x, y, radius}) => ({species, colour: colourOfDisk(image, x, y, radius)}));
   await page.keyboard.press('0');
   return {background: image.at(3, 3), found};

@@ -26,7 +26,8 @@ describe('the watch', () => {
       setTimeout(() => { throw new Error("thrown"); }); Promise.reject(new Error("rejected")); alert("boo")</script>`);
     const {page, seen} = await openFile(browser(), file);
     await drawn(page);
-    for (const found of [/^warn.*: careful/m, /^error: wrong/m, /^exception: .*thrown/m, /^exception: .*rejected/m, /^dialog: boo/m])
+    for (const found of [/^warn.*: careful/m, /^error: wrong/m, /^exception: .*thrown/m, /^exception: .*rejected/m,
+      /^dialog: boo/m])
       assert.match(seen.said.join('\n'), found);
     await page.close();
   });
@@ -54,7 +55,8 @@ describe('every page', () => {
       assert.deepEqual(seen.requested, []);
       assert.deepEqual(await seen.stopped(), []);
       // Its policy stops every request.
-      assert.match(await page.$eval('meta[http-equiv="Content-Security-Policy"]', meta => meta.content), /^default-src 'none'/);
+      assert.match(await page.$eval('meta[http-equiv="Content-Security-Policy"]', meta => meta.content),
+        /^default-src 'none'/);
       await page.evaluate(url => new Promise(done => {
         const image = new Image();
         image.onload = image.onerror = done;

@@ -62,10 +62,11 @@ class Motion {
   readTracks(columns, description) {
     this.times = columns.nextDoubles(description.frames);
     const {tracks, states} = description;
-    [this.ids, this.species, this.radii, this.firstFrames, this.lengths] = Array.from({length: 5}, () => columns.next(tracks));
+    const next = (count, rows) => Array.from({length: count}, () => columns.next(rows));
+    [this.ids, this.species, this.radii, this.firstFrames, this.lengths] = next(5, tracks);
     this.starts = new Int32Array(tracks);  // of a track's states
     for (let k = 1; k < tracks; ++k) this.starts[k] = this.starts[k - 1] + this.lengths[k - 1];
-    const [vx, vy, x, y, spin, angle] = Array.from({length: 6}, () => columns.next(states));
+    const [vx, vy, x, y, spin, angle] = next(6, states);
     this.forEachState((track, k, frame) => {
       if (k === this.starts[track]) return;
       const factor = (this.times[frame] - this.times[frame - 1]) * description.positions_per_velocity;
@@ -83,7 +84,7 @@ class Motion {
     this.angle = scaled(angle, 2 * Math.PI / description.angle_steps);
   }
 
-  /** Calls back with each state, track by track. @param {function(number, number, number)} action track, state, frame */
+  /** Calls back with each state, track by track: its track, its number and its frame. */
   forEachState(action) {
     for (let track = 0; track < this.ids.length; ++track)
       for (let i = 0; i < this.lengths[track]; ++i) action(track, this.starts[track] + i, this.firstFrames[track] + i);
