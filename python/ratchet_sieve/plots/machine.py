@@ -30,7 +30,7 @@ def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0), specie
     bottom = min(n for _, n in corners) - DEPTH * corners[-1][0] / base["teeth"]
     closed = in_world([*corners, (corners[-1][0], bottom), (0.0, bottom)], theta, displacement)
     axes.fill([MM * x for x, _ in closed], [MM * y for _, y in closed], facecolor=TEETH, edgecolor=GREY, linewidth=0.6)
-    kinds = np.array([str(kind) for kind in disks["species"]])
+    kinds = np.array([str(kind) for kind in disks["species"]], dtype=str)
     xs, ys, radii = (np.array(disks[name], dtype=float) for name in ("x", "y", "radius"))
     for colour, kind in zip(COLOURS, species or dict.fromkeys(kinds)):
         own = kinds == kind
