@@ -5,6 +5,7 @@ changes from round to round. Of a machine that others use, only the ratios of pr
 the wall time of many sieves over that of as many engines without an environment.
 """
 import argparse
+import concurrent.futures
 import os
 import pathlib
 import statistics
@@ -13,7 +14,7 @@ import time
 import numpy as np
 
 import ratchet_sieve as rs
-from ratchet_sieve import _engine, origin, places
+from ratchet_sieve import origin, places
 from ratchet_sieve.texts import table
 from report import parsed, publish
 
@@ -30,9 +31,13 @@ def rates_of(work, simulated):
 
 def rate_of_engines(scene, count, threads, seconds):
     """Of engines without an environment, each of which goes all the way in one call."""
-    engines = [rs.Simulation(scene.replace(seed=seed + 1))._engine for seed in range(count)]
-    _engine.advance_many(engines, [BEGIN] * count, threads)
-    return rates_of(lambda: _engine.advance_many(engines, [BEGIN + seconds] * count, threads), count * seconds)
+    simulations = [rs.Simulation(scene.replace(seed=seed + 1)) for seed in range(count)]
+    with concurrent.futures.ThreadPoolExecutor(threads) as pool:
+        def advance(duration):
+            list(pool.map(lambda simulation: simulation.advance(duration), simulations))
+
+        advance(BEGIN)
+        return rates_of(lambda: advance(seconds), count * seconds)
 
 
 def rate_of_env(env, actions, seconds):

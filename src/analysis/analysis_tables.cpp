@@ -1,11 +1,11 @@
-#include "ratchet_sieve/analysis/analysis_tables.h"
-
 #include <filesystem>
 #include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "ratchet_sieve/analysis/analysis_report.h"
+#include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
@@ -14,9 +14,40 @@ namespace ratchet_sieve
 namespace
 {
 
-std::string field(const std::optional<double>& value)
+/// An undefined value is an empty field.
+template <typename Value>
+std::string field(const Value& value)
 {
-  return value ? fmt::format("{}", *value) : "";
+  if constexpr (IS_OPTIONAL<Value>)
+    return value ? fmt::format("{}", *value) : "";
+  else
+    return fmt::format("{}", value);
+}
+
+std::string unitText(const std::string& unit)
+{
+  return unit.empty() ? "" : " [" + shownText(unit) + "]";
+}
+
+/// The heads of a struct's columns, with a comma before each.
+template <typename Struct>
+std::string headsOf()
+{
+  std::string text;
+  const Struct any;
+  Fields<Struct>::each([&text](const FieldInfo& info, const auto&)
+                       { text += fmt::format(",{}{}", info.name, unitText(info.unit)); },
+                       any);
+  return text;
+}
+
+/// The fields of a struct, with a comma before each.
+template <typename Struct>
+std::string fieldsOf(const Struct& of)
+{
+  std::string text;
+  Fields<Struct>::each([&text](const FieldInfo&, const auto& value) { text += "," + field(value); }, of);
+  return text;
 }
 
 std::string runTable(const RunResult& result)
@@ -39,14 +70,10 @@ std::string driftTable(const RunResult& result)
 
 std::string binTable(const RunResult& result)
 {
-  std::string text = "time [s],species,left,right,on_base,left_mass [kg],right_mass [kg]\n";
+  std::string text = "time [s],species" + headsOf<SpeciesBins>() + '\n';
   for (const BinFrame& frame : result.bins)
     for (std::size_t i = 0; i < frame.bins.size(); ++i)
-    {
-      const SpeciesBins& bins = frame.bins[i];
-      text += fmt::format("{},{},{},{},{},{},{}\n", frame.time, result.species[i], bins.left, bins.right,
-                          bins.on_base, bins.left_mass, bins.right_mass);
-    }
+      text += fmt::format("{},{}{}\n", frame.time, result.species[i], fieldsOf(frame.bins[i]));
   return text;
 }
 
@@ -61,54 +88,42 @@ std::string segregationTable(const RunResult& result)
 
 std::string driveTable(const RunResult& result)
 {
-  std::string text =
-      "time [s],inclination [rad],commanded_inclination [rad],frequency [Hz],commanded_frequency [Hz],"
-      "amplitude [m],commanded_amplitude [m]\n";
+  std::string text = "time [s]";
+  for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
+    text += fmt::format(",{0} [{1}],commanded_{0} [{1}]", quantity.name, quantity.unit);
+  text += '\n';
   for (const BaseFrame& frame : result.base)
-    text += fmt::format("{},{},{},{},{},{},{}\n", frame.time, frame.base.inclination,
-                        frame.base.commanded_inclination, frame.base.frequency,
-                        frame.base.commanded_frequency, frame.base.amplitude, frame.base.commanded_amplitude);
+  {
+    text += fmt::format("{}", frame.time);
+    for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
+      text += fmt::format(",{},{}", frame.base.*quantity.applied, frame.base.*quantity.commanded);
+    text += '\n';
+  }
   return text;
 }
 
 std::string statisticsTable(const RunResult& result)
 {
-  std::string text = "time [s],species";
-  const SpeciesMeans any;
-  Fields<SpeciesMeans>::each([&text](const FieldInfo& info, const auto&)
-                             { text += fmt::format(",{} [{}]", info.name, info.unit); },
-                             any);
-  text += ",window_start [s],window_end [s],granular_temperature [J]\n";
+  std::string text = "time [s],species" + headsOf<SpeciesMeans>() +
+                     ",window_start [s],window_end [s],granular_temperature [J]\n";
   for (const StatisticsFrame& frame : result.statistics)
     for (std::size_t i = 0; i < frame.species.size(); ++i)
-    {
-      text += fmt::format("{},{}", frame.time, result.species[i]);
-      Fields<SpeciesMeans>::each([&text](const FieldInfo&, const std::optional<double>& mean)
-                                 { text += "," + field(mean); },
-                                 frame.species[i].means);
-      text += fmt::format(",{},{},{}\n", frame.window_start, frame.window_end,
-                          field(frame.species[i].granular_temperature));
-    }
+      text +=
+          fmt::format("{},{}{},{},{},{}\n", frame.time, result.species[i], fieldsOf(frame.species[i].means),
+                      frame.window_start, frame.window_end, field(frame.species[i].granular_temperature));
   return text;
 }
 
 std::string contactTable(const RunResult& result)
 {
-  std::string text =
-      "time [s],disk_disk,left_slope,right_slope,apex,wall,level,short_to_long,window_start [s],window_end "
-      "[s],"
-      "disk_disk_rate [1/s],left_slope_rate [1/s],right_slope_rate [1/s],apex_rate [1/s],wall_rate [1/s],"
-      "level_rate [1/s],collision_rate [1/s]\n";
+  std::string text = "time [s]" + headsOf<CollisionCounts>() +
+                     ",short_to_long,window_start [s],window_end [s]" + headsOf<CollisionRates>() +
+                     ",collision_rate [1/s]\n";
   for (const StatisticsFrame& frame : result.statistics)
-  {
-    const CollisionCounts& counts = frame.collisions;
-    const CollisionRates& rates = frame.collision_rates;
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", frame.time, counts.disk_disk,
-                        counts.left_slope, counts.right_slope, counts.apex, counts.wall, counts.level,
-                        field(counts.shortToLong(result.scene.base.slopeAsymmetry())), frame.window_start,
-                        frame.window_end, rates.disk_disk_rate, rates.left_slope_rate, rates.right_slope_rate,
-                        rates.apex_rate, rates.wall_rate, rates.level_rate, rates.total());
-  }
+    text += fmt::format("{}{},{},{},{}{},{}\n", frame.time, fieldsOf(frame.collisions),
+                        field(frame.collisions.shortToLong(result.scene.base.slopeAsymmetry())),
+                        frame.window_start, frame.window_end, fieldsOf(frame.collision_rates),
+                        frame.collision_rates.total());
   return text;
 }
 
@@ -130,11 +145,6 @@ std::string displacementTable(const RunResult& result)
                           distribution.edge(bin), distribution.edge(bin + 1), distribution.counts[bin],
                           distribution.density(bin));
   return text;
-}
-
-std::string unitText(const std::string& unit)
-{
-  return unit.empty() ? "" : " [" + shownText(unit) + "]";
 }
 
 std::string observedTable(const RunResult& result)
@@ -161,7 +171,7 @@ std::string tableOf(const Observed& observed)
     {
       text += row.place + "," + row.species;
       for (const ObservedColumn& column : row.table)
-        text += "," + field(column.values[line]);
+        text += "," + field(column.values.at(line));
       text += '\n';
     }
   return text;

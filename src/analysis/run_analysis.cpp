@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "frame_rules.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
@@ -42,66 +42,120 @@ Drift driftOf(const ParticleFrame& frame, std::size_t species_count)
   return drift;
 }
 
+/// @throws AnalysisError if a frame of this kind has another number of species than the scene
+template <typename Frame>
+void requireSpecies(std::size_t count, const SceneDefinition& scene)
+{
+  if (count != scene.species.size())
+    throw AnalysisError(fmt::format("a frame of {} with {} species does not fit the scene, which has {}",
+                                    describe(kindOf<Frame>()).name, count, scene.species.size()));
+}
+
 }  // namespace
 
-/// The accumulated data of one run.
+/// A series of samples that keeps at most a fixed number of them: every 2^k-th, and the last.
+template <typename Sample>
+class ThinnedSeries
+{
+public:
+  void add(Sample sample)
+  {
+    if (added_++ % stride_ != 0)
+    {
+      last_ = std::move(sample);
+      return;
+    }
+    last_.reset();
+    kept_.push_back(std::move(sample));
+    if (kept_.size() > CAPACITY)
+      thin();
+  }
+
+  /// In the order in which they came.
+  std::vector<Sample> samples() const
+  {
+    std::vector<Sample> all = kept_;
+    if (last_)
+      all.push_back(*last_);
+    return all;
+  }
+
+private:
+  static constexpr std::size_t CAPACITY = 4096;  ///< even: see thin()
+
+  /// Keeps every second sample. @pre the number of samples is odd, so that the last one stays
+  void thin()
+  {
+    for (std::size_t i = 0; 2 * i < kept_.size(); ++i)
+      kept_[i] = std::move(kept_[2 * i]);
+    kept_.resize((kept_.size() + 1) / 2);
+    stride_ *= 2;
+  }
+
+  std::size_t added_ = 0;
+  std::size_t stride_ = 1;
+  std::vector<Sample> kept_;
+  std::optional<Sample> last_;  ///< if it is not among those kept
+};
+
+/// The accumulated data of one run: what its result has so far, and what the rest of it is computed from.
 struct RunAnalysis::Run
 {
   Run(const SceneFrame& frame, SceneDefinition definition)
-      : scene_frame(frame),
-        scene(std::move(definition)),
-        start(frame.time),
-        end(frame.time),
-        tracker(scene.species.size(), scene.settle, !scene.contact.pair_collisions),
-        distributions(scene.species.size(), distributionTimes(scene.duration)),
-        temperatures(scene.species.size())
+      : tracker(definition.species.size(), definition.settle, !definition.contact.pair_collisions),
+        distributions(definition.species.size(), distributionTimes(definition.duration)),
+        temperatures(definition.species.size())
   {
+    so_far.scene_frame = frame;
+    so_far.start = so_far.end = frame.time;
+    so_far.species = speciesNames(definition);
+    so_far.scene = std::move(definition);
   }
 
-  void take(const BaseFrame& frame) { base.take(frame); }
-  void take(const ParticleFrame& frame);
-  void take(const BinFrame& frame);
-  void take(const StatisticsFrame& frame);
-  void take(const ObservedFrame& frame) { observed = frame.observed; }
+  void add(const BaseFrame& frame) { base.add(frame); }
+  void add(const ParticleFrame& frame);
+  void add(const BinFrame& frame);
+  void add(const StatisticsFrame& frame);
+  void add(const ObservedFrame& frame) { so_far.observed = frame.observed; }
 
-  SceneFrame scene_frame;
-  SceneDefinition scene;
-  double start;
-  double end;
-  std::size_t particle_frames = 0;
+  RunResult so_far;
   DisplacementTracker tracker;
   DisplacementDistributions distributions;
-  std::vector<BinFrame> bins;
   std::optional<BinFrame> last_bins;
   ThinnedSeries<Drift> drift;
   ThinnedSeries<BaseFrame> base;
   ThinnedSeries<StatisticsFrame> statistics;
-  std::vector<Observed> observed;
   std::vector<TemperatureSum> temperatures;  ///< per species, over frames
 };
 
-void RunAnalysis::Run::take(const ParticleFrame& frame)
+void RunAnalysis::Run::add(const ParticleFrame& frame)
 {
-  ++particle_frames;
-  tracker.take(frame);
-  distributions.take(frame);
-  drift.take(driftOf(frame, scene.species.size()));
+  for (const DiskState& disk : frame.disks)
+    if (disk.species >= so_far.species.size())
+      throw AnalysisError(fmt::format("disk {} at {} s has species {}, and the scene {} of them", disk.id,
+                                      frame.time, disk.species, so_far.species.size()));
+  ++so_far.particle_frames;
+  tracker.add(frame);
+  distributions.add(frame);
+  drift.add(driftOf(frame, so_far.species.size()));
 }
 
-void RunAnalysis::Run::take(const BinFrame& frame)
+void RunAnalysis::Run::add(const BinFrame& frame)
 {
+  requireSpecies<BinFrame>(frame.bins.size(), so_far.scene);
   // s, Q and P are computed from the counts, not copied from the frame, so that the analysis is independent.
   BinFrame counted = frame;
   addRatios(counted);
-  if (bins.empty() || !sameBits(bins.back().bins, counted.bins))
-    bins.push_back(counted);
+  if (so_far.bins.empty() || !sameBits(so_far.bins.back().bins, counted.bins))
+    so_far.bins.push_back(counted);
   last_bins = std::move(counted);
 }
 
-void RunAnalysis::Run::take(const StatisticsFrame& frame)
+void RunAnalysis::Run::add(const StatisticsFrame& frame)
 {
-  statistics.take(frame);
-  if (frame.window_start < scene.settle)
+  requireSpecies<StatisticsFrame>(frame.species.size(), so_far.scene);
+  statistics.add(frame);
+  if (frame.window_start < so_far.scene.settle)
     return;
   for (std::size_t i = 0; i < temperatures.size(); ++i)
     if (frame.species[i].granular_temperature)
@@ -110,15 +164,6 @@ void RunAnalysis::Run::take(const StatisticsFrame& frame)
 
 RunAnalysis::RunAnalysis() = default;
 RunAnalysis::~RunAnalysis() = default;
-
-RunAnalysis::Run& RunAnalysis::runAt(const AnyFrame& frame)
-{
-  if (!run_)
-    throw AnalysisError(fmt::format("a frame of {} at {} s comes before any scene",
-                                    describe(frame.kind()).name, frame.time()));
-  run_->end = std::max(run_->end, frame.time());
-  return *run_;
-}
 
 void RunAnalysis::take(const AnyFrame& any)
 {
@@ -130,9 +175,11 @@ void RunAnalysis::take(const AnyFrame& any)
           run_ = std::make_unique<Run>(frame, sceneFromText(frame.yaml, "recorded scene").definition);
         else if constexpr (IS_TAKEN_AT_A_RATE<Frame>)
         {
-          Run& run = runAt(any);
-          requireSound(frame, run.scene);
-          run.take(frame);
+          if (!run_)
+            throw AnalysisError(fmt::format("a frame of {} at {} s comes before any scene",
+                                            describe(kindOf<Frame>()).name, frame.time));
+          run_->so_far.end = std::max(run_->so_far.end, frame.time);
+          run_->add(frame);
         }
       });
 }
@@ -142,23 +189,14 @@ RunResult RunAnalysis::result() const
   if (!run_)
     throw AnalysisError("no scene was recorded");
   const Run& run = *run_;
-  RunResult result;
-  result.scene_frame = run.scene_frame;
-  result.scene = run.scene;
-  result.start = run.start;
-  result.end = run.end;
-  result.particle_frames = run.particle_frames;
-  for (const SpeciesDefinition& species : run.scene.species)
-    result.species.push_back(species.name);
+  RunResult result = run.so_far;
   result.velocities = run.tracker.velocities();
   result.displacement_distributions = run.distributions.distributions();
-  result.bins = run.bins;
-  if (run.last_bins && run.last_bins->time > run.bins.back().time)
+  if (run.last_bins && run.last_bins->time > result.bins.back().time)
     result.bins.push_back(*run.last_bins);
   result.drift = run.drift.samples();
   result.base = run.base.samples();
   result.statistics = run.statistics.samples();
-  result.observed = run.observed;
   for (const TemperatureSum& temperature : run.temperatures)
     result.granular_temperatures.push_back(temperature.mean());
   return result;

@@ -12,7 +12,6 @@
 #include "page_arguments.h"
 #include "python_plots.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
-#include "ratchet_sieve/analysis/analysis_tables.h"
 #include "ratchet_sieve/analysis/run_analysis.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/ros/bag.h"

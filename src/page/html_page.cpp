@@ -3,7 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <stdexcept>
 
+#include <zlib.h>
+
+#include "ratchet_sieve/page/sweep_page.h"
 #include "ratchet_sieve/recording/atomic_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
 
@@ -12,25 +16,12 @@ namespace ratchet_sieve
 namespace
 {
 
-/// The same text as HTML.
+/// A text as HTML.
 std::string htmlText(const std::string& text)
 {
   std::string html;
   for (const char c : text)
-    switch (c)
-    {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      default:
-        html += c;
-    }
+    html += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
   return html;
 }
 
@@ -58,6 +49,17 @@ std::size_t lengthOf(const PageTemplate& page)
   return std::strlen(page.head) + std::strlen(page.body) + std::strlen(page.tail);
 }
 
+std::string deflated(const std::string& bytes)
+{
+  uLongf length = compressBound(bytes.size());
+  std::string result(length, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(result.data()), &length,
+                reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_DEFAULT_COMPRESSION) != Z_OK)
+    throw std::runtime_error("the page could not be compressed");
+  result.resize(length);
+  return result;
+}
+
 std::string jsonForHtml(const nlohmann::ordered_json& json)
 {
   std::string text;
@@ -77,6 +79,11 @@ void writePage(const std::string& path, const PageTemplate& page, const std::str
     out << R"(<script type="text/plain" id=")" << each.id << R"(">)" << base64(each.bytes) << "</script>\n";
   out << page.tail;
   file.commit();
+}
+
+void writeSweepPage(const std::string& path, const nlohmann::ordered_json& report)
+{
+  writePage(path, SWEEP_TEMPLATE, report.at("title").get<std::string>(), report);
 }
 
 }  // namespace ratchet_sieve

@@ -29,6 +29,9 @@ struct PageData
 /// The length of a page without its data [bytes].
 std::size_t lengthOf(const PageTemplate& page);
 
+/// In zlib's format (RFC 1950), which browsers call "deflate".
+std::string deflated(const std::string& bytes);
+
 /// JSON that can stand within an HTML element: no text in it ends the element. Texts that are not UTF-8 are
 /// made so.
 std::string jsonForHtml(const nlohmann::ordered_json& json);

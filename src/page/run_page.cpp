@@ -2,13 +2,22 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
-#include "deflate.h"
+#include <fmt/format.h>
+
 #include "html_page.h"
-#include "motion_record.h"
-#include "page_parts.h"
+#include "motion.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
+#include "ratchet_sieve/core/commanded_quantity.h"
+#include "ratchet_sieve/core/count_text.h"
+#include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/core/plan.h"
+#include "ratchet_sieve/core/segregation.h"
+#include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/recording/frames.h"
+#include "ratchet_sieve/recording/summary.h"
+#include "ratchet_sieve/scene/scalars.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
@@ -16,12 +25,195 @@ namespace ratchet_sieve
 namespace
 {
 
+using Json = nlohmann::ordered_json;
+
 /// Commands that a page lists: the first. A node that follows a controller may get thousands a second.
 constexpr std::size_t MOST_COMMANDS = 1000;
 
 /// What a page holds beside its template, its data and their base64: names of elements, the description of
 /// the motion [bytes].
 constexpr std::size_t AROUND_DATA = 2000;
+
+/// Rows of the bins that a page has at most.
+constexpr std::size_t MOST_ROWS = 4096;
+
+Json drivePart(const BaseDefinition& base)
+{
+  Json harmonics = Json::array();
+  for (const HarmonicDefinition& harmonic : base.harmonics)
+    harmonics.push_back({{"multiple", harmonic.multiple},
+                         {"amplitude", harmonic.amplitude},
+                         {"phase", harmonic.phase},
+                         {"horizontal_amplitude", harmonic.horizontal_amplitude},
+                         {"horizontal_phase", harmonic.horizontal_phase}});
+  return {{"turns_with_base", base.drive_frame == DriveFrame::BASE},
+          {"amplitude", base.amplitude},
+          {"horizontal_amplitude", base.horizontal_amplitude},
+          {"horizontal_phase", base.horizontal_phase},
+          {"harmonics", std::move(harmonics)}};
+}
+
+/// Whether the base moves on from `a` over `b` to `c` without a change of rate.
+bool isSteady(const DriveState& a, const DriveState& b, const DriveState& c)
+{
+  for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
+    for (double DriveState::*value : {quantity.applied, quantity.commanded})
+      if (a.*value != b.*value || b.*value != c.*value)
+        return false;
+  return true;
+}
+
+/// The recorded states of the base, or those that follow from the scene if none was recorded.
+std::vector<BaseFrame> baseFrames(const RunResult& result)
+{
+  if (result.base.empty())
+    return {{result.start, driveStateAt(result.scene.base, 0.0)},
+            {result.end, driveStateAt(result.scene.base, result.end - result.start)}};
+  std::vector<BaseFrame> frames;
+  for (std::size_t k = 0; k < result.base.size(); ++k)
+    if (k == 0 || k + 1 == result.base.size() ||
+        !isSteady(result.base[k - 1].base, result.base[k].base, result.base[k + 1].base))
+      frames.push_back(result.base[k]);
+  return frames;
+}
+
+Json driveSeries(const RunResult& result)
+{
+  Json series;
+  for (const BaseFrame& frame : baseFrames(result))
+  {
+    series["time"].push_back(frame.time);
+    series["phase"].push_back(frame.base.phase);
+    for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
+    {
+      series[quantity.name].push_back(frame.base.*quantity.applied);
+      series[std::string("commanded_") + quantity.name].push_back(frame.base.*quantity.commanded);
+    }
+  }
+  series["recorded"] = !result.base.empty();
+  return series;
+}
+
+/// Of a bin, of a species.
+void addShares(Json& series, const char* bin, const BinShares& shares)
+{
+  for (const auto& [by, share] : {std::pair{"number", shares.number}, std::pair{"mass", shares.mass}})
+  {
+    series["purity"][bin][by].push_back(numberOrNull(share.purity));
+    series["recovery"][bin][by].push_back(numberOrNull(share.recovery));
+  }
+}
+
+Json binSeries(const RunResult& result)
+{
+  Json series = {{"time", Json::array()}, {"species", Json::array()}, {"every", 1}};
+  if (result.bins.empty())
+    return series;
+  const std::size_t last = result.bins.size() - 1;
+  const std::size_t every = last / MOST_ROWS + 1;
+  series["every"] = every;
+  for (std::size_t k = 0; k <= last; ++k)
+  {
+    if (k % every != 0 && k != last)
+      continue;
+    const BinFrame& frame = result.bins[k];
+    series["time"].push_back(frame.time);
+    series["quality"].push_back(numberOrNull(frame.quality));
+    series["processed"].push_back(numberOrNull(frame.processed));
+    const std::vector<SpeciesShares> shares = binShares(frame.bins);
+    for (std::size_t i = 0; i < frame.bins.size(); ++i)
+    {
+      Json& of_species = series["species"][i];
+      of_species["left"].push_back(frame.bins[i].left);
+      of_species["right"].push_back(frame.bins[i].right);
+      of_species["on_base"].push_back(frame.bins[i].on_base);
+      addShares(of_species, "left", shares[i].left);
+      addShares(of_species, "right", shares[i].right);
+    }
+  }
+  return series;
+}
+
+/// <V_x> of each species since the end of `settle`, as the engine accumulates it.
+Json velocitySeries(const RunResult& result)
+{
+  Json series = {{"time", Json::array()}, {"species", Json::array()}};
+  for (const StatisticsFrame& frame : result.statistics)
+  {
+    series["time"].push_back(frame.time);
+    for (std::size_t i = 0; i < frame.species.size(); ++i)
+    {
+      const SpeciesMeans& means = frame.species[i].means;
+      series["species"][i]["mean_vx"].push_back(numberOrNull(means.mean_vx));
+      series["species"][i]["mean_vx_stderr"].push_back(numberOrNull(means.mean_vx_stderr));
+    }
+  }
+  return series;
+}
+
+std::string commandText(const CommandFrame& command, const SceneDefinition& scene)
+{
+  if (const auto quantity = setpointQuantity(command.kind))
+    return fmt::format("{} {:.6g} {}", describe(*quantity).name,
+                       command.values.empty() ? 0.0 : command.values.front(), describe(*quantity).unit);
+  switch (command.kind)
+  {
+    case CommandKind::SLEW_RATES:
+    {
+      std::string text = "slew rates:";
+      for (std::size_t k = 0; k < command.values.size() && k < QUANTITIES; ++k)
+        text += fmt::format("{} {} {:.6g} {}/s", k > 0 ? "," : "", COMMANDED_QUANTITIES[k].name,
+                            command.values[k], COMMANDED_QUANTITIES[k].unit);
+      return text;
+    }
+    case CommandKind::POUR:
+      return fmt::format("pour {} of {}", countText(command.count, "disk"),
+                         command.species < scene.species.size() ? scene.species[command.species].name
+                                                                : "an unknown species");
+    case CommandKind::PAUSE:
+      return "pause";
+    case CommandKind::UNPAUSE:
+      return "unpause";
+    default:
+      return "unknown command";
+  }
+}
+
+/// What the motion of the base and the outline of the machine follow from. SI units; undefined values are
+/// null.
+Json machinePart(const SceneDefinition& scene)
+{
+  Json tooth = Json::array();
+  for (const OutlineCorner& corner : scene.base.outline())
+    tooth.push_back({corner.s, corner.n});
+  Json species = Json::array();
+  for (const SpeciesDefinition& each : scene.species)
+    species.push_back({{"name", each.name}, {"radius", each.radius}});
+  return {{"tooth", std::move(tooth)},
+          {"teeth", scene.base.teeth},
+          {"boundary", scalarText(scene.boundary)},
+          {"wall_height", scene.boundary == Boundary::WALLED ? Json(wallHeight(scene)) : Json(nullptr)},
+          {"gravity", scene.gravity},
+          {"duration", scene.duration},
+          {"drive", drivePart(scene.base)},
+          {"species", std::move(species)}};
+}
+
+/// Columns over time: `drive`, `bins`, `velocities`. Rows between which nothing changes are left out.
+Json seriesPart(const RunResult& result)
+{
+  return {
+      {"drive", driveSeries(result)}, {"bins", binSeries(result)}, {"velocities", velocitySeries(result)}};
+}
+
+/// Each command as its time and a text.
+Json commandsPart(const std::vector<CommandFrame>& commands, const SceneDefinition& scene)
+{
+  Json list = Json::array();
+  for (const CommandFrame& command : commands)
+    list.push_back({{"time", command.time}, {"text", commandText(command, scene)}});
+  return list;
+}
 
 std::size_t inBase64(std::size_t bytes)
 {
@@ -64,7 +256,7 @@ void RunPage::take(const AnyFrame& any)
   if (const auto* scene = any.as<SceneFrame>())
     page.begin(*scene);
   else if (const auto* particles = any.as<ParticleFrame>())
-    page.motion->take(*particles);
+    page.motion->add(*particles);
   else if (const auto* command = any.as<CommandFrame>())
     if (page.commands_taken++ < MOST_COMMANDS)
       page.commands.push_back(*command);
@@ -81,7 +273,7 @@ void RunPage::write(const std::string& path, const std::string& title,
   const Implementation& page = *implementation_;
   const RunResult result = page.analysis.result();
   const SceneDefinition& scene = page.scene->definition;
-  nlohmann::ordered_json json;
+  Json json;
   json["title"] = title;
   json["scene"] = {{"yaml", result.scene_frame.yaml},
                    {"hash", result.scene_frame.scene_hash},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <pybind11/pybind11.h>
 
 /// What each part adds to the module ratchet_sieve._engine, whose functions are wrapped and described in
@@ -13,5 +15,8 @@ void bindControl(pybind11::module_& module);
 void bindRun(pybind11::module_& module);
 void bindSweep(pybind11::module_& module);
 void bindFrames(pybind11::module_& module);
+
+/// Warns (SieveWarning). @pre Python's lock is held @throws what a filter of warnings makes of it
+void warnPython(const std::string& text);
 
 }  // namespace ratchet_sieve

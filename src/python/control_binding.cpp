@@ -1,10 +1,16 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <functional>
+#include <limits>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <vector>
 
 #include <pybind11/numpy.h>
@@ -12,8 +18,8 @@
 #include <pybind11/stl.h>
 
 #include "bindings.h"
-#include "commanded_quantities.h"
-#include "many_simulations.h"
+#include "ratchet_sieve/sweep/sweep_run.h"
+#include "running_simulation.h"
 #include "to_python.h"
 
 namespace ratchet_sieve
@@ -24,6 +30,7 @@ namespace
 namespace py = pybind11;
 
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using StopWanted = std::function<bool()>;
 
 /// The names of a struct's fields.
 template <typename Struct>
@@ -45,166 +52,202 @@ double* writeFields(const Struct& of, double* to)
   return to;
 }
 
-/// What is read of each simulation at the end of a step, one row for each: columns of numpy arrays.
-class Readings
+/// The numbers of disks of each species in equal cells along the base; what is beyond an end counts in the
+/// cell at that end.
+void writeHistogram(const std::vector<DiskState>& disks, const DriveState& base, double width,
+                    std::size_t cells, double* to)
+{
+  const double cosine = std::cos(base.inclination);
+  const double sine = std::sin(base.inclination);
+  const auto last = static_cast<double>(cells - 1);
+  for (const DiskState& disk : disks)
+  {
+    const double s = (disk.x - base.horizontal_displacement) * cosine + (disk.y - base.displacement) * sine;
+    const double cell = std::clamp(std::floor(s / width * static_cast<double>(cells)), 0.0, last);
+    to[disk.species * cells + static_cast<std::size_t>(cell)] += 1.0;
+  }
+}
+
+/// The mean velocities of the disks of each species that were in the machine during all of a step; not a
+/// number where there is none. Both lists are in the order of ids.
+void writeVelocities(const std::vector<DiskState>& before, const std::vector<DiskState>& after,
+                     double elapsed, std::size_t species, double* to)
+{
+  std::vector<double> paths(species);
+  std::vector<std::size_t> counts(species);
+  auto old = before.begin();
+  for (const DiskState& disk : after)
+  {
+    while (old != before.end() && old->id < disk.id)
+      ++old;
+    if (old == before.end() || old->id != disk.id)
+      continue;
+    paths[disk.species] += disk.displacement - old->displacement;
+    ++counts[disk.species];
+  }
+  for (std::size_t k = 0; k < species; ++k)
+    to[k] = counts[k] > 0 && elapsed > 0.0 ? paths[k] / (static_cast<double>(counts[k]) * elapsed)
+                                           : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// A table with a row for each simulation.
+class Table
 {
 public:
-  Readings(std::size_t rows, std::size_t species, std::size_t cells)
-      : species_(species),
-        cells_(cells),
-        time_(rows),
-        bins_({rows, species, fieldNames<SpeciesBins>().size()}),
-        base_({rows, fieldNames<DriveState>().size()}),
-        mean_vx_({rows, species}),
-        mean_vx_defined_({rows, species}),
-        histogram_({rows, species, cells}),
-        to_time_(time_.mutable_data()),
-        to_bins_(bins_.mutable_data()),
-        to_base_(base_.mutable_data()),
-        to_mean_vx_(mean_vx_.mutable_data()),
-        to_mean_vx_defined_(mean_vx_defined_.mutable_data()),
-        to_histogram_(histogram_.mutable_data())
+  /// @param shape of a row
+  Table(std::size_t rows, std::vector<std::size_t> shape) : shape_(std::move(shape))
   {
+    for (const std::size_t size : shape_)
+      row_size_ *= size;
+    shape_.insert(shape_.begin(), rows);
+    numbers_.resize(rows * row_size_);
   }
 
-  /// Writes a row. Python's lock is not needed. @param before the disks at the start of the step, which was
-  /// `elapsed` ago [s]
-  void read(std::size_t row, RunningSimulation::Use& simulation, const std::vector<DiskState>& before,
-            double elapsed)
-  {
-    const DriveState base = simulation->base();
-    to_time_[row] = simulation->time();
-    double* to = to_bins_ + row * species_ * (bins_.size() / (time_.size() * species_));
-    for (const SpeciesBins& bins : simulation->bins())
-      to = writeFields(bins, to);
-    writeFields(base, to_base_ + row * (base_.size() / time_.size()));
-    const std::vector<DiskState> disks = simulation->disks();
-    readVelocities(row, before, disks, elapsed);
-    readHistogram(row, disks, base, simulation->scene().base.width());
-  }
-
-  py::dict columns() const
-  {
-    py::dict columns;
-    columns["time"] = time_;
-    columns["bins"] = bins_;
-    columns["base"] = base_;
-    columns["mean_vx"] = mean_vx_;
-    columns["mean_vx_defined"] = mean_vx_defined_;
-    columns["histogram"] = histogram_;
-    return columns;
-  }
+  double* row(std::size_t k) { return numbers_.data() + k * row_size_; }
+  py::array array() const { return py::array_t<double>(shape_, numbers_.data()); }
 
 private:
-  /// Of the disks that were in the machine during all of the step. Both lists are in the order of ids.
-  void readVelocities(std::size_t row, const std::vector<DiskState>& before,
-                      const std::vector<DiskState>& after, double elapsed)
-  {
-    std::vector<double> paths(species_);
-    std::vector<std::size_t> counts(species_);
-    auto old = before.begin();
-    for (const DiskState& disk : after)
-    {
-      while (old != before.end() && old->id < disk.id)
-        ++old;
-      if (old == before.end() || old->id != disk.id)
-        continue;
-      paths[disk.species] += disk.displacement - old->displacement;
-      ++counts[disk.species];
-    }
-    for (std::size_t k = 0; k < species_; ++k)
-    {
-      const bool defined = counts[k] > 0 && elapsed > 0.0;
-      to_mean_vx_[row * species_ + k] = defined ? paths[k] / (static_cast<double>(counts[k]) * elapsed) : 0.0;
-      to_mean_vx_defined_[row * species_ + k] = defined;
-    }
-  }
-
-  /// Along the base; what is beyond an end counts in the cell at that end.
-  void readHistogram(std::size_t row, const std::vector<DiskState>& disks, const DriveState& base,
-                     double width)
-  {
-    double* const counts = to_histogram_ + row * species_ * cells_;
-    std::fill_n(counts, species_ * cells_, 0.0);
-    if (cells_ == 0)
-      return;
-    const double cosine = std::cos(base.inclination);
-    const double sine = std::sin(base.inclination);
-    const auto last = static_cast<double>(cells_ - 1);
-    for (const DiskState& disk : disks)
-    {
-      const double s = (disk.x - base.horizontal_displacement) * cosine + (disk.y - base.displacement) * sine;
-      const double cell = std::clamp(std::floor(s / width * static_cast<double>(cells_)), 0.0, last);
-      counts[disk.species * cells_ + static_cast<std::size_t>(cell)] += 1.0;
-    }
-  }
-
-  std::size_t species_;
-  std::size_t cells_;
-  py::array_t<double> time_;
-  py::array_t<double> bins_;
-  py::array_t<double> base_;
-  py::array_t<double> mean_vx_;
-  py::array_t<bool> mean_vx_defined_;
-  py::array_t<double> histogram_;
-  double* to_time_;
-  double* to_bins_;
-  double* to_base_;
-  double* to_mean_vx_;
-  bool* to_mean_vx_defined_;
-  double* to_histogram_;
+  std::vector<std::size_t> shape_;
+  std::size_t row_size_ = 1;
+  std::vector<double> numbers_;
 };
+
+/// What is read of each simulation at the end of a step.
+struct Readings
+{
+  Readings(std::size_t rows, std::size_t species_count, std::size_t cell_count)
+      : species(species_count),
+        cells(cell_count),
+        time(rows, {}),
+        bins(rows, {species, fieldNames<SpeciesBins>().size()}),
+        base(rows, {fieldNames<DriveState>().size()}),
+        mean_vx(rows, {species}),
+        histogram(rows, {species, cells})
+  {
+  }
+
+  /// Commands a simulation, advances it and reads it into a row. @return the text of the collapse that ended
+  /// it, or none
+  std::string step(std::size_t row, RunningSimulation& running, const std::map<std::string, double>& command,
+                   double until, const StopWanted& stop_wanted)
+  {
+    running.command(command);
+    const double start = RunningSimulation::Use(running)->time();
+    const std::vector<DiskState> before = RunningSimulation::Use(running)->disks();
+    std::string collapse;
+    try
+    {
+      running.advanceTo(until, stop_wanted);
+    }
+    catch (const StallError& error)
+    {
+      collapse = error.what();
+    }
+    RunningSimulation::Use simulation(running);
+    const std::vector<DiskState> disks = simulation->disks();
+    const DriveState drive = simulation->base();
+    *time.row(row) = simulation->time();
+    double* to = bins.row(row);
+    for (const SpeciesBins& of_species : simulation->bins())
+      to = writeFields(of_species, to);
+    writeFields(drive, base.row(row));
+    writeVelocities(before, disks, simulation->time() - start, species, mean_vx.row(row));
+    writeHistogram(disks, drive, simulation->scene().base.width(), cells, histogram.row(row));
+    return collapse;
+  }
+
+  std::size_t species;
+  std::size_t cells;
+  Table time, bins, base, mean_vx, histogram;
+};
+
+/// Does a job for each k below `count` on several threads, each of which takes the next one until none is
+/// left, with Python's lock let go. A job asks often whether to stop.
+/// @param threads 0: one per processor
+/// @throws what a job throws; what the handler of a signal raises, after all jobs have stopped
+void shareOut(std::size_t count, std::size_t threads,
+              const std::function<void(std::size_t k, const StopWanted& stop_wanted)>& job)
+{
+  threads = std::min(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency()), count);
+  std::vector<std::exception_ptr> errors(count);
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> stop{false};
+  const auto work = [&](const StopWanted& stop_wanted)
+  {
+    for (std::size_t k = next++; k < count; k = next++)
+      try
+      {
+        job(k, stop_wanted);
+      }
+      catch (...)
+      {
+        errors[k] = std::current_exception();
+        stop = true;
+      }
+  };
+  SignalWatch signals;
+  std::vector<std::thread> others;
+  {
+    const py::gil_scoped_release let_go;
+    try
+    {
+      while (others.size() + 1 < threads)
+        others.emplace_back(work, [&] { return stop.load(); });
+    }
+    catch (const std::system_error&)
+    {
+      // The system provides no more; there is a warning at the end.
+    }
+    // This thread serves the signals.
+    work(
+        [&]
+        {
+          if (signals.stopWanted())
+            stop = true;
+          return stop.load();
+        });
+    for (std::thread& other : others)
+      other.join();
+  }
+  signals.raise();
+  for (const std::exception_ptr& error : errors)
+    if (error)
+      std::rethrow_exception(error);
+  if (others.size() + 1 < threads)
+    warnPython(fewerThreadsText(others.size() + 1, threads));
+}
 
 /// Commands each simulation its setpoints, advances it to its time, and reads it, on several threads.
 /// @param names of the commanded quantities @param setpoints a row for each simulation, a column for each
-/// name @param cells of the histograms along the base
+/// name @param cells of the histograms along the base, at least one
 /// @return columns of Readings; of each simulation the text of the collapse that ended it, or None
 py::tuple stepMany(const std::vector<std::shared_ptr<RunningSimulation>>& simulations,
                    const std::vector<std::string>& names, const Doubles& setpoints,
                    const std::vector<double>& times, std::size_t cells, std::size_t threads)
 {
   const std::size_t count = simulations.size();
-  if (count == 0 || times.size() != count ||
+  if (count == 0 || times.size() != count || cells == 0 ||
       static_cast<std::size_t>(setpoints.size()) != count * names.size())
     throw std::invalid_argument("there must be one time and one row of setpoints for each simulation");
-  const std::size_t species = simulations.front()->scene()->definition.species.size();
-  for (const std::shared_ptr<RunningSimulation>& simulation : simulations)
-    if (simulation->scene()->definition.species.size() != species)
-      throw std::invalid_argument("the simulations must have the same number of species");
-  std::vector<Setpoints> commands(count);
+  std::vector<std::map<std::string, double>> commands(count);
   for (std::size_t k = 0; k < count; ++k)
     for (std::size_t q = 0; q < names.size(); ++q)
       commands[k][names[q]] = setpoints.data()[k * names.size() + q];
-  for (const Setpoints& command : commands)
-    requireLegal(command);
-  Readings readings(count, species, cells);
+  Readings readings(count, simulations.front()->scene()->definition.species.size(), cells);
   std::vector<std::string> collapses(count);
-  withMany(simulations, threads,
-           [&](std::size_t k, const std::function<bool()>& stop_wanted)
-           {
-             std::vector<DiskState> before;
-             double start = 0.0;
-             {
-               RunningSimulation::Use simulation(*simulations[k]);
-               commandAll(commands[k], *simulation);
-               before = simulation->disks();
-               start = simulation->time();
-             }
-             try
-             {
-               simulations[k]->advanceTo(times[k], stop_wanted);
-             }
-             catch (const StallError& error)
-             {
-               collapses[k] = error.what();
-             }
-             RunningSimulation::Use simulation(*simulations[k]);
-             readings.read(k, simulation, before, simulation->time() - start);
-           });
+  shareOut(count, threads,
+           [&](std::size_t k, const StopWanted& stop_wanted)
+           { collapses[k] = readings.step(k, *simulations[k], commands[k], times[k], stop_wanted); });
   py::list texts;
   for (const std::string& text : collapses)
     texts.append(text.empty() ? py::object(py::none()) : py::str(text));
-  return py::make_tuple(readings.columns(), texts);
+  py::dict columns;
+  columns["time"] = readings.time.array();
+  columns["bins"] = readings.bins.array();
+  columns["base"] = readings.base.array();
+  columns["mean_vx"] = readings.mean_vx.array();
+  columns["histogram"] = readings.histogram.array();
+  return py::make_tuple(columns, texts);
 }
 
 py::tuple rangeOf(const Interval& interval)

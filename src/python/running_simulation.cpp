@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 
 #include "ratchet_sieve/recording/checkpoint.h"
@@ -42,6 +43,21 @@ auto stoppable(Pour&& pour)
   }
 }
 
+const CommandedQuantity& quantityOf(const std::string& name)
+{
+  for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
+    if (name == quantity.name)
+      return quantity;
+  throw std::invalid_argument("there is no quantity " + name);
+}
+
+void requireWithin(const std::string& name, double value, const Interval& allowed, const std::string& unit)
+{
+  if (!allowed.contains(value))
+    throw std::invalid_argument(
+        fmt::format("{} = {}: must be {} to {} {}", name, value, allowed.min, allowed.max, unit));
+}
+
 }  // namespace
 
 bool SignalWatch::stopWanted()
@@ -78,6 +94,23 @@ RunningSimulation::RunningSimulation(std::shared_ptr<Scene> scene, std::string_v
     : scene_(std::move(scene)),
       simulation_(std::make_unique<Simulation>(restoreRun(saved_state, scene_->definition)))
 {
+}
+
+void RunningSimulation::command(const std::map<std::string, double>& setpoints)
+{
+  for (const auto& [name, setpoint] : setpoints)
+    requireWithin(name, setpoint, quantityOf(name).legal, quantityOf(name).unit);
+  Use simulation(*this);
+  for (const auto& [name, setpoint] : setpoints)
+    simulation->command(quantityOf(name).quantity, setpoint);
+}
+
+void RunningSimulation::setSlewRates(const SlewRates& rates)
+{
+  for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
+    requireWithin(std::string(quantity.name) + " (slew rate)", rates.*quantity.slew_rate, quantity.slew_rates,
+                  std::string(quantity.unit) + "/s");
+  Use(*this)->setSlewRates(rates);
 }
 
 void RunningSimulation::pour(std::size_t species, std::size_t count)

@@ -3,7 +3,9 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "ratchet_sieve/core/simulation.h"
@@ -55,6 +57,13 @@ public:
   };
 
   const std::shared_ptr<Scene>& scene() const { return scene_; }
+
+  /// New setpoints by the names of their quantities, in SI units. All are checked before the first one is
+  /// taken. @throws std::invalid_argument a name that is none, a value that is not legal
+  void command(const std::map<std::string, double>& setpoints);
+
+  /// @throws std::invalid_argument a rate that is not legal
+  void setSlewRates(const SlewRates& rates);
 
   /// Pours more disks, with Python's lock let go; a signal cancels it. @throws as Simulation
   void pour(std::size_t species, std::size_t count);

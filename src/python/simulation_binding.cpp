@@ -8,8 +8,6 @@
 #include <pybind11/stl.h>
 
 #include "bindings.h"
-#include "commanded_quantities.h"
-#include "many_simulations.h"
 #include "ratchet_sieve/recording/checkpoint.h"
 #include "ratchet_sieve/recording/summary.h"
 #include "running_simulation.h"
@@ -43,24 +41,15 @@ void advanceTo(RunningSimulation& running, double time)
   signals.raise();
 }
 
-/// All setpoints are checked before the first one is taken.
-void command(RunningSimulation& running, const Setpoints& setpoints)
-{
-  requireLegal(setpoints);
-  commandAll(setpoints, *RunningSimulation::Use(running));
-}
-
 void setSlewRates(RunningSimulation& running, double inclination, double frequency, double amplitude)
 {
-  const SlewRates rates{inclination, frequency, amplitude};
-  requireLegal(rates);
-  RunningSimulation::Use(running)->setSlewRates(rates);
+  running.setSlewRates({inclination, frequency, amplitude});
 }
 
 py::array disks(RunningSimulation& running)
 {
   RunningSimulation::Use simulation(running);
-  return arrayOf(*simulation, running.scene()->definition);
+  return arrayOf(simulation->disks(), running.scene()->definition);
 }
 
 py::bytes save(RunningSimulation& running)
@@ -99,7 +88,7 @@ void bindSimulation(py::module_& module)
       .def_static("restore", &restore, py::arg("scene"), py::arg("state"))
       .def("save", &save)
       .def("advance_to", &advanceTo, py::arg("time"))
-      .def("command", &command, py::arg("setpoints"))
+      .def("command", &RunningSimulation::command, py::arg("setpoints"))
       .def("set_slew_rates", &setSlewRates, py::arg("inclination"), py::arg("frequency"),
            py::arg("amplitude"))
       .def("pour", &RunningSimulation::pour, py::arg("species"), py::arg("count"))
@@ -113,7 +102,6 @@ void bindSimulation(py::module_& module)
            read<py::dict>([](Simulation& simulation) { return fieldsOf(simulation.collisions()); }))
       .def("bins", read<py::list>(&bins))
       .def("summary", read<py::object>(&summary));
-  module.def("advance_many", &advanceMany, py::arg("simulations"), py::arg("times"), py::arg("threads"));
 }
 
 }  // namespace ratchet_sieve

@@ -7,7 +7,6 @@
 #include <pybind11/pybind11.h>
 
 #include "bindings.h"
-#include "errors.h"
 #include "ratchet_sieve/sweep/sweep.h"
 #include "ratchet_sieve/sweep/sweep_run.h"
 #include "running_simulation.h"

@@ -27,37 +27,6 @@ struct DiskRow
   double displacement;
 };
 
-/// Writes one disk after the other.
-class RowWriter
-{
-public:
-  RowWriter(DiskRow* first, const SceneDefinition& scene) : row_(first), species_(scene.species)
-  {
-    for (const SpeciesDefinition& species : species_)
-      usual_.push_back({species.radius, species.mass});
-  }
-
-  void operator()(const DiskState& disk)
-  {
-    const double radius = radiusOf(disk, species_);
-    const Usual& usual = usual_[disk.species];
-    const double mass = radius == usual.radius ? usual.mass : species_[disk.species].massOf(radius);
-    *row_++ = {disk.id, disk.species, radius,     mass,      disk.x,           disk.y,
-               disk.vx, disk.vy,      disk.angle, disk.spin, disk.displacement};
-  }
-
-private:
-  struct Usual
-  {
-    double radius;
-    double mass;
-  };
-
-  DiskRow* row_;
-  const std::vector<SpeciesDefinition>& species_;
-  std::vector<Usual> usual_;  ///< per species
-};
-
 struct CollisionRow
 {
   double time;
@@ -145,16 +114,14 @@ py::object toPython(const YAML::Node& node, bool is_name)
 py::array arrayOf(const std::vector<DiskState>& disks, const SceneDefinition& scene)
 {
   py::array_t<DiskRow> rows(static_cast<py::ssize_t>(disks.size()));
-  RowWriter write(rows.mutable_data(), scene);
+  DiskRow* row = rows.mutable_data();
   for (const DiskState& disk : disks)
-    write(disk);
-  return std::move(rows);
-}
-
-py::array arrayOf(const Simulation& simulation, const SceneDefinition& scene)
-{
-  py::array_t<DiskRow> rows(static_cast<py::ssize_t>(simulation.activeDisks()));
-  simulation.forEachDisk(RowWriter(rows.mutable_data(), scene));
+  {
+    const double radius = radiusOf(disk, scene.species);
+    *row++ = {disk.id,    disk.species, radius,           scene.species[disk.species].massOf(radius),
+              disk.x,     disk.y,       disk.vx,          disk.vy,
+              disk.angle, disk.spin,    disk.displacement};
+  }
   return std::move(rows);
 }
 

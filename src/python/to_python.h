@@ -21,8 +21,7 @@ namespace ratchet_sieve
 /// dict, list, int, float, bool, str; None for null.
 pybind11::object toPython(const nlohmann::ordered_json& json);
 
-/// The same of a scene's YAML tree, whose scalars are numbers where the scene's reader takes them for
-/// numbers.
+/// A scene's YAML tree, likewise; its scalars are numbers where the scene's reader takes them for numbers.
 /// @param is_name whether its scalars are names, which may look like numbers
 pybind11::object toPython(const YAML::Node& node, bool is_name = false);
 
@@ -84,9 +83,6 @@ void setFields(Struct& of, const pybind11::dict& fields)
 /// A new structured array of disks: id, species, radius, mass, x, y, vx, vy, angle, spin, displacement. SI.
 /// @param scene for masses and for the radii that a frame leaves out
 pybind11::array arrayOf(const std::vector<DiskState>& disks, const SceneDefinition& scene);
-
-/// The same of the disks of a simulation.
-pybind11::array arrayOf(const Simulation& simulation, const SceneDefinition& scene);
 
 /// The disks of such an array. @throws std::invalid_argument if it is of another kind
 std::vector<DiskState> disksOf(const pybind11::array& rows);

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hand_made_frames.h"
+#include "hand_made_result.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
 #include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/summary.h"
@@ -62,24 +62,6 @@ TEST(RunAnalysis, FindsTheEnginesVelocitiesFromDisplacementsAlone)
   }
 }
 
-TEST(RunAnalysis, SaysTheCollisionRatesOfTheSummary)
-{
-  SceneDefinition scene = smallRing();
-  scene.settle = 0.25;
-  Simulation simulation(scene);
-  RunAnalysis analysis;
-  RunWatchers watchers;
-  watchers.frames = {{&analysis}};
-  const auto summary = summarize(simulation, runToEnd(simulation, watchers));
-  const auto report = reportJson(analysis.result());
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    EXPECT_GT(summary["species"][i]["collision_rate"].get<double>(), 0.0);
-    for (const char* key : {"collision_rate", "kinetic_translational", "kinetic_rotational"})
-      EXPECT_EQ(report["species"][i][key], summary["species"][i][key]) << key;
-  }
-}
-
 /// A recording has fewer frames of the disks than of the other kinds.
 TEST(RunAnalysis, SaysTheSameOfDisksThatAreSeenMoreSeldom)
 {
@@ -104,29 +86,6 @@ TEST(RunAnalysis, SaysTheSameOfDisksThatAreSeenMoreSeldom)
   {
     EXPECT_EQ(decimated.displacement_distributions[k].time, full.displacement_distributions[k].time);
     EXPECT_EQ(decimated.displacement_distributions[k].counts, full.displacement_distributions[k].counts);
-  }
-}
-
-/// Disks that leave are last seen up to one frame earlier.
-TEST(RunAnalysis, LosesTheLastStretchOfDisksThatFallOff)
-{
-  SceneDefinition scene = smallMixture();
-  scene.base.teeth = 10;
-  scene.base.inclination = -0.1;
-  scene.species[0].count = scene.species[1].count = 20;
-  scene.duration = 10.0;
-  Simulation often(scene), seldom(scene);
-  const RunResult full = analyzed(often);
-  const RunResult decimated = analyzed(seldom, 10.0);
-  ASSERT_GT(full.lastBins()->processed.value(), 0.5);
-  EXPECT_EQ(decimated.lastBins()->quality, full.lastBins()->quality);
-  EXPECT_EQ(decimated.lastBins()->processed, full.lastBins()->processed);
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    // Two of each leave within the first 0.1 s: seen only once, they have no velocity.
-    EXPECT_EQ(decimated.velocities[i].disks + 2, full.velocities[i].disks);
-    EXPECT_NEAR(decimated.velocities[i].mean.value(), full.velocities[i].mean.value(),
-                full.velocities[i].mean_stderr.value());
   }
 }
 
@@ -188,6 +147,23 @@ TEST(RunAnalysis, AveragesTemperaturesWhereThereWereDisksAndAfterSettle)
   EXPECT_FALSE(result.granular_temperatures[1]);
 }
 
+TEST(RunAnalysis, ThinsALongSeriesEvenly)
+{
+  RunAnalysis analysis;
+  analysis.take(sceneFrame(smallRing()));
+  for (int k = 0; k < 20'000; ++k)
+  {
+    BaseFrame frame;
+    frame.time = k;
+    analysis.take(frame);
+  }
+  const std::vector<BaseFrame> kept = analysis.result().base;
+  ASSERT_EQ(kept.size(), 2501u);
+  for (std::size_t i = 0; i + 1 < kept.size(); ++i)
+    EXPECT_EQ(kept[i].time, 8.0 * static_cast<double>(i));
+  EXPECT_EQ(kept.back().time, 19'999.0);
+}
+
 TEST(RunAnalysis, BeginsAnewWithANewScene)
 {
   RunAnalysis analysis;
@@ -198,95 +174,29 @@ TEST(RunAnalysis, BeginsAnewWithANewScene)
   EXPECT_EQ(analysis.result().end, 0.0);
 }
 
-/// The message of the AnalysisError that an action throws.
-template <typename Action>
-std::string refusal(Action&& action)
-{
-  try
-  {
-    action();
-    return "";
-  }
-  catch (const AnalysisError& error)
-  {
-    return error.what();
-  }
-}
-
 TEST(RunAnalysis, RefusesFramesThatDoNotFitTogether)
 {
   RunAnalysis analysis;
-  EXPECT_EQ(refusal([&] { analysis.result(); }), "no scene was recorded");
-  EXPECT_EQ(refusal([&] { analysis.take(particlesAt(0.5, {})); }),
-            "a frame of particles at 0.5 s comes before any scene");
-  analysis.take(sceneFrame(smallMixture()));
-  EXPECT_EQ(refusal([&] { analysis.take(particlesAt(0.5, {diskAt(3, 2, 0.0)})); }),
-            "disk 3 at 0.5 s has species 2, and the scene 2 of them");
-  EXPECT_EQ(refusal([&] { analysis.take(BinFrame{}); }),
-            "a frame of bins with 0 species does not fit the scene, which has 2");
-  EXPECT_EQ(refusal([&] { analysis.take(temperaturesAt(0.0, {1.0})); }),
-            "a frame of statistics with 1 species does not fit the scene, which has 2");
-}
-
-TEST(RunAnalysis, RefusesNumbersThatNoRunHas)
-{
-  RunAnalysis analysis;
-  analysis.take(sceneFrame(smallRing()));
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const double displacement : {nan, 1e300, -std::numeric_limits<double>::infinity()})
-    EXPECT_THROW(analysis.take(particlesAt(0.5, {diskAt(0, 0, displacement)})), AnalysisError)
-        << displacement;
-  BinFrame bins;
-  bins.bins.resize(2);
-  bins.bins[1].left = std::uint64_t{1} << 63;
-  EXPECT_THROW(analysis.take(bins), AnalysisError);
-  BaseFrame base;
-  base.base.frequency = nan;
-  EXPECT_THROW(analysis.take(base), AnalysisError);
-  StatisticsFrame statistics;
-  statistics.species.resize(2);
-  statistics.species[1].granular_temperature = nan;
-  EXPECT_EQ(refusal([&] { analysis.take(statistics); }),
-            "a frame of statistics at 0 s holds a number that is not finite: granular_temperature");
-  statistics.species[1].granular_temperature = 0.0;
-  statistics.species[0].means.mean_vx = nan;
-  EXPECT_EQ(refusal([&] { analysis.take(statistics); }),
-            "a frame of statistics at 0 s holds a number that is not finite: mean_vx");
-}
-
-/// What a frame names becomes a file's name and a table's lines.
-TEST(RunAnalysis, RefusesObservationsThatDoNotFitTheScene)
-{
-  SceneDefinition scene = smallMixture();
-  scene.observe = {"mass_flow"};
-  RunAnalysis analysis;
-  analysis.take(sceneFrame(scene));
-  const auto refused = [&](const Observed& observed) {
-    return refusal([&] { analysis.take(ObservedFrame{0.5, {observed}}); });
+  EXPECT_THROW(analysis.result(), AnalysisError);
+  const auto expectRefused = [&](const AnyFrame& frame, const std::string& because)
+  {
+    try
+    {
+      analysis.take(frame);
+      FAIL() << because;
+    }
+    catch (const AnalysisError& error)
+    {
+      EXPECT_EQ(error.what(), because);
+    }
   };
-  const std::string begin = "a frame of observed at 0.5 s does not fit the scene: ";
-  const ObservedRow row{"left", "A", {}, {{"time", "s", {0.5}}, {"flow", "kg/s", {std::nullopt}}}};
-  EXPECT_EQ(refused({"../mass_flow", {row}}), begin + "it does not observe ../mass_flow");
-  EXPECT_EQ(refused({"height_profile", {row}}), begin + "it does not observe height_profile");
-  EXPECT_EQ(refused({"mass_flow", {{"left", "C", {}, {}}}}), begin + "it has no species C");
-  EXPECT_EQ(refused({"mass_flow", {{"above", "A", {}, {}}}}), begin + "it has no place above");
-  EXPECT_EQ(refused({"mass_flow", {row, {"left", "A", {}, {{"time", "s", {0.5}}}}}}),
-            begin + "columns of mass_flow differ in length");
-  EXPECT_EQ(refused({"mass_flow", {{"left", "A", {}, {{"time", "s", {}}, {"flow", "kg/s", {1.0}}}}}}),
-            begin + "columns of mass_flow differ in length");
-  EXPECT_EQ(refused({"mass_flow", {{"left", "A", {{"mean", "kg/s", std::nan("")}}, {}}}}),
-            "a frame of observed at 0.5 s holds a number that is not finite: value");
-  EXPECT_EQ(analysis.result().missing().back(), "observed");
-  analysis.take(ObservedFrame{0.5, {{"mass_flow", {row}}}});
-  EXPECT_EQ(analysis.result().observed.at(0).rows.at(0).table.size(), 2u);
-}
-
-TEST(RunAnalysis, RefusesASceneThatIsNone)
-{
-  RunAnalysis analysis;
-  SceneFrame frame;
-  frame.yaml = "species: 3";
-  EXPECT_THROW(analysis.take(frame), SceneError);
+  expectRefused(particlesAt(0.5, {}), "a frame of particles at 0.5 s comes before any scene");
+  analysis.take(sceneFrame(smallMixture()));
+  expectRefused(particlesAt(0.5, {diskAt(3, 2, 0.0)}),
+                "disk 3 at 0.5 s has species 2, and the scene 2 of them");
+  expectRefused(BinFrame{}, "a frame of bins with 0 species does not fit the scene, which has 2");
+  expectRefused(temperaturesAt(0.0, {1.0}),
+                "a frame of statistics with 1 species does not fit the scene, which has 2");
 }
 
 TEST(RunAnalysis, LeavesUndefinedWhatARunOfNothingDoesNotHave)

@@ -1,6 +1,7 @@
 """What the tests of the engine in Python share."""
 import locale
 import os
+import shutil
 import subprocess
 import warnings
 
@@ -18,6 +19,15 @@ duration: 1.0
 settle: 0.2
 seed: 7
 """
+
+
+def program(name):
+    """The program of this build; skips where it is none of the environment's."""
+    path = os.environ.get("RATCHET_SIEVE_PROGRAMS")
+    found = shutil.which(name, path=path) if path else None
+    if not found:
+        pytest.skip(f"{name}: RATCHET_SIEVE_PROGRAMS does not name where it is")
+    return found
 
 
 @pytest.fixture

@@ -6,7 +6,6 @@ import os
 import pathlib
 import pickle
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -19,17 +18,9 @@ import numpy as np
 import pytest
 
 import ratchet_sieve as rs
+from conftest import program
 
 OWN_TIME = ("wall_time",)
-
-
-def program(name):
-    """The program of this build; skips where it is none of the environment's."""
-    path = os.environ.get("RATCHET_SIEVE_PROGRAMS")
-    found = shutil.which(name, path=path) if path else None
-    if not found:
-        pytest.skip(f"{name}: RATCHET_SIEVE_PROGRAMS does not name where it is")
-    return found
 
 
 def summary_of(text):

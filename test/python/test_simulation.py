@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import ratchet_sieve as rs
-from ratchet_sieve import _engine
 
 NAMES = ("id", "species", "radius", "mass", "x", "y", "vx", "vy", "angle", "spin", "displacement")
 
@@ -121,14 +120,6 @@ def test_commands_are_checked_before_any_is_taken(layer):
         simulation.set_slew_rates(frequency=0.0)
 
 
-@pytest.mark.parametrize("duration", [-1.0, float("nan"), float("inf")])
-def test_an_impossible_duration_is_refused(layer, duration):
-    simulation = rs.Simulation(layer)
-    with pytest.raises(ValueError, match="duration"):
-        simulation.advance(duration)
-    assert simulation.time == 0.0
-
-
 def test_pour_takes_a_name_or_a_number(layer):
     simulation = rs.Simulation(layer)
     simulation.pour("B", 5)
@@ -198,18 +189,3 @@ def test_threads_of_python_run_meanwhile_and_cannot_interfere(scene):
             pass  # the other thread was first
     done.set()
     other.join()
-
-
-def test_many_at_once_have_the_bits_of_each_alone(layer):
-    scenes = [layer.replace(seed=seed) for seed in range(5)]
-    alone, together = [rs.Simulation(scene) for scene in scenes], [rs.Simulation(scene) for scene in scenes]
-    times = [0.1 * (k + 1) for k in range(5)]
-    for simulation, until in zip(alone, times):
-        simulation.advance_to(until)
-    for threads in (1, 3):
-        assert _engine.advance_many([each._engine for each in together], times, threads) == [False] * 5
-    assert all(np.array_equal(a.disks, b.disks) for a, b in zip(alone, together))
-    with pytest.raises(ValueError, match="one time for each"):
-        _engine.advance_many([together[0]._engine], [], 1)
-    with pytest.raises(ValueError, match="twice"):
-        _engine.advance_many([together[0]._engine] * 2, [1.0, 1.0], 1)

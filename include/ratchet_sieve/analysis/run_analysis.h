@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ratchet_sieve/analysis/displacement_distributions.h"
-#include "ratchet_sieve/analysis/displacement_tracker.h"
-#include "ratchet_sieve/analysis/thinned_series.h"
+#include "ratchet_sieve/analysis/displacements.h"
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/recording/frame_sink.h"
 
@@ -31,8 +29,8 @@ struct Drift
   std::vector<std::optional<double>> displacements;  ///< per species, mean [m]; nothing without disks
 };
 
-/// The result of a run, computed from its frames alone. Series are thinned (ThinnedSeries), except the bins,
-/// of which every change is kept.
+/// The result of a run, computed from its frames alone. Of a long series every 2^k-th sample is
+/// kept, and the last; of the bins every change.
 struct RunResult
 {
   SceneFrame scene_frame;
@@ -77,8 +75,6 @@ public:
 
 private:
   struct Run;
-  Run& runAt(const AnyFrame& frame);
-
   std::unique_ptr<Run> run_;
 };
 

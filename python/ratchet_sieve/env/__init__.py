@@ -9,9 +9,8 @@
 
 Where gymnasium is installed, they are derived from its classes. Documentation: docs/python_env.md.
 """
+from .environments import SieveEnv, SieveVectorEnv
 from .readings import Readings
-from .single import SieveEnv
 from .task import Task
-from .vector import SieveVectorEnv
 
 __all__ = ["Readings", "SieveEnv", "SieveVectorEnv", "Task"]

@@ -19,7 +19,7 @@ class Readings:
 
     time         (n,)            since the episode began [s]
     bins         (n, S, fields)  since the episode began, by BIN_FIELDS (left, right, on_base [disks], masses [kg])
-    departures   (n, S, fields)  the same of what left within the window; on_base is at its end
+    departures   (n, S, fields)  likewise, of what left within the window; on_base is at its end
     window       (n,)            the length of the window [s]; at the start of an episode it is shorter
     quality      (n,)            Q of the departures; 0 where it is undefined, see quality_defined
     processed    (n,)            P: departures over these and what is on the base; see processed_defined
@@ -28,8 +28,6 @@ class Readings:
     histogram    (n, S, cells)   numbers of disks in equal cells along the base, from the left
     base         (n, fields)     by BASE_FIELDS; see Simulation.base
     """
-
-    _TABLES = ("bins", "mean_vx", "mean_vx_defined", "histogram", "base")
 
     def __init__(self, species: list[str], count: int, cells: int, window_steps: int):
         self.species = species
@@ -64,9 +62,10 @@ class Readings:
         self._take(which, read)
 
     def _take(self, which: np.ndarray, read: Mapping[str, np.ndarray]) -> None:
-        self.time[which] = read["time"]
-        for name in self._TABLES:
+        for name in ("time", "bins", "histogram", "base"):
             getattr(self, name)[which] = read[name]
+        self.mean_vx_defined[which] = np.isfinite(read["mean_vx"])
+        self.mean_vx[which] = np.nan_to_num(read["mean_vx"])
         departures = read["bins"].copy()
         departures[..., _COUNTED] -= self._past_bins[which, self._oldest[which]][..., _COUNTED]
         self.departures[which] = departures

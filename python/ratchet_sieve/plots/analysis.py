@@ -1,29 +1,32 @@
 """Draws the tables that sieve_analyze wrote into a directory, and prints the paths of the pictures."""
-import math
-
 import matplotlib
+import numpy as np
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
 
 from ratchet_sieve.plots.curves import distribution, signed
 from ratchet_sieve.plots.observed import drawings_of_observed
 from ratchet_sieve.plots.program import parser_of, run_of, run_program, write
-from ratchet_sieve.plots.style import COLOURS, GREY, MM, UJ, any_defined, beside, panels, say_undefined
+from ratchet_sieve.plots.style import COLOURS, GREY, MM, UJ, any_defined, beside, describe, panels, say_undefined
 from ratchet_sieve.tables import Table
 
 FEWEST_DISKS = 5  # of which a distribution is drawn
+CONTACTS = {'disk_disk': 'disk-disk', 'left_slope': 'left slope', 'right_slope': 'right slope', 'apex': 'apex',
+            'wall': 'wall', 'level': 'level face'}
+
+
+def array(table, column, scale=1.0):
+    return np.array(table.numbers(column, scale))
 
 
 def plot_bins(axes, bins):
     for colour, (species, part) in zip(COLOURS, bins.by('species')):
-        time = part.numbers('time')
-        axes.step(time, part.numbers('left'), where='post', color=colour, linestyle='--', label=f'{species} left')
-        axes.step(time, part.numbers('right'), where='post', color=colour, label=f'{species} right')
-        axes.step(time, part.numbers('on_base'), where='post', color=colour, linestyle=':', linewidth=1.0,
-                  label=f'{species} on the base')
-    axes.set_ylabel('disks')
+        for place, label, options in (('left', 'left', {'linestyle': '--'}), ('right', 'right', {}),
+                                      ('on_base', 'on the base', {'linestyle': ':', 'linewidth': 1.0})):
+            axes.step(part.numbers('time'), part.numbers(place), where='post', color=colour, label=f'{species} {label}',
+                      **options)
     axes.set_ylim(bottom=0)
     axes.yaxis.set_major_locator(MaxNLocator(integer=True))
-    axes.set_title('Bins', loc='left')
+    describe(axes, 'Bins', 'disks')
     beside(axes)
 
 
@@ -37,8 +40,7 @@ def plot_segregation(axes, segregation):
     else:
         say_undefined(axes, 'undefined: no disk was counted')
     axes.set_ylim(-0.02, 1.05)
-    axes.set_ylabel('ratio')
-    axes.set_title('Segregation', loc='left')
+    describe(axes, 'Segregation', 'ratio')
 
 
 def plot_drive(axes, drive, quantity, label, colour, scale=1.0):
@@ -46,32 +48,19 @@ def plot_drive(axes, drive, quantity, label, colour, scale=1.0):
     axes.step(time, drive.numbers('commanded_' + quantity, scale), where='post', color=GREY, linestyle=':',
               linewidth=1.2, label='commanded')
     axes.plot(time, applied, color=colour, label='applied')
-    axes.set_ylabel(label)
-    axes.set_title(quantity.capitalize(), loc='left')
+    describe(axes, quantity.capitalize(), label)
     if applied and max(applied) - min(applied) < 1e-9:
         margin = max(0.1 * abs(applied[0]), 0.01)
         axes.set_ylim(applied[0] - margin, applied[0] + margin)
     beside(axes)
 
 
-def plot_whole_drive(three_axes, drive):
-    plot_drive(three_axes[0], drive, 'inclination', r'$\theta$ [rad]', COLOURS[4])
-    plot_drive(three_axes[1], drive, 'frequency', '$f$ [Hz]', COLOURS[5])
-    plot_drive(three_axes[2], drive, 'amplitude', '$A$ [mm]', COLOURS[3], MM)
-    three_axes[2].set_xlabel('time [s]')
-
-
 def plot_drift(axes, drift):
     for colour, (species, part) in zip(COLOURS, drift.by('species')):
         axes.plot(part.numbers('time'), part.numbers('displacement', MM), color=colour, label=species)
     signed(axes)
-    axes.set_ylabel('displacement [mm]')
-    axes.set_title('Drift: mean displacement of the disks since each entered', loc='left')
+    describe(axes, 'Drift: mean displacement of the disks since each entered', 'displacement [mm]')
     beside(axes)
-
-
-CONTACTS = {'disk_disk': 'disk-disk', 'left_slope': 'left slope', 'right_slope': 'right slope', 'apex': 'apex',
-            'wall': 'wall', 'level': 'level face'}
 
 
 def scale_by_decades(axes):
@@ -83,23 +72,22 @@ def scale_by_decades(axes):
 
 def positive(values):
     """Values of 0 and below, which a logarithmic scale cannot show, become NaN."""
-    return [value if value > 0.0 else math.nan for value in values]
+    return np.where(values > 0.0, values, np.nan)
 
 
 def plot_contacts(axes, contacts):
     """Each kind's rate, from the end of the first window on."""
-    windows = zip(contacts.numbers('window_start'), contacts.numbers('window_end'))
-    contacts = Table(contacts.path, contacts.frame.iloc[[k for k, (start, end) in enumerate(windows) if end > start]])
+    end = array(contacts, 'window_end')
+    windows = end > array(contacts, 'window_start')
     for colour, (kind, label) in zip(COLOURS, CONTACTS.items()):
-        rates = positive(contacts.numbers(kind + '_rate'))
+        rates = positive(array(contacts, kind + '_rate')[windows])
         if any_defined(rates):
-            axes.plot(contacts.numbers('window_end'), rates, color=colour, linewidth=1.0, label=label)
+            axes.plot(end[windows], rates, color=colour, linewidth=1.0, label=label)
     if axes.lines:
         scale_by_decades(axes)
     else:
         say_undefined(axes, 'no contact was recorded')
-    axes.set_ylabel('contacts [1/s]')
-    axes.set_title('Contacts', loc='left')
+    describe(axes, 'Contacts', 'contacts [1/s]')
     beside(axes)
 
 
@@ -113,7 +101,11 @@ def draw_result(directory):
     else:
         plot_drift(axes[0], Table(directory / 'drift.csv'))
         plot_contacts(axes[1], Table(directory / 'contacts.csv'))
-    plot_whole_drive(axes[2:], Table(directory / 'drive.csv'))
+    drive = Table(directory / 'drive.csv')
+    plot_drive(axes[2], drive, 'inclination', r'$\theta$ [rad]', COLOURS[4])
+    plot_drive(axes[3], drive, 'frequency', '$f$ [Hz]', COLOURS[5])
+    plot_drive(axes[4], drive, 'amplitude', '$A$ [mm]', COLOURS[3], MM)
+    axes[4].set_xlabel('time [s]')
     figure.subplots_adjust(hspace=0.45)
     return figure
 
@@ -125,10 +117,9 @@ def disks_can_leave(directory):
 
 def draw_displacements(directory):
     table = Table(directory / 'displacements.csv')
-    names = table.values('species')
+    names, times = table.values('species'), table.values('time')
     figure, axes = panels(max(len(names), 1), 1, (6.5, 1.2 + 2.3 * max(len(names), 1)), None, sharex=True,
                           squeeze=False)
-    times = table.values('time')
     shades = matplotlib.colormaps['viridis_r']
     for row, species in zip(axes[:, 0], names):
         part = table.where('species', species)
@@ -141,9 +132,8 @@ def draw_displacements(directory):
             distribution(row, edges, histogram.numbers('density', 1.0 / MM), label=f'{float(time):g} s ({disks})',
                          color=shades(0.15 + 0.8 * index / max(len(times) - 1, 1)))
         row.axvline(0.0, color=GREY, linewidth=0.8)
-        row.set_ylabel('density [1/mm]')
         row.set_ylim(bottom=0.0)
-        row.set_title(f'Species {species}', loc='left')
+        describe(row, f'Species {species}', 'density [1/mm]')
         if row.get_legend_handles_labels()[0]:
             beside(row, title='after (disks)')
         else:
@@ -158,81 +148,68 @@ def draw_velocities(directory):
     statistics, finals = Table(directory / 'statistics.csv'), Table(directory / 'velocities.csv')
     figure, (axes, bars) = panels(1, 2, (7.5, 3.2), None, sharey=True, gridspec_kw={'width_ratios': (3, 1.2)})
     names = finals.values('species')
-    for colour, name in zip(COLOURS, names):
+    settled = []
+    for colour, name, final, final_error in zip(COLOURS, names, finals.numbers('mean_vx', MM),
+                                                finals.numbers('mean_vx_stderr', MM)):
         part = statistics.where('species', name)
-        time, mean = part.numbers('time'), part.numbers('mean_vx', MM)
-        error = [0.0 if math.isnan(e) else e for e in part.numbers('mean_vx_stderr', MM)]
-        axes.plot(time, mean, color=colour, label=name)
-        axes.fill_between(time, [m - e for m, e in zip(mean, error)], [m + e for m, e in zip(mean, error)],
-                          color=colour, alpha=0.25, linewidth=0)
-        final, final_error = whole_run(finals, name)
-        if not math.isnan(final):
-            bars.errorbar([name], [final], yerr=[0.0 if math.isnan(final_error) else final_error],
-                          color=colour, marker='o', markersize=5, capsize=4)
-    settled = [m for name in names for m in
-               steady(statistics.where('species', name).numbers('mean_vx', MM)) + reach(*whole_run(finals, name))]
+        mean, error = array(part, 'mean_vx', MM), np.nan_to_num(array(part, 'mean_vx_stderr', MM))
+        axes.plot(part.numbers('time'), mean, color=colour, label=name)
+        axes.fill_between(part.numbers('time'), mean - error, mean + error, color=colour, alpha=0.25, linewidth=0)
+        if not np.isnan(final):
+            bars.errorbar([name], [final], yerr=[np.nan_to_num(final_error)], color=colour, marker='o', markersize=5,
+                          capsize=4)
+        settled += [*steady(mean), *defined(np.array([final - final_error, final + final_error]))]
     if settled:
         margin = 0.15 * (max(settled) - min(settled)) + 1.0
         axes.set_ylim(min(settled + [0.0]) - margin, max(settled + [0.0]) + margin)
     for part in (axes, bars):
         signed(part)
-    axes.set_ylabel(r'$\langle V_x \rangle$ [mm/s]')
-    axes.set_xlabel('time [s]')
-    axes.set_title('Mean velocity up to a time', loc='left')
-    axes.legend(loc='lower right', bbox_to_anchor=(1.0, 1.01), borderaxespad=0.0, ncol=max(len(names), 1))
+    describe(axes, 'Mean velocity up to a time', r'$\langle V_x \rangle$ [mm/s]', 'time [s]')
+    if names:
+        axes.legend(loc='lower right', bbox_to_anchor=(1.0, 1.01), borderaxespad=0.0, ncol=len(names))
     bars.set_xlabel('species')
     bars.set_title('Whole run', loc='left')
     bars.margins(x=0.5)
     return figure
 
 
+def defined(values):
+    return values[~np.isnan(values)]
+
+
 def steady(values):
     """Without the first twentieth, in which a mean over a short time fluctuates."""
-    defined = [value for value in values if not math.isnan(value)]
-    return defined[len(defined) // 20:]
-
-
-def whole_run(finals, species):
-    """Mean velocity of a species and its error [mm/s]."""
-    part = finals.where('species', species)
-    return part.numbers('mean_vx', MM)[0], part.numbers('mean_vx_stderr', MM)[0]
-
-
-def reach(mean, error):
-    """The ends of an error bar, if there is one."""
-    return [value for value in (mean - error, mean + error) if not math.isnan(value)]
+    return defined(values)[len(defined(values)) // 20:]
 
 
 def draw_temperature(directory):
     statistics = Table(directory / 'statistics.csv')
     figure, axes = panels(1, 1, (6.5, 3.0), None)
     for colour, (species, part) in zip(COLOURS, statistics.by('species')):
-        axes.plot(part.numbers('window_end'), positive(part.numbers('granular_temperature', UJ)), color=colour,
+        axes.plot(part.numbers('window_end'), positive(array(part, 'granular_temperature', UJ)), color=colour,
                   linewidth=1.0, label=species)
     scale_by_decades(axes)
-    axes.set_ylabel(r'$\frac{1}{2} m \langle |v - \langle v \rangle|^2 \rangle$ [µJ]')
-    axes.set_xlabel('time [s]')
-    axes.set_title('Granular temperature, over whole periods of the drive', loc='left')
+    describe(axes, 'Granular temperature, over whole periods of the drive',
+             r'$\frac{1}{2} m \langle |v - \langle v \rangle|^2 \rangle$ [µJ]', 'time [s]')
     beside(axes)
     return figure
 
 
 def draw_contacts(directory):
     contacts = Table(directory / 'contacts.csv')
-    time, ratio = contacts.numbers('time'), contacts.numbers('short_to_long')
+    ratio = array(contacts, 'short_to_long')
     figure, (rates, ratios) = panels(2, 1, (6.5, 4.8), None, sharex=True, gridspec_kw={'height_ratios': (2, 1)})
     plot_contacts(rates, contacts)
     rates.set_title('Contacts, over whole periods of the drive', loc='left')
     if any_defined(ratio):
-        ratios.plot(time, ratio, color='black')
+        ratios.plot(contacts.numbers('time'), ratio, color='black')
         settled = steady(ratio)
         margin = 0.5 * (max(settled) - min(settled)) + 0.05
         ratios.set_ylim(max(0.0, min(settled) - margin), max(settled) + margin)
     else:
         say_undefined(ratios, 'undefined: no contact with the longer slope')
-    ratios.set_ylabel('short / long')
-    ratios.set_xlabel('time [s]')
-    ratios.set_title('Contacts with the shorter over those with the longer slope, up to a time', loc='left')
+    describe(ratios, 'Contacts with the shorter over those with the longer slope, up to a time', 'short / long',
+             'time [s]')
     return figure
 
 

@@ -1,6 +1,5 @@
 """A machine at an instant, to scale, and the ways of its disks."""
-import math
-
+import numpy as np
 from matplotlib.collections import PatchCollection
 from matplotlib.patches import Circle
 
@@ -31,19 +30,19 @@ def machine(axes, base, disks, inclination=None, displacement=(0.0, 0.0), specie
     bottom = min(n for _, n in corners) - DEPTH * corners[-1][0] / base["teeth"]
     closed = in_world([*corners, (corners[-1][0], bottom), (0.0, bottom)], theta, displacement)
     axes.fill([MM * x for x, _ in closed], [MM * y for _, y in closed], facecolor=TEETH, edgecolor=GREY, linewidth=0.6)
-    kinds = [str(kind) for kind in disks["species"]]
-    columns = [[float(value) for value in disks[name]] for name in ("x", "y", "radius")]
+    kinds = np.array([str(kind) for kind in disks["species"]], dtype=str)
+    xs, ys, radii = (np.array(disks[name], dtype=float) for name in ("x", "y", "radius"))
     for colour, kind in zip(COLOURS, species or dict.fromkeys(kinds)):
-        own = [k for k, other in enumerate(kinds) if other == kind]
-        xs, ys, radii = ([column[k] for k in own] for column in columns)
-        detailed = bool(own) and max(radii) > DETAILED * corners[-1][0]
-        circles(axes, xs, ys, radii, facecolor=colour, edgecolor="white", linewidth=0.3 if detailed else 0.0)
+        own = kinds == kind
+        detailed = own.any() and radii[own].max() > DETAILED * corners[-1][0]
+        circles(axes, xs[own], ys[own], radii[own], facecolor=colour, edgecolor="white",
+                linewidth=0.3 if detailed else 0.0)
         axes.plot([], [], "o", color=colour, label=kind)
         if detailed and "angle" in columns_of(disks):
-            angles = list(disks["angle"])
-            dots = [(x + DOT[0] * r * math.cos(angles[k]), y + DOT[0] * r * math.sin(angles[k]))
-                    for x, y, r, k in zip(xs, ys, radii, own)]
-            circles(axes, *zip(*dots), [DOT[1] * r for r in radii], facecolor="white", linewidth=0.0)
+            angles = np.array(disks["angle"], dtype=float)[own]
+            away = DOT[0] * radii[own]
+            circles(axes, xs[own] + away * np.cos(angles), ys[own] + away * np.sin(angles), DOT[1] * radii[own],
+                    facecolor="white", linewidth=0.0)
     axes.set_aspect("equal", adjustable="datalim")
     axes.autoscale_view()
     axes.grid(False)
@@ -60,11 +59,9 @@ def trajectories(axes, tracks, period=None):
     """The ways of disks, in mm. @param tracks pairs (xs, ys) [m]
     @param period of the base [m]: a way that leaves it at one end goes on at the other; None: it has ends"""
     for k, (xs, ys) in enumerate(tracks):
-        way = []
-        for x, y in zip(xs, ys):
-            if way and period is not None and abs(MM * x - way[-1][0]) > 0.5 * MM * period:
-                way.append((math.nan, math.nan))
-            way.append((MM * x, MM * y))
-        axes.plot(*zip(*way), color=COLOURS[k % len(COLOURS)], linewidth=0.8)
+        xs, ys = MM * np.array(xs, dtype=float), MM * np.array(ys, dtype=float)
+        jumps = [] if period is None else np.flatnonzero(np.abs(np.diff(xs)) > 0.5 * MM * period) + 1
+        axes.plot(np.insert(xs, jumps, np.nan), np.insert(ys, jumps, np.nan), color=COLOURS[k % len(COLOURS)],
+                  linewidth=0.8)
     axes.set_xlabel("$x$ [mm]")
     axes.set_ylabel("$y$ [mm]")

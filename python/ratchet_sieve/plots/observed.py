@@ -2,15 +2,17 @@
 import math
 
 import matplotlib
+import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from ratchet_sieve.plots.curves import signed
-from ratchet_sieve.plots.style import COLOURS, MM, UJ, any_defined, beside, panels, say_undefined
+from ratchet_sieve.plots.style import COLOURS, MM, UJ, any_defined, beside, describe, panels, say_undefined
 from ratchet_sieve.tables import Table
 
 G = 1e3  # per kg
 PLACES = {'left': '--', 'right': '-'}  # their lines
 FEWEST_TIMES = 20  # of which a distribution is drawn
+FLOW_POINTS = 40   # of a curve of the mass flow
 
 
 def parts(table):
@@ -29,9 +31,8 @@ def draw_residence_times(directory):
         edges, counts = part.numbers('from') + part.numbers('to')[-1:], part.numbers('count')
         if sum(counts) >= FEWEST_TIMES:
             edges, counts = coarser(edges, counts)
-            density = [count / sum(counts) / math.log(to / begin)
-                       for count, begin, to in zip(counts, edges, edges[1:])]
-            axes.step(edges[:1] + edges, [0.0, *density, 0.0], where='post', color=colour, linestyle=line,
+            density = counts / sum(counts) / np.diff(np.log(edges))
+            axes.step([edges[0], *edges], [0.0, *density, 0.0], where='post', color=colour, linestyle=line,
                       label=f'{label} ({sum(counts):.0f})')
     if axes.lines:
         axes.set_xscale('log')
@@ -40,40 +41,32 @@ def draw_residence_times(directory):
     else:
         say_undefined(axes, 'too few disks left')
     axes.set_ylim(bottom=0.0)
-    axes.set_ylabel(r'density over $\ln t$')
-    axes.set_xlabel('time in the machine [s]')
-    axes.set_title('Residence times of the disks that left', loc='left')
+    describe(axes, 'Residence times of the disks that left', r'density over $\ln t$', 'time in the machine [s]')
     return figure
 
 
 def coarser(edges, counts):
     """Neighbouring bins together, until there are about sqrt(n) / 2 of them; the last is the widest."""
     together = max(1, math.ceil(2.0 * len(counts) / math.sqrt(sum(counts))))
-    starts = [*range(0, max(len(counts) - together, 0) + 1, together), len(counts)]
-    return [edges[k] for k in starts], [sum(counts[k:end]) for k, end in zip(starts, starts[1:])]
+    starts = [*range(0, max(len(counts) - together, 0) + 1, together)]
+    return [*(edges[k] for k in starts), edges[-1]], np.add.reduceat(counts, starts)
 
 
 def draw_mass_flow(directory):
+    """Means of consecutive blocks of equal length, at their ends."""
     figure, axes = panels(1, 1, (6.5, 3.4), None)
     for colour, line, label, part in parts(Table(directory / 'mass_flow.csv')):
-        time, flow = smoothed(part.numbers('time'), part.numbers('flow', G))
-        axes.plot(time, flow, color=colour, linestyle=line, label=label)
+        together = math.ceil(len(part) / FLOW_POINTS)
+        blocks = len(part) // together
+        flow = np.reshape(part.numbers('flow', G)[:blocks * together], (blocks, together)).mean(axis=1)
+        axes.plot(part.numbers('time')[together - 1::together], flow, color=colour, linestyle=line, label=label)
     if axes.lines:
         beside(axes)
     else:
         say_undefined(axes, 'no disk can have left')
     axes.set_ylim(bottom=0.0)
-    axes.set_ylabel('mass per time [g/s]')
-    axes.set_xlabel('time [s]')
-    axes.set_title('Mass flow into the bins', loc='left')
+    describe(axes, 'Mass flow into the bins', 'mass per time [g/s]', 'time [s]')
     return figure
-
-
-def smoothed(time, flow, points=40):
-    """Means of consecutive blocks, at their ends; blocks are of equal length."""
-    together = max(1, math.ceil(len(time) / points))
-    ends = range(together, len(time) + 1, together)
-    return [time[end - 1] for end in ends], [sum(flow[end - together:end]) / together for end in ends]
 
 
 PROFILES = {'number_density': ('disks [1/cm²]', 1e-4), 'velocity_along': ('velocity along [mm/s]', MM),
@@ -96,9 +89,9 @@ def draw_height_profile(directory):
     for each, (label, _) in zip(axes, PROFILES.values()):
         each.set_xlabel(label)
         each.xaxis.set_major_locator(MaxNLocator(3))
-    axes[0].set_ylabel('height above the base [mm]')
     axes[0].set_ylim(bottom=0.0)
     axes[0].set_title('Means over time, by height', loc='left')
+    axes[0].set_ylabel('height above the base [mm]')
     if axes[0].lines:
         beside(axes[-1], title=None if len(phases) < 2 else f'parts of {2.0 / len(phases):.2g} π from')
     else:
@@ -108,14 +101,14 @@ def draw_height_profile(directory):
 
 
 def plot_profile(axes, part, colour, line, label):
-    heights = [(low + high) / 2.0 for low, high in zip(part.numbers('from', MM), part.numbers('to', MM))]
-    density = part.numbers('number_density')
+    heights = np.mean([part.numbers('from', MM), part.numbers('to', MM)], axis=0)
+    density = np.array(part.numbers('number_density'))
     if not any_defined(density):
         return
     for each, (column, (_, scale)) in zip(axes, PROFILES.items()):
-        values = part.numbers(column, scale)
+        values = np.array(part.numbers(column, scale))
         if column != 'number_density':
-            values = [value if disks >= DENSE * max(density) else math.nan for value, disks in zip(values, density)]
+            values = np.where(density >= DENSE * max(density), values, np.nan)
         each.plot(values, heights, color=colour, linestyle=line, label=label)
 
 
@@ -129,20 +122,16 @@ def draw_size_classes(directory):
     names = table.values('species')
     figure, axes = panels(2, max(len(names), 1), (2.5 + 3.0 * len(names), 4.4), None, squeeze=False, sharex='col')
     for column, (colour, (species, part)) in enumerate(zip(COLOURS, table.by('species'))):
-        edges = part.numbers('radius_from', MM) + part.numbers('radius_to', MM)[-1:]
-        widths = [to - begin for begin, to in zip(edges, edges[1:])]
+        edges = np.array(part.numbers('radius_from', MM) + part.numbers('radius_to', MM)[-1:])
         shares, velocities = axes[0, column], axes[1, column]
-        counts = [part.numbers(key) for key in ('left', 'right', 'on_base')]
-        below = [0.0] * len(widths)
-        for numbers, shade, label in zip(counts, (0.0, 0.45, 0.8), ('left', 'right', 'on the base')):
-            shares.bar(edges[:-1], numbers, widths, bottom=below, align='edge', color=paler(colour, shade),
-                       edgecolor='white', linewidth=0.8, label=label)
-            below = [a + b for a, b in zip(below, numbers)]
+        below = np.zeros(len(part))
+        for key, shade, label in (('left', 0.0, 'left'), ('right', 0.45, 'right'), ('on_base', 0.8, 'on the base')):
+            shares.bar(edges[:-1], part.numbers(key), np.diff(edges), bottom=below, align='edge',
+                       color=paler(colour, shade), edgecolor='white', linewidth=0.8, label=label)
+            below = below + part.numbers(key)
         shares.set_title(f'Species {species}', loc='left')
-        middles = [(begin + to) / 2.0 for begin, to in zip(edges, edges[1:])]
-        errors = [0.0 if math.isnan(error) else error for error in part.numbers('mean_vx_stderr', MM)]
-        velocities.errorbar(middles, part.numbers('mean_vx', MM), yerr=errors, color=colour, marker='o', markersize=4,
-                            capsize=3)
+        velocities.errorbar((edges[:-1] + edges[1:]) / 2.0, part.numbers('mean_vx', MM), color=colour, marker='o',
+                            yerr=np.nan_to_num(part.numbers('mean_vx_stderr', MM)), markersize=4, capsize=3)
         signed(velocities)
         velocities.set_xlabel('radius [mm]')
         shares.legend(loc='lower right', bbox_to_anchor=(1.0, 1.08), ncol=3, borderaxespad=0.0, columnspacing=0.8,

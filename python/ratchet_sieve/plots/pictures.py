@@ -1,8 +1,11 @@
 """Pictures of a Run."""
+import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 
 from ratchet_sieve.plots.machine import machine
 from ratchet_sieve.plots.style import DPI, drawing, legend_above, panels, styled
+from ratchet_sieve.values import Values
 
 SIZE = (8.0, 3.2)  # of a machine's picture [inch]
 
@@ -49,3 +52,14 @@ def animation_of(run, speed):
 
     period = 1000.0 * float(run.frames.time[-1] - run.frames.time[0]) / max(len(run.frames) - 1, 1)
     return FuncAnimation(figure, show, frames=len(run.frames), interval=period / speed)
+
+
+def pixels_of(simulation):
+    """The machine at its time: an array (height, width, 3) of uint8."""
+    figure = Figure(figsize=(8.0, 4.0), dpi=100)
+    canvas = FigureCanvasAgg(figure)
+    axes = figure.subplots()
+    draw(Values(frames=(), simulation=simulation, scene=simulation.scene), -1, axes)
+    axes.set_title(f"{simulation.time:.3f} s")
+    canvas.draw()
+    return np.asarray(canvas.buffer_rgba())[..., :3].copy()

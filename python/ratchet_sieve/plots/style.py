@@ -80,6 +80,14 @@ def any_defined(values):
     return any(not math.isnan(value) for value in values)
 
 
+def describe(axes, title, y, x=None):
+    """A title at the left, and what the axes show."""
+    axes.set_title(title, loc="left")
+    axes.set_ylabel(y)
+    if x is not None:
+        axes.set_xlabel(x)
+
+
 def say_undefined(axes, text):
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
 

@@ -3,11 +3,13 @@ import assert from 'node:assert/strict';
 import {describe, it} from 'node:test';
 import {baseAt, heightAbove} from './support/base.js';
 import {RUNS, factsOf, openStill} from './support/pages.js';
-import {useBrowser} from './support/session.js';
+import {useBrowser} from './support/browser.js';
 
 const SAME_TIME = 1e-9;     // s
 const FINE_ENOUGH = 0.05;   // the page's resolution over the smallest radius
 const ROUNDING = 1 + 1e-6;  // of positions on the edge of the resolution
+const TURN = 2 * Math.PI;
+const SAME_ANGLE = 0.51 * TURN / 256;
 
 /// As one text: of 10^4 objects Firefox's protocol takes seconds.
 async function disksAt(page, time)
@@ -40,6 +42,8 @@ function assertSameDisks(drawn, recorded, resolution, species)
     for (const field of ['x', 'y', 'radius'])
       assert.ok(Math.abs(disk[field] - expected[field]) <= resolution * ROUNDING,
         `${field} of disk ${disk.id}: ${disk[field]} for ${expected[field]}, resolution ${resolution}`);
+    const turned = Math.abs(disk.angle - expected.angle) / TURN;
+    assert.ok(Math.abs(turned - Math.round(turned)) * TURN <= SAME_ANGLE, `angle of disk ${disk.id}`);
     assert.ok([expected.species, species[expected.species]].includes(disk.species), `species of disk ${disk.id}`);
   }
 }

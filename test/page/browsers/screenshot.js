@@ -1,12 +1,11 @@
 // A picture of the upper part of a page. Usage: screenshot.js [OPTION...] PAGE OUT.png
-//   --browser NAME  chromium (the default) or firefox
 //   --dark          as for a user who prefers it
 //   --time SECONDS  the time that the machine shows; without it, the middle of the run
 //   --follow ID     the disk that is followed, zoomed onto
 //   --width PX, --height PX  of the picture (default: 1200, 900)
 import path from 'node:path';
 import {parseArgs} from 'node:util';
-import {launch} from './support/browser.js';
+import {chromium} from './support/browser.js';
 import {WIDE, drawn, openFile} from './support/pages.js';
 
 const ZOOM = 8;  // presses of + onto a followed disk
@@ -31,7 +30,6 @@ async function show(page, {time, follow})
 
 const {values: options, positionals: [file, out]} = parseArgs({
   options: {
-    browser: {type: 'string', default: 'chromium'},
     dark: {type: 'boolean', default: false},
     time: {type: 'string'},
     follow: {type: 'string'},
@@ -40,7 +38,7 @@ const {values: options, positionals: [file, out]} = parseArgs({
   },
   allowPositionals: true,
 });
-const browser = await launch(options.browser, {dark: options.dark});
+const browser = await chromium({dark: options.dark});
 try {
   const viewport = {width: Number(options.width), height: Number(options.height)};
   const {page, seen} = await openFile(browser, path.resolve(file), viewport);

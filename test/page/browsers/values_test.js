@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {describe, it} from 'node:test';
 import {HOSTILE, RUNS, factsOf, openStill, seek} from './support/pages.js';
-import {useBrowser} from './support/session.js';
+import {useBrowser} from './support/browser.js';
 
 const UNDEFINED = 'undefined';
 
@@ -46,22 +46,6 @@ describe('Q and P', () => {
       }
       await page.close();
     });
-
-  it('are both undefined and defined in the demo, and follow the slider', async () => {
-    const facts = factsOf('demo');
-    const {page} = await openStill(browser(), 'demo');
-    await page.keyboard.press('Home');
-    assert.equal(await textOf(page, 'quality'), UNDEFINED);
-    await page.$eval('#time', slider => {
-      slider.value = slider.max;
-      slider.dispatchEvent(new Event('input', {bubbles: true}));
-    });
-    await seek(page, await page.evaluate(() => window.ratchetSieve.time));
-    const last = facts.bins.at(-1);
-    assert.ok(last.quality > 0.5);
-    assertShown(await textOf(page, 'quality'), last.quality, 'Q at the end');
-    await page.close();
-  });
 });
 
 describe('where a page comes from', () => {

@@ -1,3 +1,6 @@
+const MOST_PASSES = 20;  // in which a disk is moved out of a groove
+const CLEAR = 1e-4;      // an overlap that is none [radii]
+
 /** The base: its motion, and what keeps disks above it. World frame: x to the right, y upwards [m]. */
 class Base {
   /** @param {Object} machine @param {Object} drive series of its states */
@@ -77,29 +80,6 @@ class Base {
     return this.machine.boundary === 'periodic';
   }
 
-  /**
-   * The height at which a disk over s rests on the highest face or corner below it.
-   * @param {number} s along the base [m] @param {number} radius [m]
-   */
-  restingHeight(s, radius) {
-    let height = -Infinity;
-    this.forEachFace(s, radius, (a, b) => {
-      const ds = b[0] - a[0];
-      const dn = b[1] - a[1];
-      const length = Math.hypot(ds, dn);
-      if (ds > 0) {
-        const along = ((s - a[0]) * length + radius * dn) / ds;
-        if (along >= 0 && along <= length) height = Math.max(height, a[1] + (along * dn + radius * ds) / length);
-      }
-      for (const corner of [a, b]) {
-        const distance = s - corner[0];
-        if (Math.abs(distance) <= radius)
-          height = Math.max(height, corner[1] + Math.sqrt(radius * radius - distance * distance));
-      }
-    });
-    return height;
-  }
-
   /** Calls back with both ends of each face that a disk over s can reach. */
   forEachFace(s, radius, action) {
     const tooth = this.machine.tooth;
@@ -118,17 +98,23 @@ class Base {
 
   /** The height of the outline over s; -Infinity beyond its ends. */
   surface(s) {
-    return this.restingHeight(s, 0);
+    let height = -Infinity;
+    this.forEachFace(s, 0, (a, b) => {
+      if (a[0] < b[0] && a[0] <= s && s <= b[0])
+        height = Math.max(height, a[1] + (b[1] - a[1]) * (s - a[0]) / (b[0] - a[0]));
+    });
+    return height;
   }
 
   /**
-   * The place nearest to (s, n) at which a disk does not overlap the base: moved away from the faces and corners
-   * that it overlaps, or lifted where its centre lies below the surface.
+   * The place nearest to (s, n) at which a disk does not overlap the base: lifted onto it where its centre lies below the
+   * surface, and moved away from the faces and corners that it overlaps, from the deepest first.
    */
   cleared(s, n, radius) {
     if (n - radius > this.highest) return [s, n];
-    if (n < this.surface(s)) n = this.restingHeight(s, radius);
-    for (let pass = 0; pass < 3; ++pass) {
+    const surface = this.surface(s);
+    if (n <= surface) n = surface + radius;
+    for (let pass = 0; pass < MOST_PASSES; ++pass) {
       let deepest = radius;
       let away = null;
       this.forEachFace(s, radius, (a, b) => {
@@ -143,10 +129,10 @@ class Base {
           away = [fromS / distance, fromN / distance];
         }
       });
-      if (!away) return [s, n];
+      if (!away || deepest > radius * (1 - CLEAR)) break;
       s += (radius - deepest) * away[0];
       n += (radius - deepest) * away[1];
     }
-    return [s, Math.max(n, this.restingHeight(s, radius))];
+    return [s, n];
   }
 }

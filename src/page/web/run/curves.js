@@ -11,10 +11,10 @@ class Curves {
     this.x = {name: 'time', label: 'time [s]', scale: {range: () => [times[0], this.end]},
       series: {value: (u, v) => seconds(u.cursor.left >= 0 && v !== null ? v : timeNow())}};
     const common = {sync: 'time', onClick, mark: timeNow};
-    this.charts = this.all().map((chart) => addChart(parent, {x: this.x, ...chart}, common));
+    this.charts = this.shown().map((chart) => addChart(parent, {x: this.x, ...chart}, common));
   }
 
-  all() {
+  shown() {
     const charts = [];
     if (this.hasBins) charts.push(this.qualities(), this.counts(), this.shares('purity'),
       this.shares('recovery'));
@@ -101,15 +101,8 @@ class Curves {
       }));
   }
 
-  redraw() {
-    for (const chart of this.charts) chart.redraw();
-  }
-
-  rebuild() {
-    for (const chart of this.charts) chart.rebuild();
-  }
-
-  resize() {
-    for (const chart of this.charts) chart.resize();
+  /** @param {string} what redraw, rebuild or resize */
+  all(what) {
+    for (const chart of this.charts) chart[what]();
   }
 }

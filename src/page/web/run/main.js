@@ -2,14 +2,34 @@ const ZOOM_STEP = 1.4;
 const DRAG = 4;             // pixels that make a press a drag
 const CURVES_PERIOD = 100;  // of the mark in the curves while the run plays [ms]
 
+/** The bytes of an element's base64. */
+function bytesOf(id) {
+  const text = atob(byId(id).textContent.trim());
+  const bytes = new Uint8Array(text.length);
+  for (let k = 0; k < text.length; ++k) bytes[k] = text.charCodeAt(k);
+  return bytes;
+}
+
+async function inflated(bytes) {
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** The page's data. @return {Promise<{run: Object, series: Object, motion: Uint8Array}>} */
+async function readData() {
+  const run = JSON.parse(byId('data').textContent);
+  const series = JSON.parse(new TextDecoder().decode(await inflated(bytesOf('series'))));
+  return {run, series, motion: await inflated(bytesOf('motion'))};
+}
+
 /** A run's page: its parts, and how they answer to the user. */
 class RunPage {
   constructor({run, series, motion}) {
     this.base = new Base(run.machine, series.drive);
     this.motion = new Motion(run.motion, motion, this.base,
       [run.results.start_time, run.results.simulated_time]);
-    this.bins = new BinSeries(series.bins);
-    new Report(run, this.motion.times, this.bins.areUsed(run.machine.boundary)).show();
+    this.bins = new BinSeries(series.bins, run.machine.boundary);
+    new Report(run, this.motion.times, this.bins.areUsed).show();
     byId('content').hidden = false;
     if (run.motion.frames) byId('motion-note').textContent = `Between the ${this.motion.times.length} frames shown, disks fly on parabolas that fit ` +
       'the recorded positions and velocities. Where a disk met others in between, its path is one of several possible ones.';
@@ -20,19 +40,19 @@ class RunPage {
     this.player = new Player(this.motion.times, (time) => this.show(time));
     this.player.onChange = () => this.showPlayer();
     this.curves = new Curves(byId('curves'), run, series, this.motion.times,
-      this.picture.hasBins, (time) => this.player.seek(time), () => this.player.time);
+      this.bins.areUsed, (time) => this.player.seek(time), () => this.player.time);
     this.curvesDrawn = 0;
     this.connectControls();
     this.connectCanvas();
     document.addEventListener('keydown', (event) => this.onKey(event));
     onThemeChange(() => {
-      this.curves.rebuild();
+      this.curves.all('rebuild');
       this.show(this.player.time);
     });
     addEventListener('beforeprint', () => { byId('scene-details').open = true; });
     new ResizeObserver(() => {
       this.picture.resize();
-      this.curves.resize();
+      this.curves.all('resize');
       this.show(this.player.time);
     }).observe(byId('content'));
     this.showPlayer();
@@ -45,7 +65,7 @@ class RunPage {
     byId('time').value = String(time);
     const now = performance.now();
     if (!this.player.playing || now - this.curvesDrawn > CURVES_PERIOD) {
-      this.curves.redraw();
+      this.curves.all('redraw');
       this.curvesDrawn = now;
     }
     if (!this.player.playing) byId('machine').setAttribute('aria-label', this.readings.sentence(time));
@@ -139,12 +159,11 @@ class RunPage {
   }
 
   onKey(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
     const at = event.target;
     const writes = at.matches('select, textarea, input:not([type=range])');
     if (writes || (event.key === ' ' && at.matches('button, summary'))) return;
     const {player} = this;
-    const actions = {
+    answerKey(event, {
       ' ': () => player.toggle(),
       ArrowLeft: () => player.stepFrames(-1),
       ArrowRight: () => player.stepFrames(1),
@@ -157,10 +176,7 @@ class RunPage {
       '-': () => this.zoomBy(1 / ZOOM_STEP),
       '0': () => this.showWhole(),
       Escape: () => this.follow(null),
-    };
-    if (!Object.hasOwn(actions, event.key)) return;
-    event.preventDefault();
-    actions[event.key]();
+    });
   }
 }
 
@@ -186,12 +202,4 @@ function scriptingOf(page) {
   };
 }
 
-window.ratchetSieve = {};
-window.ratchetSieve.ready = readData().then((data) => {
-  const scripting = scriptingOf(new RunPage(data));
-  Object.defineProperties(window.ratchetSieve, Object.getOwnPropertyDescriptors(scripting));
-}).catch((error) => {
-  byId('failure').hidden = false;
-  byId('failure').textContent = 'This page cannot be shown: ' + error.message;
-  throw error;
-});
+openPage(async () => scriptingOf(new RunPage(await readData())));

@@ -4,6 +4,40 @@ const LONGEST_ARC = 1 / 240;
 /** Differences of this many units of positions are rounding. */
 const ROUNDING = 4;
 
+/** Reads columns of integers, one after the other: src/page/motion.h. */
+class ColumnReader {
+  constructor(bytes) {
+    this.bytes = bytes;
+    this.place = 0;
+  }
+
+  /** @return {Float64Array} the next column of doubles */
+  nextDoubles(rows) {
+    const column = new Float64Array(rows);
+    const bytes = new Uint8Array(column.buffer);
+    for (let plane = 0; plane < 8; ++plane)
+      for (let k = 0; k < rows; ++k) bytes[8 * k + plane] = this.bytes[this.place++];
+    return column;
+  }
+
+  /** @return {Int32Array} the next column, of so many rows */
+  next(rows) {
+    const column = new Int32Array(rows);
+    for (let plane = 0; plane < 4; ++plane) {
+      const shift = 8 * plane;
+      for (let k = 0; k < rows; ++k) column[k] |= this.bytes[this.place + k] << shift;
+      this.place += rows;
+    }
+    for (let k = 0; k < rows; ++k) column[k] = (column[k] >>> 1) ^ -(column[k] & 1);
+    return column;
+  }
+}
+
+/** The share of a time that has gone by; 1 of none. */
+function shareOf(elapsed, whole) {
+  return whole > 0 ? elapsed / whole : 1;
+}
+
 /**
  * The disks over time. Positions in the world frame [m].
  *
@@ -27,31 +61,21 @@ class Motion {
 
   readTracks(columns, description) {
     this.times = columns.nextDoubles(description.frames);
-    const tracks = description.tracks;
-    const states = description.states;
-    this.ids = columns.next(tracks);
-    this.species = columns.next(tracks);
-    this.radii = Float64Array.from(columns.next(tracks), (radius) => radius * description.radius_unit);
-    this.firstFrames = columns.next(tracks);
-    this.lengths = columns.next(tracks);
+    const {tracks, states} = description;
+    const next = (count, rows) => Array.from({length: count}, () => columns.next(rows));
+    [this.ids, this.species, this.radii, this.firstFrames, this.lengths] = next(5, tracks);
     this.starts = new Int32Array(tracks);  // of a track's states
     for (let k = 1; k < tracks; ++k) this.starts[k] = this.starts[k - 1] + this.lengths[k - 1];
-    const vx = columns.next(states);
-    const vy = columns.next(states);
-    const x = columns.next(states);
-    const y = columns.next(states);
-    const spin = columns.next(states);
-    const angle = columns.next(states);
-    for (let track = 0; track < tracks; ++track)
-      for (let i = 1; i < this.lengths[track]; ++i) {
-        const k = this.starts[track] + i;
-        const frame = this.firstFrames[track] + i;
-        const factor = (this.times[frame] - this.times[frame - 1]) * description.positions_per_velocity;
-        x[k] += x[k - 1] + Math.floor(0.5 * (vx[k] + vx[k - 1]) * factor + 0.5);
-        y[k] += y[k - 1] + Math.floor(0.5 * (vy[k] + vy[k - 1]) * factor + 0.5);
-        angle[k] += angle[k - 1];
-      }
+    const [vx, vy, x, y, spin, angle] = next(6, states);
+    this.forEachState((track, k, frame) => {
+      if (k === this.starts[track]) return;
+      const factor = (this.times[frame] - this.times[frame - 1]) * description.positions_per_velocity;
+      x[k] += x[k - 1] + Math.floor(0.5 * (vx[k] + vx[k - 1]) * factor + 0.5);
+      y[k] += y[k - 1] + Math.floor(0.5 * (vy[k] + vy[k - 1]) * factor + 0.5);
+      angle[k] += angle[k - 1];
+    });
     const scaled = (column, unit) => Float32Array.from(column, (number) => number * unit);
+    this.radii = Float64Array.from(this.radii, (radius) => radius * description.radius_unit);
     this.x = scaled(x, description.position_unit);
     this.y = scaled(y, description.position_unit);
     this.vx = scaled(vx, description.velocity_unit);
@@ -60,17 +84,20 @@ class Motion {
     this.angle = scaled(angle, 2 * Math.PI / description.angle_steps);
   }
 
+  /** Calls back with each state, track by track: its track, its number and its frame. */
+  forEachState(action) {
+    for (let track = 0; track < this.ids.length; ++track)
+      for (let i = 0; i < this.lengths[track]; ++i) action(track, this.starts[track] + i, this.firstFrames[track] + i);
+  }
+
   /** Tracks by frame: those of frame k are listed from frameStarts[k] on. */
   listTracksOfFrames() {
-    const frames = this.times.length;
-    this.frameStarts = new Int32Array(frames + 1);
-    for (let track = 0; track < this.ids.length; ++track)
-      for (let i = 0; i < this.lengths[track]; ++i) ++this.frameStarts[this.firstFrames[track] + i + 1];
-    for (let k = 0; k < frames; ++k) this.frameStarts[k + 1] += this.frameStarts[k];
+    this.frameStarts = new Int32Array(this.times.length + 1);
+    this.forEachState((track, k, frame) => { ++this.frameStarts[frame + 1]; });
+    for (let k = 0; k < this.times.length; ++k) this.frameStarts[k + 1] += this.frameStarts[k];
     const next = this.frameStarts.slice();
     this.tracksOfFrames = new Int32Array(this.x.length);
-    for (let track = 0; track < this.ids.length; ++track)
-      for (let i = 0; i < this.lengths[track]; ++i) this.tracksOfFrames[next[this.firstFrames[track] + i]++] = track;
+    this.forEachState((track, k, frame) => { this.tracksOfFrames[next[frame]++] = track; });
   }
 
   /** When to open the page: at the start or, in a machine that is only fed, once it is half full. */
@@ -119,16 +146,14 @@ class Motion {
   fly(i, elapsed, span, pose, place) {
     const g = this.gravity;
     const x0 = this.x[i], y0 = this.y[i], u0 = this.vx[i], v0 = this.vy[i];
-    let x1 = this.x[i + 1], y1 = this.y[i + 1] + 0.5 * g * span * span;
     const u1 = this.vx[i + 1], v1 = this.vy[i + 1] + g * span;
+    let x1 = this.x[i + 1], y1 = this.y[i + 1] + 0.5 * g * span * span;
     if (this.base.isPeriodic) {
       // The image of the later position that is nearest to where the disk goes.
-      const W = this.base.width;
-      const dx = x0 + 0.5 * (u0 + u1) * span - x1;
-      const dy = y0 + 0.5 * (v0 + v1) * span - y1;
-      const turns = Math.round((dx * pose.cosine + dy * pose.sine) / W);
-      x1 += turns * W * pose.cosine;
-      y1 += turns * W * pose.sine;
+      const dx = x0 + 0.5 * (u0 + u1) * span - x1, dy = y0 + 0.5 * (v0 + v1) * span - y1;
+      const way = this.base.width * Math.round((dx * pose.cosine + dy * pose.sine) / this.base.width);
+      x1 += way * pose.cosine;
+      y1 += way * pose.sine;
     }
     // The gap between both lines is gapX + closeX t at the time t.
     const gapX = x0 - (x1 - u1 * span), closeX = u0 - u1;
@@ -136,29 +161,27 @@ class Motion {
     const close2 = closeX * closeX + closeY * closeY;
     const contact = close2 > 0 ? Math.min(span, Math.max(0, -(gapX * closeX + gapY * closeY) / close2)) : 0.5 * span;
     const missX = gapX + closeX * contact, missY = gapY + closeY * contact;
-    const met = missX * missX + missY * missY <= this.meets * this.meets;
-    const arc = met ? 0 : Math.min(LONGEST_ARC, span / 3);
-    const leaves = met ? contact : arc, arrives = met ? contact : span - arc;
-    // The ends of the part between both flights; where they meet, it is a point half-way between them.
-    const fromX = x0 + u0 * leaves - (met ? 0.5 * missX : 0), fromY = y0 + v0 * leaves - (met ? 0.5 * missY : 0);
-    const toX = x1 - u1 * (span - arrives) + (met ? 0.5 * missX : 0);
-    const toY = y1 - v1 * (span - arrives) + (met ? 0.5 * missY : 0);
-    let fallenX, fallenY;
+    const meet = missX * missX + missY * missY <= this.meets * this.meets;
+    const arc = Math.min(LONGEST_ARC, span / 3);
+    const leaves = meet ? contact : arc, arrives = meet ? contact : span - arc;
+    // From the first line over to the second one; where they meet, at a point half-way between them.
+    const half = meet ? 0.5 : 0;
+    const startX = x0 + u0 * leaves - half * missX, startY = y0 + v0 * leaves - half * missY;
+    const endX = meet ? startX : x1 - u1 * arc, endY = meet ? startY : y1 - v1 * arc;
+    const fallen = 0.5 * g * elapsed * elapsed;
     if (elapsed <= leaves) {
-      const part = leaves > 0 ? elapsed / leaves : 1;
-      fallenX = x0 + (fromX - x0) * part;
-      fallenY = y0 + (fromY - y0) * part;
+      const part = shareOf(elapsed, leaves);
+      place.x = x0 + (startX - x0) * part;
+      place.y = y0 + (startY - y0) * part - fallen;
     } else if (elapsed < arrives) {
-      const part = (elapsed - leaves) / (arrives - leaves);
-      fallenX = fromX + (toX - fromX) * part;
-      fallenY = fromY + (toY - fromY) * part;
+      const part = shareOf(elapsed - leaves, arrives - leaves);
+      place.x = startX + (endX - startX) * part;
+      place.y = startY + (endY - startY) * part - fallen;
     } else {
-      const part = span > arrives ? (elapsed - arrives) / (span - arrives) : 1;
-      fallenX = toX + (x1 - toX) * part;
-      fallenY = toY + (y1 - toY) * part;
+      const part = shareOf(elapsed - arrives, span - arrives);
+      place.x = endX + (x1 - endX) * part;
+      place.y = endY + (y1 - endY) * part - fallen;
     }
-    place.x = fallenX;
-    place.y = fallenY - 0.5 * g * elapsed * elapsed;
     this.turn(i, elapsed, span, 0.5 * (leaves + arrives), place);
   }
 

@@ -5,14 +5,14 @@ const SMALLEST_ROUND = 1.3;     // radius of disks that are drawn round [pixels]
 const SMALLEST_OUTLINED = 4;    // radius of disks with an outline and a mark that turns [pixels]
 const PATH_TIME = 1.5;          // of a followed disk's path, before and after the present [s]
 const PATH_STEP = 1 / 480;      // [s]
+const STRONGEST_ZOOM = 400;
 
 /**
  * Where the disks of each bin lie: in rows, in the order in which they came. In true size, or smaller where they would
  * not fit. @param {number} width of a bin, which is as high [m]
  */
 function heapsOf(bins, species, width) {
-  const last = bins.bins.time[bins.bins.time.length - 1];
-  const orders = {left: bins.arrivals('left', last), right: bins.arrivals('right', last)};
+  const orders = {left: bins.arrivals('left'), right: bins.arrivals('right')};
   for (let shrink = 1; ; shrink *= 0.9) {
     const heaps = {};
     for (const bin of ['left', 'right']) heaps[bin] = heapOf(orders[bin].map((k) => [k, shrink * species[k].radius]), width);
@@ -33,6 +33,49 @@ function heapOf(disks, width) {
   return heap;
 }
 
+/** The part of the world that the picture shows: pixels of the canvas, y downwards, and metres. */
+class View {
+  /** @param {{left: number, right: number, low: number, high: number}} whole the whole machine [m] */
+  constructor(whole) {
+    this.whole = whole;
+    this.width = 1;
+    this.height = 1;
+    this.showWhole();
+  }
+
+  /** Pixels per metre. */
+  get scale() {
+    return this.zoom * Math.min(this.width / (this.whole.right - this.whole.left),
+      this.height / (this.whole.high - this.whole.low));
+  }
+
+  toPixel(x, y) {
+    return {x: 0.5 * this.width + (x - this.centre[0]) * this.scale,
+      y: 0.5 * this.height - (y - this.centre[1]) * this.scale};
+  }
+
+  toWorld(x, y) {
+    return [this.centre[0] + (x - 0.5 * this.width) / this.scale, this.centre[1] - (y - 0.5 * this.height) / this.scale];
+  }
+
+  /** Zooms about a pixel, which stays where it is. */
+  zoomBy(factor, x = 0.5 * this.width, y = 0.5 * this.height) {
+    const before = this.toWorld(x, y);
+    this.zoom = Math.min(STRONGEST_ZOOM, Math.max(0.5, this.zoom * factor));
+    const after = this.toWorld(x, y);
+    this.centre = [this.centre[0] + before[0] - after[0], this.centre[1] + before[1] - after[1]];
+  }
+
+  moveBy(x, y) {
+    this.centre = [this.centre[0] - x / this.scale, this.centre[1] + y / this.scale];
+  }
+
+  showWhole() {
+    this.zoom = 1;
+    this.centre = [0.5 * (this.whole.left + this.whole.right), 0.5 * (this.whole.low + this.whole.high)];
+  }
+}
+
 /** Draws the machine at a time. */
 class Picture {
   constructor(canvas, base, motion, bins) {
@@ -40,37 +83,30 @@ class Picture {
     this.base = base;
     this.motion = motion;
     this.bins = bins;
-    this.heaps = this.hasBins ? heapsOf(bins, base.machine.species, this.binWidth) : null;
+    this.heaps = this.bins.areUsed ? heapsOf(bins, base.machine.species, this.binWidth) : null;
     this.view = new View(this.wholeMachine());
     this.followed = null;
     this.milliseconds = 0;
   }
 
-  get hasBins() {
-    return this.bins.areUsed(this.base.machine.boundary);
-  }
-
   get binWidth() {
-    return this.hasBins ? BIN_WIDTH * this.base.width : 0;
+    return this.bins.areUsed ? BIN_WIDTH * this.base.width : 0;
   }
 
   /** All that the base sweeps over and all disks, in the world. */
   wholeMachine() {
     const base = this.base;
     const reach = Math.max(...base.states.amplitude, 0);
-    const whole = {left: 0, right: 0, low: -reach + base.lowest, high: reach + base.highest};
+    const whole = {right: 0, low: -reach + base.lowest, high: Math.max(reach + base.highest, this.motion.top())};
     for (const inclination of base.states.inclination) {
-      const right = [base.width * Math.cos(inclination), base.width * Math.sin(inclination)];
-      whole.right = Math.max(whole.right, right[0]);
-      whole.low = Math.min(whole.low, right[1] - reach);
-      whole.high = Math.max(whole.high, right[1] + reach + base.highest);
+      const rise = base.width * Math.sin(inclination);
+      whole.right = Math.max(whole.right, base.width * Math.cos(inclination));
+      whole.low = Math.min(whole.low, rise - reach);
+      whole.high = Math.max(whole.high, rise + reach + base.highest);
     }
-    whole.high = Math.max(whole.high, this.motion.top());
-    const bin = this.binWidth;
-    whole.low -= bin;
     const margin = 0.01 * base.width;
-    return {left: whole.left - bin - margin, right: whole.right + bin + margin,
-      low: whole.low - margin, high: whole.high + 2 * margin};
+    const beside = this.binWidth + margin;
+    return {left: -beside, right: whole.right + beside, low: whole.low - beside, high: whole.high + 2 * margin};
   }
 
   /** The whole machine; of a longer one some teeth in the middle, for otherwise it would be a line. */
@@ -87,11 +123,10 @@ class Picture {
     const {left, right, low, high} = this.view.whole;
     const height = this.canvas.clientWidth * (high - low) / (right - left);
     this.canvas.style.height = `${Math.round(Math.min(0.6 * innerHeight, Math.max(LEAST_HEIGHT, height)))}px`;
-    const ratio = devicePixelRatio || 1;
     const {clientWidth, clientHeight} = this.canvas;
-    this.canvas.width = Math.round(clientWidth * ratio);
-    this.canvas.height = Math.round(clientHeight * ratio);
-    this.view.resize(clientWidth, clientHeight);
+    this.canvas.width = Math.round(clientWidth * devicePixelRatio);
+    this.canvas.height = Math.round(clientHeight * devicePixelRatio);
+    [this.view.width, this.view.height] = [clientWidth, clientHeight];
   }
 
   draw(time) {
@@ -105,7 +140,7 @@ class Picture {
     context.fillRect(0, 0, this.view.width, this.view.height);
     if (this.followed !== null) this.centreOnFollowed(time);
     const pose = this.base.poseAt(time);
-    if (this.hasBins) this.drawBins(context, pose, time);
+    if (this.bins.areUsed) this.drawBins(context, pose, time);
     this.drawBase(context, pose);
     if (this.followed !== null) this.drawPath(context, time);
     this.drawDisks(context, time);

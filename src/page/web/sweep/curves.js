@@ -160,12 +160,4 @@ class SweepCurves {
       ctx.fillText(text, left + 12 * pixels, top);
     }
   }
-
-  rebuild() {
-    this.build();
-  }
-
-  resize() {
-    this.chart.resize();
-  }
 }

@@ -20,12 +20,12 @@ class SweepPage {
     this.means = new MeansTable(this.report, choose);
     for (const id of ['map', 'curves']) byId(id).addEventListener('keydown', (event) => this.onKey(event));
     onThemeChange(() => {
-      this.curves.rebuild();
+      this.curves.build();
       this.show();
     });
     this.show();
     new ResizeObserver(() => {
-      this.curves.resize();
+      this.curves.chart.resize();
       this.show();
     }).observe(byId('content'));
   }
@@ -75,18 +75,14 @@ class SweepPage {
   }
 
   onKey(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const actions = {
+    answerKey(event, {
       ArrowLeft: () => this.move(-1, 0),
       ArrowRight: () => this.move(1, 0),
       ArrowUp: () => this.move(0, 1),
       ArrowDown: () => this.move(0, -1),
       Home: () => this.moveToEnd(false),
       End: () => this.moveToEnd(true),
-    };
-    if (!Object.hasOwn(actions, event.key)) return;
-    event.preventDefault();
-    actions[event.key]();
+    });
   }
 }
 
@@ -104,13 +100,4 @@ function scriptingOf(page) {
   };
 }
 
-window.ratchetSieve = {};
-window.ratchetSieve.ready = new Promise((resolve) => {
-  const scripting = scriptingOf(new SweepPage(JSON.parse(byId('data').textContent)));
-  Object.defineProperties(window.ratchetSieve, Object.getOwnPropertyDescriptors(scripting));
-  resolve();
-}).catch((error) => {
-  byId('failure').hidden = false;
-  byId('failure').textContent = 'This page cannot be shown: ' + error.message;
-  throw error;
-});
+openPage(async () => scriptingOf(new SweepPage(JSON.parse(byId('data').textContent))));

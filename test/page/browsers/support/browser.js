@@ -1,51 +1,48 @@
-// The browsers of Debian's packages, without a window. Preferences of the user: {dark, calm}, calm for reduced motion.
-import {puppeteer} from './modules.js';
+// The browsers of Debian's packages, without a window.
+import {readFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import path from 'node:path';
+import {after, before} from 'node:test';
 
-export const BROWSERS = ['chromium', 'firefox'];
+// The modules of package.json. They are installed into the build directory, where `import` does not look.
+const installed = createRequire(path.resolve(process.env.PAGE_TEST_MODULES, 'package.json'));
+const puppeteer = installed('puppeteer-core');
+export const AXE_SOURCE = readFileSync(installed.resolve('axe-core/axe.min.js'), 'utf8');
 
-// The tests run as root in containers, where Chromium's sandbox cannot: the pages are the package's own.
-function chromium()
+function firefox()
 {
-  return puppeteer.launch({
+  return puppeteer.launch({browser: 'firefox', executablePath: process.env.FIREFOX ?? '/usr/bin/firefox-esr'});
+}
+
+/// Chromium, with newPage() and close(). Of the user's preferences: {dark, calm}, calm for reduced motion.
+export async function chromium({dark = false, calm = false} = {})
+{
+  // The tests run as root in containers, where Chromium's sandbox cannot: the pages are the package's own.
+  const browser = await puppeteer.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
     args: ['--no-sandbox', '--disable-gpu', '--force-color-profile=srgb', '--hide-scrollbars'],
   });
-}
-
-// Firefox takes what a user prefers when it starts alone.
-function firefox({dark = false, calm = false})
-{
-  return puppeteer.launch({
-    browser: 'firefox',
-    executablePath: process.env.FIREFOX ?? '/usr/bin/firefox-esr',
-    extraPrefsFirefox: {
-      'layout.css.prefers-color-scheme.content-override': dark ? 0 : 1,
-      'ui.prefersReducedMotion': calm ? 1 : 0,
-    },
-  });
-}
-
-async function prefer(page, {dark = false, calm = false})
-{
-  await page.emulateMediaFeatures([
-    {name: 'prefers-color-scheme', value: dark ? 'dark' : 'light'},
-    {name: 'prefers-reduced-motion', value: calm ? 'reduce' : 'no-preference'},
-  ]);
-}
-
-/// A browser with newPage() and close().
-export async function launch(name, preferences = {})
-{
-  const browser = name === 'chromium' ? await chromium() : await firefox(preferences);
   return {
-    name,
     async newPage()
     {
       const page = await browser.newPage();
-      if (name === 'chromium')
-        await prefer(page, preferences);
+      await page.emulateMediaFeatures([
+        {name: 'prefers-color-scheme', value: dark ? 'dark' : 'light'},
+        {name: 'prefers-reduced-motion', value: calm ? 'reduce' : 'no-preference'},
+      ]);
       return page;
     },
     close: () => browser.close(),
   };
+}
+
+/// A browser for the tests of a `describe`: PAGE_TEST_BROWSER, or Chromium. Call what this returns within them.
+export function useBrowser(preferences)
+{
+  let browser;
+  before(async () => {
+    browser = await (process.env.PAGE_TEST_BROWSER === 'firefox' ? firefox() : chromium(preferences));
+  });
+  after(() => browser?.close());
+  return () => browser;
 }

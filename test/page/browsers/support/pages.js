@@ -2,7 +2,6 @@
 import {readFileSync} from 'node:fs';
 import path from 'node:path';
 import {pathToFileURL} from 'node:url';
-import {watch} from './watch.js';
 
 const DIRECTORY = path.resolve(process.env.PAGE_TEST_PAGES ?? '.');
 
@@ -27,7 +26,39 @@ export function factsOf(name)
   return JSON.parse(readFileSync(path.join(DIRECTORY, `${name}.json`), 'utf8'));
 }
 
-/// Opens a file in a page of its own, watched. A page of a run is ready and stands still.
+// What a page must not do: complain, fail, or ask for anything.
+const LOUD = new Set(['error', 'warn', 'warning', 'assert']);
+
+function isWithin(url)
+{
+  return /^(data|blob|about):/.test(url);
+}
+
+/// Watches a page from before it is opened. `said`: errors, warnings, exceptions, dialogs and what its policy stopped;
+/// `requested`: all addresses besides its own.
+async function watch(page, own_url)
+{
+  const seen = {said: [], requested: []};
+  page.on('console', message => LOUD.has(message.type()) && seen.said.push(`${message.type()}: ${message.text()}`));
+  page.on('pageerror', error => seen.said.push(`exception: ${error.message}`));
+  page.on('dialog', async dialog => {
+    seen.said.push(`dialog: ${dialog.message()}`);
+    await dialog.dismiss();
+  });
+  page.on('request', request => {
+    const url = request.url().split('#')[0];
+    if (url !== own_url && !isWithin(url))
+      seen.requested.push(url);
+  });
+  await page.evaluateOnNewDocument(() => {
+    window.policyStopped = [];
+    document.addEventListener('securitypolicyviolation', event => window.policyStopped.push(event.blockedURI));
+  });
+  seen.stopped = () => page.evaluate(() => window.policyStopped);
+  return seen;
+}
+
+/// Opens a file in a page of its own, watched.
 export async function openFile(browser, file, viewport = WIDE)
 {
   const page = await browser.newPage();

@@ -1,0 +1,255 @@
+#include "motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <unordered_map>
+#include <utility>
+
+#include "html_page.h"
+#include "ratchet_sieve/core/layer.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+constexpr double UNITS_PER_RADIUS = 50.0;   ///< of positions, for the smallest disk
+constexpr double UNITS_PER_SECOND = 240.0;  ///< of velocities: units of positions
+constexpr double SPIN_UNIT = 6.0;           ///< [rad/s]
+constexpr int ANGLE_STEPS = 256;            ///< of a turn
+constexpr double RADIUS_UNITS = 1000.0;     ///< for the smallest disk
+constexpr double TWO_PI = 6.283185307179586;
+
+/// The largest number that is written: far beyond any machine.
+constexpr double LARGEST = 1 << 28;
+
+/// Fewest bytes that a state takes when it is encoded. About 5 are usual.
+constexpr std::size_t LEAST_STATE = 4;
+
+/// Frames that are always kept: the first and the last.
+constexpr std::size_t FEWEST_FRAMES = 2;
+
+std::int32_t inUnits(double value, double unit)
+{
+  return static_cast<std::int32_t>(std::floor(std::clamp(value / unit, -LARGEST, LARGEST) + 0.5));
+}
+
+/// Of two numbers whose difference may not be one of 32 bits.
+std::int32_t difference(double a, double b)
+{
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::int64_t>(a - b)));
+}
+
+std::uint32_t zigzag(std::int32_t number)
+{
+  return (static_cast<std::uint32_t>(number) << 1U) ^ (number < 0 ? 0xFFFFFFFFU : 0U);
+}
+
+std::uint64_t bitsOf(double number)
+{
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &number, sizeof bits);
+  return bits;
+}
+
+/// Adds a column. @param number of a row, as an unsigned integer
+template <typename Row, typename Number>
+void addColumn(std::string& bytes, const std::vector<Row>& rows, const Number& number)
+{
+  const std::size_t begin = bytes.size();
+  bytes.resize(begin + sizeof(number(rows.front())) * rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k)
+  {
+    auto bits = number(rows[k]);
+    for (std::size_t place = begin + k; place < bytes.size(); place += rows.size(), bits >>= 8U)
+      bytes[place] = static_cast<char>(bits & 0xFFU);
+  }
+}
+
+}  // namespace
+
+/// A disk in consecutive frames.
+struct MotionRecord::Track
+{
+  std::size_t first_frame;
+  std::vector<const Disk*> states;
+};
+
+/// A state and the one before it in its track, which its first state lacks.
+struct MotionRecord::Step
+{
+  const Disk* before;
+  const Disk* now;
+  double factor;  ///< units of positions by units of velocities, in the time between
+
+  std::int32_t position(std::int32_t Disk::*position, std::int32_t Disk::*velocity) const
+  {
+    if (before == nullptr)
+      return now->*position;
+    const double mean = 0.5 * (before->*velocity + now->*velocity);
+    return difference(now->*position, before->*position + std::floor(mean * factor + 0.5));
+  }
+
+  std::int32_t angle() const
+  {
+    const auto turned =
+        static_cast<unsigned>(now->angle - (before != nullptr ? before->angle : 0) + ANGLE_STEPS / 2);
+    return static_cast<std::int32_t>(turned % ANGLE_STEPS) - ANGLE_STEPS / 2;
+  }
+};
+
+MotionRecord::MotionRecord(const SceneDefinition& scene, std::size_t most_bytes)
+    : scene_(scene),
+      position_unit_(smallestRadius(scene) / UNITS_PER_RADIUS),
+      velocity_unit_(position_unit_ * UNITS_PER_SECOND),
+      radius_unit_(smallestRadius(scene) / RADIUS_UNITS),
+      most_bytes_(most_bytes)
+{
+}
+
+void MotionRecord::add(const ParticleFrame& frame)
+{
+  if (taken_++ % thinning_.every != 0)
+  {
+    last_ = frame;
+    return;
+  }
+  last_.reset();
+  kept_.push_back(rounded(frame));
+  kept_states_ += kept_.back().disks.size();
+  // Thinned at an odd number of frames, of which every second one includes the last.
+  if (kept_states_ <= most_bytes_ / LEAST_STATE || kept_.size() <= FEWEST_FRAMES || kept_.size() % 2 == 0)
+    return;
+  thin(kept_, 2, thinning_);
+  kept_states_ = 0;
+  for (const Frame& each : kept_)
+    kept_states_ += each.disks.size();
+}
+
+MotionRecord::Frame MotionRecord::rounded(const ParticleFrame& frame) const
+{
+  Frame result{frame.time, {}};
+  for (const DiskState& disk : frame.disks)
+    if (disk.id % thinning_.disk_every == 0)
+      result.disks.push_back({disk.id, disk.species, inUnits(disk.x, position_unit_),
+                              inUnits(disk.y, position_unit_), inUnits(disk.vx, velocity_unit_),
+                              inUnits(disk.vy, velocity_unit_), inUnits(disk.angle, TWO_PI / ANGLE_STEPS),
+                              inUnits(disk.spin, SPIN_UNIT),
+                              inUnits(radiusOf(disk, scene_.species), radius_unit_)});
+  return result;
+}
+
+void MotionRecord::thin(std::vector<Frame>& frames, std::size_t factor, Thinning& thinning) const
+{
+  std::size_t by_frames = factor;
+  if (!scene_.contact.pair_collisions)
+  {
+    const double span = frames.back().time - frames.front().time;
+    const double rate = span > 0.0 ? static_cast<double>(frames.size() - 1) / span : 0.0;
+    by_frames = std::clamp<std::size_t>(static_cast<std::size_t>(rate / LEAST_RATE), 1, factor);
+  }
+  thinning.every *= by_frames;
+  thinning.disk_every *= static_cast<std::uint32_t>((factor + by_frames - 1) / by_frames);
+  std::vector<Frame> kept;
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    if (k % by_frames == 0 || k + 1 == frames.size())
+      kept.push_back(std::move(frames[k]));
+  frames = std::move(kept);
+  const auto left_out = [&](const Disk& disk) { return disk.id % thinning.disk_every != 0; };
+  for (Frame& frame : frames)
+    frame.disks.erase(std::remove_if(frame.disks.begin(), frame.disks.end(), left_out), frame.disks.end());
+}
+
+EncodedMotion MotionRecord::encoded(std::size_t size) const
+{
+  std::vector<Frame> all = kept_;
+  if (last_)
+    all.push_back(rounded(*last_));
+  Thinning thinning = thinning_;
+  EncodedMotion encoded = encode(all);
+  std::size_t frames_left = all.size();
+  for (std::size_t factor = std::max<std::size_t>(2, encoded.bytes.size() / std::max<std::size_t>(size, 1));
+       encoded.bytes.size() > size && frames_left > FEWEST_FRAMES; ++factor)
+  {
+    std::vector<Frame> frames = all;
+    thinning = thinning_;
+    thin(frames, factor, thinning);
+    frames_left = frames.size();
+    encoded = encode(frames);
+  }
+  encoded.description["taken"] = taken_;
+  encoded.description["every"] = thinning.every;
+  encoded.description["disk_every"] = thinning.disk_every;
+  return encoded;
+}
+
+std::vector<MotionRecord::Track> MotionRecord::tracksOf(const std::vector<Frame>& frames)
+{
+  std::vector<Track> tracks;
+  std::unordered_map<std::uint32_t, std::size_t> last;  ///< track, by id
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    for (const Disk& disk : frames[k].disks)
+    {
+      const auto [found, is_new] = last.try_emplace(disk.id, tracks.size());
+      if (is_new || tracks[found->second].first_frame + tracks[found->second].states.size() != k)
+      {
+        found->second = tracks.size();
+        tracks.push_back({k, {}});
+      }
+      tracks[found->second].states.push_back(&disk);
+    }
+  return tracks;
+}
+
+std::vector<MotionRecord::Step> MotionRecord::stepsOf(const std::vector<Track>& tracks,
+                                                      const std::vector<Frame>& frames)
+{
+  std::vector<Step> steps;
+  for (const Track& track : tracks)
+    for (std::size_t i = 0; i < track.states.size(); ++i)
+    {
+      const std::size_t k = track.first_frame + i;
+      const double span = i > 0 ? frames[k].time - frames[k - 1].time : 0.0;
+      steps.push_back({i > 0 ? track.states[i - 1] : nullptr, track.states[i], span * UNITS_PER_SECOND});
+    }
+  return steps;
+}
+
+EncodedMotion MotionRecord::encode(const std::vector<Frame>& frames) const
+{
+  const std::vector<Track> tracks = tracksOf(frames);
+  const std::vector<Step> steps = stepsOf(tracks, frames);
+  std::string bytes;
+  const auto addColumns = [&bytes](const auto& rows, const auto&... numbers)
+  {
+    const auto add = [&](const auto& number) {
+      addColumn(bytes, rows, [&](const auto& row) { return zigzag(static_cast<std::int32_t>(number(row))); });
+    };
+    (add(numbers), ...);
+  };
+  addColumn(bytes, frames, [](const Frame& frame) { return bitsOf(frame.time); });
+  addColumns(
+      tracks, [](const Track& track) { return track.states.front()->id; },
+      [](const Track& track) { return track.states.front()->species; },
+      [](const Track& track) { return track.states.front()->radius; },
+      [](const Track& track) { return track.first_frame; },
+      [](const Track& track) { return track.states.size(); });
+  addColumns(
+      steps, [](const Step& step) { return step.now->vx; }, [](const Step& step) { return step.now->vy; },
+      [](const Step& step) { return step.position(&Disk::x, &Disk::vx); },
+      [](const Step& step) { return step.position(&Disk::y, &Disk::vy); },
+      [](const Step& step) { return step.now->spin; }, [](const Step& step) { return step.angle(); });
+  return {{{"frames", frames.size()},
+           {"position_unit", position_unit_},
+           {"velocity_unit", velocity_unit_},
+           {"positions_per_velocity", UNITS_PER_SECOND},
+           {"spin_unit", SPIN_UNIT},
+           {"angle_steps", ANGLE_STEPS},
+           {"radius_unit", radius_unit_},
+           {"tracks", tracks.size()},
+           {"states", steps.size()}},
+          deflated(bytes)};
+}
+
+}  // namespace ratchet_sieve

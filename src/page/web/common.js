@@ -1,0 +1,134 @@
+/** The element with an id. */
+function byId(id) {
+  return document.getElementById(id);
+}
+
+/**
+ * A new element. Strings among the children are text, never markup.
+ * @param {string} tag
+ * @param {Object<string, string>} attributes
+ * @param {...(Node|string)} children
+ */
+function element(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  made.append(...children);
+  return made;
+}
+
+/** A row of a table: the first cell is its heading. */
+function rowOf(cells, columnsHead = false) {
+  return element('tr', {}, ...cells.map((cell, k) =>
+    columnsHead ? element('th', {scope: 'col'}, cell)
+      : k === 0 ? element('th', {scope: 'row'}, cell) : element('td', {}, cell)));
+}
+
+/** Fills a table. @param {Array<string|Node>} head @param {Array<Array<string|Node>>} rows */
+function fillTable(table, head, rows) {
+  for (const part of [...table.tHead ? [table.tHead] : [], ...table.tBodies]) part.remove();
+  table.append(element('thead', {}, rowOf(head, true)), element('tbody', {}, ...rows.map((row) => rowOf(row))));
+}
+
+/** Does what a key stands for in a map of actions, unless it is held with another one. */
+function answerKey(event, actions) {
+  if (event.ctrlKey || event.metaKey || event.altKey || !Object.hasOwn(actions, event.key)) return;
+  event.preventDefault();
+  actions[event.key]();
+}
+
+/**
+ * Opens the page: window.ratchetSieve is what scripts in the page's console, and tests, can do with it once it is ready.
+ * @param {function(): Promise<Object>} make
+ */
+function openPage(make) {
+  window.ratchetSieve = {};
+  window.ratchetSieve.ready = make().then((scripting) => {
+    Object.defineProperties(window.ratchetSieve, Object.getOwnPropertyDescriptors(scripting));
+  }).catch((error) => {
+    byId('failure').hidden = false;
+    byId('failure').textContent = 'This page cannot be shown: ' + error.message;
+    throw error;
+  });
+}
+
+/** A name with a dot in its colour. */
+function marked(name, colour) {
+  const mark = element('span', {class: 'mark'});
+  mark.style.background = colour;
+  return element('span', {}, mark, name);
+}
+
+/**
+ * Makes a button copy a text.
+ * @param {function(): string} textOf
+ * @param {Node} shown where the text stands: without the right to the clipboard it is selected, to be copied by hand
+ */
+function copyOnClick(button, textOf, shown) {
+  button.addEventListener('click', async () => {
+    try {
+      await navigator.clipboard.writeText(textOf());
+      button.textContent = 'Copied';
+    } catch (error) {
+      getSelection().selectAllChildren(shown);
+      button.textContent = 'Selected';
+    }
+  });
+}
+
+/** What is shown in place of a value that is not defined. */
+const UNDEFINED = 'undefined';
+
+/** A value, or null, to so many significant digits, with its unit. */
+function quantity(value, unit = '', digits = 4) {
+  if (value === null || value === undefined) return UNDEFINED;
+  const text = Math.abs(value) >= 1e6 || (value !== 0 && Math.abs(value) < 1e-4)
+    ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits)));
+  return text.replace('-', '\u2212') + (unit ? '\u00a0' + unit : '');
+}
+
+/** Q, P and shares, to three decimals. */
+function ratio(value) {
+  return value === null || value === undefined ? UNDEFINED : value.toFixed(3);
+}
+
+/** A value and its standard error. */
+function withError(value, error, unit, scale = 1) {
+  if (value === null || value === undefined) return UNDEFINED;
+  if (error === null || error === undefined) return quantity(value * scale, unit) + ', error ' + UNDEFINED;
+  if (error === 0) return `${quantity(value * scale)} \u00b1 0${unit ? '\u00a0' + unit : ''}`;
+  const decimals = Math.max(0, Math.min(12, 1 - Math.floor(Math.log10(Math.max(error * scale, 1e-12)))));
+  return `${(value * scale).toFixed(decimals)} \u00b1 ${(error * scale).toFixed(decimals)}${unit ? '\u00a0' + unit : ''}`.replace('-', '\u2212');
+}
+
+/** A time to the millisecond. */
+function seconds(time) {
+  return time.toFixed(3) + '\u00a0s';
+}
+
+/** The place of the last number that is not above `value` in ascending numbers; -1: there is none. */
+function lastNotAbove(numbers, value) {
+  let from = 0;
+  let to = numbers.length;
+  while (from < to) {
+    const middle = (from + to) >> 1;
+    if (numbers[middle] <= value) from = middle + 1; else to = middle;
+  }
+  return from - 1;
+}
+
+/** Okabe and Ito's colours, which colour-blind readers can tell apart; as in the other pictures and in RViz. */
+const PALETTE = ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9'];
+
+function colourOf(k) {
+  return PALETTE[k % PALETTE.length];
+}
+
+/** A colour of the style sheet, such as --line. */
+function themeColour(name) {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
+/** Calls back when the colours change: light, dark, print. */
+function onThemeChange(callback) {
+  for (const query of ['(prefers-color-scheme: dark)', 'print']) matchMedia(query).addEventListener('change', callback);
+}

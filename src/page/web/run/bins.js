@@ -1,0 +1,82 @@
+/** What a run's bins hold over time. */
+class BinSeries {
+  /** @param {Object} bins columns over time @param {string} boundary of the machine */
+  constructor(bins, boundary) {
+    this.bins = bins;
+    // Whether disks can leave the machine, or have left it over walls.
+    this.areUsed = bins.time.length > 0 &&
+      (boundary === 'open' || ['left', 'right'].some((bin) => this.total(bin, Infinity) > 0));
+  }
+
+  /** The value of a column that holds at a time; null before the first. */
+  at(column, time) {
+    const row = lastNotAbove(this.bins.time, time);
+    return row < 0 ? null : column[row];
+  }
+
+  quality(time) {
+    return this.at(this.bins.quality, time);
+  }
+
+  processed(time) {
+    return this.at(this.bins.processed, time);
+  }
+
+  /** Disks of a species in one of left, right, on_base. */
+  count(species, place, time) {
+    return this.at(this.bins.species[species][place], time);
+  }
+
+  /** All disks in a bin. */
+  total(bin, time) {
+    return this.bins.species.reduce((sum, species) => sum + this.at(species[bin], time), 0);
+  }
+
+  /** The species of the disks in a bin at the end, in the order in which they came. @param {string} bin left or right */
+  arrivals(bin) {
+    const order = [];
+    const counted = this.bins.species.map(() => 0);
+    this.bins.time.forEach((_, row) => this.bins.species.forEach((species, k) => {
+      for (; counted[k] < species[bin][row]; ++counted[k]) order.push(k);
+    }));
+    return order;
+  }
+}
+
+/** The values at the present time, beside the picture. */
+class Readings {
+  constructor(machine, base, bins) {
+    this.machine = machine;
+    this.base = base;
+    this.bins = bins;
+    this.names = machine.species.map((species, k) => marked(species.name, colourOf(k)));
+    this.cells = machine.species.map(() => ['left', 'on_base', 'right'].map(() => element('span')));
+    if (!bins.areUsed) byId('bins').hidden = true;
+    else fillTable(byId('bins'), ['species', 'left bin', 'on the base', 'right bin'],
+      this.names.map((name, k) => [name, ...this.cells[k]]));
+  }
+
+  show(time) {
+    byId('clock').value = seconds(time);
+    byId('time').setAttribute('aria-valuetext', time.toFixed(3) + ' seconds');
+    byId('quality').value = ratio(this.bins.quality(time));
+    byId('processed').value = ratio(this.bins.processed(time));
+    const state = this.base.stateAt(time);
+    byId('inclination').value = quantity(state.inclination, 'rad');
+    byId('frequency').value = quantity(state.frequency, 'Hz');
+    byId('amplitude').value = quantity(state.amplitude * 1e3, 'mm');
+    if (!this.bins.areUsed) return;
+    this.cells.forEach((cells, species) => ['left', 'on_base', 'right'].forEach((place, k) => {
+      cells[k].textContent = quantity(this.bins.count(species, place, time), '', 15);
+    }));
+  }
+
+  /** Q, P and the bins in a sentence, for readers of the screen. */
+  sentence(time) {
+    const counts = this.machine.species.map((species, k) => !this.bins.areUsed ? '' :
+      `; ${species.name}: ${this.bins.count(k, 'left', time)} in the left bin, ` +
+      `${this.bins.count(k, 'on_base', time)} on the base, ${this.bins.count(k, 'right', time)} in the right bin`);
+    return `The machine at ${time.toFixed(3)} seconds: Q ${ratio(this.bins.quality(time))}, ` +
+      `P ${ratio(this.bins.processed(time))}${counts.join('')}`;
+  }
+}
