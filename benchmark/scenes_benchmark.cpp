@@ -7,7 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "events/engine.h"
-#include "events/spin_barrier.h"
+#include "events/pair_strips.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 #include "simd/simd_batch.h"

@@ -1,4 +1,4 @@
-#include "search/overlap_levels.h"
+#include "search/overlap_search.h"
 
 #include <algorithm>
 #include <cmath>

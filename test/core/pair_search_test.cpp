@@ -101,7 +101,7 @@ TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
         PairContact expected;
         for (std::uint32_t id = 1; id < count; ++id)
           if (const auto time = search.contactWith(id, shift))
-            expected.take({*time, id, shift});
+            expected.keepEarlier({*time, id, shift});
         const PairContact found = search.firstAmong(all.data(), all.size(), shift);
         RC_CLASSIFY(found.time < 1.0, "contact");
         RC_ASSERT(found.time == expected.time);

@@ -1,4 +1,4 @@
-#include "search/periodic_image_search.h"
+#include "search/pair_search.h"
 
 #include <cmath>
 #include <limits>
@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 
 #include "draws.h"
-#include "search/pair_search.h"
 
 namespace ratchet_sieve
 {

@@ -1,4 +1,4 @@
-#include "search/quadratic.h"
+#include "search/contact_search.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

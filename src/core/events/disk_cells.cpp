@@ -106,31 +106,21 @@ void DiskCells::archive(StateArchive& state)
 CellGrid DiskCells::makeGrid()
 {
   const SceneDefinition& scene = state_.scene();
+  const BaseMotion& motion = state_.motion();
   const bool periodic = scene.boundary == Boundary::PERIODIC;
-  lattice_turns_ = latticeTurns();
-  frame_ = frameOfCells();
+  lattice_turns_ = periodic && motion.turning();
+  // The frame of the base at the start of the motion's segment; in its middle if the lattice turns.
+  const double start = motion.segmentStart();
+  frame_ = motion.at(lattice_turns_ ? 0.5 * (start + *motion.nextChange()) : start);
   images_.assign(lattice_turns_ ? capacity_ : 0, 0);
   const Sizes now = sizes();
   const CellLayout layout = fit_.layout().value_or(layerLayout(now));
   const double side = std::max(layout.smallest_side, now.least_side);
-  std::size_t count = std::max<std::size_t>(1, state_.activeCount());
+  const std::size_t count = std::max<std::size_t>(1, state_.activeCount());
   const CellShape shape(scene.base.width(), layout.height, side,
                         now.levels.count() > 1 ? std::max(count, MOST_NESTED_CELLS) : count);
   return CellGrid(shape, now.levels, NEST_MARGIN * now.levels.diameters[0] + latticeMargin(), count, periodic,
                   fit_.layout() ? laps() : 0);
-}
-
-bool DiskCells::latticeTurns() const
-{
-  return state_.scene().boundary == Boundary::PERIODIC && state_.motion().turning();
-}
-
-/// The frame of the base at the start of the motion's segment; in its middle if the lattice turns.
-FrameOfBase DiskCells::frameOfCells() const
-{
-  const BaseMotion& motion = state_.motion();
-  const double start = motion.segmentStart();
-  return motion.at(lattice_turns_ ? 0.5 * (start + *motion.nextChange()) : start);
 }
 
 /// While a periodic base turns, its lattice turns relative to the cells, by up to this length [m].

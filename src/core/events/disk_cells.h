@@ -7,7 +7,7 @@
 
 #include "search/cell_grid.h"
 #include "search/cell_layout.h"
-#include "search/quadratic.h"
+#include "search/contact_search.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
@@ -154,9 +154,7 @@ public:
   void archive(StateArchive& state);
 
 private:
-  bool latticeTurns() const;
   double latticeMargin() const;
-  FrameOfBase frameOfCells() const;
   CellGrid makeGrid();
   void openSeam();
 
@@ -185,7 +183,7 @@ private:
   }
 
   SystemState& state_;
-  FrameOfBase frame_;  ///< of the cells: see frameOfCells()
+  FrameOfBase frame_;  ///< of the cells: see makeGrid()
   CellFit fit_;
   std::size_t capacity_;
   std::size_t built_for_;             ///< number of disks when the grid was built

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 
-#include "events/strip_counts.h"
 #include "ratchet_sieve/core/definition.h"
 #include "ratchet_sieve/core/state_archive.h"
 
@@ -27,6 +26,20 @@ struct StripSettings
   std::int32_t columns_per_strip = 200;  ///< at least, so that there is room for what is left to the cuts
   std::int32_t margin = 4;               ///< columns that stay frozen next to those an event left out touches
   double events_per_column = 1.5;        ///< in a window
+};
+
+/// What strips of a layer have done so far, those windows included that were repeated with a single queue.
+struct StripCounts
+{
+  std::uint64_t events = 0;
+  std::uint64_t windows = 0;
+
+  /// The events that follow one another if each strip has a thread: in each window those of the strip with
+  /// the most events, then those of the cut with the most.
+  std::uint64_t critical_events = 0;
+
+  double meeting = 0.0;  ///< sum over the threads of the time between phases, waiting or working alone [s]
+  double alone = 0.0;    ///< time for copies, by two threads, and in which one counted and handed over [s]
 };
 
 /// Advances the disks of a system from event to event. Times are local to the epoch.
@@ -90,7 +103,7 @@ std::unique_ptr<EventLoop> makeEnsembleLoop(SystemState& state);
 /// For disks that collide with each other: one event queue for all.
 std::unique_ptr<EventLoop> makePairLoop(SystemState& state, ContactExecution& execution);
 
-/// The same by fixed integration steps: Method::STEPS.
+/// For disks that collide with each other, by fixed integration steps: Method::STEPS.
 std::unique_ptr<EventLoop> makeStepLoop(SystemState& state, ContactExecution& execution);
 
 /// The loops for disks that collide with each other, by the method of the scene.

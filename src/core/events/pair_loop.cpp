@@ -8,7 +8,6 @@
 #include "events/event_queue.h"
 #include "events/pair_events.h"
 #include "events/pair_strips.h"
-#include "events/prefetch_window.h"
 #include "model/processor.h"
 #include "state/contact_execution.h"
 
@@ -38,6 +37,26 @@ constexpr double LEAST_PACE = 0.125;
 /// Largest number of windows for the single queue after strips have failed.
 constexpr double MOST_CAUTION = 1024.0;
 
+/// The window of time whose events are prefetched together: about EVENTS_AHEAD of them, by the event rate of
+/// the window before. Most events of a window are known at its start. Results do not depend on it.
+struct PrefetchWindow
+{
+  double start = 0.0;
+  double end = 0.0;
+  std::uint64_t events_before = 0;
+
+  /// @param now time of the next event; @param events number of events so far
+  void begin(double now, std::uint64_t events)
+  {
+    const double length = events > events_before
+                              ? (now - start) * EVENTS_AHEAD / static_cast<double>(events - events_before)
+                              : end - start;
+    start = now;
+    end = now + length;
+    events_before = events;
+  }
+};
+
 /// The event loop for colliding disks (PairEvents). A single queue has the events of all disks, or each strip
 /// of the layer its own (PairStrips), whichever is faster; the bits are the same.
 class PairLoop : public EventLoop
@@ -55,27 +74,10 @@ public:
       stride_ += (stride_ > 0.0 ? LAST_STRIDE : 1.0) * (time - reached_ - stride_);
     while (reached_ < time && plansStrips())
     {
-      if (!useStrips())
-      {
-        // A while later there may be more events.
-        const double end = std::min(time, reached_ + LOOK_AHEAD * state_.timeScale());
-        if (const double reached = advanceQueue(end); reached < end || state_.collapseWatch().stops())
-          return reached;
-        continue;
-      }
-      const bool advanced = strips_->advance(reached_, time);
-      events_ += strips_->takeEvents();
-      window_length_ = strips_->windowLength();
-      pace_ = strips_->pace();
-      if (advanced)
-      {
-        reached_ = time;
+      // A while later there may be more events.
+      double end = std::min(time, reached_ + LOOK_AHEAD * state_.timeScale());
+      if (useStrips() && advanceStrips(time, end))
         return time;
-      }
-      pace_ = std::max(0.5 * pace_, LEAST_PACE);
-      const double end = std::min(time, strips_->failedBefore() + caution_ * window_length_);
-      caution_ = strips_->copies() > 1 ? 1.0 : std::min(2.0 * caution_, MOST_CAUTION);
-      useQueue();
       if (const double reached = advanceQueue(end); reached < end || state_.collapseWatch().stops())
         return reached;
     }
@@ -115,7 +117,8 @@ public:
       p.cell_time -= length;
     }
     queue_.rebase(length);
-    prefetched_.rebase(length);
+    prefetched_.start -= length;
+    prefetched_.end -= length;
     reached_ -= length;
   }
 
@@ -175,6 +178,25 @@ private:
     return true;
   }
 
+  /// Executes events strip by strip. @return whether all up to `time` are executed; otherwise the single
+  /// queue has to go on, up to `end`
+  bool advanceStrips(double time, double& end)
+  {
+    const bool advanced = strips_->advance(reached_, time);
+    events_ += strips_->takeEvents();
+    window_length_ = strips_->windowLength();
+    pace_ = strips_->pace();
+    if (advanced)
+    {
+      reached_ = time;
+      return true;
+    }
+    pace_ = std::max(0.5 * pace_, LEAST_PACE);
+    end = std::min(time, strips_->failedBefore() + caution_ * window_length_);
+    caution_ = strips_->copies() > 1 ? 1.0 : std::min(2.0 * caution_, MOST_CAUTION);
+    return false;
+  }
+
   /// Puts the events of all disks into the single queue.
   void useQueue()
   {
@@ -194,7 +216,7 @@ private:
       const double now = queue_.topTime();
       if (state_.collapseWatch().stops())
         return finishQueue(now);
-      if (now > prefetched_.end())
+      if (now > prefetched_.end)
         prefetchNextEvents();
       const std::uint32_t slot = queue_.top();
       if (!state_.collapseWatch().count(slot, now) || !state_.collapseWatch().stops())
@@ -230,13 +252,13 @@ private:
     prefetched_.begin(queue_.topTime(), events_ + events_of_queue_.events());
     if (layer_.predictions.size() < DISKS_IN_CACHE)
       return;
-    queue_.upTo(prefetched_.end(), next_);
+    queue_.upTo(prefetched_.end, next_);
     for (const std::uint32_t slot : next_)
       prefetchEvent(slot);
     for (const std::uint32_t slot : next_)
     {
       const PairContact& pair = layer_.predictions[slot].pair;
-      if (pair.time <= prefetched_.end())
+      if (pair.time <= prefetched_.end)
         prefetchEvent(pair.partner);
       cells_.prefetchAround(slot);
     }
@@ -269,7 +291,7 @@ private:
   EventQueue queue_;
   PairEvents<EventQueue> events_of_queue_;
   double reached_ = 0.0;
-  PrefetchWindow prefetched_{EVENTS_AHEAD};
+  PrefetchWindow prefetched_;
   std::vector<std::uint32_t> next_;  ///< the disks whose events were prefetched
   std::vector<std::uint32_t> near_;  ///< candidates of the neighbour search
   std::size_t threads_ = 1;

@@ -55,18 +55,35 @@ PairStrips::PairStrips(PairLayer& layer, std::size_t count, const StripSettings&
       cut_places_(layer.predictions.size(), SlotQueue::NONE),
       counts_(counts)
 {
-  const DiskCells& cells = layer_.cells;
-  const std::int32_t columns = cells.columns();
+  cutIntoStrips(count);
+  const std::size_t cuts = ring_ ? count : count - 1;
+  for (std::size_t s = 0; s < cuts; ++s)
+  {
+    const std::size_t next = (s + 1) % count;
+    const std::int32_t middle = strips_[s]->first_column + strips_[s]->columns / 2;
+    const std::int32_t length = strips_[s]->columns - strips_[s]->columns / 2 + strips_[next]->columns / 2;
+    cutting_.push_back(std::make_unique<Cut>(layer_, cut_places_, middle, length));
+    cutting_.back()->left = s;
+    cutting_.back()->right = next;
+  }
+  touched_.assign(strip_of_.size() + 2 * REACH, LONG_AGO);
+  for (const std::uint32_t slot : layer_.state.slots(true))
+  {
+    home_[slot] = stripOf(slot);
+    strips_[home_[slot]]->queue.update(slot, nextTime(slot));
+  }
+  layer_.cells.shareAmongThreads();
+}
+
+/// With about as many disks and columns in each, none narrower than mostStrips() allows.
+void PairStrips::cutIntoStrips(std::size_t count)
+{
+  const std::int32_t columns = layer_.cells.columns();
   std::vector<std::size_t> disks(static_cast<std::size_t>(columns), 1);
-  const auto slots = static_cast<std::uint32_t>(layer_.predictions.size());
-  std::size_t all = disks.size();
-  for (std::uint32_t slot = 0; slot < slots; ++slot)
-    if (layer_.state.active(slot))
-    {
-      ++disks[static_cast<std::size_t>(cells.columnOf(slot))];
-      ++all;
-    }
-  const std::int32_t least = columns / static_cast<std::int32_t>(mostStrips(cells, settings_));
+  for (const std::uint32_t slot : layer_.state.slots(true))
+    ++disks[static_cast<std::size_t>(layer_.cells.columnOf(slot))];
+  const std::size_t all = std::accumulate(disks.begin(), disks.end(), std::size_t{0});
+  const std::int32_t least = columns / static_cast<std::int32_t>(mostStrips(layer_.cells, settings_));
   std::int32_t first = 0;
   std::size_t sum = 0;
   for (std::size_t s = 0; s < count; ++s)
@@ -82,23 +99,6 @@ PairStrips::PairStrips(PairLayer& layer, std::size_t count, const StripSettings&
     strip_of_.resize(static_cast<std::size_t>(last), static_cast<std::uint16_t>(s));
     first = last;
   }
-  for (std::size_t s = 0; s < count && (ring_ || s + 1 < count) && count > 1; ++s)
-  {
-    const std::size_t next = (s + 1) % count;
-    const std::int32_t middle = strips_[s]->first_column + strips_[s]->columns / 2;
-    const std::int32_t length = strips_[s]->columns - strips_[s]->columns / 2 + strips_[next]->columns / 2;
-    cutting_.push_back(std::make_unique<Cut>(layer_, cut_places_, middle, length));
-    cutting_.back()->left = s;
-    cutting_.back()->right = next;
-  }
-  touched_.assign(static_cast<std::size_t>(columns) + 2 * REACH, LONG_AGO);
-  for (std::uint32_t slot = 0; slot < slots; ++slot)
-    if (layer_.state.active(slot))
-    {
-      home_[slot] = strip_of_[static_cast<std::size_t>(cells.columnOf(slot))];
-      strips_[home_[slot]]->queue.update(slot, nextTime(slot));
-    }
-  layer_.cells.shareAmongThreads();
 }
 
 /// Not so short, in a collapse, that time stands still.
@@ -152,6 +152,7 @@ void PairStrips::work(std::size_t worker, std::size_t workers, SpinBarrier& barr
       each(k);
   };
   double meeting = 0.0;
+  double copying = 0.0;
   const auto meet = [&](auto&& complete)
   {
     const TimeSpent spent(meeting);
@@ -161,14 +162,9 @@ void PairStrips::work(std::size_t worker, std::size_t workers, SpinBarrier& barr
   {
     if (copy_is_due_)
     {
-      double copying = 0.0;
-      {
-        const TimeSpent spent(copying);
-        guarded([&] { share(COPY_PARTS, [&](std::size_t part) { copy(part); }); });
-        barrier.wait([&] { copy_is_due_ = false; });
-      }
-      if (worker == 0)
-        counts_.alone += copying;
+      const TimeSpent spent(copying);
+      guarded([&] { share(COPY_PARTS, [&](std::size_t part) { copy(part); }); });
+      barrier.wait([&] { copy_is_due_ = false; });
     }
     guarded([&] { share(strips_.size(), [&](std::size_t s) { advance(s); }); });
     meet([] {});
@@ -183,6 +179,8 @@ void PairStrips::work(std::size_t worker, std::size_t workers, SpinBarrier& barr
         });
   }
   meeting_[worker] = meeting;
+  if (worker == 0)
+    counts_.alone += copying;
 }
 
 /// An exception must not keep a thread from the barrier.
@@ -230,18 +228,18 @@ bool PairStrips::execute(Region& region, std::uint32_t slot, double now, const C
 void PairStrips::advance(std::size_t s)
 {
   Strip& strip = *strips_[s];
-  const bool cut_left = !cutting_.empty() && (ring_ || s > 0);
-  const bool cut_right = !cutting_.empty() && (ring_ || s + 1 < strips_.size());
-  const auto take = [&](const Cut& cut)
+  const bool cut_left = ring_ || s > 0;
+  const bool cut_right = ring_ || s + 1 < strips_.size();
+  const auto update_from = [&](const Cut& cut)
   {
     for (const std::uint32_t slot : cut.changed)
       if (home_[slot] == s)
         strip.queue.update(slot, nextTime(slot));
   };
   if (cut_left)
-    take(*cutting_[(s + strips_.size() - 1) % strips_.size()]);
+    update_from(*cutting_[(s + strips_.size() - 1) % strips_.size()]);
   if (cut_right)
-    take(*cutting_[s]);
+    update_from(*cutting_[s]);
   strip.free = {cut_left ? settings_.margin : -REACH,
                 strip.columns - 1 + (cut_right ? -settings_.margin : REACH)};
   while (strip.queue.topTime() <= end_ && !failed_.load(std::memory_order_relaxed))
@@ -277,14 +275,14 @@ void PairStrips::leaveOver(Strip& strip, std::uint32_t slot, const ColumnSpan& s
 
 void PairStrips::advance(Cut& cut)
 {
-  const auto take = [&](std::vector<std::uint32_t>& slots)
+  const auto queue_all = [&](std::vector<std::uint32_t>& slots)
   {
     for (const std::uint32_t slot : slots)
       cut.queue.update(slot, nextTime(slot));
     slots.clear();
   };
-  take(strips_[cut.left]->right_over);
-  take(strips_[cut.right]->left_over);
+  queue_all(strips_[cut.left]->right_over);
+  queue_all(strips_[cut.right]->left_over);
   const std::int32_t columns = layer_.cells.columns();
   const auto is_free = [&](const ColumnSpan& span, double now)
   {
@@ -309,7 +307,7 @@ void PairStrips::advance(Cut& cut)
       [&](std::uint32_t slot)
       {
         cut.changed.push_back(slot);
-        if (strip_of_[static_cast<std::size_t>(layer_.cells.columnOf(slot))] != home_[slot])
+        if (stripOf(slot) != home_[slot])
           cut.moved.push_back(slot);
       });
 }
@@ -366,7 +364,7 @@ void PairStrips::moveDisks()
     for (const std::uint32_t slot : cut->moved)
     {
       strips_[home_[slot]]->queue.erase(slot);
-      home_[slot] = strip_of_[static_cast<std::size_t>(layer_.cells.columnOf(slot))];
+      home_[slot] = stripOf(slot);
       strips_[home_[slot]]->queue.update(slot, nextTime(slot));
     }
 }
@@ -393,7 +391,7 @@ void PairStrips::restore()
 /// Hands over what the regions have counted and observed.
 void PairStrips::commit()
 {
-  const auto take = [&](Region& region)
+  const auto hand_over = [&](Region& region)
   {
     events_ += region.events.takeEvents();
     region.counted = 0;
@@ -401,9 +399,9 @@ void PairStrips::commit()
     layer_.state.merge(std::exchange(region.share, Observers::Share(layer_.state.observers())));
   };
   for (const auto& strip : strips_)
-    take(*strip);
+    hand_over(*strip);
   for (const auto& cut : cutting_)
-    take(*cut);
+    hand_over(*cut);
   events_to_commit_ = 0;
   pace_ = std::min(FASTER * pace_, 1.0);
 }

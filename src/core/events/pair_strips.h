@@ -1,22 +1,68 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <memory>
-#include <optional>
+#include <thread>
 #include <vector>
 
 #include "events/event_loop.h"
 #include "events/pair_events.h"
 #include "events/slot_queue.h"
-#include "events/spin_barrier.h"
-#include "events/strip_counts.h"
 #include "simd/worker_pool.h"
 
 namespace ratchet_sieve
 {
+
+/// A barrier for threads that meet every few hundred microseconds: it spins before it gives the processor
+/// away.
+class SpinBarrier
+{
+public:
+  explicit SpinBarrier(std::size_t threads) : threads_(threads) {}
+
+  /// Waits for all threads. The last one calls `complete` before any goes on.
+  template <typename Complete>
+  void wait(Complete&& complete)
+  {
+    const std::size_t round = round_.load(std::memory_order_relaxed);
+    if (waiting_.fetch_add(1, std::memory_order_acq_rel) + 1 == threads_)
+    {
+      complete();
+      waiting_.store(0, std::memory_order_relaxed);
+      round_.store(round + 1, std::memory_order_release);
+      return;
+    }
+    for (int spins = 0; round_.load(std::memory_order_acquire) == round; ++spins)
+      if (spins > SPINS)
+        std::this_thread::yield();
+  }
+
+private:
+  /// Some ten microseconds.
+  static constexpr int SPINS = 10000;
+
+  std::size_t threads_;
+  alignas(64) std::atomic<std::size_t> waiting_{0};
+  alignas(64) std::atomic<std::size_t> round_{0};
+};
+
+/// Adds the time until it is destroyed to a sum [s].
+class TimeSpent
+{
+public:
+  explicit TimeSpent(double& sum) : sum_(sum), start_(std::chrono::steady_clock::now()) {}
+  ~TimeSpent() { sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  TimeSpent(const TimeSpent&) = delete;
+  TimeSpent& operator=(const TimeSpent&) = delete;
+
+private:
+  double& sum_;
+  std::chrono::steady_clock::time_point start_;
+};
 
 /// Advances a layer strip by strip, on several threads, with the bits of a single queue.
 ///
@@ -35,7 +81,7 @@ class PairStrips
 public:
   /// Cuts where each strip has as many disks.
   /// @param layer outlives this; no grid is built while it exists
-  /// @param count of strips, at most mostStrips(); @param pool null: one thread
+  /// @param count of strips, from 2 to mostStrips(); @param pool null: one thread
   /// @param counts outlives this
   PairStrips(PairLayer& layer, std::size_t count, const StripSettings& settings, WorkerPool* pool,
              StripCounts& counts);
@@ -97,6 +143,11 @@ private:
     std::vector<std::uint32_t> moved;    ///< of these, those that left their strip
   };
 
+  void cutIntoStrips(std::size_t count);
+  std::uint16_t stripOf(std::uint32_t slot) const
+  {
+    return strip_of_[static_cast<std::size_t>(layer_.cells.columnOf(slot))];
+  }
   void work(std::size_t worker, std::size_t workers, SpinBarrier& barrier, double time);
   template <typename Phase>
   void guarded(Phase&& phase);

@@ -9,7 +9,7 @@
 #include "events/event_loop.h"
 #include "events/step_contacts.h"
 #include "search/base_overlap.h"
-#include "search/overlap_levels.h"
+#include "search/overlap_search.h"
 #include "search/pair_search.h"
 #include "state/contact_execution.h"
 

@@ -35,8 +35,6 @@ BaseOverlap::BaseOverlap(const BaseShape& shape)
     lines_.push_back({face.normal, (face.foot - Eigen::Vector2d(shift, 0.0)).dot(face.normal)});
     pockets_.back().end = lines_.data() + k + 1;
   }
-  to_the_left_ = lines_.front().normal;
-  to_the_right_ = lines_.back().normal;
   is_valley_ = even_ && pockets_.size() == 1 && lines_.size() == 2 && lines_.front().offset == 0.0 &&
                lines_.back().offset == 0.0;
 }

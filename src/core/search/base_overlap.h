@@ -29,9 +29,7 @@ public:
     if (is_valley_)
     {
       const double from_foot = inPockets(s);
-      const auto distance = [&](const Eigen::Vector2d& normal)
-      { return from_foot * normal.x() + n * normal.y(); };
-      return (distance(to_the_left_) < radius) | (distance(to_the_right_) < radius);
+      return (lines_[0].distance(from_foot, n) < radius) | (lines_[1].distance(from_foot, n) < radius);
     }
     if (!even_)
       return shape_.heightAbove(s, n) < radius;
@@ -93,9 +91,7 @@ private:
   double width_;
   double tooth_width_;
   double teeth_per_length_;
-  double first_corner_;           ///< s of the first corner of a tooth; its pocket ends there [m]
-  Eigen::Vector2d to_the_left_;   ///< normal of the face on the left of a valley
-  Eigen::Vector2d to_the_right_;  ///< normal of the face on its right
+  double first_corner_;  ///< s of the first corner of a tooth; its pocket ends there [m]
   std::vector<Line> lines_;
   std::vector<Pocket> pockets_;
 };

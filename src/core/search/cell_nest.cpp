@@ -184,23 +184,20 @@ std::size_t CellNest::collect(const Place& place, const Buckets& buckets, const 
     const auto [span, skipped] = columnsOf(place, first, first + size - 1, extent, covered);
     if (span.first > span.last)
       continue;
-    const auto take = [&](std::int32_t from, std::int32_t to)
+    const auto read = [&](std::int32_t from, std::int32_t to)
     {
       const std::size_t start = static_cast<std::size_t>(row) * buckets.columns;
       for (std::int32_t column = from; column <= to; ++column)
         count = buckets.blocks.collect(start + static_cast<std::size_t>(column), list, count);
     };
-    // Buckets that are skipped as a whole.
-    const Span whole{(std::max(skipped.first, 0) + size - 1) >> buckets.shift,
-                     ((std::max(skipped.last, -1) + 1) >> buckets.shift) - 1};
-    const Span read{span.first >> buckets.shift, span.last >> buckets.shift};
+    const Span all{span.first >> buckets.shift, span.last >> buckets.shift};
+    // Buckets that are skipped as a whole; if there are none, those after the last.
+    Span whole{(std::max(skipped.first, 0) + size - 1) >> buckets.shift,
+               ((std::max(skipped.last, -1) + 1) >> buckets.shift) - 1};
     if (skipped.first > skipped.last || whole.first > whole.last)
-    {
-      take(read.first, read.last);
-      continue;
-    }
-    take(read.first, std::min(read.last, whole.first - 1));
-    take(std::max(read.first, whole.last + 1), read.last);
+      whole = {all.last + 1, all.last};
+    read(all.first, std::min(all.last, whole.first - 1));
+    read(std::max(all.first, whole.last + 1), all.last);
   }
   return count;
 }

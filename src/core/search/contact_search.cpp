@@ -169,16 +169,13 @@ double ContactSearch::longestSpan() const
 double ContactSearch::relativeAccelerationBound(const BasePoint& point, double span) const
 {
   const double plain = gravity_ + motion_.greatestAcceleration();
-  double bound = plain;
-  if (motion_.turning())
-  {
-    const double w = std::abs(motion_.inclinationRate());
-    const double distance = point.position.norm();
-    const double turn = w * span;
-    bound = (plain + 2.0 * w * speedBound(point) + w * w * (distance + speedBound(point) * span)) /
-            (1.0 - 2.0 * turn - turn * turn);
-  }
-  return bound;
+  if (!motion_.turning())
+    return plain;
+  const double w = std::abs(motion_.inclinationRate());
+  const double distance = point.position.norm();
+  const double turn = w * span;
+  return (plain + 2.0 * w * speedBound(point) + w * w * (distance + speedBound(point) * span)) /
+         (1.0 - 2.0 * turn - turn * turn);
 }
 
 /// Gravity is vertical in the world, and so is the drive of the paper's machine. relativeAccelerationBound()

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "search/contact_search.h"
-#include "search/quadratic.h"
 
 namespace ratchet_sieve
 {

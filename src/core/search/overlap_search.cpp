@@ -109,22 +109,16 @@ void OverlapSearch::sort()
 
 std::size_t OverlapSearch::hitsIn(std::uint32_t row, std::uint32_t begin, std::uint32_t end)
 {
-  const std::size_t room = end - begin + LANES;
-  if (first_hits_.size() < room)
-  {
-    first_hits_.resize(room);
-    second_hits_.resize(room);
-  }
-  std::uint32_t* const first = first_hits_.data();
-  std::uint32_t* const second = second_hits_.data();
+  if (hits_.size() < end - begin + LANES)
+    hits_.resize(end - begin + LANES);
+  std::uint32_t* const hits = hits_.data();
   std::size_t count = 0;
   for (std::uint32_t at = begin; at < end; at += LANES)
     for (unsigned found = overlapsOfFour(rows_.s.data(), rows_.n.data(), rows_.radius.data(), row, at);
          found != 0; found &= found - 1)
     {
       const std::uint32_t other = at + static_cast<std::uint32_t>(__builtin_ctz(found));
-      first[count] = row;
-      second[count] = other;
+      hits[count] = other;
       count += other < end && other != row ? 1 : 0;
     }
   return count;
@@ -136,15 +130,6 @@ void OverlapSearch::put(std::uint32_t row, const Placed& disk, float s)
   rows_.n[row] = disk.n;
   rows_.radius[row] = disk.radius;
   slots_[row] = disk.slot;
-}
-
-std::uint32_t OverlapSearch::putGuest(const OverlapDisk& disk)
-{
-  const std::size_t row = rows_.s.size() - 1;
-  rows_.s[row] = disk.s;
-  rows_.n[row] = disk.n;
-  rows_.radius[row] = disk.radius;
-  return static_cast<std::uint32_t>(row);
 }
 
 void OverlapSearch::move(std::uint32_t slot, double s, double n)
@@ -160,6 +145,33 @@ void OverlapSearch::move(std::uint32_t slot, double s, double n)
     place(row - disks_, s - width_);
   if (periodic_ && row + disks_ < starts_[columns_ + 2])
     place(row + disks_, s + width_);
+}
+
+void OverlapLevels::sort()
+{
+  if (placed_.size() > 2 * chosen_for_ || searches_.empty())
+    chooseLevels();
+  for (OverlapSearch& search : searches_)
+    search.begin(level_of_.size());
+  for (const Placed& disk : placed_)
+  {
+    level_of_[disk.slot] = levels_.of(disk.radius);
+    searches_[level_of_[disk.slot]].place(disk.slot, disk.s, disk.n, disk.radius);
+  }
+  for (OverlapSearch& search : searches_)
+    search.sort();
+}
+
+void OverlapLevels::chooseLevels()
+{
+  std::vector<double> radii;
+  for (const Placed& disk : placed_)
+    radii.push_back(disk.radius);
+  levels_ = cheapestLevels(radii, largest_diameter_);
+  chosen_for_ = placed_.size();
+  searches_.clear();
+  for (const double diameter : levels_.diameters)
+    searches_.emplace_back(width_, diameter, periodic_);
 }
 
 }  // namespace ratchet_sieve

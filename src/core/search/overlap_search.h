@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "search/size_levels.h"
+
 namespace ratchet_sieve
 {
 
@@ -50,7 +52,7 @@ public:
   {
     for (std::size_t column = 0; column < columns_; ++column)
       for (std::uint32_t row = starts_[column + 1]; row < starts_[column + 2]; ++row)
-        visitHits(hitsIn(row, row + 1, starts_[column + 3]), visit);
+        visitHits(row, hitsIn(row, row + 1, starts_[column + 3]), visit);
   }
 
   /// Calls visit(slot, other, shift) for each disk that may overlap this one.
@@ -59,10 +61,11 @@ public:
   {
     const std::uint32_t row = row_of_[slot];
     const std::size_t column = columnAt(rows_.s[row]);
-    visitHits(hitsIn(row, starts_[column], starts_[column + 3]), visit);
+    visitHits(row, hitsIn(row, starts_[column], starts_[column + 3]), visit);
   }
 
-  /// The same for a disk that is not among those placed, of any size. @param slot its own
+  /// Calls visit(slot, other, shift) for each disk that may overlap this one, which is not among those placed
+  /// and may be of any size. @param slot its own
   template <typename Visit>
   void forEachTouching(std::uint32_t slot, const OverlapDisk& disk, Visit&& visit)
   {
@@ -72,11 +75,13 @@ public:
       const double s = disk.s + lap * width_;
       if (s + reach < 0.0 || s - reach > width_)
         continue;
-      const std::uint32_t row = putGuest({static_cast<float>(s), disk.n, disk.radius});
+      // Into the row that is beyond all that a search tests.
+      const auto row = static_cast<std::uint32_t>(slots_.size() - 1);
+      put(row, {slot, 0, 0.0F, disk.n, disk.radius}, static_cast<float>(s));
       const std::size_t hits =
           hitsIn(row, starts_[columnAt(s - reach) + 1], starts_[columnAt(s + reach) + 2]);
       for (std::size_t k = 0; k < hits; ++k)
-        visit(slot, slots_[second_hits_[k]], -lap);
+        visit(slot, slots_[hits_[k]], -lap);
     }
   }
 
@@ -104,21 +109,18 @@ private:
                         : 0;
   }
 
-  /// Tests a row against the rows in [begin, end), except itself, and puts those that overlap into
-  /// second_hits_, in increasing order, and the row beside each into first_hits_. @return their number
+  /// Tests a row against the rows in [begin, end), except itself, and puts those that overlap into hits_, in
+  /// increasing order. @return their number
   std::size_t hitsIn(std::uint32_t row, std::uint32_t begin, std::uint32_t end);
 
   template <typename Visit>
-  void visitHits(std::size_t count, Visit&& visit) const
+  void visitHits(std::uint32_t row, std::size_t count, Visit&& visit) const
   {
     for (std::size_t k = 0; k < count; ++k)
-      visit(slots_[first_hits_[k]], slots_[second_hits_[k]], shiftOf(second_hits_[k]));
+      visit(slots_[row], slots_[hits_[k]], shiftOf(hits_[k]));
   }
 
   void put(std::uint32_t row, const Placed& disk, float s);
-
-  /// Writes a disk into the row that is beyond all that a search tests. @return the row
-  std::uint32_t putGuest(const OverlapDisk& disk);
 
   /// Rows before the first disk are images one width to the left; rows after the last disk are images one
   /// width to the right.
@@ -146,8 +148,80 @@ private:
   } rows_;
   std::vector<std::uint32_t> slots_;   ///< per row
   std::vector<std::uint32_t> row_of_;  ///< per slot
-  std::vector<std::uint32_t> first_hits_;
-  std::vector<std::uint32_t> second_hits_;
+  std::vector<std::uint32_t> hits_;    ///< rows
+};
+
+/// An OverlapSearch for disks of wide sizes: one for each size level, and each disk tested against the
+/// columns of the other levels. The levels change only the cost.
+class OverlapLevels
+{
+public:
+  /// See OverlapSearch.
+  OverlapLevels(double width, double largest_diameter, bool periodic)
+      : width_(width), largest_diameter_(largest_diameter), periodic_(periodic)
+  {
+  }
+
+  void begin(std::size_t count)
+  {
+    placed_.clear();
+    level_of_.resize(count);
+  }
+
+  void place(std::uint32_t slot, double s, double n, double radius)
+  {
+    placed_.push_back({slot, s, n, radius});
+  }
+
+  void sort();
+
+  void move(std::uint32_t slot, double s, double n) { searches_[level_of_[slot]].move(slot, s, n); }
+
+  template <typename Visit>
+  void forEachPair(Visit&& visit)
+  {
+    for (OverlapSearch& search : searches_)
+      search.forEachPair(visit);
+    for (const Placed& disk : placed_)
+      for (std::size_t finer = 0; finer < level_of_[disk.slot]; ++finer)
+        touching(disk.slot, finer, visit);
+  }
+
+  template <typename Visit>
+  void forEachAround(std::uint32_t slot, Visit&& visit)
+  {
+    for (std::size_t level = 0; level < searches_.size(); ++level)
+      if (level == level_of_[slot])
+        searches_[level].forEachAround(slot, visit);
+      else
+        touching(slot, level, visit);
+  }
+
+private:
+  struct Placed
+  {
+    std::uint32_t slot;
+    double s;
+    double n;
+    double radius;
+  };
+
+  template <typename Visit>
+  void touching(std::uint32_t slot, std::size_t level, Visit&& visit)
+  {
+    searches_[level].forEachTouching(slot, searches_[level_of_[slot]].placed(slot), visit);
+  }
+
+  void chooseLevels();
+
+  double width_;
+  double largest_diameter_;
+  bool periodic_;
+  std::size_t chosen_for_ = 0;  ///< the number of disks for which the levels were chosen
+  SizeLevels levels_;
+  std::vector<OverlapSearch> searches_;  ///< per level
+  std::vector<Placed> placed_;
+  std::vector<std::uint8_t> level_of_;  ///< per slot
 };
 
 }  // namespace ratchet_sieve

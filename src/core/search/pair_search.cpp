@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "model/processor.h"
 #include "ratchet_sieve/core/resolution.h"
-#include "search/periodic_image_search.h"
-#include "search/quadratic.h"
+#include "search/contact_search.h"
 
 namespace ratchet_sieve
 {
@@ -16,6 +17,20 @@ namespace
 /// Largest number of steps of a search across the seam of a turning base, which then assumes contact. Even
 /// for grazing disks the steps shrink to two thirds each time, so that the remaining gap is only rounding.
 constexpr int MAX_SEAM_STEPS = 200;
+
+/// Images are tested up to this fraction of the contact distance beyond it, to allow for rounding. The exact
+/// test follows, as for any two disks.
+constexpr double REACH_MARGIN = 0.005;
+
+/// A smaller speed towards the row counts as 0 [m/s]. Keeps times finite.
+constexpr double AT_REST = 1e-200;
+
+/// The smallest integer not below x. @pre it fits into an int
+int roundedUp(double x)
+{
+  const int truncated = static_cast<int>(x);
+  return truncated + (truncated < x ? 1 : 0);
+}
 }  // namespace
 
 PairContact PairSearch::firstOfSlots(const std::uint32_t* others, std::size_t count, int shift) const
@@ -23,7 +38,7 @@ PairContact PairSearch::firstOfSlots(const std::uint32_t* others, std::size_t co
   PairContact first;
   const Image image = scene_.image(shift, from_);
   for (std::size_t i = 0; i < count; i += LANES)
-    first.take(firstOfLanes(others + i, std::min(LANES, count - i), shift, image));
+    first.keepEarlier(firstOfLanes(others + i, std::min(LANES, count - i), shift, image));
   return first;
 }
 
@@ -33,7 +48,8 @@ PairContact PairSearch::firstOfImages(const std::uint32_t* others, std::size_t c
 {
   PairContact first;
   std::size_t begin = 0;
-  const auto search_row = [&](std::size_t end) { first.take(firstOfSlots(others + begin, end - begin, 0)); };
+  const auto search_row = [&](std::size_t end)
+  { first.keepEarlier(firstOfSlots(others + begin, end - begin, 0)); };
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::uint32_t other = others[i];
@@ -43,7 +59,7 @@ PairContact PairSearch::firstOfImages(const std::uint32_t* others, std::size_t c
     search_row(i);
     begin = i + 1;
     if (const auto time = other == slot_ ? std::nullopt : contactWith(other, own_shift))
-      first.take({*time, other, own_shift});
+      first.keepEarlier({*time, other, own_shift});
   }
   search_row(count);
   return first;
@@ -63,8 +79,62 @@ PairContact PairSearch::firstOnRing(const std::uint32_t* others, std::size_t cou
         ring.firstTouch(vectorOf(seen.position), vectorOf(seen.velocity), seen.distance, horizon);
     if (!touch || from_ + touch->time_to_contact >= until_)
       continue;
-    first.take({from_ + touch->time_to_contact, others[i], touch->shift});
+    first.keepEarlier({from_ + touch->time_to_contact, others[i], touch->shift});
     horizon = touch->time_to_contact;
+  }
+  return first;
+}
+
+std::optional<PeriodicImageSearch::Touch> PeriodicImageSearch::firstTouch(const Eigen::Vector2d& position,
+                                                                          const Eigen::Vector2d& velocity,
+                                                                          double distance,
+                                                                          double horizon) const
+{
+  const double reach = distance * (1.0 + REACH_MARGIN);
+  const auto in_row = intoBase(rotation, position.x(), position.y());
+  const auto going = intoBase(rotation, velocity.x(), velocity.y());
+  const double across = in_row.second;
+  const double rising = going.second;
+  if (std::abs(across) >= reach && across * rising >= 0.0)
+    return std::nullopt;
+  // The time interval in which the row is within reach.
+  double from = 0.0;
+  double to = std::numeric_limits<double>::infinity();
+  if (std::abs(rising) > AT_REST)
+  {
+    const double per_rising = 1.0 / rising;
+    const double half = reach * std::abs(per_rising);
+    from = std::max(0.0, -across * per_rising - half);
+    to = -across * per_rising + half;
+  }
+  if (from > horizon)
+    return std::nullopt;
+
+  // Along the row in widths, oriented so that the disk flies towards greater positions.
+  const double rate = going.first * per_width;
+  const double sign = rate < 0.0 ? -1.0 : 1.0;
+  const double along = sign * in_row.first * per_width;
+  const double speed = std::abs(rate);
+  const double margin = reach * per_width;
+  const double limit = most_laps;
+  const double last = speed > 0.0 ? along + speed * std::min(to, horizon) : along;
+  const double begin = std::max(along + speed * from - margin, -limit);
+  const double end = std::min(last + margin, limit);
+  if (begin > end)
+    return std::nullopt;
+  std::optional<Touch> first;
+  for (int image = roundedUp(begin); image <= end; ++image)
+  {
+    // The images are reached one after the other.
+    if (first && image - margin > along + speed * first->time_to_contact)
+      break;
+    const double shift = sign * image;
+    const auto there = alongBase(rotation, shift * width);
+    const auto time_to_contact =
+        timeToContact(position - Eigen::Vector2d(there.first, there.second), velocity, distance);
+    if (time_to_contact && *time_to_contact <= horizon &&
+        !(first && first->time_to_contact <= *time_to_contact))
+      first = Touch{*time_to_contact, static_cast<int>(shift)};
   }
   return first;
 }
@@ -125,7 +195,7 @@ struct PairSearch::Lanes
   }
 };
 
-/// The same arithmetic as in contact() and timeToContact(), two disks at a time. First, whether each will be
+/// Computes as contact() and timeToContact() do, two disks at a time. First, whether each will be
 /// touched, without a branch. Then the times of those that will, four at a time, because most will not, and a
 /// root is slow.
 PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t count, int shift,
@@ -146,16 +216,9 @@ PairContact PairSearch::firstOfLanes(const std::uint32_t* others, std::size_t co
       continue;
     for (unsigned found = whichUpTo(a, earliest) | whichUpTo(b, earliest) << 2; found != 0;
          found &= found - 1)
-      first.take({earliest, others[next[__builtin_ctz(found)]], shift});
+      first.keepEarlier({earliest, others[next[__builtin_ctz(found)]], shift});
   } while (lanes.touching != 0);
   return first;
-}
-
-std::optional<double> PairSearch::contactAcrossSeam(const Disk& other, int shift, double distance) const
-{
-  if (scene_.motion.turning())
-    return contactAcrossTurningSeam(other, shift, distance);
-  return contact(other, scene_.image(shift, from_), distance);
 }
 
 /// While the base turns, the image moves on an arc. So the search is conservative advancement, as for the

@@ -8,6 +8,7 @@
 
 #include "model/base_motion.h"
 #include "model/disk.h"
+#include "model/motion.h"
 
 namespace ratchet_sieve
 {
@@ -57,14 +58,11 @@ struct PairContact
     return time < other.time || (time == other.time && partner < other.partner);
   }
 
-  /// Is replaced by the other if that is earlier.
-  void take(const PairContact& other)
+  /// Becomes the other one if that is earlier.
+  void keepEarlier(const PairContact& other)
   {
-    if (!other.isBefore(*this))
-      return;
-    time = other.time;
-    partner = other.partner;
-    shift = other.shift;
+    if (other.isBefore(*this))
+      *this = other;
   }
 
   void archive(StateArchive& state) { state(time, partner, shift); }
@@ -86,6 +84,28 @@ struct PairScene
   {
     return shift == 0.0 ? Image() : motion.at(time).image(shift * width);
   }
+};
+
+/// Finds the first contact of a disk with the images of another on a ring. The images form a row, one width
+/// apart, and the relative motion is a straight line. So the disk comes near the row once, and only the
+/// images near that place are tested.
+struct PeriodicImageSearch
+{
+  Rotation rotation;  ///< by the row's inclination
+  double width;       ///< of the ring [m]
+  double per_width;   ///< its inverse [1/m]
+  int most_laps;      ///< images further away are ignored [widths]
+
+  struct Touch
+  {
+    double time_to_contact;  ///< [s]
+    int shift;               ///< image that is touched, in widths to the right
+  };
+
+  /// The first contact, if there is one by `horizon` [s].
+  /// @param position, velocity of the disk relative to the other [m, m/s]; @param distance at contact [m]
+  std::optional<Touch> firstTouch(const Eigen::Vector2d& position, const Eigen::Vector2d& velocity,
+                                  double distance, double horizon) const;
 };
 
 /// Finds the contacts of one disk with others, on its flight from a given time on.
@@ -116,18 +136,18 @@ public:
     return firstOfSlots(others, count, shift);
   }
 
-  /// The same for all images up to `most_laps` widths to either side, in closed form for those that the disk
-  /// passes. @pre the base is periodic and does not turn
+  /// The first contact with any of these disks' images up to `most_laps` widths to either side, in closed
+  /// form for those that the disk passes. @pre the base is periodic and does not turn
   PairContact firstOnRing(const std::uint32_t* others, std::size_t count, int most_laps) const;
 
-  /// The same for one other disk, without SIMD: the reference for the SIMD version.
+  /// The contact with one other disk, without SIMD: the reference for the SIMD version.
   std::optional<double> contactWith(std::uint32_t other, int shift) const
   {
     const Disk& disk = scene_.disks[other];
     const double distance = radius_ + scene_.radius(other);
-    if (shift != 0)
-      return contactAcrossSeam(disk, shift, distance);
-    return contact(disk, Image(), distance);
+    if (shift != 0 && scene_.motion.turning())
+      return contactAcrossTurningSeam(disk, shift, distance);
+    return contact(disk, scene_.image(shift, from_), distance);
   }
 
 private:
@@ -172,7 +192,6 @@ private:
     return from_ + *time_to_contact;
   }
 
-  std::optional<double> contactAcrossSeam(const Disk& other, int shift, double distance) const;
   std::optional<double> contactAcrossTurningSeam(const Disk& other, int shift, double distance) const;
 
   const PairScene& scene_;

@@ -2,7 +2,8 @@
 #include <emmintrin.h>
 #endif
 
-#include "simd/batch_kernels.h"
+#include "model/motion.h"
+#include "simd/simd_batch.h"
 
 namespace ratchet_sieve
 {

@@ -12,7 +12,8 @@
 #pragma GCC target("avx2")
 #endif
 
-#include "simd/batch_kernels.h"
+#include "model/motion.h"
+#include "simd/simd_batch.h"
 
 namespace ratchet_sieve
 {

@@ -16,7 +16,8 @@
 #pragma GCC target("avx512f,avx512vl")
 #endif
 
-#include "simd/batch_kernels.h"
+#include "model/motion.h"
+#include "simd/simd_batch.h"
 
 namespace ratchet_sieve
 {

@@ -1,4 +1,4 @@
-#include "simd/batch_kernels.h"
+#include "simd/simd_batch.h"
 
 #include <initializer_list>
 

@@ -5,29 +5,18 @@ namespace ratchet_sieve
 
 void BatchRun::executeEvents(const BatchKernel& kernel, const BatchScene& scene, std::size_t rows)
 {
-  if (share_->wantsFlights())
-    takeFlights(rows);
-  kernel.collide(scene, batch_, rows);
-  takeOutcomes(rows);
-  kernel.search(scene, batch_, rows);
-}
-
-void BatchRun::takeFlights(std::size_t rows)
-{
-  for (std::size_t row = 0; row < rows; ++row)
+  for (std::size_t row = 0; row < rows && share_->wantsFlights(); ++row)
   {
     Disk disk;
     readState(batch_, row, disk);
     disk.species = species_[row];
     share_->flew({slots_[row], disk, batch_.event_time[row]});
   }
-}
-
-void BatchRun::takeOutcomes(std::size_t rows)
-{
+  kernel.collide(scene, batch_, rows);
   report_.events += rows;
   share_->collided(rows,
                    [this](std::size_t row) { return outcomeOf(batch_, row, slots_[row], species_[row]); });
+  kernel.search(scene, batch_, rows);
 }
 
 BatchRun::Report BatchRun::takeReport(Observers::Share& share)

@@ -1,15 +1,62 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <limits>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "simd/batch_rows.h"
-#include "simd/ensemble_pass.h"
 
 namespace ratchet_sieve
 {
+
+/// The last event that is executed, in the order of a single queue: by time, then by slot.
+struct LastEvent
+{
+  double time;  ///< [s]
+  std::uint32_t slot = std::numeric_limits<std::uint32_t>::max();
+
+  bool isAtOrAfter(double event_time, std::uint32_t event_slot) const
+  {
+    return event_time < time || (event_time == time && event_slot <= slot);
+  }
+  bool isAt(double event_time, std::uint32_t event_slot) const
+  {
+    return event_time == time && event_slot == slot;
+  }
+};
+
+/// The event at which a pass breaks off, because it would end the run or is one too many of its disk:
+/// the earliest that a thread has found.
+class PassBreak
+{
+public:
+  /// Whether there is one.
+  explicit operator bool() const { return is_set_.load(std::memory_order_relaxed); }
+
+  void set(const LastEvent& event)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!*this || event_.isAtOrAfter(event.time, event.slot))
+      event_ = event;
+    is_set_.store(true, std::memory_order_relaxed);
+  }
+
+  /// @pre no thread is at work
+  LastEvent take()
+  {
+    is_set_ = false;
+    return event_;
+  }
+
+private:
+  std::atomic<bool> is_set_{false};
+  std::mutex mutex_;
+  LastEvent event_{};
+};
 
 /// One thread's part of advancing an ensemble: loads disks into the rows of a batch, and stores them when
 /// their next event is after the last one.
@@ -24,13 +71,13 @@ public:
 
   BatchRun() : batch_() {}
 
-  /// Advances the disks that `take` returns, until it returns false: bool take(std::uint32_t& slot).
+  /// Advances the disks that `next_disk` gives, until it returns false: bool next_disk(std::uint32_t& slot).
   ///
   /// Breaks off at an event that would end the run or is one too many of its disk, and where another thread
   /// does. Disks have then reached different events. If it is the last event, its disk just waits there.
-  template <typename Take>
+  template <typename NextDisk>
   void advance(SystemState& system, std::vector<BaseEvent>& next, const BatchScene& scene,
-               const LastEvent& last, std::uint32_t most_events, PassBreak& pass_break, Take&& take)
+               const LastEvent& last, std::uint32_t most_events, PassBreak& pass_break, NextDisk&& next_disk)
   {
     const BatchKernel& kernel = presentBatchKernel();
     CollapseWatch& watch = system.collapseWatch();
@@ -38,9 +85,9 @@ public:
     std::uint32_t slot = 0;
     std::size_t rows = 0;
     std::uint32_t events = 0;  // of each row that is loaded all the while
-    const auto take_up = [&](std::size_t row)
+    const auto refill = [&](std::size_t row)
     {
-      while (take(slot))
+      while (next_disk(slot))
         if (admit(watch, slot, next[slot].time, last, pass_break))
         {
           load(system, slot, next[slot], row, events);
@@ -48,7 +95,7 @@ public:
         }
       return false;
     };
-    while (rows < SimdBatch::ROWS && take_up(rows))
+    while (rows < SimdBatch::ROWS && refill(rows))
       ++rows;
     while (rows > 0 && !pass_break)
     {
@@ -68,7 +115,7 @@ public:
           }
         }
         storeRow(batch_, row, system, slots_[row], next[slots_[row]]);
-        if (take_up(row))
+        if (refill(row))
           ++row;
         else if (--rows > row)
           moveRow(rows, row);
@@ -116,14 +163,9 @@ private:
     loaded_[to] = loaded_[from];
   }
 
-  /// Executes the next event of each of the first `rows` rows, and finds the one after it.
+  /// Executes the next event of each of the first `rows` rows, passes the flights that end with it and the
+  /// outcomes to the observers, and finds the event after it.
   void executeEvents(const BatchKernel& kernel, const BatchScene& scene, std::size_t rows);
-
-  /// Passes the flights that end with the next events of the first `rows` rows to the observers.
-  void takeFlights(std::size_t rows);
-
-  /// Passes the outcomes of the first `rows` rows to the observers.
-  void takeOutcomes(std::size_t rows);
 
   SimdBatch batch_;
   std::uint32_t slots_[SimdBatch::ROWS];

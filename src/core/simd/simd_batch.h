@@ -112,12 +112,18 @@ struct BatchKernel
   void (*collide)(const BatchScene& scene, SimdBatch& batch, std::size_t rows);
 
   /// Finds the next event of the first `rows` flights after `event_time`, and stores it there.
-  /// @return number of evaluations of the flights
-  std::uint64_t (*search)(const BatchScene& scene, SimdBatch& batch, std::size_t rows);
+  void (*search)(const BatchScene& scene, SimdBatch& batch, std::size_t rows);
 
   /// Sets flights from the disks' states, for those not set by `collide`.
   void (*launch)(const BatchScene& scene, SimdBatch& batch, std::size_t rows);
 };
+
+/// The available kernels, each compiled for its own register width, together with the physics.
+extern const BatchKernel KERNEL_OF_TWO_LANES;
+#if defined(__x86_64__)
+extern const BatchKernel KERNEL_OF_FOUR_LANES;
+extern const BatchKernel KERNEL_OF_EIGHT_LANES;
+#endif
 
 /// The kernel with this number of lanes (2, 4 or 8), or nullptr if this processor cannot run it.
 const BatchKernel* batchKernel(int lanes);

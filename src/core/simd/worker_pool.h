@@ -27,7 +27,7 @@ public:
   /// exception of one of them.
   void run(const std::function<void(std::size_t worker)>& work) { run(work, threads_.size()); }
 
-  /// The same for work that any number of workers can do: threads that have not begun when the caller has
+  /// As run(), for work that any number of workers can do: threads that have not begun when the caller has
   /// finished are not waited for. Other programs may use their processors.
   void share(const std::function<void(std::size_t worker)>& work) { run(work, 0); }
 
