@@ -240,9 +240,13 @@ std::vector<SceneDefinition> scenesToFollow()
   SceneDefinition walled = test::singleParticles(20);
   walled.boundary = Boundary::WALLED;
   SceneDefinition singles = test::singleParticles(150);
-  // So few that leave that none is forgotten.
-  SceneDefinition fed = test::fedSieve(true), fed_singles = test::fedSieve(false);
-  fed.feed.rate = fed_singles.feed.rate = 50.0;
+  SceneDefinition fed = test::mixture(10);
+  fed.base.teeth = 3;
+  fed.base.inclination = 0.2;
+  fed.boundary = Boundary::OPEN;
+  fed.feed.rate = 50.0;
+  SceneDefinition fed_singles = fed;
+  fed_singles.contact.pair_collisions = false;
   return {layer, steps, fed, fed_singles, walled, singles};
 }
 
