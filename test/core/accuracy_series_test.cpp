@@ -8,16 +8,9 @@ namespace ratchet_sieve
 namespace
 {
 
-/// Short, open, with a feed: thousands of disks come, leave, and are compacted away.
 SceneDefinition fedEnsemble()
 {
-  SceneDefinition scene = test::mixture(5);
-  scene.base.teeth = 3;
-  scene.base.inclination = 0.3;
-  scene.boundary = Boundary::OPEN;
-  scene.feed.rate = 400.0;
-  scene.settle = 1.0;
-  scene.contact.pair_collisions = false;
+  SceneDefinition scene = test::fedSieve(false);
   scene.accuracy.mean_vx = 1e-3;
   scene.accuracy.quality = 1e-3;
   return scene;
@@ -90,18 +83,14 @@ TEST(AccuracySeries, IsNotKeptForASceneThatDoesNotAsk)
   EXPECT_EQ(asked.means()[0].mean_vx_stderr, unasked.means()[0].mean_vx_stderr);
 }
 
-TEST(AccuracySeries, IsSavedWithTheRunAndRefusedWhereItIsMissing)
+TEST(AccuracySeries, OfASavedRunIsRefusedWhereItIsMissing)
 {
   const SceneDefinition asking = fedEnsemble();
   SceneDefinition silent = asking;
   silent.accuracy = {};
-  Simulation through(asking), half(asking), unasked(silent);
-  through.advanceTo(12.0);
+  Simulation half(asking), unasked(silent);
   half.advanceTo(6.0);
   unasked.advanceTo(6.0);
-  Simulation resumed(asking, half.saveState());
-  resumed.advanceTo(12.0);
-  EXPECT_EQ(resumed.saveState(), through.saveState());
   try
   {
     Simulation(asking, unasked.saveState());

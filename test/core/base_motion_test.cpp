@@ -31,26 +31,6 @@ TEST(BaseMotion, IsTheSineOfTheDefinition)
   EXPECT_FALSE(motion.nextChange());
 }
 
-TEST(BaseMotion, VelocityIsTheDerivativeWhileEverythingSlews)
-{
-  BaseMotion motion(figureThree(), UNLIMITED);
-  motion.command(Quantity::INCLINATION, 0.2, 0.0);
-  motion.command(Quantity::FREQUENCY, 30.0, 0.0);
-  motion.command(Quantity::AMPLITUDE, 0.003, 0.0);
-  ASSERT_TRUE(motion.turning());
-  const double step = 1e-6;
-  for (const double t : {0.01, 0.1, 0.3})
-  {
-    const double slope =
-        (motion.at(t + step).displacement.y() - motion.at(t - step).displacement.y()) / (2.0 * step);
-    EXPECT_NEAR(motion.at(t).velocity.y(), slope, 1e-6);
-    const double curvature =
-        (motion.at(t + step).velocity.y() - motion.at(t - step).velocity.y()) / (2.0 * step);
-    EXPECT_LE(std::abs(curvature), motion.accelerationBound().y());
-    EXPECT_NEAR(motion.at(t).inclination, 0.1 * t, 1e-15);
-  }
-}
-
 TEST(BaseMotion, ComesToItsSetpointsExactlyAndStops)
 {
   BaseMotion motion(figureThree(), UNLIMITED);

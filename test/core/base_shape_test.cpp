@@ -35,42 +35,6 @@ TEST(BaseShape, VerticalFacesFaceOutwards)
   EXPECT_EQ(falling.faces()[1].normal.y(), 0.0);
 }
 
-TEST(BaseShape, HeightAboveIsTheDistanceToTheNearestPointOfTheOutline)
-{
-  for (const double asymmetry : {0.0, 0.3, 1.0})
-  {
-    BaseDefinition base;
-    base.asymmetry = asymmetry;
-    base.tooth_height = 0.015;
-    const BaseShape shape(base, Boundary::PERIODIC);
-    for (int i = 0; i < 40; ++i)
-    {
-      const double s = 0.1 + i * 0.00071;
-      const double n = 0.016 + 0.0003 * i;
-      double nearest = 1.0;
-      for (int k = 0; k <= 40000; ++k)  // points every 2.5 um along 0.04 m of outline on either side
-      {
-        const double along = k / 40000.0 * 6.0;
-        const int tooth = static_cast<int>(along);
-        const double share = along - tooth;
-        const double local =
-            share < 0.5 ? 2.0 * share * asymmetry : asymmetry + (2.0 * share - 1.0) * (1.0 - asymmetry);
-        const double height = share < 0.5 ? 2.0 * share * 0.015 : (2.0 - 2.0 * share) * 0.015;
-        nearest = std::min(nearest, std::hypot(s - (0.06 + (tooth + local) * 0.02), n - height));
-      }
-      EXPECT_NEAR(shape.heightAbove(s, n), nearest, 3e-6);
-    }
-  }
-}
-
-TEST(BaseShape, BelowTheSurfaceHeightIsNegative)
-{
-  const BaseShape shape(BaseDefinition(), Boundary::PERIODIC);
-  EXPECT_LT(shape.heightAbove(0.006, 0.005), 0.0);
-  EXPECT_GT(shape.heightAbove(0.006, 0.007), 0.0);
-  EXPECT_LT(shape.heightAbove(0.0, -0.001), 0.0);
-}
-
 TEST(BaseShape, OnlyAPeriodicBaseGoesOnBeyondItsEnds)
 {
   const BaseShape periodic(BaseDefinition(), Boundary::PERIODIC);

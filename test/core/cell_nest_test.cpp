@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <tuple>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "ratchet_sieve/core/simulation.h"
+#include "scenes.h"
 #include "search/cell_grid.h"
 #include "search/size_levels.h"
 
@@ -16,173 +17,9 @@ namespace ratchet_sieve
 {
 namespace
 {
+
 constexpr double SMALL = 0.001;
 constexpr double MARGIN = 1e-5;
-
-/// Disks that wander from cell to cell, with what an event loop has tested: whenever a disk begins a flight
-/// or crosses an edge, what visit() shows it.
-class Wanderers
-{
-public:
-  Wanderers(CellGrid grid, std::vector<double> radii)
-      : grid_(std::move(grid)), radii_(std::move(radii)), images_(radii_.size())
-  {
-  }
-
-  /// Places all that cover no cell of another.
-  void place(const std::vector<std::pair<int, int>>& cells)
-  {
-    for (std::uint32_t slot = 0; slot < radii_.size(); ++slot)
-    {
-      const CellGrid::Cell cell{cells[slot].first % grid_.columns(), cells[slot].second % grid_.rows()};
-      if (isCovered(slot, cell))
-        continue;
-      placed_.push_back(slot);
-      grid_.add(slot, cell, radii_[slot]);
-      test(slot, CellEdge::NONE);
-    }
-  }
-
-  const std::vector<std::uint32_t>& placed() const { return placed_; }
-
-  void beginFlight(std::uint32_t slot)
-  {
-    for (auto pair = tested_.begin(); pair != tested_.end();)
-      pair = std::get<0>(*pair) == slot || std::get<1>(*pair) == slot ? tested_.erase(pair) : std::next(pair);
-    test(slot, CellEdge::NONE);
-  }
-
-  /// Into the next cell, unless a wall, or a large disk, is in the way.
-  void cross(std::uint32_t slot, CellEdge edge)
-  {
-    CellGrid::Cell cell = grid_.cellOf(slot);
-    cell.column += edge == CellEdge::RIGHT ? 1 : edge == CellEdge::LEFT ? -1 : 0;
-    cell.row += edge == CellEdge::UPPER ? 1 : edge == CellEdge::LOWER ? -1 : 0;
-    const int laps = cell.column < 0 ? -1 : cell.column >= grid_.columns() ? 1 : 0;
-    if (cell.row < 0 || cell.row >= grid_.rows() || (laps != 0 && !grid_.periodic()))
-      return;
-    cell.column -= laps * grid_.columns();
-    if (isCovered(slot, cell))
-      return;
-    grid_.remove(slot);
-    images_[slot] -= laps;
-    grid_.add(slot, cell, radii_[slot]);
-    test(slot, edge);
-  }
-
-  /// Every pair that can touch without leaving its cells has been tested, and nothing else is shown twice.
-  void check() const
-  {
-    for (const std::uint32_t i : placed_)
-      for (const std::uint32_t j : placed_)
-        for (int shift = grid_.periodic() ? -1 : 0; shift <= (grid_.periodic() ? 1 : 0); ++shift)
-        {
-          if (i == j)
-            continue;
-          const auto [columns, rows] = apart(i, grid_.cellOf(i), j, shift);
-          const double nearest = std::hypot(std::max(0, columns - 1) * grid_.columnStart(1),
-                                            std::max(0, rows - 1) * grid_.rowStart(1));
-          if (nearest < radii_[i] + radii_[j])
-            RC_ASSERT(tested_.count({i, j, shift + images_[j] - images_[i]}) == 1);
-        }
-  }
-
-private:
-  std::pair<int, int> apart(std::uint32_t /*slot*/, CellGrid::Cell cell, std::uint32_t other, int shift) const
-  {
-    const CellGrid::Cell there = grid_.cellOf(other);
-    return {std::abs(cell.column - there.column - shift * grid_.columns()), std::abs(cell.row - there.row)};
-  }
-
-  /// Whether the larger of two would lie over all of the smaller one's cell.
-  bool isCovered(std::uint32_t slot, CellGrid::Cell cell) const
-  {
-    return std::any_of(
-        placed_.begin(), placed_.end(),
-        [&](std::uint32_t other)
-        {
-          bool covered = false;
-          for (int shift = grid_.periodic() ? -1 : 0; shift <= (grid_.periodic() ? 1 : 0); ++shift)
-          {
-            const auto [columns, rows] = apart(slot, cell, other, shift);
-            covered |= other != slot &&
-                       std::hypot((columns + 1) * grid_.columnStart(1), (rows + 1) * grid_.rowStart(1)) <
-                           std::max(radii_[slot], radii_[other]);
-          }
-          return covered;
-        });
-  }
-
-  void test(std::uint32_t slot, CellEdge entered)
-  {
-    std::set<std::tuple<std::uint32_t, int>> seen;
-    grid_.visit(slot, entered, list_,
-                [&](const std::uint32_t* others, std::size_t count, int shift)
-                {
-                  for (std::size_t k = 0; k < count; ++k)
-                  {
-                    RC_ASSERT(seen.emplace(others[k], shift).second);
-                    const int image = shift + images_[others[k]] - images_[slot];
-                    tested_.emplace(slot, others[k], image);
-                    tested_.emplace(others[k], slot, -image);
-                  }
-                });
-  }
-
-  CellGrid grid_;
-  std::vector<double> radii_;
-  std::vector<int> images_;
-  std::vector<std::uint32_t> placed_;
-  std::set<std::tuple<std::uint32_t, std::uint32_t, int>> tested_;
-  std::vector<std::uint32_t> list_;
-};
-
-std::vector<double> drawnRadii()
-{
-  std::vector<double> radii;
-  for (const int size : *rc::gen::container<std::vector<int>>(24, rc::gen::inRange(0, 4)))
-    radii.push_back(0.5 * SMALL *
-                    (size == 0 ? *rc::gen::inRange(20, 240) * 0.1 : *rc::gen::inRange(2, 15) * 0.1));
-  return radii;
-}
-
-SizeLevels levelsOf(const std::vector<double>& radii)
-{
-  const double largest = 2.0 * *std::max_element(radii.begin(), radii.end());
-  SizeLevels levels;
-  for (double diameter = SMALL; diameter < largest; diameter *= *rc::gen::element(1.5, 2.0))
-    levels.diameters.push_back(diameter);
-  levels.diameters.push_back(largest);
-  return levels;
-}
-
-TEST(CellNest, WhateverMovesHasTestedEveryPairThatCanTouch)
-{
-  EXPECT_TRUE(rc::check(
-      []
-      {
-        const std::vector<double> radii = drawnRadii();
-        const SizeLevels levels = levelsOf(radii);
-        const double width = std::max(levels.largest(), *rc::gen::element(0.02, 0.033, 0.1));
-        const double side = levels.diameters[0] + MARGIN;
-        const CellShape shape(width, *rc::gen::element(0.01, 0.04), side, 4000);
-        Wanderers disks(CellGrid(shape, levels, MARGIN, radii.size(), *rc::gen::arbitrary<bool>()), radii);
-        const auto cell = rc::gen::pair(rc::gen::inRange(0, 10000), rc::gen::inRange(0, 10000));
-        disks.place(*rc::gen::container<std::vector<std::pair<int, int>>>(radii.size(), cell));
-        disks.check();
-        for (int step = 0; step < 40; ++step)
-        {
-          const std::uint32_t slot = disks.placed()[*rc::gen::inRange<std::size_t>(0, disks.placed().size())];
-          if (*rc::gen::inRange(0, 4) == 0)
-            disks.beginFlight(slot);
-          const auto edge =
-              *rc::gen::element(CellEdge::LEFT, CellEdge::RIGHT, CellEdge::LOWER, CellEdge::UPPER);
-          for (int k = *rc::gen::inRange(1, 12); k > 0; --k)
-            disks.cross(slot, edge);
-          disks.check();
-        }
-      }));
-}
 
 /// The search of a large disk does not read the cells that it covers, or its cost would grow with its area.
 TEST(CellNest, ALargeDiskSeesItsRimOnly)
@@ -247,6 +84,40 @@ TEST(SizeLevels, HoldEveryDiskInOneThatFits)
             RC_ASSERT(2.0 * radius > levels.diameters[level - 1]);
         }
       }));
+}
+
+std::size_t levelsOf(const SceneDefinition& scene)
+{
+  const Simulation simulation(scene);
+  std::vector<double> radii;
+  for (const DiskState& disk : simulation.disks())
+    radii.push_back(scene.species[disk.species].radius);
+  return cheapestLevels(radii, 2.0 * *std::max_element(radii.begin(), radii.end())).count();
+}
+
+/// In all boundaries, with setpoints and pours of large disks.
+TEST(WideSizes, OverlapNever)
+{
+  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED})
+  {
+    SCOPED_TRACE(static_cast<int>(boundary));
+    SceneDefinition scene = test::lognormalSizes(300, 0.5);
+    scene.species.push_back(test::disksOfSize(20.0, 1));
+    scene.base.teeth = 9;
+    scene.boundary = boundary;
+    ASSERT_GT(levelsOf(scene), 1u);
+    Simulation simulation(scene);
+    for (const double inclination : {0.05, 0.0})
+    {
+      const double start = simulation.time();
+      simulation.command(Quantity::INCLINATION, inclination);
+      simulation.advanceTo(start + 0.3);
+      simulation.pour(scene.species.size() - 1, 1);
+      simulation.advanceTo(start + 0.7);
+    }
+    EXPECT_EQ(simulation.auditOverlaps(), 0u);
+    EXPECT_LT(simulation.maxOverlap(), 1e-9 * scene.species[0].radius);
+  }
 }
 
 }  // namespace

@@ -101,56 +101,5 @@ TEST(CollisionRate, IsOfEachSpeciesOfAnEnsemble)
   expectCounted(without);
 }
 
-/// Whoever watches, however many threads take part.
-TEST(CollisionRate, IsTheSameOnSeveralThreads)
-{
-  SceneDefinition scene = twoEnsembles();
-  scene.species[0].count = 700;
-  Simulation one(scene);
-  Simulation several(scene);
-  several.setThreads(2);
-  CountedContacts watching(one);
-  one.advanceTo(END);
-  several.advanceTo(END);
-  for (std::size_t i = 0; i < 2; ++i)
-    EXPECT_EQ(one.means()[i].collision_rate, several.means()[i].collision_rate);
-}
-
-/// The drive's two slopes, the apexes and the walls each take one disk, a pair two.
-TEST(CollisionRate, AddsUpToAllContacts)
-{
-  SceneDefinition scene = test::mixture(20);
-  scene.boundary = Boundary::WALLED;
-  Simulation simulation(scene);
-  simulation.advanceTo(END);
-  double contacts = 0.0;
-  for (std::size_t i = 0; i < 2; ++i)
-    contacts += *simulation.means()[i].collision_rate * static_cast<double>(scene.species[i].count) * END;
-  const CollisionCounts& counts = simulation.collisions();
-  EXPECT_NEAR(contacts, static_cast<double>(counts.total() + counts.disk_disk), 1e-9 * contacts);
-  EXPECT_GT(counts.wall, 0u);
-}
-
-TEST(CollisionRate, IsUndefinedBeforeTheEndOfSettle)
-{
-  Simulation simulation(twoEnsembles());
-  simulation.advanceTo(0.5 * SETTLE);
-  EXPECT_FALSE(simulation.means()[0].collision_rate);
-}
-
-TEST(CollisionRate, GoesOnWhereARunIsTakenUp)
-{
-  for (const SceneDefinition& scene : {settled(test::mixture(20)), twoEnsembles()})
-  {
-    Simulation whole(scene);
-    whole.advanceTo(0.6);
-    Simulation taken_up(scene, whole.saveState());
-    whole.advanceTo(END);
-    taken_up.advanceTo(END);
-    for (std::size_t i = 0; i < 2; ++i)
-      EXPECT_EQ(whole.means()[i].collision_rate, taken_up.means()[i].collision_rate);
-  }
-}
-
 }  // namespace
 }  // namespace ratchet_sieve

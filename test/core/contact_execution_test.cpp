@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "add_disk.h"
 #include "bench.h"
 #include "scenes.h"
 
@@ -159,23 +158,6 @@ TEST(ContactExecution, SaysOfAPairAcrossTheSeamWhatBothAreGiven)
   EXPECT_NEAR(outcome.tangential_impulse, 0.0, 1e-15);
   EXPECT_NEAR(bench.velocity(i).x(), -SPEED + impulse / 0.010, 1e-13);
   EXPECT_NEAR(bench.velocity(j).x(), -impulse / 0.001, 1e-13);
-}
-
-TEST(ContactExecution, LosesNothingSoonAfterAnotherContact)
-{
-  SceneDefinition scene = flat();
-  scene.contact.contact_duration = 1e-3;
-  ContactBench bench(scene);
-  const std::uint32_t slot = bench.add({0.002, RADIUS}, {2.0, -SPEED});
-  ContactOutcome before;
-  before.i = slot;
-  before.time = -0.5e-3;
-  before.closed = true;
-  bench.state.observers().collided(before);
-  const ContactOutcome outcome = bench.execution.collideWithBase(slot, GROUND, 0.0, bench.base);
-  EXPECT_TRUE(outcome.lossless);
-  EXPECT_NEAR(outcome.normal_impulse, 2.0 * 0.010 * SPEED, 1e-15);
-  EXPECT_EQ(outcome.tangential_impulse, 0.0);
 }
 
 TEST(ContactExecution, LosesNothingAfterACollapseAndPartsNoSlowerThanItsFloor)

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+
 namespace ratchet_sieve
 {
 namespace

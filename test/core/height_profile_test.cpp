@@ -3,12 +3,13 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "constants.h"
+#include "observed_rows.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 #include "state/height_slices.h"
@@ -17,27 +18,12 @@ namespace ratchet_sieve
 {
 namespace
 {
-constexpr double PI = 3.14159265358979323846;
-
 std::vector<double> column(const ObservedRow& row, const std::string& name)
 {
-  for (const ObservedColumn& column : row.table)
-    if (column.name == name)
-    {
-      std::vector<double> values;
-      for (const std::optional<double>& value : column.values)
-        values.push_back(value.value_or(std::nan("")));
-      return values;
-    }
-  throw std::out_of_range(name);
-}
-
-double number(const ObservedRow& row, const std::string& name)
-{
-  for (const ObservedNumber& number : row.numbers)
-    if (number.name == name)
-      return number.value.value();
-  throw std::out_of_range(name);
+  std::vector<double> values;
+  for (const std::optional<double>& value : test::columnOf(row, name))
+    values.push_back(value.value_or(std::nan("")));
+  return values;
 }
 
 /// The sum of a slice's times is that of the flights, and so are the moments of the velocity; each slice's
@@ -125,10 +111,10 @@ TEST(HeightProfile, OfABouncingBallIsThatOfItsParabola)
     EXPECT_NEAR(column(row, "velocity_along")[k], 0.3, 1e-9);
     EXPECT_NEAR(column(row, "velocity_up")[k], 0.0, 1e-7);
   }
-  EXPECT_NEAR(number(row, "disks"), 1.0, 1e-12);
-  EXPECT_NEAR(number(row, "mean_height"), RADIUS + 2.0 / 3.0 * HEIGHT, 1e-9);
-  EXPECT_NEAR(number(row, "median_height"), RADIUS + 0.75 * HEIGHT, 0.1 * SLICE);
-  EXPECT_EQ(number(row, "share_above"), 0.0);
+  EXPECT_NEAR(*test::numberOf(row, "disks"), 1.0, 1e-12);
+  EXPECT_NEAR(*test::numberOf(row, "mean_height"), RADIUS + 2.0 / 3.0 * HEIGHT, 1e-9);
+  EXPECT_NEAR(*test::numberOf(row, "median_height"), RADIUS + 0.75 * HEIGHT, 0.1 * SLICE);
+  EXPECT_EQ(*test::numberOf(row, "share_above"), 0.0);
 }
 
 /// A ball at rest in the world, seen from a base that swings under it.
@@ -164,7 +150,7 @@ TEST(HeightProfile, SeesFromTheBase)
     {
       EXPECT_NEAR(column(row, "velocity_up")[k], -0.5 * AMPLITUDE * 6.0 * FREQUENCY, 1e-4);
     }
-  EXPECT_NEAR(number(row, "mean_height"), HEIGHT, 1e-7);
+  EXPECT_NEAR(*test::numberOf(row, "mean_height"), HEIGHT, 1e-7);
 }
 
 TEST(HeightProfile, CountsFromTheLowestCorners)
@@ -178,7 +164,7 @@ TEST(HeightProfile, CountsFromTheLowestCorners)
   Simulation simulation(scene);
   simulation.advanceTo(1.0);
   const ObservedRow row = simulation.observed()[0].rows[0];
-  EXPECT_NEAR(number(row, "mean_height"), 0.0255, 1e-12);
+  EXPECT_NEAR(*test::numberOf(row, "mean_height"), 0.0255, 1e-12);
   // Slices as high as the smallest radius, up to that of the disk.
   EXPECT_EQ(column(row, "from").size(), 26u);
   EXPECT_NEAR(column(row, "number_density").back() * 0.001 * scene.base.width(), 1.0, 1e-12);
@@ -277,8 +263,8 @@ TEST(HeightProfile, IsThatOfASlowReader)
     const Observed observed = simulation.observed()[0];
     for (const ObservedRow& row : observed.rows)
     {
-      disks += number(row, "disks");
-      height += number(row, "disks") * number(row, "mean_height");
+      disks += *test::numberOf(row, "disks");
+      height += *test::numberOf(row, "disks") * *test::numberOf(row, "mean_height");
       const auto phase = column(row, "phase_from"), from = column(row, "from");
       const auto density = column(row, "number_density");
       const auto along = column(row, "velocity_along"), up = column(row, "velocity_up");
@@ -307,33 +293,6 @@ TEST(HeightProfile, IsThatOfASlowReader)
       EXPECT_NEAR(slice.up, expected.up / instants, 0.01 * slice.count + 3e-3)
           << place.first << " " << place.second;
     }
-  }
-}
-
-/// Temperatures are those of Simulation::granularTemperatures() where all disks are in one slice.
-TEST(HeightProfile, HasTheTemperatureOfTheDisks)
-{
-  SceneDefinition scene = test::mixture(40);
-  scene.base.teeth = 6;
-  scene.settle = 1.0;
-  scene.observe = {"height_profile"};
-  scene.height_profile = {10.0, 1};
-  Simulation simulation(scene);
-  simulation.advanceTo(scene.settle);
-  std::vector<TemperatureSum> temperatures(2);
-  simulation.observePeriods(
-      [&](const PeriodRecord& period)
-      {
-        for (std::size_t s = 0; s < 2; ++s)
-          temperatures[s].add(period.temperatures[s]);
-      });
-  simulation.advanceTo(6.0);
-  for (std::size_t s = 0; s < 2; ++s)
-  {
-    const ObservedRow row = simulation.observed()[0].rows[s];
-    // Those of the profile also count how the layer moves from one period to the next.
-    EXPECT_NEAR(number(row, "temperature") / temperatures[s].mean().value(), 1.0, 0.1);
-    EXPECT_NEAR(number(row, "disks"), 40.0, 1e-9);
   }
 }
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "observed_rows.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 #include "state/time_histogram.h"
@@ -29,30 +29,6 @@ SceneDefinition observedScene(bool pairs)
   scene.contact.pair_collisions = pairs;
   scene.observe = observableNames();
   return scene;
-}
-
-const Observed& named(const std::vector<Observed>& all, const std::string& name)
-{
-  for (const Observed& one : all)
-    if (one.name == name)
-      return one;
-  throw std::out_of_range(name);
-}
-
-std::optional<double> numberOf(const ObservedRow& row, const std::string& name)
-{
-  for (const ObservedNumber& number : row.numbers)
-    if (number.name == name)
-      return number.value;
-  throw std::out_of_range(name);
-}
-
-const std::vector<std::optional<double>>& columnOf(const ObservedRow& row, const std::string& name)
-{
-  for (const ObservedColumn& column : row.table)
-    if (column.name == name)
-      return column.values;
-  throw std::out_of_range(name);
 }
 
 double total(const std::vector<std::optional<double>>& values)
@@ -137,7 +113,7 @@ TEST(ResidenceTimes, AreThoseOfDisksThatComeAndLeave)
         }
       stays = still;
     }
-    const Observed observed = named(simulation.observed(), "residence_times");
+    const Observed observed = test::named(simulation.observed(), "residence_times");
     ASSERT_EQ(observed.rows.size(), 4u);
     for (std::size_t s = 0; s < 2; ++s)
     {
@@ -145,9 +121,9 @@ TEST(ResidenceTimes, AreThoseOfDisksThatComeAndLeave)
       for (const ObservedRow& row : observed.rows)
         if (row.species == scene.species[s].name)
         {
-          count += *numberOf(row, "count");
-          sum += *numberOf(row, "count") * numberOf(row, "mean").value_or(0.0);
-          EXPECT_EQ(total(columnOf(row, "count")), *numberOf(row, "count"));
+          count += *test::numberOf(row, "count");
+          sum += *test::numberOf(row, "count") * test::numberOf(row, "mean").value_or(0.0);
+          EXPECT_EQ(total(test::columnOf(row, "count")), *test::numberOf(row, "count"));
         }
       EXPECT_GT(count, 30.0);
       EXPECT_EQ(count, counts[s]);
@@ -167,7 +143,7 @@ TEST(MassFlow, IsTheMassInTheBinsSinceSettleOverTime)
     const double end = simulation.blockEnd(60);
     simulation.advanceTo(end);
     const std::vector<SpeciesBins> after = simulation.bins();
-    const Observed observed = named(simulation.observed(), "mass_flow");
+    const Observed observed = test::named(simulation.observed(), "mass_flow");
     for (std::size_t k = 0; k < observed.rows.size(); ++k)
     {
       const ObservedRow& row = observed.rows[k];
@@ -176,13 +152,13 @@ TEST(MassFlow, IsTheMassInTheBinsSinceSettleOverTime)
       EXPECT_EQ(row.species, scene.species[s].name);
       const auto mass = k < 2 ? &SpeciesBins::left_mass : &SpeciesBins::right_mass;
       const double fallen = after[s].*mass - before[s].*mass;
-      EXPECT_NEAR(*numberOf(row, "mass"), fallen, 1e-12);
-      EXPECT_NEAR(*numberOf(row, "mean"), fallen / (end - scene.settle), 1e-12);
-      EXPECT_TRUE(numberOf(row, "stderr"));
+      EXPECT_NEAR(*test::numberOf(row, "mass"), fallen, 1e-12);
+      EXPECT_NEAR(*test::numberOf(row, "mean"), fallen / (end - scene.settle), 1e-12);
+      EXPECT_TRUE(test::numberOf(row, "stderr"));
       // The blocks cover all of the time.
-      const auto& flow = columnOf(row, "flow");
+      const auto& flow = test::columnOf(row, "flow");
       ASSERT_EQ(flow.size(), 60u);
-      EXPECT_NEAR(columnOf(row, "time").back().value(), end, 1e-9);
+      EXPECT_NEAR(test::columnOf(row, "time").back().value(), end, 1e-9);
       EXPECT_NEAR(total(flow) / 60.0, fallen / (end - scene.settle), 1e-12);
     }
   }
@@ -228,14 +204,14 @@ TEST(Observables, AreUndefinedWhereNothingLeft)
   Simulation simulation(scene);
   simulation.advanceTo(0.5);
   const std::vector<Observed> observed = simulation.observed();
-  for (const ObservedRow& row : named(observed, "residence_times").rows)
+  for (const ObservedRow& row : test::named(observed, "residence_times").rows)
   {
-    EXPECT_EQ(*numberOf(row, "count"), 0.0);
-    EXPECT_FALSE(numberOf(row, "mean"));
-    EXPECT_FALSE(numberOf(row, "median"));
+    EXPECT_EQ(*test::numberOf(row, "count"), 0.0);
+    EXPECT_FALSE(test::numberOf(row, "mean"));
+    EXPECT_FALSE(test::numberOf(row, "median"));
   }
-  for (const ObservedRow& row : named(observed, "mass_flow").rows)
-    EXPECT_EQ(*numberOf(row, "mean"), 0.0);
+  for (const ObservedRow& row : test::named(observed, "mass_flow").rows)
+    EXPECT_EQ(*test::numberOf(row, "mean"), 0.0);
 }
 
 TEST(Observables, RefuseAnUnknownName)

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "add_disk.h"
+#include "bench.h"
 #include "events/engine.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
@@ -44,26 +44,6 @@ ContactOutcome opening(ContactOutcome outcome)
 {
   outcome.closed = false;
   return outcome;
-}
-
-TEST(ContactCounts, CountWhatClosedByKindAndAllOverlaps)
-{
-  ContactCounts counts;
-  const CollisionKind kinds[] = {CollisionKind::DISK_DISK, CollisionKind::LEFT_SLOPE,
-                                 CollisionKind::RIGHT_SLOPE, CollisionKind::APEX, CollisionKind::WALL};
-  std::size_t times = 0;
-  for (const CollisionKind kind : kinds)
-  {
-    ++times;
-    for (std::size_t k = 0; k < times; ++k)
-      counts.collided(onBase(0, kind));
-  }
-  EXPECT_EQ(counts.max_overlap, 0.0);
-  EXPECT_EQ(counts.collisions.disk_disk, 1u);
-  EXPECT_EQ(counts.collisions.left_slope, 2u);
-  EXPECT_EQ(counts.collisions.right_slope, 3u);
-  EXPECT_EQ(counts.collisions.apex, 4u);
-  EXPECT_EQ(counts.collisions.wall, 5u);
 }
 
 TEST(BaseImpulses, AreThoseOfContactsWithTheBaseInTheWorld)
@@ -110,22 +90,6 @@ TEST(ContactTimes, AreThoseOfBothPartners)
   none.entered(Disk());
   none.collided(onBase(0, CollisionKind::APEX, 1.0));
   EXPECT_FALSE(none.within(1e9, 0, 1.0));
-}
-
-TEST(SpeciesContacts, CountEachPartner)
-{
-  SpeciesContacts contacts(2);
-  contacts.collided(onBase(0, CollisionKind::APEX));
-  ContactOutcome pair = ofPair(0, 1);
-  pair.partner_species = 1;
-  contacts.collided(pair);
-  SpeciesContacts more(2);
-  more.collided(pair);
-  contacts.add(more);
-  EXPECT_EQ(contacts.of(0), 3u);
-  EXPECT_EQ(contacts.of(1), 2u);
-  contacts.restart(0.0);
-  EXPECT_EQ(contacts.of(0), 0u);
 }
 
 TEST(Observers, TakeTheOverlapOfEveryContactAndCountWhatClosed)
@@ -244,12 +208,11 @@ private:
 
 struct Followed
 {
-  explicit Followed(const SceneDefinition& scene, const Plan& plan)
-      : engine(scene, plan, 0.0, {}),
+  explicit Followed(const SceneDefinition& scene)
+      : engine(scene, planOf(scene), 0.0, {}),
         follower(engine.state().observers().add(std::make_unique<Follower>(engine.state())))
   {
   }
-  explicit Followed(const SceneDefinition& scene) : Followed(scene, planOf(scene)) {}
 
   void run(double end, int strides = 1)
   {
@@ -261,17 +224,6 @@ struct Followed
   Follower* follower;
 };
 
-SceneDefinition fedOpen(bool pairs)
-{
-  SceneDefinition scene = test::mixture(10);
-  scene.base.teeth = 3;
-  scene.base.inclination = 0.2;
-  scene.boundary = Boundary::OPEN;
-  scene.feed.rate = 50.0;
-  scene.contact.pair_collisions = pairs;
-  return scene;
-}
-
 /// Layers, by events and by steps; single disks in SIMD batches, without, and in an open machine that is fed.
 std::vector<SceneDefinition> scenesToFollow()
 {
@@ -282,7 +234,14 @@ std::vector<SceneDefinition> scenesToFollow()
   SceneDefinition walled = test::singleParticles(20);
   walled.boundary = Boundary::WALLED;
   SceneDefinition singles = test::singleParticles(150);
-  return {layer, steps, fedOpen(true), fedOpen(false), walled, singles};
+  SceneDefinition fed = test::mixture(10);
+  fed.base.teeth = 3;
+  fed.base.inclination = 0.2;
+  fed.boundary = Boundary::OPEN;
+  fed.feed.rate = 50.0;
+  SceneDefinition fed_singles = fed;
+  fed_singles.contact.pair_collisions = false;
+  return {layer, steps, fed, fed_singles, walled, singles};
 }
 
 TEST(Observers, AddedAreToldOfEveryContactFlightAndDepartureInTheOrderOfTime)
@@ -343,21 +302,6 @@ TEST(Observers, AddedSumTheSameBitsForAnyStrideAndThreads)
       EXPECT_EQ(other.follower->flights, once.follower->flights);
     }
   }
-}
-
-/// In SIMD batches and without: the same flights until rounding differs.
-TEST(Observers, AddedAreToldTheSameWithAndWithoutSimd)
-{
-  const SceneDefinition scene = test::singleParticles(60);
-  Plan plan = planOf(scene);
-  ASSERT_TRUE(plan.simd);
-  Followed batches(scene, plan);
-  plan.simd = false;
-  Followed alone(scene, plan);
-  batches.run(0.3);
-  alone.run(0.3);
-  EXPECT_EQ(batches.follower->collisions.total(), alone.follower->collisions.total());
-  EXPECT_NEAR(batches.follower->impulse, alone.follower->impulse, 1e-9 * alone.follower->impulse);
 }
 
 }  // namespace

@@ -19,13 +19,6 @@ namespace ratchet_sieve
 namespace
 {
 
-SceneDefinition circling(SceneDefinition scene)
-{
-  scene.base.horizontal_amplitude = scene.base.amplitude;
-  scene.base.horizontal_phase = 0.5 * PI;
-  return scene;
-}
-
 /// D with the C library's sine, for `scale` = A over the scene's A.
 Eigen::Vector2d placeByHand(const BaseDefinition& base, double phase, double scale)
 {
@@ -257,33 +250,6 @@ TEST(Orbit, AnEnsembleIsManyDisksAlone)
     EXPECT_NEAR(together[i].displacement, single.disks()[0].displacement, 1e-9);
     EXPECT_NEAR(together[i].y, single.disks()[0].y, 1e-9);
   }
-}
-
-TEST(Orbit, FollowsSetpointsWithoutOverlaps)
-{
-  SceneDefinition scene = circling(test::mixture(30));
-  scene.base.teeth = 5;
-  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED})
-    for (const DriveFrame frame : {DriveFrame::WORLD, DriveFrame::BASE})
-    {
-      scene.boundary = boundary;
-      scene.base.drive_frame = frame;
-      Simulation simulation(scene);
-      simulation.advanceTo(0.5);
-      simulation.command(Quantity::AMPLITUDE, 0.003);
-      simulation.command(Quantity::FREQUENCY, 30.0);
-      simulation.command(Quantity::INCLINATION, 0.05);
-      for (int i = 6; i <= 20; ++i)
-      {
-        simulation.advanceTo(0.1 * i);
-        EXPECT_EQ(simulation.auditOverlaps(), 0u);
-      }
-      EXPECT_LT(simulation.maxOverlap(), 1e-12);
-      const DriveState base = simulation.base();
-      EXPECT_EQ(base.amplitude, 0.003);
-      EXPECT_NEAR(std::hypot(base.displacement, base.horizontal_displacement), 0.003, 1e-15)
-          << "still a circle";
-    }
 }
 
 }  // namespace

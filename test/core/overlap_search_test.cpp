@@ -10,8 +10,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "scenes.h"
-#include "search/base_overlap.h"
+#include "draws.h"
 
 namespace ratchet_sieve
 {
@@ -35,11 +34,6 @@ Overlap ordered(std::uint32_t slot, std::uint32_t other, int shift)
   return slot < other ? Overlap{slot, other, shift} : Overlap{other, slot, -shift};
 }
 
-double between(double low, double high)
-{
-  return low + (high - low) * *rc::gen::inRange(0, 1 << 20) / double(1 << 20);
-}
-
 std::vector<Placed> someDisks(double width)
 {
   const auto count = *rc::gen::inRange<std::size_t>(0, 80);
@@ -47,8 +41,8 @@ std::vector<Placed> someDisks(double width)
   const double most = *rc::gen::element(0.0002, 0.5 * DIAMETER);  // of half of them
   std::vector<Placed> disks(count);
   for (Placed& disk : disks)
-    disk = {between(0.0, width), between(0.0, 0.02),
-            between(smallest, *rc::gen::element(std::max(smallest, most), 0.5 * DIAMETER))};
+    disk = {drawn(0.0, width), drawn(0.0, 0.02),
+            drawn(smallest, *rc::gen::element(std::max(smallest, most), 0.5 * DIAMETER))};
   return disks;
 }
 
@@ -72,7 +66,7 @@ double overlapOf(const Placed& a, const Placed& b, double shift)
 template <typename Overlaps>
 void expectEachPairThatOverlapsOnceAndNoneThatIsApart()
 {
-  const double width = between(DIAMETER, 0.1);
+  const double width = drawn(DIAMETER, 0.1);
   const bool periodic = *rc::gen::arbitrary<bool>();
   const std::vector<Placed> disks = someDisks(width);
   auto search = searchOf<Overlaps>(disks, width, periodic);
@@ -95,14 +89,14 @@ void expectEachPairThatOverlapsOnceAndNoneThatIsApart()
 template <typename Overlaps>
 void expectAllAroundADiskThatWasMoved()
 {
-  const double width = between(3.5 * DIAMETER, 0.1);
+  const double width = drawn(3.5 * DIAMETER, 0.1);
   const bool periodic = *rc::gen::arbitrary<bool>();
   std::vector<Placed> disks = someDisks(width);
   RC_PRE(!disks.empty());
   auto search = searchOf<Overlaps>(disks, width, periodic);
   const auto moved = *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(disks.size()));
-  disks[moved].s = between(0.0, width);
-  disks[moved].n = between(0.0, 0.02);
+  disks[moved].s = drawn(0.0, width);
+  disks[moved].n = drawn(0.0, 0.02);
   search.move(moved, disks[moved].s, disks[moved].n);
   std::multiset<std::pair<std::uint32_t, int>> found;
   search.forEachAround(moved,
@@ -135,31 +129,6 @@ RC_GTEST_PROP(OverlapLevels, FindEachPairThatOverlapsOnceAndNoneThatIsApart, ())
 RC_GTEST_PROP(OverlapLevels, FindAllAroundADiskThatWasMoved, ())
 {
   expectAllAroundADiskThatWasMoved<OverlapLevels>();
-}
-
-RC_GTEST_PROP(BaseOverlap, NamesAllDisksThatOverlapTheBase, ())
-{
-  SceneDefinition scene = test::mixture(1);
-  scene.base.asymmetry = between(0.0, 1.0);
-  scene.base.tooth_height = *rc::gen::element(0.0, 0.001, 0.006, 0.03);
-  const BaseShape shape(scene.base, Boundary::PERIODIC);
-  const BaseOverlap base(shape);
-  const double s = between(0.0, scene.base.width());
-  const double n = between(-0.01, 0.05);
-  const double radius = between(1e-4, 0.005);
-  const double height = shape.heightAbove(s, n);
-  if (height < radius - 1e-12)
-    RC_ASSERT(base.overlaps(s, n, radius));
-  if (n > scene.base.tooth_height + radius)
-    RC_ASSERT(!base.overlaps(s, n, radius));
-  const auto way = base.wayOut(s, n, radius);
-  if (height > 1e-12)
-    RC_ASSERT(!way);
-  if (height < -1e-12)
-  {
-    RC_ASSERT(way.has_value());
-    RC_ASSERT(shape.heightAbove(s, n + *way) > 0.0);
-  }
 }
 
 }  // namespace

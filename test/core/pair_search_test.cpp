@@ -1,5 +1,4 @@
 #include "search/pair_search.h"
-#include "add_disk.h"
 #include "state/system_state.h"
 
 #include <cmath>

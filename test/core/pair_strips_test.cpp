@@ -78,9 +78,18 @@ SceneDefinition longLayer(Boundary boundary = Boundary::PERIODIC)
   return scene;
 }
 
-/// @param command is called with both engines, at times in between
-template <typename Command>
-void expectSameBits(const SceneDefinition& scene, Command&& command)
+void changeSetpoints(Engine& engine, int k)
+{
+  engine.changeMotion(
+      [=](BaseMotion& motion, double now)
+      {
+        motion.setSlewRates({0.05, 20.0, 0.01}, now);
+        motion.command(Quantity::INCLINATION, k % 2 == 0 ? 0.002 : -0.001, now);
+        motion.command(Quantity::FREQUENCY, 20.0 + k, now);
+      });
+}
+
+void expectSameBits(const SceneDefinition& scene, bool commands)
 {
   for (const std::size_t threads : {1, 2, 3})
   {
@@ -91,7 +100,8 @@ void expectSameBits(const SceneDefinition& scene, Command&& command)
       for (WatchedRun* run : {&again, &strips})
       {
         run->engine.advanceTo(0.05 * k);
-        command(run->engine, k);
+        if (commands)
+          changeSetpoints(run->engine, k);
       }
       ASSERT_EQ(hashOf(again.engine), hashOf(strips.engine)) << threads << " threads, " << 0.05 * k << " s";
     }
@@ -102,51 +112,18 @@ void expectSameBits(const SceneDefinition& scene, Command&& command)
   }
 }
 
-void expectSameBits(const SceneDefinition& scene)
+TEST(PairStrips, HaveTheBitsOfASingleQueue)
 {
-  expectSameBits(scene, [](Engine&, int) {});
-}
-
-TEST(PairStrips, HaveTheBitsOfASingleQueuePeriodic)
-{
-  expectSameBits(longLayer());
-}
-
-TEST(PairStrips, HaveTheBitsOfASingleQueueOpenAndFed)
-{
-  SceneDefinition scene = longLayer(Boundary::OPEN);
-  scene.feed.rate = 40.0;
-  scene.observe = observableNames();
-  expectSameBits(scene);
-}
-
-TEST(PairStrips, HaveTheBitsOfASingleQueueWalled)
-{
-  expectSameBits(longLayer(Boundary::WALLED));
-}
-
-TEST(PairStrips, HaveTheBitsOfASingleQueueWithSizes)
-{
-  SceneDefinition scene = longLayer();
-  scene.species[0].size.distribution = SizeDistribution::UNIFORM;
-  scene.species[0].size.spread = 0.5;
-  scene.contact.contact_duration = 1e-5;
-  expectSameBits(scene);
-}
-
-TEST(PairStrips, HaveTheBitsOfASingleQueueWhileSetpointsChange)
-{
-  expectSameBits(longLayer(),
-                 [](Engine& engine, int k)
-                 {
-                   engine.changeMotion(
-                       [=](BaseMotion& motion, double now)
-                       {
-                         motion.setSlewRates({0.05, 20.0, 0.01}, now);
-                         motion.command(Quantity::INCLINATION, k % 2 == 0 ? 0.002 : -0.001, now);
-                         motion.command(Quantity::FREQUENCY, 20.0 + k, now);
-                       });
-                 });
+  SceneDefinition fed = longLayer(Boundary::OPEN);
+  fed.feed.rate = 40.0;
+  fed.observe = observableNames();
+  SceneDefinition sizes = longLayer();
+  sizes.species[0].size.distribution = SizeDistribution::UNIFORM;
+  sizes.species[0].size.spread = 0.5;
+  sizes.contact.contact_duration = 1e-5;
+  for (const SceneDefinition& scene : {longLayer(), longLayer(Boundary::WALLED), fed, sizes})
+    expectSameBits(scene, false);
+  expectSameBits(longLayer(), true);
 }
 
 /// Of any scene, cut at places and into windows drawn by chance, with so small margins that windows fail.

@@ -45,14 +45,6 @@ Plan exactFullPlan(const SceneDefinition& scene)
   return plan;
 }
 
-TEST(Plan, OfThePapersScenesHasAllButContactTimesAndNeedlessSearch)
-{
-  const Plan mixture = planOf(test::mixture(10));
-  EXPECT_TRUE(mixture.pairs && mixture.spin && mixture.drive);
-  EXPECT_FALSE(mixture.contact_times || mixture.search_above_band);
-  EXPECT_FALSE(planOf(test::singleParticles(10)).pairs);
-}
-
 TEST(Plan, HasSpinOnlyWhereFrictionTurnsADiskOrOneStartsWithIt)
 {
   SceneDefinition scene = smooth(smallMixture());
@@ -109,13 +101,6 @@ TEST(Plan, HasAnOrbitAndNoSimdWhereTheDriveIsMoreThanASine)
     EXPECT_NE(planText(planOf(driven)).find("drive with a horizontal part or harmonics"), std::string::npos);
     EXPECT_FALSE(covers(planOf(test::singleParticles(10)), driven));
   }
-}
-
-TEST(Plan, HasContactTimesOnlyWithAContactDuration)
-{
-  SceneDefinition scene = smallMixture();
-  scene.contact.contact_duration = 1e-4;
-  EXPECT_TRUE(planOf(scene).contact_times);
 }
 
 TEST(Plan, HasSimdOnlyForSingleDisksOnAPeriodicBaseWithoutContactTimes)

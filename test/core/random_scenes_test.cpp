@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -32,6 +33,14 @@ void checkState(Simulation& simulation)
     for (const double value : {disk.x, disk.y, disk.vx, disk.vy, disk.angle, disk.spin, disk.displacement})
       RC_ASSERT(std::isfinite(value));
   RC_ASSERT(std::isfinite(simulation.energy()));
+  if (!simulation.scene().base.profile.empty())
+  {
+    const CollisionCounts& counts = simulation.collisions();
+    const FaceContacts& parts = simulation.faceContacts();
+    const auto sum = [](const auto& list) { return std::accumulate(list.begin(), list.end(), 0ull); };
+    RC_ASSERT(sum(parts.face_contacts) == counts.left_slope + counts.right_slope + counts.level);
+    RC_ASSERT(sum(parts.corner_contacts) == counts.apex);
+  }
   RC_ASSERT(simulation.observed().size() == simulation.scene().observe.size());
 }
 

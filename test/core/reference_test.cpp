@@ -1,5 +1,6 @@
 // The loops with queues, cells and lazy search against the loop that tests everything, contact by contact.
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,8 +23,9 @@ struct ReferenceCase
   std::string name;
   SceneDefinition scene;
   std::size_t contacts = 200;  ///< that must be the same
-  double turn_rate = 0.0;      ///< of the base to 0.3 rad; 0: it stays [rad/s]
+  double turn_rate = 0.0;      ///< of the base; 0: it stays [rad/s]
   int images = 1;              ///< of a disk on a ring, on either side, that the reference tests
+  double turn_to = 0.3;        ///< [rad]
 };
 
 void PrintTo(const ReferenceCase& one, std::ostream* out)
@@ -80,6 +82,24 @@ SceneDefinition nested(const std::vector<double>& ratios, Boundary boundary = Bo
   return on(3, scene, boundary);
 }
 
+/// Pairs that meet across the ends of the base while it turns and their images rise by several rows of cells,
+/// the faster the higher they are; and others far from the ends, so that cells are as small as in a layer.
+SceneDefinition meetingsAcrossTheEnds(double rate, double height)
+{
+  SceneDefinition scene = test::mixture(0);
+  const double width = scene.base.width();
+  for (int k = 0; k < 12; ++k)
+  {
+    // The one at the left has an image that keeps the height of the one at the right, and comes towards it.
+    const double y = height + 0.0045 * k;
+    scene.initial.push_back({0, width - 0.004 - 0.001 * k, y, 0.2 + 0.01 * k, 0.0, 0.0});
+    scene.initial.push_back({1, 0.006 + 0.0013 * k, y + 0.001, -0.25, -rate * width, 0.0});
+  }
+  for (int k = 0; k < 300; ++k)
+    scene.initial.push_back({1, 0.05 + 0.0045 * (k % 60), 0.1 + 0.0045 * (k / 60), 0.0, 0.0, 0.0});
+  return scene;
+}
+
 SceneDefinition onCastle(SceneDefinition scene)
 {
   scene.base.profile = test::castle();
@@ -132,6 +152,12 @@ std::vector<ReferenceCase> referenceCases()
   for (const double rate : {0.3, 2.0})
     for (const Boundary boundary : {Boundary::PERIODIC, open})
       all.push_back({"nested, turning", nested({2.5, 7.0}, boundary), 200, rate});
+  for (const double rate : {0.1, 1.0, 5.0})
+    all.push_back({"turning", on(2, test::mixture(4)), 40, rate, 3});
+  for (const double rate : {-0.5, 0.1})
+    for (const double height : {0.012, 1.0})
+      all.push_back({"meetings across the ends", meetingsAcrossTheEnds(rate, height), 6, std::abs(rate), 1,
+                     std::copysign(0.3, rate)});
   return all;
 }
 
@@ -147,7 +173,7 @@ std::vector<CollisionRecord> fastCollisions(const ReferenceCase& one, double end
   if (one.turn_rate > 0.0)
   {
     simulation.setSlewRates({one.turn_rate, 10.0, 0.002});
-    simulation.command(Quantity::INCLINATION, 0.3);
+    simulation.command(Quantity::INCLINATION, one.turn_to);
   }
   simulation.advanceTo(end);
   return records;
@@ -159,11 +185,12 @@ std::vector<CollisionRecord> slowCollisions(const ReferenceCase& one, double end
   test::Bench bench(one.scene);
   bench.state.observers().observeCollisions([&](const CollisionRecord& record)
                                             { records.push_back(record); });
+  placeInitialDisks(bench.state, 0.0);
   Random random(one.scene.seed);
   pourDisks(bench.state, pourOrder(one.scene.species, random), Stretch(), 0.0, random);
   test::ReferenceLoop reference(bench, one.images);
   if (one.turn_rate > 0.0)
-    test::turn(bench.state, one.turn_rate, 0.3, 0.0);
+    test::turn(bench.state, one.turn_rate, one.turn_to, 0.0);
   reference.advanceTo(end);
   return records;
 }

@@ -1,5 +1,6 @@
 // However a run is advanced, and wherever it is saved and resumed, it has the same bits.
 #include <functional>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "profiles.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
+#include "simd/simd_batch.h"
 
 namespace ratchet_sieve::same_bits  // tests are joined in one source
 {
@@ -27,11 +29,6 @@ struct BitsCase
   Command command = [](Simulation&) {};
 };
 
-void PrintTo(const BitsCase& one, std::ostream* out)
-{
-  *out << one.name;
-}
-
 void turnAndPour(Simulation& simulation)
 {
   simulation.setSlewRates({0.02, 1.0, 0.001});
@@ -43,6 +40,16 @@ void turnAndPour(Simulation& simulation)
 void setGoing(Simulation& simulation)
 {
   simulation.command(Quantity::AMPLITUDE, 0.001);
+}
+
+/// In the second half the drive needs a finer resolution of time than the scene was set up for.
+void speedUp(Simulation& simulation)
+{
+  simulation.setSlewRates({0.1, 5000.0, 0.01});
+  if (simulation.time() < MIDDLE)
+    return;
+  simulation.command(Quantity::FREQUENCY, 1000.0);
+  simulation.command(Quantity::AMPLITUDE, 0.002);
 }
 
 SceneDefinition layerOf(Boundary boundary = Boundary::PERIODIC)
@@ -71,6 +78,7 @@ SceneDefinition fed()
   SceneDefinition scene = observed(layerOf(Boundary::OPEN));
   scene.feed.rate = 60.0;
   scene.contact.contact_duration = 1e-4;
+  scene.accuracy.mean_vx = 1e-3;
   return scene;
 }
 
@@ -117,6 +125,16 @@ SceneDefinition inFrameOfBase(SceneDefinition scene)
   return scene;
 }
 
+SceneDefinition ofTinyDisksAtRest(bool pairs)
+{
+  SceneDefinition scene = pairs ? test::mixture(10) : test::singleParticles(10);
+  scene.base.teeth = 1;
+  scene.base.amplitude = 0.0;
+  for (SpeciesDefinition& species : scene.species)
+    species.radius = 2e-7;
+  return scene;
+}
+
 /// With cells in nests.
 SceneDefinition ofWideSizes(Boundary boundary)
 {
@@ -129,7 +147,7 @@ SceneDefinition ofWideSizes(Boundary boundary)
 
 std::vector<BitsCase> bitsCases()
 {
-  return {
+  std::vector<BitsCase> all = {
       {"layer", layerOf()},
       {"layer under commands", observed(layerOf()), turnAndPour},
       {"open under commands", observed(layerOf(Boundary::OPEN)), turnAndPour},
@@ -150,7 +168,14 @@ std::vector<BitsCase> bitsCases()
       {"steps", bySteps(), turnAndPour},
       {"wide sizes", ofWideSizes(Boundary::PERIODIC), turnAndPour},
       {"wide sizes, walled", ofWideSizes(Boundary::WALLED), turnAndPour},
+      {"finer epoch", ofTinyDisksAtRest(true), speedUp},
+      {"finer epoch of an ensemble", ofTinyDisksAtRest(false), speedUp},
   };
+  for (const SceneDefinition& scene : test::variantsForSimd())
+    all.push_back({"ensemble in SIMD batches", scene});
+  for (std::size_t k = 0; k < all.size(); ++k)
+    all[k].name = std::to_string(k) + "_" + std::regex_replace(all[k].name, std::regex("\\W+"), "_");
+  return all;
 }
 
 class SameBits : public testing::TestWithParam<BitsCase>
@@ -179,7 +204,7 @@ protected:
   }
 };
 
-TEST_P(SameBits, InWhateverStridesOnWhateverThreadsAndWhereItIsResumed)
+TEST_P(SameBits, InWhateverStridesOnWhateverThreadsAndLanesAndWhereItIsResumed)
 {
   Simulation whole(GetParam().scene);
   advance(whole, 0.0, MIDDLE);
@@ -192,12 +217,21 @@ TEST_P(SameBits, InWhateverStridesOnWhateverThreadsAndWhereItIsResumed)
   EXPECT_TRUE(resumed.saveState() == saved);
   advance(resumed, MIDDLE, RUN_END);
   EXPECT_TRUE(resumed.saveState() == bits) << "resumed";
+  for (std::size_t i = 0; i < whole.scene().species.size(); ++i)
+    EXPECT_EQ(resumed.means()[i].collision_rate, whole.means()[i].collision_rate);
   EXPECT_TRUE(bitsAfter(97, 1) == bits) << "in strides";
   EXPECT_TRUE(bitsAfter(1, 2) == bits) << "on two threads";
   EXPECT_TRUE(bitsAfter(37, 3) == bits) << "in strides on three threads";
+  for (const int lanes : {2, 4, 8})
+    if (whole.plan().simd && useLanes(lanes))
+    {
+      EXPECT_TRUE(bitsAfter(1, 1) == bits) << "on " << lanes << " lanes";
+    }
+  useLanes(0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SameBits, testing::ValuesIn(bitsCases()));
+INSTANTIATE_TEST_SUITE_P(Scenes, SameBits, testing::ValuesIn(bitsCases()),
+                         [](const auto& info) { return info.param.name; });
 
 TEST(SavedState, CutShortOrTooLongIsRefused)
 {

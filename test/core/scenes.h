@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "ratchet_sieve/core/definition.h"
 
@@ -45,6 +46,20 @@ inline SceneDefinition openMixture(int count)
   scene.base.asymmetry = 0.1;
   scene.species[1].radius = 0.005;
   scene.boundary = Boundary::OPEN;
+  return scene;
+}
+
+/// Short, open, with an even feed: thousands of disks come, leave, and are compacted away.
+inline SceneDefinition fedSieve(bool pairs)
+{
+  SceneDefinition scene = mixture(5);
+  scene.base.teeth = 3;
+  scene.base.inclination = 0.3;
+  scene.boundary = Boundary::OPEN;
+  scene.feed.rate = 400.0;
+  scene.feed.even = true;
+  scene.settle = 1.0;
+  scene.contact.pair_collisions = pairs;
   return scene;
 }
 
@@ -105,6 +120,39 @@ inline SceneDefinition onAnOrbit(SceneDefinition scene)
   scene.base.harmonics = {{2, 0.15 * amplitude, 1.1, -0.1 * amplitude, 2.0},
                           {3, 0.0, 0.0, 0.05 * amplitude, 5.0}};
   return scene;
+}
+
+/// Fig. 3, and variants of it in each property that the SIMD code distinguishes.
+inline std::vector<SceneDefinition> variantsForSimd()
+{
+  std::vector<SceneDefinition> scenes(8, singleParticles(150));
+  scenes[1] = mixture(90);
+  scenes[1].contact.pair_collisions = false;
+  scenes[1].species[1].radius = 0.012;
+  scenes[1].base.inclination = 0.2;
+  scenes[1].base.teeth = 3;
+  scenes[2].base.asymmetry = 0.0;
+  scenes[2].base.inclination = -0.1;
+  scenes[2].contact.restitution_speed = 0.4;
+  scenes[3].base.tooth_height = 0.0;
+  scenes[3].contact.restitution_speed = 2.0;
+  scenes[3].contact.restitution_exponent = 0.3;
+  scenes[4].base.tooth_width = 0.0008;
+  scenes[4].base.tooth_height = 0.0004;
+  scenes[4].base.teeth = 400;
+  scenes[5].base.asymmetry = 1.0;
+  scenes[5].gravity = 0.0;
+  scenes[5].pour.speed = 1.0;
+  scenes[5].contact.min_rebound_speed = 0.2;
+  scenes[6] = withSizes(mixture(90));
+  scenes[6].contact.pair_collisions = false;
+  // Disks that come to rest again and again.
+  scenes[7].species[0].count = 20;
+  scenes[7].base.amplitude = 2e-5;
+  scenes[7].contact.min_rebound_speed = 0.0;
+  scenes[7].contact.collapse_events = 1000;
+  scenes[7].contact.on_collapse = CollapseAction::REBOUND;
+  return scenes;
 }
 
 }  // namespace ratchet_sieve::test

@@ -38,79 +38,6 @@ private:
   bool present_;
 };
 
-/// Fig. 3, and variants of it in each property that the SIMD code distinguishes.
-std::vector<SceneDefinition> scenes()
-{
-  std::vector<SceneDefinition> scenes(8, test::singleParticles(150));
-  scenes[1] = test::mixture(90);
-  scenes[1].contact.pair_collisions = false;
-  scenes[1].species[1].radius = 0.012;
-  scenes[1].base.inclination = 0.2;
-  scenes[1].base.teeth = 3;
-  scenes[2].base.asymmetry = 0.0;
-  scenes[2].base.inclination = -0.1;
-  scenes[2].contact.restitution_speed = 0.4;
-  scenes[3].base.tooth_height = 0.0;
-  scenes[3].contact.restitution_speed = 2.0;
-  scenes[3].contact.restitution_exponent = 0.3;
-  scenes[4].base.tooth_width = 0.0008;
-  scenes[4].base.tooth_height = 0.0004;
-  scenes[4].base.teeth = 400;
-  scenes[5].base.asymmetry = 1.0;
-  scenes[5].gravity = 0.0;
-  scenes[5].pour.speed = 1.0;
-  scenes[5].contact.min_rebound_speed = 0.2;
-  scenes[6] = test::withSizes(test::mixture(90));
-  scenes[6].contact.pair_collisions = false;
-  // Disks that come to rest again and again.
-  scenes[7].species[0].count = 20;
-  scenes[7].base.amplitude = 2e-5;
-  scenes[7].contact.min_rebound_speed = 0.0;
-  scenes[7].contact.collapse_events = 1000;
-  scenes[7].contact.on_collapse = CollapseAction::REBOUND;
-  return scenes;
-}
-
-/// The complete state of a run at its end, bit for bit.
-std::string stateAfter(const SceneDefinition& scene, int strides, std::size_t threads)
-{
-  constexpr double END = 1.9;
-  Simulation simulation(scene);
-  simulation.setThreads(threads);
-  for (int k = 1; k <= strides; ++k)
-    simulation.advanceTo(END * k / strides);
-  EXPECT_GT(simulation.collisions().total(), 200u);
-  EXPECT_EQ(simulation.auditOverlaps(), 0u);
-  return simulation.saveState();
-}
-
-TEST(Simd, AnyNumberOfThemGivesTheSameBits)
-{
-  for (const SceneDefinition& scene : scenes())
-  {
-    const std::string widest = stateAfter(scene, 1, 1);
-    for (const int count : {2, 4, 8})
-    {
-      const Lanes lanes(count);
-      if (lanes.present())
-      {
-        EXPECT_TRUE(stateAfter(scene, 1, 1) == widest) << count;
-      }
-    }
-  }
-}
-
-TEST(Simd, ThreadsAndStridesGiveTheSameBits)
-{
-  for (const SceneDefinition& scene : scenes())
-  {
-    const std::string at_once = stateAfter(scene, 1, 1);
-    EXPECT_TRUE(stateAfter(scene, 1, 2) == at_once);
-    EXPECT_TRUE(stateAfter(scene, 37, 1) == at_once);
-    EXPECT_TRUE(stateAfter(scene, 400, 3) == at_once);
-  }
-}
-
 TEST(Simd, TwoAreInEveryMachine)
 {
   EXPECT_TRUE(useLanes(2));
@@ -197,7 +124,7 @@ TEST(Simd, OnlyWhereThePlanHasThemAndTheBaseStandsAtItsSetpoints)
 /// compared as well.
 TEST(Simd, GoTheSameWayAsTheMachine)
 {
-  std::vector<SceneDefinition> all = scenes();
+  std::vector<SceneDefinition> all = test::variantsForSimd();
   // For disks that come to rest, the final positions differ only by rounding.
   all.pop_back();
   for (SceneDefinition& scene : all)
@@ -221,31 +148,6 @@ TEST(Simd, GoTheSameWayAsTheMachine)
     EXPECT_LE(apart, static_cast<int>(one.size()) / 50) << &scene - all.data();
     EXPECT_NEAR(in_batches.energy(), without.energy(), 1e-2 * std::abs(without.energy()));
   }
-}
-
-TEST(Simd, GiveTheSameMeansAsTheMachine)
-{
-  SceneDefinition scene = test::singleParticles(400);
-  scene.settle = 2.0;
-  Simulation in_batches(scene);
-  scene.seed = 2;
-  Simulation without(scene, withoutSimd(scene));
-  in_batches.advanceTo(32.0);
-  without.advanceTo(32.0);
-  const SpeciesMeans one = in_batches.means()[0];
-  const SpeciesMeans other = without.means()[0];
-  EXPECT_NEAR(*one.mean_vx, *other.mean_vx, 4.0 * std::hypot(*one.mean_vx_stderr, *other.mean_vx_stderr));
-  // About 200,000 contacts each.
-  EXPECT_NEAR(*one.kinetic_translational / *other.kinetic_translational, 1.0, 0.02);
-  EXPECT_NEAR(*one.kinetic_rotational / *other.kinetic_rotational, 1.0, 0.03);
-  EXPECT_NEAR(*in_batches.collisions().shortToLong(0.3) / *without.collisions().shortToLong(0.3), 1.0, 0.03);
-  EXPECT_NEAR(
-      static_cast<double>(in_batches.collisions().apex) / static_cast<double>(without.collisions().apex), 1.0,
-      0.06);
-  EXPECT_NEAR(static_cast<double>(in_batches.collisions().total()) /
-                  static_cast<double>(without.collisions().total()),
-              1.0, 0.01);
-  EXPECT_NEAR(in_batches.baseImpulse().y() / without.baseImpulse().y(), 1.0, 0.01);
 }
 
 SceneDefinition drawnSceneForBatches()

@@ -1,15 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "draws.h"
 #include "ratchet_sieve/core/simulation.h"
-#include "reference_loop.h"
 #include "scenes.h"
-#include "state/placement.h"
 
 /// When a disk on a turning periodic base is wrapped: when its centre reaches an end of the base, with the
 /// velocity of the image, and at no other time. See docs/development/architecture.md, "The seam of a periodic
@@ -33,11 +31,6 @@ SceneDefinition advancedBy(Loop loop, SceneDefinition scene)
   scene.accuracy.method = loop == Loop::STEPS ? Method::STEPS : Method::EVENTS;
   scene.accuracy.step = STEP;
   return scene;
-}
-
-double drawnFinely(double from, double to)
-{
-  return from + (to - from) * *rc::gen::inRange(0, 1 << 20) / (1 << 20);
 }
 
 /// The largest difference of two positions, with images treated as equal.
@@ -77,7 +70,7 @@ TEST(TurningSeam, NoCommandChangesAPositionOrAVelocity)
         simulation.setSlewRates({*rc::gen::element(0.1, 1.0, 5.0), 10.0, 0.002});
         for (int command = 0; command < 12; ++command)
         {
-          simulation.advanceTo(simulation.time() + drawnFinely(0.0, 0.2));
+          simulation.advanceTo(simulation.time() + drawn(0.0, 0.2));
           // Between steps, disks are observed without the contacts since the last step; a command ends the
           // step.
           if (simulation.plan().steps)
@@ -209,125 +202,6 @@ TEST(TurningSeam, LiesAtTheEndsOfTheBaseInAllLoops)
         EXPECT_GT(expected.crossings(), 1);
         EXPECT_EQ(simulation.collisions().total(), 0u);
       }
-}
-
-std::vector<CollisionRecord> recordsOf(const SceneDefinition& scene, double rate,
-                                       const std::vector<std::pair<double, double>>& setpoints)
-{
-  Simulation simulation(scene);
-  std::vector<CollisionRecord> records;
-  simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
-  simulation.setSlewRates({rate, 10.0, 0.002});
-  for (const auto& [until, inclination] : setpoints)
-  {
-    simulation.command(Quantity::INCLINATION, inclination);
-    simulation.advanceTo(until);
-  }
-  return records;
-}
-
-/// To and fro, with a rest in between and a reversal on the way: time of the end, and target inclination.
-const std::vector<std::pair<double, double>> TO_AND_FRO = {
-    {0.10, 0.2}, {0.25, -0.1}, {0.28, 0.3}, {0.40, 0.0}, {1.5, 0.1}};
-
-void expectSameContacts(const std::vector<CollisionRecord>& is, const std::vector<CollisionRecord>& was,
-                        std::size_t first)
-{
-  ASSERT_GE(is.size(), first);
-  ASSERT_GE(was.size(), first);
-  for (std::size_t k = 0; k < first; ++k)
-  {
-    ASSERT_NEAR(is[k].time, was[k].time, 1e-7) << "contact " << k;
-    ASSERT_EQ(is[k].kind, was[k].kind) << "contact " << k;
-  }
-}
-
-/// A single disk is alone in each loop: the loops agree until rounding errors have grown.
-TEST(TurningSeam, IsTheSameInAllLoopsContactByContact)
-{
-  for (const double rate : {0.1, 1.0, 5.0})
-    for (const double speed : {-1.0, 0.7})
-    {
-      SCOPED_TRACE(std::to_string(rate) + " rad/s, " + std::to_string(speed) + " m/s");
-      SceneDefinition scene = test::mixture(0);
-      scene.base.teeth = 2;
-      scene.initial = {{0, 0.01, 0.02, speed, 0.0, 0.0}};
-      const auto records = [&](Loop loop) { return recordsOf(advancedBy(loop, scene), rate, TO_AND_FRO); };
-      const std::vector<CollisionRecord> singles = records(Loop::SINGLES);
-      expectSameContacts(records(Loop::PAIRS), singles, 15);
-      expectSameContacts(records(Loop::STEPS), singles, 15);
-    }
-}
-
-std::vector<CollisionRecord> referenceRecordsOf(const SceneDefinition& scene, double rate,
-                                                const std::vector<std::pair<double, double>>& setpoints)
-{
-  test::Bench bench(scene);
-  placeInitialDisks(bench.state, 0.0);
-  std::vector<CollisionRecord> records;
-  bench.state.observers().observeCollisions([&](const CollisionRecord& r) { records.push_back(r); });
-  test::ReferenceLoop reference(bench);
-  double time = 0.0;
-  for (const auto& [until, inclination] : setpoints)
-  {
-    test::turn(bench.state, rate, inclination, time);
-    reference.advanceTo(time = until);
-  }
-  return records;
-}
-
-/// Including contacts across the seam.
-TEST(TurningSeam, MissesNoContactOfTheSlowReference)
-{
-  for (const double rate : {0.1, 1.0, 5.0})
-    for (const unsigned seed : {1U, 2U, 3U})
-    {
-      SCOPED_TRACE(std::to_string(rate) + " rad/s, seed " + std::to_string(seed));
-      SceneDefinition scene = test::mixture(4);
-      scene.base.teeth = 2;
-      scene.seed = seed;
-      for (const DiskState& disk : Simulation(scene).disks())
-        scene.initial.push_back({disk.species, disk.x, disk.y, 0.5 - 0.1 * disk.id, -0.2, 0.0});
-      for (SpeciesDefinition& species : scene.species)
-        species.count = 0;
-      const std::vector<std::pair<double, double>> at_first(TO_AND_FRO.begin(), TO_AND_FRO.end() - 1);
-      expectSameContacts(recordsOf(scene, rate, TO_AND_FRO), referenceRecordsOf(scene, rate, at_first), 40);
-    }
-}
-
-/// Pairs that meet across the ends of the base while it turns, and others far from the ends, so that cells
-/// are as small as in a layer.
-SceneDefinition meetingsAcrossTheEnds(double rate, double height)
-{
-  SceneDefinition scene = test::mixture(0);
-  const double width = scene.base.width();
-  for (int k = 0; k < 12; ++k)
-  {
-    // The one at the left has an image that keeps the height of the one at the right, and comes towards it.
-    const double y = height + 0.0045 * k;
-    scene.initial.push_back({0, width - 0.004 - 0.001 * k, y, 0.2 + 0.01 * k, 0.0, 0.0});
-    scene.initial.push_back({1, 0.006 + 0.0013 * k, y + 0.001, -0.25, -rate * width, 0.0});
-  }
-  for (int k = 0; k < 300; ++k)
-    scene.initial.push_back({1, 0.05 + 0.0045 * (k % 60), 0.1 + 0.0045 * (k / 60), 0.0, 0.0, 0.0});
-  return scene;
-}
-
-/// While the images across the ends rise by several rows of cells, at any height: the higher, the farther the
-/// ends lean over the columns.
-TEST(TurningSeam, MissesNoContactWhileImagesPassRowsOfCells)
-{
-  for (const double rate : {-0.5, 0.1})
-    for (const double height : {0.012, 1.0})
-    {
-      SCOPED_TRACE(std::to_string(rate) + " rad/s, from " + std::to_string(height) + " m");
-      const SceneDefinition scene = meetingsAcrossTheEnds(rate, height);
-      const std::vector<std::pair<double, double>> turn = {{0.045, std::copysign(0.5, rate)}};
-      const std::vector<CollisionRecord> expected = referenceRecordsOf(scene, std::abs(rate), turn);
-      EXPECT_GT(expected.size(), 6u);
-      expectSameContacts(recordsOf(scene, std::abs(rate), turn), expected,
-                         std::min<std::size_t>(expected.size(), 30));
-    }
 }
 
 /// The ends of the base swing by its width, over cells that stand: images then differ anywhere in the cells.
