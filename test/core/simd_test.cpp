@@ -1,4 +1,4 @@
-#include "add_disk.h"
+#include "bench.h"
 #include "model/processor.h"
 #include "simd/batch_rows.h"
 

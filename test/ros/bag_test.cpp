@@ -9,7 +9,6 @@
 #include "caught_log.h"
 #include "collecting_sink.h"
 #include "errors.h"
-#include "random_frames.h"
 #include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag.h"

@@ -8,7 +8,6 @@
 #include <rapidcheck.h>
 #include <ros/serialization.h>
 
-#include "random_frames.h"
 #include "ratchet_sieve/core/fields.h"
 #include "ratchet_sieve/recording/frame_sink.h"
 #include "ratchet_sieve/recording/same_bits.h"
