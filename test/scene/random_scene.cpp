@@ -34,6 +34,7 @@ constexpr double AMPLITUDE_PER_TOOTH = 10.0;
 constexpr double DROP_PER_TOOTH = 100.0;
 constexpr double SCALES_PER_FALL = 1000.0;
 constexpr double TEETH_PER_FALL = 300.0;
+constexpr double MOST_PERIODS = 1e4;  ///< of the drive in a run with a height profile
 constexpr double TEETH_PER_RUN = 10.0;
 constexpr double REST_PER_TIME_SCALE = 0.01;
 constexpr double SHORTEST_CONTACT = 1e-4;  ///< of those that can be meant, per time scale
@@ -370,6 +371,9 @@ void drawDuration(SceneDefinition& scene)
                TEETH_PER_FALL * scene.base.toothWidth() / std::max(impact, scene.contact.min_rebound_speed));
   scene.duration = std::min(
       1e9, std::min(fall, longest) + TEETH_PER_RUN * drawnFraction() * scene.base.toothWidth() / fastest);
+  // A profile divides each flight at each period of the drive, also on a base that is at rest.
+  if (std::count(scene.observe.begin(), scene.observe.end(), "height_profile") > 0)
+    scene.duration = std::min(scene.duration, MOST_PERIODS / scene.base.frequency);
   scene.settle = drawnOf({0.0, 0.0, 0.5, 1.0}) * scene.duration;
   if (scene.duration > 0.0 && drawnChance(20))
   {
