@@ -8,8 +8,11 @@ if(RATCHET_SIEVE_ROS)
   install(TARGETS ratchet_sieve_bag_plugin LIBRARY DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION})
   # In the sources they are not executable: rosrun would find them twice, there and in the devel space.
   catkin_install_python(
-    PROGRAMS examples/schedule.py examples/seek.py rviz/fitted_rviz.py DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
+    PROGRAMS examples/schedule.py examples/seek.py python/sieve_separate rviz/fitted_rviz.py
+    DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
   install(TARGETS ratchet_sieve_messages EXPORT ratchet_sieve-targets)
+elseif(RATCHET_SIEVE_PYTHON)
+  install(PROGRAMS python/sieve_separate DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
 endif()
 install(DIRECTORY include/ratchet_sieve/ DESTINATION ${RATCHET_SIEVE_INCLUDE_DESTINATION})
 install(DIRECTORY config examples launch DESTINATION ${RATCHET_SIEVE_SHARE_DESTINATION})

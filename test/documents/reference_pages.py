@@ -20,6 +20,7 @@ PROGRAMS = {
     'Without a ROS master': {
         'sieve_run': 'runs one scene and prints a summary; can record a bag or a trajectory',
         'sieve_sweep': 'runs many cases of a scene: parameter sweeps',
+        'sieve_separate': 'finds the settings that part the kinds of a scene best',
     },
     'Nodes': {
         'sieve_node': 'runs a sieve live: topics, services, recording',

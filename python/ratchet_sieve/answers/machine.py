@@ -1,10 +1,12 @@
 """What is measured of a machine, by which runs, and how sure one run is of it."""
+import warnings
+
 import numpy as np
 import pandas
 
 from ratchet_sieve import sweeps
 from ratchet_sieve.arguments import mapping, number
-from ratchet_sieve.errors import SceneError
+from ratchet_sieve.errors import SceneError, SieveWarning
 from ratchet_sieve.scene import scene_of
 
 FED = 400              # disks that the shortest run of a fed machine is given
@@ -43,7 +45,7 @@ class Machine:
         self.is_signed = goal is None
         self._require_species()
         for corner in (0.0, 1.0):
-            self.at(np.full(len(self.keys), corner))
+            self._changed(self.settings(np.full(len(self.keys), corner)))
         self.shortest = values["duration"]
         if self.kind == "fed":
             shares = np.array([species["share"] for species in values["species"]])
@@ -59,9 +61,9 @@ class Machine:
         """Whether a key takes whole numbers alone. Raises SceneError if it takes neither end."""
         if not all(isinstance(end, int) for end in ends):
             return False
-        self.scene.replace({key: ends[0]})
+        self._changed({key: ends[0]})
         try:
-            self.scene.replace({key: ends[0] + 0.5})
+            self._changed({key: ends[0] + 0.5})
         except SceneError:
             return True
         return False
@@ -80,9 +82,12 @@ class Machine:
         return {key: round(float(value), decimals) if decimals else round(float(value))
                 for key, value, decimals in zip(self.keys, values, self._decimals)}
 
-    def at(self, place):
-        """The scene with these settings. Raises SceneError."""
-        return self.scene.replace(self.settings(place))
+    def _changed(self, values):
+        """The scene with other values; what is implausible at a place that may never be chosen is not said. Raises
+        SceneError."""
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", SieveWarning)
+            return self.scene.replace(values)
 
     def run(self, places, durations, seeds, observe=(), changes=None, **options):
         """Runs the machine at some places: each for its duration, which only a fed one takes.
@@ -94,7 +99,7 @@ class Machine:
             ends["observe"] = sorted({*self.scene.values.get("observe", ()), *observe})
         cases = [{**self.settings(place), **({"duration": round(float(duration), 3)} if self.kind == "fed" else {})}
                  for place, duration in zip(places, durations)]
-        return sweeps.sweep(self.scene.replace(ends), cases=cases, seeds=seeds, progress=False, **options)
+        return sweeps.sweep(self._changed(ends), cases=cases, seeds=seeds, progress=False, **options)
 
     def observed(self, rows):
         """@return what each run says: `value`, its `variance`, both NaN where the machine does not work; `residence`,

@@ -4,7 +4,7 @@ import numpy as np
 from scipy import linalg, optimize
 
 AMPLITUDE = 0.1   # that is expected, in units of the scale: the surface's standard deviation
-LENGTH = 0.4      # that is expected, in units of the ranges: over which the surface changes
+LENGTH = 0.3      # that is expected, in units of the ranges: over which the surface changes
 OFFSET = 0.5      # standard deviation of the surface's mean, in units of the scale
 # Standard deviations of the logarithms of amplitude, lengths and excess of the errors around what is expected.
 SPREADS = (1.5, 0.5, 0.3)
