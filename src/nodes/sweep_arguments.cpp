@@ -100,7 +100,7 @@ void describePlots(CLI::App& report, SweepArguments& arguments)
     const auto take = [&arguments, name](const std::vector<std::string>& values)
     {
       for (const std::string& value : values)
-        arguments.plot_options.push_back(name + '=' + value);
+        arguments.plot_options.push_back(fmt::format("{}={}", name, value));
     };
     report.add_option_function<std::vector<std::string>>(name, take, text)
         ->type_name(type)

@@ -221,7 +221,7 @@ EncodedMotion MotionRecord::encode(const std::vector<Frame>& frames) const
   const std::vector<Track> tracks = tracksOf(frames);
   const std::vector<Step> steps = stepsOf(tracks, frames);
   std::string bytes;
-  const auto addColumns = [&bytes](const auto& rows, const auto&... numbers)
+  const auto add_columns = [&bytes](const auto& rows, const auto&... numbers)
   {
     const auto add = [&](const auto& number) {
       addColumn(bytes, rows, [&](const auto& row) { return zigzag(static_cast<std::int32_t>(number(row))); });
@@ -229,13 +229,13 @@ EncodedMotion MotionRecord::encode(const std::vector<Frame>& frames) const
     (add(numbers), ...);
   };
   addColumn(bytes, frames, [](const Frame& frame) { return bitsOf(frame.time); });
-  addColumns(
+  add_columns(
       tracks, [](const Track& track) { return track.states.front()->id; },
       [](const Track& track) { return track.states.front()->species; },
       [](const Track& track) { return track.states.front()->radius; },
       [](const Track& track) { return track.first_frame; },
       [](const Track& track) { return track.states.size(); });
-  addColumns(
+  add_columns(
       steps, [](const Step& step) { return step.now->vx; }, [](const Step& step) { return step.now->vy; },
       [](const Step& step) { return step.position(&Disk::x, &Disk::vx); },
       [](const Step& step) { return step.position(&Disk::y, &Disk::vy); },
