@@ -33,6 +33,7 @@ add_message_files(FILES
   BaseState.msg
   BinCounts.msg
   Command.msg
+  DiskExit.msg
   Observation.msg
   ObservationColumn.msg
   ObservationNumber.msg

@@ -8,7 +8,7 @@ if(RATCHET_SIEVE_ROS)
   install(TARGETS ratchet_sieve_bag_plugin LIBRARY DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION})
   # In the sources they are not executable: rosrun would find them twice, there and in the devel space.
   catkin_install_python(
-    PROGRAMS examples/schedule.py examples/seek.py python/sieve_separate rviz/fitted_rviz.py
+    PROGRAMS examples/conveyor.py examples/schedule.py examples/seek.py python/sieve_separate rviz/fitted_rviz.py
     DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
   install(TARGETS ratchet_sieve_messages EXPORT ratchet_sieve-targets)
 elseif(RATCHET_SIEVE_PYTHON)

@@ -65,6 +65,23 @@ class Collisions(Values):
     records: Optional[np.ndarray] = None
 
 
+class Exits(np.ndarray):
+    """The disks that have left a machine, in the order of time: a structured array of time [s], id, species (its name),
+    radius [m], mass [kg], side ("left" or "right") and place (of the centre along the world's x [m])."""
+
+    @property
+    def left(self) -> Exits:
+        return self._of("left")
+
+    @property
+    def right(self) -> Exits:
+        return self._of("right")
+
+    def _of(self, side: str) -> Exits:
+        part: Exits = self[self["side"] == side]
+        return part
+
+
 class Recording:
     """What pictures need: the frames of a run, and its scene."""
 
@@ -144,28 +161,31 @@ class Recording:
 class Run(Recording):
     """A run that has ended.
 
-    scene, summary, frames (empty unless asked for), collisions
+    scene, summary, frames (empty unless asked for), collisions, exits
     """
 
-    def __init__(self, simulation: Simulation, summary: Summary, frames: Frames, collisions: Collisions):
+    def __init__(self, simulation: Simulation, summary: Summary, frames: Frames, collisions: Collisions, exits: Exits):
         super().__init__(simulation.scene, frames)
         self.simulation = simulation
         self.summary = summary
         self._warnings = summary.warnings
         self.collisions = collisions
+        self.exits = exits
 
     def __repr__(self) -> str:
         return f"<Run of {self.scene.source}, {self.summary.simulated_time:.6g} s>\n{self.summary!r}"
 
 
 def run(scene: AnyScene, *, until: Optional[Mapping[str, float]] = None, frames: float = 0.0, collisions: bool = False,
-        threads: int = 0, progress: bool = True) -> Run:
+        feed: Any = None, threads: int = 0, progress: bool = True) -> Run:
     """Runs a scene to its end, as `sieve_run` does.
 
     scene       a Scene, the path of a scene file, or a mapping
     until       ends the run once its means are known so well: {"mean_vx": 0.001} [m/s], {"quality": 0.02}
     frames      frames per simulated second; 0: none
     collisions  whether to keep each collision: 48 bytes each
+    feed        disks that are fed at their times, in place of the scene's feed.rate or feed.file: the `exits` of another
+                run, its `exits.right`, or columns time, species, radius and mass of any table
     threads     at most; 0: one per processor. A run takes as many as its disks are worth. The bits depend on none
                 of these.
     progress    whether to show a bar, in a terminal or a notebook
@@ -177,17 +197,40 @@ def run(scene: AnyScene, *, until: Optional[Mapping[str, float]] = None, frames:
     if until is not None:
         wanted = mapping("until", until, '{"mean_vx": 0.001}')
         scene = scene.replace({f"accuracy.{key}": value for key, value in wanted.items()})
+    if feed is not None:
+        others = {"rate", "file", "side"} & set(scene.given.get("feed") or {})
+        scene = scene.replace({**{f"feed.{key}": None for key in others}, "feed.disks": _rows(feed)})
     simulation = Simulation(scene)
     duration = scene["duration"]
     with Progress(progress, "run") as bar:
-        summary, lists, records = _engine.run(
+        summary, lists, records, left = _engine.run(
             simulation._engine, rate, collisions, threads,
             lambda time: bar.show(time / duration if duration else 1.0, f"{time:.4g} of {duration:.4g} s"))
     for warning in summary["warnings"]:
         warn(warning)
     counts = Collisions(summary["collisions"])
     counts.__dict__["records"] = records
-    return Run(simulation, Summary.of(summary), Frames(scene.species, lists), counts)
+    return Run(simulation, Summary.of(summary), Frames(scene.species, lists), counts, _exits(left, scene.species))
+
+
+def _exits(rows: np.ndarray, species: list[str]) -> Exits:
+    """The engine's rows with names in place of numbers."""
+    names = {"species": np.array(species), "side": np.array(["left", "right"])}
+    kinds = [(name, names[name].dtype if name in names else rows.dtype[name]) for name in rows.dtype.names]
+    exits = np.empty(len(rows), dtype=kinds)
+    for name in rows.dtype.names:
+        exits[name] = names[name][rows[name]] if name in names else rows[name]
+    return exits.view(Exits)
+
+
+def _rows(feed: Any) -> list[dict[str, Any]]:
+    """Disks as feed.disks has them."""
+    names = ("time", "species", "radius", "mass")
+    try:
+        columns = [np.asarray(feed[name]).tolist() for name in names]
+    except (KeyError, IndexError, TypeError, ValueError):
+        raise ValueError(f"feed = {feed!r}: must have columns time, species, radius and mass, as run.exits") from None
+    return [dict(zip(names, row)) for row in zip(*columns)]
 
 
 def _columns(rows: list[Mapping[str, Any]]) -> np.ndarray:

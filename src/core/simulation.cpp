@@ -290,6 +290,11 @@ void Simulation::observeCollisions(CollisionObserver observer)
   engine_->state().observers().observeCollisions(std::move(observer));
 }
 
+void Simulation::observeExits(ExitObserver observer)
+{
+  engine_->state().observers().observeExits(std::move(observer));
+}
+
 void Simulation::observePeriods(PeriodObserver observer)
 {
   engine_->observePeriods(std::move(observer));

@@ -86,8 +86,15 @@ std::unique_ptr<Run> RunControl::makeRun(const SceneDefinition& scene, std::vect
   simulation.setThreads(parameters_.threads);
   auto run = std::make_unique<Run>(std::move(simulation), end_time);
   run->add(sinks_, parameters_.rates);
+  run->observeExits(exit_observer_);
   run->open(std::move(opening));
   return run;
+}
+
+void RunControl::observeExits(ExitObserver observer)
+{
+  exit_observer_ = std::move(observer);
+  run_->observeExits(exit_observer_);
 }
 
 Scene RunControl::readScene(std::uint64_t seed, const std::vector<std::string>& overrides) const

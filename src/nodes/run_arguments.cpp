@@ -98,6 +98,10 @@ void describeOutputs(CLI::App& app, RunArguments& arguments)
       ->capture_default_str();
   app.add_option("--collisions", arguments.collisions, "Write every collision to a CSV file")
       ->type_name("FILE");
+  app.add_option(
+         "--exits", arguments.exits,
+         "Write every disk that leaves the machine to a CSV file, which feed.file of another scene reads")
+      ->type_name("FILE");
   app.add_option("--summary", arguments.summary, "Write the summary to a file instead of standard output")
       ->type_name("FILE");
 }

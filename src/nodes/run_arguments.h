@@ -27,6 +27,7 @@ struct RunArguments
   PageArguments page;
   double page_rate = PAGE_RATE;
   std::string collisions;
+  std::string exits;
   std::string summary;
   std::string checkpoint;
   double checkpoint_every = 60.0;

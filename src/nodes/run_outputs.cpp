@@ -20,6 +20,7 @@ void requireDistinctFiles(const RunArguments& arguments)
   const std::string active = arguments.bag.empty() ? "" : arguments.bag + ".active";
   std::vector<NamedFile> outputs = {{"--summary", arguments.summary},
                                     {"--collisions", arguments.collisions},
+                                    {"--exits", arguments.exits},
                                     {"--bag", arguments.bag},
                                     {"--bag", active},
                                     {"--html", arguments.page.path}};
@@ -97,6 +98,8 @@ void RunOutputs::open(const RunArguments& arguments)
     summary_ = std::make_unique<AtomicFile>(arguments.summary);
   if (!arguments.collisions.empty())
     collisions_ = std::make_unique<CollisionFile>(arguments.collisions);
+  if (!arguments.exits.empty())
+    exits_ = std::make_unique<ExitFile>(arguments.exits);
   if (!arguments.bag.empty())
   {
     bag_ = openBag(arguments.bag);
@@ -129,6 +132,9 @@ void RunOutputs::watch(Simulation& simulation, RunWatchers& watchers)
 {
   if (collisions_)
     simulation.observeCollisions([this](const CollisionRecord& record) { collisions_->add(record); });
+  if (exits_)
+    simulation.observeExits([this, &species = simulation.scene().species](const ExitRecord& record)
+                            { exits_->add(record, species); });
   watchers.frames = streams_;
 }
 
@@ -138,6 +144,8 @@ bool RunOutputs::finish(const nlohmann::ordered_json& summary, const std::vector
   attempts_.attempt([&] { writeSummary(summary.dump(2) + "\n"); });
   if (collisions_)
     attempts_.attempt([this] { collisions_->commit(); });
+  if (exits_)
+    attempts_.attempt([this] { exits_->commit(); });
   for (const auto& sink : sinks_)
     attempts_.attempt([&sink] { sink->finish(); });
   return attempts_.complete();

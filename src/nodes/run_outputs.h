@@ -41,6 +41,7 @@ private:
 
   std::unique_ptr<AtomicFile> summary_;
   std::unique_ptr<CollisionFile> collisions_;
+  std::unique_ptr<ExitFile> exits_;
   std::unique_ptr<BagOutput> bag_;
   std::unique_ptr<TrajectoryFile> trajectory_;
   std::unique_ptr<RunPage> page_;

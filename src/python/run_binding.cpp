@@ -94,8 +94,9 @@ py::tuple run(RunningSimulation& running, double frame_rate, bool collisions, st
   RunningSimulation::Use simulation(running);
   SignalWatch signals;
   CollectedFrames frames(running.scene()->definition);
-  // The observer's own: after an error it stays with the simulation.
+  // The observers' own: after an error they stay with the simulation.
   const auto records = std::make_shared<std::vector<CollisionRecord>>();
+  const auto exits = std::make_shared<std::vector<ExitRecord>>();
   RunOutcome outcome;
   RunWatchers watchers;
   if (frame_rate > 0.0)
@@ -125,15 +126,17 @@ py::tuple run(RunningSimulation& running, double frame_rate, bool collisions, st
     const ThreadsOfRun of_run(*simulation, threads);
     if (collisions)
       simulation->observeCollisions([records](const CollisionRecord& record) { records->push_back(record); });
+    simulation->observeExits([exits](const ExitRecord& record) { exits->push_back(record); });
     outcome = runToEnd(*simulation, watchers);
     simulation->observeCollisions({});
+    simulation->observeExits({});
   }
   signals.raise();
   if (failed)
     throw py::error_already_set();
   const nlohmann::ordered_json summary = summarize(*simulation, outcome);
   return py::make_tuple(toPython(summary), frames.lists(),
-                        collisions ? py::object(arrayOf(*records)) : py::none());
+                        collisions ? py::object(arrayOf(*records)) : py::none(), arrayOf(*exits));
 }
 
 }  // namespace

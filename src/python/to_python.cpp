@@ -38,6 +38,17 @@ struct CollisionRow
   double tangential_impulse;
 };
 
+struct ExitRow
+{
+  double time;
+  std::uint32_t id;
+  std::uint32_t species;
+  double radius;
+  double mass;
+  std::int32_t side;
+  double place;
+};
+
 /// As the scene's reader takes it: 020 is 20, and true and false alone are no text.
 py::object scalarToPython(const YAML::Node& node)
 {
@@ -156,8 +167,19 @@ py::array arrayOf(const std::vector<CollisionRecord>& collisions)
   return std::move(rows);
 }
 
+py::array arrayOf(const std::vector<ExitRecord>& exits)
+{
+  py::array_t<ExitRow> rows(static_cast<py::ssize_t>(exits.size()));
+  ExitRow* row = rows.mutable_data();
+  for (const ExitRecord& exit : exits)
+    *row++ = {exit.time, exit.id, exit.species, exit.radius, exit.mass, static_cast<std::int32_t>(exit.side),
+              exit.place};
+  return std::move(rows);
+}
+
 void describeArrays()
 {
+  PYBIND11_NUMPY_DTYPE(ExitRow, time, id, species, radius, mass, side, place);
   PYBIND11_NUMPY_DTYPE(DiskRow, id, species, radius, mass, x, y, vx, vy, angle, spin, displacement);
   PYBIND11_NUMPY_DTYPE(CollisionRow, time, kind, i, j, normal_speed, normal_impulse, tangential_impulse);
 }

@@ -91,6 +91,10 @@ std::vector<DiskState> disksOf(const pybind11::array& rows);
 /// normal_speed, normal_impulse, tangential_impulse. SI.
 pybind11::array arrayOf(const std::vector<CollisionRecord>& collisions);
 
+/// A new structured array of disks that have left: time, id, species (its number), radius, mass, side (0:
+/// left, 1: right), place. SI.
+pybind11::array arrayOf(const std::vector<ExitRecord>& exits);
+
 /// Registers the types of the elements of these arrays.
 void describeArrays();
 

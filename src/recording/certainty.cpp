@@ -24,7 +24,7 @@ constexpr const char* RUNS_EMPTY = "the base runs empty, so a longer run does no
 
 bool isFed(const SceneDefinition& scene)
 {
-  return scene.feed.rate > 0.0;
+  return scene.feed.any();
 }
 
 /// The largest half-width of the species that have disks; nothing if one is unknown.

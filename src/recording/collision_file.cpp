@@ -14,32 +14,48 @@ constexpr std::size_t FLUSH_SIZE = 1u << 20;
 
 }  // namespace
 
-CollisionFile::CollisionFile(const std::string& path)
-    : file_(path), lines_("time,kind,i,j,normal_speed,normal_impulse,tangential_impulse\n")
+EventFile::EventFile(const std::string& path, const std::string& header) : file_(path), lines_(header + '\n')
 {
 }
 
-void CollisionFile::add(const CollisionRecord& record)
+template <typename... Values>
+void EventFile::addLine(const char* format, const Values&... values)
 {
-  const auto out = std::back_inserter(lines_);
-  fmt::format_to(out, "{},{},{},", record.time, name(record.kind), record.i);
-  if (record.j)
-    fmt::format_to(out, "{}", *record.j);
-  fmt::format_to(out, ",{},{},{}\n", record.normal_speed, record.normal_impulse, record.tangential_impulse);
+  fmt::format_to(std::back_inserter(lines_), fmt::runtime(format), values...);
   if (lines_.size() >= FLUSH_SIZE)
     flush();
 }
 
-void CollisionFile::flush()
+void EventFile::flush()
 {
   file_.stream() << lines_;
   lines_.clear();
 }
 
-void CollisionFile::commit()
+void EventFile::commit()
 {
   flush();
   file_.commit();
+}
+
+CollisionFile::CollisionFile(const std::string& path)
+    : EventFile(path, "time,kind,i,j,normal_speed,normal_impulse,tangential_impulse")
+{
+}
+
+void CollisionFile::add(const CollisionRecord& record)
+{
+  addLine("{},{},{},{},{},{},{}\n", record.time, name(record.kind), record.i,
+          record.j ? std::to_string(*record.j) : "", record.normal_speed, record.normal_impulse,
+          record.tangential_impulse);
+}
+
+ExitFile::ExitFile(const std::string& path) : EventFile(path, "time,id,species,radius,mass,side,place") {}
+
+void ExitFile::add(const ExitRecord& record, const std::vector<SpeciesDefinition>& species)
+{
+  addLine("{},{},{},{},{},{},{}\n", record.time, record.id, species[record.species].name, record.radius,
+          record.mass, name(record.side), record.place);
 }
 
 }  // namespace ratchet_sieve

@@ -96,7 +96,7 @@ void makeParticleFrame(const Simulation& simulation, ParticleFrame& frame)
 {
   frame.time = simulation.time();
   simulation.disks(frame.disks);
-  if (simulation.sizeClasses().empty())
+  if (simulation.sizeClasses().empty() && simulation.scene().feed.disks.empty())
     for (DiskState& disk : frame.disks)
       disk.radius = 0.0;
 }

@@ -16,7 +16,7 @@ constexpr double CHOKED_LAYER = 4.0;
 std::string chokeText(const Simulation& simulation)
 {
   const SceneDefinition& scene = simulation.scene();
-  if (scene.feed.rate <= 0.0)
+  if (!scene.feed.any())
     return {};
   double left = 0.0;
   double fed = -static_cast<double>(disksAtStart(scene));
@@ -25,7 +25,7 @@ std::string chokeText(const Simulation& simulation)
     left += static_cast<double>(bins.counted());
     fed += static_cast<double>(bins.counted() + bins.on_base);
   }
-  const double layers = feedGrowth(scene) * (fed - left) / scene.feed.rate / largestDiameter(scene);
+  const double layers = feedGrowth(scene) * (fed - left) / feedRate(scene) / largestDiameter(scene);
   if (2.0 * left >= fed || layers <= CHOKED_LAYER)
     return {};
   std::string text = fmt::format(

@@ -190,6 +190,21 @@ bool isStamp(double time)
   return time >= 0.0 && time <= LATEST_STAMP;
 }
 
+DiskExit toMessage(const ExitRecord& exit, const std::string& species, const std::string& frame_id)
+{
+  DiskExit message;
+  message.header.stamp = ros::Time(exit.time);
+  message.header.frame_id = frame_id;
+  message.time = exit.time;
+  message.id = exit.id;
+  message.species = species;
+  message.radius = exit.radius;
+  message.mass = exit.mass;
+  message.side = name(exit.side);
+  message.place = exit.place;
+  return message;
+}
+
 /// The conversions of one kind in both directions, by the list of its fields.
 #define RATCHET_SIEVE_CONVERSIONS(FRAME, MESSAGE)                    \
   MESSAGE toMessage(const FRAME& frame, const std::string& frame_id) \

@@ -74,6 +74,7 @@ public:
     if (parameters_.mountedElsewhere())
       own_world_.emplace().sendTransform(ownWorldTransform(parameters_.mount, parameters_.frames));
     control_.addSink(topics_);
+    control_.observeExits([this](const ExitRecord& exit) { topics_.publish(exit); });
     // After the scene was checked, so that a run that cannot begin leaves no bag.
     recorder_.open();
   }

@@ -7,6 +7,9 @@ namespace
 /// Half a second of frames at the default rates; a subscriber that lags by more loses frames. roscpp has a
 /// queue for each subscriber, so that a slow one does not delay the others.
 constexpr std::uint32_t FRAME_QUEUE_SIZE = 30;
+
+/// Disks that may leave between two looks of roscpp's thread at the queue: no exit is lost.
+constexpr std::uint32_t EXIT_QUEUE_SIZE = 100000;
 }  // namespace
 
 /// Advertises the topic of a kind; a new subscriber is sent the present state.
@@ -37,6 +40,15 @@ TopicPublisher::TopicPublisher(ros::NodeHandle private_node, const std::function
   advertise(private_node, &Run::observed);
   publishers_[FrameKind::COMMANDS] =
       private_node.advertise<Command>(describe(FrameKind::COMMANDS).name, FRAME_QUEUE_SIZE);
+  exits_ = private_node.advertise<DiskExit>("exits", EXIT_QUEUE_SIZE);
+}
+
+void TopicPublisher::publish(const ExitRecord& exit)
+{
+  if (exits_.getNumSubscribers() == 0)
+    return;
+  clock_.reach(exit.time);
+  exits_.publish(toMessage(exit, current_().simulation().scene().species[exit.species].name, frames_.world));
 }
 
 bool TopicPublisher::wants(FrameKind kind) const

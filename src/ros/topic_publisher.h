@@ -14,9 +14,10 @@
 namespace ratchet_sieve
 {
 
-/// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~observed, ~commands and ~scene (latched). The
-/// base is also published on /tf, with a transform at the stamp of every message of the disks. Topics without
-/// subscribers are skipped. A new subscriber gets the present state at once, also in a pause.
+/// Publishes frames on ~particles, ~bins, ~base, ~statistics, ~observed, ~commands and ~scene (latched), and
+/// each disk that leaves on ~exits. The base is also published on /tf, with a transform at the stamp of every
+/// message of the disks. Topics without subscribers are skipped. A new subscriber gets the present state at
+/// once, also in a pause.
 class TopicPublisher : public FrameSink
 {
 public:
@@ -28,6 +29,7 @@ public:
 
   bool wants(FrameKind kind) const override;
   void take(const AnyFrame& frame) override;
+  void publish(const ExitRecord& exit);
 
 private:
   bool isHeard(FrameKind kind) const { return publishers_.at(kind).getNumSubscribers() > 0; }
@@ -41,6 +43,7 @@ private:
   ClockPublisher& clock_;
   TransformPublisher& transforms_;
   std::map<FrameKind, ros::Publisher> publishers_;
+  ros::Publisher exits_;
 };
 
 }  // namespace ratchet_sieve

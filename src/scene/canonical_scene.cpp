@@ -86,6 +86,22 @@ std::string listLines(const std::string& name, const std::vector<Entry>& entries
   return lines;
 }
 
+FlowMap feedMap(const SceneDefinition& scene)
+{
+  FlowMap map;
+  map.add(FEED_KEYS, scene.feed);
+  std::string disks;
+  for (const FedDisk& disk : scene.feed.disks)
+  {
+    FlowMap one;
+    one("species", scalarText(scene.species[disk.species].name));
+    disks += (disks.empty() ? "" : ", ") + one.add(FED_KEYS, disk).text();
+  }
+  if (!disks.empty())
+    map("disks", '[' + disks + ']');
+  return map;
+}
+
 std::string motionYaml(const SceneDefinition& scene)
 {
   const auto name_of = [&scene](std::size_t species) { return scalarText(scene.species[species].name); };
@@ -107,8 +123,7 @@ std::string motionYaml(const SceneDefinition& scene)
                      map.add(COEFFICIENT_KEYS, pair.contact);
                    }) +
          section("contact", FlowMap().add(CONTACT_KEYS, scene.contact)) +
-         section("pour", FlowMap().add(POUR_KEYS, scene.pour)) +
-         section("feed", FlowMap().add(FEED_KEYS, scene.feed)) +
+         section("pour", FlowMap().add(POUR_KEYS, scene.pour)) + section("feed", feedMap(scene)) +
          listLines("initial", scene.initial,
                    [&](const InitialDisk& disk, FlowMap& map)
                    {

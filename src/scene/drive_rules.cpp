@@ -68,7 +68,7 @@ void judgeDrive(SceneDefinition& scene, Plausibility& is)
           "# times that of the earth", {{gravity / EARTH}}, {1e-2, MILLI});
 
   // Without a drive disks are at rest; a weak drive or a strong gravity has a line of its own.
-  const bool poured = scene.feed.rate > 0.0 || (scene.initial.empty() && disksAtStart(scene) > 0);
+  const bool poured = scene.feed.any() || (scene.initial.empty() && disksAtStart(scene) > 0);
   const double lift = peakLift(base);
   is.rule("no-lift", {},
           when(poured && !soft && drive.acceleration > 0.0 && gravity <= STRONGEST_GRAVITY && lift < gravity),

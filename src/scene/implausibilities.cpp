@@ -61,7 +61,7 @@ double fallSpeed(const SceneDefinition& scene, double height)
 
 bool pours(const SceneDefinition& scene)
 {
-  return scene.initial.empty() || scene.feed.rate > 0.0;
+  return scene.initial.empty() || scene.feed.any();
 }
 
 double speedOf(const InitialDisk& disk)
@@ -122,7 +122,7 @@ void judgeDisks(SceneDefinition& scene, Plausibility& is)
   const double tooth_width = scene.base.toothWidth();
   const double width = scene.base.width();
   is.rule(
-      "no-disks", {}, when(disksAtStart(scene) == 0 && scene.feed.rate <= 0.0), 0.0,
+      "no-disks", {}, when(disksAtStart(scene) == 0 && !scene.feed.any()), 0.0,
       "no disks: every species.N.count is 0, initial is empty and feed.rate is 0; a density, if given, is "
       "too small: the base is # wide and the largest diameter is #",
       {{width, "m"}, {largestDiameter(scene), "m"}});
@@ -191,14 +191,14 @@ void judgeLayer(SceneDefinition& scene, Plausibility& is)
       {{disks}, {layer, "m"}, {layer / diameter}, {width, "m"}});
 
   const Stretch& stretch = scene.feed.stretch;
-  const Subject rate("feed.rate", scene.feed.rate, "1/s");
+  const Subject rate =
+      scene.feed.disks.empty() ? Subject("feed.rate", scene.feed.rate, "1/s") : Subject("feed.disks");
   const double growth = feedGrowth(scene) * timeScale(scene) / diameter;
   is.rule("fast-feed", rate, growth, 1.0,
           "raises the layer by #, # of the largest diameters within the machine's time scale, #",
           {{feedGrowth(scene), "m/s"}, {growth}, {timeScale(scene), "s"}}, {MILLI});
-  is.rule("unused-feed", rate,
-          when(scene.feed.rate == 0.0 && (stretch.from > 0.0 || std::isfinite(stretch.to))), 0.0,
-          "feed.from and feed.to have no effect");
+  is.rule("unused-feed", rate, when(!scene.feed.any() && (stretch.from > 0.0 || std::isfinite(stretch.to))),
+          0.0, "feed.from and feed.to have no effect");
   const double phases = phasesOfEvenFeed(scene);
   is.rule("even-feed", rate, phases, 0.0,
           "with feed.even, disks enter at # phase(s) of the drive of #, on which results depend; without it, "

@@ -69,7 +69,11 @@ std::vector<KeyGroup> sceneKeyGroups()
       pairGroup(),
       groupOf("contact", "the collision law, for all contacts", CONTACT_KEYS),
       groupOf("pour", "how the disks start: spread evenly along the base, without overlap", POUR_KEYS),
-      groupOf("feed", "disks that are poured while the machine runs", FEED_KEYS),
+      groupOf("feed", "disks that are poured while the machine runs", FEED_KEYS, FEED_FILE_KEYS),
+      withSpecies(
+          groupOf("feed.disks.N", "a list of disks that are fed, in place of a rate; as feed.file gives it",
+                  FED_KEYS),
+          "name", "name of a species", "Species of the disk."),
       withSpecies(groupOf("initial.N", "a list of disks that are placed one by one, in place of the pour",
                           INITIAL_KEYS),
                   "name", "name of a species", "Species of the disk."),

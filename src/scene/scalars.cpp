@@ -124,6 +124,13 @@ void readScalar(const Entry& entry, const Range& range, std::string& value)
   value = name;
 }
 
+void readScalar(const Entry& entry, const Range& range, FilePath& value)
+{
+  value.text = entry.node().IsScalar() ? entry.node().Scalar() : "";
+  if (value.text.empty())
+    entry.refuseValue("must be the " + legalValues(range, value).values);
+}
+
 void readScalar(const Entry& entry, const Range& range, std::vector<std::string>& value)
 {
   const std::vector<std::string> known = observableNames();
@@ -171,6 +178,11 @@ LegalValues legalValues(const Range&, const std::string&)
   return {"name", "1 to " + std::to_string(LONGEST_NAME) + " letters, digits, '_', '-' or '.'"};
 }
 
+LegalValues legalValues(const Range&, const FilePath&)
+{
+  return {"path", "path of a file"};
+}
+
 LegalValues legalValues(const Range&, const std::vector<std::string>&)
 {
   return {"list", joined(observableNames())};
@@ -201,6 +213,11 @@ std::string scalarText(bool value)
 std::string scalarText(const std::string& value)
 {
   return '"' + value + '"';
+}
+
+std::string scalarText(const FilePath& value)
+{
+  return value.text;
 }
 
 std::string scalarText(const std::vector<std::string>& value)

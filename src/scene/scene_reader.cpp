@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "feed_file.h"
 #include "ratchet_sieve/scene/entry.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
@@ -187,6 +188,55 @@ void readAccuracy(const Entry& root, AccuracyDefinition& accuracy)
   readValues(section, CERTAINTY_KEYS, accuracy);
 }
 
+FedDisk readFedDisk(const Entry& entry, const SpeciesIndex& index)
+{
+  FedDisk disk;
+  disk.species = readSpeciesName(entry.at("species"), index);
+  readValues(entry, FED_KEYS, disk);
+  return disk;
+}
+
+bool listsFeed(const Entry& root)
+{
+  return root.has("feed") && (root.at("feed").has("disks") || root.at("feed").has("file"));
+}
+
+/// The disks of feed.disks or feed.file, in the order of time.
+void readFeedList(const Entry& root, const SpeciesIndex& index, std::vector<FedDisk>& disks)
+{
+  if (!listsFeed(root))
+    return;
+  const Entry feed = root.at("feed");
+  const std::set<std::string> names = namesOf(FED_KEYS, {"species"});
+  if (feed.has("file"))
+    forEachRow(feed, names, [&](const Entry& row) { disks.push_back(readFedDisk(row, index)); });
+  else
+    for (const Entry& entry : feed.at("disks").list())
+    {
+      entry.requireKeys(names, requiredOf(FED_KEYS, {"species"}));
+      disks.push_back(readFedDisk(entry, index));
+    }
+  if (disks.size() > MOST_FED)
+    feed.refuse("must have at most " + std::to_string(MOST_FED) + " disks in its list");
+  std::stable_sort(disks.begin(), disks.end(),
+                   [](const FedDisk& a, const FedDisk& b) { return a.time < b.time; });
+}
+
+void readFeed(const Entry& root, FeedDefinition& feed)
+{
+  if (!root.has("feed"))
+    return;
+  const Entry section = root.at("feed");
+  section.requireKeys(namesOf(FEED_KEYS, namesOf(FEED_FILE_KEYS, {"disks"})), {});
+  FeedFile file;
+  readValues(section, FEED_FILE_KEYS, file);
+  if (section.has("file") && section.has("disks"))
+    section.at("disks").refuse("must be absent because feed.file gives the disks");
+  if (section.has("side") && !section.has("file"))
+    section.at("side").refuse("needs feed.file");
+  readValues(section, FEED_KEYS, feed);
+}
+
 void readRoot(const Entry& root, SceneDefinition& scene)
 {
   const std::set<std::string> parts = {"base", "species", "pairs",    "contact",       "pour",
@@ -197,7 +247,7 @@ void readRoot(const Entry& root, SceneDefinition& scene)
   readBase(root, scene.base);
   readSection(root, "contact", CONTACT_KEYS, scene.contact);
   readSection(root, "pour", POUR_KEYS, scene.pour);
-  readSection(root, "feed", FEED_KEYS, scene.feed);
+  readFeed(root, scene.feed);
   readSection(root, "height_profile", HEIGHT_PROFILE_KEYS, scene.height_profile);
   readAccuracy(root, scene.accuracy);
 }
@@ -212,10 +262,11 @@ Scene sceneFromYaml(const YAML::Node& node, const std::string& source)
     const Entry root(node, source);
     readRoot(root, scene.definition);
     const bool count_required =
-        !root.has("density") && !placesDisks(root) && scene.definition.feed.rate <= 0.0;
+        !root.has("density") && !placesDisks(root) && scene.definition.feed.rate <= 0.0 && !listsFeed(root);
     const SpeciesIndex index = readAllSpecies(root, count_required, scene.definition);
     readPairs(root, index, scene.definition);
     readInitial(root, index, scene.definition);
+    readFeedList(root, index, scene.definition.feed.disks);
     resolveCounts(root, scene);
     checkRules(root, scene.definition);
     for (std::string& line : implausibilities(scene.definition))

@@ -65,6 +65,28 @@ void feedHasSpecies(const Entry& root, const SceneDefinition& scene)
     root.at("feed").at("rate").refuseValue("needs a species with a share above 0");
 }
 
+/// A row's radius is subject to the rules of a species' radius.
+void fedDisksFit(const Entry& root, const SceneDefinition& scene)
+{
+  if (scene.feed.disks.empty())
+    return;
+  const Entry feed = root.at("feed");
+  if (scene.feed.rate > 0.0)
+    feed.at("rate").refuseValue("must be 0 or absent because a list gives the disks and their times");
+  const Entry list = feed.at(feed.has("file") ? "file" : "disks");
+  const FinestDisk finest = finestDisk(scene);
+  for (const FedDisk& disk : scene.feed.disks)
+  {
+    const std::string which =
+        "the disk of radius " + scalarText(disk.radius) + " m fed at " + scalarText(disk.time) + " s ";
+    if (2.0 * disk.radius > scene.base.width())
+      list.refuse(which + "is wider than the base, " + scalarText(scene.base.width()) + " m");
+    if (disk.radius < finest.radius)
+      list.refuse(which + "is too small: the radius must be at least " + scalarText(finest.radius) +
+                  " m in this scene, because " + finest.reason);
+  }
+}
+
 void disksCountable(const Entry& root, const SceneDefinition& scene)
 {
   std::size_t disks = scene.initial.size();
@@ -78,10 +100,9 @@ void disksCountable(const Entry& root, const SceneDefinition& scene)
 /// poured.
 void disksFitMachine(const Entry& root, const SceneDefinition& scene)
 {
-  const bool poured =
-      scene.feed.rate > 0.0 || std::any_of(scene.species.begin(), scene.species.end(),
-                                           [](const auto& species) { return species.count > 0; });
-  int disks = scene.initial.size() > 1 || scene.feed.rate > 0.0 ? 2 : static_cast<int>(scene.initial.size());
+  const bool poured = scene.feed.any() || std::any_of(scene.species.begin(), scene.species.end(),
+                                                      [](const auto& species) { return species.count > 0; });
+  int disks = scene.initial.size() > 1 || scene.feed.any() ? 2 : static_cast<int>(scene.initial.size());
   for (const SpeciesDefinition& species : scene.species)
     disks += std::min(species.count, 2);
   const bool matters =
@@ -221,6 +242,7 @@ void checkRules(const Entry& root, const SceneDefinition& scene)
 {
   settleWithinDuration(root, scene);
   feedHasSpecies(root, scene);
+  fedDisksFit(root, scene);
   disksCountable(root, scene);
   disksFitMachine(root, scene);
   disksFineEnough(root, scene);

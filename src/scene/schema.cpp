@@ -275,6 +275,23 @@ const Keys<FeedDefinition> FEED_KEYS = {
      Presence::ADDED},
 };
 
+const Keys<FeedFile> FEED_FILE_KEYS = {
+    {"file", [](auto& f) -> Slot { return &f.path; }, ANY,
+     "Disks that are fed in place of a rate, each at its time: a CSV file with the columns time, species, "
+     "radius and mass, as sieve_run --exits writes it; relative to the scene's file.",
+     Presence::OPTIONAL, "-"},
+    {"side", [](auto& f) -> Slot { return &f.side; }, ANY,
+     "Only the rows of feed.file with this in the column side; without it all.", Presence::OPTIONAL, "-"},
+};
+
+const Keys<FedDisk> FED_KEYS = {
+    {"time", [](auto& d) -> Slot { return &d.time; }, upTo(LONGEST_DURATION, "s"),
+     "Time at which the disk is fed, since the start.", Presence::REQUIRED},
+    {"radius", [](auto& d) -> Slot { return &d.radius; }, between(SMALLEST_LENGTH, LARGEST_LENGTH, "m"),
+     "Radius of the disk.", Presence::REQUIRED},
+    {"mass", [](auto& d) -> Slot { return &d.mass; }, massRange(), "Mass of the disk.", Presence::REQUIRED},
+};
+
 const Keys<HeightProfileDefinition> HEIGHT_PROFILE_KEYS = {
     {"slice", [](auto& h) -> Slot { return &h.slice; }, upTo(LARGEST_LENGTH, "m"),
      "Height of each of its slices, along the base's normal; 0: the smallest radius.", Presence::ADDED},

@@ -16,9 +16,17 @@
 namespace ratchet_sieve
 {
 
-using Slot = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, std::vector<double>*,
-                          std::vector<std::string>*, Boundary*, DriveFrame*, CollapseAction*, ChokeAction*,
-                          Method*, SizeDistribution*, SizeShare*, std::vector<OutlineCorner>*>;
+using Slot =
+    std::variant<double*, int*, std::uint64_t*, bool*, std::string*, std::vector<double>*,
+                 std::vector<std::string>*, Boundary*, DriveFrame*, CollapseAction*, ChokeAction*, Method*,
+                 SizeDistribution*, SizeShare*, std::vector<OutlineCorner>*, FilePath*, FeedSide*>;
+
+/// Where a feed's list is read from. It is not stored: the scene holds the list.
+struct FeedFile
+{
+  FilePath path;
+  FeedSide side = FeedSide::BOTH;
+};
 
 enum class Presence
 {
@@ -57,6 +65,8 @@ extern const Keys<ContactCoefficients> COEFFICIENT_KEYS;
 extern const Keys<ContactDefinition> CONTACT_KEYS;
 extern const Keys<PourDefinition> POUR_KEYS;
 extern const Keys<FeedDefinition> FEED_KEYS;
+extern const Keys<FeedFile> FEED_FILE_KEYS;  ///< of feed
+extern const Keys<FedDisk> FED_KEYS;         ///< of feed.disks, and columns of feed.file
 extern const Keys<HeightProfileDefinition> HEIGHT_PROFILE_KEYS;
 extern const Keys<InitialDisk> INITIAL_KEYS;
 extern const Keys<AccuracyDefinition> METHOD_KEYS;     ///< of accuracy, decide how the disks move
@@ -75,6 +85,9 @@ constexpr std::size_t MOST_SIZES = 1000;
 
 /// Most species that a scene may have: tables of pairs grow with its square.
 constexpr std::size_t MOST_SPECIES = 256;
+
+/// Most disks that a feed's list may have: its text is a part of checkpoints and bags, and is read back.
+constexpr std::size_t MOST_FED = 100000;
 
 /// The names of the keys, added to those given.
 template <typename Part>

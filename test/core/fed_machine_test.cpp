@@ -223,5 +223,126 @@ TEST(FedMachine, HasThemWithDisksOfManySizes)
   expectTheSameBits(test::withSizes(test::fedSieve(true)));
 }
 
+std::vector<ExitRecord> exitsOf(Simulation& simulation, double end)
+{
+  std::vector<ExitRecord> exits;
+  simulation.observeExits([&exits](const ExitRecord& record) { exits.push_back(record); });
+  simulation.advanceTo(end);
+  simulation.observeExits({});
+  return exits;
+}
+
+/// A second machine whose feed is what left another one on one side.
+SceneDefinition secondStage(const SceneDefinition& first, const std::vector<ExitRecord>& exits, Exit side)
+{
+  SceneDefinition second = first;
+  second.feed = {};
+  second.feed.stretch = {0.02, 0.03};
+  for (SpeciesDefinition& species : second.species)
+    species.count = 0;
+  for (const ExitRecord& exit : exits)
+    if (exit.side == side)
+      second.feed.disks.push_back({exit.time, exit.species, exit.radius, exit.mass});
+  second.seed = first.seed + 1;
+  return second;
+}
+
+TEST(FedMachine, TellsOfEachDiskThatLeaves)
+{
+  for (const bool pairs : {true, false})
+  {
+    Simulation simulation(test::withSizes(test::fedSieve(pairs)));
+    const double width = simulation.scene().base.width();
+    double last = 0.0;
+    std::vector<SpeciesBins> bins(simulation.scene().species.size());
+    for (const ExitRecord& exit : exitsOf(simulation, 10.0))
+    {
+      EXPECT_GE(exit.time, last) << "in the order of time";
+      last = exit.time;
+      SpeciesBins& of = bins[exit.species];
+      ++(exit.side == Exit::LEFT_BIN ? of.left : of.right);
+      (exit.side == Exit::LEFT_BIN ? of.left_mass : of.right_mass) += exit.mass;
+      EXPECT_EQ(exit.place > 0.5 * width, exit.side == Exit::RIGHT_BIN) << exit.place;
+    }
+    const std::vector<SpeciesBins> counted = simulation.bins();
+    for (std::size_t s = 0; s < bins.size(); ++s)
+    {
+      EXPECT_GT(bins[s].left + bins[s].right, 100u);
+      EXPECT_EQ(bins[s].left, counted[s].left);
+      EXPECT_EQ(bins[s].right, counted[s].right);
+      EXPECT_EQ(bins[s].left_mass, counted[s].left_mass);
+      EXPECT_EQ(bins[s].right_mass, counted[s].right_mass);
+    }
+  }
+}
+
+/// The disks of the second stage, by id, are those that left the first, with their radii and masses: in its
+/// bins or still in the machine.
+TEST(FedMachine, OfASecondStageHasExactlyTheDisksThatLeftTheFirst)
+{
+  for (const bool pairs : {true, false})
+  {
+    const SceneDefinition scene = test::withSizes(test::fedSieve(pairs));
+    Simulation first(scene);
+    const SceneDefinition next = secondStage(scene, exitsOf(first, 8.0), Exit::LEFT_BIN);
+    const std::vector<FedDisk>& fed = next.feed.disks;
+    std::uint64_t left = 0;
+    for (const SpeciesBins& bins : first.bins())
+      left += bins.left;
+    ASSERT_EQ(fed.size(), left);
+    ASSERT_GT(left, 500u);
+    Simulation second(next);
+    const std::vector<ExitRecord> exits = exitsOf(second, 8.0);
+    std::vector<int> seen(fed.size());
+    for (const ExitRecord& exit : exits)
+    {
+      ASSERT_LT(exit.id, fed.size());
+      ++seen[exit.id];
+      EXPECT_GE(exit.time, fed[exit.id].time);
+      EXPECT_EQ(exit.species, fed[exit.id].species);
+      EXPECT_EQ(exit.radius, fed[exit.id].radius);
+      EXPECT_EQ(exit.mass, fed[exit.id].mass);
+    }
+    for (const DiskState& disk : second.disks())
+    {
+      ++seen[disk.id];
+      EXPECT_EQ(disk.radius, fed[disk.id].radius);
+    }
+    EXPECT_EQ(seen, std::vector<int>(fed.size(), 1));
+    EXPECT_EQ(second.auditOverlaps(), 0u);
+  }
+}
+
+TEST(FedMachine, PoursEachDiskOfItsListAtItsTime)
+{
+  SceneDefinition scene = test::fedSieve(true);
+  scene.feed = {};
+  scene.base.teeth = 20;
+  // Smaller, larger and heavier than its species.
+  const SpeciesDefinition species = scene.species[1];
+  scene.feed.disks = {{0.0, 0, 0.5 * species.radius, species.mass},
+                      {0.25, 1, 1.5 * species.radius, 3.0 * species.mass},
+                      {0.25, 1, species.radius, species.mass}};
+  for (SpeciesDefinition& one : scene.species)
+    one.count = 0;
+  Simulation simulation(scene);
+  simulation.advanceTo(0.0);
+  ASSERT_EQ(simulation.disks().size(), 1u);
+  EXPECT_EQ(simulation.disks()[0].radius, scene.feed.disks[0].radius);
+  simulation.advanceTo(0.2499);
+  EXPECT_EQ(simulation.disks().size(), 1u);
+  simulation.advanceTo(0.25);
+  ASSERT_EQ(simulation.disks().size(), 3u);
+  EXPECT_EQ(simulation.disks()[1].radius, scene.feed.disks[1].radius);
+  EXPECT_EQ(exitsOf(simulation, 1e3).size(), 3u);
+}
+
+TEST(FedMachine, HasTheSameBitsWithAList)
+{
+  const SceneDefinition scene = test::withSizes(test::fedSieve(true));
+  Simulation first(scene);
+  expectTheSameBits(secondStage(scene, exitsOf(first, LONG), Exit::LEFT_BIN));
+}
+
 }  // namespace
 }  // namespace ratchet_sieve

@@ -62,4 +62,5 @@ BEFORE = {
 SAVED = {
     'scene: paper_fig9.yaml\n': 'config/sweep.yaml',
     'base: {teeth: 20': 'first.yaml',
+    'base: {teeth: 30, tooth_height: 0.014': 'stage.yaml',
 }

@@ -28,6 +28,7 @@ PROGRAMS = {
         'fitted_rviz.py': 'opens RViz with its camera on a sieve',
     },
     'Examples of nodes that control a sieve': {
+        'conveyor.py': 'carries what leaves one sieve into another one',
         'schedule.py': 'sends setpoints to a sieve at given times',
         'seek.py': 'searches for the best inclination of a running sieve',
     },

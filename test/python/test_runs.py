@@ -127,6 +127,35 @@ def test_frames_are_at_equal_steps_and_at_the_end(scene):
     assert bins["left"][-1] == run.summary.species[0].left
 
 
+def test_a_second_stage_has_exactly_the_disks_that_left_the_first(scene, tmp_path):
+    fed = scene.replace({"base.inclination": 0.3, "boundary": "open", "feed.rate": 300.0, "duration": 3.0})
+    first = rs.run(fed, progress=False)
+    exits = first.exits
+    assert len(exits) == sum(of.left + of.right for of in first.summary.species) > 100
+    assert len(exits.left) + len(exits.right) == len(exits)
+    assert (np.diff(exits["time"]) >= 0.0).all() and set(exits["species"]) == {"A", "B"}
+    for of in first.summary.species:
+        assert (exits.left["species"] == of.name).sum() == of.left
+
+    emptied = scene.replace({"species.0.count": 0, "species.1.count": 0, "duration": 3.0, "feed.rate": 7.0})
+    second = rs.run(emptied.replace({"base.inclination": -0.3}), feed=exits.left, progress=False)
+    fed_disks = np.concatenate([second.exits["id"], second.simulation.disks["id"]])
+    assert sorted(fed_disks) == list(range(len(exits.left)))
+    for name in ("species", "radius", "mass"):
+        assert (second.exits[name] == exits.left[name][second.exits["id"]]).all()
+    assert (second.simulation.disks["mass"] == exits.left["mass"][second.simulation.disks["id"]]).all()
+
+    path = tmp_path / "exits.csv"
+    np.savetxt(path, exits.left[["time", "species", "radius", "mass"]], fmt=("%.17g", "%s", "%.17g", "%.17g"),
+               delimiter=",", header="time,species,radius,mass", comments="")
+    read = second.scene.replace({"feed.disks": None, "feed.file": str(path)})
+    assert read == second.scene
+    with pytest.raises(ValueError, match="must have columns time, species, radius and mass"):
+        rs.run(scene, feed=[1.0], progress=False)
+    with pytest.raises(rs.SceneError, match="unknown species; must be one of A, B"):
+        rs.run(scene, feed={"time": [1.0], "species": ["C"], "radius": [0.001], "mass": [0.001]}, progress=False)
+
+
 def test_collisions_are_counted_and_kept_if_wanted(scene):
     run = rs.run(scene, collisions=True, progress=False)
     records = run.collisions.records

@@ -67,6 +67,22 @@ RC_GTEST_PROP(CollisionFile, HoldsNumbersThatReadBackBitForBit, (const std::vect
   }
 }
 
+TEST(ExitFile, NamesSpeciesAndSidesAndHoldsNumbersThatReadBack)
+{
+  const ScratchDirectory directory;
+  ExitFile file(directory / "exits.csv");
+  std::vector<SpeciesDefinition> species(2);
+  species[0].name = "glass";
+  species[1].name = "rubber";
+  file.add({1.0 / 3.0, 7, 1, 0.001, 2e-6, Exit::RIGHT_BIN, -0.0625}, species);
+  file.add({0.5, 8, 0, 0.001, 2e-6, Exit::LEFT_BIN, 0.5}, species);
+  file.commit();
+  EXPECT_EQ(contents(directory / "exits.csv"),
+            "time,id,species,radius,mass,side,place\n"
+            "0.3333333333333333,7,rubber,0.001,2e-06,right,-0.0625\n"
+            "0.5,8,glass,0.001,2e-06,left,0.5\n");
+}
+
 TEST(CollisionFile, KeepsEveryCollisionOfARunThatOutgrowsItsBuffer)
 {
   const std::vector<CollisionRecord> records(

@@ -101,6 +101,33 @@ TEST_F(SieveRun, WritesWhatItIsAskedFor)
   EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), collisions + 1);
 }
 
+/// The numbers of disks of the second machine, in it and in its bins, are those of the first one's right bin.
+TEST_F(SieveRun, FeedsASecondStageWithWhatLeftTheFirst)
+{
+  const std::string fed = config("demo.yaml") + " --set density=null --set base.inclination=0.19 ";
+  const std::string exits = streams_ / "exits.csv";
+  const Result one = run(fed + "--duration 4 --set feed.rate=200 --exits " + exits);
+  ASSERT_EQ(one.status, 0) << one.errors;
+  const std::string next = fed + "--seed 2 --set feed.file=" + exits + " --set feed.side=right ";
+  const Result two = run(next + "--duration 4 --exits " + (streams_ / "second"));
+  ASSERT_EQ(two.status, 0) << two.errors;
+  const Json first = Json::parse(one.output)["species"];
+  const Json second = Json::parse(two.output)["species"];
+  for (std::size_t s = 0; s < 2; ++s)
+  {
+    EXPECT_GT(first[s]["right"].get<int>(), 20);
+    EXPECT_EQ(second[s]["count"], first[s]["right"]);
+  }
+
+  const std::string checkpoint = streams_ / "half.checkpoint";
+  const std::string half = next + "--duration 2 --checkpoint " + checkpoint;
+  ASSERT_EQ(run(half + " --exits " + (streams_ / "half")).status, 0);
+  const std::string resumed = next + "--duration 4 --resume " + checkpoint;
+  ASSERT_EQ(run(resumed + " --exits " + (streams_ / "rest")).status, 0);
+  const std::string rest = contents(streams_ / "rest");
+  EXPECT_EQ(contents(streams_ / "half") + rest.substr(rest.find('\n') + 1), contents(streams_ / "second"));
+}
+
 TEST_F(SieveRun, WritesAPage)
 {
   const std::string page = written_ / "run.html";
@@ -128,7 +155,7 @@ TEST_F(SieveRun, ShowsItsHelpAndVersion)
   EXPECT_EQ(help.status, 0);
   for (const char* option :
        {"--set", "--seed", "--duration", "--until", "--bag", "--bag-rate", "--trajectory",
-        "--trajectory-rate", "--html", "--html-size", "--html-rate", "--collisions", "--summary",
+        "--trajectory-rate", "--html", "--html-size", "--html-rate", "--collisions", "--exits", "--summary",
         "--checkpoint", "--checkpoint-every", "--resume", "--version"})
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
   const Result version_result = run("--version");

@@ -37,6 +37,46 @@ TEST(Hardship, aNodeThatWasKilledComesAgainUnderItsController)
   EXPECT_TRUE(sameBits(sieve.particles.frames.back(), first_end));
 }
 
+/// The number of nodes that have subscribed to a topic, as the master knows it.
+int subscribers(const std::string& topic)
+{
+  XmlRpc::XmlRpcValue request(ros::this_node::getName()), response, state;
+  if (!ros::master::execute("getSystemState", request, response, state, false))
+    return 0;
+  for (int k = 0; k < state[1].size(); ++k)
+    if (static_cast<std::string&>(state[1][k][0]) == topic)
+      return state[1][k][1].size();
+  return 0;
+}
+
+TEST(Stages, areJoinedByAConveyorThatLosesNoDisk)
+{
+  StartedNode first("/stage1", {});
+  StartedNode second("/stage2", {});
+  std::map<std::string, std::uint64_t> right;  // by species
+  std::uint64_t left = 0;
+  const ros::Subscriber exits = first.sieve.node.subscribe<DiskExit>(
+      "exits", 1000,
+      [&](const DiskExit::ConstPtr& exit) { ++(exit->side == "right" ? right[exit->species] : left); });
+  ros::param::set("/belt/from", "stage1");
+  ros::param::set("/belt/to", "stage2");
+  ChildNode conveyor("conveyor.py", {"__name:=belt"});
+  ASSERT_TRUE(waitFor([&] { return exits.getNumPublishers() == 1 && subscribers("/stage1/exits") == 2; }));
+  ros::WallDuration(1.0).sleep();  // The master knows of the conveyor, the sieve will in a moment.
+  first.sieve.stepAndSee(4.0);
+  const std::vector<SpeciesBins> bins = first.sieve.bins.frames.back().bins;
+  ASSERT_TRUE(waitFor([&] { return right["A"] == bins[0].right && right["B"] == bins[1].right; }));
+  EXPECT_EQ(left, bins[0].left + bins[1].left);
+  ASSERT_GT(bins[0].right + bins[1].right, 0u);
+  EXPECT_TRUE(waitFor(
+      [&]
+      {
+        second.sieve.stepAndSee(1e-3);
+        const std::vector<SpeciesBins> now = second.sieve.bins.frames.back().bins;
+        return now[0].on_base == 15 + bins[0].right && now[1].on_base == 15 + bins[1].right;
+      }));
+}
+
 /// A schedule of an inclination at 0.25 s, and perhaps of what is never reached.
 Parameters scheduleFor(const std::string& sieve, bool ends)
 {

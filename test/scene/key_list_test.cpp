@@ -20,7 +20,8 @@ const char* const EVERY_PART =
     "species: [{name: A, radius: 0.001, mass: 0.001}, {name: B, radius: 0.002, mass: 0.002}]\n"
     "pairs: [{species: [A, B]}]\n"
     "initial: [{species: A, x: 0.1, y: 0.05}]\n"
-    "contact: {}\npour: {}\nfeed: {}\naccuracy: {}\n";
+    "contact: {}\npour: {}\n"
+    "feed: {disks: [{time: 1, species: A, radius: 0.001, mass: 0.001}]}\naccuracy: {}\n";
 
 /// species.N.radius as species.0.radius
 std::string atFirst(std::string path)

@@ -200,14 +200,26 @@ enum class ChokeAction
   STOP  ///< It ends early, with a warning.
 };
 
+/// A disk that is fed at a time of its own, such as one that has left another machine.
+struct FedDisk
+{
+  double time = 0.0;        ///< since the start [s]
+  std::size_t species = 0;  ///< index into SceneDefinition::species
+  double radius = 0.001;    ///< [m]
+  double mass = 0.001;      ///< [kg]
+};
+
 /// Disks that are added during the run, as a Poisson process: fixed intervals lock to the drive wherever its
-/// frequency is a multiple of the rate.
+/// frequency is a multiple of the rate. Or those of a list, each at its time.
 struct FeedDefinition
 {
-  double rate = 0.0;  ///< mean [1/s]; species are drawn by their shares; 0: no feed
+  double rate = 0.0;  ///< mean [1/s]; species are drawn by their shares; 0: no such feed
   bool even = false;  ///< at intervals of 1 / rate
   Stretch stretch;
   ChokeAction on_choke = ChokeAction::RUN;
+  std::vector<FedDisk> disks;  ///< in place of the rate, in the order of time
+
+  bool any() const { return rate > 0.0 || !disks.empty(); }
 };
 
 /// A disk placed by hand instead of poured; world frame at t = 0.

@@ -16,21 +16,24 @@ std::size_t disksAtStart(const SceneDefinition& scene);
 /// Whether the machine runs empty: disks leave over open ends, and there is no feed.
 bool empties(const SceneDefinition& scene);
 
-/// The largest diameter that a disk of any species can have, including species with no disks [m]; 0 without
-/// species.
+/// The largest diameter that a disk of any species can have, including species with no disks, and those of
+/// feed.disks [m]; 0 without species.
 double largestDiameter(const SceneDefinition& scene);
 
 /// The width over which the disks stand after the pour: its stretch and one largest diameter, at most the
 /// base's width [m].
 double pouredWidth(const SceneDefinition& scene);
 
-/// The smallest radius that a disk of any species can have, including species with no disks [m]. @pre there
-/// is a species
+/// The smallest radius that a disk of any species can have, including species with no disks, and those of
+/// feed.disks [m]. @pre there is a species
 double smallestRadius(const SceneDefinition& scene);
 
 /// The height of the settled layer of the disks present at the start [m]; 0 if disks do not collide with each
 /// other.
 double settledLayer(const SceneDefinition& scene);
+
+/// The mean number of disks fed per second, of a list until its last disk [1/s].
+double feedRate(const SceneDefinition& scene);
 
 /// The speed at which the feed raises the settled layer while no disk leaves [m/s].
 double feedGrowth(const SceneDefinition& scene);

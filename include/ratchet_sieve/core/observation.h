@@ -93,6 +93,34 @@ struct CollisionRecord
 
 using CollisionObserver = std::function<void(const CollisionRecord&)>;
 
+/// Where a disk went.
+enum class Exit : std::uint8_t
+{
+  LEFT_BIN,
+  RIGHT_BIN
+};
+
+constexpr const char* EXIT_NAMES[] = {"left", "right"};  ///< in the order of Exit
+
+inline const char* name(Exit side)
+{
+  return EXIT_NAMES[static_cast<std::size_t>(side)];
+}
+
+/// A disk that has left the machine.
+struct ExitRecord
+{
+  double time = 0.0;  ///< [s]
+  std::uint32_t id = 0;
+  std::uint32_t species = 0;
+  double radius = 0.0;  ///< [m]
+  double mass = 0.0;    ///< [kg]
+  Exit side = Exit::LEFT_BIN;
+  double place = 0.0;  ///< of the centre at that time, along world x [m]
+};
+
+using ExitObserver = std::function<void(const ExitRecord&)>;
+
 /// Means over the disks of one species and over the time since `settle`.
 struct SpeciesMeans
 {

@@ -142,6 +142,10 @@ public:
   /// Calls `observer` after each collision, in the order of time. An empty function removes the observer.
   void observeCollisions(CollisionObserver observer);
 
+  /// Calls `observer` with each disk that leaves, in the order of time. An empty function removes the
+  /// observer.
+  void observeExits(ExitObserver observer);
+
   /// Calls `observer` after each whole period of the drive from now on. At more than 50 Hz it is called after
   /// several periods: see PeriodWatch. An empty function removes the observer. The run does not depend on it.
   void observePeriods(PeriodObserver observer);

@@ -68,6 +68,9 @@ public:
   /// Adds a sink for the frames, which outlives this.
   void addSink(FrameSink& sink) { sinks_.add(sink); }
 
+  /// Calls the observer with each disk that leaves, of this run and the later ones.
+  void observeExits(ExitObserver observer);
+
   /// Hands the first frames to the sinks.
   void begin();
 
@@ -129,6 +132,7 @@ private:
   RunLog log_;
   PourObserver pour_observer_;
   FanOut sinks_;
+  ExitObserver exit_observer_;
   std::vector<std::string> scene_warnings_;
   std::unique_ptr<Run> run_;
   bool paused_;

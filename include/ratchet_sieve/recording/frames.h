@@ -37,7 +37,8 @@ RATCHET_SIEVE_FIELDS(SceneFrame)
   RATCHET_SIEVE_FIELD(version, "");
 }
 
-/// Every disk in the machine. The radii are 0 if no species of the scene has sizes: see radiusOf().
+/// Every disk in the machine. The radii are 0 if no species of the scene has sizes and feed.disks is empty:
+/// see radiusOf().
 struct ParticleFrame
 {
   double time = 0.0;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ratchet_sieve/core/simulation.h"
@@ -136,6 +137,9 @@ public:
 
   /// See FrameSampler.
   void setUnderWay(bool under_way);
+
+  /// See Simulation::observeExits().
+  void observeExits(ExitObserver observer) { simulation_.observeExits(std::move(observer)); }
 
   const Simulation& simulation() const { return simulation_; }
 

@@ -6,6 +6,7 @@
 #include "ratchet_sieve/BaseState.h"
 #include "ratchet_sieve/BinCounts.h"
 #include "ratchet_sieve/Command.h"
+#include "ratchet_sieve/DiskExit.h"
 #include "ratchet_sieve/Observations.h"
 #include "ratchet_sieve/ParticleStates.h"
 #include "ratchet_sieve/SceneDescription.h"
@@ -30,6 +31,9 @@ BaseState toMessage(const BaseFrame& frame, const std::string& frame_id = WORLD_
 SieveStatistics toMessage(const StatisticsFrame& frame, const std::string& frame_id = WORLD_FRAME_ID);
 Observations toMessage(const ObservedFrame& frame, const std::string& frame_id = WORLD_FRAME_ID);
 Command toMessage(const CommandFrame& frame, const std::string& frame_id = WORLD_FRAME_ID);
+
+/// @param species its name
+DiskExit toMessage(const ExitRecord& exit, const std::string& species, const std::string& frame_id);
 
 template <typename Frame>
 using MessageOf = decltype(toMessage(std::declval<Frame>()));

@@ -22,6 +22,7 @@ public:
 
   const YAML::Node& node() const { return node_; }
   const std::string& key() const { return key_; }
+  const std::string& source() const { return source_; }
 
   /// Whether a map has the key. @pre keys() was called
   bool has(const std::string& name) const;

@@ -34,12 +34,26 @@ struct Range
   std::string text() const;
 };
 
+struct FilePath
+{
+  std::string text;
+};
+
+/// The side at which disks left the machine before.
+enum class FeedSide
+{
+  LEFT,
+  RIGHT,
+  BOTH  ///< has no name in a scene
+};
+
 /// All throw SceneError, which names the value and what is allowed.
 void readScalar(const Entry& entry, const Range& range, double& value);
 void readScalar(const Entry& entry, const Range& range, int& value);
 void readScalar(const Entry& entry, const Range& range, std::uint64_t& value);
 void readScalar(const Entry& entry, const Range& range, bool& value);
 void readScalar(const Entry& entry, const Range& range, std::string& value);
+void readScalar(const Entry& entry, const Range& range, FilePath& value);
 void readScalar(const Entry& entry, const Range& range, std::vector<double>& values);  ///< each in the range
 /// The outline of a tooth, without overhang. @param range of each number
 void readScalar(const Entry& entry, const Range& range, std::vector<OutlineCorner>& value);
@@ -50,7 +64,7 @@ void readScalar(const Entry& entry, const Range& range, std::vector<std::string>
 /// What a reader above accepts.
 struct LegalValues
 {
-  const char* type;    ///< number, integer, boolean, name, choice or list
+  const char* type;    ///< number, integer, boolean, name, path, choice or list
   std::string values;  ///< such as "0 to 1000" or "stop or rebound"
 };
 
@@ -60,6 +74,7 @@ LegalValues legalValues(const Range& range, int);
 LegalValues legalValues(const Range& range, std::uint64_t);
 LegalValues legalValues(const Range& range, bool);
 LegalValues legalValues(const Range& range, const std::string&);
+LegalValues legalValues(const Range& range, const FilePath&);
 LegalValues legalValues(const Range& range, const std::vector<std::string>&);
 LegalValues legalValues(const Range& range, const std::vector<double>&);
 LegalValues legalValues(const Range& range, const std::vector<OutlineCorner>&);
@@ -68,6 +83,7 @@ LegalValues legalValues(const Range& range, const std::vector<OutlineCorner>&);
 std::string scalarText(double value);
 std::string scalarText(bool value);
 std::string scalarText(const std::string& value);
+std::string scalarText(const FilePath& value);
 std::string scalarText(const std::vector<std::string>& value);
 std::string scalarText(const std::vector<double>& values);
 std::string scalarText(const std::vector<OutlineCorner>& value);
@@ -83,6 +99,8 @@ template <>
 inline constexpr std::array<const char*, 2> CHOICE_NAMES<CollapseAction> = {"stop", "rebound"};
 template <>
 inline constexpr std::array<const char*, 2> CHOICE_NAMES<ChokeAction> = {"run", "stop"};
+template <>
+inline constexpr std::array<const char*, 2> CHOICE_NAMES<FeedSide> = {"left", "right"};
 template <>
 inline constexpr std::array<const char*, 2> CHOICE_NAMES<Method> = {"events", "steps"};
 template <>

@@ -182,14 +182,28 @@ void Engine::beginSegment()
 
 std::optional<double> Engine::nextFeed() const
 {
-  return state_.scene().feed.rate > 0.0 ? local(next_feed_) : std::nullopt;
+  const FeedDefinition& feed = state_.scene().feed;
+  if (fed_ < feed.disks.size())
+    return local(start_ + feed.disks[fed_].time);
+  return feed.rate > 0.0 ? local(next_feed_) : std::nullopt;
 }
 
 void Engine::feed()
 {
-  ++fed_;
-  pour(drawSpecies(state_.scene().species, feed_random_), 1, state_.scene().feed.stretch, {});
+  const FeedDefinition& feed = state_.scene().feed;
+  const std::uint64_t next = fed_++;
+  if (next < feed.disks.size())
+    return pourListed(feed.disks[next]);
+  pour(drawSpecies(state_.scene().species, feed_random_), 1, feed.stretch, {});
   drawNextFeed();
+}
+
+void Engine::pourListed(const FedDisk& disk)
+{
+  loop_->catchUp(now_);
+  const auto slot = static_cast<std::uint32_t>(state_.disks().size());
+  pourDisk(state_, disk, state_.scene().feed.stretch, now_, random_);
+  announce(slot);
 }
 
 void Engine::drawNextFeed()

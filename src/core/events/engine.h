@@ -101,6 +101,7 @@ private:
   void beginSegment();
   std::optional<double> nextFeed() const;
   void feed();
+  void pourListed(const FedDisk& disk);
   void drawNextFeed();
   void pour(std::size_t species, std::size_t count, const Stretch& stretch, const PourObserver& observer);
   std::optional<double> nextEpochEnd() const { return state_.epoch().length; }

@@ -75,11 +75,16 @@ struct DiskProperties
   void archive(StateArchive& state) { state(mass, spin_response); }
 };
 
-/// The properties of a disk of this species and radius [m].
+/// The properties of a disk of this species, mass [kg] and radius [m].
+inline DiskProperties propertiesOf(const SpeciesDefinition& species, double mass, double radius)
+{
+  return {mass, radius / species.inertiaOf(mass, radius)};
+}
+
+/// Of the mass that the species gives a disk of this radius.
 inline DiskProperties propertiesOf(const SpeciesDefinition& species, double radius)
 {
-  const double mass = species.massOf(radius);
-  return {mass, radius / species.inertiaOf(mass, radius)};
+  return propertiesOf(species, species.massOf(radius), radius);
 }
 
 }  // namespace ratchet_sieve

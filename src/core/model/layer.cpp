@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 #include "ratchet_sieve/core/count_text.h"
+#include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
 
 namespace ratchet_sieve
@@ -63,7 +65,7 @@ std::size_t disksAtStart(const SceneDefinition& scene)
 
 bool empties(const SceneDefinition& scene)
 {
-  return scene.boundary == Boundary::OPEN && scene.feed.rate <= 0.0;
+  return scene.boundary == Boundary::OPEN && !scene.feed.any();
 }
 
 double largestDiameter(const SceneDefinition& scene)
@@ -71,6 +73,8 @@ double largestDiameter(const SceneDefinition& scene)
   double largest = 0.0;
   for (const SpeciesDefinition& species : scene.species)
     largest = std::max(largest, 2.0 * Sizes(species).largest());
+  for (const FedDisk& disk : scene.feed.disks)
+    largest = std::max(largest, 2.0 * disk.radius);
   return largest;
 }
 
@@ -85,6 +89,8 @@ double smallestRadius(const SceneDefinition& scene)
   double smallest = Sizes(scene.species.front()).smallest();
   for (const SpeciesDefinition& species : scene.species)
     smallest = std::min(smallest, Sizes(species).smallest());
+  for (const FedDisk& disk : scene.feed.disks)
+    smallest = std::min(smallest, disk.radius);
   return smallest;
 }
 
@@ -98,6 +104,13 @@ double settledLayer(const SceneDefinition& scene)
   return heapHeight(scene, area);
 }
 
+double feedRate(const SceneDefinition& scene)
+{
+  const std::vector<FedDisk>& disks = scene.feed.disks;
+  return disks.empty() ? scene.feed.rate
+                       : static_cast<double>(disks.size()) / std::max(disks.back().time, timeScale(scene));
+}
+
 double feedGrowth(const SceneDefinition& scene)
 {
   double shares = 0.0;
@@ -107,7 +120,14 @@ double feedGrowth(const SceneDefinition& scene)
     shares += species.share;
     area += species.share * areaOf(species);
   }
-  return shares > 0.0 ? heapHeight(scene, scene.feed.rate * area / shares) : 0.0;
+  if (const std::vector<FedDisk>& disks = scene.feed.disks; !disks.empty())
+  {
+    shares = static_cast<double>(disks.size());
+    area =
+        std::accumulate(disks.begin(), disks.end(), 0.0,
+                        [](double sum, const FedDisk& disk) { return sum + PI * disk.radius * disk.radius; });
+  }
+  return shares > 0.0 ? heapHeight(scene, feedRate(scene) * area / shares) : 0.0;
 }
 
 std::string sizeText(const SceneDefinition& scene)

@@ -107,7 +107,7 @@ FinestDisk finestDisk(const SceneDefinition& scene)
   const DriveBounds drive = driveBounds(scene.base);
   length(drive.displacement, Orbit(scene.base).empty() ? "base.amplitude is" : "the drive's displacement is");
   speed(drive.speed, "the drive's speed is");
-  if (scene.initial.empty() || scene.feed.rate > 0.0)
+  if (scene.initial.empty() || scene.feed.any())
   {
     length(scene.pour.drop_height, "pour.drop_height is");
     speed(after_fall(scene.pour.speed, scene.pour.drop_height), "the poured disks come at");

@@ -45,7 +45,7 @@ Averages::Averages(const SystemState& system) : system_(system), layer_(system.p
   means_.begin(species_of_.size());
   if (scene.accuracy.mean_vx > 0.0 && !layer_)
     groups_.begin(species * GROUPS);
-  if (scene.feed.rate > 0.0 && scene.boundary != Boundary::PERIODIC && species > 1)
+  if (scene.feed.any() && scene.boundary != Boundary::PERIODIC && species > 1)
     exits_.begin(species);
 }
 

@@ -104,13 +104,6 @@ struct Flight
   double end;        ///< [s]
 };
 
-/// Where a disk went.
-enum class Exit : std::uint8_t
-{
-  LEFT_BIN,
-  RIGHT_BIN
-};
-
 /// A disk has left the system. Its last flight was observed before.
 struct Departure
 {

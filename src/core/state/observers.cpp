@@ -39,6 +39,28 @@ private:
   const SystemState& system_;
   CollisionObserver observer_;
 };
+
+/// Tells a caller of each disk that leaves.
+class ExitReport final : public Observer
+{
+public:
+  ExitReport(const SystemState& system, ExitObserver observer)
+      : system_(system), observer_(std::move(observer))
+  {
+  }
+
+  unsigned subscriptions() const override { return DEPARTURES; }
+  void left(const Departure& departure) override
+  {
+    const Disk& disk = system_.disk(departure.slot);  // which stays as it was when it left
+    observer_({system_.epoch().start + departure.time, system_.id(departure.slot), departure.species,
+               disk.radius, departure.mass, departure.exit, disk.position.x()});
+  }
+
+private:
+  const SystemState& system_;
+  ExitObserver observer_;
+};
 }  // namespace
 
 Observers::Observers(const SystemState& system)
@@ -148,6 +170,12 @@ void Observers::observeCollisions(CollisionObserver observer)
   remove(collision_report_);
   collision_report_ =
       observer ? add(std::make_unique<CollisionReport>(system_, std::move(observer))) : nullptr;
+}
+
+void Observers::observeExits(ExitObserver observer)
+{
+  remove(exit_report_);
+  exit_report_ = observer ? add(std::make_unique<ExitReport>(system_, std::move(observer))) : nullptr;
 }
 
 std::vector<Observed> Observers::observed(double time) const

@@ -123,6 +123,7 @@ public:
 
   /// Calls `observer` after each collision. An empty function removes the observer.
   void observeCollisions(CollisionObserver observer);
+  void observeExits(ExitObserver observer);
 
   /// Whether reports of contacts or flights of independent disks are kept, for delivery in the order of time:
   /// they take memory.
@@ -234,6 +235,7 @@ private:
   const Bins* bins_;  ///< the first of the added, which are told of departures in the order of time
   std::vector<const Observable*> observables_;  ///< of the added, in the order of the scene
   const Observer* collision_report_ = nullptr;  ///< one of the added
+  const Observer* exit_report_ = nullptr;       ///< one of the added
   const FaceCounts* faces_ = nullptr;           ///< one of the added
 };
 

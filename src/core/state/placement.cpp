@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -112,8 +113,9 @@ struct Poured
 
 /// Finds room for a disk of each of these species; in the order along the base. The memory of the search, as
 /// much as that of the disks, is freed before they are added.
+/// @param own radius of the disks; without it, drawn from the sizes of their species [m]
 std::vector<Poured> findRoom(const SystemState& system, const std::vector<std::uint32_t>& species,
-                             const Stretch& stretch, double time, Random& random,
+                             std::optional<double> own, const Stretch& stretch, double time, Random& random,
                              const PourObserver& observer)
 {
   const SceneDefinition& scene = system.scene();
@@ -128,7 +130,7 @@ std::vector<Poured> findRoom(const SystemState& system, const std::vector<std::u
   poured.reserve(species.size());
   for (const std::uint32_t kind : species)
   {
-    const double radius = system.sizes(kind).draw([&random] { return random.uniform(); });
+    const double radius = own ? *own : system.sizes(kind).draw([&random] { return random.uniform(); });
     poured.push_back({pour.place(radius, random), kind});
     if (observer && poured.size() % DISKS_PER_LOOK == 0)
       observer(poured.size(), species.size());
@@ -137,6 +139,21 @@ std::vector<Poured> findRoom(const SystemState& system, const std::vector<std::u
   std::stable_sort(poured.begin(), poured.end(),
                    [](const Poured& a, const Poured& b) { return a.room.s < b.room.s; });
   return poured;
+}
+
+void addPoured(SystemState& system, const Poured& poured, double mass, const FrameOfBase& base, double time)
+{
+  const SceneDefinition& scene = system.scene();
+  const auto& [room, kind] = poured;
+  const Eigen::Vector2d place = base.outOf({room.s + base.into(base.displacement).x(), room.n});
+  Disk disk;
+  disk.position.x() = place.x();
+  disk.position.y() = place.y();
+  disk.velocity.y() = -scene.pour.speed;
+  disk.time = time;
+  disk.species = kind;
+  disk.radius = room.radius;
+  system.add(disk, propertiesOf(scene.species[kind], mass, room.radius));
 }
 
 /// @throws std::invalid_argument if a disk overlaps another or the base, or is outside the machine; the
@@ -260,22 +277,21 @@ std::uint32_t drawSpecies(const std::vector<SpeciesDefinition>& species, Random&
 void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, const Stretch& stretch,
                double time, Random& random, const PourObserver& observer)
 {
-  const SceneDefinition& scene = system.scene();
+  const std::vector<Poured> all = findRoom(system, species, std::nullopt, stretch, time, random, observer);
+  system.reserve(system.disks().size() + all.size());
   const FrameOfBase base = system.motion().at(time);
-  const std::vector<Poured> poured = findRoom(system, species, stretch, time, random, observer);
-  system.reserve(system.disks().size() + poured.size());
-  for (const auto& [room, kind] : poured)
+  for (const Poured& poured : all)
   {
-    const Eigen::Vector2d place = base.outOf({room.s + base.into(base.displacement).x(), room.n});
-    Disk disk;
-    disk.position.x() = place.x();
-    disk.position.y() = place.y();
-    disk.velocity.y() = -scene.pour.speed;
-    disk.time = time;
-    disk.species = kind;
-    disk.radius = room.radius;
-    system.add(disk, propertiesOf(scene.species[kind], room.radius));
+    const double mass = system.scene().species[poured.species].massOf(poured.room.radius);
+    addPoured(system, poured, mass, base, time);
   }
+}
+
+void pourDisk(SystemState& system, const FedDisk& disk, const Stretch& stretch, double time, Random& random)
+{
+  const auto kind = static_cast<std::uint32_t>(disk.species);
+  const Poured poured = findRoom(system, {kind}, disk.radius, stretch, time, random, {}).front();
+  addPoured(system, poured, disk.mass, system.motion().at(time), time);
 }
 
 void placeInitialDisks(SystemState& system, double time)

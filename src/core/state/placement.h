@@ -63,6 +63,9 @@ std::uint32_t drawSpecies(const std::vector<SpeciesDefinition>& species, Random&
 void pourDisks(SystemState& system, const std::vector<std::uint32_t>& species, const Stretch& stretch,
                double time, Random& random, const PourObserver& observer = {});
 
+/// Pours one disk of its own radius and mass, as pourDisks() does.
+void pourDisk(SystemState& system, const FedDisk& disk, const Stretch& stretch, double time, Random& random);
+
 /// Adds the disks of the scene's `initial` to an empty machine.
 /// @throws std::invalid_argument if they overlap each other or the base, or are outside; the message names
 /// them

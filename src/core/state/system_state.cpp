@@ -45,6 +45,9 @@ double latticeDiameter(const SceneDefinition& scene, double largest_diameter)
     add(species, species.count);
   for (const InitialDisk& disk : scene.initial)
     add(scene.species[disk.species], 1.0);
+  disks += static_cast<double>(scene.feed.disks.size());
+  for (const FedDisk& disk : scene.feed.disks)
+    squares += 4.0 * disk.radius * disk.radius;
   if (disks == 0.0)
     for (const SpeciesDefinition& species : scene.species)
       add(species, species.share);

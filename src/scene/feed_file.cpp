@@ -1,0 +1,93 @@
+#include "feed_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "ratchet_sieve/scene/scene_file.h"
+#include "schema.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// Relative to the scene's file; for a scene that is in no file, to the working directory.
+std::string pathOf(const Entry& feed, const std::string& path)
+{
+  std::error_code none;
+  return fs::exists(feed.source(), none) ? (fs::path(feed.source()).parent_path() / path).string() : path;
+}
+
+std::vector<std::string> cellsOf(std::string line)
+{
+  if (!line.empty() && line.back() == '\r')
+    line.pop_back();
+  std::istringstream stream(line + ',');
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(stream, cell, ',');)
+    cells.push_back(cell);
+  return cells;
+}
+
+/// Of each of the columns, its place in the header.
+std::map<std::string, std::size_t> placesOf(const std::set<std::string>& columns,
+                                            const std::vector<std::string>& header, const Entry& file)
+{
+  std::map<std::string, std::size_t> places;
+  for (const std::string& column : columns)
+  {
+    const auto found = std::find(header.begin(), header.end(), column);
+    if (found == header.end())
+      file.refuse("its first line has no column " + column +
+                  "; must be a CSV file as sieve_run --exits writes");
+    places[column] = static_cast<std::size_t>(found - header.begin());
+  }
+  return places;
+}
+
+}  // namespace
+
+void forEachRow(const Entry& feed, const std::set<std::string>& columns,
+                const std::function<void(const Entry&)>& visit)
+{
+  FeedFile file;
+  readValues(feed, FEED_FILE_KEYS, file);
+  const std::string path = pathOf(feed, file.path.text);
+  if (const auto why = whyUnreadable(path))
+    feed.at("file").refuseValue(*why);
+  std::istringstream text(readYamlText(path));
+  std::set<std::string> wanted = columns;
+  if (file.side != FeedSide::BOTH)
+    wanted.insert("side");
+  std::string line;
+  std::getline(text, line);
+  const std::vector<std::string> header = cellsOf(line);
+  const std::map<std::string, std::size_t> places =
+      placesOf(wanted, header, Entry({}, path + ":1", "header"));
+  for (std::size_t number = 2, rows = 0; std::getline(text, line); ++number)
+  {
+    const std::string source = path + ":" + std::to_string(number);
+    const std::vector<std::string> cells = cellsOf(line);
+    if (cells.size() != header.size())
+      Entry({}, source, "row").refuse("must have " + std::to_string(header.size()) + " cells, as the header");
+    YAML::Node node;
+    for (const auto& [column, place] : places)
+      node[column] = cells[place];
+    const Entry row(node, source);
+    FeedSide side = file.side;
+    if (file.side != FeedSide::BOTH)
+      readScalar(row.at("side"), {}, side);
+    if (side != file.side)
+      continue;
+    if (++rows > MOST_FED)
+      feed.at("file").refuse("must have at most " + std::to_string(MOST_FED) + " rows");
+    visit(row);
+  }
+}
+
+}  // namespace ratchet_sieve
