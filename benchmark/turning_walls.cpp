@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ratchet_sieve/core/simulation.h"
 #include "ratchet_sieve/core/layer.h"
+#include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 
 namespace

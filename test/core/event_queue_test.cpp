@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-
 namespace ratchet_sieve
 {
 namespace
