@@ -8,7 +8,6 @@ import time
 
 import numpy as np
 import pandas
-from scipy.stats import qmc
 
 from ratchet_sieve.answers.machine import LONGEST, RESIDENCES
 from ratchet_sieve.answers.surface import Surface
@@ -44,7 +43,7 @@ class Search:
         """The places that are run first, spread over the ranges."""
         ranges = len(self.machine.keys)
         spread = np.linspace(0.0, 1.0, FIRST[1])[:, None] if ranges == 1 else \
-            qmc.Halton(ranges, seed=self._seed).random(FIRST.get(ranges, 16 * ranges))
+            _spread(ranges, FIRST.get(ranges, 16 * ranges), self._seed)
         return np.unique([self._nearest(place) for place in spread])
 
     def measure(self, chosen, durations):
@@ -219,4 +218,14 @@ def _grid(ranges):
     if ranges in GRID:
         axes = np.meshgrid(*[np.linspace(0.0, 1.0, GRID[ranges])] * ranges, indexing="ij")
         return np.stack(axes, axis=-1).reshape(-1, ranges)
-    return qmc.Sobol(ranges, scramble=False).random(CANDIDATES)
+    return _spread(ranges, CANDIDATES, 0)
+
+
+def _spread(ranges, count, seed):
+    """Places that fill the ranges evenly: a Kronecker sequence of the generalised golden ratio (Schretter et al., Math.
+    Comput. Simul. 82, 2012), from a random one on."""
+    ratio = 2.0
+    for _ in range(60):
+        ratio = (1.0 + ratio) ** (1.0 / (ranges + 1.0))
+    steps = ratio ** -np.arange(1.0, ranges + 1.0)
+    return (np.random.default_rng(seed).random(ranges) + np.arange(count)[:, None] * steps) % 1.0
