@@ -5,6 +5,7 @@ runs with fresh seeds, and against successive halving over a fixed grid (Jamieso
 Writes data/separate.json and the table in separate.md. Each answer takes one core.
 """
 import argparse
+import json
 import pathlib
 import statistics
 import time
@@ -23,6 +24,8 @@ THETA, F = "base.inclination", "base.frequency"
 RANGES = {THETA: (0.0, 0.35), F: (15, 48)}
 FRESH = 900_000_000  # first seed of the reference, of which no search knows
 GRID = {THETA: 15, F: 12}
+COLUMNS = {"seeds": "seeds", "cost": "median [s]", "most": "most [s]", "separated": "separated", "near": "within 0.02",
+           "held": "held", "lost": "mean loss"}
 HALVING = ((60.0, 1, 1.0), (120.0, 2, 1.0 / 3.0), (300.0, 3, 0.3), (300.0, 6, 0.375))  # duration [s], seeds, share kept
 
 
@@ -101,12 +104,12 @@ def measure(name, scene, over, seeds):
         separated += answer.separated
         if not answer.separated:
             continue
-        true, = reference(scene, [answer.best], 900.0 if is_fed else None, 12 if is_fed else 40)
+        true, = reference(scene, [answer.best], 600.0 if is_fed else None, 8 if is_fed else 40)
         lost.append(best - abs(true.value))
         held += abs(true.value - answer.separation.value) < np.hypot(answer.separation.half_width, true.half_width())
         print(name, seed, answer.best, answer.separation, true.text(), f"{cost:.1f} s", flush=True)
     figures = {"best": f"{best:.3f}", "cost": f"{statistics.median(costs):.2g}", "most": f"{max(costs):.2g}",
-               "separated": f"{separated} of {seeds}"}
+               "separated": f"{separated} of {seeds}", "seeds": f"{seeds}"}
     if name == "twins":
         return {**figures, "lost": "—", "near": "—", "held": "—"}
     return {**figures, "lost": f"{statistics.mean(lost):.3f}", "held": f"{held} of {seeds}",
@@ -115,36 +118,43 @@ def measure(name, scene, over, seeds):
 
 def measure_halving(scene, over, seeds, best):
     found = [timed(lambda: halving(scene, over, seed)) for seed in range(1, seeds + 1)]
-    lost = [best - abs(reference(scene, [setting], 900.0, 12)[0].value) for setting, _ in found]
-    return {"cost": f"{statistics.median(cost for _, cost in found):.2g}",
+    lost = [best - abs(reference(scene, [setting], 600.0, 8)[0].value) for setting, _ in found]
+    return {"seeds": f"{seeds}", "cost": f"{statistics.median(cost for _, cost in found):.2g}",
             "near": f"{sum(each <= WITHIN for each in lost)} of {seeds}", "lost": f"{statistics.mean(lost):.3f}"}
+
+
+def lines_of(path):
+    """The table's lines, from the figures of all problems that were measured."""
+    figures = json.loads((path.parent / "data" / f"{path.stem}.json").read_text(encoding="utf-8"))
+    for name, (_, _, words) in problems().items():
+        for method in ("surface", "halving"):
+            found = {key: figures.get(f"{name}.{method}.{key}", "") for key in COLUMNS}
+            if found["cost"]:
+                yield [words, method, *found.values()]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seeds", type=int, default=20, metavar="N", help="of each problem (default: 20)")
-    parser.add_argument("--only", nargs="+", metavar="PROBLEM", help="; ".join(problems()))
+    parser.add_argument("--only", nargs="+", metavar="PROBLEM", choices=list(problems()),
+                        help="measure these alone; the others are kept: " + ", ".join(problems()))
+    parser.add_argument("--halving", action="store_true", help="measure successive halving as well; minutes")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs", metavar="DIR",
                         help="directory with separate.md (default: docs)")
     options = parser.parse_args()
     path = options.out / "separate.md"
     documents.require_place(parser, path, MARK)
     warnings.simplefilter("ignore", rs.SieveWarning)
-    figures, lines = {}, []
-    for name, (scene, over, words) in problems().items():
-        if options.only and name not in options.only:
-            continue
-        found = measure(name, scene, over, options.seeds)
-        lines.append([words, "surface", *(found[key] for key in ("cost", "most", "separated", "near", "held", "lost"))])
-        figures.update({f"{name}.{key}": text for key, text in found.items()})
-        if name in ("glass_rubber", "mass"):
-            other = measure_halving(scene, over, max(options.seeds // 4, 2), float(found["best"]))
-            lines.append([words, "halving", other["cost"], "", "", other["near"], "", other["lost"]])
-            figures.update({f"{name}.halving.{key}": text for key, text in other.items()})
     about = {**origin.describe(), "version": f"physics version {origin.physics()}"}
-    documents.quote(path, "separate", figures, about)
-    documents.put(path, MARK, table(["mixture", "method", "median [s]", "most [s]", "separated", "within 0.02", "held",
-                                     "mean loss"], lines) + f"\n\n{origin.text(about)}, {about['version']}.")
+    for name in options.only or problems():
+        scene, over, _ = problems()[name]
+        found = {f"surface.{key}": text for key, text in measure(name, scene, over, options.seeds).items()}
+        if options.halving:
+            other = measure_halving(scene, over, options.seeds, float(found["surface.best"]))
+            found.update({f"halving.{key}": text for key, text in other.items()})
+        documents.quote(path, name, found, about)
+    documents.put(path, MARK, table(["mixture", "method", *COLUMNS.values()], lines_of(path))
+                  + f"\n\n{origin.text(about)}, {about['version']}.")
 
 
 if __name__ == "__main__":
