@@ -161,9 +161,10 @@ def _map(search):
 
 
 def _as_good(search, separated):
-    """Of the map the rows that cannot be told from the best."""
+    """Of the map the rows that cannot be told from the best, the highest first."""
     table = _map(search)
-    return table[table.as_good if separated else search.works].drop(columns="as_good").reset_index(drop=True)
+    good = table[table.as_good if separated else search.works].drop(columns="as_good")
+    return good.sort_values("value", key=abs, ascending=False, ignore_index=True)
 
 
 def _of_products(machine, fresh):
