@@ -103,6 +103,8 @@ def _fresh_runs(search, deadline, bar, notes):
 
 
 def _answer(search, fresh, notes, floor, seconds):
+    if search.machine.kind == "closed" and search.machine.is_signed:
+        notes.insert(0, "nothing leaves a machine without open ends: the goal is how fast the kinds drift apart")
     machine, settings = search.machine, search.machine.settings(search.grid[search.best])
     mean = None if fresh is None else stats.mean_of(machine.observed(fresh)["value"].dropna())
     if mean and mean.count > 1:
