@@ -29,6 +29,9 @@ def main():
         print(__doc__)
         return
     rospy.init_node('conveyor')
+    for name in ('~from', '~to'):
+        if not rospy.has_param(name):
+            sys.exit(f'conveyor: {name} is missing: the name of a sieve')
     side, belt = rospy.get_param('~side', 'right'), queue.Queue()
     target = rospy.resolve_name(rospy.get_param('~to'))
     rospy.wait_for_service(f'{target}/pour')
@@ -37,7 +40,11 @@ def main():
     while not rospy.is_shutdown():
         disks = [belt.get() for _ in range(belt.qsize())]
         for species, count in collections.Counter(disk.species for disk in disks if disk.side == side).items():
-            answer = pour(species, count)
+            try:
+                answer = pour(species, count)
+            except rospy.ServiceException as error:
+                rospy.logwarn('%d disks of %s were not poured into %s: %s', count, species, target, error)
+                continue
             if not answer.success:
                 rospy.logwarn('%d disks of %s were not poured into %s: %s', count, species, target, answer.message)
         rospy.rostime.wallsleep(PERIOD)

@@ -12,7 +12,7 @@ from . import _engine
 from .arguments import integer, mapping
 from .errors import ResultsError
 from .progress import Progress
-from .scene import AnyScene, _plain, scene_of
+from .scene import AnyScene, Scene, _plain, scene_of
 
 if TYPE_CHECKING:
     import pandas
@@ -40,7 +40,7 @@ def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
     Returns a row for each case, in the order of the product, seeds fastest: see read_sweep().
     Raises SceneError, ValueError before any case is run, ResultsError. After Ctrl-C a call with the same file goes on.
     """
-    sweep_of: dict[str, Any] = {"scene": scene_of(scene).given}
+    sweep_of: dict[str, Any] = {"scene": _without_folder(scene_of(scene))}
     for name, axes in (("grid", grid), ("zip", zip)):
         if axes is not None and mapping(name, axes, '{"base.inclination": [0.0, 0.1]}'):
             sweep_of[name] = {key: _values(key, values) for key, values in axes.items()}
@@ -58,6 +58,16 @@ def sweep(scene: AnyScene, grid: Optional[Mapping[str, Iterable]] = None, *,
             lambda done, failed, count: bar.show((done + failed) / max(count, 1),
                                                  f"{done} of {count} cases" + (f", {failed} failed" if failed else "")))
         return _read(path, _OWN, (fingerprint,))
+
+
+def _without_folder(scene: Scene) -> dict:
+    """What a scene was given, with the path of its file of fed disks as seen from anywhere."""
+    given = scene.given
+    feed = given.get("feed")
+    if feed and feed.get("file"):
+        folder = os.path.dirname(scene.source) if os.path.exists(scene.source) else ""
+        feed["file"] = os.path.abspath(os.path.join(folder, feed["file"]))
+    return given
 
 
 def _values(key: str, values: Any) -> Any:

@@ -39,6 +39,7 @@ void forEachDiskState(const SystemState& system, double time, Visit&& visit)
     state.id = system.id(slot);
     state.species = disk.species;
     state.radius = disk.radius;
+    state.mass = system.properties(slot).mass;
     state.displacement = trajectories.displacement(slot, position.x());
     state.x = position.x() + image.shift.x();
     state.y = position.y() + image.shift.y();
@@ -229,10 +230,9 @@ double Simulation::energy() const
                    [&](const DiskState& disk)
                    {
                      const SpeciesDefinition& species = scene().species[disk.species];
-                     const double mass = species.massOf(disk.radius);
-                     energy += 0.5 * mass * (disk.vx * disk.vx + disk.vy * disk.vy) +
-                               0.5 * species.inertiaOf(mass, disk.radius) * disk.spin * disk.spin +
-                               mass * scene().gravity * disk.y;
+                     energy += 0.5 * disk.mass * (disk.vx * disk.vx + disk.vy * disk.vy) +
+                               0.5 * species.inertiaOf(disk.mass, disk.radius) * disk.spin * disk.spin +
+                               disk.mass * scene().gravity * disk.y;
                    });
   return energy;
 }

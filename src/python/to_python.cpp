@@ -129,7 +129,7 @@ py::array arrayOf(const std::vector<DiskState>& disks, const SceneDefinition& sc
   for (const DiskState& disk : disks)
   {
     const double radius = radiusOf(disk, scene.species);
-    *row++ = {disk.id,    disk.species, radius,           scene.species[disk.species].massOf(radius),
+    *row++ = {disk.id,    disk.species, radius,           massOf(disk, scene.species),
               disk.x,     disk.y,       disk.vx,          disk.vy,
               disk.angle, disk.spin,    disk.displacement};
   }

@@ -129,8 +129,8 @@ void TrajectoryFile::write(const ParticleFrame& particles)
   {
     const double radius = radiusOf(disk, scene.species);
     fmt::format_to(out, "{} {} {} 0 {} {} {} 0 {} {} {} 0 0 {} {}\n", scene.species[disk.species].name,
-                   disk.x, disk.y, disk.id, disk.vx, disk.vy, radius,
-                   scene.species[disk.species].massOf(radius), disk.angle, disk.spin, disk.displacement);
+                   disk.x, disk.y, disk.id, disk.vx, disk.vy, radius, massOf(disk, scene.species), disk.angle,
+                   disk.spin, disk.displacement);
   }
   writeText(disks_file_, text);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -15,6 +16,8 @@ namespace
 {
 
 namespace fs = std::filesystem;
+
+const std::string BYTE_ORDER_MARK = "\xEF\xBB\xBF";  ///< some programs begin a file of UTF-8 with it
 
 /// Relative to the scene's file; for a scene that is in no file, to the working directory.
 std::string pathOf(const Entry& feed, const std::string& path)
@@ -58,19 +61,26 @@ void forEachRow(const Entry& feed, const std::set<std::string>& columns,
   FeedFile file;
   readValues(feed, FEED_FILE_KEYS, file);
   const std::string path = pathOf(feed, file.path.text);
+  std::error_code none;
   if (const auto why = whyUnreadable(path))
-    feed.at("file").refuseValue(*why);
-  std::istringstream text(readYamlText(path));
+    feed.at("file").refuseValue(path == file.path.text ? *why : *why + ": " + path);
+  if (!fs::is_regular_file(path, none))
+    feed.at("file").refuseValue("must be a file on a disk");
+  std::ifstream text(path, std::ios::binary);
   std::set<std::string> wanted = columns;
   if (file.side != FeedSide::BOTH)
     wanted.insert("side");
   std::string line;
   std::getline(text, line);
+  if (line.compare(0, BYTE_ORDER_MARK.size(), BYTE_ORDER_MARK) == 0)
+    line.erase(0, BYTE_ORDER_MARK.size());
   const std::vector<std::string> header = cellsOf(line);
   const std::map<std::string, std::size_t> places =
       placesOf(wanted, header, Entry({}, path + ":1", "header"));
   for (std::size_t number = 2, rows = 0; std::getline(text, line); ++number)
   {
+    if (line.empty() || line == "\r")
+      continue;
     const std::string source = path + ":" + std::to_string(number);
     const std::vector<std::string> cells = cellsOf(line);
     if (cells.size() != header.size())

@@ -199,6 +199,11 @@ void judgeLayer(SceneDefinition& scene, Plausibility& is)
           {{feedGrowth(scene), "m/s"}, {growth}, {timeScale(scene), "s"}}, {MILLI});
   is.rule("unused-feed", rate, when(!scene.feed.any() && (stretch.from > 0.0 || std::isfinite(stretch.to))),
           0.0, "feed.from and feed.to have no effect");
+  const double late =
+      static_cast<double>(std::count_if(scene.feed.disks.begin(), scene.feed.disks.end(),
+                                        [&](const FedDisk& disk) { return disk.time > scene.duration; }));
+  is.rule("late-feed", Subject("feed.disks"), late, 0.0, "# disk(s) of # are to be fed after the duration, #",
+          {{late}, {static_cast<double>(scene.feed.disks.size())}, {scene.duration, "s"}});
   const double phases = phasesOfEvenFeed(scene);
   is.rule("even-feed", rate, phases, 0.0,
           "with feed.even, disks enter at # phase(s) of the drive of #, on which results depend; without it, "

@@ -68,11 +68,13 @@ void feedHasSpecies(const Entry& root, const SceneDefinition& scene)
 /// A row's radius is subject to the rules of a species' radius.
 void fedDisksFit(const Entry& root, const SceneDefinition& scene)
 {
-  if (scene.feed.disks.empty())
+  if (!root.has("feed"))
     return;
   const Entry feed = root.at("feed");
-  if (scene.feed.rate > 0.0)
+  if (scene.feed.rate > 0.0 && (feed.has("file") || feed.has("disks")))
     feed.at("rate").refuseValue("must be 0 or absent because a list gives the disks and their times");
+  if (scene.feed.disks.empty())
+    return;
   const Entry list = feed.at(feed.has("file") ? "file" : "disks");
   const FinestDisk finest = finestDisk(scene);
   for (const FedDisk& disk : scene.feed.disks)

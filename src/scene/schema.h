@@ -87,7 +87,7 @@ constexpr std::size_t MOST_SIZES = 1000;
 constexpr std::size_t MOST_SPECIES = 256;
 
 /// Most disks that a feed's list may have: its text is a part of checkpoints and bags, and is read back.
-constexpr std::size_t MOST_FED = 100000;
+constexpr std::size_t MOST_FED = 50000;
 
 /// The names of the keys, added to those given.
 template <typename Part>

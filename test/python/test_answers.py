@@ -68,7 +68,11 @@ def test_more_runs_make_a_surface_surer_and_leave_it_where_it_is():
     ({THETA: (0.0, 0.2)}, {"species": TWINS[:1]}, "species: A is alone: there is nothing to separate it from"),
     ({THETA: (0.0, 0.2)}, {"boundary": "periodic", "feed": {"rate": 0.0}, "density": 1.0,
                            "species": [*TWINS, {**TWINS[0], "name": "C"}]},
-     "species: a machine without open ends must have two, whose mean velocities are compared; it has 3"),
+     "species: must be two, which are to be separated; there are 3: give a goal, such as purity.left.mass.A"),
+    ({"duration": (1, 10)}, {}, "over['duration']: must be a key whose value is a number, other than seed, duration, settle"),
+    ({"species.0.name": (0, 1)}, {},
+     "over['species.0.name']: must be a key whose value is a number, other than seed, duration, settle"),
+    ({"feed.rate": (0, 10)}, {}, "over['feed.rate']: must begin above 0"),
 ))
 def test_bad_input_is_refused_in_one_line(over, changes, line):
     with pytest.raises(ValueError) as error:
@@ -83,8 +87,8 @@ def test_keys_and_ranges_are_those_of_a_scene(over):
     assert "inclination" in str(error.value)
 
 
-@pytest.mark.parametrize("options, name", (({"budget": "2 weeks"}, "budget"), ({"budget": -1}, "budget"), ({"within": 0}, "within"),
-                                           ({"goal": "purity.left.mass.A"}, "within"), ({"seed": 1.5}, "seed")))
+@pytest.mark.parametrize("options, name", (({"budget": "2 weeks"}, "budget"), ({"budget": -1}, "budget"), ({"within": 0}, "within"), ({"within": 1}, "within"),
+                                           ({"goal": "purity.left.mass.A"}, "within"), ({"seed": 1.5}, "seed"), ({"seed": 2 ** 63}, "seed")))
 def test_bad_options_are_refused_before_anything_runs(options, name, monkeypatch):
     monkeypatch.setattr(Machine, "run", None)
     with pytest.raises(ValueError, match=name):
@@ -155,6 +159,17 @@ def test_a_goal_is_any_column():
     found = rs.separate(SCENE, {THETA: (0.0, 0.4)}, goal="purity.left.number.B", within=0.06)
     assert found.separation.value > 0.5
     assert found.separation.value == pytest.approx(found.purity.left.number.B.value)
+
+
+def test_a_goal_must_be_a_number_of_the_results():
+    for goal in ("purity.left.mass.Z", "host", "seed"):
+        with pytest.raises(ValueError, match=f"goal = '{goal}': must be a column of numbers"):
+            rs.separate(SCENE, {THETA: (0.0, 0.4)}, goal=goal, within=0.05)
+
+
+def test_whole_numbers_are_run_once_each():
+    found = rs.separate(SCENE, {"base.teeth": (8, 10)}, within=0.3)
+    assert sorted(set(found.runs["base.teeth"])) == [8, 9, 10] and len(found.map) == 3
 
 
 def test_a_poured_machine_runs_for_its_duration():
@@ -231,6 +246,9 @@ def test_the_program_answers_as_the_function_does(answer, tmp_path):
     (("none.yaml", "--over", f"{THETA}=0:0.4"), 2, "none.yaml"),
     (("feeder.yaml", "--over", THETA), 2, "must be KEY=FROM:TO"),
     (("feeder.yaml",), 2, "--over"),
+    (("feeder.yaml", "--over", f"{THETA}=0:0.4", "--over", f"{THETA}=0:0.3"), 2, "is there twice"),
+    (("feeder.yaml", "--over", f"{THETA}=0:0.4", "--html", "none/answer.html"), 2, "there is no such directory"),
+    (("feeder.yaml", "--over", f"{THETA}=0:0.4", "--plot", "answer.xyz"), 2, "must end in .png or .svg or .pdf"),
 ))
 def test_the_program_refuses_bad_arguments(arguments, status, line, tmp_path):
     (tmp_path / "feeder.yaml").write_text(rs.Scene(SCENE).yaml, encoding="utf-8")

@@ -105,7 +105,7 @@ TEST_F(FeedFile, ReplacesTheCountsOfTheSpecies)
 TEST_F(FeedFile, IsRefusedByFileLineValueAndWhatIsAllowed)
 {
   const std::string header = HEADER;
-  EXPECT_EQ(refusal("", "{file: none.csv}"), "s.yaml:8: feed.file = none.csv: no such file");
+  EXPECT_EQ(refusal("", "{file: none.csv}"), "s.yaml:8: feed.file = none.csv: no such file: none.csv");
   EXPECT_EQ(refusal("time,species,radius\n"),
             "runs/exits.csv:1: header: its first line has no column mass; must be a CSV file as sieve_run "
             "--exits writes");

@@ -32,6 +32,7 @@ struct DiskState
   double spin = 0.0;          ///< counter-clockwise [rad/s]
   double displacement = 0.0;  ///< unwrapped path along world x since the disk entered [m]
   double radius = 0.0;        ///< [m]; in frames see ParticleFrame
+  double mass = 0.0;          ///< [kg]; 0 in recorded frames: that of its species and radius
 };
 
 RATCHET_SIEVE_FIELDS(DiskState)

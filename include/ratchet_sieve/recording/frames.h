@@ -57,6 +57,12 @@ inline double radiusOf(const DiskState& disk, const std::vector<SpeciesDefinitio
   return disk.radius > 0.0 ? disk.radius : species[disk.species].radius;
 }
 
+/// [kg], as recorded frames have none.
+inline double massOf(const DiskState& disk, const std::vector<SpeciesDefinition>& species)
+{
+  return disk.mass > 0.0 ? disk.mass : species[disk.species].massOf(radiusOf(disk, species));
+}
+
 /// The bins.
 struct BinFrame
 {

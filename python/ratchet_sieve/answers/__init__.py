@@ -14,6 +14,7 @@ from .machine import WITHIN, Machine
 from .search import Search
 
 SHARE_OF_SEARCH = 0.6  # of the budget: the rest is for the fresh runs
+MOST_SEED = 10 ** 12
 _UNITS = {"": 1.0, "s": 1.0, "min": 60.0, "h": 3600.0}
 
 
@@ -39,11 +40,13 @@ def separate(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, within
     if within is None and goal is not None:
         raise ValueError(f"within: must be given, in the units of {goal}")
     within = number("within", WITHIN[machine.kind] if within is None else within)
-    if within <= 0.0:
-        raise ValueError(f"within = {within!r}: must be above 0")
+    if within <= 0.0 or machine.kind != "closed" and machine.is_signed and within >= 1.0:
+        raise ValueError(f"within = {within!r}: must be above 0" + ("" if within <= 0.0 else " and below 1"))
+    if integer("seed", seed) > MOST_SEED:
+        raise ValueError(f"seed = {seed}: must be an integer, 0 to {MOST_SEED}")
     seconds = _seconds(budget)
     begin = time.monotonic()
-    search = Search(machine, within, integer("seed", seed),
+    search = Search(machine, within, seed,
                     None if seconds is None else begin + SHARE_OF_SEARCH * seconds,
                     threads=integer("threads", threads), results=results)
     with Progress(progress, "separate") as bar:

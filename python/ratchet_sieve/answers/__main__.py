@@ -46,18 +46,35 @@ def read_over(texts):
     over = {}
     for text in texts:
         key, equals, span = text.partition("=")
+        if key in over:
+            raise ValueError(f"--over {text}: {key} is there twice")
         ends = span.split(":")
         try:
             over[key] = tuple(int(end) if end.strip("+-").isdigit() else float(end) for end in ends)
         except ValueError:
             ends = []
-        if not equals or len(ends) != 2:
+        if not equals or not key or len(ends) != 2:
             raise ValueError(f"--over {text}: must be KEY=FROM:TO, such as base.inclination=0:0.35")
     return over
 
 
+def require_outputs(options):
+    """Raises ValueError for a file that could not be written at the end."""
+    for name, endings in (("html", (".html",)), ("json", (".json",)), ("plot", (".png", ".svg", ".pdf")), ("best", ())):
+        path = getattr(options, name)
+        if path and endings and path.suffix not in endings:
+            raise ValueError(f"--{name} {path}: must end in {' or '.join(endings)}")
+        if path and not path.absolute().parent.is_dir():
+            raise ValueError(f"--{name} {path}: there is no such directory")
+    for text in options.set:
+        if "=" not in text:
+            raise ValueError(f"--set {text}: must be KEY=VALUE")
+
+
 def run(options):
     import ratchet_sieve as rs
+
+    require_outputs(options)
 
     warnings.showwarning = lambda message, *_: print(f"sieve_separate: warning: {message}", file=sys.stderr)
     scene = rs.Scene.load(options.scene, dict(text.partition("=")[::2] for text in options.set))
@@ -89,6 +106,7 @@ def main():
     except RuntimeError as error:
         sys.exit(f"sieve_separate: {error}")
     except KeyboardInterrupt:
+        print("sieve_separate: interrupted before there is an answer; the same command continues", file=sys.stderr)
         sys.exit(130)
 
 

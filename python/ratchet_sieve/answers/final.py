@@ -14,6 +14,8 @@ FRESH = 12          # runs of the best setting at a time
 MOST_FRESH = 192
 LONG_ENOUGH = 20.0  # mean times in the machine that such a run of a fed machine lasts at least
 EXPECTED = 2.4      # half the width of the interval that is aimed at, in standard errors
+MOST_DOUBLINGS = 5  # of the first runs of a fed machine that most disks have not left
+INTERRUPTED = "interrupted: the answer so far; the same call with the same results continues"
 EDGE = 0.02         # of a range: nearer to its end than this is at its edge
 FLOOR = "contact.min_rebound_speed"
 SIDES = ("left", "right")
@@ -23,25 +25,46 @@ def answer_of(search, deadline, bar):
     """Searches, measures the best setting with fresh seeds, and puts the answer together.
     @param deadline of time.monotonic(), or None. @param bar a Progress
     @throws RuntimeError the machine works nowhere. @throws ValueError the budget ends before there is an answer"""
-    begin, notes, fresh = time.monotonic(), [], None
+    begin, notes, fresh, floor = time.monotonic(), [], Fresh(), None
     try:
-        _first_runs(search, bar)
-        while fresh is None:
+        _first_runs(search, deadline, bar)
+        while True:
             _search(search, bar)
-            if search.nowhere():
+            if search.nowhere() or _fresh_runs(search, deadline, bar, fresh, notes):
                 break
-            fresh = _fresh_runs(search, deadline, bar, notes)
+        search.assess(best=search.best)  # with the fresh runs as well
+        if len(fresh.rows) and not _is_over(deadline):
+            floor = _floor(search, fresh.rows)
     except KeyboardInterrupt:
         if len(search.runs) < len(search.first()) or not search.assess():
             raise
-        notes.append("interrupted: the answer so far; the same call with the same results continues")
-    search.assess(best=search.best)  # with the fresh runs as well
+        notes.append(INTERRUPTED)
     left = float(search.may.max())
-    if left > search.within and not search.nowhere():
+    if left > search.within and not search.nowhere() and INTERRUPTED not in notes:
         notes.append(f"the {'budget' if search.is_late() else 'limit of runs'} ended the search: another setting may be "
                      f"better by {left:.2g}")
-    floor = None if fresh is None or search.is_late() else _floor(search, fresh)
-    return _answer(search, fresh, notes, floor, time.monotonic() - begin)
+    return _answer(search, fresh.working(search.machine, notes), notes, floor, time.monotonic() - begin)
+
+
+class Fresh:
+    """The runs with fresh seeds of the setting that is the best."""
+
+    def __init__(self):
+        self.rows = pandas.DataFrame()
+
+    def working(self, machine, notes):
+        """@return those in which the machine works; None: there are none"""
+        if not len(self.rows):
+            return None
+        works = machine.observed(self.rows)["value"].notna()
+        if not works.all():
+            notes.append(f"{(~works).sum()} of the {counted(len(works), 'fresh run')} are left out: there the machine was "
+                         + _WHY[machine.kind])
+        return self.rows[works] if works.sum() > 1 else None
+
+
+def _is_over(deadline):
+    return deadline is not None and time.monotonic() > deadline
 
 
 def _search(search, bar):
@@ -56,18 +79,18 @@ def _search(search, bar):
         search.measure(chosen, durations)
 
 
-def _first_runs(search, bar):
+def _first_runs(search, deadline, bar, doublings=0):
     """Longer ones in place of those that were too short."""
     first = search.first()
     for k in range(0, len(first), BATCH):
         search.measure(first[k:k + BATCH], np.ones(len(first[k:k + BATCH])))
         bar.show(0.3 * (k + BATCH) / len(first), counted(len(search.runs), "run"))
-        if search.is_late() and k + BATCH < len(first):
+        if _is_over(deadline) and k + BATCH < len(first):
             raise ValueError(f"budget: too small for any answer: it ended after {len(search.runs)} of the first "
                              f"{len(first)} runs")
-    if search.is_too_short():
+    if search.is_too_short() and doublings < MOST_DOUBLINGS:
         search.machine.shortest *= 2.0
-        _first_runs(search, bar)
+        _first_runs(search, deadline, bar, doublings + 1)
 
 
 _WHY = {"fed": "choked, or too few of its disks left", "poured": "not emptied by half, or too few of its disks left",
@@ -80,26 +103,27 @@ def _so_far(search):
     return f"{counted(len(search.runs), 'run')}, best {search.value[k]:.3g} ± {Z * search.error[k]:.1g} at {at}"
 
 
-def _fresh_runs(search, deadline, bar, notes):
+def _fresh_runs(search, deadline, bar, fresh, notes):
     """Runs of the best setting until the interval of their mean is as narrow as `within`.
-    @return their rows; None where the machine does not work there"""
+    @param fresh gets the runs. @return False where the machine does not work there, as a rule"""
     machine = search.machine
     duration = search.final_duration(FRESH, search.within / EXPECTED, LONG_ENOUGH)
-    rows = pandas.DataFrame()
+    fresh.rows = pandas.DataFrame()
     while True:
-        rows = pandas.concat([rows, search.fresh(FRESH, duration)], ignore_index=True)
+        rows = fresh.rows = pandas.concat([fresh.rows, search.fresh(FRESH, duration)], ignore_index=True)
         mean = stats.mean_of(machine.observed(rows)["value"].dropna())
-        if mean is None and not search.is_late():
-            return None
+        if (not mean or mean.count < 0.8 * len(rows)) and not _is_over(deadline):
+            fresh.rows = pandas.DataFrame()
+            return False
         if mean and mean.count > 1:
             width = mean.half_width()
             bar.show(0.8 + 0.2 * min((search.within / max(width, 1e-9)) ** 2, 1.0),
                      f"{mean.value:.3g} ± {width:.2g} from {counted(mean.count, 'fresh run')}")
             if width <= search.within:
-                return rows
-        if len(rows) >= MOST_FRESH or deadline is not None and time.monotonic() > deadline:
+                return True
+        if len(rows) >= MOST_FRESH or _is_over(deadline):
             notes.append("the fresh runs ended before their interval was as narrow as wanted")
-            return rows
+            return True
 
 
 def _answer(search, fresh, notes, floor, seconds):
@@ -113,7 +137,7 @@ def _answer(search, fresh, notes, floor, seconds):
         found = Interval(float(search.value[search.best]), float(Z * search.error[search.best]), 0)
         if not search.nowhere():
             notes.append("the separation is of the search's own runs: they chose the setting, so that it is too large")
-    separated = abs(found.value) > found.half_width or not machine.is_signed
+    separated = not machine.is_signed or not search.nowhere() and abs(found.value) > found.half_width
     if separated:
         notes += _edges(machine, settings)
     rows = search.runs
@@ -166,7 +190,8 @@ def _as_good(search, separated):
     """Of the map the rows that cannot be told from the best, the highest first."""
     table = _map(search)
     good = table[table.as_good if separated else search.works].drop(columns="as_good")
-    return good.sort_values("value", key=abs, ascending=False, ignore_index=True)
+    return good.sort_values("value", key=abs if search.machine.is_signed else None, ascending=False,
+                            ignore_index=True)
 
 
 def _of_products(machine, fresh):

@@ -16,6 +16,8 @@ LONGEST = 16.0         # such a run over the shortest one
 FEWEST = 5             # disks of each species that must have left
 LEAST_PROCESSED = {"fed": 0.25, "poured": 0.5}  # P of a machine that works
 UNKNOWN = 12.0 ** -0.5  # of the share that is still in the machine: it will leave at either end, any part as likely
+NOT_VARIED = ("seed", "duration", "settle")
+NO_GOALS = ("seed", "wall_time", "events", "simulated_time", "physics")
 STEPS = 1000           # of a range at least, to which settings are rounded
 WITHIN = {"fed": 0.02, "poured": 0.02, "closed": 0.001}  # closed: [m/s]
 GOALS = {"fed": "separation", "poured": "separation", "closed": "difference of mean_vx"}
@@ -36,6 +38,9 @@ class Machine:
         if not self.keys:
             raise ValueError('over: must name a range, such as {"base.inclination": (0.0, 0.35)}')
         ranges = [_range(key, over[key]) for key in self.keys]
+        self._require_numbers()
+        if dict(zip(self.keys, ranges)).get("feed.rate", (1.0,))[0] <= 0.0:
+            raise ValueError("over['feed.rate']: must begin above 0")
         self.low, self.high = np.array(ranges, dtype=float).T
         self._decimals = [0 if self._is_whole(key, ends) else int(np.ceil(np.log10(STEPS / (ends[1] - ends[0]))))
                           for key, ends in zip(self.keys, ranges)]
@@ -49,8 +54,9 @@ class Machine:
         self.shortest = values["duration"]
         if self.kind == "fed":
             shares = np.array([species["share"] for species in values["species"]])
-            given = FED * shares.mean() / shares[shares > 0.0].min() / values["feed"]["rate"]
-            self.shortest = max(given, PERIODS / self._slowest(values["base"]["frequency"]))
+            rate = self.low[self.keys.index("feed.rate")] if "feed.rate" in self.keys else values["feed"]["rate"]
+            given = FED * shares.mean() / shares[shares > 0.0].min() / rate
+            self.shortest = values["settle"] + max(given, PERIODS / self._slowest(values["base"]["frequency"]))
 
     def _slowest(self, frequency):
         """The lowest frequency of the drive [Hz]."""
@@ -68,13 +74,29 @@ class Machine:
             return True
         return False
 
+    def _require_numbers(self):
+        """Raises ValueError for a key that a search cannot vary."""
+        for key in self.keys:
+            try:
+                value = self.scene[key]
+            except KeyError:
+                value = 0.0  # an optional key, or none at all, which the scene's reader will say
+            if key in NOT_VARIED or isinstance(value, (bool, str, list, dict)):
+                raise ValueError(f"over[{key!r}]: must be a key whose value is a number, other than {', '.join(NOT_VARIED)}")
+
+    def _require_goal(self, rows):
+        """Raises ValueError."""
+        if self.goal in NO_GOALS or self.goal not in rows or rows[self.goal].dtype == object:
+            raise ValueError(f"goal = {self.goal!r}: must be a column of numbers of a sweep's results, such as "
+                             f"purity.left.mass.{self.scene.species[0]}")
+
     def _require_species(self):
         species = self.scene.species
         if len(species) < 2:
             raise ValueError(f"species: {species[0]} is alone: there is nothing to separate it from")
-        if self.kind == "closed" and self.is_signed and len(species) > 2:
-            raise ValueError("species: a machine without open ends must have two, whose mean velocities are compared; "
-                             f"it has {len(species)}")
+        if self.is_signed and len(species) > 2:
+            raise ValueError(f"species: must be two, which are to be separated; there are {len(species)}: give a goal, such "
+                             f"as purity.left.mass.{species[0]}")
 
     def settings(self, place):
         """@param place (d,) from 0 to 1 within the ranges. @return the value of each key"""
@@ -105,6 +127,8 @@ class Machine:
         """@return what each run says: `value`, its `variance`, both NaN where the machine does not work; `residence`,
         the mean time in the machine of all disks [s], and `rate`, the events that a simulated second takes. Of a goal of the
         user's the variances are relative ones."""
+        if not self.is_signed:
+            self._require_goal(rows)
         seen = pandas.DataFrame({"value": rows[self.goal] if self.goal in rows else np.nan,
                                  "rate": rows["events"] / rows["simulated_time"],
                                  "residence": 0.0, "variance": np.nan}, index=rows.index)

@@ -35,7 +35,7 @@ class Search:
         self._seed = SEEDS * seed
         self.runs = pandas.DataFrame()
         self._places = np.empty((0, len(machine.keys)))
-        self.grid = _grid(len(machine.keys))
+        self.grid = _different(machine, _grid(len(machine.keys)))
         self._surface = None
         self.rounds = 0
 
@@ -212,6 +212,12 @@ class Search:
 
     def is_late(self):
         return self.deadline is not None and time.monotonic() > self.deadline
+
+
+def _different(machine, places):
+    """Of places with the same settings, as of whole numbers, the first."""
+    settings = [tuple(machine.settings(place).values()) for place in places]
+    return places[sorted({setting: k for k, setting in reversed(list(enumerate(settings)))}.values())]
 
 
 def _grid(ranges):

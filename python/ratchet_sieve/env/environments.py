@@ -157,7 +157,7 @@ class SieveVectorEnv(VectorEnv):
             simulation.set_slew_rates(**self.task.actions.slew_rates)
             self._simulations[k] = simulation
         self._collapses[which] = None
-        self._fed[which] = [scene["feed.rate"] > 0.0 for scene in scenes]
+        self._fed[which] = [scene["feed.rate"] > 0.0 or bool(scene.values["feed"].get("disks")) for scene in scenes]
         self._seeds[which] = seeds
         self._steps[which] = 0
         read, _ = self._advance(which, (), np.empty((len(which), 0)))
