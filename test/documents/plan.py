@@ -7,7 +7,6 @@
 # name are there.
 NOT_RUN = {
     './scripts/demo': 'installs packages and builds; demo.test launches the same',
-    './scripts/python': 'installs packages and builds; python_test imports the same',
     './scripts/test': 'installs packages, builds, and runs this test',
     './scripts/reproduce': 'an hour',
     './scripts/optimise': 'twenty minutes',
