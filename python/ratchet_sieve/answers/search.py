@@ -17,6 +17,7 @@ BATCH = 8         # runs at a time; the same on any number of cores, so that the
 FIRST = {1: 11, 2: 32}  # places that are run first, of one and two ranges; more ranges: 16 each
 GRID = {1: 81, 2: 33}   # candidates along each of one and two ranges
 CANDIDATES = 2048       # of more ranges
+TIGHTER = 0.7     # than `within` the search aims at: the surface is not quite what it is fitted to
 MOST = 400        # runs of a search
 NEIGHBOURS = (0.08, 0.04)  # of a range: so far from the best its neighbours are run before the search ends
 SEEDS = 1_000_000  # of the scenes between two seeds of the search; the second half of them is for fresh runs
@@ -156,7 +157,7 @@ class Search:
         picks, places, errors = {}, [], []
         may, error = self.may, self.error
         for _ in range(BATCH):
-            over = may / self.within - 1.0
+            over = may / (TIGHTER * self.within) - 1.0
             if not self.is_separated() and self.machine.is_signed:
                 over = np.maximum(over, (np.abs(self.value) + Z * error) / (0.5 * self.within) - 1.0)
             over = np.where(self.works, over, 0.0)
