@@ -61,7 +61,7 @@ class Answer:
     floor       what changes with half of contact.min_rebound_speed: .from, .to [m/s], .change, .depends; None: not
                 checked
     warnings    texts: what was cut short, a setting at the end of its range, warnings of the runs
-    cost        runs, simulated [s], processor [s], seconds [s of wall time]
+    cost        runs, simulated [s], processor [s] and seconds [s of wall time], both of this call
     map         DataFrame: the surface over the ranges, with its half_width
     runs        DataFrame: a row for each run, as of a sweep
     seen        DataFrame: the value of each run and its variance
@@ -123,7 +123,7 @@ class Answer:
             lines.append(f"with half of contact.min_rebound_speed: changes by {self.floor.change}, "
                          + ("it depends on it" if self.floor.depends else "no dependence seen"))
         lines.append(f"cost: {counted(self.cost.runs, 'run')}, {self.cost.simulated:.4g} s simulated, "
-                     f"{self.cost.processor:.2g} s of processor time")
+                     f"{self.cost.processor:.3g} s of processor time")
         return lines + [f"warning: {text}" for text in self.warnings]
 
     def _region(self) -> str:

@@ -25,7 +25,7 @@ def answer_of(search, deadline, bar):
     """Searches, measures the best setting with fresh seeds, and puts the answer together.
     @param deadline of time.monotonic(), or None. @param bar a Progress
     @throws RuntimeError the machine works nowhere. @throws ValueError the budget ends before there is an answer"""
-    begin, notes, fresh, floor = time.monotonic(), [], Fresh(), None
+    begin, notes, fresh, floor = (time.monotonic(), time.process_time()), [], Fresh(), None
     try:
         _first_runs(search, deadline, bar)
         while True:
@@ -43,7 +43,7 @@ def answer_of(search, deadline, bar):
     if left > search.within and not search.nowhere() and INTERRUPTED not in notes:
         notes.append(f"the {'budget' if search.is_late() else 'limit of runs'} ended the search: another setting may be "
                      f"better by {left:.2g}")
-    return _answer(search, fresh.working(search.machine, notes), notes, floor, time.monotonic() - begin)
+    return _answer(search, fresh.working(search.machine, notes), notes, floor, begin)
 
 
 class Fresh:
@@ -126,7 +126,7 @@ def _fresh_runs(search, deadline, bar, fresh, notes):
             return True
 
 
-def _answer(search, fresh, notes, floor, seconds):
+def _answer(search, fresh, notes, floor, begin):
     if search.machine.kind == "closed" and search.machine.is_signed:
         notes.insert(0, "nothing leaves a machine without open ends: the goal is how fast the kinds drift apart")
     machine, settings = search.machine, search.machine.settings(search.grid[search.best])
@@ -142,7 +142,7 @@ def _answer(search, fresh, notes, floor, seconds):
         notes += _edges(machine, settings)
     rows = search.runs
     cost = Values(runs=len(rows), simulated=float(rows["simulated_time"].sum()),
-                  processor=float(rows["wall_time"].sum()), seconds=seconds)
+                  processor=time.process_time() - begin[1], seconds=time.monotonic() - begin[0])
     return Answer(machine=machine, best=settings if separated else None, separation=found, separated=separated,
                   bound=search.bound, within=search.within, as_good=_as_good(search, separated),
                   map=_map(search), runs=rows, seen=machine.observed(rows), cost=cost, floor=floor, warnings=notes + _warned(fresh),
