@@ -6,7 +6,7 @@ import pandas
 
 from ratchet_sieve import stats
 from ratchet_sieve.answers.answer import Answer, Interval
-from ratchet_sieve.answers.search import BATCH, Z
+from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z
 from ratchet_sieve.texts import counted
 from ratchet_sieve.values import Values
 
@@ -137,6 +137,9 @@ def _answer(search, fresh, notes, floor, begin):
         found = Interval(float(search.value[search.best]), float(Z * search.error[search.best]), 0)
         if not search.nowhere():
             notes.append("the separation is of the search's own runs: they chose the setting, so that it is too large")
+    if search.too_costly.any():
+        notes.append(f"{100.0 * search.too_costly.mean():.2g} % of the ranges are left out: there a simulated second costs "
+                     f"more than {COSTLIEST:g} times the usual, as on a nearly choked base")
     separated = not machine.is_signed or not search.nowhere() and abs(found.value) > found.half_width
     if separated:
         notes += _edges(machine, settings)

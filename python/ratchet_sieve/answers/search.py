@@ -20,6 +20,8 @@ CANDIDATES = 2048       # of more ranges
 TIGHTER = 0.7     # than `within` the search aims at: the surface is not quite what it is fitted to
 MOST = 400        # runs of a search
 NEIGHBOURS = (0.08, 0.04)  # of a range: so far from the best its neighbours are run before the search ends
+COSTLIEST = 200.0  # events that a simulated second may take, over the median of the first runs: a nearly choked base
+LONG_COST = 50.0  # of a run that is longer than the shortest, over the median of the first runs
 SEEDS = 1_000_000  # of the scenes between two seeds of the search; the second half of them is for fresh runs
 UNKNOWN_ERRORS = 3.0  # standard deviation of the logarithm of their variance, for a goal of the user's
 SINGLE = 1.0      # variance of the separation, times the disks that have left
@@ -96,6 +98,9 @@ class Search:
         nearest = len(self._places) - 1 - distance.argmin(axis=1)
         self.works = defined[nearest]
         self._residence, self._rate = (seen[name].to_numpy()[nearest] for name in ("residence", "rate"))
+        self._usual = float(seen["rate"].head(len(self.first())).median())
+        self.too_costly = self.works & (self._rate > COSTLIEST * self._usual)
+        self.works = self.works & ~self.too_costly
         if not self.works.any() or defined.sum() < 2:
             return False
         weights = 1.0 / seen["variance"].to_numpy()[defined]
@@ -149,7 +154,8 @@ class Search:
         """The duration of a run at each place, over the shortest one."""
         if self.machine.kind != "fed":
             return np.ones(len(self.grid))
-        return np.clip(RESIDENCES * self._residence / self.machine.shortest, 1.0, LONGEST)
+        wanted = np.minimum(RESIDENCES * self._residence / self.machine.shortest, LONG_COST * self._usual / self._rate)
+        return np.clip(wanted, 1.0, LONGEST)
 
     def _challengers(self, units):
         """@return map from the number of a place to its runs"""
