@@ -7,7 +7,7 @@ import numpy
 from scipy import special
 
 from ratchet_sieve.arguments import number
-from ratchet_sieve.texts import decimals_of, rounded
+from ratchet_sieve.texts import plus_minus, rounded
 
 LEVEL = 0.05  # of a test: an interval of 95 %
 
@@ -78,8 +78,7 @@ class Mean:
             return f"{rounded(scale * self.value, 3)} ± —"
         if self.error == 0.0:
             return f"{scale * self.value:.4g} ± 0".replace("-", "−")
-        decimals = decimals_of(scale * self.error)
-        return f"{rounded(scale * self.value, decimals)} ± {rounded(scale * self.error, decimals)}"
+        return plus_minus(scale * self.value, scale * self.error)
 
 
 def holm(p_values, level=LEVEL):

@@ -26,6 +26,18 @@ def decimals_of(error):
     return max(0, -exponent)
 
 
+def plus_minus(value, error):
+    """As 12.3 ± 0.4. @pre error > 0"""
+    decimals = decimals_of(error)
+    return f"{rounded(value, decimals)} ± {rounded(error, decimals)}"
+
+
+def at_most(bound):
+    """Of two digits, rounded up. @pre bound > 0"""
+    step = 10.0 ** (math.floor(math.log10(bound)) - 1)
+    return f"{step * math.ceil(bound / step):.2g}"
+
+
 def counted(number, noun):
     """`1 run`, `2 runs`."""
     return f"{number} {noun}{'' if number == 1 else 's'}"

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include "ratchet_sieve/scene/scene_file.h"
@@ -17,7 +18,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-const std::string BYTE_ORDER_MARK = "\xEF\xBB\xBF";  ///< some programs begin a file of UTF-8 with it
+constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";  ///< some programs begin a file of UTF-8 with it
 
 /// Relative to the scene's file; for a scene that is in no file, to the working directory.
 std::string pathOf(const Entry& feed, const std::string& path)

@@ -79,12 +79,13 @@ void fedDisksFit(const Entry& root, const SceneDefinition& scene)
   const FinestDisk finest = finestDisk(scene);
   for (const FedDisk& disk : scene.feed.disks)
   {
-    const std::string which =
-        "the disk of radius " + scalarText(disk.radius) + " m fed at " + scalarText(disk.time) + " s ";
+    const auto which = [&disk] {
+      return "the disk of radius " + scalarText(disk.radius) + " m fed at " + scalarText(disk.time) + " s ";
+    };
     if (2.0 * disk.radius > scene.base.width())
-      list.refuse(which + "is wider than the base, " + scalarText(scene.base.width()) + " m");
+      list.refuse(which() + "is wider than the base, " + scalarText(scene.base.width()) + " m");
     if (disk.radius < finest.radius)
-      list.refuse(which + "is too small: the radius must be at least " + scalarText(finest.radius) +
+      list.refuse(which() + "is too small: the radius must be at least " + scalarText(finest.radius) +
                   " m in this scene, because " + finest.reason);
   }
 }

@@ -27,7 +27,8 @@ def separate(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, within
     over      dotted key -> (from, to)
     within    no other setting is better by more than this, and half the width of the result's interval, both at 95 %;
               default 0.02, of a machine without open ends 0.001 m/s
-    budget    wall time at most: [s], or a text such as "2 min"; None: as long as it takes
+    budget    wall time [s], or a text such as "2 min", after which runs begin only to measure the best with fresh
+              seeds once; None: as long as it takes
     goal      a column of a sweep's results (docs/sweeps.md) that is to be large, such as "purity.left.mass.A", in
               place of the separation; `within` is then required, in its units
     seed      of the search and of the runs: the same gives the same answer, where no budget ends it

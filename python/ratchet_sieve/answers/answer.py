@@ -12,9 +12,8 @@ from typing import Any, Optional
 
 import pandas
 
-from ratchet_sieve.texts import counted, decimals_of, rounded, shown
+from ratchet_sieve.texts import at_most, counted, plus_minus, shown
 from ratchet_sieve.values import Values
-
 
 PAGE = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>{title}</title>
@@ -35,11 +34,15 @@ class Interval:
     half_width: Optional[float]
     count: int
 
+    @classmethod
+    def of(cls, mean: Any) -> Interval:
+        """Of a Mean of ratchet_sieve.stats."""
+        return cls(mean.value, mean.half_width() if mean.count > 1 else None, mean.count)
+
     def __str__(self) -> str:
         if not self.half_width or self.half_width < 1e-9 * abs(self.value):
             return shown(float(f"{self.value:.3g}"))
-        decimals = decimals_of(self.half_width)
-        return f"{rounded(self.value, decimals)} ± {rounded(self.half_width, decimals)}"
+        return plus_minus(self.value, self.half_width)
 
     __repr__ = __str__
 
@@ -53,7 +56,7 @@ class Answer:
                 scene leaves more to the left. In a closed machine the difference of mean velocities, first less
                 second [m/s]; with a goal of the user's, that number
     separated   whether the interval does not contain 0
-    bound       |value| is not above this anywhere in the ranges, at 95 %
+    bound       |value| is not above this at any setting, at 95 % of each by the surface
     as_good     DataFrame: settings that cannot be told from the best, with the surface's value and half_width there
     throughput  disks [1/s], mass [kg/s] of the one plane of disks, mass_per_depth [kg/(s m)]: planes side by side, each
                 as thick as the mean diameter `depth` [m]. None in a closed machine
@@ -100,10 +103,10 @@ class Answer:
         unit = " m/s" if self.machine.kind == "closed" and self.machine.is_signed else ""
         goal = self.machine.goal
         if not self.separated:
-            lines = [f"not separated: |{goal}| < {self.bound:.2g}{unit} at 95 % everywhere"
+            lines = [f"not separated: |{goal}| < {at_most(self.bound)}{unit} at 95 % everywhere"
                      if self.bound < self.within else
                      f"not separated: {goal} {self.separation}{unit} at the best setting, "
-                     f"below {self.bound:.2g}{unit} at 95 % everywhere"]
+                     f"below {at_most(self.bound)}{unit} at 95 % everywhere"]
         else:
             at = ", ".join(f"{key} = {_with_unit(key, value)}" for key, value in (self.best or {}).items())
             source = f"{counted(self.separation.count, 'run')} with fresh seeds" if self.separation.count else \
@@ -142,7 +145,8 @@ class Answer:
         """As `sieve_separate --json` writes it; what is undefined is None."""
         names = ("best", "separation", "separated", "bound", "throughput", "purity", "recovery", "floor", "warnings",
                  "cost")
-        return {"goal": self.machine.goal, "within": self.within, **{name: _plain(getattr(self, name)) for name in names},
+        return {"goal": self.machine.goal, "within": self.within,
+                **{name: _plain(getattr(self, name)) for name in names},
                 "as_good": json.loads(self.as_good.to_json(orient="records", double_precision=6))}
 
     def write(self, path: Any) -> None:

@@ -7,7 +7,7 @@ import pandas
 from ratchet_sieve import stats
 from ratchet_sieve.answers.answer import Answer, Interval
 from ratchet_sieve.answers.search import BATCH, COSTLIEST, Z
-from ratchet_sieve.texts import counted
+from ratchet_sieve.texts import at_most, counted
 from ratchet_sieve.values import Values
 
 FRESH = 12          # runs of the best setting at a time
@@ -41,8 +41,8 @@ def answer_of(search, deadline, bar):
         notes.append(INTERRUPTED)
     left = float(search.may.max())
     if left > search.within and not search.nowhere() and INTERRUPTED not in notes:
-        notes.append(f"the {'budget' if search.is_late() else 'limit of runs'} ended the search: another setting may be "
-                     f"better by {left:.2g}")
+        notes.append(f"the {'budget' if search.is_late() else 'limit of runs'} ended the search: another setting "
+                     f"may be better by {at_most(left)}")
     return _answer(search, fresh.working(search.machine, notes), notes, floor, begin)
 
 
@@ -58,8 +58,8 @@ class Fresh:
             return None
         works = machine.observed(self.rows)["value"].notna()
         if not works.all():
-            notes.append(f"{(~works).sum()} of the {counted(len(works), 'fresh run')} are left out: there the machine was "
-                         + _WHY[machine.kind])
+            notes.append(f"{(~works).sum()} of the {counted(len(works), 'fresh run')} are left out: there the machine "
+                         "was " + _WHY[machine.kind])
         return self.rows[works] if works.sum() > 1 else None
 
 
@@ -132,23 +132,23 @@ def _answer(search, fresh, notes, floor, begin):
     machine, settings = search.machine, search.machine.settings(search.grid[search.best])
     mean = None if fresh is None else stats.mean_of(machine.observed(fresh)["value"].dropna())
     if mean and mean.count > 1:
-        found = Interval(mean.value, mean.half_width(), mean.count)
+        found = Interval.of(mean)
     else:
         found = Interval(float(search.value[search.best]), float(Z * search.error[search.best]), 0)
         if not search.nowhere():
             notes.append("the separation is of the search's own runs: they chose the setting, so that it is too large")
     if search.too_costly.any():
-        notes.append(f"{100.0 * search.too_costly.mean():.2g} % of the ranges are left out: there a simulated second costs "
-                     f"more than {COSTLIEST:g} times the usual, as on a nearly choked base")
+        notes.append(f"{100.0 * search.too_costly.mean():.2g} % of the ranges are left out: there a simulated second "
+                     f"costs more than {COSTLIEST:g} times the usual, as on a nearly choked base")
     separated = not machine.is_signed or not search.nowhere() and abs(found.value) > found.half_width
     if separated:
         notes += _edges(machine, settings)
-    rows = search.runs
+    rows, surface = search.runs, _map(search)
     cost = Values(runs=len(rows), simulated=float(rows["simulated_time"].sum()),
                   processor=time.process_time() - begin[1], seconds=time.monotonic() - begin[0])
     return Answer(machine=machine, best=settings if separated else None, separation=found, separated=separated,
-                  bound=search.bound, within=search.within, as_good=_as_good(search, separated),
-                  map=_map(search), runs=rows, seen=machine.observed(rows), cost=cost, floor=floor, warnings=notes + _warned(fresh),
+                  bound=search.bound, within=search.within, as_good=_as_good(search, surface, separated), map=surface,
+                  runs=rows, seen=machine.observed(rows), cost=cost, floor=floor, warnings=notes + _warned(fresh),
                   **_of_products(machine, fresh))
 
 
@@ -164,7 +164,7 @@ def _floor(search, fresh):
     if not all(mean and mean.count > 1 for mean in means):
         return None
     change = means[0].minus(means[1])
-    return Values({"from": speed, "to": 0.5 * speed, "change": Interval(change.value, change.half_width(), change.count),
+    return Values({"from": speed, "to": 0.5 * speed, "change": Interval.of(change),
                    "depends": abs(change.value) > change.half_width()})
 
 
@@ -189,9 +189,8 @@ def _map(search):
                          as_good=search.works & (search.may >= 0.0))
 
 
-def _as_good(search, separated):
+def _as_good(search, table, separated):
     """Of the map the rows that cannot be told from the best, the highest first."""
-    table = _map(search)
     good = table[table.as_good if separated else search.works].drop(columns="as_good")
     return good.sort_values("value", key=abs if search.machine.is_signed else None, ascending=False,
                             ignore_index=True)
@@ -205,7 +204,7 @@ def _of_products(machine, fresh):
 
     def mean(values):
         found = stats.mean_of(np.asarray(values, dtype=float)[np.isfinite(np.asarray(values, dtype=float))])
-        return found and Interval(found.value, found.half_width() if found.count > 1 else None, found.count)
+        return found and Interval.of(found)
 
     shares = {what: Values((side, Values((by, Values((name, mean(fresh[f"{what}.{side}.{by}.{name}"]))
                                                      for name in names)) for by in ("number", "mass")))

@@ -51,17 +51,17 @@ class Machine:
         self._require_species()
         for corner in (0.0, 1.0):
             self._changed(self.settings(np.full(len(self.keys), corner)))
+        self.rate = self._lowest("feed.rate", values["feed"]["rate"])  # of the feed [1/s]
         self.shortest = values["duration"]
         if self.kind == "fed":
             shares = np.array([species["share"] for species in values["species"]])
-            rate = self.low[self.keys.index("feed.rate")] if "feed.rate" in self.keys else values["feed"]["rate"]
-            given = FED * shares.mean() / shares[shares > 0.0].min() / rate
-            self.shortest = values["settle"] + max(given, PERIODS / self._slowest(values["base"]["frequency"]))
+            given = FED * shares.mean() / shares[shares > 0.0].min() / self.rate
+            self.shortest = values["settle"] + max(given, PERIODS / max(
+                self._lowest("base.frequency", values["base"]["frequency"]), 1.0))
 
-    def _slowest(self, frequency):
-        """The lowest frequency of the drive [Hz]."""
-        lowest = self.low[self.keys.index("base.frequency")] if "base.frequency" in self.keys else frequency
-        return max(lowest, 1.0)
+    def _lowest(self, key, own):
+        """Of a key's range, or the scene's own value."""
+        return float(self.low[self.keys.index(key)]) if key in self.keys else own
 
     def _is_whole(self, key, ends):
         """Whether a key takes whole numbers alone. Raises SceneError if it takes neither end."""
@@ -82,7 +82,8 @@ class Machine:
             except KeyError:
                 value = 0.0  # an optional key, or none at all, which the scene's reader will say
             if key in NOT_VARIED or isinstance(value, (bool, str, list, dict)):
-                raise ValueError(f"over[{key!r}]: must be a key whose value is a number, other than {', '.join(NOT_VARIED)}")
+                raise ValueError(f"over[{key!r}]: must be a key whose value is a number, other than "
+                                 f"{', '.join(NOT_VARIED)}")
 
     def _require_goal(self, rows):
         """Raises ValueError."""
@@ -95,8 +96,8 @@ class Machine:
         if len(species) < 2:
             raise ValueError(f"species: {species[0]} is alone: there is nothing to separate it from")
         if self.is_signed and len(species) > 2:
-            raise ValueError(f"species: must be two, which are to be separated; there are {len(species)}: give a goal, such "
-                             f"as purity.left.mass.{species[0]}")
+            raise ValueError(f"species: must be two, which are to be separated; there are {len(species)}: give a goal, "
+                             f"such as purity.left.mass.{species[0]}")
 
     def settings(self, place):
         """@param place (d,) from 0 to 1 within the ranges. @return the value of each key"""
@@ -113,7 +114,8 @@ class Machine:
 
     def run(self, places, durations, seeds, observe=(), changes=None, **options):
         """Runs the machine at some places: each for its duration, which only a fed one takes.
-        @param seeds (first, count) @param changes of keys of the scene @return a row for each run, the seeds of a place together"""
+        @param seeds (first, count) @param changes of keys of the scene
+        @return a row for each run, the seeds of a place together"""
         ends = {"accuracy.mean_vx": 0.0, "accuracy.quality": 0.0, **(changes or {})}
         if self.kind == "fed":
             ends["feed.on_choke"] = "stop"
@@ -125,8 +127,8 @@ class Machine:
 
     def observed(self, rows):
         """@return what each run says: `value`, its `variance`, both NaN where the machine does not work; `residence`,
-        the mean time in the machine of all disks [s], and `rate`, the events that a simulated second takes. Of a goal of the
-        user's the variances are relative ones."""
+        the mean time in the machine of all disks [s], and `rate`, the events that a simulated second takes. Of a goal
+        of the user's the variances are relative ones."""
         if not self.is_signed:
             self._require_goal(rows)
         seen = pandas.DataFrame({"value": rows[self.goal] if self.goal in rows else np.nan,

@@ -1,7 +1,7 @@
 """Which settings to run next: until the best is known, or cannot be told from others by more than is wanted.
 
 A surface is fitted to all runs. The best place is where it is highest. As long as any other place may be better by more
-than `within` (95 %), the one which may be so most, over what it costs, or else the best itself, whichever
+than TIGHTER times `within` (95 %), the one which may be so most, over what it costs, or else the best itself, whichever
 is known less, is run next (LUCB, Kalyanakrishnan et al., ICML 2012, with a Gaussian process in place of single arms).
 """
 import time
@@ -183,7 +183,7 @@ class Search:
     def _error_of(self, k, unit):
         """The variance that a run at a place is expected to have."""
         if self.machine.kind == "fed" and self.machine.is_signed:
-            return SINGLE / (self.machine.scene["feed.rate"] * self.machine.shortest * unit)
+            return SINGLE / (self.machine.rate * self.machine.shortest * unit)
         return float(np.median(self._known[1]))
 
     def _neighbours(self):
@@ -212,9 +212,8 @@ class Search:
         """Of so many runs of the best, of which the mean has about this standard error; only a fed machine takes it."""
         if self.machine.kind != "fed":
             return self.machine.shortest
-        rate = self.machine.scene["feed.rate"]
-        single = SINGLE if self.machine.is_signed else self._known[1].max() * rate * self.machine.shortest
-        return max(single * max(self._surface.excess, 1.0) / error ** 2 / rate / runs,
+        single = SINGLE if self.machine.is_signed else self._known[1].max() * self.machine.rate * self.machine.shortest
+        return max(single * max(self._surface.excess, 1.0) / error ** 2 / self.machine.rate / runs,
                    residences * self._residence[self.best], self.machine.shortest)
 
     def is_late(self):
