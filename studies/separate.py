@@ -30,25 +30,19 @@ HALVING = ((60.0, 1, 1.0), (120.0, 2, 1.0 / 3.0), (300.0, 3, 0.3), (300.0, 6, 0.
 
 
 def feeder(*species):
-    return {"base": {"teeth": 30}, "boundary": "open", "feed": {"rate": 7.3}, "species": list(species)}
+    return rs.Scene({"base": {"teeth": 30}, "boundary": "open", "feed": {"rate": 7.3}, "species": list(species)})
 
 
 def grains(name, **keys):
     return {"name": name, "radius": 0.002, **keys}
 
 
-def ball(name, radius, spread, density, restitution, friction, tangential_restitution):
-    return grains(name, radius=radius, density=density, restitution=restitution, friction=friction, inertia_factor=0.4,
-                  tangential_restitution=tangential_restitution, size={"distribution": "normal", "spread": spread})
-
-
 def problems():
     """@return map from the name to the scene, its ranges and what it is in words"""
-    glass = ball("glass", 0.001, 0.15, 2500.0, 0.97, 0.092, 0.44)
-    rubber = ball("rubber", 0.0015, 0.25, 1100.0, 0.85, 0.5, 0.5)
+    beads = rs.Scene.load(ROOT / "config/glass_rubber.yaml")
     fig9 = rs.Scene.load(ROOT / "config/paper_fig9.yaml", {"base.teeth": 40})
     return {
-        "glass_rubber": (feeder(glass, rubber), RANGES, "glass and rubber, fed"),
+        "glass_rubber": (beads, RANGES, "glass and rubber, fed"),
         "mass": (feeder(grains("light", mass=4e-5), grains("heavy", mass=4e-4)), RANGES, "0.04 g and 0.4 g, fed"),
         "fig9": (fig9, {THETA: (-0.3, 0.3)}, "mixture of Fig. 9, poured"),
         "twins": (feeder(grains("one", mass=4e-5), grains("two", mass=4e-5)), RANGES, "two of one kind, fed"),
@@ -58,8 +52,7 @@ def problems():
 def reference(scene, settings, duration, seeds):
     """The separation at some settings, by long runs with fresh seeds."""
     keys = {} if duration is None else {"duration": duration}
-    rows = rs.sweep(rs.Scene(scene, keys) if isinstance(scene, dict) else scene.replace(keys), cases=settings,
-                    seeds=(FRESH, seeds), progress=False)
+    rows = rs.sweep(scene.replace(keys), cases=settings, seeds=(FRESH, seeds), progress=False)
     return [stats.mean_of(part.separation.dropna()) for part in np.array_split(rows, len(settings))]
 
 
@@ -79,7 +72,7 @@ def halving(scene, over, seed):
     left = [dict(zip(over, map(float, place))) for place in np.stack(np.meshgrid(*axes), -1).reshape(-1, len(over))]
     for stage, (duration, seeds, share) in enumerate(HALVING):
         left = left[:max(round(share * len(left)), 1)]
-        rows = rs.sweep(rs.Scene(scene, {"duration": duration, "feed.on_choke": "stop"}), cases=left, threads=1,
+        rows = rs.sweep(scene.replace({"duration": duration, "feed.on_choke": "stop"}), cases=left, threads=1,
                         seeds=(1000 * seed + 10 * stage, seeds), progress=False)
         means = [abs(part.separation.mean()) if part.separation.notna().all() else 0.0
                  for part in np.array_split(rows, len(left))]
@@ -95,7 +88,7 @@ def timed(call):
 
 def measure(name, scene, over, seeds):
     """@return the figures of a problem as texts"""
-    is_fed = isinstance(scene, dict)
+    is_fed = scene["feed.rate"] > 0.0
     best = best_of_grid(scene, over, is_fed) if name != "twins" else 0.0
     costs, lost, held, separated = [], [], 0, 0
     for seed in range(1, seeds + 1):
