@@ -132,7 +132,7 @@ class Machine:
         if not self.is_signed:
             self._require_goal(rows)
         seen = pandas.DataFrame({"value": rows[self.goal] if self.goal in rows else np.nan,
-                                 "rate": rows["events"] / rows["simulated_time"],
+                                 "rate": (rows["events"] + 1.0) / rows["simulated_time"],
                                  "residence": 0.0, "variance": np.nan}, index=rows.index)
         if self.kind == "closed":
             return self._observed_closed(rows, seen)

@@ -21,6 +21,8 @@ TIGHTER = 0.7     # than `within` the search aims at: the surface is not quite w
 MOST = 400        # runs of a search
 NEIGHBOURS = (0.08, 0.04)  # of a range: so far from the best its neighbours are run before the search ends
 COSTLIEST = 200.0  # events that a simulated second may take, over the median of the first runs: a nearly choked base
+RATES = 20.0      # scale of the logarithm of that: of its surface over the ranges
+RATES_VARIANCE = 0.1  # of what one run says of it
 LONG_COST = 50.0  # of a run that is longer than the shortest, over the median of the first runs
 SEEDS = 1_000_000  # of the scenes between two seeds of the search; the second half of them is for fresh runs
 UNKNOWN_ERRORS = 3.0  # standard deviation of the logarithm of their variance, for a goal of the user's
@@ -40,6 +42,7 @@ class Search:
         self._places = np.empty((0, len(machine.keys)))
         self.grid = _different(machine, _grid(len(machine.keys)))
         self._surface = None
+        self._costs = Surface(len(machine.keys), RATES)
         self.rounds = 0
 
     def first(self):
@@ -97,7 +100,8 @@ class Search:
         distance = ((self.grid[:, None] - self._places[None, ::-1]) ** 2).sum(axis=-1)
         nearest = len(self._places) - 1 - distance.argmin(axis=1)
         self.works = defined[nearest]
-        self._residence, self._rate = (seen[name].to_numpy()[nearest] for name in ("residence", "rate"))
+        self._residence = seen["residence"].to_numpy()[nearest]
+        self._rate = self._rates(seen["rate"].to_numpy())
         self._usual = float(seen["rate"].head(len(self.first())).median())
         self.too_costly = self.works & (self._rate > COSTLIEST * self._usual)
         self.works = self.works & ~self.too_costly
@@ -120,6 +124,14 @@ class Search:
         self.may = self._may(self._surface, variance, half)
         self.bound = float((np.abs(self.value) + Z * self.error)[self.works].max())
         return True
+
+    def _rates(self, seen):
+        """The events that a simulated second takes at each place, one standard error above what a surface expects."""
+        places, group = np.unique(self._places, axis=0, return_inverse=True)
+        logs = np.bincount(group, np.log(seen)) / np.bincount(group)
+        self._costs.fit(places, logs, np.full(len(places), RATES_VARIANCE))
+        value, variance, _ = self._costs.at(self.grid)
+        return np.exp(value + np.sqrt(variance))
 
     def _may(self, surface, variance, half):
         """By how much each place may be better than the best, at 95 %."""
@@ -160,19 +172,21 @@ class Search:
     def _challengers(self, units):
         """@return map from the number of a place to its runs"""
         cost = self._rate * units
+        most = np.maximum(LONG_COST * self._usual / cost, 1.0)
         picks, places, errors = {}, [], []
         may, error = self.may, self.error
         for _ in range(BATCH):
             over = may / (TIGHTER * self.within) - 1.0
             if not self.is_separated() and self.machine.is_signed:
                 over = np.maximum(over, (np.abs(self.value) + Z * error) / (0.5 * self.within) - 1.0)
-            over = np.where(self.works, over, 0.0)
+            over = np.where(self.works & (most >= 1.0), over, 0.0)
             if over.max() <= 0.0:
                 break
             k = int(np.where(over > 0.0, (over + 0.2) / cost, 0.0).argmax())
             if error[self.best] > error[k]:
                 k = self.best
             picks[k] = picks.get(k, 0) + 1
+            most[k] -= 1.0
             places.append(self.grid[k])
             errors.append(self._error_of(k, units[k]))
             then = self._surface.with_more(np.array(places), errors)

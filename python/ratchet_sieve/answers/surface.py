@@ -2,6 +2,7 @@
 Gaussian Processes for Machine Learning, MIT Press 2006, ch. 2 and 5)."""
 import numpy as np
 from scipy import linalg, optimize
+from scipy.spatial import distance
 
 AMPLITUDE = 0.1   # that is expected, in units of the scale: the surface's standard deviation
 LENGTH = 0.3      # that is expected, in units of the ranges: over which the surface changes
@@ -65,8 +66,8 @@ class Surface:
 
     def _covariance(self, a, b, parameters=None):
         parameters = self._parameters if parameters is None else parameters
-        steps = (a[:, None] - b[None]) / np.exp(parameters[1:-1])
-        r = np.sqrt(5.0 * (steps ** 2).sum(axis=-1))
+        lengths = np.exp(parameters[1:-1])
+        r = np.sqrt(5.0) * distance.cdist(a / lengths, b / lengths)
         return np.exp(2.0 * parameters[0]) * (1.0 + r + r * r / 3.0) * np.exp(-r) + OFFSET ** 2
 
     def _cholesky(self, parameters):
