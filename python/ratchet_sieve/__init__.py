@@ -23,10 +23,12 @@ _NAMES = {
     **dict.fromkeys(("read_sweep", "sweep"), "sweeps"),
     **dict.fromkeys(("Summary", "Values"), "values"),
     "Answer": "answers.answer",
+    "Front": "answers.front",
     "Scene": "scene",
     "Simulation": "simulation",
     "__version__": "_engine",
     "read_bag": "bags",
+    "front": "answers.front",
     "separate": "answers",
 }
 _SUBMODULES = ("documents", "env", "errors", "origin", "plots", "stats", "tables")

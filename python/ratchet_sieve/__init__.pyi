@@ -9,6 +9,8 @@ from . import tables as tables
 from ._engine import __version__ as __version__
 from .answers import separate as separate
 from .answers.answer import Answer as Answer
+from .answers.front import Front as Front
+from .answers.front import front as front
 from .bags import read_bag as read_bag
 from .errors import BagError as BagError
 from .errors import ResultsError as ResultsError

@@ -47,7 +47,6 @@ PROGRAMS = {
         'scripts/test': 'builds and runs the tests',
         'scripts/demo': 'shows the whole chain: build, run, record, analyse',
         'scripts/reproduce': 'reproduces published figures',
-        'scripts/optimise': 'searches for the machine that separates best',
         'scripts/fuzz': 'runs the fuzzers',
         'python3 -m ratchet_sieve.documents': 'checks the figures that documents quote',
     },

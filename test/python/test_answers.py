@@ -4,11 +4,12 @@ import subprocess
 import sys
 
 import numpy as np
+import pandas
 import pytest
 
 import ratchet_sieve as rs
-from ratchet_sieve import answers
-from ratchet_sieve.answers import final, search
+from ratchet_sieve import answers, stats
+from ratchet_sieve.answers import final, front, search
 from ratchet_sieve.answers.machine import Machine
 from ratchet_sieve.answers.surface import OFFSET, Surface
 
@@ -254,3 +255,63 @@ def test_the_program_refuses_bad_arguments(arguments, status, line, tmp_path):
     (tmp_path / "feeder.yaml").write_text(rs.Scene(SCENE).yaml, encoding="utf-8")
     ran = program(*arguments, cwd=tmp_path)
     assert ran.returncode == status and line in ran.stderr and not (tmp_path / "feeder.separate.db").exists()
+
+
+RANGES = {THETA: (0.0, 0.4), "feed.rate": (30.0, 120.0)}
+
+
+@pytest.fixture(scope="module")
+def kept(tmp_path_factory):
+    """A front, and the file that keeps its runs."""
+    path = tmp_path_factory.mktemp("front") / "runs.db"
+    return rs.front(SCENE, RANGES, trials=16, results=path), path
+
+
+def test_a_front_is_what_nothing_beats_in_both(kept, tmp_path):
+    found, path = kept
+    pandas.testing.assert_frame_equal(found.table, rs.front(SCENE, RANGES, trials=16, results=path, threads=1).table)
+    assert len(found.tried) == 16 and len(found.table) > 1
+    assert found.table.throughput.is_monotonic_increasing
+    row = found.best_row(30.0)
+    assert row["throughput"] >= 30.0
+    assert row["lower"] == found.table.lower[found.table.throughput >= 30.0].max()
+    assert found.scene(30.0)[THETA] == found.best(30.0)[THETA]
+    assert found.best(1e4) is None
+    with pytest.raises(ValueError, match="throughput = 10000"):
+        found.scene(1e4)
+    found.write(tmp_path / "front.png")
+    found.write(tmp_path / "front.csv")
+    assert len(pandas.read_csv(tmp_path / "front.csv")) == len(found.table)
+
+
+def test_what_is_reported_of_a_front_comes_from_seeds_that_had_no_part_in_the_choice(kept):
+    found, path = kept
+    runs = rs.read_sweep(path)
+    for row in found.table.to_dict("records"):
+        own = runs[(runs[THETA] == row[THETA]) & (runs["feed.rate"] == row["feed.rate"])].sort_values("seed")
+        assert own.seed.is_unique and len(own) == 1 + 2 * front.RUNS
+        assert own.separation.abs().tail(front.RUNS).mean() == pytest.approx(row["value"])
+        chose = own.separation.abs().iloc[1:-front.RUNS]
+        assert row["lower"] == pytest.approx(chose.mean() - stats.mean_of(chose).half_width())
+
+
+def test_unbeaten_points_against_each_pair():
+    values, throughputs = np.random.default_rng(1).integers(0, 6, (2, 40)).astype(float)
+    beaten = {k for k in range(40) for other in range(40)
+              if values[other] >= values[k] and throughputs[other] >= throughputs[k]
+              and (values[other], throughputs[other]) != (values[k], throughputs[k])}
+    assert set(front._unbeaten(values, throughputs)) == set(range(40)) - beaten
+
+
+def test_a_front_begins_with_the_settings_that_are_given():
+    found = rs.front(SCENE, RANGES, trials=8, start=[{THETA: 0.123}])
+    assert found.tried[THETA][0] == 0.123 and found.tried["feed.rate"][0] == 60.0
+
+
+@pytest.mark.parametrize("scene, start, message", [
+    (changed(feed={"rate": 0.0}, density=1.0), [], "feed.rate"),
+    (SCENE, [{THETA: 0.5}], "base.inclination = 0.5: must be 0 to 0.4"),
+])
+def test_what_a_front_cannot_be_made_of(scene, start, message):
+    with pytest.raises(ValueError, match=message):
+        rs.front(scene, {THETA: (0.0, 0.4)}, start=start, trials=8)

@@ -105,6 +105,16 @@ class Machine:
         return {key: round(float(value), decimals) if decimals else round(float(value))
                 for key, value, decimals in zip(self.keys, values, self._decimals)}
 
+    def place(self, settings):
+        """@param settings value of each key, or of some: else the scene's own. @return (d,) from 0 to 1. Raises
+        ValueError for one beyond its range."""
+        values = np.array([settings[key] if key in settings else self.scene[key] for key in self.keys], dtype=float)
+        beyond = (values < self.low) | (values > self.high)
+        if beyond.any():
+            k = int(beyond.argmax())
+            raise ValueError(f"{self.keys[k]} = {values[k]:g}: must be {self.low[k]:g} to {self.high[k]:g}")
+        return (values - self.low) / (self.high - self.low)
+
     def _changed(self, values):
         """The scene with other values; what is implausible at a place that may never be chosen is not said. Raises
         SceneError."""

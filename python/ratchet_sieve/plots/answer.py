@@ -19,6 +19,20 @@ def draw(answer, axes=None):
         return axes
 
 
+def draw_front(front, axes=None, color=COLOURS[0], name="front, fresh seeds"):
+    """The value over the throughput: settings that were tried, by one run each, and the front with its intervals.
+    @return matplotlib's axes"""
+    with drawing(axes, SIZE) as axes:
+        axes.plot(front.tried.throughput, front.tried.value, ".", **{**RUNS, "color": color, "alpha": 0.3})
+        axes.errorbar(front.table.throughput, front.table.value, front.table.value_half_width,
+                      front.table.throughput_half_width, fmt="o-", capsize=2, color=color, label=name)
+        goal = front.machine.goal
+        axes.set(xlabel="throughput [disks/s]", ylabel=f"|{goal}|" if front.machine.is_signed else label(goal))
+        axes.set_xlim(left=0.0)
+        axes.legend()
+        return axes
+
+
 def _best(axes, *place):
     axes.plot(*place, "*", color="white", markeredgecolor="black", markersize=13, zorder=5, label="best")
 

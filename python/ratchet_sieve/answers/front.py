@@ -1,0 +1,190 @@
+"""The front of separation against throughput: settings that no other beats in both.
+
+Many settings are tried by Optuna's tree-structured Parzen estimators of two objectives (Ozaki et al., GECCO 2020, doi
+10.1145/3377930.3389817). The most promising ones are run with fresh seeds, which decide what is on the front; what is
+reported comes from seeds that decided nothing.
+"""
+from __future__ import annotations
+
+import dataclasses
+import os
+import pathlib
+import warnings
+from typing import Any, Iterable, Mapping, Optional
+
+import numpy as np
+import pandas
+
+from ratchet_sieve import stats
+from ratchet_sieve.answers.machine import Machine
+from ratchet_sieve.answers.search import BATCH, SEEDS
+from ratchet_sieve.arguments import integer
+from ratchet_sieve.progress import Progress
+from ratchet_sieve.scene import AnyScene
+from ratchet_sieve.texts import counted
+
+FIRST = 16   # settings that are spread over the ranges before densities are used
+PROMISING = 8  # settings that are run with fresh seeds
+RUNS = 6     # of each, to decide, and as many again to report
+TRIED, AGAIN = 1.0, 1.5  # durations of a setting's runs, over the shortest one
+
+
+@dataclasses.dataclass(repr=False)
+class Front:
+    """Settings that no other beats in both value and throughput.
+
+    table   DataFrame, by rising throughput: the swept keys, value (|separation|, or the goal), throughput [disks/s],
+            processed, each with half the width of its interval at 95 % (value_half_width ...), runs; all from seeds that
+            had no part in the choice; and `lower`, the lower end of the value's interval from the seeds that chose
+    tried   DataFrame: all settings, with the value and the throughput of one run; NaN where the machine does not work
+    """
+
+    machine: Any
+    table: pandas.DataFrame
+    tried: pandas.DataFrame
+
+    def best(self, throughput: float = 0.0) -> Optional[dict]:
+        """The settings with the highest value, by the lower end of its interval, at this throughput at least [disks/s];
+        None: there are none."""
+        row = self.best_row(throughput)
+        return None if row is None else {key: row[key] for key in self.machine.keys}
+
+    def best_row(self, throughput: float = 0.0) -> Optional[dict]:
+        """The row of best() in the table."""
+        enough = self.table[self.table.throughput >= throughput]
+        return None if enough.empty else self.table.astype(object).loc[enough.lower.idxmax()].to_dict()
+
+    def scene(self, throughput: float = 0.0) -> Any:
+        """The scene with best(). Raises ValueError where there is none."""
+        best = self.best(throughput)
+        if best is None:
+            raise ValueError(f"throughput = {throughput:g}: no setting of the front has as much")
+        return self.machine.scene.replace(best)
+
+    def __str__(self) -> str:
+        return f"{self.machine.goal} against throughput, {counted(len(self.tried), 'setting')} tried\n" + \
+            self.table.drop(columns="lower").to_string(index=False, float_format="{:.4g}".format)
+
+    __repr__ = __str__
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draws the front over all settings that were tried. Returns matplotlib's axes."""
+        from ratchet_sieve.plots.answer import draw_front
+
+        return draw_front(self, axes)
+
+    def write(self, path: Any) -> None:
+        """Writes the table (.csv), or a picture (.png, .svg, .pdf). Raises OSError, ValueError."""
+        if pathlib.Path(os.fspath(path)).suffix == ".csv":
+            self.table.to_csv(path, index=False)
+        else:
+            self.plot().figure.savefig(path)
+
+
+def front(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, trials: int = 160, goal: Optional[str] = None,
+          start: Iterable[Mapping[str, float]] = (), seed: int = 1, results: Any = None, threads: int = 0,
+          progress: bool = True) -> Front:
+    """Settings of a fed machine that part its kinds well at much throughput. Needs Optuna.
+
+    scene, over, goal, seed, results, threads  as of separate()
+    trials  settings that are tried
+    start   settings that are tried first; of keys that one does not name, the scene's own values
+    Raises SceneError, ValueError before anything runs, ImportError without Optuna, RuntimeError where the machine works
+    nowhere. After Ctrl-C the same call with the same results continues.
+    """
+    machine = Machine(scene, over, goal)
+    if machine.kind != "fed":
+        raise ValueError("feed.rate: must be above 0: a machine that is not fed has no lasting throughput")
+    trials = integer("trials", trials, 1)
+    options = {"threads": integer("threads", threads), "results": results}
+    seed = SEEDS * integer("seed", seed)
+    with Progress(progress, "front") as bar:
+        tried = _tried(machine, trials, [machine.place(settings) for settings in start], seed, options, bar)
+        promising = _promising(tried)
+        if promising.empty:
+            raise RuntimeError(f"the machine works nowhere in these ranges: {counted(trials, 'setting')} tried")
+        places = np.array([machine.place(row) for row in promising[machine.keys].to_dict("records")])
+        bar.show(0.8, f"{counted(len(places), 'setting')} again")
+        chosen = _measured(machine, places, seed + SEEDS // 2, options).dropna(subset=["value"])
+        kept = _unbeaten(chosen.value.to_numpy(), chosen.throughput.to_numpy())
+        chosen = chosen.iloc[kept]
+        bar.show(0.9, f"{counted(len(kept), 'setting')} of the front again")
+        table = _measured(machine, places[chosen.index], seed + SEEDS // 2 + RUNS, options)
+    lower = (chosen.value - chosen.value_half_width).to_numpy()
+    table = table.assign(lower=lower).dropna(subset=["value"]).sort_values("throughput", ignore_index=True)
+    return Front(machine, table, tried)
+
+
+def _tried(machine, trials, start, seed, options, bar):
+    """Optuna's settings, one run each. @return a row for each"""
+    try:
+        import optuna
+    except ImportError as error:
+        raise ImportError("a front needs Optuna: scripts/setup --optimise, or python3-optuna of Debian") from error
+    optuna.logging.set_verbosity(optuna.logging.WARNING)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", optuna.exceptions.ExperimentalWarning)
+        sampler = optuna.samplers.TPESampler(seed=seed % 2 ** 32, multivariate=True, constant_liar=True,
+                                             n_startup_trials=FIRST)
+    study = optuna.create_study(directions=["maximize", "maximize"], sampler=sampler)
+    names = [f"{k}" for k in range(len(machine.keys))]
+    for place in start:
+        study.enqueue_trial(dict(zip(names, map(float, place))))
+    rows = []
+    for first in range(0, trials, BATCH):
+        asked = [study.ask() for _ in range(min(BATCH, trials - first))]
+        places = np.array([[trial.suggest_float(name, 0.0, 1.0) for name in names] for trial in asked])
+        found = _seen(machine, places, TRIED, (seed, 1), options)
+        for trial, (value, throughput) in zip(asked, found[["value", "throughput"]].to_numpy()):
+            if np.isnan(value):
+                study.tell(trial, state=optuna.trial.TrialState.FAIL)
+            else:
+                study.tell(trial, (value, throughput))
+        rows.append(found)
+        best = pandas.concat(rows).value.max()
+        bar.show(0.8 * (first + len(asked)) / trials, f"{counted(first + len(asked), 'setting')}"
+                 + ("" if np.isnan(best) else f", best {best:.3g}"))
+    return pandas.concat(rows, ignore_index=True)
+
+
+def _seen(machine, places, duration, seeds, options):
+    """@return a row for each run: settings, value, throughput [disks/s], processed"""
+    rows = machine.run(places, np.full(len(places), duration * machine.shortest), seeds, **options)
+    value = machine.observed(rows)["value"]
+    settings = pandas.DataFrame([machine.settings(place) for place in np.repeat(places, seeds[1], axis=0)])
+    left = rows[[f"{side}.{name}" for side in ("left", "right") for name in machine.scene.species]].sum(axis=1)
+    return settings.assign(value=value.abs() if machine.is_signed else value, throughput=left / rows["simulated_time"],
+                           processed=rows["processed"])
+
+
+def _promising(tried):
+    """Of the settings that work the front, and the front without it, as long as there are too few."""
+    left, found = tried.dropna(subset=["value"]), []
+    while len(left) and sum(map(len, found)) < PROMISING:
+        kept = _unbeaten(left.value.to_numpy(), left.throughput.to_numpy())
+        found.append(left.iloc[kept])
+        left = left.drop(left.index[kept])
+    return pandas.concat(found).head(max(PROMISING, len(found[0]))) if found else left
+
+
+def _unbeaten(values, throughputs):
+    """@return the numbers of the points which no other is as good as in both and better in one"""
+    pairs = np.stack([values, throughputs], axis=-1)
+    as_good = (pairs[:, None] >= pairs[None]).all(axis=-1)
+    better = (pairs[:, None] > pairs[None]).any(axis=-1)
+    return np.flatnonzero(~(as_good & better).any(axis=0))
+
+
+def _measured(machine, places, first, options):
+    """@return a row for each place: means over runs with seeds from `first` on; NaN unless the machine works in all"""
+    rows = _seen(machine, places, AGAIN, (first, RUNS), options)
+    lines = []
+    for k in range(len(places)):
+        part = rows.iloc[RUNS * k:RUNS * (k + 1)]
+        line = {**machine.settings(places[k]), "runs": RUNS}
+        for name in ("value", "throughput", "processed"):
+            mean = stats.mean_of(part[name]) if part.value.notna().all() else None
+            line.update({name: mean.value if mean else np.nan,
+                         f"{name}_half_width": mean.half_width() if mean else np.nan})
+        lines.append(line)
+    return pandas.DataFrame(lines)
