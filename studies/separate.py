@@ -15,7 +15,7 @@ import numpy as np
 
 import ratchet_sieve as rs
 from ratchet_sieve import documents, origin, stats
-from ratchet_sieve.texts import table
+from ratchet_sieve.texts import plus_minus, table
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MARK = "separate-costs"
@@ -26,6 +26,8 @@ FRESH = 900_000_000  # first seed of the reference, of which no search knows
 GRID = {THETA: 15, F: 12}
 COLUMNS = {"seeds": "seeds", "cost": "median [s]", "most": "most [s]", "separated": "separated", "near": "within 0.02",
            "held": "held", "lost": "mean loss"}
+STAGE = {THETA: 0.25, F: 18.0, "duration": 300.0}  # of each of two stages of glass and rubber
+STAGES = "two_stages"
 HALVING = ((60.0, 1, 1.0), (120.0, 2, 1.0 / 3.0), (300.0, 3, 0.3), (300.0, 6, 0.375))  # duration [s], seeds, share kept
 
 
@@ -116,6 +118,21 @@ def measure_halving(scene, over, seeds, best):
             "near": f"{sum(each <= WITHIN for each in lost)} of {seeds}", "lost": f"{statistics.mean(lost):.3f}"}
 
 
+def measure_two_stages(scene, seeds):
+    """Of two like machines, the second one sieving what leaves the first one to the right: by mass, the purity of glass
+    at the far end and that of rubber at the others. @return the figures as texts"""
+    def purities(seed):
+        first = rs.run(scene.replace(seed=seed))
+        second = rs.run(scene.replace(seed=seed + FRESH), feed=first.exits.right)
+        for name, rows in (("glass", [*second.exits.right]), ("rubber", [*first.exits.left, *second.exits.left])):
+            yield sum(row["mass"] for row in rows if row["species"] == name) / sum(row["mass"] for row in rows)
+
+    found, cost = timed(lambda: [list(purities(seed)) for seed in range(1, seeds + 1)])
+    means = [stats.mean_of(column) for column in zip(*found)]
+    return {"seeds": f"{seeds}", "cost": f"{cost:.2g}",
+            **{name: plus_minus(mean.value, mean.half_width()) for name, mean in zip(("glass", "rubber"), means)}}
+
+
 def lines_of(path):
     """The table's lines, from the figures of all problems that were measured."""
     figures = json.loads((path.parent / "data" / f"{path.stem}.json").read_text(encoding="utf-8"))
@@ -129,8 +146,8 @@ def lines_of(path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seeds", type=int, default=20, metavar="N", help="of each problem (default: 20)")
-    parser.add_argument("--only", nargs="+", metavar="PROBLEM", choices=list(problems()),
-                        help="measure these alone; the others are kept: " + ", ".join(problems()))
+    parser.add_argument("--only", nargs="+", metavar="PROBLEM", choices=[*problems(), STAGES],
+                        help="measure these alone; the others are kept: " + ", ".join([*problems(), STAGES]))
     parser.add_argument("--halving", action="store_true", help="measure successive halving as well; minutes")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs", metavar="DIR",
                         help="directory with separate.md (default: docs)")
@@ -139,7 +156,11 @@ def main():
     documents.require_place(parser, path, MARK)
     warnings.simplefilter("ignore", rs.SieveWarning)
     about = {**origin.describe(), "version": f"physics version {origin.physics()}"}
-    for name in options.only or problems():
+    for name in options.only or [*problems(), STAGES]:
+        if name == STAGES:
+            scene = rs.Scene.load(ROOT / "config/glass_rubber.yaml", STAGE)
+            documents.quote(path, name, measure_two_stages(scene, 48), about)
+            continue
         scene, over, _ = problems()[name]
         found = {f"surface.{key}": text for key, text in measure(name, scene, over, options.seeds).items()}
         if options.halving:

@@ -56,7 +56,7 @@ class Answer:
                 scene leaves more to the left. In a closed machine the difference of mean velocities, first less
                 second [m/s]; with a goal of the user's, that number
     separated   whether the interval does not contain 0
-    bound       |value| is not above this at any setting, at 95 % of each by the surface
+    bound       |value| is not above this at any setting, at 95 % of all together, by the surface
     as_good     DataFrame: settings that cannot be told from the best, with the surface's value and half_width there
     throughput  disks [1/s], mass [kg/s] of the one plane of disks, mass_per_depth [kg/(s m)]: planes side by side, each
                 as thick as the mean diameter `depth` [m]. None in a closed machine

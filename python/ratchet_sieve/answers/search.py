@@ -1,8 +1,8 @@
 """Which settings to run next: until the best is known, or cannot be told from others by more than is wanted.
 
 A surface is fitted to all runs. The best place is where it is highest. As long as any other place may be better by more
-than TIGHTER times `within` (95 %), the one which may be so most, over what it costs, or else the best itself, whichever
-is known less, is run next (LUCB, Kalyanakrishnan et al., ICML 2012, with a Gaussian process in place of single arms).
+than `within`, at 95 % of all places together, the one which may be so most, over what it costs, or else the best
+itself, whichever is known less, is run next (LUCB, Kalyanakrishnan et al., ICML 2012, with a Gaussian process in place of single arms).
 """
 import time
 
@@ -13,11 +13,11 @@ from ratchet_sieve.answers.machine import LONGEST, RESIDENCES
 from ratchet_sieve.answers.surface import Surface
 
 Z = 1.96          # normal quantile of 95 %, two-sided
+ANYWHERE = 2.5    # the same for all places together, of which about four tell nothing about each other
 BATCH = 8         # runs at a time; the same on any number of cores, so that the answer is the same
 FIRST = {1: 11, 2: 32}  # places that are run first, of one and two ranges; more ranges: 16 each
 GRID = {1: 81, 2: 33}   # candidates along each of one and two ranges
 CANDIDATES = 2048       # of more ranges
-TIGHTER = 0.7     # than `within` the search aims at: the surface is not quite what it is fitted to
 MOST = 400        # runs of a search
 NEIGHBOURS = (0.08, 0.04)  # of a range: so far from the best its neighbours are run before the search ends
 COSTLIEST = 200.0  # events that a simulated second may take, over the median of the first runs: a nearly choked base
@@ -122,7 +122,7 @@ class Search:
         height = np.where(self.works, np.abs(self.value) if self.machine.is_signed else self.value, -np.inf)
         self.best = int(height.argmax()) if best is None else best
         self.may = self._may(self._surface, variance, half)
-        self.bound = float((np.abs(self.value) + Z * self.error)[self.works].max())
+        self.bound = float((np.abs(self.value) + ANYWHERE * self.error)[self.works].max())
         return True
 
     def _rates(self, seen):
@@ -134,19 +134,19 @@ class Search:
         return np.exp(value + np.sqrt(variance))
 
     def _may(self, surface, variance, half):
-        """By how much each place may be better than the best, at 95 %."""
+        """By how much each place may be better than the best, at 95 % of all places together."""
         covariance, k = surface.covariance_with(self.grid, half, self.best), self.best
         up = 1.0 if self.value[k] >= 0.0 or not self.machine.is_signed else -1.0
         spread = variance + variance[k]
-        may = up * (self.value - self.value[k]) + Z * np.sqrt(np.maximum(spread - 2.0 * covariance, 0.0))
+        may = up * (self.value - self.value[k]) + ANYWHERE * np.sqrt(np.maximum(spread - 2.0 * covariance, 0.0))
         if self.machine.is_signed:  # the kinds may part the other way round
-            other = -up * (self.value + self.value[k]) + Z * np.sqrt(np.maximum(spread + 2.0 * covariance, 0.0))
+            other = -up * (self.value + self.value[k]) + ANYWHERE * np.sqrt(np.maximum(spread + 2.0 * covariance, 0.0))
             may = np.maximum(may, other)
         return np.where(self.works, may, -np.inf)
 
     def is_separated(self):
         """Whether the sign of the best is known."""
-        return abs(self.value[self.best]) > Z * self.error[self.best]
+        return abs(self.value[self.best]) > ANYWHERE * self.error[self.best]
 
     def nowhere(self):
         """Whether the value is surely small everywhere."""
@@ -176,9 +176,9 @@ class Search:
         picks, places, errors = {}, [], []
         may, error = self.may, self.error
         for _ in range(BATCH):
-            over = may / (TIGHTER * self.within) - 1.0
+            over = may / self.within - 1.0
             if not self.is_separated() and self.machine.is_signed:
-                over = np.maximum(over, (np.abs(self.value) + Z * error) / (0.5 * self.within) - 1.0)
+                over = np.maximum(over, (np.abs(self.value) + ANYWHERE * error) / (0.5 * self.within) - 1.0)
             over = np.where(self.works & (most >= 1.0), over, 0.0)
             if over.max() <= 0.0:
                 break
