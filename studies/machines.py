@@ -26,11 +26,11 @@ MIXTURES = {
     "restitution": ("A (e = 0.9) and B (e = 0.4), else the same: 1 mm, 1 g",
                     {**ONE_SIZE, **ONE_MASS, "species.0.restitution": 0.9, "species.1.restitution": 0.4}, 20.0),
 }
-PAPER = {"base.inclination": (-0.1, 0.35), "base.teeth": (10, 40), "feed.rate": (5.0, 50.0)}
+PAPER = {"base.inclination": (-0.1, 0.35), "base.teeth": (10, 40), "feed.rate": (10.0, 50.0)}
 ANY = {**PAPER, "base.asymmetry": (0.0, 0.5), "base.tooth_height": (0.002, 0.018), "base.frequency": (8.0, 40.0),
        "base.amplitude": (0.0005, 0.006), "base.horizontal_amplitude": (0.0, 0.003),
        "base.horizontal_phase": (-3.14, 3.14)}
-KINDS = {"the paper's teeth and drive": (PAPER, 48), "any teeth, driven obliquely as well": (ANY, 200)}
+KINDS = {"the paper's teeth and drive": (PAPER, 48), "any teeth, driven obliquely as well": (ANY, 120)}
 VERTICAL = {"base.horizontal_amplitude": 0.0, "base.horizontal_phase": 0.0}  # of the paper's drive
 HEADER = ("# {title}: the best machine that studies/machines.py found, at {throughput:g} disks/s at least; docs/machines.md"
           "\n# has its results. Every key is explained in paper_fig8.yaml.\n")
