@@ -93,7 +93,7 @@ def main():
     if "--version" in sys.argv[1:]:
         import ratchet_sieve
 
-        print(ratchet_sieve.__version__)
+        print(f"sieve_separate {ratchet_sieve.__version__}")
         return
     options = make_parser().parse_args()
     try:
@@ -106,8 +106,7 @@ def main():
     except RuntimeError as error:
         sys.exit(f"sieve_separate: {error}")
     except KeyboardInterrupt:
-        print("sieve_separate: interrupted before there is an answer; the same command continues", file=sys.stderr)
-        sys.exit(130)
+        sys.exit("sieve_separate: interrupted before there is an answer; the same command continues")
 
 
 if __name__ == "__main__":

@@ -108,6 +108,8 @@ def _fresh_runs(search, deadline, bar, fresh, notes):
     @param fresh gets the runs. @return False where the machine does not work there, as a rule"""
     machine = search.machine
     duration = search.final_duration(FRESH, search.within / EXPECTED, LONG_ENOUGH)
+    if deadline is not None:
+        duration = max(min(duration, search.affordable(FRESH, deadline)), machine.shortest)
     fresh.rows = pandas.DataFrame()
     while True:
         rows = fresh.rows = pandas.concat([fresh.rows, search.fresh(FRESH, duration)], ignore_index=True)

@@ -4,6 +4,7 @@ A surface is fitted to all runs. The best place is where it is highest. As long 
 than `within`, at 95 % of all places together, the one which may be so most, over what it costs, or else the best
 itself, whichever is known less, is run next (LUCB, Kalyanakrishnan et al., ICML 2012, with a Gaussian process in place of single arms).
 """
+import os
 import time
 
 import numpy as np
@@ -229,6 +230,12 @@ class Search:
         single = SINGLE if self.machine.is_signed else self._known[1].max() * self.machine.rate * self.machine.shortest
         return max(single * max(self._surface.excess, 1.0) / error ** 2 / self.machine.rate / runs,
                    residences * self._residence[self.best], self.machine.shortest)
+
+    def affordable(self, runs, deadline):
+        """The duration of so many runs of the best that end by a deadline, by what the runs so far took [s]."""
+        threads = self._options.get("threads") or os.cpu_count()
+        events = self.runs["events"].sum() / self.runs["wall_time"].sum() * threads * (deadline - time.monotonic())
+        return events / self._rate[self.best] / runs
 
     def is_late(self):
         return self.deadline is not None and time.monotonic() > self.deadline
