@@ -15,7 +15,7 @@ elseif(RATCHET_SIEVE_PYTHON)
   install(PROGRAMS python/sieve_separate DESTINATION ${RATCHET_SIEVE_BIN_DESTINATION})
 endif()
 install(DIRECTORY include/ratchet_sieve/ DESTINATION ${RATCHET_SIEVE_INCLUDE_DESTINATION})
-install(DIRECTORY config examples launch DESTINATION ${RATCHET_SIEVE_SHARE_DESTINATION})
+install(DIRECTORY config examples launch DESTINATION ${RATCHET_SIEVE_SHARE_DESTINATION} USE_SOURCE_PERMISSIONS)
 install(FILES rviz/sieve.rviz DESTINATION ${RATCHET_SIEVE_SHARE_DESTINATION}/rviz)
 
 # The targets for other packages: see ratchet_sieve-extras.cmake.in.

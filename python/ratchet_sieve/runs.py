@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import html
+import math
 import os
 import pathlib
 import sys
@@ -171,6 +172,13 @@ class Run(Recording):
         self._warnings = summary.warnings
         self.collisions = collisions
         self.exits = exits
+
+    def separation(self, since: float = 0.0, until: float = math.inf) -> Optional[float]:
+        """s of the disks that left after `since` until `until` [s], as the summary has it of all: above 0 the first
+        species of the scene (of more than two, of the best pair) left on the left. None until one of each has left."""
+        left = self.exits[(self.exits["time"] > since) & (self.exits["time"] <= until)]
+        return _engine.separation([tuple(np.count_nonzero(side["species"] == name) for side in (left.left, left.right))
+                                   for name in self.scene.species])
 
     def __repr__(self) -> str:
         return f"<Run of {self.scene.source}, {self.summary.simulated_time:.6g} s>\n{self.summary!r}"

@@ -153,6 +153,16 @@ std::vector<SpeciesBins> Simulation::bins() const
   return engine_->state().observers().bins();
 }
 
+void Simulation::keepExits(double length)
+{
+  engine_->state().observers().keepExits(length, time());
+}
+
+ExitWindow Simulation::exitWindow(double not_before) const
+{
+  return engine_->state().observers().exitWindow(time(), not_before);
+}
+
 const CollisionCounts& Simulation::collisions() const
 {
   return engine_->state().observers().counts().collisions;

@@ -84,6 +84,7 @@ std::unique_ptr<Run> RunControl::makeRun(const SceneDefinition& scene, std::vect
 {
   Simulation simulation(scene, start_time, pour_observer_);
   simulation.setThreads(parameters_.threads);
+  simulation.keepExits(parameters_.window);
   auto run = std::make_unique<Run>(std::move(simulation), end_time);
   run->add(sinks_, parameters_.rates);
   run->observeExits(exit_observer_);

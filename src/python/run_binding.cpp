@@ -1,12 +1,16 @@
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include "bindings.h"
+#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/recording/headless_run.h"
 #include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/summary.h"
@@ -139,10 +143,20 @@ py::tuple run(RunningSimulation& running, double frame_rate, bool collisions, st
                         collisions ? py::object(arrayOf(*records)) : py::none(), arrayOf(*exits));
 }
 
+/// s of the best pair of species. @param counts of each species that which left on the left and on the right
+std::optional<double> separation(const std::vector<std::pair<std::uint64_t, std::uint64_t>>& counts)
+{
+  std::vector<SpeciesBins> bins;
+  for (const auto& [left, right] : counts)
+    bins.push_back({left, right});
+  return bestSeparation(bins).separation;
+}
+
 }  // namespace
 
 void bindRun(py::module_& module)
 {
+  module.def("separation", &separation, py::arg("counts"));
   module.def("run", &run, py::arg("simulation"), py::arg("frame_rate"), py::arg("collisions"),
              py::arg("threads"), py::arg("progress"));
   py::list kinds;

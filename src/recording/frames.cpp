@@ -109,13 +109,21 @@ void addRatios(BinFrame& frame)
   frame.processed = processedRatio(frame.bins);
 }
 
-BinFrame makeBinFrame(const Simulation& simulation)
+BinFrame makeBinFrame(const Simulation& simulation, double window_start)
 {
   BinFrame frame;
   frame.time = simulation.time();
   frame.species = speciesNames(simulation.scene());
   frame.bins = simulation.bins();
   addRatios(frame);
+  const ExitWindow window = simulation.exitWindow(window_start);
+  frame.window_start = window.start;
+  for (const SpeciesBins& bins : window.bins)
+  {
+    frame.window_left.push_back(bins.left);
+    frame.window_right.push_back(bins.right);
+  }
+  frame.window_separation = bestSeparation(window.bins).separation;
   return frame;
 }
 

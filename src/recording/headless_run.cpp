@@ -45,6 +45,8 @@ public:
       audits_ += 1.0;
     if (simulation.scene().accuracy.endsEarly())
       looks_.emplace(simulation);
+    if (!watchers_.frames.empty())
+      simulation.keepExits(BIN_WINDOW);
     for (const FrameStream& stream : watchers_.frames)
       run_.add(*stream.sink, stream.rates);
   }

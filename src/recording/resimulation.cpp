@@ -61,6 +61,19 @@ StatisticsFrame comparable(StatisticsFrame frame)
   return frame;
 }
 
+/// An earlier bag has no window.
+BinFrame comparable(BinFrame frame, const BinFrame& recorded)
+{
+  if (recorded.window_left.empty())
+  {
+    frame.window_start = 0.0;
+    frame.window_left.clear();
+    frame.window_right.clear();
+    frame.window_separation.reset();
+  }
+  return frame;
+}
+
 /// Before the first period has ended both are the time of the first frame.
 bool hasNoWindow(const StatisticsFrame& frame)
 {
@@ -126,6 +139,7 @@ void Resimulation::begin(const SceneFrame& frame)
   scene_ = frame;
   simulation_ = std::make_unique<Simulation>(sceneFromText(frame.yaml, "the recorded scene").definition,
                                              frame.start_time);
+  simulation_->keepExits(std::numeric_limits<double>::infinity());
   run_.emplace(*simulation_, std::numeric_limits<double>::infinity());
 }
 
@@ -191,12 +205,14 @@ void Resimulation::dropSame(std::vector<Frame>& frames, const Frame& now)
 }
 
 template <typename Frame>
-Frame Resimulation::now() const
+Frame Resimulation::now(const Frame& recorded) const
 {
-  Frame frame = makeFrame<Frame>(*simulation_, window_);
-  if constexpr (std::is_same_v<Frame, StatisticsFrame>)
-    frame = comparable(frame);
-  return frame;
+  if constexpr (std::is_same_v<Frame, BinFrame>)
+    return comparable(makeBinFrame(*simulation_, recorded.window_start), recorded);
+  else if constexpr (std::is_same_v<Frame, StatisticsFrame>)
+    return comparable(makeStatisticsFrame(*simulation_, window_));
+  else
+    return makeFrame<Frame>(*simulation_, window_);
 }
 
 void Resimulation::compareAsThingsAre()
@@ -208,7 +224,7 @@ void Resimulation::compareAsThingsAre()
       if (period.start >= statistics.front().window_start)
         window_.take(period);
     window_.moveTo(*simulation_);
-    const StatisticsFrame now = this->now<StatisticsFrame>();
+    const StatisticsFrame now = this->now(statistics.front());
     for (StatisticsFrame& recorded : statistics)
     {
       recorded = comparable(recorded);
@@ -222,8 +238,8 @@ void Resimulation::compareAsThingsAre()
       [this](auto type)
       {
         using Frame = typename decltype(type)::Frame;
-        if (!instant_.of<Frame>().empty())
-          dropSame(instant_.of<Frame>(), now<Frame>());
+        if (std::vector<Frame>& recorded = instant_.of<Frame>(); !recorded.empty())
+          dropSame(recorded, now(recorded.front()));
       });
 }
 
@@ -240,7 +256,7 @@ std::string Resimulation::describeDifference()
         if (text.empty() && !recorded.empty())
           text = fmt::format("at {:.17g} s the frames of {} differ: {}", instant_.time,
                              describe(kindOf<Frame>()).name,
-                             firstDifference("", recorded.front(), now<Frame>()));
+                             firstDifference("", recorded.front(), now(recorded.front())));
       });
   return text;
 }

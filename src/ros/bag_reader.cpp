@@ -4,9 +4,11 @@
 #include <array>
 #include <memory>
 #include <new>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -28,16 +30,33 @@ constexpr std::size_t LONGEST_REASON = 300;
 /// place: an empty array, an undefined number.
 struct EarlierType
 {
-  const char* checksum = "";
-  std::size_t missing = 0;  ///< [bytes]
+  std::string_view checksum;
+  std::size_t missing;  ///< [bytes]
 };
 
 template <typename Message>
-constexpr EarlierType EARLIER = {};
+constexpr std::array<EarlierType, 0> EARLIER = {};
 template <>
-constexpr EarlierType EARLIER<ParticleStates> = {"adb6351783fa1df73aef027d3828d669", sizeof(std::uint32_t)};
+constexpr std::array<EarlierType, 1> EARLIER<ParticleStates> = {
+    {{"adb6351783fa1df73aef027d3828d669", sizeof(std::uint32_t)}}};
+
+constexpr std::size_t BIN_WINDOW_BYTES = 2 * sizeof(double) + 2 * sizeof(std::uint32_t) + 1;
 template <>
-constexpr EarlierType EARLIER<BinCounts> = {"8cc345b25409bfd727e7181dbe20f1bc", sizeof(double) + 1};
+constexpr std::array<EarlierType, 2> EARLIER<BinCounts> = {
+    {{"8cc345b25409bfd727e7181dbe20f1bc", sizeof(double) + 1 + BIN_WINDOW_BYTES},
+     {"6ffd59933426132a23002197e6036dc1", BIN_WINDOW_BYTES}}};
+
+/// The bytes that a message of this checksum lacks: none of the present type; nothing for an unknown one.
+template <typename Message>
+std::optional<std::size_t> missingBytes(std::string_view checksum)
+{
+  if (checksum == ros::message_traits::md5sum<Message>())
+    return 0;
+  for (const EarlierType& earlier : EARLIER<Message>)
+    if (checksum == earlier.checksum)
+      return earlier.missing;
+  return std::nullopt;
+}
 
 /// The frames of one topic, with one frame of read-ahead.
 class Stream
@@ -80,18 +99,18 @@ private:
   {
     if (TopicStream::done())
       return;
-    const bool earlier = position_->getMD5Sum() == EARLIER<Message>.checksum;
-    if (!position_->isType<Message>() && !earlier)
+    const std::optional<std::size_t> missing = missingBytes<Message>(position_->getMD5Sum());
+    if (!missing)
       throw std::invalid_argument(position_->getTopic() + " does not have its declared type");
-    frame_ = toFrame(earlier ? completed() : *position_->instantiate<Message>());
+    frame_ = toFrame(*missing > 0 ? completed(*missing) : *position_->instantiate<Message>());
     if (!isStamp(frame_.time))
       throw std::invalid_argument(position_->getTopic() + " has a message with an invalid time");
   }
 
   /// An earlier message, with zeros for what it lacks.
-  Message completed() const
+  Message completed(std::size_t missing) const
   {
-    std::vector<std::uint8_t> bytes(position_->size() + EARLIER<Message>.missing);
+    std::vector<std::uint8_t> bytes(position_->size() + missing);
     ros::serialization::OStream filled(bytes.data(), position_->size());
     position_->write(filled);
     Message message;
@@ -115,8 +134,7 @@ std::string topicOf(rosbag::View& all)
   {
     if (connection->datatype != type)
       continue;
-    if (connection->md5sum != ros::message_traits::md5sum<Message>() &&
-        connection->md5sum != EARLIER<Message>.checksum)
+    if (!missingBytes<Message>(connection->md5sum))
       throw std::invalid_argument(connection->topic + " was recorded with another version of " + type);
     topics.insert(connection->topic);
   }

@@ -16,8 +16,9 @@ namespace
 /// Largest real-time factor; for a faster run, use 0 (as fast as possible).
 constexpr double MAX_REAL_TIME_FACTOR = 1e6;
 
-constexpr double MAX_SPLIT_SIZE = 1e6;  // MB
-constexpr double MAX_DISTANCE = 1e6;    // m
+constexpr double MAX_SPLIT_SIZE = 1e6;    // MB
+constexpr double SHORTEST_WINDOW = 1e-3;  // s
+constexpr double MAX_DISTANCE = 1e6;      // m
 
 /// Interval between checks of ~real_time_factor: short for a user, long compared to the cost [wall time].
 constexpr std::chrono::duration<double> BETWEEN_LOOKS(0.02);
@@ -160,6 +161,7 @@ NodeParameters readNodeParameters(const ros::NodeHandle& private_node)
   readRates(reader, "recording/", parameters.recording.rates);
   parameters.recording.split_size = reader.number("recording/split_size", 0.0, 0.0, MAX_SPLIT_SIZE);
   parameters.recording.split_duration = reader.number("recording/split_duration", 0.0, 0.0, LONGEST_DURATION);
+  parameters.window = reader.number("window", parameters.window, SHORTEST_WINDOW, LONGEST_DURATION);
   readRates(reader, "rates/", parameters.rates);
   parameters.display_rate = reader.number("rates/display", parameters.display_rate, 0.0, MAX_WALL_RATE);
   parameters.clock_rate = reader.number("rates/clock", parameters.clock_rate, 1.0, MAX_WALL_RATE);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -31,6 +32,52 @@ TEST(FedMachine, ForgetsTheDisksThatHaveLeft)
     EXPECT_EQ(counted, poured);
     EXPECT_EQ(simulation.auditOverlaps(), 0u);
     EXPECT_LT(simulation.maxOverlap(), 1e-9 * simulation.scene().species[0].radius);
+  }
+}
+
+/// What left after `start`, counted from the exits that were told.
+std::vector<SpeciesBins> exitsAfter(double start, const std::vector<ExitRecord>& exits, std::size_t species)
+{
+  std::vector<SpeciesBins> bins(species);
+  for (const ExitRecord& exit : exits)
+    if (exit.time > start)
+      ++(exit.side == Exit::LEFT_BIN ? bins[exit.species].left : bins[exit.species].right);
+  return bins;
+}
+
+void expectSameCounts(const std::vector<SpeciesBins>& some, const std::vector<SpeciesBins>& others)
+{
+  for (std::size_t s = 0; s < some.size(); ++s)
+  {
+    EXPECT_EQ(some[s].left, others[s].left);
+    EXPECT_EQ(some[s].right, others[s].right);
+    EXPECT_EQ(some[s].on_base, 0u);
+  }
+}
+
+TEST(FedMachine, KeepsTheExitsOfAnIntervalHoweverOftenItIsAsked)
+{
+  constexpr double LENGTH = 0.5;  // s
+  for (const bool pairs : {true, false})
+  {
+    Simulation seldom(test::fedSieve(pairs)), often(test::fedSieve(pairs));
+    EXPECT_EQ(seldom.exitWindow().start, 0.0);
+    std::vector<ExitRecord> exits;
+    often.observeExits([&](const ExitRecord& exit) { exits.push_back(exit); });
+    seldom.keepExits(LENGTH);
+    often.keepExits(LENGTH);
+    for (const double time : {0.1, 0.3, 0.7, 1.9, 2.0, 4.0})
+    {
+      often.advanceTo(time);
+      const ExitWindow window = often.exitWindow();
+      EXPECT_EQ(window.start, std::max(0.0, time - LENGTH));
+      expectSameCounts(window.bins, exitsAfter(window.start, exits, window.bins.size()));
+    }
+    seldom.advanceTo(4.0);
+    EXPECT_GT(seldom.exitWindow().bins[0].counted(), 0u);
+    expectSameCounts(seldom.exitWindow().bins, often.exitWindow().bins);
+    EXPECT_EQ(often.exitWindow(3.9).start, 3.9);
+    expectSameCounts(often.exitWindow(3.9).bins, exitsAfter(3.9, exits, often.bins().size()));
   }
 }
 

@@ -123,6 +123,14 @@ class Documents(unittest.TestCase):
             if found:
                 self.assertIn(found.group(1), known, f'{name}: {span}')
 
+    def test_the_help_of_the_node_has_its_parameters(self):
+        known = {*re.findall(r'\w+', self.session.output('rosrun ratchet_sieve sieve_node --help'))}
+        table = (PACKAGE / 'docs/node.md').read_text().partition('| Parameter |')[2].partition('\n\n')[0]
+        names = [name for row in table.splitlines()[2:] for name in re.findall(r'`~?([\w/]+)`', row.split('|')[1])]
+        self.assertGreater(len(names), 30)
+        for name in names:
+            self.assertLessEqual({*name.split('/')}, known, name)
+
     def test_files_are_there(self):
         for name, span in self.spans():
             with self.subTest(f'{name}: {span}'):
@@ -170,8 +178,9 @@ class Documents(unittest.TestCase):
 
     @staticmethod
     def launch_arguments(launch):
-        return {arg.get('name') for arg in xml.etree.ElementTree.parse(PACKAGE / 'launch' / launch).iter('arg')
-                if arg.get('name')}
+        path = next(path for path in (PACKAGE / 'launch' / launch, PACKAGE / 'examples/my_feeder/launch' / launch)
+                    if path.exists())
+        return {arg.get('name') for arg in xml.etree.ElementTree.parse(path).iter('arg') if arg.get('name')}
 
 
 def assignments(span):

@@ -20,6 +20,10 @@ NOT_RUN = {
     'rosrun ratchet_sieve sieve_run config/paper_fig8.yaml --duration': 'a minute each',
     'printf': 'needs two other machines; many_machines_test does the same',
     'seq 8': 'needs two other machines; many_machines_test does the same',
+    'mkdir -p ~/feeder_ws': 'builds; the test foreign_package does the same',
+    'cd ~/feeder_ws': 'builds; the test foreign_package does the same',
+    'roslaunch my_feeder': 'of the package that is not built',
+    'rostest my_feeder': 'of the package that is not built',
     'sbatch': 'needs a cluster; many_machines_test does the same',
     'rosrun ratchet_sieve sieve_sweep merge': 'merges what the command before it has run',
     'rosrun ratchet_sieve sieve_sweep report fig9.yaml --check-floor':

@@ -136,6 +136,11 @@ def test_a_second_stage_has_exactly_the_disks_that_left_the_first(scene, tmp_pat
     assert (np.diff(exits["time"]) >= 0.0).all() and set(exits["species"]) == {"A", "B"}
     for of in first.summary.species:
         assert (exits.left["species"] == of.name).sum() == of.left
+    assert first.separation() == first.summary.separation
+    late = exits[exits["time"] > 2.0]
+    shares = [(late[late["species"] == name]["side"] == "left").mean() for name in first.scene.species]
+    assert first.separation(since=2.0) == pytest.approx(shares[0] - shares[1])
+    assert first.separation(until=0.0) is None
 
     emptied = scene.replace({"species.0.count": 0, "species.1.count": 0, "duration": 3.0, "feed.rate": 7.0})
     second = rs.run(emptied.replace({"base.inclination": -0.3}), feed=exits.left, progress=False)

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <future>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +17,9 @@ namespace
 {
 /// Long enough to be interrupted, short enough that a failing test ends [s].
 constexpr double LONG = 2000.0;
+
+constexpr double STEP = 0.05;   // s
+constexpr double WINDOW = 0.5;  // s
 
 /// A paused sieve with a long scene, which records as fast as possible.
 class Command : public testing::Test
@@ -62,6 +67,7 @@ protected:
                        {{"scene/duration", LONG},
                         {"record", bag()},
                         {"real_time_factor", 0.0},
+                        {"window", WINDOW},
                         {"limits/inclination/slew_rate", 0.4}}};
   SieveClient& sieve_ = started_.sieve;
 };
@@ -160,14 +166,15 @@ TEST_F(Command, aRunIsGivenAgainBitForBit)
   EXPECT_EQ(resimulate(bag("nowhere.bag")), 1);
 }
 
-/// A controller that tilts to the side on which more disks have left, in lock step. @return its last response
-LockStep::Response controlledRun(SieveClient& sieve, std::uint64_t seed)
+/// A controller that tilts to the side on which more disks have left, in lock step. @return its responses
+std::vector<LockStep::Response> controlledRun(SieveClient& sieve, std::uint64_t seed)
 {
   EXPECT_TRUE(sieve.reset(seed).success);
   // One connection for all steps, as a real controller would use.
   ros::ServiceClient lock_step = sieve.node.serviceClient<LockStep>("lock_step", true);
   LockStep step;
-  step.request.duration = 0.05;
+  step.request.duration = STEP;
+  std::vector<LockStep::Response> responses;
   for (int k = 0; k < 40; ++k)
   {
     EXPECT_TRUE(lock_step.call(step));
@@ -176,20 +183,41 @@ LockStep::Response controlledRun(SieveClient& sieve, std::uint64_t seed)
     setpoint.quantity = "inclination";
     setpoint.value = step.response.bins.left.at(0) > step.response.bins.right.at(0) ? 0.1 : -0.1;
     step.request.setpoints = {setpoint};
+    responses.push_back(step.response);
   }
-  return step.response;
+  return responses;
 }
 
 TEST_F(Command, inLockStepAControllerRunsTheSameEachTime)
 {
-  const LockStep::Response first = controlledRun(sieve_, 5), second = controlledRun(sieve_, 5),
-                           other = controlledRun(sieve_, 6);
+  const LockStep::Response first = controlledRun(sieve_, 5).back(), second = controlledRun(sieve_, 5).back(),
+                           other = controlledRun(sieve_, 6).back();
   EXPECT_NEAR(first.time, 2.0, 1e-12);
   EXPECT_NE(first.base.inclination, 0.0);
   EXPECT_TRUE(sameBits(toFrame(first.base), toFrame(second.base)));
   EXPECT_TRUE(sameBits(toFrame(first.bins), toFrame(second.bins)));
   EXPECT_TRUE(sameBits(toFrame(first.statistics).species, toFrame(second.statistics).species));
   EXPECT_FALSE(sameBits(toFrame(first.statistics).species, toFrame(other.statistics).species));
+}
+
+TEST_F(Command, theBinsTellWhatLeftLately)
+{
+  const std::vector<LockStep::Response> run = controlledRun(sieve_, 5);
+  const auto steps = static_cast<std::size_t>(WINDOW / STEP);
+  std::uint64_t most = 0;
+  for (std::size_t k = steps; k < run.size(); ++k)
+  {
+    const BinCounts &now = run[k].bins, &before = run[k - steps].bins;
+    EXPECT_EQ(now.window_start, now.time - WINDOW);
+    for (std::size_t s = 0; s < now.species.size(); ++s)
+    {
+      EXPECT_EQ(now.window_left.at(s), now.left[s] - before.left[s]);
+      EXPECT_EQ(now.window_right.at(s), now.right[s] - before.right[s]);
+      most = std::max(most, now.window_left[s]);
+    }
+  }
+  EXPECT_GT(most, 0u);
+  EXPECT_EQ(run.front().bins.window_start, 0.0);
 }
 }  // namespace
 }  // namespace ratchet_sieve

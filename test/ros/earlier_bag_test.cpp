@@ -1,4 +1,4 @@
-// Bags of before a message had its last fields: ParticleStates its radii, BinCounts its separation.
+// Bags of before a message had its last fields: ParticleStates the radii, BinCounts separation and window.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -30,7 +30,23 @@ topic_tools::ShapeShifter earlier(const Message& message, const char* checksum, 
   return shifter;
 }
 
-TEST(EarlierBag, IsReadBitForBit)
+/// The bins of the type of that time.
+struct EarlierBins
+{
+  const char* checksum;
+  std::size_t missing;  ///< bytes; the window's arrays are of two species
+  bool separation;
+};
+constexpr std::size_t WINDOW =
+    2 * sizeof(double) + 2 * (sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t)) + 1;
+constexpr EarlierBins BINS[] = {{"8cc345b25409bfd727e7181dbe20f1bc", sizeof(double) + 1 + WINDOW, false},
+                                {"6ffd59933426132a23002197e6036dc1", WINDOW, true}};
+
+class EarlierBag : public testing::TestWithParam<EarlierBins>
+{
+};
+
+TEST_P(EarlierBag, IsReadBitForBit)
 {
   const ScratchDirectory scratch;
   Simulation simulation(smallMixture());
@@ -43,14 +59,17 @@ TEST(EarlierBag, IsReadBitForBit)
       simulation.advanceTo(time);
       written.take(makeParticleFrame(simulation));
       written.take(makeBinFrame(simulation));
-      written.bins.back().separation = {};
       const ros::Time stamp = std::max(ros::TIME_MIN, ros::Time(time));
       file.write("/sieve/particles", stamp,
                  earlier(toMessage(written.particles.back()), "adb6351783fa1df73aef027d3828d669",
                          sizeof(std::uint32_t)));
-      file.write(
-          "/sieve/bins", stamp,
-          earlier(toMessage(written.bins.back()), "8cc345b25409bfd727e7181dbe20f1bc", sizeof(double) + 1));
+      file.write("/sieve/bins", stamp,
+                 earlier(toMessage(written.bins.back()), GetParam().checksum, GetParam().missing));
+      BinFrame& bins = written.bins.back();
+      bins.window_start = 0.0;
+      bins.window_left = bins.window_right = {};
+      if (!GetParam().separation)
+        bins.separation = {};
     }
   }
   CollectingSink read;
@@ -60,5 +79,7 @@ TEST(EarlierBag, IsReadBitForBit)
   EXPECT_TRUE(sameBits(read.particles, written.particles));
   EXPECT_TRUE(sameBits(read.bins, written.bins));
 }
+
+INSTANTIATE_TEST_SUITE_P(Bins, EarlierBag, testing::ValuesIn(BINS));
 }  // namespace
 }  // namespace ratchet_sieve

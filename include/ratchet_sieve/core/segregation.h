@@ -35,6 +35,13 @@ RATCHET_SIEVE_FIELDS(SpeciesBins)
   RATCHET_SIEVE_FIELD(right_mass, "kg");
 }
 
+/// What fell into the bins within an interval that ends at the present time.
+struct ExitWindow
+{
+  double start = 0.0;             ///< after this time [s]
+  std::vector<SpeciesBins> bins;  ///< per species; on_base is 0
+};
+
 /// The separation s of one pair of species, in [-1, 1]: the share of `first` that left on the left less that
 /// of `second`. Its mean over runs has no bias.
 struct PairSeparation

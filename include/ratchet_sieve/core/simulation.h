@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -85,9 +86,18 @@ public:
   void pour(std::size_t species, std::size_t count, const PourObserver& pour_observer = {});
 
   DriveState base() const;
-  std::size_t activeDisks() const;            ///< disks in the machine
-  std::vector<DiskState> disks() const;       ///< disks in the machine, by id, at time()
-  std::vector<SpeciesBins> bins() const;      ///< per species
+  std::size_t activeDisks() const;        ///< disks in the machine
+  std::vector<DiskState> disks() const;   ///< disks in the machine, by id, at time()
+  std::vector<SpeciesBins> bins() const;  ///< per species
+
+  /// From now on exits are kept for `length` [s] of simulated time, for exitWindow(). They are no part of the
+  /// saved state.
+  void keepExits(double length);
+
+  /// What left within the length of keepExits(), but not before that call and not before `not_before` [s].
+  /// The exits do not depend on when it is called. Without keepExits() an interval of no length.
+  ExitWindow exitWindow(double not_before = -std::numeric_limits<double>::infinity()) const;
+
   const CollisionCounts& collisions() const;  ///< since the start
   FaceContacts faceContacts() const;          ///< since the start; empty without base.profile
   std::uint64_t events() const;               ///< all events since the start

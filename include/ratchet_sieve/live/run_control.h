@@ -27,6 +27,8 @@ struct RunParameters
   /// ~limits/inclination/min, max and so on for frequency and amplitude
   std::array<Setpoint, QUANTITIES> setpoints = usualSetpoints();  ///< in the order of Quantity
 
+  double window = BIN_WINDOW;  ///< ~window: over which ~bins counts what left lately [s]
+
   SlewRates slew_rates;  ///< ~limits/inclination/slew_rate and so on [unit/s]
 };
 

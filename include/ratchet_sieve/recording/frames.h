@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,16 +64,23 @@ inline double massOf(const DiskState& disk, const std::vector<SpeciesDefinition>
   return disk.mass > 0.0 ? disk.mass : species[disk.species].massOf(radiusOf(disk, species));
 }
 
-/// The bins.
+/// The bins: since the start, and what fell into them lately.
 struct BinFrame
 {
   double time = 0.0;
   std::vector<std::string> species;
-  std::vector<SpeciesBins> bins;     ///< per species
-  std::optional<double> quality;     ///< Q
-  std::optional<double> processed;   ///< P
-  std::optional<double> separation;  ///< s
+  std::vector<SpeciesBins> bins;            ///< per species
+  std::optional<double> quality;            ///< Q
+  std::optional<double> processed;          ///< P
+  std::optional<double> separation;         ///< s
+  double window_start = 0.0;                ///< what follows fell after this time [s]
+  std::vector<std::uint64_t> window_left;   ///< per species; empty in earlier bags
+  std::vector<std::uint64_t> window_right;  ///< as window_left
+  std::optional<double> window_separation;  ///< s
 };
+
+/// The interval over which frames count what left lately, unless set otherwise [s].
+constexpr double BIN_WINDOW = 10.0;
 
 RATCHET_SIEVE_FIELDS(BinFrame)
 {
@@ -82,6 +90,10 @@ RATCHET_SIEVE_FIELDS(BinFrame)
   RATCHET_SIEVE_OPTIONAL(quality, "");
   RATCHET_SIEVE_OPTIONAL(processed, "");
   RATCHET_SIEVE_OPTIONAL(separation, "");
+  RATCHET_SIEVE_FIELD(window_start, "s");
+  RATCHET_SIEVE_FIELD(window_left, "");
+  RATCHET_SIEVE_FIELD(window_right, "");
+  RATCHET_SIEVE_OPTIONAL(window_separation, "");
 }
 
 /// Sets what follows from the counts: s, Q and P.
@@ -203,7 +215,10 @@ ParticleFrame makeParticleFrame(const Simulation& simulation);
 
 /// The same into a frame whose memory is used again.
 void makeParticleFrame(const Simulation& simulation, ParticleFrame& frame);
-BinFrame makeBinFrame(const Simulation& simulation);
+
+/// @param window_start no earlier exit is in the frame's window [s]; see Simulation::exitWindow()
+BinFrame makeBinFrame(const Simulation& simulation,
+                      double window_start = -std::numeric_limits<double>::infinity());
 BaseFrame makeBaseFrame(const Simulation& simulation);
 
 ObservedFrame makeObservedFrame(const Simulation& simulation);

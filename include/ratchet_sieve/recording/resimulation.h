@@ -71,7 +71,7 @@ private:
   void compareInstant();
   void compareAsThingsAre();
   template <typename Frame>
-  Frame now() const;
+  Frame now(const Frame& recorded) const;
   template <typename Frame>
   void dropSame(std::vector<Frame>& frames, const Frame& now);
   std::string describeDifference();

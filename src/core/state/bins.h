@@ -8,6 +8,15 @@
 namespace ratchet_sieve
 {
 
+/// Adds a disk to the bin into which it fell.
+inline void count(const Departure& departure, std::vector<SpeciesBins>& bins)
+{
+  SpeciesBins& of_species = bins[departure.species];
+  const bool left = departure.exit == Exit::LEFT_BIN;
+  ++(left ? of_species.left : of_species.right);
+  (left ? of_species.left_mass : of_species.right_mass) += departure.mass;
+}
+
 /// The disks and their mass by place: in the machine, and in the bins at its ends.
 class Bins final : public Observer
 {
@@ -20,11 +29,8 @@ public:
   void entered(const Disk& disk) override { ++bins_[disk.species].on_base; }
   void left(const Departure& departure) override
   {
-    SpeciesBins& bins = bins_[departure.species];
-    const bool left = departure.exit == Exit::LEFT_BIN;
-    --bins.on_base;
-    ++(left ? bins.left : bins.right);
-    (left ? bins.left_mass : bins.right_mass) += departure.mass;
+    --bins_[departure.species].on_base;
+    count(departure, bins_);
   }
 
   /// @throws StateError if the state is of another number of species

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "state/recent_exits.h"
 #include "state/system_state.h"
 
 namespace ratchet_sieve
@@ -176,6 +177,19 @@ void Observers::observeExits(ExitObserver observer)
 {
   remove(exit_report_);
   exit_report_ = observer ? add(std::make_unique<ExitReport>(system_, std::move(observer))) : nullptr;
+}
+
+void Observers::keepExits(double length, double time)
+{
+  remove(recent_exits_);
+  recent_exits_ = add(std::make_unique<RecentExits>(system_, length, time));
+}
+
+ExitWindow Observers::exitWindow(double time, double not_before) const
+{
+  if (recent_exits_ == nullptr)
+    return {time, std::vector<SpeciesBins>(species_)};
+  return recent_exits_->until(time, not_before);
 }
 
 std::vector<Observed> Observers::observed(double time) const

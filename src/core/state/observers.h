@@ -15,6 +15,8 @@
 namespace ratchet_sieve
 {
 
+class RecentExits;
+
 /// The observers of a run: the one list through which every contact, flight and departure goes, and every
 /// change of the slots and of the zero of time. Each run has the same standing observers, called without a
 /// virtual call; further ones are added.
@@ -124,6 +126,10 @@ public:
   /// Calls `observer` after each collision. An empty function removes the observer.
   void observeCollisions(CollisionObserver observer);
   void observeExits(ExitObserver observer);
+
+  /// See Simulation. @param time the present time of the run [s]
+  void keepExits(double length, double time);
+  ExitWindow exitWindow(double time, double not_before) const;
 
   /// Whether reports of contacts or flights of independent disks are kept, for delivery in the order of time:
   /// they take memory.
@@ -237,6 +243,7 @@ private:
   const Observer* collision_report_ = nullptr;  ///< one of the added
   const Observer* exit_report_ = nullptr;       ///< one of the added
   const FaceCounts* faces_ = nullptr;           ///< one of the added
+  const RecentExits* recent_exits_ = nullptr;   ///< one of the added
 };
 
 }  // namespace ratchet_sieve
