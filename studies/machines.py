@@ -32,8 +32,8 @@ ANY = {**PAPER, "base.asymmetry": (0.0, 0.5), "base.tooth_height": (0.002, 0.018
        "base.horizontal_phase": (-3.14, 3.14)}
 KINDS = {"the paper's teeth and drive": (PAPER, 48), "any teeth, driven obliquely as well": (ANY, 120)}
 VERTICAL = {"base.horizontal_amplitude": 0.0, "base.horizontal_phase": 0.0}  # of the paper's drive
-HEADER = ("# {title}: the best machine that studies/machines.py found, at {throughput:g} disks/s at least; docs/machines.md"
-          "\n# has its results. Every key is explained in paper_fig8.yaml.\n")
+HEADER = ("# {title}: the best machine that studies/machines.py\n# found, at {throughput:g} disks/s at least; docs/machines.md has "
+          "its results. Every key is explained in paper_fig8.yaml.\n")
 
 
 def search(name, results, out):
@@ -103,7 +103,7 @@ def main():
     found = {name: search(name, options.results, options.out.parent / "config") for name in MIXTURES}
     pandas.concat([part for name, fronts in found.items() for part in lines_of(name, fronts)]).to_csv(
         options.out / "data/machines.csv", index=False, float_format="%.6g")
-    plots.save(draw(found), options.out / "images/machines.png", svg=False)
+    plots.save(draw(found), options.out / "images/machines.png", svg=False, bbox_inches="tight")
     about = wrapped(f"{origin.text(origin.describe())}, physics version {origin.physics()}.")
     documents.put(page, MARK, "\n\n".join([*sections(found), about]))
 
