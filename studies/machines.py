@@ -32,8 +32,10 @@ ANY = {**PAPER, "base.asymmetry": (0.0, 0.5), "base.tooth_height": (0.002, 0.018
        "base.horizontal_phase": (-3.14, 3.14)}
 KINDS = {"the paper's teeth and drive": (PAPER, 48), "any teeth, driven obliquely as well": (ANY, 120)}
 VERTICAL = {"base.horizontal_amplitude": 0.0, "base.horizontal_phase": 0.0}  # of the paper's drive
-HEADER = ("# {title}: the best machine that studies/machines.py\n# found, at {throughput:g} disks/s at least; docs/machines.md has "
-          "its results. Every key is explained in paper_fig8.yaml.\n")
+HEADER = """# {title}:
+# the best machine that studies/machines.py found, at {throughput:g} disks/s at least; docs/machines.md has its results.
+# Every key is explained in paper_fig8.yaml.
+"""
 
 
 def search(name, results, out):
