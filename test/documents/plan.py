@@ -63,6 +63,7 @@ BEFORE = {
 # Where blocks of YAML are saved, by the beginning of their text.
 SAVED = {
     'scene: paper_fig9.yaml\n': 'config/sweep.yaml',
+    'base: {teeth: 30, inclination: 0.2': 'mine.yaml',
     'base: {teeth: 20': 'first.yaml',
     'base: {teeth: 30, tooth_height: 0.014': 'stage.yaml',
 }
