@@ -47,53 +47,16 @@ def turns_of(rows, key):
             "window": jackknife(window, rows.values("seed"))}
 
 
-def apart_between(rows, key, first, second):
-    """The first field less the second in the middle between their crossings, on straight lines from point to point,
-    with its jackknife error."""
-    def estimate(seeds):
-        curves = [curve_of(rows, key, field, seeds) for field in (first, second)]
-        found = [zero_crossing(curve) for curve in curves]
-        if None in found:
-            return None
-        one, other = (float(numpy.interp(sum(found) / 2.0, *zip(*curve))) for curve in curves)
-        return one - other
-    return jackknife(estimate, rows.values("seed"))
-
-
 @dataclasses.dataclass(frozen=True)
 class Best:
     """The greatest value of a field over a key. One half of the seeds chooses the place and the other gives the value,
     so that the choice does not bias the value."""
     at: float       # the key's value that is best in the mean over all seeds
     mean: object    # Mean of the field: each half of the seeds at the value that is best for the other half
-    peak: object    # Mean: height of a parabola through the best value and its neighbours; None at an end
 
 
 def highest(curve):
     return max(range(len(curve)), key=lambda k: curve[k][1])
-
-
-def vertex(points):
-    """The height of the parabola through three points. @return None where it has no maximum between the outer two"""
-    xs, ys = zip(*points)
-    parabola = numpy.polyfit(xs, ys, 2)
-    x = -0.5 * parabola[1] / parabola[0] if parabola[0] < 0.0 else math.nan
-    return float(numpy.polyval(parabola, x)) if xs[0] <= x <= xs[-1] else None
-
-
-def peak_of(rows, key, field):
-    """With its jackknife error over the seeds. The three places are those of all seeds."""
-    curve = curve_of(rows, key, field, rows.values("seed"))
-    k = highest(curve)
-    if k in (0, len(curve) - 1):
-        return None
-    places = [x for x, _ in curve[k - 1:k + 2]]
-    near = Rows(rows.frame[rows.frame[key].isin(places)])
-
-    def estimate(chosen):
-        points = curve_of(near, key, field, chosen)
-        return vertex(points) if len(points) == len(places) else None
-    return jackknife(estimate, near.values("seed"))
 
 
 def best_of(rows, key, field):
@@ -108,7 +71,7 @@ def best_of(rows, key, field):
     curve = curve_of(rows, key, field, seeds)
     if not samples or not curve:
         return None
-    return Best(curve[highest(curve)][0], mean_of(samples), peak_of(rows, key, field))
+    return Best(curve[highest(curve)][0], mean_of(samples))
 
 
 @dataclasses.dataclass(frozen=True)

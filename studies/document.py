@@ -1,16 +1,12 @@
 """Makes a document of studies from its template: a table of the claims, then a section per study."""
 import string
+import textwrap
 
 from ratchet_sieve import origin
 from ratchet_sieve.documents import write_figures
 from ratchet_sieve.tables import joined, write_csv
-from ratchet_sieve.texts import counted, span, table, wrapped
+from ratchet_sieve.texts import WIDTH, counted, span, table, wrapped
 import verdicts
-
-SAID = {verdicts.HOLDS: ("holds", "hold"), verdicts.IN_PART: ("holds in part", "hold in part"),
-        verdicts.POSSIBLE: ("is possible", "are possible"), verdicts.FAILS: ("does not hold", "do not hold"),
-        verdicts.UNDECIDED: ("is undecided", "are undecided")}  # of one claim, of several
-
 
 def order(claim):
     return (claim.is_addition(), int(claim.number.strip(string.ascii_letters)), claim.number)
@@ -26,54 +22,53 @@ def claims_table(claims):
                   for claim in claims])
 
 
-def listed(claims, verdict):
-    return [claim.number for claim in claims if claim.verdict() == verdict]
+def filled(text, indent):
+    """An item of a list, in lines of WIDTH."""
+    return textwrap.fill(f"- {text}", WIDTH, initial_indent=indent, subsequent_indent=indent + "  ",
+                         break_long_words=False, break_on_hyphens=False)
 
 
-def summary(claims):
-    """How many claims came out, in one paragraph."""
-    own = [claim for claim in claims if not claim.is_addition()]
-    told = []
-    for verdict, (one, several) in SAID.items():
-        numbers = listed(own, verdict)
-        if numbers:
-            told.append(f"{len(numbers)} {one if len(numbers) == 1 else several} ({', '.join(numbers)})")
-    return f"Of {counted(len(own), 'claim')} {', '.join(told)}."
-
-
-def settings(outcome):
-    """What was run: a line for each sweep."""
+def checks(claims):
+    """What came out of each claim, a line for each check. The claims' texts stand in their table."""
     lines = []
-    for name, rows in outcome.rows.items():
-        file = f"[{name}.yaml](../config/sweeps/{name}.yaml)"
-        if not len(rows):
-            lines.append(f"- {file}: left out")
-            continue
-        line = (f"- {file}: {counted(len(rows), 'run')} of {span(rows.values('simulated_time'), ' s')}, "
-                f"seeds {span(rows.values('seed'))}")
-        lines.append(line + (f"; **{rows.failed} failed** and left out" if rows.failed else ""))
+    for claim in sorted(claims, key=order):
+        kind = "Addition" if claim.is_addition() else "Claim"
+        lines.append(filled(f"{kind} {claim.number} **{claim.verdict()}** {claim.condition}".strip() + ":", ""))
+        lines += [filled(check.text(), "  ") for check in claim.checks]
     return "\n".join(lines)
 
 
-def checks(claim):
-    """What came out of a claim, a line for each check."""
-    kind = "Addition" if claim.is_addition() else "Claim"
-    head = f"{kind} {claim.number}, {claim.text}: **{claim.verdict()}**"
-    return "\n\n".join((head + (f" {claim.condition}" if claim.condition else "") + ".",
-                        "\n".join(f"- {check.text()}" for check in claim.checks)))
+def sources(outcome, document, shown):
+    """Where a study's pictures, numbers and runs are. @param shown how many pictures the document shows"""
+    pictures = [f"[{picture.caption.split(';')[0]}](images/{document}_{picture.name}.png)"
+                for picture in outcome.study.pictures[shown:]]
+    files = [f"[{name}.csv](data/{document}_{name}.csv)" for name in outcome.study.tables(outcome.numbers)]
+    parts = [(f"Picture{'s' if len(pictures) > 1 else ''}", pictures), ("Numbers", files)]
+    return " ".join([*(f"{name}: {', '.join(links)}." for name, links in parts if links), runs(outcome)])
 
 
-def section(outcome, document):
-    parts = [f"## {outcome.study.title}", *map(checks, sorted(outcome.claims(), key=order))]
-    for picture in outcome.study.pictures:
-        note = outcome.samples(picture)
-        parts.append(f"![{picture.caption}](images/{document}_{picture.name}.png)")
-        parts.append(f"*{picture.caption}; {note}*")
-    text = outcome.study.text(outcome.numbers).strip()
-    files = [f"[{document}_{name}.csv](data/{document}_{name}.csv)" for name in outcome.study.tables(outcome.numbers)]
-    parts += [text] if text else []
-    parts += [f"All numbers: {', '.join(files)}."] if files else []
-    return "\n\n".join([*parts, "Sweeps:", settings(outcome)])
+def runs(outcome):
+    """How many there are of all of a study's sweeps, in words."""
+    rows = [rows for rows in outcome.rows.values() if len(rows)]
+    if not rows:
+        return "Left out."
+    every, failed = joined(*rows), sum(part.failed for part in rows)
+    return (f"{counted(len(every), 'run')} of {span(every.values('simulated_time'), ' s')}, "
+            f"seeds {span(every.values('seed'))}" + (f", **{failed} failed** and left out." if failed else "."))
+
+
+def section(outcome, document, is_shown=True):
+    """@param is_shown whether the document shows the first picture; else it links it, in an appendix"""
+    study = outcome.study
+    text, found = study.text(outcome.numbers).strip(), sources(outcome, document, int(is_shown))
+    parts = [f"{'##' if is_shown else '###'} {study.title}", checks(outcome.claims())]
+    if not is_shown:
+        parts.append(f"{text} {found}".strip())
+    else:
+        picture = study.pictures[0]
+        parts += [text, f"![{picture.caption.split(';')[0]}](images/{document}_{picture.name}.png)",
+                  f"*{picture.caption}; {outcome.samples(picture)}.* {found}"]
+    return "\n\n".join(part for part in parts if part)
 
 
 def versions_of(outcomes):
@@ -93,21 +88,28 @@ def about(outcomes, command):
 
 
 def write(path, template, outcomes, command):
-    """@param template a file in which $about, $rule, $summary, $claims, $additions and $study_NAME of each study stand
-    for what came out"""
+    """@param template a file in which $about, $rule, $claims, $additions and $study_NAME of some studies stand
+    for what came out, and $appendix for all other studies"""
     claims = claims_of(outcomes)
-    known = {"about": about(outcomes, command), "rule": verdicts.RULE, "summary": summary(claims),
+    known = {"about": about(outcomes, command), "rule": verdicts.RULE,
              "claims": claims_table([claim for claim in claims if not claim.is_addition()]),
              "additions": claims_table([claim for claim in claims if claim.is_addition()])}
-    known.update({f"study_{outcome.study.name}": section(outcome, path.stem) for outcome in outcomes})
-    text = string.Template(template.read_text(encoding="utf-8")).substitute(known)
+    text, appendix = template.read_text(encoding="utf-8"), []
+    for outcome in outcomes:
+        name = f"study_{outcome.study.name}"
+        if f"${name}\n" in text:
+            known[name] = section(outcome, path.stem)
+        else:
+            appendix.append(section(outcome, path.stem, False))
+    known["appendix"] = "\n\n".join(appendix)
+    text = string.Template(text).substitute(known)
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(wrapped(text), encoding="utf-8")
     write_data(path, outcomes, claims)
 
 
 def write_data(path, outcomes, claims):
-    """Beside the document, in data/: the studies' tables, and NAME.json with what other documents quote, if anything."""
+    """Beside the document, in data/: the studies' tables, and NAME.json with what other documents quote."""
     directory = path.parent / "data"
     directory.mkdir(exist_ok=True)
     figures = {}

@@ -3,12 +3,15 @@ import dataclasses
 from typing import Callable
 
 from ratchet_sieve import plots
-from ratchet_sieve.texts import span, table
+from ratchet_sieve.texts import span
 
 
 def means(rows, field, *keys):
     """@return map from the values of these keys, in order, to the field's Mean"""
     return {place: cell.mean(field) for place, cell in sorted(rows.by(*keys).items())}
+
+
+WAYS = ("a_m_per_s", "b_m_per_s")  # columns of what ways() gives, in a CSV file
 
 
 def ways(rows, *keys):
@@ -26,12 +29,21 @@ def told(mean, scale=1.0):
     return "—" if mean is None else mean.text(scale)
 
 
-def velocity_table(means, corner, row, column):
-    """@param means map from the values of row and column to a mean velocity. @param row, column how a value is written
-    """
-    xs, ys = axis(means, 0), axis(means, 1)
-    return ("⟨V_x⟩ in mm/s:\n\n"
-            + table([corner, *map(column, ys)], [[row(x), *(means[x, y].text(plots.MM) for y in ys)] for x in xs]))
+def csv_lines(keys, fields, cells):
+    """A table for a CSV file: the values of the keys, each field's mean and its error, and the number of samples.
+    @param cells map from the values of the keys to the fields' Means; None: not defined"""
+    lines = []
+    for place, found in cells.items():
+        found = found if isinstance(found, (tuple, list)) else (found,)
+        place = place if isinstance(place, tuple) else (place,)
+        lines.append([*(f"{value:g}" if isinstance(value, float) else value for value in place),
+                      *(number for mean in found for number in numbers_of(mean)),
+                      max((mean.count for mean in found if mean), default=0)])
+    return [*keys, *(name for field in fields for name in (field, f"{field}_error")), "n"], lines
+
+
+def numbers_of(mean):
+    return ("", "") if mean is None else (f"{mean.value:.6g}", f"{mean.error or 0.0:.2g}")
 
 
 def named_curves(axes, curves, colours, scale=1.0):
@@ -62,7 +74,7 @@ class Sweep:
 @dataclasses.dataclass(frozen=True)
 class Picture:
     name: str      # of its files, after the document's
-    caption: str   # one line
+    caption: str   # what it shows; then, after a semicolon, its bars
     draw: Callable  # numbers -> matplotlib figure
     sweeps: tuple = ()  # names of those that it shows; empty: all of the study
 
@@ -73,9 +85,9 @@ class Study:
     title: str
     sweeps: tuple      # of Sweep
     evaluate: Callable  # {sweep's name: Rows} -> numbers, whatever the study's other parts take
-    pictures: tuple    # of Picture
+    pictures: tuple    # of Picture; the first is the one that a document shows
     claims: Callable   # numbers -> list of Claim
-    text: Callable = lambda numbers: ""  # numbers -> Markdown that follows the pictures: tables
+    text: Callable = lambda numbers: ""  # numbers -> Markdown that follows the checks
     figures: Callable = lambda numbers: {}  # numbers -> key -> text: what other documents may quote
     tables: Callable = lambda numbers: {}  # numbers -> file's name without .csv -> (header, lines)
 

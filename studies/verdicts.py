@@ -4,13 +4,13 @@ import dataclasses
 from ratchet_sieve.plots import MM
 from ratchet_sieve.stats import signs
 
-RULE = ("A check compares a mean with a bound. It passes, or fails, where the interval of 95 % (Student's t over the "
-        "independent samples) lies wholly on one side of the bound. Else it is undecided. A check of many comparisons "
-        "corrects for their number by Holm's method: the probability that one of them is wrongly called sure is 5 % "
-        "at most, for all of them together. The checks of different claims are not corrected for their number. A "
-        "claim *holds* if all its checks pass, *holds in part* if some do, *does not hold* if none does and one "
-        "fails, and is *undecided* if all are. A claim is *possible* if all its checks pass, but one of them only at "
-        "a place that was searched for and was not confirmed by fresh seeds.")
+RULE = ("A check compares a mean with a bound. It passes (yes) or fails (no) where the 95 % interval (Student's t over "
+        "the independent samples) lies wholly on one side of the bound, and is undecided otherwise. A check of many "
+        "comparisons is corrected for their number by Holm's method: \"8 of 8\" are significant at 5 % together. "
+        "Different claims are not corrected for their number. A claim *holds* if all its checks pass, *holds in part* "
+        "if some do, *does not hold* if none does and one fails, and is *undecided* if all are. A claim is *possible* "
+        "if all its checks pass, one of them only for a value that was chosen among several and not confirmed by fresh "
+        "seeds.")
 
 HOLDS = "holds"
 IN_PART = "holds in part"
@@ -25,7 +25,7 @@ class Check:
     says: str        # what should be, bound and all
     came_out: str    # with its error and number of samples
     passes: bool     # None: undecided
-    is_searched: bool = False  # passes at a place that the same samples were searched for
+    is_searched: bool = False  # passes for a value that was chosen by the same samples
 
     def text(self):
         return f"{self.says}: {self.came_out}: {MARKS[self.passes]}"
@@ -82,14 +82,14 @@ def both(first, second):
 
 
 def counted(says, comparisons):
-    """A check of many comparisons: passes if all of them do, fails if one is surely the other way.
+    """A check of many comparisons: passes if all of them do, fails if one is significantly the other way.
     @param comparisons pairs of a place and of the Mean that should be above 0 there"""
     comparisons = list(comparisons)
     outcomes = signs(mean for _, mean in comparisons)
     against = [place for (place, _), outcome in zip(comparisons, outcomes) if outcome is False]
-    said = f"{outcomes.count(True)} of {len(outcomes)} are sure"
+    said = f"{outcomes.count(True)} of {len(outcomes)}"
     if against:
-        said += f", {len(against)} surely the other way ({'; '.join(against)})"
+        said += f", {len(against)} significantly the other way ({'; '.join(against)})"
     return Check(says, said, all_of(outcomes))
 
 

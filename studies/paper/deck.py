@@ -1,9 +1,7 @@
 """Addition A8: whether a base that is shaken along its own normal parts Fig. 8's mixture at the paper's angles."""
-from ratchet_sieve import plots
-from ratchet_sieve.texts import table
 from paper import parting
 from paper.parting import ANGLES, THETA
-from study import Picture, Study, Sweep, ways
+from study import WAYS, Picture, Study, Sweep, csv_lines, ways
 import verdicts
 
 FRAME = "base.drive_frame"
@@ -26,18 +24,13 @@ def claims(numbers):
                            "is shaken along its own normal", checks)]
 
 
-def text(numbers):
-    thetas = numbers["world"]
-    lines = [[f"{theta:g}", *(mean.text(plots.MM) for frame in NAMES for mean in numbers[frame][theta])]
-             for theta in thetas]
-    heads = [f"{kind}, {name} [mm/s]" for name in NAMES.values() for kind in "AB"]
-    return "\n\n".join((
-        "The paper says that its base is shaken vertically. A vibrator bolted to the deck shakes it along its normal "
-        "(`base.drive_frame: base`), which at an inclination θ also pushes towards the lower end.",
-        table(["θ [rad]", *heads], lines)))
+TEXT = ("A vibrator bolted to the deck shakes it along its normal (`base.drive_frame: base`), which at an inclination "
+        "θ also pushes towards the lower end.")
 
 
 STUDY = Study("deck", "Fig. 8's mixture on a base that is shaken along its own normal",
               (Sweep("paper_deck", {THETA: ANGLES}),), evaluate,
               (Picture("deck", "Mean velocities of Fig. 8's mixture over the inclination, d = 3.93, for both axes of "
-                       "the drive; bars: standard errors over the seeds", draw),), claims, text)
+                       "the drive; bars: standard errors over the seeds", draw),), claims, lambda numbers: TEXT,
+              tables=lambda numbers: {"deck": csv_lines(("drive_frame", "theta_rad"), WAYS, {
+                  (frame, theta): pair for frame, own in numbers.items() for theta, pair in own.items()})})

@@ -3,13 +3,12 @@ import math
 
 from ratchet_sieve import plots
 from ratchet_sieve.stats import density_of, mean_of, variance_of
-from ratchet_sieve.texts import table
-from study import Picture, Study, Sweep
+from study import Picture, Study, Sweep, csv_lines
 import verdicts
 
 TIME = "duration"
 BIN = 0.04  # m: two teeth; narrower bins would show the valleys in which disks rest
-NEEDED = {TIME: (2.0, 10.0)}
+FIGURES = {"fig3": 0.0, "fig4": 0.209}  # and their inclinations [rad]
 
 
 def displacement(row):
@@ -17,11 +16,10 @@ def displacement(row):
     return row["mean_vx.A"] * row["simulated_time"]
 
 
-def evaluator(sweep):
-    def evaluate(rows):
-        """@return map from time to the displacements, one of each disk [m]"""
-        return {time: group.samples(displacement) for time, group in sorted(rows[sweep].by(TIME).items())}
-    return evaluate
+def evaluate(rows):
+    """@return of each figure: map from time to the displacements, one of each disk [m]"""
+    return {name: {time: group.samples(displacement) for time, group in sorted(rows[f"paper_{name}"].by(TIME).items())}
+            for name in FIGURES}
 
 
 def draw(samples):
@@ -69,32 +67,27 @@ def deviation(values):
     return type(variance)(math.sqrt(variance.value), variance.error / (2.0 * math.sqrt(variance.value)), variance.count)
 
 
-def text(samples):
-    return table(["time", "disks", "mean displacement [mm]", "standard deviation [mm]", "mean over time [mm/s]"],
-                 [[f"{time:g} s", len(values), mean_of(values).text(plots.MM), deviation(values).text(plots.MM),
-                   mean_of(value / time for value in values).text(plots.MM)] for time, values in samples.items()])
+def time_lines(samples):
+    return csv_lines(("time_s",), ("mean_displacement_m", "standard_deviation_m"), {
+        time: (mean_of(values), deviation(values)) for time, values in samples.items()})
 
 
-def study(name, title, claims):
-    sweep = f"paper_{name}"
-    caption = (f"{title.split(':')[0]}: where single disks are after some times; each disk a run of its own, bars: "
-               "standard errors of the counts")
-    return Study(name, title, (Sweep(sweep, NEEDED),), evaluator(sweep), (Picture(name, caption, draw),), claims, text)
+def moves(samples, way, check):
+    return (check(f"⟨V_x⟩ is to the {way}", velocity(samples)),
+            verdicts.counted(f"its mean moves to the {way} from each time to the next",
+                             further(samples, 1.0 if way == "right" else -1.0)), spreads(samples))
 
 
-def claims_of_fig3(samples):
-    return [verdicts.Claim("1", "Fig. 3", "the displacement distribution drifts to the right and spreads with time", (
-        verdicts.right("⟨V_x⟩ > 0", velocity(samples)),
-        verdicts.counted("its mean moves to the right from each time to the next", further(samples, 1.0)),
-        spreads(samples)))]
+def claims(numbers):
+    return [verdicts.Claim("1", "Fig. 3", "the displacement distribution drifts to the right and spreads with time",
+                           moves(numbers["fig3"], "right", verdicts.right)),
+            verdicts.Claim("3", "Fig. 4", "θ = 0.209 reverses that current",
+                           moves(numbers["fig4"], "left", verdicts.left))]
 
 
-def claims_of_fig4(samples):
-    return [verdicts.Claim("3", "Fig. 4", "θ = 0.209 turns that current to the left", (
-        verdicts.left("⟨V_x⟩ < 0", velocity(samples)),
-        verdicts.counted("its mean moves to the left from each time to the next", further(samples, -1.0)),
-        spreads(samples)))]
-
-
-FIG3 = study("fig3", "Fig. 3: displacements at θ = 0", claims_of_fig3)
-FIG4 = study("fig4", "Fig. 4: displacements at θ = 0.209", claims_of_fig4)
+STUDY = Study("displacements", "Figs. 3 and 4: displacements of single disks",
+              tuple(Sweep(f"paper_{name}", {TIME: (2.0, 10.0)}) for name in FIGURES), evaluate,
+              tuple(Picture(name, f"Displacements at θ = {theta:g}; each disk a run of its own, bars: standard errors "
+                            "of the counts", lambda numbers, name=name: draw(numbers[name]), (f"paper_{name}",))
+                    for name, theta in FIGURES.items()), claims,
+              tables=lambda numbers: {name: time_lines(numbers[name]) for name in FIGURES})

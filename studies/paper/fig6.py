@@ -1,7 +1,6 @@
 """Claim 13: single disks of several radii on a level base. Larger disks feel the ratchet less, as Fig. 6 says."""
 from ratchet_sieve import plots
-from ratchet_sieve.texts import table
-from study import Picture, Study, Sweep, axis, named_curves
+from study import Picture, Study, Sweep, axis, csv_lines, named_curves
 import verdicts
 
 R = "species.0.radius"
@@ -41,14 +40,12 @@ def claims(means):
         verdicts.counted("their share of contacts with the short, steep slopes is higher, at every f", steeper)))]
 
 
-def text(means):
-    lines = [[f"{f:g} Hz", f"{plots.MM * r:g} mm", ratio.text(), speed.text(plots.MM)]
-             for (f, r), (ratio, speed) in means.items() if r in (SMALL, LARGE)]
-    return ("The second check is indirect. A run counts contacts, and a disk that comes to rest in a valley makes "
-            "many. It does not count how many disks turn back at the next tooth.\n\n"
-            + table(["f", "r", "short to long", "⟨V_x⟩ [mm/s]"], lines))
+TEXT = ("The second check is indirect: it counts contacts, of which a disk at rest in a valley makes many, and not the "
+        "disks that return at the next tooth.")
 
 
 STUDY = Study("fig6", "Fig. 6: single disks over their radius", (Sweep("paper_fig6", {R: (SMALL, LARGE)}),), evaluate,
               (Picture("fig6", "Contacts with short over those with long slopes, and mean velocity, of single disks "
-                       "over their radius at θ = 0; bars: standard errors over the seeds", draw),), claims, text)
+                       "over their radius at θ = 0; bars: standard errors over the seeds", draw),), claims,
+              lambda means: TEXT,
+              tables=lambda means: {"fig6": csv_lines(("f_hz", "r_m"), ("short_to_long", "mean_vx_m_per_s"), means)})

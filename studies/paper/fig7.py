@@ -1,7 +1,7 @@
 """Fig. 7: the mean velocity of small and of large single disks over the frequency, for several inclinations."""
 from ratchet_sieve import plots
-from ratchet_sieve.texts import shown, table
-from study import Picture, Study, Sweep, axis, means
+from ratchet_sieve.texts import shown
+from study import Picture, Study, Sweep, axis, csv_lines, means
 import verdicts
 
 THETA = "base.inclination"
@@ -64,27 +64,13 @@ def claims(means):
         verdicts.counted("and so they do at every f", more_moved(means))))]
 
 
-def at_one_frequency(means):
-    """A table of the velocities of both kinds over θ."""
-    return (f"⟨V_x⟩ in mm/s at {SHOWN:g} Hz:\n\n"
-            + table(["θ [rad]", *KINDS], [[shown(theta)]
-                                          + [means[kind][theta, SHOWN].text(plots.MM) for kind in KINDS]
-                                          for theta in axis(means["A"], 0)]))
-
-
 def velocity_lines(means):
-    """For a CSV file."""
-    return (["kind", "theta_rad", "f_hz", "mean_vx_m_per_s", "standard_error", "n"],
-            [[kind, f"{theta:g}", f"{f:g}", f"{mean.value:.6g}", f"{mean.error:.2g}", mean.count]
-             for kind in KINDS for (theta, f), mean in means[kind].items()])
-
-
-def text(means):
-    return at_one_frequency(means)
+    return csv_lines(("kind", "theta_rad", "f_hz"), ("mean_vx_m_per_s",), {
+        (kind, *place): mean for kind in KINDS for place, mean in means[kind].items()})
 
 
 STUDY = Study("fig7", "Fig. 7: velocity over frequency, for small and large disks",
               (Sweep("paper_fig7", {F: (SHOWN,), THETA: (0.0, 0.262)}),), evaluate,
               (Picture("fig7", "Mean velocity of single disks of 1 mm and of 4 mm over the frequency, for ten "
-                       "inclinations; bars: standard errors over the seeds", draw),), claims, text,
+                       "inclinations; bars: standard errors over the seeds", draw),), claims,
               tables=lambda means: {"fig7": velocity_lines(means)})

@@ -4,18 +4,15 @@ from ratchet_sieve.tables import joined
 from ratchet_sieve.texts import table
 from curves import turns_of
 from paper import parting
-from paper.fig7 import (F, THETA, at_one_frequency, draw_kinds, more_moved, velocities,
-                                                velocity_lines)
+from paper.fig7 import F, THETA, draw_kinds, more_moved, velocities, velocity_lines
 from paper.parting import ANGLES
-from study import Picture, Study, Sweep, axis, told
+from study import Picture, Study, Sweep, axis, csv_lines, told
 import verdicts
 
 SHOWN = 23.0  # Hz, as in Fig. 3
 KINDS = {"A": "A: 1 mm, 10 g", "B": "B: 2 mm, 1 g"}
-CLAIM = ("at θ = 0 both go right and B is faster; at 0.052 they differ little; at 0.105 and 0.157 A goes right and B "
-         "left")
 TURNED = 0.209       # rad, at which Fig. 4's current goes to the left
-NEAR = (-0.01, 0.09)  # inclinations of the inset [rad]
+WIDE, NEAR = (-0.3, 0.3), (-0.01, 0.17)  # inclinations of both panels [rad]
 
 
 def evaluate(rows):
@@ -30,38 +27,34 @@ def draw_frequencies(numbers):
 
 
 def draw_inclinations(numbers):
-    figure, axes = plots.panels(1, 1, (6.8, 4.0))
-    inset = axes.inset_axes([0.6, 0.63, 0.39, 0.36])
+    """All inclinations beside those near zero, where the kinds reverse."""
+    figure, panels = plots.panels(1, 2, (9.6, 3.9))
     for kind, colour in zip(KINDS, plots.COLOURS):
         points = [(theta, numbers["all"][kind][theta, SHOWN]) for theta in axis(numbers["all"][kind], 0)
                   if (theta, SHOWN) in numbers["all"][kind]]
-        near = [point for point in points if NEAR[0] <= point[0] <= NEAR[1]]
-        plots.curve(axes, points, plots.MM, color=colour, label=KINDS[kind])
-        plots.curve(inset, near, plots.MM, color=colour)
-    for k, theta in enumerate(ANGLES):
-        axes.axvline(theta, color=plots.GREY, linewidth=0.8, linestyle="--",
-                     label=None if k else "A right, B left in the paper")
-    for own in (axes, inset):
-        shade_window(own, numbers["turns"][SHOWN])
-        plots.signed(own)
-    inset.set_xlim(NEAR)
-    inset.tick_params(labelsize=7)
-    axes.set(xlabel=r"$\theta$ [rad]", ylabel=r"$\langle V_x \rangle$ [mm/s]")
-    axes.legend(loc="lower left")
+        for axes, (low, high) in zip(panels, (WIDE, NEAR)):
+            plots.curve(axes, [point for point in points if low <= point[0] <= high], plots.MM, color=colour,
+                        label=KINDS[kind])
+    turns = numbers["turns"][SHOWN]
+    for axes, title in zip(panels, ("all inclinations", "near the reversals")):
+        for k, theta in enumerate(ANGLES):
+            axes.axvline(theta, color=plots.GREY, linewidth=0.8, linestyle="--",
+                         label=None if k else "A right, B left in the paper")
+        if turns["A"] and turns["B"]:
+            axes.axvspan(turns["B"].value, turns["A"].value, color=plots.COLOURS[2], alpha=0.3, linewidth=0.0,
+                         label="A right, B left here")
+        plots.signed(axes)
+        axes.set(xlabel=r"$\theta$ [rad]", title=title)
+    panels[0].set_ylabel(r"$\langle V_x \rangle$ [mm/s]")
+    panels[0].legend(loc="lower left")
     return figure
-
-
-def shade_window(axes, turns):
-    if turns["A"] and turns["B"]:
-        axes.axvspan(turns["B"].value, turns["A"].value, color=plots.COLOURS[2], alpha=0.3,
-                     label="A right, B left here")
 
 
 def draw_turns(numbers):
     figure, axes = plots.panels(1, 1, (6.4, 3.8))
     turns = sorted(numbers["turns"].items())
     for kind, colour in zip(KINDS, plots.COLOURS):
-        plots.curve(axes, [(f, turn[kind]) for f, turn in turns], color=colour, label=f"{KINDS[kind]} turns")
+        plots.curve(axes, [(f, turn[kind]) for f, turn in turns], color=colour, label=f"{KINDS[kind]} reverses")
     both = [(f, turn["B"].value, turn["A"].value) for f, turn in turns if turn["A"] and turn["B"]]
     if both:
         axes.fill_between(*zip(*both), color=plots.COLOURS[2], alpha=0.3, label="A right, B left here")
@@ -75,14 +68,13 @@ def draw_turns(numbers):
 
 
 def parted(numbers, theta):
-    means, turns = numbers["means"], numbers["turns"][SHOWN]
+    means = numbers["means"]
     a, b = (means[kind][theta, SHOWN] for kind in KINDS)
     says = f"θ = {theta:g}: A to the right, B to the left"
     check = parting.parted(says, (a, b))
     seen = [f"{f:g}" for f in axis(means["A"], 1)
-            if means["A"][theta, f].surely_above(0.0) and means["B"][theta, f].surely_below(0.0)]
-    came_out = (f"{check.came_out} at {SHOWN:g} Hz, where they part between θ = {told(turns['B'])} and "
-                f"{told(turns['A'])} (at this θ they part at {', '.join(seen) or 'no'} Hz)")
+            if f != SHOWN and means["A"][theta, f].surely_above(0.0) and means["B"][theta, f].surely_below(0.0)]
+    came_out = f"{check.came_out} at {SHOWN:g} Hz; at other frequencies so at {', '.join(seen) or 'none'}"
     return verdicts.Check(says, came_out, check.passes)
 
 
@@ -90,41 +82,52 @@ def claims(numbers):
     means = numbers["means"]
     level = {kind: means[kind][0.0, SHOWN] for kind in KINDS}
     right, faster = "θ = 0: both to the right", level["B"].minus(level["A"])
-    return [verdicts.Claim("6", "Fig. 8", CLAIM, (
+    return [verdicts.Claim("6a", "Fig. 8", "at θ = 0 both go right and B is faster", (
                 verdicts.both(*(verdicts.right(right, level[kind]) for kind in KINDS)),
-                verdicts.right("θ = 0: B is faster", faster),
+                verdicts.right("θ = 0: B is faster", faster))),
+            verdicts.Claim("6b", "Fig. 8", "at θ = 0.052 they differ little", (
                 parting.differ_little("θ = 0.052: they differ by less than a third of that at 0",
                                       *(means["B"][theta, SHOWN].minus(means["A"][theta, SHOWN])
-                                        for theta in (0.0, 0.052))),
-                *(parted(numbers, theta) for theta in ANGLES)), "at the printed parameters (see A2, A3 and A7)"),
+                                        for theta in (0.0, 0.052))),)),
+            *(verdicts.Claim(number, "Fig. 8", f"at θ = {theta:g} A goes right and B left", (parted(numbers, theta),),
+                             f"at the printed parameters; see {see}")
+              for number, theta, see in zip(("6c", "6d"), ANGLES, ("A1, A3 and A7", "A1 and A7"))),
             verdicts.Claim("10", "3.2.1", "in the mixture θ acts more on B than on A", (
                 verdicts.counted("B loses more than A from the least θ to the greatest, at every f", more_moved(means)),
                 ))]
 
 
+def turn_lines(numbers):
+    return csv_lines(("f_hz",), ("theta_b_reverses", "theta_a_reverses", "interval_rad"), {
+        f: [turn[part] for part in ("B", "A", "window")] for f, turn in sorted(numbers["turns"].items())})
+
+
 def text(numbers):
-    turned = [[f"{f:g} Hz", *(told(turn[part]) for part in ("B", "A", "window"))]
-              for f, turn in sorted(numbers["turns"].items())]
-    return ("Where each kind turns to the left, by a parabola through the means nearest to it, and how far A's angle "
-            "lies above B's; errors by leaving out one seed after the other:\n\n"
-            + table(["f", "B turns, θ [rad]", "A turns, θ [rad]", "width of the window [rad]"], turned)
-            + "\n\n" + at_one_frequency(numbers["means"]))
+    """The headline: where the kinds go opposite ways."""
+    turns = sorted(numbers["turns"].items())
+    lines = [[f"{f:g} Hz", *(told(turn[part]) for part in ("B", "A", "window"))] for f, turn in turns
+             if f in (turns[0][0], SHOWN, turns[-1][0])]
+    return ("A goes to the right and B to the left between the angle at which B reverses and that at which A does (by "
+            "a parabola through the means nearest to it; errors by leaving out one seed):\n\n"
+            + table(["f", "B reverses, θ [rad]", "A reverses, θ [rad]", "interval [rad]"], lines))
 
 
 def figures(numbers):
     """Fig. 8's drifts at 23 Hz on the level base, and its window."""
     turns = numbers["turns"][SHOWN]
-    return {**{f"fig8.drift.{kind.lower()}.theta_0": numbers["means"][kind][0.0, SHOWN].text(plots.MM) for kind in KINDS},
+    return {**{f"fig8.drift.{kind.lower()}.theta_0": numbers["means"][kind][0.0, SHOWN].text(plots.MM)
+               for kind in KINDS},
             "fig8.window.from": told(turns["B"]), "fig8.window.to": told(turns["A"])}
 
 
-CAPTION = "of a mixture of A (1 mm, 10 g) and B (2 mm, 1 g), d = 3.93; bars: standard errors over the seeds"
+CAPTION = "d = 3.93; bars: standard errors over the seeds"
 STUDY = Study("fig8", "Fig. 8: both kinds of a mixture",
               (Sweep("paper_fig8", {F: (SHOWN,), THETA: (0.0, 0.052, *ANGLES, TURNED)}),
                Sweep("paper_fig8_window", is_quick=False)), evaluate,
-              (Picture("fig8", f"Mean velocities over the frequency, for eleven inclinations, {CAPTION}",
+              (Picture("fig8_inclination", "Mean velocities of both kinds over the inclination at "
+                       f"{SHOWN:g} Hz, {CAPTION}", draw_inclinations),
+               Picture("fig8", f"Mean velocities over the frequency at eleven inclinations, {CAPTION}",
                        draw_frequencies),
-               Picture("fig8_inclination", f"Mean velocities over the inclination at {SHOWN:g} Hz, near zero enlarged, "
-                       f"{CAPTION}", draw_inclinations),
-               Picture("fig8_turn", f"The inclinations at which the kinds turn, {CAPTION}", draw_turns)), claims, text,
-              figures, lambda numbers: {"fig8": velocity_lines(numbers["means"])})
+               Picture("fig8_turn", f"The inclinations at which the kinds reverse, over the frequency, {CAPTION}",
+                       draw_turns)), claims, text,
+              figures, lambda numbers: {"fig8": velocity_lines(numbers["means"]), "fig8_turn": turn_lines(numbers)})

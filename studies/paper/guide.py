@@ -1,12 +1,11 @@
 """Claims 11 and 12: what single disks, which do not collide with each other, say of the mixtures of Figs. 8 and 9."""
 from ratchet_sieve import plots
 from ratchet_sieve.tables import joined
-from ratchet_sieve.texts import table
 from curves import best_of, crossing_of
 from paper import fig9
 from paper.fig7 import F, THETA, velocities
 from paper.fig8 import TURNED
-from study import Picture, Study, Sweep, means
+from study import Picture, Study, Sweep, csv_lines, means
 import verdicts
 
 SHOWN = 23.0     # Hz
@@ -45,14 +44,19 @@ def draw(numbers):
 
 
 def lowered(numbers):
-    """Of each length: the best Q of single disks less that of the densest mixture."""
+    """Of each length: the best Q of single disks less that of the densest mixture; and that the loss is the density's,
+    since that of the thinnest mixture is smaller."""
     for teeth, alone in numbers["alone"].items():
         density = densest(numbers, teeth)
         mixture = numbers["best"][teeth, density]
         gain = alone["best"].mean.minus(mixture.mean)
-        yield verdicts.above(f"{teeth:g} teeth, each at its best θ: Q of single disks ({alone['best'].mean.text()} at "
-                             f"θ = {alone['best'].at:g}) less Q of the mixture at d = {density:g} "
-                             f"({mixture.mean.text()} at θ = {mixture.at:g}) is above 0", gain)
+        yield verdicts.above(f"{teeth:g} teeth: best Q of single disks ({alone['best'].mean.text()}) less that at "
+                             f"d = {density:g} ({mixture.mean.text()}) is above 0", gain)
+    for teeth in numbers["alone"]:
+        low, *_, high = fig9.densities_on(numbers, teeth)
+        first, second = fig9.ends_of(numbers, teeth)
+        yield verdicts.above(f"{teeth:g} teeth, control: best Q is lower at d = {high:g} than at d = {low:g}",
+                             first.mean.minus(second.mean))
 
 
 def same_way(numbers):
@@ -69,7 +73,7 @@ def directions(numbers):
     comparisons = list(same_way(numbers))
     outcomes = verdicts.signs(mean for _, mean in comparisons)
     against = {theta for ((_, theta, _), _), way in zip(comparisons, outcomes) if way is False}
-    said = (f"{outcomes.count(True)} of {len(outcomes)} are sure, {outcomes.count(False)} surely the other way"
+    said = (f"{outcomes.count(True)} of {len(outcomes)} do, {outcomes.count(False)} go significantly the other way"
             + (f" (at θ = {', '.join(f'{theta:g}' for theta in sorted(against))})" if against else ""))
     return verdicts.Check("each kind of Fig. 8's mixture goes where its single disks go, at every θ and f", said,
                           verdicts.all_of(outcomes))
@@ -87,12 +91,12 @@ def remain(numbers):
 
 def window(numbers):
     single, mixture = numbers["turns"]["single"], numbers["turns"]["mixture"]
-    says = "the windows of θ in which the kinds part overlap: A turns in the mixture above where B turns alone"
+    says = "the intervals of θ in which the kinds go opposite ways overlap"
     if None in (mixture["A"], single["B"]):
         return verdicts.Check(says, "—", None)
     check = verdicts.above(says, mixture["A"].minus(single["B"]), 0.0, 1.0, "rad")
     told = (f"{mixture['B'].text()} to {mixture['A'].text()} in the mixture, {single['B'].text()} to "
-            f"{single['A'].text()} for single disks; {check.came_out}")
+            f"{single['A'].text()} for single disks, the distance {check.came_out}")
     return verdicts.Check(says, told, check.passes)
 
 
@@ -116,16 +120,13 @@ def claims(numbers):
                 remain(numbers), directions(numbers), window(numbers), *guided(numbers)))]
 
 
-def text(numbers):
-    lines = [[f"{teeth:g}", f"{alone['best'].at:g}", alone["best"].mean.text(),
-              *(cell for density in (densest(numbers, teeth),)
-                for cell in (f"{numbers['best'][teeth, density].at:g}", numbers["best"][teeth, density].mean.text()))]
-             for teeth, alone in numbers["alone"].items()]
-    return ("The same disks, poured as at d = 4, without collisions between them:\n\n"
-            + table(["teeth", "best θ of single disks", "Q there", "best θ at d = 4", "Q there"], lines))
+def best_lines(numbers):
+    return csv_lines(("teeth", "best_theta_rad"), ("q_of_single_disks",), {
+        (teeth, alone["best"].at): alone["best"].mean for teeth, alone in numbers["alone"].items()})
 
 
 STUDY = Study("guide", "Single disks as a guide to mixtures",
               (Sweep("paper_fig8"), Sweep(WINDOW, is_quick=False), Sweep(SINGLE), Sweep(ALONE), *fig9.SWEEPS), evaluate,
               (Picture("guide", "Q over the inclination, of single disks and of the mixture of Fig. 9; bars: standard "
-                       "errors over the seeds", draw, (ALONE, *(sweep.name for sweep in fig9.SWEEPS))),), claims, text)
+                       "errors over the seeds", draw, (ALONE, *(sweep.name for sweep in fig9.SWEEPS))),), claims,
+              tables=lambda numbers: {"guide": best_lines(numbers)})

@@ -1,9 +1,8 @@
 """Which way both kinds of Fig. 8's mixture go, and where they part as the paper's do. Addition A1: the window of
 inclinations in which they do, over the density."""
 from ratchet_sieve import plots
-from ratchet_sieve.texts import table
 from curves import turns_of
-from study import Picture, Study, Sweep, told, ways
+from study import Picture, Study, Sweep, csv_lines, told, ways
 import verdicts
 
 THETA = "base.inclination"
@@ -66,11 +65,12 @@ def evaluate(rows):
 def draw(part):
     figure, axes = plots.panels(1, 1, (6.4, 4.2))
     turns = part["turns"]
-    for kind, name, colour in zip("AB", ("A turns (1 mm, 10 g)", "B turns (2 mm, 1 g)"), plots.COLOURS):
+    for kind, name, colour in zip("AB", ("A reverses (1 mm, 10 g)", "B reverses (2 mm, 1 g)"), plots.COLOURS):
         plots.curve(axes, [(d, turn[kind]) for d, turn in turns.items()], color=colour, label=name)
     known = [(d, turn["B"].value, turn["A"].value) for d, turn in turns.items() if turn["A"] and turn["B"]]
     axes.fill_between(*zip(*known), color=plots.COLOURS[2], alpha=0.3, label="A right, B left here")
-    axes.plot([PRINTED] * len(ANGLES), ANGLES, "kx", markersize=7, label="so in the paper", clip_on=False, zorder=5)
+    axes.plot([PRINTED] * len(ANGLES), ANGLES, "kx", markersize=7, label="opposite ways in the paper",
+              clip_on=False, zorder=5)
     for theta in ANGLES:
         axes.axhline(theta, color=plots.GREY, linewidth=0.8, linestyle="--", zorder=1)
     axes.set(xlabel="density $d$", ylabel=r"$\theta$ [rad]")
@@ -95,8 +95,8 @@ def at_one(part):
                       for theta in ANGLES)
     widths = {d: turn["window"] for d, turn in turns.items() if turn["window"]}
     widest = max(widths, key=lambda d: widths[d].value)
-    said = (f"at {listed(found)} ({alone}; the widest window: {widths[widest].text()} rad at d = {widest:g}, and both "
-            f"angles need {NEEDED:.3g})")
+    said = (f"at {listed(found)} ({alone}; the widest interval: {widths[widest].text()} rad at d = {widest:g}, and "
+            f"both angles need {NEEDED:.3g})")
     return verdicts.Check("A right and B left at both angles, at one density", said, bool(found))
 
 
@@ -105,27 +105,20 @@ def claims(part):
                            "density", (at_one(part),))]
 
 
-def off(mean):
-    return "—" if mean is None else f"{PRINTED / mean.value:.2f}"
+def turn_lines(part):
+    fields = ("theta_b_reverses", "theta_a_reverses", "interval_rad")
+    return csv_lines(("d",), fields, {d: [turn[kind] for kind in ("B", "A", "window")]
+                                      for d, turn in part["turns"].items()})
 
 
 def text(part):
-    lines = [[f"{d:g}", *(told(turn[kind]) for kind in ("B", "A", "window"))] for d, turn in part["turns"].items()]
-    limits = [[f"{theta:g}", told(found["B"]), told(found["A"]), off(found["A"])]
-              for theta, found in part["limits"].items()]
-    return "\n\n".join((
-        "The angles at which each kind turns to the left (—: none up to the largest θ), by a parabola through the "
-        "means nearest to it; errors by leaving out one seed after the other. Claim 6 quotes the window at "
-        f"d = {PRINTED:g} from [Fig. 8](#fig-8-both-kinds-of-a-mixture); the one here, from other runs, is a check:",
-        table(["d", "B turns, θ [rad]", "A turns, θ [rad]", "width [rad]"], lines),
-        "The other way round: at an angle of the claim, B goes to the left above one density, and A to the right "
-        "below another (—: at all that were measured). The last column says by which factor "
-        f"{PRINTED:g} is above the latter:",
-        table(["θ [rad]", "B left above d", "A right below d", f"{PRINTED:g} over that"], limits)))
+    """Below which density A goes to the right at the first angle of the claim, and above which B to the left."""
+    limits = part["limits"][ANGLES[0]]
+    return f"At θ = {ANGLES[0]:g} the kinds go opposite ways from d = {told(limits['B'])} to {told(limits['A'])}."
 
 
-WINDOW = Study("parting_window", "The window in which Fig. 8's mixture parts, over the density",
+WINDOW = Study("parting_window", "The inclinations at which the kinds of Fig. 8's mixture reverse, over the density",
               (Sweep("parting_window", {THETA: (0.052, *ANGLES)}),), evaluate,
-              (Picture("parting_window", "The inclinations at which A and B turn to the left, over the density; bars: "
+              (Picture("parting_window", "The inclinations at which A and B reverse, over the density; bars: "
                        "jackknife errors over the seeds", draw),),
-              claims, text)
+              claims, text, tables=lambda part: {"parting_window": turn_lines(part)})

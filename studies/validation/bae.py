@@ -2,8 +2,7 @@
 import math
 
 from ratchet_sieve import plots
-from ratchet_sieve.texts import table
-from study import Picture, Study, Sweep, axis, named_curves
+from study import Picture, Study, Sweep, axis, csv_lines, named_curves
 import verdicts
 
 E = "species.0.restitution"
@@ -19,8 +18,7 @@ NORMAL = "normal"      # to where the gentler slopes face: to the right, as a < 
 REVERSED = "reversed"
 NONE = "none"
 UNTOLD = "undecided"
-STILL = 0.00001  # m/s
-COLOURS = {NORMAL: plots.COLOURS[0], NONE: "#D9D9D9", REVERSED: plots.COLOURS[1], UNTOLD: "#FFFFFF"}
+COLOURS = {NORMAL: plots.COLOURS[5], NONE: "#D9D9D9", REVERSED: plots.COLOURS[4], UNTOLD: "#FFFFFF"}  # right, left
 
 
 def regime(mean, least):
@@ -32,13 +30,6 @@ def regime(mean, least):
     if mean.surely_below(-least):
         return REVERSED
     return NONE if verdicts.all_of((mean.surely_above(-least), mean.surely_below(least))) else UNTOLD
-
-
-def speed_text(mean):
-    """In mm/s. A grain that stays in its groove moves by the remainder of a bounce, which is no current."""
-    if mean.error is not None and abs(mean.value) + mean.error < STILL:
-        return f"below {STILL * plots.MM:g}"
-    return mean.text(plots.MM)
 
 
 def exists(says, means, least, wanted):
@@ -128,27 +119,9 @@ def claims(numbers):
                                          "the same", places(fresh, cut)) for name, cut in CUTS.items())))]
 
 
-def extent(means, wanted):
-    cells = [place for place, mean in means.items() if regime(mean, LEAST) == wanted]
-    if not cells:
-        return "nowhere"
-    return (f"{len(cells)}: Γ {min(x for x, _ in cells):g} to {max(x for x, _ in cells):g}, "
-            f"h/w {min(y for _, y in cells):g} to {max(y for _, y in cells):g}")
-
-
-def text(numbers):
-    numbers = numbers["map"]
-    wanted = (NONE, NORMAL, REVERSED, UNTOLD)
-    lines = [[f"{e:g}", len(means), *(extent(means, name) for name in wanted)] for e, means in numbers.items()]
-    return ("Where each regime lies in the map, and between which values:\n\n"
-            + table(["e", "places", *wanted], lines))
-
-
-def lines_of(numbers):
-    """For a CSV file."""
-    return (["e", "gamma", "h_over_w", "mean_vx_m_per_s", "standard_error", "n"],
-            [[f"{e:g}", f"{x:g}", f"{y:g}", f"{mean.value:.4g}", f"{mean.error:.2g}", mean.count]
-             for e, means in numbers["map"].items() for (x, y), mean in means.items()])
+def velocity_lines(numbers):
+    return csv_lines(("e", "gamma", "h_over_w"), ("mean_vx_m_per_s",), {
+        (e, *place): mean for e, means in numbers["map"].items() for place, mean in means.items()})
 
 
 STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others 2004)",
@@ -159,4 +132,4 @@ STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others
                Picture("bae_current", "Mean velocity of single grains over the strength of the shaking, "
                        f"e = {SLICE:g}, a = 0.3; bars: standard errors over the seeds", draw_curves,
                        ("validation_bae",))),
-              claims, text, tables=lambda numbers: {"bae": lines_of(numbers)})
+              claims, tables=lambda numbers: {"bae": velocity_lines(numbers)})

@@ -5,9 +5,9 @@ import dataclasses
 
 from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows
-from ratchet_sieve.texts import shown, table
+from ratchet_sieve.texts import shown
 from curves import best_of
-from study import Picture, Study, Sweep, axis, kind_curves, told
+from study import WAYS, Picture, Study, Sweep, axis, csv_lines, kind_curves
 import verdicts
 
 THETA = "base.inclination"
@@ -44,7 +44,7 @@ def draw_kinds(means, ratchet, kinds):
     figure, grid = plots.panels(len(rows), len(columns), (8.6, 0.6 + 2.7 * len(rows)), sharex=True, squeeze=False)
     for line, row in zip(grid, rows):
         for axes, column in zip(line, columns):
-            for curve, colour in zip(curves, plots.COLOURS):
+            for curve, colour in zip(curves, plots.ramp(len(curves))):
                 kind_curves(axes, {theta: means[row, column, curve, theta] for theta in axis(means, 3)},
                             [f"{kind}, {ratchet.curve.format(ratchet.scale * curve)}" for kind in kinds], colour)
             plots.signed(axes)
@@ -65,7 +65,7 @@ def named(place, ratchet):
 
 
 def opposed_at(means):
-    """@return places where one kind surely goes to the right and the other to the left, with both"""
+    """@return places where one kind goes to the right and the other to the left, with both"""
     ways = {place: (pair[0].surely_above(0.0), pair[1].surely_above(0.0)) for place, pair in means.items()}
     return {place: means[place] for place, (a, b) in sorted(ways.items()) if None not in (a, b) and a != b}
 
@@ -99,7 +99,7 @@ def place_of(rows, index):
 
 def draw_quality(numbers):
     figure, axes = plots.panels(1, 1, (6.0, 3.6))
-    for index, (name, colour) in enumerate(zip("QP", plots.COLOURS)):
+    for index, (name, colour) in enumerate(zip("QP", ("black", plots.COLOURS[2]))):
         points = [(theta, pair[index]) for theta, pair in numbers["quality"].items()]
         plots.curve(axes, points, color=colour, label=name)
     axes.set_ylim(0.0, 1.05)
@@ -136,21 +136,22 @@ def claimer(number, word):
     return claims
 
 
-def opposed_table(means, ratchet):
-    lines = [[named(place, ratchet), *(mean.text(plots.MM) for mean in pair)]
-             for place, pair in opposed_at(means).items()]
-    if not lines:
-        return f"On {ratchet.about} the kinds go opposite ways nowhere."
-    return (f"Where the kinds go opposite ways on {ratchet.about}, velocities in mm/s:\n\n"
-            + table(["where", "A", "B", "B less A"], lines))
+def drift_lines(numbers):
+    """Of both ratchets; the keys' names differ, and stand in the first column."""
+    cells = {(ratchet.about, *map(float, place)): found for ratchet, means in numbers["means"].items()
+             for place, found in means.items()}
+    return csv_lines(("teeth", "d", "column", "curve", "theta_rad"), (*WAYS, "b_less_a_m_per_s"), cells)
+
+
+def quality_lines(numbers):
+    return csv_lines(("theta_rad",), ("q", "p"), numbers["quality"])
 
 
 def text(numbers):
-    quality = [[shown(theta), *(told(mean) for mean in pair)]
-               for theta, pair in numbers["quality"].items()]
-    return "\n\n".join([*(opposed_table(means, ratchet) for ratchet, means in numbers["means"].items()),
-                        "On the open base, in the search; the fresh seeds' Q above is the one to quote:",
-                        table(["θ [rad]", "Q", "P"], quality)])
+    """Where the kinds go opposite ways in the search."""
+    found = [f"at {len(opposed_at(means))} of {len(means)} settings on {ratchet.about}"
+             for ratchet, means in numbers["means"].items()]
+    return f"In the search the kinds go opposite ways {' and '.join(found)}."
 
 
 def picture(name, word, names, ratchet):
@@ -163,12 +164,13 @@ def picture(name, word, names, ratchet):
 def study(number, word, names, scene):
     """@param names of both kinds. @param scene of the open base, in words"""
     name, sweep = f"farkas_{word}", f"validation_farkas_{word}"
-    quality = Picture(f"{name}_quality", f"Quality and processed share of the mixture on an open base ({scene}); bars: "
+    quality = Picture(f"{name}_quality", f"Q and P on an open base ({scene}); bars: "
                       "standard errors over the seeds", draw_quality, (f"{sweep}_open",))
     return Study(name, f"One size, another {word} (Farkas and others 2002)",
                  (*(Sweep(sweep + ratchet.suffix) for ratchet in RATCHETS), Sweep(f"{sweep}_open"),
                   Sweep(f"{sweep}_fresh")), evaluator(sweep),
-                 (*(picture(name, word, names, ratchet) for ratchet in RATCHETS), quality), claimer(number, word), text)
+                 (*(picture(name, word, names, ratchet) for ratchet in RATCHETS[::-1]), quality), claimer(number, word),
+                 text, tables=lambda numbers: {name: drift_lines(numbers), f"{name}_quality": quality_lines(numbers)})
 
 
 RESTITUTION = study("1", "restitution", ("A: e = 0.4", "B: e = 0.8"),

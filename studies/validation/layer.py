@@ -1,10 +1,8 @@
 """A layer of one kind: its current over its thickness, and over the frequency (Derényi, Tegzes, Vicsek 1998)."""
 from ratchet_sieve import plots
 from ratchet_sieve.stats import jackknife
-from ratchet_sieve.texts import table
-from curves import crossing_of, curve_of
-from study import Picture, Study, Sweep, axis, means, named_curves
-from validation import bae
+from curves import curve_of
+from study import Picture, Study, Sweep, axis, csv_lines, means, named_curves
 import verdicts
 
 D = "density"
@@ -18,7 +16,6 @@ def evaluate(rows):
     onset, fresh = rows["validation_layer_onset"], rows["validation_layer_fresh"]
     rows = rows["validation_layer"]
     return {"means": means(rows, "mean_vx.A", E, F, D),
-            "turns": {place: crossing_of(cell, D, "mean_vx.A") for place, cell in sorted(rows.by(E, F).items())},
             "fresh": means(fresh, "mean_vx.A", D), "onset": means(onset, "mean_vx.A", E, F, D),
             "steps": {place: jackknife(lambda seeds, cell=cell: largest_step(cell, seeds), cell.values("seed"))
                       for place, cell in sorted(onset.by(E, D).items())}}
@@ -45,10 +42,11 @@ def draw(numbers):
 def draw_onset(numbers):
     velocities = numbers["onset"]
     figure, axes = plots.panels(1, 1, (6.4, 3.8))
-    places = ((e, d) for e in axis(velocities, 0) for d in axis(velocities, 2))
-    for (e, d), colour in zip(places, plots.COLOURS):
-        points = [(f, velocities[e, f, d]) for f in axis(velocities, 1)]
-        plots.curve(axes, points, plots.MM, color=colour, label=f"e = {e:g}, d = {d:g}")
+    densities = axis(velocities, 2)
+    for e, style in zip(axis(velocities, 0), ("-", "--")):
+        for d, colour in zip(densities, plots.ramp(len(densities))):
+            points = [(f, velocities[e, f, d]) for f in axis(velocities, 1)]
+            plots.curve(axes, points, plots.MM, color=colour, linestyle=style, label=f"e = {e:g}, d = {d:g}")
     plots.signed(axes)
     axes.set(xlabel="$f$ [Hz]", ylabel=r"$\langle V_x \rangle$ [mm/s]")
     if velocities:
@@ -58,7 +56,7 @@ def draw_onset(numbers):
 
 def turns_afresh(fresh):
     """A check by fresh seeds that the current of a thin layer and of a thicker one have opposite signs."""
-    says = "the current turns as the layer is made thicker (e = 0.6, 30 Hz)"
+    says = "the current reverses as the layer is made thicker (e = 0.6, 30 Hz)"
     thin, thick = fresh.items()
     ways = [mean.surely_above(0.0) for _, mean in (thin, thick)]
     told = ", ".join(f"{verdicts.shown(mean, plots.MM, 'mm/s')} at d = {d:g}" for d, mean in (thin, thick))
@@ -86,15 +84,6 @@ def claims(numbers):
                            (turns_afresh(numbers["fresh"]), sets_in(numbers["steps"])))]
 
 
-def text(numbers):
-    velocities = numbers["means"]
-    densities = axis(velocities, 2)
-    lines = [[f"{e:g}", f"{f:g}", *(bae.speed_text(velocities[e, f, d]) for d in densities),
-              turn.text() if turn else "—"] for (e, f), turn in numbers["turns"].items()]
-    return ("The search: ⟨V_x⟩ in mm/s, and the density at which it first changes its sign:\n\n"
-            + table(["e", "f [Hz]"] + [f"d = {d:g}" for d in densities] + ["turns at d"], lines))
-
-
 STUDY = Study("layer", "A layer over its thickness (Derényi and others 1998)",
               (Sweep("validation_layer"), Sweep("validation_layer_fresh"),
                Sweep("validation_layer_onset", is_quick=False)), evaluate,
@@ -102,4 +91,5 @@ STUDY = Study("layer", "A layer over its thickness (Derényi and others 1998)",
                        "h = 5 mm, a = 0.3); bars: standard errors over the seeds", draw, ("validation_layer",)),
                Picture("layer_onset", "Mean velocity of a thin and of a thick layer over the frequency, on the same "
                        "teeth; bars: standard errors over the seeds", draw_onset, ("validation_layer_onset",))), claims,
-              text)
+              tables=lambda numbers: {name: csv_lines(("e", "f_hz", "d"), ("mean_vx_m_per_s",), numbers[key])
+                                      for name, key in (("layer", "means"), ("layer_onset", "onset"))})

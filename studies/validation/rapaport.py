@@ -1,7 +1,6 @@
 """Large and small disks of one material in a layer on a level base (Rapaport 2001)."""
 from ratchet_sieve import plots
-from ratchet_sieve.texts import table
-from study import Picture, Study, Sweep, axis, kind_curves, ways
+from study import Picture, Study, Sweep, axis, csv_lines, kind_curves, ways
 import verdicts
 
 D = "density"
@@ -19,7 +18,7 @@ def draw(means):
     restitutions, frequencies, densities = (axis(means, index) for index in range(3))
     figure, row = plots.panels(1, len(restitutions), (8.6, 3.9), sharey=True, squeeze=False)
     for axes, e in zip(row[0], restitutions):
-        for f, colour in zip(frequencies, plots.COLOURS):
+        for f, colour in zip(frequencies, plots.ramp(len(frequencies))):
             kind_curves(axes, {d: means[e, f, d] for d in densities}, [f"{kind}, {f:g} Hz" for kind in KINDS], colour)
         plots.signed(axes)
         axes.set_xscale("log", base=2)
@@ -50,13 +49,8 @@ def claims(means):
                            "small particles are horizontally driven in opposite directions", (check,))]
 
 
-def text(means):
-    densities = axis(means, 2)
-    lines = [[f"{e:g}", f"{f:g}", KINDS[kind], *(means[e, f, d][kind].text(plots.MM) for d in densities)]
-             for e in axis(means, 0) for f in axis(means, 1) for kind in range(len(KINDS))]
-    return "⟨V_x⟩ in mm/s:\n\n" + table(["e", "f [Hz]", "", *(f"d = {d:g}" for d in densities)], lines)
-
-
 STUDY = Study("rapaport", "Large and small disks in a layer (Rapaport 2001)", (Sweep("validation_rapaport"),), evaluate,
               (Picture("rapaport", "Mean velocities of small (0.5 mm) and large (1 mm) disks in a layer over its "
-                       "thickness, on steep teeth; bars: standard errors over the seeds", draw),), claims, text)
+                       "thickness, on steep teeth; bars: standard errors over the seeds", draw),), claims,
+              tables=lambda means: {"rapaport": csv_lines(
+                  ("e", "f_hz", "d"), ("small_m_per_s", "large_m_per_s"), means)})

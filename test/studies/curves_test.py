@@ -5,7 +5,7 @@ import unittest
 
 from ratchet_sieve.stats import Mean
 from ratchet_sieve.tables import Rows
-from curves import apart_between, best_of, crossing_of, line_through, turns_of, vertex, zero_crossing
+from curves import best_of, crossing_of, line_through, turns_of, zero_crossing
 
 
 def rows_of(curve, noise, seeds=6, draws_of=3):
@@ -30,10 +30,9 @@ class Curves(unittest.TestCase):
     def test_two_lines_part_as_they_do(self):
         frame = rows_of(lambda x: 0.5 - x, 1e-4).frame
         rows = Rows(frame.rename(columns={"y": "mean_vx.A"}).assign(**{"mean_vx.B": 0.2 - frame["x"]}))
-        turns, apart = turns_of(rows, "x"), apart_between(rows, "x", "mean_vx.A", "mean_vx.B")
+        turns = turns_of(rows, "x")
         for name, value in (("A", 0.5), ("B", 0.2), ("window", 0.3)):
             self.assertAlmostEqual(turns[name].value, value, delta=0.001)
-        self.assertAlmostEqual(apart.value, 0.3, delta=0.001)
 
     def test_the_best_of_noise_is_not_above_it(self):
         sets = [rows_of(lambda x: 0.0, 1.0, 6, draws_of) for draws_of in range(60)]
@@ -51,12 +50,6 @@ class Curves(unittest.TestCase):
         best = best_of(rows_of(lambda x: 1.0 - (x - 0.4) ** 2, 0.002), "x", "y")
         self.assertAlmostEqual(best.at, 0.4)
         self.assertAlmostEqual(best.mean.value, 1.0, delta=0.01)
-        self.assertAlmostEqual(best.peak.value, 1.0, delta=0.01)
-
-    def test_a_peak_between_the_places_is_found(self):
-        self.assertAlmostEqual(vertex([(x, 2.0 - (x - 1.3) ** 2) for x in (0.0, 1.0, 2.5)]), 2.0)
-        self.assertIsNone(vertex([(0.0, 1.0), (1.0, 0.0), (2.0, 1.0)]))
-        self.assertIsNone(vertex([(0.0, 0.0), (1.0, 1.0), (2.0, 1.9)]))  # rises on beyond them
 
     def test_a_line_goes_through_its_points(self):
         line = line_through([(x, Mean(2.0 - 3.0 * x, 0.1 + x, 4)) for x in (0.0, 1.0, 2.0, 5.0)])

@@ -37,7 +37,7 @@ class Verdicts(unittest.TestCase):
     def test_many_comparisons_say_which_is_the_other_way(self):
         check = verdicts.counted("all", [("first", SURE), ("second", SURE.scaled(-1.0)), ("third", UNSURE)])
         self.assertIs(check.passes, False)
-        self.assertEqual(check.text(), "all: 1 of 3 are sure, 1 surely the other way (second): **no**")
+        self.assertEqual(check.text(), "all: 1 of 3, 1 significantly the other way (second): **no**")
         self.assertIsNone(verdicts.counted("none", []).passes)
 
     def test_many_comparisons_are_corrected_for_their_number(self):
