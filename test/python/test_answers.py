@@ -295,6 +295,13 @@ def test_what_is_reported_of_a_front_comes_from_seeds_that_had_no_part_in_the_ch
         assert row["lower"] == pytest.approx(chose.mean() - stats.mean_of(chose).half_width())
 
 
+def test_settings_that_are_tried_twice_have_their_own_values():
+    found = rs.front(SCENE, {"base.teeth": (6, 9)}, trials=16)
+    works = found.tried.dropna(subset=["value"])
+    assert set(works["base.teeth"]) == {6, 7, 8, 9} and len(works) == 16
+    assert (works.groupby("base.teeth").value.nunique() == 1).all() and works.value.nunique() == 4
+
+
 def test_unbeaten_points_against_each_pair():
     values, throughputs = np.random.default_rng(1).integers(0, 6, (2, 40)).astype(float)
     beaten = {k for k in range(40) for other in range(40)

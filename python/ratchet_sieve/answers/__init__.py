@@ -14,7 +14,6 @@ from .machine import WITHIN, Machine
 from .search import Search
 
 SHARE_OF_SEARCH = 0.6  # of the budget: the rest is for the fresh runs
-MOST_SEED = 10 ** 12
 _UNITS = {"": 1.0, "s": 1.0, "min": 60.0, "h": 3600.0}
 
 
@@ -43,8 +42,6 @@ def separate(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, within
     within = number("within", WITHIN[machine.kind] if within is None else within)
     if within <= 0.0 or machine.kind != "closed" and machine.is_signed and within >= 1.0:
         raise ValueError(f"within = {within!r}: must be above 0" + ("" if within <= 0.0 else " and below 1"))
-    if integer("seed", seed) > MOST_SEED:
-        raise ValueError(f"seed = {seed}: must be an integer, 0 to {MOST_SEED}")
     seconds = _seconds(budget)
     begin = time.monotonic()
     search = Search(machine, within, seed,

@@ -17,7 +17,7 @@ import pandas
 
 from ratchet_sieve import stats
 from ratchet_sieve.answers.machine import Machine
-from ratchet_sieve.answers.search import BATCH, SEEDS
+from ratchet_sieve.answers.search import BATCH, SEEDS, seed_of
 from ratchet_sieve.arguments import integer
 from ratchet_sieve.progress import Progress
 from ratchet_sieve.scene import AnyScene
@@ -97,15 +97,17 @@ def front(scene: AnyScene, over: Mapping[str, tuple[float, float]], *, trials: i
         raise ValueError("feed.rate: must be above 0: a machine that is not fed has no lasting throughput")
     trials = integer("trials", trials, 1)
     options = {"threads": integer("threads", threads), "results": results}
-    seed = SEEDS * integer("seed", seed)
+    seed = seed_of(seed)
     with Progress(progress, "front") as bar:
         tried = _tried(machine, trials, [machine.place(settings) for settings in start], seed, options, bar)
-        promising = _promising(tried)
+        promising = _promising(machine, tried)
         if promising.empty:
             raise RuntimeError(f"the machine works nowhere in these ranges: {counted(trials, 'setting')} tried")
         places = np.array([machine.place(row) for row in promising[machine.keys].to_dict("records")])
         bar.show(0.8, f"{counted(len(places), 'setting')} again")
         chosen = _measured(machine, places, seed + SEEDS // 2, options).dropna(subset=["value"])
+        if chosen.empty:
+            raise RuntimeError("the machine works with no fresh seeds at any of the settings that seemed to be good")
         kept = _unbeaten(chosen.value.to_numpy(), chosen.throughput.to_numpy())
         chosen = chosen.iloc[kept]
         bar.show(0.9, f"{counted(len(kept), 'setting')} of the front again")
@@ -148,18 +150,21 @@ def _tried(machine, trials, start, seed, options, bar):
 
 
 def _seen(machine, places, duration, seeds, options):
-    """@return a row for each run: settings, value, throughput [disks/s], processed"""
-    rows = machine.run(places, np.full(len(places), duration * machine.shortest), seeds, **options)
+    """@return a row for each place and seed: settings, value, throughput [disks/s], processed"""
+    wanted = pandas.DataFrame([machine.settings(place) for place in places])
+    once = wanted.drop_duplicates()  # as of whole numbers
+    rows = machine.run(places[once.index], np.full(len(once), duration * machine.shortest), seeds, **options)
     value = machine.observed(rows)["value"]
-    settings = pandas.DataFrame([machine.settings(place) for place in np.repeat(places, seeds[1], axis=0)])
     left = rows[[f"{side}.{name}" for side in ("left", "right") for name in machine.scene.species]].sum(axis=1)
-    return settings.assign(value=value.abs() if machine.is_signed else value, throughput=left / rows["simulated_time"],
-                           processed=rows["processed"])
+    found = once.loc[once.index.repeat(seeds[1])].reset_index(drop=True).assign(
+        value=value.abs() if machine.is_signed else value, throughput=left / rows["simulated_time"],
+        processed=rows["processed"])
+    return wanted.merge(found, on=machine.keys, how="left")
 
 
-def _promising(tried):
+def _promising(machine, tried):
     """Of the settings that work the front, and the front without it, as long as there are too few."""
-    left, found = tried.dropna(subset=["value"]), []
+    left, found = tried.dropna(subset=["value"]).drop_duplicates(machine.keys), []
     while len(left) and sum(map(len, found)) < PROMISING:
         kept = _unbeaten(left.value.to_numpy(), left.throughput.to_numpy())
         found.append(left.iloc[kept])

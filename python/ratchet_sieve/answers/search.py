@@ -12,6 +12,7 @@ import pandas
 
 from ratchet_sieve.answers.machine import LONGEST, RESIDENCES
 from ratchet_sieve.answers.surface import Surface
+from ratchet_sieve.arguments import integer
 
 Z = 1.96          # normal quantile of 95 %, two-sided
 ANYWHERE = 2.5    # the same for all places together, of which about four tell nothing about each other
@@ -26,6 +27,7 @@ RATES = 20.0      # scale of the logarithm of that: of its surface over the rang
 RATES_VARIANCE = 0.1  # of what one run says of it
 LONG_COST = 50.0  # of a run that is longer than the shortest, over the median of the first runs
 SEEDS = 1_000_000  # of the scenes between two seeds of the search; the second half of them is for fresh runs
+MOST_SEED = 10 ** 12
 UNKNOWN_ERRORS = 3.0  # standard deviation of the logarithm of their variance, for a goal of the user's
 SINGLE = 1.0      # variance of the separation, times the disks that have left
 
@@ -38,7 +40,7 @@ class Search:
     def __init__(self, machine, within, seed, deadline=None, **options):
         """@param deadline of time.monotonic(), or None. @param options of Machine.run()"""
         self.machine, self.within, self.deadline, self._options = machine, within, deadline, options
-        self._seed = SEEDS * seed
+        self._seed = seed_of(seed)
         self.runs = pandas.DataFrame()
         self._places = np.empty((0, len(machine.keys)))
         self.grid = _different(machine, _grid(len(machine.keys)))
@@ -239,6 +241,13 @@ class Search:
 
     def is_late(self):
         return self.deadline is not None and time.monotonic() > self.deadline
+
+
+def seed_of(seed):
+    """The first seed of a search's scenes. Raises ValueError."""
+    if integer("seed", seed) > MOST_SEED:
+        raise ValueError(f"seed = {seed}: must be an integer, 0 to {MOST_SEED}")
+    return SEEDS * seed
 
 
 def _different(machine, places):
