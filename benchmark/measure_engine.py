@@ -87,7 +87,8 @@ def rows(best, times_of, two_jobs, memory, memory_of_two):
     yield 'fig8.collisions', 'Fig. 8, 524 disks, θ = 0: collisions per second', millions('mixture/20')
     yield 'disks_1e4.collisions', 'the same layer with 10⁴ disks', millions('mixture/382')
     yield 'disks_1e5.collisions', 'with 10⁵ disks', millions('mixture/3817')
-    yield 'size_cost', 'cost of a collision among 10⁵ disks, over that among 10³', times('mixture/38', 'mixture/3817')
+    yield ('size_cost', 'cost of a collision among 10⁵ disks, over that among 10³',
+           times('mixture/38', 'mixture/3817'))
     for teeth, name in ((20, 'fig8'), (382, 'disks_1e4'), (3817, 'disks_1e5')):
         yield (f'two_jobs.{name}', f'two jobs at once, one a core, over a lone job: {teeth} teeth',
                f'{two_jobs[f"mixture/{teeth}"]:.2f}')
@@ -118,8 +119,8 @@ def main():
     program = arguments.programs / 'engine_benchmark'
     two_jobs = two_over_one(program, arguments.rounds)
     about, found = origin.describe_physics(), list(rows(*collisions(program, arguments.rounds), two_jobs, *memory))
-    print(f'{origin.text(about)}; the best of {arguments.rounds} rounds.', table(['', 'measured'], [row[1:] for row in found]),
-          sep='\n\n')
+    print(f'{origin.text(about)}; the best of {arguments.rounds} rounds.',
+          table(['', 'measured'], [row[1:] for row in found]), sep='\n\n')
     quote(arguments, 'engine', {key: measured for key, _, measured in found}, about)
 
 

@@ -106,12 +106,12 @@ def model(strips, layers, meeting):
 
 
 def main():
-    arguments = parsed(parser_of(__doc__, rounds=11), 'threads', 'threads-model')
+    arguments = parsed(parser_of(__doc__, rounds=11), 'threads')
     program, about = arguments.programs / 'engine_benchmark', origin.describe_physics()
     layers = by_arguments(run(program, 'mixtureOnThreads', arguments.rounds))
     meeting = 1.0 / run(program, 'meetingOfTwoThreads')[0]['meetings']
     publish(arguments, 'threads', tables(layers, arguments.rounds, about), figures(layers), about)
-    publish(arguments, 'threads-model', model(by_arguments(run(program, 'mixtureInStrips')), layers, meeting))
+    print(*model(by_arguments(run(program, 'mixtureInStrips')), layers, meeting), sep='\n')
 
 
 if __name__ == '__main__':
