@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 FULL = 8.0     # times the seeds of --quick
 SHORT = (1e-9, 0.3)  # one seed a round, so long [s]
-MARKS = ("accuracy-bounds", "accuracy-claims", "accuracy-large", "accuracy-floors")
+MARKS = ("accuracy-bounds", "accuracy-claims", "accuracy-floors")
 
 
 def read_arguments():
@@ -49,13 +49,12 @@ def measure(arguments):
                 not arguments.errors_only)
 
 
-def texts(groups, large):
+def texts(groups):
     """@return mark -> the table between them"""
     held_out = {scene.name for scene in points.held_out()}
     development = {name: own for name, own in groups.items() if name not in held_out}
     tested = {name: own for name, own in groups.items() if name in held_out}
-    return dict(zip(MARKS, (tables.bounds(development), tables.claims(tested), tables.large(large),
-                            tables.floors(development))))
+    return dict(zip(MARKS, (tables.bounds(development), tables.claims(tested), tables.floors(development))))
 
 
 def main():
@@ -66,7 +65,7 @@ def main():
     results, costs = points.load(arguments.out / "data", every)
     large = [point for point in every if point.scene.name.startswith("large")]
     groups = points.by_scene(point for point in every if point.is_measured() and point not in large)
-    for mark, text in texts(groups, large).items():
+    for mark, text in texts(groups).items():
         documents.put(arguments.out / "accuracy.md", mark, text)
     documents.write_figures(arguments.out / "data/accuracy.json", tables.figures(groups, large, results, costs))
 

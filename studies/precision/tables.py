@@ -138,8 +138,8 @@ def step_bound(points, point, names):
 
 
 # The quantities of a scene that are shown over the rebound floor.
-OVER_FLOOR = {"fig3": ("drift A", "short / long"), "fig8": (*DRIFTS, "short / long"), "fig9": ("Q",),
-              "dense": ("times faster", *DRIFTS), "violent": ("drift A", "K_A")}
+OVER_FLOOR = {"fig3": ("drift A", "short / long"), "fig8": DRIFTS, "fig9": ("Q",), "dense": ("times faster", *DRIFTS),
+              "violent": ("drift A",)}
 
 
 def at_floor(points, floor):
@@ -173,7 +173,8 @@ def verdict(error, claim):
 
 def failures(points, point, claim):
     """The errors that are not within a bound."""
-    errors = {name: point and relative(point.means.get(name), exact_value(points, name)) for name in quantities(points[0])}
+    errors = {name: point and relative(point.means.get(name), exact_value(points, name))
+              for name in quantities(points[0])}
     found = [f"{name} {text(error)}: {verdict(error, claim)}" for name, error in errors.items()
              if verdict(error, claim) != "holds"]
     return "; ".join(found) or "all hold"
@@ -202,13 +203,6 @@ def large_costs(points):
             start, end = (point.scene.settings["duration"] for point in (first, whole))
             found.append((first, (first.cost * start, (whole.cost * end - first.cost * start) / (end - start))))
     return found
-
-
-def large(points):
-    found = large_costs(points)
-    lines = [[point.label, f"{first:.2f}", f"{after:.2f}", f"{found[0][1][1] / after:.1f}"]
-             for point, (first, after) in found]
-    return about(points) + markdown(["", "first second, s", "s per simulated s after it", "times faster"], lines)
 
 
 NAMES = {"drift A": "drift_a", "drift B": "drift_b", "K_A": "k_a", "K_B": "k_b", "short / long": "short_to_long",
@@ -261,7 +255,8 @@ def of_scene(points):
 def figures(groups, large, results, costs):
     """@param results, costs the origins of both, the newest last"""
     found = {"date": results[-1].date, "version": f"physics version {results[-1].physics}",
-             "machine": costs[-1].machine, "costs.date": costs[-1].date, "costs.version": f"physics version {costs[-1].physics}",
+             "machine": costs[-1].machine, "costs.date": costs[-1].date,
+             "costs.version": f"physics version {costs[-1].physics}",
              "reference.floor": f"{REFERENCE_FLOOR:g}"}
     for points in groups.values():
         found.update(of_scene(points))
