@@ -17,7 +17,7 @@ import yaml
 import ros_processes
 from ratchet_sieve import origin
 from ratchet_sieve.texts import table
-from report import ROOT, parsed, parser_of, publish
+from report import ROOT, parsed, parser_of, quote
 
 RATE = 60  # frames of each kind per simulated second, the node's default
 STATISTICS_RATE = 10
@@ -33,9 +33,6 @@ FOR_EYES = ['markers', 'cloud']
 LISTENED = {IDLE: [], SUBSCRIBED: ['particles'], EVERYTHING: FOR_PROGRAMS + FOR_EYES, RECORD: []}
 KEYS = ('bag', 'nobody', 'particles', 'all', 'record')  # of those cases in performance.json ...
 SIZES = ('large', 'fig8')  # ... and of the sizes
-TARGETS = {BAG: 75, IDLE: 95, SUBSCRIBED: 85, RECORD: 75}  # percent of the headless rate
-START_TARGET = 30.0  # ms
-SINGLE_TARGET = 1.5
 
 
 def mixture(teeth, duration, **keys):
@@ -149,8 +146,7 @@ def measure_single(programs, scratch, seconds, rounds):
 def single_line(ratios, seconds):
     one, many = (f'{statistics.median(found):.1f} ({min(found):.1f} to {max(found):.1f}) times' for found in ratios)
     return (f'4000 single disks (Fig. 3), {seconds:g} simulated seconds: `sieve_run --bag` takes {one} the wall time '
-            f'of `sieve_run`, both with `--threads 1`, and {many} with a thread for each processor; '
-            f'wanted: {SINGLE_TARGET:g}.')
+            f'of `sieve_run`, both with `--threads 1`, and {many} with a thread for each processor.')
 
 
 def percent(values):
@@ -160,8 +156,8 @@ def percent(values):
 
 
 def tables(benches, rounds, start):
-    yield (f'`sieve_run` on ten disks takes {start["sieve_run"]:.1f} ms from start to end (wanted: at most '
-           f'{START_TARGET:g}), `/bin/true` {start["true"]:.1f} ms.')
+    yield (f'`sieve_run` on ten disks takes {start["sieve_run"]:.1f} ms from start to end, `/bin/true` '
+           f'{start["true"]:.1f} ms.')
     for bench, measured in zip(benches, rounds):
         walls = [wall for wall, _ in measured]
         yield ''
@@ -172,10 +168,9 @@ def tables(benches, rounds, start):
         for case in (BAG, *LISTENED):
             cases = [compared[case] for _, compared in measured]
             best, every = rates(cases)
-            lines.append([case, best, f'≥ {TARGETS[case]}' if case in TARGETS else '', every,
-                          percent([one.other.cpu / one.headless.cpu for one in cases]), sum(one.lost for one in cases)])
-        yield table(['', "rate, best rounds, % of `sieve_run`'s", 'wanted', 'every round', 'CPU time, %',
-                     'messages lost'], lines)
+            lines.append([case, best, every, percent([one.other.cpu / one.headless.cpu for one in cases]),
+                          sum(one.lost for one in cases)])
+        yield table(['', "rate, best rounds, % of `sieve_run`'s", 'every round', 'CPU time, %', 'messages lost'], lines)
 
 
 def figures(rounds, start, single):
@@ -196,7 +191,7 @@ def description(about=None):
 def main():
     parser = parser_of(__doc__, rounds=7)
     parser.add_argument('--short', action='store_true', help='few disks, one round: test only that nothing is lost')
-    arguments = parsed(parser, 'node')
+    arguments = parsed(parser)
     about = origin.describe_physics()
     where = description(about)
     sizes, rounds, starts, single_seconds = [(382, 1.0), (20, 15.0)], arguments.rounds, 50, 20.0
@@ -210,8 +205,9 @@ def main():
         with ros_processes.master(scratch) as client:
             benches = [Bench(arguments.programs, scratch, client, *size) for size in sizes]
             measured = [[bench.round() for _ in range(rounds)] for bench in benches]
-    publish(arguments, 'node', [where + '. Medians, in brackets the range.', '', *tables(benches, measured, start), '',
-                                single_line(single, single_seconds)], figures(measured, start, single), about)
+    print(f'{where}. Medians, in brackets the range.', '', *tables(benches, measured, start), '',
+          single_line(single, single_seconds), sep='\n')
+    quote(arguments, 'node', figures(measured, start, single), about)
     return 1 if any(one.lost for rounds in measured for _, compared in rounds for one in compared.values()) else 0
 
 

@@ -44,7 +44,7 @@ def main():
     parser = parser_of(__doc__, rounds=3)
     parser.add_argument('--short', action='store_true', help='few disks, one round: test only that nothing is lost')
     arguments = parsed(parser, 'real-time')
-    about = description()
+    about = description(origin.describe_physics())
     teeth, spans, rounds = SHORT if arguments.short else (TEETH, SPANS, arguments.rounds)
     with tempfile.TemporaryDirectory() as directory:
         scratch = pathlib.Path(directory)

@@ -14,7 +14,7 @@ from ratchet_sieve import origin
 from ratchet_sieve.texts import table
 from report import parsed, parser_of, publish
 
-LAYERS = ((20, '524', '≥ 1', '1.3'), (153, '4,008', '', ''), (382, '10,008', '1.7', '1.9'), (3817, '100,004', '1.8', '1.95'))
+LAYERS = ((20, '524'), (153, '4,008'), (382, '10,008'), (3817, '100,004'))
 QUEUE, ONE, TWO = range(3)
 MODELLED = ((20, '524'), (382, '10,008'), (3817, '100,004'), (38170, '1,000,054'))
 THREADS = (2, 4, 16, 64)
@@ -60,18 +60,17 @@ def tables(layers, rounds, about):
     yield f'{origin.text(about)}; medians of {rounds} rounds, in turns; in brackets those of each half of the rounds.'
     yield ''
     lines = []
-    for teeth, disks, target, stretch in LAYERS:
+    for teeth, disks in LAYERS:
         queue, one, two = (layers[teeth, way] for way in (QUEUE, ONE, TWO))
-        lines.append([disks, f'{M * rate(queue):.2f}', ratio(one, queue), ratio(two, one), target, stretch,
-                      waiting(two)])
+        lines.append([disks, f'{M * rate(queue):.2f}', ratio(one, queue), ratio(two, one), waiting(two)])
     yield table(['disks', 'single queue, M collisions/s', 'one thread over a single queue', 'two threads over one',
-                 'wanted', 'hoped for', 'waiting, %'], lines)
+                 'waiting, %'], lines)
 
 
 def figures(layers):
     """Those of performance.json."""
     known = {}
-    for teeth, disks, *_ in LAYERS:
+    for teeth, disks in LAYERS:
         key = 'disks_' + disks.replace(',', '')
         one, two = (layers[teeth, way] for way in (ONE, TWO))
         known[f'{key}.one'] = f'{M * rate(one):.2f} M'
@@ -92,7 +91,7 @@ def model(strips, layers, meeting):
     """@param strips (teeth, strips) -> runs on one thread @param meeting of two threads [s]"""
     yield f'A meeting of two threads takes {1e6 * meeting:.2f} µs.'
     yield ''
-    measured = {teeth: f'{rate(layers[teeth, TWO]) / rate(layers[teeth, ONE]):.1f}' for teeth, *_ in LAYERS}
+    measured = {teeth: f'{rate(layers[teeth, TWO]) / rate(layers[teeth, ONE]):.1f}' for teeth, _ in LAYERS}
     lines = []
     for teeth, disks in MODELLED:
         most = max((count for other, count in strips if other == teeth), default=1)
@@ -107,12 +106,12 @@ def model(strips, layers, meeting):
 
 
 def main():
-    arguments = parsed(parser_of(__doc__, rounds=11), 'threads', 'threads-model')
+    arguments = parsed(parser_of(__doc__, rounds=11), 'threads')
     program, about = arguments.programs / 'engine_benchmark', origin.describe_physics()
     layers = by_arguments(run(program, 'mixtureOnThreads', arguments.rounds))
     meeting = 1.0 / run(program, 'meetingOfTwoThreads')[0]['meetings']
     publish(arguments, 'threads', tables(layers, arguments.rounds, about), figures(layers), about)
-    publish(arguments, 'threads-model', model(by_arguments(run(program, 'mixtureInStrips')), layers, meeting))
+    print(*model(by_arguments(run(program, 'mixtureInStrips')), layers, meeting), sep='\n')
 
 
 if __name__ == '__main__':

@@ -33,5 +33,11 @@ def publish(arguments, mark, lines, figures=None, about=None):
     print(text)
     if arguments.write:
         documents.put(arguments.write, mark, text)
-        if figures:
-            documents.quote(arguments.write.with_name('performance.md'), mark.replace('-', '_'), figures, about)
+    if figures:
+        quote(arguments, mark.replace('-', '_'), figures, about)
+
+
+def quote(arguments, name, figures, about):
+    """Writes the figures into performance.json beside the document."""
+    if arguments.write:
+        documents.quote(arguments.write.with_name('performance.md'), name, figures, about)

@@ -27,11 +27,11 @@ def read_arguments():
                         help="put the table between the marks of this document")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="write every run as JSON into DIR/peers.json")
     parser.add_argument("--picture", type=pathlib.Path, metavar="FILE",
-                        help="draw drift over time for many steps, and write ../data/peers.csv beside it: some minutes "
-                             "more")
+                        help="draw costs, and drift over time for many steps, which ../data/peers.csv beside it gets: "
+                             "some minutes more")
     parser.add_argument("--short", action="store_true", help="test whether it runs: its figures mean nothing")
     parser.add_argument("--draw-only", action="store_true",
-                        help="run nothing: draw docs/images/peers.png from docs/data/peers.csv")
+                        help="run nothing: draw docs/images/cost.png from docs/data")
     arguments = parser.parse_args()
     if not arguments.draw_only and not runs.is_there(arguments.programs, runs.OURS):
         parser.error(f"{arguments.programs} holds no ratchet_mixture: build with -DRATCHET_SIEVE_BENCHMARKS=ON")
@@ -51,7 +51,7 @@ def publish(arguments, name, text, figures, about):
 def main():
     arguments = read_arguments()
     if arguments.draw_only:
-        picture.draw(ROOT / "docs/data/peers.csv", ROOT / "docs/images/peers.png")
+        picture.draw(ROOT / "docs/data", arguments.picture or ROOT / "docs/images/cost.png")
         return
     cases, missing = runs.rows(arguments.programs)
     repetitions, about = 1 if arguments.short else REPETITIONS, origin.describe_physics()
@@ -68,8 +68,8 @@ def main():
     if arguments.edmd:
         publish(arguments, "edmd", edmd.render(rates, about), edmd.figures(rates), about)
     if arguments.picture:
-        data = arguments.picture.parent.parent / "data/peers.csv"
-        picture.write(data, taken, about)
+        data = arguments.picture.parent.parent / "data"
+        picture.write(data / "peers.csv", taken, about)
         picture.draw(data, arguments.picture)
     if any(run["program"] == runs.OURS and (run["lost"] or run["behind_base"]) for run in taken):
         sys.exit("this project has lost a disk")

@@ -168,7 +168,7 @@ def main():
             found.update({f"halving.{key}": text for key, text in other.items()})
         documents.quote(path, name, found, about)
     documents.put(path, MARK, table(["mixture", "method", *COLUMNS.values()], lines_of(path))
-                  + f"\n\n{origin.text(about)}, {about['version']}.")
+                  + f"\n\n{origin.text(about)}.")
 
 
 if __name__ == "__main__":

@@ -3,20 +3,19 @@
 scenes with a known answer and on those of the paper. sieve_sweep runs each setting on one thread over many seeds. The
 time is the processor time of the whole program over the simulated time, that of the best round.
 
-Writes data/accuracy.csv, data/accuracy_costs.csv, data/accuracy.json, pictures in images/ and the tables in
-accuracy.md. Drawing needs matplotlib.
+Writes data/accuracy.csv, data/accuracy_costs.csv, data/accuracy.json and the tables in accuracy.md.
 """
 import argparse
 import pathlib
 
-from ratchet_sieve import documents, origin, plots
-from precision import picture, points, runs, tables
+from ratchet_sieve import documents, origin
+from precision import points, runs, tables
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 FULL = 8.0     # times the seeds of --quick
 SHORT = (1e-9, 0.3)  # one seed a round, so long [s]
-MARKS = ("accuracy-bounds", "accuracy-method", "accuracy-floors", "accuracy-model", "accuracy-claims", "accuracy-large")
+MARKS = ("accuracy-bounds", "accuracy-claims", "accuracy-floors")
 
 
 def read_arguments():
@@ -50,18 +49,12 @@ def measure(arguments):
                 not arguments.errors_only)
 
 
-def said(origin):
-    return ", ".join(part for part in (origin.date, origin.machine, f"physics version {origin.physics}") if part)
-
-
-def texts(groups, large, results, costs):
-    """@return mark -> the tables between them"""
+def texts(groups):
+    """@return mark -> the table between them"""
     held_out = {scene.name for scene in points.held_out()}
     development = {name: own for name, own in groups.items() if name not in held_out}
-    origin = f"*Errors: {'; '.join(map(said, results))}. Times: {'; '.join(map(said, costs))}.*\n\n"
     tested = {name: own for name, own in groups.items() if name in held_out}
-    return dict(zip(MARKS, (origin + tables.bounds(development), tables.method(development), tables.floors(development),
-                            tables.model(development), tables.claims(tested), tables.large(large))))
+    return dict(zip(MARKS, (tables.bounds(development), tables.claims(tested), tables.floors(development))))
 
 
 def main():
@@ -72,12 +65,9 @@ def main():
     results, costs = points.load(arguments.out / "data", every)
     large = [point for point in every if point.scene.name.startswith("large")]
     groups = points.by_scene(point for point in every if point.is_measured() and point not in large)
-    for mark, text in texts(groups, large, results, costs).items():
+    for mark, text in texts(groups).items():
         documents.put(arguments.out / "accuracy.md", mark, text)
     documents.write_figures(arguments.out / "data/accuracy.json", tables.figures(groups, large, results, costs))
-    for draw in (picture.draw_method, picture.draw_model):
-        with plots.styled():
-            print(plots.save(draw(groups), arguments.out / f"images/accuracy_{draw.__name__[5:]}.png", svg=False)[0])
 
 
 if __name__ == "__main__":

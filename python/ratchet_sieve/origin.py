@@ -38,5 +38,6 @@ def describe_physics():
 
 
 def text(about=None):
-    """@param about what describe() gave"""
-    return "{date}, {machine}".format(**(about or describe()))
+    """@param about what describe() or describe_physics() gave; None: what this checkout gives"""
+    about = about or describe_physics()
+    return ", ".join(about[key] for key in ("date", "machine", "version") if key in about)

@@ -1,25 +1,27 @@
-"""Drift over processor time, for the time steps of the other programs. The points are a table, docs/data/peers.csv."""
+"""Processor time of a collision over the number of disks, beside EDMD; drift over processor time, for the time steps of
+the other programs. The steps are a table, docs/data/peers.csv; the rest is in docs/data/performance.json."""
+import json
+
 import pandas
 from matplotlib.ticker import NullFormatter
 
 from ratchet_sieve import origin, plots
 from ratchet_sieve.tables import write_csv
-from ratchet_sieve.texts import span
-from labels import place as write_labels
 from peers import runs
 
 ALIKE = "β = 0 "  # in the row of this project's run without tangential restitution, which the others do not have either
 # A line is a program with one step; this project has none. Drifts in m/s, cost: processor time over simulated time.
 COLUMNS = ("program", "step", "cost", "drift_a", "error_a", "drift_b", "error_b", "loses_disks", "runs", "origin")
 
-MS = 1e3  # per s
-# The steps that are written beside their points [ms]; all of them would overlap.
-LOOKS = {"chipmunk": ("Chipmunk", plots.COLOURS[0], "o", (17, 10, 4.2, 2, 1, 0.1, 0.03)),
-         "box2d": ("Box2D", plots.COLOURS[1], "s", (10, 4.2, 0.53, 0.1, 0.03)),
-         "lammps": ("LAMMPS", plots.COLOURS[2], "^", (0.005,))}
 OURS = "#111111"
-PANELS = {"a": "A (1 mm, 10 g)", "b": "B (2 mm, 1 g)"}
-CLIP = (-5.0, 75.0)  # drifts beyond are drawn at the edge [mm/s]
+LOOKS = {runs.OURS: ("this project", OURS, "D"), "chipmunk": ("Chipmunk", plots.COLOURS[0], "o"),
+         "box2d": ("Box2D", plots.COLOURS[1], "s"), "lammps": ("LAMMPS, 5 µs", plots.COLOURS[2], "^")}
+# Steps that are written beside their points [s], and how far beside [points].
+WRITTEN = {"chipmunk": {0.004167: (6, 5), 0.001: (-26, -11), 0.0001: (-4, -13)},
+           "box2d": {0.004167: (6, 5), 0.000527: (-30, -13), 0.0001: (4, 6)}}
+# Keys of performance.json with the number of disks, of this project by the two measurements of processor time.
+SIZES = {524: ("engine.fig8.collisions", "edmd.disks_1000"), 10_008: ("engine.disks_1e4.collisions", "edmd.disks_10000"),
+         100_004: ("engine.disks_1e5.collisions", "edmd.disks_100000")}
 
 
 def write(path, taken, about):
@@ -36,58 +38,49 @@ def write(path, taken, about):
     write_csv(path, COLUMNS, lines)
 
 
-def seeds(points):
-    return f"n = {span(sorted(points['runs'].unique()))}"
+def number(text):
+    return float(text.partition(" ")[0])
 
 
-def draw_program(axes, points, program, species):
-    """The finest step first. @return the places of the points, and the labels: triples (place, text, colour)"""
-    name, colour, marker, written = LOOKS[program]
-    own = points[points["program"] == program].sort_values("step", kind="stable")
-    if not len(own):
-        return [], []
-    drifts = (plots.MM * own[f"drift_{species}"]).clip(*CLIP)
-    axes.errorbar(own["cost"], drifts, plots.MM * own[f"error_{species}"].fillna(0.0), color=colour, linewidth=1.0,
-                  elinewidth=1.0, zorder=2)
-    for cost, drift, loses in zip(own["cost"], drifts, own["loses_disks"]):
-        axes.plot(cost, drift, marker, color=colour, markersize=5, zorder=3,
-                  markerfacecolor="white" if loses else colour, label="_")
-    axes.plot([], [], marker + "-", color=colour, markersize=5, label=f"{name} ({seeds(own)})")
-    places = list(zip(own["cost"], drifts))
-    steps = [float(f"{MS * step:.2g}") for step in own["step"]]
-    return places, [(place, f"{step:g} ms", colour) for place, step in zip(places, steps) if step in written]
+def draw_costs(axes, figures):
+    """This project's bars have the two measurements as their ends; of EDMD there is one."""
+    for disks, (key, edmd) in SIZES.items():
+        theirs = number(figures[f"{edmd}.rate"])
+        costs = sorted(1.0 / rate for rate in (number(figures[key]), theirs * number(figures[f"{edmd}.times"])))
+        middle = sum(costs) / 2.0
+        axes.errorbar(disks, middle, costs[1] - middle, fmt="D", color=OURS, capsize=3, markersize=5)
+        axes.plot(float(edmd.rpartition("_")[2]), 1.0 / theirs, "o", color=plots.COLOURS[3], markersize=5)
+    axes.plot([], [], "D", color=OURS, label="this project, two sessions")
+    axes.plot([], [], "o", color=plots.COLOURS[3], label="EDMD, elastic disks in a plane")
+    axes.set(xscale="log", xlabel="disks", ylabel="processor time of a collision, µs", ylim=(0.0, 1.2))
+    axes.legend(loc="lower right")
 
 
-def draw_ours(axes, points, species):
-    own = points[points["program"] == runs.OURS].iloc[:1]
-    drift, error = (plots.MM * own[f"{name}_{species}"].fillna(0.0).iloc[0] for name in ("drift", "error"))
-    axes.axhline(drift, color=OURS, linewidth=1.0, zorder=1)
-    axes.axhspan(drift - error, drift + error, color=OURS, alpha=0.12, linewidth=0, zorder=0)
-    axes.plot(own["cost"].iloc[0], drift, "D", color=OURS, markersize=6, zorder=4,
-              label=f"this project ({seeds(own)})")
+def draw_drifts(axes, points):
+    for program, (name, colour, marker) in LOOKS.items():
+        own = points[points["program"] == program].sort_values("step")
+        axes.errorbar(own["cost"], plots.MM * own["drift_a"], plots.MM * own["error_a"], fmt=marker + "-", color=colour,
+                      linewidth=1.0, markersize=5, label=name)
+        lost = own[own["loses_disks"]]
+        axes.plot(lost["cost"], plots.MM * lost["drift_a"], marker, color=colour, markerfacecolor="white", markersize=5,
+                  zorder=3)
+        for step, beside in WRITTEN.get(program, {}).items():
+            for _, one in own[own["step"] == step].iterrows():
+                axes.annotate(f"{1e3 * step:.2g} ms", (one["cost"], plots.MM * one["drift_a"]), fontsize=8,
+                              color=colour, xytext=beside, textcoords="offset points")
+    ours = points[points["program"] == runs.OURS].iloc[0]
+    axes.axhspan(*(plots.MM * (ours["drift_a"] + sign * ours["error_a"]) for sign in (-1.0, 1.0)), color=OURS, alpha=0.2,
+                 linewidth=0)
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.set(xscale="log", xlabel="processor seconds per simulated second", ylabel="drift of A, mm/s")
+    axes.legend(loc="lower left")
 
 
-def draw(table, path):
-    """@param table its file"""
-    points = pandas.read_csv(table)
+def draw(data, path):
+    """@param data the directory of the two tables"""
     with plots.styled():
-        figure, panels = plots.panels(1, 2, (9.0, 3.9), None, sharex=True)
-        found = {}
-        for (species, title), axes in zip(PANELS.items(), panels):
-            draw_ours(axes, points, species)
-            found[axes] = [draw_program(axes, points, program, species) for program in LOOKS]
-            axes.set_xscale("log")
-            axes.xaxis.set_minor_formatter(NullFormatter())
-            axes.set_title(title, loc="left")
-            axes.set_xlabel("processor seconds per simulated second")
-        panels[0].set_ylabel("drift, mm/s")
-        panels[0].plot([], [], "o", color=plots.GREY, markerfacecolor="white", markersize=5,
-                       label="open: disks fell through the base")
-        handles, labels = panels[0].get_legend_handles_labels()
-        figure.legend(handles, labels, ncol=len(labels), loc="lower center")
-        figure.tight_layout(rect=(0.0, 0.07, 1.0, 1.0))
-        for axes, programs in found.items():
-            places = [place for own, _ in programs for place in own]
-            lines = [own for own, _ in programs if len(own) > 1]
-            write_labels(axes, [text for _, texts in programs for text in texts], places, lines)
+        figure, (costs, drifts) = plots.panels(1, 2, (9.6, 3.9), None)
+        draw_costs(costs, json.loads((data / "performance.json").read_text(encoding="utf-8")))
+        draw_drifts(drifts, pandas.read_csv(data / "peers.csv"))
+        figure.tight_layout()
         plots.save(figure, path, svg=False)

@@ -217,6 +217,8 @@ class Point:
     pushed_out: int = 0      # times that a disk was behind the base's surface after a missed contact
     through_base: int = 0    # disks that stayed there
     ended_early: int = 0     # runs
+    measured: object = dataclasses.field(default=None, compare=False)  # Origin of the results ...
+    timed: object = dataclasses.field(default=None, compare=False)     # ... and of the cost
 
     def key(self):
         return self.scene.name, self.family, self.label
@@ -272,6 +274,13 @@ class Origin:
     machine: str
     physics: str  # version
 
+    def __str__(self):
+        return ", ".join(part for part in (self.date, self.machine, f"physics version {self.physics}") if part)
+
+
+def origin_of(line):
+    return Origin(line["measured"], line.get("machine", ""), line["physics"])
+
 
 def lines_of(path, is_kept):
     """@return the file's lines that are, as maps from column to text; none where there is no file"""
@@ -309,12 +318,13 @@ def load(directory, points):
     results, costs = (lines_of(directory / name, known.__contains__) for name in (RESULTS, COSTS))
     for line in results:
         point, name = known[tuple(line[column] for column in KEY)], line["quantity"]
+        point.measured = origin_of(line)
         if name in COUNTS:
             setattr(point, name, float(line["mean"]))
         else:
             error = float(line["standard_error"]) if line["standard_error"] else None
             point.means[name] = Mean(float(line["mean"]), error, int(line["runs"]))
     for line in costs:
-        known[tuple(line[column] for column in KEY)].cost = float(line["processor_s_per_simulated_s"])
-    return [sorted({Origin(line["measured"], line.get("machine", ""), line["physics"]) for line in lines})
-            for lines in (results, costs)]
+        point = known[tuple(line[column] for column in KEY)]
+        point.cost, point.timed = float(line["processor_s_per_simulated_s"]), origin_of(line)
+    return [sorted(set(map(origin_of, lines))) for lines in (results, costs)]

@@ -1,12 +1,12 @@
-"""How far the points are off their references, with the error of both: as Markdown, a column for each setting and a row
-for each quantity, and as the figures of accuracy.json."""
+"""How far the points are off their references, with the error of both: as Markdown, and as the figures of
+accuracy.json."""
 import dataclasses
 import math
 import re
 
 from ratchet_sieve.stats import Mean
 from ratchet_sieve.texts import decimals_of, rounded, span, table as markdown
-from precision.points import (CLAIMS, MODEL, REFERENCE_FLOOR, SCENES_FLOOR, STEPS, by_scene, find, floor_of)
+from precision.points import CLAIMS, FLOORS, REFERENCE_FLOOR, SCENES_FLOOR, STEPS, by_scene, find, floor_of
 
 PERCENT = 100.0
 LEAST = 1e-3  # that is printed [%]
@@ -47,11 +47,6 @@ def largest(found):
     return max((bound(error) for error in found if error is not None), default=None)
 
 
-def is_seen(error):
-    """Whether the interval of 95 % leaves 0 out."""
-    return abs(error.value) > error.half_width()
-
-
 def text(error):
     """As +1.2 ± 0.4, in per cent with the half-width at 95 %."""
     if error is None:
@@ -75,20 +70,8 @@ def bound_text(value):
     return f"{rounded_up:.{0 if rounded_up >= 10.0 else decimals}f}"
 
 
-MM = 1e3  # per m
-ROUNDING = 1e-12  # overlaps up to this are rounding [m]
 ENERGIES = ("K_A", "K_B", "kinetic energy", "K_rot / K_trans")
 DRIFTS = ("drift A", "drift B")
-
-
-def condition(point):
-    """What went wrong in it."""
-    parts = {"through the base": point.through_base, "pushed out": point.pushed_out, "ended early": point.ended_early}
-    return ", ".join(f"{count:g} {what}" for what, count in parts.items() if count) or "—"
-
-
-def overlap_text(point):
-    return f"{MM * point.overlap:.1g}" if point.overlap > ROUNDING else "rounding"
 
 
 def speed_up(point, exact):
@@ -109,51 +92,34 @@ def quantities(point):
     return list(point.scene.observables)
 
 
-def section(points, columns, reference):
-    """The table of a scene. @param columns the points that are its columns"""
-    exact = find(points, "exact")
-    lines = [["times faster", *(speed_text(speed_up(point, exact)) for point in columns)]]
-    for name in quantities(points[0]):
-        known = reference(points, name)
-        lines.append([f"{name}, %", *(text(relative(point.means.get(name), known)) for point in columns)])
-    lines.append(["largest overlap, mm", *(overlap_text(point) for point in columns)])
-    if any(condition(point) != "—" for point in columns):
-        lines.append(["disks", *(condition(point) for point in columns)])
-    return f"**{points[0].scene.title}** ({seeds(columns)})\n\n" + markdown(
-        ["", *(point.label for point in columns)], lines)
+def about(points):
+    """When these were measured, and where they were timed, by which physics."""
+    parts = {"Errors": {point.measured for point in points}, "Times": {point.timed for point in points}}
+    said = (f"{what}: " + "; ".join(str(origin) for origin in sorted(origins - {None}))
+            for what, origins in parts.items() if origins - {None})
+    return f"*{'. '.join(said)}.*\n\n"
 
 
 def measured(points, family):
     return [point for point in points if point.family == family and point.is_measured()]
 
 
-def with_floors(points):
-    """Those in which the rebound floor alone is changed, and the scene itself; the largest floor first."""
-    own = [point for point in points if floor_of(point) not in (None, REFERENCE_FLOOR) and point.is_measured()]
-    return sorted(own, key=floor_of, reverse=True)
-
-
-def method(groups):
-    """Steps against the known value or the exact engine."""
-    return "\n\n".join(section(points, measured(points, "steps"), exact_value)
-                       for points in groups.values() if measured(points, "steps"))
-
-
 def bounds(groups):
     """The largest bound of each scene's drifts, energies and others, by step."""
-    lines = []
+    lines, used = [], []
     for points in groups.values():
         steps = {point.label: point for point in measured(points, "steps")}
         exact = find(points, "exact")
         names = [f"{1e3 * step:g} ms" for step in STEPS]
         if not steps:
             continue
+        used += steps.values()
         lines.append([points[0].scene.title, "times faster",
                       *(speed_text(speed_up(steps.get(name), exact)) for name in names)])
         for title, chosen in parts_of(points):
             lines.append(["", f"{title}, ≤ %", *(bound_text(step_bound(points, steps.get(name), chosen))
                                                  for name in names)])
-    return markdown(["scene", "", *(f"{1e3 * step:g} ms" for step in STEPS)], lines)
+    return about(used) + markdown(["scene", "", *(f"{1e3 * step:g} ms" for step in STEPS)], lines)
 
 
 def parts_of(points):
@@ -171,25 +137,29 @@ def step_bound(points, point, names):
     return largest(relative(point.means.get(name), exact_value(points, name)) for name in names)
 
 
+# The quantities of a scene that are shown over the rebound floor.
+OVER_FLOOR = {"fig3": ("drift A", "short / long"), "fig8": DRIFTS, "fig9": ("Q",), "dense": ("times faster", *DRIFTS),
+              "violent": ("drift A",)}
+
+
+def at_floor(points, floor):
+    return next((point for point in points if floor_of(point) == floor and point.is_measured()), None)
+
+
 def floors(groups):
     """Rebound floors against the least one."""
-    found = {name: with_floors(points) for name, points in groups.items()}
-    return "\n\n".join(
-        section(groups[name], own, least_floor).replace("| exact |", f"| {SCENES_FLOOR:g} m/s |", 1)
-        for name, own in found.items() if any(point.family == "rebound floor" for point in own))
-
-
-def model(groups):
-    """Other parts of the model against the least floor, of Fig. 8: a row for each setting, for it has many."""
-    points = groups.get("fig8", [])
-    own = [point for family in MODEL if family != "rebound floor" for point in measured(points, family)]
-    if not own:
-        return ""
-    names = [name for name in quantities(points[0]) if name != "N m g T"]
-    lines = [[f"{point.family}, {point.label}", speed_text(speed_up(point, find(points, "exact"))),
-              *(text(relative(point.means.get(name), least_floor(points, name))) for name in names)] for point in own]
-    return f"**{points[0].scene.title}** ({seeds(own)})\n\n" + markdown(
-        ["", "times faster", *(f"{name}, %" for name in names)], lines)
+    shown = [floor for floor in FLOORS if floor != REFERENCE_FLOOR]
+    lines, used = [], []
+    for name, quantities_shown in OVER_FLOOR.items():
+        points = groups.get(name, [])
+        own = [at_floor(points, floor) for floor in shown]
+        for quantity in quantities_shown if any(own) else ():
+            cells = ([speed_text(speed_up(point, find(points, "exact"))) for point in own] if quantity == "times faster"
+                     else [text(point and relative(point.means.get(quantity), least_floor(points, quantity)))
+                           for point in own])
+            lines.append([f"{points[0].scene.title}: {quantity}" + (", %" if quantity in NAMES else ""), *cells])
+        used += [point for point in own if point]
+    return about(used) + markdown(["", *(f"{floor:g} m/s" for floor in shown)], lines)
 
 
 def verdict(error, claim):
@@ -201,25 +171,25 @@ def verdict(error, claim):
     return "fails the original bound" if abs(error.value) - error.half_width() > claim else "not decided"
 
 
+def failures(points, point, claim):
+    """The errors that are not within a bound."""
+    errors = {name: point and relative(point.means.get(name), exact_value(points, name))
+              for name in quantities(points[0])}
+    found = [f"{name} {text(error)}: {verdict(error, claim)}" for name, error in errors.items()
+             if verdict(error, claim) != "holds"]
+    return "; ".join(found) or "all hold"
+
+
 def claims(groups):
-    """The held-out scenes: a row for each step and quantity, a column for each scene."""
+    """The held-out scenes: a row for each step, a column for each scene."""
     scenes = list(groups.values())
     if not scenes:
         return ""
-    lines = []
-    for step, claim in CLAIMS.items():
-        label = f"{1e3 * step:g} ms"
-        columns = [find(points, "steps", label) for points in scenes]
-        lines.append([f"**{label}**: times faster", "", *(
-            speed_text(speed_up(point, find(points, "exact"))) for points, point in zip(scenes, columns))])
-        for name in quantities(scenes[0][0]):
-            cells = []
-            for points, point in zip(scenes, columns):
-                error = point and relative(point.means.get(name), exact_value(points, name))
-                cells.append(f"{text(error)}: {verdict(error, claim)}")
-            lines.append([name, f"≤ {100.0 * claim:g}", *cells])
-    return markdown(["", "bound set before, %", *(f"{points[0].scene.title} ({seeds(points)})" for points in scenes)],
-                    lines)
+    lines = [[f"{1e3 * step:g} ms", f"{PERCENT * claim:g}",
+              *(failures(points, find(points, "steps", f"{1e3 * step:g} ms"), claim) for points in scenes)]
+             for step, claim in CLAIMS.items()]
+    return about(sum(scenes, [])) + markdown(
+        ["step", "bound, %", *(f"{points[0].scene.title} ({seeds(points)})" for points in scenes)], lines)
 
 
 def large_costs(points):
@@ -233,13 +203,6 @@ def large_costs(points):
             start, end = (point.scene.settings["duration"] for point in (first, whole))
             found.append((first, (first.cost * start, (whole.cost * end - first.cost * start) / (end - start))))
     return found
-
-
-def large(points):
-    found = large_costs(points)
-    lines = [[point.label, f"{first:.2f}", f"{after:.2f}", f"{found[0][1][1] / after:.1f}"]
-             for point, (first, after) in found]
-    return markdown(["", "first second, s", "s per simulated s after it", "times faster"], lines)
 
 
 NAMES = {"drift A": "drift_a", "drift B": "drift_b", "K_A": "k_a", "K_B": "k_b", "short / long": "short_to_long",
@@ -292,7 +255,8 @@ def of_scene(points):
 def figures(groups, large, results, costs):
     """@param results, costs the origins of both, the newest last"""
     found = {"date": results[-1].date, "version": f"physics version {results[-1].physics}",
-             "machine": costs[-1].machine, "costs.date": costs[-1].date, "costs.version": f"physics version {costs[-1].physics}",
+             "machine": costs[-1].machine, "costs.date": costs[-1].date,
+             "costs.version": f"physics version {costs[-1].physics}",
              "reference.floor": f"{REFERENCE_FLOOR:g}"}
     for points in groups.values():
         found.update(of_scene(points))

@@ -2,9 +2,9 @@
 """Runs sieve_run on extreme scenes and reports the results; exit status 1 if one is not as expected."""
 import argparse
 import concurrent.futures
+import csv
 import datetime
 import json
-import math
 import os
 import pathlib
 import platform
@@ -73,21 +73,18 @@ def outcome(extreme, summary, said):
     return "ran"
 
 
+HEAD = ("group", "what", "result", "simulated_time", "collisions", "overlap", "events", "origin")
+
+
 def row(extreme, summary, said):
-    """One line of the table."""
+    """One line of the table: times in s, the overlap over the smallest radius, events in millions per second."""
     cells = [extreme.group, extreme.what, outcome(extreme, summary, said)]
     if summary is None:
-        return "| " + " | ".join(cells + ["", "", ""]) + " |"
-    collisions = sum(summary["collisions"].values())
-    rate = summary["events"] / summary["wall_time"] * 1e-6 if summary["events"] > 1000 else math.nan
-    cells += [f"{summary['simulated_time']:.3g} s, {collisions:,}",
-              f"{relative_overlap(extreme, summary):.1e}" if summary["max_overlap"] else "0",
-              f"{rate:.2f}" if math.isfinite(rate) else "few"]
-    return "| " + " | ".join(cells) + " |"
-
-
-HEAD = ("| | What | Came of it | Simulated, collisions | Largest overlap / smallest radius | Events, M/s |\n"
-        "|---|---|---|---|---|---|\n")
+        return [*cells, "", "", "", ""]
+    rate = summary["events"] / summary["wall_time"] * 1e-6 if summary["events"] > 1000 else None
+    return cells + [f"{summary['simulated_time']:.3g}", str(sum(summary["collisions"].values())),
+                    f"{relative_overlap(extreme, summary):.1e}" if summary["max_overlap"] else "0",
+                    "" if rate is None else f"{rate:.2f}"]
 
 
 def machine():
@@ -107,7 +104,7 @@ def measure_all(program, short, jobs):
         for extreme, (summary, said, wrong) in zip(everything, results):
             rows.append(row(extreme, summary, said))
             failed += bool(wrong)
-            print(rows[-1], *(f"  WRONG: {w}" for w in wrong), sep="\n", flush=True)
+            print(", ".join(rows[-1]), *(f"  WRONG: {w}" for w in wrong), sep="\n", flush=True)
     return rows, failed
 
 
@@ -122,16 +119,17 @@ def main():
     parser.add_argument("program", help="sieve_run")
     parser.add_argument("--short", action="store_true", help="a twentieth of the time")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)), help="runs side by side")
-    parser.add_argument("--write", type=pathlib.Path, metavar="FILE", help="put the tables into this document")
+    parser.add_argument("--write", type=pathlib.Path, metavar="FILE",
+                        help="put the long run's table into this document, the others into data/extremes.csv beside it")
     arguments = parser.parse_args()
     rows, failed = measure_all(arguments.program, arguments.short, arguments.jobs)
     long_rows, long_failed = long_run.measure(arguments.program, 1e4 if arguments.short else 1e6)
     if arguments.write:
-        where = f"{datetime.date.today()}, {machine()}, {arguments.jobs} runs side by side.\n\n"
-        replace_between(arguments.write, "<!-- extremes -->", "<!-- end -->",
-                        where + HEAD + "\n".join(rows) + "\n")
+        where = f"{datetime.date.today()}, {machine()}, {arguments.jobs} runs side by side"
+        with open(arguments.write.parent / "data/extremes.csv", "w", encoding="utf-8", newline="") as file:
+            csv.writer(file, lineterminator="\n").writerows([HEAD, *([*cells, where] for cells in rows)])
         replace_between(arguments.write, "<!-- long run -->", "<!-- end -->",
-                        where + long_run.HEAD + "\n".join(long_rows) + "\n")
+                        where + ".\n\n" + long_run.HEAD + "\n".join(long_rows) + "\n")
     sys.exit(1 if failed or long_failed else 0)
 
 

@@ -1,12 +1,10 @@
 #!/usr/bin/python3
-"""studies/precision: errors, bounds and verdicts, the tables on disk, and the labels of the pictures."""
+"""studies/precision: errors, bounds and verdicts, and the tables on disk."""
 import pathlib
 import tempfile
 import unittest
 
-from ratchet_sieve import plots
 from ratchet_sieve.stats import Mean
-import labels
 from precision import points, tables
 
 STUDENT_9 = 2.2621571628  # 95 %, 9 degrees of freedom
@@ -68,20 +66,6 @@ class Tables(unittest.TestCase):
             results, costs = points.load(path, read)
         self.assertEqual(read, own)
         self.assertEqual((results[-1].physics, costs), ("2", [origin]))
-
-
-class Labels(unittest.TestCase):
-    def test_cover_neither_each_other_nor_points(self):
-        _, axes = plots.panels(1, 1, (4, 4), None)
-        axes.set_xlim(0, 10)
-        axes.set_ylim(0, 10)
-        places = [(5, 5), (5.3, 5.1), (5.1, 5.4), (5.5, 5.5)]
-        labels.place(axes, [(place, "0.025 m/s", "black") for place in places], places, [])
-        boxes = [text.get_window_extent().extents for text in axes.texts]
-        boxes += labels.boxes(map(axes.transData.transform, places), labels.MARKER)
-        for k, one in enumerate(boxes[:len(places)]):
-            for other in boxes[k + 1:]:
-                self.assertEqual(labels.overlap(one, other), 0.0)
 
 
 class Quoted(unittest.TestCase):
