@@ -50,7 +50,7 @@ def draw_costs(axes, figures):
         middle = sum(costs) / 2.0
         axes.errorbar(disks, middle, costs[1] - middle, fmt="D", color=OURS, capsize=3, markersize=5)
         axes.plot(float(edmd.rpartition("_")[2]), 1.0 / theirs, "o", color=plots.COLOURS[3], markersize=5)
-    axes.plot([], [], "D", color=OURS, label="this project, two sessions")
+    axes.plot([], [], "D", color=OURS, label="this project, two series")
     axes.plot([], [], "o", color=plots.COLOURS[3], label="EDMD, elastic disks in a plane")
     axes.set(xscale="log", xlabel="disks", ylabel="processor time of a collision, µs", ylim=(0.0, 1.2))
     axes.legend(loc="lower right")
