@@ -106,7 +106,7 @@ def main():
     pandas.concat([part for name, fronts in found.items() for part in lines_of(name, fronts)]).to_csv(
         options.out / "data/machines.csv", index=False, float_format="%.6g")
     plots.save(draw(found), options.out / "images/machines.png", svg=False, bbox_inches="tight")
-    about = wrapped(f"{origin.text(origin.describe())}, physics version {origin.physics()}.")
+    about = wrapped(f"{origin.text()}.")
     documents.put(page, MARK, "\n\n".join([*sections(found), about]))
 
 

@@ -155,7 +155,7 @@ def main():
     path = options.out / "separate.md"
     documents.require_place(parser, path, MARK)
     warnings.simplefilter("ignore", rs.SieveWarning)
-    about = {**origin.describe(), "version": f"physics version {origin.physics()}"}
+    about = origin.describe_physics()
     for name in options.only or [*problems(), STAGES]:
         if name == STAGES:
             scene = rs.Scene.load(ROOT / "config/glass_rubber.yaml", STAGE)
