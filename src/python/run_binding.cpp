@@ -147,6 +147,7 @@ py::tuple run(RunningSimulation& running, double frame_rate, bool collisions, st
 std::optional<double> separation(const std::vector<std::pair<std::uint64_t, std::uint64_t>>& counts)
 {
   std::vector<SpeciesBins> bins;
+  bins.reserve(counts.size());
   for (const auto& [left, right] : counts)
     bins.push_back({left, right});
   return bestSeparation(bins).separation;
