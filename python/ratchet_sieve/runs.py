@@ -176,7 +176,7 @@ class Run(Recording):
     def separation(self, since: float = 0.0, until: float = math.inf) -> Optional[float]:
         """s of the disks that left after `since` until `until` [s], as the summary has it of all: above 0 the first
         species of the scene (of more than two, of the best pair) left on the left. None until one of each has left."""
-        left = self.exits[(self.exits["time"] > since) & (self.exits["time"] <= until)]
+        left = self.exits[(self.exits["time"] > since) & (self.exits["time"] <= until)].view(Exits)
         return _engine.separation([tuple(np.count_nonzero(side["species"] == name) for side in (left.left, left.right))
                                    for name in self.scene.species])
 

@@ -8,7 +8,6 @@
 NOT_RUN = {
     './scripts/demo': 'installs packages and builds; demo.test launches the same',
     './scripts/test': 'installs packages, builds, and runs this test',
-    './scripts/reproduce': 'an hour',
     './scripts/fuzz': 'builds with clang; minutes',
     'studies/work_precision.py': 'forty minutes',
     'apt-get': 'installs packages',
