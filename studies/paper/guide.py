@@ -50,8 +50,8 @@ def lowered(numbers):
         density = densest(numbers, teeth)
         mixture = numbers["best"][teeth, density]
         gain = alone["best"].mean.minus(mixture.mean)
-        yield verdicts.above(f"{teeth:g} teeth: best Q of single disks ({alone['best'].mean.text()}) less that at "
-                             f"d = {density:g} ({mixture.mean.text()}) is above 0", gain)
+        yield verdicts.above(f"{teeth:g} teeth: best Q of single disks ({alone['best'].mean.text()}) above that at "
+                             f"d = {density:g} ({mixture.mean.text()})", gain)
     for teeth in numbers["alone"]:
         low, *_, high = fig9.densities_on(numbers, teeth)
         first, second = fig9.ends_of(numbers, teeth)
@@ -107,8 +107,7 @@ def guided(numbers):
     for density in (min(fig9.densities_on(numbers, teeth)), densest(numbers, teeth)):
         best = numbers["best"][teeth, density].mean
         there = dict(numbers["Q"][teeth, density]).get(theta)
-        says = (f"Fig. 9 on {teeth:g} teeth, d = {density:g}: Q at the best θ of single disks ({theta:g}) is above "
-                f"{ENOUGH:g} of the best Q")
+        says = f"{teeth:g} teeth, d = {density:g}: Q at single disks' best θ, {theta:g}, above {ENOUGH:g} of the best Q"
         yield verdicts.Check(says, "—", None) if there is None else verdicts.Check(
             says, f"{there.text()} against {best.text()}",
             there.minus(best.scaled(ENOUGH)).surely_above(0.0))

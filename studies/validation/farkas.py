@@ -149,9 +149,9 @@ def quality_lines(numbers):
 
 def text(numbers):
     """Where the kinds go opposite ways in the search."""
-    found = [f"at {len(opposed_at(means))} of {len(means)} settings on {ratchet.about}"
+    found = [f"{len(opposed_at(means))} of {len(means)} on {ratchet.about}"
              for ratchet, means in numbers["means"].items()]
-    return f"In the search the kinds go opposite ways {' and '.join(found)}."
+    return f"Of the search's settings they go opposite ways at {' and '.join(found)}."
 
 
 def picture(name, word, names, ratchet):
