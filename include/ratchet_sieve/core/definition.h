@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ratchet_sieve/core/luding_law.h"
+#include "ratchet_sieve/core/state_archive.h"
 
 namespace ratchet_sieve
 {
@@ -40,6 +41,11 @@ struct HarmonicDefinition
   double phase = 0.0;                 ///< phi_k [rad]
   double horizontal_amplitude = 0.0;  ///< A_x,k [m]
   double horizontal_phase = 0.0;      ///< phi_x,k [rad]
+
+  void archive(StateArchive& state)
+  {
+    state(multiple, amplitude, phase, horizontal_amplitude, horizontal_phase);
+  }
 };
 
 /// A corner of the outline of a tooth, in coordinates of the tooth: s along the base from the tooth's left
@@ -48,6 +54,8 @@ struct OutlineCorner
 {
   double s = 0.0;  ///< [m]
   double n = 0.0;  ///< [m]
+
+  void archive(StateArchive& state) { state(s, n); }
 };
 
 /// The base and its drive. Tooth k spans s in [k w, (k+1) w] along the base; that of a sawtooth has its apex
@@ -87,6 +95,12 @@ struct BaseDefinition
 
   /// a of a tooth of two slopes, however it is defined; nothing for any other tooth.
   std::optional<double> slopeAsymmetry() const;
+
+  void archive(StateArchive& state)
+  {
+    state(teeth, tooth_width, tooth_height, asymmetry, inclination, amplitude, frequency, phase, wall_height,
+          horizontal_amplitude, horizontal_phase, harmonics, drive_frame, profile);
+  }
 };
 
 /// The coefficients of the collision law for one kind of contact.
@@ -95,6 +109,8 @@ struct ContactCoefficients
   double restitution = 0.6;             ///< e in [0, 1]
   double friction = 0.1;                ///< Coulomb mu >= 0
   double tangential_restitution = 0.4;  ///< beta in [-1, 1]
+
+  void archive(StateArchive& state) { state(restitution, friction, tangential_restitution); }
 };
 
 /// How the radii of a species' disks are distributed about its radius r.
@@ -125,6 +141,8 @@ struct SizeDefinition
   SizeShare by = SizeShare::NUMBER;
 
   bool vary() const { return distribution == SizeDistribution::TABLE || spread > 0.0; }
+
+  void archive(StateArchive& state) { state(distribution, spread, mass_exponent, radii, weights, by); }
 };
 
 /// One kind of disk.
@@ -148,6 +166,11 @@ struct SpeciesDefinition
     return inertia_factor * disk_mass * disk_radius * disk_radius;
   }
   double inertia() const { return inertiaOf(mass, radius); }  ///< [kg m^2]
+
+  void archive(StateArchive& state)
+  {
+    state(name, count, share, radius, mass, contact, inertia_factor, size);
+  }
 };
 
 /// Coefficients of a pair of different species, if they are not the mean of the two species' own.
@@ -156,6 +179,8 @@ struct PairDefinition
   std::size_t first = 0;   ///< index into SceneDefinition::species
   std::size_t second = 0;  ///< index into SceneDefinition::species
   ContactCoefficients contact;
+
+  void archive(StateArchive& state) { state(first, second, contact); }
 };
 
 /// What a run does when a disk undergoes an inelastic collapse: more and more contacts in less and less time.
@@ -173,6 +198,12 @@ struct ContactDefinition : CollisionLaw
   double contact_duration = 0.0;  ///< t_c [s], Luding & McNamara, Granular Matter 1, 113 (1998); 0: none
   CollapseAction on_collapse = CollapseAction::STOP;
   int collapse_events = 1000000;  ///< more events of one disk within timeScale() are a collapse
+
+  void archive(StateArchive& state)
+  {
+    state(min_rebound_speed, restitution_speed, restitution_exponent, pair_collisions, contact_duration,
+          on_collapse, collapse_events);
+  }
 };
 
 /// The part of the base onto which disks are poured, by the positions of their centres. The positions are
@@ -183,6 +214,8 @@ struct Stretch
   double to = std::numeric_limits<double>::infinity();  ///< s [m]; infinity: the right end of the base
 
   double length(double width) const { return std::min(to, width) - from; }  ///< on a base of this width [m]
+
+  void archive(StateArchive& state) { state(from, to); }
 };
 
 /// How the disks start: spatially uniform along their stretch, without overlap.
@@ -191,6 +224,8 @@ struct PourDefinition
   double drop_height = 0.02;  ///< of the lowest disks' undersides above the base's highest position [m]
   double speed = 0.0;         ///< downwards [m/s]
   Stretch stretch;
+
+  void archive(StateArchive& state) { state(drop_height, speed, stretch); }
 };
 
 /// What a run does when its fed base is choked: see chokeText().
@@ -207,6 +242,8 @@ struct FedDisk
   std::size_t species = 0;  ///< index into SceneDefinition::species
   double radius = 0.001;    ///< [m]
   double mass = 0.001;      ///< [kg]
+
+  void archive(StateArchive& state) { state(time, species, radius, mass); }
 };
 
 /// Disks that are added during the run, as a Poisson process: fixed intervals lock to the drive wherever its
@@ -220,6 +257,8 @@ struct FeedDefinition
   std::vector<FedDisk> disks;  ///< in place of the rate, in the order of time
 
   bool any() const { return rate > 0.0 || !disks.empty(); }
+
+  void archive(StateArchive& state) { state(rate, even, stretch, on_choke, disks); }
 };
 
 /// A disk placed by hand instead of poured; world frame at t = 0.
@@ -231,6 +270,8 @@ struct InitialDisk  // scalars, because each is a key of the scene
   double vx = 0.0;          ///< [m/s]
   double vy = 0.0;          ///< [m/s]
   double spin = 0.0;        ///< counter-clockwise [rad/s]
+
+  void archive(StateArchive& state) { state(species, x, y, vx, vy, spin); }
 };
 
 /// How the disks are advanced.
@@ -252,6 +293,8 @@ struct AccuracyDefinition
 
   /// Whether the run may end before its duration.
   bool endsEarly() const { return mean_vx > 0.0 || quality > 0.0; }
+
+  void archive(StateArchive& state) { state(method, step, mean_vx, quality, confidence); }
 };
 
 /// How the observable height_profile divides what it sees.
@@ -259,9 +302,12 @@ struct HeightProfileDefinition
 {
   double slice = 0.0;  ///< height of a slice [m]; 0: the smallest radius
   int phases = 1;      ///< equal parts of the drive's period, from phase 0 on; 1: means over the whole
+
+  void archive(StateArchive& state) { state(slice, phases); }
 };
 
-/// The complete definition of a run. A plain struct: the scene layer reads and validates it.
+/// The complete definition of a run. A plain struct: the scene layer reads and validates it. Its bytes
+/// (archive()) are for the engine in a browser, which reads no YAML.
 struct SceneDefinition
 {
   BaseDefinition base;
@@ -279,6 +325,12 @@ struct SceneDefinition
   HeightProfileDefinition height_profile;
   double settle = 0.0;  ///< initial part of the duration that the means leave out [s]
   std::uint64_t seed = 1;
+
+  void archive(StateArchive& state)
+  {
+    state(base, boundary, gravity, species, pairs, contact, pour, feed, initial, accuracy, duration, observe,
+          height_profile, settle, seed);
+  }
 };
 
 /// Contact coefficients between two species: the pair's own, or else the mean of the two species'.

@@ -68,6 +68,13 @@ private:
       one(byte);
       value = byte != 0;
     }
+    else if constexpr (std::is_same_v<Value, std::size_t> && sizeof(std::size_t) < sizeof(std::uint64_t))
+    {
+      // On 32-bit machines, such as WebAssembly, the bytes are those of a 64-bit one.
+      std::uint64_t wide = value;
+      one(wide);
+      value = static_cast<std::size_t>(wide);
+    }
     else if constexpr (IS_PLAIN<Value>)
       bytes(&value, sizeof value);
     else

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <emmintrin.h>
 #include <cmath>
 #include <cstddef>
 
 #include <Eigen/Core>
 
 #if defined(__SSE2__)
+#include <emmintrin.h>
 #endif
 
 namespace ratchet_sieve

@@ -1,0 +1,31 @@
+#include "ratchet_sieve/core/choke.h"
+
+#include "ratchet_sieve/core/layer.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+/// By which the feed has raised the layer [largest diameters]. The layer of Fig. 8 is 3.1 of them thick.
+constexpr double CHOKED_LAYER = 4.0;
+}  // namespace
+
+std::optional<Choke> chokeOf(const Simulation& simulation)
+{
+  const SceneDefinition& scene = simulation.scene();
+  if (!scene.feed.any())
+    return std::nullopt;
+  Choke choke;
+  choke.fed = -static_cast<double>(disksAtStart(scene));
+  for (const SpeciesBins& bins : simulation.bins())
+  {
+    choke.left += static_cast<double>(bins.counted());
+    choke.fed += static_cast<double>(bins.counted() + bins.on_base);
+  }
+  choke.layers = feedGrowth(scene) * (choke.fed - choke.left) / feedRate(scene) / largestDiameter(scene);
+  if (2.0 * choke.left >= choke.fed || choke.layers <= CHOKED_LAYER)
+    return std::nullopt;
+  return choke;
+}
+
+}  // namespace ratchet_sieve
