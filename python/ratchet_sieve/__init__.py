@@ -24,11 +24,13 @@ _NAMES = {
     **dict.fromkeys(("Summary", "Values"), "values"),
     "Answer": "answers.answer",
     "Front": "answers.front",
+    "LivePage": "pages",
     "Scene": "scene",
     "Simulation": "simulation",
     "__version__": "_engine",
     "read_bag": "bags",
     "front": "answers.front",
+    "live": "pages",
     "separate": "answers",
 }
 _SUBMODULES = ("documents", "env", "errors", "origin", "plots", "stats", "tables")

@@ -18,6 +18,8 @@ from .errors import SceneError as SceneError
 from .errors import SieveWarning as SieveWarning
 from .errors import StallError as StallError
 from .errors import StateError as StateError
+from .pages import LivePage as LivePage
+from .pages import live as live
 from .runs import KINDS as KINDS
 from .runs import Collisions as Collisions
 from .runs import Frames as Frames

@@ -1,13 +1,8 @@
 """Whole runs, from the pour to the end."""
 from __future__ import annotations
 
-import html
 import math
 import os
-import pathlib
-import sys
-import tempfile
-import webbrowser
 from typing import Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
@@ -15,6 +10,7 @@ import numpy as np
 from . import _engine
 from .arguments import integer, mapping, number
 from .errors import warn
+from .pages import show_page
 from .progress import Progress
 from .scene import AnyScene, Scene, scene_of
 from .simulation import Simulation
@@ -134,22 +130,7 @@ class Recording:
         height  in a notebook [pixels]
         Raises ValueError without frames.
         """
-        with tempfile.NamedTemporaryFile(prefix="ratchet_sieve_", suffix=".html", delete=False) as file:
-            page = pathlib.Path(file.name)
-        try:
-            self.write(page, megabytes=megabytes)
-            if "ipykernel" not in sys.modules:
-                webbrowser.open(page.as_uri())
-                return None
-            text = html.escape(page.read_text(encoding="utf-8"))
-        except BaseException:
-            page.unlink()
-            raise
-        page.unlink()
-        from IPython.display import HTML
-
-        return HTML(f'<div><iframe srcdoc="{text}" sandbox="allow-scripts" title="{html.escape(self.title)}" '
-                    f'style="width: 100%; height: {height}px; border: 0"></iframe></div>')
+        return show_page(lambda page: self.write(page, megabytes=megabytes), self.title, height)
 
     def _require_frames(self) -> None:
         if not len(self.frames):

@@ -5,14 +5,16 @@
 
 PAGE.html names what it consists of: a line `<link href="FILE.css">` stands for a style sheet, a line
 `<script src="FILE.js">` for a script. All scripts of a page are one, and so are all style sheets; the page's content
-policy allows these two alone, by their hashes. `{{title}}` and `{{data}}` are where the program fills in."""
+policy allows these two alone, by their hashes. A line `<script worker src="FILE.js">` is a part of the program of a
+worker, which the page starts from the element `worker`, and which may compile WebAssembly. `{{title}}` and `{{data}}`
+are where the program fills in."""
 import base64
 import hashlib
 import re
 import sys
 from pathlib import Path
 
-PAGES = {'RUN_TEMPLATE': 'run.html', 'SWEEP_TEMPLATE': 'sweep.html'}
+PAGES = {'LIVE_TEMPLATE': 'live.html', 'RUN_TEMPLATE': 'run.html', 'SWEEP_TEMPLATE': 'sweep.html'}
 PIECE = 8000  # characters of a literal: compilers need to take no more than 65536
 
 
@@ -38,11 +40,15 @@ def template_of(web, name):
     page = (web / name).read_text(encoding='utf-8')
     style, page = joined(web, page, r'^<link href="(.+?)">')
     script, page = joined(web, page, r'^<script src="(.+?)"></script>')
-    script = "'use strict';\n" + script
-    if '</script' in script.lower() or '</style' in style.lower():
+    worker, page = joined(web, page, r'^<script worker src="(.+?)"></script>')
+    script, worker = ("'use strict';\n" + text for text in (script, worker))
+    if '</script' in (script + worker).lower() or '</style' in style.lower():
         raise SystemExit(f'embed.py: {name}: a script or style sheet would end its own element')
     policy = f"default-src 'none'; script-src {hash_of(script)}; style-src {hash_of(style)}; base-uri 'none'; " \
              "form-action 'none'"
+    if '{{worker}}' in page:
+        policy = policy.replace('script-src', "worker-src blob:; script-src 'wasm-unsafe-eval'")
+        page = page.replace('{{worker}}', f'<script type="text/plain" id="worker">{worker}</script>')
     page = page.replace('{{policy}}', policy).replace('{{style}}', f'<style>{style}</style>')
     page = page.replace('{{script}}', f'<script>{script}</script>')
     head, rest = page.split('{{title}}')

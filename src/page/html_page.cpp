@@ -25,7 +25,13 @@ std::string htmlText(const std::string& text)
   return html;
 }
 
-/// RFC 4648, with padding.
+}  // namespace
+
+std::size_t lengthOf(const PageTemplate& page)
+{
+  return std::strlen(page.head) + std::strlen(page.body) + std::strlen(page.tail);
+}
+
 std::string base64(const std::string& bytes)
 {
   static constexpr char LETTERS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -41,12 +47,6 @@ std::string base64(const std::string& bytes)
       text += i < letters ? LETTERS[(bits >> (18 - 6 * i)) & 0x3f] : '=';
   }
   return text;
-}
-}  // namespace
-
-std::size_t lengthOf(const PageTemplate& page)
-{
-  return std::strlen(page.head) + std::strlen(page.body) + std::strlen(page.tail);
 }
 
 std::string deflated(const std::string& bytes)

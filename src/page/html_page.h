@@ -16,6 +16,7 @@ struct PageTemplate
   const char* tail;  ///< from the end of the data: script
 };
 
+extern const PageTemplate LIVE_TEMPLATE;
 extern const PageTemplate RUN_TEMPLATE;
 extern const PageTemplate SWEEP_TEMPLATE;
 
@@ -31,6 +32,9 @@ std::size_t lengthOf(const PageTemplate& page);
 
 /// In zlib's format (RFC 1950), which browsers call "deflate".
 std::string deflated(const std::string& bytes);
+
+/// RFC 4648, with padding.
+std::string base64(const std::string& bytes);
 
 /// JSON that can stand within an HTML element: no text in it ends the element. Texts that are not UTF-8 are
 /// made so.

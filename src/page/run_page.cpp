@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "html_page.h"
+#include "machine_part.h"
 #include "motion.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
@@ -36,22 +37,6 @@ constexpr std::size_t AROUND_DATA = 2000;
 
 /// Rows of the bins that a page has at most.
 constexpr std::size_t MOST_ROWS = 4096;
-
-Json drivePart(const BaseDefinition& base)
-{
-  Json harmonics = Json::array();
-  for (const HarmonicDefinition& harmonic : base.harmonics)
-    harmonics.push_back({{"multiple", harmonic.multiple},
-                         {"amplitude", harmonic.amplitude},
-                         {"phase", harmonic.phase},
-                         {"horizontal_amplitude", harmonic.horizontal_amplitude},
-                         {"horizontal_phase", harmonic.horizontal_phase}});
-  return {{"turns_with_base", base.drive_frame == DriveFrame::BASE},
-          {"amplitude", base.amplitude},
-          {"horizontal_amplitude", base.horizontal_amplitude},
-          {"horizontal_phase", base.horizontal_phase},
-          {"harmonics", std::move(harmonics)}};
-}
 
 /// Whether the base moves on from `a` over `b` to `c` without a change of rate.
 bool isSteady(const DriveState& a, const DriveState& b, const DriveState& c)
@@ -177,26 +162,6 @@ std::string commandText(const CommandFrame& command, const SceneDefinition& scen
     default:
       return "unknown command";
   }
-}
-
-/// What the motion of the base and the outline of the machine follow from. SI units; undefined values are
-/// null.
-Json machinePart(const SceneDefinition& scene)
-{
-  Json tooth = Json::array();
-  for (const OutlineCorner& corner : scene.base.outline())
-    tooth.push_back({corner.s, corner.n});
-  Json species = Json::array();
-  for (const SpeciesDefinition& each : scene.species)
-    species.push_back({{"name", each.name}, {"radius", each.radius}});
-  return {{"tooth", std::move(tooth)},
-          {"teeth", scene.base.teeth},
-          {"boundary", scalarText(scene.boundary)},
-          {"wall_height", scene.boundary == Boundary::WALLED ? Json(wallHeight(scene)) : Json(nullptr)},
-          {"gravity", scene.gravity},
-          {"duration", scene.duration},
-          {"drive", drivePart(scene.base)},
-          {"species", std::move(species)}};
 }
 
 /// Columns over time: `drive`, `bins`, `velocities`. Rows between which nothing changes are left out.

@@ -11,6 +11,7 @@
 #include <pybind11/stl.h>
 
 #include "bindings.h"
+#include "ratchet_sieve/page/live_page.h"
 #include "ratchet_sieve/page/run_page.h"
 #include "ratchet_sieve/recording/trajectory_file.h"
 #include "ratchet_sieve/recording/version.h"
@@ -92,6 +93,15 @@ void writePageOf(const std::string& path, const std::string& title, const Scene&
   page.write(path, title, warnings);
 }
 
+void writeLivePageOf(const std::string& path, const std::vector<std::pair<std::string, Scene>>& scenes,
+                     const py::bytes& engine)
+{
+  std::vector<OfferedScene> offered;
+  for (const auto& [name, scene] : scenes)
+    offered.push_back({name, scene});
+  writeLivePage(path, offered, engine);
+}
+
 /// A frame that Python only keeps, for the page.
 template <typename Frame>
 void bindKept(py::module_& module, const char* name)
@@ -115,6 +125,7 @@ void bindFrames(py::module_& module)
   module.def("write_trajectory", &writeTrajectory, py::arg("path"), py::arg("scene"), py::arg("frames"));
   module.def("write_page", &writePageOf, py::arg("path"), py::arg("title"), py::arg("scene"),
              py::arg("frames"), py::arg("others"), py::arg("warnings"), py::arg("megabytes"));
+  module.def("write_live_page", &writeLivePageOf, py::arg("path"), py::arg("scenes"), py::arg("engine"));
 }
 
 }  // namespace ratchet_sieve

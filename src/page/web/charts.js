@@ -14,7 +14,7 @@ function padded(low, high) {
  *   options of uPlot; series without the one of x. It may have a height, a padding, and draw(), which draws over it
  * @param {{sync: string, onClick: function(number, number), mark: function(): ?number}} common
  *   the key of the charts whose cursors are one, what a click at x and y does, and where a line marks the present x
- * @return {{redraw: function(), rebuild: function(), resize: function(), remove: function()}}
+ * @return {{redraw: function(), rebuild: function(), update: function(Array), resize: function(), remove: function()}}
  */
 function addChart(parent, chart, common) {
   const box = element('div', {class: 'chart'}, element('h3', {}, chart.title));
@@ -83,6 +83,11 @@ function addChart(parent, chart, common) {
   return {
     redraw,
     rebuild: build,
+    update: (data) => {
+      chart.data = data;
+      plot.setData(data);
+      showValues(plot);
+    },
     resize: () => plot.setSize({width: Math.max(200, parent.clientWidth), height}),
     remove: () => {
       plot.destroy();

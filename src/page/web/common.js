@@ -29,11 +29,30 @@ function fillTable(table, head, rows) {
   table.append(element('thead', {}, rowOf(head, true)), element('tbody', {}, ...rows.map((row) => rowOf(row))));
 }
 
+/** Whether a key is for the control that has the focus, and for nothing else. */
+function isForControl(event) {
+  const at = event.target;
+  return at.matches('select, textarea, input:not([type=range])') || (event.key === ' ' && at.matches('button, summary'));
+}
+
 /** Does what a key stands for in a map of actions, unless it is held with another one. */
 function answerKey(event, actions) {
   if (event.ctrlKey || event.metaKey || event.altKey || !Object.hasOwn(actions, event.key)) return;
   event.preventDefault();
   actions[event.key]();
+}
+
+/** The bytes of a text in base64. */
+function bytesOf(base64) {
+  const text = atob(base64.trim());
+  const bytes = new Uint8Array(text.length);
+  for (let k = 0; k < text.length; ++k) bytes[k] = text.charCodeAt(k);
+  return bytes;
+}
+
+async function inflated(bytes) {
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
 /**

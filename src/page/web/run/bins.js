@@ -51,14 +51,13 @@ class Readings {
     this.bins = bins;
     this.names = machine.species.map((species, k) => marked(species.name, colourOf(k)));
     this.cells = machine.species.map(() => ['left', 'on_base', 'right'].map(() => element('span')));
-    if (!bins.areUsed) byId('bins').hidden = true;
-    else fillTable(byId('bins'), ['species', 'left bin', 'on the base', 'right bin'],
+    byId('bins').hidden = !bins.areUsed;
+    if (bins.areUsed) fillTable(byId('bins'), ['species', 'left bin', 'on the base', 'right bin'],
       this.names.map((name, k) => [name, ...this.cells[k]]));
   }
 
   show(time) {
     byId('clock').value = seconds(time);
-    byId('time').setAttribute('aria-valuetext', time.toFixed(3) + ' seconds');
     byId('quality').value = ratio(this.bins.quality(time));
     byId('processed').value = ratio(this.bins.processed(time));
     const state = this.base.stateAt(time);

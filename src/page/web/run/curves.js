@@ -10,14 +10,30 @@ class Curves {
     this.end = times[times.length - 1];
     this.x = {name: 'time', label: 'time [s]', scale: {range: () => [times[0], this.end]},
       series: {value: (u, v) => seconds(u.cursor.left >= 0 && v !== null ? v : timeNow())}};
-    const common = {sync: 'time', onClick, mark: timeNow};
-    this.charts = this.shown().map((chart) => addChart(parent, {x: this.x, ...chart}, common));
+    this.parent = parent;
+    this.common = {sync: 'time', onClick, mark: timeNow};
+    this.build();
+  }
+
+  build() {
+    this.parent.replaceChildren();
+    this.charts = this.shown().map((chart) => addChart(this.parent, {x: this.x, ...chart}, this.common));
+  }
+
+  /** Shows what the series have become. @param {number} end the last time */
+  update(end) {
+    this.end = end;
+    const shown = this.shown();
+    if (shown.length !== this.charts.length) this.build();
+    else shown.forEach((chart, k) => this.charts[k].update(chart.data));
   }
 
   shown() {
     const charts = [];
-    if (this.hasBins) charts.push(this.qualities(), this.counts(), this.shares('purity'),
-      this.shares('recovery'));
+    const {separation, species} = this.series.bins;
+    if (this.hasBins && separation) charts.push(this.separation());
+    if (this.hasBins) charts.push(this.qualities(), this.counts());
+    if (this.hasBins && species[0].purity) charts.push(this.shares('purity'), this.shares('recovery'));
     if (this.series.velocities.time.length) charts.push(this.velocities());
     return [...charts, ...this.setpoints()];
   }
@@ -39,6 +55,15 @@ class Curves {
       y: {label: 'Q, P', scale: {range: [0, 1.02]}},
       series: [Curves.stepped('Q', colourOf(0)), Curves.stepped('P', colourOf(1), {dash: [6, 4]})],
       data: this.held(bins.quality, bins.processed),
+    };
+  }
+
+  separation() {
+    return {
+      title: `Separation: share of ${this.names[0]} that left on the left, less that of ${this.names[1]}`,
+      y: {label: 'separation', scale: {range: [-1.02, 1.02]}},
+      series: [Curves.stepped('separation', colourOf(0))],
+      data: this.held(this.series.bins.separation),
     };
   }
 

@@ -83,7 +83,7 @@ class Picture {
     this.base = base;
     this.motion = motion;
     this.bins = bins;
-    this.heaps = this.bins.areUsed ? heapsOf(bins, base.machine.species, this.binWidth) : null;
+    this.fillBins();
     this.view = new View(this.wholeMachine());
     this.followed = null;
     this.milliseconds = 0;
@@ -91,6 +91,16 @@ class Picture {
 
   get binWidth() {
     return this.bins.areUsed ? BIN_WIDTH * this.base.width : 0;
+  }
+
+  fillBins() {
+    this.heaps = this.bins.areUsed ? heapsOf(this.bins, this.base.machine.species, this.binWidth) : null;
+  }
+
+  /** Makes the whole machine what it is now. */
+  fit() {
+    this.view.whole = this.wholeMachine();
+    if (this.view.zoom === 1) this.view.showWhole();
   }
 
   /** All that the base sweeps over and all disks, in the world. */

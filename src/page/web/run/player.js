@@ -1,6 +1,10 @@
 /** Speeds over that of the machine. */
 const SPEEDS = [0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10];
 
+function speedText(speed) {
+  return speed < 1 ? `1/${Math.round(1 / speed)}` : `${speed}\u00d7`;
+}
+
 /** The present time of the page, and how it goes on. */
 class Player {
   /** @param {function(number)} show called with each new time */

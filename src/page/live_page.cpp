@@ -1,0 +1,72 @@
+#include "ratchet_sieve/page/live_page.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "html_page.h"
+#include "machine_part.h"
+#include "ratchet_sieve/core/commanded_quantity.h"
+#include "ratchet_sieve/core/state_archive.h"
+#include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+
+namespace ratchet_sieve
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+std::string definitionBytes(SceneDefinition scene)
+{
+  StateArchive archive;
+  scene.archive(archive);
+  return archive.takeBytes();
+}
+
+/// What the sliders of the commanded quantities need: a node's limits, wider where the scene is beyond them.
+Json quantitiesOf(const SceneDefinition& scene)
+{
+  const SlewRates rates;
+  Json quantities = Json::array();
+  for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
+  {
+    const double value = scene.base.*quantity.definition;
+    quantities.push_back({{"name", quantity.name},
+                          {"unit", quantity.unit},
+                          {"min", std::min(quantity.usual.min, value)},
+                          {"max", std::max(quantity.usual.max, value)},
+                          {"value", value},
+                          {"slew_rate", rates.*quantity.slew_rate},
+                          {"slowest", quantity.slew_rates.min},
+                          {"fastest", quantity.slew_rates.max}});
+  }
+  return quantities;
+}
+
+Json sceneOf(const OfferedScene& offered)
+{
+  const SceneDefinition& scene = offered.scene.definition;
+  return {{"name", offered.name},
+          {"yaml", canonicalYaml(scene)},
+          {"warnings", offered.scene.warnings},
+          {"definition", base64(definitionBytes(scene))},
+          {"seed", scene.seed},
+          {"feed_rate", scene.feed.rate},
+          {"quantities", quantitiesOf(scene)},
+          {"machine", machinePart(scene)}};
+}
+
+}  // namespace
+
+void writeLivePage(const std::string& path, const std::vector<OfferedScene>& scenes,
+                   const std::string& engine)
+{
+  Json offered = Json::array();
+  for (const OfferedScene& each : scenes)
+    offered.push_back(sceneOf(each));
+  writePage(path, LIVE_TEMPLATE, "Ratchet sieve, live",
+            {{"version", version()}, {"scenes", std::move(offered)}}, {{"engine", deflated(engine)}});
+}
+
+}  // namespace ratchet_sieve

@@ -1,0 +1,111 @@
+const SYMBOLS = {inclination: '\u03b8', frequency: 'f', amplitude: 'A'};
+const SCALES = {m: [1e3, 'mm']};  // in which a setpoint is shown
+
+/** A setpoint as it is shown. */
+function setpointText(value, unit) {
+  const [scale, shown] = SCALES[unit] || [1, unit];
+  return quantity(value * scale, shown);
+}
+
+/** A power of ten that divides a range into 1000 steps or more. */
+function stepOf(range) {
+  return 10 ** (Math.floor(Math.log10(range)) - 3);
+}
+
+/** What the user sets and reads beside the picture. */
+class Panel {
+  constructor(page) {
+    this.page = page;
+    byId('scene-name').append(...page.scenes.map((scene) => element('option', {}, scene.name)));
+    byId('speed').append(...[...SPEEDS, MOST].map((speed) => element('option', {value: String(speed)},
+      speed === MOST ? 'as fast as it goes' : speedText(speed))));
+    const on = (id, event, action) => byId(id).addEventListener(event, action);
+    on('scene-name', 'change', () => page.openScene(byId('scene-name').value));
+    on('restart', 'click', () => page.restart(this.asked()));
+    on('another', 'click', () => page.restart({...this.asked(), seed: page.settings.seed + 1}));
+    for (const id of ['seed', 'feed-rate']) on(id, 'change', () => page.restart(this.asked()));
+    on('play', 'click', () => page.player.toggle());
+    on('step', 'click', () => page.step());
+    on('speed', 'change', () => page.player.setSpeed(SPEEDS.find((speed) => String(speed) === byId('speed').value) || MOST));
+    on('pour', 'click', () => this.pour());
+    copyOnClick(byId('copy-link'), () => {
+      byId('link').textContent = page.link();
+      return byId('link').textContent;
+    }, byId('link'));
+    copyOnClick(byId('copy-python'), () => page.program(), byId('python'));
+  }
+
+  /** Seed and feed as they stand in their fields, where they are legal. */
+  asked() {
+    const [seed, feedRate] = ['seed', 'feed-rate'].map((id) => [byId(id).reportValidity(), Number(byId(id).value)]);
+    return {...seed[0] ? {seed: seed[1]} : {}, ...this.page.settings.feedRate > 0 && feedRate[0] ? {feedRate: feedRate[1]} : {}};
+  }
+
+  pour() {
+    if (byId('pour-count').reportValidity())
+      this.page.player.ask('order', {order: ['pour', byId('pour-species').selectedIndex, Number(byId('pour-count').value)]});
+  }
+
+  showSettings({offered, seed, feedRate}) {
+    byId('scene-name').value = offered.name;
+    byId('seed').value = String(seed);
+    byId('feed').hidden = !(offered.feed_rate > 0);
+    byId('feed-rate').value = String(feedRate || 1);
+    byId('pour-species').replaceChildren(...offered.machine.species.map((species) => element('option', {}, species.name)));
+    byId('origin').textContent = `The engine of ratchet_sieve ${this.page.version} runs in this page. ${offered.warnings.join(' ')}`;
+    this.slews = offered.quantities.map((each) => each.slew_rate);
+    this.sliders = offered.quantities.map((each, k) => this.sliderOf(each, k));
+    byId('setpoints').replaceChildren(...this.sliders.map((slider) => slider.label));
+  }
+
+  /** A slider and its slew rate. While it moves it gives a command now and then, and the last value for certain. */
+  sliderOf({name, unit, min, max, value, slew_rate: slew, slowest, fastest}, k) {
+    const input = element('input', {type: 'range', id: 'set-' + name, min, max, step: stepOf(max - min), value});
+    const output = element('output', {for: 'set-' + name}, setpointText(value, unit));
+    const rate = element('input', {type: 'number', min: slowest, max: fastest, step: 'any', value: slew});
+    let given = 0;
+    const give = () => {
+      given = performance.now();
+      output.textContent = setpointText(Number(input.value), unit);
+      input.setAttribute('aria-valuetext', output.textContent);
+      this.page.player.ask('order', {order: ['command', k, Number(input.value)]}).then(() => this.page.fit());
+    };
+    input.addEventListener('input', () => {
+      output.textContent = setpointText(Number(input.value), unit);
+      if (performance.now() - given > SETPOINT_PERIOD) give();
+    });
+    input.addEventListener('change', give);
+    rate.addEventListener('change', () => {
+      if (!rate.reportValidity()) return;
+      this.slews[k] = Number(rate.value);
+      this.page.player.ask('order', {order: ['slew', ...this.slews]});
+    });
+    const label = element('div', {class: 'setpoint'}, element('label', {for: 'set-' + name}, `${name} ${SYMBOLS[name]}`), input, output,
+      element('label', {class: 'slew'}, 'slew rate ', rate, ` ${unit}/s`));
+    return {label, input, output, unit};
+  }
+
+  show({time, events, separation, base}, disks, factor) {
+    byId('separation').value = ratio(separation).replace('-', '\u2212');
+    byId('disks').value = String(disks);
+    byId('events').value = quantity(events, '', 6);
+    byId('factor').value = factor === null ? '' : `${factor.toFixed(2)}\u00d7 real time`;
+  }
+
+  showPlayer({playing, speed}) {
+    byId('play').textContent = playing ? 'Pause' : 'Play';
+    byId('play').setAttribute('aria-pressed', String(playing));
+    byId('speed').value = String(speed);
+  }
+
+  /** An error, or what is wrong with the run. */
+  say(error, readings) {
+    let text = error || '';
+    if (!text && readings && readings.choke) {
+      const {fed, left, layers} = readings.choke;
+      text = `The base is choked: of ${fed} disks fed ${left} have left, and the layer has risen by ${quantity(layers, '', 3)} of the largest diameters.`;
+    } else if (!text && readings && readings.collapses > 0)
+      text = `${quantity(readings.collapses)} inelastic collapses so far: the contacts of those disks were made elastic for a while.`;
+    if (byId('said').textContent !== text) byId('said').textContent = text;
+  }
+}

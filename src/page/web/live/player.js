@@ -1,0 +1,75 @@
+const MOST = 'most';        // the speed that is as fast as the engine goes
+const BUDGET = 30;          // of a request, so that the picture goes on where the engine is slower than real time [ms]
+const LONGEST_FRAME = 0.1;  // a pause of the browser is not caught up with [s]
+const FACTOR_TIME = 0.5;    // over which the speed that is reached is measured [s]
+
+/** Runs the engine in a worker, and asks it for a picture at each frame of the browser. */
+class LivePlayer {
+  /** @param {function(Object)} onAnswer called with each answer of the worker @param {function()} onChange playing, speed */
+  constructor(onAnswer, onChange) {
+    this.onAnswer = onAnswer;
+    this.onChange = onChange;
+    this.worker = new Worker(URL.createObjectURL(new Blob([byId('worker').textContent], {type: 'text/javascript'})));
+    this.worker.onmessage = ({data}) => this.answered(data);
+    this.waiting = [];
+    this.time = 0;
+    this.playing = false;
+    this.speed = 1;
+    this.factor = null;
+  }
+
+  /** Asks the worker. @return {Promise<Object>} its answer */
+  ask(request, more = {}) {
+    this.worker.postMessage({request, ...more});
+    return new Promise((resolve) => this.waiting.push(resolve));
+  }
+
+  answered(answer) {
+    const resolve = this.waiting.shift();
+    if (answer.time !== undefined) this.time = answer.time;
+    this.onAnswer(answer);
+    resolve(answer);
+  }
+
+  play() {
+    if (this.playing) return;
+    this.playing = true;
+    this.factor = null;
+    this.onChange();
+    const measured = {wall: performance.now(), time: this.time};
+    let before = null;
+    const step = (now) => {
+      if (!this.playing) return;
+      requestAnimationFrame(step);
+      if (now - measured.wall > 1000 * FACTOR_TIME) {
+        this.factor = (this.time - measured.time) / (now - measured.wall) * 1000;
+        [measured.wall, measured.time] = [now, this.time];
+      }
+      if (this.waiting.length) return;
+      const elapsed = before === null ? 0 : Math.min(LONGEST_FRAME, (now - before) / 1000);
+      before = now;
+      this.ask('advance', {to: this.speed === MOST ? Infinity : this.time + this.speed * elapsed, budget: BUDGET});
+    };
+    requestAnimationFrame(step);
+  }
+
+  pause() {
+    this.playing = false;
+    this.factor = null;
+    this.onChange();
+  }
+
+  toggle() {
+    if (this.playing) this.pause(); else this.play();
+  }
+
+  setSpeed(speed) {
+    this.speed = speed;
+    this.onChange();
+  }
+
+  changeSpeed(steps) {
+    const speeds = [...SPEEDS, MOST];
+    this.setSpeed(speeds[Math.min(speeds.length - 1, Math.max(0, speeds.indexOf(this.speed) + steps))]);
+  }
+}

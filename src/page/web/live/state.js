@@ -1,0 +1,113 @@
+const RECORD_EVERY = 0.1;  // at first, of the curves' rows [s]
+const MOST_RECORDS = 2000;  // of rows: then every other one is dropped
+
+/** The base as the engine has it. */
+class LiveBase extends Base {
+  constructor(machine, state) {
+    super(machine, null);
+    this.set(state);
+  }
+
+  set(state) {
+    this.state = state;
+    this.states = {amplitude: [state.amplitude, state.commanded_amplitude],
+      inclination: [state.inclination, state.commanded_inclination]};
+  }
+
+  stateAt() {
+    return this.state;
+  }
+
+  poseAt() {
+    const {horizontal_displacement: x, displacement: y, inclination} = this.state;
+    return {x, y, cosine: Math.cos(inclination), sine: Math.sin(inclination)};
+  }
+}
+
+/** The disks as the engine has them, and where the followed one was. A track is a disk's place in the list. */
+class LiveMotion {
+  /** @param {LiveBase} base */
+  constructor(base) {
+    this.base = base;
+    this.times = [0];
+    this.trail = [];
+  }
+
+  /** @param {Float64Array} disks DISK_FIELDS of each @param {?number} followed the id of a disk */
+  set(time, disks, followed) {
+    const stride = DISK_FIELDS.length;
+    const column = (name) => {
+      const at = DISK_FIELDS.indexOf(name);
+      return Float64Array.from({length: disks.length / stride}, (_, k) => disks[k * stride + at]);
+    };
+    [this.ids, this.species, this.radii, this.x, this.y, this.angle] =
+      ['id', 'species', 'radius', 'x', 'y', 'angle'].map(column);
+    const track = followed === null ? -1 : this.ids.indexOf(followed);
+    const last = this.trail.length && this.trail[this.trail.length - 1];
+    if (track < 0 || last && (last.id !== followed || last[2] > time)) this.trail = [];
+    if (track >= 0) this.trail.push(Object.assign([this.x[track], this.y[track], time], {id: followed}));
+    while (this.trail.length && this.trail[0][2] < time - PATH_TIME) this.trail.shift();
+  }
+
+  forEachAt(time, action) {
+    for (let track = 0; track < this.ids.length; ++track) action(track, this.x[track], this.y[track], this.angle[track]);
+  }
+
+  trackOf(id) {
+    return this.ids.indexOf(id);
+  }
+
+  pathOf(track, from, to) {
+    return this.trail.filter(([, , time]) => from <= time && time <= to);
+  }
+
+  /** A height above all disks, also once the base has its commanded inclination. */
+  top() {
+    const [applied, commanded] = this.base.states.inclination;
+    const rise = this.base.width * Math.max(0, Math.sin(commanded) - Math.sin(applied));
+    return rise + this.y.reduce((top, y, track) => Math.max(top, y + this.radii[track]), -Infinity);
+  }
+}
+
+/** What the curves show: columns over time that grow. The last row is the present one. */
+class Records {
+  constructor(species) {
+    const columns = (...names) => Object.fromEntries(names.map((name) => [name, []]));
+    this.every = RECORD_EVERY;
+    this.drive = columns('time', ...['inclination', 'frequency', 'amplitude'].flatMap((name) => [name, 'commanded_' + name]));
+    this.bins = {...columns('time', 'separation', 'quality', 'processed'),
+      species: species.map(() => columns('left', 'right', 'on_base'))};
+    this.velocities = {time: [], species: species.map(() => columns('mean_vx', 'mean_vx_stderr'))};
+  }
+
+  /** Calls back with each table and what its row is read from. */
+  static forEachTable(records, readings, action) {
+    action(records.drive, readings.base);
+    action(records.bins, readings);
+    for (const table of [records.bins, records.velocities])
+      table.species.forEach((each, k) => action(each, readings.species[k]));
+    action(records.velocities, readings);
+  }
+
+  add(readings) {
+    const times = this.bins.time;
+    const rows = times.length;
+    const replaces = rows > 1 && times[rows - 1] - times[rows - 2] < this.every;
+    Records.forEachTable(this, readings, (table, source) => {
+      for (const [name, column] of Object.entries(table)) {
+        if (name === 'species') continue;
+        if (replaces) column.pop();
+        column.push(name === 'time' ? readings.time : source[name]);
+      }
+    });
+    if (rows > MOST_RECORDS) this.thin(readings);
+  }
+
+  thin(readings) {
+    this.every *= 2;
+    Records.forEachTable(this, readings, (table) => {
+      for (const [name, column] of Object.entries(table))
+        if (name !== 'species') table[name] = column.filter((_, k) => k % 2 === 0 || k === column.length - 1);
+    });
+  }
+}
