@@ -18,26 +18,35 @@ from .scene import AnyScene, scene_of
 OFFERED = ("machine_fig9", "demo", "paper_fig8", "paper_fig9", "paper_fig3", "machine_mass", "glass_rubber", "sized_mixture",
            "circular_feeder", "profile_castle")
 """The scenes of config/ that are offered where none is asked for; the first opens."""
+TITLE = "Ratchet sieve, live"
+HEIGHT = 1100  # in a notebook [pixels]
+
+
+def framed(write: Callable[[pathlib.Path], None], title: str, height: int) -> str:
+    """What `write` writes to a path, in a frame `height` pixels high, as HTML."""
+    with tempfile.TemporaryDirectory() as folder:
+        page = pathlib.Path(folder) / "page.html"
+        write(page)
+        text = html.escape(page.read_text(encoding="utf-8"))
+    return (f'<div><iframe srcdoc="{text}" sandbox="allow-scripts" title="{html.escape(title)}" '
+            f'style="width: 100%; height: {height}px; border: 0"></iframe></div>')
 
 
 def show_page(write: Callable[[pathlib.Path], None], title: str, height: int) -> Any:
     """Shows what `write` writes to a path: in a notebook below the cell, `height` pixels high, else in the browser."""
+    if "ipykernel" in sys.modules:
+        from IPython.display import HTML
+
+        return HTML(framed(write, title, height))
     with tempfile.NamedTemporaryFile(prefix="ratchet_sieve_", suffix=".html", delete=False) as file:
         page = pathlib.Path(file.name)
     try:
         write(page)
-        if "ipykernel" not in sys.modules:
-            webbrowser.open(page.as_uri())
-            return None
-        text = html.escape(page.read_text(encoding="utf-8"))
     except BaseException:
         page.unlink()
         raise
-    page.unlink()
-    from IPython.display import HTML
-
-    return HTML(f'<div><iframe srcdoc="{text}" sandbox="allow-scripts" title="{html.escape(title)}" '
-                f'style="width: 100%; height: {height}px; border: 0"></iframe></div>')
+    webbrowser.open(page.as_uri())
+    return None
 
 
 class LivePage:
@@ -59,12 +68,12 @@ class LivePage:
             raise FileNotFoundError(f"{engine} is missing: ./scripts/live compiles the engine for browsers")
         _engine.write_live_page(os.fspath(path), self._scenes, engine.read_bytes())
 
-    def show(self, *, height: int = 1100) -> Any:
+    def show(self, *, height: int = HEIGHT) -> Any:
         """Shows the page: in a notebook below the cell, `height` pixels high, else in the browser."""
-        return show_page(self.write, "Ratchet sieve, live", height)
+        return show_page(self.write, TITLE, height)
 
     def _repr_html_(self) -> str:
-        return str(show_page(self.write, "Ratchet sieve, live", 1100).data)
+        return framed(self.write, TITLE, HEIGHT)
 
     def __repr__(self) -> str:
         return f"<LivePage of {', '.join(name for name, _ in self._scenes)}>"

@@ -1,4 +1,5 @@
 const RECORD_EVERY = 0.1;  // at first, of the curves' rows [s]
+const FED_LAYER = 16;       // for which there is room above the base [largest radii]
 const MOST_RECORDS = 2000;  // of rows: then every other one is dropped
 
 /** The base as the engine has it. */
@@ -64,8 +65,11 @@ class LiveMotion {
   /** A height above all disks, also once the base has its commanded inclination. */
   top() {
     const [applied, commanded] = this.base.states.inclination;
-    const rise = this.base.width * Math.max(0, Math.sin(commanded) - Math.sin(applied));
-    return rise + this.y.reduce((top, y, track) => Math.max(top, y + this.radii[track]), -Infinity);
+    const {width, highest, machine} = this.base;
+    const rise = width * Math.max(0, Math.sin(commanded) - Math.sin(applied));
+    const largest = Math.max(...machine.species.map((species) => species.radius));
+    const fed = width * Math.max(0, Math.sin(applied)) + highest + FED_LAYER * largest;
+    return rise + this.y.reduce((top, y, track) => Math.max(top, y + this.radii[track]), fed);
   }
 }
 

@@ -9,7 +9,7 @@ const installed = createRequire(path.resolve(process.env.PAGE_TEST_MODULES, 'pac
 const puppeteer = installed('puppeteer-core');
 export const AXE_SOURCE = readFileSync(installed.resolve('axe-core/axe.min.js'), 'utf8');
 
-function firefox()
+export function firefox()
 {
   return puppeteer.launch({browser: 'firefox', executablePath: process.env.FIREFOX ?? '/usr/bin/firefox-esr'});
 }
