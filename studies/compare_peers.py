@@ -62,7 +62,7 @@ def main():
     if arguments.out:
         arguments.out.mkdir(parents=True, exist_ok=True)
         (arguments.out / "peers.json").write_text(
-            json.dumps({"machine": about, "missing": missing, "runs": taken, "edmd": rates and rates.tolist()},
+            json.dumps({"machine": about, "missing": missing, "runs": taken, "edmd": None if rates is None else rates.tolist()},
                        indent=1) + "\n", encoding="utf-8")
     publish(arguments, "peers", table.render(arguments.programs, taken, missing, about), table.figures(taken), about)
     if arguments.edmd:
