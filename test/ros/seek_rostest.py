@@ -55,7 +55,7 @@ class Seek(unittest.TestCase):
         wait_for(lambda: self.trials[-1].time < self.trials[before - 1].time, 'a trial by the new time')
 
         held = self.wait_for_phase('hold')
-        # By docs/seeking.md: Q is 0.44 at 0.15 rad, above 0.33 from 0.1 to 0.19, and 0.15 on the level.
+        # By docs/data/seek.csv: Q is 0.43 at 0.15 rad, above 0.33 from 0.1 to 0.175, and 0.15 on the level.
         self.assertLess(abs(held.best_inclination - 0.15), 0.06)
         self.assertGreater(held.best_quality, first.quality + 0.1)
         wait_for(lambda: message('/sieve/base', BaseState).inclination == held.best_inclination, 'it is held')
