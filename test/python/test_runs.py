@@ -289,7 +289,7 @@ def test_pages_are_those_of_sieve_run(scene, tmp_path):
 def test_a_page_is_shown_in_a_notebook_or_the_browser(scene, monkeypatch):
     run = rs.run(scene, frames=20, progress=False)
     opened = []
-    monkeypatch.setattr(rs.runs.webbrowser, "open", opened.append)
+    monkeypatch.setattr("webbrowser.open", opened.append)
     monkeypatch.delitem(sys.modules, "ipykernel", raising=False)
     assert run.show() is None
     page = pathlib.Path(urllib.request.url2pathname(urllib.parse.urlsplit(opened[0]).path))

@@ -1,0 +1,40 @@
+"""rs.live(): what is offered, and what is said without an engine. What runs in the page: test/page/browsers."""
+import json
+import pathlib
+import re
+
+import pytest
+
+import ratchet_sieve as rs
+from ratchet_sieve import pages
+
+
+@pytest.fixture(name="engine")
+def fixture_engine(tmp_path, monkeypatch):
+    """The folder in which the engine for browsers is looked for; it is not there yet."""
+    monkeypatch.setattr(pages._engine, "__file__", str(tmp_path / "_engine.so"))
+    return tmp_path / "engine.wasm"
+
+
+def test_a_live_page_has_the_definitions_of_its_scenes(scene, engine, tmp_path):
+    engine.write_bytes(b"\0asm")
+    page = rs.live(scene, scene.replace(seed=3), {"species": [{"name": "A", "count": 1, "radius": 0.001, "mass": 0.01}]})
+    page.write(tmp_path / "live.html")
+    text = (tmp_path / "live.html").read_text()
+    data = json.loads(re.search(r'id="data">(.*?)</script>', text).group(1))
+    assert [(offered["name"], offered["seed"]) for offered in data["scenes"]] == [("scene", 7), ("scene (2)", 3), ("scene (3)", 1)]
+    assert rs.Scene(data["scenes"][1]["yaml"]) == scene.replace(seed=3)
+    assert len({offered["definition"] for offered in data["scenes"]}) == 3
+    assert repr(page) == "<LivePage of scene, scene (2), scene (3)>"
+    assert 'sandbox="allow-scripts"' in page._repr_html_()
+
+
+def test_without_an_engine_it_says_how_it_is_compiled(scene, engine, tmp_path):
+    with pytest.raises(FileNotFoundError, match=r"engine\.wasm is missing: \./scripts/live"):
+        rs.live(scene).write(tmp_path / "live.html")
+    assert not (tmp_path / "live.html").exists()
+
+
+def test_a_scene_that_is_none_is_refused():
+    with pytest.raises(rs.SceneError):
+        rs.live(pathlib.Path("none.yaml"))
