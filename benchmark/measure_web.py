@@ -58,9 +58,11 @@ def main():
     for (title, *_), (duration, pairs) in zip(SCENES, measure(arguments.rounds)):
         ratios = sorted(native / of_page for native, of_page in pairs)
         reached = duration / statistics.median(of_page for _, of_page in pairs)
-        lines.append([title, f"{statistics.median(ratios):.2f} ({ratios[0]:.2f} to {ratios[-1]:.2f})", f"{reached:.1f}"])
-    publish(arguments, "web", [f"{origin.text(about)}; medians of {arguments.rounds} rounds in turns, all of them in brackets.",
-                               "", table(["scene", "speed over native", "simulated over processor time"], lines)])
+        lines.append([title, f"{statistics.median(ratios):.2f} ({ratios[0]:.2f} to {ratios[-1]:.2f})",
+                      f"{reached:.1f}"])
+    publish(arguments, "web", [
+        f"{origin.text(about)}; medians of {arguments.rounds} rounds in turns, all of them in brackets.", "",
+        table(["scene", "speed over native", "simulated over processor time"], lines)])
 
 
 if __name__ == "__main__":

@@ -15,8 +15,8 @@ from .errors import SceneError
 from .places import SHARE, WORK
 from .scene import AnyScene, scene_of
 
-OFFERED = ("machine_fig9", "demo", "paper_fig8", "paper_fig9", "paper_fig3", "machine_mass", "glass_rubber", "sized_mixture",
-           "circular_feeder", "profile_castle")
+OFFERED = ("machine_fig9", "demo", "paper_fig8", "paper_fig9", "paper_fig3", "machine_mass", "glass_rubber",
+           "sized_mixture", "circular_feeder", "profile_castle")
 """The scenes of config/ that are offered where none is asked for; the first opens."""
 TITLE = "Ratchet sieve, live"
 HEIGHT = 1100  # in a notebook [pixels]

@@ -18,13 +18,15 @@ def fixture_engine(tmp_path, monkeypatch):
 
 def test_a_live_page_has_the_definitions_of_its_scenes(scene, engine, tmp_path):
     engine.write_bytes(b"\0asm")
-    page = rs.live(scene, scene.replace(seed=3), {"species": [{"name": "A", "count": 1, "radius": 0.001, "mass": 0.01}]})
+    single = {"species": [{"name": "A", "count": 1, "radius": 0.001, "mass": 0.01}]}
+    page = rs.live(scene, scene.replace(seed=3), single)
     page.write(tmp_path / "live.html")
     text = (tmp_path / "live.html").read_text()
     data = json.loads(re.search(r'id="data">(.*?)</script>', text).group(1))
-    assert [(offered["name"], offered["seed"]) for offered in data["scenes"]] == [("scene", 7), ("scene (2)", 3), ("scene (3)", 1)]
+    offered = [(each["name"], each["seed"]) for each in data["scenes"]]
+    assert offered == [("scene", 7), ("scene (2)", 3), ("scene (3)", 1)]
     assert rs.Scene(data["scenes"][1]["yaml"]) == scene.replace(seed=3)
-    assert len({offered["definition"] for offered in data["scenes"]}) == 3
+    assert len({each["definition"] for each in data["scenes"]}) == 3
     assert repr(page) == "<LivePage of scene, scene (2), scene (3)>"
     assert 'sandbox="allow-scripts"' in page._repr_html_()
 
