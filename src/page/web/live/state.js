@@ -1,6 +1,8 @@
 const RECORD_EVERY = 0.1;  // at first, of the curves' rows [s]
 const MOST_RECORDS = 2000;  // of rows: then every other one is dropped
 
+const HEADROOM = 0.1;      // of the picture above the base, at least [widths of the base]
+
 /** The base as the engine has it. */
 class LiveBase extends Base {
   constructor(machine, state) {
@@ -64,8 +66,10 @@ class LiveMotion {
   /** A height above all disks, also once the base has its commanded inclination. */
   top() {
     const [applied, commanded] = this.base.states.inclination;
-    const rise = this.base.width * Math.max(0, Math.sin(commanded) - Math.sin(applied));
-    return rise + this.y.reduce((top, y, track) => Math.max(top, y + this.radii[track]), -Infinity);
+    const {width, highest} = this.base;
+    const rise = width * Math.max(0, Math.sin(commanded) - Math.sin(applied));
+    const base = width * (HEADROOM + Math.max(0, Math.sin(applied))) + highest;
+    return rise + this.y.reduce((top, y, track) => Math.max(top, y + this.radii[track]), base);
   }
 }
 
