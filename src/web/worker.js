@@ -8,8 +8,9 @@ const REQUESTS = {
     session = null;
     session = Object.assign(new Session(compiled, definition, settings), {run});
   },
-  order({order}) { session.order(order); },
-  advance({to, budget}) { session.advance(to, budget); },
+  // There is no session where the last one could not be opened.
+  order({order}) { session?.order(order); },
+  advance({to, budget}) { session?.advance(to, budget); },
 };
 
 function answerWith(error) {

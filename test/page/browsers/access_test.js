@@ -2,11 +2,12 @@
 import assert from 'node:assert/strict';
 import {describe, it} from 'node:test';
 import {AXE_SOURCE, useBrowser} from './support/browser.js';
-import {ALL, HOSTILE, NARROW, SWEEP, WIDE, drawn, goesOn, openPage, openStill} from './support/pages.js';
+import {ALL, HOSTILE, LIVE, NARROW, SWEEP, WIDE, drawn, goesOn, openPage, openStill} from './support/pages.js';
 import {picture} from './support/picture.js';
 
 // What is observed makes the longest tables.
-const SHOWN = [['demo', WIDE], ['demo', NARROW], [HOSTILE, WIDE], [SWEEP, WIDE], [SWEEP, NARROW]];
+const SHOWN = [['demo', WIDE], ['demo', NARROW], [HOSTILE, WIDE], [SWEEP, WIDE], [SWEEP, NARROW],
+  [LIVE, WIDE], [LIVE, NARROW]].filter(([name]) => ALL.includes(name));
 const LEAST_PDF = 20000;  // bytes; an empty page has some thousand
 const A_WHILE = 500;      // ms
 

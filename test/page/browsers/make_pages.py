@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """Makes the pages that the tests open, by the package's programs, and beside NAME.html what its bag holds, NAME.json.
 
+The live page is live.html, where the engine was compiled for browsers.
+
 Usage: make_pages.py PROGRAMS CONFIG OUT
 """
 import json
@@ -10,6 +12,7 @@ import shutil
 import subprocess
 import sys
 
+import ratchet_sieve as rs
 import rosbag
 import yaml
 
@@ -128,6 +131,13 @@ class Pages:
         self.program('sieve_sweep', 'run', sweep, '--db', database, '--html', kept)
         self.program('sieve_sweep', 'report', sweep, '--db', database, '--html', kept, '--out', self.out / name)
 
+    def live(self, *names):
+        """The live page of scenes of config/."""
+        try:
+            rs.live(*(self.config / f'{name}.yaml' for name in names)).write(self.out / 'live.html')
+        except FileNotFoundError as error:
+            print(error)
+
 
 def main():
     pages = Pages(*sys.argv[1:])
@@ -137,6 +147,7 @@ def main():
     pages.page('sizes', pages.run('sizes', HERE / 'sizes.yaml'))
     pages.hostile('hostile', pages.run('observed', HERE / 'observed.yaml'))
     pages.sweep('sweep')
+    pages.live('machine_fig9', 'demo', 'paper_fig8')
 
 
 if __name__ == '__main__':

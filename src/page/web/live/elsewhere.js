@@ -1,16 +1,29 @@
 /** The run as others can repeat it: settings in a link, and a program. */
 
-/** The settings that a link's fragment holds; null: none. @throws {Error} of what is no such link */
+/** Of a command: how many numbers follow its name, and how many of them are whole. See Engine.order(). */
+const NUMBERS_OF = {command: [2, 1], slew: [3, 0], pour: [2, 2]};
+
+function isCommand([name, ...values]) {
+  if (!Object.hasOwn(NUMBERS_OF, name)) return false;
+  const [count, whole] = NUMBERS_OF[name];
+  return values.length === count && values.every((value, k) => k < whole ? Number.isSafeInteger(value) : Number.isFinite(value));
+}
+
+/**
+ * The settings that a link's fragment holds; null: none. A program is made of them: they are to be numbers.
+ * @throws {Error} of what is no such link
+ */
 function settingsOfLink(fragment, scenes) {
   if (fragment.length < 2) return null;
   const settings = JSON.parse(decodeURIComponent(fragment.slice(1)));
   const offered = scenes.find((scene) => scene.name === settings.scene);
   if (!offered) throw new Error(`there is no scene ${settings.scene} in this page`);
   const isTime = (time, k, times) => Number.isFinite(time) && time >= (k ? times[k - 1] : 0);
-  if (!Number.isSafeInteger(settings.seed) || settings.seed < 0 || !(settings.feedRate >= 0) || !Array.isArray(settings.schedule) ||
-      !settings.schedule.map(([time]) => time).every(isTime))
+  if (!Number.isSafeInteger(settings.seed) || settings.seed < 0 || !Number.isFinite(settings.feedRate) || !Array.isArray(settings.schedule) ||
+      !settings.schedule.map(([time]) => time).every(isTime) || !settings.schedule.every(([, ...order]) => isCommand(order)))
     throw new Error('seed, feed or commands are not as this page writes them');
-  return {...settings, offered};
+  const {seed, feedRate, schedule} = settings;
+  return {offered, seed, feedRate, schedule};
 }
 
 function fragmentOf({offered, seed, feedRate}, schedule) {

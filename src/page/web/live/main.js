@@ -14,6 +14,9 @@ class LivePage {
     this.begun = 0;    // and of the one that is shown
     this.curvesDrawn = 0;
     document.addEventListener('keydown', (event) => this.onKey(event));
+    addEventListener('hashchange', () => {
+      if (location.hash && location.hash !== this.linked) this.openLink(location.hash);
+    });
     onThemeChange(() => {
       this.curves.all('rebuild');
       this.show();
@@ -46,13 +49,30 @@ class LivePage {
     return this.open({offered, seed: offered.seed, feedRate: offered.feed_rate, schedule: []});
   }
 
+  /** Opens the run of a link's fragment; of an empty one, the first scene. Of one that cannot be opened it says why. */
+  async openLink(fragment) {
+    let error;
+    try {
+      const settings = settingsOfLink(fragment, this.scenes);
+      await (settings ? this.open(settings) : this.openScene(this.scenes[0].name));
+      error = this.error;
+    } catch (thrown) {
+      error = thrown.message;
+    }
+    if (!error) return;
+    await this.openScene(this.scenes[0].name);
+    this.player.pause();
+    this.error = this.error || 'This link cannot be opened: ' + error;
+    this.show();
+  }
+
   restart(change = {}) {
     return this.open({...this.settings, schedule: [], ...change});
   }
 
   step() {
     this.player.pause();
-    const {frequency} = this.readings.base;
+    const frequency = this.readings?.base.frequency;
     return this.player.ask('advance', {to: this.player.time + (frequency > 0 ? STEP / frequency : STEP_AT_REST)});
   }
 
@@ -89,6 +109,7 @@ class LivePage {
     else this.controls = new PictureControls(this.picture, () => this.player.time, () => this.show());
     this.values = new Readings(machine, this.base, this.bins);
     byId('follow').value = byId('followed').value = '';
+    if (this.curves) this.curves.all('remove');
     this.curves = new Curves(byId('curves'), {machine}, this.records, [0, 1], machine.boundary !== 'periodic', () => {},
       () => this.player.time);
   }
@@ -104,7 +125,7 @@ class LivePage {
     const {time} = this.readings;
     this.picture.draw(time);
     this.values.show(time);
-    this.panel.show(this.readings, this.motion.ids.length, this.player.factor);
+    this.panel.show(this.readings, this.schedule, this.motion.ids.length, this.player.factor);
     this.panel.say(this.error, this.readings);
     const now = performance.now();
     if (!this.player.playing || now - this.curvesDrawn > CURVES_PERIOD) {
@@ -114,8 +135,12 @@ class LivePage {
     }
     if (!this.player.playing) {
       byId('machine').setAttribute('aria-label', this.values.sentence(time));
-      byId('python').textContent = this.program();
+      this.showProgram();
     }
+  }
+
+  showProgram() {
+    if (this.readings) byId('python').textContent = this.program();
   }
 
   showPlayer() {
@@ -129,6 +154,7 @@ class LivePage {
 
   link() {
     location.hash = fragmentOf(this.settings, this.schedule);
+    this.linked = location.hash;
     return location.href;
   }
 
@@ -158,7 +184,9 @@ function scriptingOf(page) {
     get factor() { return player.factor; },
     get readings() { return page.readings; },
     get schedule() { return page.schedule; },
+    get followed() { return page.picture.followed; },
     get drawMilliseconds() { return page.picture.milliseconds; },
+    toPixel: (x, y) => page.picture.view.toPixel(x, y),
     play: () => player.play(),
     pause: () => player.pause(),
     /** A whole run. @return {Promise<{readings: Object, disks: Float64Array}>} the state at a time */
@@ -178,16 +206,7 @@ openPage(async () => {
   const page = new LivePage(JSON.parse(byId('data').textContent));
   await page.player.ask('compile', {engine: await inflated(bytesOf(byId('engine').textContent))});
   byId('content').hidden = false;
-  let settings = null;
-  try {
-    settings = settingsOfLink(location.hash, page.scenes);
-  } catch (error) {
-    page.error = 'This link cannot be opened: ' + error.message;
-  }
-  const {error} = page;
-  await (settings ? page.open(settings) : page.openScene(page.scenes[0].name));
-  page.error = error;
-  if (!error && !matchMedia('(prefers-reduced-motion: reduce)').matches) page.player.play();
-  page.show();
+  await page.openLink(location.hash);
+  if (!page.error && !matchMedia('(prefers-reduced-motion: reduce)').matches) page.player.play();
   return scriptingOf(page);
 });

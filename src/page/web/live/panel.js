@@ -32,7 +32,13 @@ class Panel {
       byId('link').textContent = page.link();
       return byId('link').textContent;
     }, byId('link'));
-    copyOnClick(byId('copy-python'), () => page.program(), byId('python'));
+    copyOnClick(byId('copy-python'), () => {
+      page.showProgram();
+      byId('program').open = true;
+      return byId('python').textContent;
+    }, byId('python'));
+    on('program', 'toggle', () => page.showProgram());
+    byId('copy-link').hidden = location.protocol === 'about:';  // in a notebook
   }
 
   /** Seed and feed as they stand in their fields, where they are legal. */
@@ -53,39 +59,60 @@ class Panel {
     byId('feed-rate').value = String(feedRate || 1);
     byId('pour-species').replaceChildren(...offered.machine.species.map((species) => element('option', {}, species.name)));
     byId('origin').textContent = `The engine of ratchet_sieve ${this.page.version} runs in this page. ${offered.warnings.join(' ')}`;
-    this.slews = offered.quantities.map((each) => each.slew_rate);
+    this.firstSlews = offered.quantities.map((each) => each.slew_rate);
     this.sliders = offered.quantities.map((each, k) => this.sliderOf(each, k));
     byId('setpoints').replaceChildren(...this.sliders.map((slider) => slider.label));
   }
 
-  /** A slider and its slew rate. While it moves it gives a command now and then, and the last value for certain. */
-  sliderOf({name, unit, min, max, value, slew_rate: slew, slowest, fastest}, k) {
-    const input = element('input', {type: 'range', id: 'set-' + name, min, max, step: stepOf(max - min), value});
-    const output = element('output', {for: 'set-' + name}, setpointText(value, unit));
+  /**
+   * A slider and its slew rate. While it moves it gives a command now and then, and the last value for certain. Else it
+   * follows the setpoint, which the commands of a link change too.
+   */
+  sliderOf({name, unit, min, max, slew_rate: slew, slowest, fastest}, k) {
+    const input = element('input', {type: 'range', id: 'set-' + name, min, max, step: stepOf(max - min)});
+    const output = element('output', {for: 'set-' + name});
     const rate = element('input', {type: 'number', min: slowest, max: fastest, step: 'any', value: slew});
-    let given = 0;
-    const give = () => {
-      given = performance.now();
-      output.textContent = setpointText(Number(input.value), unit);
+    let given = null;
+    let givenAt = 0;
+    let unanswered = 0;
+    const showValue = (value) => {
+      output.textContent = setpointText(value, unit);
       input.setAttribute('aria-valuetext', output.textContent);
-      this.page.player.ask('order', {order: ['command', k, Number(input.value)]}).then(() => this.page.fit());
+    };
+    const give = async () => {
+      [given, givenAt] = [Number(input.value), performance.now()];
+      ++unanswered;
+      await this.page.player.ask('order', {order: ['command', k, given]});
+      --unanswered;
+      this.page.fit();
     };
     input.addEventListener('input', () => {
-      output.textContent = setpointText(Number(input.value), unit);
-      if (performance.now() - given > SETPOINT_PERIOD) give();
+      showValue(Number(input.value));
+      if (performance.now() - givenAt > SETPOINT_PERIOD) give();
     });
-    input.addEventListener('change', give);
+    input.addEventListener('change', () => {
+      if (Number(input.value) !== given) give();
+    });
     rate.addEventListener('change', () => {
       if (!rate.reportValidity()) return;
-      this.slews[k] = Number(rate.value);
-      this.page.player.ask('order', {order: ['slew', ...this.slews]});
+      this.page.player.ask('order', {order: ['slew', ...this.slews.map((each, i) => i === k ? Number(rate.value) : each)]});
     });
+    const show = (setpoint, slewRate) => {
+      if (document.activeElement !== rate) rate.value = String(slewRate);
+      if (unanswered || setpoint === given) return;
+      given = setpoint;
+      input.value = String(setpoint);
+      showValue(setpoint);
+    };
     const label = element('div', {class: 'setpoint'}, element('label', {for: 'set-' + name}, `${name} ${SYMBOLS[name]}`), input, output,
       element('label', {class: 'slew'}, 'slew rate ', rate, ` ${unit}/s`));
-    return {label, input, output, unit};
+    return {label, name, show};
   }
 
-  show({time, events, separation, base}, disks, factor) {
+  show({events, separation, base}, schedule, disks, factor) {
+    const [, , ...slews] = schedule.filter(([, name]) => name === 'slew').pop() || [];
+    this.slews = slews.length ? slews : this.firstSlews;
+    this.sliders.forEach(({name, show}, k) => show(base['commanded_' + name], this.slews[k]));
     byId('separation').value = ratio(separation).replace('-', '\u2212');
     byId('disks').value = String(disks);
     byId('events').value = quantity(events, '', 6);
@@ -98,14 +125,15 @@ class Panel {
     byId('speed').value = String(speed);
   }
 
-  /** An error, or what is wrong with the run. */
+  /** An error, which is read out, and what is wrong with the run. */
   say(error, readings) {
-    let text = error || '';
-    if (!text && readings && readings.choke) {
+    let trouble = '';
+    if (readings && readings.choke) {
       const {fed, left, layers} = readings.choke;
-      text = `The base is choked: of ${fed} disks fed ${left} have left, and the layer has risen by ${quantity(layers, '', 3)} of the largest diameters.`;
-    } else if (!text && readings && readings.collapses > 0)
-      text = `${quantity(readings.collapses)} inelastic collapses so far: the contacts of those disks were made elastic for a while.`;
-    if (byId('said').textContent !== text) byId('said').textContent = text;
+      trouble = `The base is choked: of ${fed} disks fed ${left} have left, and the layer has risen by ${quantity(layers, '', 3)} of the largest diameters.`;
+    } else if (readings && readings.collapses > 0)
+      trouble = `${quantity(readings.collapses)} inelastic collapses so far: the contacts of those disks were made elastic for a while.`;
+    for (const [id, text] of [['said', error || ''], ['trouble', trouble]])
+      if (byId(id).textContent !== text) byId(id).textContent = text;
   }
 }

@@ -41,8 +41,9 @@ class LivePlayer {
     const step = (now) => {
       if (!this.playing) return;
       requestAnimationFrame(step);
-      if (now - measured.wall > 1000 * FACTOR_TIME) {
-        this.factor = (this.time - measured.time) / (now - measured.wall) * 1000;
+      const isNew = this.time < measured.time;  // another run
+      if (isNew || now - measured.wall > 1000 * FACTOR_TIME) {
+        this.factor = isNew ? null : (this.time - measured.time) / (now - measured.wall) * 1000;
         [measured.wall, measured.time] = [now, this.time];
       }
       if (this.waiting.length) return;

@@ -1,6 +1,7 @@
 const RECORD_EVERY = 0.1;  // at first, of the curves' rows [s]
-const FED_LAYER = 16;       // for which there is room above the base [largest radii]
 const MOST_RECORDS = 2000;  // of rows: then every other one is dropped
+
+const HEADROOM = 0.1;      // of the picture above the base, at least [widths of the base]
 
 /** The base as the engine has it. */
 class LiveBase extends Base {
@@ -65,11 +66,10 @@ class LiveMotion {
   /** A height above all disks, also once the base has its commanded inclination. */
   top() {
     const [applied, commanded] = this.base.states.inclination;
-    const {width, highest, machine} = this.base;
+    const {width, highest} = this.base;
     const rise = width * Math.max(0, Math.sin(commanded) - Math.sin(applied));
-    const largest = Math.max(...machine.species.map((species) => species.radius));
-    const fed = width * Math.max(0, Math.sin(applied)) + highest + FED_LAYER * largest;
-    return rise + this.y.reduce((top, y, track) => Math.max(top, y + this.radii[track]), fed);
+    const base = width * (HEADROOM + Math.max(0, Math.sin(applied))) + highest;
+    return rise + this.y.reduce((top, y, track) => Math.max(top, y + this.radii[track]), base);
   }
 }
 

@@ -11,12 +11,13 @@ class Curves {
     this.x = {name: 'time', label: 'time [s]', scale: {range: () => [times[0], this.end]},
       series: {value: (u, v) => seconds(u.cursor.left >= 0 && v !== null ? v : timeNow())}};
     this.parent = parent;
+    this.charts = [];
     this.common = {sync: 'time', onClick, mark: timeNow};
     this.build();
   }
 
   build() {
-    this.parent.replaceChildren();
+    this.all('remove');
     this.charts = this.shown().map((chart) => addChart(this.parent, {x: this.x, ...chart}, this.common));
   }
 
@@ -126,7 +127,7 @@ class Curves {
       }));
   }
 
-  /** @param {string} what redraw, rebuild or resize */
+  /** @param {string} what redraw, rebuild, resize or remove */
   all(what) {
     for (const chart of this.charts) chart[what]();
   }

@@ -1,15 +1,16 @@
 // The pages that make_pages.py has made, and what their bags hold.
-import {readFileSync} from 'node:fs';
+import {existsSync, readFileSync} from 'node:fs';
 import path from 'node:path';
 import {pathToFileURL} from 'node:url';
 
 const DIRECTORY = path.resolve(process.env.PAGE_TEST_PAGES ?? '.');
 
-/// Pages of runs with their facts; texts that are programs; a sweep.
+/// Pages of runs with their facts; texts that are programs; a sweep; the live page, where it was made.
 export const RUNS = ['demo', 'sizes'];
 export const HOSTILE = 'hostile';
 export const SWEEP = 'sweep/report';
-export const ALL = [...RUNS, HOSTILE, SWEEP];
+export const LIVE = 'live';
+export const ALL = [...RUNS, HOSTILE, SWEEP, ...existsSync(pathOf(LIVE)) ? [LIVE] : []];
 
 const PATIENCE = 10000;  // ms
 
