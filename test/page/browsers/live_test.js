@@ -140,8 +140,9 @@ describe('a link', () => {
 
   it('opens the run with its commands', async () => {
     const given = await openAt(browser(), 'demo', 0);
-    const run = time => given.evaluate((to, settings) => window.ratchetSieve.stateAt('demo', to, settings).then(() => {}),
-      time, LINKED);
+    const run = time => given.evaluate(async (to, settings) => {
+      await window.ratchetSieve.stateAt('demo', to, settings);
+    }, time, LINKED);
     await run(0.2);
     const link = await given.evaluate(() => window.ratchetSieve.link());
     const opened = await openLink(browser(), new URL(link).hash);
@@ -165,7 +166,8 @@ describe('a link', () => {
       await page.evaluate(() => window.ratchetSieve.play());
       await goesOn(page, await sieve(page, 'time'));
       await page.evaluate(hash => (location.hash = hash), fragmentOf(LINKED));
-      await until(page, () => document.querySelector('#seed').value === '3' && window.ratchetSieve.schedule.length === 3);
+      await until(page, () => window.ratchetSieve.schedule.length === 3);
+      assert.equal(await page.$eval('#seed', field => field.value), '3');
       assert.equal(await said(page), '');
       await page.close();
     });

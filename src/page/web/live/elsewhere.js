@@ -6,7 +6,8 @@ const NUMBERS_OF = {command: [2, 1], slew: [3, 0], pour: [2, 2]};
 function isCommand([name, ...values]) {
   if (!Object.hasOwn(NUMBERS_OF, name)) return false;
   const [count, whole] = NUMBERS_OF[name];
-  return values.length === count && values.every((value, k) => k < whole ? Number.isSafeInteger(value) : Number.isFinite(value));
+  return values.length === count &&
+    values.every((value, k) => k < whole ? Number.isSafeInteger(value) : Number.isFinite(value));
 }
 
 /**
@@ -19,10 +20,10 @@ function settingsOfLink(fragment, scenes) {
   const offered = scenes.find((scene) => scene.name === settings.scene);
   if (!offered) throw new Error(`there is no scene ${settings.scene} in this page`);
   const isTime = (time, k, times) => Number.isFinite(time) && time >= (k ? times[k - 1] : 0);
-  if (!Number.isSafeInteger(settings.seed) || settings.seed < 0 || !Number.isFinite(settings.feedRate) || !Array.isArray(settings.schedule) ||
-      !settings.schedule.map(([time]) => time).every(isTime) || !settings.schedule.every(([, ...order]) => isCommand(order)))
-    throw new Error('seed, feed or commands are not as this page writes them');
   const {seed, feedRate, schedule} = settings;
+  if (!Number.isSafeInteger(seed) || seed < 0 || !Number.isFinite(feedRate) || !Array.isArray(schedule) ||
+      !schedule.map(([time]) => time).every(isTime) || !schedule.every(([, ...order]) => isCommand(order)))
+    throw new Error('seed, feed or commands are not as this page writes them');
   return {offered, seed, feedRate, schedule};
 }
 

@@ -95,7 +95,8 @@ class Panel {
     });
     rate.addEventListener('change', () => {
       if (!rate.reportValidity()) return;
-      this.page.player.ask('order', {order: ['slew', ...this.slews.map((each, i) => i === k ? Number(rate.value) : each)]});
+      const slews = this.slews.map((each, i) => i === k ? Number(rate.value) : each);
+      this.page.player.ask('order', {order: ['slew', ...slews]});
     });
     const show = (setpoint, slewRate) => {
       if (document.activeElement !== rate) rate.value = String(slewRate);
