@@ -30,8 +30,8 @@ class Player {
     this.playing = true;
     this.onChange();
     let before = null;
-    const step = (now) => {
-      if (!this.playing) return;
+    const step = this.step = (now) => {
+      if (!this.playing || this.step !== step) return;
       if (before !== null) this.seek(this.time + this.speed * (now - before) / 1000);
       before = now;
       if (this.time >= this.end) this.pause(); else requestAnimationFrame(step);
