@@ -4,6 +4,7 @@
 #include <exception>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <typeinfo>
@@ -78,6 +79,13 @@ std::string text;                      ///< the message of an error
 std::vector<double> disks;             ///< per disk: the fields of DiskState, but for the mass
 Readings readings;
 
+/// Of what a link may hold.
+void require(bool legal, const char* error)
+{
+  if (!legal)
+    throw std::invalid_argument(error);
+}
+
 }  // namespace
 }  // namespace ratchet_sieve
 
@@ -111,7 +119,10 @@ EXPORT(open) void openScene(double seed, double feed_rate)
   archive.requireEnd();
   scene.seed = static_cast<std::uint64_t>(seed);
   if (scene.feed.rate > 0.0)
+  {
+    require(feed_rate > 0.0, "the feed rate must be above 0");
     scene.feed.rate = feed_rate;
+  }
   simulation.emplace(scene);
 }
 
@@ -123,12 +134,17 @@ EXPORT(advance) void advance(double time)
 /// @param quantity an index of COMMANDED_QUANTITIES
 EXPORT(command) void command(std::size_t quantity, double setpoint)
 {
-  simulation->command(COMMANDED_QUANTITIES.at(quantity).quantity, setpoint);
+  require(quantity < QUANTITIES && COMMANDED_QUANTITIES[quantity].legal.contains(setpoint),
+          "a setpoint is not legal");
+  simulation->command(COMMANDED_QUANTITIES[quantity].quantity, setpoint);
 }
 
 EXPORT(slew) void slew(double inclination, double frequency, double amplitude)
 {
-  simulation->setSlewRates({inclination, frequency, amplitude});
+  const SlewRates rates{inclination, frequency, amplitude};
+  for (const CommandedQuantity& quantity : COMMANDED_QUANTITIES)
+    require(quantity.slew_rates.contains(rates.*quantity.slew_rate), "a slew rate is not legal");
+  simulation->setSlewRates(rates);
 }
 
 EXPORT(pour) void pour(std::size_t species, std::size_t count)
