@@ -1,6 +1,7 @@
 #include "ratchet_sieve/page/live_page.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "html_page.h"
@@ -16,6 +17,9 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
+
+/// The largest seed that JavaScript tells from the next.
+constexpr std::uint64_t LARGEST_SEED = (1ULL << 53) - 1;
 
 std::string definitionBytes(SceneDefinition scene)
 {
@@ -51,7 +55,7 @@ Json sceneOf(const OfferedScene& offered)
           {"yaml", canonicalYaml(scene)},
           {"warnings", offered.scene.warnings},
           {"definition", base64(definitionBytes(scene))},
-          {"seed", scene.seed},
+          {"seed", std::min(scene.seed, LARGEST_SEED)},
           {"feed_rate", scene.feed.rate},
           {"quantities", quantitiesOf(scene)},
           {"machine", machinePart(scene)}};

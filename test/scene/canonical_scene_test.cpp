@@ -48,7 +48,20 @@ TEST(CanonicalScene, OfAnOldSceneIsWhatItWasThen)
   EXPECT_EQ(sceneHash(good()), "0cacddcdb5d089c8");
 }
 
-TEST(CanonicalScene, HasEveryKeyThatIsSet)
+/// What the engine in a browser gets of a scene.
+SceneDefinition throughBytes(SceneDefinition scene)
+{
+  StateArchive saved;
+  scene.archive(saved);
+  const std::string bytes = saved.takeBytes();
+  SceneDefinition restored;
+  StateArchive archive(bytes);
+  restored.archive(archive);
+  archive.requireEnd();
+  return restored;
+}
+
+TEST(CanonicalScene, AndBytesHaveEveryKeyThatIsSet)
 {
   const char* const every =
       "base: {teeth: 2, tooth_width: 0.02, tooth_height: 0.006, asymmetry: 0.3, inclination: 0.1, amplitude: "
@@ -82,7 +95,9 @@ TEST(CanonicalScene, HasEveryKeyThatIsSet)
       "settle: 1\n"
       "seed: 18446744073709551615\n"
       "accuracy: {method: steps, step: 0.001, mean_vx: 0.01, quality: 0.02, confidence: 0.9}\n";
-  EXPECT_EQ(canonicalYaml(sceneFromText(every, "s.yaml").definition), every);
+  const SceneDefinition scene = sceneFromText(every, "s.yaml").definition;
+  EXPECT_EQ(canonicalYaml(scene), every);
+  EXPECT_EQ(canonicalYaml(throughBytes(scene)), every);
 }
 
 /// In place of the keys of a sawtooth, so that it can be read back.
@@ -95,6 +110,7 @@ TEST(CanonicalScene, HasAProfileOrASawtooth)
   EXPECT_EQ(yaml.find("tooth_"), std::string::npos);
   EXPECT_EQ(yaml.find("asymmetry"), std::string::npos);
   EXPECT_EQ(canonicalYaml(sceneFromText(yaml, "s.yaml").definition), yaml);
+  EXPECT_EQ(canonicalYaml(throughBytes(scene)), yaml);
   EXPECT_NE(sceneHash(scene), sceneHash(good()));
 }
 
