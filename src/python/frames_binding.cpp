@@ -97,6 +97,7 @@ void writeLivePageOf(const std::string& path, const std::vector<std::pair<std::s
                      const py::bytes& engine)
 {
   std::vector<OfferedScene> offered;
+  offered.reserve(scenes.size());
   for (const auto& [name, scene] : scenes)
     offered.push_back({name, scene});
   writeLivePage(path, offered, engine);
