@@ -28,7 +28,7 @@ def natively(scene, duration):
 
 
 def in_node(page, name, duration):
-    finished = subprocess.run(["node", ROOT / "benchmark/web_engine.js", page, name, str(duration)],
+    finished = subprocess.run(["node", ROOT / "benchmark/web_engine.mjs", page, name, str(duration)],
                               check=True, stdout=subprocess.PIPE)
     answer = json.loads(finished.stdout)
     return answer["events"], answer["seconds"]

@@ -6,8 +6,8 @@
 PAGE.html names what it consists of: a line `<link href="FILE.css">` stands for a style sheet, a line
 `<script src="FILE.js">` for a script. All scripts of a page are one, and so are all style sheets; the page's content
 policy allows these two alone, by their hashes. A line `<script worker src="FILE.js">` is a part of the program of a
-worker, which the page starts from the element `worker`, and which may compile WebAssembly. `{{title}}` and `{{data}}`
-are where the program fills in."""
+worker, which the page starts from the element `worker`, and which may compile WebAssembly. `{{head}}` stands for
+head.html. `{{title}}` and `{{data}}` are where the program fills in."""
 import base64
 import hashlib
 import re
@@ -37,7 +37,8 @@ def hash_of(text):
 
 
 def template_of(web, name):
-    page = (web / name).read_text(encoding='utf-8')
+    head, page = ((web / file).read_text(encoding='utf-8') for file in ('head.html', name))
+    page = page.replace('{{head}}\n', head)
     style, page = joined(web, page, r'^<link href="(.+?)">')
     script, page = joined(web, page, r'^<script src="(.+?)"></script>')
     worker, page = joined(web, page, r'^<script worker src="(.+?)"></script>')

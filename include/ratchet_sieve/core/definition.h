@@ -228,7 +228,7 @@ struct PourDefinition
   void archive(StateArchive& state) { state(drop_height, speed, stretch); }
 };
 
-/// What a run does when its fed base is choked: see chokeText().
+/// What a run does when its fed base is choked: see chokeOf().
 enum class ChokeAction
 {
   RUN,  ///< It goes on, with a warning.

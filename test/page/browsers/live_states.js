@@ -2,8 +2,7 @@
 // Usage: live_states.js PAGE OUT.json, with PAGE_TEST_BROWSER=node, chromium or firefox
 import {readFileSync, writeFileSync} from 'node:fs';
 import path from 'node:path';
-import vm from 'node:vm';
-import {inflateSync} from 'node:zlib';
+import {engineOf} from './support/engine.js';
 
 const TIME = 1.5;
 const [file, out] = process.argv.slice(2);
@@ -16,22 +15,16 @@ function scheduleOf({quantities, machine})
     [0.777, 'command', 2, 1.1 * quantities[2].value], [1.1, 'command', 0, quantities[0].value - 0.05]];
 }
 
-// By the page's own parts, without a browser: its worker's program, its engine, its program of a run in Python.
 function* statesInNode(html)
 {
-  const textOf = id => html.match(new RegExp(`<script type="[^"]*" id="${id}">([^]*?)</script>`))[1];
-  const worker = textOf('worker').replace(/^onmessage/m, 'globalThis.onmessage');
-  const context = vm.createContext({WebAssembly, TextDecoder, performance, postMessage() {}});
-  vm.runInContext(worker + ';globalThis.Session = Session', context);
-  vm.runInContext(html.match(/\/\*\* The run as others can repeat it[^]*?(?=\nconst MOST = )/)[0]
-    + ';globalThis.programOf = programOf', context);
-  const engine = new WebAssembly.Module(inflateSync(Buffer.from(textOf('engine'), 'base64')));
-  for (const offered of JSON.parse(textOf('data')).scenes) {
+  const {run, scenes, newSession} = engineOf(html);
+  run(html.match(/\/\*\* The run as others can repeat it[^]*?(?=\nconst MOST = )/)[0] + ';globalThis.programOf = programOf');
+  for (const offered of scenes) {
     const settings = {offered, seed: 7, feedRate: offered.feed_rate, schedule: scheduleOf(offered)};
-    const session = new context.Session(engine, Buffer.from(offered.definition, 'base64'), settings);
+    const session = newSession(offered, settings);
     session.advance(TIME);
     yield {name: offered.name, ...session.engine.read(),
-      program: context.programOf(settings, session.schedule, session.time)};
+      program: run('programOf')(settings, session.schedule, session.time)};
   }
 }
 

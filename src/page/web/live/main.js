@@ -83,12 +83,14 @@ class LivePage {
       this.player.pause();
     }
     if (run !== this.run) return this.panel.say(this.error, null);
-    if (this.begun !== run) this.begin(readings, disks);
     this.readings = readings;
     this.schedule = schedule;
-    this.base.set(readings.base);
-    this.motion.set(readings.time, disks, this.picture.followed);
-    this.records.add(readings);
+    if (this.begun !== run) this.begin(readings, disks);
+    else {
+      this.base.set(readings.base);
+      this.motion.set(readings.time, disks, this.picture.followed);
+      this.records.add(readings);
+    }
     this.show();
   }
 

@@ -1,7 +1,6 @@
 const RECORD_EVERY = 0.1;  // at first, of the curves' rows [s]
 const MOST_RECORDS = 2000;  // of rows: then every other one is dropped
-
-const HEADROOM = 0.1;      // of the picture above the base, at least [widths of the base]
+const HEADROOM = 0.1;       // of the picture above the base, at least [widths of the base]
 
 /** The base as the engine has it. */
 class LiveBase extends Base {

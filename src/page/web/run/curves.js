@@ -32,7 +32,7 @@ class Curves {
   shown() {
     const charts = [];
     const {separation, species} = this.series.bins;
-    if (this.hasBins && separation) charts.push(this.separation());
+    if (this.hasBins && separation && species.length === 2) charts.push(this.separation());
     if (this.hasBins) charts.push(this.qualities(), this.counts());
     if (this.hasBins && species[0].purity) charts.push(this.shares('purity'), this.shares('recovery'));
     if (this.series.velocities.time.length) charts.push(this.velocities());
