@@ -19,6 +19,8 @@ set(ROS_PACKAGES
   sensor_msgs std_msgs std_srvs tf2_eigen tf2_msgs tf2_ros visualization_msgs)
 find_package(catkin REQUIRED COMPONENTS ${ROS_PACKAGES})
 find_package(message_generation REQUIRED)
+# Of what is installed from here on: see Install.cmake. What catkin itself puts into a prefix stays outside.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME ros)
 
 # catkin notes the environment of the tests once, as it is configured, and leaves out what does not exist
 # yet: on a fresh checkout that is the directories into which the messages and libraries will be built.

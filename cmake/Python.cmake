@@ -18,5 +18,5 @@ endif()
 
 # The package as it is imported before it is installed: the sources, with what is built beside this file.
 configure_file(cmake/package_init.py.in ${RATCHET_SIEVE_PYTHON_DIRECTORY}/ratchet_sieve/__init__.py @ONLY)
-install(DIRECTORY python/ratchet_sieve DESTINATION ${RATCHET_SIEVE_PYTHON_DESTINATION}
+install(DIRECTORY python/ratchet_sieve DESTINATION ${RATCHET_SIEVE_PYTHON_DESTINATION} COMPONENT engine
   PATTERN __pycache__ EXCLUDE)

@@ -51,6 +51,8 @@ class Session:
         sourced = subprocess.run(['bash', '-c', f'. "{self.checkout}/devel/setup.bash"; env -0'], env=self.environment,
                                  stdout=subprocess.PIPE, text=True, check=True).stdout
         self.environment = dict(entry.split('=', 1) for entry in sourced.split('\0') if entry)
+        # Programs by their names, as where the Debian packages are installed.
+        self.environment['PATH'] = f'{self.checkout}/devel/lib/ratchet_sieve:' + self.environment['PATH']
         master = self.open(f'roscore -p {port}')
         self.services.callback(self.end, master)
         wait_for(lambda: 'started core service' in master.log.read_text(), 'roscore')

@@ -1,0 +1,54 @@
+# Debian packages by CPack (scripts/package), one of each component: ratchet-sieve is the engine with its programs and
+# Python, ros-ratchet-sieve has the nodes, messages and what other packages build on.
+
+# The packages that a group of scripts/packages.txt needs on Debian, those whose names match, as a list of dpkg's.
+function(ratchet_sieve_packages list group pattern)
+  file(STRINGS ${PROJECT_SOURCE_DIR}/scripts/packages.txt names REGEX "^${group} +${pattern} ")
+  list(TRANSFORM names REPLACE "^[a-z]+ +([^ ]+) .*" "\\1")
+  list(FILTER names EXCLUDE REGEX "^python3(-dev)?$")
+  list(JOIN names ", " names)
+  set(${list} "${names}" PARENT_SCOPE)
+endfunction()
+ratchet_sieve_packages(PYTHON engine "python3.*")
+ratchet_sieve_packages(OPTIMISE optimise ".*")
+ratchet_sieve_packages(RUNS base "(python3-|ros-(std|vis)|rosbash).*")
+ratchet_sieve_packages(BUILDS base "(catkin|ros-message|lib).*")
+ratchet_sieve_packages(RVIZ rviz ".*")
+
+# What catkin's installation leaves in the devel space beside the messages belongs to the engine.
+install(CODE [[
+  if(CMAKE_INSTALL_COMPONENT STREQUAL "ros")
+    file(GLOB_RECURSE caches LIST_DIRECTORIES true "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/*/__pycache__")
+    file(GLOB engine "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib/python3/dist-packages/ratchet_sieve/*engine*")
+    file(REMOVE_RECURSE ${caches} ${engine})
+  endif()]])
+install(FILES LICENSE DESTINATION share/doc/ratchet-sieve COMPONENT engine RENAME copyright)
+install(FILES LICENSE DESTINATION share/doc/ros-ratchet-sieve RENAME copyright)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_COMPONENTS_ALL engine ros)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+file(STRINGS package.xml maintainer REGEX "<maintainer ")
+string(REGEX REPLACE ".*email=\"(.*)\">(.*)</.*" "\\2 <\\1>" CPACK_PACKAGE_CONTACT "${maintainer}")
+set(CPACK_DEBIAN_ENGINE_PACKAGE_NAME ratchet-sieve)
+set(CPACK_COMPONENT_ENGINE_DESCRIPTION "exact simulation of a vibrating-ratchet feeder
+ Hard disks on an oscillating sawtooth, which parts them by kind: programs for one
+ run, sweeps and the best settings, and the Python package.")
+# The module is built for one version of Python.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+math(EXPR NEXT "${Python3_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_ENGINE_PACKAGE_DEPENDS
+  "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${NEXT}), ${PYTHON}")
+set(CPACK_DEBIAN_ENGINE_PACKAGE_SUGGESTS "${OPTIMISE}")
+set(CPACK_DEBIAN_ROS_PACKAGE_NAME ros-ratchet-sieve)
+set(CPACK_COMPONENT_ROS_DESCRIPTION "ROS nodes and messages of ratchet-sieve
+ A live vibrating-ratchet feeder with setpoints on topics, RViz, bags and their
+ analysis, and the headers and libraries of the engine.")
+set(CPACK_DEBIAN_ROS_PACKAGE_DEPENDS "ratchet-sieve (= ${PROJECT_VERSION}), ${RUNS}")
+set(CPACK_DEBIAN_ROS_PACKAGE_RECOMMENDS "${BUILDS}, ${RVIZ}")
+include(CPack)
