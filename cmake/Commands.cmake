@@ -1,7 +1,7 @@
 # Programs as commands: found by their names, with completion in bash and, where help2man is there, manual pages.
 find_program(HELP2MAN help2man)
 
-# ratchet_sieve_manual(COMPONENT PAGE DEPENDS PROGRAM [SUBCOMMAND])
+# ratchet_sieve_manual(COMPONENT PAGE DEPENDS COMMAND...): the page of what the command's --help prints.
 function(ratchet_sieve_manual component page depends)
   if(NOT HELP2MAN)
     return()
@@ -15,8 +15,8 @@ function(ratchet_sieve_manual component page depends)
   install(FILES ${file} DESTINATION share/man/man1 COMPONENT ${component})
 endfunction()
 
-# A link in bin/, where rosrun does not look; the manual page of what `program` names.
-function(ratchet_sieve_command component name depends program)
+# ratchet_sieve_command(COMPONENT NAME DEPENDS COMMAND...): also a link in bin/, since catkin's programs are elsewhere.
+function(ratchet_sieve_command component name depends)
   if(NOT RATCHET_SIEVE_BIN_DESTINATION STREQUAL "bin")
     set(link ${PROJECT_BINARY_DIR}/commands/${name})
     file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/commands)
@@ -25,7 +25,7 @@ function(ratchet_sieve_command component name depends program)
   endif()
   install(FILES src/nodes/completion.bash DESTINATION share/bash-completion/completions
     RENAME ${name} COMPONENT ${component})
-  ratchet_sieve_manual(${component} ${name} ${depends} ${program})
+  ratchet_sieve_manual(${component} ${name} ${depends} ${ARGN})
 endfunction()
 
 foreach(name IN ITEMS sieve_run sieve_sweep)
@@ -35,7 +35,8 @@ foreach(subcommand IN ITEMS run status export report merge)
   ratchet_sieve_manual(engine sieve_sweep-${subcommand} sieve_sweep $<TARGET_FILE:sieve_sweep> ${subcommand})
 endforeach()
 if(RATCHET_SIEVE_PYTHON)
-  ratchet_sieve_command(engine sieve_separate ratchet_sieve_engine /usr/bin/python3 ${PROJECT_SOURCE_DIR}/python/sieve_separate)
+  ratchet_sieve_command(engine sieve_separate ratchet_sieve_engine
+    ${PYTHON_EXECUTABLE} ${PROJECT_SOURCE_DIR}/python/sieve_separate)
 endif()
 if(RATCHET_SIEVE_ROS)
   foreach(name IN ITEMS sieve_analyze sieve_resimulate)
