@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "ratchet_sieve/core/physics_version.h"
@@ -28,8 +29,8 @@ namespace
 using Json = nlohmann::ordered_json;
 
 /// Incremented with every change of the file format; the state's format depends on the physics version.
-constexpr std::string_view FIRST_LINE = "ratchet_sieve checkpoint 9\n";
-constexpr std::string_view ANY_FIRST_LINE = "ratchet_sieve checkpoint ";
+constexpr std::string_view FORMAT = "9";
+constexpr std::string_view TYPE = "ratchet_sieve checkpoint ";
 
 constexpr std::size_t CHECKSUM_DIGITS = 16;
 
@@ -120,18 +121,28 @@ std::string readAll(const std::string& path)
 /// What follows the line with the type.
 std::string_view savedPart(const std::string& path, std::string_view file)
 {
-  if (file.substr(0, ANY_FIRST_LINE.size()) != ANY_FIRST_LINE)
+  if (file.substr(0, TYPE.size()) != TYPE)
     refuse(path, "it is no checkpoint");
-  if (file.substr(0, FIRST_LINE.size()) != FIRST_LINE)
-    refuse(path, "it is of another format than " + std::string(FIRST_LINE.substr(0, FIRST_LINE.size() - 1)));
-  return file.substr(FIRST_LINE.size());
+  const std::size_t end = std::min(file.find('\n'), file.size());
+  const std::string_view format = file.substr(TYPE.size(), end - TYPE.size());
+  if (format != FORMAT)
+    refuse(path, fmt::format("its format is {}, but ratchet_sieve {} reads {}",
+                             shownText(std::string(format)), version(), FORMAT));
+  return file.substr(std::min(end + 1, file.size()));
+}
+
+/// What of an item of identity() must match: of the version, all but the patch.
+std::string decisiveText(const std::string& key, const Json& item)
+{
+  const std::string text = item.dump();
+  return key == "version" ? text.substr(0, text.rfind('.')) : text;
 }
 
 /// @throws StateError
 void requireSame(const Json& saved, const Json& wanted)
 {
   for (const char* key : {"version", "physics", "byte_order"})
-    if (saved.at(key) != wanted.at(key))
+    if (decisiveText(key, saved.at(key)) != decisiveText(key, wanted.at(key)))
       throw StateError(std::string("its ") + key + " is " + saved.at(key).dump() +
                        ", but this program's is " + wanted.at(key).dump());
   if (saved.at("scene") == wanted.at("scene"))
@@ -180,7 +191,7 @@ void writeCheckpoint(const std::string& path, const Simulation& simulation, cons
                                                  {"energy_start", progress.energy_start},
                                                  {"through_base", progress.through_base}});
   AtomicFile file(path);
-  file.stream() << FIRST_LINE;
+  file.stream() << TYPE << FORMAT << '\n';
   file.stream().write(saved.data(), static_cast<std::streamsize>(saved.size()));
   file.commit();
 }

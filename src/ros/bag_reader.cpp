@@ -15,6 +15,7 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/ros/conversions.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/scene/shown_text.h"
@@ -124,10 +125,21 @@ private:
   decltype(toFrame(std::declval<Message>())) frame_;
 };
 
+/// Which version recorded a bag; empty if its scene is of an unknown type.
+std::string recordedBy(const rosbag::Bag& bag)
+{
+  for (const rosbag::MessageInstance& message :
+       rosbag::View(bag, rosbag::TypeQuery(ros::message_traits::datatype<SceneDescription>())))
+    if (const auto scene = message.instantiate<SceneDescription>())
+      return ", recorded by ratchet_sieve " + scene->version;
+  return "";
+}
+
 /// The one topic that carries messages of this type; empty if none does.
 template <typename Message>
-std::string topicOf(rosbag::View& all)
+std::string topicOf(const rosbag::Bag& bag)
 {
+  rosbag::View all(bag);
   const std::string type = ros::message_traits::datatype<Message>();
   std::set<std::string> topics;
   for (const rosbag::ConnectionInfo* connection : all.getConnections())
@@ -135,7 +147,8 @@ std::string topicOf(rosbag::View& all)
     if (connection->datatype != type)
       continue;
     if (!missingBytes<Message>(connection->md5sum))
-      throw std::invalid_argument(connection->topic + " was recorded with another version of " + type);
+      throw std::invalid_argument(connection->topic + " has a " + type + " that ratchet_sieve " + version() +
+                                  " does not know" + recordedBy(bag));
     topics.insert(connection->topic);
   }
   if (topics.size() > 1)
@@ -143,9 +156,9 @@ std::string topicOf(rosbag::View& all)
   return topics.empty() ? "" : *topics.begin();
 }
 
-std::string sceneTopic(rosbag::View& all)
+std::string sceneTopic(const rosbag::Bag& bag)
 {
-  std::string topic = topicOf<SceneDescription>(all);
+  std::string topic = topicOf<SceneDescription>(bag);
   if (topic.empty())
     throw std::invalid_argument("holds no run: no topic of type ratchet_sieve/SceneDescription");
   return topic;
@@ -179,14 +192,13 @@ void requireOneRunAtATime(const rosbag::Bag& bag, const std::string& topic)
 /// @param begins_run whether to hand over the scene, which begins a run
 void readOpened(const rosbag::Bag& bag, bool begins_run, FrameSink& sink)
 {
-  rosbag::View all(bag);
-  requireOneRunAtATime(bag, sceneTopic(all));
+  requireOneRunAtATime(bag, sceneTopic(bag));
   std::vector<std::unique_ptr<Stream>> streams;
   forEachFrameType(
       [&](auto type)
       {
         using Frame = typename decltype(type)::Frame;
-        const std::string topic = topicOf<MessageOf<Frame>>(all);
+        const std::string topic = topicOf<MessageOf<Frame>>(bag);
         if (!topic.empty() && (begins_run || kindOf<Frame>() != FrameKind::SCENE))
           streams.push_back(std::make_unique<TopicStream<MessageOf<Frame>>>(bag, topic));
       });
@@ -204,7 +216,7 @@ struct RunPart
 RunPart partOf(const rosbag::Bag& bag, const std::string& path)
 {
   rosbag::View all(bag);
-  TopicStream<SceneDescription> scenes(bag, sceneTopic(all));
+  TopicStream<SceneDescription> scenes(bag, sceneTopic(bag));
   if (scenes.done())
     throw std::invalid_argument("holds no scene");
   return {path, scenes.frame(), all.getBeginTime(), all.getEndTime()};

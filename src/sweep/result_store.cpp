@@ -137,8 +137,9 @@ ResultStore::ResultStore(const std::string& path, Database::Access access) : dat
   const bool empty = isEmpty(database_);
   if (empty ? access == Database::Access::READ : pragma(database_, "application_id") != APPLICATION_ID)
     throw DatabaseError(path + ": is no results file of sieve_sweep");
-  if (!empty && pragma(database_, "user_version") != FORMAT)
-    throw DatabaseError(path + ": is a results file of another format");
+  if (const std::int64_t format = pragma(database_, "user_version"); !empty && format != FORMAT)
+    throw DatabaseError(path + ": is a results file of format " + std::to_string(format) +
+                        ", but ratchet_sieve " + version() + " reads format " + std::to_string(FORMAT));
   if (access == Database::Access::WRITE)
     makeTables();
   loadColumns();

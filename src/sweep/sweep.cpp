@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "ratchet_sieve/core/fnv1a.h"
-#include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/scene/parsed.h"
 #include "ratchet_sieve/scene/scalars.h"
 #include "ratchet_sieve/scene/scene_file.h"
@@ -329,7 +329,7 @@ std::vector<Assignment> Sweep::point(std::uint64_t point) const
 
 std::string Sweep::fingerprint() const
 {
-  std::string text = std::string(version()) + '\n' + scene_text + '\n';
+  std::string text = std::to_string(PHYSICS_VERSION) + '\n' + scene_text + '\n';
   for (const Assignment& assignment : fixed)
     text += assignment.key + '=' + assignment.value + '\n';
   for (const Axis& axis : axes)

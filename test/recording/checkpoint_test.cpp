@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "ratchet_sieve/recording/summary.h"
+#include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -126,8 +128,32 @@ TEST_F(CheckpointFile, ThatIsNoneIsRefused)
   expectRefusal(smallRing(), "no such file");
   std::ofstream(path_) << "base: {teeth: 3}\n";
   expectRefusal(smallRing(), "it is no checkpoint");
-  std::ofstream(path_) << "ratchet_sieve checkpoint 6\nabc";
-  expectRefusal(smallRing(), "it is of another format than ratchet_sieve checkpoint 9");
+  for (const char* rest : {"6\nabc", "6"})
+  {
+    std::ofstream(path_) << "ratchet_sieve checkpoint " << rest;
+    expectRefusal(smallRing(), std::string("its format is 6, but ratchet_sieve ") + version() + " reads 9");
+  }
+}
+
+TEST_F(CheckpointFile, OfAPatchIsResumedAndOfAnotherVersionRefused)
+{
+  save(smallRing());
+  const std::string whole = contents(path_);
+  const std::size_t checksum = whole.find('\n') + 1;
+  const std::string own = version();
+  const auto save_as = [&](const std::string& other)
+  {
+    std::string content = whole.substr(whole.find('\n', checksum) + 1);
+    content.replace(content.find('"' + own + '"'), own.size() + 2, '"' + other + '"');
+    std::ofstream(path_, std::ios::binary) << whole.substr(0, checksum) << hashText(content) << '\n' << content;
+  };
+  save_as(own.substr(0, own.rfind('.')) + ".77");
+  EXPECT_EQ(readCheckpoint(path_, smallRing()).simulation.time(), smallRing().duration);
+  for (const std::string& other : {'1' + own, own.substr(0, own.rfind('.')) + "7.0"})
+  {
+    save_as(other);
+    expectRefusal(smallRing(), "its version is \"" + other + "\", but this program's is \"" + own + '"');
+  }
 }
 
 TEST_F(CheckpointFile, ThatIsDamagedAnywhereIsRefused)

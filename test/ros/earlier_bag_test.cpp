@@ -8,7 +8,9 @@
 #include <topic_tools/shape_shifter.h>
 
 #include "collecting_sink.h"
+#include "errors.h"
 #include "ratchet_sieve/recording/same_bits.h"
+#include "ratchet_sieve/recording/version.h"
 #include "ratchet_sieve/ros/bag.h"
 #include "small_scenes.h"
 
@@ -78,6 +80,32 @@ TEST_P(EarlierBag, IsReadBitForBit)
   EXPECT_FALSE(read.particles.back().disks.empty());
   EXPECT_TRUE(sameBits(read.particles, written.particles));
   EXPECT_TRUE(sameBits(read.bins, written.bins));
+}
+
+TEST(LaterBag, IsRefusedByTypeAndVersions)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "later.bag";
+  const char* unknown = "0123456789abcdef0123456789abcdef";
+  const Simulation simulation(smallMixture());
+  SceneFrame scene = makeSceneFrame(simulation);
+  scene.version = "1234.5.6";
+  rosbag::Bag file(path, rosbag::bagmode::Write);
+  file.write("/sieve/scene", ros::TIME_MIN, toMessage(scene));
+  file.write("/sieve/bins", ros::TIME_MIN, earlier(toMessage(makeBinFrame(simulation)), unknown, 0));
+  file.close();
+  const auto reading_error = [&path]
+  {
+    CollectingSink read;
+    return errorOf([&] { readBags({path}, read); });
+  };
+  const std::string program = std::string("that ratchet_sieve ") + version() + " does not know";
+  EXPECT_EQ(reading_error(), path + ": /sieve/bins has a ratchet_sieve/BinCounts " + program +
+                                 ", recorded by ratchet_sieve 1234.5.6");
+  file.open(path, rosbag::bagmode::Write);
+  file.write("/sieve/scene", ros::TIME_MIN, earlier(toMessage(scene), unknown, 0));
+  file.close();
+  EXPECT_EQ(reading_error(), path + ": /sieve/scene has a ratchet_sieve/SceneDescription " + program);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bins, EarlierBag, testing::ValuesIn(BINS));

@@ -7,8 +7,8 @@ namespace ratchet_sieve
 
 /// Increases with every change that alters the state or the summary of any scene and seed, even in the last
 /// bit. Sweeps store results under this version and reuse results of the same version, whatever the package
-/// version. A run can only be resumed by the version that saved it. The test PhysicsVersion in test/sweep
-/// fails until it is increased.
+/// version. A run can only be resumed under the version that saved it, which a patch of the package does not
+/// change. The test PhysicsVersion in test/sweep fails until it is increased.
 ///
 /// 2: runs on a periodic base that turns; runs by steps; the saved state.
 /// 3: contacts with level faces in the summary; the saved state.

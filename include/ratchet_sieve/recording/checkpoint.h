@@ -28,8 +28,8 @@ std::string saveRun(const Simulation& simulation);
 
 /// Resumes such a state bit for bit. Only `duration` and the keys of certaintyKeyNames() of the scene may
 /// differ from the saved scene.
-/// @throws StateError if the bytes are none, are damaged, or are of another version of the program or of
-/// another scene; then the message names the key
+/// @throws StateError if the bytes are none, are damaged, or are of another version of the program than this
+/// and its patches, or of another scene; then the message names both versions, or the key
 Simulation restoreRun(std::string_view saved, const SceneDefinition& scene);
 
 /// Writes a checkpoint, completely or not at all: the previous file stays intact even if interrupted. @throws

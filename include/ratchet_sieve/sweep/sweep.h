@@ -101,7 +101,7 @@ public:
   /// The assignments of a setting, without `fixed`. @pre point < points()
   std::vector<Assignment> point(std::uint64_t point) const;
 
-  /// 16 hexadecimal digits that identify the sweep, its part, its scene and the version of the program.
+  /// 16 hexadecimal digits that identify the sweep, its part, its scene and the version of the physics.
   std::string fingerprint() const;
 };
 
