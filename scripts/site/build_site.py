@@ -4,7 +4,7 @@
 WORK is a folder for what MkDocs reads. Needs ratchet_sieve with its engine for browsers, MkDocs, mkdocstrings, Doxygen.
 """
 
-import inspect
+import ast
 import json
 import os
 import re
@@ -82,7 +82,14 @@ def stage_python(work):
     for path in (PACKAGE / 'python').rglob('*.py'):
         to = work / path.relative_to(PACKAGE)
         to.parent.mkdir(parents=True, exist_ok=True)
-        to.write_text(re.sub(r'^( *)"""(.*?)"""', google_style, path.read_text(), flags=re.MULTILINE | re.DOTALL))
+        lines = path.read_text().splitlines()
+        nodes = [node for node in ast.walk(ast.parse(path.read_text()))
+                 if isinstance(node, (ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node)]
+        for node in sorted(nodes, key=lambda node: -node.body[0].lineno):
+            text = node.body[0]
+            docstring = google_style(ast.get_docstring(node), 'Attributes:' if isinstance(node, ast.ClassDef) else 'Args:')
+            lines[text.lineno - 1:text.end_lineno] = [' ' * text.col_offset + repr(docstring)]
+        to.write_text('\n'.join(lines) + '\n')
     names = {}
     for name in rs.__all__:
         names.setdefault(rs._NAMES[name], []).append(name)
@@ -92,24 +99,20 @@ def stage_python(work):
     (work / 'source/reference/python.md').write_text('\n'.join(lines) + '\n')
 
 
-def google_style(found):
-    """A docstring, whose lists are of `name  what it is`, in Google's style."""
-    before = found.string[:found.start()].rstrip()
-    of_class = before[before.rfind('\n') + 1:].lstrip().startswith('class ')
+def google_style(docstring, heading):
+    """A docstring in Google's style, of one whose lists have rows `name  what it is`."""
     lines, in_rows = [], False
-    for line in inspect.cleandoc(found[2]).splitlines():
+    for line in docstring.splitlines():
         line = re.sub(r'\bdocs/(\w+)\.md', r'[\g<0>](../docs/\1.html)', line)
         row = ROW.fullmatch(line)
         if row:
-            if not in_rows:
-                lines += ['', 'Attributes:' if of_class else 'Args:']
-            lines += [f'    {name}: {row[2]}' for name in row[1].split(', ')]
+            lines += ([] if in_rows else [heading]) + [f'    {name}: {row[2]}' for name in row[1].split(', ')]
         elif in_rows and line.startswith('   '):
             lines.append(f'        {line.strip()}')
         else:
             lines += ['', line] if in_rows or line.startswith(('Raises ', 'Returns ')) else [line]
         in_rows = bool(row) or in_rows and line.startswith('   ')
-    return found[1] + '"""' + f'\n{found[1]}'.join(lines) + '"""'
+    return '\n'.join(lines)
 
 
 def stage_pages(source):
