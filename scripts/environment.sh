@@ -44,8 +44,8 @@ enter_ros()
   if [ -e /opt/ros/noetic/setup.bash ]; then source_ros /opt/ros/noetic/setup.bash; fi
 }
 
-# Sees to the Python package with the engine for browsers, in the directory `modules`: builds it where it is missing, into
-# build/ where the package was built with ROS, else without ROS.
+# Sees to the Python package with the engine for browsers, in the directory `modules`: builds it where it is missing,
+# into build/ where the package was built with ROS, else without ROS.
 ensure_web_engine()
 {
   if is_noetic; then fail "Ubuntu 20.04's Emscripten is too old: use Debian 12"; fi

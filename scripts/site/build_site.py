@@ -20,7 +20,6 @@ PACKAGE = HERE.parents[1]
 KATEX = Path('/usr/share/javascript/katex')
 KEPT = {'.md', '.csv', '.gif', '.png', '.svg'}  # any other file that a page links to becomes a page
 LINK = re.compile(r'(?<=\]\()([^)\s:#]+)(?=[)#])')
-PUBLIC = ('README.md', 'CONTRIBUTING.md', 'docs')
 RUNS = {'demo': {'base.inclination': 0.19, 'duration': 15}, 'machine_mass': {'duration': 8},
         'circular_feeder': {'duration': 8, 'settle': 1}}
 MODULES = ('scene', 'runs', 'simulation', 'values', 'sweeps', 'answers', 'answers.answer', 'answers.front', 'bags',
@@ -30,7 +29,7 @@ ROW = re.compile(r'(\w+(?:, \w+)*)  +(\S.*)')
 
 def stage_documents(source):
     """Copies the documents, and what they link to."""
-    waiting = [path for name in PUBLIC for path in ([PACKAGE / name] if '.' in name else (PACKAGE / name).rglob('*.md'))]
+    waiting = [PACKAGE / 'README.md', PACKAGE / 'CONTRIBUTING.md', *(PACKAGE / 'docs').rglob('*.md')]
     staged = set()
     while waiting:
         path = Path(os.path.normpath(waiting.pop()))
@@ -86,9 +85,10 @@ def stage_python(work):
         nodes = [node for node in ast.walk(ast.parse(path.read_text()))
                  if isinstance(node, (ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node)]
         for node in sorted(nodes, key=lambda node: -node.body[0].lineno):
-            text = node.body[0]
-            docstring = google_style(ast.get_docstring(node), 'Attributes:' if isinstance(node, ast.ClassDef) else 'Args:')
-            lines[text.lineno - 1:text.end_lineno] = [' ' * text.col_offset + repr(docstring)]
+            old = node.body[0]
+            heading = 'Attributes:' if isinstance(node, ast.ClassDef) else 'Args:'
+            new = repr(google_style(ast.get_docstring(node), heading))
+            lines[old.lineno - 1:old.end_lineno] = [' ' * old.col_offset + new]
         to.write_text('\n'.join(lines) + '\n')
     names = {}
     for name in rs.__all__:
@@ -144,7 +144,8 @@ def main(work, site):
     stage_python(work)
     stage_pages(source)
     shutil.copytree(KATEX, source / 'katex')
-    subprocess.run(['doxygen', HERE / 'Doxyfile'], cwd=PACKAGE, env={**os.environ, 'OUTPUT': source / 'reference'}, check=True)
+    subprocess.run(['doxygen', HERE / 'Doxyfile'], cwd=PACKAGE, check=True,
+                   env={**os.environ, 'OUTPUT': str(source / 'reference')})
     subprocess.run(['mkdocs', 'build', '--quiet', '--config-file', work / 'mkdocs.yml', '--site-dir', site], check=True)
     embed_search(site)
 
