@@ -44,6 +44,25 @@ enter_ros()
   if [ -e /opt/ros/noetic/setup.bash ]; then source_ros /opt/ros/noetic/setup.bash; fi
 }
 
+# Sees to the Python package with the engine for browsers, in the directory `modules`: builds it where it is missing,
+# into build/ where the package was built with ROS, else without ROS.
+ensure_web_engine()
+{
+  if is_noetic; then fail "Ubuntu 20.04's Emscripten is too old: use Debian 12"; fi
+  modules=$devel_dir/lib/python3/dist-packages
+  if [ -e "$modules/ratchet_sieve/engine.wasm" ]; then
+    :
+  elif compgen -G "$modules/ratchet_sieve/_engine.*" >/dev/null; then
+    "$project_dir/scripts/setup" --web >&2
+    "$project_dir/scripts/build" --web --target ratchet_sieve_engine >&2
+  else
+    built=$build_dir/without_ros
+    modules=$built/python
+    "$project_dir/scripts/setup" --without-ros --web >&2
+    "$project_dir/scripts/build" --web --dir "$built" -DRATCHET_SIEVE_ROS=OFF --target ratchet_sieve_engine >&2
+  fi
+}
+
 # Runs studies/STUDY.py with sieve_sweep as its --program; installs and builds what is missing before, without ROS,
 # but not for --help. IMPORTS, a line of Python, says what the study needs. SIEVE_SWEEP, where it is set, is the program
 # to use.

@@ -1,0 +1,3 @@
+document.addEventListener("DOMContentLoaded", () => {
+  for (const formula of document.querySelectorAll(".arithmatex")) renderMathInElement(formula);
+});
