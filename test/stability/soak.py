@@ -28,7 +28,7 @@ from report import ROOT
 
 STOPPED, KILLED, FULL, RESTARTED = 'stopped', 'killed', 'disk full', 'master restarted'
 STATUS = {STOPPED: 0, KILLED: -9, FULL: 1, RESTARTED: 0}
-UNRECORDED = {STOPPED: 0.0, KILLED: 1.0, FULL: float('inf'), RESTARTED: 0.0}  # at the end, allowed [s]
+UNRECORDED = {STOPPED: 0.0, KILLED: 1.02, FULL: float('inf'), RESTARTED: 0.0}  # at the end, allowed [s]
 RANGES = {'inclination': (-0.3, 0.3), 'frequency': (15.0, 40.0), 'amplitude': (0.001, 0.003)}
 ROOM = 12e3         # of a disk that is full at about half of a life [bytes/s]
 WITHOUT_MASTER = 5  # [s]
