@@ -70,6 +70,10 @@ class Commander:
         self.pour, self.pause, self.unpause = (
             rospy.ServiceProxy(f'/sieve/{name}', kind, persistent=True)
             for name, kind in (('pour', PourDisks), ('pause_physics', Empty), ('unpause_physics', Empty)))
+        # The first call asks the master where the service is; later it may be gone.
+        self.pour('B', 1)
+        for proxy in (self.pause, self.unpause):
+            proxy()
         for proxy in (self.pour, self.pause, self.unpause):
             stack.callback(proxy.close)
 
@@ -127,7 +131,7 @@ def judged(programs, ending, bag, commander, status, rows):
                  recording.read_messages(topics=[f'/sieve/{name}_setpoint' for name in RANGES])}
     lost = [setpoint for sent, setpoint in commander.sent if sent < end - LATENCY and setpoint not in taken]
     unrecorded = max(0.0, commander.time - end)
-    again = subprocess.run([programs / 'sieve_resimulate', path], capture_output=True, text=True, check=False)
+    again = subprocess.run(['nice', '-n', '19', programs / 'sieve_resimulate', path], capture_output=True, text=True, check=False)
     said = (again.stdout + again.stderr).strip()
     faults = [fault for wrong, fault in (
         (status != STATUS[ending], f'exit status {status}'), (lost, f'lost setpoints: {lost}'),
