@@ -56,14 +56,19 @@ def cpu_time(process):
     return (int(fields[11]) + int(fields[12])) / TICKS
 
 
-@contextlib.contextmanager
-def master(scratch):
-    """A roscore that ends with the block; its logs go into the scratch directory."""
-    uri = f'http://localhost:{free_port()}'
-    os.environ.update(ROS_MASTER_URI=uri, ROS_HOSTNAME='localhost', ROS_HOME=str(scratch),
+def choose_master(scratch):
+    """Makes a free port that of the master; logs go into the scratch directory. @return the port"""
+    port = str(free_port())
+    os.environ.update(ROS_MASTER_URI=f'http://localhost:{port}', ROS_HOSTNAME='localhost', ROS_HOME=str(scratch),
                       ROS_LOG_DIR=str(scratch / 'log'), ROSCONSOLE_FORMAT='${walltime} ${message}')
     os.environ.pop('ROS_IP', None)
-    core = subprocess.Popen(['roscore', '-p', uri.rpartition(':')[2]],
+    return port
+
+
+@contextlib.contextmanager
+def master(scratch):
+    """A roscore that ends with the block."""
+    core = subprocess.Popen(['roscore', '-p', choose_master(scratch)],
                             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
         client = rosgraph.Master('/measure_node')

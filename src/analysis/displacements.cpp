@@ -70,7 +70,7 @@ struct Bins
   std::size_t binOf(double value) const
   {
     const double bin = std::floor((value - first_edge) / width);
-    return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(count - 1)));
+    return bin > 0.0 ? static_cast<std::size_t>(std::min(bin, static_cast<double>(count - 1))) : 0;
   }
 };
 

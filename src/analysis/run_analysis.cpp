@@ -9,6 +9,7 @@
 
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
@@ -49,6 +50,21 @@ void requireSpecies(std::size_t count, const SceneDefinition& scene)
   if (count != scene.species.size())
     throw AnalysisError(fmt::format("a frame of {} with {} species does not fit the scene, which has {}",
                                     describe(kindOf<Frame>()).name, count, scene.species.size()));
+}
+
+/// @throws AnalysisError where the scene does not observe it, or the columns of a table differ in length: its
+/// name becomes that of a file, and the columns the lines in it
+void requireFits(const Observed& observed, const SceneDefinition& scene)
+{
+  const std::vector<std::string>& names = scene.observe;
+  if (observed.name != SIZE_CLASSES && std::find(names.begin(), names.end(), observed.name) == names.end())
+    throw AnalysisError(fmt::format("a frame of observed has {}, which the scene does not observe",
+                                    shownText(observed.name)));
+  for (const ObservedRow& row : observed.rows)
+    for (const ObservedColumn& column : row.table)
+      if (column.values.size() != row.table.front().values.size())
+        throw AnalysisError(
+            fmt::format("a frame of observed has columns of different lengths in {}", observed.name));
 }
 
 }  // namespace
@@ -116,7 +132,7 @@ struct RunAnalysis::Run
   void add(const ParticleFrame& frame);
   void add(const BinFrame& frame);
   void add(const StatisticsFrame& frame);
-  void add(const ObservedFrame& frame) { so_far.observed = frame.observed; }
+  void add(const ObservedFrame& frame);
 
   RunResult so_far;
   DisplacementTracker tracker;
@@ -160,6 +176,13 @@ void RunAnalysis::Run::add(const StatisticsFrame& frame)
   for (std::size_t i = 0; i < temperatures.size(); ++i)
     if (frame.species[i].granular_temperature)
       temperatures[i].add(*frame.species[i].granular_temperature);
+}
+
+void RunAnalysis::Run::add(const ObservedFrame& frame)
+{
+  for (const Observed& observed : frame.observed)
+    requireFits(observed, so_far.scene);
+  so_far.observed = frame.observed;
 }
 
 RunAnalysis::RunAnalysis() = default;

@@ -10,6 +10,7 @@
 #include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/recording/run_warnings.h"
+#include "ratchet_sieve/scene/shown_text.h"
 
 namespace ratchet_sieve
 {
@@ -175,7 +176,7 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
         std::find_if(parameters_.setpoints.begin(), parameters_.setpoints.end(),
                      [&name = name](const Setpoint& known) { return known.name() == name; });
     if (setpoint == parameters_.setpoints.end())
-      return failure("setpoint " + name + ": must be inclination, frequency or amplitude");
+      return failure("setpoint " + shownText(name) + ": must be inclination, frequency or amplitude");
     if (const auto refusal = setpoint->refusal(value))
       return failure(*refusal);
     found.push_back(setpoint->quantity);
@@ -265,7 +266,7 @@ Outcome RunControl::pour(const std::string& species, std::size_t count)
   const auto found = std::find_if(
       all.begin(), all.end(), [&](const SpeciesDefinition& candidate) { return candidate.name == species; });
   if (found == all.end())
-    return failure("species " + species + ": there is none of that name");
+    return failure("species " + shownText(species) + ": there is none of that name");
   try
   {
     CommandFrame command = plainCommand(CommandKind::POUR);

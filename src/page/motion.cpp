@@ -30,9 +30,10 @@ constexpr std::size_t LEAST_STATE = 4;
 /// Frames that are always kept: the first and the last.
 constexpr std::size_t FEWEST_FRAMES = 2;
 
+/// What is no number becomes the largest.
 std::int32_t inUnits(double value, double unit)
 {
-  return static_cast<std::int32_t>(std::floor(std::clamp(value / unit, -LARGEST, LARGEST) + 0.5));
+  return static_cast<std::int32_t>(std::floor(std::fmax(-LARGEST, std::fmin(value / unit, LARGEST)) + 0.5));
 }
 
 /// Of two numbers whose difference may not be one of 32 bits.

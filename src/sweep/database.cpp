@@ -8,6 +8,8 @@
 
 #include <sqlite3.h>
 
+#include "ratchet_sieve/scene/shown_text.h"
+
 namespace ratchet_sieve
 {
 namespace
@@ -18,6 +20,9 @@ namespace fs = std::filesystem;
 /// Timeout for another process's write transaction [ms]. Transactions take milliseconds, but a disk may
 /// stall.
 constexpr int BUSY_TIMEOUT = 60'000;
+
+/// Longest error of SQLite that is shown; it may contain names of a damaged file [characters].
+constexpr std::size_t LONGEST_REASON = 300;
 
 std::string unchangingUri(const std::string& path)
 {
@@ -109,7 +114,7 @@ std::int64_t Database::changes() const
 
 void Database::fail() const
 {
-  const std::string text = path_ + ": " + sqlite3_errmsg(connection_);
+  const std::string text = path_ + ": " + shownText(sqlite3_errmsg(connection_), LONGEST_REASON);
   const int code = sqlite3_extended_errcode(connection_);
   // A limit on the size of files also appears as a write error.
   if (code == SQLITE_FULL || code == SQLITE_IOERR_WRITE || code == SQLITE_IOERR_SHMSIZE)

@@ -65,7 +65,8 @@ void shadowPlanTables(Database& database)
     while (select.step())
     {
       const std::string sql = select.text(1);
-      definitions.push_back(std::string(sql).insert(sql.find(select.text(0)), "temp."));
+      const std::size_t place = std::min(lowerCase(sql).find(select.text(0)), sql.size());
+      definitions.push_back(std::string(sql).insert(place, "temp."));
     }
   }
   for (const std::string& definition : definitions)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -123,6 +124,16 @@ TEST(DisplacementDistributions, OfNoDiskAreNone)
   EXPECT_TRUE(distributions.distributions().empty());
   distributions.add(particlesAt(0.0, {}));
   EXPECT_TRUE(distributions.distributions().empty());
+}
+
+TEST(DisplacementDistributions, CountWhatIsNoNumber)
+{
+  for (const double odd : {std::nan(""), std::numeric_limits<double>::infinity()})
+  {
+    DisplacementDistributions distributions(1, {0.0});
+    distributions.add(particlesAt(0.0, {diskAt(0, 0, odd), diskAt(1, 0, 1.0), diskAt(2, 0, -1.0)}));
+    EXPECT_EQ(distributions.distributions().at(0).total(), 3u);
+  }
 }
 
 RC_GTEST_PROP(DisplacementDistributions, CountEveryDiskWithinTheEdges, ())

@@ -197,6 +197,11 @@ TEST(RunAnalysis, RefusesFramesThatDoNotFitTogether)
   expectRefused(BinFrame{}, "a frame of bins with 0 species does not fit the scene, which has 2");
   expectRefused(temperaturesAt(0.0, {1.0}),
                 "a frame of statistics with 1 species does not fit the scene, which has 2");
+  expectRefused(ObservedFrame{0.0, {{"../mass_flow", {}}}},
+                "a frame of observed has ../mass_flow, which the scene does not observe");
+  const std::vector<ObservedColumn> uneven = {{"left", "", {1.0}}, {"right", "", {}}};
+  expectRefused(ObservedFrame{0.0, {{SIZE_CLASSES, {{"", "A", {}, uneven}}}}},
+                "a frame of observed has columns of different lengths in size_classes");
 }
 
 TEST(RunAnalysis, LeavesUndefinedWhatARunOfNothingDoesNotHave)

@@ -17,6 +17,7 @@ import long_run
 
 LARGEST_OVERLAP = 1e-9  # of the smallest radius
 TIMEOUT = 1500.0        # timeout, wall time [s]
+DAY = 86400.0           # [s]
 
 EXIT_STATUS = {extremes.RUNS: 0, extremes.GOES_ON: 0, extremes.STOPS: 1, extremes.REFUSED: 2}
 
@@ -48,13 +49,13 @@ def relative_overlap(extreme, summary):
     return summary["max_overlap"] / extremes.smallest_radius(extreme.scene)
 
 
-def measure(program, extreme, short):
+def measure(program, extreme, duration, timeout=TIMEOUT):
     """Runs a scene. Returns the summary (None for a refusal), the result in words, and the errors."""
-    scene = dict(extreme.scene, duration=extreme.short if short else extreme.scene["duration"])
+    scene = dict(extreme.scene, duration=duration)
     with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
         json.dump(scene, file)
         file.flush()
-        run = subprocess.run([program, file.name], capture_output=True, text=True, timeout=TIMEOUT, check=False)
+        run = subprocess.run([program, file.name], capture_output=True, text=True, timeout=timeout, check=False)
         said = run.stderr.strip().replace(file.name, "scene")
     summary = json.loads(run.stdout, parse_constant=finite) if run.stdout else None
     return summary, said, list(complaints(extreme, run, summary))
@@ -100,12 +101,22 @@ def measure_all(program, short, jobs):
     if short:  # Scenes that start slowly run in full only in the long form.
         everything = [e for e in everything if "100,000" not in e.what]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        results = pool.map(lambda extreme: measure(program, extreme, short), everything)
+        results = pool.map(lambda extreme: measure(program, extreme, extreme.short if short else
+                                                   extreme.scene["duration"]), everything)
         for extreme, (summary, said, wrong) in zip(everything, results):
             rows.append(row(extreme, summary, said))
             failed += bool(wrong)
             print(", ".join(rows[-1]), *(f"  WRONG: {w}" for w in wrong), sep="\n", flush=True)
     return rows, failed
+
+
+def measure_day(program, what):
+    """One extreme for a day of simulated time. @return the number of failures"""
+    extreme, = (extreme for extreme in extremes.extremes() if extreme.what == what)
+    summary, said, wrong = measure(program, extreme, DAY, None)
+    print(", ".join(row(extreme, summary, said)), f"{summary['wall_time']:.0f} s of wall time",
+          *(f"  WRONG: {w}" for w in wrong), sep="\n", flush=True)
+    return len(wrong)
 
 
 def replace_between(path, begin, end, text):
@@ -118,10 +129,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", help="sieve_run")
     parser.add_argument("--short", action="store_true", help="a twentieth of the time")
+    parser.add_argument("--day", metavar="WHAT", help="this extreme alone, for a day of simulated time")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)), help="runs side by side")
     parser.add_argument("--write", type=pathlib.Path, metavar="FILE",
                         help="put the long run's table into this document, the others into data/extremes.csv beside it")
     arguments = parser.parse_args()
+    if arguments.day:
+        sys.exit(1 if measure_day(arguments.program, arguments.day) else 0)
     rows, failed = measure_all(arguments.program, arguments.short, arguments.jobs)
     long_rows, long_failed = long_run.measure(arguments.program, 1e4 if arguments.short else 1e6)
     if arguments.write:
