@@ -52,7 +52,7 @@ def draw_costs(axes, figures):
         axes.plot(float(edmd.rpartition("_")[2]), 1.0 / theirs, "o", color=plots.COLOURS[3], markersize=5)
     axes.plot([], [], "D", color=OURS, label="this project, two series")
     axes.plot([], [], "o", color=plots.COLOURS[3], label="EDMD, elastic disks in a plane")
-    axes.set(xscale="log", xlabel="disks", ylabel="processor time of a collision, µs", ylim=(0.0, 1.2))
+    axes.set(xscale="log", xlabel="disks", ylabel="processor time of a collision, µs", ylim=(0.0, None))
     axes.legend(loc="lower right")
 
 
