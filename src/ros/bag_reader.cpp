@@ -1,14 +1,11 @@
 #include "ratchet_sieve/ros/bag.h"
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <new>
-#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -26,38 +23,6 @@ namespace
 {
 /// Longest error message shown; it may contain a topic name [characters].
 constexpr std::size_t LONGEST_REASON = 300;
-
-/// A message's type before its last fields were added. A message of that time is read with zeros in their
-/// place: an empty array, an undefined number.
-struct EarlierType
-{
-  std::string_view checksum;
-  std::size_t missing;  ///< [bytes]
-};
-
-template <typename Message>
-constexpr std::array<EarlierType, 0> EARLIER = {};
-template <>
-constexpr std::array<EarlierType, 1> EARLIER<ParticleStates> = {
-    {{"adb6351783fa1df73aef027d3828d669", sizeof(std::uint32_t)}}};
-
-constexpr std::size_t BIN_WINDOW_BYTES = 2 * sizeof(double) + 2 * sizeof(std::uint32_t) + 1;
-template <>
-constexpr std::array<EarlierType, 2> EARLIER<BinCounts> = {
-    {{"8cc345b25409bfd727e7181dbe20f1bc", sizeof(double) + 1 + BIN_WINDOW_BYTES},
-     {"6ffd59933426132a23002197e6036dc1", BIN_WINDOW_BYTES}}};
-
-/// The bytes that a message of this checksum lacks: none of the present type; nothing for an unknown one.
-template <typename Message>
-std::optional<std::size_t> missingBytes(std::string_view checksum)
-{
-  if (checksum == ros::message_traits::md5sum<Message>())
-    return 0;
-  for (const EarlierType& earlier : EARLIER<Message>)
-    if (checksum == earlier.checksum)
-      return earlier.missing;
-  return std::nullopt;
-}
 
 /// The frames of one topic, with one frame of read-ahead.
 class Stream
@@ -100,24 +65,12 @@ private:
   {
     if (TopicStream::done())
       return;
-    const std::optional<std::size_t> missing = missingBytes<Message>(position_->getMD5Sum());
-    if (!missing)
+    const auto message = position_->instantiate<Message>();
+    if (!message)
       throw std::invalid_argument(position_->getTopic() + " does not have its declared type");
-    frame_ = toFrame(*missing > 0 ? completed(*missing) : *position_->instantiate<Message>());
+    frame_ = toFrame(*message);
     if (!isStamp(frame_.time))
       throw std::invalid_argument(position_->getTopic() + " has a message with an invalid time");
-  }
-
-  /// An earlier message, with zeros for what it lacks.
-  Message completed(std::size_t missing) const
-  {
-    std::vector<std::uint8_t> bytes(position_->size() + missing);
-    ros::serialization::OStream filled(bytes.data(), position_->size());
-    position_->write(filled);
-    Message message;
-    ros::serialization::IStream whole(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-    ros::serialization::deserialize(whole, message);
-    return message;
   }
 
   rosbag::View view_;
@@ -146,7 +99,7 @@ std::string topicOf(const rosbag::Bag& bag)
   {
     if (connection->datatype != type)
       continue;
-    if (!missingBytes<Message>(connection->md5sum))
+    if (connection->md5sum != ros::message_traits::md5sum<Message>())
       throw std::invalid_argument(connection->topic + " has a " + type + " that ratchet_sieve " + version() +
                                   " does not know" + recordedBy(bag));
     topics.insert(connection->topic);
