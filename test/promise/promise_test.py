@@ -84,7 +84,7 @@ def test_summary_has_its_fields(old, now):
 
 
 def test_bag_is_read(old, tmp_path):
-    assert lost(old.results["bag"], bag_results(old / "run.bag", tmp_path / "tables")) == []
+    assert lost(old.results["bag"], bag_results(old / "run.bag", tmp_path)) == []
 
 
 def test_bag_is_run_again(old, now):

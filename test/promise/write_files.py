@@ -25,7 +25,7 @@ import rosservice
 
 import ratchet_sieve as rs
 from ratchet_sieve.msg import BaseSetpoint
-from ratchet_sieve.processes import TIMEOUT, free_port
+from ratchet_sieve.processes import TIMEOUT, free_port, wait_for
 from ratchet_sieve.srv import LockStep
 
 PACKAGE = Path(__file__).resolve().parents[2]
@@ -73,12 +73,15 @@ def messages():
 
 def record(scene, bag):
     """Records a commanded run, on a master of its own. @return the topics and services of the node, with their types"""
-    os.environ.update(ROS_MASTER_URI=f"http://localhost:{free_port()}", ROS_HOSTNAME="localhost")
-    sieve = subprocess.Popen(["roslaunch", "ratchet_sieve", "sieve.launch", f"scene:={scene}", f"record:={bag}",
-                              "paused:=true", "params:={recording: {particles: 5, bins: 5, base: 5, statistics: 5}}"],
-                             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    port = str(free_port())
+    os.environ.update(ROS_MASTER_URI="http://localhost:" + port, ROS_HOSTNAME="localhost")
+    core = subprocess.Popen(["rosmaster", "--core", "-p", port], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    rates = [f"_recording/{name}:=5" for name in ("particles", "bins", "base", "statistics")]
     try:
-        rospy.wait_for_service("/sieve/lock_step", TIMEOUT)
+        wait_for(rosgraph.is_master_online, "rosmaster")
+        sieve = subprocess.Popen([PROGRAMS / "sieve_node", "__name:=sieve", f"_scene_file:={scene}", f"_record:={bag}",
+                                  "_start_paused:=true", *rates], stdout=subprocess.DEVNULL)
+        wait_for(lambda: "/sieve/lock_step" in rosservice.get_service_list(), "sieve_node")
         step = rospy.ServiceProxy("/sieve/lock_step", LockStep)
         step([BaseSetpoint("inclination", 0.05), BaseSetpoint("frequency", 25.0)], 0.25)
         master = rosgraph.Master("/names")
@@ -88,8 +91,8 @@ def record(scene, bag):
         step([BaseSetpoint("amplitude", 0.0015)], 1.0)
         sieve.wait(TIMEOUT)
     finally:
-        sieve.terminate()
-        sieve.wait()
+        core.terminate()
+        core.wait()
     return [{name: types[name] for name in names} for names in (published, subscribed, services)]
 
 
@@ -131,10 +134,11 @@ def scene_values(folder):
     return {name: rs.Scene.load(folder / f"{name}.yaml").values for name in ("machine", "placed", "second")}
 
 
-def bag_results(bag, tables):
-    """What is read from a bag; its tables and plots go to `tables`."""
+def bag_results(bag, folder):
+    """What is read from a bag; its tables and plots go to the folder."""
+    output("sieve_analyze", bag, "--summary", folder / "analysis.json", "--out", folder / "tables")
     frames = rs.read_bag(bag).frames
-    return {"analysis": json.loads(output("sieve_analyze", bag, "--out", tables)), "time": frames.time.tolist(),
+    return {"analysis": json.loads((folder / "analysis.json").read_text()), "time": frames.time.tolist(),
             **{name: {column: array[column].tolist() for column in array.dtype.names}
                for name, array in (("disks", frames.disks[-1]), ("base", frames.base), ("bins", frames.bins["A"]))}}
 
