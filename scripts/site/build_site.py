@@ -29,7 +29,8 @@ ROW = re.compile(r'(\w+(?:, \w+)*)  +(\S.*)')
 
 def stage_documents(source):
     """Copies the documents, and what they link to."""
-    waiting = [PACKAGE / 'README.md', PACKAGE / 'CONTRIBUTING.md', *(PACKAGE / 'docs').rglob('*.md')]
+    waiting = [PACKAGE / 'README.md', PACKAGE / 'CONTRIBUTING.md', *(PACKAGE / 'docs').rglob('*.md'),
+               *(PACKAGE / f'config/{name}.yaml' for name in RUNS)]
     staged = set()
     while waiting:
         path = Path(os.path.normpath(waiting.pop()))
@@ -71,6 +72,7 @@ def as_markdown(text):
     """GitHub's Markdown as Python's: lists in lists are indented by four, and a list begins after an empty line."""
     parts = re.split(r'(^```.*?^```$)', text, flags=re.MULTILINE | re.DOTALL)
     for k in range(0, len(parts), 2):
+        parts[k] = re.sub(r'\] \[(\w+)\]', r'] \\[\1]', parts[k])  # a unit, no link
         parts[k] = re.sub(r'^ +(?=\S)', lambda found: 2 * found[0], parts[k], flags=re.MULTILINE)
         parts[k] = re.sub(r'^([^\s*|-].*\n)(?=[-*] )', r'\1\n', parts[k], flags=re.MULTILINE)
     return ''.join(parts)
@@ -103,7 +105,7 @@ def google_style(docstring, heading):
     """A docstring in Google's style, of one whose lists have rows `name  what it is`."""
     lines, in_rows = [], False
     for line in docstring.splitlines():
-        line = re.sub(r'\bdocs/(\w+)\.md', r'[\g<0>](../docs/\1.html)', line)
+        line = re.sub(r'\bdocs/(\w+)\.md', r'[\g<0>](../docs/\1.md)', line)
         row = ROW.fullmatch(line)
         if row:
             lines += ([] if in_rows else [heading]) + [f'    {name}: {row[2]}' for name in row[1].split(', ')]
@@ -146,7 +148,8 @@ def main(work, site):
     shutil.copytree(KATEX, source / 'katex')
     subprocess.run(['doxygen', HERE / 'Doxyfile'], cwd=PACKAGE, check=True,
                    env={**os.environ, 'OUTPUT': str(source / 'reference')})
-    subprocess.run(['mkdocs', 'build', '--quiet', '--config-file', work / 'mkdocs.yml', '--site-dir', site], check=True)
+    subprocess.run(['mkdocs', 'build', '--config-file', work / 'mkdocs.yml', '--site-dir', site], check=True)
+    (site / '404.html').unlink()  # for servers, with absolute links
     embed_search(site)
 
 

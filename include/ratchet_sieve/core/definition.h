@@ -287,7 +287,7 @@ struct AccuracyDefinition
   Method method = Method::EVENTS;
   double step = 0.0005;  ///< of Method::STEPS [s]
 
-  double mean_vx = 0.0;      ///< the run may end when each <V_x> has this half-width [m/s]; 0: not used
+  double mean_vx = 0.0;      ///< the run may end when each ⟨V_x⟩ has this half-width [m/s]; 0: not used
   double quality = 0.0;      ///< the run may end when Q has this half-width; 0: not used
   double confidence = 0.95;  ///< confidence level of these half-widths
 

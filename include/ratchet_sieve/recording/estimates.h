@@ -41,7 +41,7 @@ double timesForTrust(const std::vector<BlockSum>& series, const BlockError& erro
 /// grouped into 64 to 127 batches.
 std::size_t steadyFrom(const std::vector<BlockSum>& series);
 
-/// <V_x> of one species over the steady part of a series.
+/// ⟨V_x⟩ of one species over the steady part of a series.
 struct SteadyMean
 {
   Estimate estimate;  ///< [m/s]
