@@ -64,9 +64,14 @@ function(ratchet_sieve_layer layer)
   # A program or module that links a layer finds, where they are installed, the layers below it too.
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${layer} INSTALL_RPATH $ORIGIN)
   target_compile_features(${target} PUBLIC cxx_std_17)
+  # As shared libraries, which catkin makes, the programs need them.
+  set(component engine)
+  if(layer STREQUAL "ros")
+    set(component ros)
+  endif()
   install(TARGETS ${target} EXPORT ratchet_sieve-targets
-    ARCHIVE DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION}
-    LIBRARY DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION})
+    ARCHIVE DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION} COMPONENT ${component}
+    LIBRARY DESTINATION ${RATCHET_SIEVE_LIB_DESTINATION} COMPONENT ${component})
   # Static ones go into the library that sieve_run loads to write a bag, and into Python's module.
   if(RATCHET_SIEVE_ROS OR RATCHET_SIEVE_PYTHON)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)

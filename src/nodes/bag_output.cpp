@@ -14,8 +14,9 @@ std::unique_ptr<BagOutput> openBag(const std::string& path)
   void* library = dlopen(RATCHET_SIEVE_BAG_PLUGIN, RTLD_NOW | RTLD_LOCAL);
   void* function = library != nullptr ? dlsym(library, BAG_PLUGIN_FUNCTION) : nullptr;
   if (function == nullptr)
-    throw std::runtime_error("--bag " + path +
-                             ": bags need the ROS part (on Debian: apt install ros-ratchet-sieve): " + dlerror());
+    throw std::runtime_error(
+        "--bag " + path +
+        ": bags need the ROS part (on Debian: apt install ros-ratchet-sieve): " + dlerror());
   return std::unique_ptr<BagOutput>(reinterpret_cast<OpenBagPlugin*>(function)(path.c_str()));
 #else
   throw std::runtime_error("--bag " + path + ": bags need ROS, and this build has none");

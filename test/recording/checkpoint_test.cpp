@@ -145,7 +145,8 @@ TEST_F(CheckpointFile, OfAPatchIsResumedAndOfAnotherVersionRefused)
   {
     std::string content = whole.substr(whole.find('\n', checksum) + 1);
     content.replace(content.find('"' + own + '"'), own.size() + 2, '"' + other + '"');
-    std::ofstream(path_, std::ios::binary) << whole.substr(0, checksum) << hashText(content) << '\n' << content;
+    std::ofstream(path_, std::ios::binary) << whole.substr(0, checksum) << hashText(content) << '\n'
+                                           << content;
   };
   save_as(own.substr(0, own.rfind('.')) + ".77");
   EXPECT_EQ(readCheckpoint(path_, smallRing()).simulation.time(), smallRing().duration);

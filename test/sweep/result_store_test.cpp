@@ -168,8 +168,8 @@ TEST_F(ResultStoreTest, RefusesAFileThatIsNone)
   Database(foreign, Database::Access::WRITE).execute("CREATE TABLE cases (a)");
   EXPECT_EQ(complaint(foreign), foreign + ": is no results file of sieve_sweep");
   store_.database().execute("PRAGMA user_version = 999");
-  EXPECT_EQ(complaint(path_), path_ + ": is a results file of format 999, but ratchet_sieve " + version() +
-                                  " reads format 1");
+  EXPECT_EQ(complaint(path_),
+            path_ + ": is a results file of format 999, but ratchet_sieve " + version() + " reads format 1");
 }
 
 TEST(SummaryColumns, AreTheScalars)
