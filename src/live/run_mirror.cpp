@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
@@ -30,6 +31,15 @@ BaseFrame carriedOn(const SceneDefinition& scene, BaseFrame frame, double time)
   frame.base.horizontal_velocity = later.horizontal_velocity;
   frame.time = time;
   return frame;
+}
+
+/// Whether a base can move so. Other frames are damaged, and cannot be carried on.
+bool isLegal(const DriveState& base)
+{
+  constexpr Interval TURN{0.0, 6.2831854};  // [rad]
+  return TURN.contains(base.phase) &&
+         std::all_of(COMMANDED_QUANTITIES.begin(), COMMANDED_QUANTITIES.end(),
+                     [&](const CommandedQuantity& q) { return q.legal.contains(base.*q.applied); });
 }
 
 /// The base at the scene's setpoints, for a run without recorded base.
@@ -72,6 +82,8 @@ void RunMirror::see(const Frame& frame, std::optional<Frame>& last)
 
 void RunMirror::see(const BaseFrame& frame)
 {
+  if (!isLegal(frame.base))
+    return;
   if (!bases_.empty() && frame.time < bases_.back().time)
     jumpBackTo(frame.time);
   bases_.push_back(frame);

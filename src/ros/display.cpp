@@ -28,6 +28,8 @@ sensor_msgs::PointCloud2 particleCloud(const ParticleFrame& frame,
   modifier.setPointCloud2Fields(5, "x", 1, Field::FLOAT32, "y", 1, Field::FLOAT32, "z", 1, Field::FLOAT32,
                                 "radius", 1, Field::FLOAT32, "species", 1, Field::UINT32);
   modifier.resize(frame.disks.size());
+  if (frame.disks.empty())
+    return cloud;  // its iterators refer to a first byte
   sensor_msgs::PointCloud2Iterator<float> position(cloud, "x");
   sensor_msgs::PointCloud2Iterator<float> radius(cloud, "radius");
   sensor_msgs::PointCloud2Iterator<std::uint32_t> kind(cloud, "species");

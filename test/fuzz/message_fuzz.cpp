@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "display.h"
@@ -130,7 +131,8 @@ public:
       attempt(repeat_, [&] { repeat_->take(frame); });
   }
 
-  void finish()
+  /// @param with_page takes the longest
+  void finish(bool with_page)
   {
     static const std::string directory = std::filesystem::temp_directory_path() / "message_fuzz";
     attempt(repeat_, [&] { repeat_->finish(); });
@@ -139,8 +141,10 @@ public:
             {
               const RunResult result = page_->analysis().result();
               reportText(result);
+              reportJson(result);
               writeTables(result, directory);
-              page_->write(directory + "/page.html", "fuzz", {});
+              if (with_page)
+                page_->write(directory + "/page.html", "fuzz", {});
             });
   }
 
@@ -196,6 +200,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     succeeds([&] { take(head[0] % FRAME_KINDS, stream, readers); });
     place += length;
   }
-  readers.finish();
+  readers.finish(size % 8 == 0);
   return 0;
 }

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "collecting_sink.h"
@@ -146,6 +148,17 @@ TEST_F(Seen, forgetsWhateverTopicLeapsFirst)
   EXPECT_TRUE(seen.picture().bins);
   seen.take(binsAt(0.0));
   EXPECT_FALSE(seen.picture().particles);
+}
+
+TEST_F(Seen, leavesOutABaseThatNoneCanBe)
+{
+  seen.take(baseAt(1.0, 0.1));
+  for (const double inclination : {2.0, std::nan("")})
+    seen.take(baseAt(2.0, inclination));
+  BaseFrame turned = baseAt(2.0);
+  turned.base.phase = 1e232;
+  seen.take(turned);
+  EXPECT_TRUE(sameBits(seen.picture().base, baseAt(1.0, 0.1)));
 }
 
 TEST_F(Seen, keepsFewOfThePast)
