@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Soaks a fed sieve_node at real time, with a command every second. Its lives end in turns: it is stopped, it is killed,
-its disk is full, its master is restarted under it. The bag of every life is simulated again. Prints a table of the lives.
+"""Soaks a fed sieve_node at real time, with a command every second. Its lives end in turns: it is stopped, it is
+killed, its disk is full, its master is restarted under it. The bag of every life is simulated again. Prints a table.
 Exit status 1 where memory grows, a bag differs, or more is lost than docs/recording.md says.
 
 By hand: PYTHONPATH=benchmark:$PYTHONPATH test/stability/soak.py DIR
@@ -131,7 +131,7 @@ def judged(programs, ending, bag, commander, status, rows):
                  recording.read_messages(topics=[f'/sieve/{name}_setpoint' for name in RANGES])}
     lost = [setpoint for sent, setpoint in commander.sent if sent < end - LATENCY and setpoint not in taken]
     unrecorded = max(0.0, commander.time - end)
-    again = subprocess.run(['nice', '-n', '19', programs / 'sieve_resimulate', path], capture_output=True, text=True, check=False)
+    again = subprocess.run([programs / 'sieve_resimulate', path], capture_output=True, text=True, check=False)
     said = (again.stdout + again.stderr).strip()
     faults = [fault for wrong, fault in (
         (status != STATUS[ending], f'exit status {status}'), (lost, f'lost setpoints: {lost}'),
@@ -164,7 +164,7 @@ def main():
             row, faults = judged(arguments.programs, ending, bag, *seen)
             rows.append(row)
             failed |= bool(faults)
-            print(', '.join(str(cell) for cell in row), *(f'  WRONG: {fault}' for fault in faults), sep='\n', flush=True)
+            print(', '.join(map(str, row)), *(f'  WRONG: {fault}' for fault in faults), sep='\n', flush=True)
     finally:
         master.kill()
     print(table(HEAD, rows))
