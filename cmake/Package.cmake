@@ -18,9 +18,9 @@ ratchet_sieve_packages(RVIZ rviz ".*")
 # What catkin's installation leaves in the devel space beside the messages belongs to the engine.
 install(CODE [[
   if(CMAKE_INSTALL_COMPONENT STREQUAL "ros")
-    file(GLOB_RECURSE caches LIST_DIRECTORIES true "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/*/__pycache__")
-    file(GLOB engine "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib/python3/dist-packages/ratchet_sieve/*engine*")
-    file(REMOVE_RECURSE ${caches} ${engine})
+    set(python "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib/python3/dist-packages/ratchet_sieve")
+    file(GLOB others ${python}/*engine* ${python}/__pycache__ ${python}/*/__pycache__)
+    file(REMOVE_RECURSE ${others})
   endif()]])
 install(FILES LICENSE DESTINATION share/doc/ratchet-sieve COMPONENT engine RENAME copyright)
 install(FILES LICENSE DESTINATION share/doc/ros-ratchet-sieve RENAME copyright)
