@@ -15,13 +15,7 @@ ratchet_sieve_packages(RUNS base "(python3-|ros-(std|vis)|rosbash).*")
 ratchet_sieve_packages(BUILDS base "(catkin|ros-message|lib).*")
 ratchet_sieve_packages(RVIZ rviz ".*")
 
-# What catkin's installation leaves in the devel space beside the messages belongs to the engine.
-install(CODE [[
-  if(CMAKE_INSTALL_COMPONENT STREQUAL "ros")
-    set(python "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib/python3/dist-packages/ratchet_sieve")
-    file(GLOB others ${python}/*engine* ${python}/__pycache__ ${python}/*/__pycache__)
-    file(REMOVE_RECURSE ${others})
-  endif()]])
+install(SCRIPT cmake/leave_engine_out.cmake)
 install(FILES LICENSE DESTINATION share/doc/ratchet-sieve COMPONENT engine RENAME copyright)
 install(FILES LICENSE DESTINATION share/doc/ros-ratchet-sieve RENAME copyright)
 
@@ -40,10 +34,9 @@ set(CPACK_COMPONENT_ENGINE_DESCRIPTION "exact simulation of a vibrating-ratchet 
  Hard disks on an oscillating sawtooth, which parts them by kind: programs for one
  run, sweeps and the best settings, and the Python package.")
 # The module is built for one version of Python.
-find_package(Python3 REQUIRED COMPONENTS Interpreter)
-math(EXPR NEXT "${Python3_VERSION_MINOR} + 1")
+math(EXPR NEXT "${PYTHON_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_ENGINE_PACKAGE_DEPENDS
-  "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${NEXT}), ${PYTHON}")
+  "python3 (>= 3.${PYTHON_VERSION_MINOR}), python3 (<< 3.${NEXT}), ${PYTHON}")
 set(CPACK_DEBIAN_ENGINE_PACKAGE_SUGGESTS "${OPTIMISE}")
 set(CPACK_DEBIAN_ROS_PACKAGE_NAME ros-ratchet-sieve)
 set(CPACK_COMPONENT_ROS_DESCRIPTION "ROS nodes and messages of ratchet-sieve
