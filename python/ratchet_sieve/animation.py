@@ -183,7 +183,8 @@ def main():
         take(options, frames)
         subprocess.run(['convert', '-delay', str(round(100.0 / options.rate)), '-loop', '0',
                         *map(str, sorted(frames.glob('*.png'))), '+dither', '-colors', str(COLOURS),
-                        '-layers', 'optimize', str(options.out.with_suffix('.gif'))], check=True)
+                        '-fuzz', '1%', '-layers', 'optimize-transparency', '+fuzz', '-layers', 'optimize',
+                        str(options.out.with_suffix('.gif'))], check=True)
 
 
 if __name__ == '__main__':
