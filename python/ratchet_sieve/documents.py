@@ -2,7 +2,7 @@
 
 A study writes its figures to docs/data/STUDY.json: key -> the text as it is printed. A document quotes one of them by a
 comment right behind it, `1.6<!--STUDY:KEY-->` with STUDY and KEY as they are named there. Exit status: 0 if every
-quoted figure is what the study's file says, else 1.
+quoted figure is what the study's file says and no document names an old version of the physics, else 1.
 """
 import argparse
 import json
@@ -10,9 +10,11 @@ import pathlib
 import re
 import sys
 
+from ratchet_sieve.origin import physics
 from ratchet_sieve.places import WORK
 
 DOCUMENTS = ("*.md", "docs/**/*.md", "studies/**/*.md")
+MEASURED = re.compile(r"physics\s+version\s+(\d+)")
 QUOTED = re.compile(r"<!--([\w-]+):([\w.-]+)-->")
 KEY = re.compile(r"[a-z0-9_]+(\.[a-z0-9_]+)*")
 RESERVED = ("date", "version", "machine")
@@ -71,8 +73,12 @@ def replaced(before, text):
 
 
 def hold(document, studies, update):
-    """Yields an error for each quoted figure that is none or stale; with `update` stale ones are put right."""
+    """Yields an error for each quoted figure that is none or stale; with `update` stale ones are put right. Yields one for
+    each version of the physics that is not this checkout's."""
     source = document.read_text(encoding="utf-8")
+    for match in MEASURED.finditer(source):
+        if match.group(1) != physics():
+            yield f"{document}:{source.count(chr(10), 0, match.start()) + 1}: physics version {match.group(1)} is not {physics()}"
     result, end = "", 0
     for match in QUOTED.finditer(source):
         study, key = match.groups()
