@@ -9,7 +9,7 @@ A sawtooth base, inclined and shaken, drives grains sideways, and so separates k
 
 Documentation: docs/python.md.
 """
-import importlib
+import importlib.util
 import pkgutil
 
 # In ROS the messages, msg and srv, are in another directory of the same name.
@@ -43,6 +43,8 @@ def __getattr__(name):
         return getattr(importlib.import_module(f"{__name__}.{_NAMES[name]}"), name)
     if name in _SUBMODULES:
         return importlib.import_module(f"{__name__}.{name}")
+    if name == "_engine" and importlib.util.find_spec(f"{__name__}._engine") is None:
+        raise ImportError("the engine is not built: run scripts/build, or scripts/python")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

@@ -5,6 +5,7 @@ Parameters: ~sieve (name of its node), ~step [rad], ~dwell [s]
 """
 import rospy
 from std_msgs.msg import Float64
+from std_srvs.srv import Empty
 
 from my_feeder.climber import Climber
 from my_feeder.msg import Report
@@ -25,4 +26,7 @@ def take(bins):
 
 
 rospy.Subscriber(f'{sieve}/bins', BinCounts, take, queue_size=1, tcp_nodelay=True)
+# The sieve is launched paused: a node's start of two seconds would be 40 s at 20 times real time.
+rospy.wait_for_service(f'{sieve}/unpause_physics')
+rospy.ServiceProxy(f'{sieve}/unpause_physics', Empty)()
 rospy.spin()

@@ -9,6 +9,7 @@
 #include <ratchet_sieve/BinCounts.h>
 #include <ros/ros.h>
 #include <std_msgs/Float64.h>
+#include <std_srvs/Empty.h>
 
 /// See climber.py.
 struct Climber
@@ -57,5 +58,9 @@ int main(int argc, char** argv)
         }
       },
       ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  // See climb.py.
+  std_srvs::Empty unpause;
+  ros::service::waitForService(sieve + "/unpause_physics");
+  ros::service::call(sieve + "/unpause_physics", unpause);
   ros::spin();
 }

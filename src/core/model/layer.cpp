@@ -136,7 +136,9 @@ std::string sizeText(const SceneDefinition& scene)
   std::ostringstream out;
   out.precision(3);
   out << countText(disksAtStart(scene), "disk") << ", ";
-  if (scene.contact.pair_collisions)
+  if (feedRate(scene) > 0.0)
+    out << "fed at " << feedRate(scene) << "/s, ";
+  if (scene.contact.pair_collisions && disks > 0.0)
     out << "at rest a layer of about " << settledLayer(scene) << " m, ";
   out << "about " << std::lround(std::max(1.0, 1e-6 * MEMORY_PER_DISK * disks)) << " MB of memory";
   return out.str();
