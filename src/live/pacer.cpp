@@ -112,15 +112,12 @@ std::optional<SpeedWatch::Line> SpeedWatch::line(double asked, Clock::time_point
 {
   if (!achieved_ || (!behind_ && !said_))
     return std::nullopt;
-  if (!behind_)
-  {
-    said_ = false;
-    return Line{false, fmt::format("keeps up again: {:.3g} times real time", *achieved_)};
-  }
   if (said_ && now - last_line_ < std::chrono::duration<double>(BETWEEN_LINES))
     return std::nullopt;
-  said_ = true;
+  said_ = behind_;
   last_line_ = now;
+  if (!behind_)
+    return Line{false, fmt::format("keeps up again: {:.3g} times real time", *achieved_)};
   return Line{true, fmt::format("{}; {:.1f} s lost so far", tooSlowText(*achieved_, asked), lost_)};
 }
 

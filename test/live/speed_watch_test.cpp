@@ -100,6 +100,20 @@ TEST(SpeedWatch, tellsALossWithTheSpeedThatItCameFrom)
   EXPECT_TRUE(run.line());
 }
 
+TEST(SpeedWatch, saysThatARunKeepsUpAgainOnlyAfterAWhile)
+{
+  Watched run;
+  run.run(2.0, 0.5, 0.5);
+  EXPECT_TRUE(run.line());
+  run.run(2.0, 1.0);
+  EXPECT_FALSE(run.line());
+  run.run(2.0, 0.5, 0.5);
+  EXPECT_FALSE(run.line());
+  run.run(10.0, 1.0);
+  EXPECT_TRUE(run.line());
+  EXPECT_FALSE(run.line());
+}
+
 TEST(SpeedWatch, showsAsManyFiguresAsTellASpeedFromWhatWasAskedFor)
 {
   EXPECT_EQ(tooSlowText(0.5, 1.0), "too slow: 0.5 times real time instead of 1");

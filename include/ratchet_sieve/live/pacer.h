@@ -79,7 +79,7 @@ public:
   bool behind() const { return behind_; }
 
   /// A line for the log when the run falls behind, repeated at intervals while it does, and once when it
-  /// keeps up again; nothing otherwise. @param asked the requested real-time factor
+  /// keeps up again, an interval later at least; nothing otherwise. @param asked the requested real-time factor
   struct Line
   {
     bool warning = false;
@@ -90,7 +90,7 @@ public:
   /// Measuring period, in wall time under way [s].
   static constexpr double PERIOD = 1.0;
 
-  /// Interval at which a line is repeated [s of wall time].
+  /// Interval between lines [s of wall time].
   static constexpr double BETWEEN_LINES = 10.0;
 
 private:
