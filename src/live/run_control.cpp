@@ -16,11 +16,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-Outcome failure(const std::string& message)
-{
-  return {false, message};
-}
-
 CommandFrame plainCommand(CommandKind kind)
 {
   CommandFrame command;
@@ -160,7 +155,7 @@ std::optional<std::string> RunControl::whyNoStep(double duration) const
 Outcome RunControl::step(double duration, const Stride& stride)
 {
   if (const auto reason = whyNoStep(duration))
-    return failure(*reason);
+    return {false, *reason};
   return advance(duration, stride);
 }
 
@@ -168,7 +163,7 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
                              const Stride& stride)
 {
   if (const auto reason = whyNoStep(duration))
-    return failure(*reason);
+    return {false, *reason};
   std::vector<Quantity> found;
   for (const auto& [name, value] : setpoints)
   {
@@ -176,9 +171,9 @@ Outcome RunControl::lockStep(const std::vector<std::pair<std::string, double>>& 
         std::find_if(parameters_.setpoints.begin(), parameters_.setpoints.end(),
                      [&name = name](const Setpoint& known) { return known.name() == name; });
     if (setpoint == parameters_.setpoints.end())
-      return failure("setpoint " + shownText(name) + ": must be inclination, frequency or amplitude");
+      return {false, "setpoint " + shownText(name) + ": must be inclination, frequency or amplitude"};
     if (const auto refusal = setpoint->refusal(value))
-      return failure(*refusal);
+      return {false, *refusal};
     found.push_back(setpoint->quantity);
   }
   // The response contains statistics.
@@ -199,7 +194,7 @@ Outcome RunControl::advance(double duration, const Stride& stride)
     aborted = !stride(target);
   run_->takeAll();
   if (run_->stopped())
-    return failure(*run_->stopReason());
+    return {false, *run_->stopReason()};
   if (target - run_->time() < RESOLUTION)
     return {};
   return {!aborted, fmt::format("{} at {:.9g} s: {:.9g} s of the step are left",
@@ -230,11 +225,11 @@ Outcome RunControl::reset(std::uint64_t seed, const std::vector<std::string>& ov
   }
   catch (const SceneError& error)
   {
-    return failure(error.what());
+    return {false, error.what()};
   }
   catch (const std::invalid_argument& error)
   {
-    return failure(source_ + ": " + error.what());
+    return {false, source_ + ": " + error.what()};
   }
 }
 
@@ -254,19 +249,19 @@ Outcome RunControl::resetWorld()
   }
   catch (const std::invalid_argument& error)
   {
-    return failure(error.what() + std::string(", with the base in its present position; the run continues"));
+    return {false, error.what() + std::string(", with the base in its present position; the run continues")};
   }
 }
 
 Outcome RunControl::pour(const std::string& species, std::size_t count)
 {
   if (count < 1 || count > MOST_POURED)
-    return failure("count " + std::to_string(count) + ": must be from 1 to " + std::to_string(MOST_POURED));
+    return {false, "count " + std::to_string(count) + ": must be from 1 to " + std::to_string(MOST_POURED)};
   const auto& all = run_->simulation().scene().species;
   const auto found = std::find_if(
       all.begin(), all.end(), [&](const SpeciesDefinition& candidate) { return candidate.name == species; });
   if (found == all.end())
-    return failure("species " + shownText(species) + ": there is none of that name");
+    return {false, "species " + shownText(species) + ": there is none of that name"};
   try
   {
     CommandFrame command = plainCommand(CommandKind::POUR);
@@ -276,7 +271,7 @@ Outcome RunControl::pour(const std::string& species, std::size_t count)
   }
   catch (const std::invalid_argument& error)
   {
-    return failure(error.what());
+    return {false, error.what()};
   }
   run_->show(run_->particles());
   run_->show(run_->bins());

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+
+#include <fmt/format.h>
 
 namespace ratchet_sieve
 {
@@ -16,11 +17,9 @@ std::optional<std::string> Setpoint::refusal(double value) const
 {
   if (limits.contains(value))
     return std::nullopt;
-  std::ostringstream text;
   // Without the sign of a NaN, which has no meaning.
-  text << setpointTopic(quantity) << " " << (std::isnan(value) ? std::abs(value) : value) << " " << unit()
-       << " refused: must be from " << limits.min << " to " << limits.max << " " << unit();
-  return text.str();
+  return fmt::format("{} {:g} {} refused: must be from {:g} to {:g} {}", setpointTopic(quantity),
+                     std::isnan(value) ? std::abs(value) : value, unit(), limits.min, limits.max, unit());
 }
 
 std::array<Setpoint, QUANTITIES> usualSetpoints()

@@ -22,11 +22,6 @@ constexpr double LARGEST_FACTOR = 1e9;
 
 constexpr const char* RUNS_EMPTY = "the base runs empty, so a longer run does not help";
 
-bool isFed(const SceneDefinition& scene)
-{
-  return scene.feed.any();
-}
-
 /// The largest half-width of the species that have disks; nothing if one is unknown.
 std::optional<double> largestHalfWidth(const Simulation& simulation, const SteadyMeans& means)
 {
@@ -97,7 +92,7 @@ std::string qualityNeed(const Simulation& simulation, const SeparationEstimate& 
 {
   const double ratio = separation.sampled / simulation.scene().accuracy.quality;
   const double times = std::min(std::max(ratio * ratio, separation.times_for_trust), LARGEST_FACTOR);
-  if (isFed(simulation.scene()))
+  if (simulation.scene().feed.any())
     return fmt::format("a duration of about {:.2g} s is needed", simulation.time() * times);
   const double runs = std::ceil(times * processedRatio(simulation.bins()).value_or(1.0));
   const std::size_t disks = simulation.activeDisks();
@@ -145,7 +140,7 @@ Certainty certaintyOf(const Simulation& simulation)
   const AccuracyDefinition& wanted = simulation.scene().accuracy;
   const MeanSeries series = simulation.meanSeries();
   std::vector<std::vector<BlockSum>> exits;
-  if (isFed(simulation.scene()))
+  if (simulation.scene().feed.any())
     for (const SpeciesSeries& species : series.species)
       exits.push_back(species.exits);
   Certainty certainty;

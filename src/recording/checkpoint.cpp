@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -63,44 +62,32 @@ Json identity(const SceneDefinition& scene)
   return json;
 }
 
-/// The first key in which a scene differs from a saved one, and both values as text.
-struct SceneDifference
-{
-  std::string key;  ///< dotted, such as species.0.radius
-  std::string saved;
-  std::string present;
-};
-
 std::string shownValue(const YAML::Node& node)
 {
   return node.IsDefined() ? shownText(YAML::Dump(node)) : "absent";
 }
 
-std::optional<SceneDifference> differenceOf(const std::string& key, const YAML::Node& saved,
-                                            const YAML::Node& present)
+/// The first key in which a scene differs from a saved one, and both values, in words; empty if none does.
+/// @param key dotted, such as species.0.radius
+std::string differenceOf(const std::string& key, const YAML::Node& saved, const YAML::Node& present)
 {
-  const auto of_part = [&](const auto& part, const std::string& name)
-  { return differenceOf(key.empty() ? name : key + '.' + name, saved[part], present[part]); };
-  if (!saved.IsDefined() || !present.IsDefined())
-    return SceneDifference{key, shownValue(saved), shownValue(present)};
-  if (saved.IsMap() && present.IsMap())
+  std::string found;
+  const auto compare = [&](const auto& part, const std::string& name)
   {
+    if (found.empty())
+      found = differenceOf(key.empty() ? name : key + '.' + name, saved[part], present[part]);
+  };
+  const bool comparable = saved.IsDefined() && present.IsDefined() && saved.Type() == present.Type();
+  if (!comparable || saved.Scalar() != present.Scalar())
+    return "its " + key + " is " + shownValue(saved) + ", but this scene's is " + shownValue(present);
+  if (saved.IsMap())
     for (const YAML::Node& map : {saved, present})
       for (const auto& item : map)
-        if (auto found = of_part(item.first.Scalar(), item.first.Scalar()))
-          return found;
-    return std::nullopt;
-  }
-  if (saved.IsSequence() && present.IsSequence())
-  {
+        compare(item.first.Scalar(), item.first.Scalar());
+  if (saved.IsSequence())
     for (std::size_t k = 0; k < std::max(saved.size(), present.size()); ++k)
-      if (auto found = of_part(k, std::to_string(k)))
-        return found;
-    return std::nullopt;
-  }
-  if (saved.Type() == present.Type() && saved.Scalar() == present.Scalar())
-    return std::nullopt;
-  return SceneDifference{key, shownValue(saved), shownValue(present)};
+      compare(k, std::to_string(k));
+  return found;
 }
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason)
@@ -147,10 +134,10 @@ void requireSame(const Json& saved, const Json& wanted)
                        ", but this program's is " + wanted.at(key).dump());
   if (saved.at("scene") == wanted.at("scene"))
     return;
-  if (const auto different = differenceOf("", copyableYaml(saved.at("scene"), "the saved scene"),
-                                          copyableYaml(wanted.at("scene"), "this scene")))
-    throw StateError("its " + different->key + " is " + different->saved + ", but this scene's is " +
-                     different->present);
+  const std::string different = differenceOf("", copyableYaml(saved.at("scene"), "the saved scene"),
+                                             copyableYaml(wanted.at("scene"), "this scene"));
+  if (!different.empty())
+    throw StateError(different);
 }
 
 std::string saveRun(const Simulation& simulation, Json header)

@@ -75,10 +75,8 @@ Json pairResults(const Simulation& simulation)
 
 Json estimateOrNull(const std::optional<Estimate>& estimate)
 {
-  Json json;
-  json["value"] = estimate ? Json(estimate->value) : Json(nullptr);
-  json["half_width"] = estimate ? Json(estimate->half_width) : Json(nullptr);
-  return json;
+  return {{"value", estimate ? Json(estimate->value) : Json(nullptr)},
+          {"half_width", estimate ? Json(estimate->half_width) : Json(nullptr)}};
 }
 
 Json certaintyParts(const Simulation& simulation)
@@ -130,16 +128,14 @@ Json observedResults(const Observed& observed)
 
 Json planParts(const Plan& plan)
 {
-  Json json;
-  json["pairs"] = plan.pairs;
-  json["steps"] = plan.steps;
-  json["spin"] = plan.spin;
-  json["drive"] = plan.drive;
-  json["orbit"] = plan.orbit;
-  json["contact_times"] = plan.contact_times;
-  json["search_above_band"] = plan.search_above_band;
-  json["simd"] = plan.simd;
-  return json;
+  return {{"pairs", plan.pairs},
+          {"steps", plan.steps},
+          {"spin", plan.spin},
+          {"drive", plan.drive},
+          {"orbit", plan.orbit},
+          {"contact_times", plan.contact_times},
+          {"search_above_band", plan.search_above_band},
+          {"simd", plan.simd}};
 }
 
 void addSeparation(Json& json, const std::vector<SpeciesBins>& bins)
@@ -179,10 +175,7 @@ Json collisionCounts(const CollisionCounts& counts)
 
 Json contactsByFace(const FaceContacts& contacts)
 {
-  Json json;
-  json["faces"] = contacts.face_contacts;
-  json["corners"] = contacts.corner_contacts;
-  return json;
+  return {{"faces", contacts.face_contacts}, {"corners", contacts.corner_contacts}};
 }
 
 Json numberOrNull(const std::optional<double>& value)

@@ -1,5 +1,3 @@
-#include "feed_file.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

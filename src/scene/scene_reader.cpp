@@ -4,7 +4,6 @@
 #include <set>
 #include <utility>
 
-#include "feed_file.h"
 #include "ratchet_sieve/scene/entry.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/scene/shown_text.h"

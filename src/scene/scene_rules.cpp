@@ -13,12 +13,6 @@ namespace ratchet_sieve
 namespace
 {
 
-double sumOfShares(const SceneDefinition& scene)
-{
-  return std::accumulate(scene.species.begin(), scene.species.end(), 0.0,
-                         [](double sum, const SpeciesDefinition& species) { return sum + species.share; });
-}
-
 /// Warns of counts that are ignored, except for counts of 0 where none are poured: a scene that was read and
 /// written out again has those.
 void warnOfCounts(const Entry& root, const std::string& winner, bool none_poured, Scene& scene)
@@ -61,7 +55,9 @@ void settleWithinDuration(const Entry& root, const SceneDefinition& scene)
 
 void feedHasSpecies(const Entry& root, const SceneDefinition& scene)
 {
-  if (scene.feed.rate > 0.0 && sumOfShares(scene) <= 0.0)
+  const bool none_fed = std::none_of(scene.species.begin(), scene.species.end(),
+                                     [](const SpeciesDefinition& species) { return species.share > 0.0; });
+  if (scene.feed.rate > 0.0 && none_fed)
     root.at("feed").at("rate").refuseValue("needs a species with a share above 0");
 }
 

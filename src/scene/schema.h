@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <string>
 #include <variant>
@@ -132,6 +133,12 @@ void writeValues(const Keys<Part>& keys, Part part, Write&& write)
     if (key.presence != Presence::ADDED || valueText(key, part) != valueText(key, plain))
       write(key.name, valueText(key, part));
 }
+
+/// Visits each row of feed.file, those of feed.side alone if it is given. A row is a map whose errors name
+/// file and line.
+/// @param columns that the rows have @throws SceneError
+void forEachRow(const Entry& feed, const std::set<std::string>& columns,
+                const std::function<void(const Entry&)>& visit);
 
 /// Of a ball of a radius [m] [m^3].
 double ballVolume(double radius);

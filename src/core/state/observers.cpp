@@ -12,15 +12,23 @@ namespace ratchet_sieve
 {
 namespace
 {
-/// Tells a caller of each collision.
-class CollisionReport final : public Observer
+/// Tells a caller of some of what happens.
+template <typename Caller>
+class Report : public Observer
 {
 public:
-  CollisionReport(const SystemState& system, CollisionObserver observer)
-      : system_(system), observer_(std::move(observer))
-  {
-  }
+  Report(const SystemState& system, Caller observer) : system_(system), observer_(std::move(observer)) {}
 
+protected:
+  const SystemState& system_;
+  Caller observer_;
+};
+
+/// Tells a caller of each collision.
+class CollisionReport final : public Report<CollisionObserver>
+{
+public:
+  using Report::Report;
   unsigned subscriptions() const override { return CONTACTS; }
   void collided(const ContactOutcome& outcome) override
   {
@@ -35,21 +43,13 @@ public:
     record.tangential_impulse = outcome.tangential_impulse;
     observer_(record);
   }
-
-private:
-  const SystemState& system_;
-  CollisionObserver observer_;
 };
 
 /// Tells a caller of each disk that leaves.
-class ExitReport final : public Observer
+class ExitReport final : public Report<ExitObserver>
 {
 public:
-  ExitReport(const SystemState& system, ExitObserver observer)
-      : system_(system), observer_(std::move(observer))
-  {
-  }
-
+  using Report::Report;
   unsigned subscriptions() const override { return DEPARTURES; }
   void left(const Departure& departure) override
   {
@@ -57,10 +57,6 @@ public:
     observer_({system_.epoch().start + departure.time, system_.id(departure.slot), departure.species,
                disk.radius, departure.mass, departure.exit, disk.position.x()});
   }
-
-private:
-  const SystemState& system_;
-  ExitObserver observer_;
 };
 }  // namespace
 
