@@ -69,15 +69,6 @@ TEST(CellGrid, SeesEveryDiskWithinReachAsAllPairsDo)
       }));
 }
 
-TEST(CellGrid, RemovedDisksAreGone)
-{
-  CellGrid grid(1.0, 1.0, 0.1, 3, false);
-  for (std::uint32_t id = 0; id < 3; ++id)
-    grid.add(id, grid.cellAt(0.5, 0.5));
-  grid.remove(1);
-  EXPECT_EQ(sightings(grid, grid.cellOf(0), {0, 0, 0, 0}), (std::set<Sighting>{{0, 0}, {2, 0}}));
-}
-
 /// One cell takes many more disks than its block can hold, and loses them in any order.
 TEST(CellGrid, FollowsASetThroughRandomComingAndGoing)
 {

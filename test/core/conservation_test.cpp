@@ -190,22 +190,5 @@ TEST(Conservation, TheBaseCarriesTheWeight)
   EXPECT_NEAR(simulation.baseImpulse().y() / (weight * 10.0), 1.0, 0.01);
 }
 
-TEST(Conservation, MirroredMachineRunsTheOtherWay)
-{
-  SceneDefinition scene = test::singleParticles(300);
-  scene.base.inclination = 0.05;
-  scene.settle = 1.0;
-  SceneDefinition mirrored = scene;
-  mirrored.base.asymmetry = 1.0 - scene.base.asymmetry;
-  mirrored.base.inclination = -scene.base.inclination;
-  Simulation one(scene), other(mirrored);
-  one.advanceTo(20.0);
-  other.advanceTo(20.0);
-  const auto a = one.means()[0];
-  const auto b = other.means()[0];
-  EXPECT_NEAR(*a.mean_vx + *b.mean_vx, 0.0, 4.0 * std::hypot(*a.mean_vx_stderr, *b.mean_vx_stderr));
-  EXPECT_GT(*a.mean_vx, 10.0 * *a.mean_vx_stderr);
-}
-
 }  // namespace
 }  // namespace ratchet_sieve

@@ -147,7 +147,7 @@ inline std::vector<SceneDefinition> variantsForSimd()
   scenes[6] = withSizes(mixture(90));
   scenes[6].contact.pair_collisions = false;
   // Disks that come to rest again and again.
-  scenes[7].species[0].count = 20;
+  scenes[7].species[0].count = 10;
   scenes[7].base.amplitude = 2e-5;
   scenes[7].contact.min_rebound_speed = 0.0;
   scenes[7].contact.collapse_events = 1000;

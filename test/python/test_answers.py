@@ -133,14 +133,6 @@ def test_the_floor_is_checked_at_the_best(answer):
     assert floor["to"] == 0.5 * floor["from"] and not floor.depends and floor.change.half_width < 0.1
 
 
-def test_seed_decides_and_threads_do_not(answer):
-    again = rs.separate(SCENE, {THETA: (0.0, 0.4)}, within=0.06, threads=1)
-    assert (again.best, again.separation) == (answer.best, answer.separation)
-    assert again.runs.drop(columns=["wall_time", "host"]).equals(answer.runs.drop(columns=["wall_time", "host"]))
-    other = rs.separate(SCENE, {THETA: (0.0, 0.4)}, within=0.06, seed=2)
-    assert other.separation.value != answer.separation.value
-
-
 def test_the_same_kinds_are_not_separated():
     found = rs.separate(changed(species=TWINS), {THETA: (0.0, 0.4)}, within=0.1)
     assert found.best is None and not found.separated and found.bound < 0.05
@@ -156,8 +148,9 @@ def test_a_closed_machine_is_judged_by_its_drifts():
     assert "m/s" in str(found)
 
 
-def test_a_goal_is_any_column():
-    found = rs.separate(SCENE, {THETA: (0.0, 0.4)}, goal="purity.left.number.B", within=0.06)
+def test_a_goal_is_any_column_and_another_seed_has_runs_of_its_own(answer):
+    found = rs.separate(SCENE, {THETA: (0.0, 0.4)}, goal="purity.left.number.B", within=0.06, seed=2)
+    assert set(found.runs.seed).isdisjoint(answer.runs.seed)
     assert found.separation.value > 0.5
     assert found.separation.value == pytest.approx(found.purity.left.number.B.value)
 
@@ -197,8 +190,8 @@ def interrupted_after(calls, monkeypatch):
     monkeypatch.setattr(Machine, "run", counted)
 
 
-def test_an_interrupt_gives_the_answer_so_far_and_the_same_call_continues(answer, monkeypatch, tmp_path):
-    call = {"over": {THETA: (0.0, 0.4)}, "within": 0.06, "results": tmp_path / "runs.db"}
+def test_an_interrupt_gives_the_answer_so_far_and_the_same_call_continues_on_any_threads(answer, monkeypatch, tmp_path):
+    call = {"over": {THETA: (0.0, 0.4)}, "within": 0.06, "results": tmp_path / "runs.db", "threads": 1}
     with monkeypatch.context() as patch:
         interrupted_after(3, patch)
         part = rs.separate(SCENE, **call)

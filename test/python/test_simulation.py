@@ -19,16 +19,6 @@ def endless(scene):
     return scene.replace({"base.teeth": 400, "species.0.count": 4000, "species.1.count": 4000})
 
 
-def test_strides_do_not_change_the_bits(layer):
-    whole, divided = rs.Simulation(layer), rs.Simulation(layer)
-    whole.advance_to(0.5)
-    for k in range(1, 31):
-        divided.advance_to(k / 60)
-        divided.disks, divided.summary
-    assert np.array_equal(whole.disks, divided.disks)
-    assert whole.events == divided.events > 0
-
-
 def test_disks_are_an_array_of_their_own(layer):
     simulation = rs.Simulation(layer)
     simulation.advance(0.1)
