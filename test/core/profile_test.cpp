@@ -322,6 +322,28 @@ TEST(Profile, MeetsTheSameCollisionsAsTheReference)
       }));
 }
 
+/// Elastic and perfectly rough, or smooth.
+TEST(Profile, KeepsTheEnergyOfElasticDisks)
+{
+  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::WALLED})
+  {
+    SceneDefinition scene = onProfile(test::mixture(30), test::castle());
+    scene.base.teeth = 5;
+    scene.base.amplitude = 0.0;
+    scene.boundary = boundary;
+    scene.contact.min_rebound_speed = 0.0;
+    for (SpeciesDefinition& species : scene.species)
+      species.contact = boundary == Boundary::WALLED ? ContactCoefficients{1.0, 0.0, -1.0}
+                                                     : ContactCoefficients{1.0, 1e9, 1.0};
+    Simulation simulation(scene);
+    const double before = simulation.energy();
+    simulation.advanceTo(2.0);
+    EXPECT_GT(simulation.collisions().total(), 5000u);
+    EXPECT_GT(simulation.collisions().level, 100u);
+    EXPECT_NEAR(simulation.energy(), before, 1e-10 * before);
+  }
+}
+
 /// Thousands of tiny faces, a spike of needle thinness, steps of a nanometre.
 TEST(Profile, MayHaveManyAndTinyFaces)
 {
