@@ -15,7 +15,7 @@ namespace
 {
 
 /// A run may go on from the checkpoint that it then replaces.
-void requireDistinctFiles(const RunArguments& arguments)
+void requireDistinctFiles(const RunArguments& arguments, const std::string& feed_file)
 {
   const std::string active = arguments.bag.empty() ? "" : arguments.bag + ".active";
   std::vector<NamedFile> outputs = {{"--summary", arguments.summary},
@@ -26,9 +26,9 @@ void requireDistinctFiles(const RunArguments& arguments)
                                     {"--html", arguments.page.path}};
   for (const std::string& path : trajectoryPaths(arguments.trajectory))
     outputs.push_back({"--trajectory", path});
-  requireDistinct({{"SCENE", arguments.scene}, {"--resume", arguments.resume}}, outputs);
+  requireDistinct({{"--resume", arguments.resume}}, outputs);
   outputs.push_back({"--checkpoint", arguments.checkpoint});
-  requireDistinct({{"SCENE", arguments.scene}}, outputs);
+  requireDistinct({{"SCENE", arguments.scene}, {"feed.file", feed_file}}, outputs);
 }
 
 }  // namespace
@@ -77,11 +77,11 @@ private:
   std::function<void()> finish_;  ///< nothing once the file is closed
 };
 
-RunOutputs::RunOutputs(const RunArguments& arguments)
+RunOutputs::RunOutputs(const RunArguments& arguments, const std::string& feed_file)
 {
   try
   {
-    requireDistinctFiles(arguments);
+    requireDistinctFiles(arguments, feed_file);
     open(arguments);
   }
   catch (const std::exception& error)

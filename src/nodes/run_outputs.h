@@ -24,7 +24,8 @@ class RunOutputs
 {
 public:
   /// @throws Refusal if a file cannot be written, or is an input or another output; nothing was written then
-  explicit RunOutputs(const RunArguments& arguments);
+  /// @param feed_file of the scene; empty: none
+  RunOutputs(const RunArguments& arguments, const std::string& feed_file);
   ~RunOutputs();
 
   void watch(Simulation& simulation, RunWatchers& watchers);

@@ -157,7 +157,7 @@ int run(const RunArguments& arguments)
   if (!pours)
     start = arguments.resume.empty() ? begin(scene.definition, arguments.scene)
                                      : resume(scene.definition, arguments.resume);
-  RunOutputs outputs(arguments);
+  RunOutputs outputs(arguments, scene.feed_file);
   requireWritable(arguments.checkpoint);
   announce(scene);
   if (pours)

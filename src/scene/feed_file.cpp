@@ -54,8 +54,8 @@ std::map<std::string, std::size_t> placesOf(const std::set<std::string>& columns
 
 }  // namespace
 
-void forEachRow(const Entry& feed, const std::set<std::string>& columns,
-                const std::function<void(const Entry&)>& visit)
+std::string forEachRow(const Entry& feed, const std::set<std::string>& columns,
+                       const std::function<void(const Entry&)>& visit)
 {
   FeedFile file;
   readValues(feed, FEED_FILE_KEYS, file);
@@ -97,6 +97,7 @@ void forEachRow(const Entry& feed, const std::set<std::string>& columns,
       feed.at("file").refuse("must have at most " + std::to_string(MOST_FED) + " rows");
     visit(row);
   }
+  return path;
 }
 
 }  // namespace ratchet_sieve

@@ -201,14 +201,15 @@ bool listsFeed(const Entry& root)
 }
 
 /// The disks of feed.disks or feed.file, in the order of time.
-void readFeedList(const Entry& root, const SpeciesIndex& index, std::vector<FedDisk>& disks)
+void readFeedList(const Entry& root, const SpeciesIndex& index, Scene& scene)
 {
   if (!listsFeed(root))
     return;
   const Entry feed = root.at("feed");
   const std::set<std::string> names = namesOf(FED_KEYS, {"species"});
+  std::vector<FedDisk>& disks = scene.definition.feed.disks;
   if (feed.has("file"))
-    forEachRow(feed, names, [&](const Entry& row) { disks.push_back(readFedDisk(row, index)); });
+    scene.feed_file = forEachRow(feed, names, [&](const Entry& row) { disks.push_back(readFedDisk(row, index)); });
   else
     for (const Entry& entry : feed.at("disks").list())
     {
@@ -265,7 +266,7 @@ Scene sceneFromYaml(const YAML::Node& node, const std::string& source)
     const SpeciesIndex index = readAllSpecies(root, count_required, scene.definition);
     readPairs(root, index, scene.definition);
     readInitial(root, index, scene.definition);
-    readFeedList(root, index, scene.definition.feed.disks);
+    readFeedList(root, index, scene);
     resolveCounts(root, scene);
     checkRules(root, scene.definition);
     for (std::string& line : implausibilities(scene.definition))

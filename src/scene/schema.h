@@ -136,9 +136,9 @@ void writeValues(const Keys<Part>& keys, Part part, Write&& write)
 
 /// Visits each row of feed.file, those of feed.side alone if it is given. A row is a map whose errors name
 /// file and line.
-/// @param columns that the rows have @throws SceneError
-void forEachRow(const Entry& feed, const std::set<std::string>& columns,
-                const std::function<void(const Entry&)>& visit);
+/// @param columns that the rows have @return the file's path @throws SceneError
+std::string forEachRow(const Entry& feed, const std::set<std::string>& columns,
+                       const std::function<void(const Entry&)>& visit);
 
 /// Of a ball of a radius [m] [m^3].
 double ballVolume(double radius);

@@ -109,6 +109,7 @@ TEST_F(SieveRun, FeedsASecondStageWithWhatLeftTheFirst)
   const Result one = run(fed + "--duration 4 --set feed.rate=200 --exits " + exits);
   ASSERT_EQ(one.status, 0) << one.errors;
   const std::string next = fed + "--seed 2 --set feed.file=" + exits + " --set feed.side=right ";
+  EXPECT_EQ(run(next + "--exits " + exits).status, 2);
   const Result two = run(next + "--duration 4 --exits " + (streams_ / "second"));
   ASSERT_EQ(two.status, 0) << two.errors;
   const Json first = Json::parse(one.output)["species"];

@@ -35,6 +35,7 @@ struct Scene
 {
   SceneDefinition definition;         ///< resolved: every count is set, a density is split up
   std::vector<std::string> warnings;  ///< ignored keys, and implausibilities()
+  std::string feed_file;              ///< its path, where feed.file was read
 };
 
 /// Reads a scene from a file.
