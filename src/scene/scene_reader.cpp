@@ -209,7 +209,8 @@ void readFeedList(const Entry& root, const SpeciesIndex& index, Scene& scene)
   const std::set<std::string> names = namesOf(FED_KEYS, {"species"});
   std::vector<FedDisk>& disks = scene.definition.feed.disks;
   if (feed.has("file"))
-    scene.feed_file = forEachRow(feed, names, [&](const Entry& row) { disks.push_back(readFedDisk(row, index)); });
+    scene.feed_file =
+        forEachRow(feed, names, [&](const Entry& row) { disks.push_back(readFedDisk(row, index)); });
   else
     for (const Entry& entry : feed.at("disks").list())
     {
