@@ -79,7 +79,8 @@ public:
   bool behind() const { return behind_; }
 
   /// A line for the log when the run falls behind, repeated at intervals while it does, and once when it
-  /// keeps up again, an interval later at least; nothing otherwise. @param asked the requested real-time factor
+  /// keeps up again, an interval later at least; nothing otherwise. @param asked the requested real-time
+  /// factor
   struct Line
   {
     bool warning = false;
