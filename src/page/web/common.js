@@ -83,6 +83,7 @@ function marked(name, colour) {
  * @param {Node} shown where the text stands: without the right to the clipboard it is selected, to be copied by hand
  */
 function copyOnClick(button, textOf, shown) {
+  const label = button.textContent;
   button.addEventListener('click', async () => {
     try {
       await navigator.clipboard.writeText(textOf());
@@ -91,6 +92,7 @@ function copyOnClick(button, textOf, shown) {
       getSelection().selectAllChildren(shown);
       button.textContent = 'Selected';
     }
+    setTimeout(() => { button.textContent = label; }, 2000);
   });
 }
 
