@@ -13,11 +13,19 @@ ratchet_sieve_packages(PYTHON engine "python3.*")
 ratchet_sieve_packages(OPTIMISE optimise ".*")
 ratchet_sieve_packages(RUNS base "(python3-|ros-(std|vis)|rosbash).*")
 ratchet_sieve_packages(BUILDS base "(catkin|ros-message|lib).*")
+ratchet_sieve_packages(LIBRARIES engine "(g..|make|lib(eigen|yaml|fmt|sqlite).*|nlohmann.*|zlib.*)")
+ratchet_sieve_packages(ROSTEST tests ".*-rostest")
 ratchet_sieve_packages(RVIZ rviz ".*")
 
 install(SCRIPT cmake/leave_engine_out.cmake)
-install(FILES LICENSE DESTINATION share/doc/ratchet-sieve COMPONENT engine RENAME copyright)
+# uPlot is in the pages of the engine's package.
+file(READ LICENSE OWN)
+file(READ src/page/web/uplot/LICENSE UPLOT)
+file(WRITE ${PROJECT_BINARY_DIR}/copyright "${OWN}\nuPlot (pages):\n\n${UPLOT}")
+install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION share/doc/ratchet-sieve COMPONENT engine)
 install(FILES LICENSE DESTINATION share/doc/ros-ratchet-sieve RENAME copyright)
+install(FILES README.md DESTINATION share/doc/ratchet-sieve COMPONENT engine)
+install(DIRECTORY docs DESTINATION share/doc/ratchet-sieve COMPONENT engine FILES_MATCHING PATTERN "*.md")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_COMPONENTS_ALL engine ros)
@@ -43,5 +51,11 @@ set(CPACK_COMPONENT_ROS_DESCRIPTION "ROS nodes and messages of ratchet-sieve
  A live vibrating-ratchet feeder with setpoints on topics, RViz, bags and their
  analysis, and the headers and libraries of the engine.")
 set(CPACK_DEBIAN_ROS_PACKAGE_DEPENDS "ratchet-sieve (= ${PROJECT_VERSION}), ${RUNS}")
-set(CPACK_DEBIAN_ROS_PACKAGE_RECOMMENDS "${BUILDS}, ${RVIZ}")
+set(CPACK_DEBIAN_ROS_PACKAGE_RECOMMENDS "${BUILDS}, ${LIBRARIES}, ${ROSTEST}")
+set(CPACK_DEBIAN_ROS_PACKAGE_SUGGESTS "${RVIZ}")
+# Python's compiled files come and go with the packages.
+foreach(package ENGINE ROS)
+  set(CPACK_DEBIAN_${package}_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/postinst ${PROJECT_SOURCE_DIR}/cmake/prerm)
+  set(CPACK_DEBIAN_${package}_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+endforeach()
 include(CPack)

@@ -16,7 +16,7 @@ std::unique_ptr<BagOutput> openBag(const std::string& path)
   if (function == nullptr)
     throw std::runtime_error(
         "--bag " + path +
-        ": bags need the ROS part (on Debian: apt install ros-ratchet-sieve): " + dlerror());
+        ": bags need the ROS part (on Debian: install ros-ratchet-sieve_*.deb): " + dlerror());
   return std::unique_ptr<BagOutput>(reinterpret_cast<OpenBagPlugin*>(function)(path.c_str()));
 #else
   throw std::runtime_error("--bag " + path + ": bags need ROS, and this build has none");
