@@ -77,14 +77,11 @@ def versions_of(outcomes):
 
 
 def about(outcomes, command):
-    """Of a run, which has one thread, the wall time is its processor time."""
     sweeps = {name: rows for outcome in outcomes for name, rows in outcome.rows.items() if rows}
     version, physics = versions_of(outcomes)
     where = origin.describe()
-    minutes = sum(rows.column("wall_time").sum() for rows in sweeps.values()) / 60.0
     return (f"By `{command}`, {where['date']}: {counted(sum(map(len, sweeps.values())), 'run')} of "
-            f"ratchet_sieve {version}, physics version {physics}, in {minutes:.0f} minutes of processor time "
-            f"({where['machine']}).")
+            f"ratchet_sieve {version}, physics version {physics} ({where['machine']}).")
 
 
 def write(path, template, outcomes, command):
