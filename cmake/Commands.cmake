@@ -3,7 +3,7 @@ find_program(HELP2MAN help2man)
 
 # ratchet_sieve_manual(COMPONENT PAGE DEPENDS COMMAND...): the page of what the command's --help prints.
 function(ratchet_sieve_manual component page depends)
-  if(NOT HELP2MAN)
+  if(NOT HELP2MAN OR RATCHET_SIEVE_SANITIZE)  # a sanitized module needs another start of Python
     return()
   endif()
   set(file ${PROJECT_BINARY_DIR}/commands/${page}.1)
