@@ -59,7 +59,7 @@ std::string forEachRow(const Entry& feed, const std::set<std::string>& columns,
 {
   FeedFile file;
   readValues(feed, FEED_FILE_KEYS, file);
-  const std::string path = pathOf(feed, file.path.text);
+  std::string path = pathOf(feed, file.path.text);
   std::error_code none;
   if (const auto why = whyUnreadable(path))
     feed.at("file").refuseValue(path == file.path.text ? *why : *why + ": " + path);
