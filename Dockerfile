@@ -1,4 +1,5 @@
-# Debian 12 with the engine, Python and ROS: docker build -t ratchet_sieve . && docker run --rm -it -v "$PWD":/root ratchet_sieve
+# Debian 12 with the engine, Python and ROS:
+# docker build -t ratchet_sieve . && docker run --rm -it -v "$PWD":/root ratchet_sieve
 FROM debian:bookworm AS build
 COPY . /ratchet_sieve
 RUN /ratchet_sieve/scripts/package /packages

@@ -73,12 +73,13 @@ def replaced(before, text):
 
 
 def hold(document, studies, update):
-    """Yields an error for each quoted figure that is none or stale; with `update` stale ones are put right. Yields one for
-    each version of the physics that is not this checkout's."""
+    """Yields an error for each quoted figure that is none or stale, and for each version of the physics that is not this
+    checkout's; with `update` stale figures are put right."""
     source = document.read_text(encoding="utf-8")
     for match in MEASURED.finditer(source):
         if match.group(1) != physics():
-            yield f"{document}:{source.count(chr(10), 0, match.start()) + 1}: physics version {match.group(1)} is not {physics()}"
+            line = source.count("\n", 0, match.start()) + 1
+            yield f"{document}:{line}: physics version {match.group(1)} is not {physics()}"
     result, end = "", 0
     for match in QUOTED.finditer(source):
         study, key = match.groups()
