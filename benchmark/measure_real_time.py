@@ -44,7 +44,8 @@ def measure(benches, rounds, methods):
 
 def main():
     parser = parser_of(__doc__, rounds=3)
-    parser.add_argument('--short', action='store_true', help='few disks and methods, one round: test only that nothing is lost')
+    parser.add_argument('--short', action='store_true',
+                        help='few disks, methods and rounds: test only that nothing is lost')
     arguments = parsed(parser, 'real-time')
     about = description(origin.describe_physics())
     teeth, spans, rounds = SHORT if arguments.short else (TEETH, SPANS, arguments.rounds)

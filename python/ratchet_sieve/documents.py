@@ -73,8 +73,8 @@ def replaced(before, text):
 
 
 def hold(document, studies, update):
-    """Yields an error for each quoted figure that is none or stale, and for each version of the physics that is not this
-    checkout's; with `update` stale figures are put right."""
+    """Yields an error for each quoted figure that is none or stale, and for each version of the physics that is not
+    this checkout's; with `update` stale figures are put right."""
     source = document.read_text(encoding="utf-8")
     for match in MEASURED.finditer(source):
         if match.group(1) != physics():

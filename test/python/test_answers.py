@@ -198,6 +198,8 @@ def test_an_interrupt_gives_the_answer_so_far_and_the_same_call_continues_on_any
     assert part.warnings[0].startswith("interrupted") and part.separation.count == 0
     whole = rs.separate(SCENE, **call)
     assert (whole.best, whole.separation) == (answer.best, answer.separation)
+    bits = [found.runs.drop(columns=["wall_time", "host"]) for found in (whole, answer)]
+    assert bits[0].equals(bits[1])
 
 
 def test_an_interrupt_before_there_is_an_answer_is_one(monkeypatch):
