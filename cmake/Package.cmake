@@ -5,11 +5,12 @@
 function(ratchet_sieve_packages list group pattern)
   file(STRINGS ${PROJECT_SOURCE_DIR}/scripts/packages.txt names REGEX "^${group} +${pattern} ")
   list(TRANSFORM names REPLACE "^[a-z]+ +([^ ]+) .*" "\\1")
-  list(FILTER names EXCLUDE REGEX "^python3(-dev)?$")
   list(JOIN names ", " names)
   set(${list} "${names}" PARENT_SCOPE)
 endfunction()
-ratchet_sieve_packages(PYTHON engine "python3.*")
+ratchet_sieve_packages(PYTHON engine "python3-(numpy|pandas|yaml)")
+# Plots and the search for the best setting. Debian's scipy needs a compiler: most of what is downloaded.
+ratchet_sieve_packages(ANSWERS engine "python3-(matplotlib|scipy)")
 ratchet_sieve_packages(OPTIMISE optimise ".*")
 ratchet_sieve_packages(RUNS base "(python3-|ros-(std|vis)|rosbash).*")
 ratchet_sieve_packages(BUILDS base "(catkin|ros-message|lib).*")
@@ -45,6 +46,7 @@ set(CPACK_COMPONENT_ENGINE_DESCRIPTION "exact simulation of a vibrating-ratchet 
 math(EXPR NEXT "${PYTHON_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_ENGINE_PACKAGE_DEPENDS
   "python3 (>= 3.${PYTHON_VERSION_MINOR}), python3 (<< 3.${NEXT}), ${PYTHON}")
+set(CPACK_DEBIAN_ENGINE_PACKAGE_RECOMMENDS "${ANSWERS}")
 set(CPACK_DEBIAN_ENGINE_PACKAGE_SUGGESTS "${OPTIMISE}")
 set(CPACK_DEBIAN_ROS_PACKAGE_NAME ros-ratchet-sieve)
 set(CPACK_COMPONENT_ROS_DESCRIPTION "ROS nodes and messages of ratchet-sieve
