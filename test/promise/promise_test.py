@@ -8,6 +8,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+import yaml
 
 import ratchet_sieve as rs
 from write_files import PROGRAMS, bag_results, output, scene_values, write
@@ -21,7 +22,8 @@ class Version:
     def __init__(self, folder):
         subprocess.run(["gzip", "-d", *folder.glob("*.gz")], check=True)
         self.folder = folder
-        self.names, self.results = (json.loads((folder / f"{name}.json").read_text()) for name in ("names", "results"))
+        self.names = yaml.safe_load((folder / "names.yaml").read_text())
+        self.results = json.loads((folder / "results.json").read_text())
 
     def __truediv__(self, name):
         return self.folder / name
@@ -35,7 +37,7 @@ def now(tmp_path_factory):
     return Version(folder)
 
 
-@pytest.fixture(params=sorted(path.parent for path in Path(__file__).parent.glob("*/names.json")),
+@pytest.fixture(params=sorted(path.parent for path in Path(__file__).parent.glob("*/names.yaml")),
                 ids=lambda folder: folder.name)
 def old(request, tmp_path):
     return Version(shutil.copytree(request.param, tmp_path / "old"))

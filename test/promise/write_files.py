@@ -22,6 +22,7 @@ from pathlib import Path
 import rosgraph
 import rospy
 import rosservice
+import yaml
 
 import ratchet_sieve as rs
 from ratchet_sieve.msg import BaseSetpoint
@@ -169,8 +170,8 @@ def write(folder):
                  "launch": {path.name: [of.get("name") for of in xml.parse(path).getroot().findall("arg")]
                             for path in (PACKAGE / "launch").glob("*.launch")},
                  "calls": calls(), "columns": columns(machine, tables)}
-    for name, value in (("names", names), ("results", results)):
-        (folder / f"{name}.json").write_text(json.dumps(value, indent=1, sort_keys=True) + "\n")
+    (folder / "names.yaml").write_text(yaml.safe_dump(names, default_flow_style=None, width=118))
+    (folder / "results.json").write_text(json.dumps(results, indent=1, sort_keys=True) + "\n")
     subprocess.run(["gzip", "-9n", folder / "sweep.db", folder / "run.checkpoint", folder / "results.json"], check=True)
 
 
