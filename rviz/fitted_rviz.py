@@ -3,16 +3,18 @@
 
 Usage: rosrun ratchet_sieve fitted_rviz.py CONFIG.rviz [RVIZ ARGUMENT...] [ROS ARGUMENT...]
 
-Waits until the sieve is drawn, then starts RViz on a copy of CONFIG.rviz in ~/.ros.
+Waits until the sieve is drawn, then starts RViz on a copy of CONFIG.rviz in ~/.ros. Starts it again if it crashes.
 
 Parameters:
   ~display  node whose ~markers and ~cloud are shown; empty: the only one (default: sieve)
   ~view     what the camera shows: the whole machine (machine), or ten teeth in the middle of the base (teeth)
             (default: machine)
+  ~fit      false: takes CONFIG.rviz as it is, at once (default: true)
 """
 
 import math
-import os
+import signal
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -32,6 +34,8 @@ ABOVE = 0.05
 TEETH = 10
 TEETH_WIDTH = 1.05   # of their picture [widths of the teeth]
 TEETH_MIDDLE = 0.35  # their height above its lower edge [its heights]
+
+STARTS = 3  # of RViz, if it crashes
 
 VIEWS = {'machine': 'Whole machine', 'teeth': 'Ten teeth in the middle'}
 
@@ -80,22 +84,42 @@ def only_display():
         time.sleep(0.1)
 
 
+def fitted(path, display, view):
+    """A copy of the configuration that shows what is drawn."""
+    config = yaml.safe_load(path.read_text())
+    rospy.loginfo('RViz opens as soon as there is a picture on %s/markers', display)
+    fit(config, rospy.wait_for_message(f'{display}/markers', MarkerArray).markers, view)
+    # Nodes with the same name may run in different namespaces.
+    copy = Path(rospkg.get_ros_home()) / (rospy.get_name().strip('/').replace('/', '_') + '.rviz')
+    copy.parent.mkdir(parents=True, exist_ok=True)
+    copy.write_text(yaml.safe_dump(config))
+    return copy
+
+
+def run(command):
+    """Runs RViz, which gets the signals of this process group. It may crash as it opens: it draws on a window that the X
+    server has not made yet. @return its exit status"""
+    received = []
+    for request in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(request, lambda number, _: received.append(number))
+    for _ in range(STARTS):
+        status = subprocess.call(command)
+        if received or status not in (-signal.SIGSEGV, -signal.SIGABRT):
+            break
+    return status
+
+
 def main():
     rospy.init_node('fitted_rviz')
     path, view = Path(sys.argv[1]), rospy.get_param('~view', 'machine')
     if view not in VIEWS:
         sys.exit(f'fitted_rviz.py: ~view = {view}: must be {" or ".join(VIEWS)}')
-    config = yaml.safe_load(path.read_text())
     display = rospy.resolve_name(rospy.get_param('~display', 'sieve') or only_display())
-    rospy.loginfo('RViz opens as soon as there is a picture on %s/markers', display)
-    fit(config, rospy.wait_for_message(f'{display}/markers', MarkerArray).markers, view)
-    # Nodes with the same name may run in different namespaces.
-    fitted = Path(rospkg.get_ros_home()) / (rospy.get_name().strip('/').replace('/', '_') + '.rviz')
-    fitted.parent.mkdir(parents=True, exist_ok=True)
-    fitted.write_text(yaml.safe_dump(config))
+    if rospy.get_param('~fit', True):
+        path = fitted(path, display, view)
     rospy.signal_shutdown('RViz takes its name')
-    os.execvp('rviz', ['rviz', '-d', fitted, *sys.argv[2:],
-                       *(f'/sieve/{topic}:={display}/{topic}' for topic in ('markers', 'cloud'))])
+    sys.exit(run(['rviz', '-d', path, *sys.argv[2:],
+                  *(f'/sieve/{topic}:={display}/{topic}' for topic in ('markers', 'cloud'))]))
 
 
 if __name__ == '__main__':

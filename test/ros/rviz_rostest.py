@@ -4,8 +4,11 @@
 Usage: rviz_rostest.py BAG [ROS ARGUMENT...]; part of rviz.test, which has started a master. BAG is a run of mixture.yaml.
 """
 
+import os
+import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -34,6 +37,13 @@ INSIDE = 3
 
 # Far more than stray pixels, less than half of the pixels of the disks of mixture.yaml.
 DISK_PIXELS = 90
+
+# An RViz that crashes when it is started for the first time.
+CRASHES_ONCE = """#!/bin/sh
+[ -e "$0.crashed" ] && exec RVIZ "$@"
+touch "$0.crashed"
+kill -SEGV $$
+"""
 
 # Half the window: RViz has started and drawn.
 DRAWN_PIXELS = 400000
@@ -85,9 +95,16 @@ class Rviz(unittest.TestCase):
             return True
         return goes_on
 
-    def test_shows_no_disks_without_a_sieve(self):
+    def test_shows_no_disks_without_a_sieve_and_starts_again_after_a_crash(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        rviz = Path(directory.name) / 'rviz'
+        rviz.write_text(CRASHES_ONCE.replace('RVIZ', shutil.which('rviz')))
+        rviz.chmod(0o755)
+        self.screen.environment['PATH'] = f'{directory.name}:{os.environ["PATH"]}'
         goes_on = self.start(['roslaunch', 'ratchet_sieve', 'rviz.launch', f'config:={PACKAGE}/rviz/sieve.rviz'])
         wait_for(lambda: goes_on() and count_background(self.screen.pixels()) > DRAWN_PIXELS, 'RViz draws')
+        self.assertTrue(rviz.with_suffix('.crashed').exists())
         self.assertEqual(disk_pixels(self.screen.pixels()), [0, 0])
 
     def test_shows_a_sieve_in_a_namespace_and_elsewhere(self):
