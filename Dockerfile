@@ -6,7 +6,7 @@ RUN /ratchet_sieve/scripts/package /packages
 
 FROM debian:bookworm-slim
 COPY --from=build /packages /packages
-RUN apt-get update && apt-get install -y --no-install-recommends /packages/*.deb && rm -rf /var/lib/apt/lists/*
+RUN apt-get update && apt-get install -y --no-install-recommends /packages/*.deb python3-matplotlib python3-scipy && rm -rf /var/lib/apt/lists/*
 ENV ROS_HOSTNAME=localhost
 WORKDIR /root
 CMD ["bash"]
