@@ -2,7 +2,7 @@
 from ratchet_sieve import plots
 from ratchet_sieve.tables import joined
 from ratchet_sieve.texts import table
-from curves import turns_of
+from curves import TURNS, turns_of
 from paper import parting
 from paper.fig7 import F, THETA, draw_kinds, more_moved, velocities, velocity_lines
 from paper.parting import ANGLES
@@ -91,14 +91,14 @@ def claims(numbers):
 
 
 def turn_lines(numbers):
-    return csv_lines(("f_hz",), ("theta_b_reverses", "theta_a_reverses", "interval_rad"), {
-        f: [turn[part] for part in ("B", "A", "window")] for f, turn in sorted(numbers["turns"].items())})
+    return csv_lines(("f_hz",), TURNS.values(), {
+        f: [turn[part] for part in TURNS] for f, turn in sorted(numbers["turns"].items())})
 
 
 def text(numbers):
     """The headline: where the kinds go opposite ways."""
     turns = sorted(numbers["turns"].items())
-    lines = [[f"{f:g} Hz", *(told(turn[part]) for part in ("B", "A", "window"))] for f, turn in turns
+    lines = [[f"{f:g} Hz", *(told(turn[part]) for part in TURNS)] for f, turn in turns
              if f in (turns[0][0], SHOWN, turns[-1][0])]
     return ("A goes to the right and B to the left between the angle at which B reverses and that at which A does (by "
             "a parabola through the means nearest to it; errors by leaving out one seed):\n\n"

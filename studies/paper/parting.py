@@ -1,7 +1,7 @@
 """Which way both kinds of Fig. 8's mixture go, and where they part as the paper's do. Addition A1: the window of
 inclinations in which they do, over the density."""
 from ratchet_sieve import plots
-from curves import turns_of
+from curves import TURNS, turns_of
 from study import Picture, Study, Sweep, csv_lines, told, ways
 import verdicts
 
@@ -111,9 +111,7 @@ def claims(part):
 
 
 def turn_lines(part):
-    fields = ("theta_b_reverses", "theta_a_reverses", "interval_rad")
-    return csv_lines(("d",), fields, {d: [turn[kind] for kind in ("B", "A", "window")]
-                                      for d, turn in part["turns"].items()})
+    return csv_lines(("d",), TURNS.values(), {d: [turn[kind] for kind in TURNS] for d, turn in part["turns"].items()})
 
 
 def text(part):

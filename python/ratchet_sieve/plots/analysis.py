@@ -32,9 +32,7 @@ def plot_segregation(axes, segregation):
     if any_defined(quality) or any_defined(processed):
         axes.step(time, quality, where='post', color='black', label='quality $Q$')
         axes.step(time, processed, where='post', color=COLOURS[2], label='processed $P$')
-        beside(axes)
-    else:
-        say_undefined(axes, 'undefined: no disk was counted')
+    beside(axes, 'undefined: no disk was counted')
     axes.set_ylim(-0.02, 1.05)
     describe(axes, 'Segregation', 'ratio')
 
@@ -81,10 +79,8 @@ def plot_contacts(axes, contacts):
             axes.plot(end[windows], rates, color=colour, linewidth=1.0, label=label)
     if axes.lines:
         scale_by_decades(axes)
-    else:
-        say_undefined(axes, 'no contact was recorded')
     describe(axes, 'Contacts', 'contacts [1/s]')
-    beside(axes)
+    beside(axes, 'no contact was recorded')
 
 
 def draw_result(directory):
@@ -130,10 +126,7 @@ def draw_displacements(directory):
         row.axvline(0.0, color=GREY, linewidth=0.8)
         row.set_ylim(bottom=0.0)
         describe(row, f'Species {species}', 'density [1/mm]')
-        if row.get_legend_handles_labels()[0]:
-            beside(row, title='after (disks)')
-        else:
-            say_undefined(row, 'too few disks in the machine')
+        beside(row, 'too few disks in the machine', title='after (disks)')
     if not names:
         say_undefined(axes[0, 0], 'no disk was recorded in the machine')
     axes[-1, 0].set_xlabel('displacement of the disks in the machine, since each entered [mm]')

@@ -37,9 +37,7 @@ def draw_residence_times(directory):
     if axes.lines:
         axes.set_xscale('log')
         axes.xaxis.set_major_formatter('{x:g}')
-        beside(axes, title='species, bin (disks)')
-    else:
-        say_undefined(axes, 'too few disks left')
+    beside(axes, 'too few disks left', title='species, bin (disks)')
     axes.set_ylim(bottom=0.0)
     describe(axes, 'Residence times of the disks that left', r'density over $\ln t$', 'time in the machine [s]')
     return figure
@@ -60,10 +58,7 @@ def draw_mass_flow(directory):
         blocks = len(part) // together
         flow = np.reshape(part.numbers('flow', G)[:blocks * together], (blocks, together)).mean(axis=1)
         axes.plot(part.numbers('time')[together - 1::together], flow, color=colour, linestyle=line, label=label)
-    if axes.lines:
-        beside(axes)
-    else:
-        say_undefined(axes, 'no disk can have left')
+    beside(axes, 'no disk can have left')
     axes.set_ylim(bottom=0.0)
     describe(axes, 'Mass flow into the bins', 'mass per time [g/s]', 'time [s]')
     return figure

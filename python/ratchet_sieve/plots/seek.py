@@ -5,7 +5,7 @@ from matplotlib.ticker import MaxNLocator
 
 from ratchet_sieve.plots.analysis import plot_drive
 from ratchet_sieve.plots.program import parser_of, run_of, run_program, write
-from ratchet_sieve.plots.style import COLOURS, GREY, any_defined, beside, panels, say_undefined
+from ratchet_sieve.plots.style import COLOURS, GREY, any_defined, beside, panels
 from ratchet_sieve.tables import Table
 
 
@@ -43,9 +43,7 @@ def draw(directory, window, best):
     if any_defined(quality):
         draw_best(axes[1], best, 3)
         axes[1].plot(times, quality, color='black', linewidth=1.0, label='$Q$')
-        beside(axes[1])
-    else:
-        say_undefined(axes[1], 'undefined: too few disks left')
+    beside(axes[1], 'undefined: too few disks left')
     axes[1].set_ylim(-0.02, None)
     axes[1].set_ylabel('$Q$')
     axes[1].set_title(f'Quality of what left within the last {window:g} s', loc='left')
