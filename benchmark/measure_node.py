@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Measures what the live node, the recording and the start of the programs cost beside the engine. Prints figures: the
-rate of each case, in per cent of that of sieve_run without a bag, by the best rounds of both, which other load disturbed
-least; how many times as long a recorded run of single disks takes; the time of a start [ms]. Exit status 1 if a message
-was lost. Needs ROS on the path, but no master: it starts its own.
+rate of each case, in per cent of that of sieve_run without a bag, by the best rounds of both, which other load
+disturbed least; how many times as long a recorded run of single disks takes; the time of a start [ms]. Exit status 1 if
+a message was lost. Needs ROS on the path, but no master: it starts its own.
 """
 import json
 import pathlib

@@ -62,12 +62,8 @@ TEXT = ("A disk that starts near the end to which the other kind goes may leave 
         "the whole base; on a fifth of it (`pour.from`, `pour.to`) the heap is five times as deep.")
 
 
-def best_lines(numbers):
-    return csv_lines(("from_m", "to_m", "best_theta_rad"), ("q",), {
-        (*place, best.at): best.mean for place, best in numbers["best"].items()})
-
-
 STUDY = Study("chute", "Fig. 9's mixture poured by a chute", (Sweep("paper_fig9_chute"),), evaluate,
               (Picture("chute", "Quality Q over the inclination for several intervals of the pour, 100 teeth, d = 1; "
                        "bars: standard errors over the seeds", draw, size=(6.4, 3.8)),), claims, lambda numbers: TEXT,
-              tables=lambda numbers: {"chute": best_lines(numbers)})
+              tables=lambda numbers: {"chute": csv_lines(("from_m", "to_m", "best_theta_rad"), ("q",), {
+                  (*place, best.at): best.mean for place, best in numbers["best"].items()})})

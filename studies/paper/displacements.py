@@ -32,8 +32,7 @@ def draw(axes, samples):
 
 
 def pairs(samples):
-    times = list(samples)
-    return zip(times, times[1:])
+    return zip(samples, list(samples)[1:])
 
 
 def further(samples, sign):
@@ -86,7 +85,7 @@ def claims(numbers):
 STUDY = Study("displacements", "Figs. 3 and 4: displacements of single disks",
               tuple(Sweep(f"paper_{name}", {TIME: (2.0, 10.0)}) for name in FIGURES), evaluate,
               tuple(Picture(name, f"Displacements at θ = {theta:g}; each disk a run of its own, bars: standard errors "
-                            "of the counts", lambda axes, numbers, name=name: draw(axes, numbers[name]), (f"paper_{name}",),
-                            (6.4, 3.8))
+                            "of the counts", lambda axes, numbers, name=name: draw(axes, numbers[name]),
+                            (f"paper_{name}",), (6.4, 3.8))
                     for name, theta in FIGURES.items()), claims,
-              tables=lambda numbers: {name: time_lines(numbers[name]) for name in FIGURES})
+              tables=lambda numbers: {name: time_lines(samples) for name, samples in numbers.items()})

@@ -70,5 +70,6 @@ TEXT = ("Disks that start near the wrong end leave there, and their share falls 
 
 STUDY = Study("length", "The length of the base", fig9.SWEEPS, evaluate,
               (Picture("length", "Q at the best inclination over one through the length of the base, and straight "
-                       "lines; bars: standard errors over the seeds", draw, size=(6.4, 3.8)),), claims, lambda numbers: TEXT,
+                       "lines; bars: standard errors over the seeds", draw, size=(6.4, 3.8)),), claims,
+              lambda numbers: TEXT,
               tables=lambda numbers: {"length": fit_lines(numbers)})

@@ -117,11 +117,6 @@ def claims(numbers):
                                          "the same", places(fresh, cut)) for name, cut in CUTS.items())))]
 
 
-def velocity_lines(numbers):
-    return csv_lines(("e", "gamma", "h_over_w"), ("mean_vx_m_per_s",), {
-        (e, *place): mean for e, means in numbers["map"].items() for place, mean in means.items()})
-
-
 STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others 2004)",
               (Sweep("validation_bae"), Sweep("validation_bae_fresh")), evaluate,
               (Picture("bae_regimes", "Which way single grains go, over the strength of the shaking and the roughness "
@@ -130,4 +125,5 @@ STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others
                Picture("bae_current", "Mean velocity of single grains over the strength of the shaking, "
                        f"e = {SLICE:g}, a = 0.3; bars: standard errors over the seeds", draw_curves,
                        ("validation_bae",), (6.4, 4.0))),
-              claims, tables=lambda numbers: {"bae": velocity_lines(numbers)})
+              claims, tables=lambda numbers: {"bae": csv_lines(("e", "gamma", "h_over_w"), ("mean_vx_m_per_s",), {
+                  (e, *place): mean for e, means in numbers["map"].items() for place, mean in means.items()})})

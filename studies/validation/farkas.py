@@ -138,10 +138,6 @@ def drift_lines(numbers):
     return csv_lines(("teeth", "d", "column", "curve", "theta_rad"), (*WAYS, "b_less_a_m_per_s"), cells)
 
 
-def quality_lines(numbers):
-    return csv_lines(("theta_rad",), ("q", "p"), numbers["quality"])
-
-
 def text(numbers):
     """Where the kinds go opposite ways in the search."""
     found = [f"{len(opposed_at(means))} of {len(means)} on {ratchet.about}"
@@ -165,7 +161,9 @@ def study(number, word, names, scene):
                  (*(Sweep(sweep + ratchet.suffix) for ratchet in RATCHETS), Sweep(f"{sweep}_open"),
                   Sweep(f"{sweep}_fresh")), evaluator(sweep),
                  (*(picture(name, word, names, ratchet) for ratchet in RATCHETS[::-1]), quality), claimer(number, word),
-                 text, tables=lambda numbers: {name: drift_lines(numbers), f"{name}_quality": quality_lines(numbers)})
+                 text, tables=lambda numbers: {
+                     name: drift_lines(numbers),
+                     f"{name}_quality": csv_lines(("theta_rad",), ("q", "p"), numbers["quality"])})
 
 
 RESTITUTION = study("1", "restitution", ("A: e = 0.4", "B: e = 0.8"),

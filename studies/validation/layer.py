@@ -84,6 +84,7 @@ STUDY = Study("layer", "A layer over its thickness (Derényi and others 1998)",
               (Picture("layer", "Mean velocity of a layer of one kind over its thickness, on steep teeth (w = 6 mm, "
                        "h = 5 mm, a = 0.3); bars: standard errors over the seeds", draw, ("validation_layer",)),
                Picture("layer_onset", "Mean velocity of a thin and of a thick layer over the frequency, on the same "
-                       "teeth; bars: standard errors over the seeds", draw_onset, ("validation_layer_onset",), (6.4, 3.8))), claims,
+                       "teeth; bars: standard errors over the seeds", draw_onset, ("validation_layer_onset",),
+                       (6.4, 3.8))), claims,
               tables=lambda numbers: {name: csv_lines(("e", "f_hz", "d"), ("mean_vx_m_per_s",), numbers[key])
                                       for name, key in (("layer", "means"), ("layer_onset", "onset"))})

@@ -104,7 +104,7 @@ def draw_result(directory):
 
 def disks_can_leave(directory):
     bins = Table(directory / 'bins.csv')
-    return run_of(directory).texts('open_ends').iloc[0] == '1' or any(bins.numbers('left') + bins.numbers('right') > 0.0)
+    return run_of(directory).texts('open_ends').iloc[0] == '1' or any(bins.numbers('left') + bins.numbers('right'))
 
 
 def draw_displacements(directory):

@@ -10,8 +10,8 @@ from ratchet_sieve.tables import Table
 
 
 def windowed_quality(bins, window):
-    """Q, eq. (2) of the paper, of the first two species' disks that left within the last `window` seconds; nan where none
-    of one did. @return times and Q"""
+    """Q, eq. (2) of the paper, of the first two species' disks that left within the last `window` seconds; nan where
+    none of one did. @return times and Q"""
     species = [bins.where('species', name) for name in bins.values('species')[:2]]
     if len(species) < 2:
         return [], []
