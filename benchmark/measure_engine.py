@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Measures the engine: collisions per second of processor time of layers of many sizes and of
-single disks, and the memory of a disk. Prints a Markdown table.
+single disks, and the memory of a disk. Prints figures.
 """
 import json
 import math
@@ -11,7 +11,6 @@ import subprocess
 import tempfile
 
 from ratchet_sieve import origin
-from ratchet_sieve.texts import table
 from report import parsed, parser_of, quote
 
 LARGE = 38168  # teeth: a million disks
@@ -72,56 +71,38 @@ def bytes_per_disk(sieve_run, teeth, threads):
     return usage.ru_maxrss * 1024 / (2 * count)
 
 
-def rows(best, times_of, two_jobs, memory, memory_of_two):
-    """@return of each row its key in performance.json, what it is, measured"""
+def figures(best, times_of, two_jobs):
+    """Those of performance.json that the benchmarks tell."""
     def millions(name):
         return f'{best[name] / 1e6:.2f} M'
 
-    def times(name, other):
+    def ratio(name, other):
         return f'{best[name] / best[other]:.2f}'
 
-    def turning(teeth):
-        turns, rests = (times_of[f'slewing/{teeth}/{turns}/iterations:6'] for turns in (1, 0))
-        return f'{turns / rests:.2f}'
-
-    yield 'fig8.collisions', 'Fig. 8, 524 disks, θ = 0: collisions per second', millions('mixture/20')
-    yield 'disks_1e4.collisions', 'the same layer with 10⁴ disks', millions('mixture/382')
-    yield 'disks_1e5.collisions', 'with 10⁵ disks', millions('mixture/3817')
-    yield ('size_cost', 'cost of a collision among 10⁵ disks, over that among 10³',
-           times('mixture/38', 'mixture/3817'))
-    for teeth, name in ((20, 'fig8'), (382, 'disks_1e4'), (3817, 'disks_1e5')):
-        yield (f'two_jobs.{name}', f'two jobs at once, one a core, over a lone job: {teeth} teeth',
-               f'{two_jobs[f"mixture/{teeth}"]:.2f}')
+    layers = {20: 'fig8', 382: 'disks_1e4', 3817: 'disks_1e5'}  # teeth and name
+    known = {f'{name}.collisions': millions(f'mixture/{teeth}') for teeth, name in layers.items()}
+    known['size_cost'] = ratio('mixture/38', 'mixture/3817')  # of a collision among 10^5 disks, over that among 10^3
+    known.update({f'two_jobs.{name}': f'{two_jobs[f"mixture/{teeth}"]:.2f}' for teeth, name in layers.items()})
     for teeth in (20, 382):
-        yield (f'slewing.{teeth}', f'a periodic base of {teeth} teeth that turns at 0.1 rad/s, over one at rest: '
-               'processor time', turning(teeth))
-    for times_as_large in (5, 10, 25, 50):
-        yield (f'wide.{times_as_large}', f'one disk {times_as_large} times as large among 2000: cost of a collision, '
-               'over that of equal disks', times('wideSizes/1', f'wideSizes/{times_as_large}'))
-    for percent in (25, 50):
-        yield (f'lognormal.{percent}', f'2000 disks of lognormal radii, σ = {percent / 100:g}: the same',
-               times('wideSizes/1', f'lognormalSizes/{percent}'))
-    yield 'bytes_per_disk', '10⁶ disks, one thread: bytes a disk, everything included', f'{memory:.0f}'
-    yield 'bytes_per_disk_two_threads', 'the same, two threads', f'{memory_of_two:.0f}'
-    yield ('single.collisions', 'single disks (Fig. 3): collisions per second, as many lanes as there are',
-           millions('singleParticles'))
-    for lanes in (2, 4, 8):
-        if f'singleParticlesInLanes/{lanes}' in best:
-            yield (f'single.lanes_{lanes}', f'in {lanes} lanes, in long steps',
-                   millions(f'singleParticlesInLanes/{lanes}'))
-    yield ('single.two_threads', '10⁴ single disks: two threads over one, wall time',
-           times('singleParticlesOnThreads/2', 'singleParticlesOnThreads/1'))
+        turns, rests = (times_of[f'slewing/{teeth}/{turns}/iterations:6'] for turns in (1, 0))
+        known[f'slewing.{teeth}'] = f'{turns / rests:.2f}'
+    known.update({f'wide.{times}': ratio('wideSizes/1', f'wideSizes/{times}') for times in (5, 10, 25, 50)})
+    known.update({f'lognormal.{percent}': ratio('wideSizes/1', f'lognormalSizes/{percent}') for percent in (25, 50)})
+    known['single.collisions'] = millions('singleParticles')
+    known.update({f'single.lanes_{lanes}': millions(f'singleParticlesInLanes/{lanes}') for lanes in (2, 4, 8)
+                  if f'singleParticlesInLanes/{lanes}' in best})
+    known['single.two_threads'] = ratio('singleParticlesOnThreads/2', 'singleParticlesOnThreads/1')
+    return known
 
 
 def main():
     arguments = parsed(parser_of(__doc__, rounds=5))
-    memory = [bytes_per_disk(arguments.programs / 'sieve_run', LARGE, threads) for threads in (1, 2)]
+    memory = {f'bytes_per_disk{name}': f'{bytes_per_disk(arguments.programs / "sieve_run", LARGE, threads):.0f}'
+              for threads, name in ((1, ''), (2, '_two_threads'))}
     program = arguments.programs / 'engine_benchmark'
     two_jobs = two_over_one(program, arguments.rounds)
-    about, found = origin.describe_physics(), list(rows(*collisions(program, arguments.rounds), two_jobs, *memory))
-    print(f'{origin.text(about)}; the best of {arguments.rounds} rounds.',
-          table(['', 'measured'], [row[1:] for row in found]), sep='\n\n')
-    quote(arguments, 'engine', {key: measured for key, _, measured in found}, about)
+    about = origin.describe_physics()
+    quote(arguments, 'engine', {**figures(*collisions(program, arguments.rounds), two_jobs), **memory}, about)
 
 
 if __name__ == '__main__':

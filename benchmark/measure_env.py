@@ -4,10 +4,8 @@ Each round measures all in turn. The results are medians of the ratios within a 
 changes from round to round. Of a machine that others use, only the ratios of processor time say something, and that of
 the wall time of many sieves over that of as many engines without an environment.
 """
-import argparse
 import concurrent.futures
 import os
-import pathlib
 import statistics
 import time
 
@@ -16,7 +14,7 @@ import numpy as np
 import ratchet_sieve as rs
 from ratchet_sieve import origin, places
 from ratchet_sieve.texts import table
-from report import parsed, publish
+from report import parsed, parser_of, publish
 
 STEP = 1.0   # [s]
 BEGIN = 5.0  # until the feed has filled the base [s]
@@ -52,13 +50,10 @@ def rate_of_env(env, actions, seconds):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = parser_of(__doc__, rounds=9)
     parser.add_argument("--sieves", type=int, default=32)
     parser.add_argument("--threads", type=int, default=os.cpu_count())
-    parser.add_argument("--rounds", type=int, default=9)
     parser.add_argument("--seconds", type=float, default=20.0, help="simulated by each sieve in a round (default: 20)")
-    parser.add_argument("--write", type=pathlib.Path, metavar="FILE",
-                        help="put the table between the marks of this document")
     arguments = parsed(parser, "env")
     scene, seconds = rs.Scene.load(places.SHARE / "config/seek.yaml"), arguments.seconds
     settings = {"episode": BEGIN + seconds + 1.0, "step": STEP}

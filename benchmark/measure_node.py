@@ -1,11 +1,10 @@
 #!/usr/bin/python3
-"""Measures what the live node, the recording and the start of the programs cost beside the engine, and prints a table.
-Each is a ratio to sieve_run without a bag in the same round, so that other load on the machine counts for both. Exit
-status 1 if a message was lost. Needs ROS on the path, but no master: it starts its own.
+"""Measures what the live node, the recording and the start of the programs cost beside the engine. Prints figures: the
+rate of each case, in per cent of that of sieve_run without a bag, by the best rounds of both, which other load
+disturbed least; how many times as long a recorded run of single disks takes; the time of a start [ms]. Exit status 1 if
+a message was lost. Needs ROS on the path, but no master: it starts its own.
 """
-import dataclasses
 import json
-import os
 import pathlib
 import statistics
 import sys
@@ -16,23 +15,15 @@ import yaml
 
 import ros_processes
 from ratchet_sieve import origin
-from ratchet_sieve.texts import table
 from report import ROOT, parsed, parser_of, quote
 
 RATE = 60  # frames of each kind per simulated second, the node's default
 STATISTICS_RATE = 10
 
-BAG = '`sieve_run --bag`'
-IDLE = '`sieve_node`, nobody subscribed'
-SUBSCRIBED = '`sieve_node`, one subscriber to `~particles`'
-EVERYTHING = '`sieve_node`, one to each of its topics, those for RViz too'
-RECORD = '`sieve_node` with `~record`'
-
 FOR_PROGRAMS = ['particles', 'bins', 'base', 'statistics']
 FOR_EYES = ['markers', 'cloud']
-LISTENED = {IDLE: [], SUBSCRIBED: ['particles'], EVERYTHING: FOR_PROGRAMS + FOR_EYES, RECORD: []}
-KEYS = ('bag', 'nobody', 'particles', 'all', 'record')  # of those cases in performance.json ...
-SIZES = ('large', 'fig8')  # ... and of the sizes
+# Of each case of the node in performance.json, its listeners.
+LISTENED = {'nobody': [], 'particles': ['particles'], 'all': FOR_PROGRAMS + FOR_EYES, 'record': []}
 
 
 def mixture(teeth, duration, **keys):
@@ -88,54 +79,35 @@ class Bench:
         return finished, lost + (self.lost_in_bag() if records else 0)
 
     def round(self):
-        """@return the wall time of sieve_run, and each case beside it"""
+        """@return of each case the wall times of sieve_run and of the case [s], and how many messages were lost"""
         command = [self.programs / 'sieve_run', self.scene_file]
         with_start = ros_processes.run(command)
-        alone = dataclasses.replace(with_start, wall=json.loads(with_start.output)['wall_time'])
-        compared = {BAG: Compared(with_start, ros_processes.run([*command, '--bag', self.bag]), self.lost_in_bag())}
+        alone = json.loads(with_start.output)['wall_time']
+        cases = {'bag': (with_start.wall, ros_processes.run([*command, '--bag', self.bag]).wall, self.lost_in_bag())}
         for case, topics in LISTENED.items():
-            compared[case] = Compared(alone, *self.node(topics, case == RECORD))
-        return alone.wall, compared
-
-
-@dataclasses.dataclass
-class Compared:
-    """A case beside sieve_run of the same round."""
-    headless: ros_processes.Finished
-    other: ros_processes.Finished
-    lost: int  # messages
-
-
-def rates(cases):
-    """Simulated over wall time, relative to sieve_run: of the best rounds of both, which other load disturbed least,
-    and the median and range of all rounds."""
-    best = min(one.headless.wall for one in cases) / min(one.other.wall for one in cases)
-    return f'{100 * best:.1f}', percent([one.headless.wall / one.other.wall for one in cases])
+            finished, lost = self.node(topics, case == 'record')
+            cases[case] = alone, finished.wall, lost
+        return cases
 
 
 def measure_start(programs, scratch, repetitions):
-    """Wall time from exec to exit [ms], medians over interleaved starts: sieve_run on ten disks, /bin/true."""
+    """Wall time of sieve_run on ten disks from exec to exit [ms], the median."""
     scene = scratch / 'ten.yaml'
     ten = mixture(2, 0.001)
     del ten['density']
     for species in ten['species']:
         species['count'] = 5
     scene.write_text(yaml.safe_dump(ten))
-    commands = {'sieve_run': [programs / 'sieve_run', scene], 'true': ['/bin/true']}
-    taken = {name: [] for name in commands}
-    for _ in range(repetitions):
-        for name, command in commands.items():
-            taken[name].append(1e3 * ros_processes.run(command).wall)
-    return {name: statistics.median(times) for name, times in taken.items()}
+    return statistics.median(1e3 * ros_processes.run([programs / 'sieve_run', scene]).wall for _ in range(repetitions))
 
 
 def measure_single(programs, scratch, seconds, rounds):
     """Wall time of 4000 single disks (Fig. 3) recorded over that without a bag, whole processes.
     @return the ratio of each round, with one thread and with as many as there are processors"""
     scene, bag = ROOT / 'config/paper_fig3.yaml', scratch / 'single.bag'
-    ratios = ([], [])
+    ratios = {'one_thread': [], 'threads': []}
     for _ in range(rounds):
-        for options, found in zip((['--threads', '1'], []), ratios):
+        for options, found in zip((['--threads', '1'], []), ratios.values()):
             command = [programs / 'sieve_run', scene, '--set', f'duration={seconds:g}', *options]
             alone = ros_processes.run(command).wall
             found.append(ros_processes.run([*command, '--bag', bag]).wall / alone)
@@ -143,49 +115,15 @@ def measure_single(programs, scratch, seconds, rounds):
     return ratios
 
 
-def single_line(ratios, seconds):
-    one, many = (f'{statistics.median(found):.1f} ({min(found):.1f} to {max(found):.1f}) times' for found in ratios)
-    return (f'4000 single disks (Fig. 3), {seconds:g} simulated seconds: `sieve_run --bag` takes {one} the wall time '
-            f'of `sieve_run`, both with `--threads 1`, and {many} with a thread for each processor.')
-
-
-def percent(values):
-    """The median and, in brackets, the range."""
-    values = [100 * value for value in values]
-    return f'{statistics.median(values):.1f} ({min(values):.1f} to {max(values):.1f})'
-
-
-def tables(benches, rounds, start):
-    yield (f'`sieve_run` on ten disks takes {start["sieve_run"]:.1f} ms from start to end, `/bin/true` '
-           f'{start["true"]:.1f} ms.')
-    for bench, measured in zip(benches, rounds):
-        walls = [wall for wall, _ in measured]
-        yield ''
-        yield (f'{bench.disks()} disks, {bench.duration:g} simulated seconds, which `sieve_run` takes '
-               f'{statistics.median(walls):.2f} s for ({min(walls):.2f} to {max(walls):.2f}), {len(walls)} rounds:')
-        yield ''
-        lines = []
-        for case in (BAG, *LISTENED):
-            cases = [compared[case] for _, compared in measured]
-            best, every = rates(cases)
-            lines.append([case, best, every, percent([one.other.cpu / one.headless.cpu for one in cases]),
-                          sum(one.lost for one in cases)])
-        yield table(['', "rate, best rounds, % of `sieve_run`'s", 'every round', 'CPU time, %', 'messages lost'], lines)
-
-
-def figures(rounds, start, single):
-    """Those of performance.json."""
-    known = {'start_ms': f'{start["sieve_run"]:.1f}'}
-    for key, found in zip(('one_thread', 'threads'), single):
-        known[f'single.bag_{key}'] = f'{statistics.median(found):.1f}'
-    for name, measured in zip(SIZES, rounds):
-        for key, case in zip(KEYS, (BAG, *LISTENED)):
-            known[f'{name}.{key}'] = rates([compared[case] for _, compared in measured])[0]
+def figures(measured, start, single):
+    """Those of performance.json. @param measured of each size the rounds"""
+    known = {'start_ms': f'{start:.1f}'}
+    known.update({f'single.bag_{key}': f'{statistics.median(found):.1f}' for key, found in single.items()})
+    for name, rounds in measured.items():
+        for case in rounds[0]:
+            alone, wall = (min(of_round[case][k] for of_round in rounds) for k in (0, 1))
+            known[f'{name}.{case}'] = f'{100 * alone / wall:.1f}'
     return known
-
-
-def description(about=None):
-    return f'{origin.text(about)}, load {os.getloadavg()[1]:.1f} before the first round'
 
 
 def main():
@@ -193,22 +131,19 @@ def main():
     parser.add_argument('--short', action='store_true', help='few disks, one round: test only that nothing is lost')
     arguments = parsed(parser)
     about = origin.describe_physics()
-    where = description(about)
-    sizes, rounds, starts, single_seconds = [(382, 1.0), (20, 15.0)], arguments.rounds, 50, 20.0
+    sizes, rounds, starts, single_seconds = {'large': (382, 1.0), 'fig8': (20, 15.0)}, arguments.rounds, 50, 20.0
     if arguments.short:
         # No more messages than a publisher's queue holds: a slow machine loses none.
-        sizes, rounds, starts, single_seconds = [(4, 0.4)], 1, 2, 1.0
+        sizes, rounds, starts, single_seconds = {'short': (4, 0.4)}, 1, 2, 1.0
     with tempfile.TemporaryDirectory() as directory:
         scratch = pathlib.Path(directory)
         start = measure_start(arguments.programs, scratch, starts)
         single = measure_single(arguments.programs, scratch, single_seconds, rounds)
         with ros_processes.master(scratch) as client:
-            benches = [Bench(arguments.programs, scratch, client, *size) for size in sizes]
-            measured = [[bench.round() for _ in range(rounds)] for bench in benches]
-    print(f'{where}. Medians, in brackets the range.', '', *tables(benches, measured, start), '',
-          single_line(single, single_seconds), sep='\n')
+            benches = {name: Bench(arguments.programs, scratch, client, *size) for name, size in sizes.items()}
+            measured = {name: [bench.round() for _ in range(rounds)] for name, bench in benches.items()}
     quote(arguments, 'node', figures(measured, start, single), about)
-    return 1 if any(one.lost for rounds in measured for _, compared in rounds for one in compared.values()) else 0
+    return 1 if any(case[2] for found in measured.values() for cases in found for case in cases.values()) else 0
 
 
 if __name__ == '__main__':

@@ -3,12 +3,13 @@
 does not: the mixture of Fig. 8, with a listener to each of its topics for programs, while it records. Prints a table.
 Exit status 1 if a message was lost. Needs ROS on the path, but no master: it starts its own.
 """
+import os
 import pathlib
 import sys
 import tempfile
 
 import ros_processes
-from measure_node import FOR_PROGRAMS, Bench, description
+from measure_node import FOR_PROGRAMS, Bench
 from ratchet_sieve import origin
 from ratchet_sieve.texts import table
 from report import parsed, parser_of, publish
@@ -47,7 +48,8 @@ def main():
     parser.add_argument('--short', action='store_true',
                         help='few disks, methods and rounds: test only that nothing is lost')
     arguments = parsed(parser, 'real-time')
-    about = description(origin.describe_physics())
+    about = origin.describe_physics()
+    where = f'{origin.text(about)}, load {os.getloadavg()[1]:.1f} before the first round'
     teeth, spans, rounds = SHORT if arguments.short else (TEETH, SPANS, arguments.rounds)
     methods = SHORT_METHODS if arguments.short else [*METHODS]
     with tempfile.TemporaryDirectory() as directory:
@@ -60,11 +62,11 @@ def main():
     factors = {name: (f'{first / one:.2f}', f'{(whole - first) / (both - one):.2f}')
                for name, (one, both) in walls.items()}
     publish(arguments, 'real-time', [
-        f'{about}. The best of {rounds} rounds.', '', f"{benches['events'][0].disks()} disks:", '',
+        f'{where}. The best of {rounds} rounds.', '', f"{benches['events'][0].disks()} disks:", '',
         table(['', f'simulated over wall time, first {first:g} s', f'from there to {whole:g} s',
                'messages lost, bag included'], [[name, *of, lost[name]] for name, of in factors.items()])],
         {f'{key}.{span}': factor for key, name in QUOTED.items() if name in factors
-         for span, factor in zip(('first', 'after'), factors[name])}, origin.describe_physics())
+         for span, factor in zip(('first', 'after'), factors[name])}, about)
     return 1 if any(lost.values()) else 0
 
 

@@ -2,7 +2,8 @@
 import argparse
 import pathlib
 
-from ratchet_sieve import documents
+from ratchet_sieve import documents, origin
+from ratchet_sieve.texts import table
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -38,6 +39,7 @@ def publish(arguments, mark, lines, figures=None, about=None):
 
 
 def quote(arguments, name, figures, about):
-    """Writes the figures into performance.json beside the document."""
+    """Prints figures, and writes them into performance.json beside the document."""
+    print(origin.text(about), table(['', 'measured'], figures.items()), sep='\n\n')
     if arguments.write:
         documents.quote(arguments.write.with_name('performance.md'), name, figures, about)

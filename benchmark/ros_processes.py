@@ -1,11 +1,10 @@
-"""Starts a ROS master, nodes and listeners, and measures the time of programs. As a program it is the listener to a
+"""Starts a ROS master, nodes and listeners, and takes the wall time of programs. As a program it is the listener to a
 topic of a sieve: it prints a line when the first message is there. When a line comes on standard input it prints, as
 JSON, the length in bytes of all messages, and their simulated times where they have a header and a time."""
 import contextlib
 import dataclasses
 import json
 import os
-import pathlib
 import re
 import select
 import struct
@@ -19,7 +18,6 @@ from std_srvs.srv import Empty
 
 from ratchet_sieve.processes import TIMEOUT, free_port, wait_for
 
-TICKS = os.sysconf('SC_CLK_TCK')
 LAST = 5.0        # for a listener's connection to end [s]
 BUFFER = 1 << 24  # bytes: more than a message of very many disks
 
@@ -28,19 +26,16 @@ BUFFER = 1 << 24  # bytes: more than a message of very many disks
 class Finished:
     """A program that has ended with status 0."""
     wall: float    # [s]
-    cpu: float     # of all its threads [s]
     output: str
 
 
-def finish(process, begin, cpu_before=0.0):
-    """Waits for a program and takes its times."""
-    output = process.stdout.read()
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.WEXITSTATUS(status) if os.WIFEXITED(status) else -os.WTERMSIG(status)
+def finish(process, begin):
+    """Waits for a program and takes its time."""
+    output, _ = process.communicate()
     wall = time.time() - begin
     if process.returncode != 0:
         raise RuntimeError(f'{process.args}: exit status {process.returncode}: {output}')
-    return Finished(wall, usage.ru_utime + usage.ru_stime - cpu_before, output)
+    return Finished(wall, output)
 
 
 def run(command):
@@ -48,12 +43,6 @@ def run(command):
     begin = time.time()
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         return finish(process, begin)
-
-
-def cpu_time(process):
-    """The processor time of a running program, of all its threads [s]."""
-    fields = pathlib.Path(f'/proc/{process.pid}/stat').read_text().rpartition(')')[2].split()
-    return (int(fields[11]) + int(fields[12])) / TICKS
 
 
 def choose_master(scratch):
@@ -110,10 +99,9 @@ def run_node(client, program, parameters, topics):
         unpause = '/sieve/unpause_physics'
         wait_for(lambda: any(name == unpause for name, _ in client.getSystemState()[2]), 'the node is up')
         received = {topic: stack.enter_context(listener(topic)) for topic in topics}
-        cpu_before = cpu_time(process)
         begin = time.time()
         rospy.ServiceProxy(unpause, Empty)()
-        finished = finish(process, begin, cpu_before)
+        finished = finish(process, begin)
         # The node stays for a moment after its end, until its last messages are sent.
         finished.wall = float(re.search(r'([\d.]+) ended at', finished.output).group(1)) - begin
         return finished, {topic: end() for topic, end in received.items()}

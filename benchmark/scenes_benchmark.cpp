@@ -149,22 +149,6 @@ BENCHMARK(mixtureOnThreads)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-/// As in a node that publishes: 60 frames a second, and temperatures eight times a period of the drive.
-/// Strides of some milliseconds.
-void mixtureWithFrames(benchmark::State& state)
-{
-  const auto teeth = static_cast<int>(state.range(0));
-  Simulation simulation(mixtureOf(teeth), landedState(teeth));
-  simulation.setThreads(static_cast<std::size_t>(state.range(1)));
-  simulation.observePeriods([](const PeriodRecord&) {});
-  advance(state, simulation, 1.0 / 60.0);
-}
-BENCHMARK(mixtureWithFrames)
-    ->ArgsProduct({{382, 3817}, {1, 2}})
-    ->Iterations(16)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-
 /// The second argument is the number of strips, all on one thread: what as many threads would have to do.
 void mixtureInStrips(benchmark::State& state)
 {

@@ -42,11 +42,11 @@ def main():
         for species, count in collections.Counter(disk.species for disk in disks if disk.side == side).items():
             try:
                 answer = pour(species, count)
+                failure = None if answer.success else answer.message
             except rospy.ServiceException as error:
-                rospy.logwarn('%d disks of %s were not poured into %s: %s', count, species, target, error)
-                continue
-            if not answer.success:
-                rospy.logwarn('%d disks of %s were not poured into %s: %s', count, species, target, answer.message)
+                failure = str(error)
+            if failure is not None:
+                rospy.logwarn('%d disks of %s were not poured into %s: %s', count, species, target, failure)
         rospy.rostime.wallsleep(PERIOD)
 
 

@@ -62,28 +62,3 @@ ensure_web_engine()
     "$project_dir/scripts/build" --web --dir "$built" -DRATCHET_SIEVE_ROS=OFF --target ratchet_sieve_engine >&2
   fi
 }
-
-# Runs studies/STUDY.py with sieve_sweep as its --program; installs and builds what is missing before, without ROS,
-# but not for --help. IMPORTS, a line of Python, says what the study needs. SIEVE_SWEEP, where it is set, is the program
-# to use.
-run_with_sieve_sweep()
-{
-  local study=$1 imports=$2
-  shift 2
-  local without_ros=$build_dir/without_ros
-  local program=${SIEVE_SWEEP:-$devel_dir/lib/ratchet_sieve/sieve_sweep}
-  if [ -z "${SIEVE_SWEEP:-}" ] && [ ! -x "$program" ]; then program=$without_ros/src/nodes/sieve_sweep; fi
-  case " $* " in
-    *" --help "* | *" -h "*) ;;
-    *)
-      if [ ! -x "$program" ] || ! python3 -c "$imports" 2>/dev/null; then
-        "$project_dir/scripts/setup" --without-ros >&2
-        if [ -z "${SIEVE_SWEEP:-}" ] && [ ! -x "$program" ]; then
-          "$project_dir/scripts/build" --dir "$without_ros" -DRATCHET_SIEVE_ROS=OFF -DCATKIN_ENABLE_TESTING=OFF \
-            --target sieve_sweep >&2
-        fi
-      fi
-      ;;
-  esac
-  PYTHONPATH=$project_dir/python exec python3 -u "$project_dir/studies/$study.py" --program "$program" "$@"
-}

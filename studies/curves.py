@@ -38,6 +38,9 @@ def crossing_of(rows, key, field):
     return jackknife(lambda seeds: zero_crossing(curve_of(rows, key, field, seeds)), rows.values("seed"))
 
 
+TURNS = {"B": "theta_b_reverses", "A": "theta_a_reverses", "window": "interval_rad"}  # columns in a CSV file
+
+
 def turns_of(rows, key):
     """@return the values of the key at which A and B turn, and A's less B's as `window`; None where there is none"""
     def window(seeds):

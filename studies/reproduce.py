@@ -44,7 +44,7 @@ def run_study(study, runner, directory, name):
     outcome = Outcome(study, study.evaluate(rows), rows)
     for picture in study.pictures:
         with plots.styled():
-            figure = picture.draw(outcome.numbers)
+            figure = picture.figure(outcome.numbers)
             if note := outcome.samples(picture):
                 figure.supxlabel(note, x=0.995, ha="right", fontsize=7.5, color=plots.GREY)
             print(plots.save(figure, directory / f"{name}_{picture.name}.png", svg=False)[0])

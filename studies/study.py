@@ -11,12 +11,17 @@ def means(rows, field, *keys):
     return {place: cell.mean(field) for place, cell in sorted(rows.by(*keys).items())}
 
 
+def over(rows, fields, *keys):
+    """@return map from the values of these keys, in order, to the Means of several fields"""
+    return {place: tuple(cell.mean(field) for field in fields) for place, cell in sorted(rows.by(*keys).items())}
+
+
 WAYS = ("a_m_per_s", "b_m_per_s")  # columns of what ways() gives, in a CSV file
 
 
 def ways(rows, *keys):
     """@return map from the values of these keys, in order, to both kinds' mean velocities [m/s]"""
-    return {place: (cell.mean("mean_vx.A"), cell.mean("mean_vx.B")) for place, cell in sorted(rows.by(*keys).items())}
+    return over(rows, ("mean_vx.A", "mean_vx.B"), *keys)
 
 
 def axis(means, index):
@@ -24,9 +29,9 @@ def axis(means, index):
     return sorted({place[index] for place in means})
 
 
-def told(mean, scale=1.0):
+def told(mean):
     """A mean in words."""
-    return "—" if mean is None else mean.text(scale)
+    return "—" if mean is None else mean.text()
 
 
 def csv_lines(keys, fields, cells):
@@ -44,6 +49,12 @@ def csv_lines(keys, fields, cells):
 
 def numbers_of(mean):
     return ("", "") if mean is None else (f"{mean.value:.6g}", f"{mean.error or 0.0:.2g}")
+
+
+def family(axes, curves, scale=1.0, **options):
+    """Curves in the colours of a scale, each with its name for a legend. @param curves map from name to points"""
+    for (name, points), colour in zip(curves.items(), plots.ramp(len(curves))):
+        plots.curve(axes, points, scale, color=colour, label=name, **options)
 
 
 def named_curves(axes, curves, colours, scale=1.0):
@@ -75,8 +86,16 @@ class Sweep:
 class Picture:
     name: str      # of its files, after the document's
     caption: str   # what it shows; then, after a semicolon, its bars
-    draw: Callable  # numbers -> matplotlib figure
+    draw: Callable  # numbers -> matplotlib figure; of one panel, axes and numbers -> nothing
     sweeps: tuple = ()  # names of those that it shows; empty: all of the study
+    size: tuple = None  # of one panel [inches]
+
+    def figure(self, numbers):
+        if not self.size:
+            return self.draw(numbers)
+        figure, axes = plots.panels(1, 1, self.size)
+        self.draw(axes, numbers)
+        return figure
 
 
 @dataclasses.dataclass(frozen=True)

@@ -1,6 +1,8 @@
 """Runs the sweeps of studies by sieve_sweep and reads their rows."""
 import math
 import pathlib
+import re
+import resource
 import subprocess
 import sys
 import tempfile
@@ -58,6 +60,12 @@ def call(program, arguments, allowed, output):
     return done.returncode
 
 
+def processor_time():
+    """Of all programs that were run and have ended [s]."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 class Runner:
     """The rows of each sweep, which is run once: studies may share one."""
 
@@ -90,9 +98,9 @@ class Runner:
         options = self.options
         rows = export(options.program, file, options.results, options.jobs, options.draw_only, sys.stderr)
         # A missing case would not be seen in a picture.
-        listed = subprocess.run([str(options.program), "run", str(file), "--db", str(options.results), "--dry-run"],
+        status = subprocess.run([str(options.program), "status", str(file), "--db", str(options.results)],
                                 capture_output=True, text=True, check=True).stdout
-        missing = len(listed.splitlines()) - len(rows) - rows.failed
+        missing = int(re.search(r"(\d+) to go", status).group(1))
         if missing:
             raise SweepFailed(f"{counted(missing, 'case')} of {name} without a result in {options.results}"
                               + ("; run it without --draw-only" if options.draw_only else ""))

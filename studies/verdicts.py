@@ -35,17 +35,26 @@ def shown(mean, scale, unit):
     return f"{mean.text(scale)}{' ' + unit if unit else ''} (n = {mean.count})"
 
 
-def above(says, mean, bound=0.0, scale=1.0, unit=""):
-    """A check that a mean is above a bound; undecided where there is no mean."""
+def opposite(*pair):
+    """Whether two means have opposite signs; None where one is not sure."""
+    ways = [mean.surely_above(0.0) for mean in pair]
+    return None if None in ways else ways[0] != ways[1]
+
+
+def compared(says, mean, comparison, scale=1.0, unit=""):
+    """A check of a mean; undecided where there is none. @param comparison Mean -> whether it passes"""
     if mean is None:
         return Check(says, "—", None)
-    return Check(says, shown(mean, scale, unit), mean.surely_above(bound))
+    return Check(says, shown(mean, scale, unit), comparison(mean))
+
+
+def above(says, mean, bound=0.0, scale=1.0, unit=""):
+    """A check that a mean is above a bound."""
+    return compared(says, mean, lambda mean: mean.surely_above(bound), scale, unit)
 
 
 def below(says, mean, bound=0.0, scale=1.0, unit=""):
-    if mean is None:
-        return Check(says, "—", None)
-    return Check(says, shown(mean, scale, unit), mean.surely_below(bound))
+    return compared(says, mean, lambda mean: mean.surely_below(bound), scale, unit)
 
 
 def right(says, mean):
@@ -70,10 +79,12 @@ def all_of(outcomes):
     return False not in outcomes
 
 
+def is_within(mean, low, high):
+    return all_of((mean.surely_above(low), mean.surely_below(high)))
+
+
 def within(says, mean, low, high, scale=1.0, unit=""):
-    if mean is None:
-        return Check(says, "—", None)
-    return Check(says, shown(mean, scale, unit), all_of((mean.surely_above(low), mean.surely_below(high))))
+    return compared(says, mean, lambda mean: is_within(mean, low, high), scale, unit)
 
 
 def both(first, second):

@@ -14,11 +14,8 @@ from pathlib import Path
 import numpy
 import rosgraph
 import rospy
-import yaml
 from std_msgs.msg import Float64
-from visualization_msgs.msg import Marker, MarkerArray
 
-from ratchet_sieve.places import SHARE
 from ratchet_sieve.processes import free_port, wait_for
 from ratchet_sieve.srv import StepSimulation
 from ratchet_sieve.virtual_screen import VirtualScreen
@@ -32,11 +29,6 @@ VIEW = (slice(62, 700), slice(16, 1264))
 # The fewest colours with smooth text and disks.
 COLOURS = 48
 
-# The markers' namespaces that --text-above moves out of the scene.
-TEXTS = ('caption', 'legend')
-LETTER = 15       # height of that text [pixels of OUT.gif]
-LINE_HEIGHT = 22  # [pixels]
-
 
 def arguments():
     parser = argparse.ArgumentParser(prog='ratchet_sieve.animation', description=__doc__.splitlines()[0])
@@ -49,26 +41,12 @@ def arguments():
     parser.add_argument('--rate', type=float, default=12.5, help='frames per simulated second')
     parser.add_argument('--still', type=float, default=4.0, help='when OUT.png is taken, of the film [s]')
     parser.add_argument('--width', type=int, default=760, help='of OUT.gif [pixels]')
-    parser.add_argument('--text-above', action='store_true',
-                        help='write the captions above the scene, where they cover no disks, and larger')
     return parser.parse_args()
 
 
-def config_without_texts(directory):
-    """The package's configuration of RViz without captions, as a file."""
-    source = SHARE / 'rviz/sieve.rviz'
-    config = yaml.safe_load(source.read_text())
-    for display in config['Visualization Manager']['Displays']:
-        if display['Name'] == 'Sieve':
-            display['Namespaces'] = dict.fromkeys(TEXTS, False)
-    path = directory / 'without_texts.rviz'
-    path.write_text(yaml.safe_dump(config))
-    return path
-
-
 @contextlib.contextmanager
-def paused_sieve(screen, options, config=None):
-    """A sieve at its beginning, in RViz on the screen, with a master of its own. @param config a file"""
+def paused_sieve(screen, options):
+    """A sieve at its beginning, in RViz on the screen, with a master of its own."""
     screen.environment['ROS_MASTER_URI'] = os.environ['ROS_MASTER_URI'] = uri = f'http://localhost:{free_port()}'
     screen.environment['ROS_HOSTNAME'] = os.environ['ROS_HOSTNAME'] = 'localhost'
     core = screen.start(['roscore', '-p', uri.rpartition(':')[2]], stdout=subprocess.DEVNULL)
@@ -78,11 +56,8 @@ def paused_sieve(screen, options, config=None):
     launch = screen.start(['roslaunch', 'ratchet_sieve', 'sieve.launch', f'scene:={options.scene.resolve()}',
                            f'set:={changes}',
                            f'params:={{limits: {{inclination: {{slew_rate: {SLEW_RATE}}}}}}}',
-                           'paused:=true', f'rviz:={not config}', 'exit_at_end:=false'],
+                           'paused:=true', 'rviz:=true', 'exit_at_end:=false'],
                           stdout=subprocess.DEVNULL)
-    if config:  # with the camera fitted to the scene; a splash screen would count as disks
-        screen.start(['rosrun', 'ratchet_sieve', 'fitted_rviz.py', str(config), '--splash-screen', ''],
-                     stdout=subprocess.DEVNULL)
     rospy.init_node('film', disable_signals=True)
     try:
         yield
@@ -90,29 +65,6 @@ def paused_sieve(screen, options, config=None):
         rospy.signal_shutdown('done')
         screen.end(launch)
         screen.end(core)
-
-
-class Texts:
-    """The captions of the sieve, as its markers have them."""
-
-    def __init__(self):
-        self.lines = []  # pairs (text, colour)
-        rospy.Subscriber('/sieve/markers', MarkerArray, self.take)
-
-    def take(self, message):
-        texts = [m for m in message.markers if m.type == Marker.TEXT_VIEW_FACING and m.ns in TEXTS]
-        if texts:
-            texts.sort(key=lambda m: (TEXTS.index(m.ns), m.id))
-            self.lines = [(m.text.replace('+-', '±'), [round(255 * c) for c in (m.color.r, m.color.g, m.color.b)])
-                          for m in texts]
-
-    def picture(self, width):
-        """Arguments of convert(1) that draw them."""
-        drawn = ['-size', f'{width}x{LINE_HEIGHT * len(self.lines) + 6}', 'xc:#fafafa', '-font', 'DejaVu-Sans',
-                 '-pointsize', str(LETTER), '-gravity', 'north']
-        for k, (text, colour) in enumerate(self.lines):
-            drawn += ['-fill', 'rgb({},{},{})'.format(*colour), '-annotate', f'+0+{4 + k * LINE_HEIGHT}', text]
-        return drawn
 
 
 class Film:
@@ -142,24 +94,16 @@ def shows_disks(screen):
     return (middle.max(axis=2) - middle.min(axis=2) > 60).sum() > 100
 
 
-def write(pixels, path):
+def write(pixels, path, *operations):
+    """Writes a picture. @param operations of convert(1)"""
     height, width, _ = pixels.shape
-    subprocess.run(['convert', '-size', f'{width}x{height}', '-depth', '8', 'rgb:-', str(path)],
+    subprocess.run(['convert', '-size', f'{width}x{height}', '-depth', '8', 'rgb:-', *operations, str(path)],
                    input=pixels.tobytes(), check=True)
-
-
-def write_frame(pixels, path, width, texts):
-    """A frame of the film, with the texts above it. @param texts None: there are none"""
-    write(pixels, path)
-    subprocess.run(['convert', *(['('] + texts.picture(width) + [')'] if texts else []),
-                    '(', str(path), '-resize', f'{width}x', ')', '-append', '+repage', str(path)], check=True)
 
 
 def take(options, frames):
     """Steps through the run; writes the still, and every frame into a directory."""
-    config = config_without_texts(frames) if options.text_above else None
-    with VirtualScreen() as screen, paused_sieve(screen, options, config):
-        texts = Texts() if options.text_above else None
+    with VirtualScreen() as screen, paused_sieve(screen, options):
         setpoint = rospy.Publisher('/sieve/inclination_setpoint', Float64, queue_size=1, latch=True)
         step = rospy.ServiceProxy('/sieve/step', StepSimulation)
         step.wait_for_service()
@@ -170,7 +114,7 @@ def take(options, frames):
         setpoint.publish(options.inclination)
         film = Film(screen)
         for k in range(round(options.duration * options.rate)):
-            write_frame(film.next()[VIEW], frames / f'{k:05}.png', options.width, texts)
+            write(film.next()[VIEW], frames / f'{k:05}.png', '-resize', f'{options.width}x', '+repage')
             if k == round(options.still * options.rate):
                 write(film.last, options.out.with_suffix('.png'))
             step(1.0 / options.rate)

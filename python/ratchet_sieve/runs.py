@@ -133,6 +133,7 @@ class Recording:
         return show_page(lambda page: self.write(page, megabytes=megabytes), self.title, height)
 
     def _require_frames(self) -> None:
+        """Raises ValueError if the run has none."""
         if not len(self.frames):
             raise ValueError("the run has no frames: call run(..., frames=60)")
 

@@ -73,13 +73,13 @@ class Table:
         return column_of(self.frame, column, self.path)
 
     def numbers(self, column, scale=1.0):
-        """An empty field is undefined: NaN, which interrupts a drawn line."""
+        """An array. An empty field is undefined: NaN, which interrupts a drawn line."""
         texts = self.texts(column)
         values = pandas.to_numeric(texts.where(texts != "", "nan"), errors="coerce").astype(float)
         wrong = texts[values.isna() & ~texts.str.lower().isin(("", "nan"))]
         if len(wrong):
             raise Refusal(f"{self.path}: {column}: {wrong.iloc[0]}: must be a number")
-        return (scale * values).tolist()
+        return scale * values.to_numpy()
 
     def values(self, column):
         """The distinct values of a column, in the order of the file."""

@@ -4,7 +4,7 @@ import dataclasses
 from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows, joined
 from curves import best_of
-from study import Picture, Study, Sweep, csv_lines, means
+from study import Picture, Study, Sweep, csv_lines, family, means
 import verdicts
 
 THETA = "base.inclination"
@@ -36,15 +36,11 @@ def evaluate(rows):
             "chosen": best_place({place: group for place, group in groups.items() if place != whole})}
 
 
-def draw(numbers):
-    figure, axes = plots.panels(1, 1, (6.4, 3.8))
-    chutes = [place for place in numbers["Q"] if place != numbers["whole"]]
+def draw(axes, numbers):
     plots.curve(axes, numbers["Q"][numbers["whole"]], color=plots.GREY, label="the whole base")
-    for place, colour in zip(chutes, plots.ramp(len(chutes))):
-        plots.curve(axes, numbers["Q"][place], color=colour, label=name(place))
+    family(axes, {name(place): curve for place, curve in numbers["Q"].items() if place != numbers["whole"]})
     axes.set(xlabel=r"$\theta$ [rad]", ylabel="quality $Q$ after 100 s")
     axes.legend(title="poured onto")
-    return figure
 
 
 def loss(mean):
@@ -66,12 +62,8 @@ TEXT = ("A disk that starts near the end to which the other kind goes may leave 
         "the whole base; on a fifth of it (`pour.from`, `pour.to`) the heap is five times as deep.")
 
 
-def best_lines(numbers):
-    return csv_lines(("from_m", "to_m", "best_theta_rad"), ("q",), {
-        (*place, best.at): best.mean for place, best in numbers["best"].items()})
-
-
 STUDY = Study("chute", "Fig. 9's mixture poured by a chute", (Sweep("paper_fig9_chute"),), evaluate,
               (Picture("chute", "Quality Q over the inclination for several intervals of the pour, 100 teeth, d = 1; "
-                       "bars: standard errors over the seeds", draw),), claims, lambda numbers: TEXT,
-              tables=lambda numbers: {"chute": best_lines(numbers)})
+                       "bars: standard errors over the seeds", draw, size=(6.4, 3.8)),), claims, lambda numbers: TEXT,
+              tables=lambda numbers: {"chute": csv_lines(("from_m", "to_m", "best_theta_rad"), ("q",), {
+                  (*place, best.at): best.mean for place, best in numbers["best"].items()})})

@@ -3,7 +3,7 @@ import dataclasses
 import math
 
 from ratchet_sieve import plots
-from study import Picture, Study, Sweep, csv_lines
+from study import Picture, Study, Sweep, csv_lines, over
 import verdicts
 
 V_MIN = "contact.min_rebound_speed"
@@ -14,27 +14,20 @@ LENGTHS = math.hypot(0.3 * 20.0, 6.0) / math.hypot(0.7 * 20.0, 6.0)  # of the sl
 
 
 def evaluate(rows):
-    groups = sorted(rows["paper_fig3_contacts"].by(V_MIN).items())
-    return {v: (group.mean("short_to_long"), group.mean("mean_vx.A")) for v, group in groups}
+    return over(rows["paper_fig3_contacts"], ("short_to_long", "mean_vx.A"), V_MIN)
 
 
-def draw(means):
-    figure, axes = plots.panels(1, 1, (6.4, 3.6))
+def draw(axes, means):
     plots.curve(axes, [(v, ratio) for v, (ratio, _) in means.items()], color=plots.COLOURS[0])
     axes.axhspan(PRINTED - ROUNDING, PRINTED + ROUNDING, color=plots.COLOURS[4], alpha=0.3, label="about 0.53")
     axes.axhline(LENGTHS, color=plots.GREY, linewidth=0.8, linestyle="--", label=f"slopes' lengths, {LENGTHS:.3f}")
     axes.set(xscale="log", xlabel=r"$v_\mathrm{min}$ [m/s]", ylabel="short to long contacts")
     axes.legend(loc="lower right")
-    return figure
-
-
-def is_printed(mean):
-    return verdicts.all_of((mean.surely_above(PRINTED - ROUNDING), mean.surely_below(PRINTED + ROUNDING)))
 
 
 def fitting(means):
     """The values of v_min at which the ratio is the printed one."""
-    return [v for v, (ratio, _) in means.items() if is_printed(ratio)]
+    return [v for v, (ratio, _) in means.items() if verdicts.is_within(ratio, PRINTED - ROUNDING, PRINTED + ROUNDING)]
 
 
 def condition(means):
@@ -57,7 +50,7 @@ def claims(means):
 STUDY = Study("contacts", "Short and long slopes, over the smallest rebound speed",
               (Sweep("paper_fig3_contacts", {V_MIN: (SCENES, 0.1)}),), evaluate,
               (Picture("contacts", "Contacts with short over those with long slopes, of Fig. 3's disks, over v_min; "
-                       "bars: standard errors over the seeds", draw),), claims,
+                       "bars: standard errors over the seeds", draw, size=(6.4, 3.6)),), claims,
               figures=lambda means: {"contacts.short_to_long": means[SCENES][0].text()},
               tables=lambda means: {"contacts": csv_lines(
                   ("v_min_m_per_s",), ("short_to_long", "mean_vx_m_per_s"), means)})

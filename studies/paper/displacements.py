@@ -22,20 +22,17 @@ def evaluate(rows):
             for name in FIGURES}
 
 
-def draw(samples):
-    figure, axes = plots.panels(1, 1, (6.4, 3.8))
+def draw(axes, samples):
     for (time, values), colour in zip(samples.items(), plots.ramp(len(samples))):
         plots.distribution(axes, *density_of(values, BIN), color=colour, label=f"{time:g} s")
     axes.axvline(0.0, color=plots.GREY, linewidth=0.8, zorder=1)
     axes.set(xlabel="displacement [m]", ylabel="density [1/m]")
     axes.set_ylim(bottom=0.0)
     axes.legend(title="after")
-    return figure
 
 
 def pairs(samples):
-    times = list(samples)
-    return zip(times, times[1:])
+    return zip(samples, list(samples)[1:])
 
 
 def further(samples, sign):
@@ -88,6 +85,7 @@ def claims(numbers):
 STUDY = Study("displacements", "Figs. 3 and 4: displacements of single disks",
               tuple(Sweep(f"paper_{name}", {TIME: (2.0, 10.0)}) for name in FIGURES), evaluate,
               tuple(Picture(name, f"Displacements at θ = {theta:g}; each disk a run of its own, bars: standard errors "
-                            "of the counts", lambda numbers, name=name: draw(numbers[name]), (f"paper_{name}",))
+                            "of the counts", lambda axes, numbers, name=name: draw(axes, numbers[name]),
+                            (f"paper_{name}",), (6.4, 3.8))
                     for name, theta in FIGURES.items()), claims,
-              tables=lambda numbers: {name: time_lines(numbers[name]) for name in FIGURES})
+              tables=lambda numbers: {name: time_lines(samples) for name, samples in numbers.items()})

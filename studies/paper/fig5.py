@@ -18,16 +18,14 @@ def evaluate(rows):
             "symmetric": mean_of(group.mean("mean_vx.A").value for group in seeds)}
 
 
-def draw(numbers):
+def draw(axes, numbers):
     velocities = numbers["means"]
-    figure, axes = plots.panels(1, 1, (6.4, 4.2))
     frequencies, asymmetries = axis(velocities, 0), axis(velocities, 1)
     ends = named_curves(axes, {f"{a:g}": [(f, velocities[f, a]) for f in frequencies] for a in asymmetries},
                         plots.signed_ramp([round(SYMMETRIC - a, 9) for a in asymmetries]), plots.MM)
     plots.signed(axes)
     axes.set(xlabel="$f$ [Hz]", ylabel=r"$\langle V_x \rangle$ [mm/s]")
     plots.end_labels(axes, ends, "$a$")
-    return figure
 
 
 def direction(velocities):
@@ -58,5 +56,5 @@ def claims(numbers):
 STUDY = Study("fig5", "Fig. 5: velocity over frequency, for nine asymmetries",
               (Sweep("paper_fig5", {A: (0.5,)}),), evaluate,
               (Picture("fig5", "Mean velocity of single disks over the frequency; bars: standard errors over the seeds",
-                       draw),), claims, tables=lambda numbers: {
+                       draw, size=(6.4, 4.2)),), claims, tables=lambda numbers: {
                            "fig5": csv_lines(("f_hz", "a"), ("mean_vx_m_per_s",), numbers["means"])})

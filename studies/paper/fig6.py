@@ -1,6 +1,6 @@
 """Claim 13: single disks of several radii on a level base. Larger disks feel the ratchet less, as Fig. 6 says."""
 from ratchet_sieve import plots
-from study import Picture, Study, Sweep, axis, csv_lines, named_curves
+from study import Picture, Study, Sweep, axis, csv_lines, named_curves, over
 import verdicts
 
 R = "species.0.radius"
@@ -10,8 +10,7 @@ SMALL, LARGE = 0.001, 0.004  # m, as in Fig. 7
 
 def evaluate(rows):
     """@return map from (f, r) to the ratio of contacts and the mean velocity [m/s]"""
-    return {place: (cell.mean("short_to_long"), cell.mean("mean_vx.A"))
-            for place, cell in sorted(rows["paper_fig6"].by(F, R).items())}
+    return over(rows["paper_fig6"], ("short_to_long", "mean_vx.A"), F, R)
 
 
 def draw(means):

@@ -2,7 +2,7 @@
 from ratchet_sieve import plots
 from ratchet_sieve.tables import joined
 from ratchet_sieve.texts import table
-from curves import turns_of
+from curves import TURNS, turns_of
 from paper import parting
 from paper.fig7 import F, THETA, draw_kinds, more_moved, velocities, velocity_lines
 from paper.parting import ANGLES
@@ -50,21 +50,14 @@ def draw_inclinations(numbers):
     return figure
 
 
-def draw_turns(numbers):
-    figure, axes = plots.panels(1, 1, (6.4, 3.8))
-    turns = sorted(numbers["turns"].items())
-    for kind, colour in zip(KINDS, plots.COLOURS):
-        plots.curve(axes, [(f, turn[kind]) for f, turn in turns], color=colour, label=f"{KINDS[kind]} reverses")
-    both = [(f, turn["B"].value, turn["A"].value) for f, turn in turns if turn["A"] and turn["B"]]
-    if both:
-        axes.fill_between(*zip(*both), color=plots.COLOURS[2], alpha=0.3, label="A right, B left here")
+def draw_turns(axes, numbers):
+    parting.draw_turns(axes, sorted(numbers["turns"].items()), {kind: f"{KINDS[kind]} reverses" for kind in KINDS})
     for k, theta in enumerate(ANGLES):
         axes.axhline(theta, color=plots.GREY, linewidth=0.8, linestyle="--",
                      label=None if k else "A right, B left in the paper")
     axes.set_ylim(bottom=0.0)
-    axes.set(xlabel="$f$ [Hz]", ylabel=r"$\theta$ [rad]")
+    axes.set_xlabel("$f$ [Hz]")
     axes.legend(loc="lower right")
-    return figure
 
 
 def parted(numbers, theta):
@@ -98,14 +91,14 @@ def claims(numbers):
 
 
 def turn_lines(numbers):
-    return csv_lines(("f_hz",), ("theta_b_reverses", "theta_a_reverses", "interval_rad"), {
-        f: [turn[part] for part in ("B", "A", "window")] for f, turn in sorted(numbers["turns"].items())})
+    return csv_lines(("f_hz",), TURNS.values(), {
+        f: [turn[part] for part in TURNS] for f, turn in sorted(numbers["turns"].items())})
 
 
 def text(numbers):
     """The headline: where the kinds go opposite ways."""
     turns = sorted(numbers["turns"].items())
-    lines = [[f"{f:g} Hz", *(told(turn[part]) for part in ("B", "A", "window"))] for f, turn in turns
+    lines = [[f"{f:g} Hz", *(told(turn[part]) for part in TURNS)] for f, turn in turns
              if f in (turns[0][0], SHOWN, turns[-1][0])]
     return ("A goes to the right and B to the left between the angle at which B reverses and that at which A does (by "
             "a parabola through the means nearest to it; errors by leaving out one seed):\n\n"
@@ -129,5 +122,5 @@ STUDY = Study("fig8", "Fig. 8: both kinds of a mixture",
                Picture("fig8", f"Mean velocities over the frequency at eleven inclinations, {CAPTION}",
                        draw_frequencies),
                Picture("fig8_turn", f"The inclinations at which the kinds reverse, over the frequency, {CAPTION}",
-                       draw_turns)), claims, text,
+                       draw_turns, size=(6.4, 3.8))), claims, text,
               figures, lambda numbers: {"fig8": velocity_lines(numbers["means"]), "fig8_turn": turn_lines(numbers)})

@@ -3,7 +3,7 @@ from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows, departed, joined
 from ratchet_sieve.texts import table
 from curves import best_of
-from study import Picture, Study, Sweep, csv_lines, means, told
+from study import Picture, Study, Sweep, csv_lines, family, means, told
 import verdicts
 
 THETA = "base.inclination"
@@ -46,8 +46,7 @@ def draw(numbers):
     for column, teeth in enumerate(lengths):
         for row, what in enumerate(("Q", "P")):
             axes = all_axes[row][column]
-            for density, colour in zip(densities, plots.ramp(len(densities))):
-                plots.curve(axes, numbers[what].get((teeth, density), ()), color=colour, label=f"$d$ = {density:g}")
+            family(axes, {f"$d$ = {density:g}": numbers[what].get((teeth, density), ()) for density in densities})
             axes.set_ylim(0.0, 1.05)
         all_axes[0][column].set_title(f"{teeth:g} teeth")
         all_axes[1][column].set_xlabel(r"$\theta$ [rad]")

@@ -119,13 +119,9 @@ def claims(numbers):
                 remain(numbers), directions(numbers), window(numbers), *guided(numbers)))]
 
 
-def best_lines(numbers):
-    return csv_lines(("teeth", "best_theta_rad"), ("q_of_single_disks",), {
-        (teeth, alone["best"].at): alone["best"].mean for teeth, alone in numbers["alone"].items()})
-
-
 STUDY = Study("guide", "Single disks as a guide to mixtures",
               (Sweep("paper_fig8"), Sweep(WINDOW, is_quick=False), Sweep(SINGLE), Sweep(ALONE), *fig9.SWEEPS), evaluate,
               (Picture("guide", "Q over the inclination, of single disks and of the mixture of Fig. 9; bars: standard "
                        "errors over the seeds", draw, (ALONE, *(sweep.name for sweep in fig9.SWEEPS))),), claims,
-              tables=lambda numbers: {"guide": best_lines(numbers)})
+              tables=lambda numbers: {"guide": csv_lines(("teeth", "best_theta_rad"), ("q_of_single_disks",), {
+                  (teeth, alone["best"].at): alone["best"].mean for teeth, alone in numbers["alone"].items()})})

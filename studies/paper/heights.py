@@ -1,6 +1,6 @@
 """Addition A10: whether the large disks of Fig. 9's mixture lie above the small ones, as section 3.2.2 suspects."""
 from ratchet_sieve import plots
-from study import Picture, Study, Sweep, csv_lines
+from study import Picture, Study, Sweep, csv_lines, over
 import verdicts
 
 D = "density"
@@ -17,18 +17,15 @@ def evaluate(rows):
     """@return of each density: of A, of B, and of B less A, seed by seed [m]"""
     def difference(frame):
         return lowest("B")(frame) - lowest("A")(frame)
-    return {d: (cell.mean(lowest("A")), cell.mean(lowest("B")), cell.mean(difference))
-            for d, cell in sorted(rows["paper_heights"].by(D).items())}
+    return over(rows["paper_heights"], (lowest("A"), lowest("B"), difference), D)
 
 
-def draw(heights):
-    figure, axes = plots.panels(1, 1, (6.4, 3.6))
+def draw(axes, heights):
     for k, (kind, colour) in enumerate(zip(KINDS, plots.COLOURS)):
         plots.curve(axes, [(d, found[k]) for d, found in heights.items()], plots.MM, color=colour, label=KINDS[kind])
     axes.set(xlabel="density $d$", ylabel="mean height of the lowest point [mm]")
     axes.set_ylim(bottom=0.0)
     axes.legend()
-    return figure
 
 
 def rising(heights):
@@ -53,6 +50,6 @@ TEXT = ("Periodic base, θ = 0.2. The paper says that this \"might be related\" 
 
 STUDY = Study("heights", "The heights of both kinds of Fig. 9's mixture", (Sweep("paper_heights"),), evaluate,
               (Picture("heights", "Mean heights of the disks' lowest points above the teeth's lowest corners over the "
-                       "density, at θ = 0.2; bars: standard errors over the seeds", draw),), claims,
+                       "density, at θ = 0.2; bars: standard errors over the seeds", draw, size=(6.4, 3.6)),), claims,
               lambda heights: TEXT,
               tables=lambda heights: {"heights": csv_lines((D,), ("a_m", "b_m", "b_less_a_m"), heights)})

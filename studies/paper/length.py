@@ -19,8 +19,7 @@ def evaluate(rows):
     return {**curves, "points": points, "lines": {density: line for density, line in lines.items() if line}}
 
 
-def draw(numbers):
-    figure, axes = plots.panels(1, 1, (6.4, 3.8))
+def draw(axes, numbers):
     densities = axis(numbers, 1)
     for density, colour in zip(densities, plots.ramp(len(densities))):
         points, line = numbers["points"][density], numbers["lines"].get(density)
@@ -33,7 +32,6 @@ def draw(numbers):
     axes.set_xlim(left=0.0)
     axes.set(xlabel="teeth, on a scale of 1 / teeth", ylabel=r"$Q$ at the best $\theta$ after 100 s")
     axes.legend()
-    return figure
 
 
 def rising(numbers):
@@ -72,5 +70,6 @@ TEXT = ("Disks that start near the wrong end leave there, and their share falls 
 
 STUDY = Study("length", "The length of the base", fig9.SWEEPS, evaluate,
               (Picture("length", "Q at the best inclination over one through the length of the base, and straight "
-                       "lines; bars: standard errors over the seeds", draw),), claims, lambda numbers: TEXT,
+                       "lines; bars: standard errors over the seeds", draw, size=(6.4, 3.8)),), claims,
+              lambda numbers: TEXT,
               tables=lambda numbers: {"length": fit_lines(numbers)})

@@ -1,6 +1,6 @@
 """Section 3.2.1: mixtures of kinds that have the same radius or the same mass, against the mixture of Fig. 8."""
 from ratchet_sieve import plots
-from curves import best_of, turns_of
+from curves import TURNS, best_of, turns_of
 from study import Picture, Study, Sweep, csv_lines, means
 import verdicts
 
@@ -78,10 +78,8 @@ def claims(numbers):
 
 
 def mixture_lines(numbers):
-    fields = {"q": lambda found: found["best"].mean, **{name: lambda found, key=key: found[key] for name, key in (
-        ("theta_b_reverses", "B"), ("theta_a_reverses", "A"), ("interval_rad", "window"))}}
-    return csv_lines(("mixture", "best_theta_rad"), tuple(fields), {
-        (NAMES[mixture], found["best"].at): [of(found) for of in fields.values()]
+    return csv_lines(("mixture", "best_theta_rad"), ("q", *TURNS.values()), {
+        (NAMES[mixture], found["best"].at): [found["best"].mean, *(found[part] for part in TURNS)]
         for mixture, found in numbers.items()})
 
 

@@ -1,8 +1,8 @@
 """Addition A3: why Q on an open base is best near θ = 0.1, where the kinds of Fig. 8 do not part at d = 3.93."""
 from ratchet_sieve import plots
 from ratchet_sieve.tables import joined
-from paper.parting import ANGLES, D, PRINTED
-from study import WAYS, Picture, Study, Sweep, csv_lines, means
+from paper.parting import ANGLES, D, PRINTED, parted
+from study import WAYS, Picture, Study, Sweep, csv_lines, family, means
 import verdicts
 
 THETA = "base.inclination"
@@ -50,9 +50,8 @@ def windows(numbers):
 def draw(numbers):
     """Left: Q over θ. Right: the drifts at one θ over the density, of the windows and of periodic bases."""
     figure, (left, right) = plots.panels(1, 2, (9.6, 3.8))
-    for teeth, colour in zip(lengths(numbers), plots.ramp(len(lengths(numbers)))):
-        points = [(place[3], cell["Q"]) for place, cell in numbers["drifts"].items() if place[:3] == (*WHOLE, teeth)]
-        plots.curve(left, points, color=colour, label=f"{teeth:g} teeth")
+    family(left, {f"{teeth:g} teeth": [(place[3], cell["Q"]) for place, cell in numbers["drifts"].items()
+                                       if place[:3] == (*WHOLE, teeth)] for teeth in lengths(numbers)})
     for kind, colour in zip("AB", plots.COLOURS):
         periodic = numbers["periodic"][kind]
         plots.curve(right, periodic, plots.MM, color=colour, label=f"{kind}, periodic base")
@@ -84,8 +83,7 @@ def parts_late(numbers):
         cell = numbers["drifts"][(*WHOLE, teeth, CLAIMED)]
         says = (f"{teeth:g} teeth, θ = {CLAIMED:g}, over all 60 s (d falls from {PRINTED:g} to "
                 f"{cell['d'].value:.2f}): A to the right, B to the left")
-        yield verdicts.both(verdicts.right(says, cell["A"]),
-                            verdicts.left(says, cell["B"]))
+        yield parted(says, (cell["A"], cell["B"]))
 
 
 def both_left_early(numbers):
@@ -93,8 +91,7 @@ def both_left_early(numbers):
     cell = early(numbers, teeth)
     says = (f"{teeth:g} teeth, θ = {CLAIMED:g}, while the base is full ({interval_name(windows(numbers)[0])}, d = "
             f"{cell['d'].value:.2f} at its end): both to the left, as on the periodic base")
-    return verdicts.both(verdicts.left(says, cell["A"]),
-                         verdicts.left(says, cell["B"]))
+    return verdicts.both(*(verdicts.left(says, cell[kind]) for kind in "AB"))
 
 
 def claims(numbers):

@@ -1,7 +1,7 @@
 """Which way both kinds of Fig. 8's mixture go, and where they part as the paper's do. Addition A1: the window of
 inclinations in which they do, over the density."""
 from ratchet_sieve import plots
-from curves import turns_of
+from curves import TURNS, turns_of
 from study import Picture, Study, Sweep, csv_lines, told, ways
 import verdicts
 
@@ -62,21 +62,26 @@ def evaluate(rows):
             "ways": ways(rows, D, THETA)}
 
 
-def draw(part):
-    figure, axes = plots.panels(1, 1, (6.4, 4.2))
-    turns = part["turns"]
-    for kind, name, colour in zip("AB", ("A reverses (1 mm, 10 g)", "B reverses (2 mm, 1 g)"), plots.COLOURS):
-        plots.curve(axes, [(d, turn[kind]) for d, turn in turns.items()], color=colour, label=name)
-    known = [(d, turn["B"].value, turn["A"].value) for d, turn in turns.items() if turn["A"] and turn["B"]]
-    axes.fill_between(*zip(*known), color=plots.COLOURS[2], alpha=0.3, label="A right, B left here")
+def draw_turns(axes, turns, names):
+    """The inclinations at which both kinds turn, and the window between them.
+    @param turns pairs of x and turns_of(). @param names of both kinds' curves"""
+    for (kind, name), colour in zip(names.items(), plots.COLOURS):
+        plots.curve(axes, [(x, turn[kind]) for x, turn in turns], color=colour, label=name)
+    known = [(x, turn["B"].value, turn["A"].value) for x, turn in turns if turn["A"] and turn["B"]]
+    if known:
+        axes.fill_between(*zip(*known), color=plots.COLOURS[2], alpha=0.3, label="A right, B left here")
+    axes.set_ylabel(r"$\theta$ [rad]")
+
+
+def draw(axes, part):
+    draw_turns(axes, part["turns"].items(), {"A": "A reverses (1 mm, 10 g)", "B": "B reverses (2 mm, 1 g)"})
     axes.plot([PRINTED] * len(ANGLES), ANGLES, "kx", markersize=7, label="opposite ways in the paper",
               clip_on=False, zorder=5)
     for theta in ANGLES:
         axes.axhline(theta, color=plots.GREY, linewidth=0.8, linestyle="--", zorder=1)
-    axes.set(xlabel="density $d$", ylabel=r"$\theta$ [rad]")
+    axes.set_xlabel("density $d$")
     axes.set_ylim(bottom=0.0)
     axes.legend(loc="lower left")
-    return figure
 
 
 def is_parted(part, d, theta):
@@ -106,9 +111,7 @@ def claims(part):
 
 
 def turn_lines(part):
-    fields = ("theta_b_reverses", "theta_a_reverses", "interval_rad")
-    return csv_lines(("d",), fields, {d: [turn[kind] for kind in ("B", "A", "window")]
-                                      for d, turn in part["turns"].items()})
+    return csv_lines(("d",), TURNS.values(), {d: [turn[kind] for kind in TURNS] for d, turn in part["turns"].items()})
 
 
 def text(part):
@@ -120,5 +123,5 @@ def text(part):
 WINDOW = Study("parting_window", "The inclinations at which the kinds of Fig. 8's mixture reverse, over the density",
               (Sweep("parting_window", {THETA: (0.052, *ANGLES)}),), evaluate,
               (Picture("parting_window", "The inclinations at which A and B reverse, over the density; bars: "
-                       "jackknife errors over the seeds", draw),),
+                       "jackknife errors over the seeds", draw, size=(6.4, 4.2)),),
               claims, text, tables=lambda part: {"parting_window": turn_lines(part)})

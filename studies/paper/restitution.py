@@ -11,12 +11,10 @@ def evaluate(rows):
     return means(rows["paper_restitution"], "mean_vx.A", E)
 
 
-def draw(velocities):
-    figure, axes = plots.panels(1, 1, (6.4, 3.6))
+def draw(axes, velocities):
     plots.curve(axes, velocities.items(), plots.MM, color="black")
     axes.set(xlabel="restitution $e$", ylabel=r"$\langle V_x \rangle$ [mm/s]")
     axes.set_ylim(bottom=0.0)
-    return figure
 
 
 def claims(velocities):
@@ -31,5 +29,5 @@ def claims(velocities):
 
 STUDY = Study("restitution", "Single disks over their restitution", (Sweep("paper_restitution", {E: (PRINTED,)}),),
               evaluate, (Picture("restitution", "Mean velocity of single disks over their restitution, otherwise as in "
-                       "Fig. 3; bars: standard errors over the seeds", draw),), claims,
+                       "Fig. 3; bars: standard errors over the seeds", draw, size=(6.4, 3.6)),), claims,
               tables=lambda velocities: {"restitution": csv_lines(("e",), ("mean_vx_m_per_s",), velocities)})

@@ -8,7 +8,6 @@ import json
 import math
 import pathlib
 import re
-import resource
 import subprocess
 import sys
 import tempfile
@@ -19,6 +18,7 @@ from ratchet_sieve import origin
 from ratchet_sieve.places import SHARE
 from ratchet_sieve.texts import counted, table
 from peers import runs
+from sweeps import processor_time
 
 VARIANT = "Single"  # one event a disk and neighbour lists: the fastest of its variants
 FLAGS = ["-Ofast", "-funroll-loops", "-march=native"]  # of its own Makefile
@@ -71,12 +71,11 @@ def build(checkout, disks, length, folder):
 
 def processor_seconds(command, folder):
     """Of a whole process, and what it prints."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    before = processor_time()
     ran = subprocess.run(runs.pinned(command), cwd=folder, capture_output=True, text=True, check=False)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
     if ran.returncode != 0:
         sys.exit(f"{' '.join(command)}: exit status {ran.returncode}: {ran.stderr.strip()}")
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, ran.stdout
+    return processor_time() - before, ran.stdout
 
 
 def run_edmd(checkout, disks, length):

@@ -143,9 +143,9 @@ def in_turns(programs, cases, repetitions, short):
     return runs
 
 
-def speed(runs, key="processor_seconds"):
-    """Median of the seconds per simulated second."""
-    return statistics.median(run[key] / run["duration"] for run in runs)
+def speed(runs):
+    """Median of the processor time [s] per simulated second."""
+    return statistics.median(run["processor_seconds"] / run["duration"] for run in runs)
 
 
 def collision_rate(runs):

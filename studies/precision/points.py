@@ -308,7 +308,7 @@ def save(directory, points, origin, with_costs):
         if lines is result_lines or with_costs:
             kept = lines_of(directory / name, lambda key: key not in {point.key() for point in points})
             new = ({**dict(zip(KEY, point.key())), **line, **about} for point in points for line in lines(point))
-            write_csv(directory / name, columns, [[line.get(column) for column in columns] for line in (*kept, *new)])
+            write_csv(directory / name, columns, (*kept, *new))
 
 
 def load(directory, points):

@@ -1,22 +1,15 @@
 """Runs points by sieve_sweep, one thread each."""
 import json
 import pathlib
-import resource
 import tempfile
 
 from ratchet_sieve.tables import joined
 from precision.points import effort_of
-from sweeps import call, export
+from sweeps import call, export, processor_time
 
 LIMIT = 600.0    # of a point's round [s of wall time]
 TIMED_OUT = 124  # exit status of timeout(1)
 ROUNDS = 2       # that the seeds are divided into
-
-
-def processor_time():
-    """Of all programs that were run and have ended [s]."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 def run_round(program, sweep):

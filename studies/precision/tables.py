@@ -100,17 +100,12 @@ def about(points):
     return f"*{'. '.join(said)}.*\n\n"
 
 
-def measured(points, family):
-    return [point for point in points if point.family == family and point.is_measured()]
-
-
 def bounds(groups):
     """The largest bound of each scene's drifts, energies and others, by step."""
-    lines, used = [], []
+    lines, used, names = [], [], [f"{1e3 * step:g} ms" for step in STEPS]
     for points in groups.values():
-        steps = {point.label: point for point in measured(points, "steps")}
+        steps = {point.label: point for point in points if point.family == "steps" and point.is_measured()}
         exact = find(points, "exact")
-        names = [f"{1e3 * step:g} ms" for step in STEPS]
         if not steps:
             continue
         used += steps.values()
@@ -119,7 +114,7 @@ def bounds(groups):
         for title, chosen in parts_of(points):
             lines.append(["", f"{title}, ≤ %", *(bound_text(step_bound(points, steps.get(name), chosen))
                                                  for name in names)])
-    return about(used) + markdown(["scene", "", *(f"{1e3 * step:g} ms" for step in STEPS)], lines)
+    return about(used) + markdown(["scene", "", *names], lines)
 
 
 def parts_of(points):
@@ -142,17 +137,14 @@ OVER_FLOOR = {"fig3": ("drift A", "short / long"), "fig8": DRIFTS, "fig9": ("Q",
               "violent": ("drift A",)}
 
 
-def at_floor(points, floor):
-    return next((point for point in points if floor_of(point) == floor and point.is_measured()), None)
-
-
 def floors(groups):
     """Rebound floors against the least one."""
     shown = [floor for floor in FLOORS if floor != REFERENCE_FLOOR]
     lines, used = [], []
     for name, quantities_shown in OVER_FLOOR.items():
         points = groups.get(name, [])
-        own = [at_floor(points, floor) for floor in shown]
+        at_floors = {floor_of(point): point for point in points if point.is_measured()}
+        own = [at_floors.get(floor) for floor in shown]
         for quantity in quantities_shown if any(own) else ():
             cells = ([speed_text(speed_up(point, find(points, "exact"))) for point in own] if quantity == "times faster"
                      else [text(point and relative(point.means.get(quantity), least_floor(points, quantity)))

@@ -29,7 +29,7 @@ def regime(mean, least):
         return NORMAL
     if mean.surely_below(-least):
         return REVERSED
-    return NONE if verdicts.all_of((mean.surely_above(-least), mean.surely_below(least))) else UNTOLD
+    return NONE if verdicts.is_within(mean, -least, least) else UNTOLD
 
 
 def exists(says, means, least, wanted):
@@ -76,16 +76,14 @@ def draw_regimes(numbers):
     return figure
 
 
-def draw_curves(numbers):
+def draw_curves(axes, numbers):
     means = numbers["map"][SLICE]
-    figure, axes = plots.panels(1, 1, (6.4, 4.0))
     heights, strengths = axis(means, 1), axis(means, 0)
     curves = {f"{height:g}": [(gamma, means[gamma, height]) for gamma in strengths] for height in heights}
     ends = named_curves(axes, curves, plots.ramp(len(heights)), plots.MM)
     plots.signed(axes)
     axes.set(xlabel=r"$\Gamma = A (2 \pi f)^2 / g$", ylabel=r"$\langle V_x \rangle$ [mm/s]")
     plots.end_labels(axes, ends, "$h / w$")
-    return figure
 
 
 def changes(says, means):
@@ -119,11 +117,6 @@ def claims(numbers):
                                          "the same", places(fresh, cut)) for name, cut in CUTS.items())))]
 
 
-def velocity_lines(numbers):
-    return csv_lines(("e", "gamma", "h_over_w"), ("mean_vx_m_per_s",), {
-        (e, *place): mean for e, means in numbers["map"].items() for place, mean in means.items()})
-
-
 STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others 2004)",
               (Sweep("validation_bae"), Sweep("validation_bae_fresh")), evaluate,
               (Picture("bae_regimes", "Which way single grains go, over the strength of the shaking and the roughness "
@@ -131,5 +124,6 @@ STUDY = Study("bae", "One grain: no, normal and reversed current (Bae and others
                        draw_regimes, ("validation_bae",)),
                Picture("bae_current", "Mean velocity of single grains over the strength of the shaking, "
                        f"e = {SLICE:g}, a = 0.3; bars: standard errors over the seeds", draw_curves,
-                       ("validation_bae",))),
-              claims, tables=lambda numbers: {"bae": velocity_lines(numbers)})
+                       ("validation_bae",), (6.4, 4.0))),
+              claims, tables=lambda numbers: {"bae": csv_lines(("e", "gamma", "h_over_w"), ("mean_vx_m_per_s",), {
+                  (e, *place): mean for e, means in numbers["map"].items() for place, mean in means.items()})})

@@ -7,7 +7,7 @@ from ratchet_sieve import plots
 from ratchet_sieve.tables import Rows
 from ratchet_sieve.texts import shown
 from curves import best_of
-from study import WAYS, Picture, Study, Sweep, axis, csv_lines, kind_curves
+from study import WAYS, Picture, Study, Sweep, axis, csv_lines, kind_curves, over
 import verdicts
 
 THETA = "base.inclination"
@@ -66,16 +66,14 @@ def named(place, ratchet):
 
 def opposed_at(means):
     """@return places where one kind goes to the right and the other to the left, with both"""
-    ways = {place: (pair[0].surely_above(0.0), pair[1].surely_above(0.0)) for place, pair in means.items()}
-    return {place: means[place] for place, (a, b) in sorted(ways.items()) if None not in (a, b) and a != b}
+    return {place: pair for place, pair in means.items() if verdicts.opposite(*pair[:2])}
 
 
 def evaluator(name):
     def evaluate(rows):
         open_rows = rows[f"{name}_open"]
         return {"means": {ratchet: velocities(rows[name + ratchet.suffix], ratchet) for ratchet in RATCHETS},
-                "quality": {theta: (cell.mean("quality"), cell.mean("processed"))
-                            for theta, cell in sorted(open_rows.by(THETA).items())},
+                "quality": over(open_rows, ("quality", "processed"), THETA),
                 "best": best_of(open_rows, THETA, "quality"), "fresh": confirmed(rows[f"{name}_fresh"])}
     return evaluate
 
@@ -97,15 +95,13 @@ def place_of(rows, index):
     return named((row[ROWS], row[ratchet.columns], row[ratchet.curves], row[THETA]), ratchet)
 
 
-def draw_quality(numbers):
-    figure, axes = plots.panels(1, 1, (6.0, 3.6))
+def draw_quality(axes, numbers):
     for index, (name, colour) in enumerate(zip("QP", ("black", plots.COLOURS[2]))):
         points = [(theta, pair[index]) for theta, pair in numbers["quality"].items()]
         plots.curve(axes, points, color=colour, label=name)
     axes.set_ylim(0.0, 1.05)
     axes.set(xlabel=r"$\theta$ [rad]", ylabel="$Q$ and $P$")
     axes.legend()
-    return figure
 
 
 def differs(fresh):
@@ -118,9 +114,8 @@ def differs(fresh):
 
 def opposite(fresh):
     a, b = fresh["opposed"]
-    ways = [mean.surely_above(0.0) for mean in (a, b)]
     return verdicts.Check(f"on {RATCHETS[1].about} they go opposite ways ({fresh['opposed_at']})",
-                          f"A {verdicts.speed(a)}, B {verdicts.speed(b)}", None if None in ways else ways[0] != ways[1])
+                          f"A {verdicts.speed(a)}, B {verdicts.speed(b)}", verdicts.opposite(a, b))
 
 
 def segregates(fresh):
@@ -143,10 +138,6 @@ def drift_lines(numbers):
     return csv_lines(("teeth", "d", "column", "curve", "theta_rad"), (*WAYS, "b_less_a_m_per_s"), cells)
 
 
-def quality_lines(numbers):
-    return csv_lines(("theta_rad",), ("q", "p"), numbers["quality"])
-
-
 def text(numbers):
     """Where the kinds go opposite ways in the search."""
     found = [f"{len(opposed_at(means))} of {len(means)} on {ratchet.about}"
@@ -165,12 +156,14 @@ def study(number, word, names, scene):
     """@param names of both kinds. @param scene of the open base, in words"""
     name, sweep = f"farkas_{word}", f"validation_farkas_{word}"
     quality = Picture(f"{name}_quality", f"Q and P on an open base ({scene}); bars: "
-                      "standard errors over the seeds", draw_quality, (f"{sweep}_open",))
+                      "standard errors over the seeds", draw_quality, (f"{sweep}_open",), (6.0, 3.6))
     return Study(name, f"One size, another {word} (Farkas and others 2002)",
                  (*(Sweep(sweep + ratchet.suffix) for ratchet in RATCHETS), Sweep(f"{sweep}_open"),
                   Sweep(f"{sweep}_fresh")), evaluator(sweep),
                  (*(picture(name, word, names, ratchet) for ratchet in RATCHETS[::-1]), quality), claimer(number, word),
-                 text, tables=lambda numbers: {name: drift_lines(numbers), f"{name}_quality": quality_lines(numbers)})
+                 text, tables=lambda numbers: {
+                     name: drift_lines(numbers),
+                     f"{name}_quality": csv_lines(("theta_rad",), ("q", "p"), numbers["quality"])})
 
 
 RESTITUTION = study("1", "restitution", ("A: e = 0.4", "B: e = 0.8"),

@@ -2,7 +2,7 @@
 from ratchet_sieve import plots
 from ratchet_sieve.stats import jackknife
 from curves import curve_of
-from study import Picture, Study, Sweep, axis, csv_lines, means, named_curves
+from study import Picture, Study, Sweep, axis, csv_lines, family, means, named_curves
 import verdicts
 
 D = "density"
@@ -39,28 +39,22 @@ def draw(numbers):
     return figure
 
 
-def draw_onset(numbers):
+def draw_onset(axes, numbers):
     velocities = numbers["onset"]
-    figure, axes = plots.panels(1, 1, (6.4, 3.8))
-    densities = axis(velocities, 2)
     for e, style in zip(axis(velocities, 0), ("-", "--")):
-        for d, colour in zip(densities, plots.ramp(len(densities))):
-            points = [(f, velocities[e, f, d]) for f in axis(velocities, 1)]
-            plots.curve(axes, points, plots.MM, color=colour, linestyle=style, label=f"e = {e:g}, d = {d:g}")
+        family(axes, {f"e = {e:g}, d = {d:g}": [(f, velocities[e, f, d]) for f in axis(velocities, 1)]
+                      for d in axis(velocities, 2)}, plots.MM, linestyle=style)
     plots.signed(axes)
     axes.set(xlabel="$f$ [Hz]", ylabel=r"$\langle V_x \rangle$ [mm/s]")
     if velocities:
         axes.legend()
-    return figure
 
 
 def turns_afresh(fresh):
     """A check by fresh seeds that the current of a thin layer and of a thicker one have opposite signs."""
     says = "the current reverses as the layer is made thicker (e = 0.6, 30 Hz)"
-    thin, thick = fresh.items()
-    ways = [mean.surely_above(0.0) for _, mean in (thin, thick)]
-    told = ", ".join(f"{verdicts.shown(mean, plots.MM, 'mm/s')} at d = {d:g}" for d, mean in (thin, thick))
-    return verdicts.Check(says, told, None if None in ways else ways[0] != ways[1])
+    told = ", ".join(f"{verdicts.shown(mean, plots.MM, 'mm/s')} at d = {d:g}" for d, mean in fresh.items())
+    return verdicts.Check(says, told, verdicts.opposite(*fresh.values()))
 
 
 def largest_step(rows, seeds):
@@ -90,6 +84,7 @@ STUDY = Study("layer", "A layer over its thickness (Derényi and others 1998)",
               (Picture("layer", "Mean velocity of a layer of one kind over its thickness, on steep teeth (w = 6 mm, "
                        "h = 5 mm, a = 0.3); bars: standard errors over the seeds", draw, ("validation_layer",)),
                Picture("layer_onset", "Mean velocity of a thin and of a thick layer over the frequency, on the same "
-                       "teeth; bars: standard errors over the seeds", draw_onset, ("validation_layer_onset",))), claims,
+                       "teeth; bars: standard errors over the seeds", draw_onset, ("validation_layer_onset",),
+                       (6.4, 3.8))), claims,
               tables=lambda numbers: {name: csv_lines(("e", "f_hz", "d"), ("mean_vx_m_per_s",), numbers[key])
                                       for name, key in (("layer", "means"), ("layer_onset", "onset"))})

@@ -1,6 +1,6 @@
 """One ball over the asymmetry of the teeth (Okishio, Ito, Kitahata 2022)."""
 from ratchet_sieve import plots
-from study import Picture, Study, Sweep, axis, csv_lines, means
+from study import Picture, Study, Sweep, axis, csv_lines, family, means
 import verdicts
 
 E = "species.0.restitution"
@@ -13,17 +13,13 @@ def evaluate(rows):
     return means(rows["validation_okishio"], "mean_vx.A", A, E)
 
 
-def draw(velocities):
-    figure, axes = plots.panels(1, 1, (6.4, 4.0))
-    restitutions = axis(velocities, 1)
-    for e, colour in zip(restitutions, plots.ramp(len(restitutions))):
-        plots.curve(axes, [(a, velocities[a, e]) for a in axis(velocities, 0)], plots.MM, color=colour,
-                    label=f"e = {e:g}")
+def draw(axes, velocities):
+    family(axes, {f"e = {e:g}": [(a, velocities[a, e]) for a in axis(velocities, 0)] for e in axis(velocities, 1)},
+           plots.MM)
     plots.signed(axes)
     axes.axvline(SYMMETRIC, color=plots.GREY, linewidth=0.8, zorder=1)
     axes.set(xlabel="asymmetry $a$", ylabel=r"$\langle V_x \rangle$ [mm/s]")
     axes.legend()
-    return figure
 
 
 def gentler(velocities):
@@ -41,5 +37,5 @@ def claims(velocities):
 STUDY = Study("okishio", "One ball over the asymmetry (Okishio and others 2022)",
               (Sweep("validation_okishio", {A: (SYMMETRIC,)}),), evaluate,
               (Picture("okishio", "Mean velocity of single balls over the asymmetry of the teeth; bars: standard "
-                       "errors over the seeds", draw),), claims,
+                       "errors over the seeds", draw, size=(6.4, 4.0)),), claims,
               tables=lambda velocities: {"okishio": csv_lines(("a", "e"), ("mean_vx_m_per_s",), velocities)})

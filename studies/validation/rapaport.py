@@ -29,14 +29,8 @@ def draw(means):
     return figure
 
 
-def opposite(means):
-    """@return places where the kinds surely go opposite ways"""
-    ways = {place: tuple(mean.surely_above(0.0) for mean in pair) for place, pair in means.items()}
-    return [place for place, (small, large) in ways.items() if None not in (small, large) and small != large]
-
-
 def claims(means):
-    found = opposite(means)
+    found = [place for place, pair in means.items() if verdicts.opposite(*pair)]
     says = "large and small go opposite ways"
     check = verdicts.Check(says, f"at none of {len(means)} (e, f, d), which does not exclude other parameters", None)
     if found:

@@ -14,10 +14,6 @@ CONTACTS = {'disk_disk': 'disk-disk', 'left_slope': 'left slope', 'right_slope':
             'wall': 'wall', 'level': 'level face'}
 
 
-def array(table, column, scale=1.0):
-    return np.array(table.numbers(column, scale))
-
-
 def plot_bins(axes, bins):
     for colour, (species, part) in zip(COLOURS, bins.by('species')):
         for place, label, options in (('left', 'left', {'linestyle': '--'}), ('right', 'right', {}),
@@ -33,12 +29,10 @@ def plot_bins(axes, bins):
 def plot_segregation(axes, segregation):
     time = segregation.numbers('time')
     quality, processed = segregation.numbers('quality'), segregation.numbers('processed')
-    if any_defined(quality + processed):
+    if any_defined(quality) or any_defined(processed):
         axes.step(time, quality, where='post', color='black', label='quality $Q$')
         axes.step(time, processed, where='post', color=COLOURS[2], label='processed $P$')
-        beside(axes)
-    else:
-        say_undefined(axes, 'undefined: no disk was counted')
+    beside(axes, 'undefined: no disk was counted')
     axes.set_ylim(-0.02, 1.05)
     describe(axes, 'Segregation', 'ratio')
 
@@ -49,7 +43,7 @@ def plot_drive(axes, drive, quantity, label, colour, scale=1.0):
               linewidth=1.2, label='commanded')
     axes.plot(time, applied, color=colour, label='applied')
     describe(axes, quantity.capitalize(), label)
-    if applied and max(applied) - min(applied) < 1e-9:
+    if len(applied) and np.ptp(applied) < 1e-9:
         margin = max(0.1 * abs(applied[0]), 0.01)
         axes.set_ylim(applied[0] - margin, applied[0] + margin)
     beside(axes)
@@ -77,18 +71,16 @@ def positive(values):
 
 def plot_contacts(axes, contacts):
     """Each kind's rate, from the end of the first window on."""
-    end = array(contacts, 'window_end')
-    windows = end > array(contacts, 'window_start')
+    end = contacts.numbers('window_end')
+    windows = end > contacts.numbers('window_start')
     for colour, (kind, label) in zip(COLOURS, CONTACTS.items()):
-        rates = positive(array(contacts, kind + '_rate')[windows])
+        rates = positive(contacts.numbers(kind + '_rate')[windows])
         if any_defined(rates):
             axes.plot(end[windows], rates, color=colour, linewidth=1.0, label=label)
     if axes.lines:
         scale_by_decades(axes)
-    else:
-        say_undefined(axes, 'no contact was recorded')
     describe(axes, 'Contacts', 'contacts [1/s]')
-    beside(axes)
+    beside(axes, 'no contact was recorded')
 
 
 def draw_result(directory):
@@ -128,16 +120,13 @@ def draw_displacements(directory):
             disks = int(sum(histogram.numbers('count')))
             if disks < FEWEST_DISKS:
                 continue
-            edges = histogram.numbers('from', MM) + histogram.numbers('to', MM)[-1:]
+            edges = [*histogram.numbers('from', MM), *histogram.numbers('to', MM)[-1:]]
             distribution(row, edges, histogram.numbers('density', 1.0 / MM), label=f'{float(time):g} s ({disks})',
                          color=shades(0.15 + 0.8 * index / max(len(times) - 1, 1)))
         row.axvline(0.0, color=GREY, linewidth=0.8)
         row.set_ylim(bottom=0.0)
         describe(row, f'Species {species}', 'density [1/mm]')
-        if row.get_legend_handles_labels()[0]:
-            beside(row, title='after (disks)')
-        else:
-            say_undefined(row, 'too few disks in the machine')
+        beside(row, 'too few disks in the machine', title='after (disks)')
     if not names:
         say_undefined(axes[0, 0], 'no disk was recorded in the machine')
     axes[-1, 0].set_xlabel('displacement of the disks in the machine, since each entered [mm]')
@@ -152,7 +141,7 @@ def draw_velocities(directory):
     for colour, name, final, final_error in zip(COLOURS, names, finals.numbers('mean_vx', MM),
                                                 finals.numbers('mean_vx_stderr', MM)):
         part = statistics.where('species', name)
-        mean, error = array(part, 'mean_vx', MM), np.nan_to_num(array(part, 'mean_vx_stderr', MM))
+        mean, error = part.numbers('mean_vx', MM), np.nan_to_num(part.numbers('mean_vx_stderr', MM))
         axes.plot(part.numbers('time'), mean, color=colour, label=name)
         axes.fill_between(part.numbers('time'), mean - error, mean + error, color=colour, alpha=0.25, linewidth=0)
         if not np.isnan(final):
@@ -186,7 +175,7 @@ def draw_temperature(directory):
     statistics = Table(directory / 'statistics.csv')
     figure, axes = panels(1, 1, (6.5, 3.0), None)
     for colour, (species, part) in zip(COLOURS, statistics.by('species')):
-        axes.plot(part.numbers('window_end'), positive(array(part, 'granular_temperature', UJ)), color=colour,
+        axes.plot(part.numbers('window_end'), positive(part.numbers('granular_temperature', UJ)), color=colour,
                   linewidth=1.0, label=species)
     scale_by_decades(axes)
     describe(axes, 'Granular temperature, over whole periods of the drive',
@@ -197,7 +186,7 @@ def draw_temperature(directory):
 
 def draw_contacts(directory):
     contacts = Table(directory / 'contacts.csv')
-    ratio = array(contacts, 'short_to_long')
+    ratio = contacts.numbers('short_to_long')
     figure, (rates, ratios) = panels(2, 1, (6.5, 4.8), None, sharex=True, gridspec_kw={'height_ratios': (2, 1)})
     plot_contacts(rates, contacts)
     rates.set_title('Contacts, over whole periods of the drive', loc='left')

@@ -28,7 +28,7 @@ def draw_residence_times(directory):
     """Densities over the logarithm of time, in which the histogram's bins are nearly equal."""
     figure, axes = panels(1, 1, (6.5, 3.4), None)
     for colour, line, label, part in parts(Table(directory / 'residence_times.csv')):
-        edges, counts = part.numbers('from') + part.numbers('to')[-1:], part.numbers('count')
+        edges, counts = [*part.numbers('from'), *part.numbers('to')[-1:]], part.numbers('count')
         if sum(counts) >= FEWEST_TIMES:
             edges, counts = coarser(edges, counts)
             density = counts / sum(counts) / np.diff(np.log(edges))
@@ -37,9 +37,7 @@ def draw_residence_times(directory):
     if axes.lines:
         axes.set_xscale('log')
         axes.xaxis.set_major_formatter('{x:g}')
-        beside(axes, title='species, bin (disks)')
-    else:
-        say_undefined(axes, 'too few disks left')
+    beside(axes, 'too few disks left', title='species, bin (disks)')
     axes.set_ylim(bottom=0.0)
     describe(axes, 'Residence times of the disks that left', r'density over $\ln t$', 'time in the machine [s]')
     return figure
@@ -60,10 +58,7 @@ def draw_mass_flow(directory):
         blocks = len(part) // together
         flow = np.reshape(part.numbers('flow', G)[:blocks * together], (blocks, together)).mean(axis=1)
         axes.plot(part.numbers('time')[together - 1::together], flow, color=colour, linestyle=line, label=label)
-    if axes.lines:
-        beside(axes)
-    else:
-        say_undefined(axes, 'no disk can have left')
+    beside(axes, 'no disk can have left')
     axes.set_ylim(bottom=0.0)
     describe(axes, 'Mass flow into the bins', 'mass per time [g/s]', 'time [s]')
     return figure
@@ -102,11 +97,11 @@ def draw_height_profile(directory):
 
 def plot_profile(axes, part, colour, line, label):
     heights = np.mean([part.numbers('from', MM), part.numbers('to', MM)], axis=0)
-    density = np.array(part.numbers('number_density'))
+    density = part.numbers('number_density')
     if not any_defined(density):
         return
     for each, (column, (_, scale)) in zip(axes, PROFILES.items()):
-        values = np.array(part.numbers(column, scale))
+        values = part.numbers(column, scale)
         if column != 'number_density':
             values = np.where(density >= DENSE * max(density), values, np.nan)
         each.plot(values, heights, color=colour, linestyle=line, label=label)
@@ -122,7 +117,7 @@ def draw_size_classes(directory):
     names = table.values('species')
     figure, axes = panels(2, max(len(names), 1), (2.5 + 3.0 * len(names), 4.4), None, squeeze=False, sharex='col')
     for column, (colour, (species, part)) in enumerate(zip(COLOURS, table.by('species'))):
-        edges = np.array(part.numbers('radius_from', MM) + part.numbers('radius_to', MM)[-1:])
+        edges = np.append(part.numbers('radius_from', MM), part.numbers('radius_to', MM)[-1:])
         shares, velocities = axes[0, column], axes[1, column]
         below = np.zeros(len(part))
         for key, shade, label in (('left', 0.0, 'left'), ('right', 0.45, 'right'), ('on_base', 0.8, 'on the base')):

@@ -47,7 +47,7 @@ def displacements(run, frame=-1, width=None, axes=None):
     """The distribution of the displacements of each species' disks at a frame, with the standard errors of independent
     disks. Disks that have left are not in it. @param width of the bins [m]; None: two teeth
     @throws ValueError the run has no frames"""
-    require_frames(run)
+    run._require_frames()
     with drawing(axes, SIZE) as axes:
         disks = run.frames.disks[frame]
         width = width or BIN * run.scene.width / run.scene["base.teeth"]
@@ -69,7 +69,7 @@ def tracks(run, ids=None, axes=None):
     """The ways of disks through the frames, in mm. @param ids of the disks; None: the middle disk of each species.
     @param axes such as run.plot(0), to draw over the machine
     @throws ValueError the run has no frames, or no such disk"""
-    require_frames(run)
+    run._require_frames()
     if ids is None:
         first = run.frames.disks[0]
         of_kinds = [first["id"][first["species"] == kind] for kind in sorted(set(first["species"]))]
@@ -94,7 +94,7 @@ def tracks(run, ids=None, axes=None):
 def bins(run, axes=None):
     """The numbers of disks that have left by the left and by the right end, of each species, over time.
     @throws ValueError the run has no frames"""
-    require_frames(run)
+    run._require_frames()
     with drawing(axes, SIZE) as axes:
         for colour, (name, counts) in zip(COLOURS, run.frames.bins.items()):
             for end, line in (("left", "-"), ("right", "--")):
@@ -102,8 +102,3 @@ def bins(run, axes=None):
         axes.set(xlabel="time [s]", ylabel="disks that left")
         legend_above(axes)
     return axes
-
-
-def require_frames(run):
-    if not len(run.frames):
-        raise ValueError("the run has no frames: call run(..., frames=60)")

@@ -1,39 +1,29 @@
 """Draws a search of seek.py, from the tables that sieve_analyze wrote from its bag: inclination, frequency, and Q of
 the disks that left within the last seconds, over time. Prints the path of the picture."""
-import bisect
-import math
-
+import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from ratchet_sieve.plots.analysis import plot_drive
 from ratchet_sieve.plots.program import parser_of, run_of, run_program, write
-from ratchet_sieve.plots.style import COLOURS, GREY, any_defined, beside, panels, say_undefined
+from ratchet_sieve.plots.style import COLOURS, GREY, any_defined, beside, panels
 from ratchet_sieve.tables import Table
 
 
-def fallen(bins, species):
-    """Times, and the disks that fell into the left and the right bin until then."""
-    part = bins.where('species', species)
-    return part.numbers('time'), part.numbers('left'), part.numbers('right')
-
-
-def share_right(series, begin, end):
-    """Of the disks that left between two entries; nan if there was none."""
-    _, left, right = series
-    count = left[end] - left[begin] + right[end] - right[begin]
-    return (right[end] - right[begin]) / count if count > 0 else math.nan
-
-
 def windowed_quality(bins, window):
-    """Q, eq. (2) of the paper, of the first two species' disks that left within the last `window` seconds."""
-    species = [fallen(bins, name) for name in bins.values('species')[:2]]
+    """Q, eq. (2) of the paper, of the first two species' disks that left within the last `window` seconds; nan where
+    none of one did. @return times and Q"""
+    species = [bins.where('species', name) for name in bins.values('species')[:2]]
     if len(species) < 2:
         return [], []
-    times = species[0][0]
-    ends = [k for k, time in enumerate(times) if time >= times[0] + window]
-    begins = [bisect.bisect_right(times, times[end] - window) - 1 for end in ends]
-    shares = [[share_right(series, *pair) for pair in zip(begins, ends)] for series in species]
-    return [times[end] for end in ends], [abs(one - other) for one, other in zip(*shares)]
+    times = species[0].numbers('time')
+    ends = np.flatnonzero(times >= times[0] + window)
+    begins = np.searchsorted(times, times[ends] - window, side='right') - 1
+    shares = []
+    for part in species:
+        counts = np.array([part.numbers('left'), part.numbers('right')])
+        fallen = counts[:, ends] - counts[:, begins]
+        shares.append(fallen[1] / np.where(fallen.sum(axis=0) > 0.0, fallen.sum(axis=0), np.nan))
+    return times[ends], np.abs(shares[0] - shares[1])
 
 
 def draw_best(axes, best, column):
@@ -53,9 +43,7 @@ def draw(directory, window, best):
     if any_defined(quality):
         draw_best(axes[1], best, 3)
         axes[1].plot(times, quality, color='black', linewidth=1.0, label='$Q$')
-        beside(axes[1])
-    else:
-        say_undefined(axes[1], 'undefined: too few disks left')
+    beside(axes[1], 'undefined: too few disks left')
     axes[1].set_ylim(-0.02, None)
     axes[1].set_ylabel('$Q$')
     axes[1].set_title(f'Quality of what left within the last {window:g} s', loc='left')

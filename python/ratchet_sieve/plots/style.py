@@ -92,10 +92,12 @@ def say_undefined(axes, text):
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
 
 
-def beside(axes, **options):
-    """A legend to the right of the axes; none if nothing was recorded."""
+def beside(axes, otherwise=None, **options):
+    """A legend to the right of the axes; if nothing was recorded, the text `otherwise` in them."""
     if axes.get_legend_handles_labels()[0]:
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0, **options)
+    elif otherwise:
+        say_undefined(axes, otherwise)
 
 
 def legend_above(axes):
