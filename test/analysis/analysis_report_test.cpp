@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "hand_made_result.h"
+#include "ratchet_sieve/recording/atomic_file.h"
+#include "recording/small_scenes.h"
 
 namespace ratchet_sieve
 {
@@ -107,6 +109,77 @@ TEST(ReportJson, SaysNullForWhatIsNotDefined)
     EXPECT_TRUE(json[key].is_null()) << key;
   EXPECT_TRUE(json["species"][0]["left"].is_null());
   EXPECT_EQ(json["not_recorded"], (std::vector<std::string>{"bins", "statistics"}));
+}
+
+class AnalysisTables : public testing::Test
+{
+protected:
+  AnalysisTables() { writeTables(handMadeResult(), directory_ / "new/sub"); }
+
+  std::string table(const std::string& name) const { return contents(directory_ / "new/sub/" + name); }
+
+  ScratchDirectory directory_;
+};
+
+TEST_F(AnalysisTables, HoldTheBins)
+{
+  EXPECT_EQ(table("bins.csv"),
+            "time [s],species,left,right,on_base,left_mass [kg],right_mass [kg]\n"
+            "0,A,0,0,10,0,0\n0,long-name,0,0,1,0,0\n2.5,A,1,3,6,0.01,0.03\n2.5,long-name,1,0,0,0.002,0\n");
+}
+
+TEST_F(AnalysisTables, HoldWhatWasObserved)
+{
+  EXPECT_EQ(table("observed.csv"),
+            "observable,place,species,number,unit,value\n"
+            "mass_flow,left,A,mean,kg/s,0.5\nmass_flow,left,A,stderr,kg/s,\n"
+            "height_profile,,long-name,mean_height,m,0.25\n");
+  EXPECT_EQ(table("mass_flow.csv"), "place,species,time [s],flow [kg/s]\nleft,A,1.5,0.75\nleft,A,2.5,\n");
+  RunResult result = handMadeResult();
+  result.observed.clear();
+  writeTables(result, directory_ / "new/sub");
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "new/sub/observed.csv"));
+}
+
+TEST_F(AnalysisTables, LeaveEmptyWhatIsNotDefined)
+{
+  EXPECT_EQ(table("segregation.csv"), "time [s],quality,processed,separation\n0,,,\n2.5,0.75,0.5,-0.75\n");
+  EXPECT_EQ(table("velocities.csv"),
+            "species,disks,mean_vx [m/s],mean_vx_stderr [m/s]\nA,10,0.0125,0.0005\nlong-name,1,-0.25,\n");
+  EXPECT_EQ(table("statistics.csv"),
+            "time [s],species,mean_vx [m/s],mean_vx_stderr [m/s],kinetic_translational [J],"
+            "kinetic_rotational [J],collision_rate [1/s],window_start [s],window_end [s],"
+            "granular_temperature [J]\n"
+            "2.5,A,0.5,,,,40,2.25,2.375,0.25\n2.5,long-name,,,,,,2.25,2.375,\n");
+}
+
+TEST_F(AnalysisTables, HoldTheRunItsDriveContactsAndDisplacements)
+{
+  EXPECT_EQ(table("run.csv"),
+            "scene_hash,seed,version,open_ends,start [s],end [s]\n0123456789abcdef,7,1.2.3,1,0,2.5\n");
+  EXPECT_EQ(table("drift.csv"),
+            "time [s],species,disks,displacement [m]\n"
+            "0,A,10,0\n0,long-name,1,0\n2.5,A,6,0.03\n2.5,long-name,0,\n");
+  EXPECT_EQ(table("drive.csv"),
+            "time [s],inclination [rad],commanded_inclination [rad],frequency [Hz],commanded_frequency [Hz],"
+            "amplitude [m],commanded_amplitude [m]\n0.5,0.125,0.25,23,30,0.002,0.003\n");
+  EXPECT_EQ(
+      table("contacts.csv"),
+      "time [s],disk_disk,left_slope,right_slope,apex,wall,level,short_to_long,window_start [s],window_end "
+      "[s],"
+      "disk_disk_rate [1/s],left_slope_rate [1/s],right_slope_rate [1/s],apex_rate [1/s],wall_rate [1/s],"
+      "level_rate [1/s],collision_rate [1/s]\n"
+      "2.5,100,20,40,3,0,0,0.5,2.25,2.375,50,5,10,0.5,0,0,65.5\n");
+  EXPECT_EQ(table("displacements.csv"),
+            "time [s],species,from [m],to [m],count,density [1/m]\n"
+            "2.5,long-name,-0.5,-0.25,1,1\n2.5,long-name,-0.25,0,3,3\n");
+}
+
+TEST(AnalysisTablesIntoAFile, AreRefused)
+{
+  const ScratchDirectory directory;
+  std::ofstream(directory / "file") << "x";
+  EXPECT_THROW(writeTables(handMadeResult(), directory / "file"), OutputError);
 }
 
 }  // namespace

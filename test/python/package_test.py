@@ -21,7 +21,3 @@ class Package(unittest.TestCase):
         with self.assertRaisesRegex(AttributeError, "module 'ratchet_sieve' has no attribute 'nonsense'"):
             import ratchet_sieve
             ratchet_sieve.nonsense
-
-
-if __name__ == "__main__":
-    unittest.main()

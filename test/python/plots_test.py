@@ -134,7 +134,3 @@ class SweepReports(unittest.TestCase):
              'pages': [None, '../kept%20%231/1.html']},
             {'arguments': "--set 'species.0.name=--seed 3'", 'seeds': [None], 'pages': [None]},
             {'arguments': '', 'seeds': [None], 'pages': [None]}])
-
-
-if __name__ == '__main__':
-    unittest.main()

@@ -72,7 +72,3 @@ class Tables(unittest.TestCase):
         self.assertEqual(path.read_text(encoding="utf-8"), 'a,b\n1,"x, y"\n,\n')
         write_csv(path, ["a", "b"], ([0.1, 2],))
         self.assertEqual(path.read_text(encoding="utf-8"), "a,b\n0.1,2\n")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -28,12 +28,16 @@ def summary_of(text):
     return {key: value for key, value in summary.items() if key not in OWN_TIME}
 
 
-def test_the_summary_is_that_of_sieve_run(scene, tmp_path):
-    path = tmp_path / "scene.yaml"
+def sieve_run(scene, folder, *options):
+    """Runs a scene by the program. @return its output"""
+    path = folder / "scene.yaml"
     path.write_text(scene.yaml)
-    done = subprocess.run([program("sieve_run"), path], capture_output=True, check=True, text=True)
-    run = rs.run(scene, progress=False)
-    assert summary_of(done.stdout) == summary_of(json.dumps(run.summary))
+    return subprocess.run([program("sieve_run"), path, *options], capture_output=True, check=True, text=True).stdout
+
+
+def test_the_summary_is_that_of_sieve_run(scene, tmp_path):
+    said = sieve_run(scene, tmp_path)
+    assert summary_of(said) == summary_of(json.dumps(rs.run(scene, progress=False).summary))
 
 
 def test_results_are_attributes_with_units(scene):
@@ -197,10 +201,7 @@ def test_an_error_in_the_progress_ends_the_run(layer, monkeypatch):
 
 
 def test_trajectories_are_those_of_sieve_run(scene, tmp_path):
-    path = tmp_path / "scene.yaml"
-    path.write_text(scene.yaml)
-    subprocess.run([program("sieve_run"), path, "--trajectory", tmp_path / "own.xyz", "--trajectory-rate", "20"],
-                   capture_output=True, check=True)
+    sieve_run(scene, tmp_path, "--trajectory", tmp_path / "own.xyz", "--trajectory-rate", "20")
     run = rs.run(scene, frames=20, progress=False)
     run.write(tmp_path / "python.xyz")
     for part in ("", "_base"):
@@ -263,10 +264,7 @@ def test_paraview_needs_meshio(scene, tmp_path, monkeypatch):
 
 
 def test_pages_are_those_of_sieve_run(scene, tmp_path):
-    path = tmp_path / "scene.yaml"
-    path.write_text(scene.yaml)
-    subprocess.run([program("sieve_run"), path, "--html", tmp_path / "own.html", "--html-rate", "20"],
-                   capture_output=True, check=True)
+    sieve_run(scene, tmp_path, "--html", tmp_path / "own.html", "--html-rate", "20")
     run = rs.run(scene, frames=20, progress=False)
     run.write(tmp_path / "python.html")
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "errors.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -35,15 +36,8 @@ TEST(AtomicFile, RefusesAPathThatCannotBe)
 {
   const ScratchDirectory directory;
   const std::string path = directory / "none/out.txt";
-  try
-  {
-    AtomicFile file(path);
-    FAIL();
-  }
-  catch (const OutputError& error)
-  {
-    EXPECT_EQ(error.what(), path + ": cannot be written: No such file or directory");
-  }
+  EXPECT_EQ(errorOf<OutputError>([&] { AtomicFile file(path); }),
+            path + ": cannot be written: No such file or directory");
   EXPECT_THROW(AtomicFile file(directory / ""), OutputError);
 }
 

@@ -86,29 +86,14 @@ TEST(HeadlessRun, SaysHowManyDisksWentOverTheWalls)
             "2 to the right; base.wall_height makes them higher [over-walls]");
 }
 
-TEST(HeadlessRun, IsTheSameRunWhoeverWatches)
-{
-  Simulation alone(smallRing());
-  alone.advanceTo(1.0);
-
-  Simulation watched(smallRing());
-  CollectingSink sink;
-  int looks = 0;
-  RunWatchers watchers;
-  watchers.frames = {{&sink}};
-  watchers.progress = [&looks](const Simulation&) { ++looks; };
-  runToEnd(watched, watchers);
-  EXPECT_GT(looks, 60);
-  EXPECT_EQ(sink.particles.size(), 61u);
-  EXPECT_EQ(watched.saveState(), alone.saveState());
-}
-
 TEST(HeadlessRun, StopsWhenAskedAndSaysWhere)
 {
   Simulation simulation(smallRing());
   CollectingSink sink;
   RunWatchers watchers;
   watchers.frames = {{&sink}};
+  int looks = 0;
+  watchers.progress = [&looks](const Simulation&) { ++looks; };
   watchers.stop_wanted = [&simulation] { return simulation.time() >= 0.25; };
   const RunOutcome outcome = runToEnd(simulation, watchers);
   EXPECT_EQ(outcome.end, RunEnd::STOPPED);
@@ -116,23 +101,7 @@ TEST(HeadlessRun, StopsWhenAskedAndSaysWhere)
   ASSERT_EQ(outcome.warnings.size(), 1u);
   EXPECT_EQ(outcome.warnings[0].rfind("stopped at 0.", 0), 0u) << outcome.warnings[0];
   EXPECT_EQ(sink.particles.back().time, simulation.time());
-}
-
-TEST(HeadlessRun, ReportsAStallAndKeepsWhatWas)
-{
-  // A single disk without minimum rebound speed or contact duration on a base at rest: inelastic collapse.
-  SceneDefinition scene = smallRing();
-  scene.base.tooth_height = 0.0;
-  scene.base.amplitude = 0.0;
-  scene.contact.min_rebound_speed = 0.0;
-  scene.species[1].count = 0;
-  scene.species[0].count = 1;
-  scene.duration = 100.0;
-  Simulation simulation(scene);
-  const RunOutcome outcome = runToEnd(simulation, {});
-  EXPECT_EQ(outcome.end, RunEnd::STALLED);
-  EXPECT_EQ(outcome.warnings.size(), 1u);
-  EXPECT_LT(simulation.time(), 100.0);
+  EXPECT_GT(looks, 15);
 }
 
 TEST(HeadlessRun, ReportsAnEnergyBeyondTheMachinesScale)
@@ -145,19 +114,6 @@ TEST(HeadlessRun, ReportsAnEnergyBeyondTheMachinesScale)
   Simulation simulation(scene);
   const RunOutcome outcome = runToEnd(simulation, {});
   EXPECT_EQ(outcome.warnings, std::vector<std::string>{withId(simulation.energyText(), "large-energy")});
-}
-
-TEST(HeadlessRun, OfNoDurationTakesOneFrame)
-{
-  SceneDefinition scene = smallRing();
-  scene.duration = 0.0;
-  Simulation simulation(scene);
-  CollectingSink sink;
-  RunWatchers watchers;
-  watchers.frames = {{&sink}};
-  EXPECT_EQ(runToEnd(simulation, watchers).end, RunEnd::COMPLETED);
-  EXPECT_EQ(sink.scenes.size(), 1u);
-  EXPECT_EQ(sink.particles.size(), 1u);
 }
 
 /// A walled base 2 m wide: it may turn at 0.858 rad/s.

@@ -2,21 +2,230 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <gtest/gtest.h>
 
 #include "collecting_sink.h"
+#include "ratchet_sieve/recording/version.h"
+#include "ratchet_sieve/scene/canonical_scene.h"
+#include "ratchet_sieve/scene/scene_file.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
+
+/// Samples a run to `end`.
+CollectingSink sampled(const FrameRates& rates, double start, double end)
+{
+  SceneDefinition scene = smallRing();
+  Simulation simulation(scene);
+  simulation.advanceTo(start);
+  FrameSampler sampler(rates, start);
+  CollectingSink sink;
+  sampler.takeDue(simulation, sink);
+  while (sampler.nextTime() <= end)
+  {
+    simulation.advanceTo(sampler.nextTime());
+    sampler.takeDue(simulation, sink);
+  }
+  simulation.advanceTo(end);
+  sampler.takeLast(simulation, sink);
+  return sink;
+}
+
+TEST(FrameSampler, TakesFramesExactlyOnTheirTimes)
+{
+  const CollectingSink sink = sampled({60.0, 30.0, 7.0, 10.0}, 0.0, 1.0);
+  ASSERT_EQ(sink.particles.size(), 61u);
+  for (std::size_t k = 0; k < sink.particles.size(); ++k)
+    EXPECT_EQ(sink.particles[k].time, static_cast<double>(k) / 60.0);
+  ASSERT_EQ(sink.bases.size(), 8u);
+  for (std::size_t k = 0; k < sink.bases.size(); ++k)
+    EXPECT_EQ(sink.bases[k].time, static_cast<double>(k) / 7.0);
+  EXPECT_EQ(sink.bins.size(), 31u);
+  EXPECT_EQ(sink.statistics.size(), 11u);
+  EXPECT_EQ(sink.scenes.size(), 1u);
+}
+
+TEST(FrameSampler, CountsFromWhereItStarts)
+{
+  const CollectingSink sink = sampled({10.0, 0.0, 0.0, 0.0}, 0.3, 0.65);
+  std::vector<double> times;
+  for (const ParticleFrame& frame : sink.particles)
+    times.push_back(frame.time);
+  EXPECT_EQ(times, (std::vector<double>{0.3, 0.3 + 0.1, 0.3 + 0.2, 0.3 + 3 / 10.0, 0.65}));
+}
+
+TEST(FrameSampler, AtRateZeroTakesFirstAndLastOnce)
+{
+  Simulation simulation(smallRing());
+  FrameSampler sampler({0.0, 0.0, 0.0, 0.0}, 0.0);
+  CollectingSink sink;
+  EXPECT_EQ(sampler.nextTime(), 0.0);
+  sampler.takeDue(simulation, sink);
+  sampler.takeLast(simulation, sink);
+  EXPECT_EQ(sink.particles.size(), 1u);
+  EXPECT_TRUE(std::isinf(sampler.nextTime()));
+  simulation.advanceTo(0.7);
+  sampler.takeLast(simulation, sink);
+  sampler.takeLast(simulation, sink);
+  ASSERT_EQ(sink.particles.size(), 2u);
+  EXPECT_EQ(sink.particles[1].time, 0.7);
+  EXPECT_EQ(sink.statistics.size(), 2u);
+}
+
+TEST(FrameSampler, TakesOneFrameForTimesThatWerePassedOver)
+{
+  Simulation simulation(smallRing());
+  FrameSampler sampler({10.0, 10.0, 10.0, 10.0}, 0.0);
+  CollectingSink sink;
+  sampler.takeDue(simulation, sink);
+  simulation.advanceTo(0.55);
+  sampler.takeDue(simulation, sink);
+  ASSERT_EQ(sink.particles.size(), 2u);
+  EXPECT_EQ(sink.particles[1].time, 0.55);
+  EXPECT_EQ(sampler.nextTime(), 6 / 10.0);
+}
+
+TEST(FrameSampler, TakesWhatIsObservedOfScenesThatAskForItOrHaveSizes)
+{
+  for (const auto& [observe, sizes, names] : {std::tuple(false, false, std::vector<std::string>{}),
+                                              {true, false, {"height_profile", "mass_flow"}},
+                                              {false, true, {"size_classes"}}})
+  {
+    SceneDefinition scene = smallMixture();
+    if (observe)
+      scene.observe = {"height_profile", "mass_flow"};
+    if (sizes)
+      scene.species[0].size.spread = 0.2;
+    Simulation simulation(scene);
+    FrameSampler sampler({0.0, 0.0, 0.0, 0.0, 10.0}, 0.0);
+    CollectingSink sink;
+    for (int k = 0; k <= 5; ++k)
+    {
+      simulation.advanceTo(0.1 * k);
+      sampler.takeDue(simulation, sink);
+    }
+    ASSERT_EQ(sink.observed.size(), names.empty() ? 0u : 6u);
+    for (const ObservedFrame& frame : sink.observed)
+    {
+      ASSERT_EQ(frame.observed.size(), names.size());
+      for (std::size_t k = 0; k < names.size(); ++k)
+        EXPECT_EQ(frame.observed[k].name, names[k]);
+    }
+    if (sizes)
+    {
+      const ObservedRow& row = sink.observed.back().observed[0].rows.at(0);
+      EXPECT_EQ(row.species, scene.species[0].name);
+      double disks = 0.0;
+      for (const char* column : {"left", "right", "on_base"})
+        for (const ObservedColumn& each : row.table)
+          if (each.name == column)
+            for (const std::optional<double>& count : each.values)
+              disks += *count;
+      EXPECT_EQ(disks, scene.species[0].count);
+    }
+  }
+}
+
+/// Wants all frames but those of kinds that are left out.
+class ChoosySink : public CollectingSink
+{
+public:
+  bool wants(FrameKind kind) const override { return left_out.count(kind) == 0; }
+
+  std::set<FrameKind> left_out = {FrameKind::PARTICLES, FrameKind::STATISTICS};
+};
+
+TEST(FrameSampler, MakesNothingThatIsNotWanted)
+{
+  Simulation simulation(smallRing());
+  FrameSampler sampler({10.0, 10.0, 10.0, 10.0}, 0.0);
+  ChoosySink sink;
+  sampler.takeDue(simulation, sink);
+  simulation.advanceTo(0.1);
+  sampler.takeDue(simulation, sink);
+  EXPECT_EQ(sink.bases.size(), 2u);
+  EXPECT_EQ(sink.bins.size(), 2u);
+  EXPECT_TRUE(sink.particles.empty());
+  EXPECT_TRUE(sink.statistics.empty());
+
+  // A later subscriber begins with the next frame; skipped frames are not made up for.
+  sink.left_out.clear();
+  sampler.takeDue(simulation, sink);
+  EXPECT_TRUE(sink.particles.empty());
+  EXPECT_EQ(sampler.nextTime(), 2 / 10.0);
+  simulation.advanceTo(0.2);
+  sampler.takeDue(simulation, sink);
+  ASSERT_EQ(sink.particles.size(), 1u);
+  EXPECT_EQ(sink.particles[0].time, 0.2);
+  ASSERT_EQ(sink.statistics.size(), 1u);
+  EXPECT_EQ(sink.statistics[0].real_time_factor, 0.0);
+}
+
+/// A wall clock set by the test.
+struct HandClock
+{
+  std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
+
+  void pass(double seconds)
+  {
+    now += std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+        std::chrono::duration<double>(seconds));
+  }
+};
+
+TEST(FrameSampler, LeavesOutOfTheRealTimeFactorWhatTheRunStoodStill)
+{
+  HandClock clock;
+  Simulation simulation(smallRing());
+  FrameSampler sampler({0.0, 0.0, 0.0, 10.0}, 0.0, [&] { return clock.now; });
+  CollectingSink sink;
+  sampler.takeDue(simulation, sink);
+  // Twice real time; paused in the middle of the second frame, stepped through the fourth.
+  clock.pass(0.05);
+  simulation.advanceTo(0.1);
+  sampler.takeDue(simulation, sink);
+  clock.pass(0.02);
+  sampler.setUnderWay(false);
+  clock.pass(100.0);
+  sampler.setUnderWay(false);
+  clock.pass(100.0);
+  sampler.setUnderWay(true);
+  sampler.setUnderWay(true);
+  clock.pass(0.03);
+  simulation.advanceTo(0.2);
+  sampler.takeDue(simulation, sink);
+  clock.pass(0.02);
+  simulation.advanceTo(0.25);
+  sampler.setUnderWay(false);
+  clock.pass(100.0);
+  sampler.takeLast(simulation, sink);
+  clock.pass(100.0);
+  sampler.setUnderWay(true);
+  clock.pass(0.01);
+  simulation.advanceTo(0.3);
+  sampler.takeDue(simulation, sink);
+
+  std::vector<double> factors;
+  for (const StatisticsFrame& frame : sink.statistics)
+    factors.push_back(frame.real_time_factor);
+  ASSERT_EQ(factors.size(), 5u);
+  EXPECT_EQ(factors[0], 0.0);
+  EXPECT_NEAR(factors[1], 2.0, 1e-6);
+  EXPECT_NEAR(factors[2], 2.0, 1e-6);
+  EXPECT_NEAR(factors[3], 2.5, 1e-6);  // before the pause: 0.05 s in 0.02 s
+  EXPECT_NEAR(factors[4], 5.0, 1e-6);  // after it: 0.05 s in 0.01 s
+}
+
 /// A recording has its own sampler, with its own clock and pauses.
 TEST(Run, leavesPausesOutOfTheRealTimeFactorThatIsRecorded)
 {
-  std::chrono::steady_clock::time_point now;
-  ratchet_sieve::Run run(Simulation(smallMixture()), 2.0, [&] { return now; });
+  HandClock clock;
+  ratchet_sieve::Run run(Simulation(smallMixture()), 2.0, [&] { return clock.now; });
   CollectingSink shown;
   CollectingSink recorded;
   run.add(shown, FrameRates());
@@ -28,13 +237,13 @@ TEST(Run, leavesPausesOutOfTheRealTimeFactorThatIsRecorded)
     run.setUnderWay(true);
     while (run.time() < time)
       run.advanceTo(time);
-    now += std::chrono::milliseconds(100);
+    clock.pass(0.1);
     run.takeAll();
     run.setUnderWay(false);
   };
   for (const double time : {0.05, 0.15, 0.25})
   {
-    now += std::chrono::seconds(100);
+    clock.pass(100.0);
     advance(time);
   }
   ASSERT_EQ(recorded.statistics.size(), shown.statistics.size());
@@ -43,15 +252,6 @@ TEST(Run, leavesPausesOutOfTheRealTimeFactorThatIsRecorded)
     EXPECT_EQ(recorded.statistics[k].real_time_factor, shown.statistics[k].real_time_factor);
   EXPECT_NEAR(recorded.statistics.back().real_time_factor, 0.5, 1e-9);
 }
-
-/// Wants all frames, but statistics only while `listening`.
-class Listener : public CollectingSink
-{
-public:
-  bool wants(FrameKind kind) const override { return kind != FrameKind::STATISTICS || listening; }
-
-  bool listening = false;
-};
 
 void advanceTo(Run& run, double time)
 {
@@ -63,7 +263,7 @@ void advanceTo(Run& run, double time)
 TEST(Run, ObservesNoPeriodsWhereNobodyWantsStatistics)
 {
   ratchet_sieve::Run run(Simulation(smallRing()), 1.0);
-  Listener listener;
+  ChoosySink listener;
   run.add(listener, FrameRates());
   advanceTo(run, 0.75);
   const StatisticsFrame now = run.statistics();
@@ -83,15 +283,15 @@ TEST(Run, ShowsPeriodsThatBeganWhileSomebodyListened)
   reference.observePeriods([&](const PeriodRecord& period) { periods.push_back(period); });
   reference.advanceTo(1.0);
   ratchet_sieve::Run run(Simulation(smallRing()), 1.0);
-  Listener listener;
+  ChoosySink listener;
   run.add(listener, {0.0, 0.0, 0.0, 50.0});
   std::size_t windows = 0;
   // The second time, the listener disconnects within a period, and reconnects before the frame is due.
   for (const auto& [from, until] : {std::pair(0.21, 0.507), std::pair(0.512, 0.9)})
   {
-    listener.listening = false;
+    listener.left_out = {FrameKind::STATISTICS};
     advanceTo(run, from);
-    listener.listening = true;
+    listener.left_out.clear();
     listener.statistics.clear();
     advanceTo(run, until);
     for (const StatisticsFrame& frame : listener.statistics)
@@ -113,5 +313,31 @@ TEST(Run, ShowsPeriodsThatBeganWhileSomebodyListened)
   }
   EXPECT_GT(windows, 20u);
 }
+
+TEST(SceneFrame, CarriesTheSceneAsItRuns)
+{
+  SceneDefinition scene = smallMixture();
+  scene.seed = 77;
+  const SceneFrame frame = makeSceneFrame(Simulation(scene));
+  EXPECT_EQ(frame.seed, 77u);
+  EXPECT_EQ(frame.version, version());
+  EXPECT_EQ(frame.scene_hash, sceneHash(scene));
+  EXPECT_EQ(canonicalYaml(sceneFromText(frame.yaml, "frame").definition), canonicalYaml(scene));
+}
+
+TEST(BinFrame, CountsAndRates)
+{
+  Simulation simulation(smallMixture());
+  EXPECT_FALSE(makeBinFrame(simulation).quality);
+  EXPECT_FALSE(makeBinFrame(simulation).processed);
+  simulation.advanceTo(2.0);
+  const BinFrame frame = makeBinFrame(simulation);
+  EXPECT_EQ(frame.species, (std::vector<std::string>{"A", "B"}));
+  ASSERT_GT(frame.bins[0].counted() + frame.bins[1].counted(), 0u);
+  EXPECT_EQ(frame.bins[0].counted() + frame.bins[0].on_base, 6u);
+  EXPECT_EQ(frame.processed, processedRatio(frame.bins));
+  EXPECT_EQ(frame.quality, bestSeparation(frame.bins).quality());
+}
+
 }  // namespace
 }  // namespace ratchet_sieve

@@ -118,24 +118,25 @@ TEST_F(SieveRunOutputs, AreFinishedWhereOneIsTooLarge)
   EXPECT_EQ(Json::parse(contents(written_ / "s.json"))["simulated_time"], 0.5);
 }
 
+/// By Ctrl-C, and by the end of the terminal.
 TEST_F(SieveRunOutputs, AreWholeWhenInterrupted)
 {
-  EXPECT_EQ(whileItRuns(config("paper_fig3.yaml") + " --duration 100000000", "kill -INT $run"), 1);
-  const Json warnings = Json::parse(contents(written_ / "s.json"))["warnings"];
-  // The first warning: the duration is implausibly long.
-  ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_EQ(warnings[1].get<std::string>().rfind("stopped at ", 0), 0u);
-  EXPECT_EQ(contents(written_ / "c.csv").back(), '\n');
-}
-
-TEST_F(SieveRunOutputs, AreWholeWhenTheTerminalIsClosed)
-{
-  const std::string endless =
-      config("paper_fig3.yaml") + " --duration 100000000 --checkpoint " + (written_ / "k");
-  EXPECT_EQ(whileItRuns(endless, "kill -HUP $run"), 1);
-  EXPECT_GT(Json::parse(contents(written_ / "s.json"))["simulated_time"], 0.0);
-  const Result resumed = run(config("paper_fig3.yaml") + " --duration 0 --resume " + (written_ / "k"));
-  EXPECT_NE(resumed.errors.find("beyond this run's duration"), std::string::npos) << resumed.errors;
+  const std::string checkpoint = written_ / "k";
+  for (const char* signal : {"INT", "HUP"})
+  {
+    EXPECT_EQ(whileItRuns(config("paper_fig3.yaml") + " --duration 100000000 --checkpoint " + checkpoint,
+                          std::string("kill -") + signal + " $run"),
+              1);
+    const Json warnings = Json::parse(contents(written_ / "s.json"))["warnings"];
+    // The first warning: the duration is implausibly long.
+    ASSERT_EQ(warnings.size(), 2u);
+    EXPECT_EQ(warnings[1].get<std::string>().rfind("stopped at ", 0), 0u);
+    EXPECT_EQ(contents(written_ / "c.csv").back(), '\n');
+    const Result resumed = run(config("paper_fig3.yaml") + " --duration 0 --resume " + checkpoint);
+    EXPECT_NE(resumed.errors.find("beyond this run's duration"), std::string::npos) << resumed.errors;
+    for (const char* name : {"k", "s.json", "c.csv"})
+      std::filesystem::remove(written_ / name);
+  }
 }
 
 TEST_F(SieveRunOutputs, AreThoseOfTheWholeRunUnderNohup)

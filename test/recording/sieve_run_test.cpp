@@ -53,15 +53,6 @@ TEST_F(SieveRun, ChecksTheReboundFloorByRunsAtLowerOnes)
   EXPECT_EQ(checked.status, 0) << checked.errors;
   const Json runs = Json::parse(checked.output)["floor_check"];
   ASSERT_EQ(runs.size(), 3u);
-  for (const Json& each : runs)
-  {
-    const std::string floor = each["min_rebound_speed"].dump();
-    const Json alone = Json::parse(run(scene + " --set contact.min_rebound_speed=" + floor).output);
-    EXPECT_FALSE(alone.contains("floor_check"));
-    EXPECT_EQ(each["quality"]["value"], alone["accuracy"]["quality"]["value"]) << floor;
-    EXPECT_EQ(each["processed"]["value"], alone["processed"]) << floor;
-    EXPECT_NE(checked.errors.find("\nsieve_run: " + floor + "  "), std::string::npos) << checked.errors;
-  }
   EXPECT_EQ(runs[2]["min_rebound_speed"], 0.02);
   EXPECT_NE(checked.errors.find("\nsieve_run: quality changes by "), std::string::npos) << checked.errors;
   expectRefusal(scene + " --check-floor --set contact.min_rebound_speed=0",
@@ -129,27 +120,6 @@ TEST_F(SieveRun, FeedsASecondStageWithWhatLeftTheFirst)
   EXPECT_EQ(contents(streams_ / "half") + rest.substr(rest.find('\n') + 1), contents(streams_ / "second"));
 }
 
-TEST_F(SieveRun, WritesAPage)
-{
-  const std::string page = written_ / "run.html";
-  const Result result = run(config("demo.yaml") + " --duration 0.5 --html " + page + " --html-rate 60");
-  EXPECT_EQ(result.status, 0) << result.errors;
-  EXPECT_NE(contents(page).find("<!DOCTYPE html>"), std::string::npos);
-  EXPECT_NE(contents(page).find("\"frames\":31,"), std::string::npos);
-  EXPECT_NE(contents(page).find(Json::parse(result.output)["scene_hash"].get<std::string>()),
-            std::string::npos);
-}
-
-TEST_F(SieveRun, GivesTheSameCollisionsForTheSameSeed)
-{
-  for (const char* name : {"a", "b"})
-    ASSERT_EQ(run(config("demo.yaml") + " --duration 0.5 --seed 3 --collisions " + (written_ / name)).status,
-              0);
-  ASSERT_EQ(run(config("demo.yaml") + " --duration 0.5 --seed 4 --collisions " + (written_ / "c")).status, 0);
-  EXPECT_EQ(contents(written_ / "a"), contents(written_ / "b"));
-  EXPECT_NE(contents(written_ / "a"), contents(written_ / "c"));
-}
-
 TEST_F(SieveRun, ShowsItsHelpAndVersion)
 {
   const Result help = run("--help");
@@ -204,6 +174,11 @@ TEST_F(SieveRun, RefusesBadArguments)
                     ".extxyz");
   expectRefusal(config("demo.yaml") + " --checkpoint-every -1",
                 "--checkpoint-every: -1: must be 0 s or more; see --help");
+  // The second is a key of accuracy, but none that decides when a run ends.
+  for (const char* key : {"speed", "step"})
+    expectRefusal(config("demo.yaml") + " --until " + key + "=0.001",
+                  std::string("--until: ") + key +
+                      ": unknown key; must be one of confidence, mean_vx, quality; see --help");
 }
 
 TEST_F(SieveRun, RefusesABadScene)
@@ -214,22 +189,14 @@ TEST_F(SieveRun, RefusesABadScene)
   expectRefusal("none.yaml", "none.yaml: no such file");
   expectRefusal(config("demo.yaml") + " --seed=-1",
                 config("demo.yaml") + ": seed = -1: must be an integer from 0 to 18446744073709551615");
-}
-
-TEST_F(SieveRun, RefusesDisksThatOverlapAndNamesThem)
-{
-  const std::string bad = scene(
+  const std::string overlapping = scene(
       "species: [{name: A, radius: 0.002, mass: 0.001}]\n"
       "initial:\n"
       "  - {species: A, x: 0.1, y: 0.05}\n"
       "  - {species: A, x: 0.2, y: 0.05}\n"
       "  - {species: A, x: 0.203, y: 0.05}\n");
-  const Result result = run(bad + " --summary " + (written_ / "s.json"));
-  EXPECT_EQ(result.status, 2);
-  EXPECT_NE(result.errors.find("initial.1 and initial.2 overlap by 0.001"), std::string::npos)
-      << result.errors;
-  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1);
-  EXPECT_TRUE(written_.empty());
+  expectRefusal(overlapping + " --summary " + (written_ / "s.json"),
+                overlapping + ": initial.1 and initial.2 overlap by 0.001 m");
 }
 
 TEST_F(SieveRun, RefusesAPathThatCannotBeWrittenBeforeItRuns)
@@ -240,13 +207,7 @@ TEST_F(SieveRun, RefusesAPathThatCannotBeWrittenBeforeItRuns)
                 path + ": cannot be written: No such file or directory");
 }
 
-#ifdef SIEVE_RUN_HAS_ROS
-TEST_F(SieveRun, RecordsABag)
-{
-  EXPECT_EQ(run(config("demo.yaml") + " --duration 0.5 --bag " + (written_ / "run.bag")).status, 0);
-  EXPECT_EQ(contents(written_ / "run.bag").substr(0, 13), "#ROSBAG V2.0\n");
-}
-#else
+#ifndef SIEVE_RUN_HAS_ROS
 TEST_F(SieveRun, RefusesABagWithoutRos)
 {
   const std::string bag = written_ / "run.bag";
@@ -285,10 +246,6 @@ TEST_F(SieveRun, GoesOnFromACheckpointToTheSameSummary)
   const std::string second = contents(streams_ / "second");
   EXPECT_EQ(contents(streams_ / "first") + second.substr(second.find('\n') + 1),
             contents(streams_ / "through"));
-
-  const std::string nowhere = written_ / "none/run.checkpoint";
-  expectRefusal(scene + " --duration 100000000 --checkpoint " + nowhere,
-                nowhere + ": cannot be written: No such file or directory");
 }
 
 TEST_F(SieveRun, EndsWhenItIsAsSureAsAsked)
@@ -302,16 +259,6 @@ TEST_F(SieveRun, EndsWhenItIsAsSureAsAsked)
   EXPECT_LE(json["accuracy"]["mean_vx"][0]["half_width"], 0.004);
   EXPECT_LT(json["simulated_time"], 200.0);
   EXPECT_EQ(json["warnings"].size(), 0u);
-}
-
-TEST_F(SieveRun, RefusesABadCertainty)
-{
-  const std::string scene = config("demo.yaml");
-  expectRefusal(scene + " --until speed=1",
-                "--until: speed: unknown key; must be one of confidence, mean_vx, quality; see --help");
-  // A key of accuracy, but none that decides when a run ends.
-  expectRefusal(scene + " --until step=0.001",
-                "--until: step: unknown key; must be one of confidence, mean_vx, quality; see --help");
 }
 
 TEST_F(SieveRun, LeavesAWholeCheckpointWhereverItIsKilled)

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "collecting_sink.h"
@@ -166,20 +165,9 @@ std::string differenceFrom(double from, const CollectingSink& sink)
 
 TEST(StatisticsWindow, ComesOutTheSameInARunOfTheRecordedScene)
 {
-  CollectingSink sink = recorded(layer(), 10.0);
+  const CollectingSink sink = recorded(layer(), 10.0);
   EXPECT_EQ(differenceFrom(0.0, sink), "");
   EXPECT_EQ(differenceFrom(0.45, sink), "") << "a later file of a recording that was split";
-  double& temperature = *sink.statistics.at(7).species.at(1).granular_temperature;
-  const double was = temperature;
-  temperature = std::nextafter(temperature, 1.0);
-  const std::string temperatures = fmt::format(
-      "at 0.69999999999999996 s the frames of statistics differ: granular_temperature of species[1] was {}, "
-      "is {}",
-      temperature, was);
-  EXPECT_EQ(differenceFrom(0.0, sink), temperatures);
-  EXPECT_EQ(differenceFrom(0.45, sink), temperatures +
-                                            "; the recording begins at 0.45 s, "
-                                            "so earlier commands since 0 s are missing");
 }
 
 TEST(StatisticsWindow, ComesOutTheSameInARunThatWasTakenUp)

@@ -3,12 +3,12 @@
 #include "ratchet_sieve/recording/trajectory_file.h"
 
 #include <cmath>
-#include <functional>
 #include <sstream>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "errors.h"
 #include "file_size_limit.h"
 #include "ratchet_sieve/recording/headless_run.h"
 #include "small_scenes.h"
@@ -35,19 +35,6 @@ std::pair<std::string, std::string> textsOf(const SceneDefinition& scene, const 
   give(file, 0.5, base, disks);
   file.commit();
   return {contents(directory / "run.xyz"), contents(directory / "run_base.xyz")};
-}
-
-std::string errorOf(const std::function<void()>& action)
-{
-  try
-  {
-    action();
-  }
-  catch (const OutputError& error)
-  {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(TrajectoryFile, HasEveryNumberOfADiskAndTheCornersOfALevelSawtooth)
@@ -116,10 +103,10 @@ TEST(TrajectoryFile, NamesTheEndingsThatThereAre)
 {
   const ScratchDirectory directory;
   for (const char* name : {"run.abc", "run", "run.XYZ", ".xyz"})
-    EXPECT_EQ(errorOf([&] { TrajectoryFile file(directory / name); }),
+    EXPECT_EQ(errorOf<OutputError>([&] { TrajectoryFile file(directory / name); }),
               directory / name +
                   ": unknown format of a trajectory; the file's ending must be one of .xyz, .extxyz");
-  EXPECT_EQ(errorOf([&] { TrajectoryFile file(directory / "run.pvd"); }),
+  EXPECT_EQ(errorOf<OutputError>([&] { TrajectoryFile file(directory / "run.pvd"); }),
             directory / "run.pvd" +
                 ": for ParaView use run.write(\"FILE.pvd\") of the Python package; the file's "
                 "ending must be one of .xyz, .extxyz");
@@ -139,7 +126,7 @@ TEST(TrajectoryFile, SaysThatTheDiskIsFullAndKeepsTheEarlierOne)
   write(1);
   const std::string before = contents(directory / "run.xyz");
   const FileSizeLimit limit(20000);
-  const std::string error = errorOf([&] { write(1000); });
+  const std::string error = errorOf<OutputError>([&] { write(1000); });
   EXPECT_NE(error.find(": cannot be written: "), std::string::npos) << error;
   EXPECT_EQ(contents(directory / "run.xyz"), before);
 }

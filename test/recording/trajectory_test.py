@@ -64,28 +64,8 @@ class Trajectory(unittest.TestCase):
         base = path.with_name(path.stem + '_base' + path.suffix)
         return summary, ase.io.read(path, ':'), ase.io.read(base, ':')
 
-    def test_disks_fly_on_parabolas(self):
-        _, frames, _ = self.frames(FLIGHT, '--trajectory-rate', 40, name='run.extxyz')
-        self.assertEqual(len(frames), 11)
-        for k, frame in enumerate(frames):
-            time = k / 40
-            self.assertEqual(frame.info['Time'], time)
-            self.assertEqual(list(frame.arrays['type']), ['flat.stone', 'pebble_2'])
-            self.assertEqual(list(frame.arrays['id']), [0, 1])
-            fall = numpy.array([0.0, -9.81 * time, 0.0])
-            velocities = numpy.array([[0.1, 0.3, 0.0], [-0.2, 0.0, 0.0]])
-            numpy.testing.assert_allclose(frame.arrays['velo'], velocities + fall, rtol=0, atol=1e-14)
-            moved = velocities * time + fall * time / 2
-            numpy.testing.assert_allclose(frame.positions, [[-0.05, 0.5, 0.0], [0.05, 0.45, 0.0]] + moved, rtol=0,
-                                          atol=1e-14)
-            numpy.testing.assert_allclose(frame.arrays['displacement'], moved[:, 0], rtol=0, atol=1e-14)
-            numpy.testing.assert_array_equal(frame.arrays['omega'], [[0, 0, -2.0], [0, 0, 5.0]])
-            numpy.testing.assert_allclose(frame.arrays['angle'], numpy.array([-2.0, 5.0]) * time, rtol=0, atol=1e-14)
-            self.assertEqual(list(frame.arrays['radius']), [0.004, 0.002])
-            self.assertEqual(list(frame.arrays['mass']), [0.02, 0.01])
-
     def test_the_cell_is_periodic_along_the_base(self):
-        _, frames, base = self.frames(FLIGHT, '--trajectory-rate', 0)
+        _, frames, base = self.frames(FLIGHT, '--trajectory-rate', 0, name='run.extxyz')
         self.assertEqual(len(frames), 2)
         for frame in frames + base:
             self.assertEqual(list(frame.pbc), [True, False, False])

@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 #include <rosbag/view.h>
 #include <std_msgs/Float64.h>
+#include <topic_tools/shape_shifter.h>
 
 #include "caught_log.h"
-#include "collecting_sink.h"
-#include "errors.h"
 #include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/same_bits.h"
-#include "ratchet_sieve/ros/bag.h"
+#include "ratchet_sieve/recording/version.h"
+#include "read_bags.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -30,12 +30,6 @@ void showRun(FrameSink& sink)
     sampler.takeDue(simulation, sink);
   }
   sampler.takeLast(simulation, sink);
-}
-
-std::string readingError(const std::string& path)
-{
-  CollectingSink sink;
-  return errorOf([&] { readBags({path}, sink); });
 }
 
 std::string writingError(const std::string& path)
@@ -58,31 +52,6 @@ private:
   FrameSink& bag_;
 };
 
-void expectSame(const CollectingSink& read, const CollectingSink& written)
-{
-  EXPECT_TRUE(sameBits(read.scenes, written.scenes));
-  EXPECT_TRUE(sameBits(read.particles, written.particles));
-  EXPECT_TRUE(sameBits(read.bins, written.bins));
-  EXPECT_TRUE(sameBits(read.bases, written.bases));
-  EXPECT_TRUE(sameBits(read.statistics, written.statistics));
-}
-
-TEST(Bag, givesARunBackBitForBit)
-{
-  const ScratchDirectory scratch;
-  BagWriter bag(scratch / "run.bag");
-  Both written(bag);
-  showRun(written);
-  EXPECT_FALSE(std::filesystem::exists(scratch / "run.bag"));
-  EXPECT_TRUE(std::filesystem::exists(scratch / "run.bag.active"));
-  bag.close();
-  EXPECT_FALSE(std::filesystem::exists(scratch / "run.bag.active"));
-  CollectingSink read;
-  readBags({scratch / "run.bag"}, read);
-  EXPECT_EQ(read.particles.size(), 61u);
-  expectSame(read, written);
-}
-
 TEST(Bag, holdsStampsAsBagTimeAndSetpoints)
 {
   const ScratchDirectory scratch;
@@ -104,8 +73,7 @@ TEST(Bag, holdsStampsAsBagTimeAndSetpoints)
   for (const rosbag::MessageInstance& message : rosbag::View(file, rosbag::TopicQuery("/other/base")))
     EXPECT_EQ(message.instantiate<BaseState>()->header.seq, next++);
   EXPECT_GT(next, 1u);
-  CollectingSink read;
-  readBags({scratch / "run.bag"}, read);
+  const CollectingSink read = readAll({scratch / "run.bag"});
   ASSERT_EQ(read.commands.size(), 1u);
   EXPECT_TRUE(sameBits(read.commands[0], command));
 }
@@ -149,20 +117,20 @@ TEST(Bag, refusesWhatIsNoBagOfARun)
 {
   const ScratchDirectory scratch;
   const std::string missing = scratch / "missing.bag";
-  EXPECT_EQ(readingError(missing), missing + ": no such file");
+  EXPECT_EQ(readingError({missing}), missing + ": no such file");
 
   const std::string text = scratch / "text.bag";
   std::ofstream(text) << "no bag\nat all\n";
-  EXPECT_TRUE(begins(readingError(text), text + ": cannot be read as a bag: ")) << readingError(text);
+  EXPECT_TRUE(begins(readingError({text}), text + ": cannot be read as a bag: ")) << readingError({text});
   std::ofstream(text, std::ios::trunc).close();
-  EXPECT_TRUE(begins(readingError(text), text + ": cannot be read as a bag: ")) << readingError(text);
+  EXPECT_TRUE(begins(readingError({text}), text + ": cannot be read as a bag: ")) << readingError({text});
 
   const std::string foreign = scratch / "foreign.bag";
   {
     rosbag::Bag file(foreign, rosbag::bagmode::Write);
     file.write("/number", ros::Time(1.0), std_msgs::Float64());
   }
-  EXPECT_EQ(readingError(foreign),
+  EXPECT_EQ(readingError({foreign}),
             foreign + ": holds no run: no topic of type ratchet_sieve/SceneDescription");
 
   const std::string two = scratch / "two.bag";
@@ -171,7 +139,7 @@ TEST(Bag, refusesWhatIsNoBagOfARun)
     file.write("/left/scene", ros::Time(1.0), toMessage(SceneFrame()));
     file.write("/right/scene", ros::Time(1.0), toMessage(SceneFrame()));
   }
-  EXPECT_EQ(readingError(two), two + ": holds several runs: /left/scene and /right/scene");
+  EXPECT_EQ(readingError({two}), two + ": holds several runs: /left/scene and /right/scene");
 }
 
 TEST(Bag, refusesWhatWasNotClosedOrIsCutOff)
@@ -187,13 +155,13 @@ TEST(Bag, refusesWhatWasNotClosedOrIsCutOff)
   for (const double part : {0.999, 0.6, 0.01})
   {
     std::ofstream(cut, std::ios::binary) << bytes.substr(0, static_cast<std::size_t>(part * bytes.size()));
-    const std::string refusal = readingError(cut);
+    const std::string refusal = readingError({cut});
     EXPECT_TRUE(begins(refusal, cut + ": cannot be read as a bag: ")) << part << ": " << refusal;
     EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
   }
   BagWriter bag(scratch / "open.bag");
   showRun(bag);
-  EXPECT_EQ(readingError(scratch / "open.bag.active"),
+  EXPECT_EQ(readingError({scratch / "open.bag.active"}),
             scratch / "open.bag.active: was not closed, or is damaged: try `rosbag reindex`");
 }
 
@@ -205,7 +173,7 @@ TEST(Bag, refusesAFrameAtNoTime)
     SceneDescription scene;
     scene.time = time;
     rosbag::Bag(scratch / "b", rosbag::bagmode::Write).write("/sieve/scene", ros::Time(1.0), scene);
-    EXPECT_EQ(readingError(scratch / "b"), scratch / "b: /sieve/scene has a message with an invalid time");
+    EXPECT_EQ(readingError({scratch / "b"}), scratch / "b: /sieve/scene has a message with an invalid time");
   }
 }
 
@@ -222,7 +190,7 @@ TEST(Bag, refusesRunsThatLieUponOneAnother)
     bag.write("/sieve/scene", ros::TIME_MIN, toMessage(makeSceneFrame(simulation)));
     bag.write("/sieve/bins", ros::Time(0.5), toMessage(makeBinFrame(simulation)));
   }
-  EXPECT_EQ(readingError(path),
+  EXPECT_EQ(readingError({path}),
             path +
                 ": holds two runs from 0.000000 s on, as `rosbag record` keeps them across a ~reset: record "
                 "with the node's ~record, or reset with keep_time");
@@ -242,7 +210,7 @@ TEST(Bag, setsAsideWhatWasNotClosed)
   }
   EXPECT_EQ(contents(path + ".unfinished.active"), "first");
   EXPECT_EQ(contents(path + ".unfinished2.active"), "second");
-  EXPECT_EQ(readingError(path), "done");
+  EXPECT_EQ(readingError({path}), "done");
   const std::string first = path + ".unfinished.active";
   EXPECT_EQ(log.count(path + ".active was left by a program that was killed: renamed to " + first +
                       "; `rosbag reindex " + first + "` adds its index"),
@@ -265,7 +233,7 @@ TEST(Bag, advisesNoIndexWhereThereIsOne)
   const std::string aside = path + ".unfinished.active";
   EXPECT_EQ(log.count("renamed to " + aside + "; it has an index and can be read"), 1u);
   EXPECT_EQ(log.count("reindex"), 0u);
-  EXPECT_EQ(readingError(aside), "done");
+  EXPECT_EQ(readingError({aside}), "done");
 }
 
 /// For a file name of the maximum length, no longer name is possible.
@@ -281,7 +249,7 @@ TEST(Bag, leavesAloneWhatCannotBeSetAside)
   EXPECT_EQ(contents(path + active), "first");
 }
 
-TEST(Bag, leavesARunningRecordingAlone)
+TEST(Bag, givesARunBackBitForBitAndIsLeftAloneBefore)
 {
   const ScratchDirectory scratch;
   const std::string path = scratch / "run.bag";
@@ -290,10 +258,17 @@ TEST(Bag, leavesARunningRecordingAlone)
   showRun(written);
   EXPECT_EQ(writingError(path), path + ": cannot be written: another program is recording into it");
   EXPECT_FALSE(std::filesystem::exists(path + ".unfinished.active"));
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_TRUE(std::filesystem::exists(path + ".active"));
   bag.close();
-  CollectingSink read;
-  readBags({path}, read);
-  expectSame(read, written);
+  EXPECT_FALSE(std::filesystem::exists(path + ".active"));
+  const CollectingSink read = readAll({path});
+  EXPECT_EQ(read.particles.size(), 61u);
+  EXPECT_TRUE(sameBits(read.scenes, written.scenes));
+  EXPECT_TRUE(sameBits(read.particles, written.particles));
+  EXPECT_TRUE(sameBits(read.bins, written.bins));
+  EXPECT_TRUE(sameBits(read.bases, written.bases));
+  EXPECT_TRUE(sameBits(read.statistics, written.statistics));
 }
 
 TEST(Bag, takesThePlaceOfNothingButAFile)
@@ -307,6 +282,41 @@ TEST(Bag, takesThePlaceOfNothingButAFile)
     EXPECT_FALSE(std::filesystem::exists(path + ".active"));
   }
   EXPECT_TRUE(std::filesystem::is_symlink(scratch / "null.bag"));
+}
+
+/// A message whose definition nobody knows.
+template <typename Message>
+topic_tools::ShapeShifter unknown(const Message& message)
+{
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+  const auto size = static_cast<std::uint32_t>(bytes.size());
+  ros::serialization::OStream written(bytes.data(), size);
+  ros::serialization::serialize(written, message);
+  topic_tools::ShapeShifter shifter;
+  shifter.morph("0123456789abcdef0123456789abcdef", ros::message_traits::datatype<Message>(), "", "");
+  ros::serialization::IStream read(bytes.data(), size);
+  shifter.read(read);
+  return shifter;
+}
+
+TEST(Bag, ofALaterVersionIsRefusedByTypeAndVersions)
+{
+  const ScratchDirectory scratch;
+  const std::string path = scratch / "later.bag";
+  const Simulation simulation(smallMixture());
+  SceneFrame scene = makeSceneFrame(simulation);
+  scene.version = "1234.5.6";
+  rosbag::Bag file(path, rosbag::bagmode::Write);
+  file.write("/sieve/scene", ros::TIME_MIN, toMessage(scene));
+  file.write("/sieve/bins", ros::TIME_MIN, unknown(toMessage(makeBinFrame(simulation))));
+  file.close();
+  const std::string program = std::string("that ratchet_sieve ") + version() + " does not know";
+  EXPECT_EQ(readingError({path}), path + ": /sieve/bins has a ratchet_sieve/BinCounts " + program +
+                                      ", recorded by ratchet_sieve 1234.5.6");
+  file.open(path, rosbag::bagmode::Write);
+  file.write("/sieve/scene", ros::TIME_MIN, unknown(toMessage(scene)));
+  file.close();
+  EXPECT_EQ(readingError({path}), path + ": /sieve/scene has a ratchet_sieve/SceneDescription " + program);
 }
 }  // namespace
 }  // namespace ratchet_sieve

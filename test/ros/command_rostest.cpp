@@ -4,11 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "collecting_sink.h"
 #include "ratchet_sieve/LockStep.h"
 #include "ratchet_sieve/PourDisks.h"
 #include "ratchet_sieve/recording/same_bits.h"
-#include "ratchet_sieve/ros/bag.h"
+#include "read_bags.h"
 #include "started_node.h"
 
 namespace ratchet_sieve
@@ -110,9 +109,7 @@ TEST_F(Command, aLongStepGivesWayToTheEndOfTheNode)
   auto step = underWay<StepSimulation>("step");
   EXPECT_EQ(started_.end(), 0) << started_.node->errors();
   step.wait();
-  CollectingSink recorded;
-  readBags({bag()}, recorded);
-  EXPECT_GT(recorded.particles.back().time, 0.0);
+  EXPECT_GT(readAll({bag()}).particles.back().time, 0.0);
 }
 
 TEST_F(Command, ofTwoNodesOfOneNameTheFirstEndsItsRecordingWell)
@@ -123,18 +120,14 @@ TEST_F(Command, ofTwoNodesOfOneNameTheFirstEndsItsRecordingWell)
   sieve_.scene.forget();
   ChildNode second("sieve_node", {"__name:=busy"});
   EXPECT_EQ(started_.node->wait(), 0) << started_.node->errors();
-  CollectingSink recorded;
-  readBags({bag()}, recorded);
-  EXPECT_TRUE(sameBits(recorded.particles.back(), last));
+  EXPECT_TRUE(sameBits(readAll({bag()}).particles.back(), last));
 
   sieve_.forget();
   ASSERT_TRUE(sieve_.connect());
   sieve_.stepAndSee(0.5);
   second.interrupt(SIGHUP);
   EXPECT_EQ(second.wait(), 0) << second.errors();
-  CollectingSink of_second;
-  readBags({bag("second.bag")}, of_second);
-  EXPECT_EQ(of_second.particles.back().time, 0.5);
+  EXPECT_EQ(readAll({bag("second.bag")}).particles.back().time, 0.5);
 }
 
 TEST_F(Command, aRunIsGivenAgainBitForBit)
@@ -188,9 +181,10 @@ std::vector<LockStep::Response> controlledRun(SieveClient& sieve, std::uint64_t 
   return responses;
 }
 
-TEST_F(Command, inLockStepAControllerRunsTheSameEachTime)
+TEST_F(Command, inLockStepAControllerRunsTheSameEachTimeAndIsToldWhatLeftLately)
 {
-  const LockStep::Response first = controlledRun(sieve_, 5).back(), second = controlledRun(sieve_, 5).back(),
+  const std::vector<LockStep::Response> run = controlledRun(sieve_, 5);
+  const LockStep::Response &first = run.back(), second = controlledRun(sieve_, 5).back(),
                            other = controlledRun(sieve_, 6).back();
   EXPECT_NEAR(first.time, 2.0, 1e-12);
   EXPECT_NE(first.base.inclination, 0.0);
@@ -198,11 +192,7 @@ TEST_F(Command, inLockStepAControllerRunsTheSameEachTime)
   EXPECT_TRUE(sameBits(toFrame(first.bins), toFrame(second.bins)));
   EXPECT_TRUE(sameBits(toFrame(first.statistics).species, toFrame(second.statistics).species));
   EXPECT_FALSE(sameBits(toFrame(first.statistics).species, toFrame(other.statistics).species));
-}
 
-TEST_F(Command, theBinsTellWhatLeftLately)
-{
-  const std::vector<LockStep::Response> run = controlledRun(sieve_, 5);
   const auto steps = static_cast<std::size_t>(WINDOW / STEP);
   std::uint64_t most = 0;
   for (std::size_t k = steps; k < run.size(); ++k)

@@ -200,14 +200,6 @@ BinFrame someBins()
   return frame;
 }
 
-TEST(SceneMarkers, showBinsOfAnOpenBaseOnly)
-{
-  SceneDefinition scene = smallMixture();
-  EXPECT_FALSE(binMarkers(scene, someBins(), BaseFrame()).markers.empty());
-  scene.boundary = Boundary::PERIODIC;
-  EXPECT_TRUE(binMarkers(scene, someBins(), BaseFrame()).markers.empty());
-}
-
 TEST(SceneMarkers, sayHowTheRunIs)
 {
   const SceneDefinition scene = smallMixture();

@@ -4,10 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "collecting_sink.h"
 #include "node_reports.h"
 #include "ratchet_sieve/recording/same_bits.h"
-#include "ratchet_sieve/ros/bag.h"
+#include "read_bags.h"
 #include "started_node.h"
 
 namespace ratchet_sieve
@@ -165,8 +164,7 @@ TEST(Hardship, aThousandSetpointsASecond)
   EXPECT_EQ(started.end(), 0) << started.node->errors();
 
   // As many frames of the bins as without setpoints, each at its time.
-  CollectingSink recorded;
-  readBags({bag}, recorded);
+  const CollectingSink recorded = readAll({bag});
   const double ended = recorded.bins.back().time;
   ASSERT_GE(recorded.bins.size(), static_cast<std::size_t>(60.0 * ended));
   for (std::size_t k = 0; k + 1 < recorded.bins.size(); ++k)
@@ -225,18 +223,8 @@ TEST(Hardship, oneSubscriberHangsAndTheOtherGetsEveryMessage)
                                      {"scene/contact/pair_collisions", false},
                                      {"set", "{species.0.count: 2000, species.1.count: 2000}"}});
   SieveClient& sieve = started.sieve;
-  const auto subscribers = [&]
-  {
-    XmlRpc::XmlRpcValue caller, state, payload;
-    caller[0] = ros::this_node::getName();
-    EXPECT_TRUE(ros::master::execute("getSystemState", caller, state, payload, false));
-    for (int k = 0; k < payload[1].size(); ++k)
-      if (static_cast<std::string>(payload[1][k][0]) == "/talkative/particles")
-        return payload[1][k][1].size();
-    return 0;
-  };
   ChildNode deaf("/usr/bin/env", {"rostopic", "hz", "/talkative/particles"});
-  ASSERT_TRUE(waitFor([&] { return subscribers() == 2; }));
+  ASSERT_TRUE(waitFor([] { return subscribers("/talkative/particles") == 2; }));
   sieve.stepAndSee(0.25);
   deaf.interrupt(SIGSTOP);
   std::size_t memory_before = 0;

@@ -1,10 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "child_node.h"
-#include "collecting_sink.h"
 #include "own_master.h"
 #include "ratchet_sieve/recording/same_bits.h"
-#include "ratchet_sieve/ros/bag.h"
+#include "read_bags.h"
 #include "sieve_client.h"
 #include "small_scenes.h"
 
@@ -71,8 +70,7 @@ TEST(Masterless, runGoesOnWhereTheMasterGoesAway)
   node.interrupt();
   EXPECT_EQ(node.wait(), 0) << node.errors();
 
-  CollectingSink recorded;
-  readBags({bag}, recorded);
+  const CollectingSink recorded = readAll({bag});
   EXPECT_EQ(recorded.particles.front().time, 0.0);
   EXPECT_GT(recorded.particles.back().time, commanded);
   EXPECT_EQ(recorded.bases.back().base.commanded_inclination, 0.125);

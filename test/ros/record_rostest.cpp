@@ -6,24 +6,16 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
-#include "collecting_sink.h"
 #include "file_size_limit.h"
 #include "node_reports.h"
 #include "ratchet_sieve/recording/same_bits.h"
-#include "ratchet_sieve/ros/bag.h"
+#include "read_bags.h"
 #include "started_node.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-CollectingSink readAll(const std::vector<std::string>& paths)
-{
-  CollectingSink read;
-  readBags(paths, read);
-  return read;
-}
-
 /// Nodes that record into bag().
 class Record : public testing::Test
 {

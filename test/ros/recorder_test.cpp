@@ -6,13 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include "collecting_sink.h"
-#include "errors.h"
 #include "file_size_limit.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
 #include "ratchet_sieve/recording/run.h"
 #include "ratchet_sieve/recording/same_bits.h"
 #include "ratchet_sieve/ros/bag.h"
+#include "read_bags.h"
 #include "small_scenes.h"
 
 namespace ratchet_sieve
@@ -31,13 +30,6 @@ void recordRun(Recorder& recorder, FrameSink& sink, double start = 0.0, double e
   run.takeAll();
 }
 
-CollectingSink readAll(const std::vector<std::string>& paths)
-{
-  CollectingSink read;
-  readBags(paths, read);
-  return read;
-}
-
 std::vector<std::string> filesIn(const std::string& directory)
 {
   std::vector<std::string> paths;
@@ -45,11 +37,6 @@ std::vector<std::string> filesIn(const std::string& directory)
     paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   return paths;
-}
-
-std::string refusalOf(const std::vector<std::string>& paths)
-{
-  return errorOf([&] { readAll(paths); });
 }
 
 void expectSameRun(const CollectingSink& read, const CollectingSink& whole)
@@ -69,29 +56,6 @@ RecordingParameters splitBy(double size, double duration)
   parameters.split_size = size;
   parameters.split_duration = duration;
   return parameters;
-}
-
-TEST(Recorder, recordsEachKindAtItsOwnRate)
-{
-  const ScratchDirectory scratch;
-  RecordingParameters parameters;
-  parameters.rates = {4.0, 30.0, 0.0, 7.0};
-  Recorder recorder(scratch / "run.bag", "/sieve", parameters);
-  recorder.open();
-  CollectingSink shown;
-  recordRun(recorder, shown, 0.0, 1.3);
-  recorder.close();
-
-  const CollectingSink read = readAll({scratch / "run.bag"});
-  ASSERT_EQ(read.particles.size(), 7u);
-  EXPECT_EQ(read.particles.at(5).time, 1.25);
-  EXPECT_EQ(read.particles.at(6).time, 1.3);
-  EXPECT_EQ(read.bins.size(), 40u);
-  EXPECT_TRUE(read.bases.empty());
-  EXPECT_EQ(read.statistics.size(), 11u);
-  EXPECT_EQ(read.statistics.back().time, 1.3);
-  EXPECT_EQ(shown.particles.size(), 79u);
-  EXPECT_TRUE(sameBits(read.particles.at(1), shown.particles.at(15)));
 }
 
 /// One file, several files by time, several files by size: the same run.
@@ -139,18 +103,19 @@ TEST(Recorder, isReadWithoutAHoleAndNotMixedWithAnother)
   recordRun(recorder, shown, 0.0, 0.25);
   recorder.close();
   const auto path = [&](const std::string& name) { return scratch / name; };
-  EXPECT_EQ(refusalOf({path("run_1.bag"), path("run_2.bag"), path("run_3.bag")}), "done");
+  EXPECT_EQ(readingError({path("run_1.bag"), path("run_2.bag"), path("run_3.bag")}), "done");
   // Each file begins with the scene, where the one before ends.
   const CollectingSink part = readAll({path("run_2.bag")});
   EXPECT_EQ(part.scenes.at(0).time, 1.0);
   EXPECT_GT(part.bins.front().time, 1.0);
   EXPECT_EQ(part.bins.back().time, 1.5);
   EXPECT_EQ(part.particles.back().time, 1.5);
-  EXPECT_EQ(refusalOf({path("run_3.bag"), path("run_1.bag")}),
+  EXPECT_EQ(readingError({path("run_3.bag"), path("run_1.bag")}),
             path("run_3.bag") + ": begins at 1.500000 s, and does not continue " + path("run_1.bag") +
                 ", which ends at 1.000000 s");
-  EXPECT_NE(refusalOf({path("run_0.bag"), path("run_0.bag")}).find("does not continue"), std::string::npos);
-  EXPECT_NE(refusalOf({path("run_0.bag"), path("run_run2_0.bag")}).find("does not continue"),
+  EXPECT_NE(readingError({path("run_0.bag"), path("run_0.bag")}).find("does not continue"),
+            std::string::npos);
+  EXPECT_NE(readingError({path("run_0.bag"), path("run_run2_0.bag")}).find("does not continue"),
             std::string::npos);
 
   SceneFrame other = shown.scenes.front();
@@ -159,7 +124,7 @@ TEST(Recorder, isReadWithoutAHoleAndNotMixedWithAnother)
   BagWriter bag(path("other.bag"));
   bag.take(other);
   bag.close();
-  EXPECT_EQ(refusalOf({path("run_0.bag"), path("other.bag")}),
+  EXPECT_EQ(readingError({path("run_0.bag"), path("other.bag")}),
             path("other.bag") + ": is of another run than " + path("run_0.bag"));
 }
 

@@ -7,13 +7,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "collecting_sink.h"
 #include "node_parameters.h"
 #include "ratchet_sieve/live/run_control.h"
 #include "ratchet_sieve/recording/frames.h"
-#include "ratchet_sieve/ros/bag.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
+#include "read_bags.h"
 #include "recorder.h"
 #include "small_scenes.h"
 
@@ -140,9 +139,7 @@ CollectingSink commandedRun(const SceneDefinition& scene = smallRing())
   run.control.command(Quantity::INCLINATION, 0.1);
   run.step(0.3);
   run.control.end();
-  CollectingSink recorded;
-  readBags({scratch / "run.bag"}, recorded);
-  return recorded;
+  return readAll({scratch / "run.bag"});
 }
 
 /// The first difference when every `step`-th frame of one kind is repeated with the commands.

@@ -5,11 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "collecting_sink.h"
 #include "node_parameters.h"
 #include "ratchet_sieve/recording/same_bits.h"
-#include "ratchet_sieve/ros/bag.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
+#include "read_bags.h"
 #include "recorder.h"
 #include "small_scenes.h"
 
@@ -82,39 +81,13 @@ std::vector<DiskState> disksAt(double time, const SceneDefinition& scene)
   return makeParticleFrame(simulation).disks;
 }
 
-TEST(RunControl, stepsExactlyAndShowsTheEnd)
-{
-  Controlled run;
-  EXPECT_TRUE(run.step(0.123456).success);
-  EXPECT_EQ(run.time(), 0.123456);
-  EXPECT_EQ(run.seen.particles.back().time, 0.123456);
-  EXPECT_TRUE(sameBits(run.seen.particles.back().disks, disksAt(0.123456, smallMixture())));
-  EXPECT_EQ(run.seen.bases.back().time, 0.123456);
-  EXPECT_EQ(run.seen.bins.back().time, 0.123456);
-  EXPECT_EQ(run.seen.statistics.back().time, 0.123456);
-}
-
-TEST(RunControl, makesOnlyWhatSomebodyWants)
-{
-  Controlled run("", false);
-  EXPECT_TRUE(run.step(0.5).success);
-  EXPECT_EQ(run.seen.scenes.size(), 1u);
-  EXPECT_TRUE(run.seen.particles.empty() && run.seen.bins.empty() && run.seen.bases.empty() &&
-              run.seen.statistics.empty());
-  run.seen.watched = true;
-  EXPECT_TRUE(run.control.resetWorld().success);
-  EXPECT_TRUE(run.step(0.5).success);
-  EXPECT_EQ(run.seen.particles.size(), 31u);  // of the new run
-}
-
 TEST(RunControl, recordsWhatNobodyElseWants)
 {
   const ScratchDirectory scratch;
   Controlled run(scratch / "run.bag", false);
   EXPECT_TRUE(run.step(0.5).success);
   run.control.end();
-  CollectingSink recorded;
-  readBags({scratch / "run.bag"}, recorded);
+  const CollectingSink recorded = readAll({scratch / "run.bag"});
   EXPECT_EQ(recorded.particles.size(), 6u);
   EXPECT_EQ(recorded.bins.size(), 31u);
   EXPECT_EQ(recorded.bases.size(), 31u);
@@ -183,18 +156,6 @@ TEST(RunControl, interruptsALongStep)
   EXPECT_FALSE(outcome.success);
   EXPECT_EQ(outcome.message, "interrupted at 0.0266666667 s: 0.973333333 s of the step are left");
   EXPECT_EQ(run.seen.particles.back().time, run.time());
-}
-
-TEST(RunControl, commandsAtThePresentTimeAndShowsIt)
-{
-  Controlled run;
-  run.step(0.1);
-  run.control.command(Quantity::INCLINATION, 0.05);
-  EXPECT_EQ(run.seen.bases.back().time, 0.1);
-  EXPECT_EQ(run.seen.bases.back().base.commanded_inclination, 0.05);
-  EXPECT_EQ(run.seen.bases.back().base.inclination, 0.0);
-  run.step(0.2);
-  EXPECT_NEAR(run.seen.bases.back().base.inclination, 0.2 * run.parameters.slew_rates.inclination, 1e-12);
 }
 
 TEST(RunControl, resetsToTheSameRunOrToAnother)

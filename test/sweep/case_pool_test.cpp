@@ -4,8 +4,6 @@
 #include <set>
 #include <stdexcept>
 
-#include <pthread.h>
-
 #include <gtest/gtest.h>
 
 namespace ratchet_sieve
@@ -42,46 +40,6 @@ TEST(CasePool, MakesEachThreadItsOwnWork)
                         });
   }
   EXPECT_EQ(made, 3);
-}
-
-/// No system has room for stacks of this size.
-class NoThreads
-{
-public:
-  NoThreads()
-  {
-    pthread_getattr_default_np(&before_);
-    pthread_attr_t large;
-    pthread_attr_init(&large);
-    pthread_attr_setstacksize(&large, std::size_t{1} << 46);
-    pthread_setattr_default_np(&large);
-    pthread_attr_destroy(&large);
-  }
-  ~NoThreads()
-  {
-    pthread_setattr_default_np(&before_);
-    pthread_attr_destroy(&before_);
-  }
-  NoThreads(const NoThreads&) = delete;
-  NoThreads& operator=(const NoThreads&) = delete;
-
-private:
-  pthread_attr_t before_{};
-};
-
-TEST(CasePool, RunsCasesItselfWhereThereAreNoThreads)
-{
-  const NoThreads none;
-  CasePool pool(8, [] { return [](std::uint64_t) { return CaseResult(); }; });
-  EXPECT_EQ(pool.threads(), 1u);
-  pool.give({3, 5});
-  for (const std::uint64_t position : {3u, 5u})
-  {
-    const std::vector<FinishedCase> finished = pool.take(milliseconds(1), milliseconds(100));
-    ASSERT_EQ(finished.size(), 1u);
-    EXPECT_EQ(finished[0].position, position);
-  }
-  EXPECT_EQ(pool.unfinished(), 0u);
 }
 
 TEST(CasePool, PassesAnErrorOn)

@@ -16,6 +16,8 @@ import tempfile
 import time
 import unittest
 
+from ratchet_sieve.processes import free_port
+
 PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
 DOCUMENT = pathlib.Path(__file__).resolve().parents[2] / 'docs/sweeps.md'
 
@@ -98,16 +100,6 @@ def reference():
         write_sweep(pathlib.Path(name))
         subprocess.run([PROGRAM, 'run', 'fig9.yaml'], cwd=name, check=True, stderr=subprocess.DEVNULL)
         return table(name)
-
-
-def free_ports(count):
-    sockets = [socket.socket() for _ in range(count)]
-    for each in sockets:
-        each.bind(('127.0.0.1', 0))
-    ports = [each.getsockname()[1] for each in sockets]
-    for each in sockets:
-        each.close()
-    return ports
 
 
 def wait_for(condition, what, process=None):
@@ -217,7 +209,7 @@ class OverSsh(ManyMachinesTest):
     def host(self, name):
         """An sshd under a name known only to this test's ssh. Logins have an empty home directory, because the user's
         own shell scripts may have any effect."""
-        port = free_ports(1)[0]
+        port = free_port()
         home = self.directory / name
         home.mkdir()
         config = self.directory / f'{name}.sshd'
@@ -257,7 +249,7 @@ class OnSlurm(ManyMachinesTest):
     def setUp(self):
         super().setUp()
         (self.directory / 'slurm.conf').write_text(SLURM.format(
-            user=getpass.getuser(), host=socket.gethostname().split('.')[0], directory=self.directory, ports=free_ports(3)))
+            user=getpass.getuser(), host=socket.gethostname().split('.')[0], directory=self.directory, ports=[free_port() for _ in range(3)]))
         (self.directory / 'plugstack.conf').write_text('')
         # Given explicitly, because slurmd exits if no control groups are mounted (in a bare root).
         (self.directory / 'cgroup.conf').write_text('CgroupPlugin=cgroup/v1\n')

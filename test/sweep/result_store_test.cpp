@@ -4,6 +4,7 @@
 
 #include "ratchet_sieve/core/physics_version.h"
 #include "ratchet_sieve/recording/version.h"
+#include "recording/errors.h"
 #include "sweep_files.h"
 
 namespace ratchet_sieve
@@ -150,18 +151,8 @@ TEST_F(ResultStoreTest, CommitsToNoFileThatIsGoneOrAnother)
 
 TEST_F(ResultStoreTest, RefusesAFileThatIsNone)
 {
-  const auto complaint = [](const std::string& path) -> std::string
-  {
-    try
-    {
-      const ResultStore store(path, Database::Access::WRITE);
-    }
-    catch (const DatabaseError& error)
-    {
-      return error.what();
-    }
-    return "taken";
-  };
+  const auto complaint = [](const std::string& path)
+  { return errorOf<DatabaseError>([&] { const ResultStore store(path, Database::Access::WRITE); }); };
   const std::string text_file = written(directory_, "text", std::string(5000, 'x'));
   EXPECT_EQ(complaint(text_file), text_file + ": file is not a database");
   const std::string foreign = directory_ / "foreign.db";

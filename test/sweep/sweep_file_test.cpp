@@ -1,10 +1,14 @@
 // A sweep file's cases, in their order, and its refusals.
+#include <numeric>
+
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 #include "ratchet_sieve/sweep/case.h"
 #include "ratchet_sieve/sweep/sweep_plan.h"
+#include "recording/errors.h"
 #include "sweep_files.h"
 
 namespace ratchet_sieve
@@ -27,18 +31,10 @@ protected:
 
   void expectRefusal(const std::string& text, const std::string& line) const
   {
-    try
-    {
-      legalCases(load(text));
-      ADD_FAILURE() << "taken: " << text;
-    }
-    catch (const SceneError& error)
-    {
-      std::string said = error.what();
-      for (std::size_t at; (at = said.find(directory_ / "")) != std::string::npos;)
-        said.erase(at, (directory_ / "").size());
-      EXPECT_EQ(said, line);
-    }
+    std::string said = errorOf<SceneError>([&] { legalCases(load(text)); });
+    for (std::size_t at; (at = said.find(directory_ / "")) != std::string::npos;)
+      said.erase(at, (directory_ / "").size());
+    EXPECT_EQ(said, line) << text;
   }
 
   ScratchDirectory directory_;
@@ -66,6 +62,64 @@ seed: {first: 7, count: 2}
   EXPECT_EQ(
       all[31],
       "base.inclination=0.2 boundary=walled species.0.radius=0.002 species.1.radius=0.004 gravity=9 seed=8");
+}
+
+const std::vector<std::string> KEYS = {"base.inclination", "base.frequency", "gravity", "base.phase"};
+
+std::string listText(const std::vector<int>& values)
+{
+  std::string text;
+  for (const int value : values)
+    text += (text.empty() ? "[" : ", ") + std::to_string(value);
+  return text + ']';
+}
+
+/// `key: [1, 2, ..]` for each size.
+std::string gridText(const std::vector<int>& sizes)
+{
+  std::string text;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    std::vector<int> values(static_cast<std::size_t>(sizes[i]));
+    std::iota(values.begin(), values.end(), 1);
+    text += (i == 0 ? "" : ", ") + KEYS[i] + ": " + listText(values);
+  }
+  return "grid: {" + text + "}\n";
+}
+
+/// The same by counting up, as nested loops do.
+std::vector<std::string> expectedNames(const std::vector<int>& sizes, int seeds)
+{
+  std::vector<std::string> names = {""};
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    std::vector<std::string> longer;
+    for (const std::string& name : names)
+      for (int value = 1; value <= sizes[i]; ++value)
+        longer.push_back(name + KEYS[i] + '=' + std::to_string(value) + ' ');
+    names = longer;
+  }
+  std::vector<std::string> all;
+  for (const std::string& name : names)
+    for (int seed = 1; seed <= seeds; ++seed)
+      all.push_back(name + "seed=" + std::to_string(seed));
+  return all;
+}
+
+RC_GTEST_PROP(SweepOrder, CountsUpAsNestedLoopsDo, ())
+{
+  const auto axes = *rc::gen::inRange<std::size_t>(1, KEYS.size() + 1);
+  const auto sizes = *rc::gen::container<std::vector<int>>(axes, rc::gen::inRange(1, 5));
+  const int seeds = *rc::gen::inRange(1, 4);
+  const ScratchDirectory directory;
+  const Sweep sweep = loadSweep(
+      written(directory, "s.yaml",
+              SMALL_SCENE + gridText(sizes) + "seed: {first: 1, count: " + std::to_string(seeds) + "}\n"));
+  const std::vector<std::string> expected = expectedNames(sizes, seeds);
+  RC_ASSERT(sweep.size() == expected.size());
+  const CaseBuilder builder(sweep);
+  for (std::size_t k = 0; k < expected.size(); ++k)
+    RC_ASSERT(builder.name(k) == expected[k]);
 }
 
 TEST_F(SweepFile, MayListItsSeeds)

@@ -23,12 +23,6 @@ scene:
   duration: 0.2
 )";
 
-/// A single disk on a base at rest, without minimum rebound speed or contact duration: it ends in a collapse.
-constexpr const char* STALLING_CASE =
-    "{contact.min_rebound_speed: 0, base.amplitude: 0, base.tooth_height: 0, species.0.count: 1, "
-    "species.1.count: 0, "
-    "duration: 100}";
-
 /// Every row of `cases` by its run_hash, each column by its name, as text; without columns that differ
 /// between runs.
 inline std::map<std::string, std::map<std::string, std::string>> tableOf(const std::string& results)

@@ -32,14 +32,12 @@ for (const dark of [false, true])
         });
         await drawn(page);
         assert.deepEqual(await violations(page), []);
-        await page.close();
       });
 
     it('the page is as the user prefers', async () => {
       const {page} = await openStill(browser(), 'demo');
       const ground = await page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
       assert.equal(Number(/\d+/.exec(ground)[0]) < 128, dark, ground);
-      await page.close();
     });
   });
 
@@ -49,7 +47,6 @@ describe('the rules', () => {
     const {page} = await openStill(browser(), 'demo');
     await page.evaluate(() => document.body.append(document.createElement('button')));
     assert.match((await violations(page)).join('\n'), /button-name/);
-    await page.close();
   });
 });
 
@@ -63,7 +60,6 @@ describe('with reduced motion', () => {
     assert.deepEqual(later, [false, time]);
     await page.evaluate(() => window.ratchetSieve.play());
     await goesOn(page, time);
-    await page.close();
   });
 });
 
@@ -79,7 +75,6 @@ describe('on a phone', () => {
       assert.equal(window_width, NARROW.width);
       assert.ok(content <= NARROW.width, `the page is ${content} px wide`);
       assert.ok(name === SWEEP || canvas > NARROW.width / 2, `the machine is ${canvas} px wide`);
-      await page.close();
     });
 });
 
@@ -92,7 +87,6 @@ describe('on paper', () => {
       const pdf = Buffer.from(await page.pdf({printBackground: false}));
       assert.equal(pdf.toString('latin1', 0, 5), '%PDF-');
       assert.ok(pdf.length > LEAST_PDF, `${pdf.length} bytes`);
-      await page.close();
     });
 
   it('the machine is in it', async () => {
@@ -102,6 +96,5 @@ describe('on paper', () => {
     const image = await picture(page, '#machine');
     const row = Array.from({length: image.width}, (_, x) => image.at(x, image.height >> 1).join());
     assert.ok(new Set(row).size > 3, 'the machine is blank');
-    await page.close();
   });
 });

@@ -43,7 +43,6 @@ describe('keys', () => {
     assert.deepEqual([paused.playing, paused.pressed], [false, 'false']);
     await drawn(page);
     assert.equal((await state(page)).time, paused.time);
-    await page.close();
   });
 
   it('the arrows go from one recorded time to the next, Home and End to the start and the end', async () => {
@@ -55,7 +54,6 @@ describe('keys', () => {
       ['ArrowLeft', frames[10]], ['ArrowLeft', frames[9]], ['End', times.at(-1)], ['ArrowRight', times.at(-1)],
       ['Home', times[0]], ['ArrowLeft', times[0]]])
       assert.equal((await press(page, key)).time, time, key);
-    await page.close();
   });
 
   it('+ and - zoom, 0 shows the whole machine', async () => {
@@ -70,7 +68,6 @@ describe('keys', () => {
     assert.ok(Math.abs(await scale(page) / nearer - 1) < 1e-6);
     await press(page, '0');
     assert.ok(Math.abs(await scale(page) / whole - 1) < 1e-6);
-    await page.close();
   });
 
   it('comma and full stop change the speed', async () => {
@@ -82,7 +79,6 @@ describe('keys', () => {
     for (let k = 0; k < 20; ++k)
       await page.keyboard.press(',');
     assert.equal((await state(page)).speed, 0);
-    await page.close();
   });
 });
 
@@ -101,7 +97,6 @@ describe('the pointer', () => {
     });
     await drawn(page);
     assert.ok(Math.abs((await state(page)).time - set) < 1e-9);
-    await page.close();
   });
 
   it('follows a disk that is clicked', async () => {
@@ -115,7 +110,6 @@ describe('the pointer', () => {
     await drawn(page);
     assert.equal((await state(page)).followed, disk.id);
     assert.equal((await press(page, 'Escape')).followed, null);
-    await page.close();
   });
 
   it('keeps a followed disk in sight', async () => {
@@ -132,6 +126,5 @@ describe('the pointer', () => {
       {width: document.querySelector('#machine').clientWidth, height: document.querySelector('#machine').clientHeight}],
     there);
     assert.ok(at.x > 0 && at.x < size.width && at.y > 0 && at.y < size.height, JSON.stringify({at, size}));
-    await page.close();
   });
 });

@@ -55,14 +55,12 @@ describe('the live page', () => {
     const time = await sieve(page, 'time');
     await page.keyboard.press('ArrowRight');
     await goesOn(page, time);
-    await page.close();
   });
 
   it('plays as fast as it goes', async () => {
     const {page} = await openPage(browser(), LIVE);
     await page.select('#speed', 'most');
     await goesOn(page, await sieve(page, 'time'));
-    await page.close();
   });
 
   it('gives a command when a slider moves by a key', async () => {
@@ -77,7 +75,6 @@ describe('the live page', () => {
     assert.equal((await sieve(page, 'readings')).base.commanded_inclination, value);
     await page.keyboard.press(' ');
     await until(page, to => window.ratchetSieve.readings.base.inclination === to, value);
-    await page.close();
   });
 
   it('pours anew by R, and by N with the next seed', async () => {
@@ -90,7 +87,6 @@ describe('the live page', () => {
     await page.keyboard.press('n');
     await until(page, x => window.ratchetSieve.disks()[0].x !== x, first[0].x);
     assert.equal(await page.$eval('#seed', field => field.value), '2');
-    await page.close();
   });
 
   it('pours disks by P', async () => {
@@ -99,7 +95,6 @@ describe('the live page', () => {
     await page.keyboard.press('p');
     await until(page, count => window.ratchetSieve.disks().length === count, length + 10);
     assert.deepEqual(await sieve(page, 'schedule'), [[0.1, 'pour', 0, 10]]);
-    await page.close();
   });
 
   it('opens another scene', async () => {
@@ -108,7 +103,6 @@ describe('the live page', () => {
     await page.select('#scene-name', 'paper_fig8');
     await until(page, () => document.querySelector('#bins').hidden && window.ratchetSieve.disks().length > 100);
     assert.ok(await page.$eval('#feed', field => field.hidden));
-    await page.close();
   });
 
   it('zooms, and follows a disk that is clicked or named', async () => {
@@ -129,7 +123,6 @@ describe('the live page', () => {
     await page.type('#follow', String(other.id));
     await page.keyboard.press('Enter');
     assert.equal(await sieve(page, 'followed'), other.id);
-    await page.close();
   });
 });
 
@@ -154,7 +147,6 @@ describe('a link', () => {
     assert.deepEqual(shown, ['0.1', '1']);
     await run(await sieve(opened, 'time'));
     assert.deepEqual(await disksOf(given), await disksOf(opened));
-    await Promise.all([given, opened].map(page => page.close()));
   });
 
   for (const [what, fragment] of [['that is none', '#nonsense'], ['to no scene of the page', fragmentOf({scene: 'x'})],
@@ -169,7 +161,6 @@ describe('a link', () => {
       await until(page, () => window.ratchetSieve.schedule.length === 3);
       assert.equal(await page.$eval('#seed', field => field.value), '3');
       assert.equal(await said(page), '');
-      await page.close();
     });
 });
 
@@ -181,6 +172,5 @@ describe('with reduced motion', {skip: process.env.PAGE_TEST_BROWSER === 'firefo
     assert.deepEqual([await sieve(page, 'playing'), await sieve(page, 'time')], [false, 0]);
     await page.click('#play');
     await goesOn(page, 0);
-    await page.close();
   });
 });

@@ -61,6 +61,5 @@ for (const dark of [false, true])
           assert.ok(one.species === other.species ? apart <= SAME_COLOUR : apart >= OTHER_COLOUR,
             `species ${one.species} and ${other.species}: ${one.colour} and ${other.colour}`);
         }
-      await page.close();
     });
   });

@@ -69,7 +69,6 @@ describe('at recorded times', () => {
       const species = facts.scene.species.map(one => one.name);
       for (const frame of frames)
         assertSameDisks(await disksAt(page, frame.time), frame.disks, resolution, species);
-      await page.close();
     });
 });
 
@@ -93,6 +92,5 @@ describe('between recorded times', () => {
         }
       }
       assert.ok(looked > 100, `only ${looked} disks were looked at`);
-      await page.close();
     });
 });

@@ -29,7 +29,6 @@ describe('the watch', () => {
     for (const found of [/^warn.*: careful/m, /^error: wrong/m, /^exception: .*thrown/m, /^exception: .*rejected/m,
       /^dialog: boo/m])
       assert.match(seen.said.join('\n'), found);
-    await page.close();
   });
 
   it('sees a request', async () => {
@@ -37,7 +36,6 @@ describe('the watch', () => {
     writeFileSync(file, `<!doctype html><title>x</title><img src="${OUTSIDE}" alt="">`);
     const {page, seen} = await openFile(browser(), file);
     assert.deepEqual(seen.requested, [OUTSIDE]);
-    await page.close();
   });
 });
 
@@ -65,6 +63,5 @@ describe('every page', () => {
       }), OUTSIDE);
       await drawn(page);
       assert.deepEqual(await seen.stopped(), [OUTSIDE]);
-      await page.close();
     });
 });

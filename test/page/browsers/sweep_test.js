@@ -60,7 +60,6 @@ describe('the page of a sweep', () => {
       });
     }
     assert.ok(numbers > 20, `${numbers} numbers`);
-    await page.close();
   });
 
   it('answers the pointer and the keys', async () => {
@@ -82,7 +81,6 @@ describe('the page of a sweep', () => {
     await page.select('#field', '1');
     assert.equal(await page.evaluate(() => window.ratchetSieve.field), 'processed');
     assert.deepEqual(seen.said, []);
-    await page.close();
   });
 
   it('has the colours of its scale', async () => {
@@ -100,7 +98,6 @@ describe('the page of a sweep', () => {
       const found = image.at(Math.round(ends[k].x), Math.round(ends[k].y));
       assert.ok(difference(found, colour) < FAR, `${found}, not ${colour}`);
     }
-    await page.close();
   });
 
   it('leads from a setting to the command line and the page of each run', async () => {
@@ -114,7 +111,6 @@ describe('the page of a sweep', () => {
     await page.evaluate(() => window.ratchetSieve.ready);
     assert.match(await page.title(), /seed=1/);
     assert.ok(await page.evaluate(() => window.ratchetSieve.frames.length > 100));
-    await page.close();
   });
 
   it('sorts its table', async () => {
@@ -128,6 +124,5 @@ describe('the page of a sweep', () => {
     await (await page.$('#means thead button')).click();
     assert.deepEqual(await first(), [...ascending].sort((a, b) => b - a));
     assert.equal(await page.$eval('#means thead th', head => head.getAttribute('aria-sort')), 'descending');
-    await page.close();
   });
 });

@@ -44,7 +44,6 @@ describe('Q and P', () => {
         assertShown(await textOf(page, 'quality'), frame.quality, `Q at ${frame.time} s`);
         assertShown(await textOf(page, 'processed'), frame.processed, `P at ${frame.time} s`);
       }
-      await page.close();
     });
 });
 
@@ -60,7 +59,6 @@ describe('where a page comes from', () => {
         assert.ok(provenance.includes(part), `${part} is not in: ${provenance}`);
       for (const species of facts.scene.species)
         assert.ok((await textOf(page, 'results')).includes(species.name), species.name);
-      await page.close();
     });
 
   it('can be copied', {timeout: 20000}, async () => {
@@ -71,6 +69,5 @@ describe('where a page comes from', () => {
       document.querySelector('#copy-scene').click();
     }));
     assert.equal(copied, factsOf('demo').yaml);
-    await page.close();
   });
 });

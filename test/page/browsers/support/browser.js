@@ -2,7 +2,7 @@
 import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import path from 'node:path';
-import {after, before} from 'node:test';
+import {after, afterEach, before} from 'node:test';
 
 // The modules of package.json. They are installed into the build directory, where `import` does not look.
 const installed = createRequire(path.resolve(process.env.PAGE_TEST_MODULES, 'package.json'));
@@ -36,13 +36,22 @@ export async function chromium({dark = false, calm = false} = {})
   };
 }
 
-/// A browser for the tests of a `describe`: PAGE_TEST_BROWSER, or Chromium. Call what this returns within them.
+/// A browser for the tests of a `describe`: PAGE_TEST_BROWSER, or Chromium. Its pages close with the test that has
+/// opened them. Call what this returns within the tests.
 export function useBrowser(preferences)
 {
+  const pages = [];
   let browser;
   before(async () => {
     browser = await (process.env.PAGE_TEST_BROWSER === 'firefox' ? firefox() : chromium(preferences));
   });
+  afterEach(() => Promise.all(pages.splice(0).map(page => page.close())));
   after(() => browser?.close());
-  return () => browser;
+  return () => ({
+    async newPage()
+    {
+      pages.push(await browser.newPage());
+      return pages.at(-1);
+    },
+  });
 }

@@ -7,14 +7,14 @@ namespace ratchet_sieve
 {
 
 /// What an action that is refused says; "done" if it is not.
-template <typename Action>
+template <typename Error = std::runtime_error, typename Action>
 std::string errorOf(const Action& action)
 {
   try
   {
     action();
   }
-  catch (const std::runtime_error& error)
+  catch (const Error& error)
   {
     return error.what();
   }
