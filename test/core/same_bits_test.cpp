@@ -101,7 +101,7 @@ SceneDefinition fedFromAList()
   scene.feed = {};
   for (SpeciesDefinition& species : scene.species)
     species.count = 0;
-  for (std::uint32_t k = 0; k < 10000; ++k)
+  for (std::uint32_t k = 0; k < 4000; ++k)
   {
     const SpeciesDefinition& species = scene.species[k % 2];
     scene.feed.disks.push_back({0.0025 * k, k % 2, (0.8 + 0.1 * (k % 5)) * species.radius, species.mass});
@@ -161,8 +161,8 @@ std::vector<BitsCase> bitsCases()
       {"walled under commands", observed(layerOf(Boundary::WALLED)), turnAndPour},
       {"fed", fed()},
       {"fed ensemble", test::withoutPairs(fed())},
-      {"fed and compacted", fedSieve(), [](Simulation&) {}, 8.0},
-      {"fed from a list and compacted", fedFromAList(), [](Simulation&) {}, 8.0},
+      {"fed and compacted", fedSieve(), [](Simulation&) {}, 3.0},
+      {"fed from a list and compacted", fedFromAList(), [](Simulation&) {}, 3.0},
       {"ensemble", observed(ensemble())},
       {"ensemble under commands", observed(ensemble()), turnAndPour},
       {"sizes", observed(test::withSizes(layerOf())), turnAndPour},
