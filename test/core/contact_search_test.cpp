@@ -1,6 +1,5 @@
 #include "search/contact_search.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
