@@ -1,6 +1,5 @@
 #include "model/base_shape.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 
 #include "constants.h"
 #include "ratchet_sieve/core/simulation.h"
+#include "runs.h"
 #include "scenes.h"
 
 /// One inelastic ball on a flat plate that moves as A sin(w t): the map from hit to hit is known in closed
@@ -69,15 +70,6 @@ double startNearPeriodOne(SceneDefinition& scene, double gamma, double restituti
   return phase;
 }
 
-std::vector<CollisionRecord> hits(const SceneDefinition& scene, double until)
-{
-  Simulation simulation(scene);
-  std::vector<CollisionRecord> records;
-  simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
-  simulation.advanceTo(until);
-  return records;
-}
-
 TEST(BouncingBall, HitsAPlateAtRestInAGeometricSeries)
 {
   // Dropped from H it hits at t = sqrt(2 H / g), and then after flights of 2 t e, 2 t e^2, ...: textbook
@@ -86,7 +78,7 @@ TEST(BouncingBall, HitsAPlateAtRestInAGeometricSeries)
   scene.initial = {{0, 0.1, RADIUS + 0.05, 0.0, 0.0, 0.0}};
   const double fall = std::sqrt(2.0 * 0.05 / GRAVITY);
   const double end = fall * (1.0 + 2.0 * 0.6 / 0.4);
-  const auto records = hits(scene, end - 1e-7);
+  const auto records = test::collisionsUntil(scene, end - 1e-7);
   ASSERT_GT(records.size(), 25u);
   double time = fall, flight = 2.0 * fall;
   for (std::size_t k = 0; k < 25; ++k)
@@ -112,7 +104,7 @@ TEST(BouncingBall, LosesLessTheSlowerItHits)
     double speed = std::sqrt(2.0 * 0.05 * GRAVITY);
     double time = speed / GRAVITY;
     // Before the accumulation point of its hits, which is at 0.489 s for q = 1/5.
-    const auto records = hits(scene, exponent < 0.5 ? 0.45 : 0.9);
+    const auto records = test::collisionsUntil(scene, exponent < 0.5 ? 0.45 : 0.9);
     ASSERT_GT(records.size(), 6u);
     for (const CollisionRecord& record : records)
     {
@@ -151,7 +143,7 @@ TEST(BouncingBall, FindsThePhaseOfItsPeriodOneOrbit)
       const double gamma = periodOneFrom(e) + share * (periodOneTo(e) - periodOneFrom(e));
       SceneDefinition scene = ballOnPlate(e, gamma);
       const double phase = startNearPeriodOne(scene, gamma, e);
-      const auto records = hits(scene, 30.0);
+      const auto records = test::collisionsUntil(scene, 30.0);
       ASSERT_GT(records.size(), 1400u);
       for (std::size_t k = records.size() - 100; k < records.size(); ++k)
       {
@@ -168,7 +160,7 @@ double alternation(double restitution, double gamma)
 {
   SceneDefinition scene = ballOnPlate(restitution, gamma);
   startNearPeriodOne(scene, gamma, restitution);
-  const auto records = hits(scene, 200.0);
+  const auto records = test::collisionsUntil(scene, 200.0);
   const std::size_t n = records.size();
   if (n < 10000 - 1)
     ADD_FAILURE() << "it hit " << n << " times in 10^4 periods";
@@ -230,7 +222,7 @@ TEST(BouncingBall, ComesToRestBelowGammaOneWhereThereIsNoPeriodOne)
   {
     SceneDefinition scene = ballOnPlate(0.6, 0.7, FLOOR);
     scene.initial = {{0, 0.1, RADIUS + height, 0.0, 0.0, 0.0}};
-    expectRest(hits(scene, 2.0), 0.7, 1.0, 2.0);
+    expectRest(test::collisionsUntil(scene, 2.0), 0.7, 1.0, 2.0);
   }
 }
 
@@ -241,9 +233,9 @@ TEST(BouncingBall, RestsOrBouncesWhereItCanDoEither)
   ASSERT_GT(gamma, periodOneFrom(0.6));
   SceneDefinition scene = ballOnPlate(0.6, gamma, FLOOR);
   scene.initial = {{0, 0.1, RADIUS, 0.0, 0.0, 0.0}};
-  expectRest(hits(scene, 2.0), gamma, 1.0, 2.0);
+  expectRest(test::collisionsUntil(scene, 2.0), gamma, 1.0, 2.0);
   startNearPeriodOne(scene, gamma, 0.6);
-  const auto records = hits(scene, 20.0);
+  const auto records = test::collisionsUntil(scene, 20.0);
   // The minimum rebound speed is far below the take-off speed and has no effect.
   EXPECT_NEAR(records.back().normal_speed, GRAVITY * PERIOD / 1.6, 1e-11);
 }
@@ -278,7 +270,7 @@ TEST(BouncingBall, TakesOffAboveGammaOneWhereThePlateFallsAwayFromIt)
   // acceleration) T / (landing speed).
   const double tolerance = floor * (1.0 + GRAVITY * (1.0 + gamma) * PERIOD / landing);
   std::size_t landings = 0;
-  for (const CollisionRecord& record : hits(scene, 52 * PERIOD))
+  for (const CollisionRecord& record : test::collisionsUntil(scene, 52 * PERIOD))
     if (record.time > 2 * PERIOD &&
         record.normal_speed > 0.5 * landing)  // the ball starts at rest in the world
     {

@@ -1,6 +1,5 @@
 #include "search/cell_grid.h"
 
-#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 #include "search/cell_grid.h"
 #include "search/size_levels.h"
@@ -60,6 +58,11 @@ TEST(SizeLevels, AreASingleOneUnlessSizesAreWide)
   EXPECT_GT(count(std::vector<double>(2000, 0.001), 0.005, 1), 1u);
   EXPECT_GT(count(std::vector<double>(2000, 0.001), 0.05, 1), 1u);
   EXPECT_EQ(cheapestLevels({}, 0.1).count(), 1u);
+  // Of same_bits_test.cpp.
+  std::vector<double> lognormal;
+  for (const SpeciesDefinition& species : test::lognormalSizes(150, 0.5).species)
+    lognormal.insert(lognormal.end(), species.count, species.radius);
+  EXPECT_GT(count(lognormal, 0.012, 1), 1u);
 }
 
 TEST(SizeLevels, HoldEveryDiskInOneThatFits)
@@ -84,40 +87,6 @@ TEST(SizeLevels, HoldEveryDiskInOneThatFits)
             RC_ASSERT(2.0 * radius > levels.diameters[level - 1]);
         }
       }));
-}
-
-std::size_t levelsOf(const SceneDefinition& scene)
-{
-  const Simulation simulation(scene);
-  std::vector<double> radii;
-  for (const DiskState& disk : simulation.disks())
-    radii.push_back(scene.species[disk.species].radius);
-  return cheapestLevels(radii, 2.0 * *std::max_element(radii.begin(), radii.end())).count();
-}
-
-/// In all boundaries, with setpoints and pours of large disks.
-TEST(WideSizes, OverlapNever)
-{
-  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED})
-  {
-    SCOPED_TRACE(static_cast<int>(boundary));
-    SceneDefinition scene = test::lognormalSizes(300, 0.5);
-    scene.species.push_back(test::disksOfSize(20.0, 1));
-    scene.base.teeth = 9;
-    scene.boundary = boundary;
-    ASSERT_GT(levelsOf(scene), 1u);
-    Simulation simulation(scene);
-    for (const double inclination : {0.05, 0.0})
-    {
-      const double start = simulation.time();
-      simulation.command(Quantity::INCLINATION, inclination);
-      simulation.advanceTo(start + 0.3);
-      simulation.pour(scene.species.size() - 1, 1);
-      simulation.advanceTo(start + 0.7);
-    }
-    EXPECT_EQ(simulation.auditOverlaps(), 0u);
-    EXPECT_LT(simulation.maxOverlap(), 1e-9 * scene.species[0].radius);
-  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "ratchet_sieve/core/simulation.h"
+#include "runs.h"
 
 namespace ratchet_sieve
 {
@@ -313,9 +314,7 @@ TEST(CollisionByHand, BetweenWallsTheContactDurationDecides)
     scene.contact.contact_duration = duration;
     scene.initial = {{0, 0.01, 0.05, 1.0, 0.0, 100.0}};
     Simulation simulation(scene);
-    std::vector<CollisionRecord> records;
-    simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
-    simulation.advanceTo(0.2);
+    const auto records = test::collisionsUntil(simulation, 0.2);
     ASSERT_GE(records.size(), 3u);
     const double e = duration > 0.03 ? 1.0 : 0.6;
     EXPECT_NEAR(records[0].normal_impulse, 1.6 * 0.002, 1e-15);
@@ -332,10 +331,7 @@ TEST(CollisionByHand, BetweenWallsTheContactDurationDecides)
 void expectSlowContact(SceneDefinition scene, CollisionKind kind, double mass, double restitution)
 {
   scene.contact.restitution_speed = 1.0;
-  Simulation simulation(scene);
-  std::vector<CollisionRecord> records;
-  simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
-  simulation.advanceTo(0.15);
+  const auto records = test::collisionsUntil(scene, 0.15);
   ASSERT_FALSE(records.empty());
   EXPECT_EQ(records[0].kind, kind);
   EXPECT_NEAR(records[0].normal_speed, 0.0625, 1e-13);
@@ -379,10 +375,7 @@ TEST(CollisionByHand, TheFloorDoesNotApplyWithinTheContactDuration)
       scene.contact.contact_duration = within ? 0.0081 : 0.0079;
       scene.contact.restitution_speed = v_0;
       scene.initial = {{0, 0.1, 0.0011, 0.0, -0.1, 0.0}, {1, 0.1, 0.00435, 0.0, 0.05, 0.0}};
-      Simulation simulation(scene);
-      std::vector<CollisionRecord> records;
-      simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
-      simulation.advanceTo(0.01);
+      const auto records = test::collisionsUntil(scene, 0.01);
       ASSERT_EQ(records.size(), 2u);
       EXPECT_EQ(records[1].kind, CollisionKind::DISK_DISK);
       EXPECT_NEAR(records[1].time, 0.009, 1e-12);
@@ -414,22 +407,20 @@ TEST(CollisionByHand, APairLosesNothingIfEitherPartnerHasJustMet)
         scene.base.tooth_height = 0.0;
         scene.contact.contact_duration = share * c.later;
         scene.initial = {{0, 0.1, c.a_height, 0.0, -c.a_speed, 0.0},
-                         {1, 0.1, c.b_height, 0.0, -c.b_speed, 0.0}};
+                         {1, 0.1, c.b_height, 0.0, -c.b_speed, 1.0}};
         if (!a_first)
           std::swap(scene.initial[0], scene.initial[1]);
         // Onlookers make the cells small, so that it is B that finds A when it comes from afar, not A that
         // finds B when it rebounds.
         for (int k = 0; k < 200; ++k)
           scene.initial.push_back({0, 0.0075 * (k % 50) + 0.01, 0.10 + 0.01 * (k / 50), 0.0, 0.0, 0.0});
-        Simulation simulation(scene);
-        std::vector<CollisionRecord> records;
-        simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
-        simulation.advanceTo(0.05);
+        const auto records = test::collisionsUntil(scene, 0.05);
         ASSERT_GE(records.size(), 2u);
         EXPECT_EQ(records[1].kind, CollisionKind::DISK_DISK);
         EXPECT_NEAR(records[1].time - records[0].time, c.later, 1e-6 * c.later);  // as it is printed above
         const double e = share < 1.0 ? 0.7 : 1.0;
         EXPECT_NEAR(records[1].normal_impulse, (1.0 + e) * c.closing * 0.0012, 1e-15);
+        EXPECT_EQ(records[1].tangential_impulse == 0.0, share > 1.0) << "smooth as well";
       }
 }
 

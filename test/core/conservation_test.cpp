@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <random>
 #include <string>
 
@@ -14,10 +12,9 @@ namespace ratchet_sieve
 namespace
 {
 
-/// A mixture of 200 disks over a base at rest that loses no energy.
-SceneDefinition lossless(double friction, double tangential_restitution)
+/// A mixture over a base at rest that loses no energy.
+SceneDefinition lossless(SceneDefinition scene, double friction, double tangential_restitution)
 {
-  SceneDefinition scene = test::mixture(100);
   scene.base.amplitude = 0.0;
   scene.contact.min_rebound_speed = 0.0;
   for (auto& species : scene.species)
@@ -26,39 +23,68 @@ SceneDefinition lossless(double friction, double tangential_restitution)
   return scene;
 }
 
-double relativeDrift(const SceneDefinition& scene, double duration, std::uint64_t at_least)
+SceneDefinition smooth(const SceneDefinition& scene)
 {
-  Simulation simulation(scene);
-  const double start = simulation.energy();
-  simulation.advanceTo(duration);
-  EXPECT_GE(simulation.collisions().total(), at_least);
-  return std::abs(simulation.energy() / start - 1.0);
+  return lossless(scene, 0.0, 0.0);
 }
 
-TEST(Conservation, ElasticDisksKeepTheirEnergy)
+SceneDefinition perfectlyRough(const SceneDefinition& scene)
 {
-  EXPECT_LT(relativeDrift(lossless(0.0, 0.0), 250.0, 1000000), 1e-10);
+  return lossless(scene, 1e9, 1.0);
 }
 
-TEST(Conservation, ElasticDisksOfManySizesKeepTheirEnergy)
+SceneDefinition onCastle(SceneDefinition scene, Boundary boundary, double inclination = 0.0)
 {
-  EXPECT_LT(relativeDrift(test::withSizes(lossless(0.0, 0.0)), 100.0, 300000), 1e-10);
-  EXPECT_LT(relativeDrift(test::withSizes(lossless(1e9, 1.0)), 100.0, 300000), 1e-10);
-}
-
-TEST(Conservation, PerfectlyRoughDisksKeepTheirEnergyWithTheirSpins)
-{
-  EXPECT_LT(relativeDrift(lossless(1e9, 1.0), 250.0, 1000000), 1e-10);
-}
-
-TEST(Conservation, ElasticDisksOfManySizesKeepTheirEnergyOnASteepProfile)
-{
-  SceneDefinition scene = test::withSizes(lossless(0.0, 0.0));
   scene.base.profile = test::castle();
-  scene.base.inclination = 0.4;
-  scene.boundary = Boundary::WALLED;
+  scene.base.inclination = inclination;
+  scene.boundary = boundary;
   scene.base.wall_height = 100.0;  // light disks are thrown high
-  EXPECT_LT(relativeDrift(scene, 20.0, 50000), 1e-10);
+  return scene;
+}
+
+/// If the frequency of a drive is 0, the base is at rest at its phase.
+SceneDefinition onAnOrbitThatStandsStill()
+{
+  SceneDefinition scene = test::onAnOrbit(onCastle(perfectlyRough(test::mixture(15)), Boundary::WALLED, 0.1));
+  scene.base.amplitude = 0.002;
+  scene.base.frequency = 0.0;
+  scene.base.phase = 1.0;
+  return scene;
+}
+
+TEST(Conservation, LosslessDisksKeepTheirEnergyWithTheirSpins)
+{
+  const SceneDefinition mixture = test::mixture(100);
+  SceneDefinition layer = test::mixture(65);
+  layer.base.teeth = 5;
+  const SceneDefinition sizes = test::withSizes(mixture);
+  struct
+  {
+    const char* name;
+    SceneDefinition scene;
+    double duration;
+    std::uint64_t collisions;
+    double drift = 1e-10;
+  } const cases[] = {
+      {"smooth", smooth(mixture), 250.0, 1000000},
+      {"perfectly rough", perfectlyRough(mixture), 250.0, 1000000},
+      {"sizes", smooth(sizes), 100.0, 300000},
+      {"sizes, perfectly rough", perfectlyRough(sizes), 100.0, 300000},
+      {"sizes on a steep profile", onCastle(smooth(sizes), Boundary::WALLED, 0.4), 20.0, 50000},
+      {"profile, perfectly rough", onCastle(perfectlyRough(mixture), Boundary::PERIODIC), 10.0, 20000},
+      {"orbit that stands still", onAnOrbitThatStandsStill(), 1.0, 100, 1e-11},
+      {"steps", test::bySteps(smooth(layer), 0.001), 2.0, 5000, 1e-9},
+      {"steps, sizes", test::bySteps(smooth(test::withSizes(layer)), 0.001), 2.0, 5000, 1e-9}};
+  for (const auto& one : cases)
+  {
+    SCOPED_TRACE(one.name);
+    Simulation simulation(one.scene);
+    const double start = simulation.energy();
+    simulation.advanceTo(one.duration);
+    EXPECT_GE(simulation.collisions().total(), one.collisions);
+    EXPECT_EQ(simulation.pushedOut(), 0u);
+    EXPECT_NEAR(simulation.energy() / start, 1.0, one.drift);
+  }
 }
 
 /// Momentum, angular momentum about the origin and kinetic energy of all disks.
@@ -136,13 +162,8 @@ SceneDefinition sizedScene(Loop loop, Boundary boundary, DriveFrame frame)
   scene.base.drive_frame = frame;
   scene.contact.pair_collisions = loop == Loop::PAIRS || loop == Loop::STEPS;
   if (loop != Loop::SIMD_BATCHES)
-  {
-    scene = test::onAnOrbit(scene);
-    scene.base.profile = test::castle();
-  }
-  if (loop == Loop::STEPS)
-    scene.accuracy = {Method::STEPS, 0.001};
-  return scene;
+    scene = test::onProfile(test::onAnOrbit(scene), test::castle());
+  return loop == Loop::STEPS ? test::bySteps(scene, 0.001) : scene;
 }
 
 /// What the base gives is what weight and momentum take, to the last digits.

@@ -6,12 +6,11 @@
 #include <rapidcheck.h>
 
 #include "profiles.h"
-#include "ratchet_sieve/core/layer.h"
-#include "ratchet_sieve/core/simulation.h"
-#include "ratchet_sieve/core/sizes.h"
+#include "ratchet_sieve/core/definition.h"
+#include "ratchet_sieve/core/observation.h"
 #include "scenes.h"
 
-/// Scenes and commands drawn by chance.
+/// Scenes drawn by chance.
 namespace ratchet_sieve::test
 {
 
@@ -107,24 +106,6 @@ inline SceneDefinition drawnScene()
       species.size = drawnSizes(species.radius, 1.01 * largest);
   }
   return scene;
-}
-
-/// Commands the machine something, or nothing.
-inline void commandSomething(Simulation& simulation)
-{
-  switch (*rc::gen::inRange(0, 6))
-  {
-    case 0:
-      return simulation.command(Quantity::INCLINATION, *rc::gen::element(0.0, 0.15, -0.3));
-    case 1:
-      return simulation.command(Quantity::FREQUENCY, *rc::gen::element(0.0, 10.0, 40.0));
-    case 2:
-      return simulation.command(Quantity::AMPLITUDE, *rc::gen::element(0.0, 0.001, 0.004));
-    case 3:
-      return simulation.pour(*rc::gen::inRange(0, 2), 3);
-    default:
-      return;
-  }
 }
 
 }  // namespace ratchet_sieve::test

@@ -9,6 +9,7 @@
 
 #include "model/random.h"
 #include "ratchet_sieve/core/simulation.h"
+#include "runs.h"
 #include "scenes.h"
 
 namespace ratchet_sieve
@@ -30,8 +31,7 @@ TEST(FedMachine, ForgetsTheDisksThatHaveLeft)
     for (const SpeciesBins& bins : simulation.bins())
       counted += bins.left + bins.right + bins.on_base;
     EXPECT_EQ(counted, poured);
-    EXPECT_EQ(simulation.auditOverlaps(), 0u);
-    EXPECT_LT(simulation.maxOverlap(), 1e-9 * simulation.scene().species[0].radius);
+    test::expectNoOverlap(simulation);
   }
 }
 
@@ -248,28 +248,6 @@ TEST(FedMachine, SumsUpWhatItForgets)
   EXPECT_NEAR(mean, displacement / time_sum, 0.02 * std::abs(mean));
 }
 
-void expectTheSameBits(const SceneDefinition& scene)
-{
-  Simulation whole(scene);
-  whole.advanceTo(LONG);
-  Simulation strides(scene);
-  for (double time = 0.0; time < 11.0; time += 0.37)
-    strides.advanceTo(time);
-  Simulation resumed(scene, strides.saveState());
-  resumed.advanceTo(LONG);
-  EXPECT_EQ(resumed.saveState(), whole.saveState());
-}
-
-TEST(FedMachine, HasTheSameBitsInWhateverStridesAndWhereItIsTakenUp)
-{
-  expectTheSameBits(test::fedSieve(true));
-}
-
-TEST(FedMachine, HasThemWithDisksOfManySizes)
-{
-  expectTheSameBits(test::withSizes(test::fedSieve(true)));
-}
-
 std::vector<ExitRecord> exitsOf(Simulation& simulation, double end)
 {
   std::vector<ExitRecord> exits;
@@ -309,6 +287,7 @@ TEST(FedMachine, TellsOfEachDiskThatLeaves)
       SpeciesBins& of = bins[exit.species];
       ++(exit.side == Exit::LEFT_BIN ? of.left : of.right);
       (exit.side == Exit::LEFT_BIN ? of.left_mass : of.right_mass) += exit.mass;
+      EXPECT_EQ(exit.mass, simulation.scene().species[exit.species].massOf(exit.radius));
       EXPECT_EQ(exit.place > 0.5 * width, exit.side == Exit::RIGHT_BIN) << exit.place;
     }
     const std::vector<SpeciesBins> counted = simulation.bins();
@@ -382,13 +361,6 @@ TEST(FedMachine, PoursEachDiskOfItsListAtItsTime)
   ASSERT_EQ(simulation.disks().size(), 3u);
   EXPECT_EQ(simulation.disks()[1].radius, scene.feed.disks[1].radius);
   EXPECT_EQ(exitsOf(simulation, 1e3).size(), 3u);
-}
-
-TEST(FedMachine, HasTheSameBitsWithAList)
-{
-  const SceneDefinition scene = test::withSizes(test::fedSieve(true));
-  Simulation first(scene);
-  expectTheSameBits(secondStage(scene, exitsOf(first, LONG), Exit::LEFT_BIN));
 }
 
 }  // namespace

@@ -72,11 +72,9 @@ TEST(Golden, RingsThatTurn)
 /// Setpoints that arrive within steps, on both kinds of base.
 TEST(Golden, StepsWithSetpointsWhileTheyRun)
 {
-  const auto hash = [](SceneDefinition scene)
+  const auto hash = [](const SceneDefinition& scene)
   {
-    scene.accuracy.method = Method::STEPS;
-    scene.accuracy.step = 0.0013;
-    Simulation simulation(scene);
+    Simulation simulation(test::bySteps(scene, 0.0013));
     simulation.advanceTo(0.5);
     simulation.command(Quantity::INCLINATION, 0.1);
     simulation.command(Quantity::FREQUENCY, 26.0);

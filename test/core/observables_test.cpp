@@ -164,38 +164,6 @@ TEST(MassFlow, IsTheMassInTheBinsSinceSettleOverTime)
   }
 }
 
-TEST(Observables, MassInTheBinsIsThatOfTheirDisks)
-{
-  const SceneDefinition scene = observedScene(true);
-  Simulation simulation(scene);
-  simulation.advanceTo(3.0);
-  for (std::size_t s = 0; s < 2; ++s)
-  {
-    const SpeciesBins bins = simulation.bins()[s];
-    EXPECT_GT(bins.counted(), 10u);
-    EXPECT_NEAR(bins.left_mass, scene.species[s].mass * static_cast<double>(bins.left), 1e-12);
-    EXPECT_NEAR(bins.right_mass, scene.species[s].mass * static_cast<double>(bins.right), 1e-12);
-  }
-}
-
-TEST(Observables, ChangeNothingOfTheRunAndAreNothingUnlessAskedFor)
-{
-  for (const bool pairs : {true, false})
-  {
-    SceneDefinition scene = observedScene(pairs);
-    Simulation asked(scene);
-    scene.observe.clear();
-    Simulation unasked(scene);
-    asked.advanceTo(3.0);
-    unasked.advanceTo(3.0);
-    EXPECT_TRUE(unasked.observed().empty());
-    EXPECT_EQ(asked.observed().size(), observableNames().size());
-    EXPECT_EQ(asked.events(), unasked.events());
-    EXPECT_EQ(asked.energy(), unasked.energy());
-    EXPECT_EQ(asked.bins()[0].left, unasked.bins()[0].left);
-  }
-}
-
 TEST(Observables, AreUndefinedWhereNothingLeft)
 {
   SceneDefinition scene = test::mixture(10);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
+#include <rapidcheck.h>
 
 #include "draws.h"
 
@@ -64,7 +64,7 @@ double overlapOf(const Placed& a, const Placed& b, double shift)
 }
 
 template <typename Overlaps>
-void expectEachPairThatOverlapsOnceAndNoneThatIsApart()
+void checkPairs()
 {
   const double width = drawn(DIAMETER, 0.1);
   const bool periodic = *rc::gen::arbitrary<bool>();
@@ -87,7 +87,7 @@ void expectEachPairThatOverlapsOnceAndNoneThatIsApart()
 }
 
 template <typename Overlaps>
-void expectAllAroundADiskThatWasMoved()
+void checkAroundADiskThatWasMoved()
 {
   const double width = drawn(3.5 * DIAMETER, 0.1);
   const bool periodic = *rc::gen::arbitrary<bool>();
@@ -111,24 +111,21 @@ void expectAllAroundADiskThatWasMoved()
         RC_ASSERT(found.count({j, shift}) == 1u);
 }
 
-RC_GTEST_PROP(OverlapSearch, FindsEachPairThatOverlapsOnceAndNoneThatIsApart, ())
+template <typename Overlaps>
+class OverlapsOf : public testing::Test
 {
-  expectEachPairThatOverlapsOnceAndNoneThatIsApart<OverlapSearch>();
+};
+using Searches = testing::Types<OverlapSearch, OverlapLevels>;
+TYPED_TEST_SUITE(OverlapsOf, Searches);
+
+TYPED_TEST(OverlapsOf, AreEachPairThatOverlapsOnceAndNoneThatIsApart)
+{
+  EXPECT_TRUE(rc::check(checkPairs<TypeParam>));
 }
 
-RC_GTEST_PROP(OverlapSearch, FindsAllAroundADiskThatWasMoved, ())
+TYPED_TEST(OverlapsOf, AreAllAroundADiskThatWasMoved)
 {
-  expectAllAroundADiskThatWasMoved<OverlapSearch>();
-}
-
-RC_GTEST_PROP(OverlapLevels, FindEachPairThatOverlapsOnceAndNoneThatIsApart, ())
-{
-  expectEachPairThatOverlapsOnceAndNoneThatIsApart<OverlapLevels>();
-}
-
-RC_GTEST_PROP(OverlapLevels, FindAllAroundADiskThatWasMoved, ())
-{
-  expectAllAroundADiskThatWasMoved<OverlapLevels>();
+  EXPECT_TRUE(rc::check(checkAroundADiskThatWasMoved<TypeParam>));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
         SceneDefinition scene = test::mixture(0);
         scene.base.teeth = 4;
         SystemState system(scene);
-        test::turn(system, *rc::gen::element(0.1, 1.0, 5.0), *rc::gen::element(-1.0, 1.0), 0.0);
+        test::turnBase(system, {*rc::gen::element(0.1, 1.0, 5.0), *rc::gen::element(-1.0, 1.0)});
         const double until = *system.motion().nextChange();
         Disk left, right;
         left.position.x() = drawn(0.002, 0.006);

@@ -157,28 +157,6 @@ TEST(PeriodWatch, LooksAtSomePeriodsOfAFastDrive)
   EXPECT_NEAR(periods[4].start, 4.0 * PeriodWatch::LEAST_SPACING, 1.1e-5);
 }
 
-/// Observation adds stops of the run, which must not change its results: with and without pairs, with
-/// commands.
-TEST(PeriodWatch, ChangesNotABitOfTheRun)
-{
-  for (const SceneDefinition& scene : {test::mixture(30), test::singleParticles(50), test::openMixture(10)})
-  {
-    const auto stateOf = [&](bool watched)
-    {
-      Simulation simulation(scene);
-      if (watched)
-        simulation.observePeriods([](const PeriodRecord&) {});
-      simulation.advanceTo(0.4);
-      simulation.command(Quantity::FREQUENCY, 17.0);
-      simulation.advanceTo(0.7);
-      simulation.command(Quantity::INCLINATION, 0.05);
-      simulation.advanceTo(2.0);
-      return simulation.saveState();
-    };
-    EXPECT_EQ(stateOf(false), stateOf(true));
-  }
-}
-
 SceneDefinition flying(double drift)
 {
   SceneDefinition scene = test::mixture(0);

@@ -1,12 +1,12 @@
 #include "ratchet_sieve/core/plan.h"
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "ratchet_sieve/core/simulation.h"
+#include "runs.h"
 #include "scenes.h"
 #include "state_hash.h"
 
@@ -217,14 +217,6 @@ TEST(Plan, LeavesOutWhatChangesNoBit)
     }
 }
 
-std::vector<CollisionRecord> collisionsOf(Simulation simulation)
-{
-  std::vector<CollisionRecord> records;
-  simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
-  simulation.advanceTo(0.25);
-  return records;
-}
-
 /// The two searches reach a contact by different steps, each within the time resolution. The resulting
 /// rounding errors grow with every collision, so only the first ones can be compared.
 TEST(Plan, WaitsAboveTheBandForTheSameContacts)
@@ -237,8 +229,9 @@ TEST(Plan, WaitsAboveTheBandForTheSameContacts)
       scene.boundary = boundary;
       scene.base.inclination = 0.1;
       scene.contact.pair_collisions = pairs;
-      const auto lean = collisionsOf(Simulation(scene));
-      const auto full = collisionsOf(Simulation(scene, fullPlan(scene)));
+      const auto lean = test::collisionsUntil(scene, 0.25);
+      Simulation with_search(scene, fullPlan(scene));
+      const auto full = test::collisionsUntil(with_search, 0.25);
       ASSERT_GT(lean.size(), 60u);
       ASSERT_EQ(lean.size(), full.size());
       for (std::size_t k = 0; k < lean.size(); ++k)

@@ -9,14 +9,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "events/event_loop.h"
+#include "flights.h"
 #include "model/base_shape.h"
 #include "profiles.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "reference_loop.h"
+#include "runs.h"
 #include "scenes.h"
 #include "search/base_overlap.h"
-#include "state/placement.h"
 #include "state_hash.h"
 
 namespace ratchet_sieve
@@ -30,12 +30,6 @@ BaseDefinition baseOf(const std::vector<OutlineCorner>& profile)
   base.teeth = 5;
   base.profile = profile;
   return base;
-}
-
-SceneDefinition onProfile(SceneDefinition scene, const std::vector<OutlineCorner>& profile)
-{
-  scene.base.profile = profile;
-  return scene;
 }
 
 /// Distance to the outline of all teeth within reach, and whether the point is below it, corner by corner.
@@ -60,24 +54,12 @@ double slowHeightAbove(BaseDefinition base, double s, double n)
   return crossings % 2 == 1 ? -nearest : nearest;
 }
 
-/// A sawtooth, or any outline.
-BaseDefinition drawnBase(int corners)
-{
-  BaseDefinition base;
-  base.teeth = 5;
-  base.asymmetry = *rc::gen::element(0.0, 0.3, 0.9, 1.0);
-  base.tooth_height = *rc::gen::element(0.0, 0.001, 0.006, 0.03);
-  if (*rc::gen::inRange(0, 3) > 0)
-    base.profile = test::drawnProfile(0.02, 0.01, corners);
-  return base;
-}
-
 TEST(Profile, HeightAboveIsTheDistanceToTheOutline)
 {
   EXPECT_TRUE(rc::check(
       []
       {
-        const BaseDefinition base = drawnBase(30);
+        const BaseDefinition base = test::drawnBase(30);
         const BaseShape shape(base, Boundary::PERIODIC);
         const double s = drawn(0.0, 0.1);
         const double n = drawn(-0.015, 0.03);
@@ -92,7 +74,7 @@ TEST(Profile, OverlapMissesNoDiskAndTheWayOutIsFree)
   EXPECT_TRUE(rc::check(
       []
       {
-        const BaseDefinition base = drawnBase(12);
+        const BaseDefinition base = test::drawnBase(12);
         const BaseShape shape(base, Boundary::PERIODIC);
         const BaseOverlap overlap(shape);
         const double s = drawn(0.0, 0.1);
@@ -165,7 +147,7 @@ TEST(Profile, OfASawtoothIsTheSawtooth)
   for (SceneDefinition& scene : scenes)
   {
     scene.base.teeth = 5;
-    const SceneDefinition profile = onProfile(scene, test::asProfile(scene.base));
+    const SceneDefinition profile = test::onProfile(scene, test::asProfile(scene.base));
     EXPECT_FALSE(planOf(profile).simd);
     Plan plan = planOf(scene);
     plan.simd = false;
@@ -231,26 +213,21 @@ SceneDefinition drawnLayer()
 
 std::vector<CollisionRecord> profileCollisions(const SceneDefinition& scene, double end, bool reference)
 {
-  test::Bench bench(scene);
-  Random random(scene.seed);
-  pourDisks(bench.state, pourOrder(scene.species, random), Stretch(), 0.0, random);
   std::vector<CollisionRecord> records;
-  bench.state.observers().observeCollisions(
-      [&](const CollisionRecord& record)
-      {
-        // A disk that is jammed between two faces has contacts without end.
-        RC_PRE(records.size() < 2000u);
-        records.push_back(record);
-      });
+  const auto observe = [&](const CollisionRecord& record)
+  {
+    // A disk that is jammed between two faces has contacts without end.
+    RC_PRE(records.size() < 2000u);
+    records.push_back(record);
+  };
   if (reference)
   {
-    test::ReferenceLoop(bench).advanceTo(end);
+    test::runReference(scene, end, observe);
     return records;
   }
-  const auto loop = makePairLoop(bench.state, bench.execution);
-  for (std::uint32_t slot = 0; slot < bench.state.disks().size(); ++slot)
-    loop->added(slot, 0.0);
-  loop->advanceTo(end);
+  Simulation simulation(scene);
+  simulation.observeCollisions(observe);
+  simulation.advanceTo(end);
   return records;
 }
 
@@ -322,28 +299,6 @@ TEST(Profile, MeetsTheSameCollisionsAsTheReference)
       }));
 }
 
-/// Elastic and perfectly rough, or smooth.
-TEST(Profile, KeepsTheEnergyOfElasticDisks)
-{
-  for (const Boundary boundary : {Boundary::PERIODIC, Boundary::WALLED})
-  {
-    SceneDefinition scene = onProfile(test::mixture(30), test::castle());
-    scene.base.teeth = 5;
-    scene.base.amplitude = 0.0;
-    scene.boundary = boundary;
-    scene.contact.min_rebound_speed = 0.0;
-    for (SpeciesDefinition& species : scene.species)
-      species.contact = boundary == Boundary::WALLED ? ContactCoefficients{1.0, 0.0, -1.0}
-                                                     : ContactCoefficients{1.0, 1e9, 1.0};
-    Simulation simulation(scene);
-    const double before = simulation.energy();
-    simulation.advanceTo(2.0);
-    EXPECT_GT(simulation.collisions().total(), 5000u);
-    EXPECT_GT(simulation.collisions().level, 100u);
-    EXPECT_NEAR(simulation.energy(), before, 1e-10 * before);
-  }
-}
-
 /// Thousands of tiny faces, a spike of needle thinness, steps of a nanometre.
 TEST(Profile, MayHaveManyAndTinyFaces)
 {
@@ -357,18 +312,14 @@ TEST(Profile, MayHaveManyAndTinyFaces)
   for (const auto& profile : {rough, spike, test::arc(0.02, 0.006, 1000), test::arc(0.02, -0.006, 1000)})
     for (const bool steps : {false, true})
     {
-      SceneDefinition scene = onProfile(test::mixture(15), profile);
+      SceneDefinition scene = test::onProfile(test::mixture(15), profile);
       scene.base.teeth = 3;
       scene.boundary = Boundary::WALLED;
       scene.accuracy.method = steps ? Method::STEPS : Method::EVENTS;
       Simulation simulation(scene);
       simulation.advanceTo(0.7);
       EXPECT_GT(simulation.collisions().total(), 100u);
-      EXPECT_EQ(simulation.auditOverlaps(), 0u);
-      if (!steps)
-      {
-        EXPECT_LT(simulation.maxOverlap(), 1e-12);
-      }
+      test::expectNoOverlap(simulation, steps ? 1.0 : 1e-12);
     }
 }
 

@@ -3,23 +3,37 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
 
 #include "bench.h"
+#include "ratchet_sieve/core/simulation.h"
 #include "search/pair_search.h"
+#include "state/placement.h"
 
 namespace ratchet_sieve::test
 {
 
-/// Turns the base to an inclination [rad], at `rate` [rad/s], from `time` [s] on.
-inline void turn(SystemState& system, double rate, double inclination, double time)
+/// Of the base to an inclination [rad], from time 0 on.
+struct Turn
+{
+  double rate = 0.0;  ///< 0: it stays [rad/s]
+  double inclination = 0.0;
+
+  SlewRates slewRates() const { return {rate, 10.0, 0.002}; }
+};
+
+inline void turnBase(SystemState& system, const Turn& turn)
 {
   system.changeMotion(
       [=](BaseMotion& motion, double now)
       {
-        motion.setSlewRates({rate, 10.0, 0.002}, now);
-        motion.command(Quantity::INCLINATION, inclination, now);
+        motion.setSlewRates(turn.slewRates(), now);
+        motion.command(Quantity::INCLINATION, turn.inclination, now);
       },
-      time);
+      0.0);
 }
 
 /// The slow reference: before every event it tests every pair with all images, and every disk against the
@@ -101,5 +115,35 @@ private:
   int images_;
   double now_ = 0.0;
 };
+
+/// A scene run by the reference until `end` [s], with the disks that it places and pours.
+inline void runReference(const SceneDefinition& scene, double end, const CollisionObserver& observer,
+                         const Turn& turn = {}, int images = 3)
+{
+  Bench bench(scene);
+  bench.state.observers().observeCollisions(observer);
+  placeInitialDisks(bench.state, 0.0);
+  Random random(scene.seed);
+  pourDisks(bench.state, pourOrder(scene.species, random), Stretch(), 0.0, random);
+  if (turn.rate > 0.0)
+    turnBase(bench.state, turn);
+  ReferenceLoop(bench, images).advanceTo(end);
+}
+
+/// The same run with other roundings: the same contacts of the same disks, at nearly the same times.
+/// @param tolerance [s]
+inline void expectSameContacts(const std::vector<CollisionRecord>& fast,
+                               const std::vector<CollisionRecord>& slow, double tolerance)
+{
+  ASSERT_EQ(fast.size(), slow.size());
+  const auto disks = [](const CollisionRecord& r)
+  { return std::make_pair(std::min(r.i, r.j.value_or(r.i)), std::max(r.i, r.j.value_or(r.i))); };
+  for (std::size_t k = 0; k < fast.size(); ++k)
+  {
+    ASSERT_NEAR(fast[k].time, slow[k].time, tolerance) << "collision " << k;
+    ASSERT_EQ(fast[k].kind, slow[k].kind) << "collision " << k;
+    ASSERT_EQ(disks(fast[k]), disks(slow[k])) << "collision " << k;
+  }
+}
 
 }  // namespace ratchet_sieve::test

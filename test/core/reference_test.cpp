@@ -1,8 +1,6 @@
 // The loops with queues, cells and lazy search against the loop that tests everything, contact by contact.
-#include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -10,8 +8,8 @@
 #include "profiles.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "reference_loop.h"
+#include "runs.h"
 #include "scenes.h"
-#include "state/placement.h"
 
 namespace ratchet_sieve::reference  // tests are joined in one source
 {
@@ -23,9 +21,8 @@ struct ReferenceCase
   std::string name;
   SceneDefinition scene;
   std::size_t contacts = 200;  ///< that must be the same
-  double turn_rate = 0.0;      ///< of the base; 0: it stays [rad/s]
-  int images = 1;              ///< of a disk on a ring, on either side, that the reference tests
-  double turn_to = 0.3;        ///< [rad]
+  test::Turn turn = {};
+  int images = 1;  ///< of a disk on a ring, on either side, that the reference tests
 };
 
 void PrintTo(const ReferenceCase& one, std::ostream* out)
@@ -100,22 +97,9 @@ SceneDefinition meetingsAcrossTheEnds(double rate, double height)
   return scene;
 }
 
-SceneDefinition onCastle(SceneDefinition scene)
-{
-  scene.base.profile = test::castle();
-  return scene;
-}
-
-/// With steps so short that hardly a contact is missed.
-SceneDefinition bySteps(SceneDefinition scene)
-{
-  scene.accuracy.method = Method::STEPS;
-  scene.accuracy.step = 1e-5;
-  return scene;
-}
-
 std::vector<ReferenceCase> referenceCases()
 {
+  constexpr double SHORT = 1e-5;  ///< a step in which hardly a contact is missed [s]
   const Boundary open = Boundary::OPEN, walled = Boundary::WALLED;
   const DriveFrame base = DriveFrame::BASE, world = DriveFrame::WORLD;
   const std::vector<double> many = {0.3, 0.3, 0.5, 2.1, 3.0, 4.5, 6.0};
@@ -128,11 +112,12 @@ std::vector<ReferenceCase> referenceCases()
       {"sizes, walled", on(3, test::withSizes(test::mixture(30)), walled)},
       {"sizes, open", on(6, test::withSizes(test::openMixture(25)), open)},
       {"wide table", wideTable()},
-      {"ring of one cell", ringOfOneCell(), 8, 0.0, 3},
+      {"ring of one cell", ringOfOneCell(), 8, {}, 3},
       {"nested, many sizes", nested(many)},
       {"nested, many sizes, walled", nested(many, walled)},
-      {"nested, by steps", bySteps(nested({2.5, 8.0})), 80},
-      {"nested, by steps, open", bySteps(nested({2.5, 8.0}, open)), 80},
+      {"ring of one cell, by steps", test::bySteps(ringOfOneCell(), SHORT), 8, {}, 3},
+      {"nested, by steps", test::bySteps(nested({2.5, 8.0}), SHORT), 80},
+      {"nested, by steps, open", test::bySteps(nested({2.5, 8.0}, open), SHORT), 80},
   };
   for (const Boundary boundary : {Boundary::PERIODIC, open, walled})
   {
@@ -144,20 +129,24 @@ std::vector<ReferenceCase> referenceCases()
       const std::string how = at + (frame == base ? ", frame of the base" : "");
       all.push_back(
           {"nested, orbit, profile" + how,
-           inFrame(frame, inclined(0.2, onCastle(test::onAnOrbit(nested({0.4, 2.5, 8.0}, boundary))))), 150});
+           inFrame(frame, inclined(0.2, test::onProfile(test::onAnOrbit(nested({0.4, 2.5, 8.0}, boundary)),
+                                                        test::castle()))),
+           150});
       all.push_back({"orbit" + how,
                      inFrame(frame, inclined(0.1, test::onAnOrbit(on(3, test::mixture(6), boundary)))), 20});
     }
   }
   for (const double rate : {0.3, 2.0})
     for (const Boundary boundary : {Boundary::PERIODIC, open})
-      all.push_back({"nested, turning", nested({2.5, 7.0}, boundary), 200, rate});
+      all.push_back({"nested, turning", nested({2.5, 7.0}, boundary), 200, {rate, 0.3}});
   for (const double rate : {0.1, 1.0, 5.0})
-    all.push_back({"turning", on(2, test::mixture(4)), 40, rate, 3});
+    all.push_back({"turning", on(2, test::mixture(4)), 40, {rate, 0.3}, 3});
   for (const double rate : {-0.5, 0.1})
     for (const double height : {0.012, 1.0})
-      all.push_back({"meetings across the ends", meetingsAcrossTheEnds(rate, height), 6, std::abs(rate), 1,
-                     std::copysign(0.3, rate)});
+      all.push_back({"meetings across the ends",
+                     meetingsAcrossTheEnds(rate, height),
+                     6,
+                     {std::abs(rate), std::copysign(0.3, rate)}});
   return all;
 }
 
@@ -167,32 +156,13 @@ class Reference : public testing::TestWithParam<ReferenceCase>
 
 std::vector<CollisionRecord> fastCollisions(const ReferenceCase& one, double end)
 {
-  std::vector<CollisionRecord> records;
   Simulation simulation(one.scene);
-  simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
-  if (one.turn_rate > 0.0)
+  if (one.turn.rate > 0.0)
   {
-    simulation.setSlewRates({one.turn_rate, 10.0, 0.002});
-    simulation.command(Quantity::INCLINATION, one.turn_to);
+    simulation.setSlewRates(one.turn.slewRates());
+    simulation.command(Quantity::INCLINATION, one.turn.inclination);
   }
-  simulation.advanceTo(end);
-  return records;
-}
-
-std::vector<CollisionRecord> slowCollisions(const ReferenceCase& one, double end)
-{
-  std::vector<CollisionRecord> records;
-  test::Bench bench(one.scene);
-  bench.state.observers().observeCollisions([&](const CollisionRecord& record)
-                                            { records.push_back(record); });
-  placeInitialDisks(bench.state, 0.0);
-  Random random(one.scene.seed);
-  pourDisks(bench.state, pourOrder(one.scene.species, random), Stretch(), 0.0, random);
-  test::ReferenceLoop reference(bench, one.images);
-  if (one.turn_rate > 0.0)
-    test::turn(bench.state, one.turn_rate, one.turn_to, 0.0);
-  reference.advanceTo(end);
-  return records;
+  return test::collisionsUntil(simulation, end);
 }
 
 /// The two run the same physics with different rounding, and the system is chaotic: an error of 1e-16 grows
@@ -206,17 +176,14 @@ TEST_P(Reference, MeetsTheSameContacts)
   double end = 0.04;
   while (fastCollisions(GetParam(), end).size() <= contacts)
     end *= 1.2;
-  const std::vector<CollisionRecord> fast = fastCollisions(GetParam(), end);
-  const std::vector<CollisionRecord> slow = slowCollisions(GetParam(), fast[contacts - 1].time + TOLERANCE);
+  std::vector<CollisionRecord> fast = fastCollisions(GetParam(), end), slow;
+  test::runReference(
+      GetParam().scene, fast[contacts - 1].time + TOLERANCE,
+      [&](const CollisionRecord& record) { slow.push_back(record); }, GetParam().turn, GetParam().images);
   ASSERT_GE(slow.size(), contacts);
-  const auto disks = [](const CollisionRecord& r)
-  { return std::make_pair(std::min(r.i, r.j.value_or(r.i)), std::max(r.i, r.j.value_or(r.i))); };
-  for (std::size_t k = 0; k < contacts; ++k)
-  {
-    ASSERT_NEAR(fast[k].time, slow[k].time, TOLERANCE) << "collision " << k;
-    ASSERT_EQ(fast[k].kind, slow[k].kind) << "collision " << k;
-    ASSERT_EQ(disks(fast[k]), disks(slow[k])) << "collision " << k;
-  }
+  fast.resize(contacts);
+  slow.resize(contacts);
+  test::expectSameContacts(fast, slow, TOLERANCE);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Reference, testing::ValuesIn(referenceCases()));

@@ -1,4 +1,5 @@
-// However a run is advanced, and wherever it is saved and resumed, it has the same bits.
+// However a run is advanced and observed, and wherever it is saved and resumed, it has the same bits.
+#include <algorithm>
 #include <functional>
 #include <regex>
 #include <string>
@@ -7,9 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "profiles.h"
+#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/simulation.h"
+#include "runs.h"
 #include "scenes.h"
 #include "simd/simd_batch.h"
+#include "state_hash.h"
 
 namespace ratchet_sieve::same_bits  // tests are joined in one source
 {
@@ -27,6 +31,7 @@ struct BitsCase
   std::string name;
   SceneDefinition scene;
   Command command = [](Simulation&) {};
+  double longer = 1.0;  ///< by this factor the times of the run
 };
 
 void turnAndPour(Simulation& simulation)
@@ -35,6 +40,7 @@ void turnAndPour(Simulation& simulation)
   simulation.command(Quantity::INCLINATION, 0.02);
   simulation.command(Quantity::FREQUENCY, 20.0);
   simulation.pour(0, 3);
+  simulation.pour(simulation.scene().species.size() - 1, 1);
 }
 
 void setGoing(Simulation& simulation)
@@ -82,17 +88,24 @@ SceneDefinition fed()
   return scene;
 }
 
-SceneDefinition withoutPairs(SceneDefinition scene)
+/// Over two compactions.
+SceneDefinition fedSieve()
 {
-  scene.contact.pair_collisions = false;
-  return scene;
+  return test::withSizes(test::fedSieve(true));
 }
 
-SceneDefinition bySteps()
+/// As many disks as it, from a list.
+SceneDefinition fedFromAList()
 {
-  SceneDefinition scene = layerOf();
-  scene.accuracy.method = Method::STEPS;
-  scene.accuracy.step = 0.0013;
+  SceneDefinition scene = fedSieve();
+  scene.feed = {};
+  for (SpeciesDefinition& species : scene.species)
+    species.count = 0;
+  for (std::uint32_t k = 0; k < 4000; ++k)
+  {
+    const SpeciesDefinition& species = scene.species[k % 2];
+    scene.feed.disks.push_back({0.0025 * k, k % 2, (0.8 + 0.1 * (k % 5)) * species.radius, species.mass});
+  }
   return scene;
 }
 
@@ -109,12 +122,6 @@ SceneDefinition collapsing()
   scene.contact.min_rebound_speed = 0.0;
   scene.contact.on_collapse = CollapseAction::REBOUND;
   scene.contact.collapse_events = 1000;
-  return scene;
-}
-
-SceneDefinition onCastle(SceneDefinition scene)
-{
-  scene.base.profile = test::castle();
   return scene;
 }
 
@@ -153,7 +160,9 @@ std::vector<BitsCase> bitsCases()
       {"open under commands", observed(layerOf(Boundary::OPEN)), turnAndPour},
       {"walled under commands", observed(layerOf(Boundary::WALLED)), turnAndPour},
       {"fed", fed()},
-      {"fed ensemble", withoutPairs(fed())},
+      {"fed ensemble", test::withoutPairs(fed())},
+      {"fed and compacted", fedSieve(), [](Simulation&) {}, 3.0},
+      {"fed from a list and compacted", fedFromAList(), [](Simulation&) {}, 3.0},
       {"ensemble", observed(ensemble())},
       {"ensemble under commands", observed(ensemble()), turnAndPour},
       {"sizes", observed(test::withSizes(layerOf())), turnAndPour},
@@ -161,11 +170,11 @@ std::vector<BitsCase> bitsCases()
       {"orbit", test::onAnOrbit(layerOf()), turnAndPour},
       {"orbit of the base", inFrameOfBase(test::onAnOrbit(layerOf())), turnAndPour},
       {"ensemble on an orbit", test::onAnOrbit(ensemble())},
-      {"profile", onCastle(layerOf())},
-      {"ensemble on a profile", onCastle(ensemble())},
+      {"profile", test::onProfile(layerOf(), test::castle())},
+      {"ensemble on a profile", test::onProfile(ensemble(), test::castle())},
       {"no drive", withoutDrive(), setGoing},
       {"collapsing", collapsing()},
-      {"steps", bySteps(), turnAndPour},
+      {"steps", test::bySteps(layerOf(), 0.0013), turnAndPour},
       {"wide sizes", ofWideSizes(Boundary::PERIODIC), turnAndPour},
       {"wide sizes, walled", ofWideSizes(Boundary::WALLED), turnAndPour},
       {"finer epoch", ofTinyDisksAtRest(true), speedUp},
@@ -182,29 +191,52 @@ class SameBits : public testing::TestWithParam<BitsCase>
 {
 protected:
   /// Advances from one of 0, MIDDLE and RUN_END to the next, in strides.
-  static void advance(Simulation& simulation, double from, double to, int strides = 1)
+  static void advance(Simulation& simulation, double from, double to, int strides = 1, bool audit = false)
   {
     GetParam().command(simulation);
     for (int k = 1; k <= strides; ++k)
     {
-      simulation.advanceTo(k == strides ? to : from + (to - from) * k / strides);
+      simulation.advanceTo(GetParam().longer * (k == strides ? to : from + (to - from) * k / strides));
       simulation.disks();
       simulation.observed();
+      if (audit)
+        simulation.auditOverlaps();
     }
   }
 
   /// The bits after a whole run.
-  static std::string bitsAfter(int strides, std::size_t threads)
+  static std::string bitsAfter(int strides, std::size_t threads,
+                               std::vector<CollisionRecord>* collisions = nullptr)
   {
     Simulation simulation(GetParam().scene);
     simulation.setThreads(threads);
+    if (collisions)
+    {
+      simulation.observeCollisions([&](const CollisionRecord& record) { collisions->push_back(record); });
+      simulation.observeExits([](const ExitRecord&) {});
+      simulation.observePeriods([](const PeriodRecord&) {});
+    }
     advance(simulation, 0.0, MIDDLE, strides);
     advance(simulation, MIDDLE, RUN_END, strides);
     return simulation.saveState();
   }
+
+  /// The disks after a run in which all is observed and overlaps are searched; by events there are none.
+  static std::uint64_t disksWhenObserved()
+  {
+    SceneDefinition scene = GetParam().scene;
+    scene.observe = observableNames();
+    scene.accuracy.mean_vx = 1e-3;
+    Simulation simulation(scene);
+    advance(simulation, 0.0, MIDDLE, 23, true);
+    advance(simulation, MIDDLE, RUN_END, 23, true);
+    if (!simulation.plan().steps)
+      test::expectNoOverlap(simulation, 1e-9 * smallestRadius(scene) + 1e-13);
+    return test::stateHash(simulation);
+  }
 };
 
-TEST_P(SameBits, InWhateverStridesOnWhateverThreadsAndLanesAndWhereItIsResumed)
+TEST_P(SameBits, InWhateverStridesOnWhateverThreadsAndLanesWhereItIsResumedAndWhateverIsObserved)
 {
   Simulation whole(GetParam().scene);
   advance(whole, 0.0, MIDDLE);
@@ -219,9 +251,12 @@ TEST_P(SameBits, InWhateverStridesOnWhateverThreadsAndLanesAndWhereItIsResumed)
   EXPECT_TRUE(resumed.saveState() == bits) << "resumed";
   for (std::size_t i = 0; i < whole.scene().species.size(); ++i)
     EXPECT_EQ(resumed.means()[i].collision_rate, whole.means()[i].collision_rate);
-  EXPECT_TRUE(bitsAfter(97, 1) == bits) << "in strides";
   EXPECT_TRUE(bitsAfter(1, 2) == bits) << "on two threads";
-  EXPECT_TRUE(bitsAfter(37, 3) == bits) << "in strides on three threads";
+  std::vector<CollisionRecord> told, on_threads;
+  EXPECT_TRUE(bitsAfter(97, 1, &told) == bits) << "in strides";
+  EXPECT_TRUE(bitsAfter(37, 3, &on_threads) == bits) << "in strides on three threads";
+  EXPECT_TRUE(std::equal(told.begin(), told.end(), on_threads.begin(), on_threads.end(), test::areSame));
+  EXPECT_EQ(disksWhenObserved(), test::stateHash(whole));
   for (const int lanes : {2, 4, 8})
     if (whole.plan().simd && useLanes(lanes))
     {
@@ -251,7 +286,8 @@ TEST(SavedState, OfAnotherSceneIsRefused)
   EXPECT_THROW(Simulation(other, Simulation(layerOf()).saveState()), StateError);
   other = layerOf();
   other.base.profile = test::arc(0.02, 0.006, 5);
-  EXPECT_THROW(Simulation(other, Simulation(onCastle(layerOf())).saveState()), StateError);
+  EXPECT_THROW(Simulation(other, Simulation(test::onProfile(layerOf(), test::castle())).saveState()),
+               StateError);
 }
 
 }  // namespace

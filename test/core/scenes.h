@@ -111,6 +111,26 @@ inline SceneDefinition withSizes(SceneDefinition scene)
   return scene;
 }
 
+inline SceneDefinition onProfile(SceneDefinition scene, const std::vector<OutlineCorner>& profile)
+{
+  scene.base.profile = profile;
+  return scene;
+}
+
+/// @param step [s]
+inline SceneDefinition bySteps(SceneDefinition scene, double step)
+{
+  scene.accuracy.method = Method::STEPS;
+  scene.accuracy.step = step;
+  return scene;
+}
+
+inline SceneDefinition withoutPairs(SceneDefinition scene)
+{
+  scene.contact.pair_collisions = false;
+  return scene;
+}
+
 /// With all parts that a drive can have, at different phases.
 inline SceneDefinition onAnOrbit(SceneDefinition scene)
 {

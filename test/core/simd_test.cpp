@@ -1,8 +1,6 @@
-#include "bench.h"
 #include "model/processor.h"
 #include "simd/batch_rows.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
@@ -14,6 +12,7 @@
 
 #include "bench.h"
 #include "draws.h"
+#include "flights.h"
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
 
@@ -21,8 +20,6 @@ namespace ratchet_sieve
 {
 namespace
 {
-constexpr double SEARCH_HORIZON = 0.4;
-
 /// Sets the number of lanes of all simulations for its lifetime.
 class Lanes
 {
@@ -70,34 +67,6 @@ TEST(Simd, AreLimitedByTheEnvironment)
   EXPECT_EQ(limited("8"), 8);
   for (const char* text : {"1", "3", "16", "", "04", "4 "})
     EXPECT_EQ(limited(text), 0) << text;
-}
-
-std::vector<CollisionRecord> recordsOf(std::size_t threads)
-{
-  Simulation simulation(test::singleParticles(300));
-  simulation.setThreads(threads);
-  std::vector<CollisionRecord> records;
-  simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
-  simulation.advanceTo(1.0);
-  EXPECT_EQ(records.size(), simulation.collisions().total());
-  return records;
-}
-
-TEST(Simd, WhoeverWatchesIsToldInTheSameOrder)
-{
-  const std::vector<CollisionRecord> alone = recordsOf(1);
-  const std::vector<CollisionRecord> together = recordsOf(3);
-  ASSERT_EQ(alone.size(), together.size());
-  for (std::size_t k = 0; k < alone.size(); ++k)
-  {
-    EXPECT_EQ(alone[k].time, together[k].time);
-    EXPECT_EQ(alone[k].kind, together[k].kind);
-    EXPECT_EQ(alone[k].i, together[k].i);
-    EXPECT_FALSE(together[k].j);
-    EXPECT_EQ(alone[k].normal_speed, together[k].normal_speed);
-    EXPECT_EQ(alone[k].normal_impulse, together[k].normal_impulse);
-    EXPECT_EQ(alone[k].tangential_impulse, together[k].tangential_impulse);
-  }
 }
 
 /// The scene's plan without SIMD.
@@ -171,24 +140,9 @@ SceneDefinition drawnSceneForBatches()
 Disk drawnDisk(const SystemState& system)
 {
   const double radius = system.scene().species[0].radius * *rc::gen::element(1.0, 1.0, 0.7, 1.6);
-  const FrameOfBase base = system.motion().at(0.0);
-  const double s = drawn(0.0, system.shape().width());
-  double n = radius + drawn(0.0, 0.03);
-  while (system.shape().heightAbove(s, n) < radius)
-    n += 0.1 * radius;
-  // Down to the surface.
-  if (*rc::gen::inRange(0, 3) == 0)
-    while (system.shape().heightAbove(s, n) > radius * (1.0 + 1e-9))
-      n -= system.shape().heightAbove(s, n) - radius;
   const double speed = *rc::gen::element(0.05, 0.5, 5.0);
-  Disk disk;
-  disk.radius = radius;
-  const Eigen::Vector2d place = base.positionOutOf({s, n});
-  disk.position.x() = place.x();
-  disk.position.y() = place.y();
-  disk.velocity.x() = drawn(-speed, speed);
-  disk.velocity.y() = drawn(-speed, speed);
-  return disk;
+  const bool down = *rc::gen::inRange(0, 3) == 0;
+  return test::drawnFlight(system.motion(), system.shape(), radius, speed, down);
 }
 
 /// Searches from event to event until a contact is certain, as the loop does.
@@ -200,7 +154,7 @@ BaseEvent searchInBatch(const SystemState& system)
   BaseEvent event{0.0, {}};
   loadRow(system, 0, event, batch, 0);
   kernel.launch(scene, batch, 1);
-  for (int i = 0; i < 2000 && !event.feature && event.time < SEARCH_HORIZON; ++i)
+  for (int i = 0; i < 2000 && !event.feature && event.time < test::HORIZON; ++i)
   {
     kernel.search(scene, batch, 1);
     event = rowEvent(batch, 0);
@@ -210,41 +164,10 @@ BaseEvent searchInBatch(const SystemState& system)
 
 bool isClear(const SystemState& system, const BaseEvent& event)
 {
-  if (!event.feature || event.time >= SEARCH_HORIZON)
+  if (!event.feature || event.time >= test::HORIZON)
     return false;
   const BasePoint point = system.search().seenFromBase(system.disk(0), event.time);
   return system.shape().approach(event.feature, point, system.radius(0)).rate < -1e-2;
-}
-
-BaseEvent searchAlone(const SystemState& system)
-{
-  BaseEvent event{0.0, {}};
-  for (int i = 0; i < 2000 && !event.feature && event.time < SEARCH_HORIZON; ++i)
-    event = system.search().find(system.disk(0), system.radius(0), event.time, SEARCH_HORIZON);
-  return event;
-}
-
-/// At many times before the contact, nothing touches; at the contact the rim touches and approaches.
-void checkAgainstScan(const SystemState& system, const BaseEvent& event)
-{
-  const double radius = system.radius(0);
-  const auto gapAt = [&](double time)
-  {
-    const BasePoint point = system.search().seenFromBase(system.disk(0), time);
-    return system.shape().heightAbove(point.s(), point.n()) - radius;
-  };
-  // The initial overlap of a disk of this size is rounding; positions are up to a few metres.
-  const double tolerance = 1e-9 * radius + 1e-14;
-  const double end = std::min(event.time, SEARCH_HORIZON);
-  for (int i = 0; i < 1000; ++i)
-    RC_ASSERT(gapAt(end * i / 1000.0) > -tolerance);
-  if (!event.feature)
-    return;
-  const BasePoint point = system.search().seenFromBase(system.disk(0), event.time);
-  const Approach approach = system.shape().approach(event.feature, point, radius);
-  RC_ASSERT(std::abs(approach.gap) < tolerance);
-  RC_ASSERT(approach.rate < 1e-9);
-  RC_ASSERT(std::abs(gapAt(event.time)) < tolerance);
 }
 
 TEST(Simd, FindTheFirstContactOfRandomFlights)
@@ -256,8 +179,11 @@ TEST(Simd, FindTheFirstContactOfRandomFlights)
         test::addDisk(bench.state, drawnDisk(bench.state));
         const Lanes lanes(*rc::gen::element(2, 0));
         const BaseEvent found = searchInBatch(bench.state);
-        checkAgainstScan(bench.state, found);
-        const BaseEvent expected = searchAlone(bench.state);
+        const Disk& disk = bench.state.disk(0);
+        // The initial overlap of a disk of this size is rounding; positions are up to a few metres.
+        const double tolerance = 1e-9 * disk.radius + 1e-14;
+        test::checkAgainstScan(bench.state.search(), bench.state.shape(), disk, found, tolerance);
+        const BaseEvent expected = test::searchOn(bench.state.search(), disk);
         // Rounding decides whether a grazing contact occurs.
         const bool clear = isClear(bench.state, found) && isClear(bench.state, expected);
         RC_CLASSIFY(!clear, "no contact, or a graze");

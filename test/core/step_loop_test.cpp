@@ -5,19 +5,11 @@
 
 #include "ratchet_sieve/core/simulation.h"
 #include "scenes.h"
-#include "state_hash.h"
 
 namespace ratchet_sieve
 {
 namespace
 {
-
-SceneDefinition bySteps(SceneDefinition scene, double step)
-{
-  scene.accuracy.method = Method::STEPS;
-  scene.accuracy.step = step;
-  return scene;
-}
 
 /// Fig. 8's density over a quarter of its base.
 SceneDefinition layer()
@@ -36,10 +28,10 @@ double kinetic(const SpeciesMeans& means)
 TEST(StepLoop, IsChosenByTheSceneAndSaidByThePlan)
 {
   EXPECT_FALSE(Simulation(layer()).plan().steps);
-  const Simulation simulation(bySteps(layer(), 0.001));
+  const Simulation simulation(test::bySteps(layer(), 0.001));
   EXPECT_TRUE(simulation.plan().steps);
   EXPECT_NE(planText(simulation.plan()).find("by steps"), std::string::npos);
-  EXPECT_FALSE(Simulation(bySteps(test::singleParticles(3), 0.001)).plan().steps);
+  EXPECT_FALSE(Simulation(test::bySteps(test::singleParticles(3), 0.001)).plan().steps);
 }
 
 /// A single disk that lands on a flat base overlaps it at the end of every step with a contact: no contact is
@@ -56,31 +48,13 @@ TEST(StepLoop, MissesNoContactOfABouncingBall)
   disk.vx = 0.2;
   scene.initial = {disk};
   Simulation exact(scene);
-  Simulation stepped(bySteps(scene, 0.0037));
+  Simulation stepped(test::bySteps(scene, 0.0037));
   exact.advanceTo(3.0);
   stepped.advanceTo(3.0);
   EXPECT_GT(exact.collisions().total(), 10u);
   EXPECT_EQ(stepped.collisions().total(), exact.collisions().total());
   EXPECT_NEAR(stepped.disks()[0].y, exact.disks()[0].y, 1e-9);
   EXPECT_NEAR(stepped.disks()[0].x, exact.disks()[0].x, 1e-9);
-}
-
-/// Elastic and smooth, on a base at rest: contacts at any time within a step conserve the energy.
-TEST(StepLoop, KeepsTheEnergyOfElasticDisks)
-{
-  for (SceneDefinition scene : {layer(), test::withSizes(layer())})
-  {
-    scene.base.amplitude = 0.0;
-    scene.contact.min_rebound_speed = 0.0;
-    for (SpeciesDefinition& species : scene.species)
-      species.contact = {1.0, 0.0, -1.0};
-    Simulation simulation(bySteps(scene, 0.001));
-    const double before = simulation.energy();
-    simulation.advanceTo(2.0);
-    EXPECT_GT(simulation.collisions().total(), 10000u);
-    EXPECT_EQ(simulation.pushedOut(), 0u);
-    EXPECT_NEAR(simulation.energy(), before, 1e-9 * before);
-  }
 }
 
 /// Bounds of docs/accuracy.md, for quantities that are known to 1 % after some seconds.
@@ -91,7 +65,7 @@ void expectErrors(const SceneDefinition& scene, const std::vector<double>& steps
   exact.advanceTo(25.0);
   for (const double step : steps)
   {
-    Simulation stepped(bySteps(scene, step));
+    Simulation stepped(test::bySteps(scene, step));
     stepped.advanceTo(25.0);
     EXPECT_LE(stepped.auditOverlaps(), 1u);
     for (std::size_t species : {0u, 1u})
@@ -108,18 +82,15 @@ void expectErrors(const SceneDefinition& scene, const std::vector<double>& steps
 TEST(StepLoop, HoldsItsErrorInAShakenLayer)
 {
   expectErrors(layer(), {0.002, 0.001}, 0.03, 0.03);
-}
-
-/// The smallest disks need shorter steps, and between large ones they have many contacts in quick succession.
-TEST(StepLoop, HoldsItsErrorInALayerOfManySizes)
-{
+  // The smallest disks need shorter steps, and between large ones they have many contacts in quick
+  // succession.
   expectErrors(test::withSizes(layer()), {0.00025}, 0.05, 0.1);
 }
 
 /// Contacts that leave no overlap are missed, and disks are found below the surface and moved out.
 TEST(StepLoop, LosesNoDiskWhereStepsAreTooLong)
 {
-  SceneDefinition scene = bySteps(layer(), 0.02);
+  SceneDefinition scene = test::bySteps(layer(), 0.02);
   Simulation simulation(scene);
   simulation.advanceTo(5.0);
   EXPECT_GT(simulation.pushedOut(), 0u);
@@ -127,41 +98,9 @@ TEST(StepLoop, LosesNoDiskWhereStepsAreTooLong)
     EXPECT_GT(disk.y, -0.05) << disk.id;
 }
 
-/// For any calls of advanceTo(), with audits, setpoints and pours in between.
-TEST(StepLoop, DependsOnNoStride)
-{
-  SceneDefinition scene = bySteps(layer(), 0.0013);
-  scene.feed.rate = 3.0;
-  const auto run = [&scene](double stride)
-  {
-    Simulation simulation(scene);
-    simulation.setSlewRates({0.1, 10.0, 0.01});
-    const auto advance = [&](double to)
-    {
-      for (double time = simulation.time() + stride; time < to; time += stride)
-      {
-        simulation.advanceTo(time);
-        simulation.auditOverlaps();
-        simulation.disks();
-      }
-      simulation.advanceTo(to);
-    };
-    advance(0.7123);
-    simulation.command(Quantity::INCLINATION, 0.05);
-    simulation.command(Quantity::FREQUENCY, 25.0);
-    advance(1.2);
-    simulation.pour(1, 2);
-    advance(2.5);
-    return test::stateHash(simulation);
-  };
-  const std::uint64_t in_one = run(10.0);
-  EXPECT_EQ(run(0.01), in_one);
-  EXPECT_EQ(run(0.00077), in_one);
-}
-
 TEST(StepLoop, NeedsNoReboundFloorToComeToItsEnd)
 {
-  SceneDefinition scene = bySteps(layer(), 0.001);
+  SceneDefinition scene = test::bySteps(layer(), 0.001);
   scene.contact.min_rebound_speed = 0.0;
   scene.base.amplitude = 0.0;
   Simulation simulation(scene);
@@ -174,7 +113,7 @@ TEST(StepLoop, NeedsNoReboundFloorToComeToItsEnd)
 /// were found separating.
 TEST(StepLoop, ExecutesEveryPairThatItFindsClosing)
 {
-  SceneDefinition scene = bySteps(layer(), 0.005);
+  SceneDefinition scene = test::bySteps(layer(), 0.005);
   scene.contact.min_rebound_speed = 0.0;
   scene.base.amplitude = 0.0;
   scene.base.tooth_height = 0.0;
@@ -184,19 +123,6 @@ TEST(StepLoop, ExecutesEveryPairThatItFindsClosing)
   simulation.advanceTo(0.12);
   EXPECT_GT(simulation.events(), 10000u);
   EXPECT_EQ(simulation.collisions().total(), simulation.events());
-}
-
-/// A ring as wide as one tooth: a disk has its neighbours on both sides, and images of itself.
-TEST(StepLoop, KnowsTheImagesOnANarrowRing)
-{
-  SceneDefinition scene = test::mixture(5);
-  scene.base.teeth = 1;
-  Simulation exact(scene);
-  Simulation stepped(bySteps(scene, 0.001));
-  exact.advanceTo(400.0);
-  stepped.advanceTo(400.0);
-  const auto pairs = static_cast<double>(exact.collisions().disk_disk);
-  EXPECT_NEAR(static_cast<double>(stepped.collisions().disk_disk), pairs, 0.05 * pairs);
 }
 
 }  // namespace

@@ -3,15 +3,14 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
-#include "draws.h"
 #include "ratchet_sieve/core/simulation.h"
+#include "runs.h"
 #include "scenes.h"
 
 /// When a disk on a turning periodic base is wrapped: when its centre reaches an end of the base, with the
-/// velocity of the image, and at no other time. See docs/development/architecture.md, "The seam of a periodic
-/// base".
+/// velocity of the image, and at no other time (legal_scenes_test.cpp). See
+/// docs/development/architecture.md, "The seam of a periodic base".
 namespace ratchet_sieve
 {
 namespace
@@ -31,68 +30,6 @@ SceneDefinition advancedBy(Loop loop, SceneDefinition scene)
   scene.accuracy.method = loop == Loop::STEPS ? Method::STEPS : Method::EVENTS;
   scene.accuracy.step = STEP;
   return scene;
-}
-
-/// The largest difference of two positions, with images treated as equal.
-double farApart(const DiskState& a, const DiskState& b, const SceneDefinition& scene, double inclination)
-{
-  Eigen::Vector2d way(a.x - b.x, a.y - b.y);
-  if (scene.boundary == Boundary::PERIODIC)
-  {
-    const Eigen::Vector2d lattice =
-        scene.base.width() * Eigen::Vector2d(std::cos(inclination), std::sin(inclination));
-    way -= std::round(way.dot(lattice) / lattice.squaredNorm()) * lattice;
-  }
-  return way.norm();
-}
-
-SceneDefinition anyScene()
-{
-  const Loop loop = *rc::gen::element(Loop::PAIRS, Loop::SINGLES, Loop::STEPS);
-  SceneDefinition scene = advancedBy(loop, test::mixture(6));
-  if (*rc::gen::arbitrary<bool>())
-    scene = test::withSizes(scene);
-  scene.boundary = *rc::gen::element(Boundary::PERIODIC, Boundary::OPEN, Boundary::WALLED);
-  scene.base.teeth = *rc::gen::element(2, 3, 8);
-  scene.base.inclination = *rc::gen::element(0.0, 0.2, -0.3);
-  scene.base.drive_frame = *rc::gen::element(DriveFrame::WORLD, DriveFrame::BASE);
-  scene.seed = *rc::gen::inRange(1U, 1000U);
-  return *rc::gen::arbitrary<bool>() ? test::onAnOrbit(scene) : scene;
-}
-
-TEST(TurningSeam, NoCommandChangesAPositionOrAVelocity)
-{
-  EXPECT_TRUE(rc::check(
-      []
-      {
-        const SceneDefinition scene = anyScene();
-        Simulation simulation(scene);
-        simulation.setSlewRates({*rc::gen::element(0.1, 1.0, 5.0), 10.0, 0.002});
-        for (int command = 0; command < 12; ++command)
-        {
-          simulation.advanceTo(simulation.time() + drawn(0.0, 0.2));
-          // Between steps, disks are observed without the contacts since the last step; a command ends the
-          // step.
-          if (simulation.plan().steps)
-            simulation.command(Quantity::FREQUENCY, simulation.base().frequency);
-          const std::vector<DiskState> before = simulation.disks();
-          const auto [quantity, setpoint] =
-              *rc::gen::element(std::pair(Quantity::INCLINATION, 0.3), std::pair(Quantity::INCLINATION, -0.2),
-                                std::pair(Quantity::INCLINATION, simulation.base().inclination),
-                                std::pair(Quantity::FREQUENCY, 25.0), std::pair(Quantity::AMPLITUDE, 0.001));
-          simulation.command(quantity, setpoint);
-          const std::vector<DiskState> after = simulation.disks();
-          RC_ASSERT(after.size() == before.size());
-          for (std::size_t i = 0; i < before.size(); ++i)
-          {
-            RC_ASSERT(after[i].id == before[i].id);
-            RC_ASSERT(after[i].vx == before[i].vx);
-            RC_ASSERT(after[i].vy == before[i].vy);
-            RC_ASSERT(farApart(after[i], before[i], scene, simulation.base().inclination) < 1e-13);
-            RC_ASSERT(std::abs(after[i].displacement - before[i].displacement) < 1e-12);
-          }
-        }
-      }));
 }
 
 /// A disk high over a base that turns at a constant rate from time 0 on, computed from the rule alone.
@@ -223,8 +160,7 @@ TEST(TurningSeam, NoContactIsMissedWhereTheBaseSwingsByItsWidth)
     for (int k = 1; k <= 20; ++k)
     {
       simulation.advanceTo(0.05 * k);
-      ASSERT_EQ(simulation.auditOverlaps(), 0u) << "seed " << scene.seed << ", " << simulation.time() << " s";
-      ASSERT_LT(simulation.maxOverlap(), 1e-12) << "seed " << scene.seed << ", " << simulation.time() << " s";
+      test::expectNoOverlap(simulation);
     }
   }
 }

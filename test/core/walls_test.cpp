@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "ratchet_sieve/core/simulation.h"
+#include "runs.h"
 #include "scenes.h"
 
 namespace ratchet_sieve
@@ -32,9 +33,7 @@ TEST(Walls, ADiskStrikesTheTopOfAWall)
 {
   // Half a radius above it: the normal is 30 degrees above the horizontal.
   Simulation simulation(thrownOver(0.5 * DISK_RADIUS));
-  std::vector<CollisionRecord> records;
-  simulation.observeCollisions([&](const CollisionRecord& record) { records.push_back(record); });
-  simulation.advanceTo(0.2);
+  const auto records = test::collisionsUntil(simulation, 0.2);
   ASSERT_EQ(records.size(), 1u);
   const double cosine = std::sqrt(0.75);
   EXPECT_EQ(records[0].kind, CollisionKind::WALL);
@@ -128,8 +127,7 @@ TEST(Walls, RunOverWhereMoreIsFedThanTheyHold)
     over += bins.counted();
   EXPECT_GT(over, 20u);
   EXPECT_EQ(over + simulation.activeDisks(), 200u);
-  EXPECT_EQ(simulation.auditOverlaps(), 0u);
-  EXPECT_LT(simulation.maxOverlap(), 1e-9 * DISK_RADIUS);
+  test::expectNoOverlap(simulation);
 }
 
 }  // namespace

@@ -63,41 +63,9 @@ SceneDefinition throughBytes(SceneDefinition scene)
 
 TEST(CanonicalScene, AndBytesHaveEveryKeyThatIsSet)
 {
-  const char* const every =
-      "base: {teeth: 2, tooth_width: 0.02, tooth_height: 0.006, asymmetry: 0.3, inclination: 0.1, amplitude: "
-      "0.002, frequency: 23, phase: 0.5, wall_height: 0.3, horizontal_amplitude: -0.001, horizontal_phase: "
-      "1, "
-      "drive_frame: base, harmonics: [{multiple: 2, amplitude: 0.001, phase: 0, horizontal_amplitude: 0, "
-      "horizontal_phase: 0.5}, {multiple: 3, amplitude: 0, phase: 0, horizontal_amplitude: 0.001, "
-      "horizontal_phase: 0}]}\n"
-      "boundary: walled\n"
-      "gravity: 9.81\n"
-      "observe: [residence_times, mass_flow]\n"
-      "species:\n"
-      "  - {name: \"A\", count: 0, share: 2, radius: 0.001, mass: 0.01, inertia_factor: 0.5, restitution: "
-      "0.6, "
-      "friction: 0.1, tangential_restitution: 0.4, size: {distribution: table, mass_exponent: 2, radii: "
-      "[0.0005, 0.001], weights: [0, 2.5], by: mass}}\n"
-      "  - {name: \"B\", count: 0, share: 1, radius: 0.002, mass: 0.01, inertia_factor: 0.5, restitution: "
-      "0.6, "
-      "friction: 0.1, tangential_restitution: 0.4, size: {distribution: normal, mass_exponent: 3, spread: "
-      "0.1}}\n"
-      "pairs:\n"
-      "  - {species: [\"A\", \"B\"], restitution: 0.5, friction: 0.2, tangential_restitution: -0.5}\n"
-      "contact: {pair_collisions: true, min_rebound_speed: 0.05, contact_duration: 0, on_collapse: rebound, "
-      "collapse_events: 1000000, restitution_speed: 0.5, restitution_exponent: 0.7}\n"
-      "pour: {drop_height: 0.02, speed: 0, from: 0.01, to: 0.02}\n"
-      "feed: {rate: 10, even: true, from: 0.01, to: 0.03, on_choke: stop}\n"
-      "initial:\n"
-      "  - {species: \"B\", x: 0.01, y: 0.1, vx: 0, vy: -1, spin: 3}\n"
-      "height_profile: {slice: 0.001, phases: 4}\n"
-      "duration: 10\n"
-      "settle: 1\n"
-      "seed: 18446744073709551615\n"
-      "accuracy: {method: steps, step: 0.001, mean_vx: 0.01, quality: 0.02, confidence: 0.9}\n";
-  const SceneDefinition scene = sceneFromText(every, "s.yaml").definition;
-  EXPECT_EQ(canonicalYaml(scene), every);
-  EXPECT_EQ(canonicalYaml(throughBytes(scene)), every);
+  const SceneDefinition scene = sceneFromText(EVERY_KEY, "s.yaml").definition;
+  EXPECT_EQ(canonicalYaml(scene), EVERY_KEY);
+  EXPECT_EQ(canonicalYaml(throughBytes(scene)), EVERY_KEY);
 }
 
 /// In place of the keys of a sawtooth, so that it can be read back.

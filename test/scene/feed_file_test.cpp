@@ -1,7 +1,6 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -37,19 +36,11 @@ protected:
   /// What is said against it, without the folder.
   std::string refusal(const std::string& rows, const std::string& feed = "{file: runs/exits.csv}") const
   {
-    try
-    {
-      read(rows, feed);
-      return "";
-    }
-    catch (const SceneError& error)
-    {
-      std::string line = error.what();
-      const std::string prefix = folder_.string() + "/";
-      for (std::size_t at = line.find(prefix); at != std::string::npos; at = line.find(prefix))
-        line.erase(at, prefix.size());
-      return line;
-    }
+    std::string line = refusalBy([&] { read(rows, feed); });
+    const std::string prefix = folder_.string() + "/";
+    for (std::size_t at = line.find(prefix); at != std::string::npos; at = line.find(prefix))
+      line.erase(at, prefix.size());
+    return line;
   }
 
   std::filesystem::path folder_ =

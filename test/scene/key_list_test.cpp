@@ -56,15 +56,7 @@ YAML::Node withAssignment(const std::string& key, const std::string& value)
 
 std::string refusalOfTree(const YAML::Node& root)
 {
-  try
-  {
-    sceneFromYaml(root, "s.yaml");
-    return "";
-  }
-  catch (const SceneError& error)
-  {
-    return error.what();
-  }
+  return refusalBy([&] { sceneFromYaml(root, "s.yaml"); });
 }
 
 std::vector<KeyText> allKeys()

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -10,9 +11,9 @@
 #include "model/orbit.h"
 #include "random_scene.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
+#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/simulation.h"
-#include "ratchet_sieve/core/sizes.h"
 #include "ratchet_sieve/scene/canonical_scene.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
@@ -42,6 +43,39 @@ public:
     check();
   }
 
+  /// Commands the machine something within `duration` [s], at the speeds that it has, or pours. No disk
+  /// jumps.
+  void commandSomething(double duration)
+  {
+    const BaseDefinition& base = scene_.base;
+    commanded_ = true;
+    // Between steps, disks are observed without the contacts since the last step; a command ends the step.
+    simulation_.command(Quantity::FREQUENCY, simulation_.base().frequency);
+    const double turn_rate = std::min(1.0 / duration, fastest_ / (base.width() + farthest_));
+    simulation_.setSlewRates({std::clamp(turn_rate, 1.5e-9, 15.0),
+                              std::clamp(base.frequency / duration, 1e-5, 1e5),
+                              std::clamp(base.amplitude / duration, 1e-9, 10.0)});
+    const std::vector<DiskState> before = simulation_.disks();
+    switch (drawnIndex(0, 4))
+    {
+      case 0:
+        simulation_.command(Quantity::INCLINATION, drawnOf({0.0, 0.15, -0.3}));
+        break;
+      case 1:
+        simulation_.command(Quantity::FREQUENCY, drawnOf({0.0, 0.4, 1.0}) * base.frequency);
+        break;
+      case 2:
+        simulation_.command(Quantity::AMPLITUDE, drawnOf({0.0, 0.5, 1.0}) * base.amplitude);
+        break;
+      default:
+        simulation_.pour(0, 3);
+        poured_ += 3;
+    }
+    const std::vector<DiskState> after = simulation_.disks();
+    for (std::size_t i = 0; i < before.size(); ++i)
+      checkSamePlace(before[i], after.at(i));
+  }
+
   std::uint64_t collisions() const { return collisions_; }
   int energyChecks() const { return energy_checks_; }
 
@@ -56,12 +90,17 @@ private:
     return ROUNDINGS * std::numeric_limits<double>::epsilon() * (farthest_ + fastest_ * epoch);
   }
 
-  double smallestRadius() const
+  /// Images are treated as equal.
+  void checkSamePlace(const DiskState& a, const DiskState& b) const
   {
-    double smallest = Sizes(scene_.species[0]).smallest();
-    for (const SpeciesDefinition& species : scene_.species)
-      smallest = std::min(smallest, Sizes(species).smallest());
-    return smallest;
+    Eigen::Vector2d way(a.x - b.x, a.y - b.y);
+    const double theta = simulation_.base().inclination;
+    const Eigen::Vector2d lattice = scene_.base.width() * Eigen::Vector2d(std::cos(theta), std::sin(theta));
+    if (scene_.boundary == Boundary::PERIODIC)
+      way -= std::round(way.dot(lattice) / lattice.squaredNorm()) * lattice;
+    RC_ASSERT(way.norm() <= rounding());
+    RC_ASSERT(std::abs(a.displacement - b.displacement) <= rounding());
+    RC_ASSERT(a.id == b.id && a.vx == b.vx && a.vy == b.vy);
   }
 
   void take(const CollisionRecord& record)
@@ -81,7 +120,7 @@ private:
     // By steps, disks may overlap until the end of a step.
     const bool exact = !simulation_.plan().steps;
     RC_ASSERT(!exact || behind == 0u);
-    RC_ASSERT(!exact || simulation_.maxOverlap() <= 1e-9 * smallestRadius() + rounding());
+    RC_ASSERT(!exact || simulation_.maxOverlap() <= 1e-9 * smallestRadius(scene_) + rounding());
     checkCounts();
     checkEnergy();
     checkMeans();
@@ -122,6 +161,14 @@ private:
     RC_ASSERT(counts.disk_disk + counts.left_slope + counts.right_slope + counts.apex + counts.wall +
                   counts.level ==
               collisions_);
+    if (!scene_.base.profile.empty())
+    {
+      const FaceContacts& parts = simulation_.faceContacts();
+      const auto sum = [](const auto& list) { return std::accumulate(list.begin(), list.end(), 0ull); };
+      RC_ASSERT(sum(parts.face_contacts) == counts.left_slope + counts.right_slope + counts.level);
+      RC_ASSERT(sum(parts.corner_contacts) == counts.apex);
+    }
+    RC_ASSERT(simulation_.observed().size() == scene_.observe.size());
     RC_ASSERT(last_collision_ <= simulation_.time());
   }
 
@@ -139,7 +186,7 @@ private:
         scene_.boundary != Boundary::PERIODIC || scene_.gravity * scene_.base.inclination == 0.0;
     const bool floor = scene_.contact.min_rebound_speed > 0.0 || simulation_.collapses().count > 0 ||
                        simulation_.pushedOut() > 0;
-    if (!same_disks || !at_rest || !level || floor)
+    if (!same_disks || !at_rest || !level || floor || commanded_)
       return;
     ++energy_checks_;
     double terms = 0.0;
@@ -165,7 +212,8 @@ private:
         RC_ASSERT(std::isfinite(*means[s].kinetic_translational) &&
                   std::isfinite(*means[s].kinetic_rotational));
       const SpeciesBins bins = simulation_.bins()[s];
-      if (!means[s].mean_vx || scene_.settle > 0.0 || scene_.feed.rate > 0.0 || bins.left + bins.right > 0)
+      if (!means[s].mean_vx || scene_.settle > 0.0 || scene_.feed.rate > 0.0 || bins.left + bins.right > 0 ||
+          commanded_)
         continue;
       double way = 0.0;
       for (const DiskState& disk : simulation_.disks())
@@ -184,6 +232,7 @@ private:
   double fastest_ = 0.0;   ///< any disk so far, at a stride's end or along a normal [m/s]
   double energy_ = 0.0;
   std::size_t active_ = 0;
+  bool commanded_ = false;
   std::uint64_t collisions_ = 0;
   int energy_checks_ = 0;
   Simulation simulation_;
@@ -227,6 +276,12 @@ TEST(LegalScenes, KeepTheirInvariantsAsTheyRun)
                                    run.advanceTo(scene.definition.duration * k / 8.0);
                                  with_collisions += run.collisions() > 0 ? 1 : 0;
                                  with_energy += run.energyChecks() > 0 ? 1 : 0;
+                                 const double stride = scene.definition.duration / 8.0;
+                                 for (int k = 9; stride > 0.0 && k <= 12; ++k)
+                                 {
+                                   run.commandSomething(stride);
+                                   run.advanceTo(stride * k);
+                                 }
                                }
                                catch (const StallError&)
                                {

@@ -1,12 +1,12 @@
 #include "random_scene.h"
 
-#include <limits>
 #include <numeric>
 
 #include "core/profiles.h"
 #include "draws.h"
 #include "model/base_motion.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
+#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/observation.h"
 #include "ratchet_sieve/core/resolution.h"
 #include "ratchet_sieve/core/sizes.h"
@@ -49,14 +49,6 @@ constexpr double RADII_PER_TIME_SCALE = 2e4;
 constexpr double SURFACE_PER_SPEED = 10.0;
 constexpr double MASS_RATIO = 1e4;
 constexpr double MOST_DISKS = 30.0;
-
-double smallestRadius(const SceneDefinition& scene)
-{
-  double radius = LARGEST_LENGTH;
-  for (const SpeciesDefinition& species : scene.species)
-    radius = std::min(radius, Sizes(species).smallest());
-  return radius;
-}
 
 /// The fastest that the smallest disk is told apart at [m/s].
 double fastestSpeed(const SceneDefinition& scene)

@@ -14,31 +14,10 @@ Scene read(const std::string& text)
 
 const char* const ONE_SPECIES = "species: [{name: A, count: 3, radius: 0.001, mass: 0.002}]\n";
 
-/// Defaults are in canonical_scene_test.cpp.
+/// Defaults, and the other keys, are in canonical_scene_test.cpp.
 TEST(SceneReader, TakesEveryKey)
 {
-  const SceneDefinition scene = read(R"(
-base: {teeth: 3, tooth_width: 0.01, tooth_height: 0.002, asymmetry: 0.7, inclination: -0.2, amplitude: 0.001,
-       frequency: 30, phase: 1.5, wall_height: 0.3, drive_frame: base, horizontal_amplitude: -0.002, horizontal_phase: 0.5,
-       harmonics: [{multiple: 2, amplitude: -0.0001, phase: 1}, {multiple: 5, horizontal_amplitude: 0.0002,
-                   horizontal_phase: -1}]}
-boundary: walled
-gravity: 1.62
-species:
-  - {name: A, count: 5, share: 2, radius: 0.0005, mass: 0.003, restitution: 0.9, friction: 0.3,
-     tangential_restitution: -0.5, inertia_factor: 0.4}
-  - {name: B, count: 0, radius: 0.001, mass: 0.001}
-pairs: [{species: [B, A], restitution: 0.1, friction: 0.2, tangential_restitution: 0.3}]
-contact: {pair_collisions: false, min_rebound_speed: 0.01, contact_duration: 0.0001}
-pour: {drop_height: 0.05, speed: 0.5, from: 0.001, to: 0.002}
-feed: {rate: 3.5, from: 0.01}
-observe: [height_profile]
-height_profile: {slice: 0.0005, phases: 4}
-duration: 7
-settle: 2
-seed: 18446744073709551615
-)")
-                                    .definition;
+  const SceneDefinition scene = read(EVERY_KEY).definition;
   EXPECT_EQ(scene.base.teeth, 3);
   EXPECT_EQ(scene.base.asymmetry, 0.7);
   EXPECT_EQ(scene.base.inclination, -0.2);
@@ -56,7 +35,6 @@ seed: 18446744073709551615
   EXPECT_EQ(scene.base.harmonics[1].horizontal_phase, -1.0);
   EXPECT_EQ(scene.boundary, Boundary::WALLED);
   EXPECT_EQ(scene.gravity, 1.62);
-  EXPECT_EQ(scene.species[0].count, 5);
   EXPECT_EQ(scene.species[0].share, 2.0);
   EXPECT_EQ(scene.species[0].contact.friction, 0.3);
   EXPECT_EQ(scene.species[0].contact.tangential_restitution, -0.5);
@@ -72,8 +50,8 @@ seed: 18446744073709551615
   EXPECT_EQ(scene.pour.stretch.to, 0.002);
   EXPECT_EQ(scene.feed.rate, 3.5);
   EXPECT_EQ(scene.feed.stretch.from, 0.01);
-  EXPECT_DOUBLE_EQ(scene.feed.stretch.length(0.03), 0.02);
-  EXPECT_EQ(scene.observe, std::vector<std::string>{"height_profile"});
+  EXPECT_EQ(scene.feed.stretch.to, 0.03);
+  EXPECT_EQ(scene.observe, (std::vector<std::string>{"residence_times", "mass_flow"}));
   EXPECT_EQ(scene.height_profile.slice, 0.0005);
   EXPECT_EQ(scene.height_profile.phases, 4);
   EXPECT_EQ(scene.settle, 2.0);
@@ -180,8 +158,9 @@ initial:
 
 TEST(SceneReader, NeedsNoCountWhereThereIsAFeed)
 {
-  const Scene scene = read("species: [{name: A, radius: 0.001, mass: 0.002}]\nfeed: {rate: 2}\n");
+  const Scene scene = read("species: [{name: A, radius: 0.001, mass: 0.002}]\nfeed: {rate: 2, from: 0.01}\n");
   EXPECT_EQ(scene.definition.species[0].count, 0);
+  EXPECT_DOUBLE_EQ(scene.definition.feed.stretch.length(0.4), 0.39);
   EXPECT_TRUE(scene.warnings.empty());
 }
 
@@ -207,16 +186,8 @@ TEST(SceneReader, TakesATreeThatNoTextStandsBehind)
   EXPECT_FALSE(scene.definition.contact.pair_collisions);
 
   root["gravity"] = "heavy";
-  try
-  {
-    sceneFromYaml(root, "parameter /sieve/scene");
-    FAIL();
-  }
-  catch (const SceneError& error)
-  {
-    EXPECT_STREQ(error.what(),
-                 "parameter /sieve/scene: gravity = heavy: must be a number from 0 to 10000 m/s^2");
-  }
+  EXPECT_EQ(refusalBy([&] { sceneFromYaml(root, "parameter /sieve/scene"); }),
+            "parameter /sieve/scene: gravity = heavy: must be a number from 0 to 10000 m/s^2");
 }
 
 }  // namespace

@@ -280,15 +280,7 @@ TEST(SceneFile, ThatCannotBeReadIsRefused)
            {"/", "is a directory"},
            {"/dev/null", "scene = nothing: must be a map"},
            {"/dev/zero", "too large; must have at most 16777216 bytes"}})
-    try
-    {
-      loadSceneFile(path);
-      FAIL() << path;
-    }
-    catch (const SceneError& error)
-    {
-      EXPECT_EQ(error.what(), path + ": " + why);
-    }
+    EXPECT_EQ(refusalBy([&, file = path] { loadSceneFile(file); }), path + ": " + why);
 }
 
 TEST(SceneText, IsShownInOneLineAndCut)
