@@ -94,6 +94,7 @@ TEST(ReportText, ListsPairsOfMoreThanTwoSpecies)
   result.species = {"A", "B", "C"};
   result.velocities.resize(3);
   result.granular_temperatures.resize(3);
+  result.statistics.back().species.resize(3);
   result.bins = {{1.0, result.species, {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, 1.0, 2.0 / 3.0, 1.0}};
   const std::string text = reportText(result);
   EXPECT_NE(text.find("  s of A and B = 1.000\n  s of A and C = undefined\n"), std::string::npos) << text;

@@ -106,7 +106,8 @@ TEST(SceneMarkers, drawTheBaseWhereTheEngineHasIt)
 Eigen::Vector3d reachOfBase(const SceneDefinition& scene)
 {
   Eigen::Vector3d reach = Eigen::Vector3d::Zero();
-  for (const auto& point : baseMarkers(scene, BaseFrame()).markers[0].points)
+  const auto drawn = baseMarkers(scene, BaseFrame());
+  for (const auto& point : drawn.markers[0].points)
     reach = reach.cwiseMax(Eigen::Vector3d(point.x, point.y, point.z));
   return reach;
 }
