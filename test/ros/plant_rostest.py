@@ -66,6 +66,7 @@ class Plant(Launched):
         first, second, third, tilt = recipe()
         self.shell(first, screen.environment)
         self.assertEqual(message('/s1/particles', ParticleStates).header.frame_id, 'world')
+        self.expect_rviz('s1')  # two that open at once crash more often
         self.shell(second, screen.environment)
         self.assertEqual(message('/s2/particles', ParticleStates).header.frame_id, 's2/sieve_world')
         self.shell(third, screen.environment)
@@ -81,8 +82,7 @@ class Plant(Launched):
         self.assertEqual({link: origin.z for link, origin in links('/tf_static', 1).items()},
                          {('world', 's2/sieve_world'): -0.2})
         for sieve, frame in (('s1', 'world'), ('s2', 's2/sieve_world')):
-            wait_for(lambda: all(f'/{sieve}_rviz' in self.subscribers(topic) for topic in ('/tf', f'/{sieve}/markers')),
-                     f'RViz shows {sieve}')
+            self.expect_rviz(sieve)
             self.assertEqual(frames_drawn_in(f'/{sieve}/markers'), {frame})
 
         self.assertEqual(self.publishers('/clock'), ['/s1'])
@@ -93,6 +93,10 @@ class Plant(Launched):
             self.assertIn('/s1 already publishes /clock', status.message)
             behind = {entry.key: float(entry.value) for entry in status.values}['simulated time minus /clock [s]']
             self.assertNotEqual(behind, 0.0)
+
+    def expect_rviz(self, sieve):
+        wait_for(lambda: all(f'/{sieve}_rviz' in self.subscribers(topic) for topic in ('/tf', f'/{sieve}/markers')),
+                 f'RViz shows {sieve}')
 
     def shell(self, line, environment):
         # The shell is replaced by the last command, so that a signal reaches it.
