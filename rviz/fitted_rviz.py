@@ -9,7 +9,7 @@ Parameters:
   ~display  node whose ~markers and ~cloud are shown; empty: the only one (default: sieve)
   ~view     what the camera shows: the whole machine (machine), or ten teeth in the middle of the base (teeth)
             (default: machine)
-  ~fit      false: takes CONFIG.rviz as it is, at once (default: true)
+  ~fit      false: takes CONFIG.rviz as it is, before anything is drawn (default: true)
 """
 
 import math
@@ -97,8 +97,8 @@ def fitted(path, display, view):
 
 
 def run(command):
-    """Runs RViz, which gets the signals of this process group. It may crash as it opens: it draws on a window that the X
-    server has not made yet. @return its exit status"""
+    """Runs RViz, which gets the signals of this process group. It may crash as it opens, where the X server
+    does not know its window yet. @return its exit status"""
     received = []
     for request in (signal.SIGINT, signal.SIGTERM):
         signal.signal(request, lambda number, _: received.append(number))

@@ -31,7 +31,7 @@ class VirtualScreen:
             number = pipe.readline().strip()
         if not number:
             raise RuntimeError('Xvfb does not start')
-        # Software rendering is the same everywhere. With threads of its own it crashes at times as a window opens.
+        # Software rendering, in one thread, is the same everywhere.
         self.environment = dict(os.environ, DISPLAY=f':{number}', LIBGL_ALWAYS_SOFTWARE='1', LP_NUM_THREADS='0')
         return self
 

@@ -20,6 +20,30 @@ Json summaryOf(const SceneDefinition& scene)
   return summarize(simulation, outcome);
 }
 
+/// The names of an object's values, in order.
+std::string keysOf(const Json& json)
+{
+  std::string keys;
+  for (const auto& item : json.items())
+    keys += (keys.empty() ? "" : " ") + item.key();
+  return keys;
+}
+
+TEST(Summary, HasEveryFieldOthersRelyOn)
+{
+  const Json json = summaryOf(smallMixture());
+  EXPECT_EQ(
+      keysOf(json),
+      "scene_hash seed version plan simulated_time wall_time events collisions short_to_long species quality "
+      "separation separation_by_mass processed purity recovery accuracy base_impulse energy_start energy_end "
+      "collapses max_overlap through_base warnings");
+  EXPECT_EQ(keysOf(json["collisions"]), "disk_disk left_slope right_slope apex wall level");
+  ASSERT_EQ(json["species"].size(), 2u);
+  EXPECT_EQ(keysOf(json["species"][0]),
+            "name count left right mean_vx mean_vx_stderr kinetic_translational kinetic_rotational "
+            "collision_rate");
+}
+
 TEST(Summary, TellsWhatTheSimulationKnows)
 {
   const SceneDefinition scene = smallMixture();
