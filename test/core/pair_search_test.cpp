@@ -72,6 +72,25 @@ TEST(PairSearch, FindsTheFirstContactAcrossTheSeamOfATurningBase)
       }));
 }
 
+/// The base turns for years. The disks, one above the other, fall so far that their distance is lost to
+/// rounding: they seem to overlap, and to approach from the instant at which the base is level.
+TEST(PairSearch, EndsOnABaseThatTurnsForYears)
+{
+  SceneDefinition scene = test::mixture(0);
+  scene.base.teeth = 4;
+  scene.base.inclination = -0.1;
+  SystemState system(scene);
+  test::turnBase(system, {1e-9, 1.0});
+  Disk left, right;
+  left.position = {0.0008, 0.021};
+  right.position = {0.08, 0.02};
+  test::addDisk(system, left);
+  test::addDisk(system, right);
+  const auto found = PairSearch(system.pairScene(), 0, 1.0).contactWith(1, -1);
+  ASSERT_TRUE(found);
+  EXPECT_DOUBLE_EQ(*found, 0.1 / 1e-9);
+}
+
 /// Many disks side by side give the same results as each alone, bit for bit.
 TEST(PairSearch, LanesGiveTheEarliestOfAllContacts)
 {

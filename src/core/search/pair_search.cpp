@@ -240,9 +240,12 @@ std::optional<double> PairSearch::contactAcrossTurningSeam(const Disk& other, in
     const double length = position.norm();
     const double opening = position.dot(vectorOf(a.velocity - b.velocity) - there.velocity) / length;
     const double free = guaranteedFreeTime(length - distance, opening, acceleration);
-    if (opening < 0.0 && (free <= resolution || step > MAX_SEAM_STEPS))
+    const double next = time + std::max(free, resolution);
+    // The second case: so far ahead that the step is lost to rounding. Other events come first, or the
+    // contact is found separating and the search begins anew.
+    if ((opening < 0.0 && (free <= resolution || step > MAX_SEAM_STEPS)) || next == time)
       return time;
-    time += std::max(free, resolution);
+    time = next;
   }
   return std::nullopt;
 }
