@@ -16,7 +16,7 @@ namespace ratchet_sieve
 namespace
 {
 
-/// The system's Python, which has matplotlib and pandas.
+/// The system's Python, which has pandas.
 constexpr const char* PYTHON = "/usr/bin/python3";
 
 /// Where Python finds the package, from this program's directory: in the devel and the install space; in a
@@ -38,7 +38,7 @@ int runModule(const std::string& module, std::vector<std::string> arguments)
 {
   const char* others = std::getenv("PYTHONPATH");
   const std::string path = pythonDirectory().string() + (others != nullptr ? ":" + std::string(others) : "");
-  arguments.insert(arguments.begin(), {PYTHON, "-m", module});
+  arguments.insert(arguments.begin(), {PYTHON, "-m", "ratchet_sieve.recommended", module});
   std::vector<char*> argv;
   argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments)

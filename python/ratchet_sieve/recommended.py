@@ -1,0 +1,16 @@
+"""Programs that need what the Debian package only recommends: `python3 -m ratchet_sieve.recommended MODULE [ARGUMENT...]`"""
+import runpy
+import sys
+
+
+def run(module, program):
+    """Runs a module. Without matplotlib or scipy it ends with one line that says how to install them, and status 1."""
+    try:
+        runpy.run_module(module, run_name="__main__", alter_sys=True)
+    except ModuleNotFoundError as missing:
+        sys.exit(f"{program}: {missing}: apt-get install --no-install-recommends python3-matplotlib python3-scipy")
+
+
+if __name__ == "__main__":
+    name = sys.argv.pop(1)
+    run(name, name)
