@@ -100,8 +100,12 @@ def read_sweep(path: Union[str, os.PathLike]) -> pandas.DataFrame:
 def _read(path: str, query: str, parameters: tuple) -> pandas.DataFrame:
     import pandas
 
+    file = pathlib.Path(path).absolute()
+    # A connection for reading alone would leave an empty log beside the file. In a folder that cannot be written no log
+    # can be made, and nobody writes the file.
+    mode = "mode=rw" if os.access(file.parent, os.W_OK) or os.path.exists(f"{file}-wal") else "immutable=1"
     try:
-        connection = sqlite3.connect(f"{pathlib.Path(path).absolute().as_uri()}?mode=ro", uri=True)
+        connection = sqlite3.connect(f"{file.as_uri()}?{mode}", uri=True)
         try:
             table = pandas.read_sql_query(query, connection, params=parameters).drop(columns=["summary"])
         finally:
