@@ -85,7 +85,7 @@ def about(outcomes, command):
 
 
 def write(path, template, outcomes, command):
-    """@param template a file in which $about, $rule, $claims, $additions and $study_NAME of some studies stand
+    """@param template a file in which some of $about, $rule, $claims, $additions and $study_NAME stand
     for what came out, and $appendix for all other studies"""
     claims = claims_of(outcomes)
     known = {"about": about(outcomes, command), "rule": verdicts.RULE,

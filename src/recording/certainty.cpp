@@ -21,6 +21,8 @@ constexpr std::uint64_t BLOCKS_PER_MORE = 5;  ///< checks follow at n and n (1 +
 constexpr double LARGEST_FACTOR = 1e9;
 
 constexpr const char* RUNS_EMPTY = "the base runs empty, so a longer run does not help";
+/// Of an error that is small enough, but from too few blocks.
+constexpr const char* TOO_SHORT_TO_TRUST = "the run is too short for a reliable error, ";
 
 /// The largest half-width of the species that have disks; nothing if one is unknown.
 std::optional<double> largestHalfWidth(const Simulation& simulation, const SteadyMeans& means)
@@ -72,9 +74,8 @@ std::string meanShortfall(const Simulation& simulation, const Certainty& certain
       fmt::format("accuracy.mean_vx = {:g} m/s was not reached within {:g} s: ", wanted, simulation.time());
   if (!ratio || !means.transient)
     return text + (empties(simulation.scene()) ? RUNS_EMPTY : "the run is too short to estimate the error");
-  // Small enough, but from too few blocks to be reliable.
-  const std::string error = *ratio <= 1.0 ? "the run is too short for a reliable error, "
-                                          : fmt::format("+- {:.3g} m/s ", *ratio * wanted);
+  const std::string error =
+      *ratio <= 1.0 ? TOO_SHORT_TO_TRUST : fmt::format("+- {:.3g} m/s ", *ratio * wanted);
   const std::string found =
       error + fmt::format("over {:.3g} s, the first {:.3g} s after settle cut as transient; ", means.left,
                           *means.transient);
@@ -104,12 +105,14 @@ std::string qualityNeed(const Simulation& simulation, const SeparationEstimate& 
 std::string qualityShortfall(const Simulation& simulation,
                              const std::optional<SeparationEstimate>& separation)
 {
-  const std::string text = fmt::format("accuracy.quality = {:g} was not reached within {:g} s: ",
-                                       simulation.scene().accuracy.quality, simulation.time());
+  const double wanted = simulation.scene().accuracy.quality;
+  const std::string text =
+      fmt::format("accuracy.quality = {:g} was not reached within {:g} s: ", wanted, simulation.time());
   if (!separation)
     return text + "too few disks have left to estimate the separation and its error";
-  return text +
-         fmt::format("s = {:.3g} +- {:.2g}; ", separation->estimate.value, separation->estimate.half_width) +
+  const double half_width = separation->estimate.half_width;
+  return text + (half_width <= wanted ? TOO_SHORT_TO_TRUST : "") +
+         fmt::format("s = {:.3g} +- {:.2g}; ", separation->estimate.value, half_width) +
          qualityNeed(simulation, *separation);
 }
 

@@ -231,6 +231,19 @@ TEST(Certainty, ThatCannotBeTrustedYetIsNotSaidToBeTooSmall)
   EXPECT_EQ(runToEnd(longer, {}).end, RunEnd::ACCURATE);
 }
 
+TEST(Certainty, OfQThatCannotBeTrustedYetIsNotSaidToBeTooSmall)
+{
+  SceneDefinition scene = fedSieve(0.5);
+  scene.duration = 4.0;
+  Simulation brief(scene);
+  const std::vector<std::string> warnings = runToEnd(brief, {}).warnings;
+  ASSERT_LT(certaintyOf(brief).separation->estimate.half_width, 0.5);
+  ASSERT_FALSE(warnings.empty());
+  const std::string start =
+      "accuracy.quality = 0.5 was not reached within 4 s: the run is too short for a reliable error, s = ";
+  EXPECT_EQ(warnings.back().rfind(start, 0), 0u) << warnings.back();
+}
+
 TEST(Certainty, OfAMachineThatEmptiesIsNotSaidToTakeALongerRun)
 {
   SceneDefinition scene = smallMixture();
