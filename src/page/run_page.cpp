@@ -7,18 +7,14 @@
 #include <fmt/format.h>
 
 #include "html_page.h"
-#include "machine_part.h"
 #include "motion.h"
 #include "ratchet_sieve/analysis/analysis_report.h"
 #include "ratchet_sieve/core/commanded_quantity.h"
 #include "ratchet_sieve/core/count_text.h"
 #include "ratchet_sieve/core/drive_of_scene.h"
-#include "ratchet_sieve/core/layer.h"
 #include "ratchet_sieve/core/plan.h"
-#include "ratchet_sieve/core/segregation.h"
 #include "ratchet_sieve/recording/frames.h"
 #include "ratchet_sieve/recording/summary.h"
-#include "ratchet_sieve/scene/scalars.h"
 #include "ratchet_sieve/scene/scene_file.h"
 
 namespace ratchet_sieve
@@ -75,28 +71,16 @@ Json driveSeries(const RunResult& result)
       series[std::string("commanded_") + quantity.name].push_back(frame.base.*quantity.commanded);
     }
   }
-  series["recorded"] = !result.base.empty();
   return series;
-}
-
-/// Of a bin, of a species.
-void addShares(Json& series, const char* bin, const BinShares& shares)
-{
-  for (const auto& [by, share] : {std::pair{"number", shares.number}, std::pair{"mass", shares.mass}})
-  {
-    series["purity"][bin][by].push_back(numberOrNull(share.purity));
-    series["recovery"][bin][by].push_back(numberOrNull(share.recovery));
-  }
 }
 
 Json binSeries(const RunResult& result)
 {
-  Json series = {{"time", Json::array()}, {"species", Json::array()}, {"every", 1}};
+  Json series = {{"time", Json::array()}, {"species", Json::array()}};
   if (result.bins.empty())
     return series;
   const std::size_t last = result.bins.size() - 1;
   const std::size_t every = last / MOST_ROWS + 1;
-  series["every"] = every;
   for (std::size_t k = 0; k <= last; ++k)
   {
     if (k % every != 0 && k != last)
@@ -105,15 +89,12 @@ Json binSeries(const RunResult& result)
     series["time"].push_back(frame.time);
     series["quality"].push_back(numberOrNull(frame.quality));
     series["processed"].push_back(numberOrNull(frame.processed));
-    const std::vector<SpeciesShares> shares = binShares(frame.bins);
     for (std::size_t i = 0; i < frame.bins.size(); ++i)
     {
       Json& of_species = series["species"][i];
       of_species["left"].push_back(frame.bins[i].left);
       of_species["right"].push_back(frame.bins[i].right);
       of_species["on_base"].push_back(frame.bins[i].on_base);
-      addShares(of_species, "left", shares[i].left);
-      addShares(of_species, "right", shares[i].right);
     }
   }
   return series;
