@@ -273,8 +273,8 @@ Outcome RunControl::pour(const std::string& species, std::size_t count)
   {
     return {false, error.what()};
   }
-  run_->show(run_->particles());
-  run_->show(run_->bins());
+  run_->show(run_->now<ParticleFrame>());
+  run_->show(run_->now<BinFrame>());
   return {};
 }
 
@@ -286,7 +286,7 @@ double RunControl::commanded(Quantity quantity) const
 void RunControl::command(Quantity quantity, double value)
 {
   run_->applyCommand(setpointCommand(quantity, value));
-  run_->show(run_->base());
+  run_->show(run_->now<BaseFrame>());
 }
 
 }  // namespace ratchet_sieve

@@ -179,7 +179,7 @@ class FrameSink
 public:
   virtual ~FrameSink() = default;
 
-  /// Whether frames of a kind are needed at present. The sampler skips frames of a kind with a rate that is
+  /// Whether frames of a kind are needed at present. A run skips frames of a kind with a rate that is
   /// not wanted.
   virtual bool wants(FrameKind) const { return true; }
 
