@@ -87,8 +87,8 @@ Json binSeries(const RunResult& result)
       continue;
     const BinFrame& frame = result.bins[k];
     series["time"].push_back(frame.time);
-    series["quality"].push_back(numberOrNull(frame.quality));
-    series["processed"].push_back(numberOrNull(frame.processed));
+    series["quality"].push_back(frame.quality);
+    series["processed"].push_back(frame.processed);
     for (std::size_t i = 0; i < frame.bins.size(); ++i)
     {
       Json& of_species = series["species"][i];
@@ -110,8 +110,8 @@ Json velocitySeries(const RunResult& result)
     for (std::size_t i = 0; i < frame.species.size(); ++i)
     {
       const SpeciesMeans& means = frame.species[i].means;
-      series["species"][i]["mean_vx"].push_back(numberOrNull(means.mean_vx));
-      series["species"][i]["mean_vx_stderr"].push_back(numberOrNull(means.mean_vx_stderr));
+      series["species"][i]["mean_vx"].push_back(means.mean_vx);
+      series["species"][i]["mean_vx_stderr"].push_back(means.mean_vx_stderr);
     }
   }
   return series;
