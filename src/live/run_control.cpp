@@ -82,10 +82,17 @@ std::unique_ptr<Run> RunControl::makeRun(const SceneDefinition& scene, std::vect
   simulation.setThreads(parameters_.threads);
   simulation.keepExits(parameters_.window);
   auto run = std::make_unique<Run>(std::move(simulation), end_time);
-  run->add(sinks_, parameters_.rates);
+  for (FrameSink* sink : sinks_)
+    run->add(*sink, parameters_.rates);
   run->observeExits(exit_observer_);
   run->open(std::move(opening));
   return run;
+}
+
+void RunControl::addSink(FrameSink& sink)
+{
+  sinks_.push_back(&sink);
+  run_->add(sink, parameters_.rates);
 }
 
 void RunControl::observeExits(ExitObserver observer)
