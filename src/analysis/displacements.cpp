@@ -160,19 +160,11 @@ DisplacementDistributions::DisplacementDistributions(std::size_t species_count, 
 {
 }
 
-DisplacementDistributions::Snapshot DisplacementDistributions::snapshot(const ParticleFrame& frame) const
-{
-  Snapshot snapshot;
-  snapshot.time = frame.time;
-  snapshot.displacements.resize(species_count_);
-  for (const DiskState& disk : frame.disks)
-    snapshot.displacements[disk.species].push_back(disk.displacement);
-  return snapshot;
-}
-
 void DisplacementDistributions::add(const ParticleFrame& frame)
 {
-  last_ = snapshot(frame);
+  last_ = {frame.time, std::vector<std::vector<double>>(species_count_)};
+  for (const DiskState& disk : frame.disks)
+    last_.displacements[disk.species].push_back(disk.displacement);
   if (next_ == times_.size() || frame.time < times_[next_])
     return;
   while (next_ < times_.size() && frame.time >= times_[next_])

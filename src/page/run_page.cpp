@@ -145,13 +145,6 @@ std::string commandText(const CommandFrame& command, const SceneDefinition& scen
   }
 }
 
-/// Columns over time: `drive`, `bins`, `velocities`. Rows between which nothing changes are left out.
-Json seriesPart(const RunResult& result)
-{
-  return {
-      {"drive", driveSeries(result)}, {"bins", binSeries(result)}, {"velocities", velocitySeries(result)}};
-}
-
 /// Each command as its time and a text.
 Json commandsPart(const std::vector<CommandFrame>& commands, const SceneDefinition& scene)
 {
@@ -236,7 +229,8 @@ void RunPage::write(const std::string& path, const std::string& title,
   json["commands"] = commandsPart(page.commands, scene);
   json["commands_taken"] = page.commands_taken;
 
-  const std::string series = deflated(jsonForHtml(seriesPart(result)));
+  const std::string series = deflated(jsonForHtml(
+      {{"drive", driveSeries(result)}, {"bins", binSeries(result)}, {"velocities", velocitySeries(result)}}));
   const std::size_t rest =
       AROUND_DATA + lengthOf(RUN_TEMPLATE) + jsonForHtml(json).size() + inBase64(series.size());
   const std::size_t for_motion = page.size > rest ? (page.size - rest) / 4 * 3 : 0;

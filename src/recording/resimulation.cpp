@@ -83,7 +83,6 @@ StatisticsFrame withoutWindow(StatisticsFrame frame)
 Resimulation::Resimulation(std::function<void(const Simulation&)> progress) : progress_(std::move(progress))
 {
 }
-Resimulation::~Resimulation() = default;
 
 double Resimulation::time() const
 {

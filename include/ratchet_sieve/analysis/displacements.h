@@ -86,8 +86,6 @@ private:
     std::vector<std::vector<double>> displacements;  ///< per species [m]
   };
 
-  Snapshot snapshot(const ParticleFrame& frame) const;
-
   std::size_t species_count_;
   std::vector<double> times_;
   std::size_t next_ = 0;

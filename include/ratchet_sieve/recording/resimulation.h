@@ -24,7 +24,6 @@ class Resimulation : public FrameSink
 public:
   /// @param progress called after each time; may be empty
   explicit Resimulation(std::function<void(const Simulation&)> progress = {});
-  ~Resimulation() override;
 
   /// The same scene again, as at the start of each file of a split recording, continues the same run. @throws
   /// SceneError or std::invalid_argument if the recording cannot be a run
