@@ -206,7 +206,7 @@ Json reportJson(const RunResult& result)
   addBinResults(json, result.species,
                 result.lastBins() != nullptr ? result.lastBins()->bins
                                              : std::vector<SpeciesBins>(result.species.size()));
-  for (const char* contacts : {"collisions", "short_to_long", "max_overlap"})
+  for (const char* contacts : {"collisions", "max_overlap", "short_to_long"})
     json[contacts] = nullptr;
   if (const StatisticsFrame* statistics = result.lastStatistics())
   {

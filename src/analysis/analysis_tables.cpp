@@ -37,9 +37,10 @@ std::string fields(const First& first, const Others&... others)
 {
   std::string text;
   if constexpr (IS_DESCRIBED<First>)
-    Fields<First>::each([&text](const FieldInfo&, const auto& value)
-                        { text += (text.empty() ? "" : ",") + fields(value); },
-                        first);
+  {
+    Fields<First>::each([&text](const FieldInfo&, const auto& value) { text += fields(value) + ','; }, first);
+    text.pop_back();
+  }
   else if constexpr (IS_OPTIONAL<First>)
     text = first ? fields(*first) : "";
   else
